@@ -37,7 +37,7 @@
     </message>
     <message>
         <source>Faults of real surveys to put in, with commas between them: steps (in the trajectories), stops (a long wait), ghosts (points below the road), rings (lasers that differ), ground (heights of the airborne points that are off), rails (and decks), driveways (lowered kerbs), paint (worn and patched), surface (wet and concrete stretches). Without any the city is as ever.</source>
-        <translation>実際の計測に見られる不具合を、コンマ区切りで加えます：steps（軌跡の段差）、stops（長い停車）、ghosts（路面より下の点）、rings（特性の異なるレーザ）、ground（航空レーザ点の標高のずれ）、rails（レールと床版）、driveways（縁石の切下げ）、paint（摩耗や補修のある塗装）、surface（濡れた区間とコンクリート区間）。指定しなければ通常の都市です。</translation>
+        <translation>実際の計測に見られる不具合を、コンマ区切りで加えます：steps（軌跡の段差）、stops（長い停車）、ghosts（路面より下の点）、rings（特性の異なるレーザ）、ground（航空レーザ点の標高のずれ）、rails（レールと床版）、driveways（縁石の切下げ）、paint（摩耗や補修のある標示）、surface（濡れた区間とコンクリート区間）。指定しなければ通常の都市です。</translation>
     </message>
     <message>
         <source>Workers</source>
@@ -81,23 +81,23 @@
     </message>
     <message>
         <source>Mobile survey 1</source>
-        <translation>移動計測1</translation>
+        <translation>MMS計測1</translation>
     </message>
     <message>
         <source>Trajectory of survey 1, as reported</source>
-        <translation>移動計測1の軌跡（補正前）</translation>
+        <translation>MMS計測1の軌跡（補正前）</translation>
     </message>
     <message>
         <source>Mobile survey 2</source>
-        <translation>移動計測2</translation>
+        <translation>MMS計測2</translation>
     </message>
     <message>
         <source>Trajectory of survey 2, as reported</source>
-        <translation>移動計測2の軌跡（補正前）</translation>
+        <translation>MMS計測2の軌跡（補正前）</translation>
     </message>
     <message>
         <source>Calibration of the mobile survey</source>
-        <translation>移動計測の校正値</translation>
+        <translation>MMS計測の校正値</translation>
     </message>
     <message>
         <source>Aerial frames</source>
@@ -133,7 +133,7 @@
     </message>
     <message>
         <source>Number of points of both mobile surveys.</source>
-        <translation>2つの移動計測の点の合計数です。</translation>
+        <translation>2つのMMS計測の点の合計数です。</translation>
     </message>
     <message>
         <source>MMS points</source>
@@ -153,7 +153,7 @@
     </message>
     <message>
         <source>Majority vote: what most of them agree on, which also keeps dark vehicles from winning over paint. Darkest: the one with the lowest sum of channels. Paper: darkest without gain compensation. (vote, darkest, paper)</source>
-        <translation>vote：多数決で、大半の画像が一致する値をとります。暗い車両が塗装より優先されることも防ぎます。darkest：チャンネルの和が最小の画像をとります。paper：輝度補正なしの最小輝度合成です。（vote, darkest, paper）</translation>
+        <translation>vote：多数決で、大半の画像が一致する値をとります。暗い車両が標示より優先されることも防ぎます。darkest：チャンネルの和が最小の画像をとります。paper：輝度補正なしの最小輝度合成です。（vote, darkest, paper）</translation>
     </message>
     <message>
         <source>Gain compensation</source>
@@ -241,7 +241,7 @@
     </message>
     <message>
         <source>Heights of the surface, from “Surface and ground from ALS”, in the CRS and height system of the exterior orientation.</source>
-        <translation>「航空レーザからの表層と地表」による表層の標高です。座標参照系と標高系は外部標定要素と同じにします。</translation>
+        <translation>「航空レーザからの表層と地表」による表層の標高です。座標参照系と高さの基準は外部標定要素と同じにします。</translation>
     </message>
     <message>
         <source>Ground</source>
@@ -413,7 +413,7 @@
     </message>
     <message>
         <source>Majority vote: what most frames agree on, which also keeps dark vehicles from winning over paint. Darkest: the frame with the lowest sum of channels. Paper: as in the paper, darkest without gain compensation, of frames masked by their plain occlusion maps. (vote, darkest, paper)</source>
-        <translation>vote：多数決で、大半の写真が一致する値をとります。暗い車両が塗装より優先されることも防ぎます。darkest：チャンネルの和が最小の写真をとります。paper：論文どおり、単純な遮蔽図でマスクした写真から、輝度補正なしで最も暗いものをとります。（vote, darkest, paper）</translation>
+        <translation>vote：多数決で、大半の写真が一致する値をとります。暗い車両が標示より優先されることも防ぎます。darkest：チャンネルの和が最小の写真をとります。paper：論文どおり、単純な遮蔽図でマスクした写真から、輝度補正なしで最も暗いものをとります。（vote, darkest, paper）</translation>
     </message>
     <message>
         <source>Bring all frames to one brightness and contrast before they are compared.</source>
@@ -517,7 +517,7 @@
     </message>
     <message>
         <source>Profile: paint must stand out from the road on both sides, and what is no paint is left out. Paper: the plain adaptive Gaussian threshold of the grey image after a level adjustment, as in the paper; only block size and contrast matter then. (profile, paper)</source>
-        <translation>profile：塗装が両側の路面より明るいことを条件とし、塗装でないものを除きます。paper：論文どおり、レベル補正後のグレー画像に適応的閾値処理だけを行います。この場合はブロックサイズとコントラストだけが有効です。（profile, paper）</translation>
+        <translation>profile：標示が両側の路面より明るいことを条件とし、標示でないものを除きます。paper：論文どおり、レベル補正後のグレー画像に適応的閾値処理だけを行います。この場合はブロックサイズとコントラストだけが有効です。（profile, paper）</translation>
     </message>
     <message>
         <source>Block size</source>
@@ -537,7 +537,7 @@
     </message>
     <message>
         <source>How much brighter than the mean paint is, in grey values of an image that goes from 0 to 255 after the level adjustment, whatever its bit depth.</source>
-        <translation>塗装が平均よりどれだけ明るいかを、画像のビット数によらず、レベル補正後の0～255の階調値で指定します。</translation>
+        <translation>標示が平均よりどれだけ明るいかを、画像のビット数によらず、レベル補正後の0～255の階調値で指定します。</translation>
     </message>
     <message>
         <source>Clean</source>
@@ -545,7 +545,7 @@
     </message>
     <message>
         <source>Leave out what is no paint by its width, contrast on both sides, shape and surroundings; without it all stays that is brighter by the contrast than the block.</source>
-        <translation>幅、両側のコントラスト、形状、周囲の状況から、塗装でないものを除きます。無効の場合は、ブロックよりコントラスト分だけ明るいものをすべて残します。</translation>
+        <translation>幅、両側のコントラスト、形状、周囲の状況から、標示でないものを除きます。無効の場合は、ブロックよりコントラスト分だけ明るいものをすべて残します。</translation>
     </message>
     <message>
         <source>Maximum stroke width</source>
@@ -553,7 +553,7 @@
     </message>
     <message>
         <source>What is wider than this in every direction is no paint.</source>
-        <translation>どの方向にもこれより幅の広いものは塗装とみなしません。</translation>
+        <translation>どの方向にもこれより幅の広いものは標示とみなしません。</translation>
     </message>
     <message>
         <source>Minimum marking area</source>
@@ -569,15 +569,15 @@
     </message>
     <message>
         <source>Markings (parts of long ones) with less confidence that they are paint on a road, 0 to 1, are left out: those on textured or coloured ground such as grass and earth, and faint ones. 0 keeps all. Where roads are given, the ground needs no proof.</source>
-        <translation>路上の塗装としての信頼度（0～1）がこれより低い路面標示（長いものはその一部）を除きます。草地や土など模様や色のある地面の上のものと、薄いものが対象です。0の場合はすべて残します。道路を指定した所では、地面の確認は行いません。</translation>
+        <translation>路上の標示としての信頼度（0～1）がこれより低い路面標示（長いものはその一部）を除きます。草地や土など模様や色のある地面の上のものと、薄いものが対象です。0の場合はすべて残します。道路を指定した所では、地面の確認は行いません。</translation>
     </message>
     <message>
         <source>Width of filled paint</source>
-        <translation>塗りつぶし塗装の幅</translation>
+        <translation>塗りつぶし標示の幅</translation>
     </message>
     <message>
         <source>Paint up to this width, such as arrow heads and letters, is filled between its edges; at most the maximum stroke width fills nothing.</source>
-        <translation>矢印の先端や文字など、この幅までの塗装は縁と縁の間を塗りつぶします。線の最大幅以下の値では塗りつぶしません。</translation>
+        <translation>矢印の先端や文字など、この幅までの標示は縁と縁の間を塗りつぶします。線の最大幅以下の値では塗りつぶしません。</translation>
     </message>
     <message>
         <source>Points of “Orthorectify frames” that tell how far the frames of this orthophoto disagree; shown in the report.</source>
@@ -600,8 +600,8 @@
         <translation>レベル</translation>
     </message>
     <message>
-        <source>Low, high, middle and noise of the brightness of the image that this one is a part of; a run over tiles gives them. Left out: of this image itself.</source>
-        <translation>この画像を含む元の画像の明るさの下限、上限、中央、ノイズです。タイル処理で設定されます。省略した場合はこの画像自体の値を使います。</translation>
+        <source>Brightness (three numbers) and road (four) of the whole image that this one is a part of; a run over tiles gives them. Left out: of this image.</source>
+        <translation>この画像を含む元画像全体の明るさ（三つの数値）と道路（四つの数値）。タイルごとの処理では自動で渡されます。省略時はこの画像自身から求めます。</translation>
     </message>
     <message>
         <source>Marking mask</source>
@@ -654,6 +654,10 @@
     <message>
         <source>Searched area</source>
         <translation>探索面積</translation>
+    </message>
+    <message>
+        <source>Road markings from orthophoto</source>
+        <translation>オルソ画像からの路面標示</translation>
     </message>
     <message>
         <source>Point clouds</source>
@@ -809,7 +813,7 @@
     </message>
     <message>
         <source>The drives: LAS, LAZ or COPC files with intensities and GPS times, or their markings as “Road markings of a mobile survey” writes them. Each file belongs to the trajectory along which it was measured.</source>
-        <translation>各走行のデータです。反射強度とGPS時刻を持つLAS、LAZまたはCOPCファイル、または「移動計測の路面標示」が出力した路面標示を指定します。各ファイルは、計測時の軌跡に対応付けます。</translation>
+        <translation>各走行のデータです。反射強度とGPS時刻を持つLAS、LAZまたはCOPCファイル、または「MMS計測の路面標示」が出力した路面標示を指定します。各ファイルは、計測時の軌跡に対応付けます。</translation>
     </message>
     <message>
         <source>Trajectories</source>
@@ -837,7 +841,7 @@
     </message>
     <message>
         <source>GeoTIFF, GTX or text grid of GSI (.asc, .isg) of the geoid's heights above the ellipsoid: with it the ellipsoidal heights of SBET become heights above sea level, as those of the points must be.</source>
-        <translation>楕円体からのジオイド高のGeoTIFF、GTX、または国土地理院のテキスト格子（.asc, .isg）です。これによりSBETの楕円体高を標高に変換します。点の高さも標高である必要があります。</translation>
+        <translation>楕円体からのジオイド高のGeoTIFF、GTX、または国土地理院のテキストグリッド（.asc, .isg）です。これによりSBETの楕円体高を標高に変換します。点の高さも標高である必要があります。</translation>
     </message>
     <message>
         <source>Height of the geoid</source>
@@ -861,7 +865,7 @@
     </message>
     <message>
         <source>Control points</source>
-        <translation>基準点・検証点</translation>
+        <translation>基準点（調整点・検証点）</translation>
     </message>
     <message>
         <source>CSV or layer with the columns id,x,y,z (where a point truly lies, metres) and time,x_mms,y_mms,z_mms (when the survey measured it, GPS seconds, and where it lies in the survey). Heights may be missing.</source>
@@ -881,7 +885,7 @@
     </message>
     <message>
         <source>The reference: a raster whose cells are above 0 where there is paint, or marking polygons. “Road markings from orthophoto” makes both.</source>
-        <translation>基準データです。塗装のある所でセルが0より大きいラスタ、または路面標示のポリゴンを指定します。どちらも「オルソ画像からの路面標示」で作成できます。</translation>
+        <translation>基準データです。標示のある所でセルが0より大きいラスタ、または路面標示のポリゴンを指定します。どちらも「オルソ画像からの路面標示」で作成できます。</translation>
     </message>
     <message>
         <source>Ground elevation</source>
@@ -982,6 +986,10 @@
     <message>
         <source>Relative only</source>
         <translation>相対位置のみ</translation>
+    </message>
+    <message>
+        <source>Adjust several drives</source>
+        <translation>複数走行の調整</translation>
     </message>
     <message>
         <source>The survey: one or several LAS, LAZ or COPC files with GPS times, as the reported trajectory places it.</source>
@@ -1160,6 +1168,10 @@
         <translation>決定された値</translation>
     </message>
     <message>
+        <source>Calibrate scanners</source>
+        <translation>スキャナの校正</translation>
+    </message>
+    <message>
         <source>The same after a correction. Without it the survey is measured as it is.</source>
         <translation>補正後の同じ軌跡です。指定しない場合は、計測データをそのまま評価します。</translation>
     </message>
@@ -1232,6 +1244,10 @@
         <translation>使用した検証点</translation>
     </message>
     <message>
+        <source>Check accuracy at control points</source>
+        <translation>検証点での精度確認</translation>
+    </message>
+    <message>
         <source>Distance in metres between the nodes of the cloth. Larger ones do not follow the ground well.</source>
         <translation>布の節点の間隔（m）です。大きすぎると地表によく沿いません。</translation>
     </message>
@@ -1293,7 +1309,7 @@
     </message>
     <message>
         <source>A survey (LAS, LAZ or COPC with intensities and GPS times) or, faster, its markings as “Road markings of a mobile survey” writes them.</source>
-        <translation>計測データ（反射強度とGPS時刻を持つLAS、LAZまたはCOPC）です。「移動計測の路面標示」が出力した路面標示を指定すると、より速く処理できます。</translation>
+        <translation>計測データ（反射強度とGPS時刻を持つLAS、LAZまたはCOPC）です。「MMS計測の路面標示」が出力した路面標示を指定すると、より速く処理できます。</translation>
     </message>
     <message>
         <source>Where the vehicle was: CSV time,x,y,z,roll,pitch,heading (GPS seconds, metres, degrees; with sd_roll,sd_pitch,sd_heading where their accuracy is known), Applanix SBET (with its smrmsg file beside it), or a point layer with these fields.</source>
@@ -1301,7 +1317,7 @@
     </message>
     <message>
         <source>Heights of the ground in metres, in the height system of the survey. With it the correction is in space.</source>
-        <translation>計測データと同じ標高系での地表の標高（m）です。指定すると3次元で補正します。</translation>
+        <translation>計測データと同じ高さの基準での地表の標高（m）です。指定すると3次元で補正します。</translation>
     </message>
     <message>
         <source>Patch length</source>
@@ -1333,7 +1349,7 @@
     </message>
     <message>
         <source>Feature grid</source>
-        <translation>特徴格子</translation>
+        <translation>特徴グリッド</translation>
     </message>
     <message>
         <source>Side of the cells in which markings are counted.</source>
@@ -1353,7 +1369,7 @@
     </message>
     <message>
         <source>NDT grid</source>
-        <translation>NDT格子</translation>
+        <translation>NDTグリッド</translation>
     </message>
     <message>
         <source>Side of the cells of the normal distributions.</source>
@@ -1409,7 +1425,7 @@
     </message>
     <message>
         <source>A patch whose standard deviation in plan is larger is not to be trusted.</source>
-        <translation>水平位置の標準偏差がこれより大きいパッチは信頼不可とします。</translation>
+        <translation>水平位置の標準偏差がこれより大きいパッチは信頼できないとします。</translation>
     </message>
     <message>
         <source>Aerial image</source>
@@ -1457,11 +1473,11 @@
     </message>
     <message>
         <source>Share of the path that is registered, 0 to 1.</source>
-        <translation>経路のうち登録済みの割合（0～1）です。</translation>
+        <translation>経路のうち位置合わせ済みの割合（0～1）です。</translation>
     </message>
     <message>
         <source>Registered</source>
-        <translation>登録済み</translation>
+        <translation>位置合わせ済み</translation>
     </message>
     <message>
         <source>Share of the path that is bridged, 0 to 1.</source>
@@ -1473,15 +1489,19 @@
     </message>
     <message>
         <source>Share of the path not to be trusted, 0 to 1.</source>
-        <translation>経路のうち信頼不可の割合（0～1）です。</translation>
+        <translation>経路のうち信頼できない割合（0～1）です。</translation>
     </message>
     <message>
         <source>Not to be trusted</source>
-        <translation>信頼不可</translation>
+        <translation>信頼できない区間</translation>
     </message>
     <message>
         <source>Maximum standard deviation</source>
         <translation>標準偏差の最大値</translation>
+    </message>
+    <message>
+        <source>Register mobile survey</source>
+        <translation>MMS計測の位置合わせ</translation>
     </message>
     <message>
         <source>The survey: LAS, LAZ or COPC files with intensities and GPS times, in one projected coordinate system.</source>
@@ -1541,7 +1561,7 @@
     </message>
     <message>
         <source>Points on markings with all their attributes, and calibrated_intensity (asphalt has the reference intensity) and marking_weight (0 to 1: how far above the middle between ground and paint).</source>
-        <translation>路面標示上の点です。すべての属性に加え、calibrated_intensity（アスファルトが基準の反射強度になるよう補正した値）とmarking_weight（0～1、地面と塗装の中間をどれだけ上回るか）を持ちます。</translation>
+        <translation>路面標示上の点です。すべての属性に加え、calibrated_intensity（アスファルトが基準の反射強度になるよう補正した値）とmarking_weight（0～1、地面と標示の中間をどれだけ上回るか）を持ちます。</translation>
     </message>
     <message>
         <source>Intensity over range</source>
@@ -1573,7 +1593,7 @@
     </message>
     <message>
         <source>Contrast of paint</source>
-        <translation>塗装のコントラスト</translation>
+        <translation>標示のコントラスト</translation>
     </message>
     <message>
         <source>By how much asphalt in bins of range departs from the curve, as a share of it (robust standard deviation; worst scanner).</source>
@@ -1622,6 +1642,10 @@
     <message>
         <source>Points left out</source>
         <translation>除いた点</translation>
+    </message>
+    <message>
+        <source>Road markings of a mobile survey</source>
+        <translation>MMS計測の路面標示</translation>
     </message>
     <message>
         <source>Line images</source>
@@ -1924,6 +1948,10 @@
         <translation>描画のない画像</translation>
     </message>
     <message>
+        <source>Overlay on images</source>
+        <translation>画像への重ね描き</translation>
+    </message>
+    <message>
         <source>The reported trajectory: CSV time,x,y,z,roll,pitch,heading (GPS seconds, metres, degrees), Applanix SBET, or a point layer with these fields.</source>
         <translation>補正前の軌跡です。CSV time,x,y,z,roll,pitch,heading（GPS秒、m、度）、Applanix SBET、またはこれらのフィールドを持つ点レイヤを指定します。</translation>
     </message>
@@ -2090,6 +2118,10 @@
     <message>
         <source>Height after</source>
         <translation>補正後の高さの差</translation>
+    </message>
+    <message>
+        <source>Rectify trajectory</source>
+        <translation>軌跡の補正</translation>
     </message>
     <message>
         <source>The survey, placed with the trajectory: one or several LAS, LAZ or COPC files with GPS times.</source>
@@ -2277,7 +2309,7 @@
     </message>
     <message>
         <source>Height system of the data</source>
-        <translation>データの標高系</translation>
+        <translation>データの高さの基準</translation>
     </message>
     <message>
         <source>JGD2000, JGD2011, JGD2024, ellipsoidal or the EPSG code of a vertical system; needed where the data do not state it.</source>
@@ -2285,19 +2317,19 @@
     </message>
     <message>
         <source>Height system of the result</source>
-        <translation>結果の標高系</translation>
+        <translation>結果の高さの基準</translation>
     </message>
     <message>
         <source>Likewise.</source>
-        <translation>データの標高系と同様に指定します。</translation>
+        <translation>データの高さの基準と同様に指定します。</translation>
     </message>
     <message>
         <source>Grid</source>
-        <translation>格子</translation>
+        <translation>グリッド</translation>
     </message>
     <message>
         <source>Corrections (added to the older system's heights) or a geoid model: GSI's text grid (.isg, .asc), GeoTIFF or GTX, in latitude and longitude, m.</source>
-        <translation>補正量（旧標高系の標高に加える値）またはジオイドモデルです。国土地理院のテキスト格子（.isg, .asc）、GeoTIFFまたはGTXで、緯度・経度の格子、単位はmです。</translation>
+        <translation>補正量（旧高さの基準の標高に加える値）またはジオイドモデルです。国土地理院のテキストグリッド（.isg, .asc）、GeoTIFFまたはGTXで、緯度・経度のグリッド、単位はmです。</translation>
     </message>
     <message>
         <source>One value</source>
@@ -2305,15 +2337,15 @@
     </message>
     <message>
         <source>Instead of a grid, one correction or geoid height for all places.</source>
-        <translation>格子の代わりに、すべての場所に適用する1つの補正量またはジオイド高です。</translation>
+        <translation>グリッドの代わりに、すべての場所に適用する1つの補正量またはジオイド高です。</translation>
     </message>
     <message>
         <source>Against the grid</source>
-        <translation>格子の逆方向</translation>
+        <translation>グリッドの逆方向</translation>
     </message>
     <message>
         <source>The corrections of the grid lead from the result's system to that of the data.</source>
-        <translation>格子の補正量が、結果の標高系からデータの標高系への変換である場合に指定します。</translation>
+        <translation>グリッドの補正量が、結果の高さの基準からデータの高さの基準への変換である場合に指定します。</translation>
     </message>
     <message>
         <source>With converted heights, all attributes kept.</source>
@@ -2381,7 +2413,7 @@
     </message>
     <message>
         <source>Height system</source>
-        <translation>標高系</translation>
+        <translation>高さの基準</translation>
     </message>
     <message>
         <source>What heights count from, where the layer's CRS does not say it: JGD2011, JGD2024, ellipsoidal or the EPSG code of a vertical system.</source>
@@ -2389,7 +2421,7 @@
     </message>
     <message>
         <source>GeoTIFF, GTX or text grid of GSI (.asc, .isg) of the geoid's heights above the ellipsoid: 3D Tiles then have ellipsoidal heights, as globes want them.</source>
-        <translation>楕円体からのジオイド高のGeoTIFF、GTX、または国土地理院のテキスト格子（.asc, .isg）です。これにより、3D Tilesは地球儀型ビューアが必要とする楕円体高になります。</translation>
+        <translation>楕円体からのジオイド高のGeoTIFF、GTX、または国土地理院のテキストグリッド（.asc, .isg）です。これにより、3D Tilesは地球儀型ビューアが必要とする楕円体高になります。</translation>
     </message>
     <message>
         <source>Municipality's code</source>
@@ -2398,6 +2430,22 @@
     <message>
         <source>Five digits, such as 13101: CityGML then has the buildings' ids as PLATEAU asks for them.</source>
         <translation>13101のような5桁の数字です。CityGMLの建物のidがPLATEAUの求める形式になります。</translation>
+    </message>
+    <message>
+        <source>i-UR version</source>
+        <translation>i-UR のバージョン</translation>
+    </message>
+    <message>
+        <source>Version of PLATEAU's extension of CityGML: 3.2 of the specification in force, 3.1 or 2.0. (3.2, 3.1, 2.0)</source>
+        <translation>PLATEAU の CityGML 拡張（i-UR）のバージョンです。現行の標準製品仕様書は 3.2 で、3.1 と 2.0 も選べます。（3.2、3.1、2.0）</translation>
+    </message>
+    <message>
+        <source>Map level of the public survey</source>
+        <translation>公共測量の地図情報レベル</translation>
+    </message>
+    <message>
+        <source>Level of the public survey that the laser points are of, for CityGML's quality attributes; none where they are of no public survey. (none, 500, 1000, 2500, 5000)</source>
+        <translation>レーザ点群が公共測量成果である場合の地図情報レベルで、CityGML の品質属性に記録します。公共測量成果でない場合は none とします。（none、500、1000、2500、5000）</translation>
     </message>
     <message>
         <source>Date of the data</source>
@@ -2637,7 +2685,7 @@
     </message>
     <message>
         <source>PolygonZ of “Walls from a mobile survey”. Walls of few points, rough ones and those inside the outlines are left out.</source>
-        <translation>「移動計測の壁面」のPolygonZ。点の少ない壁面、粗い壁面、外周線の内側にある壁面は除かれます。</translation>
+        <translation>「MMS計測の壁面」のPolygonZ。点の少ない壁面、粗い壁面、外周線の内側にある壁面は除かれます。</translation>
     </message>
     <message>
         <source>Height</source>
@@ -2750,6 +2798,10 @@
     <message>
         <source>Walls moved</source>
         <translation>移動した壁面</translation>
+    </message>
+    <message>
+        <source>Merge building models with measured walls</source>
+        <translation>建物モデルと計測壁面の統合</translation>
     </message>
     <message>
         <source>Points with building_id from “Segment buildings”, or any points of airborne scanning.</source>
@@ -2865,7 +2917,7 @@
     </message>
     <message>
         <source>points</source>
-        <translation>点</translation>
+        <translation>点数</translation>
     </message>
     <message>
         <source>Boundary points that a line must have to be an edge, in the paper's method (its n).</source>
@@ -3057,7 +3109,7 @@
     </message>
     <message>
         <source>Mobile survey</source>
-        <translation>移動計測</translation>
+        <translation>MMS計測</translation>
     </message>
     <message>
         <source>One or several LAS, LAZ or COPC files of a survey that lies on the map, such as from “Apply corrected trajectory”.</source>
@@ -3145,7 +3197,7 @@
     </message>
     <message>
         <source>Area</source>
-        <translation>面積</translation>
+        <translation>範囲</translation>
     </message>
     <message>
         <source>Median over the walls of the standard deviation of their place in the survey.</source>
@@ -3164,8 +3216,8 @@
         <translation>観測データ</translation>
     </message>
     <message>
-        <source>RINEX 2.11 or 3.x observation files, plain or gzipped; each file is a pass.</source>
-        <translation>RINEX 2.11または3.xの観測ファイル（非圧縮またはgzip）。1ファイルを1回の走行とします。</translation>
+        <source>RINEX 2.11, 3.x or 4.x observation files, plain or compact (Hatanaka), as they are or packed by gzip or bzip2; each file is a pass.</source>
+        <translation>RINEX 2.11、3.xまたは4.xの観測ファイルです。通常形式でも圧縮（Hatanaka）形式でもよく、gzipまたはbzip2で圧縮されていてもかまいません。1ファイルを1走行とします。</translation>
     </message>
     <message>
         <source>Navigation</source>
@@ -3328,6 +3380,10 @@
         <translation>オフセットの中央値</translation>
     </message>
     <message>
+        <source>Adjust walls by GNSS</source>
+        <translation>GNSSによる壁面の調整</translation>
+    </message>
+    <message>
         <source>Seconds between lines</source>
         <translation>線の時間間隔</translation>
     </message>
@@ -3414,6 +3470,10 @@
     <message>
         <source>Within 10 m</source>
         <translation>10 m以内</translation>
+    </message>
+    <message>
+        <source>GNSS reflections</source>
+        <translation>GNSS反射</translation>
     </message>
     <message>
         <source>RINEX navigation files or SP3 orbits of the day.</source>
@@ -3528,12 +3588,20 @@
         <translation>「車線地図」で出力したものなどのOSMファイル。</translation>
     </message>
     <message>
+        <source>Rules left out</source>
+        <translation>除外する規則</translation>
+    </message>
+    <message>
+        <source>Codes of rules that are not looked at, with commas between them; the begin of a code stands for all that begin so, such as Lane.BorderSharing.</source>
+        <translation>検査しない規則のコードをカンマ区切りで指定します。コードの先頭部分を書くと、それで始まる規則すべてが対象になります（例：Lane.BorderSharing）。</translation>
+    </message>
+    <message>
         <source>Faults of the map</source>
         <translation>地図の不備</translation>
     </message>
     <message>
-        <source>Points (longitude, latitude): rule, severity (error, warning, info), text, element. Faults without a place have no geometry.</source>
-        <translation>点（経度、緯度）: rule、severity（error、warning、info）、text、element。位置のない不備にはジオメトリがありません。</translation>
+        <source>Points (longitude, latitude): rule (its code), severity (error, warning, info), text, element, source of the rule. Faults without a place have no geometry.</source>
+        <translation>点（経度・緯度）：規則のコード、重大度（error、warning、info）、説明、要素、規則の出典。位置のない不備には形状がありません。</translation>
     </message>
     <message>
         <source>HTML report: numbers by rule, and the faults.</source>
@@ -3562,6 +3630,10 @@
     <message>
         <source>Warnings</source>
         <translation>警告</translation>
+    </message>
+    <message>
+        <source>Check lane map</source>
+        <translation>車線地図の検査</translation>
     </message>
     <message>
         <source>Building models (MultiPolygonZ, such as those of “Building models”) or outlines with heights, in a projected CRS in metres. Leave them out to ask for markings alone.</source>
@@ -3952,6 +4024,10 @@
         <translation>楕円内の割合</translation>
     </message>
     <message>
+        <source>Map of localisation accuracy</source>
+        <translation>自己位置推定精度の地図</translation>
+    </message>
+    <message>
         <source>Polygons of the markings, such as those of “Road markings from orthophoto”, in a projected CRS in metres. A field colour (white, yellow) is used where there is one.</source>
         <translation>「オルソ画像からの路面標示」の結果など、路面標示のポリゴン。メートル単位の投影座標系とします。フィールドcolour（white、yellow）があれば使用します。</translation>
     </message>
@@ -3969,7 +4045,7 @@
     </message>
     <message>
         <source>LAS, LAZ or COPC files of “Road markings of a mobile survey”, from a corrected survey. They show paint that vehicles, trees or shadows hide from the air: what the polygons do not show is added to them. Without polygons they are all the paint.</source>
-        <translation>補正済みの計測に対する「移動計測の路面標示」のLAS、LAZ、COPCファイル。車両、樹木、影で上空から隠れた塗装を補います。ポリゴンにない分が加わります。ポリゴンがなければ、これがすべての塗装になります。</translation>
+        <translation>補正済みの計測に対する「MMS計測の路面標示」のLAS、LAZ、COPCファイル。車両、樹木、影で上空から隠れた標示を補います。ポリゴンにない分が加わります。ポリゴンがなければ、これがすべての標示になります。</translation>
     </message>
     <message>
         <source>Minimum line length</source>
@@ -3993,7 +4069,7 @@
     </message>
     <message>
         <source>Lines, with heights where a ground is given: class (solid, dashed, stop line, guiding strip), colour, width (m), sigma (m, across), length (m), bridged (m without paint that should be there), period and dash (m), dashes (begins and ends along the line, m), chain (sections of one line), partner (chain that makes it a double line), confidence (0 to 1: share of the paint that should be there and is seen; of a stop line less where only lines' ends or only a crosswalk show it), placed (ends among the dashes' that are worn and lie where whole dashes ask for them, m).</source>
-        <translation>線。地表面を与えると高さ付き：class（solid 実線、dashed 破線、stop line 停止線、guiding strip 視覚障害者誘導用ブロック）、colour 色、width 幅 (m)、sigma（直交方向の標準偏差、m）、length 長さ (m)、bridged（塗装があるはずで無い長さ、m）、periodとdash（破線の周期と塗装長、m）、dashes（塗装部分の始点と終点、線に沿ったm）、chain（同じ線の部分）、partner（二重線の相手のchain）、confidence（0～1：あるはずの塗装のうち見えた割合。停止線では、線の端だけ、または横断歩道だけが示す場合は小さい）、placed（摩耗した塗装端のうち、残った破線の周期から位置を決めたもの、m）。</translation>
+        <translation>線。地表面を与えると高さ付き：class（solid 実線、dashed 破線、stop line 停止線、guiding strip 視覚障害者誘導用ブロック）、colour 色、width 幅 (m)、sigma（直交方向の標準偏差、m）、length 長さ (m)、bridged（標示があるはずで無い長さ、m）、periodとdash（破線の周期と標示長、m）、dashes（標示部分の始点と終点、線に沿ったm）、chain（同じ線の部分）、partner（二重線の相手のchain）、confidence（0～1：あるはずの標示のうち見えた割合。停止線では、線の端だけ、または横断歩道だけが示す場合は小さい）、placed（摩耗した標示端のうち、残った破線の周期から位置を決めたもの、m）。</translation>
     </message>
     <message>
         <source>Marking areas</source>
@@ -4001,7 +4077,7 @@
     </message>
     <message>
         <source>Polygons: class (crosswalk; arrow straight, ..., or arrow, kind unknown; diamond; unknown), colour, heading (degrees from grid north in which it is read), score (0 to 1: agreement with the shape; of a crosswalk paint at its bars' places less that between them).</source>
-        <translation>ポリゴン: class（crosswalk 横断歩道、arrow straight 直進矢印 ...、種類不明の場合はarrow、diamond ひし形、unknown 不明）、colour、heading（読む向き、座標北からの度）、score（0～1: 形状との一致度。横断歩道では縞の位置の塗装から縞の間の塗装を引いた値）。</translation>
+        <translation>ポリゴン: class（crosswalk 横断歩道、arrow straight 直進矢印 ...、種類不明の場合はarrow、diamond ひし形、unknown 不明）、colour、heading（読む向き、座標北からの度）、score（0～1: 形状との一致度。横断歩道では縞の位置の標示から縞の間の標示を引いた値）。</translation>
     </message>
     <message>
         <source>Number of lines.</source>
@@ -4033,7 +4109,7 @@
     </message>
     <message>
         <source>Unknown paint</source>
-        <translation>不明な塗装</translation>
+        <translation>不明な標示</translation>
     </message>
     <message>
         <source>The survey, placed by the trajectory: LAS, LAZ or COPC files with GPS times, in one projected coordinate system.</source>
@@ -4085,7 +4161,7 @@
     </message>
     <message>
         <source>Walls of “Walls from a mobile survey” for the GeoPackage.</source>
-        <translation>GeoPackageに入れる「移動計測の壁面」の壁面。</translation>
+        <translation>GeoPackageに入れる「MMS計測の壁面」の壁面。</translation>
     </message>
     <message>
         <source>Road edges</source>
@@ -4224,6 +4300,14 @@
         <translation>道路中心線に値のない車線の制限速度です。空欄の場合は設定しません。</translation>
     </message>
     <message>
+        <source>Dialect of Lanelet2</source>
+        <translation>Lanelet2 の方言</translation>
+    </message>
+    <message>
+        <source>Of stop lines and crosswalks in the Lanelet2 file. lanelet2: elements that every reader takes (traffic_sign, right_of_way); autoware: road_marking and crosswalk, as Autoware asks, which other programs refuse without Autoware's extension. (lanelet2, autoware)</source>
+        <translation>Lanelet2ファイルの停止線と横断歩道の表し方です。lanelet2：どの読み込みプログラムでも扱える要素（traffic_sign、right_of_way）。autoware：Autowareが求めるroad_markingとcrosswalkで、Autowareの拡張がないプログラムでは読み込めません。（lanelet2, autoware）</translation>
+    </message>
+    <message>
         <source>Projector</source>
         <translation>投影法</translation>
     </message>
@@ -4264,8 +4348,8 @@
         <translation>線: bound_id、class、colour、width、sigma（m）、double、unseen（線のない部分、m）、lanes（この境界をもつ車線の数）。</translation>
     </message>
     <message>
-        <source>Lanes, stop lines and crosswalks with Autoware's tags.</source>
-        <translation>Autowareのタグを付けた車線、停止線、横断歩道。</translation>
+        <source>Lanes, intersections, stop lines and crosswalks with the tags of Lanelet2 and Autoware.</source>
+        <translation>車線、交差点、停止線、横断歩道。Lanelet2 と Autoware のタグを付けます。</translation>
     </message>
     <message>
         <source>Projector file</source>
@@ -4320,12 +4404,160 @@
         <translation>指摘事項の件数です。</translation>
     </message>
     <message>
+        <source>Lane map</source>
+        <translation>車線地図</translation>
+    </message>
+    <message>
+        <source>Check points</source>
+        <translation>検証点</translation>
+    </message>
+    <message>
+        <source>The residuals of “Check accuracy at control points”, or a table or layer with x, y, z (true, metres) and x_product, y_product, z_product; id, and role (check or adjusted), where there are such columns.</source>
+        <translation>「検証点での精度確認」の残差、またはx、y、z（真値、m）とx_product、y_product、z_product（成果の座標）の列をもつ表かレイヤです。あればid列と、role列（checkまたはadjusted）も使います。</translation>
+    </message>
+    <message>
+        <source>Product</source>
+        <translation>成果の種類</translation>
+    </message>
+    <message>
+        <source>Building models are judged as PLATEAU's tables P05 to P08 ask: 42 check points (21 edges with two each) in each unit. (survey, buildings)</source>
+        <translation>建物モデル（buildings）は、PLATEAU標準製品仕様書の表P05～P08に従い、検査単位ごとに検証点42点（21辺、各2点）で判定します。（survey, buildings）</translation>
+    </message>
+    <message>
+        <source>Map level</source>
+        <translation>地図情報レベル</translation>
+    </message>
+    <message>
+        <source>Whose limits hold: the standard deviation may be 0.12, 0.25, 0.70, 1.75, 3.50 m in plan and 0.25, 0.25, 0.33, 0.66, 1.66 m in height; given: the limits below. (250, 500, 1000, 2500, 5000, given)</source>
+        <translation>制限値を定める地図情報レベルです。標準偏差の制限値は、水平位置が0.12、0.25、0.70、1.75、3.50 m、標高が0.25、0.25、0.33、0.66、1.66 mです。givenの場合は下の制限値を使います。（250, 500, 1000, 2500, 5000, given）</translation>
+    </message>
+    <message>
+        <source>Limit in plan</source>
+        <translation>水平位置の制限値</translation>
+    </message>
+    <message>
+        <source>Greatest standard deviation in plan; it takes the place of the map level's.</source>
+        <translation>水平位置の標準偏差の制限値です。地図情報レベルの値に代わります。</translation>
+    </message>
+    <message>
+        <source>Limit in height</source>
+        <translation>標高の制限値</translation>
+    </message>
+    <message>
+        <source>Greatest standard deviation in height; it takes the place of the map level's.</source>
+        <translation>標高の標準偏差の制限値です。地図情報レベルの値に代わります。</translation>
+    </message>
+    <message>
+        <source>Minimum number of points</source>
+        <translation>最少点数</translation>
+    </message>
+    <message>
+        <source>With fewer check points in a unit nothing is judged. If none is given: 42 for buildings, 1 for a survey.</source>
+        <translation>検査単位の検証点がこれより少ない場合は判定しません。指定しない場合は、建物では42点、計測では1点です。</translation>
+    </message>
+    <message>
+        <source>Unit of inspection</source>
+        <translation>検査単位</translation>
+    </message>
+    <message>
+        <source>Field that names the unit of each point, such as a mesh or a drive: each unit is judged by itself. If none is chosen, all points are one.</source>
+        <translation>各点の検査単位（メッシュや走行など）の名前を示すフィールドです。検査単位ごとに判定します。指定しない場合は全点を一つの検査単位とします。</translation>
+    </message>
+    <message>
+        <source>Patches of the registration</source>
+        <translation>位置合わせのパッチ</translation>
+    </message>
+    <message>
+        <source>From “Register mobile survey”: mean, standard deviation and maximum of its figures are told.</source>
+        <translation>「MMS計測の位置合わせ」のパッチです。平均、標準偏差、最大値を記載します。</translation>
+    </message>
+    <message>
+        <source>Job</source>
+        <translation>作業名</translation>
+    </message>
+    <message>
+        <source>For the head of the report; what is left out stays blank, to be filled in by hand.</source>
+        <translation>報告書の見出し欄に記載します。指定しない項目は、手で記入できるよう空欄とします。</translation>
+    </message>
+    <message>
+        <source>Client</source>
+        <translation>計画機関</translation>
+    </message>
+    <message>
+        <source>Surveyor</source>
+        <translation>作業機関</translation>
+    </message>
+    <message>
+        <source>Dates of the work</source>
+        <translation>作業期間</translation>
+    </message>
+    <message>
+        <source>Instrument</source>
+        <translation>使用機器</translation>
+    </message>
+    <message>
+        <source>Checked by</source>
+        <translation>点検者</translation>
+    </message>
+    <message>
+        <source>HTML report, which prints on A4.</source>
+        <translation>A4で印刷できるHTML報告書です。</translation>
+    </message>
+    <message>
+        <source>Report as PDF</source>
+        <translation>報告書（PDF）</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The same as PDF pages of A4, made by QGIS's printing.</source>
+        <translation>同じ内容を、QGISの印刷機能でA4のPDFにします。</translation>
+    </message>
+    <message>
+        <source>All points</source>
+        <translation>全点</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Every check point with its errors.</source>
+        <translation>すべての検証点とその較差です。</translation>
+    </message>
+    <message>
+        <source>Standard deviation in plan about 0</source>
+        <translation>水平位置の標準偏差（母平均0）</translation>
+    </message>
+    <message>
+        <source>Standard deviation in height about 0</source>
+        <translation>標高の標準偏差（母平均0）</translation>
+    </message>
+    <message>
+        <source>Maximum error in height</source>
+        <translation>標高の較差の最大値</translation>
+    </message>
+    <message>
+        <source>passed, failed, or not checked.</source>
+        <translation>passed（合格）、failed（不合格）、not checked（未判定）のいずれかです。</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>Acceptance report</source>
+        <translation>精度管理表</translation>
+    </message>
+    <message>
         <source>Airborne laser points</source>
         <translation>航空レーザ点群</translation>
     </message>
     <message>
         <source>Vote and darkest: our way, with that vehicle filter. Paper: as in the paper, frames masked by their occlusion maps, the darkest of them, and the plain adaptive threshold (in the model set the method of the markings too). (vote, darkest, paper)</source>
-        <translation>voteとdarkest: 本プラグインの方法で、指定した車両除去を行います。paper: 論文のとおり、写真を遮蔽マップでマスクし、最も暗い画素を採用して、単純な適応的閾値処理を行います（モデルでは路面標示の方法も設定してください）。(vote, darkest, paper)</translation>
+        <translation>voteとdarkest: 本プラグインの方法で、指定した車両除去を行います。paper: 論文のとおり、写真を遮蔽図でマスクし、最も暗い画素を採用して、単純な適応的閾値処理を行います（モデルでは路面標示の方法も設定してください）。(vote, darkest, paper)</translation>
     </message>
     <message>
         <source>Method of the markings</source>
@@ -4336,12 +4568,28 @@
         <translation>表層の解像度</translation>
     </message>
     <message>
+        <source>Road markings from aerial frames</source>
+        <translation>空中写真からの路面標示</translation>
+    </message>
+    <message>
         <source>partition: outlines divided among their roofs; points: outlines drawn from the points, then divided; paper: the paper's method in every step.</source>
         <translation>partition: 外周線を屋根ごとに分割します。points: 点群から外形を描いて分割します。paper: すべての段階を論文の方法で行います。</translation>
     </message>
     <message>
+        <source>Buildings from ALS</source>
+        <translation>航空レーザ点群からの建物</translation>
+    </message>
+    <message>
         <source>Georeferenced survey</source>
-        <translation>位置合わせ後の移動計測</translation>
+        <translation>位置合わせ後のMMS計測</translation>
+    </message>
+    <message>
+        <source>Georeference mobile survey</source>
+        <translation>MMS計測の位置合わせ</translation>
+    </message>
+    <message>
+        <source>Lane map from markings and drives</source>
+        <translation>路面標示と走行からの車線地図</translation>
     </message>
     <message>
         <source>Algorithm</source>
@@ -4440,12 +4688,16 @@
         <translation>前回の結果を用いたタイル</translation>
     </message>
     <message>
+        <source>Run over tiles</source>
+        <translation>タイル処理</translation>
+    </message>
+    <message>
         <source>Workflows</source>
         <translation>一連の処理</translation>
     </message>
     <message>
         <source>Goes from aerial frames and airborne laser points to the reference that mobile surveys are tied to, in one run: surface and ground from ALS, orthophoto of the ground that the frames see, without moving vehicles, and road markings with their heights.&lt;/p&gt;&lt;p&gt;This is the same chain as “Road markings from aerial frames”, as a model: open it in the modeller to see its steps, or save it under another name and change it.</source>
-        <translation>空中写真と航空レーザ点群から、移動計測の位置の基準となる成果までを一度に作成します: 航空レーザからの表層と地表、写真に写る地表のオルソ画像（移動車両なし）、高さ付きの路面標示。&lt;/p&gt;&lt;p&gt;「空中写真からの路面標示」と同じ一連の処理をモデルとしたものです。モデルデザイナーで開いて各段階を確認したり、別名で保存して変更したりできます。</translation>
+        <translation>空中写真と航空レーザ点群から、MMS計測の位置の基準となる成果までを一度に作成します: 航空レーザからの表層と地表、写真に写る地表のオルソ画像（移動車両なし）、高さ付きの路面標示。&lt;/p&gt;&lt;p&gt;「空中写真からの路面標示」と同じ一連の処理をモデルとしたものです。モデルデザイナーで開いて各段階を確認したり、別名で保存して変更したりできます。</translation>
     </message>
     <message>
         <source>Points on road markings that two overlapping images show, with the shift of the second against the first in metres (east, north; sigma of one place), and the median of the pair with its sigma. Pairs that lie more than a pixel apart have the status “apart”.</source>
@@ -4457,7 +4709,7 @@
     </message>
     <message>
         <source>Goes from a mobile survey to the same survey lying on the aerial reference, in one run: its road markings by intensity, their registration to the reference markings, and the points as the corrected trajectory places them.&lt;/p&gt;&lt;p&gt;This is the same chain as “Georeference mobile survey”, as a model: open it in the modeller to see its steps, or save it under another name and change it.</source>
-        <translation>移動計測を空中写真の基準に合わせるまでを一度に行います: 反射強度による路面標示の抽出、基準の路面標示への位置合わせ、補正軌跡による点群の再配置。&lt;/p&gt;&lt;p&gt;「移動計測の位置合わせ」と同じ一連の処理をモデルとしたものです。モデルデザイナーで開いて各段階を確認したり、別名で保存して変更したりできます。</translation>
+        <translation>MMS計測を空中写真の基準に合わせるまでを一度に行います: 反射強度による路面標示の抽出、基準の路面標示への位置合わせ、補正軌跡による点群の再配置。&lt;/p&gt;&lt;p&gt;「MMS計測の位置合わせ」と同じ一連の処理をモデルとしたものです。モデルデザイナーで開いて各段階を確認したり、別名で保存して変更したりできます。</translation>
     </message>
     <message>
         <source>Goes from reference markings and corrected drives to a lane map, in one run: line work of the markings, then lanes with their bounds, directions and connections, as layers, as Lanelet2 file for Autoware and as OpenDRIVE file.&lt;/p&gt;&lt;p&gt;This is the same chain as “Lane map from markings and drives”, as a model: open it in the modeller to see its steps, or save it under another name and change it.</source>
@@ -4465,15 +4717,63 @@
     </message>
     <message>
         <source>UrbanMap: mobile mapping and 3D city models</source>
-        <translation>UrbanMap: 移動計測と3次元都市モデル</translation>
+        <translation>UrbanMap: MMS計測と3次元都市モデル</translation>
     </message>
     <message>
-        <source>Adjust several drives</source>
-        <translation>複数走行の調整</translation>
+        <source>Delivery</source>
+        <translation>納品</translation>
+    </message>
+    <message>
+        <source>accuracy</source>
+        <translation>精度</translation>
+    </message>
+    <message>
+        <source>acceptance</source>
+        <translation>精度管理</translation>
+    </message>
+    <message>
+        <source>quality control</source>
+        <translation>品質管理</translation>
+    </message>
+    <message>
+        <source>check points</source>
+        <translation>検証点</translation>
+    </message>
+    <message>
+        <source>map level</source>
+        <translation>地図情報レベル</translation>
+    </message>
+    <message>
+        <source>report</source>
+        <translation>報告書</translation>
+    </message>
+    <message>
+        <source>PDF</source>
+        <translation>PDF</translation>
+    </message>
+    <message>
+        <source> Default: {0}.</source>
+        <translation> 既定値: {0}。</translation>
+    </message>
+    <message>
+        <source>Judges a survey or building models by check points, in the form of the tables of quality control of Japan's public surveys: figures in plan and in height apart, the limits of the map level, passed or failed for each criterion, a map of the errors, all points.
+Check points must have been measured independently; those that the product was adjusted to are left out where a column “role” names them. Where there are too few points nothing is accepted.
+The standard deviation is that about a mean of 0. With few points it says little: the report gives the value that it is below with a confidence of 95 %.</source>
+        <translation>計測成果または建物モデルを検証点により判定し、公共測量の精度管理表の形式で示します：水平位置と標高それぞれの値、地図情報レベルの制限値、項目ごとの合否、較差の分布図、全点の一覧。
+検証点は独立に測量した点とします。role列で調整に用いたとされた点は除外します。点数が足りない場合は合格としません。
+標準偏差は母平均を0とした値です。点数が少ない場合は、95 %の信頼度で標準偏差の上限となる値も示します。</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>入力</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>出力</translation>
     </message>
     <message>
         <source>Mobile mapping</source>
-        <translation>移動計測</translation>
+        <translation>MMS計測</translation>
     </message>
     <message>
         <source>MMS</source>
@@ -4511,25 +4811,9 @@
         <source>Corrects several drives of a mobile survey at once. Road markings that two drives saw, or one drive twice, tie them to each other, and so do facades and road as planes; control points and reference markings place them. All go into one least-squares adjustment, in which each trajectory drifts as GNSS and inertial units do.
 Without control points and reference markings the drives agree with each other, but their place is only relative: the result says so.
 The corrected trajectories keep the names, formats and epochs of those given; apply them with “Apply corrected trajectory”.</source>
-        <translation>移動計測の複数の走行を同時に補正します。2つの走行で、または1つの走行で2回見えた路面標示が走行どうしを結び付け、平面としての壁面と路面も同様に働きます。基準点と基準の路面標示がその位置を定めます。すべてを1つの最小二乗法による調整に入れ、各軌跡はGNSSと慣性装置に応じてドリフトするものとします。
+        <translation>MMS計測の複数の走行を同時に補正します。2つの走行で、または1つの走行で2回見えた路面標示が走行どうしを結び付け、平面としての壁面と路面も同様に働きます。基準点と基準の路面標示がその位置を定めます。すべてを1つの最小二乗法による調整に入れ、各軌跡はGNSSと慣性装置に応じてドリフトするものとします。
 基準点と基準の路面標示がない場合、走行どうしは一致しますが、位置は相対的なものにとどまり、結果にその旨を示します。
 補正軌跡は、入力した軌跡の名称、形式、エポックを保持します。「補正軌跡の適用」で適用してください。</translation>
-    </message>
-    <message>
-        <source> Default: {0}.</source>
-        <translation> 既定値: {0}。</translation>
-    </message>
-    <message>
-        <source>Input</source>
-        <translation>入力</translation>
-    </message>
-    <message>
-        <source>Output</source>
-        <translation>出力</translation>
-    </message>
-    <message>
-        <source>Adjust walls by GNSS</source>
-        <translation>GNSSによる壁面の調整</translation>
     </message>
     <message>
         <source>GNSS</source>
@@ -4576,10 +4860,6 @@ Give as many passes as there are: with one or two nothing is moved, about ten ar
 走行はできるだけ多く指定してください。1～2回では何も動かず、1つの壁面に約10回が必要です。</translation>
     </message>
     <message>
-        <source>Road markings from aerial frames</source>
-        <translation>空中写真からの路面標示</translation>
-    </message>
-    <message>
         <source>road</source>
         <translation>道路</translation>
     </message>
@@ -4614,7 +4894,7 @@ Give as many passes as there are: with one or two nothing is moved, about ten ar
     <message>
         <source>Goes from aerial frames and airborne laser points to the reference that mobile surveys are tied to, in one run: surface and ground from ALS, orthophoto of the ground that the frames see, without moving vehicles, and road markings with their heights.
 Frames, points and outlines must be in one projected coordinate system in metres.</source>
-        <translation>空中写真と航空レーザ点群から、移動計測の位置の基準となる成果までを一度に作成します: 航空レーザからの表層と地表、写真に写る地表のオルソ画像（移動車両なし）、高さ付きの路面標示。
+        <translation>空中写真と航空レーザ点群から、MMS計測の位置の基準となる成果までを一度に作成します: 航空レーザからの表層と地表、写真に写る地表のオルソ画像（移動車両なし）、高さ付きの路面標示。
 写真、点群、外周線は、メートル単位の同じ投影座標系としてください。</translation>
     </message>
     <message>
@@ -4657,7 +4937,7 @@ Only coordinates change: attributes, extra dimensions, header records and the or
     </message>
     <message>
         <source>solid</source>
-        <translation>立体</translation>
+        <translation>実線</translation>
     </message>
     <message>
         <source>LOD1</source>
@@ -4678,10 +4958,6 @@ Each solid is checked: closed, planar, oriented outwards, no self-intersection. 
 各立体について、閉合、平面性、外向きの面、自己交差のないことを検査します。点群を指定した場合は、建物ごとにモデルの適合度を示します。モデルを作成できない建物も行を残し、理由を文で示します。</translation>
     </message>
     <message>
-        <source>Buildings from ALS</source>
-        <translation>航空レーザ点群からの建物</translation>
-    </message>
-    <message>
         <source>lidar</source>
         <translation>ライダー</translation>
     </message>
@@ -4696,10 +4972,6 @@ The same chain is there as a model that can be changed in the modeller.</source>
         <translation>航空レーザ点群と概略の外周線から、閉じた3次元建物モデルまでを一度に作成します: 建物の抽出、屋根の分割、屋根ポリゴン、建物モデル。
 方法paperでは、全体を論文のとおりに処理します: 拡張した外周線内の全点、ヒストグラムのみ、アルファシェイプとハフ変換による線、最高点。
 同じ一連の処理は、モデルデザイナーで変更できるモデルとしても用意されています。</translation>
-    </message>
-    <message>
-        <source>Calibrate scanners</source>
-        <translation>スキャナの校正</translation>
     </message>
     <message>
         <source>calibration</source>
@@ -4722,20 +4994,12 @@ The same chain is there as a model that can be changed in the modeller.</source>
 Drive a street with walls in both directions, correct the trajectories (“Adjust several drives” or “Register mobile survey”) and place the points with them first. A misalignment of the inertial unit that all passes have in common becomes part of the boresight.
 What the drives do not determine keeps its value and is called so: heights of lever arms mostly need control points.</source>
         <translation>車両に搭載したスキャナのボアサイト角とレバーアームを補正します。2台のスキャナで、または方向の異なる走行の1台のスキャナで見えた路面と壁面の小平面が一致するようにします。各走行の軌跡のずれも考慮します。
-まず壁面のある通りを両方向に走行し、軌跡を補正して（「複数走行の調整」または「移動計測のレジストレーション」）、点群の座標を付け直してください。全走行に共通する慣性装置の取付けのずれは、ボアサイトに含まれます。
+まず壁面のある通りを両方向に走行し、軌跡を補正して（「複数走行の調整」または「MMS計測の位置合わせ」）、点群の座標を付け直してください。全走行に共通する慣性装置の取付けのずれは、ボアサイトに含まれます。
 走行から決まらないものは元の値を保ち、その旨を示します。レバーアームの高さの決定には、多くの場合、基準点が必要です。</translation>
-    </message>
-    <message>
-        <source>Check accuracy at control points</source>
-        <translation>検証点での精度確認</translation>
     </message>
     <message>
         <source>GCP</source>
         <translation>GCP</translation>
-    </message>
-    <message>
-        <source>accuracy</source>
-        <translation>精度</translation>
     </message>
     <message>
         <source>residual</source>
@@ -4748,12 +5012,8 @@ What the drives do not determine keeps its value and is called so: heights of le
     <message>
         <source>Measures how far a mobile survey is off at control points, as it was reported and, where a corrected trajectory is given, as that places it.
 The numbers are of the corrected survey where one is given, otherwise of the survey as it is.</source>
-        <translation>移動計測の検証点でのずれを、補正前について、また補正軌跡を指定した場合は補正後についても求めます。
+        <translation>MMS計測の検証点でのずれを、補正前について、また補正軌跡を指定した場合は補正後についても求めます。
 数値は、補正軌跡を指定した場合は補正後の計測、それ以外は元の計測のものです。</translation>
-    </message>
-    <message>
-        <source>Check lane map</source>
-        <translation>車線地図の検査</translation>
     </message>
     <message>
         <source>Road map</source>
@@ -4788,14 +5048,14 @@ The numbers are of the corrected survey where one is given, otherwise of the sur
         <translation>検査</translation>
     </message>
     <message>
-        <source>Checks any Lanelet2 file (OSM) against the rules of Lanelet2's and Autoware's validators that need no other file, and tells what breaks them, with its place.
-Errors hinder a reader or change the map's sense: repeated ids, references to what is not in the file, missing tags, lanelets without one left and one right bound, bounds that cross, regulatory elements that nothing refers to, local coordinates on some nodes only. Warnings: points that fall together, borders that coincide but are two ways, odd widths, stop lines and crosswalks without a rule, lanelets without a next and a previous one, missing heights. Infos: ends of the map, lanelets without a speed limit.</source>
-        <translation>任意のLanelet2ファイル（OSM）を、Lanelet2とAutowareの検証ツールの規則のうちほかのファイルを必要としないものに照らして検査し、違反をその位置とともに示します。
-エラーは、読み込みを妨げるもの、または地図の意味を変えるものです: idの重複、ファイルにないものへの参照、タグの欠落、左右の境界が1つずつそろっていないlanelet、境界の交差、どこからも参照されないregulatory element、一部のノードだけにあるローカル座標。警告: 重なる点、一致しているが別々のウェイである境界、不自然な幅、規則のない停止線と横断歩道、前後のlaneletがないlanelet、高さの欠落。情報: 地図の端、制限速度のないlanelet。</translation>
+        <source>Checks any Lanelet2 file (OSM) by the rules of Lanelet2's and Autoware's validators that need no other file, with their codes and severities, and by some of our own, and tells what breaks them, with its place. The page “Rules of lane maps” of the documentation lists all.
+Errors hinder a reader or change the map's sense: repeated ids, references to what is not in the file, coordinates that are none, lanelets without one left and one right bound, bounds that cross, regulatory elements that the library cannot make, stop lines, crosswalks and areas that no rule refers to. Warnings: missing tags, values that are not known, points that fall together, odd widths, lanelets without a next and a previous one. Infos: ends of the map, elements that need Autoware's extension.</source>
+        <translation>任意の Lanelet2 ファイル（OSM）を、ほかのファイルを要しない Lanelet2 と Autoware の検証規則（コードと重大度も同じ）および独自の規則で検査し、違反とその位置を示します。規則の一覧は説明書の「Rules of lane maps」にあります。
+エラーは読み込みを妨げるか地図の意味を変えるものです：id の重複、ファイルにないものへの参照、座標として誤った値、左右の境界が1本ずつない lanelet、交わる境界、Lanelet2 が作れない regulatory element、どの規則からも参照されない停止線・横断歩道・領域。警告：タグの欠け、知られていない値、重なる点、不自然な幅、前後につながらない lanelet。情報：地図の端、Autoware の拡張が必要な要素。</translation>
     </message>
     <message>
         <source>Convert heights</source>
-        <translation>標高系の変換</translation>
+        <translation>高さの基準の変換</translation>
     </message>
     <message>
         <source>height</source>
@@ -4928,17 +5188,13 @@ The others are resampled onto the first, also from another coordinate system, an
 ほかの画像は、座標参照系が異なる場合も含めて1枚目に合わせて再配列し、露出の違いをそろえます。1枚にデータのない画素は、ほかの画像で補います。</translation>
     </message>
     <message>
-        <source>Georeference mobile survey</source>
-        <translation>移動計測の位置合わせ</translation>
-    </message>
-    <message>
         <source>registration</source>
-        <translation>レジストレーション</translation>
+        <translation>位置合わせ</translation>
     </message>
     <message>
         <source>Goes from a mobile survey to the same survey lying on the aerial reference, in one run: its road markings by intensity, their registration to the reference markings, and the points as the corrected trajectory places them.
 With ground heights the correction is in space; without them heights stay as they are. The reference is what “Road markings from aerial frames” makes.</source>
-        <translation>移動計測データから、空中写真の基準に位置を合わせた移動計測データまでを、1回の実行で求めます。反射強度による路面標示の抽出、基準の路面標示とのレジストレーション、補正後の軌跡による点群の再配置を行います。
+        <translation>MMS計測データから、空中写真の基準に位置を合わせたMMS計測データまでを、1回の実行で求めます。反射強度による路面標示の抽出、基準の路面標示との位置合わせ、補正後の軌跡による点群の再配置を行います。
 地表の標高を与えると3次元で補正します。与えない場合、高さはそのままです。基準には「空中写真からの路面標示」の結果を用います。</translation>
     </message>
     <message>
@@ -4978,10 +5234,6 @@ Position and angles of the vehicle are linear between epochs. What was measured 
 車両の位置と角度はエポック間で線形に補間します。軌跡の時間の外、または1秒を超える軌跡の欠測区間で測定されたものは除き、その数を示します。点はangleとrangeを保持します。</translation>
     </message>
     <message>
-        <source>GNSS reflections</source>
-        <translation>GNSS反射</translation>
-    </message>
-    <message>
         <source>NLOS</source>
         <translation>NLOS</translation>
     </message>
@@ -4999,7 +5251,7 @@ The class of a signal near an edge is not sure, as walls of models stand up to a
     </message>
     <message>
         <source>Ground of a mobile survey</source>
-        <translation>移動計測の地表面</translation>
+        <translation>MMS計測の地表面</translation>
     </message>
     <message>
         <source>ground</source>
@@ -5025,7 +5277,7 @@ The class of a signal near an edge is not sure, as walls of models stand up to a
         <source>Tells the ground of a mobile laser survey, roads and pavements alike, from all that stands on it.
 A cloth is drawn up against the points from below; points within a threshold of it become class 2. Points of other classes than 0, 1 and 2 keep theirs. All attributes and the order of the points stay.
 A street that is driven several times is filtered pass by pass where the points have GPS time, because the passes may lie decimetres apart in height. Small clusters of points below a much denser road (multipath ghosts) are left out. The lowest decimetres of walls and posts count as ground: the threshold cannot tell them. The files may be larger than memory.</source>
-        <translation>移動計測のレーザ点群で、車道・歩道を問わず地表を、その上にあるすべてのものから区別します。
+        <translation>MMS計測のレーザ点群で、車道・歩道を問わず地表を、その上にあるすべてのものから区別します。
 布を下から点群に当て、布からしきい値以内の点をクラス2とします。クラス0、1、2以外の点は元のクラスを保ちます。すべての属性と点の順序はそのままです。
 点にGPS時刻がある場合、複数回走行した道路は走行パスごとに処理します。走行パスどうしは高さが数十cmずれていることがあるためです。はるかに密な路面の下にある点の小さな塊（マルチパスによるゴースト点）は除きます。壁や柱の最下部数十cmは、しきい値では区別できないため地表に含まれます。ファイルはメモリより大きくてもかまいません。</translation>
     </message>
@@ -5039,17 +5291,13 @@ A street that is driven several times is filtered pass by pass where the points 
     </message>
     <message>
         <source>baseline</source>
-        <translation>基線</translation>
+        <translation>従来法</translation>
     </message>
     <message>
         <source>Moves a trajectory so that it meets control points: the usual method, to compare “Register mobile survey” with.
 The correction at each control point is its true place less its place in the survey. Between control points it is interpolated over time; before the first and after the last it stays as it is. Angles are not touched. The result is good near control points and follows the error of the survey between them.</source>
-        <translation>検証点に合うように軌跡を移動します。「移動計測のレジストレーション」と比較するための、通常の方法です。
-各検証点での補正量は、真の位置から計測データ中の位置を引いたものです。検証点の間では時間で補間し、最初の検証点より前と最後の検証点より後では一定とします。角度は変更しません。結果は検証点の近くでは良好で、その間では計測の誤差に従います。</translation>
-    </message>
-    <message>
-        <source>Lane map from markings and drives</source>
-        <translation>路面標示と走行からの車線地図</translation>
+        <translation>調整点に合うように軌跡を移動します。「MMS計測の位置合わせ」と比較するための、通常の方法です。
+各調整点での補正量は、真の位置から計測データ中の位置を引いたものです。調整点の間では時間で補間し、最初の調整点より前と最後の調整点より後では一定とします。角度は変更しません。結果は調整点の近くでは良好で、その間では計測の誤差に従います。</translation>
     </message>
     <message>
         <source>OpenDRIVE</source>
@@ -5059,7 +5307,7 @@ The correction at each control point is its true place less its place in the sur
         <source>Goes from reference markings and corrected drives to a lane map, in one run: line work of the markings, then lanes with their bounds, directions and connections, as layers, as Lanelet2 file for Autoware and as OpenDRIVE file.
 Markings and ground are what “Road markings from aerial frames” makes; trajectories are what “Georeference mobile survey” makes. What is missing for a lane is a finding with its place: look at them, for no lane is made without evidence.</source>
         <translation>基準の路面標示と補正後の走行から車線地図までを、1回の実行で作成します。路面標示の線、次に境界・方向・接続をもつ車線を作成し、レイヤ、Autoware用のLanelet2ファイル、OpenDRIVEファイルとして出力します。
-路面標示と地表は「空中写真からの路面標示」の結果、軌跡は「移動計測の位置合わせ」の結果を用います。車線に不足しているものは、その位置を示す指摘事項となります。根拠のない車線は作成されないため、指摘事項を確認してください。</translation>
+路面標示と地表は「空中写真からの路面標示」の結果、軌跡は「MMS計測の位置合わせ」の結果を用います。車線に不足しているものは、その位置を示す指摘事項となります。根拠のない車線は作成されないため、指摘事項を確認してください。</translation>
     </message>
     <message>
         <source>Load city model</source>
@@ -5137,11 +5385,7 @@ Areas (BldA) and outlines (BldL) are read from the files as downloaded: .xml, .z
         <source>Loads elevation models of the Fundamental Geospatial Data of the Geospatial Information Authority of Japan (GSI) as a raster of the ground for the other steps.
 DEM1A, 5A, 5B, 5C, 10A and 10B are read as downloaded: .xml, .zip (zips in it too), or a folder of them. The newest file of a mesh is taken; where finer products have no height, coarser ones fill in. The raster states its height system (JGD2000, JGD2011 or JGD2024).</source>
         <translation>国土地理院の基盤地図情報の数値標高モデルを、ほかの処理で使う地表のラスタとして読み込みます。
-DEM1A、5A、5B、5C、10A、10Bを、ダウンロードしたままのファイル（.xml、.zip（内側のzipも可）、またはそのフォルダ）から読み込みます。メッシュごとに最新のファイルを用い、細かい製品に標高がないところは粗い製品で補います。ラスタには標高系（JGD2000、JGD2011またはJGD2024）が記録されます。</translation>
-    </message>
-    <message>
-        <source>Map of localisation accuracy</source>
-        <translation>自己位置推定精度の地図</translation>
+DEM1A、5A、5B、5C、10A、10Bを、ダウンロードしたままのファイル（.xml、.zip（内側のzipも可）、またはそのフォルダ）から読み込みます。メッシュごとに最新のファイルを用い、細かい製品に標高がないところは粗い製品で補います。ラスタには高さの基準（JGD2000、JGD2011またはJGD2024）が記録されます。</translation>
     </message>
     <message>
         <source>localization</source>
@@ -5222,10 +5466,6 @@ Arrows are told by their shape, and only where one shape is clearly better than 
         <translation>路面標示のポリゴンを線に変換します。種別・幅・色・σをもつ中心線、停止線、横断歩道、および矢印やひし形などの記号を作成します。
 互いに続く標示の断片は、破線のすき間、摩耗、車両による途切れを越えて1本の線とします。補間した長さはフィールドに示します。実線よりも周期的なパターンのほうが標示をよく説明する場合に破線とし、破線の各線分の始点と終点をフィールドに示します。中心線は標示の横断面に当てはめ、3 mにわたって平滑化します。
 矢印は形状で判別し、1つの形状がほかより明らかに適合する場合に限ります。線でも既知の形状でもない標示は、クラスunknownとしてポリゴンのまま残します。</translation>
-    </message>
-    <message>
-        <source>Merge building models with measured walls</source>
-        <translation>建物モデルと計測壁面の統合</translation>
     </message>
     <message>
         <source>merge</source>
@@ -5319,7 +5559,7 @@ Images and points must be placed by the same trajectory.</source>
     </message>
     <message>
         <source>perspective occlusion map</source>
-        <translation>遮蔽マップ</translation>
+        <translation>遮蔽図</translation>
     </message>
     <message>
         <source>POM</source>
@@ -5382,10 +5622,6 @@ Frames, ground and surface must be in one projected coordinate system in metres.
 空中写真、地表、表層は、同一の投影座標系（メートル単位）である必要があります。</translation>
     </message>
     <message>
-        <source>Overlay on images</source>
-        <translation>画像への重ね描き</translation>
-    </message>
-    <message>
         <source>overlay</source>
         <translation>重ね描き</translation>
     </message>
@@ -5414,10 +5650,6 @@ Points are read once; each image keeps the nearest point of every 3 by 3 pixels.
 点は一度だけ読み込みます。各画像は3×3画素ごとに最も近い点を保持します。</translation>
     </message>
     <message>
-        <source>Rectify trajectory</source>
-        <translation>軌跡の補正</translation>
-    </message>
-    <message>
         <source>tie points</source>
         <translation>タイポイント</translation>
     </message>
@@ -5438,15 +5670,11 @@ With a ground raster the heights then follow the ground along the course, at the
 地表のラスタを与えると、高さは走行軌跡に沿った地表に、指定した軌跡の原点の地上高を加えたものとなります。ロールとピッチはそのままです。</translation>
     </message>
     <message>
-        <source>Register mobile survey</source>
-        <translation>移動計測のレジストレーション</translation>
-    </message>
-    <message>
         <source>Finds how the trajectory of a mobile survey is off, by laying its road markings on those of an aerial reference, and corrects it.
 The driven path is cut into short patches; each is registered with a window of patches round it that is as long as its markings need. The windows' results become one smooth correction over the path: stretches that contradict the rest lose their weight, gaps are bridged with growing uncertainty, and each patch says how its correction was found and how sure it is.
 With ground heights (a raster, or polygons with heights) the correction is in space; without them heights, roll and pitch stay as they are. Apply the result with “Apply corrected trajectory”.</source>
-        <translation>移動計測の路面標示を空中写真の基準の路面標示に重ねて、移動計測の軌跡のずれを求め、補正します。
-走行経路を短いパッチに分け、各パッチを、路面標示が必要とするだけの長さをもつ前後のパッチのウィンドウでレジストレーションします。ウィンドウの結果は、経路に沿った1つの滑らかな補正にまとめます。ほかと矛盾する区間は重みを失い、すき間は不確かさを増しながら補間します。各パッチには、補正の求め方とその確かさを示します。
+        <translation>MMS計測の路面標示を空中写真の基準の路面標示に重ねて、MMS計測の軌跡のずれを求め、補正します。
+走行経路を短いパッチに分け、各パッチを、路面標示が必要とするだけの長さをもつ前後のパッチのウィンドウで位置合わせします。ウィンドウの結果は、経路に沿った1つの滑らかな補正にまとめます。ほかと矛盾する区間は重みを失い、すき間は不確かさを増しながら補間します。各パッチには、補正の求め方とその確かさを示します。
 地表の標高（ラスタ、または高さをもつポリゴン）を与えると3次元で補正します。与えない場合、高さ・ロール・ピッチはそのままです。結果は「補正軌跡の適用」で適用してください。</translation>
     </message>
     <message>
@@ -5474,14 +5702,10 @@ With ground heights (a raster, or polygons with heights) the correction is in sp
 Kerbs are steps between two smooth sides. Each half metre a profile across the edge gives its foot, top and face; passes through the same place are fitted apart and combined by their sigma. Where neither side is seen, as behind parked cars, a line ends: “gap” tells how far the next part of its chain is away, nothing is drawn in between.
 A kerb whose face is not seen, and rails that may be the sides of vehicles, are doubtful, with the reason. Points and trajectory must be corrected ones: lines are as wrong as the survey is.
 Objects of “Objects from images” and walls of “Walls from a mobile survey” can be put into one GeoPackage with the edges.</source>
-        <translation>補正済みの移動計測の走行に沿って、縁石、切下げ縁石、縁石のない道路境界、ガードレール、壁を、高さ・標準偏差・計測された長さの割合をもつ線として求めます。
+        <translation>補正済みのMMS計測の走行に沿って、縁石、切下げ縁石、縁石のない道路境界、ガードレール、壁を、高さ・標準偏差・計測された長さの割合をもつ線として求めます。
 縁石は、2つの滑らかな面の間の段差です。0.5 mごとの横断プロファイルから、縁石の下端・上端・前面を求めます。同じ場所の走行パスは別々に当てはめ、σにより統合します。駐車車両の後ろなど、両側とも見えないところで線は終わります。「gap」は連なりの次の部分までの距離を示し、その間には何も描きません。
 前面が見えない縁石や、車両の側面かもしれないガードレールは、理由を付けて疑わしいものとします。点と軌跡は補正済みのものとしてください。線の誤差は計測データの誤差と同じになります。
-「画像からの地物」の地物と「移動計測の壁面」の壁面は、道路端と同じ1つのGeoPackageに入れることができます。</translation>
-    </message>
-    <message>
-        <source>Road markings of a mobile survey</source>
-        <translation>移動計測の路面標示</translation>
+「画像からの地物」の地物と「MMS計測の壁面」の壁面は、道路端と同じ1つのGeoPackageに入れることができます。</translation>
     </message>
     <message>
         <source>paint</source>
@@ -5503,13 +5727,9 @@ Objects of “Objects from images” and walls of “Walls from a mobile survey�
         <source>Takes the points on road markings out of a mobile laser survey by their intensity.
 Intensity falls with range and incidence: asphalt's is fitted as a curve over range for each scanner, and all intensities are divided by it. Points brighter than the ground round them are marking points, if they form strokes; kerbs, feet of walls and wide bright surfaces are left out.
 Ground is taken by class 2 where at least 1 % of the points have it, otherwise found by the cloth filter. The survey is worked on along the path: passes through the same place are not mixed, and what was measured while the vehicle stood for more than a second is left out. The files may be larger than memory.</source>
-        <translation>移動計測のレーザ点群から、反射強度により路面標示上の点を抽出します。
+        <translation>MMS計測のレーザ点群から、反射強度により路面標示上の点を抽出します。
 反射強度は斜距離と入射角により低下します。スキャナごとに、アスファルトの反射強度を斜距離の曲線に当てはめ、すべての反射強度をその値で割ります。周囲の地表より明るい点が線状をなすとき、路面標示点とします。縁石、壁の下端、広い明るい面は除きます。
 地表は、点の1 %以上がクラス2であればクラス2とし、それ以外は布シミュレーションフィルタで求めます。処理は経路に沿って行います。同じ場所の走行パスどうしは混ぜず、1秒を超える停車中に計測されたものは除きます。ファイルはメモリより大きくてもかまいません。</translation>
-    </message>
-    <message>
-        <source>Road markings from orthophoto</source>
-        <translation>オルソ画像からの路面標示</translation>
     </message>
     <message>
         <source>zebra</source>
@@ -5593,7 +5813,7 @@ The method “partition” divides each outline among its roofs along straight l
         <source>Makes a city block that does not exist, with all the data that UrbanMap works on and the truth to check the results against: aerial frames, airborne laser points, official outlines, two mobile surveys that are about a metre off, line scans, GNSS observations.
 Begin here without data of your own: every algorithm can be tried on the files in the folder, which are in UrbanMap's own formats. A README.txt in the folder says what is where. The default city takes about a minute and 60 MB.
 The same seed, size and scene give the same files.</source>
-        <translation>実在しない街区と、UrbanMapが扱うすべてのデータ、結果を照合するための真値を作成します。空中写真、航空レーザ点群、公的な建物外周線、約1 mずれた2回の移動計測、ラインスキャン、GNSS観測値です。
+        <translation>実在しない街区と、UrbanMapが扱うすべてのデータ、結果を照合するための真値を作成します。空中写真、航空レーザ点群、公的な建物外周線、約1 mずれた2回のMMS計測、ラインスキャン、GNSS観測値です。
 自分のデータがない場合はここから始めてください。フォルダ内のファイルはUrbanMap独自の形式で、すべてのアルゴリズムを試せます。フォルダ内のREADME.txtに、どこに何があるかを示します。既定の都市は約1分、60 MBです。
 同じシード、大きさ、シーンからは同じファイルができます。</translation>
     </message>
@@ -5724,10 +5944,6 @@ Each line of the result runs from the survey to the reference. Look at them befo
 結果の各線は、計測データから基準へ向かいます。使う前に確認し、誤った線の削除、端点の移動、線の追加を行ってください。その精度は外周線の精度によります。補正では、外周線の精度を「タイポイントのσ」に指定してください。</translation>
     </message>
     <message>
-        <source>Run over tiles</source>
-        <translation>タイル処理</translation>
-    </message>
-    <message>
         <source>tile</source>
         <translation>タイル</translation>
     </message>
@@ -5737,7 +5953,7 @@ Each line of the result runs from the survey to the reference. Look at them befo
     </message>
     <message>
         <source>grid</source>
-        <translation>格子</translation>
+        <translation>グリッド</translation>
     </message>
     <message>
         <source>large area</source>
@@ -5757,15 +5973,11 @@ Each line of the result runs from the survey to the reference. Look at them befo
     </message>
     <message>
         <source>Runs another algorithm over an area of any size, tile by tile: each tile reads its part of the inputs with a buffer around it, and keeps what is its own of the results, so that a building on an edge is there once.
-Each tile is whole or not there. Run again with the same folder, settings and inputs, it goes on where it was ended; tiles that failed, or whose inputs changed, are done again. One failed tile does not end the run.
+Each tile is whole or not there. Run again with the same folder, settings and inputs, it goes on where it was ended; tiles that failed, or whose inputs changed, are done again. One failed tile does not end the run: all others are done and put together, and then the run ends with an error (on the command line with exit code 1).
 The algorithm's parameters are given as lines NAME=VALUE, on the command line also by themselves. Point clouds, rasters and layers among them are cut; everything else is the same for all tiles. Layers and rasters are put together in the folder “merged”, point clouds stay by tile.</source>
-        <translation>別のアルゴリズムを、任意の大きさの範囲についてタイルごとに実行します。各タイルは周囲のバッファを含めて入力の該当部分を読み、結果のうち自分のものだけを残すため、境界上の建物も1つだけとなります。
-各タイルは、完全にあるか、まったくないかのどちらかです。同じフォルダ・設定・入力で再度実行すると、終了したところから続けます。失敗したタイルや入力が変わったタイルは、やり直します。1つのタイルが失敗しても実行は続きます。
-アルゴリズムのパラメータは NAME=VALUE の行で指定し、コマンドラインでは単独でも指定できます。そのうち点群・ラスタ・レイヤは切り分け、それ以外はすべてのタイルで同じです。レイヤとラスタはフォルダ「merged」に統合し、点群はタイルごとのままです。</translation>
-    </message>
-    <message>
-        <source>Lane map</source>
-        <translation>車線地図</translation>
+        <translation>任意の広さの範囲に対し、ほかのアルゴリズムをタイルごとに実行します。各タイルは周囲のバッファを含めて入力を読み、結果のうち自分のタイルに属するものだけを残すため、境界上の建物も一度だけ現れます。
+各タイルの結果は、完全にあるか、まったくないかのどちらかです。同じフォルダ、設定、入力で再度実行すると、中断したところから続けます。失敗したタイルと入力が変わったタイルは処理し直します。1つのタイルの失敗では全体は終わりません。ほかのすべてのタイルを処理して統合した後、エラーとして終了します（コマンドラインでは終了コード1）。
+アルゴリズムのパラメータは、NAME=VALUEの行で与えます（コマンドラインでは直接指定することもできます）。点群、ラスタ、レイヤは切り出し、ほかはすべてのタイルで共通です。レイヤとラスタはフォルダ「merged」に統合し、点群はタイルごとに残します。</translation>
     </message>
     <message>
         <source>Makes lanes of line work and drives: bounds shared with the lanes beside, centre lines, width, direction, successors, neighbours, stop lines and crosswalks; as layers, as Lanelet2 file with the tags that Autoware expects, and as OpenDRIVE file.
@@ -5777,11 +5989,11 @@ Through junctions a virtual lane is made where a drive shows it. Traffic keeps t
     </message>
     <message>
         <source>Walls from a mobile survey</source>
-        <translation>移動計測の壁面</translation>
+        <translation>MMS計測の壁面</translation>
     </message>
     <message>
         <source>mobile mapping</source>
-        <translation>移動計測</translation>
+        <translation>MMS計測</translation>
     </message>
     <message>
         <source>plane</source>
@@ -5795,9 +6007,173 @@ Through junctions a virtual lane is made where a drive shows it. Traffic keeps t
         <source>Finds the walls of buildings in a mobile survey that has been put on the map.
 Points near the buildings' outlines and below a height above ground are separated into walls and the rest by their normals, freed of outliers and cut into planes. The alpha shape of each plane's points is the contour of a wall; holes in it are places where nothing was measured, such as windows, passages and shadows.
 Each wall says how well its points fit, how well its place is known, how much of it was seen and how much may be hidden behind trees, vehicles and the like. The accuracy is that of the wall in the survey; the place of the survey itself is not in it.</source>
-        <translation>地図に位置を合わせた移動計測から、建物の壁面を求めます。
+        <translation>地図に位置を合わせたMMS計測から、建物の壁面を求めます。
 建物外周線の近くで、地表からの指定の高さより下にある点を、法線により壁面とそれ以外に分け、外れ値を除き、平面に分割します。各平面の点のアルファシェイプが壁面の輪郭となります。その穴は、窓・通路・影など、何も計測されなかった場所です。
 各壁面には、点の適合度、位置の確かさ、計測された割合、樹木や車両などに隠れている可能性のある割合を示します。精度は計測データ内での壁面の精度であり、計測データ自体の位置の精度は含みません。</translation>
+    </message>
+    <message>
+        <source>Component</source>
+        <translation>成分</translation>
+    </message>
+    <message>
+        <source>mean (m)</source>
+        <translation>平均 (m)</translation>
+    </message>
+    <message>
+        <source>RMSE (m)</source>
+        <translation>RMSE (m)</translation>
+    </message>
+    <message>
+        <source>standard deviation (m)</source>
+        <translation>標準偏差 (m)</translation>
+    </message>
+    <message>
+        <source>maximum (m)</source>
+        <translation>最大 (m)</translation>
+    </message>
+    <message>
+        <source>limit (m)</source>
+        <translation>制限値 (m)</translation>
+    </message>
+    <message>
+        <source>upper bound, 95 % (m)</source>
+        <translation>上限 95 % (m)</translation>
+    </message>
+    <message>
+        <source>outcome</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>map level {level}</source>
+        <translation>地図情報レベル{level}</translation>
+    </message>
+    <message>
+        <source>the given limits</source>
+        <translation>指定した制限値</translation>
+    </message>
+    <message>
+        <source>Accepted for {name}: {count} check points keep every limit. They are too few, or the figure too close, to show it with a confidence of 95 %.</source>
+        <translation>合格（{name}）：検証点 {count} 点がすべての制限値を満たします。ただし、点数が少ないか値が制限値に近いため、95 %の信頼度では示せません。</translation>
+    </message>
+    <message>
+        <source>Errors in plan</source>
+        <translation>水平位置の較差</translation>
+    </message>
+    <message>
+        <source>Errors in height</source>
+        <translation>標高の較差</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>点名</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>検査単位</translation>
+    </message>
+    <message>
+        <source>east (m)</source>
+        <translation>東 (m)</translation>
+    </message>
+    <message>
+        <source>north (m)</source>
+        <translation>北 (m)</translation>
+    </message>
+    <message>
+        <source>up (m)</source>
+        <translation>標高 (m)</translation>
+    </message>
+    <message>
+        <source>plan (m)</source>
+        <translation>水平 (m)</translation>
+    </message>
+    <message>
+        <source>Nothing was judged, as no limit was given: the figures of {count} check points are below.</source>
+        <translation>制限値の指定がないため判定していません。検証点 {count} 点の値は以下のとおりです。</translation>
+    </message>
+    <message>
+        <source>Not accepted for {name}: {component} {rmse:.3f} m, limit {limit:.3f} m{unit}.</source>
+        <translation>不合格（{name}）：{component}の標準偏差 {rmse:.3f} m、制限値 {limit:.3f} m{unit}。</translation>
+    </message>
+    <message>
+        <source>Not judged for {name}: {component} has {count} check points{unit}, and {needed} are needed.</source>
+        <translation>未判定（{name}）：{component}の検証点が {count} 点{unit}で、{needed} 点必要です。</translation>
+    </message>
+    <message>
+        <source>Accepted for {name}: {count} check points keep every limit, also with a confidence of 95 %.</source>
+        <translation>合格（{name}）：検証点 {count} 点が、95 %の信頼度でもすべての制限値を満たします。</translation>
+    </message>
+    <message>
+        <source>Criteria of map level {level}</source>
+        <translation>地図情報レベル{level}の判定</translation>
+    </message>
+    <message>
+        <source>Criteria</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>検査単位</translation>
+    </message>
+    <message>
+        <source>Left out, as the product was adjusted to them: {count} points.</source>
+        <translation>調整に用いたため除外した点：{count} 点。</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>項目</translation>
+    </message>
+    <message>
+        <source>Errors in plan, drawn larger than the map; red: above the limit. Arrows that all point one way are an error that the whole product shares.</source>
+        <translation>水平位置の較差（地図より拡大）。赤は制限値を超えるもの。矢印がそろって同じ方向を向く場合は、成果全体に共通する誤差です。</translation>
+    </message>
+    <message>
+        <source>east</source>
+        <translation>東</translation>
+    </message>
+    <message>
+        <source>north</source>
+        <translation>北</translation>
+    </message>
+    <message>
+        <source>plan (distance)</source>
+        <translation>水平（距離）</translation>
+    </message>
+    <message>
+        <source>{name} has no field {field}: choose the field that names the units of inspection.</source>
+        <translation>{name}にフィールド{field}がありません。検査単位の名前を示すフィールドを選択してください。</translation>
+    </message>
+    <message>
+        <source>{name} holds no check point: give points that were measured independently and to which the product was not adjusted.</source>
+        <translation>{name}に検証点がありません。独立に測量し、成果の調整に用いていない点を指定してください。</translation>
+    </message>
+    <message>
+        <source>{name} has no column {missing}: give the residuals of “Check accuracy at control points”, or a table with x, y, z (true) and x_product, y_product, z_product.</source>
+        <translation>{name}に列{missing}がありません。「検証点での精度確認」の残差か、x、y、z（真値）とx_product、y_product、z_productの列をもつ表を指定してください。</translation>
+    </message>
+    <message>
+        <source>{name}: the role “{role}” is not known: check points are “check” (検証点), points that the product was adjusted to “adjusted” (調整点).</source>
+        <translation>{name}: role列の値「{role}」は未対応です。検証点は「check」（検証点）、調整に用いた点は「adjusted」（調整点）とします。</translation>
+    </message>
+    <message>
+        <source>{name}: the column {column} holds something that is no number ({error}).</source>
+        <translation>{name}: 列{column}に数値でない値があります（{error}）。</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>合格</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>不合格</translation>
+    </message>
+    <message>
+        <source>not checked</source>
+        <translation>未判定</translation>
+    </message>
+    <message>
+        <source>position in plan</source>
+        <translation>水平位置</translation>
     </message>
     <message>
         <source>{path} holds no camera: it must be a JSON object with focal_length_mm and so on.</source>
@@ -5852,22 +6228,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path} の {line_num} 行目（{name}）のx、y、z、omega、phi、kappaは数値としてください。</translation>
     </message>
     <message>
-        <source>{first} and {second} lie {unexplained:.2f} m apart on the road markings {value}(east {east:.2f}, north {north:.2f}, sigma {unexplained_2:.2f}; {patches} places): check their orientation and the ground.</source>
-        <translation>{first} と {second} は、路面標示上で {value}{unexplained:.2f} mずれています（東 {east:.2f}、北 {north:.2f}、σ {unexplained_2:.2f}、{patches} 箇所）。標定要素と地表を確認してください。</translation>
-    </message>
-    <message>
-        <source>{bad_count} more pairs of images lie apart.</source>
-        <translation>ほかに {bad_count} 組の写真がずれています。</translation>
-    </message>
-    <message>
-        <source>In {hidden} pairs of images the shift may come from the height of what stands on the ground: a surface (DSM) would tell, here only shifts across their base were checked.</source>
-        <translation>{hidden} 組の写真のずれは、地上にあるものの高さによる可能性があります。表層（DSM）があれば判別できますが、ここでは基線に直交する方向のずれだけを検査しました。</translation>
-    </message>
-    <message>
-        <source>across their base </source>
-        <translation>基線に直交する方向に </translation>
-    </message>
-    <message>
         <source>The frame {twice} is given twice: name each once.</source>
         <translation>空中写真 {twice} が2回指定されています。1回だけ指定してください。</translation>
     </message>
@@ -5898,6 +6258,22 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{path} is damaged: {error}.</source>
         <translation>{path} は破損しています: {error}。</translation>
+    </message>
+    <message>
+        <source>{image} looks past the surface and ground rasters: choose rasters of its place, and check that heights, CRS and angles fit.</source>
+        <translation>{image} の撮影範囲は表層と地表のラスタの外です。その場所のラスタを選択し、高さ、CRS、角度が合っているか確認してください。</translation>
+    </message>
+    <message>
+        <source>The height threshold must be greater than 0.</source>
+        <translation>高さのしきい値は0より大きくしてください。</translation>
+    </message>
+    <message>
+        <source>{uncovered:.0%} of {image} looks beyond the surface or the ground raster: buildings there are not masked.</source>
+        <translation>{image} の {uncovered:.0%} は表層または地表のラスタの外です。そこの建物はマスクされません。</translation>
+    </message>
+    <message>
+        <source>{output} cannot be written ({error}): choose another output.</source>
+        <translation>{output} に書き込めません（{error}）。別の出力先を選択してください。</translation>
     </message>
     <message>
         <source>{path} has a colour table: convert it to red, green and blue first.</source>
@@ -5936,10 +6312,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path} をラスタとして読み込めません。ファイルを確認してください。</translation>
     </message>
     <message>
-        <source>{output} cannot be written ({error}): choose another output.</source>
-        <translation>{output} に書き込めません（{error}）。別の出力先を選択してください。</translation>
-    </message>
-    <message>
         <source>No two frames share enough markings to be compared: a wrong orientation would not show.</source>
         <translation>比較に十分な路面標示を共有する空中写真の組がありません。標定要素に誤りがあっても現れません。</translation>
     </message>
@@ -5952,12 +6324,16 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>道路が指定されていません。陸屋根の縁、縁石、車両の縁、水辺の葦、駐車場の線が路面標示に含まれている可能性があります。信頼度で絞り込むか、道路を指定してください。</translation>
     </message>
     <message>
+        <source>Smooth ground has a texture of {texture:.1f} grey values in this image, as in hard light or after sharpening: paint is missed and other things are taken for paint more often than in soft light. Look at the markings over the image, or give roads.</source>
+        <translation>この画像では平滑な地面のテクスチャが{texture:.1f}階調あり、強い日差しや鮮鋭化処理の影響とみられます。柔らかい光の画像に比べ、標示の見落としや誤検出が増えます。画像に重ねて標示を確認するか、道路を指定してください。</translation>
+    </message>
+    <message>
         <source>{alone:.0%} of the ground in the image is seen by one frame only: vehicles stay there, and hide markings.</source>
         <translation>画像内の地表の {alone:.0%} は1枚の写真にしか写っていません。車両が残り、路面標示を隠しています。</translation>
     </message>
     <message>
         <source>{mean:.0%} of the markings hardly stand out from the road: worn paint, shadow edges or paving.</source>
-        <translation>路面標示の {mean:.0%} は路面とほとんど区別できません。塗装の摩耗、影の縁、または舗装です。</translation>
+        <translation>路面標示の {mean:.0%} は路面とほとんど区別できません。標示の摩耗、影の縁、または舗装です。</translation>
     </message>
     <message>
         <source>No marking was found: check the roads, the contrast and whether the image shows any.</source>
@@ -5973,7 +6349,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Markings (green) over the orthophoto. Look for paint without an outline, and outlines on roofs, kerbs and vehicles.</source>
-        <translation>オルソ画像上の路面標示（緑）。輪郭のない塗装と、屋根・縁石・車両上の輪郭を探してください。</translation>
+        <translation>オルソ画像上の路面標示（緑）。輪郭のない標示と、屋根・縁石・車両上の輪郭を探してください。</translation>
     </message>
     <message>
         <source>{doubts_count} things are to be looked at first.</source>
@@ -5982,6 +6358,26 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The part with most markings, enlarged</source>
         <translation>路面標示が最も多い部分の拡大</translation>
+    </message>
+    <message>
+        <source>Levels are seven numbers, low, high, middle and the road's texture, warmth, green and brightness, the second above the first: give those, or none.</source>
+        <translation>レベルは、下限、上限、中央値と、道路のテクスチャ、暖色度、緑色度、明るさの七つの数値で、二番目は一番目より大きくなければなりません。その値を入力するか、空欄にしてください。</translation>
+    </message>
+    <message>
+        <source>{first} and {second} lie {unexplained:.2f} m apart on the road markings {value}(east {east:.2f}, north {north:.2f}, sigma {unexplained_2:.2f}; {patches} places): check their orientation and the ground.</source>
+        <translation>{first} と {second} は、路面標示上で {value}{unexplained:.2f} mずれています（東 {east:.2f}、北 {north:.2f}、σ {unexplained_2:.2f}、{patches} 箇所）。標定要素と地表を確認してください。</translation>
+    </message>
+    <message>
+        <source>{bad_count} more pairs of images lie apart.</source>
+        <translation>ほかに {bad_count} 組の写真がずれています。</translation>
+    </message>
+    <message>
+        <source>In {hidden} pairs of images the shift may come from the height of what stands on the ground: a surface (DSM) would tell, here only shifts across their base were checked.</source>
+        <translation>{hidden} 組の写真のずれは、地上にあるものの高さによる可能性があります。表層（DSM）があれば判別できますが、ここでは基線に直交する方向のずれだけを検査しました。</translation>
+    </message>
+    <message>
+        <source>across their base </source>
+        <translation>基線に直交する方向に </translation>
     </message>
     <message>
         <source>No frame shows any of the ground: check that frames, exterior orientation and ground lie in the same place and coordinate system.</source>
@@ -6002,18 +6398,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{image} cannot be written ({error}): choose another output.</source>
         <translation>{image} に書き込めません（{error}）。別の出力先を選択してください。</translation>
-    </message>
-    <message>
-        <source>{image} looks past the surface and ground rasters: choose rasters of its place, and check that heights, CRS and angles fit.</source>
-        <translation>{image} の撮影範囲は表層と地表のラスタの外です。その場所のラスタを選択し、高さ、CRS、角度が合っているか確認してください。</translation>
-    </message>
-    <message>
-        <source>The height threshold must be greater than 0.</source>
-        <translation>高さのしきい値は0より大きくしてください。</translation>
-    </message>
-    <message>
-        <source>{uncovered:.0%} of {image} looks beyond the surface or the ground raster: buildings there are not masked.</source>
-        <translation>{image} の {uncovered:.0%} は表層または地表のラスタの外です。そこの建物はマスクされません。</translation>
     </message>
     <message>
         <source>{path} holds no heights: check the raster.</source>
@@ -6046,10 +6430,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source> and others</source>
         <translation> ほか</translation>
-    </message>
-    <message>
-        <source>Levels are four numbers, low, high, middle and noise, the second above the first: give those, or none.</source>
-        <translation>レベルは、下限・上限・中間・ノイズの4つの数値で、2番目を1番目より大きくします。4つとも指定するか、指定しないでください。</translation>
     </message>
     <message>
         <source>{name} says where it lies in numbers that are not finite: it is damaged; export it again.</source>
@@ -6129,7 +6509,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>There are no measured walls: run “Walls from a mobile survey” first and check that it found any.</source>
-        <translation>計測壁面がありません。先に「移動計測の壁面」を実行し、壁面が見つかったか確認してください。</translation>
+        <translation>計測壁面がありません。先に「MMS計測の壁面」を実行し、壁面が見つかったか確認してください。</translation>
     </message>
     <message>
         <source>Building {flat} has no heights: give building models (MultiPolygonZ), not outlines.</source>
@@ -6137,7 +6517,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>No measured wall lies near any model: check that both are of the same place, and that the survey has been put on the map.</source>
-        <translation>モデルの近くに計測壁面がありません。両者が同じ場所のもので、移動計測が地図に位置合わせされているか確認してください。</translation>
+        <translation>モデルの近くに計測壁面がありません。両者が同じ場所のもので、MMS計測が地図に位置合わせされているか確認してください。</translation>
     </message>
     <message>
         <source>no valid solid could be made with it ({trouble})</source>
@@ -6357,7 +6737,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>The building evidence does not lie on its grid: give both the same rows and columns.</source>
-        <translation>建物の根拠データがその格子と一致しません。行数と列数を同じにしてください。</translation>
+        <translation>建物の根拠データがそのグリッドと一致しません。行数と列数を同じにしてください。</translation>
     </message>
     <message>
         <source>The longest shift of an outline must be at least {coarse_step} m.</source>
@@ -6369,7 +6749,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>The ground heights do not lie on the grid of the evidence: give both the same grid.</source>
-        <translation>地表の標高が根拠データの格子と一致しません。同じ格子としてください。</translation>
+        <translation>地表の標高が根拠データのグリッドと一致しません。同じグリッドとしてください。</translation>
     </message>
     <message>
         <source>the outline was invalid and was repaired</source>
@@ -6406,6 +6786,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>the outline has no area</source>
         <translation>外周線に面積がありません</translation>
+    </message>
+    <message>
+        <source>its points lie on so many planes that they would cut its plan into about {faces:.0f} faces, more than {most}</source>
+        <translation>点群が多数の平面に分かれ、平面図が約{faces:.0f}面（上限{most}面）に分割されてしまいます</translation>
     </message>
     <message>
         <source>the roof polygons overlap or leave gaps</source>
@@ -6445,7 +6829,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>The roof raster has not the rows and columns of its grid.</source>
-        <translation>屋根ラスタの行数・列数がその格子と一致しません。</translation>
+        <translation>屋根ラスタの行数・列数がそのグリッドと一致しません。</translation>
     </message>
     <message>
         <source>At most {max_lines} dividing lines are possible: lower their number.</source>
@@ -6458,6 +6842,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>A roof polygon needs at least three edges: lower the least number of edge points.</source>
         <translation>屋根ポリゴンには3辺以上が必要です。辺の最小点数を小さくしてください。</translation>
+    </message>
+    <message>
+        <source>Building {number} has no roofs: {words}.</source>
+        <translation>建物{number}には屋根がありません：{words}。</translation>
     </message>
     <message>
         <source>The bin width and the bin shift of the height histogram must be more than 0.</source>
@@ -6632,12 +7020,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{angle:.0f} 度の折れがあります</translation>
     </message>
     <message>
-        <source>it has no outline and no face from which one could be made</source>
-        <translation>外周線も、それを作れる面もありません</translation>
-    </message>
-    <message>
         <source>CityGML states heights in JGD2011 (EPSG:6697), but those of the models are {heights}: give the height system, or convert the heights, if they are others.</source>
-        <translation>CityGMLでは標高をJGD2011（EPSG:6697）としますが、モデルの標高系は {heights} です。異なる場合は、標高系を指定するか、標高を変換してください。</translation>
+        <translation>CityGMLでは標高をJGD2011（EPSG:6697）としますが、モデルの高さの基準は {heights} です。異なる場合は、高さの基準を指定するか、標高を変換してください。</translation>
     </message>
     <message>
         <source>3D Tiles want heights above the ellipsoid, but those of the models are {known} and are written as they are: give a geoid model, or buildings sink or float on a globe.</source>
@@ -6668,6 +7052,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>都市モデルにジオメトリをもつ建物がありません。外周線または立体のある都市モデルを指定してください。</translation>
     </message>
     <message>
+        <source>The folder {place} cannot be made ({strerror}): choose another output.</source>
+        <translation>フォルダ {place} を作成できません（{strerror}）。別の出力先を選択してください。</translation>
+    </message>
+    <message>
+        <source>The code {code} is none of a municipality: give its five digits, such as 13101.</source>
+        <translation>コード {code} の市区町村はありません。13101のような5桁で指定してください。</translation>
+    </message>
+    <message>
         <source>it has no id</source>
         <translation>IDがありません</translation>
     </message>
@@ -6680,32 +7072,40 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{source} に座標参照系の記載がありません。データの座標参照系を指定してください。</translation>
     </message>
     <message>
-        <source>City objects that are no buildings were passed over ({counts}).</source>
-        <translation>建物以外の都市オブジェクトは読み飛ばしました（{counts}）。</translation>
-    </message>
-    <message>
-        <source>Parts of buildings that have no place in the result were left out ({counts}).</source>
-        <translation>結果に入れられない建物の部分を除きました（{counts}）。</translation>
-    </message>
-    <message>
-        <source>{missing_lists_count} lists of codes are not there or damaged, so that codes stay as they are ({missing_lists}).</source>
-        <translation>コードリスト {missing_lists_count} 件がないか壊れているため、コードはそのままです（{missing_lists}）。</translation>
-    </message>
-    <message>
-        <source>{missing_images_count} images of textures are not there ({missing_images}).</source>
-        <translation>テクスチャ画像 {missing_images_count} 件がありません（{missing_images}）。</translation>
-    </message>
-    <message>
-        <source>{repeated_count} ids are there more than once and got a number behind ({repeated}).</source>
-        <translation>重複するID {repeated_count} 件の後ろに番号を付けました（{repeated}）。</translation>
-    </message>
-    <message>
         <source>{source} is no CityGML (its root is {split_tag}): give a city model.</source>
         <translation>{source} はCityGMLではありません（ルートが {split_tag}）。都市モデルを指定してください。</translation>
     </message>
     <message>
+        <source>{source} is CityGML 3.0, whose buildings are not read yet: give CityGML 2.0 or 1.0.</source>
+        <translation>{source} は CityGML 3.0 です。その建築物はまだ読み込めません。CityGML 2.0 または 1.0 を指定してください。</translation>
+    </message>
+    <message>
         <source>{source} is in another reference system than {sources}: load them in separate runs.</source>
         <translation>{source} の座標参照系が {sources} と異なります。別々に実行して読み込んでください。</translation>
+    </message>
+    <message>
+        <source>its surfaces are nested too deep</source>
+        <translation>面の入れ子が深すぎます</translation>
+    </message>
+    <message>
+        <source>the texture of polygon {identifier} does not fit its corners and was left out</source>
+        <translation>ポリゴン {identifier} のテクスチャが頂点に合わないため除きました</translation>
+    </message>
+    <message>
+        <source>its solid of level {lod} has no usable face</source>
+        <translation>レベル {lod} の立体に使える面がありません</translation>
+    </message>
+    <message>
+        <source>its solid of level {lod} is not closed ({gaps} edges without a neighbour)</source>
+        <translation>レベル {lod} の立体が閉じていません（隣のない辺 {gaps}）</translation>
+    </message>
+    <message>
+        <source>it refers to the surface {reference}, which it does not have</source>
+        <translation>存在しない面 {reference} を参照しています</translation>
+    </message>
+    <message>
+        <source>{count} attributes have no place in i-UR {version} and are written as generic ones ({names}).</source>
+        <translation>i-UR {version} に該当のない属性が {count} 個あり、汎用属性として出力しました（{names}）。</translation>
     </message>
     <message>
         <source>The folder {target} cannot be made ({strerror}): choose another output.</source>
@@ -6714,14 +7114,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The folder {folder} holds CityGML of another program ({path}): choose another folder.</source>
         <translation>フォルダ {folder} に別のプログラムのCityGML（{path}）があります。別のフォルダを選択してください。</translation>
-    </message>
-    <message>
-        <source>The image {image} of a texture was not given: its file is missing.</source>
-        <translation>テクスチャの画像 {image} がありません。そのファイルが見つかりません。</translation>
-    </message>
-    <message>
-        <source>The image {place} cannot be written ({strerror}).</source>
-        <translation>画像 {place} に書き込めません（{strerror}）。</translation>
     </message>
     <message>
         <source>{path} is not a CityJSON file: its type is not 'CityJSON'.</source>
@@ -6740,12 +7132,16 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path} に座標参照系の記載がありません。データの座標参照系を指定してください。</translation>
     </message>
     <message>
-        <source>{path} is damaged: it has no city objects; export it again.</source>
-        <translation>{path} は破損しています。都市オブジェクトがありません。再度出力してください。</translation>
+        <source>{path} is damaged: it has no city objects or no vertices; export it again.</source>
+        <translation>{path} は壊れています。都市オブジェクトまたは頂点がありません。もう一度出力してください。</translation>
     </message>
     <message>
         <source>{path} is damaged: its vertex {bad} has no finite coordinates.</source>
         <translation>{path} は破損しています。頂点 {bad} の座標が有限ではありません。</translation>
+    </message>
+    <message>
+        <source>{path} is damaged: an attribute of {key} is no finite number.</source>
+        <translation>{path}が破損しています。{key}の属性が有限の数値ではありません。</translation>
     </message>
     <message>
         <source>{path} is damaged: a ring is no list of vertices; export it again.</source>
@@ -6764,40 +7160,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>頂点が3点未満の面があります</translation>
     </message>
     <message>
-        <source>its solid of level {lod} is not closed ({gaps} edges without a neighbour)</source>
-        <translation>レベル {lod} の立体が閉じていません（隣のない辺 {gaps}）</translation>
-    </message>
-    <message>
         <source>its part {child} has parts of its own, which were left out</source>
         <translation>部分 {child} がさらに部分をもつため、それらを除きました</translation>
-    </message>
-    <message>
-        <source>CityJSON is written in metres, but the model counts in degrees: take it into a plane reference system first.</source>
-        <translation>CityJSONはメートルで書き出しますが、モデルは度単位です。先に平面直角座標系などの平面の座標系に変換してください。</translation>
-    </message>
-    <message>
-        <source>Two buildings have the id '{id}': give each building its own.</source>
-        <translation>2つの建物のidが同じ '{id}' です。建物ごとに異なるidを付けてください。</translation>
-    </message>
-    <message>
-        <source>The folder {place} cannot be made ({strerror}): choose another output.</source>
-        <translation>フォルダ {place} を作成できません（{strerror}）。別の出力先を選択してください。</translation>
-    </message>
-    <message>
-        <source>its surfaces are nested too deep</source>
-        <translation>面の入れ子が深すぎます</translation>
-    </message>
-    <message>
-        <source>the texture of polygon {identifier} does not fit its corners and was left out</source>
-        <translation>ポリゴン {identifier} のテクスチャが頂点に合わないため除きました</translation>
-    </message>
-    <message>
-        <source>its solid of level {lod} has no usable face</source>
-        <translation>レベル {lod} の立体に使える面がありません</translation>
-    </message>
-    <message>
-        <source>it refers to the surface {reference}, which it does not have</source>
-        <translation>存在しない面 {reference} を参照しています</translation>
     </message>
     <message>
         <source>{path} has no textures: give the CityJSON file that “Facade textures” wrote.</source>
@@ -6808,8 +7172,28 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path} が参照する画像 {name} が同じフォルダにありません。そこに移動してください。</translation>
     </message>
     <message>
-        <source>The image {parent} cannot be written ({strerror}).</source>
-        <translation>画像 {parent} に書き込めません（{strerror}）。</translation>
+        <source>CityJSON is written in metres, but the model counts in degrees: take it into a plane reference system first.</source>
+        <translation>CityJSONはメートルで書き出しますが、モデルは度単位です。先に平面直角座標系などの平面の座標系に変換してください。</translation>
+    </message>
+    <message>
+        <source>The model file {path} needs a name that ends in .glb.</source>
+        <translation>モデルファイル{path}の拡張子は .glb にしてください。</translation>
+    </message>
+    <message>
+        <source>The image {look} of a texture was not given: its file is missing.</source>
+        <translation>テクスチャの画像 {look} がありません。そのファイルが見つかりません。</translation>
+    </message>
+    <message>
+        <source>{lost_count} images of textures are not there ({lost}): their faces are written without.</source>
+        <translation>テクスチャ画像 {lost_count} 枚が見つかりません（{lost}）。該当する面はテクスチャなしで書き出されます。</translation>
+    </message>
+    <message>
+        <source>The image {image} of a texture was not given: its file is missing.</source>
+        <translation>テクスチャの画像 {image} がありません。そのファイルが見つかりません。</translation>
+    </message>
+    <message>
+        <source>The image {place} cannot be written ({strerror}).</source>
+        <translation>画像 {place} に書き込めません（{strerror}）。</translation>
     </message>
     <message>
         <source>{where}: the coordinate reference system {name} is not known; give the one that it is in.</source>
@@ -6824,16 +7208,44 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{where}: 座標参照系EPSG:{code} はここでは不明です。データの座標参照系を指定してください。</translation>
     </message>
     <message>
-        <source>The code {code} is none of a municipality: give its five digits, such as 13101.</source>
-        <translation>コード {code} の市区町村はありません。13101のような5桁で指定してください。</translation>
+        <source>The mesh file {target} needs a name that ends in .obj.</source>
+        <translation>メッシュファイル{target}の拡張子は .obj にしてください。</translation>
+    </message>
+    <message>
+        <source>Two buildings have the id '{id}': give each building its own.</source>
+        <translation>2つの建物のidが同じ '{id}' です。建物ごとに異なるidを付けてください。</translation>
+    </message>
+    <message>
+        <source>City objects that are no buildings were passed over ({counts}).</source>
+        <translation>建物以外の都市オブジェクトは読み飛ばしました（{counts}）。</translation>
+    </message>
+    <message>
+        <source>Parts of buildings that have no place in the result were left out ({counts}).</source>
+        <translation>結果に入れられない建物の部分を除きました（{counts}）。</translation>
+    </message>
+    <message>
+        <source>{missing_lists_count} lists of codes are not there or damaged, so that codes stay as they are ({missing_lists}).</source>
+        <translation>コードリスト {missing_lists_count} 件がないか壊れているため、コードはそのままです（{missing_lists}）。</translation>
+    </message>
+    <message>
+        <source>{missing_images_count} images of textures are not there, not in the model's folder, or no PNG, JPEG or TIFF ({missing_images}); their faces have none.</source>
+        <translation>テクスチャ画像 {missing_images_count} 枚が見つからないか、モデルのフォルダー外にあるか、PNG・JPEG・TIFF ではありません（{missing_images}）。該当する面はテクスチャなしになります。</translation>
+    </message>
+    <message>
+        <source>{repeated_count} ids are there more than once and got a number behind ({repeated}).</source>
+        <translation>重複するID {repeated_count} 件の後ろに番号を付けました（{repeated}）。</translation>
     </message>
     <message>
         <source>The models state heights in {stated}, not in {given}: convert them first, or leave the height system out.</source>
-        <translation>モデルの標高系は {stated} で、{given} ではありません。先に変換するか、標高系を指定しないでください。</translation>
+        <translation>モデルの高さの基準は {stated} で、{given} ではありません。先に変換するか、高さの基準を指定しないでください。</translation>
     </message>
     <message>
-        <source>The image {look} of a texture was not given: its file is missing.</source>
-        <translation>テクスチャの画像 {look} がありません。そのファイルが見つかりません。</translation>
+        <source>it has no outline and no face from which one could be made</source>
+        <translation>外周線も、それを作れる面もありません</translation>
+    </message>
+    <message>
+        <source>The temporary file {path} is cut off: make room on the disk of temporary files, and run again.</source>
+        <translation>一時ファイル {path} が途中で切れています。一時ファイルのディスクに空きを作り、もう一度実行してください。</translation>
     </message>
     <message>
         <source>The folder {folder} holds a tileset of another program: choose another folder.</source>
@@ -6844,8 +7256,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>3D Tilesには地球上の位置が必要ですが、モデルの座標参照系が不明です。</translation>
     </message>
     <message>
-        <source>Python {noun} in the way: {names}.</source>
-        <translation>妨げとなっているPythonパッケージがあります: {names}。</translation>
+        <source>Python packages missing: {names}. Install them with the menu Plugins &gt; UrbanMap &gt; Install Python packages, or in a terminal with: {command}</source>
+        <translation>Python パッケージがありません：{names}。メニュー「プラグイン &gt; UrbanMap &gt; Python パッケージのインストール」か、端末で次のコマンドによりインストールしてください：{command}</translation>
+    </message>
+    <message>
+        <source>Python packages in the way: {names}.</source>
+        <translation>Python パッケージが競合しています：{names}。</translation>
     </message>
     <message>
         <source>install it with: sudo apt install python3-pip</source>
@@ -6864,6 +7280,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{requirement}（インストール済みですが、先に {in_the_way} から {found_version} が読み込まれています。それを読み込むプラグインを外してQGISを再起動してください）</translation>
     </message>
     <message>
+        <source>{requirement} (found {found_version})</source>
+        <translation>{requirement}（現在 {found_version}）</translation>
+    </message>
+    <message>
         <source>pip could not install the packages: {value}</source>
         <translation>pipがパッケージをインストールできませんでした: {value}</translation>
     </message>
@@ -6874,6 +7294,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>it gave no reason</source>
         <translation>理由は示されませんでした</translation>
+    </message>
+    <message>
+        <source>the memory was not enough for it</source>
+        <translation>この建物の処理にはメモリが足りませんでした</translation>
     </message>
     <message>
         <source>The memory is not enough for this run: give less data at a time, or a coarser resolution.</source>
@@ -6893,7 +7317,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>No point of the survey lies near a building: check that both are of the same place and CRS, and that the survey has been put on the map.</source>
-        <translation>建物の近くに移動計測の点がありません。両者の場所とCRSが同じで、移動計測が地図に位置合わせされているか確認してください。</translation>
+        <translation>建物の近くにMMS計測の点がありません。両者の場所とCRSが同じで、MMS計測が地図に位置合わせされているか確認してください。</translation>
     </message>
     <message>
         <source>Outliers need at least one neighbour and a number of deviations above 0.</source>
@@ -7001,7 +7425,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>No cell of the area has a ground height: give a ground that covers it.</source>
-        <translation>範囲内に地表の高さがあるセルがありません。範囲を覆う地表面を与えてください。</translation>
+        <translation>範囲内に地表の高さがあるセルがありません。範囲を覆う地表面を指定してください。</translation>
     </message>
     <message>
         <source>The whole area lies inside buildings: choose a larger area or finer cells.</source>
@@ -7009,11 +7433,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>The buildings do not tell the height of the ground: give a ground raster.</source>
-        <translation>建物からは地表の高さが分かりません。地表面のラスタを与えてください。</translation>
+        <translation>建物からは地表の高さが分かりません。地表面のラスタを指定してください。</translation>
     </message>
     <message>
         <source>No satellite of the chosen systems ({chosen}) can be placed at {calendar_text} GPS time; the navigation files are good for {spans_text}: give those of the day.</source>
-        <translation>GPS時刻 {calendar_text} に、選択した衛星系（{chosen}）の衛星位置を計算できません。航法ファイルの有効期間は{spans_text}です。該当日のファイルを与えてください。</translation>
+        <translation>GPS時刻 {calendar_text} に、選択した衛星系（{chosen}）の衛星位置を計算できません。航法ファイルの有効期間は{spans_text}です。該当日のファイルを指定してください。</translation>
     </message>
     <message>
         <source>The area has {cells:.1f} million cells of {resolution:g} m: choose a coarser resolution or a smaller area.</source>
@@ -7025,15 +7449,15 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{without} of {shapes_count} buildings have no heights: give solids, outlines with z, or the field with the height of their tops.</source>
-        <translation>{shapes_count} 棟のうち {without} 棟に高さがありません。立体、z値付きの外周線、または上端の高さのフィールドを与えてください。</translation>
+        <translation>{shapes_count} 棟のうち {without} 棟に高さがありません。立体、z値付きの外周線、または上端の高さのフィールドを指定してください。</translation>
     </message>
     <message>
         <source>The buildings have no walls: give solids or outlines with heights.</source>
-        <translation>建物に壁面がありません。立体、または高さ付きの外周線を与えてください。</translation>
+        <translation>建物に壁面がありません。立体、または高さ付きの外周線を指定してください。</translation>
     </message>
     <message>
         <source>{path} holds no solids: give building models of LoD 1 or higher.</source>
-        <translation>{path}に立体がありません。LoD 1以上の建物モデルを与えてください。</translation>
+        <translation>{path}に立体がありません。LoD 1以上の建物モデルを指定してください。</translation>
     </message>
     <message>
         <source>Where measured and predicted paths agree below, the models can be adjusted by them.</source>
@@ -7060,16 +7484,36 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>信号の残差: {names}（{sum:,}）</translation>
     </message>
     <message>
+        <source>line {row} does not name its satellites</source>
+        <translation>{row}行目に衛星名がありません</translation>
+    </message>
+    <message>
+        <source>line {row} changes a number that was not given</source>
+        <translation>{row}行目が、初期値のない数値を更新しています</translation>
+    </message>
+    <message>
+        <source>line {row} is of a system whose types are not in the header</source>
+        <translation>{row}行目の衛星系の観測種別がヘッダにありません</translation>
+    </message>
+    <message>
+        <source>its version is {version}</source>
+        <translation>バージョンが{version}です</translation>
+    </message>
+    <message>
+        <source>{name} is damaged compact (Hatanaka) RINEX ({error}): fetch it again, or give plain RINEX.</source>
+        <translation>{name}は破損した圧縮（Hatanaka）RINEXです（{error}）。再度取得するか、通常のRINEXを指定してください。</translation>
+    </message>
+    <message>
         <source>{file} holds observations: give a navigation file here.</source>
-        <translation>{file}は観測ファイルです。ここには航法ファイルを与えてください。</translation>
+        <translation>{file}は観測ファイルです。ここには航法ファイルを指定してください。</translation>
     </message>
     <message>
         <source>{file} is a RINEX file but no navigation file: give one of type N.</source>
-        <translation>{file}はRINEXファイルですが、航法ファイルではありません。種別Nのファイルを与えてください。</translation>
+        <translation>{file}はRINEXファイルですが、航法ファイルではありません。種別Nのファイルを指定してください。</translation>
     </message>
     <message>
         <source>{file} holds no record of a satellite that can be used: give another navigation file.</source>
-        <translation>{file}に使用できる衛星の記録がありません。別の航法ファイルを与えてください。</translation>
+        <translation>{file}に使用できる衛星の記録がありません。別の航法ファイルを指定してください。</translation>
     </message>
     <message>
         <source>{file}: {broken} records of satellites are not whole and are left out.</source>
@@ -7116,6 +7560,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{file}のスケールファクタを読み取れません。ヘッダを確認してください。</translation>
     </message>
     <message>
+        <source>{name} holds more than {largest} MB when unpacked: give the files of one drive at a time.</source>
+        <translation>{name}は展開すると {largest} MB を超えます。1走行分ずつファイルを指定してください。</translation>
+    </message>
+    <message>
         <source>{path} is packed in a way that is not read here: unpack it, or pack it with gzip.</source>
         <translation>{path}は未対応の形式で圧縮されています。展開するか、gzipで圧縮してください。</translation>
     </message>
@@ -7124,16 +7572,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path}は空です。別のファイルを選択してください。</translation>
     </message>
     <message>
-        <source>{name} is compact (Hatanaka) RINEX: convert it to plain RINEX with CRX2RNX first.</source>
-        <translation>{name}は圧縮RINEX（Hatanaka形式）です。先にCRX2RNXで通常のRINEXに変換してください。</translation>
-    </message>
-    <message>
         <source>{name} is not a RINEX file: its first line does not say "RINEX VERSION / TYPE".</source>
         <translation>{name}はRINEXファイルではありません。1行目に「RINEX VERSION / TYPE」がありません。</translation>
     </message>
     <message>
-        <source>{name} is RINEX {version:.2f}: convert it to RINEX 2.11 or 3.</source>
-        <translation>{name}はRINEX {version:.2f}です。RINEX 2.11または3に変換してください。</translation>
+        <source>{name} is RINEX {version:.2f}: convert it to RINEX 2.11, 3 or 4.</source>
+        <translation>{name}はRINEX {version:.2f}です。RINEX 2.11、3または4に変換してください。</translation>
     </message>
     <message>
         <source>{name} has no "END OF HEADER": the file is not whole.</source>
@@ -7152,8 +7596,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name}の1行目にRINEXのバージョンがありません。ファイルを確認してください。</translation>
     </message>
     <message>
-        <source>{name} holds more than {largest} MB when unpacked: give the files of one drive at a time.</source>
-        <translation>{name}は展開すると {largest} MB を超えます。1走行分ずつファイルを与えてください。</translation>
+        <source>{name} is not a sound bzip2 file: fetch it again.</source>
+        <translation>{name}は正しいbzip2ファイルではありません。再度取得してください。</translation>
     </message>
     <message>
         <source>{name} is not a sound gzip file: fetch it again.</source>
@@ -7161,7 +7605,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Too few satellites at different elevations tell the height of the antenna: give the geoid separation.</source>
-        <translation>仰角の異なる衛星が少なく、アンテナの高さを決定できません。ジオイド高を与えてください。</translation>
+        <translation>仰角の異なる衛星が少なく、アンテナの高さを決定できません。ジオイド高を指定してください。</translation>
     </message>
     <message>
         <source>{first:.0f} to {last:.0f} s of week</source>
@@ -7189,7 +7633,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>No observation file is given: give the receiver's RINEX observation files.</source>
-        <translation>観測ファイルが与えられていません。受信機のRINEX観測ファイルを与えてください。</translation>
+        <translation>観測ファイルが与えられていません。受信機のRINEX観測ファイルを指定してください。</translation>
     </message>
     <message>
         <source>without an ephemeris</source>
@@ -7197,7 +7641,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>of unhealthy satellites</source>
-        <translation>不健康な衛星</translation>
+        <translation>使用不可（unhealthy）と放送された衛星</translation>
     </message>
     <message>
         <source>below {elevation_mask:g} degrees of elevation</source>
@@ -7209,11 +7653,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>The navigation files tell no coefficients of the ionosphere: its delay, some metres, is not taken off; give a navigation file of GPS.</source>
-        <translation>航法ファイルに電離層の係数がないため、電離層遅延（数m）を補正していません。GPSの航法ファイルを与えてください。</translation>
+        <translation>航法ファイルに電離層の係数がないため、電離層遅延（数m）を補正していません。GPSの航法ファイルを指定してください。</translation>
     </message>
     <message>
         <source>Precise orbits alone tell no group delays, up to some metres: they are not taken off; give the navigation files too.</source>
-        <translation>精密暦だけでは群遅延（最大数m）が分からないため、補正していません。航法ファイルも与えてください。</translation>
+        <translation>精密暦だけでは群遅延（最大数m）が分からないため、補正していません。航法ファイルも指定してください。</translation>
     </message>
     <message>
         <source>have no ephemeris near in time</source>
@@ -7221,11 +7665,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>are unhealthy</source>
-        <translation>が不健康です</translation>
+        <translation>が使用不可（unhealthy）です</translation>
     </message>
     <message>
         <source>No satellite of {system_names} can be placed: its signals are left out; give its navigation file.</source>
-        <translation>{system_names}の衛星の位置を計算できないため、その信号を除外しました。該当する航法ファイルを与えてください。</translation>
+        <translation>{system_names}の衛星の位置を計算できないため、その信号を除外しました。該当する航法ファイルを指定してください。</translation>
     </message>
     <message>
         <source>By the satellites the antenna is {offset:.0f} m {value} than the trajectory with a geoid separation of {given:g} m says: heights above sea level and above the ellipsoid seem to be mixed up; a separation of about {given_2:.0f} m would fit.</source>
@@ -7245,7 +7689,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{file} was observed {observed} GPS time, but the navigation files are good for {good}: give those of the same day.</source>
-        <translation>{file}の観測はGPS時刻で{observed}ですが、航法ファイルの有効期間は{good}です。同じ日のものを与えてください。</translation>
+        <translation>{file}の観測はGPS時刻で{observed}ですが、航法ファイルの有効期間は{good}です。同じ日のものを指定してください。</translation>
     </message>
     <message>
         <source>Satellites that {why} are left out: {names}.</source>
@@ -7257,7 +7701,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>The trajectory's times are {leap:.0f} s {fault}: give them in GPS time.</source>
-        <translation>軌跡の時刻が {leap:.0f} s ずれています（{fault}）。GPS時刻で与えてください。</translation>
+        <translation>軌跡の時刻が {leap:.0f} s ずれています（{fault}）。GPS時刻で指定してください。</translation>
     </message>
     <message>
         <source>the files hold none</source>
@@ -7273,7 +7717,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{who} overlap in time: give times that count on over the weeks (full GPS seconds), or each place of the vehicle once.</source>
-        <translation>時刻が重複しています（{who}）。週をまたいで連続する時刻（通算GPS秒）で与えるか、車両の各位置を1回だけ与えてください。</translation>
+        <translation>時刻が重複しています（{who}）。週をまたいで連続する時刻（通算GPS秒）で与えるか、車両の各位置を1回だけ指定してください。</translation>
     </message>
     <message>
         <source>{path} is of the time of none of the trajectories: give the trajectory of that drive, or leave the file out.</source>
@@ -7281,7 +7725,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{path} may belong to {who}, which have the same times of the week: give trajectories in full GPS seconds.</source>
-        <translation>{path}は、週内時刻が同じ{who}のいずれにも対応し得ます。軌跡を通算GPS秒で与えてください。</translation>
+        <translation>{path}は、週内時刻が同じ{who}のいずれにも対応し得ます。軌跡を通算GPS秒で指定してください。</translation>
     </message>
     <message>
         <source>moved, the building would not stay valid or would run into another</source>
@@ -7356,10 +7800,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>3衛星が見通し内にあるエポックがなく、受信機の時計誤差を決定できません。より多くの衛星の観測データを与えるか、高さと座標参照系を確認してください。</translation>
     </message>
     <message>
-        <source>The models or lines have no heights, without which they have no place in an image: give models or lines with heights (for lines: QGIS's “Drape”).</source>
-        <translation>モデルまたは線に高さがないため、画像上の位置を決定できません。高さ付きのモデルまたは線を与えてください（線にはQGISの「Drape」を使用）。</translation>
-    </message>
-    <message>
         <source>Outline {number} was drawn on {name}, which was not given (images: {known}): add the image or correct the field “image”.</source>
         <translation>外周線 {number} は{name}上に描かれていますが、その画像は与えられていません（画像: {known}）。画像を追加するか、フィールド「image」を修正してください。</translation>
     </message>
@@ -7396,6 +7836,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{known_count_2} か所中 {known_count} か所にレーザ点がありません</translation>
     </message>
     <message>
+        <source>The models or lines have no heights, without which they have no place in an image: give models or lines with heights (for lines: QGIS's “Drape”).</source>
+        <translation>モデルまたは線に高さがないため、画像上の位置を決定できません。高さ付きのモデルまたは線を指定してください（線にはQGISの「Drape」を使用）。</translation>
+    </message>
+    <message>
         <source>Edges should run along what the images show, and points lie on what they were measured from; where they do not, survey, orientation or models are off.</source>
         <translation>稜線は画像に写るものに沿い、点は計測対象の上に載るのが正常です。ずれている箇所では、計測データ、標定要素またはモデルに誤りがあります。</translation>
     </message>
@@ -7424,20 +7868,92 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>フォルダ{folder}を作成できません（{strerror}）。別の出力先を選択してください。</translation>
     </message>
     <message>
-        <source>{target} cannot be written ({strerror}): choose another output.</source>
-        <translation>{target}に書き込めません（{strerror}）。別の出力先を選択してください。</translation>
-    </message>
-    <message>
         <source>There is no building model to texture: check the layer.</source>
         <translation>テクスチャを貼る建物モデルがありません。レイヤを確認してください。</translation>
     </message>
     <message>
         <source>Building {number} has no heights: give building models (MultiPolygonZ), such as those of “Building models”.</source>
-        <translation>建物 {number} に高さがありません。「建物モデル」の出力などの建物モデル（MultiPolygonZ）を与えてください。</translation>
+        <translation>建物 {number} に高さがありません。「建物モデル」の出力などの建物モデル（MultiPolygonZ）を指定してください。</translation>
     </message>
     <message>
         <source>The strip image {name} was taken from {times:.1f} to {times_2:.1f} s, the trajectory runs from {time:.1f} to {time_2:.1f} s: give those of one survey.</source>
-        <translation>ストリップ画像{name}の撮影時刻は {times:.1f}～{times_2:.1f} s ですが、軌跡は {time:.1f}～{time_2:.1f} s です。同じ計測のものを与えてください。</translation>
+        <translation>ストリップ画像{name}の撮影時刻は {times:.1f}～{times_2:.1f} s ですが、軌跡は {time:.1f}～{time_2:.1f} s です。同じ計測のものを指定してください。</translation>
+    </message>
+    <message>
+        <source>{path} is no geoid model: its values must be heights of the geoid above the ellipsoid in metres, none beyond {highest:g}.</source>
+        <translation>{path}はジオイドモデルではありません。値は楕円体からのジオイドの高さ（メートル）で、{highest:g} を超えない必要があります。</translation>
+    </message>
+    <message>
+        <source>{path} is no geoid model: its cells must lie along latitude and longitude in degrees.</source>
+        <translation>{path}はジオイドモデルではありません。セルは度単位の緯度・経度に沿う必要があります。</translation>
+    </message>
+    <message>
+        <source>{name} holds {values_count} heights, its header says {rows}: the file is cut off; download it again.</source>
+        <translation>{name}の高さの数は {values_count} 個ですが、ヘッダでは {rows} 個です。ファイルが途中で切れています。再度ダウンロードしてください。</translation>
+    </message>
+    <message>
+        <source>{name} does not reach latitude {flat:.4f}, longitude {flat_2:.4f}: give the geoid model of the survey's place.</source>
+        <translation>{name}は緯度 {flat:.4f}、経度 {flat_2:.4f} を覆っていません。計測地域のジオイドモデルを指定してください。</translation>
+    </message>
+    <message>
+        <source>{path} cannot be read as a geoid model: give a GeoTIFF, a GTX or a text grid of GSI.</source>
+        <translation>{path}をジオイドモデルとして読み込めません。GeoTIFF、GTXまたは国土地理院のテキスト形式グリッドを指定してください。</translation>
+    </message>
+    <message>
+        <source>The data say that their heights are in {own}, not in {stated}: leave the system of the data empty.</source>
+        <translation>データの高さは{stated}ではなく{own}と記載されています。データの高さの基準は空欄にしてください。</translation>
+    </message>
+    <message>
+        <source>The data do not say what their heights count from: give the height system that they are in.</source>
+        <translation>データに高さの基準の記載がありません。データの高さの基準を指定してください。</translation>
+    </message>
+    <message>
+        <source>The height system of the result is not known: give JGD2000, JGD2011, JGD2024, ellipsoidal or an EPSG code.</source>
+        <translation>結果の高さの基準が不明です。JGD2000、JGD2011、JGD2024、ellipsoidal またはEPSGコードを指定してください。</translation>
+    </message>
+    <message>
+        <source>The heights are in {source} already: there is nothing to convert.</source>
+        <translation>高さはすでに{source}です。変換の必要はありません。</translation>
+    </message>
+    <message>
+        <source>The data have no coordinate reference system: assign the one that they are in.</source>
+        <translation>データに座標参照系がありません。正しい座標参照系を割り当ててください。</translation>
+    </message>
+    <message>
+        <source>{path} holds no heights: give another raster.</source>
+        <translation>{path}に高さがありません。別のラスタを指定してください。</translation>
+    </message>
+    <message>
+        <source>{grid} holds at most {size:.2f} m, which are corrections: between ellipsoidal heights and those above the geoid give a geoid model.</source>
+        <translation>{grid}の値は最大 {size:.2f} m で、標高補正値です。楕円体高と標高の間の変換にはジオイドモデルを指定してください。</translation>
+    </message>
+    <message>
+        <source>{grid} holds up to {size:.1f} m, which is a geoid model: between {source} and {target} give the grid of corrections.</source>
+        <translation>{grid}の値は最大 {size:.1f} m で、ジオイドモデルです。{source}と{target}の間の変換には標高補正のグリッドを指定してください。</translation>
+    </message>
+    <message>
+        <source>From {source} to {target} no transformation of {rough:g} m or better is known here: transform the data first, between Japan's datums with GSI's TKY2JGD or PatchJGD.</source>
+        <translation>{source}から{target}への {rough:g} m 以内の精度の変換がありません。先にデータを変換してください（日本の測地系間では国土地理院のTKY2JGDまたはPatchJGD）。</translation>
+    </message>
+    <message>
+        <source>A coordinate reference system has no horizontal part: set another one.</source>
+        <translation>座標参照系に水平成分がありません。別のものを設定してください。</translation>
+    </message>
+    <message>
+        <source>{path} cannot be taken to where the other data lie: check the coordinate reference systems.</source>
+        <translation>{path}を他のデータの位置に変換できません。座標参照系を確認してください。</translation>
+    </message>
+    <message>
+        <source>Some places lie outside of where the reference system can be computed: check the coordinate reference systems.</source>
+        <translation>座標参照系の計算可能範囲の外にある地点があります。座標参照系を確認してください。</translation>
+    </message>
+    <message>
+        <source>A coordinate reference system cannot be understood: set another one.</source>
+        <translation>座標参照系を解釈できません。別のものを設定してください。</translation>
+    </message>
+    <message>
+        <source>The reference system EPSG:{code} is not known here: choose another.</source>
+        <translation>座標参照系 EPSG:{code} は未対応です。別のものを選択してください。</translation>
     </message>
     <message>
         <source>The folder {final_text} does not exist: create it or choose another output.</source>
@@ -7468,48 +7984,88 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{shown}を置き換えられません（{strerror}）。ファイルを開いているプログラムを閉じてください。</translation>
     </message>
     <message>
-        <source>{path} is damaged: a city object or its vertices cannot be understood.</source>
-        <translation>{path}が破損しています。都市オブジェクトまたはその頂点を解釈できません。</translation>
+        <source>{name} cannot be read as {what}{reason}: it is damaged or of another kind; export or download it again.</source>
+        <translation>{name}を{what}として読み込めません{reason}。破損しているか、種類が異なります。再度出力またはダウンロードしてください。</translation>
     </message>
     <message>
-        <source>{path} is damaged: an attribute of {key} is no finite number.</source>
-        <translation>{path}が破損しています。{key}の属性が有限の数値ではありません。</translation>
+        <source> (it is no text in UTF-8)</source>
+        <translation>（UTF-8の文字列ではありません）</translation>
     </message>
     <message>
-        <source>The coordinate reference system is no WKT that can be understood: set another one.</source>
-        <translation>座標参照系が解釈できるWKTではありません。別のものを設定してください。</translation>
+        <source> (it is nested too deep)</source>
+        <translation>（入れ子が深すぎます）</translation>
     </message>
     <message>
-        <source>The coordinate reference system is cut off: set another one.</source>
-        <translation>座標参照系の記述が途中で切れています。別のものを設定してください。</translation>
+        <source> (a number in it is too large)</source>
+        <translation>（大きすぎる数値があります）</translation>
     </message>
     <message>
-        <source>{path} is no geoid model: its values must be heights of the geoid above the ellipsoid in metres, none beyond {highest:g}.</source>
-        <translation>{path}はジオイドモデルではありません。値は楕円体からのジオイドの高さ（メートル）で、{highest:g} を超えない必要があります。</translation>
+        <source> (line {line} is no XML)</source>
+        <translation>（{line} 行目が XML ではありません）</translation>
     </message>
     <message>
-        <source>{path} is no geoid model: its cells must lie along latitude and longitude in degrees.</source>
-        <translation>{path}はジオイドモデルではありません。セルは度単位の緯度・経度に沿う必要があります。</translation>
+        <source> (line {line} is no JSON)</source>
+        <translation>（{line} 行目が JSON ではありません）</translation>
     </message>
     <message>
-        <source>{name} holds {values_count} heights, its header says {rows}: the file is cut off; download it again.</source>
-        <translation>{name}の高さの数は {values_count} 個ですが、ヘッダでは {rows} 個です。ファイルが途中で切れています。再度ダウンロードしてください。</translation>
+        <source> (“{name}” is missing in it)</source>
+        <translation>（“{name}” がありません）</translation>
     </message>
     <message>
-        <source>{name} does not reach latitude {flat:.4f}, longitude {flat_2:.4f}: give the geoid model of the survey's place.</source>
-        <translation>{name}は緯度 {flat:.4f}、経度 {flat_2:.4f} を覆っていません。計測地域のジオイドモデルを与えてください。</translation>
+        <source> (“{value}” is no number)</source>
+        <translation>（“{value}” は数値ではありません）</translation>
     </message>
     <message>
-        <source>{path} cannot be read as a geoid model: give a GeoTIFF, a GTX or a text grid of GSI.</source>
-        <translation>{path}をジオイドモデルとして読み込めません。GeoTIFF、GTXまたは国土地理院のテキスト形式グリッドを与えてください。</translation>
+        <source>{path} cannot be read as {what}{reason}: it is not JSON, or damaged; export it again.</source>
+        <translation>{path}を{what}として読み込めません{reason}。JSONでないか、破損しています。再度出力してください。</translation>
     </message>
     <message>
-        <source>The model file {path} needs a name that ends in .glb.</source>
-        <translation>モデルファイル{path}の拡張子は .glb にしてください。</translation>
+        <source>{name}: {columns} may count north or east (in the Japanese plane rectangular system X counts north): call the column that counts east “東” or “east”, and the one that counts north “北” or “north”.</source>
+        <translation>{name}：{columns} は北向きか東向きか決まりません（平面直角座標系では X が北向きです）。東向きの列を「東」または「east」、北向きの列を「北」または「north」としてください。</translation>
     </message>
     <message>
-        <source>The image {key} of a texture was not given.</source>
-        <translation>テクスチャの画像{key}が与えられていません。</translation>
+        <source>{name} has several columns that could be {meant} ({keys}): keep the right one, or call it {meant}.</source>
+        <translation>{name} には {meant} とみなせる列が複数あります（{keys}）。正しい列だけを残すか、その列名を {meant} にしてください。</translation>
+    </message>
+    <message>
+        <source>{name} states the unit {unit}: metres, seconds and decimal degrees are read; export it in these.</source>
+        <translation>{name} の単位が {unit} になっています。読めるのはメートル、秒、度（十進）です。これらの単位で書き出してください。</translation>
+    </message>
+    <message>
+        <source>{target} is a folder; give the name of a file.</source>
+        <translation>{target}はフォルダです。ファイル名を指定してください。</translation>
+    </message>
+    <message>
+        <source>{target} is no plain file; give another name.</source>
+        <translation>{target}は通常のファイルではありません。別の名前を指定してください。</translation>
+    </message>
+    <message>
+        <source>{target} is open in another program, or is edited in this one; close it there, or choose another output.</source>
+        <translation>{target}は他のプログラムで開かれているか、このプログラムで編集中です。閉じるか、別の出力先を選択してください。</translation>
+    </message>
+    <message>
+        <source>The name {name} is too long for the files that are made beside it: give a shorter one, of at most {longest} bytes.</source>
+        <translation>ファイル名 {name} は、同じ場所に作られる補助ファイルのために長すぎます。{longest} バイト以内の名前にしてください。</translation>
+    </message>
+    <message>
+        <source>The folder {folder} does not exist; create it or choose another output.</source>
+        <translation>フォルダ{folder}が存在しません。作成するか、別の出力先を選択してください。</translation>
+    </message>
+    <message>
+        <source>The folder {folder} cannot be written; choose another output.</source>
+        <translation>フォルダ{folder}に書き込めません。別の出力先を選択してください。</translation>
+    </message>
+    <message>
+        <source>{target} cannot be the name of a file ({reason}); choose another output.</source>
+        <translation>{target}はファイル名として使用できません（{reason}）。別の出力先を選択してください。</translation>
+    </message>
+    <message>
+        <source>The folder {folder} cannot be written ({strerror}): choose another output.</source>
+        <translation>フォルダ{folder}に書き込めません（{strerror}）。別の出力先を選択してください。</translation>
+    </message>
+    <message>
+        <source>{final_text} cannot be replaced ({strerror}): close the program that has it open, or choose another output.</source>
+        <translation>{final_text}を置き換えられません（{strerror}）。ファイルを開いているプログラムを閉じるか、別の出力先を選択してください。</translation>
     </message>
     <message>
         <source>{first} holds no buildings: choose another map sheet.</source>
@@ -7521,11 +8077,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{first} holds no building outlines (BldA or BldL) but {kinds}: give the buildings' file.</source>
-        <translation>{first} には建築物の外周線（BldAまたはBldL）がなく、{kinds} があります。建物のファイルを与えてください。</translation>
+        <translation>{first} には建築物の外周線（BldAまたはBldL）がなく、{kinds} があります。建物のファイルを指定してください。</translation>
     </message>
     <message>
         <source>{not_gsi} is not GSI Fundamental Geospatial Data (its root is not an FGD Dataset): give files named FG-GML-...-BldA or -BldL as downloaded.</source>
-        <translation>{not_gsi} は基盤地図情報ではありません（ルートがFGD Datasetではありません）。ダウンロードしたままのFG-GML-...-BldAまたは-BldLのファイルを与えてください。</translation>
+        <translation>{not_gsi} は基盤地図情報ではありません（ルートがFGD Datasetではありません）。ダウンロードしたままのFG-GML-...-BldAまたは-BldLのファイルを指定してください。</translation>
     </message>
     <message>
         <source>The outlines are in JGD2000 and were taken into {target} without the movements of the ground in 2011, up to 5 m in north-east Japan: correct them there with PatchJGD.</source>
@@ -7549,11 +8105,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>No outline in {source} closes to a polygon: give all map sheets around the area, or BldA files.</source>
-        <translation>{source}の外周線はいずれもポリゴンとして閉じません。範囲周辺のすべての図郭、またはBldAファイルを与えてください。</translation>
+        <translation>{source}の外周線はいずれもポリゴンとして閉じません。範囲周辺のすべての図郭、またはBldAファイルを指定してください。</translation>
     </message>
     <message>
         <source>The reference system {unknown} of the outlines is not known: give data in JGD2000, JGD2011 or JGD2024 (latitude and longitude).</source>
-        <translation>外周線の座標参照系{unknown}は未対応です。JGD2000、JGD2011またはJGD2024（緯度・経度）のデータを与えてください。</translation>
+        <translation>外周線の座標参照系{unknown}は未対応です。JGD2000、JGD2011またはJGD2024（緯度・経度）のデータを指定してください。</translation>
     </message>
     <message>
         <source>Some outlines are in JGD2000 and others in JGD2011 or JGD2024, which lie up to 5 m apart: load them in separate runs.</source>
@@ -7601,15 +8157,15 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{source}: cells of {cell:.3f} seconds are of no elevation model of the GSI; give {what} as they were downloaded.</source>
-        <translation>{source}: {cell:.3f} 秒のセルは国土地理院の標高モデルのものではありません。{what}をダウンロードしたまま与えてください。</translation>
+        <translation>{source}: {cell:.3f} 秒のセルは国土地理院の標高モデルのものではありません。{what}をダウンロードしたまま指定してください。</translation>
     </message>
     <message>
         <source>{strange} is no elevation model of the GSI: give {what} as they were downloaded.</source>
-        <translation>{strange}は国土地理院の標高モデルではありません。{what}をダウンロードしたまま与えてください。</translation>
+        <translation>{strange}は国土地理院の標高モデルではありません。{what}をダウンロードしたまま指定してください。</translation>
     </message>
     <message>
         <source>Some meshes are in {systems} and others in {systems_2}, whose heights differ by up to decimetres: load them in separate runs and convert one with “Convert heights”.</source>
-        <translation>{systems}のメッシュと{systems_2}のメッシュが混在しており、高さに最大で数dmの差があります。別々に実行して読み込み、一方を「標高系の変換」で変換してください。</translation>
+        <translation>{systems}のメッシュと{systems_2}のメッシュが混在しており、高さに最大で数dmの差があります。別々に実行して読み込み、一方を「高さの基準の変換」で変換してください。</translation>
     </message>
     <message>
         <source>{source} is damaged: its elevation model has no coverage; download it again.</source>
@@ -7625,7 +8181,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{source}: the reference system {value} is not known: give data in JGD2000, JGD2011 or JGD2024.</source>
-        <translation>{source}: 座標参照系{value}は未対応です。JGD2000、JGD2011またはJGD2024のデータを与えてください。</translation>
+        <translation>{source}: 座標参照系{value}は未対応です。JGD2000、JGD2011またはJGD2024のデータを指定してください。</translation>
     </message>
     <message>
         <source>{source} is damaged: {name} does not hold two numbers; download it again.</source>
@@ -7725,7 +8281,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{sum} open outlines (BldL) close no ring and are missing in the result: give the neighbouring map sheets too, or BldA files.</source>
-        <translation>閉じない外周線（BldL） {sum} 本は結果にありません。隣の図郭も与えるか、BldAのファイルを与えてください。</translation>
+        <translation>閉じない外周線（BldL） {sum} 本は結果にありません。隣の図郭も与えるか、BldAのファイルを指定してください。</translation>
     </message>
     <message>
         <source>No file was given: choose {what} ({suffixes}, .zip or a folder of them).</source>
@@ -7745,11 +8301,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{path} holds no {suffixes} file: give {what} as they were downloaded.</source>
-        <translation>{path}に{suffixes}ファイルがありません。{what}をダウンロードしたまま与えてください。</translation>
+        <translation>{path}に{suffixes}ファイルがありません。{what}をダウンロードしたまま指定してください。</translation>
     </message>
     <message>
         <source>{label} is encrypted: unpack it with its password and give the files in it.</source>
-        <translation>{label}は暗号化されています。パスワードで展開し、中のファイルを与えてください。</translation>
+        <translation>{label}は暗号化されています。パスワードで展開し、中のファイルを指定してください。</translation>
     </message>
     <message>
         <source>{label} would unpack to {file_size} GB from {compress_size} MB, which no map data does: get the file again from where it comes from.</source>
@@ -7765,71 +8321,79 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{name} cannot be unpacked here ({error}): unpack it and give the files in it.</source>
-        <translation>{name}を展開できません（{error}）。別途展開し、中のファイルを与えてください。</translation>
+        <translation>{name}を展開できません（{error}）。別途展開し、中のファイルを指定してください。</translation>
     </message>
     <message>
         <source>{name} cannot be read ({value}): check the file.</source>
         <translation>{name}を読み込めません（{value}）。ファイルを確認してください。</translation>
     </message>
     <message>
-        <source>{name} cannot be read as {what}{reason}: it is damaged or of another kind; export or download it again.</source>
-        <translation>{name}を{what}として読み込めません{reason}。破損しているか、種類が異なります。再度出力またはダウンロードしてください。</translation>
+        <source>{name} declares the unknown encoding {encoding}: save it as UTF-8.</source>
+        <translation>{name}に指定されている文字コード{encoding}は未対応です。UTF-8で保存してください。</translation>
     </message>
     <message>
-        <source> (it is no text in UTF-8)</source>
-        <translation>（UTF-8の文字列ではありません）</translation>
+        <source>{source} is not whole, valid XML (line {line}, column {column}): get the file again from where it comes from.</source>
+        <translation>{source}は完全で有効なXMLではありません（{line} 行 {column} 列）。提供元からファイルを再度取得してください。</translation>
     </message>
     <message>
-        <source> (it is nested too deep)</source>
-        <translation>（入れ子が深すぎます）</translation>
+        <source>{name} holds bytes that are not valid {encoding}: download it again or correct its declared encoding.</source>
+        <translation>{name}に{encoding}として無効なバイトがあります。再度ダウンロードするか、文字コードの宣言を修正してください。</translation>
     </message>
     <message>
-        <source> (a number in it is too large)</source>
-        <translation>（大きすぎる数値があります）</translation>
+        <source>{name} has no object in its first {longest_prolog} MB: get the file again from where it comes from.</source>
+        <translation>{name}の先頭 {longest_prolog} MB にオブジェクトがありません。提供元からファイルを再度取得してください。</translation>
     </message>
     <message>
-        <source>{path} cannot be read as {what}{reason}: it is not JSON, or damaged; export it again.</source>
-        <translation>{path}を{what}として読み込めません{reason}。JSONでないか、破損しています。再度出力してください。</translation>
+        <source>{name} has a document type declaration, which {maker} never has and which may be harmful: get the file again from where it comes from.</source>
+        <translation>{name}に文書型宣言があります。{maker}のファイルには含まれないもので、有害な可能性があります。提供元からファイルを再度取得してください。</translation>
     </message>
     <message>
-        <source>The data say that their heights are in {own}, not in {stated}: leave the system of the data empty.</source>
-        <translation>データの高さは{stated}ではなく{own}と記載されています。データの標高系は空欄にしてください。</translation>
+        <source>{source} has an object of more than {largest} MB: get the file again from where it comes from.</source>
+        <translation>{source}に {largest} MB を超えるオブジェクトがあります。提供元からファイルを再度取得してください。</translation>
     </message>
     <message>
-        <source>The data do not say what their heights count from: give the height system that they are in.</source>
-        <translation>データに高さの基準の記載がありません。データの標高系を指定してください。</translation>
+        <source>{path} is no OSM file: its outermost element is {tag}, not osm.</source>
+        <translation>{path}はOSMファイルではありません。最上位の要素が osm ではなく {tag} です。</translation>
     </message>
     <message>
-        <source>The height system of the result is not known: give JGD2000, JGD2011, JGD2024, ellipsoidal or an EPSG code.</source>
-        <translation>結果の標高系が不明です。JGD2000、JGD2011、JGD2024、ellipsoidal またはEPSGコードを指定してください。</translation>
+        <source>Made by</source>
+        <translation>作成ソフトウェア</translation>
     </message>
     <message>
-        <source>The heights are in {source} already: there is nothing to convert.</source>
-        <translation>高さはすでに{source}です。変換の必要はありません。</translation>
+        <source>Day</source>
+        <translation>作成日</translation>
     </message>
     <message>
-        <source>The data have no coordinate reference system: assign the one that they are in.</source>
-        <translation>データに座標参照系がありません。正しい座標参照系を割り当ててください。</translation>
+        <source>{caption} ({missing} without a value)</source>
+        <translation>{caption}（値なし {missing} 件）</translation>
     </message>
     <message>
-        <source>{path} holds no heights: give another raster.</source>
-        <translation>{path}に高さがありません。別のラスタを与えてください。</translation>
+        <source>Note</source>
+        <translation>注記</translation>
     </message>
     <message>
-        <source>{grid} holds at most {size:.2f} m, which are corrections: between ellipsoidal heights and those above the geoid give a geoid model.</source>
-        <translation>{grid}の値は最大 {size:.2f} m で、標高補正値です。楕円体高と標高の間の変換にはジオイドモデルを与えてください。</translation>
+        <source>How this was made</source>
+        <translation>作成方法</translation>
     </message>
     <message>
-        <source>{grid} holds up to {size:.1f} m, which is a geoid model: between {source} and {target} give the grid of corrections.</source>
-        <translation>{grid}の値は最大 {size:.1f} m で、ジオイドモデルです。{source}と{target}の間の変換には標高補正のグリッドを与えてください。</translation>
+        <source>{path} is no PNG or JPEG picture: a report can hold only these.</source>
+        <translation>{path}はPNGまたはJPEGの画像ではありません。報告書に使用できるのはこれらの形式だけです。</translation>
     </message>
     <message>
-        <source>The height system {word} is not known: give JGD2000, JGD2011, JGD2024, ellipsoidal or the EPSG code of a vertical reference system.</source>
-        <translation>標高系{word}は未対応です。JGD2000、JGD2011、JGD2024、ellipsoidal または鉛直座標参照系のEPSGコードを指定してください。</translation>
+        <source>Settings</source>
+        <translation>設定</translation>
     </message>
     <message>
-        <source>{label_a} has heights in {first}, but {label_b} in {second}: convert one of them with “Convert heights” and the correction or geoid grid for it.</source>
-        <translation>{label_a}の高さは{first}ですが、{label_b}の高さは{second}です。「標高系の変換」と対応する標高補正グリッドまたはジオイドモデルで一方を変換してください。</translation>
+        <source>yes</source>
+        <translation>はい</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>いいえ</translation>
+    </message>
+    <message>
+        <source>error {length:g} cm</source>
+        <translation>較差 {length:g} cm</translation>
     </message>
     <message>
         <source>it does not begin as such a file does</source>
@@ -7944,14 +8508,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>途中で切れています：{count:,} 点中 {held:,} 点</translation>
     </message>
     <message>
-        <source>The mesh file {target} needs a name that ends in .obj.</source>
-        <translation>メッシュファイル{target}の拡張子は .obj にしてください。</translation>
-    </message>
-    <message>
-        <source>{path} is no OSM file: its outermost element is {tag}, not osm.</source>
-        <translation>{path}はOSMファイルではありません。最上位の要素が osm ではなく {tag} です。</translation>
-    </message>
-    <message>
         <source>No point cloud was given: choose one or several LAS or LAZ files.</source>
         <translation>点群が与えられていません。LASまたはLAZファイルを1つ以上選択してください。</translation>
     </message>
@@ -7973,7 +8529,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{path} is in {crs}, but {stated} is in {stated_2}: give files of one coordinate reference system.</source>
-        <translation>{path}は{crs}ですが、{stated}は{stated_2}です。同じ座標参照系のファイルを与えてください。</translation>
+        <translation>{path}は{crs}ですが、{stated}は{stated_2}です。同じ座標参照系のファイルを指定してください。</translation>
     </message>
     <message>
         <source>{path} cannot be read as LAS or LAZ ({error}): it may be truncated or of another kind.</source>
@@ -8004,120 +8560,32 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path}のバンド数は {bands} で、バンド {band} はありません。</translation>
     </message>
     <message>
-        <source>Made by</source>
-        <translation>作成ソフトウェア</translation>
+        <source>The coordinate reference system is no WKT that can be understood: set another one.</source>
+        <translation>座標参照系が解釈できるWKTではありません。別のものを設定してください。</translation>
     </message>
     <message>
-        <source>Day</source>
-        <translation>作成日</translation>
+        <source>The coordinate reference system is cut off: set another one.</source>
+        <translation>座標参照系の記述が途中で切れています。別のものを設定してください。</translation>
     </message>
     <message>
-        <source>{caption} ({missing} without a value)</source>
-        <translation>{caption}（値なし {missing} 件）</translation>
+        <source>The height system {word} is not known: give JGD2000, JGD2011, JGD2024, ellipsoidal or the EPSG code of a vertical reference system.</source>
+        <translation>高さの基準{word}は未対応です。JGD2000、JGD2011、JGD2024、ellipsoidal または鉛直座標参照系のEPSGコードを指定してください。</translation>
     </message>
     <message>
-        <source>Note</source>
-        <translation>注記</translation>
+        <source>{label_a} has heights in {first}, but {label_b} in {second}: convert one of them with “Convert heights” and the correction or geoid grid for it.</source>
+        <translation>{label_a}の高さは{first}ですが、{label_b}の高さは{second}です。「高さの基準の変換」と対応する標高補正グリッドまたはジオイドモデルで一方を変換してください。</translation>
     </message>
     <message>
-        <source>How this was made</source>
-        <translation>作成方法</translation>
+        <source>The roads have no length: give lines along which vehicles drive.</source>
+        <translation>道路の長さがありません。車両が走行する線を指定してください。</translation>
     </message>
     <message>
-        <source>{path} is no PNG or JPEG picture: a report can hold only these.</source>
-        <translation>{path}はPNGまたはJPEGの画像ではありません。報告書に使用できるのはこれらの形式だけです。</translation>
+        <source>The trajectory does not move: give that of a drive.</source>
+        <translation>軌跡が移動していません。走行の軌跡を指定してください。</translation>
     </message>
     <message>
-        <source>Settings</source>
-        <translation>設定</translation>
-    </message>
-    <message>
-        <source>yes</source>
-        <translation>はい</translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation>いいえ</translation>
-    </message>
-    <message>
-        <source>From {source} to {target} no transformation of {rough:g} m or better is known here: transform the data first, between Japan's datums with GSI's TKY2JGD or PatchJGD.</source>
-        <translation>{source}から{target}への {rough:g} m 以内の精度の変換がありません。先にデータを変換してください（日本の測地系間では国土地理院のTKY2JGDまたはPatchJGD）。</translation>
-    </message>
-    <message>
-        <source>A coordinate reference system has no horizontal part: set another one.</source>
-        <translation>座標参照系に水平成分がありません。別のものを設定してください。</translation>
-    </message>
-    <message>
-        <source>{path} cannot be taken to where the other data lie: check the coordinate reference systems.</source>
-        <translation>{path}を他のデータの位置に変換できません。座標参照系を確認してください。</translation>
-    </message>
-    <message>
-        <source>Some places lie outside of where the reference system can be computed: check the coordinate reference systems.</source>
-        <translation>座標参照系の計算可能範囲の外にある地点があります。座標参照系を確認してください。</translation>
-    </message>
-    <message>
-        <source>A coordinate reference system cannot be understood: set another one.</source>
-        <translation>座標参照系を解釈できません。別のものを設定してください。</translation>
-    </message>
-    <message>
-        <source>The reference system EPSG:{code} is not known here: choose another.</source>
-        <translation>座標参照系 EPSG:{code} は未対応です。別のものを選択してください。</translation>
-    </message>
-    <message>
-        <source>{target} is a folder; give the name of a file.</source>
-        <translation>{target}はフォルダです。ファイル名を指定してください。</translation>
-    </message>
-    <message>
-        <source>{target} is no plain file; give another name.</source>
-        <translation>{target}は通常のファイルではありません。別の名前を指定してください。</translation>
-    </message>
-    <message>
-        <source>{target} is open in another program, or is edited in this one; close it there, or choose another output.</source>
-        <translation>{target}は他のプログラムで開かれているか、このプログラムで編集中です。閉じるか、別の出力先を選択してください。</translation>
-    </message>
-    <message>
-        <source>The folder {folder} does not exist; create it or choose another output.</source>
-        <translation>フォルダ{folder}が存在しません。作成するか、別の出力先を選択してください。</translation>
-    </message>
-    <message>
-        <source>The folder {folder} cannot be written; choose another output.</source>
-        <translation>フォルダ{folder}に書き込めません。別の出力先を選択してください。</translation>
-    </message>
-    <message>
-        <source>{target} cannot be the name of a file ({reason}); choose another output.</source>
-        <translation>{target}はファイル名として使用できません（{reason}）。別の出力先を選択してください。</translation>
-    </message>
-    <message>
-        <source>The folder {folder} cannot be written ({strerror}): choose another output.</source>
-        <translation>フォルダ{folder}に書き込めません（{strerror}）。別の出力先を選択してください。</translation>
-    </message>
-    <message>
-        <source>{final_text} cannot be replaced ({strerror}): close the program that has it open, or choose another output.</source>
-        <translation>{final_text}を置き換えられません（{strerror}）。ファイルを開いているプログラムを閉じるか、別の出力先を選択してください。</translation>
-    </message>
-    <message>
-        <source>{name} declares the unknown encoding {encoding}: save it as UTF-8.</source>
-        <translation>{name}に指定されている文字コード{encoding}は未対応です。UTF-8で保存してください。</translation>
-    </message>
-    <message>
-        <source>{source} is not whole, valid XML (line {line}, column {column}): get the file again from where it comes from.</source>
-        <translation>{source}は完全で有効なXMLではありません（{line} 行 {column} 列）。提供元からファイルを再度取得してください。</translation>
-    </message>
-    <message>
-        <source>{name} holds bytes that are not valid {encoding}: download it again or correct its declared encoding.</source>
-        <translation>{name}に{encoding}として無効なバイトがあります。再度ダウンロードするか、文字コードの宣言を修正してください。</translation>
-    </message>
-    <message>
-        <source>{name} has no object in its first {longest_prolog} MB: get the file again from where it comes from.</source>
-        <translation>{name}の先頭 {longest_prolog} MB にオブジェクトがありません。提供元からファイルを再度取得してください。</translation>
-    </message>
-    <message>
-        <source>{name} has a document type declaration, which {maker} never has and which may be harmful: get the file again from where it comes from.</source>
-        <translation>{name}に文書型宣言があります。{maker}のファイルには含まれないもので、有害な可能性があります。提供元からファイルを再度取得してください。</translation>
-    </message>
-    <message>
-        <source>{source} has an object of more than {largest} MB: get the file again from where it comes from.</source>
-        <translation>{source}に {largest} MB を超えるオブジェクトがあります。提供元からファイルを再度取得してください。</translation>
+        <source>More than {most_places:,} places: choose a larger spacing or fewer roads.</source>
+        <translation>地点が {most_places:,} を超えます。間隔を広げるか、道路を減らしてください。</translation>
     </message>
     <message>
         <source>On {mean:.0%} of the places the map tells where a vehicle is, with a median sigma of {median:.2f} m in the weakest direction; the worst stretches are below.</source>
@@ -8130,18 +8598,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Of {without_count} stretches nothing can be said: see the statuses above and the layer.</source>
         <translation>{without_count} 区間については評価できません。上の状態の表とレイヤを参照してください。</translation>
-    </message>
-    <message>
-        <source>The roads have no length: give lines along which vehicles drive.</source>
-        <translation>道路の長さがありません。車両が走行する線を与えてください。</translation>
-    </message>
-    <message>
-        <source>The trajectory does not move: give that of a drive.</source>
-        <translation>軌跡が移動していません。走行の軌跡を与えてください。</translation>
-    </message>
-    <message>
-        <source>More than {most_places:,} places: choose a larger spacing or fewer roads.</source>
-        <translation>地点が {most_places:,} を超えます。間隔を広げるか、道路を減らしてください。</translation>
     </message>
     <message>
         <source>{control_count} control points. An error is where the survey has a point less where it truly is.</source>
@@ -8221,11 +8677,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{paths} belongs to none of the trajectories: none covers its GPS times near its points. Give the trajectory of each drive.</source>
-        <translation>{paths}に対応する軌跡がありません。点の近くでそのGPS時刻を含む軌跡がないためです。各走行の軌跡を与えてください。</translation>
+        <translation>{paths}に対応する軌跡がありません。点の近くでそのGPS時刻を含む軌跡がないためです。各走行の軌跡を指定してください。</translation>
     </message>
     <message>
         <source>No point cloud was measured along {name}: give the points of each drive.</source>
-        <translation>{name}に沿って計測された点群がありません。各走行の点群を与えてください。</translation>
+        <translation>{name}に沿って計測された点群がありません。各走行の点群を指定してください。</translation>
     </message>
     <message>
         <source>No marking of {drive} could be registered to the reference markings.</source>
@@ -8237,7 +8693,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{path}: no image was taken between {start:.1f} and {end:.1f} s, the time of the trajectory: give the poses of this survey.</source>
-        <translation>{path}: 軌跡の時間 {start:.1f}～{end:.1f} s に撮影された画像がありません。この計測の位置姿勢を与えてください。</translation>
+        <translation>{path}: 軌跡の時間 {start:.1f}～{end:.1f} s に撮影された画像がありません。この計測の位置姿勢を指定してください。</translation>
     </message>
     <message>
         <source>{away_count:,} of {away_count_2:,} images were taken outside the trajectory's time: they were moved with its nearest pose.</source>
@@ -8261,7 +8717,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>No point was measured during the trajectory: give those of one survey.</source>
-        <translation>軌跡の時間内に計測された点がありません。同じ計測のものを与えてください。</translation>
+        <translation>軌跡の時間内に計測された点がありません。同じ計測のものを指定してください。</translation>
     </message>
     <message>
         <source>{paths} is too wide for coordinates in steps of {min:g} m: store it in tiles or with a coarser step.</source>
@@ -8317,7 +8773,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>The calibration has no scanner with point source id {point_source_id} (it has: {known}): add it, or choose the calibration of this survey.</source>
-        <translation>校正値に point source id が {point_source_id} のスキャナがありません（登録済み: {known}）。追加するか、この計測の校正値を選択してください。</translation>
+        <translation>校正値に point source id が {point_source_id} のスキャナがありません（記載: {known}）。追加するか、この計測の校正値を選択してください。</translation>
     </message>
     <message>
         <source>{name} is no calibration: it needs an entry “scanners” or “cameras”.</source>
@@ -8360,10 +8816,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>計測の時間内に検証点がないため、精度を確認できません。</translation>
     </message>
     <message>
-        <source>{name}: the column {column} holds something that is no number ({error}).</source>
-        <translation>{name}: 列{column}に数値でない値があります（{error}）。</translation>
-    </message>
-    <message>
         <source>The points of {paths} carry no GPS time, which ties them to the trajectory: export the survey with it.</source>
         <translation>{paths}の点に、軌跡と対応付けるためのGPS時刻がありません。GPS時刻付きで計測データを出力してください。</translation>
     </message>
@@ -8372,8 +8824,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{paths}のGPS時刻がすべて0です。点の時刻付きで計測データを出力してください。</translation>
     </message>
     <message>
+        <source>{zeros} of {count} points in {paths} have the GPS time 0, and the others {lowest:.1f} to {last:.1f} s: remove those without a time, or export the survey again.</source>
+        <translation>{paths} の {count} 点中 {zeros} 点の GPS 時刻が 0 で、その他は {lowest:.1f}～{last:.1f} 秒です。時刻のない点を取り除くか、計測データを書き出し直してください。</translation>
+    </message>
+    <message>
         <source>{what} were measured from {span:.1f} to {span_2:.1f} s{kind}, but the trajectory runs from {wanted:.1f} to {wanted_2:.1f} s: give those of one survey.</source>
-        <translation>{what}の計測時刻は {span:.1f}～{span_2:.1f} s{kind} ですが、軌跡は {wanted:.1f}～{wanted_2:.1f} s です。同じ計測のものを与えてください。</translation>
+        <translation>{what}の計測時刻は {span:.1f}～{span_2:.1f} s{kind} ですが、軌跡は {wanted:.1f}～{wanted_2:.1f} s です。同じ計測のものを指定してください。</translation>
     </message>
     <message>
         <source>Only {ground:,} of {candidates:,} points were found to be ground ({ground_2:.2g} %, needed {min_share:g} %), which cannot be right for a drive: look for many points below the road, a wrong height unit or a survey that does not show the ground; a smaller minimum ground share accepts it.</source>
@@ -8405,11 +8861,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>The ground does not reach the trajectory's course: give a ground of the same place and coordinate reference system.</source>
-        <translation>地表面が走行軌跡に届いていません。同じ場所・同じ座標参照系の地表面を与えてください。</translation>
+        <translation>地表面が走行軌跡に届いていません。同じ場所・同じ座標参照系の地表面を指定してください。</translation>
     </message>
     <message>
         <source>The trajectory lies {above:.1f} m above the ground (median), not {start:.1f} m: check the origin's height and both height systems.</source>
-        <translation>軌跡の地表面からの高さが {start:.1f} m ではなく {above:.1f} m（中央値）です。原点の高さと両方の標高系を確認してください。</translation>
+        <translation>軌跡の地表面からの高さが {start:.1f} m ではなく {above:.1f} m（中央値）です。原点の高さと両方の高さの基準を確認してください。</translation>
     </message>
     <message>
         <source>The range scans do not say which scanner measured them, and the calibration has {scanners_count}: add a column scanner.</source>
@@ -8425,7 +8881,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>The range scans were measured from {span:.1f} to {span_2:.1f} s, but the trajectory runs from {time:.1f} to {time_2:.1f} s: give those of one survey.</source>
-        <translation>測距スキャンの計測時刻は {span:.1f}～{span_2:.1f} s ですが、軌跡は {time:.1f}～{time_2:.1f} s です。同じ計測のものを与えてください。</translation>
+        <translation>測距スキャンの計測時刻は {span:.1f}～{span_2:.1f} s ですが、軌跡は {time:.1f}～{time_2:.1f} s です。同じ計測のものを指定してください。</translation>
     </message>
     <message>
         <source>No return could be placed: all are without a range or outside the limits of range and time.</source>
@@ -8433,7 +8889,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>The strip image was taken from {times:.1f} to {times_2:.1f} s, the trajectory runs from {time:.1f} to {time_2:.1f} s: give those of one survey.</source>
-        <translation>ストリップ画像の撮影時刻は {times:.1f}～{times_2:.1f} s ですが、軌跡は {time:.1f}～{time_2:.1f} s です。同じ計測のものを与えてください。</translation>
+        <translation>ストリップ画像の撮影時刻は {times:.1f}～{times_2:.1f} s ですが、軌跡は {time:.1f}～{time_2:.1f} s です。同じ計測のものを指定してください。</translation>
     </message>
     <message>
         <source>{path} is of no known kind: range scans come as {suffixes}.</source>
@@ -8589,7 +9045,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>The calibration does not say which camera took {path} (it has: {known}): give the camera's entry an “image” with this file name.</source>
-        <translation>校正値から{path}を撮影したカメラが分かりません（登録済み: {known}）。カメラの項目に、このファイル名の「image」を追加してください。</translation>
+        <translation>校正値から{path}を撮影したカメラが分かりません（記載: {known}）。カメラの項目に、このファイル名の「image」を追加してください。</translation>
     </message>
     <message>
         <source>{path} has {rows} rows, its camera {id} has {rows_2}: choose the image of this camera.</source>
@@ -8641,7 +9097,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>No corner of an outline lies within {max_distance:.0f} m of the course: give outlines of the same place and coordinate reference system.</source>
-        <translation>走行軌跡から {max_distance:.0f} m 以内に外周線の角がありません。同じ場所・同じ座標参照系の外周線を与えてください。</translation>
+        <translation>走行軌跡から {max_distance:.0f} m 以内に外周線の角がありません。同じ場所・同じ座標参照系の外周線を指定してください。</translation>
     </message>
     <message>
         <source>Of {place_count} corners near the course no two were found in the survey close enough to each other: assign tie points by hand.</source>
@@ -8665,7 +9121,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{name} holds no tie points: give at least one set of two pairs.</source>
-        <translation>{name}にタイポイントがありません。対応点が2つある組を1組以上与えてください。</translation>
+        <translation>{name}にタイポイントがありません。対応点が2つある組を1組以上指定してください。</translation>
     </message>
     <message>
         <source>{name}: in set {sets} survey and reference are {apart:,.0f} m apart; both must be in the survey's coordinate reference system.</source>
@@ -8761,7 +9217,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>The intensity of asphalt over range cannot be told in {paths} ({reason}): give a longer stretch of road.</source>
-        <translation>{paths}では、距離に対するアスファルトの反射強度を決定できません（{reason}）。より長い道路区間を与えてください。</translation>
+        <translation>{paths}では、距離に対するアスファルトの反射強度を決定できません（{reason}）。より長い道路区間を指定してください。</translation>
     </message>
     <message>
         <source>The lasers of scanner {number} are told apart by {told_by}: asphalt scatters by {after:.0f} % instead of {before:.0f} %.</source>
@@ -8777,7 +9233,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{name} has no ground points near the vehicle: give the survey with its road.</source>
-        <translation>{name}には車両の近くに地表面点がありません。道路を含む計測データを与えてください。</translation>
+        <translation>{name}には車両の近くに地表面点がありません。道路を含む計測データを指定してください。</translation>
     </message>
     <message>
         <source>{name} has no intensity (all are 0), by which markings are told: export the survey with it.</source>
@@ -8793,11 +9249,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>No point of {name} lies within {max_range:g} m of the trajectory{apart}: give both in the same coordinate and height system.</source>
-        <translation>{name}に、軌跡から {max_range:g} m 以内の点がありません{apart}。両方を同じ座標系・標高系で与えてください。</translation>
+        <translation>{name}に、軌跡から {max_range:g} m 以内の点がありません{apart}。両方を同じ座標系・高さの基準で指定してください。</translation>
     </message>
     <message>
         <source>The corrected trajectory runs from {time:.1f} to {time_2:.1f} s, the reported one from {time_3:.1f} to {time_4:.1f} s: give two of one survey.</source>
-        <translation>補正後の軌跡は {time:.1f}～{time_2:.1f} s ですが、補正前の軌跡は {time_3:.1f}～{time_4:.1f} s です。同じ計測の2つを与えてください。</translation>
+        <translation>補正後の軌跡は {time:.1f}～{time_2:.1f} s ですが、補正前の軌跡は {time_3:.1f}～{time_4:.1f} s です。同じ計測の2つを指定してください。</translation>
     </message>
     <message>
         <source>no markings just before or after the patch</source>
@@ -8837,7 +9293,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>no markings registered around the patch</source>
-        <translation>パッチの周囲に登録できた路面標示がありません</translation>
+        <translation>パッチの周囲に位置合わせできた路面標示がありません</translation>
     </message>
     <message>
         <source>the markings here contradict those around</source>
@@ -8857,7 +9313,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Lengths, grids and counts of the registration must be greater than 0.</source>
-        <translation>レジストレーションの長さ、グリッド、個数は0より大きくしてください。</translation>
+        <translation>位置合わせの長さ、グリッド、個数は0より大きくしてください。</translation>
     </message>
     <message>
         <source>The expected share of outliers must lie between 0 and 1.</source>
@@ -8873,7 +9329,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>A registration in 3D needs the ground's heights: give a ground raster or marking polygons with z.</source>
-        <translation>3Dのレジストレーションには地表面の高さが必要です。地表面のラスタ、またはz値付きの路面標示ポリゴンを与えてください。</translation>
+        <translation>3Dの位置合わせには地表面の高さが必要です。地表面のラスタ、またはz値付きの路面標示ポリゴンを指定してください。</translation>
     </message>
     <message>
         <source>No marking point was measured within the trajectory's time: check that both are of one survey.</source>
@@ -8885,7 +9341,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{registered:.0f} % of the path is registered, with a median standard deviation of {sigma:.1f} cm in plan.</source>
-        <translation>経路の {registered:.0f} % が登録済みで、水平標準偏差の中央値は {sigma:.1f} cm です。</translation>
+        <translation>経路の {registered:.0f} % が位置合わせ済みで、水平標準偏差の中央値は {sigma:.1f} cm です。</translation>
     </message>
     <message>
         <source> {distrusted:.0f} % is not to be trusted: leave it out, or measure it otherwise; the table below tells where.</source>
@@ -8905,7 +9361,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Share of a window's marking points that lie on reference markings. Where it falls, paint has changed or the match is wrong.</source>
-        <translation>ウィンドウの路面標示点のうち基準上にある割合。下がる所では、塗装が変わったか照合が誤っています。</translation>
+        <translation>ウィンドウの路面標示点のうち基準上にある割合。下がる所では、標示が変わったか照合が誤っています。</translation>
     </message>
     <message>
         <source>Distance of each window's own correction from the smooth one, in plan. Windows that stand out saw something else than the reference.</source>
@@ -8933,7 +9389,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{share:.0f} % of the path is registered, {share_2:.0f} % bridged; {spread}.</source>
-        <translation>走行経路の {share:.0f} % が登録済み、{share_2:.0f} % が補間です。{spread}。</translation>
+        <translation>走行経路の {share:.0f} % が位置合わせ済み、{share_2:.0f} % が補間です。{spread}。</translation>
     </message>
     <message>
         <source>No part of the survey could be registered to the reference markings, so that there is no result: check that both show the same roads, and the maximum error.</source>
@@ -8941,11 +9397,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>No road marking was found in the survey: check its intensities with “Road markings of a mobile survey”.</source>
-        <translation>計測データに路面標示が見つかりません。「移動計測の路面標示」で反射強度を確認してください。</translation>
+        <translation>計測データに路面標示が見つかりません。「MMS計測の路面標示」で反射強度を確認してください。</translation>
     </message>
     <message>
         <source>The attribute {weight} of {paths} holds values below 0: give markings as “Road markings of a mobile survey” writes them, or the survey itself.</source>
-        <translation>{paths}の属性{weight}に0未満の値があります。「移動計測の路面標示」が出力した路面標示か、計測データ自体を与えてください。</translation>
+        <translation>{paths}の属性{weight}に0未満の値があります。「MMS計測の路面標示」が出力した路面標示か、計測データ自体を指定してください。</translation>
     </message>
     <message>
         <source>The reported heading contradicts the markings by {correction:.1f} degrees (median), much more than its accuracy: it was corrected; check the calibration and the trajectory.</source>
@@ -8953,7 +9409,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{share:.0f} % of the path is not to be trusted, the longest section from {longest_start:.0f} to {end:.0f} m ({reason}): see the patches' layer.</source>
-        <translation>走行経路の {share:.0f} % は信頼不可です。最長の区間は {longest_start:.0f}～{end:.0f} m です（{reason}）。パッチのレイヤを参照してください。</translation>
+        <translation>走行経路の {share:.0f} % は信頼できません。最長の区間は {longest_start:.0f}～{end:.0f} m です（{reason}）。パッチのレイヤを参照してください。</translation>
     </message>
     <message>
         <source>{path} has {bands} bands and is an image, no mask of road markings: {advice}.</source>
@@ -8965,7 +9421,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{path} holds no road marking: no cell is above 0; {advice}, or give that of another place.</source>
-        <translation>{path}に路面標示がありません。0より大きいセルがありません。{advice}。または別の場所のものを与えてください。</translation>
+        <translation>{path}に路面標示がありません。0より大きいセルがありません。{advice}。または別の場所のものを指定してください。</translation>
     </message>
     <message>
         <source>{path} has many different values and is an image or a surface, no mask of road markings: {advice}.</source>
@@ -8973,7 +9429,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>The trajectory drives {chainage:.2f} m, less than one patch of {length:g} m: give a longer one.</source>
-        <translation>軌跡の走行距離 {chainage:.2f} m が1パッチ {length:g} m より短くなっています。より長い軌跡を与えてください。</translation>
+        <translation>軌跡の走行距離 {chainage:.2f} m が1パッチ {length:g} m より短くなっています。より長い軌跡を指定してください。</translation>
     </message>
     <message>
         <source>The survey lies {middle:.1f} m {value} the reference's ground: heights above the ellipsoid and above sea level cannot be mixed, convert one of the two.</source>
@@ -9005,7 +9461,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>give both of one survey, in one coordinate reference system</source>
-        <translation>同じ計測の両方を、同じ座標参照系で与えてください</translation>
+        <translation>同じ計測の両方を、同じ座標参照系で指定してください</translation>
     </message>
     <message>
         <source>x and y are swapped in one of them: swap them</source>
@@ -9013,7 +9469,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>the trajectory looks like latitudes and longitudes in degrees; give it in the points' projected system</source>
-        <translation>軌跡が度の緯度・経度のようです。点群の投影座標系で与えてください</translation>
+        <translation>軌跡が度の緯度・経度のようです。点群の投影座標系で指定してください</translation>
     </message>
     <message>
         <source>{name} lies {length} from where the vehicle was at its times: {reason}.</source>
@@ -9025,7 +9481,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>the trajectory is in {unit}; give it in metres</source>
-        <translation>軌跡の単位が {unit} です。メートルで与えてください</translation>
+        <translation>軌跡の単位が {unit} です。メートルで指定してください</translation>
     </message>
     <message>
         <source>The reference markings</source>
@@ -9037,7 +9493,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{what} {reach} {length} from the path of the survey: give those of the same place.</source>
-        <translation>{what}が計測の走行経路から{length}離れています。同じ場所のものを与えてください。</translation>
+        <translation>{what}が計測の走行経路から{length}離れています。同じ場所のものを指定してください。</translation>
     </message>
     <message>
         <source>{what} cover{value} {share:.0f} % of the path only: the rest cannot be registered.</source>
@@ -9049,7 +9505,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>The trajectory runs from {time:.3f} to {time_2:.3f} s, but a pose is needed at {worst:.3f} s: give the trajectory of the whole survey.</source>
-        <translation>軌跡は {time:.3f}～{time_2:.3f} s ですが、{worst:.3f} s の位置姿勢が必要です。計測全体の軌跡を与えてください。</translation>
+        <translation>軌跡は {time:.3f}～{time_2:.3f} s ですが、{worst:.3f} s の位置姿勢が必要です。計測全体の軌跡を指定してください。</translation>
     </message>
     <message>
         <source>{name} states the accuracy of the angles: roll {roll:.3f}°, pitch {pitch:.3f}°, heading {heading:.3f}° (medians).</source>
@@ -9089,7 +9545,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{name} has {table_count} epochs: give a trajectory of at least two.</source>
-        <translation>{name}のエポック数は {table_count} です。2エポック以上の軌跡を与えてください。</translation>
+        <translation>{name}のエポック数は {table_count} です。2エポック以上の軌跡を指定してください。</translation>
     </message>
     <message>
         <source>{name}: a geoid is applied to the ellipsoidal heights of SBET only; these heights stay as they are.</source>
@@ -9105,7 +9561,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{name} has one epoch only: give a trajectory of at least two.</source>
-        <translation>{name}は1エポックしかありません。2エポック以上の軌跡を与えてください。</translation>
+        <translation>{name}は1エポックしかありません。2エポック以上の軌跡を指定してください。</translation>
     </message>
     <message>
         <source>has no epochs for more than a second</source>
@@ -9152,6 +9608,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>レイヤとして入力された軌跡は、レイヤとして出力されます。</translation>
     </message>
     <message>
+        <source>{name}: {unit} {row} (time {time:.4f} s) lies {length:.0f} km from its neighbour, where no vehicle can have been: correct or remove it.</source>
+        <translation>{name}：{unit} {row}（時刻 {time:.4f} 秒）は隣の行から {length:.0f} km 離れており、車両が走行できる位置ではありません。修正するか削除してください。</translation>
+    </message>
+    <message>
+        <source>{name}: the time {time:.1f} s of {unit} {row} lies more than a week from its neighbour's: correct or remove it, or give surveys one by one.</source>
+        <translation>{name}：{unit} {row} の時刻 {time:.1f} 秒は隣の行から 1 週間以上離れています。修正または削除するか、計測を 1 回ずつ指定してください。</translation>
+    </message>
+    <message>
         <source>{name}: angles of up to {max:.0f} are no radians: they are degrees; say so.</source>
         <translation>{name}: 最大 {max:.0f} の角度はラジアンではなく度です。度であることを指定してください。</translation>
     </message>
@@ -9166,6 +9630,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{name}: the headings lie {off:.0f}° beside the direction of travel (median): where the body's x axis does not point forward, the calibration must say the same; otherwise the headings are wrong.</source>
         <translation>{name}：方位が進行方向から {off:.0f}° ずれています（中央値）。車体のx軸が前方を向かない場合は校正値も同じでなければなりません。そうでなければ方位が誤っています。</translation>
+    </message>
+    <message>
+        <source>No rule has a code that begins with {code}; the documentation lists them.</source>
+        <translation>{code} で始まるコードの規則はありません。一覧は説明書にあります。</translation>
     </message>
     <message>
         <source>its face is not seen: it lies between the last points before and the first behind</source>
@@ -9189,7 +9657,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>No point of {paths} was measured beside the path at the height of its road: give points and trajectory of one drive, in one coordinate and height system.</source>
-        <translation>{paths}には、軌跡の脇で路面の高さに計測された点がありません。同じ座標参照系・標高系の、同一走行の点群と軌跡を指定してください。</translation>
+        <translation>{paths}には、軌跡の脇で路面の高さに計測された点がありません。同じ座標参照系・高さの基準の、同一走行の点群と軌跡を指定してください。</translation>
     </message>
     <message>
         <source>There are {found:.1f} ground points a square metre beside the path: edges need {sparse:.0f} or more; give the whole survey, not a thinned one.</source>
@@ -9202,6 +9670,26 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>it does not reach the ground: it may be the side of a vehicle</source>
         <translation>地面に届いていません：車両の側面の可能性があります</translation>
+    </message>
+    <message>
+        <source>Places of the map have no latitude and longitude in its CRS: check the CRS of the lines.</source>
+        <translation>地図の位置を座標参照系から緯度経度に変換できません。線の座標参照系を確認してください。</translation>
+    </message>
+    <message>
+        <source>The map lies in more than one MGRS square, in which Autoware's local coordinates would repeat: take the projector TransverseMercator.</source>
+        <translation>地図が複数のMGRS区画にまたがるため、Autowareのローカル座標が重複します。投影法TransverseMercatorを使用してください。</translation>
+    </message>
+    <message>
+        <source>The lines' CRS cannot be brought to latitude and longitude, which a Lanelet2 file needs: assign a projected CRS known to PROJ.</source>
+        <translation>線の座標参照系を、Lanelet2ファイルに必要な緯度経度に変換できません。PROJで扱える投影座標参照系を設定してください。</translation>
+    </message>
+    <message>
+        <source>Lane {one} leads to lane {other}, but OpenDRIVE knows one road or junction at the end of a road: the connection is missing in the OpenDRIVE file.</source>
+        <translation>車線{one}は車線{other}に通じていますが、OpenDRIVEでは道路の端に接続できる道路または交差点は1つだけです。この接続はOpenDRIVEファイルに含まれません。</translation>
+    </message>
+    <message>
+        <source>The lines' CRS cannot be written as a PROJ string, which OpenDRIVE needs: assign a projected CRS known to PROJ.</source>
+        <translation>線の座標参照系を、OpenDRIVEに必要なPROJ文字列で表せません。PROJで扱える投影座標参照系を設定してください。</translation>
     </message>
     <message>
         <source>A drive leads from one lane to another here, but bounds along it would cross; no virtual lane was made.</source>
@@ -9232,132 +9720,20 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>ここでは方向について、矢印または停止線が走行と矛盾しています。走行の方向を採用しました。</translation>
     </message>
     <message>
-        <source>More than one {kind} has the id {number}.</source>
-        <translation>id {number}の{kind}が複数あります。</translation>
-    </message>
-    <message>
-        <source>{low_count} of {nodes_count} nodes have no height (ele).</source>
-        <translation>{nodes_count} ノード中 {low_count} ノードに高さ（ele）がありません。</translation>
-    </message>
-    <message>
-        <source>The way refers to node {missing}, which is not in the file.</source>
-        <translation>wayが参照するノード{missing}がファイルにありません。</translation>
-    </message>
-    <message>
-        <source>The way has no tag type.</source>
-        <translation>wayにタグtypeがありません。</translation>
-    </message>
-    <message>
-        <source>The lanelet has no speed limit: that of the traffic rules will hold, or none.</source>
-        <translation>laneletに制限速度がありません。交通規則の制限速度が適用されるか、制限なしとなります。</translation>
-    </message>
-    <message>
-        <source>The lanelet has {left} left and {right} right ways that can be read; it needs one of each.</source>
-        <translation>laneletの読み取れるwayは左{left}本、右{right}本です。左右1本ずつ必要です。</translation>
-    </message>
-    <message>
-        <source>Two points of the line follow each other within {steps:.3f} m.</source>
-        <translation>線の2点が{steps:.3f} m以内で連続しています。</translation>
-    </message>
-    <message>
-        <source>The lanelet's bounds cross or are the same way.</source>
-        <translation>laneletの左右の境界線が交差しているか、同じwayです。</translation>
-    </message>
-    <message>
-        <source>A bound of the lanelet crosses itself.</source>
-        <translation>laneletの境界線が自己交差しています。</translation>
-    </message>
-    <message>
-        <source>The lanelet is {min:.2f} to {max:.2f} m wide.</source>
-        <translation>laneletの幅は{min:.2f}～{max:.2f} mです。</translation>
-    </message>
-    <message>
-        <source>The regulatory element has no tag subtype.</source>
-        <translation>regulatory elementにタグsubtypeがありません。</translation>
-    </message>
-    <message>
-        <source>The regulatory element refers to nothing (role refers).</source>
-        <translation>regulatory elementの参照先（ロールrefers）がありません。</translation>
-    </message>
-    <message>
-        <source>No regulatory element refers to this stop line.</source>
-        <translation>この停止線を参照するregulatory elementがありません。</translation>
-    </message>
-    <message>
-        <source>No regulatory element refers to this crosswalk.</source>
-        <translation>この横断歩道を参照するregulatory elementがありません。</translation>
-    </message>
-    <message>
-        <source>The lanelet has neither a next nor a previous one.</source>
-        <translation>laneletに後続も先行もありません。</translation>
-    </message>
-    <message>
-        <source>The lanelet is an end of the map: no other follows it.</source>
-        <translation>laneletは地図の端です。後続のlaneletがありません。</translation>
-    </message>
-    <message>
-        <source>The lanelet is an end of the map: none leads to it.</source>
-        <translation>laneletは地図の端です。ここへ通じるlaneletがありません。</translation>
-    </message>
-    <message>
-        <source>The way has fewer than two nodes.</source>
-        <translation>wayのノードが2点未満です。</translation>
-    </message>
-    <message>
-        <source>The relation refers to {kind} {member}, which is not in the file.</source>
-        <translation>relationが参照する{kind} {member}がファイルにありません。</translation>
-    </message>
-    <message>
-        <source>The painted line has no tag subtype (solid, dashed).</source>
-        <translation>路面標示の線にタグsubtype（solid, dashed）がありません。</translation>
-    </message>
-    <message>
-        <source>The lanelet has no tag {tag}.</source>
-        <translation>laneletにタグ{tag}がありません。</translation>
-    </message>
-    <message>
-        <source>The bounds of lanelets {identifier} and {identifier_2} coincide but are two ways ({way}, {other_way}).</source>
-        <translation>lanelet {identifier}と{identifier_2}の境界線は一致していますが、別々のway（{way}、{other_way}）です。</translation>
-    </message>
-    <message>
-        <source>No lanelet refers to this regulatory element.</source>
-        <translation>このregulatory elementを参照するlaneletがありません。</translation>
-    </message>
-    <message>
-        <source>Places of the map have no latitude and longitude in its CRS: check the CRS of the lines.</source>
-        <translation>地図の位置を座標参照系から緯度経度に変換できません。線の座標参照系を確認してください。</translation>
-    </message>
-    <message>
-        <source>The map lies in more than one MGRS square, in which Autoware's local coordinates would repeat: take the projector TransverseMercator.</source>
-        <translation>地図が複数のMGRS区画にまたがるため、Autowareのローカル座標が重複します。投影法TransverseMercatorを使用してください。</translation>
-    </message>
-    <message>
-        <source>The lines' CRS cannot be brought to latitude and longitude, which a Lanelet2 file needs: assign a projected CRS known to PROJ.</source>
-        <translation>線の座標参照系を、Lanelet2ファイルに必要な緯度経度に変換できません。PROJで扱える投影座標参照系を設定してください。</translation>
-    </message>
-    <message>
         <source>A drive runs between lines that leave less than a lane: {min:.1f} m, for {span:.0f} m; no lane was made.</source>
         <translation>走行が通る線の間隔が車線幅に足りません（{min:.1f} m、{span:.0f} mにわたる）。車線は作成しませんでした。</translation>
     </message>
     <message>
-        <source>Lane {one} leads to lane {other}, but OpenDRIVE knows one road or junction at the end of a road: the connection is missing in the OpenDRIVE file.</source>
-        <translation>車線{one}は車線{other}に通じていますが、OpenDRIVEでは道路の端に接続できる道路または交差点は1つだけです。この接続はOpenDRIVEファイルに含まれません。</translation>
-    </message>
-    <message>
-        <source>The lines' CRS cannot be written as a PROJ string, which OpenDRIVE needs: assign a projected CRS known to PROJ.</source>
-        <translation>線の座標参照系を、OpenDRIVEに必要なPROJ文字列で表せません。PROJで扱える投影座標参照系を設定してください。</translation>
-    </message>
-    <message>
         <source>The points cover whole surfaces, not paint: give marking points, as road markings from mobile surveys make them, not the survey itself.</source>
-        <translation>点が塗装ではなく面全体を覆っています。計測そのものではなく、移動計測の路面標示が作る路面標示点を与えてください。</translation>
+        <translation>点が標示ではなく面全体を覆っています。計測そのものではなく、MMS計測の路面標示が作る路面標示点を指定してください。</translation>
     </message>
     <message>
         <source>No trajectory was given: only arrows and stop lines tell directions, and nothing connects lanes through junctions.</source>
         <translation>軌跡が指定されていません。方向は矢印と停止線だけから判定され、交差点内の車線は接続されません。</translation>
     </message>
     <message>
-        <source>{unknown_count} of {nodes_count} nodes have no height; give the marking lines a ground.</source>
-        <translation>{nodes_count} ノード中 {unknown_count} ノードに高さがありません。路面標示の線に地表面を与えてください。</translation>
+        <source>{filled} of {nodes_count} nodes have no measured height: theirs is taken from along the road (sigma up to {far:.2f} m).</source>
+        <translation>{nodes_count} 点のうち {filled} 点は高さが計測されていないため、道路に沿った前後の高さから補いました（標準偏差は最大 {far:.2f} m）。</translation>
     </message>
     <message>
         <source>No drive shows where this lane leads to.</source>
@@ -9370,6 +9746,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>No lane of the map ends at this stop line.</source>
         <translation>この停止線で終わる車線が地図にありません。</translation>
+    </message>
+    <message>
+        <source>No node has a height; give the marking lines a ground.</source>
+        <translation>高さのある点が一つもありません。区画線に地盤を指定してください。</translation>
     </message>
     <message>
         <source>Frame {number} of {exposures_count}</source>
@@ -9385,7 +9765,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Mobile survey {number} of {survey_times_count}</source>
-        <translation>移動計測 {number}/{survey_times_count}</translation>
+        <translation>MMS計測 {number}/{survey_times_count}</translation>
     </message>
     <message>
         <source>There is no fault {name!r}: choose among {faults}.</source>
@@ -9496,6 +9876,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>クロスを沈めています。</translation>
     </message>
     <message>
+        <source>The points fill next to nothing of the box around them, and some lie near {x:.0f}, {y:.0f}, {length:.0f} km from the others: remove those, or work on the places one by one.</source>
+        <translation>点群が占める範囲は全体の外接範囲に比べてごくわずかで、一部の点が {x:.0f}, {y:.0f} 付近（他の点から {length:.0f} km）にあります。その点を取り除くか、場所ごとに分けて処理してください。</translation>
+    </message>
+    <message>
         <source>The resolution must be greater than 0.</source>
         <translation>解像度は0より大きい値にしてください。</translation>
     </message>
@@ -9550,6 +9934,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>There is no room in the folder of the run, {run_folder} ({strerror}): make some and run again; tiles that are whole are kept.</source>
         <translation>実行フォルダ{run_folder}に空き容量がありません（{strerror}）。容量を確保して再実行してください。完成したタイルは保持されます。</translation>
+    </message>
+    <message>
+        <source>{place} is a file where the run needs a folder: move it away, or choose another folder.</source>
+        <translation>{place} は、処理でフォルダーが必要な場所にあるファイルです。移動するか、別のフォルダーを選んでください。</translation>
     </message>
     <message>
         <source>The folder {run_folder} cannot be written ({strerror}): choose another.</source>
@@ -9817,7 +10205,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{0} meshes ({1}), heights in {2}, {3:.1f} to {4:.1f} m, {5:.1f} % of the cells empty</source>
-        <translation>{0}メッシュ（{1}）、標高系{2}、{3:.1f}～{4:.1f} m、空のセル{5:.1f} %</translation>
+        <translation>{0}メッシュ（{1}）、高さの基準{2}、{3:.1f}～{4:.1f} m、空のセル{5:.1f} %</translation>
     </message>
     <message>
         <source>The elevation model was taken into {0} by {1}.</source>
@@ -9829,7 +10217,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{0}: the walls have no field status, which tells how well each was measured; give the result of “Walls from a mobile survey”.</source>
-        <translation>{0}: 壁面に計測の良否を示すフィールドstatusがありません。「移動計測の壁面」の結果を指定してください。</translation>
+        <translation>{0}: 壁面に計測の良否を示すフィールドstatusがありません。「MMS計測の壁面」の結果を指定してください。</translation>
     </message>
     <message>
         <source>{0} of {1} buildings could not be merged and keep their models; the field “reason” tells why.</source>
@@ -9841,7 +10229,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{0}: the walls have no heights; give the result of “Walls from a mobile survey”.</source>
-        <translation>{0}: 壁面に高さがありません。「移動計測の壁面」の結果を指定してください。</translation>
+        <translation>{0}: 壁面に高さがありません。「MMS計測の壁面」の結果を指定してください。</translation>
     </message>
     <message>
         <source>{0} of {1} buildings have no mesh; the field “reason” tells why.</source>
@@ -9884,6 +10272,26 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{0}: ファイルに座標参照系の記載がありません。{1}の{2}とみなします。</translation>
     </message>
     <message>
+        <source>Correction in plan (m)</source>
+        <translation>水平補正量 (m)</translation>
+    </message>
+    <message>
+        <source>Standard deviation in plan (m)</source>
+        <translation>水平位置の標準偏差 (m)</translation>
+    </message>
+    <message>
+        <source>Residual of the windows (m)</source>
+        <translation>ウィンドウの残差 (m)</translation>
+    </message>
+    <message>
+        <source>Map level: “given” needs a limit in plan or in height; give one of them.</source>
+        <translation>地図情報レベル: givenの場合は、水平位置または標高の制限値を指定してください。</translation>
+    </message>
+    <message>
+        <source>{0} has no field {1}: give the patches of “Register mobile survey”.</source>
+        <translation>{0}にフィールド{1}がありません。「MMS計測の位置合わせ」のパッチを指定してください。</translation>
+    </message>
+    <message>
         <source>{0}: {1} does not exist; check its name.</source>
         <translation>{0}: {1}がありません。名前を確認してください。</translation>
     </message>
@@ -9920,40 +10328,56 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{0}: {1}はLAS、LAZ、COPCファイルではありません。先に変換してください。</translation>
     </message>
     <message>
+        <source>{0}: choose a folder; a temporary one is gone when QGIS ends.</source>
+        <translation>{0}：フォルダを選んでください。一時フォルダは QGIS の終了時に消えます。</translation>
+    </message>
+    <message>
+        <source>{0} would take the place of {1} ({2}); choose another output.</source>
+        <translation>{0}が{1}（{2}）を上書きします。別の出力先を選択してください。</translation>
+    </message>
+    <message>
+        <source>{0}: {1} is one of the images in {2}; choose another output.</source>
+        <translation>{0}: {1}は{2}の画像の1つです。別の出力先を選択してください。</translation>
+    </message>
+    <message>
+        <source>{0} and {1} have the same name, {2}; give each its own.</source>
+        <translation>{0}と{1}の名前が同じ{2}です。それぞれ別の名前を付けてください。</translation>
+    </message>
+    <message>
+        <source>Add files…</source>
+        <translation>ファイルを追加…</translation>
+    </message>
+    <message>
+        <source>{0} files</source>
+        <translation>{0}ファイル</translation>
+    </message>
+    <message>
+        <source>Unknown parameter {0} is ignored; {1}</source>
+        <translation>不明なパラメータ{0}は無視します。{1}</translation>
+    </message>
+    <message>
+        <source>{0}: {1} is none of {2}; give one of these words, or its number from 0 on.</source>
+        <translation>{0}: {1}は{2}のいずれでもありません。これらの語のいずれか、または0から始まる番号を指定してください。</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>内容</translation>
+    </message>
+    <message>
+        <source>own</source>
+        <translation>独自</translation>
+    </message>
+    <message>
+        <source>How it works</source>
+        <translation>処理の仕組み</translation>
+    </message>
+    <message>
         <source>{0}: no feature has a polygon; choose a layer of outlines or building models.</source>
         <translation>{0}: ポリゴンを持つ地物がありません。外周線または建物モデルのレイヤを選択してください。</translation>
-    </message>
-    <message>
-        <source>The Dask scheduler was lost during the work; start it and run again.</source>
-        <translation>処理中にDaskスケジューラとの接続が失われました。起動して再実行してください。</translation>
-    </message>
-    <message>
-        <source>The Dask scheduler at {0} has no workers; start some.</source>
-        <translation>{0}のDaskスケジューラにワーカーがありません。ワーカーを起動してください。</translation>
-    </message>
-    <message>
-        <source>The cluster's workers were ended at one piece again and again ({0}); give them more memory.</source>
-        <translation>クラスタのワーカーが同じ処理単位で繰り返し終了しました（{0}）。メモリを増やしてください。</translation>
-    </message>
-    <message>
-        <source>The package distributed is not there; install it (pip install distributed) to send work to {0}.</source>
-        <translation>パッケージdistributedがありません。{0}に処理を送るにはインストールしてください（pip install distributed）。</translation>
-    </message>
-    <message>
-        <source>No Dask scheduler answers at {0} ({1}); check the address, such as tcp://host:8786.</source>
-        <translation>{0}でDaskスケジューラが応答しません（{1}）。tcp://host:8786のようなアドレスを確認してください。</translation>
-    </message>
-    <message>
-        <source>The worker {0} has another version of UrbanMap loaded; restart the workers.</source>
-        <translation>ワーカー{0}には異なる版のUrbanMapが読み込まれています。ワーカーを再起動してください。</translation>
-    </message>
-    <message>
-        <source>The worker {0} has other packages than this machine: {1}; install the same there.</source>
-        <translation>ワーカー{0}のパッケージがこの計算機と異なります: {1}。同じものをインストールしてください。</translation>
-    </message>
-    <message>
-        <source>The worker {0} does not see the folder {1}; put inputs, outputs and temporary files (TMPDIR) on storage that all machines share.</source>
-        <translation>ワーカー{0}からフォルダ{1}が見えません。入力、出力、一時ファイル（TMPDIR）を全計算機の共有ストレージに置いてください。</translation>
     </message>
     <message>
         <source>no CRS</source>
@@ -9982,18 +10406,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0}: the coordinate reference system is missing; assign the one that the data are in.</source>
         <translation>{0}: 座標参照系がありません。データの座標参照系を設定してください。</translation>
-    </message>
-    <message>
-        <source>{0} would take the place of {1} ({2}); choose another output.</source>
-        <translation>{0}が{1}（{2}）を上書きします。別の出力先を選択してください。</translation>
-    </message>
-    <message>
-        <source>{0}: {1} is one of the images in {2}; choose another output.</source>
-        <translation>{0}: {1}は{2}の画像の1つです。別の出力先を選択してください。</translation>
-    </message>
-    <message>
-        <source>{0} and {1} have the same name, {2}; give each its own.</source>
-        <translation>{0}と{1}の名前が同じ{2}です。それぞれ別の名前を付けてください。</translation>
     </message>
     <message>
         <source>number in the point clouds</source>
@@ -10033,7 +10445,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>control point</source>
-        <translation>基準点・検証点</translation>
+        <translation>基準点（調整点・検証点）</translation>
     </message>
     <message>
         <source>street</source>
@@ -10144,18 +10556,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>相手の走行</translation>
     </message>
     <message>
-        <source>east (m)</source>
-        <translation>東 (m)</translation>
-    </message>
-    <message>
-        <source>north (m)</source>
-        <translation>北 (m)</translation>
-    </message>
-    <message>
-        <source>up (m)</source>
-        <translation>上 (m)</translation>
-    </message>
-    <message>
         <source>in plan (m)</source>
         <translation>平面 (m)</translation>
     </message>
@@ -10232,10 +10632,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>オフセット (m)</translation>
     </message>
     <message>
-        <source>standard deviation (m)</source>
-        <translation>標準偏差 (m)</translation>
-    </message>
-    <message>
         <source>standard deviation of the height (m)</source>
         <translation>高さの標準偏差 (m)</translation>
     </message>
@@ -10258,10 +10654,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>standard deviation of the heading (°)</source>
         <translation>方位の標準偏差 (°)</translation>
-    </message>
-    <message>
-        <source>RMSE (m)</source>
-        <translation>RMSE (m)</translation>
     </message>
     <message>
         <source>RMSE of the height (m)</source>
@@ -10581,7 +10973,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>satellites</source>
-        <translation>衛星数</translation>
+        <translation>衛星</translation>
     </message>
     <message>
         <source>GLONASS</source>
@@ -10641,7 +11033,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>length without paint that should be there (m)</source>
-        <translation>塗装があるはずで無い長さ (m)</translation>
+        <translation>標示があるはずで無い長さ (m)</translation>
     </message>
     <message>
         <source>dash and gap together (m)</source>
@@ -10853,11 +11245,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>cells or points with paint</source>
-        <translation>塗装のあるセルまたは点</translation>
+        <translation>標示のあるセルまたは点</translation>
     </message>
     <message>
         <source>paint on the reference, 0 to 1</source>
-        <translation>基準上にある塗装の割合、0～1</translation>
+        <translation>基準上にある標示の割合、0～1</translation>
     </message>
     <message>
         <source>lead over other places (log-likelihood)</source>
@@ -10866,10 +11258,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>parameter</source>
         <translation>パラメータ</translation>
-    </message>
-    <message>
-        <source>unit</source>
-        <translation>単位</translation>
     </message>
     <message>
         <source>time taken (s)</source>
@@ -10933,7 +11321,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>azimuth from grid north (°)</source>
-        <translation>格子北からの方位角 (°)</translation>
+        <translation>座標北からの方位角 (°)</translation>
     </message>
     <message>
         <source>wall: edge of the outline</source>
@@ -11084,58 +11472,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>ファイル</translation>
     </message>
     <message>
-        <source>Add files…</source>
-        <translation>ファイルを追加…</translation>
-    </message>
-    <message>
-        <source>{0} files</source>
-        <translation>{0}ファイル</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>名前</translation>
-    </message>
-    <message>
-        <source>What</source>
-        <translation>内容</translation>
-    </message>
-    <message>
-        <source>own</source>
-        <translation>独自</translation>
-    </message>
-    <message>
-        <source>How it works</source>
-        <translation>処理の仕組み</translation>
-    </message>
-    <message>
-        <source>Installing Python packages for UrbanMap</source>
-        <translation>UrbanMap用Pythonパッケージのインストール</translation>
-    </message>
-    <message>
-        <source>UrbanMap: Python packages</source>
-        <translation>UrbanMap: Pythonパッケージ</translation>
-    </message>
-    <message>
-        <source>Install</source>
-        <translation>インストール</translation>
-    </message>
-    <message>
-        <source>All Python packages that UrbanMap needs are there.</source>
-        <translation>UrbanMapに必要なPythonパッケージはすべて揃っています。</translation>
-    </message>
-    <message>
-        <source>The packages are installed; the algorithms can be used now.</source>
-        <translation>パッケージをインストールしました。アルゴリズムを使用できます。</translation>
-    </message>
-    <message>
-        <source>Missing: {0}. They are installed into a folder of the QGIS profile; what QGIS brought with it stays as it is.</source>
-        <translation>不足: {0}。QGISプロファイルのフォルダにインストールされます。QGIS付属のものは変更されません。</translation>
-    </message>
-    <message>
-        <source>Still missing: {0}. Restart QGIS and look again.</source>
-        <translation>まだ不足しています: {0}。QGISを再起動して再確認してください。</translation>
-    </message>
-    <message>
         <source>The feature has no polygon.</source>
         <translation>地物にポリゴンがありません。</translation>
     </message>
@@ -11200,14 +11536,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{0}: {1} {2}が重複しています。建物ごとに固有の値を付けるか、フィールドを削除してください。</translation>
     </message>
     <message>
-        <source>Unknown parameter {0} is ignored; {1}</source>
-        <translation>不明なパラメータ{0}は無視します。{1}</translation>
-    </message>
-    <message>
-        <source>{0}: {1} is none of {2}; give one of these words, or its number from 0 on.</source>
-        <translation>{0}: {1}は{2}のいずれでもありません。これらの語のいずれか、または0から始まる番号を指定してください。</translation>
-    </message>
-    <message>
         <source>{0}: the name {1} must end in .laz or .las.</source>
         <translation>{0}: 名前{1}は.lazまたは.lasで終わるように指定してください。</translation>
     </message>
@@ -11224,12 +11552,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>点の高さは{0}ですが、この版のQGISではレイヤに記録できません。都市モデルのファイルには記録されます。</translation>
     </message>
     <message>
-        <source>result of an earlier step</source>
-        <translation>前の処理の結果</translation>
+        <source>In a temporary folder, gone when QGIS ends: {0}. Give these outputs a name to keep them.</source>
+        <translation>一時フォルダにあり、QGIS の終了時に消えます：{0}。残すには、これらの出力に名前を付けてください。</translation>
     </message>
     <message>
-        <source>not stated by the inputs</source>
-        <translation>入力に記載なし</translation>
+        <source>{0}: this QGIS cannot show point clouds, so no layer is loaded; the file is {1}.</source>
+        <translation>{0}：この QGIS は点群を表示できないため、レイヤは読み込まれません。ファイルは {1} です。</translation>
     </message>
     <message>
         <source>UrbanMap</source>
@@ -11244,8 +11572,116 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>スタイル{0}は{1}に保存されていません: {2}</translation>
     </message>
     <message>
+        <source>{0}: {1} is neither a CSV, an SBET nor a point layer; check the file.</source>
+        <translation>{0}: {1}はCSV、SBET、点レイヤのいずれでもありません。ファイルを確認してください。</translation>
+    </message>
+    <message>
+        <source>UrbanMap: diagnostics</source>
+        <translation>UrbanMap：診断情報</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>コピー</translation>
+    </message>
+    <message>
+        <source>Install…</source>
+        <translation>インストール…</translation>
+    </message>
+    <message>
+        <source>Installing Python packages for UrbanMap</source>
+        <translation>UrbanMap用Pythonパッケージのインストール</translation>
+    </message>
+    <message>
+        <source>UrbanMap: Python packages</source>
+        <translation>UrbanMap: Pythonパッケージ</translation>
+    </message>
+    <message>
+        <source>Install</source>
+        <translation>インストール</translation>
+    </message>
+    <message>
+        <source>All Python packages that UrbanMap needs are there.</source>
+        <translation>UrbanMapに必要なPythonパッケージはすべて揃っています。</translation>
+    </message>
+    <message>
+        <source>The packages are installed; the algorithms can be used now.</source>
+        <translation>パッケージをインストールしました。アルゴリズムを使用できます。</translation>
+    </message>
+    <message>
+        <source>Missing: {0}. They are installed into a folder of the QGIS profile; what QGIS brought with it stays as it is.</source>
+        <translation>不足: {0}。QGISプロファイルのフォルダにインストールされます。QGIS付属のものは変更されません。</translation>
+    </message>
+    <message>
+        <source>Python packages missing: {0}.</source>
+        <translation>Python パッケージがありません：{0}。</translation>
+    </message>
+    <message>
+        <source>Still missing: {0}. Restart QGIS and look again.</source>
+        <translation>まだ不足しています: {0}。QGISを再起動して再確認してください。</translation>
+    </message>
+    <message>
+        <source>The Dask scheduler was lost during the work; start it and run again.</source>
+        <translation>処理中にDaskスケジューラとの接続が失われました。起動して再実行してください。</translation>
+    </message>
+    <message>
+        <source>The Dask scheduler at {0} has no workers; start some.</source>
+        <translation>{0}のDaskスケジューラにワーカーがありません。ワーカーを起動してください。</translation>
+    </message>
+    <message>
+        <source>The cluster was lost during the work: {0} Start it and run again; tiles that are whole are kept.</source>
+        <translation>処理中にクラスターとの接続が失われました：{0} クラスターを起動してから再実行してください。完成したタイルは保持されます。</translation>
+    </message>
+    <message>
+        <source>The cluster's workers were ended at one piece again and again ({0}); give them more memory.</source>
+        <translation>クラスタのワーカーが同じ処理単位で繰り返し終了しました（{0}）。メモリを増やしてください。</translation>
+    </message>
+    <message>
+        <source>The package distributed is not there; install it (pip install distributed) to send work to {0}.</source>
+        <translation>パッケージdistributedがありません。{0}に処理を送るにはインストールしてください（pip install distributed）。</translation>
+    </message>
+    <message>
+        <source>No Dask scheduler answers at {0} ({1}); check the address, such as tcp://host:8786.</source>
+        <translation>{0}でDaskスケジューラが応答しません（{1}）。tcp://host:8786のようなアドレスを確認してください。</translation>
+    </message>
+    <message>
+        <source>The worker {0} has another version of UrbanMap loaded; restart the workers.</source>
+        <translation>ワーカー{0}には異なる版のUrbanMapが読み込まれています。ワーカーを再起動してください。</translation>
+    </message>
+    <message>
+        <source>The worker {0} has other packages than this machine: {1}; install the same there.</source>
+        <translation>ワーカー{0}のパッケージがこの計算機と異なります: {1}。同じものをインストールしてください。</translation>
+    </message>
+    <message>
+        <source>The worker {0} does not see the folder {1}; put inputs, outputs and temporary files (TMPDIR) on storage that all machines share.</source>
+        <translation>ワーカー{0}からフォルダ{1}が見えません。入力、出力、一時ファイル（TMPDIR）を全計算機の共有ストレージに置いてください。</translation>
+    </message>
+    <message>
+        <source>numpy multiplies matrices with a slow library of QGIS ({0}), and the system does not let it use its own; results can differ in their last digits with the number of workers.</source>
+        <translation>numpy の行列計算が QGIS の低速なライブラリー（{0}）で行われており、システムの制限により numpy 本来のものに切り替えられません。並列数によって結果の末尾の桁が変わることがあります。</translation>
+    </message>
+    <message>
+        <source>result of an earlier step</source>
+        <translation>前の処理の結果</translation>
+    </message>
+    <message>
+        <source>not stated by the inputs</source>
+        <translation>入力に記載なし</translation>
+    </message>
+    <message>
+        <source>A worker ended before its work was done, for lack of memory or because Python could not start it; run again with one worker.</source>
+        <translation>ワーカーが、メモリ不足またはPythonを起動できないため処理完了前に終了しました。ワーカー1つで再実行してください。</translation>
+    </message>
+    <message>
         <source>{0} cannot be written whole: make room on its disk, and run again.</source>
         <translation>{0}を最後まで書き込めません。ディスクの空き容量を確保して再実行してください。</translation>
+    </message>
+    <message>
+        <source>{0} is not as it was written, by a fault of the disk or another program; run again.</source>
+        <translation>{0} が書き込み時の内容と異なります（ディスクの障害または他のプログラムによる変更）。再実行してください。</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read whole; delete the folder that it is in, and run again.</source>
+        <translation>{0} を最後まで読み込めません。このファイルがあるフォルダーを削除して再実行してください。</translation>
     </message>
     <message>
         <source>The process that worked on this tile was ended, by lack of memory or a fault in a library; make the tiles smaller.</source>
@@ -11276,12 +11712,20 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>タイルの位置を決める入力がありません。点群またはラスタを指定してください。</translation>
     </message>
     <message>
+        <source>Outlines moved without all of their neighbours</source>
+        <translation>隣接する外周線の一部を欠いたまま移動された外周線</translation>
+    </message>
+    <message>
         <source>{0} is cut into stretches of the drive, not into meshes or sheets: leave out the grid, and give the length of a stretch as the side of a tile.</source>
         <translation>{0}はメッシュや図郭ではなく走行の区間に分割されます。グリッドの指定を外し、タイルの辺長に区間の長さを指定してください。</translation>
     </message>
     <message>
         <source>{0} are needed to run {1} over tiles; give them.</source>
         <translation>{1}のタイル処理には{0}が必要です。指定してください。</translation>
+    </message>
+    <message>
+        <source>{0} of {1} outlines stand in rows or blocks that reach beyond the buffer: outlines nearer than {2} m are moved together, so that these can be moved otherwise than in one run; a buffer of {3} m would hold them all.</source>
+        <translation>外周線 {1} 件中 {0} 件は、バッファーの外まで続く建物の列または街区の一部です。{2} m 以内にある外周線はまとめて移動されるため、一括処理とは異なる位置になることがあります。バッファーを {3} m にするとすべて収まります。</translation>
     </message>
     <message>
         <source>Settings: “{0}” is no line NAME=VALUE with a parameter of {1}; it has {2}.</source>
@@ -11302,14 +11746,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0} is sorted into tiles.</source>
         <translation>{0}をタイルに振り分けています。</translation>
-    </message>
-    <message>
-        <source>{0}: {1} is neither a CSV, an SBET nor a point layer; check the file.</source>
-        <translation>{0}: {1}はCSV、SBET、点レイヤのいずれでもありません。ファイルを確認してください。</translation>
-    </message>
-    <message>
-        <source>A worker ended before its work was done, for lack of memory or because Python could not start it; run again with one worker.</source>
-        <translation>ワーカーが、メモリ不足またはPythonを起動できないため処理完了前に終了しました。ワーカー1つで再実行してください。</translation>
     </message>
     <message>
         <source>No wall was moved: the observations do not decide; the field “reason” of the walls tells why.</source>
@@ -11438,6 +11874,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Install Python packages…</source>
         <translation>Pythonパッケージのインストール…</translation>
+    </message>
+    <message>
+        <source>Diagnostics…</source>
+        <translation>診断情報…</translation>
     </message>
     <message>
         <source>The model {0} cannot be loaded.</source>
@@ -11629,7 +12069,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Neither road markings nor marking points were given: give one or both.</source>
-        <translation>路面標示も路面標示点も与えられていません。一方または両方を与えてください。</translation>
+        <translation>路面標示も路面標示点も与えられていません。一方または両方を指定してください。</translation>
     </message>
     <message>
         <source>No lines.</source>
@@ -11637,7 +12077,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Marking points add {0} pieces of paint, {1} m².</source>
-        <translation>路面標示点により塗装 {0} 片、{1} m² が加わりました。</translation>
+        <translation>路面標示点により標示 {0} 片、{1} m² が加わりました。</translation>
     </message>
     <message>
         <source>No line was found in the {0} polygons: check that they are road markings in metres, and lower the minimum line length for short ones.</source>
@@ -11680,6 +12120,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>使用した空中写真: {0}枚。建物以外でどの写真にも写らない欠落: {1:.0f} m²。</translation>
     </message>
     <message>
+        <source>{0} of {1} tiles failed; all others are in {2}. Put right what the warnings and the layer of tiles say, and run again with the same folder: only these tiles are then done.</source>
+        <translation>{1} タイル中 {0} タイルが失敗しました。その他のタイルの結果は {2} にあります。警告とタイルのレイヤーに示された原因を取り除き、同じフォルダーで再実行してください。失敗したタイルだけが処理されます。</translation>
+    </message>
+    <message>
         <source>{0} tiles, {1} kept from an earlier run, {2} to do.</source>
         <translation>{0}タイル: 以前の実行から保持{1}、未処理{2}。</translation>
     </message>
@@ -11702,6 +12146,34 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Tile {0} failed: {1}</source>
         <translation>タイル{0}が失敗しました: {1}</translation>
+    </message>
+    <message>
+        <source>Acceptance: errors at check points</source>
+        <translation>精度管理表：検証点の較差</translation>
+    </message>
+    <message>
+        <source>The standard deviation is that about a mean of 0, the root of the mean square: what all points share counts too. With a confidence of 95 % the standard deviation of all places is below the upper bound, if errors are normal.</source>
+        <translation>標準偏差は母平均を0とした値（二乗平均平方根）で、全点に共通する誤差も含みます。誤差が正規分布に従う場合、95 %の信頼度で標準偏差は上限値以下です。</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>較差の統計</translation>
+    </message>
+    <message>
+        <source>Registration</source>
+        <translation>位置合わせ</translation>
+    </message>
+    <message>
+        <source>All check points</source>
+        <translation>検証点一覧</translation>
+    </message>
+    <message>
+        <source>These are the errors as reported: the layer has none after a correction.</source>
+        <translation>補正前の較差です。レイヤに補正後の値がありません。</translation>
+    </message>
+    <message>
+        <source>Where the errors lie</source>
+        <translation>較差の分布</translation>
     </message>
     <message>
         <source>Road markings from the air</source>
@@ -11742,6 +12214,26 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Total length of strokes (m)</source>
         <translation>線の総延長 (m)</translation>
+    </message>
+    <message>
+        <source>The image's own road</source>
+        <translation>画像から求めた道路面</translation>
+    </message>
+    <message>
+        <source>Smooth grey ground in the light. What is much rougher or warmer is taken for no road.</source>
+        <translation>日の当たる、平滑で灰色の地面です。これより著しく粗い、または暖色の地面は道路とみなしません。</translation>
+    </message>
+    <message>
+        <source>Texture (grey values)</source>
+        <translation>テクスチャ（階調値）</translation>
+    </message>
+    <message>
+        <source>Warmth (share of the brightness)</source>
+        <translation>暖色度（明るさに対する比）</translation>
+    </message>
+    <message>
+        <source>Brightness (grey values)</source>
+        <translation>明るさ（階調値）</translation>
     </message>
     <message>
         <source>Shifts between overlapping frames</source>
@@ -12781,11 +13273,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>registered</source>
-        <translation>登録済み</translation>
+        <translation>位置合わせ済み</translation>
     </message>
     <message>
         <source>not to be trusted</source>
-        <translation>信頼不可</translation>
+        <translation>信頼できない</translation>
     </message>
     <message>
         <source>weak</source>
@@ -12805,11 +13297,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Registration of a mobile survey</source>
-        <translation>移動計測のレジストレーション</translation>
+        <translation>MMS計測の位置合わせ</translation>
     </message>
     <message>
         <source>Registered: found from markings around. Bridged: between or beyond registered parts, by how trajectories drift. Not to be trusted: too far from them, or markings that contradict. Standard deviations include what the reference itself is off by.</source>
-        <translation>登録済み: 周囲の標示から決定。補間: 登録済み区間の間または外側で、軌跡のドリフト特性により決定。信頼不可: 登録済み区間から遠すぎるか、標示が矛盾。標準偏差には基準自体の誤差を含みます。</translation>
+        <translation>位置合わせ済み: 周囲の標示から決定。補間: 位置合わせ済み区間の間または外側で、軌跡のドリフト特性により決定。信頼できない: 位置合わせ済み区間から遠すぎるか、標示が矛盾。標準偏差には基準自体の誤差を含みます。</translation>
     </message>
     <message>
         <source> Heights, roll and pitch were not touched.</source>
@@ -12873,11 +13365,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>No part of the path is registered: the result is as reported. Check that the reference is of the same place, and its date.</source>
-        <translation>登録済みの区間がないため、結果は補正前のままです。基準が同じ場所のものか、またその時期を確認してください。</translation>
+        <translation>位置合わせ済みの区間がないため、結果は補正前のままです。基準が同じ場所のものか、またその時期を確認してください。</translation>
     </message>
     <message>
         <source>Each patch is moved by its own window, as in the paper: between patches there are steps, nothing is bridged, and patches that are not to be trusted are moved all the same.</source>
-        <translation>論文どおり、各パッチを固有のウィンドウで移動しています。パッチ間には段差が生じ、補間は行わず、信頼不可のパッチも移動しています。</translation>
+        <translation>論文どおり、各パッチを固有のウィンドウで移動しています。パッチ間には段差が生じ、補間は行わず、信頼できないパッチも移動しています。</translation>
     </message>
     <message>
         <source>window length</source>
@@ -13309,15 +13801,15 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>registered, σ up to 3 cm</source>
-        <translation>登録済み、σ 3 cm以下</translation>
+        <translation>位置合わせ済み、σ 3 cm以下</translation>
     </message>
     <message>
         <source>registered, σ 3 to 6 cm</source>
-        <translation>登録済み、σ 3～6 cm</translation>
+        <translation>位置合わせ済み、σ 3～6 cm</translation>
     </message>
     <message>
         <source>registered, σ above 6 cm</source>
-        <translation>登録済み、σ 6 cm超</translation>
+        <translation>位置合わせ済み、σ 6 cm超</translation>
     </message>
     <message>
         <source>σ up to 5 cm</source>
