@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import unicodedata
 from collections.abc import Sequence
 from pathlib import Path
@@ -31,6 +32,9 @@ PAGE = 282.0  # mm down to which a page is used
 MARGIN, LINE, LETTER = 0.8, 3.3, 1.7  # mm in tables: margin of a cell, height of a line, mean width of a letter
 TITLE, TEXT, SMALL = 15, 10, 8  # points
 
+_TIME = re.compile(rb"(/(?:CreationDate|ModDate) \(D:\d{8})\d{6}")
+"""The time of day in a PDF's dates: the same report has the same bytes."""
+
 
 def write_acceptance_pdf(path: Path, points, found, limits, job, level) -> None:
     """Write the report as PDF; `points`, `found`, `limits`, `job`, `level` as for the core's page.
@@ -43,6 +47,9 @@ def write_acceptance_pdf(path: Path, points, found, limits, job, level) -> None:
     from ...urbanmap_qgis.wording import known, say
 
     project = QgsProject()
+    about = project.metadata()
+    about.setAuthor(job.surveyor)  # not the name under which somebody is logged in
+    project.setMetadata(about)
     layout = QgsPrintLayout(project)
     layout.setName("acceptance")
     project.layoutManager().addLayout(layout)  # owned by the project, which ends it before itself
@@ -70,8 +77,9 @@ def write_acceptance_pdf(path: Path, points, found, limits, job, level) -> None:
         _table(layout, [head, *body], 25, (22.0, 18.0, 26.0, 28.0, 18.0, 17.0, 17.0, 17.0, 17.0), page=1)
         settings = QgsLayoutExporter.PdfExportSettings()
         result = QgsLayoutExporter(layout).exportToPdf(str(path), settings)
-    if result != QgsLayoutExporter.Success:
+    if result != QgsLayoutExporter.ExportResult.Success:
         raise OutputError(say("{path} cannot be printed: choose another output.", path=path.name))
+    path.write_bytes(_TIME.sub(rb"\g<1>000000", path.read_bytes()))
 
 
 def _new_page(layout) -> None:

@@ -78,7 +78,7 @@ def south_texture(made, house=HOUSE):
     """Texture of the south facade cut out of its image, and its texel's size."""
     face = next(number for number, facade in enumerate(facades_of(house)) if facade.normal[1] < -0.9)
     facade = facades_of(house)[face]
-    texture = made.city.textures[facade.solid][facade.face]
+    texture = made.city.shapes[facade.solid].surfaces[facade.face].texture
     image = cv2.imdecode(np.frombuffer(made.images[texture.image], np.uint8), cv2.IMREAD_COLOR)[:, :, ::-1]
     corners = texture.uv[0] * [image.shape[1], image.shape[0]]
     left, low = corners.min(axis=0)
