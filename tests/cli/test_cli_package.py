@@ -88,10 +88,13 @@ def test_links_of_the_readme_lead_to_files_of_the_zip(unpacked, page):
     assert not [link for link in inside if not (unpacked / link.partition("#")[0]).is_file()]
 
 
-def test_pages_of_the_help_show_all_their_pictures(unpacked):
+def test_pages_of_the_help_have_all_that_they_show_and_link_to(unpacked):
     for page in (unpacked / "site").rglob("*.html"):
-        shown = re.findall(r'<img[^>]* src="([^"]+)"', page.read_text(encoding="utf-8"))
-        assert not [name for name in shown if not (page.parent / name).is_file()]
+        text = page.read_text(encoding="utf-8")
+        named = re.findall(r'<img[^>]* src="([^"]+)"', text) + re.findall(r'<a [^>]*href="([^":]+)"', text)
+        files = [name.partition("#")[0] for name in named if name[0] not in "#/"]
+        missing = [name for name in files if not (page.parent / name).exists()]
+        assert not missing, page
 
 
 def test_zip_holds_what_is_needed_and_nothing_else(package):
