@@ -220,8 +220,8 @@ def test_random_roofs_are_valid(random_solids):
 def test_random_roofs_are_valid_by_val3dity(random_solids, tmp_path):
     if not VAL3DITY.is_file():
         pytest.skip("val3dity is not beside the checkout")
-    write_solids(tmp_path / "m.city.json", [solid_object(f"b{seed}", {}, solids)
-                                              for seed, solids in enumerate(random_solids)], lod="2.2")
+    write_solids(tmp_path / "m.city.json", [solid_object(f"b{seed}", {}, solids, lod="2.2")
+                                              for seed, solids in enumerate(random_solids)])
     run = subprocess.run([VAL3DITY, tmp_path / "m.city.json", "--report", tmp_path / "r.json"], capture_output=True)
     if not (tmp_path / "r.json").is_file():
         pytest.skip(f"val3dity does not run here: {run.stderr[:80]}")
