@@ -11472,6 +11472,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>ファイル</translation>
     </message>
     <message>
+        <source>source of the rule</source>
+        <translation>規則の出典</translation>
+    </message>
+    <message>
         <source>The feature has no polygon.</source>
         <translation>地物にポリゴンがありません。</translation>
     </message>

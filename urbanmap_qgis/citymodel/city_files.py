@@ -55,7 +55,7 @@ def write_city_files(model: CityModel, cityjson: _Place = None, cityjsonseq: _Pl
                               missing=missing))
     progress.step(0.75)
     if tiles is not None:
-        heights = geoid.at if geoid is not None and model.reference.heights != ELLIPSOIDAL.word else None
+        heights = geoid.interpolate if geoid is not None and model.reference.heights != ELLIPSOIDAL.word else None
         write_tiles(tiles, model, heights, progress)
     progress.step(1.0)
 

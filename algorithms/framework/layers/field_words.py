@@ -357,5 +357,6 @@ _OF_STYLE: dict[tuple[str, str], FieldWords] = {
     ("gsi_buildings", "orgGILvl"): FieldWords(mark("scale of the source map (1 : n)")),
     ("gsi_buildings", "orgMDId"): FieldWords(mark("source’s metadata")),
     ("gsi_buildings", "source"): FieldWords(mark("file")),
+    ("map_faults", "source"): FieldWords(mark("source of the rule")),
 }
 """Words of fields in the layers of one style, where they differ."""

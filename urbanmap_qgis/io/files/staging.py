@@ -37,8 +37,11 @@ def final_text(text: str) -> str:
         text = text.replace(scratch, folder)
     return text
 
-LONGEST_NAME = 200
-"""Bytes of an output's name: systems take 255, and files beside it have longer ones (`-journal`, `.part`)."""
+LONGEST_NAME = 255
+"""Bytes of a file's name that systems take."""
+
+_BESIDE = {".gpkg": "-journal", ".sqlite": "-journal", ".tif": ".aux.xml", ".tiff": ".aux.xml"}
+"""Longest ending of files that appear beside an output, by its own: its name must leave room for it."""
 
 
 class Staging:
@@ -71,10 +74,11 @@ class Staging:
         OutputError : the folder of `target` cannot be written.
         """
         target = Path(target)
-        if len(os.fsencode(target.name)) > LONGEST_NAME:
+        longest = LONGEST_NAME - len(_BESIDE.get(target.suffix.lower(), ""))
+        if len(os.fsencode(target.name)) > longest:
             raise OutputError(say("The name {name} is too long for the files that are made beside it: give a shorter "
                                   "one, of at most {longest} bytes.", name=f"{target.name[:40]}…",
-                                  longest=LONGEST_NAME))
+                                  longest=longest))
         folder = target.parent
         try:
             if folder not in self._scratch:
