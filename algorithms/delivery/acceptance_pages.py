@@ -32,8 +32,12 @@ PAGE = 282.0  # mm down to which a page is used
 MARGIN, LINE, LETTER = 0.8, 3.3, 1.7  # mm in tables: margin of a cell, height of a line, mean width of a letter
 TITLE, TEXT, SMALL = 15, 10, 8  # points
 
-_TIME = re.compile(rb"(/(?:CreationDate|ModDate) \(D:\d{8})\d{6}")
-"""The time of day in a PDF's dates: the same report has the same bytes."""
+_OF_THE_MOMENT = (
+    (re.compile(rb"(/(?:CreationDate|ModDate) \(D:\d{8})\d{6}"), rb"\g<1>000000"),
+    (re.compile(rb'(xmp:\w+Date="\d{4}-\d\d-\d\dT)\d\d:\d\d:\d\d'), rb"\g<1>00:00:00"),
+    (re.compile(rb"uuid:[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}"), b"uuid:00000000-0000-0000-0000-000000000000"),
+)
+"""What a PDF says of the moment it was made, and what stands there instead: the same report has the same bytes."""
 
 
 def write_acceptance_pdf(path: Path, points, found, limits, job, level) -> None:
@@ -79,7 +83,10 @@ def write_acceptance_pdf(path: Path, points, found, limits, job, level) -> None:
         result = QgsLayoutExporter(layout).exportToPdf(str(path), settings)
     if result != QgsLayoutExporter.ExportResult.Success:
         raise OutputError(say("{path} cannot be printed: choose another output.", path=path.name))
-    path.write_bytes(_TIME.sub(rb"\g<1>000000", path.read_bytes()))
+    data = path.read_bytes()
+    for pattern, instead in _OF_THE_MOMENT:
+        data = pattern.sub(instead, data)
+    path.write_bytes(data)
 
 
 def _new_page(layout) -> None:

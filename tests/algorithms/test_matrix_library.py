@@ -51,6 +51,7 @@ def test_products_run_in_numpys_own_library(qgis_app):
     assert plain["before"] == plain["after"] and not plain["trouble"]
     if "gslcblas" not in mixed["from"]:
         pytest.skip("numpy carries its own BLAS here, under names of its own")
-    assert mixed["before"] != plain["before"]  # what would be wrong without
+    if "openblas" in plain["from"]:  # another reference BLAS sums in the same order
+        assert mixed["before"] != plain["before"]  # what would be wrong without
     assert mixed["after"] == plain["before"] and not mixed["trouble"]
     assert "gslcblas" not in mixed["to"] and mixed["to"] == plain["to"]
