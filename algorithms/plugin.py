@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from functools import partial
 
 from qgis.core import QgsApplication
 
@@ -20,6 +21,8 @@ class UrbanMapPlugin:
         self.provider = None
         self.actions = []
         self.dialog = None
+        self.menus = []
+        self.toolbox_entry = None
         activate_profile_packages()
         self.translator = speak_language()
 
@@ -40,9 +43,36 @@ class UrbanMapPlugin:
                             (tr("Diagnostics…"), self.show_diagnostics)):
             action = QAction(self.provider.icon(), label, self.iface.mainWindow())
             action.triggered.connect(work)
-            self.iface.addPluginToMenu("UrbanMap", action)
-            self.actions.append(action)
+            self._add_to_menu(action)
+        self._add_models()
         self.offer_packages()
+
+    def _add_to_menu(self, action):
+        """Add an entry to the plugin's menu."""
+        self.iface.addPluginToMenu("UrbanMap", action)
+        self.actions.append(action)
+
+    def _add_models(self):
+        """Let the menu and the toolbox open the shipped models in the modeller."""
+        from qgis.PyQt.QtWidgets import QMenu
+
+        from .framework.model_window import ToolboxEntry
+        from .framework.shipped_models import ShippedModel
+
+        menu = QMenu(tr("Open a chain in the modeller"), self.iface.mainWindow())
+        for model in self.provider.algorithms():
+            if isinstance(model, ShippedModel):
+                menu.addAction(model.displayName()).triggered.connect(partial(self.open_model, model.id()))
+        menu.menuAction().setIcon(self.provider.icon())
+        self._add_to_menu(menu.menuAction())
+        self.menus.append(menu)
+        self.toolbox_entry = ToolboxEntry()
+
+    def open_model(self, identity, checked=False):
+        """Open a copy of a shipped model in QGIS's modeller."""
+        from .framework.model_window import open_in_modeller
+
+        open_in_modeller(QgsApplication.processingRegistry().algorithmById(identity))
 
     def offer_packages(self):
         """Say once, in the message bar, what packages are missing, with a button that installs them."""
@@ -86,6 +116,12 @@ class UrbanMapPlugin:
         for action in self.actions:
             self.iface.removePluginMenu("UrbanMap", action)
         self.actions = []
+        for menu in self.menus:
+            menu.deleteLater()
+        self.menus = []
+        if self.toolbox_entry is not None:
+            self.toolbox_entry.remove()
+            self.toolbox_entry = None
         if self.provider is not None:
             QgsApplication.processingRegistry().removeProvider(self.provider)
             self.provider = None

@@ -8,16 +8,15 @@ import traceback
 from collections.abc import Iterator
 from pathlib import Path
 
-from qgis.core import Qgis, QgsApplication, QgsMessageLog, QgsProcessingModelAlgorithm, QgsProcessingProvider
+from qgis.core import Qgis, QgsApplication, QgsMessageLog, QgsProcessingProvider
 from qgis.PyQt.QtGui import QIcon
 
 from .framework.base import GROUPS, UrbanMapAlgorithm
 from .framework.declaring.parameters import tr
-from .framework.language.language import translated_model
+from .framework.shipped_models import MODELS, keep_earlier_id, read_model
 from .framework.version import plugin_version
 
 ROOT = Path(__file__).resolve().parent.parent
-MODELS = ROOT / "resources" / "models"
 
 # What importing a module with a mistake in it raises.
 BROKEN_MODULE = (ImportError, SyntaxError, NameError, AttributeError, TypeError, ValueError, OSError)
@@ -63,11 +62,12 @@ class UrbanMapProvider(QgsProcessingProvider):
             except BROKEN_MODULE:
                 self._warn(tr("The module {0} cannot be loaded:").format(module), traceback.format_exc())
         for path in sorted(MODELS.glob("*.model3")):
-            model = QgsProcessingModelAlgorithm()
-            if model.fromFile(str(path)):
-                self.addAlgorithm(translated_model(model, GROUPS.get(model.groupId(), model.group())))
-            else:
+            model = read_model(path, GROUPS)
+            if model is None:
                 self._warn(tr("The model {0} cannot be loaded.").format(path.name))
+                continue
+            keep_earlier_id(model)
+            self.addAlgorithm(model)
 
     @staticmethod
     def _warn(sentence: str, detail: str = "") -> None:

@@ -84,7 +84,7 @@ def test_model_exported_as_python_runs(run, qgis_app, cloud, polygon_layer):
     """What QGIS's modeller writes for a model is an algorithm that works like it."""
     from qgis.core import QgsApplication, QgsProcessing, QgsProcessingAlgorithm
 
-    model = QgsApplication.processingRegistry().algorithmById("urbanmap:Buildings from ALS (model)")
+    model = QgsApplication.processingRegistry().algorithmById("urbanmap:buildingsfromals_model")
     code = "\n".join(model.asPythonCode(QgsProcessing.PythonOutputType.PythonQgsProcessingAlgorithmSubclass, 4))
     scope: dict = {}
     exec(compile(code, "exported", "exec"), scope)

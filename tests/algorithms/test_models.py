@@ -30,9 +30,49 @@ def test_the_provider_lists_the_model_in_the_group_of_its_chain(pair):
     from qgis.core import QgsApplication
 
     model, chain = pair
-    listed = QgsApplication.processingRegistry().algorithmById(f"urbanmap:{model.name()}")
+    listed = QgsApplication.processingRegistry().algorithmById(f"{chain.id()}_model")
     assert listed is not None
     assert listed.groupId() == chain.groupId()
+    assert listed.displayName() == model.name() and listed.create().displayName() == model.name()
+    assert " " not in listed.id() and listed.create().id() == listed.id()
+
+
+def test_the_earlier_id_with_blanks_stands_for_the_model(pair):
+    from qgis.core import QgsApplication
+
+    model, chain = pair
+    old = QgsApplication.processingRegistry().algorithmById(f"urbanmap:{model.name()}")
+    assert old is not None and old.id() == f"{chain.id()}_model"
+    assert old.id() in [item.id() for item in QgsApplication.processingRegistry().providerById("urbanmap").algorithms()]
+
+
+def test_fields_of_several_files_keep_presets(pair):
+    """QGIS's own field would take the files for layers and lose them."""
+    from qgis.core import QgsApplication
+
+    listed = QgsApplication.processingRegistry().algorithmById(f"{pair[1].id()}_model").create()
+    fields = [item for item in listed.parameterDefinitions() if item.type() == "multilayer"]
+    assert fields
+    for field in fields:
+        like = pair[1].parameterDefinition(field.name())
+        assert field.metadata() == like.metadata()
+
+
+def test_a_copy_to_change_is_a_plain_model_without_a_file(pair, plugin):
+    from qgis.core import QgsApplication, QgsProcessingModelAlgorithm
+
+    model, chain = pair
+    listed = QgsApplication.processingRegistry().algorithmById(f"{chain.id()}_model")
+    copy = plugin("algorithms.framework.shipped_models").editable_copy(listed)
+    assert type(copy) is QgsProcessingModelAlgorithm
+    assert copy.validate() == (True, []) and copy.sourceFilePath() == "" and copy.name() == model.name()
+    assert set(copy.childAlgorithms()) == set(model.childAlgorithms())
+    assert all(not copy.parameterDefinition(name).metadata() for name in copy.parameterComponents())
+    for child in copy.childAlgorithms().values():
+        theirs = model.childAlgorithm(child.childId())
+        assert child.description() == child.algorithm().displayName()
+        assert set(child.parameterSources()) == set(theirs.parameterSources())
+        assert set(child.modelOutputs()) == set(theirs.modelOutputs())
 
 
 def test_the_model_is_sound(pair):

@@ -159,13 +159,13 @@ def test_models_are_registered_with_their_outputs(provider, plugin, monkeypatch,
 
     monkeypatch.setattr(plugin("algorithms.provider"), "MODELS", tmp_path)
     provider.refreshAlgorithms()
-    listed = provider.algorithm("oneload")
+    listed = provider.algorithm("oneload_model")
     # The name on the command line: QGIS 3.22 has the first, current releases the second.
     assert [item.name() for item in listed.outputDefinitions()] in (["load:Footprints"], ["footprints"])
     assert [text for tag, text in log if tag == "UrbanMap"] == ["The model torn.model3 cannot be loaded."]
     monkeypatch.undo()
     provider.refreshAlgorithms()
-    assert provider.algorithm("oneload") is None
+    assert provider.algorithm("oneload_model") is None
 
 
 def test_file_outputs_of_earlier_steps_can_be_chosen_as_points(provider):

@@ -7,7 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-MODEL = "urbanmap:Buildings from ALS (model)"
+MODEL = "urbanmap:buildingsfromals_model"
+EARLIER = "urbanmap:Buildings from ALS (model)"
+"""Its id up to version 0.2.0."""
 FILE = Path(__file__).resolve().parents[2] / "resources" / "models" / "buildings_from_als.model3"
 GROUND = 4.0
 ROOFS = {1: ((0.0, 0.0, 14.0, 10.0), 12.0), 2: ((24.0, 0.0, 36.0, 18.0), 21.5)}
@@ -65,7 +67,8 @@ def chain(block, run_algorithm, tmp_path_factory):
     return folder
 
 
-@pytest.mark.parametrize("algorithm", [MODEL, str(FILE)], ids=["by its id", "by its file"])
+@pytest.mark.parametrize("algorithm", [MODEL, EARLIER, str(FILE)],
+                         ids=["by its id", "by its earlier id", "by its file"])
 def test_the_model_gives_what_the_chain_gives(algorithm, block, chain, run_algorithm, tmp_path):
     done = run_algorithm(algorithm, **block, **outputs(tmp_path, "buildingmodels:"))
     assert done.code == 0, done.err

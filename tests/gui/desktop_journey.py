@@ -183,7 +183,40 @@ def reloads() -> dict:
     return {"listed": found, "between": between}
 
 
-STEPS = {"dialogs": dialogs, "runs": runs, "again": again, "together": together, "cancel": cancel, "reloads": reloads}
+def plugin_menu() -> dict:
+    """The plugin's entries of the menu, by text."""
+    from qgis import utils
+
+    return {action.text(): action for action in utils.plugins[PLUGIN].actions}
+
+
+def models() -> dict:
+    """Each shipped model opened by the menu, as a copy without a file; the toolbox's menu; a run with given files."""
+    from processing.gui.ProviderActions import ProviderContextMenuActions
+    from processing.modeler.ModelerDialog import ModelerDialog
+    from qgis.core import QgsApplication
+
+    opened = {}
+    for action in plugin_menu()["Open a chain in the modeller"].menu().actions():
+        action.trigger()
+        settle(0.2)
+        window = ModelerDialog.dlgs[-1]
+        copy = window.model()
+        opened[action.text()] = {"name": copy.name(), "file": copy.sourceFilePath(),
+                                 "steps": len(copy.childAlgorithms()), "sound": copy.validate()[0], "shown": window.isVisible()}
+        window.close()
+    entries, registry = [], QgsApplication.processingRegistry()
+    for identity in ("urbanmap:buildingsfromals_model", "urbanmap:buildingsfromals"):
+        for entry in ProviderContextMenuActions.actions:
+            entry.setData(registry.algorithmById(identity), None)
+            if not entry.is_separator and entry.isEnabled():
+                entries.append([identity, entry.name])
+    return {"opened": opened, "entries": entries,
+            "run": run_in(dialog_of("urbanmap:buildingsfromals_model", JOURNEY["model"]))}
+
+
+STEPS = {"dialogs": dialogs, "runs": runs, "again": again, "together": together, "cancel": cancel, "reloads": reloads,
+         "models": models}
 
 
 def travel() -> None:

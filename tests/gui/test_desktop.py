@@ -44,7 +44,7 @@ RUNS = {
 """Of each group an algorithm that makes layers: what is given, runs in one dialog, new dialogs, style by layer."""
 
 CANCELLED = ("groundfrommms", {"POINTS": ["city:mms/survey_01.laz"]})
-STEPS = ["dialogs", "runs", "together", "cancel", "reloads", "again"]
+STEPS = ["dialogs", "runs", "together", "cancel", "reloads", "again", "models"]
 
 
 def load_script(name: str):
@@ -77,7 +77,8 @@ def sitting(small_city, tmp_path_factory):
     (packages / version).symlink_to(sysconfig.get_path("purelib"), target_is_directory=True)
     runs = [(f"urbanmap:{name}", in_place(given, small_city, folder), same, others)
             for name, (given, same, others, _) in RUNS.items()]
-    journey = {"steps": STEPS, "runs": runs, "report": str(folder / "report.json"),
+    journey = {"steps": STEPS, "runs": runs, "model": in_place(ALS, small_city, folder),
+               "report": str(folder / "report.json"),
                "cancel": (f"urbanmap:{CANCELLED[0]}", in_place(CANCELLED[1], small_city, folder))}
     (folder / "journey.json").write_text(json.dumps(journey), encoding="utf-8")
     try:
@@ -148,3 +149,16 @@ def test_plugin_off_and_on_lists_all(step):
     assert len(first) > 45
     assert rest == [[], first] * 3, [len(ids) for ids in rest]
     assert told["between"] == [[], [], []]
+
+
+def test_models_open_as_copies_in_the_modeller_and_run_with_files_preset(step):
+    told = step(6)
+    assert set(told["opened"]) == {
+        "Buildings from ALS (model)", "Georeference mobile survey (model)", "Lane map from markings and drives (model)",
+        "Road markings from aerial frames (model)"}
+    for name, copy in told["opened"].items():
+        assert copy == {"name": name, "file": "", "steps": copy["steps"], "sound": True, "shown": True}
+        assert copy["steps"] >= 2
+    assert told["run"]["succeeded"], told["run"]["log"][-3000:]
+    assert [layer["size"] > 0 and layer["at_home"] for layer in told["run"]["layers"]] == [True]
+    assert told["entries"] == [["urbanmap:buildingsfromals_model", "Open a copy in the modeller…"]]

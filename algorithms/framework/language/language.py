@@ -35,7 +35,7 @@ def stop_speaking(translator: QTranslator) -> None:
 
 
 def translated_model(model: QgsProcessingModelAlgorithm, group: str) -> QgsProcessingModelAlgorithm:
-    """The model with its labels and help in the user's language; its name is its id and stays."""
+    """The model with its labels and help in the user's language; its name stays, for saved models say it."""
     model.setGroup(tr(group))
     for definition in model.parameterDefinitions():
         if definition.name() in model.parameterComponents():

@@ -1,0 +1,84 @@
+"""The shipped models in the toolbox: under ids without blanks, in the user's language, and as copies to change."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from qgis.core import QgsApplication, QgsProcessingModelAlgorithm
+
+from .declaring.parameters import tr, with_files_widget
+from .language.language import translated_model
+
+MODELS = Path(__file__).resolve().parents[2] / "resources" / "models"
+
+POINTS_NAMES = ("POINTS", "ALS")
+"""Parameters of the models that take point clouds."""
+
+
+class ShippedModel(QgsProcessingModelAlgorithm):
+    """A model whose id is another than the name that it shows.
+
+    QGIS takes a model's name for its id, with all its blanks, and keeps no id of its group in a copy.
+    """
+
+    def __init__(self, identity: str, group: str, content: Mapping):
+        super().__init__()
+        self._identity, self._group = identity, group
+        self.loadVariant(content)
+        self._title = tr(super().displayName())
+        for name in self.parameterComponents():  # QGIS's own field would empty what presets say of files
+            definition = self.parameterDefinition(name)
+            if definition.type() == "multilayer":
+                made = definition.clone()
+                with_files_widget(made, name in POINTS_NAMES)
+                self.updateModelParameter(made)
+
+    def name(self):
+        return self._identity
+
+    def displayName(self):
+        return self._title
+
+    def groupId(self):
+        return self._group
+
+    def createInstance(self):
+        return ShippedModel(self._identity, self._group, self.toVariant())
+
+
+def read_model(path: Path, groups: Mapping[str, str]) -> ShippedModel | None:
+    """The model of a file; None where this QGIS cannot read it.
+
+    Parameters
+    ----------
+    groups : names of the groups by their ids.
+    """
+    model = QgsProcessingModelAlgorithm()
+    if not model.fromFile(str(path)):
+        return None
+    group = model.groupId()
+    translated_model(model, groups.get(group, model.group()))
+    return ShippedModel(f"{path.stem.replace('_', '')}_model", group, model.toVariant())
+
+
+def keep_earlier_id(model: ShippedModel) -> None:
+    """Let the id of version 0.2.0, the English name, stand for the model too: saved models and scripts say it."""
+    earlier = f"urbanmap:{QgsProcessingModelAlgorithm.displayName(model)}"
+    QgsApplication.processingRegistry().addAlgorithmAlias(earlier, f"urbanmap:{model.name()}")
+
+
+def editable_copy(model: ShippedModel) -> QgsProcessingModelAlgorithm:
+    """The same model without a file, so that saving it asks for one; inputs have QGIS's own fields."""
+    copy = QgsProcessingModelAlgorithm()
+    copy.loadVariant(model.toVariant())
+    copy.setName(model.displayName())
+    for name in copy.parameterComponents():
+        made = copy.parameterDefinition(name).clone()
+        made.setMetadata({})
+        copy.updateModelParameter(made)
+    for child in copy.childAlgorithms().values():
+        if child.algorithm() is not None:
+            child.setDescription(child.algorithm().displayName())
+            copy.setChildAlgorithm(child)
+    return copy
