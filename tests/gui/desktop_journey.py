@@ -203,7 +203,8 @@ def models() -> dict:
         window = ModelerDialog.dlgs[-1]
         copy = window.model()
         opened[action.text()] = {"name": copy.name(), "file": copy.sourceFilePath(),
-                                 "steps": len(copy.childAlgorithms()), "sound": copy.validate()[0], "shown": window.isVisible()}
+                                 "steps": len(copy.childAlgorithms()), "sound": copy.validate()[0],
+                                 "shown": window.isVisible()}
         window.close()
     entries, registry = [], QgsApplication.processingRegistry()
     for identity in ("urbanmap:buildingsfromals_model", "urbanmap:buildingsfromals"):
