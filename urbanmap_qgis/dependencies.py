@@ -229,11 +229,11 @@ def python_executable() -> str:
         candidates = [running, prefix / "bin" / name, prefix / "bin" / "python3", running.parent / name,
                       running.parent / "python3", running.parent / "bin" / name, running.parent / "bin" / "python3",
                       *base]
-    there = [str(item) for item in candidates if item.name.lower().startswith("python") and item.is_file()]
-    if there and _version_of(there[0]) not in ("", sys.version):
+    existing = [str(item) for item in candidates if item.name.lower().startswith("python") and item.is_file()]
+    if existing and _version_of(existing[0]) not in ("", sys.version):
         more = [str(item) for item in (Path("/usr/bin") / name, Path("/usr/local/bin") / name) if item.is_file()]
-        there = [item for item in (*there, *more) if _version_of(item) == sys.version] or there
-    return there[0] if there else "python3"
+        existing = [item for item in (*existing, *more) if _version_of(item) == sys.version] or existing
+    return existing[0] if existing else "python3"
 
 
 @functools.lru_cache
@@ -320,12 +320,12 @@ def install(
         command = [*install_command(missing, staging), "--no-input", "--disable-pip-version-check", *pip_options]
         constraints = Path(scratch) / "constraints.txt"
         wanted = {item.package.import_name for item in missing}
-        kept = {package.distribution: installed_version(package)
-                for name, package in PACKAGES.items() if name not in wanted and installed_version(package)}
-        constraints.write_text("".join(f"{name}=={version}\n" for name, version in kept.items()), encoding="utf-8")
+        pinned = {package.distribution: installed_version(package)
+                  for name, package in PACKAGES.items() if name not in wanted and installed_version(package)}
+        constraints.write_text("".join(f"{name}=={version}\n" for name, version in pinned.items()), encoding="utf-8")
         report(shown_command(command))
         _run([*command, "--constraint", str(constraints)], report, cancelled)
-        for name in kept:
+        for name in pinned:
             remove_distribution(staging, name)
         _move_into(staging, target)
     activate(target)

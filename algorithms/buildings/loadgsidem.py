@@ -69,9 +69,9 @@ class LoadGsiDem(UrbanMapAlgorithm):
         crs = self.parameterAsCrs(parameters, "CRS", context)
         target = wkt_of(crs) if crs.isValid() else epsg_wkt(dem_zone(meshes))
         transform = plane_transform(source, target, dem_bounds(meshes))
-        if transform is not None and transform.told:
+        if transform is not None and transform.description:
             progress.warn(tr("The elevation model was taken into {0} by {1}.").format(
-                crs.userFriendlyIdentifier(), transform.told))
+                crs.userFriendlyIdentifier(), transform.description))
         place = self.output_layer_path(parameters, "OUTPUT", context, style="ground")
         resolution = self.parameterAsDouble(parameters, "RESOLUTION", context) or None
         made = write_dem(place, meshes, target, transform, resolution, progress.part(0.6, 1.0))

@@ -293,7 +293,7 @@ def test_one_file_that_cannot_be_replaced_leaves_all_as_they_were(plugin, errors
     monkeypatch.setattr(staging.os, "replace", refuse_c)
     with staging.Staging() as places, pytest.raises(errors.OutputError, match="c cannot be replaced"):
         for name in "abcn":
-            places.place(tmp_path / name).write_text("new")
+            places.scratch_path(tmp_path / name).write_text("new")
         places.publish()
     assert {path.name: path.read_text() for path in tmp_path.iterdir()} == dict.fromkeys("abc", "old")
 
@@ -301,7 +301,7 @@ def test_one_file_that_cannot_be_replaced_leaves_all_as_they_were(plugin, errors
 def test_leftovers_of_a_killed_run_go_and_those_of_others_stay(plugin, tmp_path):
     staging = plugin("urbanmap_qgis.io.files.staging")
     start = ("import sys, time; from pathlib import Path; from urbanmap_qgis.io.files.staging import Staging\n"
-             "with Staging() as s:\n s.place(Path(sys.argv[1]) / 'x').write_text('half')\n"
+             "with Staging() as s:\n s.scratch_path(Path(sys.argv[1]) / 'x').write_text('half')\n"
              " print('there', flush=True); sys.stdin.read()")
     root = Path(__file__).resolve().parents[2]
     runs = [subprocess.Popen([sys.executable, "-c", start, str(tmp_path)], stdin=subprocess.PIPE,
@@ -312,7 +312,7 @@ def test_leftovers_of_a_killed_run_go_and_those_of_others_stay(plugin, tmp_path)
     runs[0].kill()
     runs[0].communicate()
     with staging.Staging() as places:
-        places.place(tmp_path / "y")
+        places.scratch_path(tmp_path / "y")
         assert len(list(tmp_path.glob(".urbanmap-*"))) == 2  # the other run's and this one's
     runs[1].communicate(b"")
     assert list(tmp_path.iterdir()) == []
@@ -411,7 +411,7 @@ def test_rasters_that_steps_opened_are_closed_before_they_are_moved(modules, tmp
     context = new_context()
     store = context.temporaryLayerStore()
     with staging_module.Staging() as staging:
-        made = staging.place(tmp_path / "o.tif")
+        made = staging.scratch_path(tmp_path / "o.tif")
         write_raster(made, np.arange(1e4, dtype=np.float32).reshape(100, 100), Grid(0, 100, 1, 100, 100),
                      'LOCAL_CS["a",UNIT["metre",1]]')
         layer = QgsRasterLayer(str(made), "o")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from urbanmap_qgis.aerial.orthophotos.frame_shifts import apart, frame_shifts, shift_columns, status_of
+from urbanmap_qgis.aerial.orthophotos.frame_shifts import frame_shifts, lie_apart, shift_columns, status_of
 from urbanmap_qgis.aerial.orthophotos.mosaic import GroundView
 from urbanmap_qgis.geometry.grid import Grid
 
@@ -40,7 +40,7 @@ def test_a_displaced_frame_is_found():
     assert (shifts[0].east, shifts[0].north) == pytest.approx((0.23, -0.11), abs=0.02)
     assert shifts[1].length < 0.01 and shifts[0].patches > 10
     assert shifts[0].sigma < shifts[0].spread < 0.02
-    assert [apart(shift, 0.1) for shift in shifts] == [True, False, True]
+    assert [lie_apart(shift, 0.1) for shift in shifts] == [True, False, True]
 
 
 def test_every_patch_tells_its_place_and_shift():

@@ -110,12 +110,12 @@ def test_objects_have_all_levels_and_parts_where_they_stand_alone():
 
 def test_surfaces_say_slope_azimuth_and_area():
     (item, _), = city_objects([BuildingSource("a", {}, [gable()])])
-    faces = item.at("2")[0].surfaces
+    faces = item.shapes_at("2")[0].surfaces
     east = next(face for face in faces if face.kind == "RoofSurface" and face.attributes["azimuth"] == 90.0)
     assert east.attributes["slope"] == pytest.approx(36.9) and east.attributes["area"] == pytest.approx(50.0)
     walls = {face.attributes["azimuth"]: face.attributes["area"] for face in faces if face.kind == "WallSurface"}
     assert walls == {180.0: 44.0, 90.0: 40.0, 0.0: 44.0, 270.0: 40.0}
-    level = item.at("1")[0].surfaces
+    level = item.shapes_at("1")[0].surfaces
     assert all("azimuth" not in face.attributes for face in level if face.kind == "RoofSurface")
 
 

@@ -273,9 +273,9 @@ def test_edges_move_with_their_nodes_or_not_at_all():
     edges = PlanEdges(cells)
     assert len(edges.edges) == 4 and sorted(round(edge.length) for edge in edges.edges) == [10, 10, 20, 20]
     south = next(number for number, edge in enumerate(edges.edges) if edge.ends[:, 1].max() == Y0)
-    down = edges.moved({south: Line(np.array([X0, Y0 - 1.0]), np.array([1.0, 0.0]))})
+    down = edges.moved_polygons({south: Line(np.array([X0, Y0 - 1.0]), np.array([1.0, 0.0]))})
     assert [polygon.area for polygon in down] == pytest.approx([88, 132])
-    assert edges.moved({south: Line(np.array([X0, Y0 + 11.0]), np.array([1.0, 0.0]))}) is None, "folded over"
+    assert edges.moved_polygons({south: Line(np.array([X0, Y0 + 11.0]), np.array([1.0, 0.0]))}) is None, "folded over"
 
 
 def test_tables(tmp_path):

@@ -47,9 +47,9 @@ def test_a_name_of_an_output_that_is_too_long_shows_no_inner_path(tmp_path):
     with Staging() as staging:
         for name in ("n" * 250 + ".gpkg", "町" * 82 + ".tif"):
             with pytest.raises(OutputError, match="at most 247 bytes") as told:
-                staging.place(tmp_path / name)
+                staging.scratch_path(tmp_path / name)
             assert str(tmp_path) not in str(told.value)
-        assert staging.place(tmp_path / ("町" * 60 + ".tif")).parent != tmp_path
+        assert staging.scratch_path(tmp_path / ("町" * 60 + ".tif")).parent != tmp_path
 
 
 def test_a_report_may_do_nothing_but_show_itself(tmp_path):

@@ -45,7 +45,7 @@ class ExportedBuildings:
 def unique_ids(values: Sequence[Any], first: int = 1) -> tuple[list[str], int]:
     """Ids as text, each once: a second one of a name gets a number, an empty one its place; how many were changed."""
     taken = Counter(str(value).strip() for value in values if value is not None)
-    made: list[str] = []
+    unique: list[str] = []
     used: set[str] = set()
     changed = 0
     for row, value in enumerate(values, first):
@@ -57,8 +57,8 @@ def unique_ids(values: Sequence[Any], first: int = 1) -> tuple[list[str], int]:
             name = f"{text or f'building-{row}'}-{number}"
         changed += name != text
         used.add(name)
-        made.append(name)
-    return made, changed
+        unique.append(name)
+    return unique, changed
 
 
 def export_buildings(ids: Sequence[Any], faces: Sequence[shapely.Geometry | None],

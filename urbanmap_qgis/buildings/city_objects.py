@@ -107,10 +107,10 @@ def _shapes(level: _Levels, lod: str, problem: str, textures: Sequence[FaceTextu
     """Shapes of one part, from coarse to detailed."""
     if problem:
         return (CityShape(lod, MULTI_SURFACE, (solid_surfaces(level.detailed, textures),)),)
-    made = [CityShape("1.2", SOLID, (solid_surfaces(one),)) for one in level.block]
+    shapes = [CityShape("1.2", SOLID, (solid_surfaces(one),)) for one in level.block]
     if lod != "1.3":
-        made += [CityShape("1.3", SOLID, (solid_surfaces(one),)) for one in level.stepped]
-    return (*made, CityShape(lod, SOLID, (solid_surfaces(level.detailed, textures),)))
+        shapes += [CityShape("1.3", SOLID, (solid_surfaces(one),)) for one in level.stepped]
+    return (*shapes, CityShape(lod, SOLID, (solid_surfaces(level.detailed, textures),)))
 
 
 def _outlines(solids: Sequence[Solid], figures: ModelFigures) -> tuple[CityShape, ...]:
@@ -127,16 +127,16 @@ def _outlines(solids: Sequence[Solid], figures: ModelFigures) -> tuple[CityShape
 
 def _flat(plan: shapely.Geometry, height: float, kind: str) -> tuple[CitySurface, ...]:
     """Polygons of a plan at one height, m, seen from above."""
-    made = []
+    surfaces = []
     for polygon in shapely.get_parts(shapely.simplify(plan, _ROUND)):
         if polygon.geom_type != "Polygon" or polygon.is_empty:
             continue
         rings = shapely.get_rings(shapely.orient_polygons(polygon)) if hasattr(shapely, "orient_polygons") \
             else shapely.get_rings(shapely.geometry.polygon.orient(polygon))
         corners = [shapely.get_coordinates(ring)[:-1] for ring in rings]
-        made.append(CitySurface(tuple(np.column_stack([ring, np.full(len(ring), height)]) for ring in corners), kind,
-                                {"area": round(polygon.area, 2)}))
-    return tuple(made)
+        surfaces.append(CitySurface(tuple(np.column_stack([ring, np.full(len(ring), height)]) for ring in corners),
+                                    kind, {"area": round(polygon.area, 2)}))
+    return tuple(surfaces)
 
 
 def building_source(identifier: str, faces: shapely.Geometry | None, attributes: Mapping[str, Any],

@@ -134,8 +134,8 @@ def _raised(solid: Solid, cells: list[tuple[shapely.Geometry, int, float]]) -> t
         plan = (Cell(polygons[0], numbers[0], heights[0]),)
     else:
         plan = partition_plan(None, polygons, heights, numbers, limit="roofs").cells
-    made = building_solids(plan, base)
-    return () if any(check_solid(one) for one in made) else made
+    solids = building_solids(plan, base)
+    return () if any(check_solid(one) for one in solids) else solids
 
 
 def _ground_plans(solid: Solid) -> list[shapely.Polygon]:

@@ -156,8 +156,8 @@ def build_models(footprints: Footprints, roofs: RoofInput, base: np.ndarray, clo
     sloped = roof_shape == PLANES and any(is_sloped(polygon) for polygon in roofs.polygon)
     shares = np.zeros(len(footprints)) if open_share is None else np.nan_to_num(open_share)
     pieces = _pieces(footprints, roofs, base, source, shares, cloud, sloped, progress)
-    for rows, made in in_order(_model_piece, pieces, executor, progress.check):
-        for row, model in zip(rows, made):
+    for rows, built in in_order(_model_piece, pieces, executor, progress.check):
+        for row, model in zip(rows, built):
             models[row] = model
         progress.check()
     return models
@@ -227,19 +227,19 @@ def _fit_points(layout: PointLayout, records: np.ndarray, outline: shapely.Geome
 
 def _model_piece(piece: tuple[np.ndarray, ModelPiece]) -> tuple[np.ndarray, list[BuildingModel]]:
     rows, block = piece
-    made = []
+    models = []
     for place, number in enumerate(block.ids.tolist()):
         checkpoint()
         points = None if block.points is None else block.points[place]
         base = float(block.base[place])
         try:
-            made.append(model_building(number, block.outlines[place], block.notes[place], block.roofs[place], base,
-                                       points, block.sloped, block.source[place], float(block.open_share[place])))
+            models.append(model_building(number, block.outlines[place], block.notes[place], block.roofs[place], base,
+                                         points, block.sloped, block.source[place], float(block.open_share[place])))
         except Cancelled:
             raise
         except Exception as error:  # one building's trouble is not the others'
-            made.append(BuildingModel(number, (), base, 0, NOT_MODELLED, trouble_words(error), quality=0.0))
-    return rows, made
+            models.append(BuildingModel(number, (), base, 0, NOT_MODELLED, trouble_words(error), quality=0.0))
+    return rows, models
 
 
 def model_building(number: int, outline: shapely.Geometry | None, note: str, roofs: RoofInput, base: float,
@@ -255,9 +255,9 @@ def model_building(number: int, outline: shapely.Geometry | None, note: str, roo
     status, reason = OK, note
     if (roofs.roof_id == 0).all():
         status, reason = BLOCK, say("too few points for roofs; {note}", note=note).rstrip("; ")
-    told = next((str(words) for words in roofs.status if SIMPLIFIED in str(words)), "")
-    if told:
-        why = told[told.index(SIMPLIFIED) + len(SIMPLIFIED):].lstrip(": ")
+    simplified = next((str(words) for words in roofs.status if SIMPLIFIED in str(words)), "")
+    if simplified:
+        why = simplified[simplified.index(SIMPLIFIED) + len(SIMPLIFIED):].lstrip(": ")
         status, reason = SIMPLIFIED, "; ".join(filter(None, (why, note)))
     if source == FROM_NEIGHBOURS and base >= float(roofs.height.min()):
         base = math.nan

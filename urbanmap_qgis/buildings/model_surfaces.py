@@ -59,10 +59,10 @@ def _wall_rectangle(corners: list[list[float]]) -> list[float]:
     along = [(x - x0, y - y0) for x, y, _ in corners]
     length2 = [dx * dx + dy * dy for dx, dy in along]
     far = length2.index(max(length2))
-    here, there = [], []
+    near_z, far_z = [], []
     for (dx, dy), (_, _, z) in zip(along, corners):
-        (there if dx * along[far][0] + dy * along[far][1] > 0.5 * length2[far] else here).append(z)
-    return [x0, y0, corners[far][0], corners[far][1], min(here), min(there), max(here), max(there)]
+        (far_z if dx * along[far][0] + dy * along[far][1] > 0.5 * length2[far] else near_z).append(z)
+    return [x0, y0, corners[far][0], corners[far][1], min(near_z), min(far_z), max(near_z), max(far_z)]
 
 
 def ground_area(solids: tuple[Solid, ...]) -> float:

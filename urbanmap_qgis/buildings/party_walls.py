@@ -32,8 +32,8 @@ def party_wall_areas(buildings: Sequence[Sequence[Solid]]) -> np.ndarray:
     one, other = one[meet], other[meet]
     for wall in np.unique(one):
         seen = [_upright(shapes[near], ends[wall, 0], along[wall]) for near in other[one == wall]]
-        own = _upright(shapes[wall], ends[wall, 0], along[wall])
-        areas[owner[wall]] += shapely.area(shapely.intersection(own, shapely.union_all(seen)))
+        face = _upright(shapes[wall], ends[wall, 0], along[wall])
+        areas[owner[wall]] += shapely.area(shapely.intersection(face, shapely.union_all(seen)))
     return areas
 
 

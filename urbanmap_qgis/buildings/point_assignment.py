@@ -130,10 +130,10 @@ def _nearest_surface(place: np.ndarray, point: np.ndarray, primary: np.ndarray, 
     distance = np.full(len(point), np.inf)
     for start, end in zip(starts, starts[1:]):
         claim = start + np.flatnonzero(contested[start:end])
-        own = np.arange(start, end)[primary[start:end]]
-        core = own[~contested[own]]
+        rows = np.arange(start, end)[primary[start:end]]
+        core = rows[~contested[rows]]
         if len(core) < MIN_CORE_POINTS:
-            core = own
+            core = rows
         if len(core) and len(claim):
             # An unbalanced tree is made in half the time, and gives the same distances.
             tree = cKDTree(place[point[core]], balanced_tree=False, compact_nodes=False)

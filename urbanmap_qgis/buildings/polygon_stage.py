@@ -152,17 +152,17 @@ def _block_polygons(block: PolygonBlock) -> tuple[int, RoofPolygons]:
             continue
         points = coordinates(block.layout, records)
         roof = records["roof_id"].astype(np.int64)
-        own = RoofPolygons()
+        drawn = RoofPolygons()
         try:
-            roof_polygons_of(own, number, outline, beside, points, roof, block.parameters)
+            roof_polygons_of(drawn, number, outline, beside, points, roof, block.parameters)
         except Cancelled:
             raise
         except Exception as error:  # one building's trouble is not the others'
-            own = RoofPolygons()
+            drawn = RoofPolygons()
             status = f"{SIMPLIFIED}: {trouble_words(error)}"
             if block.parameters.method != PAPER:
-                _add_block(own, number, outline, points[2][roof > 0] if roof.any() else points[2], status)
-        table.extend(own)
+                _add_block(drawn, number, outline, points[2][roof > 0] if roof.any() else points[2], status)
+        table.extend(drawn)
     return len(block.ids), table
 
 
@@ -240,12 +240,12 @@ def _plane_rows(number: int, outline: shapely.Geometry, xyz: np.ndarray, roof: n
     status = f"{status}; {outline_status}" if outline_status else status
     for polygon, roof_id, plane, coverage in zip(found.polygons, found.roof_numbers.tolist(), found.planes,
                                                  found.coverage.tolist()):
-        own = roof == roof_id
+        members = roof == roof_id
         flat = shapely.force_2d(polygon)
         shapely.prepare(flat)
-        own[own] = shapely.contains_xy(flat, *xyz[own, :2].T)
-        z = xyz[own, 2]
-        off = z - (xyz[own, :2] - found.origin) @ plane[:2] - plane[2]
+        members[members] = shapely.contains_xy(flat, *xyz[members, :2].T)
+        z = xyz[members, 2]
+        off = z - (xyz[members, :2] - found.origin) @ plane[:2] - plane[2]
         height = float((np.array(flat.centroid.coords[0]) - found.origin) @ plane[:2] + plane[2])
         top = float(z.max()) if len(z) else height
         _add(table, number, roof_id, polygon, top if parameters.height == MAXIMUM else height, top, z, coverage,
@@ -268,19 +268,20 @@ def _divide_plan(table: RoofPolygons, number: int, outline: shapely.Geometry, po
     status = f"{status}; {outline_status}" if outline_status else status
     levels = {roof_id: _height(z[roof == roof_id], parameters) for roof_id in np.unique(roof).tolist()}
     for place, (polygon, roof_id) in enumerate(zip(partition.polygons, partition.roof_numbers.tolist())):
-        own = roof == roof_id
+        members = roof == roof_id
         shapely.prepare(polygon)
-        own[own] = shapely.contains_xy(polygon, x[own], y[own])
-        height = _inner_height(polygon, x[own], y[own], z[own], parameters) if own.any() else levels[roof_id]
-        top = float(z[own].max()) if own.any() else height
-        _add(table, number, roof_id, polygon, height, top, z[own], float(partition.coverage[place]),
+        members[members] = shapely.contains_xy(polygon, x[members], y[members])
+        height = _inner_height(polygon, x[members], y[members], z[members],
+                               parameters) if members.any() else levels[roof_id]
+        top = float(z[members].max()) if members.any() else height
+        _add(table, number, roof_id, polygon, height, top, z[members], float(partition.coverage[place]),
              float(partition.boundary_rms[place]), status)
 
 
 def _has_lost_roof(outline: shapely.Geometry, x: np.ndarray, y: np.ndarray, roof: np.ndarray,
-                   kept: np.ndarray) -> bool:
+                   drawn: np.ndarray) -> bool:
     """Whether a roof with points on `LOST_AREA` m2 or more of the outline has no polygon."""
-    numbers = np.setdiff1d(roof, kept)
+    numbers = np.setdiff1d(roof, drawn)
     if not len(numbers):
         return False
     shapely.prepare(outline)
@@ -304,9 +305,10 @@ def _outline_of(points: tuple, roof: np.ndarray, official: shapely.Geometry,
                 beside: list[shapely.Geometry]) -> tuple[shapely.Geometry, str]:
     """Outline from the roof points; the official one, and a status that says so, where they are too few."""
     x, y, _ = points
-    own = roof > 0
+    on_roof = roof > 0
     try:
-        found = outline_from_points(x[own], y[own], np.count_nonzero(own) / official.area, neighbours=beside)
+        found = outline_from_points(x[on_roof], y[on_roof], np.count_nonzero(on_roof) / official.area,
+                                    neighbours=beside)
     except InsufficientDataError:
         return official, "official outline, too few points for an own"
     return found.outline, f"outline from points, {found.status}"
@@ -337,11 +339,11 @@ def _inner_height(polygon: shapely.Polygon, x: np.ndarray, y: np.ndarray, z: np.
         return height
     inner = shapely.buffer(polygon, -PARAPET_REACH)
     shapely.prepare(inner)
-    own = z[shapely.contains_xy(inner, x, y)]
-    if len(own) < MIN_INNER_POINTS:
+    heights = z[shapely.contains_xy(inner, x, y)]
+    if len(heights) < MIN_INNER_POINTS:
         return height
-    level = float(np.median(own))
-    flat = 1.4826 * float(np.median(np.abs(own - level))) < FLAT_SPREAD
+    level = float(np.median(heights))
+    flat = 1.4826 * float(np.median(np.abs(heights - level))) < FLAT_SPREAD
     return level if flat and height - level >= MIN_PARAPET else height
 
 
@@ -355,10 +357,10 @@ def _outline_each(table: RoofPolygons, number: int, outline: shapely.Geometry, p
     drawing = PaperParameters(min_line_points=parameters.min_line_points)
     density = max(np.count_nonzero(shapely.contains_xy(outline, x, y)), 1) / outline.area
     for drawn in paper_roof_polygons(x, y, roof, density, drawing):
-        own = roof == drawn.roof_number
-        height = _height(z[own], parameters)
+        members = roof == drawn.roof_number
+        height = _height(z[members], parameters)
         if drawn.polygon is None:
             continue
         for polygon in shapely.get_parts(drawn.polygon):
-            _add(table, number, drawn.roof_number, polygon, height, float(z[own].max()), z[own], math.nan, math.nan,
-                 drawn.status)
+            _add(table, number, drawn.roof_number, polygon, height, float(z[members].max()), z[members], math.nan,
+                 math.nan, drawn.status)

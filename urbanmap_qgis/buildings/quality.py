@@ -125,9 +125,9 @@ def height_differences(x: np.ndarray, y: np.ndarray, z: np.ndarray, cells: list[
     `below` : what `points_over` gives for these points, where it is known already.
     """
     dz = np.full(len(x), np.nan)
-    for cell, own in sorted(zip(cells, points_over(x, y, cells) if below is None else below),
-                            key=lambda pair: pair[0].height):
-        dz[own] = z[own] - cell.heights(x[own], y[own])
+    for cell, rows in sorted(zip(cells, points_over(x, y, cells) if below is None else below),
+                             key=lambda pair: pair[0].height):
+        dz[rows] = z[rows] - cell.heights(x[rows], y[rows])
     return dz
 
 
@@ -139,12 +139,12 @@ def surface_distances(x: np.ndarray, y: np.ndarray, z: np.ndarray, cells: list[R
     """
     nearest = np.full(len(x), np.inf)
     below = points_over(x, y, cells) if below is None else below
-    for cell, own in zip(cells, below):
-        nearest[own] = np.minimum(nearest[own], _roof_distances(x[own], y[own], z[own], cell, at_place=True))
-    for cell, own in zip(cells, below):
+    for cell, rows in zip(cells, below):
+        nearest[rows] = np.minimum(nearest[rows], _roof_distances(x[rows], y[rows], z[rows], cell, at_place=True))
+    for cell, rows in zip(cells, below):
         checkpoint()
         near = _within_reach(x, y, z, cell, nearest + ROUNDING)
-        near[own] = False
+        near[rows] = False
         near = np.flatnonzero(near)
         if len(near):
             nearest[near] = np.minimum(nearest[near], _roof_distances(x[near], y[near], z[near], cell))

@@ -100,11 +100,11 @@ def measured_density(cloud: PointCloud, layout: PointLayout, footprints: Footpri
     """Median over the buildings of the points inside the outline a m2 of its area (J's d)."""
     densities = []
     for rows, records in iter_building_blocks(cloud, layout, footprints.ids, progress, shape_only=True):
-        for row, own in zip(rows, records):
+        for row, points in zip(rows, records):
             polygon = footprints.polygons[row]
-            if polygon is None or not len(own):
+            if polygon is None or not len(points):
                 continue
-            x, y, _ = coordinates(layout, own)
+            x, y, _ = coordinates(layout, points)
             shapely.prepare(polygon)
             densities.append(np.count_nonzero(shapely.contains_xy(polygon, x, y)) / polygon.area)
     positive = [value for value in densities if value > 0]

@@ -131,7 +131,7 @@ class Tile:
     records: np.ndarray
     footprints: Footprints
     rows: np.ndarray
-    own: np.ndarray
+    inside: np.ndarray
     density: float
     parameters: SegmentationParameters
     ground: tuple[Grid, np.ndarray] | None = field(default=None)
@@ -236,8 +236,8 @@ def _tiles(tiles: _Tiling, buckets: PointBuckets, layout: PointLayout, footprint
         near = tiles.near(name)
         rows = tiles.rows[near]
         part = Footprints(footprints.ids[rows], footprints.polygons[rows], footprints.notes[rows])
-        own = tiles.tile_of_row[near] == name
-        yield Tile(layout, buckets.pop(int(name)), part, rows, own, tiles.density, parameters,
+        in_tile = tiles.tile_of_row[near] == name
+        yield Tile(layout, buckets.pop(int(name)), part, rows, in_tile, tiles.density, parameters,
                    _ground_part(ground, part.polygons))
 
 
@@ -268,14 +268,14 @@ def _segment_tile(tile: Tile, progress: Progress = SILENT) -> tuple[np.ndarray, 
         outlines[:] = with_courtyards(outlines, x, y, above < ON_GROUND, tile.density)
     several = np.asarray(points.number_of_returns) > 1
     assignment = _assign_candidates(x, y, z, classes, above, several, outlines, tile.parameters)
-    own = np.flatnonzero((assignment.owner >= 0) & tile.own[assignment.owner])
-    order = own[stable_order(assignment.owner[own])]
+    assigned = np.flatnonzero((assignment.owner >= 0) & tile.inside[assignment.owner])
+    order = assigned[stable_order(assignment.owner[assigned])]
     records = tile.records[order]
     records["building_id"] = tile.footprints.ids[assignment.owner[order]]
     _count_points(table, assignment, outlines, ground)
     table.open_share[:] = _open_shares(tile.footprints.polygons, outlines)
-    mine = SegmentedBuildings(*(getattr(table, name)[tile.own] for name in table.__dataclass_fields__))
-    return tile.rows[tile.own], mine, records
+    mine = SegmentedBuildings(*(getattr(table, name)[tile.inside] for name in table.__dataclass_fields__))
+    return tile.rows[tile.inside], mine, records
 
 
 def _open_shares(given: np.ndarray, outlines: np.ndarray) -> np.ndarray:
@@ -291,11 +291,11 @@ def _segment_as_paper(tile: Tile, x: np.ndarray, y: np.ndarray, ground: tuple[Gr
     table.shift_status[:] = "kept"
     point, building, primary = points_in_expanded(x, y, table.outlines, tile.parameters.expansion)
     _count_points(table, Assignment(building, primary), table.outlines, ground)
-    own = tile.own[building]
-    records = tile.records[point[own]]
-    records["building_id"] = tile.footprints.ids[building[own]]
-    mine = SegmentedBuildings(*(getattr(table, name)[tile.own] for name in table.__dataclass_fields__))
-    return tile.rows[tile.own], mine, records
+    assigned = tile.inside[building]
+    records = tile.records[point[assigned]]
+    records["building_id"] = tile.footprints.ids[building[assigned]]
+    mine = SegmentedBuildings(*(getattr(table, name)[tile.inside] for name in table.__dataclass_fields__))
+    return tile.rows[tile.inside], mine, records
 
 
 def _made_ground(x: np.ndarray, y: np.ndarray, z: np.ndarray, classes: np.ndarray,
@@ -346,7 +346,7 @@ def _assign_candidates(x: np.ndarray, y: np.ndarray, z: np.ndarray, classes: np.
     open_to_all[[*NOT_BUILDING, BUILDING_CLASS]] = False
     high = np.flatnonzero(open_to_all[classes] & ~(above < parameters.minimum_height))
 
-    def take(candidates: np.ndarray, wanted: np.ndarray) -> Assignment:
+    def assign(candidates: np.ndarray, wanted: np.ndarray) -> Assignment:
         found = assign_points(x[candidates], y[candidates], z[candidates], wanted, parameters.expansion)
         taken = found.owner >= 0
         owner[candidates[taken]], primary[candidates[taken]] = found.owner[taken], found.primary[taken]
@@ -354,9 +354,9 @@ def _assign_candidates(x: np.ndarray, y: np.ndarray, z: np.ndarray, classes: np.
 
     classed = np.flatnonzero(classes == BUILDING_CLASS)
     if not len(classed):
-        take(high, outlines)
+        assign(high, outlines)
         return Assignment(owner, primary & (owner >= 0))
-    found = take(classed, outlines)
+    found = assign(classed, outlines)
     others = assign_points(x[high], y[high], np.zeros(len(high)), outlines, 0.0)
     trusted = _trusted_classes(found, others, len(outlines))
     owner[(owner >= 0) & ~trusted[owner]] = -1
@@ -367,7 +367,7 @@ def _assign_candidates(x: np.ndarray, y: np.ndarray, z: np.ndarray, classes: np.
         roof = mine[unclassified_roof_points(x[mine], y[mine], z[mine], several[mine], x[known], y[known],
                                              outlines[row], max(density, 0.1))]
         owner[roof], primary[roof] = row, True
-    take(high, np.where(trusted, None, outlines))
+    assign(high, np.where(trusted, None, outlines))
     return Assignment(owner, primary & (owner >= 0))
 
 

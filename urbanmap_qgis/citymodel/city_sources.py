@@ -92,8 +92,8 @@ def placed_model(model: CityModel, target_wkt: str | None, notes: list[str],
     target = target_wkt or (_own_zone(place) if model.reference.geographic else source)
     x, y = float(place[0]), float(place[1])
     transform = plane_transform(source, target, (x, y, x, y))
-    if transform is not None and transform.told:
-        notes.append(say("The city model was taken into another datum by {told}.", told=transform.told))
+    if transform is not None and transform.description:
+        notes.append(say("The city model was taken into another datum by {told}.", told=transform.description))
 
     def places(corners: np.ndarray) -> np.ndarray:
         if transform is None:

@@ -18,15 +18,15 @@ from .objects import retextured
 
 def with_images_there(model: CityModel, progress: Progress = SILENT) -> CityModel:
     """A model, whose buildings are a sequence, without the textures whose image cannot be read, which is warned of."""
-    there = {name: file for name, file in model.images.items() if _is_image(file)}
+    present = {name: file for name, file in model.images.items() if _is_image(file)}
     lost = {surface.texture.image for item in model.buildings for part in item.objects() for shape in part.shapes
-            for surface in shape.surfaces if surface.texture is not None} - set(there)
+            for surface in shape.surfaces if surface.texture is not None} - set(present)
     if not lost:
-        return replace(model, images=there)
+        return replace(model, images=present)
     progress.warn(say("{lost_count} images of textures are not there ({lost}): their faces are written without.",
                       lost_count=len(lost), lost=", ".join(sorted(lost)[:3])))
-    return replace(model, buildings=tuple(retextured(item, {name: name for name in there})
-                                          for item in model.buildings), images=there)
+    return replace(model, buildings=tuple(retextured(item, {name: name for name in present})
+                                          for item in model.buildings), images=present)
 
 
 def _is_image(file: Path) -> bool:
@@ -51,9 +51,9 @@ def images_beside(model: CityModel, path: str | os.PathLike, folder: str = "") -
     if not model.images:
         return model
     path = Path(path)
-    own = folder or f"{path.name.split('.')[0]}_textures"
+    folder_name = folder or f"{path.name.split('.')[0]}_textures"
     plain = [PurePosixPath(name.replace(os.sep, "/")).name for name in model.images]
-    names = {name: f"{own}/{short if folder else f'{number}-{short}'}"
+    names = {name: f"{folder_name}/{short if folder else f'{number}-{short}'}"
              for number, (name, short) in enumerate(zip(model.images, plain))}
     copy_images(path.parent, names, model.images)
     return replace(model, buildings=(retextured(item, names) for item in model.buildings),

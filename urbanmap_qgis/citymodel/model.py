@@ -125,7 +125,7 @@ class CityObject:
         yield self
         yield from self.parts
 
-    def at(self, lod: str, kind: str = SOLID) -> tuple[CityShape, ...]:
+    def shapes_at(self, lod: str, kind: str = SOLID) -> tuple[CityShape, ...]:
         """Shapes of a kind at a level of detail; "2" stands for all of 2, 2.0 to 2.3."""
         return tuple(shape for shape in self.shapes if shape.kind == kind
                      and (shape.lod == lod or shape.lod.split(".")[0] == lod))

@@ -45,8 +45,8 @@ def named_reference(name: str, where: str) -> NamedReference:
                              "in.", where=where, name=name))
     ordered = not re.match(r"\s*EPSG:", name, re.IGNORECASE)
     if codes[0] == GEOGRAPHIC_2024:
-        made = CityReference(_wkt(GEOGRAPHIC, where).to_wkt(), GEOGRAPHIC, True, JGD2024)
-        return NamedReference(made, ordered)
+        reference = CityReference(_wkt(GEOGRAPHIC, where).to_wkt(), GEOGRAPHIC, True, JGD2024)
+        return NamedReference(reference, ordered)
     crs = _wkt(codes[0], where)
     heights = heights_of(crs.to_wkt())
     if len(codes) > 1:

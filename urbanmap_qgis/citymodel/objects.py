@@ -44,17 +44,17 @@ def placed(building: CityObject, places: Places) -> CityObject:
     rings = rings_of(building)
     if not rings:
         return building
-    made = iter(np.split(places(np.concatenate(rings)), np.cumsum([len(ring) for ring in rings])[:-1]))
+    moved_rings = iter(np.split(places(np.concatenate(rings)), np.cumsum([len(ring) for ring in rings])[:-1]))
 
-    def moved(item: CityObject) -> CityObject:
+    def with_places(item: CityObject) -> CityObject:
         shapes = tuple(replace(shape, shells=tuple(
-            tuple(replace(surface, rings=tuple(next(made) for _ in surface.rings)) for surface in shell)
+            tuple(replace(surface, rings=tuple(next(moved_rings) for _ in surface.rings)) for surface in shell)
             for shell in shape.shells)) for shape in item.shapes)
         return replace(item, shapes=shapes)
 
     # In the order of `objects`: the building itself, then its parts.
-    whole = moved(building)
-    return replace(whole, parts=tuple(moved(part) for part in building.parts))
+    whole = with_places(building)
+    return replace(whole, parts=tuple(with_places(part) for part in building.parts))
 
 
 def retextured(item: CityObject, names: Mapping[str, str]) -> CityObject:

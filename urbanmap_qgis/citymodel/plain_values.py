@@ -19,22 +19,22 @@ def plain_attributes(attributes: Mapping[str, Any]) -> dict[str, Any]:
     A code is its meaning, where that is known, with `<name>_code` and `<name>_codeSpace` beside it; a measure its
     number, with `<name>_uom` where it is not in metres; a group an object with `type`.
     """
-    made: dict[str, Any] = {}
+    plain: dict[str, Any] = {}
     for name, value in attributes.items():
         name = str(name)
         if isinstance(value, CodeValue):
-            made[name] = value.meaning or value.value
+            plain[name] = value.meaning or value.value
             if value.meaning:
-                made[f"{name}_code"] = value.value
+                plain[f"{name}_code"] = value.value
             if value.space:
-                made[f"{name}_codeSpace"] = value.space
+                plain[f"{name}_codeSpace"] = value.space
         elif isinstance(value, Measure):
-            made[name] = json_value(value.value)
+            plain[name] = json_value(value.value)
             if value.unit != _METRE:
-                made[f"{name}_uom"] = value.unit
+                plain[f"{name}_uom"] = value.unit
         else:
-            made[name] = _plain(value)
-    return made
+            plain[name] = _plain(value)
+    return plain
 
 
 def _plain(value: Any) -> Any:

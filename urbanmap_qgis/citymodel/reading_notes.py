@@ -28,26 +28,26 @@ class ReadingNotes:
 
     def sentences(self) -> list[str]:
         """One sentence for each."""
-        made = []
+        texts = []
         if self.others:
-            made.append(say("City objects that are no buildings were passed over ({counts}).",
-                            counts=_counts(self.others)))
+            texts.append(say("City objects that are no buildings were passed over ({counts}).",
+                             counts=_counts(self.others)))
         if self.unread:
-            made.append(say("Parts of buildings that have no place in the result were left out ({counts}).",
-                            counts=_counts(self.unread)))
+            texts.append(say("Parts of buildings that have no place in the result were left out ({counts}).",
+                             counts=_counts(self.unread)))
         if self.missing_lists:
-            made.append(say("{missing_lists_count} lists of codes are not there or damaged, so that codes stay as "
-                            "they are ({missing_lists}).", missing_lists_count=len(self.missing_lists),
-                            missing_lists=", ".join(sorted(self.missing_lists)[:3])))
+            texts.append(say("{missing_lists_count} lists of codes are not there or damaged, so that codes stay as "
+                             "they are ({missing_lists}).", missing_lists_count=len(self.missing_lists),
+                             missing_lists=", ".join(sorted(self.missing_lists)[:3])))
         if self.missing_images:
-            made.append(say("{missing_images_count} images of textures are not there, not in the model's folder, or "
-                            "no PNG, JPEG or TIFF ({missing_images}); their faces have none.",
-                            missing_images_count=len(self.missing_images),
-                            missing_images=", ".join(sorted(self.missing_images)[:3])))
+            texts.append(say("{missing_images_count} images of textures are not there, not in the model's folder, or "
+                             "no PNG, JPEG or TIFF ({missing_images}); their faces have none.",
+                             missing_images_count=len(self.missing_images),
+                             missing_images=", ".join(sorted(self.missing_images)[:3])))
         if self.repeated:
-            made.append(say("{repeated_count} ids are there more than once and got a number behind ({repeated}).",
-                            repeated_count=len(self.repeated), repeated=", ".join(self.repeated[:3])))
-        return made
+            texts.append(say("{repeated_count} ids are there more than once and got a number behind ({repeated}).",
+                             repeated_count=len(self.repeated), repeated=", ".join(self.repeated[:3])))
+        return texts
 
 
 def _counts(counts: Counter) -> str:

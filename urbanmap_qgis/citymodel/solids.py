@@ -56,8 +56,8 @@ def in_parts(building: CityObject, shapes: Sequence[tuple[CityShape, ...]]) -> C
     """A building with the shapes of one solid, or with a part for each of several: a building is one solid only."""
     if len(shapes) <= 1:
         return replace(building, shapes=building.shapes + sum(shapes, ()))
-    return replace(building, parts=tuple(CityObject(f"{building.id}-part-{number}", {}, own, BUILDING_PART)
-                                         for number, own in enumerate(shapes, 1)))
+    return replace(building, parts=tuple(CityObject(f"{building.id}-part-{number}", {}, part, BUILDING_PART)
+                                         for number, part in enumerate(shapes, 1)))
 
 
 def most_detailed(item: CityObject) -> tuple[CityShape, ...]:
@@ -71,10 +71,10 @@ def solid_rows(buildings: Iterable[CityObject]) -> list[tuple[CityObject, tuple[
     """Buildings with their most detailed solids: one without has those of its parts, else its parts have own rows."""
     rows: list[tuple[CityObject, tuple[CityShape, ...]]] = []
     for building in buildings:
-        own = most_detailed(building)
+        detailed = most_detailed(building)
         of_parts = [(part, most_detailed(part)) for part in building.parts]
-        if own:
-            rows += [(building, own), *of_parts]
+        if detailed:
+            rows += [(building, detailed), *of_parts]
         else:
             rows.append((building, tuple(shape for _, solids in of_parts for shape in solids)))
     return rows
@@ -112,7 +112,7 @@ def indexed_shell(shell: Sequence[CitySurface]) -> tuple[np.ndarray, list[Face]]
 
 def solid_surfaces(solid: Solid, textures: Sequence[FaceTexture | None] = ()) -> tuple[CitySurface, ...]:
     """Faces of a solid with their meaning: kind, slope and azimuth (degrees), area (m2), roof_id."""
-    made = []
+    surfaces = []
     for number, (face, kind, roof_id) in enumerate(zip(solid.faces, solid.surface_type, solid.roof_id)):
         rings = tuple(solid.vertices[list(ring)] for ring in face)
         normal = area_vector(solid.vertices, face)
@@ -123,8 +123,8 @@ def solid_surfaces(solid: Solid, textures: Sequence[FaceTexture | None] = ()) ->
             attributes |= {"azimuth": _azimuth(normal), "wall": _SIDES[kind]}
         if roof_id is not None:
             attributes["roof_id"] = roof_id
-        made.append(CitySurface(rings, KINDS[kind], attributes, texture=textures[number] if textures else None))
-    return tuple(made)
+        surfaces.append(CitySurface(rings, KINDS[kind], attributes, texture=textures[number] if textures else None))
+    return tuple(surfaces)
 
 
 def _inclination(normal: np.ndarray) -> dict[str, float]:

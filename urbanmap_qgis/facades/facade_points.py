@@ -128,12 +128,12 @@ class NearestOutline:
         if key in self._tiles:
             self._tiles.move_to_end(key)
         else:
-            self._tiles[key] = self._made(key)
+            self._tiles[key] = self._rasterised(key)
             if len(self._tiles) > _TILES_HELD:
                 self._tiles.popitem(last=False)
         return self._tiles[key]
 
-    def _made(self, key: tuple[int, int]) -> tuple[np.ndarray, np.ndarray] | None:
+    def _rasterised(self, key: tuple[int, int]) -> tuple[np.ndarray, np.ndarray] | None:
         pad = int(np.ceil(self.max_distance / CELL)) + 1
         low = np.array(key) * TILE - pad
         size = TILE + 2 * pad

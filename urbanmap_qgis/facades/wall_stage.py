@@ -234,8 +234,8 @@ def _behind_another(plane: WallPlane, contour: Contour,
     wall or a hoarding, which hide a strip of it. A room has the facade with its windows before it, a setback the wall
     of the storeys below: this counts as if it went on upwards.
     """
-    own = shapely.box(*contour.polygon.bounds)
-    foot = float(_heights(plane, own).min())
+    extent = shapely.box(*contour.polygon.bounds)
+    foot = float(_heights(plane, extent).min())
     ground = min(float(_heights(other, one.polygon).min()) for other, contours in planes for one in contours)
     covered = []
     for other, contours in planes:
@@ -247,9 +247,9 @@ def _behind_another(plane: WallPlane, contour: Contour,
                 flat, z = in_plane(plane, corners), corners[:, 2]
                 (left, low), (right, high) = flat.min(axis=0), flat.max(axis=0)
                 if z.min() < ground + 1.0 and z.max() > ground + _STOREY and foot > z.max() - _STEP:
-                    high = own.bounds[3]
-                covered.append(shapely.intersection(shapely.box(left, low, right, high), own))
-    return bool(shapely.union_all(covered).area > _OVERLAP * own.area) if covered else False
+                    high = extent.bounds[3]
+                covered.append(shapely.intersection(shapely.box(left, low, right, high), extent))
+    return bool(shapely.union_all(covered).area > _OVERLAP * extent.area) if covered else False
 
 
 def _heights(plane: WallPlane, flat: shapely.Polygon) -> np.ndarray:

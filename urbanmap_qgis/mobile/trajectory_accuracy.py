@@ -90,7 +90,7 @@ def _checked(sigma: np.ndarray, name: str) -> np.ndarray:
     return np.maximum(sigma, _LEAST)
 
 
-def told(sigma: np.ndarray, name: str) -> str:
+def stated_accuracy(sigma: np.ndarray, name: str) -> str:
     """A sentence on what is stated."""
     roll, pitch, heading = np.median(sigma, axis=0)
     return (say("{name} states the accuracy of the angles: roll {roll:.3f}°, pitch {pitch:.3f}°, heading "

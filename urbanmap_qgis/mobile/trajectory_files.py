@@ -19,7 +19,7 @@ from ..io.files.named_table import known_columns, meanings, named_rows
 from ..io.points.pointcloud import plan_crs
 from ..wording import say
 from .trajectory import Trajectory, gaps, jumps, unwrapped
-from .trajectory_accuracy import rms_file_of, sigma_of_columns, sigma_of_rms_file, told
+from .trajectory_accuracy import rms_file_of, sigma_of_columns, sigma_of_rms_file, stated_accuracy
 from .trajectory_glitches import require_drivable
 from .trajectory_reading import USUAL, TrajectoryReading, from_file_angles, judged_headings, to_file_angles
 
@@ -153,7 +153,7 @@ def trajectory_from_columns(columns: Mapping[str, Sequence], name: str = "The tr
 def _with_sigma(file: TrajectoryFile, sigma: np.ndarray, name: str) -> TrajectoryFile:
     """The same with standard deviations (n, 3) of the angles, degrees, which `name` states."""
     return replace(file, trajectory=replace(file.trajectory, angle_sigma=sigma),
-                   applied=" ".join(part for part in (file.applied, told(sigma, name)) if part))
+                   applied=" ".join(part for part in (file.applied, stated_accuracy(sigma, name)) if part))
 
 
 def _order(table: np.ndarray, name: str) -> tuple[np.ndarray, list[str]]:

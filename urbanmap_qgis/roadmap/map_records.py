@@ -224,10 +224,10 @@ def lines_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[str
     kind_field : field with the kind; None makes every line a road border.
     """
     def value(name: str, row: int, otherwise):
-        held = columns[name][row] if name in columns else None
-        return otherwise if held is None else held
+        cell = columns[name][row] if name in columns else None
+        return otherwise if cell is None else cell
 
-    made = []
+    lines = []
     for row, shape in enumerate(geometries):
         for part in shapely.get_parts(shape) if shape is not None else ():
             points = shapely.get_coordinates(part, include_z=True)
@@ -235,14 +235,14 @@ def lines_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[str
                 continue
             kind = "road border" if kind_field is None else str(columns[kind_field][row])
             chain = int(value("chain", row, -1)) if kind_field is not None else -1
-            made.append(MapLine(points, kind, str(value("colour", row, "")), float(value("width", row, 0.15)),
-                                float(value("sigma", row, np.nan)), chain, int(value("partner", row, -1))))
-    return made
+            lines.append(MapLine(points, kind, str(value("colour", row, "")), float(value("width", row, 0.15)),
+                                 float(value("sigma", row, np.nan)), chain, int(value("partner", row, -1))))
+    return lines
 
 
 def areas_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[str, Sequence]) -> list[MapArea]:
     """Crosswalks and arrows of a table with the fields class and heading (degrees from grid north)."""
-    made = []
+    areas = []
     for row, shape in enumerate(geometries):
         heading = columns["heading"][row]
         if shape is None or heading is None or not np.isfinite(heading):
@@ -250,5 +250,5 @@ def areas_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[str
         parts = shapely.get_parts(shape)
         angle = np.radians(heading)
         area = parts[0] if len(parts) == 1 else shape
-        made.append(MapArea(area, str(columns["class"][row]), np.array([np.sin(angle), np.cos(angle)])))
-    return made
+        areas.append(MapArea(area, str(columns["class"][row]), np.array([np.sin(angle), np.cos(angle)])))
+    return areas

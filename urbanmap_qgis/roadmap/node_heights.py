@@ -51,9 +51,9 @@ def _graph(built: VectorMap, places: np.ndarray) -> coo_matrix:
     pairs = [pair for bound in built.bounds for pair in zip(bound.nodes[:-1], bound.nodes[1:])]
     for lane in built.lanes:
         left, right = built.bounds[lane.left].nodes, built.bounds[lane.right].nodes
-        apart = np.linalg.norm(places[left, None, :2] - places[None, right, :2], axis=2)
-        pairs += [(node, right[k]) for node, k in zip(left, apart.argmin(axis=1))]
-        pairs += [(node, left[k]) for node, k in zip(right, apart.argmin(axis=0))]
+        distances = np.linalg.norm(places[left, None, :2] - places[None, right, :2], axis=2)
+        pairs += [(node, right[k]) for node, k in zip(left, distances.argmin(axis=1))]
+        pairs += [(node, left[k]) for node, k in zip(right, distances.argmin(axis=0))]
     pairs = np.unique(np.sort(np.array([pair for pair in pairs if pair[0] != pair[1]], int), axis=1), axis=0)
     length = np.maximum(np.linalg.norm(places[pairs[:, 0], :2] - places[pairs[:, 1], :2], axis=1), 0.01)
     return coo_matrix((length, (pairs[:, 0], pairs[:, 1])), shape=(len(places), len(places))).tocsr()
@@ -82,10 +82,10 @@ def _fill_others(built: VectorMap, places: np.ndarray) -> None:
     tree = shapely.STRtree(shapely.points(places[:, :2]))
 
     def filled(points: np.ndarray) -> np.ndarray:
-        made = np.column_stack([points, np.full(len(points), np.nan)]) if points.shape[1] == 2 else points.copy()
-        low = ~np.isfinite(made[:, 2])
-        made[low, 2] = places[tree.nearest(shapely.points(made[low, :2])), 2] if low.any() else made[low, 2]
-        return made
+        raised = np.column_stack([points, np.full(len(points), np.nan)]) if points.shape[1] == 2 else points.copy()
+        low = ~np.isfinite(raised[:, 2])
+        raised[low, 2] = places[tree.nearest(shapely.points(raised[low, :2])), 2] if low.any() else raised[low, 2]
+        return raised
 
     built.stop_lines = [filled(np.asarray(stop, float)) for stop in built.stop_lines]
     for area in built.crosswalks:

@@ -64,7 +64,7 @@ class _Slices:
     def __init__(self, cell: np.ndarray, height: np.ndarray, lowest: np.ndarray, suspect: np.ndarray,
                  shape: tuple[int, int]):
         self.base = np.floor(lowest[suspect] / BIN).astype(np.int64) - 2
-        self.own = np.zeros((len(suspect), _SLICES), np.int64)
+        self.in_column = np.zeros((len(suspect), _SLICES), np.int64)
         self.around = np.zeros((len(suspect), _SLICES), np.int64)
         row, column = np.divmod(suspect, shape[1])
         cell, height = self._within(cell, height, suspect, shape)
@@ -75,7 +75,7 @@ class _Slices:
             counts = self._count(number[cell], height)
             self.around += counts
             if not down and not right:
-                self.own = counts
+                self.in_column = counts
 
     def _within(self, cell: np.ndarray, height: np.ndarray, suspect: np.ndarray,
                 shape: tuple[int, int]) -> tuple[np.ndarray, np.ndarray]:
@@ -114,6 +114,6 @@ class _Slices:
                 break
             # A tenth below the layer still belongs to it.
             floor[ghost] = (self.base[ghost] + peak[ghost] - 1) * BIN
-            left = np.where(np.arange(_SLICES) >= (peak - 1)[:, None], self.own, 0) > 0
+            left = np.where(np.arange(_SLICES) >= (peak - 1)[:, None], self.in_column, 0) > 0
             level[ghost] = np.clip(np.where(left.any(axis=1), left.argmax(axis=1), peak), 2, layer.shape[1] - 1)[ghost]
         return floor

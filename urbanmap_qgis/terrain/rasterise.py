@@ -68,13 +68,13 @@ def _span(u: np.ndarray, v: np.ndarray, owner: np.ndarray, row: np.ndarray) -> t
     """Left and right end of each triangle (corners in order of v) on each row."""
     u0, u1, u2 = (u[owner, k] for k in range(3))
     v0, v1, v2 = (v[owner, k] for k in range(3))
-    long_side = _at(u0, v0, u2, v2, row)
+    long_side = _crossing(u0, v0, u2, v2, row)
     upper = row < v1
-    short_side = np.where(upper, _at(u0, v0, u1, v1, row), _at(u1, v1, u2, v2, row))
+    short_side = np.where(upper, _crossing(u0, v0, u1, v1, row), _crossing(u1, v1, u2, v2, row))
     return np.minimum(long_side, short_side), np.maximum(long_side, short_side)
 
 
-def _at(u_a: np.ndarray, v_a: np.ndarray, u_b: np.ndarray, v_b: np.ndarray, row: np.ndarray) -> np.ndarray:
+def _crossing(u_a: np.ndarray, v_a: np.ndarray, u_b: np.ndarray, v_b: np.ndarray, row: np.ndarray) -> np.ndarray:
     """u of the line a-b at a row; at level lines, that of b."""
     rise = v_b - v_a
     share = np.divide(row - v_a, rise, out=np.ones_like(rise), where=rise > 0)

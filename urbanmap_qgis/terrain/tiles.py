@@ -82,12 +82,12 @@ class TilePoints:
     Attributes
     ----------
     records : (n,) of dtype `POINT`, or columns (n,) by the names that are needed.
-    own : number of own points.
+    own_count : number of own points.
     box : of the tile.
     """
 
     records: np.ndarray | Mapping[str, np.ndarray]
-    own: int
+    own_count: int
     box: tuple[float, float, float, float]
 
 
@@ -122,12 +122,12 @@ def reduce_tile(tile: TilePoints, cell: float, neighbours: int, cloth_grid: Grid
     """
     x, y, z, classes = (tile.records[name] for name in "xyzc")
     crowd = ~isolated(x, y, z, neighbours=neighbours)
-    thinned = crowd[:tile.own]
-    ox, oy, oz = (np.ascontiguousarray(values[:tile.own][thinned]) for values in (x, y, z))
+    thinned = crowd[:tile.own_count]
+    ox, oy, oz = (np.ascontiguousarray(values[:tile.own_count][thinned]) for values in (x, y, z))
     top = thin_highest(ox, oy, oz, cell)
     highest = _vertices(ox[top], oy[top], oz[top])
     if cloth_grid is None:
-        ground = np.isin(classes[:tile.own][thinned], GROUND_CLASSES)
+        ground = np.isin(classes[:tile.own_count][thinned], GROUND_CLASSES)
         return highest, _vertices(*thin_mean(ox[ground], oy[ground], oz[ground], cell)), None
     return highest, _vertices(ox[:0], oy[:0], oz[:0]), lowest_heights_of_tile(tile, neighbours, cloth_grid)
 
@@ -162,7 +162,7 @@ def ground_of_tile(tile: TilePoints, cell: float, cloth_grid: Grid, lowest: np.n
     ----------
     lowest, cloth : (rows, columns) of the whole cloth: believed lowest heights, converged cloth.
     """
-    records = tile.records[:tile.own]
+    records = tile.records[:tile.own_count]
     records = records[records["c"] != 6]
     x, y, z = (np.ascontiguousarray(records[name]) for name in "xyz")
     if not len(x):
@@ -222,7 +222,7 @@ class TileVertices:
     ----------
     x, y, z : (n,).
     number : (n,) int64.
-    own : (n,) bool, belongs to the tile itself.
+    inside : (n,) bool, belongs to the tile itself.
     key : of the tile.
     """
 
@@ -230,7 +230,7 @@ class TileVertices:
     y: np.ndarray
     z: np.ndarray
     number: np.ndarray
-    own: np.ndarray
+    inside: np.ndarray
     key: int
 
 
@@ -277,13 +277,13 @@ def triangulate_tile(tile: TileVertices, tiling: Tiling, blocks: Blocks, grid: G
     edges = cancel_twins(np.concatenate(edge_parts))
     used = np.zeros(len(tile.x), dtype=bool)
     used[triangles] = True
-    unused = np.flatnonzero(tile.own & ~used)
+    unused = np.flatnonzero(tile.inside & ~used)
     vertices = np.union1d(edges, unused)
     short = shorter(tile.x, tile.y, triangles, max_edge)
     rows, columns, raster = _raster_of(tile, triangles, short, grid)
     return TileSurface(rows, columns, raster, len(triangles), tile.number[short], tile.number[edges],
                        tile.number[vertices], _vertices(tile.x[vertices], tile.y[vertices], tile.z[vertices]),
-                       tile.number[unused], tile.number[used & ~tile.own])
+                       tile.number[unused], tile.number[used & ~tile.inside])
 
 
 def _blocks_with_corner_in(blocks: Blocks, low: float, high: float) -> tuple[int, int]:

@@ -52,14 +52,14 @@ def at_edge(pieces: np.ndarray, tile: GridTile) -> np.ndarray:
 
 def share_of_fields(columns: Mapping[str, Sequence], rows: np.ndarray, shares: np.ndarray) -> dict[str, list]:
     """Fields of pieces out of those of their polygons: areas and lengths by the share of the area."""
-    made = {}
+    shared = {}
     for name, column in columns.items():
         picked = [column[row] for row in rows]
         if name in SUMMED:
             picked = [value if value is None or share > 1 - 1e-9 else value * share
                       for value, share in zip(picked, shares)]
-        made[name] = picked
-    return made
+        shared[name] = picked
+    return shared
 
 
 def groups_across(pieces: np.ndarray, tiles: Sequence[str]) -> np.ndarray:
@@ -98,7 +98,7 @@ def joined(pieces: np.ndarray, tiles: Sequence[str], columns: Mapping[str, Seque
     piece says; `seam` says how they came about. The order is that of their first pieces.
     """
     groups = groups_across(pieces, tiles)
-    polygons, made = [], {name: [] for name in [*columns, "seam"]}
+    polygons, joined_columns = [], {name: [] for name in [*columns, "seam"]}
     for group in np.unique(groups):
         members = np.flatnonzero(groups == group)
         areas = shapely.area(pieces[members])
@@ -107,10 +107,10 @@ def joined(pieces: np.ndarray, tiles: Sequence[str], columns: Mapping[str, Seque
         for part in parts:
             share = 1.0 if len(parts) == 1 else part.area / whole.area
             polygons.append(part)
-            made["seam"].append(JOINED if len(members) > 1 else CUT)
+            joined_columns["seam"].append(JOINED if len(members) > 1 else CUT)
             for name, column in columns.items():
-                made[name].append(_joined_field(name, [column[row] for row in members], areas, share))
-    return polygons, made
+                joined_columns[name].append(_joined_field(name, [column[row] for row in members], areas, share))
+    return polygons, joined_columns
 
 
 def _joined_field(name: str, values: list, areas: np.ndarray, share: float) -> object:

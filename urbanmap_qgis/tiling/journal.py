@@ -98,14 +98,14 @@ def new_tile_folder(run_folder: Path, tile: GridTile):
         shutil.rmtree(scratch, ignore_errors=True)
 
 
-def publish(run_folder: Path, tile: GridTile, record: TileRecord, made: Path) -> None:
+def publish(run_folder: Path, tile: GridTile, record: TileRecord, scratch: Path) -> None:
     """Put a tile's results, all whole and on the disk, in the place of those of an earlier run."""
-    write_record(made, record)
-    for file in filter(Path.is_file, made.iterdir()):
+    write_record(scratch, record)
+    for file in filter(Path.is_file, scratch.iterdir()):
         _to_disk(file)
     place = tile_folder(run_folder, tile)
     _remove(place)
-    os.replace(made, place)
+    os.replace(scratch, place)
 
 
 def _remove(place: Path) -> None:

@@ -105,9 +105,9 @@ def _write_core(path: Path, tile: GridTile, target: rasterio.io.DatasetWriter) -
         window = Window(first[0], first[1], last[0] - first[0], last[1] - first[1])
         x, y = source.transform * (first[0], first[1])
         column, row = (round(value) for value in _cells(target.transform, x, y))
-        values, there = source.read(window=window), Window(column, row, window.width, window.height)
+        values, target_window = source.read(window=window), Window(column, row, window.width, window.height)
         if not tile.fills_core:  # what lies in the box but in a neighbour stays as it is
             column, row = np.meshgrid(np.arange(first[0], last[0]), np.arange(first[1], last[1]))
-            own = tile.owns(*(source.transform * (column.ravel() + 0.5, row.ravel() + 0.5)))
-            values = np.where(own.reshape(column.shape), values, target.read(window=there))
-        target.write(values, window=there)
+            in_tile = tile.owns(*(source.transform * (column.ravel() + 0.5, row.ravel() + 0.5)))
+            values = np.where(in_tile.reshape(column.shape), values, target.read(window=target_window))
+        target.write(values, window=target_window)

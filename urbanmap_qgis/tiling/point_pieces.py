@@ -116,14 +116,14 @@ def keep_own_points(path: str | os.PathLike, tile: GridTile, buildings: Sequence
     cloud = open_cloud([path], may_be_empty=True)
     layout = PointLayout(cloud)
     by_building = buildings is not None and cloud.has_dimension("building_id")
-    own = np.asarray(sorted(buildings or ()), np.int64)
+    numbers = np.asarray(sorted(buildings or ()), np.int64)
     count = 0
     with cloud_writer(path, layout) as writer:
         for chunk in iter_chunks(cloud):
             keep = tile.owns_of(chunk)
             if by_building:
                 number = np.asarray(chunk["building_id"]).astype(np.int64)
-                keep = np.where(number > 0, np.isin(number, own), keep)
+                keep = np.where(number > 0, np.isin(number, numbers), keep)
             count += int(np.count_nonzero(keep))
             writer.write(layout.adapt(chunk, keep))
     return count

@@ -16,13 +16,13 @@ _LISTED = 50
 
 
 def write_tiles_report(path: str | os.PathLike, title: str, settings: Mapping[str, object], grid: TileGrid,
-                       tiles: Sequence[GridTile], records: Sequence[TileRecord], kept: int,
+                       tiles: Sequence[GridTile], records: Sequence[TileRecord], reused: int,
                        estimate: Mapping[str, object]) -> None:
     """Write what became of the tiles: a verdict, the failed ones with their reasons, time and memory, a map.
 
     Parameters
     ----------
-    records : of the tiles that were done, in their order. kept : how many of them an earlier run had done.
+    records : of the tiles that were done, in their order. reused : how many of them an earlier run had done.
     estimate : lines of an extrapolation to all tiles; empty for a run over all.
     """
     count = {status: sum(record.status == status for record in records) for status in (DONE, EMPTY, FAILED)}
@@ -41,7 +41,7 @@ def write_tiles_report(path: str | os.PathLike, title: str, settings: Mapping[st
     report.section("Tiles")
     seconds = np.array([record.seconds for record in records if record.status == DONE])
     report.facts({"Done": count[DONE], "Empty": count[EMPTY], "Failed": count[FAILED],
-                  "Kept from an earlier run": kept, "Grid": grid.title, "Buffer (m)": Fixed(f"{grid.buffer:g}"),
+                  "Kept from an earlier run": reused, "Grid": grid.title, "Buffer (m)": Fixed(f"{grid.buffer:g}"),
                   "Time of all tiles (s)": float(seconds.sum()) if len(seconds) else None,
                   "Processor time of all tiles (s)": float(sum(record.cpu for record in records)),
                   "Slowest tile (s)": float(seconds.max()) if len(seconds) else None,

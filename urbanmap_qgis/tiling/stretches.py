@@ -23,12 +23,12 @@ class StretchTile(GridTile):
 
     Attributes
     ----------
-    path : (n, 2) its places, m, as nested tuples. own, read : from and to which GPS second points are the stretch's
+    path : (n, 2) its places, m, as nested tuples. core, read : from and to which GPS second points are the stretch's
         own, and are read.
     """
 
     path: tuple[tuple[float, float], ...]
-    own: tuple[float, float]
+    core: tuple[float, float]
     read: tuple[float, float]
 
     @property
@@ -43,7 +43,7 @@ class StretchTile(GridTile):
 
     def owns_of(self, chunk) -> np.ndarray:
         """Mask (n,) of the points of a chunk that were measured in the stretch."""
-        return _between(chunk, self.own)
+        return _between(chunk, self.core)
 
     def reads_of(self, chunk) -> np.ndarray:
         """Mask (n,) of the points of a chunk that the stretch reads."""
@@ -112,10 +112,10 @@ class StretchGrid(TileGrid):
     def tile(self, column: int, row: int) -> StretchTile:
         """The stretch of a number."""
         begin, end = column * self.size, (column + 1) * self.size if column + 1 < self._count else np.inf
-        own = self._time_at(begin), self._time_at(end)
+        core_times = self._time_at(begin), self._time_at(end)
         read = self._time_at(begin - self.buffer), self._time_at(end + self.buffer)
-        core, outer = self._path_in(own), self._path_in(read)
-        return StretchTile(column, row, _box(core), _box(outer), tuple(map(tuple, core.tolist())), own, read)
+        core, outer = self._path_in(core_times), self._path_in(read)
+        return StretchTile(column, row, _box(core), _box(outer), tuple(map(tuple, core.tolist())), core_times, read)
 
     def _path_in(self, span: tuple[float, float]) -> np.ndarray:
         first, last = np.searchsorted(self.time, span)

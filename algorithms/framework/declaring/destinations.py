@@ -82,7 +82,7 @@ def staged(algorithm, parameters: Mapping, context: QgsProcessingContext, stagin
         if name in algorithm.KEPT_FOLDERS:
             made[name] = str(path)
             continue
-        definition, place = definition_of(parameters, name), str(staging.place(path))
+        definition, place = definition_of(parameters, name), str(staging.scratch_path(path))
         made[name] = place
         if definition is None:
             continue

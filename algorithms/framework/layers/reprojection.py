@@ -69,7 +69,7 @@ def told(label: str, source, target, transform) -> str:
     """One sentence on a reprojection, with the accuracy where the datum changed."""
     text = tr("{0}: reprojected from {1} to {2}, the system of the points").format(
         label, crs_name(source), crs_name(target))
-    return f"{text} ({transform.told})." if transform.told else f"{text}."
+    return f"{text} ({transform.description})." if transform.description else f"{text}."
 
 
 def raster_in(path, label: str, target_wkt: str, bounds, progress: Progress = SILENT):

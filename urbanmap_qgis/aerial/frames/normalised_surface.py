@@ -92,15 +92,15 @@ class NormalisedSurface:
 
     def _next_heights(self, rows: slice, columns: slice, steepen: bool) -> tuple[np.ndarray, np.ndarray]:
         """As `heights`; of windows one below the other, what they share is not read again."""
-        place, kept = self._last
+        place, previous = self._last
         if place[1:] == (columns, steepen) and place[0].start <= rows.start < place[0].stop < rows.stop:
             more = self.heights(slice(place[0].stop, rows.stop), columns, steepen)
             known = slice(rows.start - place[0].start, None)
-            made = tuple(np.concatenate([old[known], new]) for old, new in zip(kept, more))
+            heights = tuple(np.concatenate([old[known], new]) for old, new in zip(previous, more))
         else:
-            made = self.heights(rows, columns, steepen)
-        self._last = (rows, columns, steepen), made
-        return made
+            heights = self.heights(rows, columns, steepen)
+        self._last = (rows, columns, steepen), heights
+        return heights
 
     def _widened(self, rows: slice, columns: slice, by: int) -> tuple[tuple[slice, slice], tuple[slice, slice]]:
         """A window with so many cells more on each side, as far as the raster reaches, and the first one in it."""

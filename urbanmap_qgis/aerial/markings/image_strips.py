@@ -14,9 +14,9 @@ def row_strips(rows: int, halo: int = 0, height: int = STRIP) -> Iterator[tuple[
     """Strips that cover `rows` rows: each strip's own rows, those with up to `halo` more on each side, and where its
     own lie in the latter."""
     for top in range(0, rows, height):
-        own = slice(top, min(top + height, rows))
-        wide = slice(max(top - halo, 0), min(own.stop + halo, rows))
-        yield own, wide, slice(own.start - wide.start, own.stop - wide.start)
+        strip = slice(top, min(top + height, rows))
+        wide = slice(max(top - halo, 0), min(strip.stop + halo, rows))
+        yield strip, wide, slice(strip.start - wide.start, strip.stop - wide.start)
 
 
 def grown(place: tuple[slice, slice], by: int, shape: tuple[int, int]) -> tuple[slice, slice]:

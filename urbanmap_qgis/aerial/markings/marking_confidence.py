@@ -159,9 +159,9 @@ def ground_beside(bands: np.ndarray, image: np.ndarray, road: np.ndarray, bright
     smooth, even, shades = _grey_and_smooth(bands, image, clear, pixel, model, settings)
     smooth = _as_bright_as_around(road, smooth, pixel, settings)
     brightness = np.empty(road.shape, np.float32)
-    for own, wide, inner in row_strips(len(road), _box_pixels(_BRIGHTNESS_BOX, pixel) // 2, 2 * STRIP):
+    for strip, wide, inner in row_strips(len(road), _box_pixels(_BRIGHTNESS_BOX, pixel) // 2, 2 * STRIP):
         weight = smooth[wide].astype(np.float32)
-        brightness[own] = _mean_with(np.rint(road[wide]), weight, _share_of(weight, pixel), pixel)[inner]
+        brightness[strip] = _mean_with(np.rint(road[wide]), weight, _share_of(weight, pixel), pixel)[inner]
     return GroundBeside(clear, even, smooth, brightness, shades)
 
 
@@ -176,7 +176,7 @@ def _grey_and_smooth(bands: np.ndarray, image: np.ndarray, clear: np.ndarray, pi
     warmest = settings.max_warmth
     if limit > settings.min_texture:  # soft light warms no road: what is warm there is earth
         warmest = max(warmest, model.warmth + settings.warmer_than_road)
-    for own, wide, inner in row_strips(len(clear), max(halo, 2)):
+    for strip, wide, inner in row_strips(len(clear), max(halo, 2)):
         weight = clear[wide].astype(np.float32)
         rough = texture(image[wide], weight, pixel, settings.texture_lag)[inner]
         calm, fair = rough < limit, rough < settings.worn * limit
@@ -189,26 +189,26 @@ def _grey_and_smooth(bands: np.ndarray, image: np.ndarray, clear: np.ndarray, pi
             fair &= green < settings.worn * settings.max_green
             warmth *= _SHADES
             np.rint(warmth, out=warmth)
-            shades[own] = np.maximum(warmth, np.float32(-32000), out=warmth)  # the colder ones are no ground
-        np.bitwise_and(clear[own], calm.view(np.uint8), out=smooth[own])
-        np.bitwise_and(clear[own], fair.view(np.uint8), out=even[own])
+            shades[strip] = np.maximum(warmth, np.float32(-32000), out=warmth)  # the colder ones are no ground
+        np.bitwise_and(clear[strip], calm.view(np.uint8), out=smooth[strip])
+        np.bitwise_and(clear[strip], fair.view(np.uint8), out=even[strip])
     return smooth, even, shades
 
 
 def _as_bright_as_around(road: np.ndarray, smooth: np.ndarray, pixel: float, settings: ConfidenceSettings
                          ) -> np.ndarray:
     """Smooth ground that is about as bright as the mean of such ground within 4 m, uint8."""
-    kept = np.empty_like(smooth)
-    for own, wide, inner in row_strips(len(road), _box_pixels(_BRIGHTNESS_BOX, pixel) // 2, 2 * STRIP):
+    ground = np.empty_like(smooth)
+    for strip, wide, inner in row_strips(len(road), _box_pixels(_BRIGHTNESS_BOX, pixel) // 2, 2 * STRIP):
         weight = smooth[wide].astype(np.float32)
         mean = _mean_with(np.rint(road[wide]), weight, _share_of(weight, pixel), pixel)[inner]
-        difference = road[own] - mean
+        difference = road[strip] - mean
         np.abs(difference, out=difference)
         np.abs(mean, out=mean)
         mean *= settings.max_step
         mean += _STEP_SLACK
-        np.bitwise_and(smooth[own], (difference < mean).view(np.uint8), out=kept[own])
-    return kept
+        np.bitwise_and(smooth[strip], (difference < mean).view(np.uint8), out=ground[strip])
+    return ground
 
 
 def _share_of(weight: np.ndarray, pixel: float) -> np.ndarray:
@@ -273,18 +273,18 @@ def marking_confidence(core: np.ndarray, bands: np.ndarray, relief: np.ndarray, 
         return np.float32(0.5) + np.float32(0.5) * _ramp(relief, settings.contrast)
     wanted = wanted or (slice(0, core.shape[0]), slice(0, core.shape[1]))
     halo = math.ceil(_REACH_ROUND / pixel) + 2
-    made, done = np.empty(len(relief), np.float32), 0
-    for own, _, _ in row_strips(wanted[0].stop - wanted[0].start, 0, 3 * STRIP):
-        rows = slice(own.start + wanted[0].start, own.stop + wanted[0].start)
+    confidence, done = np.empty(len(relief), np.float32), 0
+    for strip, _, _ in row_strips(wanted[0].stop - wanted[0].start, 0, 3 * STRIP):
+        rows = slice(strip.start + wanted[0].start, strip.stop + wanted[0].start)
         wide = slice(max(rows.start - halo, 0), min(rows.stop + halo, len(core)))
         row, column = _places(core[rows, wanted[1]])
         row += rows.start - wide.start
         column += wanted[1].start
         part = slice(done, done + len(row))
-        made[part] = _confidence_at(row, column, core[wide], bands[:, wide], relief[part], ground.rows(wide), pixel,
-                                    settings)
+        confidence[part] = _confidence_at(row, column, core[wide], bands[:, wide], relief[part], ground.rows(wide),
+                                          pixel, settings)
         done = part.stop
-    return made
+    return confidence
 
 
 def _places(flags: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -129,8 +129,9 @@ class _OrthophotoReader:
             mask = stack.enter_context(rasterio.open(path))
         except RasterioError as error:
             raise InputError(say("{path} cannot be read as a raster: check the file.", path=Path(path).name)) from error
-        own, other = self.source.bounds, mask.bounds
-        if own.left >= other.right or own.right <= other.left or own.bottom >= other.top or own.top <= other.bottom:
+        bounds, other = self.source.bounds, mask.bounds
+        if (bounds.left >= other.right or bounds.right <= other.left or bounds.bottom >= other.top
+                or bounds.top <= other.bottom):
             raise InputError(say("{path} does not reach {path_2}: give a mask of the same place.", path=Path(path).name,
                                  path_2=self.path.name))
         return stack.enter_context(WarpedVRT(
@@ -141,9 +142,9 @@ class _OrthophotoReader:
         """Whether the mask, if any, reaches over the whole orthophoto."""
         if self.mask is None:
             return True
-        own, other, slack = self.source.bounds, self.mask.src_dataset.bounds, abs(self.transform.a) + 1e-9
-        return (other.left <= own.left + slack and other.right >= own.right - slack
-                and other.bottom <= own.bottom + slack and other.top >= own.top - slack)
+        bounds, other, slack = self.source.bounds, self.mask.src_dataset.bounds, abs(self.transform.a) + 1e-9
+        return (other.left <= bounds.left + slack and other.right >= bounds.right - slack
+                and other.bottom <= bounds.bottom + slack and other.top >= bounds.top - slack)
 
     def read(self, rows: slice, columns: slice) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
         """Bands, where ground is seen, and roads (or None) of a piece, in blocks of `factor` pixels."""
@@ -226,8 +227,8 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
         try:
             with written_beside(output) as temporary, rasterio.open(temporary, "w", **profile) as target:
                 found = _found_in_tiles(given, scene, levels, settings, tile, progress.part(0.1, 1.0), executor)
-                made = _gathered(found, scene, settings, target, metres_per_unit)
-                return replace(made, road=levels.road if levels and settings.cleaning else None)
+                result = _gathered(found, scene, settings, target, metres_per_unit)
+                return replace(result, road=levels.road if levels and settings.cleaning else None)
         except RasterioError as error:
             raise OutputError(say("{output} cannot be written ({error}): choose another output.",
                                   output=Path(output).name, error=error)) from error

@@ -128,20 +128,20 @@ def remove_non_markings(found: Candidates, pixel: float, settings: CleanSettings
     paint = ~bodies.take(inside)
     narrow = narrow[near] & ~bodies[near]
     inner = cv2.erode(found.seen.view(np.uint8), np.ones((5, 5), np.uint8))[near] > 0
-    kept, confidence = filtered_components(narrow, vehicles[near], found.seen[near] & ~inner, confidence[paint], pixel,
-                                           settings)
-    own = within(wanted, near)
-    return Cleaned(kept[own], confidence[own], brightness[wanted], bodies[wanted])
+    accepted, confidence = filtered_components(narrow, vehicles[near], found.seen[near] & ~inner, confidence[paint],
+                                               pixel, settings)
+    window = within(wanted, near)
+    return Cleaned(accepted[window], confidence[window], brightness[wanted], bodies[wanted])
 
 
 def _narrow(found: Candidates, ratio: float) -> np.ndarray:
     """Candidates that stand out on both sides, by so many thresholds, from what is as wide as ground, bool."""
     narrow = np.empty(found.core.shape, bool)
-    for own, _, _ in row_strips(len(narrow)):
-        relief = found.image[own] - found.road[own]
-        relief /= found.threshold[own]
-        np.greater(relief, ratio, out=narrow[own])
-        narrow[own] &= found.core[own]
+    for strip, _, _ in row_strips(len(narrow)):
+        relief = found.image[strip] - found.road[strip]
+        relief /= found.threshold[strip]
+        np.greater(relief, ratio, out=narrow[strip])
+        narrow[strip] &= found.core[strip]
     return narrow
 
 
@@ -164,15 +164,15 @@ def _bright_bodies(found: Candidates, ground: np.ndarray, pixel: float, settings
     road, disc_pixel = found.road, settings.vehicle_width / pixel
     step, opened = _opened_coarsely(road, disc_pixel)
     bodies, bright = np.empty(road.shape, np.uint8), np.empty(road.shape, np.uint8)
-    for own, _, _ in row_strips(len(road), 0, -(-STRIP // step) * step):
-        small = opened[own.start // step:-(-own.stop // step)]
+    for strip, _, _ in row_strips(len(road), 0, -(-STRIP // step) * step):
+        small = opened[strip.start // step:-(-strip.stop // step)]
         around = cv2.resize(small, (small.shape[1] * step, small.shape[0] * step), interpolation=cv2.INTER_NEAREST)
-        around = around[:own.stop - own.start, :road.shape[1]]
-        limit = settings.top_hat_ratio * found.threshold[own]
-        np.greater(road[own] - around, limit, out=bodies[own].view(bool))
-        np.maximum(around, ground[own], out=around)
-        np.multiply(found.threshold[own], settings.body_ratio, out=limit)
-        np.greater(road[own] - around, limit, out=bright[own].view(bool))
+        around = around[:strip.stop - strip.start, :road.shape[1]]
+        limit = settings.top_hat_ratio * found.threshold[strip]
+        np.greater(road[strip] - around, limit, out=bodies[strip].view(bool))
+        np.maximum(around, ground[strip], out=around)
+        np.multiply(found.threshold[strip], settings.body_ratio, out=limit)
+        np.greater(road[strip] - around, limit, out=bright[strip].view(bool))
     # What is not seen holds the mean of the paint beside it.
     bright &= found.seen.view(np.uint8)
     return bodies, bright
@@ -182,14 +182,14 @@ def _large_pieces(flags: np.ndarray, pixel: float, least: float, max_length: flo
     """Connected pieces of flags (uint8) of `least` m2 or more, their box's diagonal shorter than `max_length` m."""
     _count, labels, boxes, _centres = cv2.connectedComponentsWithStats(flags, connectivity=4)
     size = boxes[:, cv2.CC_STAT_AREA] * pixel ** 2
-    kept = (size >= least) & (np.hypot(boxes[:, cv2.CC_STAT_WIDTH], boxes[:, cv2.CC_STAT_HEIGHT]) * pixel < max_length)
-    kept[0] = False
-    made = np.zeros(flags.shape, np.uint8)
-    for number in np.flatnonzero(kept):
+    large = (size >= least) & (np.hypot(boxes[:, cv2.CC_STAT_WIDTH], boxes[:, cv2.CC_STAT_HEIGHT]) * pixel < max_length)
+    large[0] = False
+    pieces = np.zeros(flags.shape, np.uint8)
+    for number in np.flatnonzero(large):
         left, top, width, height = boxes[number, :4]
         place = slice(top, top + height), slice(left, left + width)
-        made[place] |= labels[place] == number
-    return made
+        pieces[place] |= labels[place] == number
+    return pieces
 
 
 def _opened_coarsely(image: np.ndarray, disc_pixel: float) -> tuple[int, np.ndarray]:
@@ -201,9 +201,9 @@ def _opened_coarsely(image: np.ndarray, disc_pixel: float) -> tuple[int, np.ndar
     step = coarse_step(disc_pixel)
     small = np.empty((-(-image.shape[0] // step), -(-image.shape[1] // step)), np.float32)
     square = np.ones((step, step), np.uint8)
-    for own, wide, inner in row_strips(len(image), step, -(-STRIP // step) * step):
+    for strip, wide, inner in row_strips(len(image), step, -(-STRIP // step) * step):
         lowest = cv2.erode(image[wide], square, anchor=(0, 0), borderType=cv2.BORDER_REPLICATE)[inner]
-        small[own.start // step:-(-own.stop // step)] = lowest[::step, ::step]
+        small[strip.start // step:-(-strip.stop // step)] = lowest[::step, ::step]
     return step, cv2.morphologyEx(small, cv2.MORPH_OPEN, disc_kernel(disc_pixel / step, 1.0),
                                   borderType=cv2.BORDER_REPLICATE)
 
@@ -232,15 +232,15 @@ def filtered_components(mask: np.ndarray, vehicles: np.ndarray, border: np.ndarr
         None, vehicles.take(inside), border.take(inside), confidence))
     length = np.hypot(boxes[:, cv2.CC_STAT_WIDTH], boxes[:, cv2.CC_STAT_HEIGHT]) * pixel
     own_length = length - settings.wear_gap
-    kept = (size * pixel ** 2 >= settings.min_area) & (own_length >= settings.min_length)
-    kept &= (at_vehicle < settings.vehicle_share * size) | (own_length > settings.line_length)
-    kept &= at_border < settings.border_share * size
+    accepted = (size * pixel ** 2 >= settings.min_area) & (own_length >= settings.min_length)
+    accepted &= (at_vehicle < settings.vehicle_share * size) | (own_length > settings.line_length)
+    accepted &= at_border < settings.border_share * size
     long = length >= settings.max_length
-    kept |= long
-    kept[0] = False
+    accepted |= long
+    accepted[0] = False
     value = np.where(long[labels], along_strokes(confidence, mask, pixel),
                      (sure / np.maximum(size, 1))[labels].astype(np.float32))
-    good = kept[labels] & (value >= settings.min_confidence)
+    good = accepted[labels] & (value >= settings.min_confidence)
     chosen, values = np.zeros(mask.shape, bool), np.zeros(mask.shape, np.float32)
     chosen.ravel()[inside], values.ravel()[inside] = good, np.where(good, value, 0)
     return chosen, values

@@ -125,15 +125,15 @@ def _pieces_inside(field: np.ndarray, points: np.ndarray, counts: np.ndarray) ->
     return pieces, pieces[place[:, 0], place[:, 1]]
 
 
-def _sums(markings: Markings, own: tuple[slice, slice], pieces: np.ndarray, numbers: np.ndarray) -> np.ndarray:
+def _sums(markings: Markings, window: tuple[slice, slice], pieces: np.ndarray, numbers: np.ndarray) -> np.ndarray:
     """Pixels of a part of the markings in the pieces of the numbers, and sums of their contrast, of yellow ones and of
     their confidence, (4, n); `pieces` as `_pieces_inside` has them."""
-    inside = markings.mask[own]
+    inside = markings.mask[window]
     piece = pieces[1:inside.shape[0] + 1, 1:inside.shape[1] + 1][inside]
     count = int(pieces.max(initial=0)) + 1
     return np.stack([np.bincount(piece, weights=weights, minlength=count)[numbers].astype(np.float64) for weights in
-                     (None, markings.contrast[own][inside], markings.yellow[own][inside],
-                      markings.confidence[own][inside])])
+                     (None, markings.contrast[window][inside], markings.yellow[window][inside],
+                      markings.confidence[window][inside])])
 
 
 def _measures(polygons: np.ndarray, transform: Affine) -> np.ndarray:
@@ -175,13 +175,13 @@ def _without_straight_vertices(polygons: np.ndarray) -> np.ndarray:
     special |= np.hypot(*(points[starts + 1] - points[starts]).T) > farthest * (1 - 1e-9)
     slow = np.zeros(len(polygons), bool)
     slow[owner[special]] = True
-    made = np.empty(len(polygons), object)
-    made[slow] = shapely.simplify(polygons[slow], _SIMPLIFIED)
-    kept = ~slow[owner]
+    simplified = np.empty(len(polygons), object)
+    simplified[slow] = shapely.simplify(polygons[slow], _SIMPLIFIED)
+    corner = ~slow[owner]
     numbers = np.cumsum(~slow) - 1
-    closed = shapely.linearrings(points[kept[line]], indices=(np.cumsum(kept) - 1)[line[kept[line]]])
-    made[~slow] = shapely.polygons(closed, indices=numbers[owner[kept]])
-    return made
+    closed = shapely.linearrings(points[corner[line]], indices=(np.cumsum(corner) - 1)[line[corner[line]]])
+    simplified[~slow] = shapely.polygons(closed, indices=numbers[owner[corner]])
+    return simplified
 
 
 def _off_line(points: np.ndarray, begin: np.ndarray, end: np.ndarray) -> np.ndarray:
@@ -239,9 +239,9 @@ def merge_tile_polygons(pieces: Iterable[TilePolygons], transform: Affine, metre
     store, rows = StoredPolygons(folder), StoredRows(folder, len(_FIGURES))
     try:
         for polygons, figures in _finished(pieces, transform):
-            kept = (figures[:, _AREA] * metres_per_unit ** 2 >= min_area) & (figures[:, _PIXELS] > 0)
-            store.add(shapely.transform(polygons[kept], lambda points: _to_crs(points, transform)))
-            rows.add(figures[kept])
+            valid = (figures[:, _AREA] * metres_per_unit ** 2 >= min_area) & (figures[:, _PIXELS] > 0)
+            store.add(shapely.transform(polygons[valid], lambda points: _to_crs(points, transform)))
+            rows.add(figures[valid])
         return _sorted(store, rows, metres_per_unit)
     finally:
         rows.close()
@@ -335,6 +335,6 @@ def with_heights(polygons: Sequence, ground: RasterSampler) -> tuple[Sequence, i
             yield shapely.set_coordinates(shapely.force_3d(batch), np.column_stack([points, heights]))
 
     with own_gdal(CACHE):
-        made = (polygons.like(raised()) if isinstance(polygons, StoredPolygons)
-                else np.concatenate([np.empty(0, dtype=object), *raised()]))
-    return made, without
+        with_z = (polygons.like(raised()) if isinstance(polygons, StoredPolygons)
+                  else np.concatenate([np.empty(0, dtype=object), *raised()]))
+    return with_z, without

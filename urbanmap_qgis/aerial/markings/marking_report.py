@@ -33,8 +33,8 @@ _ROUGH = 2.5  # grey values; overcast drone photos measured 1 to 2.2, sunlit and
 
 @dataclass(frozen=True)
 class PairShift:
-    """Median shift between the images of a pair, m, over `patches` places; `apart` if it is more than half a pixel, and
-    `height` if only the height of what stands there may make it so."""
+    """Median shift between the images of a pair, m, over `patches` places; `displaced` if it is more than half a pixel,
+    and `height` if only the height of what stands there may make it so."""
 
     first: str
     second: str
@@ -42,7 +42,7 @@ class PairShift:
     north: float
     sigma: float
     patches: int
-    apart: bool
+    displaced: bool
     height: bool = False
 
 
@@ -145,7 +145,7 @@ def quality_warnings(found: MarkingResult, evidence: OrthophotoQuality) -> list[
     """Sentences on what a surveyor should not trust before looking."""
     doubts = []
     for pair in evidence.pairs or ():
-        if pair.apart:
+        if pair.displaced:
             doubts.append(say("{first} and {second} lie {east:.2f} m apart on the road markings: markings in their "
                               "overlap are uncertain by as much. Check the orientation.", first=pair.first,
                               second=pair.second, east=np.hypot(pair.east, pair.north)))
@@ -187,7 +187,7 @@ def _agreement(report: Report, evidence: OrthophotoQuality) -> None:
                      "block agrees to half a pixel. “height”: without a surface, heights may explain the shift.")
     report.table(("first", "second", "east (m)", "north (m)", "sigma (m)", "places", "status"),
                  [(pair.first, pair.second, pair.east, pair.north, pair.sigma, pair.patches,
-                   "apart" if pair.apart else "height" if pair.height else "agree") for pair in evidence.pairs])
+                   "apart" if pair.displaced else "height" if pair.height else "agree") for pair in evidence.pairs])
 
 
 def _pictures(report: Report, orthophoto: Path, found: MarkingResult) -> None:
@@ -241,8 +241,8 @@ def _draw(image: np.ndarray, polygons: np.ndarray, back: Affine, box: tuple[int,
           factor: float) -> None:
     """Draw the outlines that lie in a part of the image; `back` leads from the CRS to its pixels."""
     left, top, width, height = box
-    there = ~back
-    part = [(there.a * x + there.b * y + there.c, there.d * x + there.e * y + there.f)
+    forward = ~back
+    part = [(forward.a * x + forward.b * y + forward.c, forward.d * x + forward.e * y + forward.f)
             for x, y in ((left, top), (left + width, top), (left + width, top + height), (left, top + height))]
     near = shapely.STRtree(polygons).query(shapely.Polygon(part))
     for ring in shapely.get_rings(polygons[np.sort(near)]):

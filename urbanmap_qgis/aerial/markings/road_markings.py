@@ -200,12 +200,12 @@ def find_markings(bands: np.ndarray, seen: np.ndarray, roads: np.ndarray | None,
     _leave_out_green(core, bands)
     found = Candidates(core, bands, image, road, threshold, seen, roads, levels.road)
     near = grown(wanted, math.ceil((2 * settings.cleaning.fill_width + 4 * EDGE_SPREAD) / pixel) + 4, core.shape)
-    made = remove_non_markings(found, pixel, settings.cleaning, near)
+    cleaned = remove_non_markings(found, pixel, settings.cleaning, near)
     image, road, allowed, bands = image[near], road[near], allowed[near], bands[:, near[0], near[1]]
     del found, threshold  # large pieces of image: each array counts
-    core, road = _filled(made, image, road, allowed, pixel, settings.cleaning)
-    confidence = made.confidence
-    del made
+    core, road = _filled(cleaned, image, road, allowed, pixel, settings.cleaning)
+    confidence = cleaned.confidence
+    del cleaned
     return _refined(core, image, road, bands, allowed, pixel, confidence).part(within(wanted, near))
 
 
@@ -223,26 +223,26 @@ def _bright(bands: np.ndarray, seen: np.ndarray, pixel: float, levels: LevelAdju
     the image does."""
     image, threshold = np.empty(seen.shape, np.float32), np.empty(seen.shape, np.float32)
     bright = np.empty(seen.shape, bool)
-    for own, wide, inner in row_strips(len(seen), _block_pixels(pixel, settings.block_size) // 2):
+    for lines, wide, inner in row_strips(len(seen), _block_pixels(pixel, settings.block_size) // 2):
         strip = _levelled(bands[:, wide], levels, settings)
         mean = _mean_of_seen(strip, seen[wide], pixel, settings.block_size)[inner]
-        image[own] = strip[inner]
-        if not seen[own].all():
-            np.copyto(image[own], mean, where=~seen[own])
-        share = np.divide(mean, max(levels.middle, 1.0), out=threshold[own])
+        image[lines] = strip[inner]
+        if not seen[lines].all():
+            np.copyto(image[lines], mean, where=~seen[lines])
+        share = np.divide(mean, max(levels.middle, 1.0), out=threshold[lines])
         np.maximum(share, SHADE_FLOOR, out=share)
         np.minimum(share, 1.0, out=share)
         share *= settings.contrast
         mean += share
-        np.greater(image[own], mean, out=bright[own])
+        np.greater(image[lines], mean, out=bright[lines])
     return image, threshold, bright
 
 
 def _without_narrow(image: np.ndarray, disc: np.ndarray) -> np.ndarray:
     """The image without what is narrower than a disc and brighter than its surroundings (opening)."""
     road = np.empty_like(image)
-    for own, wide, inner in row_strips(len(image), len(disc) - 1):
-        road[own] = cv2.morphologyEx(image[wide], cv2.MORPH_OPEN, disc, borderType=cv2.BORDER_REPLICATE)[inner]
+    for strip, wide, inner in row_strips(len(image), len(disc) - 1):
+        road[strip] = cv2.morphologyEx(image[wide], cv2.MORPH_OPEN, disc, borderType=cv2.BORDER_REPLICATE)[inner]
     return road
 
 
@@ -252,39 +252,39 @@ def ground_figures(bands: np.ndarray, seen: np.ndarray, pixel: float, levels: Le
     image, _, bright = _bright(bands, seen, pixel, levels, settings)
     clear = clear_of_paint(bright, seen, pixel)
     found = texture(image, clear, pixel, settings.cleaning.confidence.texture_lag)
-    told = np.isfinite(found) & (clear > 0)
+    known = np.isfinite(found) & (clear > 0)
     warmth, green = colours_of(bands, clear) if len(bands) >= 3 else (np.zeros_like(found), np.zeros_like(found))
-    return np.column_stack([values[told] for values in (found, warmth, green, image)])
+    return np.column_stack([values[known] for values in (found, warmth, green, image)])
 
 
-def _filled(made: Cleaned, image: np.ndarray, road: np.ndarray, allowed: np.ndarray, pixel: float,
+def _filled(cleaned: Cleaned, image: np.ndarray, road: np.ndarray, allowed: np.ndarray, pixel: float,
             settings: CleanSettings) -> tuple[np.ndarray, np.ndarray]:
     """Paint wider than strokes (arrow heads, letters), and the road's brightness with the ground's in its place.
 
     Its rim is found as narrow; what the rim encloses and is as bright, up to `fill_width`, belongs to it.
     """
     if settings.fill_width <= settings.max_width:
-        return made.core, road
+        return cleaned.core, road
     side = max(round(settings.fill_width / pixel) | 1, 3)
     square = np.ones((side, side), np.uint8)
-    closed = cv2.morphologyEx(made.core.view(np.uint8), cv2.MORPH_CLOSE, square) > 0
+    closed = cv2.morphologyEx(cleaned.core.view(np.uint8), cv2.MORPH_CLOSE, square) > 0
     # Verges and paving are wider still: kerbs must not be filled towards them.
-    lit = (image > BRIGHTER * made.ground).view(np.uint8)
+    lit = (image > BRIGHTER * cleaned.ground).view(np.uint8)
     closed &= cv2.morphologyEx(lit, cv2.MORPH_OPEN, square) == 0
-    closed &= ~made.core
+    closed &= ~cleaned.core
     closed &= allowed
-    closed &= ~made.vehicles
+    closed &= ~cleaned.vehicles
     if not closed.any():
-        return made.core, road
-    paint = cv2.dilate(_where_core(image, made.core), square)
+        return cleaned.core, road
+    paint = cv2.dilate(_where_core(image, cleaned.core), square)
     inside = np.flatnonzero(closed)
     wide = np.zeros(closed.shape, bool)
-    wide.ravel()[inside] = road.take(inside) > 0.5 * (paint.take(inside) + made.ground.take(inside))
+    wide.ravel()[inside] = road.take(inside) > 0.5 * (paint.take(inside) + cleaned.ground.take(inside))
     del paint
     near = np.flatnonzero(cv2.dilate(wide.view(np.uint8), disc_kernel(2 * EDGE_SPREAD, pixel)))
     road = np.array(road)
-    road.ravel()[near] = np.minimum(road.take(near), made.ground.take(near))
-    return made.core | wide, road
+    road.ravel()[near] = np.minimum(road.take(near), cleaned.ground.take(near))
+    return cleaned.core | wide, road
 
 
 def _where_core(image: np.ndarray, core: np.ndarray) -> np.ndarray:
@@ -343,13 +343,13 @@ def _leave_out_green(core: np.ndarray, bands: np.ndarray) -> None:
     because JPEG spreads colours."""
     if len(bands) < 3:
         return
-    for own, wide, inner in row_strips(len(core), 1):
+    for strip, wide, inner in row_strips(len(core), 1):
         red, green, blue = (cv2.blur(bands[band, wide].astype(np.float32), (3, 3),
                                      borderType=cv2.BORDER_REPLICATE)[inner] for band in (0, 1, 2))
         leaves = green > blue
         red *= GREENNESS
         leaves &= green > red
-        core[own] &= ~leaves
+        core[strip] &= ~leaves
 
 
 def _refined(core: np.ndarray, image: np.ndarray, road: np.ndarray, bands: np.ndarray, allowed: np.ndarray,
@@ -359,25 +359,25 @@ def _refined(core: np.ndarray, image: np.ndarray, road: np.ndarray, bands: np.nd
     The half-way line is where an edge lies whatever the blur; a threshold over the mean is not.
     """
     spread, narrower = disc_kernel(2 * EDGE_SPREAD, pixel), disc_kernel(2 * max(EDGE_SPREAD / 2, pixel), pixel)
-    made = Markings(np.zeros(core.shape, bool), np.full(core.shape, _NO_PAINT, np.float32),
-                    np.zeros(core.shape, np.float32), np.zeros(core.shape, bool), np.zeros(core.shape, np.float32))
-    for own, wide, inner in row_strips(len(core), max(len(spread), len(narrower)) // 2):
-        here = core[wide]
-        if not here.any():
+    markings = Markings(np.zeros(core.shape, bool), np.full(core.shape, _NO_PAINT, np.float32),
+                        np.zeros(core.shape, np.float32), np.zeros(core.shape, bool), np.zeros(core.shape, np.float32))
+    for strip, wide, inner in row_strips(len(core), max(len(spread), len(narrower)) // 2):
+        cores = core[wide]
+        if not cores.any():
             continue
-        near = cv2.dilate(here.view(np.uint8), narrower)[inner] > 0
-        near &= allowed[own]
-        paint = cv2.dilate(_where_core(image[wide], here), spread)[inner]
-        near &= paint > road[own]
-        paint += road[own]
+        near = cv2.dilate(cores.view(np.uint8), narrower)[inner] > 0
+        near &= allowed[strip]
+        paint = cv2.dilate(_where_core(image[wide], cores), spread)[inner]
+        near &= paint > road[strip]
+        paint += road[strip]
         paint *= 0.5
-        np.subtract(image[own], paint, out=made.field[own], where=near)
-        mask = np.greater(made.field[own], 0, out=made.mask[own])
-        np.subtract(image[own], road[own], out=made.contrast[own], where=mask)
-        np.copyto(made.confidence[own], cv2.dilate(confidence[wide], spread)[inner], where=mask)
+        np.subtract(image[strip], paint, out=markings.field[strip], where=near)
+        mask = np.greater(markings.field[strip], 0, out=markings.mask[strip])
+        np.subtract(image[strip], road[strip], out=markings.contrast[strip], where=mask)
+        np.copyto(markings.confidence[strip], cv2.dilate(confidence[wide], spread)[inner], where=mask)
         if len(bands) >= 3:
-            np.logical_and(mask, _yellow(bands[:, wide], spread)[inner], out=made.yellow[own])
-    return made
+            np.logical_and(mask, _yellow(bands[:, wide], spread)[inner], out=markings.yellow[strip])
+    return markings
 
 
 def _yellow(bands: np.ndarray, spread: np.ndarray) -> np.ndarray:

@@ -65,10 +65,10 @@ class StoredPolygons(Sequence):
         self._file.seek(start)
         return self._file.read(size)
 
-    def like(self, made: Iterable[np.ndarray]) -> StoredPolygons:
+    def like(self, batches: Iterable[np.ndarray]) -> StoredPolygons:
         """Another file beside this one, of the arrays of polygons given."""
         other = StoredPolygons(self._folder)
-        for polygons in made:
+        for polygons in batches:
             other.add(polygons)
         return other
 
@@ -104,11 +104,11 @@ class StoredRows:
     def column(self, number: int) -> np.ndarray:
         """One column, float64."""
         self._file.seek(0)
-        made = np.empty(self._count)
+        values = np.empty(self._count)
         for start in range(0, self._count, BATCH):
             block = np.frombuffer(self._file.read(8 * self._columns * BATCH))
-            made[start:start + BATCH] = block.reshape(-1, self._columns)[:, number]
-        return made
+            values[start:start + BATCH] = block.reshape(-1, self._columns)[:, number]
+        return values
 
     def close(self) -> None:
         """Remove the file."""

@@ -146,7 +146,7 @@ def shift_columns(shifts: Sequence[FrameShift], pixel: float) -> dict[str, np.nd
     return columns
 
 
-def apart(shift: FrameShift, pixel: float) -> bool:
+def lie_apart(shift: FrameShift, pixel: float) -> bool:
     """Whether two frames lie more than half a pixel (orthophotos: a pixel) apart on the markings, surely so (three
     sigma), and no height of what the patches show explains it."""
     return _surely(*shift.unexplained, shift, pixel)
@@ -154,7 +154,7 @@ def apart(shift: FrameShift, pixel: float) -> bool:
 
 def status_of(shift: FrameShift, pixel: float) -> str:
     """"apart"; "height" where a shift as large may come from the height of what the patches show; or "agree"."""
-    if apart(shift, pixel):
+    if lie_apart(shift, pixel):
         return "apart"
     return "height" if shift.explained and _surely(shift.length, shift.sigma, shift, pixel) else "agree"
 
@@ -166,7 +166,7 @@ def _surely(length: float, sigma: float, shift: FrameShift, pixel: float) -> boo
 
 def warn_of_shifts(shifts: Sequence[FrameShift], pixel: float, progress: Progress) -> None:
     """Warn of the pairs that are apart, the worst first; say where heights hide whether they are."""
-    bad = sorted((shift for shift in shifts if apart(shift, pixel)), key=lambda shift: -shift.unexplained[0])
+    bad = sorted((shift for shift in shifts if lie_apart(shift, pixel)), key=lambda shift: -shift.unexplained[0])
     for shift in bad[:_MAX_WARNINGS]:
         progress.warn(say("{first} and {second} lie {unexplained:.2f} m apart on the road markings {value}(east "
                           "{east:.2f}, north {north:.2f}, sigma {unexplained_2:.2f}; {patches} places): check their "

@@ -196,9 +196,9 @@ def tile_image(sources: Sequence[ViewSource], tile: Grid, choice: PixelSelection
     reached = np.logical_or.reduce([view.reached for view in views])
     values = np.stack([gains.apply(number, view.values) for number, view in looked])
     taken = choice.number(values, seen, views, full_scale)
-    own = slice(margin, margin + tile.rows), slice(margin, margin + tile.columns)
+    inner = slice(margin, margin + tile.rows), slice(margin, margin + tile.columns)
     source_number = np.where(taken >= 0, numbers[np.maximum(taken, 0)], -1)
-    return composite(values, taken)[own], source_number[own], seen.sum(axis=0)[own], reached[own]
+    return composite(values, taken)[inner], source_number[inner], seen.sum(axis=0)[inner], reached[inner]
 
 
 @dataclass(frozen=True)
@@ -271,18 +271,18 @@ def write_mosaic(sources: Sequence[ViewSource], grid: Grid, crs_wkt: str, bands:
         if workers.executor is not None:
             sources = stack.enter_context(worker_resource(workers.open_sources))
         work = partial(_piece, sources, choice, gains, bands, dtype)
-        for made in in_order(work, _announced(tiles(grid), grid, done), workers.executor, progress.check):
-            rows, columns = made.number.shape
-            window = Window(made.left, made.top, columns, rows)
-            image_file.write(made.image, window=window)
+        for piece in in_order(work, _announced(tiles(grid), grid, done), workers.executor, progress.check):
+            rows, columns = piece.number.shape
+            window = Window(piece.left, piece.top, columns, rows)
+            image_file.write(piece.image, window=window)
             if count_file is not None:
-                count_file.write(made.count.astype(count_file.dtypes[0]), 1, window=window)
+                count_file.write(piece.count.astype(count_file.dtypes[0]), 1, window=window)
             if watch is not None:
-                watch(made.top, made.left, made.number)
-            used |= set(np.unique(made.number[made.number >= 0]).tolist())
-            pixels_seen += int((made.number >= 0).sum())
-            pixels_shared += int((made.count >= 2).sum())
-            pixels_hidden += made.hidden
+                watch(piece.top, piece.left, piece.number)
+            used |= set(np.unique(piece.number[piece.number >= 0]).tolist())
+            pixels_seen += int((piece.number >= 0).sum())
+            pixels_shared += int((piece.count >= 2).sum())
+            pixels_hidden += piece.hidden
         if not pixels_seen:
             raise InsufficientDataError(say("No frame sees any ground there: check that frames, exterior "
                                             "orientation, ground and surface lie in the same place and coordinate "

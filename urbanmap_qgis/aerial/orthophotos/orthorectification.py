@@ -130,15 +130,15 @@ class Terrain:
         self.ground, self.surface, self.threshold = ground, surface, threshold
         self.cell = (surface or ground).grid.cell
         outlines = list(outlines)  # read once where they are in a file
-        there = [k for k, shape in enumerate(outlines) if shape is not None and not shape.is_empty]
-        self._outlines = np.array([outlines[k] for k in there], object)
-        self._heights = np.array([np.nan if heights is None or heights[k] is None else heights[k] for k in there],
+        present = [k for k, shape in enumerate(outlines) if shape is not None and not shape.is_empty]
+        self._outlines = np.array([outlines[k] for k in present], object)
+        self._heights = np.array([np.nan if heights is None or heights[k] is None else heights[k] for k in present],
                                  np.float32)
         self._tree = shapely.STRtree(self._outlines)
         self.low, self.high = _range(ground)
         self.top = max(self.high, _range(surface)[1]) if surface else self.high
         self.top = max(self.top, self.high + float(np.nanmax(self._heights, initial=0.0)))
-        self.at = lru_cache(maxsize=2)(self._at)
+        self.layers = lru_cache(maxsize=2)(self._layers)
 
     def heights(self, grid: Grid) -> tuple[np.ndarray, np.ndarray | None]:
         """Ground and surface (None without a DSM) at the cell centres, (rows, columns) float32."""
@@ -158,9 +158,9 @@ class Terrain:
                            transform=_affine(grid), dtype=np.float32)
         return np.fmax(ground if surface is None else surface, np.where(height > 0, ground + height, -np.inf))
 
-    def _at(self, grid: Grid) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray | None]:
+    def _layers(self, grid: Grid) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray | None]:
         """Ground heights, where outlines lie, where those, a tree or a bridge cover the ground, and where nothing
-        stands on it (None without a DSM). `at` remembers the last grids."""
+        stands on it (None without a DSM). `layers` remembers the last grids."""
         ground, surface = self.heights(grid)
         outlined = np.zeros(grid.shape, bool)
         near = np.sort(self._tree.query(shapely.box(*grid.bounds)))
@@ -238,7 +238,7 @@ class OrthorectifiedFrame:
         """The frame's pixels on a grid; None where it shows nothing of it."""
         if self.bounds is None or _common(self.bounds, grid.bounds) is None:
             return None
-        ground, outlined, covered, level = self.terrain.at(grid)
+        ground, outlined, covered, level = self.terrain.layers(grid)
         x, y = grid.centres()
         x, y = x[None, :], y[:, None]
         camera, pose = self.pixels.camera, self.frame.pose

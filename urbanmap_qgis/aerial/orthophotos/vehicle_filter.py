@@ -163,8 +163,8 @@ def filter_vehicles(orthophotos: Sequence[str | os.PathLike], output: str | os.P
         if shifts is not None:
             shifts += frame_shifts(sources, first.grid, progress.part(0.0, 0.1), metres)
             warn_of_shifts(shifts, first.grid.cell * metres, progress)
-        made = write_mosaic(sources, first.grid, first.crs.to_wkt(), first.bands, first.dtype, MosaicFiles(output),
-                            choice, progress.part(0.1, 1.0), workers=Workers(executor, opener))
-        if not made.pixels_shared:
+        mosaic = write_mosaic(sources, first.grid, first.crs.to_wkt(), first.bands, first.dtype, MosaicFiles(output),
+                              choice, progress.part(0.1, 1.0), workers=Workers(executor, opener))
+        if not mosaic.pixels_shared:
             progress.warn(say("No two of the orthophotos show the same ground: no vehicle was filtered."))
-        return made
+        return mosaic

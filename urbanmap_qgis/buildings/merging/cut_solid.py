@@ -83,14 +83,14 @@ def _with_nodes(polygon: shapely.Polygon, nodes: np.ndarray) -> shapely.Polygon:
     """A polygon with the nodes (n, 2) that lie on its edges, to the grid, as corners of it."""
     def filled(ring: shapely.LinearRing) -> np.ndarray:
         xy = shapely.get_coordinates(ring)
-        made = [xy[0]]
+        vertices = [xy[0]]
         for start, end in zip(xy[:-1], xy[1:]):
             length = float(np.hypot(*(end - start)))
             along = (nodes - start) @ (end - start) / max(length, 1e-9)
             away = np.abs((nodes - start) @ np.array([start[1] - end[1], end[0] - start[0]])) / max(length, 1e-9)
             on = np.flatnonzero((away < GRID) & (along > GRID / 2) & (along < length - GRID / 2))
-            made += [*nodes[on[np.argsort(along[on])]], end]
-        return np.array(made)
+            vertices += [*nodes[on[np.argsort(along[on])]], end]
+        return np.array(vertices)
 
     return shapely.Polygon(filled(polygon.exterior), [filled(ring) for ring in polygon.interiors])
 
@@ -104,7 +104,7 @@ def _rings(vertices: np.ndarray, face: Sequence[Sequence[int]]) -> list[list[tup
 def _below(solid: Solid, cut: float) -> list[tuple]:
     """Faces of a solid of layers up to the cut, walls that go on above it ended there."""
     limit = round(cut * _UNITS)
-    kept = []
+    lower = []
     for face, kind, roof in zip(solid.faces, solid.surface_type, solid.roof_id):
         rings = _rings(solid.vertices, face)
         heights = [node[2] for ring in rings for node in ring]
@@ -112,8 +112,8 @@ def _below(solid: Solid, cut: float) -> list[tuple]:
             if min(heights) >= limit:
                 continue  # a roof, or a wall wholly above
             rings = [_without_repeats([(x, y, min(z, limit)) for x, y, z in ring]) for ring in rings]
-        kept.append((rings, kind, roof))
-    return kept
+        lower.append((rings, kind, roof))
+    return lower
 
 
 def _without_repeats(ring: list[tuple[int, int, int]]) -> list[tuple[int, int, int]]:
@@ -139,10 +139,10 @@ def _joined(faces: list[tuple]) -> tuple[Solid, ...]:
     for number, face in enumerate(faces):
         members.setdefault(root(number), []).append(face)
     solids = []
-    for own in members.values():
+    for members_of in members.values():
         index: dict[tuple[int, int, int], int] = {}
-        made = tuple(tuple(tuple(index.setdefault(node, len(index)) for node in ring) for ring in rings)
-                     for rings, _, _ in own)
-        solids.append(Solid(np.array(list(index), float) / _UNITS, made, tuple(kind for _, kind, _ in own),
-                            tuple(roof for _, _, roof in own)))
+        shells = tuple(tuple(tuple(index.setdefault(node, len(index)) for node in ring) for ring in rings)
+                       for rings, _, _ in members_of)
+        solids.append(Solid(np.array(list(index), float) / _UNITS, shells, tuple(kind for _, kind, _ in members_of),
+                            tuple(roof for _, _, roof in members_of)))
     return tuple(solids)

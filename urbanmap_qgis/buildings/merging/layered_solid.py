@@ -71,17 +71,17 @@ def layered_solids(prisms: Sequence[Prism], lift: float = 0.0) -> tuple[Solid, .
             filled[f].append((bottom, top))
             if prisms[p].roof_id is not None:
                 roof_of[f].setdefault(top, prisms[p].roof_id)
-    kept = [f for f in range(len(faces)) if filled[f]]
-    if not kept:
+    filled_faces = [f for f in range(len(faces)) if filled[f]]
+    if not filled_faces:
         raise InputError(say("The model has no part with a volume."))
-    edges = half_edges(faces[kept], (0.0, 0.0), GRID)
+    edges = half_edges(faces[filled_faces], (0.0, 0.0), GRID)
     edges.origin = origin
-    intervals = [merged_intervals(filled[f]) for f in kept]
+    intervals = [merged_intervals(filled[f]) for f in filled_faces]
     if lift:
-        base, up = min(own[0][0] for own in intervals), round(lift * _UNITS)
-        intervals = [[(bottom + up if base < bottom < top - up else bottom, top) for bottom, top in own]
-                     for own in intervals]
-    return _Builder(edges, intervals, [roof_of[f] for f in kept]).solids()
+        base, up = min(layers[0][0] for layers in intervals), round(lift * _UNITS)
+        intervals = [[(bottom + up if base < bottom < top - up else bottom, top) for bottom, top in layers]
+                     for layers in intervals]
+    return _Builder(edges, intervals, [roof_of[f] for f in filled_faces]).solids()
 
 
 def merged_intervals(intervals: Iterable[Interval]) -> list[Interval]:
@@ -119,7 +119,7 @@ class _Builder:
 
     def solids(self) -> tuple[Solid, ...]:
         """One solid for each piece of the whole that hangs together."""
-        pieces = [(cell, number) for cell, own in enumerate(self.intervals) for number in range(len(own))]
+        pieces = [(cell, number) for cell, layers in enumerate(self.intervals) for number in range(len(layers))]
         number_of = {piece: place for place, piece in enumerate(pieces)}
         links = []
         for (a, b), cell in self.edges.cell.items():
@@ -127,21 +127,21 @@ class _Builder:
             if other is None or other < cell:
                 continue
             links += [(number_of[cell, i], number_of[other, j])
-                      for i, own in enumerate(self.intervals[cell]) for j, beside in enumerate(self.intervals[other])
-                      if own[0] < beside[1] and beside[0] < own[1]]
+                      for i, layers in enumerate(self.intervals[cell]) for j, beside in enumerate(self.intervals[other])
+                      if layers[0] < beside[1] and beside[0] < layers[1]]
         graph = coo_matrix((np.ones(len(links), bool), tuple(np.array(links, np.int64).reshape(-1, 2).T)),
                            shape=(len(pieces), len(pieces)))
         count, group = connected_components(graph, directed=False)
-        made = []
+        built = []
         for wanted in range(count):
-            own = {}
+            layers = {}
             for place in np.flatnonzero(group == wanted).tolist():
                 cell, number = pieces[place]
-                own.setdefault(cell, []).append(self.intervals[cell][number])
-            made.append(self._solid(own))
-        return tuple(made)
+                layers.setdefault(cell, []).append(self.intervals[cell][number])
+            built.append(self._solid(layers))
+        return tuple(built)
 
-    def _solid(self, own: dict[int, list[Interval]]) -> Solid:
+    def _solid(self, layers: dict[int, list[Interval]]) -> Solid:
         index: dict[tuple[int, int], int] = {}
         faces: list[Face] = []
         types: list[str] = []
@@ -152,19 +152,19 @@ class _Builder:
             types.append(kind)
             ids.append(roof_id)
 
-        for level, upper, cells in self._levels(own):
+        for level, upper, cells in self._levels(layers):
             self._add_level(level, upper, cells, add)
-        self._add_walls(own, add)
+        self._add_walls(layers, add)
         nodes, levels = zip(*index)
         vertices = np.empty((len(nodes), 3))
         vertices[:, :2] = self.edges.coordinates(nodes)
         vertices[:, 2] = np.array(levels) / _UNITS
         return Solid(vertices, tuple(faces), tuple(types), tuple(ids))
 
-    def _levels(self, own: dict[int, list[Interval]]):
+    def _levels(self, layers: dict[int, list[Interval]]):
         """(level, whether it is a top, cells) of all level faces, from below."""
         cells_at: dict[tuple[int, bool], list[int]] = {}
-        for cell, intervals in own.items():
+        for cell, intervals in layers.items():
             for bottom, top in intervals:
                 cells_at.setdefault((bottom, False), []).append(cell)
                 cells_at.setdefault((top, True), []).append(cell)
@@ -207,16 +207,16 @@ class _Builder:
         return [sorted(trace_rings(self.edges, directed), key=lambda ring: self.edges.twice_area(ring) < 0)
                 for _, directed in sorted(by_piece.items())]
 
-    def _add_walls(self, own: dict[int, list[Interval]], add) -> None:
+    def _add_walls(self, layers: dict[int, list[Interval]], add) -> None:
         """One upright face for each plan edge and stretch of height that only one side fills."""
         walls = []
         stops: dict[int, set[int]] = {}
         for (a, b), cell in sorted(self.edges.cell.items()):
-            if cell not in own:
+            if cell not in layers:
                 continue
             other = self.edges.cell.get((b, a))
-            beside = own.get(other, []) if other is not None else []
-            for bottom, top in subtracted_intervals(own[cell], beside):
+            beside = layers.get(other, []) if other is not None else []
+            for bottom, top in subtracted_intervals(layers[cell], beside):
                 walls.append((a, b, bottom, top, cell, OUTER_WALL if not beside else INNER_WALL))
                 for node in (a, b):
                     stops.setdefault(node, set()).update((bottom, top))

@@ -184,7 +184,7 @@ def _matched(piece: tuple[int, shapely.Geometry | None], index: WallIndex, setti
         heights = [min(top, parts.base + settings.height) for top in _tops(edges, parts)]
     matches = tuple(match_edge(edge, index, parts.base, top, settings) for edge, top in zip(edges.edges, heights))
     plan = _Plan(building_id, geometry, parts, edges, matches, cut=cut)
-    while plan.lines and edges.moved(plan.lines) is None:
+    while plan.lines and edges.moved_polygons(plan.lines) is None:
         weakest = _weakest(plan)
         plan = plan.stopped([weakest], FOLDED, "the plan would fold over itself")
     return plan
@@ -237,7 +237,7 @@ def _clear_of_neighbours(plans: list[_Plan], progress: Progress) -> list[_Plan]:
 
 def _union(plan: _Plan) -> shapely.Geometry:
     """Plan of a building with its edges moved."""
-    cells = plan.edges.moved(plan.lines)
+    cells = plan.edges.moved_polygons(plan.lines)
     return shapely.union_all([cell.polygon for cell in plan.parts.cells] if cells is None else cells)
 
 
@@ -286,7 +286,7 @@ def _checked(plan: _Plan, settings: MergeSettings) -> tuple[tuple[Solid, ...], s
     problem = ""
     for lift in (0.0,) if plan.parts.sloped and plan.cut is None else (0.0, _LIFT):
         try:
-            solids = _made(plan, settings, lift)
+            solids = _plan_solids(plan, settings, lift)
         except (InputError, ValueError) as error:
             return (), str(error)
         problems = [problem for solid in solids for problem in check_solid(solid)]
@@ -296,7 +296,7 @@ def _checked(plan: _Plan, settings: MergeSettings) -> tuple[tuple[Solid, ...], s
     return (), problem
 
 
-def _made(plan: _Plan, settings: MergeSettings, lift: float) -> tuple[Solid, ...]:
+def _plan_solids(plan: _Plan, settings: MergeSettings, lift: float) -> tuple[Solid, ...]:
     """The solids of a plan with its edges moved: of level roofs, under sloped ones, or cut at a height."""
     if plan.cut is not None:
         return _cut_solids(plan, settings, lift)
@@ -330,7 +330,7 @@ def _why_unchanged(plan: _Plan) -> str:
 
 def _under_slopes(plan: _Plan) -> tuple[Solid, ...]:
     """Solids under sloped roofs, whose planes go on to the moved walls."""
-    moved = plan.edges.moved(plan.lines)
+    moved = plan.edges.moved_polygons(plan.lines)
     if moved is None:
         raise InputError(say("the plan would fold over itself"))
     parts = plan.parts
@@ -343,10 +343,10 @@ def _prisms(plan: _Plan, settings: MergeSettings) -> list[Prism]:
     """The building as prisms: measured plan below the height, old plan above, roofs that stand out as slabs."""
     base = plan.parts.base
     cut = base + settings.height
-    below = plan.edges.moved(plan.lines)
+    below = plan.edges.moved_polygons(plan.lines)
     hanging = {number for number, match in enumerate(plan.matches)
                if match.status == MOVED and match.offset < -settings.overhang}
-    roofs = plan.edges.moved({number: line for number, line in plan.lines.items() if number not in hanging})
+    roofs = plan.edges.moved_polygons({number: line for number, line in plan.lines.items() if number not in hanging})
     if below is None or roofs is None:
         raise InputError(say("the plan would fold over itself"))
     slabs = _slabs(plan, hanging, settings)

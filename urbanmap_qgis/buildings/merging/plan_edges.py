@@ -72,10 +72,10 @@ class PlanEdges:
         cell, face = shapely.STRtree(inside).query(local, predicate="contains")
         owner = np.full(len(noded), -1)
         owner[face[::-1]] = cell[::-1]
-        kept = np.flatnonzero(owner >= 0)
-        self.graph: HalfEdges = half_edges(noded[kept], (0.0, 0.0), GRID)
+        owned = np.flatnonzero(owner >= 0)
+        self.graph: HalfEdges = half_edges(noded[owned], (0.0, 0.0), GRID)
         self.graph.origin = origin
-        self.owner = {edge: int(owner[kept[number]]) for edge, number in self.graph.cell.items()}
+        self.owner = {edge: int(owner[owned[number]]) for edge, number in self.graph.cell.items()}
         self.piece = dict(self.graph.cell)
         outside = [edge for edge in self.piece if edge[::-1] not in self.piece]
         self.rings = trace_rings(self.graph, outside)
@@ -88,13 +88,13 @@ class PlanEdges:
         if len(self.breaks):
             away = np.hypot(*(self.xy[ring][:, None] - self.breaks).transpose(2, 0, 1)).min(axis=1)
             corners = sorted({*corners, *np.flatnonzero(away < GRID).tolist()})
-        made = []
+        straight = []
         for first, last in zip(corners, [*corners[1:], corners[0] + len(ring)]):
             nodes = tuple(ring[place % len(ring)] for place in range(first, last + 1))
-            made.append(OuterEdge(nodes, self.xy[[nodes[0], nodes[-1]]]))
-        return made
+            straight.append(OuterEdge(nodes, self.xy[[nodes[0], nodes[-1]]]))
+        return straight
 
-    def moved(self, lines: Mapping[int, Line]) -> list[shapely.Polygon] | None:
+    def moved_polygons(self, lines: Mapping[int, Line]) -> list[shapely.Polygon] | None:
         """Polygons of the cells with some outer edges on new lines; None where the plan would fold.
 
         Parameters
@@ -151,27 +151,27 @@ class PlanEdges:
         by_piece: dict[tuple[int, int], list[tuple[int, int]]] = {}
         for edge, cell in self.owner.items():
             by_piece.setdefault((cell, self.piece[edge]), []).append(edge)
-        made = {}
+        by_cell = {}
         for key, directed in by_piece.items():
             rings = []
             for ring in trace_rings(self.graph, directed):
                 outside = [(a, b)[::-1] not in self.piece for a, b in zip(ring, [*ring[1:], ring[0]])]
                 rings.append([(node, outside[place - 1], outside[place]) for place, node in enumerate(ring)])
-            made[key] = rings
-        return made
+            by_cell[key] = rings
+        return by_cell
 
     def _placed(self, ring: list[tuple[int, bool, bool]], places) -> np.ndarray | None:
         """Coordinates of a ring with its nodes at their new places."""
-        made: list[np.ndarray] = []
+        corners: list[np.ndarray] = []
         for node, _before, after in ring:
             if node not in places:
-                made.append(self.xy[node])
+                corners.append(self.xy[node])
                 continue
             first, second = places[node]
-            made.append(first)
+            corners.append(first)
             if after:
-                made.append(second)
-        snapped = np.round(np.array(made) / GRID) * GRID
+                corners.append(second)
+        snapped = np.round(np.array(corners) / GRID) * GRID
         different = (snapped != np.roll(snapped, 1, axis=0)).any(axis=1)
         snapped = snapped[different]
         return snapped if len(snapped) > 2 else None
@@ -184,14 +184,14 @@ def _with_nodes(polygon: shapely.Polygon, places: np.ndarray) -> shapely.Polygon
     rings = []
     for ring in (polygon.exterior, *polygon.interiors):
         xy = shapely.get_coordinates(ring)
-        made = []
+        noded = []
         for start, end in zip(xy[:-1], xy[1:]):
             line, length = end - start, max(float(np.hypot(*(end - start))), 1e-9)
             at = (places - start) @ line / length
             off = np.abs((places - start) @ np.array([line[1], -line[0]])) / length
             on = np.flatnonzero((off < _STRAIGHT) & (at > 2 * GRID) & (at < length - 2 * GRID))
-            made += [start, *places[on[np.argsort(at[on], kind="stable")]]]
-        rings.append(np.array(made))
+            noded += [start, *places[on[np.argsort(at[on], kind="stable")]]]
+        rings.append(np.array(noded))
     return shapely.Polygon(rings[0], rings[1:])
 
 

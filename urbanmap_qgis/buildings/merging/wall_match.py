@@ -203,13 +203,14 @@ def walls_along(edge: OuterEdge, walls: WallIndex, base: float, top: float, sett
     found = []
     while near:
         first = max(near, key=lambda wall: (wall.area, -wall.number))
-        own = [wall for wall in near if wall is first or _coplanar(first, wall)]
-        near = [wall for wall in near if not any(wall is one for one in own)]
-        whole = _summed(first, own)
+        coplanar = [wall for wall in near if wall is first or _coplanar(first, wall)]
+        near = [wall for wall in near if not any(wall is one for one in coplanar)]
+        whole = _summed(first, coplanar)
         offset, rotation = _along(edge, whole, base, top)[1:]
         line = edge.line
         spans = np.array([np.clip(np.sort([(wall.point + end * wall.along - edge.ends[0]) @ line.along
-                                           for end in (wall.left, wall.right)]), 0.0, edge.length) for wall in own])
+                                           for end in (wall.left, wall.right)]), 0.0, edge.length)
+                          for wall in coplanar])
         spans = _union(spans)
         found.append(WallsAlong(whole, spans, offset, rotation, float(np.diff(spans, axis=1).sum() / edge.length)))
     return found
@@ -222,35 +223,35 @@ def _coplanar(first: MeasuredWall, other: MeasuredWall) -> bool:
     return bool(first.normal @ other.normal > _FACING and away < _COPLANAR)
 
 
-def _summed(first: MeasuredWall, own: Sequence[MeasuredWall]) -> MeasuredWall:
+def _summed(first: MeasuredWall, parts: Sequence[MeasuredWall]) -> MeasuredWall:
     """Walls of one plane as one: the line through all of them, weighted by their lengths."""
-    if len(own) == 1:
+    if len(parts) == 1:
         return first
     shares = np.linspace(0.0, 1.0, 9)
     places = np.concatenate([wall.point + np.outer(wall.left + shares * (wall.right - wall.left), wall.along)
-                             for wall in own])
-    weight = np.repeat([wall.right - wall.left for wall in own], len(shares))
+                             for wall in parts])
+    weight = np.repeat([wall.right - wall.left for wall in parts], len(shares))
     centre = (weight[:, None] * places).sum(axis=0) / weight.sum()
     away = places - centre
     along = np.linalg.eigh(np.einsum("n,ni,nj->ij", weight, away, away))[1][:, 1]
     along = along if along @ first.along > 0 else -along
     extent = away @ along
-    area = np.array([wall.area for wall in own])
+    area = np.array([wall.area for wall in parts])
     return replace(first, point=centre, normal=np.array([along[1], -along[0]]), left=float(extent.min()),
-                   right=float(extent.max()), foot=min(wall.foot for wall in own), top=max(wall.top for wall in own),
-                   area=float(area.sum()),
-                   rmse=float(np.sqrt(np.average([wall.rmse**2 for wall in own], weights=area))))
+                   right=float(extent.max()), foot=min(wall.foot for wall in parts),
+                   top=max(wall.top for wall in parts), area=float(area.sum()),
+                   rmse=float(np.sqrt(np.average([wall.rmse**2 for wall in parts], weights=area))))
 
 
 def _union(spans: np.ndarray) -> np.ndarray:
     """Intervals (k, 2) in order, those that overlap merged."""
-    made: list[list[float]] = []
+    union: list[list[float]] = []
     for low, high in spans[np.argsort(spans[:, 0], kind="stable")].tolist():
-        if made and low <= made[-1][1]:
-            made[-1][1] = max(made[-1][1], high)
+        if union and low <= union[-1][1]:
+            union[-1][1] = max(union[-1][1], high)
         else:
-            made.append([low, high])
-    return np.array(made)
+            union.append([low, high])
+    return np.array(union)
 
 
 def steps_along(edge: OuterEdge, walls: WallIndex, base: float, top: float, settings: MergeSettings) -> list[float]:
@@ -264,10 +265,10 @@ def steps_along(edge: OuterEdge, walls: WallIndex, base: float, top: float, sett
              if abs(one.offset) <= settings.max_offset and abs(one.rotation) <= settings.max_rotation]
     ordered = sorted(found, key=lambda one: -one.area_along)
     for number, one in enumerate(ordered):
-        own = [(max(low, start), min(high, end)) for low, high in one.spans for start, end in free
-               if min(high, end) - max(low, start) >= _MIN_PIECE]
-        pieces += [(low, high, number) for low, high in own]
-        for low, high in own:
+        free_spans = [(max(low, start), min(high, end)) for low, high in one.spans for start, end in free
+                      if min(high, end) - max(low, start) >= _MIN_PIECE]
+        pieces += [(low, high, number) for low, high in free_spans]
+        for low, high in free_spans:
             free = [part for start, end in free for part in ((start, min(low, end)), (max(high, start), end))
                     if part[1] > part[0]]
     depth = [one.offset for one in ordered]
@@ -299,7 +300,7 @@ def match_edge(edge: OuterEdge, walls: WallIndex, base: float, top: float, setti
     note = say("{others_count} more wall{value} at another depth along it", others_count=len(others),
                value="s" * (len(others) > 1)) if others else ""
     line = _new_line(edge, best.wall, best.measured, best.rotation)
-    if best.measured < _SHORT and _bent(edge, line, walls, best.wall, base, top, settings):
+    if best.measured < _SHORT and _walls_off_line(edge, line, walls, best.wall, base, top, settings):
         return _match(TOO_FAR, say("the facade along it is not straight"), best)
     ends = np.array([line.foot(end) for end in edge.ends]) - edge.ends
     if np.hypot(*ends.T).max() < _SAME:
@@ -313,8 +314,8 @@ def _match(status: str, note: str, walls: WallsAlong, line: Line | None = None) 
     return EdgeMatch(status, note, walls.wall, line, walls.offset, walls.rotation, walls.measured)
 
 
-def _bent(edge: OuterEdge, line: Line, walls: WallIndex, chosen: MeasuredWall, base: float, top: float,
-          settings: MergeSettings) -> bool:
+def _walls_off_line(edge: OuterEdge, line: Line, walls: WallIndex, chosen: MeasuredWall, base: float, top: float,
+                    settings: MergeSettings) -> bool:
     """Whether other walls before the edge, however oriented, lie off the line that one of them gives."""
     for wall in walls.near(edge, settings.max_offset):
         if (_coplanar(chosen, wall) or wall.normal @ line.outward < 0.5

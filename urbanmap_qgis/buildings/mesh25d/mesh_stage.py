@@ -135,9 +135,9 @@ def mesh_building(number: int, plan: shapely.Geometry | None, points: np.ndarray
             base = float(np.quantile(points[:, 2], 0.05)) - STOREY
         best = None
         for share in _TRIES:
-            made = _meshed(number, plan, points, base, settings, share)
-            if best is None or (made.watertight, made.fit.within - _GAIN) > (best.watertight, best.fit.within):
-                best = made
+            mesh = _meshed(number, plan, points, base, settings, share)
+            if best is None or (mesh.watertight, mesh.fit.within - _GAIN) > (best.watertight, best.fit.within):
+                best = mesh
             if best.watertight and best.fit.within >= _ENOUGH:
                 break
     except InsufficientDataError as error:

@@ -82,9 +82,9 @@ def _labels(faces: np.ndarray, heights: HeightGrid, origin) -> np.ndarray:
         rows, columns, part = grid.window(x_min + origin[0], y_min + origin[1], x_max + origin[0], y_max + origin[1])
         x, y = np.meshgrid(*part.centres())
         shapely.prepare(face)
-        own = heights.label[rows, columns][shapely.contains_xy(face, x - origin[0], y - origin[1])]
-        if len(own):
-            label[number] = np.bincount(own).argmax()
+        labels = heights.label[rows, columns][shapely.contains_xy(face, x - origin[0], y - origin[1])]
+        if len(labels):
+            label[number] = np.bincount(labels).argmax()
     return label
 
 

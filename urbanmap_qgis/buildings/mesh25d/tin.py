@@ -54,8 +54,8 @@ class Tin:
         most."""
         owner = self.locate(xy, list(self.triangles))
         error = np.zeros(len(xy))
-        held = owner >= 0
-        self._measure(xy, z, owner, error, np.flatnonzero(held))
+        inside = owner >= 0
+        self._measure(xy, z, owner, error, np.flatnonzero(inside))
         for _ in range(max_points):
             worst = int(error.argmax()) if len(error) else -1
             if worst < 0 or error[worst] <= tolerance:

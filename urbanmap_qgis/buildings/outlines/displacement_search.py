@@ -128,7 +128,7 @@ def max_sum_belief(single: np.ndarray, pairs: np.ndarray, score: Callable[[slice
     if not len(pairs):
         return single
     parts = [slice(b, b + PAIRS_AT_ONCE) for b in range(0, len(pairs), PAIRS_AT_ONCE)]
-    held = score(parts[0]).astype(np.float32) if len(parts) == 1 else None
+    stored = score(parts[0]).astype(np.float32) if len(parts) == 1 else None
     to_second = np.zeros((len(pairs), single.shape[1]), np.float32)
     to_first = np.zeros_like(to_second)
     belief = single
@@ -140,7 +140,7 @@ def max_sum_belief(single: np.ndarray, pairs: np.ndarray, score: Callable[[slice
     for _ in range(ROUNDS):
         new_second, new_first = np.empty_like(to_second), np.empty_like(to_first)
         for part in parts:
-            table = score(part).astype(np.float32) if held is None else held
+            table = score(part).astype(np.float32) if stored is None else stored
             of_first = belief[first[part]] - to_first[part]
             of_second = belief[second[part]] - to_second[part]
             both = sums[:len(table)]

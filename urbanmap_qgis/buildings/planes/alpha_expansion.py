@@ -66,7 +66,7 @@ class _Search:
         order = np.argsort(borders.pairs.T.ravel(), kind="stable")
         self.border = rows[order]
         self.first = np.concatenate([[0], np.cumsum(np.bincount(borders.pairs.ravel(), minlength=n))])
-        self.kept = data[np.arange(n), labels]
+        self.lowest_cost = data[np.arange(n), labels]
         self.changed = np.zeros(n, np.int64)
         self.tried = np.full(data.shape[1], -1)
         self.last_success = -1
@@ -75,7 +75,7 @@ class _Search:
         """Give `alpha` to the faces that lower the energy most by taking it."""
         take = self.data[:, alpha]
         # A face whose data lose more than all its borders can win back keeps its label.
-        doubtful = np.flatnonzero((take - self.kept <= self.limit) & (self.labels != alpha))
+        doubtful = np.flatnonzero((take - self.lowest_cost <= self.limit) & (self.labels != alpha))
         before, self.tried[alpha] = self.tried[alpha], turn
         if not len(doubtful):
             return
@@ -98,17 +98,17 @@ class _Search:
         both = self.borders.cost(rows, one, two)
         first = self.borders.cost(rows, one, alpha)  # the first keeps its label, the second takes alpha
         second = self.borders.cost(rows, alpha, two)
-        keep, take = self.kept[faces].copy(), self.data[faces, alpha].copy()
+        keep, take = self.lowest_cost[faces].copy(), self.data[faces, alpha].copy()
         near, far = number[pairs].T
         inner = (near >= 0) & (far >= 0)
         # E(keep, keep) = both, E(keep, take) = first, E(take, keep) = second, E(take, take) = 0; the others keep.
         count = len(faces)
         keep += np.bincount(near[inner], both[inner], count)
         take += np.bincount(near[inner], second[inner], count) - np.bincount(far[inner], second[inner], count)
-        for own, other, taken in ((near, far, second), (far, near, first)):
-            border = (own >= 0) & (other < 0)
-            keep += np.bincount(own[border], both[border], count)
-            take += np.bincount(own[border], taken[border], count)
+        for side, other, taken in ((near, far, second), (far, near, first)):
+            border = (side >= 0) & (other < 0)
+            keep += np.bincount(side[border], both[border], count)
+            take += np.bincount(side[border], taken[border], count)
         if (take >= keep).all():
             return  # nothing flows: all keep
         floor = np.minimum(keep, take)
@@ -122,11 +122,11 @@ class _Search:
         """Take the new labels where they lower the energy: rounded capacities can miss by a little."""
         tried = self.labels.copy()
         tried[faces] = alpha
-        gain = self.kept[faces].sum() - self.data[faces, alpha].sum()
+        gain = self.lowest_cost[faces].sum() - self.data[faces, alpha].sum()
         gain += before.sum() - self.borders.cost(rows, *tried[pairs].T).sum()
         if gain > 1e-9:
             self.labels = tried
-            self.kept[faces] = self.data[faces, alpha]
+            self.lowest_cost[faces] = self.data[faces, alpha]
             self.changed[faces] = turn
             self.last_success = turn
 

@@ -59,8 +59,8 @@ def _plane_corners(raster: LabelRaster, count: int) -> list[np.ndarray]:
     order = np.argsort(label, kind="stable")
     ends = np.cumsum(np.bincount(label, minlength=count))
     corners = []
-    for own in np.split(order, ends[:-1]):
-        cells = np.column_stack([column[own], row[own]]).astype(np.int32)
+    for members in np.split(order, ends[:-1]):
+        cells = np.column_stack([column[members], row[members]]).astype(np.int32)
         hull = cv2.convexHull(cells).reshape(-1, 2) if len(cells) else cells
         corners.append(np.column_stack([raster.x[hull[:, 0]], raster.y[hull[:, 1]]]))
     return corners

@@ -41,24 +41,24 @@ def heights_over(polygons: Sequence[shapely.Polygon], points: np.ndarray) -> np.
     place, row = shapely.STRtree(flat).query(shapely.points(points[:, :2]), predicate="intersects")
     off = np.full(len(points), np.nan)
     for number, polygon in enumerate(polygons):
-        own = place[row == number]
+        members = place[row == number]
         corners = shapely.get_coordinates(polygon, include_z=True)
         middle = corners.mean(axis=0)
         slope = np.linalg.lstsq((corners - middle)[:, :2], corners[:, 2] - middle[2], rcond=None)[0]
-        off[own] = points[own, 2] - middle[2] - (points[own, :2] - middle[:2]) @ slope
+        off[members] = points[members, 2] - middle[2] - (points[members, :2] - middle[:2]) @ slope
     return off
 
 
-def has_lost_plane(polygons: Sequence[shapely.Polygon], kept: Sequence[int], points: np.ndarray, roof: np.ndarray,
+def has_lost_plane(polygons: Sequence[shapely.Polygon], plane_of: Sequence[int], points: np.ndarray, roof: np.ndarray,
                    density: float, least_area: float) -> bool:
     """Whether planes without a polygon leave points far from all polygons, on a place of `least_area` m2 or more that
     is no strip (a parapet, an eave).
 
     Parameters
     ----------
-    kept : plane of each polygon. points, roof : (n, 3) and (n,) plane of each. density : points/m2.
+    plane_of : plane of each polygon. points, roof : (n, 3) and (n,) plane of each. density : points/m2.
     """
-    lost = (roof > 0) & ~np.isin(roof, kept)
+    lost = (roof > 0) & ~np.isin(roof, plane_of)
     if not lost.any():
         return False
     off = np.abs(heights_over(polygons, points[lost]))

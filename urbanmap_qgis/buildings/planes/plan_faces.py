@@ -118,14 +118,14 @@ def _data_costs(faces: PlanFaces, raster: LabelRaster, planes: np.ndarray, point
     """Cubic metres (n, k) between the points and each plane, over each face; infinite for planes that lie far."""
     near = _near_planes(faces, raster, len(planes))
     data = np.where(near, 0.0, np.inf)
-    own = points[label >= 0]
-    column = np.searchsorted(raster.x + raster.cell / 2, own[:, 0])
-    row = np.searchsorted(-raster.y + raster.cell / 2, -own[:, 1])
+    labelled = points[label >= 0]
+    column = np.searchsorted(raster.x + raster.cell / 2, labelled[:, 0])
+    row = np.searchsorted(-raster.y + raster.cell / 2, -labelled[:, 1])
     cell = row * len(raster.x) + column
     weight = raster.cell**2 / np.bincount(cell, minlength=raster.label.size + len(raster.x) + 1)[cell]
 
     def of_points(place: np.ndarray, plane: np.ndarray) -> np.ndarray:
-        return np.minimum(np.abs(own[place, 2] - _heights(planes, plane, own[place])), CAP) * weight[place]
+        return np.minimum(np.abs(labelled[place, 2] - _heights(planes, plane, labelled[place])), CAP) * weight[place]
 
     row, column = np.nonzero(raster.inside)
     xy = np.column_stack([raster.x[column], raster.y[row]])
@@ -141,7 +141,7 @@ def _data_costs(faces: PlanFaces, raster: LabelRaster, planes: np.ndarray, point
         return cost + EXCESS_WEIGHT * np.clip(np.maximum(height - high[plane], low[plane] - height), 0.0, 3.0)
 
     tree = shapely.STRtree(faces.polygons)
-    _add_sums(data, near, tree, own[:, :2], of_points, 1.0)
+    _add_sums(data, near, tree, labelled[:, :2], of_points, 1.0)
     _add_sums(data, near, tree, xy, of_cells, raster.cell**2)
     return data
 
@@ -173,10 +173,10 @@ def seen_heights(planes: np.ndarray, points: np.ndarray, label: np.ndarray,
                  spacing: float) -> tuple[np.ndarray, np.ndarray]:
     """Lowest and highest height (k,) at which each plane is seen, with what `CLEARANCE` and the `spacing` of points
     leave open: no plane is drawn on to where it was not seen. One without points is free."""
-    own = label >= 0
+    labelled = label >= 0
     low, high = np.full(len(planes), np.inf), np.full(len(planes), -np.inf)
-    np.minimum.at(low, label[own], points[own, 2])
-    np.maximum.at(high, label[own], points[own, 2])
+    np.minimum.at(low, label[labelled], points[labelled, 2])
+    np.maximum.at(high, label[labelled], points[labelled, 2])
     reach = CLEARANCE + spacing * np.hypot(planes[:, 0], planes[:, 1])
     return (np.where(np.isfinite(low), low - reach, -np.inf), np.where(np.isfinite(high), high + reach, np.inf))
 
@@ -192,8 +192,8 @@ def _add_sums(data: np.ndarray, near: np.ndarray, tree: shapely.STRtree, xy: np.
         place, face = tree.query(shapely.points(xy[start:start + _AT_ONCE]), predicate="intersects")
         for part in np.array_split(np.arange(len(place)), count[face].sum() // _TABLE + 1):
             times = count[face[part]]
-            own = np.repeat(place[part] + start, times)
+            point_row = np.repeat(place[part] + start, times)
             at = np.arange(times.sum()) + np.repeat(first[face[part]] - (np.cumsum(times) - times), times)
             plane, polygon = plane_of[at], np.repeat(face[part], times)
-            sums = np.bincount(polygon * data.shape[1] + plane, cost(own, plane), data.size)
+            sums = np.bincount(polygon * data.shape[1] + plane, cost(point_row, plane), data.size)
             data += factor * sums.reshape(data.shape)

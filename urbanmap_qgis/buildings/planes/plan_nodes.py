@@ -86,7 +86,7 @@ def _collapsed(edges: HalfEdges) -> HalfEdges | None:
         a, b = root(a), root(b)
         if a != b:
             owners.setdefault((a, b), []).append(cell)
-    kept: dict[tuple[int, int], int] = {}
+    left_cell: dict[tuple[int, int], int] = {}
     for (a, b), cells in owners.items():
         left = list(cells)
         for cell in owners.get((b, a), ()):
@@ -95,8 +95,8 @@ def _collapsed(edges: HalfEdges) -> HalfEdges | None:
         if len(left) > 1:
             return None
         if left:
-            kept[a, b] = left[0]
-    return HalfEdges(edges.origin, edges.resolution, list(edges.x), list(edges.y), kept)
+            left_cell[a, b] = left[0]
+    return HalfEdges(edges.origin, edges.resolution, list(edges.x), list(edges.y), left_cell)
 
 
 def _move_nodes(edges: HalfEdges, planes: np.ndarray) -> None:
@@ -113,26 +113,26 @@ def _move_nodes(edges: HalfEdges, planes: np.ndarray) -> None:
     for node, cells in around.items():
         if len(cells) < 2:
             continue
-        here = np.array([edges.x[node], edges.y[node]]) / UNITS
-        rows, right = _meeting_equations(planes[sorted(cells)], here)
+        position = np.array([edges.x[node], edges.y[node]]) / UNITS
+        rows, right = _meeting_equations(planes[sorted(cells)], position)
         if not rows:
             continue
         for other in outline.get(node, ()):
-            away = np.array([edges.x[other], edges.y[other]]) / UNITS - here
+            away = np.array([edges.x[other], edges.y[other]]) / UNITS - position
             rows.append(np.array([-away[1], away[0]]) / np.hypot(*away) * _OUTLINE)
             right.append(0.0)
         rows += [np.array([_HOLD, 0.0]), np.array([0.0, _HOLD])]
         right += [0.0, 0.0]
         shift = np.linalg.lstsq(np.array(rows), np.array(right), rcond=None)[0]
         if np.hypot(*shift) <= FARTHEST:
-            places[node] = here + shift
+            places[node] = position + shift
     for node, (x, y) in places.items():
         edges.x[node], edges.y[node] = round(x * UNITS), round(y * UNITS)
 
 
-def _meeting_equations(planes: np.ndarray, here: np.ndarray) -> tuple[list[np.ndarray], list[float]]:
+def _meeting_equations(planes: np.ndarray, position: np.ndarray) -> tuple[list[np.ndarray], list[float]]:
     """Rows and right sides, in metres of plan, that say: planes of nearly one height here meet."""
-    height = planes[:, :2] @ here + planes[:, 2]
+    height = planes[:, :2] @ position + planes[:, 2]
     order = np.argsort(height, kind="stable")
     rows, right = [], []
     for low, high in zip(order, order[1:]):

@@ -48,9 +48,9 @@ def _cost(table: list, squares: list, one: int, two: int) -> float:
 
 def _adjacency(neighbours: np.ndarray, label: np.ndarray, count: int) -> list[tuple[int, int]]:
     """Pairs of labels, the lower first, that have neighbouring points."""
-    own, other = np.repeat(label, neighbours.shape[1]), label[neighbours].ravel()
-    meets = (own >= 0) & (other >= 0) & (own != other)
-    low, high = np.minimum(own, other)[meets], np.maximum(own, other)[meets]
+    first, other = np.repeat(label, neighbours.shape[1]), label[neighbours].ravel()
+    meets = (first >= 0) & (other >= 0) & (first != other)
+    low, high = np.minimum(first, other)[meets], np.maximum(first, other)[meets]
     pairs, times = np.unique(low * count + high, return_counts=True)
     return [(int(pair // count), int(pair % count)) for pair in pairs[times >= 3]]
 

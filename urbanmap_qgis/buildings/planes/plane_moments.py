@@ -13,9 +13,9 @@ _RIDGE = 1e-9
 
 def moments(points: np.ndarray, label: np.ndarray, count: int) -> np.ndarray:
     """Moments (count, 10) of the points (n, 3) of each label; negative labels are left out."""
-    own = label >= 0
-    x, y, z = points[own].T
-    label = label[own]
+    labelled = label >= 0
+    x, y, z = points[labelled].T
+    label = label[labelled]
     columns = (None, x, y, z, x * x, x * y, y * y, x * z, y * z, z * z)
     return np.column_stack([np.bincount(label, weights, count) for weights in columns]).astype(float)
 

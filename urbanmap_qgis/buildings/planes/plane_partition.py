@@ -94,9 +94,9 @@ def without_steep_strips(points: np.ndarray, roof: np.ndarray) -> np.ndarray:
     """
     left = roof.copy()
     for number in np.unique(roof[roof > 0]):
-        own = points[roof == number] - points[roof == number].mean(axis=0)
-        spread = np.linalg.eigvalsh(np.cov(own[:, :2].T)) if len(own) > 2 else np.zeros(2)
-        slope = np.linalg.lstsq(own[:, :2], own[:, 2], rcond=1e-6)[0]
+        centred = points[roof == number] - points[roof == number].mean(axis=0)
+        spread = np.linalg.eigvalsh(np.cov(centred[:, :2].T)) if len(centred) > 2 else np.zeros(2)
+        slope = np.linalg.lstsq(centred[:, :2], centred[:, 2], rcond=1e-6)[0]
         # Evenly spread points lie on 3.5 standard deviations.
         if np.sqrt(12.0 * max(spread[0], 0.0)) < STRIP_WIDTH and np.hypot(*slope) > STRIP_SLOPE:
             left[roof == number] = 0
@@ -111,8 +111,8 @@ def _with_caps(raster: LabelRaster, planes: np.ndarray, points: np.ndarray,
     """
     low, high = seen_heights(planes, points, label, raster.cell)
     x, y = np.meshgrid(raster.x, raster.y)
-    own = planes[raster.label]
-    height = own[..., 0] * x + own[..., 1] * y + own[..., 2]
+    plane_at = planes[raster.label]
+    height = plane_at[..., 0] * x + plane_at[..., 1] * y + plane_at[..., 2]
     unseen = raster.inside & ~raster.seen
     area = np.bincount(raster.label[unseen & (height > high[raster.label])], minlength=len(planes)) * raster.cell**2
     capped = np.flatnonzero((area > LEAST_AREA) & np.isfinite(low))
@@ -153,17 +153,17 @@ def without_steep_slivers(chosen: np.ndarray, cost: np.ndarray, faces: PlanFaces
                                        directed=False)
     members = np.split(np.argsort(part, kind="stable"), np.cumsum(np.bincount(part, minlength=count))[:-1])
     chosen = chosen.copy()
-    for number, own in enumerate(members):
-        if not steep[chosen[own[0]]]:
+    for number, group in enumerate(members):
+        if not steep[chosen[group[0]]]:
             continue
-        whole = shapely.union_all(faces.polygons[own])
+        whole = shapely.union_all(faces.polygons[group])
         if not shapely.is_empty(shapely.buffer(whole, -STRIP_WIDTH / 2)):
             continue
-        touching = graph[own].indices
+        touching = graph[group].indices
         beside = np.unique(chosen[touching[part[touching] != number]])
         beside = beside[~steep[beside]] if (~steep[beside]).any() else beside
         if len(beside):
-            chosen[own] = beside[np.argmin(cost[own][:, beside].sum(axis=0))]
+            chosen[group] = beside[np.argmin(cost[group][:, beside].sum(axis=0))]
     return chosen
 
 

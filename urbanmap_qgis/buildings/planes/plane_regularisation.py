@@ -32,21 +32,21 @@ def regular_planes(table: np.ndarray, directions: np.ndarray) -> np.ndarray:
     """
     planes, squares = solve(table)
     n = np.maximum(table[:, 0], 1.0)
-    own = squares / n
+    fit_error = squares / n
     planes = planes.copy()
     level = _level(table)
     slope = np.hypot(planes[:, 0], planes[:, 1])
-    flat = (level - own < LEVEL_ERROR**2) | (slope < LEVEL_SLOPE)
+    flat = (level - fit_error < LEVEL_ERROR**2) | (slope < LEVEL_SLOPE)
     for row in range(len(planes)):
         if flat[row]:
             planes[row] = 0.0, 0.0, table[row, 3] / n[row]
     _one_height(planes, n, np.flatnonzero(flat))
     sloped = np.flatnonzero(~flat)
-    axis = {row: _turned(table[row], planes[row], float(own[row]), directions) for row in sloped.tolist()}
+    axis = {row: _turned(table[row], planes[row], float(fit_error[row]), directions) for row in sloped.tolist()}
     for row, fixed in axis.items():
         if fixed is not None:
             planes[row] = _along(table[row], fixed)
-    _mirror(table, planes, own, axis)
+    _mirror(table, planes, fit_error, axis)
     return planes
 
 
@@ -69,7 +69,7 @@ def _level(table: np.ndarray) -> np.ndarray:
     return np.maximum(table[:, 9] / n - (table[:, 3] / n) ** 2, 0.0)
 
 
-def _turned(m: np.ndarray, plane: np.ndarray, own: float, directions: np.ndarray) -> np.ndarray | None:
+def _turned(m: np.ndarray, plane: np.ndarray, fit_error: float, directions: np.ndarray) -> np.ndarray | None:
     """The building's direction that a plane may fall along; None where none is near or its points disagree."""
     slope = float(np.hypot(plane[0], plane[1]))
     if not len(directions) or slope == 0:
@@ -80,7 +80,7 @@ def _turned(m: np.ndarray, plane: np.ndarray, own: float, directions: np.ndarray
         return None
     direction = directions[best] * np.sign(cosine[best])
     turned = _along(m, direction)
-    return direction if _mean_square(m, turned) - own < TURN_ERROR**2 else None
+    return direction if _mean_square(m, turned) - fit_error < TURN_ERROR**2 else None
 
 
 def _along(m: np.ndarray, direction: np.ndarray, slope: float | None = None) -> np.ndarray:
@@ -103,7 +103,7 @@ def _mean_square(m: np.ndarray, plane: np.ndarray) -> float:
     return max(float(total / m[0]), 0.0)
 
 
-def _mirror(table: np.ndarray, planes: np.ndarray, own: np.ndarray, axis: dict[int, np.ndarray | None]) -> None:
+def _mirror(table: np.ndarray, planes: np.ndarray, fit_error: np.ndarray, axis: dict[int, np.ndarray | None]) -> None:
     """One slope for planes that fall along one axis, in the same or the opposite sense, changed in place."""
     left = sorted((row for row, fixed in axis.items() if fixed is not None), key=lambda row: -table[row, 0])
     while left:
@@ -116,7 +116,7 @@ def _mirror(table: np.ndarray, planes: np.ndarray, own: np.ndarray, axis: dict[i
         weight = table[group, 0]
         common = float(np.hypot(planes[group, 0], planes[group, 1]) @ weight / weight.sum())
         for row in group:
-            made = _along(table[row], axis[row], common)
-            if _mean_square(table[row], made) - own[row] < TURN_ERROR**2:
-                planes[row] = made
+            mirrored = _along(table[row], axis[row], common)
+            if _mean_square(table[row], mirrored) - fit_error[row] < TURN_ERROR**2:
+                planes[row] = mirrored
         left = [row for row in left if row not in group]

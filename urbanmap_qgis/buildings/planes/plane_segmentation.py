@@ -92,9 +92,9 @@ def segment_planes(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely
 def _seen_inside(label: np.ndarray, inside: np.ndarray) -> np.ndarray:
     """Labels without the planes that lie outside the outline, which are a neighbour's."""
     count = int(label.max(initial=-1)) + 1
-    own = np.bincount(label[(label >= 0) & inside], minlength=count)
+    inner = np.bincount(label[(label >= 0) & inside], minlength=count)
     every = np.maximum(np.bincount(label[label >= 0], minlength=count), 1)
-    keep = (own >= 3) & (own / every > 0.15)
+    keep = (inner >= 3) & (inner / every > 0.15)
     number = np.cumsum(keep) - 1
     return np.where((label >= 0) & keep[label], number[label], -1) if count else label
 
@@ -136,11 +136,11 @@ def _rows(points: np.ndarray, label: np.ndarray, density: float) -> tuple[PlaneR
     cell = max(1.0 / density, 0.16) ** 0.5
     rows = []
     for number, plane in enumerate(planes):
-        own = points[label == number]
-        cells = np.unique(np.floor(own[:, :2] / cell) @ np.array([1.0, 1e6]))
+        members = points[label == number]
+        cells = np.unique(np.floor(members[:, :2] / cell) @ np.array([1.0, 1e6]))
         area = len(cells) * cell**2
-        off = own[:, 2] - own[:, :2] @ plane[:2] - plane[2]
-        rows.append(PlaneRow(number + 1, float(np.median(own[:, 2])), float(own[:, 2].max()), len(own), area,
-                             len(own) / area, float(np.sqrt(np.mean(off**2))), slope_degrees(plane),
+        off = members[:, 2] - members[:, :2] @ plane[:2] - plane[2]
+        rows.append(PlaneRow(number + 1, float(np.median(members[:, 2])), float(members[:, 2].max()), len(members),
+                             area, len(members) / area, float(np.sqrt(np.mean(off**2))), slope_degrees(plane),
                              azimuth_degrees(plane)))
     return tuple(rows)

@@ -62,9 +62,9 @@ def surroundings(points: np.ndarray, density: float) -> Surroundings:
 def _off_neighbours_planes(planes: np.ndarray, near: np.ndarray, points: np.ndarray) -> np.ndarray:
     """Distance (n, k) of each point from the planes fitted at its neighbours, m."""
     away = points[:, None, :] - points[near]
-    there = planes[near]
-    off = away[..., 2] - there[..., 0] * away[..., 0] - there[..., 1] * away[..., 1] - there[..., 2]
-    return np.abs(off) / np.sqrt(1.0 + there[..., 0]**2 + there[..., 1]**2)
+    plane = planes[near]
+    off = away[..., 2] - plane[..., 0] * away[..., 0] - plane[..., 1] * away[..., 1] - plane[..., 2]
+    return np.abs(off) / np.sqrt(1.0 + plane[..., 0]**2 + plane[..., 1]**2)
 
 
 def grow_planes(points: np.ndarray, around: Surroundings, tolerance: float, fewest: int) -> np.ndarray:

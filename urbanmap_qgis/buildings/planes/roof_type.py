@@ -32,10 +32,11 @@ def roof_type(cells: Sequence[RoofCell]) -> str:
     way, weight = ways[:, 0], ways[:, 1] / ways[:, 1].sum()
     if weight[0] > MOST:
         return SHED
-    if len(way) > 1 and weight[:2].sum() > MOST and _apart(way[0], way[1]) > 180 - SAME_WAY:
+    if len(way) > 1 and weight[:2].sum() > MOST and _angle_between(way[0], way[1]) > 180 - SAME_WAY:
         return GABLE
     if len(way) >= 3 and weight[:4].sum() > MOST and all(
-            min(_apart(one, way[0]) % 90, 90 - _apart(one, way[0]) % 90) < SAME_WAY for one in way[1:4]):
+            min(_angle_between(one, way[0]) % 90, 90 - _angle_between(one, way[0]) % 90) < SAME_WAY
+            for one in way[1:4]):
         return HIP
     return COMPLEX
 
@@ -44,7 +45,7 @@ def _ways(azimuth: np.ndarray, area: np.ndarray) -> np.ndarray:
     """Directions of fall (degrees) with the area of each, the largest first."""
     found: list[list[float]] = []
     for row in np.argsort(-area, kind="stable"):
-        near = next((one for one in found if _apart(one[0], azimuth[row]) < SAME_WAY), None)
+        near = next((one for one in found if _angle_between(one[0], azimuth[row]) < SAME_WAY), None)
         if near is None:
             found.append([float(azimuth[row]), float(area[row])])
         else:
@@ -52,6 +53,6 @@ def _ways(azimuth: np.ndarray, area: np.ndarray) -> np.ndarray:
     return np.array(sorted(found, key=lambda one: -one[1]))
 
 
-def _apart(one: float, two: float) -> float:
+def _angle_between(one: float, two: float) -> float:
     """Angle between two directions, 0 to 180 degrees."""
     return abs((one - two + 180.0) % 360.0 - 180.0)

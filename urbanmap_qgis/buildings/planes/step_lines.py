@@ -34,15 +34,15 @@ def building_directions(edges: np.ndarray, planes: np.ndarray) -> np.ndarray:
     edges : (e, 2) vectors of the outline's edges, m. planes : (k, 3).
     """
     angle = np.radians(main_directions(edges))
-    own = np.column_stack([np.cos(angle), np.sin(angle)])
+    level = np.column_stack([np.cos(angle), np.sin(angle)])
     sloped = planes[np.hypot(planes[:, 0], planes[:, 1]) > 0.15, :2]
     sloped = sloped / np.maximum(np.hypot(sloped[:, 0], sloped[:, 1]), 1e-12)[:, None]
-    kept: list[np.ndarray] = []
-    for direction in np.concatenate([own, sloped]):
+    distinct: list[np.ndarray] = []
+    for direction in np.concatenate([level, sloped]):
         for turned in (direction, np.array([-direction[1], direction[0]])):
-            if all(abs(turned[0] * other[1] - turned[1] * other[0]) > SAME_DIRECTION for other in kept):
-                kept.append(turned)
-    return np.array(kept)
+            if all(abs(turned[0] * other[1] - turned[1] * other[0]) > SAME_DIRECTION for other in distinct):
+                distinct.append(turned)
+    return np.array(distinct)
 
 
 def step_lines(cracks: LabelBoundaries, normals: np.ndarray, cell: float, least_length: float, points: np.ndarray,
@@ -67,13 +67,13 @@ def step_lines(cracks: LabelBoundaries, normals: np.ndarray, cell: float, least_
         xy = cracks.xy[members]
         either = np.sort(np.concatenate([own_points[one], own_points[two]]))
         near = _in_box(points[either], xy, 2.0 * cell + 0.3)
-        own, upper = points[either[near]], label[either[near]] == two
+        nearby, upper = points[either[near]], label[either[near]] == two
         for _ in range(MOST_LINES_A_PAIR):
             line, members, length = _longest(xy, tried, favour, cell)
             if length < least_length:
                 break
             along = xy[members] @ np.array([-line[1], line[0]])
-            line = _placed(line, along, own, upper, 1.5 * cell)
+            line = _placed(line, along, nearby, upper, 1.5 * cell)
             found.append((length, line, (float(along.min()), float(along.max())), (one, two)))
             xy = xy[~members]
     found.sort(key=lambda item: (-item[0], item[1]))
@@ -104,8 +104,8 @@ def _longest(xy: np.ndarray, normals: np.ndarray, favour: np.ndarray, cell: floa
     ordered = np.sort(offset, axis=1)
     width = WINDOW * cell
     # One search for all rows: each is moved so far that no row reaches into the next.
-    apart = np.arange(len(ordered))[:, None] * (np.ptp(ordered) + 2.0 * width)
-    flat = (ordered + apart).ravel()
+    separation = np.arange(len(ordered))[:, None] * (np.ptp(ordered) + 2.0 * width)
+    flat = (ordered + separation).ravel()
     last = np.searchsorted(flat, flat + width, side="right").reshape(ordered.shape)
     votes = last - np.arange(ordered.size).reshape(ordered.shape)
     row, place = np.unravel_index(np.argmax(votes * favour[:, None]), votes.shape)

@@ -62,8 +62,8 @@ def insert_roof_patches(polygons: list, labels: np.ndarray, patches: list[tuple[
     for shape, number in [*zip(polygons, labels), *((shape, number) for shape, (number, _) in zip(shapes, patches))]:
         shapely.prepare(shape)
         label[shapely.contains(shape, inside)] = number
-    own = label >= 0
-    return pieces[own], _without_slivers(pieces[own], label[own])
+    labelled = label >= 0
+    return pieces[labelled], _without_slivers(pieces[labelled], label[labelled])
 
 
 def _without_slivers(pieces: np.ndarray, label: np.ndarray) -> np.ndarray:

@@ -165,23 +165,23 @@ class _SlopedFaces(FaceCollector):
     def _roofs(self) -> None:
         """One face for each cell."""
         for cell, directed in self.cells().items():
-            bent = {node for edge in directed for node in edge
-                    if abs(self.heights[cell, node] - self._height(cell, node)) > FLAT * UNITS}
+            off_plane = {node for edge in directed for node in edge
+                         if abs(self.heights[cell, node] - self._height(cell, node)) > FLAT * UNITS}
             for outer, *holes in self.shapes(directed):
-                corners, outer = self._cut_off(outer, holes, bent)
+                corners, outer = self._cut_off(outer, holes, off_plane)
                 for rings in ([outer, *holes], *([corner] for corner in corners)):
                     self.add([[(node, self.heights[cell, node]) for node in ring] for ring in rings], ROOF,
                               self.roofs[cell].roof_id)
 
     def _cut_off(self, ring: list[int], holes: list[list[int]],
-                 bent: set[int]) -> tuple[list[tuple[int, int, int]], list[int]]:
+                 off_plane: set[int]) -> tuple[list[tuple[int, int, int]], list[int]]:
         """Triangles at the bent nodes of a ring and the ring without them, so that only these leave the plane."""
         corners: list[tuple[int, int, int]] = []
-        for node in [node for node in ring if node in bent]:
+        for node in [node for node in ring if node in off_plane]:
             at = ring.index(node)
             corner = ring[at - 1], node, ring[(at + 1) % len(ring)]
             others = [*ring, *chain.from_iterable(holes)]
-            if len(ring) > 3 and not bent & {corner[0], corner[2]} and self._is_ear(corner, others):
+            if len(ring) > 3 and not off_plane & {corner[0], corner[2]} and self._is_ear(corner, others):
                 corners.append(corner)
                 ring = ring[:at] + ring[at + 1:]
         return corners, ring

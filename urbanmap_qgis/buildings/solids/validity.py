@@ -215,12 +215,12 @@ def _polygon_problems(mesh: _Mesh, planarity: float, normals: float) -> list[Pro
             problems.append(mesh.in_face(208, ring, say("has an inner ring that turns like the outer one")))
     off = ((mesh.points[mesh.vertex] - mesh.centre[mesh.face_of]) * mesh.normal[mesh.face_of]).sum(axis=1)
     corners = np.flatnonzero(np.abs(off) > planarity)
-    bent = np.unique(mesh.face_of[corners])
-    for face in bent:
+    folded = np.unique(mesh.face_of[corners])
+    for face in folded:
         corner = corners[mesh.face_of[corners] == face][0]
         problems.append(mesh.problem(203, corner, say("Face {face} has a point {off:.4f} m off its plane.", face=face,
                                                       off=abs(off[corner]))))
-    uneven = np.setdiff1d(mesh.face_of[np.abs(off) > _FLAT], bent)
+    uneven = np.setdiff1d(mesh.face_of[np.abs(off) > _FLAT], folded)
     if not problems:
         problems.extend(_folds(mesh, uneven, normals))
     return problems

@@ -78,8 +78,8 @@ class IurTable:
         """
         wanted = self._today(name.removeprefix(PREFIX))
         field = next((item for item in self.fields[_BUILDING] if self._today(item.name) == wanted), None)
-        made = None if field is None else self._values(field, value)
-        return None if not made else (PREFIX + field.name, made)
+        values = None if field is None else self._values(field, value)
+        return None if not values else (PREFIX + field.name, values)
 
     def _today(self, name: str) -> str:
         return self.older.get(name, name)
@@ -89,36 +89,36 @@ class IurTable:
         given = [item for item in (value if isinstance(value, (list, tuple)) else (value,)) if item is not None]
         if len(given) < field.least or (field.most is not None and len(given) > field.most):
             return None
-        made = [self._value(field.kind, item) for item in given]
-        return None if any(item is None for item in made) else made
+        values = [self._value(field.kind, item) for item in given]
+        return None if any(item is None for item in values) else values
 
     def _value(self, kind: str, value: Any) -> Any:
         if isinstance(value, AttributeGroup):
             wanted = self._today(value.type.removeprefix(PREFIX))
-            own = next((name for name in kind.split("|") if self._today(name) == wanted), None)
-            return self._group(own, value) if own in self.fields else None
+            type_name = next((name for name in kind.split("|") if self._today(name) == wanted), None)
+            return self._group(type_name, value) if type_name in self.fields else None
         if not isinstance(value, _TYPES.get(kind, ())) or (isinstance(value, bool) and kind != "truth"):
             return None
         if kind in _FORMS and not isinstance(value, (date, bool)) and not re.fullmatch(_FORMS[kind], str(value)):
             return None
         return value
 
-    def _group(self, own: str, group: AttributeGroup) -> AttributeGroup | None:
+    def _group(self, type_name: str, group: AttributeGroup) -> AttributeGroup | None:
         """A data type with its values in order; None where it has a value that the version does not know."""
         values = {name.removeprefix(PREFIX): value for name, value in group.values.items()}
-        known = self.fields[own]
+        known = self.fields[type_name]
         if set(values) - {field.name for field in known}:
             return None
-        made = {}
+        members = {}
         for field in known:
             found = self._values(field, values.get(field.name))
             if found is None:
                 return None
             if found:
-                made[field.name] = found if len(found) > 1 else found[0]
-        chosen = Counter(field.choice for field in known if field.choice and field.name in made)
+                members[field.name] = found if len(found) > 1 else found[0]
+        chosen = Counter(field.choice for field in known if field.choice and field.name in members)
         one_each = all(chosen[field.choice] == 1 for field in known if field.choice)
-        return AttributeGroup(PREFIX + own, made) if one_each else None
+        return AttributeGroup(PREFIX + type_name, members) if one_each else None
 
 
 @cache
@@ -126,10 +126,10 @@ def iur_table(version: str) -> IurTable:
     """The table of a version, one of `VERSIONS`."""
     fields: dict[str, list[IurField]] = {}
     for row in _rows(f"iur_{version}.csv"):
-        own = fields.setdefault(row["owner"], [])
+        of_owner = fields.setdefault(row["owner"], [])
         if row["name"]:
             most = None if row["most"] == _MANY else int(row["most"])
-            own.append(IurField(row["name"], row["kind"], int(row["least"]), most, row["choice"]))
+            of_owner.append(IurField(row["name"], row["kind"], int(row["least"]), most, row["choice"]))
     older = {row["older"]: row["name"] if row["owner"] == _BUILDING else row["owner"]
              for row in _rows(f"iur_{VERSIONS[0]}.csv") if row["older"]}
     return IurTable(version, {owner: tuple(items) for owner, items in fields.items()}, older)

@@ -86,18 +86,18 @@ def with_plateau_attributes(item: CityObject, number: int, delivery: PlateauDeli
     number : of the building in the data set, from 1.
     """
     delivery = delivery or PlateauDelivery()
-    made = dict(item.attributes)
-    height = made.get("roof_max")
-    if "measuredHeight" not in made and height is not None:
-        made["measuredHeight"] = Measure(height, "m")
+    attributes = dict(item.attributes)
+    height = attributes.get("roof_max")
+    if "measuredHeight" not in attributes and height is not None:
+        attributes["measuredHeight"] = Measure(height, "m")
     if not extended:
-        return replace(item, attributes=made)
-    made = _with_quality(made, item, delivery)
+        return replace(item, attributes=attributes)
+    attributes = _with_quality(attributes, item, delivery)
     if not delivery.city_code:
-        return replace(item, attributes=made)
+        return replace(item, attributes=attributes)
     parts = tuple(replace(part, attributes=_with_id(part.attributes, number, delivery.city_code, place))
                   for place, part in enumerate(item.parts, 1))
-    return replace(item, attributes=_with_id(made, number, delivery.city_code), parts=parts)
+    return replace(item, attributes=_with_id(attributes, number, delivery.city_code), parts=parts)
 
 
 def _with_id(attributes: dict[str, Any], number: int, city_code: str, part: int = 0) -> dict[str, Any]:
@@ -133,9 +133,9 @@ def _old_quality(levels: set[str], delivery: PlateauDelivery) -> dict[str, Any]:
     """Quality as i-UR 2.0 has it, which asks how LOD1 got its height."""
     if "1" not in levels or not delivery.measured:
         return {}
-    made: dict[str, Any] = {"geometrySrcDesc": code_value("UrbanMap_geometrySrcDesc", LASER),
-                            "lod1HeightType": code_value("BuildingDataQualityAttribute_lod1HeightType", MEDIAN)}
-    return {**made, "lodType": PLAIN_ROOFS} if "2" in levels else made
+    values: dict[str, Any] = {"geometrySrcDesc": code_value("UrbanMap_geometrySrcDesc", LASER),
+                              "lod1HeightType": code_value("BuildingDataQualityAttribute_lod1HeightType", MEDIAN)}
+    return {**values, "lodType": PLAIN_ROOFS} if "2" in levels else values
 
 
 def _quality(levels: set[str], delivery: PlateauDelivery, older: Any) -> dict[str, Any]:
@@ -143,30 +143,30 @@ def _quality(levels: set[str], delivery: PlateauDelivery, older: Any) -> dict[st
 
     `older` : quality attribute of another version, of which the kinds of LOD and of heights are kept.
     """
-    kept = older.values if isinstance(older, AttributeGroup) else {}
+    old_values = older.values if isinstance(older, AttributeGroup) else {}
     source = (PUBLIC_SURVEY if delivery.map_level else AIRBORNE_LASER) if delivery.measured else OTHER_MATERIAL
     wanted = [level for level in _LEVELS if level in levels or level in "012"]
-    made: dict[str, Any] = {f"geometrySrcDescLod{level}": code_value(
+    values: dict[str, Any] = {f"geometrySrcDescLod{level}": code_value(
         "DataQualityAttribute_geometrySrcDesc", source if level in levels else NOT_MADE) for level in wanted}
     if delivery.measured:
         thematic = PUBLIC_SURVEY if delivery.map_level else NO_PUBLIC_SURVEY
-        made["thematicSrcDesc"] = code_value("DataQualityAttribute_thematicSrcDesc", thematic)
-    kinds = _codes(kept, "lodType", "Building_lodType") or (
+        values["thematicSrcDesc"] = code_value("DataQualityAttribute_thematicSrcDesc", thematic)
+    kinds = _codes(old_values, "lodType", "Building_lodType") or (
         [PLAIN_ROOFS] if delivery.measured and "2" in levels else [])
     if kinds:
-        made["lodType"] = [code_value("Building_lodType", kind) for kind in kinds]
-    heights = _codes(kept, "lod1HeightType", "DataQualityAttribute_lod1HeightType") or (
+        values["lodType"] = [code_value("Building_lodType", kind) for kind in kinds]
+    heights = _codes(old_values, "lod1HeightType", "DataQualityAttribute_lod1HeightType") or (
         [MEDIAN] if delivery.measured and "1" in levels else [])
     if heights:
-        made["lod1HeightType"] = code_value("DataQualityAttribute_lod1HeightType", heights[0])
+        values["lod1HeightType"] = code_value("DataQualityAttribute_lod1HeightType", heights[0])
     if delivery.measured and delivery.map_level:
-        there = [level for level in wanted if level in levels]
+        present = [level for level in wanted if level in levels]
         scale, laser = ("PublicSurveyDataQualityAttribute_srcScale", SCALES[delivery.map_level]), (
             "PublicSurveyDataQualityAttribute_publicSurveySrcDesc", PUBLIC_AIRBORNE_LASER)
-        made["publicSurveyDataQualityAttribute"] = AttributeGroup("uro:PublicSurveyDataQualityAttribute", {
-            **{f"srcScaleLod{level}": code_value(*scale) for level in there},
-            **{f"publicSurveySrcDescLod{level}": code_value(*laser) for level in there}})
-    return made
+        values["publicSurveyDataQualityAttribute"] = AttributeGroup("uro:PublicSurveyDataQualityAttribute", {
+            **{f"srcScaleLod{level}": code_value(*scale) for level in present},
+            **{f"publicSurveySrcDescLod{level}": code_value(*laser) for level in present}})
+    return values
 
 
 def _codes(values: Mapping[str, Any], name: str, listed: str) -> list[str]:

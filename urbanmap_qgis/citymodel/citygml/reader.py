@@ -92,12 +92,12 @@ def open_citygml(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: R
         total = max(sum(source.size for source in sources), 1)
         done = 0
         for source in sources:
-            own = _reference_of(source, given)
-            if own.reference != reference.reference:
+            of_file = _reference_of(source, given)
+            if of_file.reference != reference.reference:
                 raise InputError(say("{source} is in another reference system than {sources}: load them in separate "
                                      "runs.", source=source.name, sources=sources[0].name))
             part = progress.part(done / total, (done + source.size) / total)
-            for building in _buildings_of(source, own, notes, images, unpacked, part):
+            for building in _buildings_of(source, of_file, notes, images, unpacked, part):
                 yield _once(building, seen, notes)
             done += source.size
             notes.files.append(source.name)
@@ -227,11 +227,11 @@ def _textures(source: XmlSource) -> GmlTextures:
 def _mentions(source: XmlSource, word: bytes) -> bool:
     """Whether a word is anywhere in a file, read in pieces."""
     with source.open() as stream:
-        kept = b""
+        tail = b""
         while piece := stream.read(2**20):
-            if word in kept + piece:
+            if word in tail + piece:
                 return True
-            kept = piece[-len(word):]
+            tail = piece[-len(word):]
     return False
 
 

@@ -91,10 +91,10 @@ class ShapeReader:
                 attributes[name] = leaf_value(child, self.meaning)
             elif prefix == "bldg" and name.endswith("MultiSurface"):
                 for surface in self._surfaces(child, known):
-                    made = replace(surface, kind=kind, attributes=attributes, group=group)
-                    boundaries.setdefault(name[3], []).append(made)
-                    if made.id:
-                        known[made.id] = made
+                    boundary = replace(surface, kind=kind, attributes=attributes, group=group)
+                    boundaries.setdefault(name[3], []).append(boundary)
+                    if boundary.id:
+                        known[boundary.id] = boundary
             else:
                 self.unread[name] += 1
 

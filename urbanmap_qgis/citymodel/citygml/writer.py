@@ -217,14 +217,14 @@ def _object(item: CityObject, names: _Names, places, textures: dict[str, list]) 
     geometry = object_geometry(item, identifier, places)
     for image, targets in geometry.textured.items():
         textures.setdefault(image, []).extend(targets)
-    before, own, after = split_attributes(item.attributes, names.table, names.homeless)
+    before, inside, after = split_attributes(item.attributes, names.table, names.homeless)
     if identifier != item.id:
         before += generic_attribute("source_id", item.id)
     if item.problems:
         before += generic_attribute("problems", "; ".join(item.problems))
     parts = "".join(f"<bldg:consistsOfBuildingPart>{_object(part, names, places, textures)}"
                     "</bldg:consistsOfBuildingPart>" for part in item.parts)
-    return f'<bldg:{item.type} gml:id="{identifier}">{before}{own}{geometry.xml}{parts}{after}</bldg:{item.type}>'
+    return f'<bldg:{item.type} gml:id="{identifier}">{before}{inside}{geometry.xml}{parts}{after}</bldg:{item.type}>'
 
 
 def _image_name(file: _GmlFile, image: str) -> str:

@@ -237,14 +237,14 @@ class _Piece:
             self.notes.unread[str(kind)] += 1
             return []
         solids = [(boundaries, values, textures)] if _SOLIDS[kind] == 1 else [
-            (solid, _at(values, place), _at(textures, place)) for place, solid in enumerate(boundaries)]
+            (solid, _item_at(values, place), _item_at(textures, place)) for place, solid in enumerate(boundaries)]
         shapes = []
         for shells, codes, covers in solids:
-            made = tuple(self._shell(shell, _at(codes, place), semantics, _at(covers, place), problems)
+            read = tuple(self._shell(shell, _item_at(codes, place), semantics, _item_at(covers, place), problems)
                          for place, shell in enumerate(shells))
-            if made and made[0]:
-                shapes.append(CityShape(lod, SOLID, made))
-                gaps = sum(unmatched_edges(shell, self.digits) for shell in made)
+            if read and read[0]:
+                shapes.append(CityShape(lod, SOLID, read))
+                gaps = sum(unmatched_edges(shell, self.digits) for shell in read)
                 if gaps:
                     problems.append(say("its solid of level {lod} is not closed ({gaps} edges without a neighbour)",
                                         lod=lod, gaps=gaps))
@@ -259,13 +259,13 @@ class _Piece:
             if not rings or rings[0] is None:
                 problems.append(say("a face has fewer than three corners"))
                 continue
-            number = _at(values, place)
+            number = _item_at(values, place)
             entry = entries[number] if isinstance(number, int) and 0 <= number < len(entries) else {}
             kind = str(entry.get("type") or "")
             attributes = {name: _value(value) for name, value in entry.items() if name not in _STRUCTURE}
             surfaces.append(CitySurface(
                 tuple(ring for ring in rings if ring is not None), kind if kind in SURFACE_KINDS else "", attributes,
-                "", str(entry.get("id") or ""), self._texture(_at(textures, place), len(rings))))
+                "", str(entry.get("id") or ""), self._texture(_item_at(textures, place), len(rings))))
         return tuple(surfaces)
 
     def _ring(self, ring: list) -> np.ndarray | None:
@@ -307,5 +307,5 @@ def _value(value: Any) -> Any:
     return value
 
 
-def _at(values: list | None, place: int) -> Any:
+def _item_at(values: list | None, place: int) -> Any:
     return values[place] if values is not None and place < len(values) else None

@@ -39,12 +39,12 @@ class TexturedFaces:
         if not len(self.middles):
             return [None] * len(solid.faces)
         tree = cKDTree(self.middles)
-        made = []
+        textures = []
         for face in solid.faces:
             rings = [solid.vertices[list(ring)] for ring in face]
             distance, number = tree.query(rings[0].mean(axis=0))
-            made.append(self._on(rings, int(number)) if distance <= SAME else None)
-        return made
+            textures.append(self._on(rings, int(number)) if distance <= SAME else None)
+        return textures
 
     def _on(self, rings: Sequence[np.ndarray], number: int) -> FaceTexture | None:
         """The texture of a known face for rings that may begin elsewhere; None where they have other corners."""

@@ -120,13 +120,13 @@ def _entries(building: CityObject, vertices: VertexList, appearance: _Appearance
 
 def _side_by_side(shapes: tuple[CityShape, ...]) -> list[list[CityShape]]:
     """Shapes that make one geometry: solids of one level of detail, else each its own."""
-    made: list[list[CityShape]] = []
+    groups: list[list[CityShape]] = []
     for shape in shapes:
-        if made and shape.kind == SOLID == made[-1][0].kind and shape.lod == made[-1][0].lod:
-            made[-1].append(shape)
+        if groups and shape.kind == SOLID == groups[-1][0].kind and shape.lod == groups[-1][0].lod:
+            groups[-1].append(shape)
         else:
-            made.append([shape])
-    return made
+            groups.append([shape])
+    return groups
 
 
 def _geometry(shapes: list[CityShape], vertices: VertexList, appearance: _Appearance) -> dict[str, Any]:
@@ -187,12 +187,12 @@ class _Appearance:
         texture = surface.texture
         if texture is None:
             return [[None]] * len(surface.rings)
-        made = []
+        textured = []
         for uv in texture.uv:
             first = len(self.places)
             self.places.extend((round(u, 6), round(v, 6)) for u, v in np.asarray(uv).tolist())
-            made.append([self.images.setdefault(texture.image, len(self.images)), *range(first, len(self.places))])
-        return made
+            textured.append([self.images.setdefault(texture.image, len(self.images)), *range(first, len(self.places))])
+        return textured
 
     def entry(self) -> dict[str, Any]:
         textures = [{"type": "PNG" if name.lower().endswith(".png") else "JPG", "image": name} for name in self.images]

@@ -134,16 +134,16 @@ def _with_parts(building: CityObject, attributes: dict) -> dict:
 
 def simple_attributes(attributes: dict[str, Any], start: str = "") -> dict[str, Any]:
     """Values that a field can hold, by name, those of groups behind the group's name; lists are left to the JSON."""
-    made: dict[str, Any] = {}
+    simple: dict[str, Any] = {}
     for name, value in attributes.items():
         name = f"{start}{name.rpartition(':')[2]}"[:_LONGEST_NAME]
         if name.endswith(("_codeSpace", "_uom")) or (start and name == f"{start}type"):
             continue
         if isinstance(value, dict):
-            made.update(simple_attributes(value, f"{name}_"))
+            simple.update(simple_attributes(value, f"{name}_"))
         elif isinstance(value, (str, int, float, bool)):
-            made[name] = value
-    return made
+            simple[name] = value
+    return simple
 
 
 def _heights_of(model: list[CityShape], shapes: list[CityShape]) -> list[CitySurface]:

@@ -64,7 +64,7 @@ class TableStore:
         A name that is there already but for its letters' case, or is a database's own, gets an underscore.
         """
         taken = {name.lower() for name in known} | {"fid", "geom"}
-        made = []
+        added = []
         for name in [name for name in self.columns if name not in taken]:
             field = name
             while field.lower() in taken:
@@ -74,8 +74,8 @@ class TableStore:
             kind = _kind_of_values(values)
             self.columns[field] = [None if value is None else str(value) for value in values] if (
                 kind == "text") else values
-            made.append((field, kind))
-        return made
+            added.append((field, kind))
+        return added
 
 
 def _kind_of_values(values: list[Any]) -> str:

@@ -36,14 +36,14 @@ def property_table(rows: Sequence[Mapping[str, Any]], buffer: GlbBuffer) -> dict
 
 def _keys(rows: Sequence[Mapping[str, Any]]) -> dict[str, str]:
     """Name in the table of each attribute, each once."""
-    made: dict[str, str] = {}
+    keys: dict[str, str] = {}
     for name in dict.fromkeys(name for row in rows for name in row):
         key = re.sub(r"[^a-zA-Z0-9_]", "_", name)
-        key = key if re.match(r"[a-zA-Z_]", key) and re.search(r"[a-zA-Z0-9]", key) else f"attribute_{len(made) + 1}"
-        while key in made.values():
+        key = key if re.match(r"[a-zA-Z_]", key) and re.search(r"[a-zA-Z0-9]", key) else f"attribute_{len(keys) + 1}"
+        while key in keys.values():
             key += "_"
-        made[name] = key
-    return made
+        keys[name] = key
+    return keys
 
 
 def _column(name: str, values: list, buffer: GlbBuffer) -> tuple[dict[str, Any], dict[str, Any]]:

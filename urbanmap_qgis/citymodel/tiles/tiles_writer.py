@@ -172,10 +172,10 @@ def _sort_in(building: CityObject, to_degrees, geoid: GeoidHeights | None, cells
     plain, detailed = _levels(building)
     if not detailed:
         return
-    made, bounds = [], []
+    built, bounds = [], []
     for shapes, textured in ((plain, False), (detailed, True)):
         tile, corners = _triangles(shapes, textured, attributes, to_degrees, geoid)
-        made.append(tile)
+        built.append(tile)
         bounds.append(corners)
     corners = np.vstack(bounds)
     if not len(corners):
@@ -189,7 +189,7 @@ def _sort_in(building: CityObject, to_degrees, geoid: GeoidHeights | None, cells
     cell = cells.setdefault(place, TileCell())
     cell.count += 1
     cell.low, cell.high = np.minimum(cell.low, low), np.maximum(cell.high, high)
-    for tile, level in zip(made, ("blocks", "details")):
+    for tile, level in zip(built, ("blocks", "details")):
         append_building(scratch / f"{place[0]}_{place[1]}.{level}", tile)
 
 

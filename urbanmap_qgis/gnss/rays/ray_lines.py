@@ -67,9 +67,9 @@ def ray_lines(signals: Signals, paths: SignalPaths, rows: np.ndarray, length: fl
                    np.minimum(np.nan_to_num(paths.obstacle_distance[rows], nan=length), length), length)
     straight = np.stack([place, place + end[:, None] * direction], axis=1)
     lines[:] = shapely.linestrings(straight)
-    bent = np.flatnonzero(paths.reflection[rows] >= 0)
-    at = paths.reflections.place[paths.reflection[rows[bent]]]
-    lines[bent] = shapely.linestrings(np.stack([place[bent], at, at + length * direction[bent]], axis=1))
+    reflected = np.flatnonzero(paths.reflection[rows] >= 0)
+    at = paths.reflections.place[paths.reflection[rows[reflected]]]
+    lines[reflected] = shapely.linestrings(np.stack([place[reflected], at, at + length * direction[reflected]], axis=1))
     return lines
 
 

@@ -61,24 +61,24 @@ def wall_map(shapes: np.ndarray, before: WallPieces, after: WallPieces, walls: W
     scale = width / max(x_max - x_min, 1.0)
     height = (y_max - y_min) * scale
 
-    def place(xy: np.ndarray) -> np.ndarray:
+    def to_picture(xy: np.ndarray) -> np.ndarray:
         return np.column_stack([(xy[:, 0] - x_min) * scale, (y_max - xy[:, 1]) * scale])
 
-    parts = [_outline(shape, place) for shape in shapes if shape is not None]
+    parts = [_outline(shape, to_picture) for shape in shapes if shape is not None]
     adjusted = walls.status == ADJUSTED
     for piece in np.flatnonzero(shown[before.wall]):
         wall = before.wall[piece]
         old = np.stack([before.start[piece], before.end[piece]])
         if not adjusted[wall]:
-            parts.append(_stroke(place(old), _ORANGE, 2.0))
+            parts.append(_stroke(to_picture(old), _ORANGE, 2.0))
             continue
         new = old + 3.0 * (np.stack([after.start[piece], after.end[piece]]) - old)
-        parts.append(_stroke(place(old), "#333", 1.0, "4 3"))
-        parts.append(_stroke(place(new), _RED if walls.offset[wall] > 0 else _BLUE, 2.5))
+        parts.append(_stroke(to_picture(old), "#333", 1.0, "4 3"))
+        parts.append(_stroke(to_picture(new), _RED if walls.offset[wall] > 0 else _BLUE, 2.5))
     table = walls.table
     for wall in np.flatnonzero(adjusted):
         at = (table.start[wall] + table.end[wall]) / 2 + table.normal[wall] * (14.0 / scale + 3.0)
-        x, y = place(at[None])[0]
+        x, y = to_picture(at[None])[0]
         parts.append(f'<text x="{x:.0f}" y="{y + 4:.0f}" text-anchor="middle" stroke="#fff" stroke-width="3" '
                      f'paint-order="stroke">{100 * walls.offset[wall]:+.0f}</text>')
     length = 50 if 50 * scale < width / 3 else 10

@@ -86,12 +86,12 @@ def read_geoid(path: str | os.PathLike) -> Geoid:
     InputError : it is neither, or its values are no heights of a geoid.
     """
     path = Path(path)
-    made = _from_text(path) if path.suffix.lower() in _TEXT_SUFFIXES else _from_raster(path)
-    known = made.heights[np.isfinite(made.heights)]
-    if min(made.heights.shape) < 2 or not len(known) or np.abs(known).max() > HIGHEST:
+    geoid = _from_text(path) if path.suffix.lower() in _TEXT_SUFFIXES else _from_raster(path)
+    known = geoid.heights[np.isfinite(geoid.heights)]
+    if min(geoid.heights.shape) < 2 or not len(known) or np.abs(known).max() > HIGHEST:
         raise InputError(say("{path} is no geoid model: its values must be heights of the geoid above the ellipsoid "
                              "in metres, none beyond {highest:g}.", path=path.name, highest=HIGHEST))
-    return made
+    return geoid
 
 
 def _from_raster(path: Path) -> Geoid:

@@ -106,11 +106,11 @@ def height_conversion(wkt: str, stated: HeightSystem, target: HeightSystem, grid
     ------
     InputError : a system is not known, the two are the same, or the grid cannot be what they need.
     """
-    own = heights_of(wkt)
-    if own.known and stated.known and not same_heights(own, stated):
+    declared = heights_of(wkt)
+    if declared.known and stated.known and not same_heights(declared, stated):
         raise InputError(say("The data say that their heights are in {own}, not in {stated}: leave the system of the "
-                             "data empty.", own=own, stated=stated))
-    source = own if own.known else stated
+                             "data empty.", own=declared, stated=stated))
+    source = declared if declared.known else stated
     if not source.known:
         raise InputError(say("The data do not say what their heights count from: give the height system that they "
                              "are in."))
@@ -204,13 +204,13 @@ class _ConvertedRows:
 
 def convert_geometries(geometries: np.ndarray, conversion: HeightConversion) -> np.ndarray:
     """Geometries (n,) with converted heights; those without heights stay as they are."""
-    def moved(corners: np.ndarray) -> np.ndarray:
-        made = corners.copy()
-        here = np.isfinite(corners[:, 2])
-        made[here, 2] += conversion.heights(corners[here, 0], corners[here, 1])
-        return made
+    def raise_corners(corners: np.ndarray) -> np.ndarray:
+        converted = corners.copy()
+        finite = np.isfinite(corners[:, 2])
+        converted[finite, 2] += conversion.heights(corners[finite, 0], corners[finite, 1])
+        return converted
 
-    made = geometries.copy()
+    converted = geometries.copy()
     raised = shapely.has_z(geometries)
-    made[raised] = shapely.transform(geometries[raised], moved, include_z=True)
-    return made
+    converted[raised] = shapely.transform(geometries[raised], raise_corners, include_z=True)
+    return converted

@@ -53,14 +53,14 @@ class PlaneTransform:
         ------
         InputError : one cannot be computed there.
         """
-        made = np.column_stack(self(points[:, 0], points[:, 1]))
-        if not np.isfinite(made).all():
+        reprojected = np.column_stack(self(points[:, 0], points[:, 1]))
+        if not np.isfinite(reprojected).all():
             raise InputError(say("Some places lie outside of where the reference system can be computed: check the "
                                  "coordinate reference systems."))
-        return made
+        return reprojected
 
     @property
-    def told(self) -> str:
+    def description(self) -> str:
         """What was done with the datum, for messages; empty where nothing was."""
         return f"{self.method}, accurate to {self.accuracy:g} m" if self.method else ""
 
@@ -165,8 +165,8 @@ def resampled(source: RasterSampler, transform: PlaneTransform, bounds: tuple[fl
     """
     middle = np.array([[(bounds[0] + bounds[2]) / 2, (bounds[1] + bounds[3]) / 2]])
     x, y = transform(*middle.T, inverse=True)
-    here = np.column_stack(transform(np.array([x[0], x[0]]), np.array([y[0], y[0] + source.grid.cell])))
-    cell = float(np.hypot(*(here[1] - here[0])))
+    ends = np.column_stack(transform(np.array([x[0], x[0]]), np.array([y[0], y[0] + source.grid.cell])))
+    cell = float(np.hypot(*(ends[1] - ends[0])))
     if not np.isfinite(cell) or cell <= 0:
         raise InputError(say("{path} cannot be taken to where the other data lie: check the coordinate reference "
                              "systems.", path=source.path.name))

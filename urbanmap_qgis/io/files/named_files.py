@@ -59,10 +59,10 @@ def is_kind(head: bytes, kind: str) -> bool:
 
 def _places(folder: Path, root: str | os.PathLike | None, kind: str) -> list[Path]:
     """Folders in which a named file may lie, links followed."""
-    own = folder.resolve()
-    places = [own] if root is None else [Path(root).resolve()]
-    if own.parent.name == "udx":
-        places.append(own.parent.parent)
+    base = folder.resolve()
+    places = [base] if root is None else [Path(root).resolve()]
+    if base.parent.name == "udx":
+        places.append(base.parent.parent)
     if kind == CODE_LIST:
-        places.append(own.parent.parent / _LISTS)
+        places.append(base.parent.parent / _LISTS)
     return places

@@ -62,13 +62,13 @@ def meanings(keys: Iterable[str], needed: Iterable[str], aliases: Mapping[str, s
     """The needed column that each key stands for, where it stands for one; other names give way to the name itself."""
     wanted = {plain_name(key): key for key in needed}
     exact = {meant: key for key in keys if (meant := str(key).strip().lower()) in wanted.values()}
-    made = {}
+    found = {}
     for key in keys:
         plain = plain_name(key)
         meant = wanted.get(plain) or aliases.get(plain)
         if meant and exact.get(meant, key) == key:
-            made[key] = meant
-    return made
+            found[key] = meant
+    return found
 
 
 def named_rows(text: str, needed: Sequence[str], aliases: Mapping[str, str], name: str,
@@ -90,9 +90,9 @@ def named_rows(text: str, needed: Sequence[str], aliases: Mapping[str, str], nam
     header = tuple(item.strip() for item in _cells(lines[at:at + 1], delimiter)[0]) if lines else ()
     rows = [row for row in _cells(lines[at + 1:], delimiter) if any(cell.strip() for cell in row)]
     if rows and all(len(row) != len(header) for row in rows[:3]):
-        apart = [line.split() for line in lines[at + 1:]]
-        if any(len(row) == len(header) for row in apart[:3]):
-            rows = apart
+        split = [line.split() for line in lines[at + 1:]]
+        if any(len(row) == len(header) for row in split[:3]):
+            rows = split
     units = 0
     while units < min(len(rows), 3) and not any(_is_number(cell) for cell in rows[units]):
         units += 1

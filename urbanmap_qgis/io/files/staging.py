@@ -66,7 +66,7 @@ class Staging:
             _SCRATCH.pop(str(scratch / _FILES), None)
             shutil.rmtree(scratch, ignore_errors=True)
 
-    def place(self, target: str | os.PathLike) -> Path:
+    def scratch_path(self, target: str | os.PathLike) -> Path:
         """Scratch path for what is to become `target`.
 
         Raises
@@ -116,13 +116,13 @@ class Staging:
         undo: list[tuple[Path, Path | None]] = []
         for folder, scratch in self._scratch.items():
             (scratch / _EARLIER).mkdir(exist_ok=True)
-            for made, target in _moves(scratch / _FILES, folder):
+            for source, target in _moves(scratch / _FILES, folder):
                 try:
-                    there = target.is_file()
-                    kept = _kept(target, scratch / _EARLIER) if there else None
-                    _replace(made, target)
-                    if kept or not there:
-                        undo.append((target, kept))
+                    exists = target.is_file()
+                    earlier = _keep_earlier(target, scratch / _EARLIER) if exists else None
+                    _replace(source, target)
+                    if earlier or not exists:
+                        undo.append((target, earlier))
                 except OSError as error:
                     _put_back(undo)
                     raise OutputError(say("{final_text} cannot be replaced ({strerror}): close the program that has "
@@ -130,10 +130,10 @@ class Staging:
                                           strerror=error.strerror)) from error
 
 
-def _moves(made: Path, folder: Path) -> list[tuple[Path, Path]]:
+def _moves(source: Path, folder: Path) -> list[tuple[Path, Path]]:
     """What is to be moved where: files and new folders whole, files of folders that are there already one by one."""
     moves = []
-    for item in sorted(made.iterdir()):
+    for item in sorted(source.iterdir()):
         target = folder / item.name
         if item.is_dir() and target.is_dir() and any(target.iterdir()):
             moves += _moves(item, target)
@@ -142,7 +142,7 @@ def _moves(made: Path, folder: Path) -> list[tuple[Path, Path]]:
     return moves
 
 
-def _kept(target: Path, folder: Path) -> Path | None:
+def _keep_earlier(target: Path, folder: Path) -> Path | None:
     """Keep what stands at `target` in `folder` too; None where that cannot be."""
     place = folder / str(len(list(folder.iterdir())))
     try:
@@ -152,13 +152,13 @@ def _kept(target: Path, folder: Path) -> Path | None:
     return place
 
 
-def _replace(made: Path, target: Path) -> None:
-    if made.is_dir() and target.is_dir():
+def _replace(source: Path, target: Path) -> None:
+    if source.is_dir() and target.is_dir():
         target.rmdir()
     # A journal left by a program that still shows the old file would be replayed into the new one.
-    for journal in JOURNALS if made.suffix.lower() in DATABASES else ():
+    for journal in JOURNALS if source.suffix.lower() in DATABASES else ():
         target.with_name(target.name + journal).unlink(missing_ok=True)
-    os.replace(made, target)
+    os.replace(source, target)
 
 
 def _put_back(undo: list[tuple[Path, Path | None]]) -> None:
@@ -207,10 +207,10 @@ def identities(path: str | os.PathLike) -> set[tuple]:
     name = unicodedata.normalize("NFC", os.path.normcase(str(place)))
     found: set[tuple] = {("name", name.casefold() if sys.platform == "darwin" else name)}
     try:
-        there = os.stat(place)
+        status = os.stat(place)
     except (OSError, ValueError):
         return found
-    return found | {("file", there.st_dev, there.st_ino)} if there.st_ino else found
+    return found | {("file", status.st_dev, status.st_ino)} if status.st_ino else found
 
 
 def refuse_unless_replaceable(path: str | os.PathLike) -> None:
@@ -231,12 +231,12 @@ def refuse_unless_replaceable(path: str | os.PathLike) -> None:
             raise OutputError(say("The folder {folder} cannot be written; choose another output.", folder=folder))
         if "\0" in str(target):
             raise ValueError
-        there = _there(target)
+        exists = _exists(target)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or "it holds characters that no name can have"
         raise OutputError(say("{target} cannot be the name of a file ({reason}); choose another output.", target=target,
                               reason=reason)) from error
-    if not there:
+    if not exists:
         return
     if target.is_dir():
         raise OutputError(say("{target} is a folder; give the name of a file.", target=target))
@@ -247,7 +247,7 @@ def refuse_unless_replaceable(path: str | os.PathLike) -> None:
                               "choose another output.", target=target))
 
 
-def _there(path: Path) -> bool:
+def _exists(path: Path) -> bool:
     """Whether something stands at a path; a name that cannot be raises, which `exists` leaves out in Python 3.14."""
     try:
         os.stat(path)

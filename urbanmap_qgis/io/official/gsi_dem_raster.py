@@ -115,15 +115,15 @@ class _Product:
         hits = np.flatnonzero((self.left < right) & (self.right > left) & (self.top < bottom) & (self.bottom > top))
         if not len(hits):
             return None
-        made = np.full((bottom - top, right - left), np.nan, np.float32)
+        heights = np.full((bottom - top, right - left), np.nan, np.float32)
         for hit in hits.tolist():
             x0, x1 = max(left, self.left[hit]), min(right, self.right[hit])
             y0, y1 = max(top, self.top[hit]), min(bottom, self.bottom[hit])
             part = self.meshes[hit].heights[y0 - self.top[hit]:y1 - self.top[hit],
                                             x0 - self.left[hit]:x1 - self.left[hit]]
-            place = made[y0 - top:y1 - top, x0 - left:x1 - left]
+            place = heights[y0 - top:y1 - top, x0 - left:x1 - left]
             np.copyto(place, part, where=np.isfinite(part))
-        return made
+        return heights
 
     def interpolate(self, longitude: np.ndarray, latitude: np.ndarray) -> np.ndarray:
         """Bilinear heights (n,) at places; NaN where the cell at the place has none."""
@@ -151,26 +151,26 @@ class _Rows:
 
     def __getitem__(self, rows: slice) -> np.ndarray:
         top, bottom, _ = rows.indices(self.grid.rows)
-        made = np.empty((bottom - top, self.grid.columns), np.float32)
+        block = np.empty((bottom - top, self.grid.columns), np.float32)
         for left in range(0, self.grid.columns, _WIDTH):
             right = min(left + _WIDTH, self.grid.columns)
-            made[:, left:right] = self._block(top, bottom, left, right)
-        heights = made[np.isfinite(made)]
+            block[:, left:right] = self._block(top, bottom, left, right)
+        heights = block[np.isfinite(block)]
         if len(heights):
             self.filled += len(heights)
             self.lowest = float(np.fmin(self.lowest, heights.min()))
             self.highest = float(np.fmax(self.highest, heights.max()))
-        return made
+        return block
 
     def _block(self, top: int, bottom: int, left: int, right: int) -> np.ndarray:
         x, y = self.grid.centres()
         x, y = (places.ravel() for places in np.meshgrid(x[left:right], y[top:bottom]))
         if self.transform is not None:
             x, y = self.transform(x, y, inverse=True)
-        here = np.isfinite(x) & np.isfinite(y)
+        inside = np.isfinite(x) & np.isfinite(y)
         heights = np.full(len(x), np.nan, np.float32)
         for product in self.products:
-            gaps = np.flatnonzero(np.isnan(heights) & here)
+            gaps = np.flatnonzero(np.isnan(heights) & inside)
             if len(gaps):
                 heights[gaps] = product.interpolate(x[gaps], y[gaps])
         return heights.reshape(bottom - top, right - left)

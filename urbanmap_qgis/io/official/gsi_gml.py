@@ -122,7 +122,7 @@ def _objects(parser: XMLPullParser, source: XmlSource, harvest: Harvest) -> Iter
             else:
                 depth -= 1
                 if depth == 1:
-                    _take(element, source.short_name, harvest)
+                    _add_object(element, source.short_name, harvest)
                     root.clear()
                     finished += 1
         yield finished
@@ -138,7 +138,7 @@ def _ignored(parser: XMLPullParser) -> Iterator[int]:
         yield events
 
 
-def _take(element: Element, source: str, harvest: Harvest) -> None:
+def _add_object(element: Element, source: str, harvest: Harvest) -> None:
     """Take in one finished object of the data set."""
     if element.tag not in (FGD + "BldA", FGD + "BldL"):
         if element.tag.startswith(FGD):

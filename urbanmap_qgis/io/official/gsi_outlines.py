@@ -41,10 +41,10 @@ def one_of_each(objects: Buildings) -> tuple[Buildings, int]:
     first: dict[tuple, int] = {}
     for index, key in enumerate(keys):
         first.setdefault(key, index)
-    kept = np.fromiter(first.values(), dtype=np.intp, count=len(first))
-    if len(kept) == len(objects.polygons):
+    rows = np.fromiter(first.values(), dtype=np.intp, count=len(first))
+    if len(rows) == len(objects.polygons):
         return objects, 0
-    return objects.taken(kept), len(objects.polygons) - len(kept)
+    return objects.taken(rows), len(objects.polygons) - len(rows)
 
 
 def buildings_from_lines(lines: Buildings, notes: list[str]) -> Buildings:
@@ -112,8 +112,8 @@ def _with_courtyards(rings: Buildings) -> tuple[Buildings, int]:
     valid = shapely.is_valid(polygons)
     kinds = np.array([kind or "" for kind in rings.attributes["type"]], dtype=object)
     inner, outer = shapely.STRtree(polygons).query(shapely.point_on_surface(polygons), predicate="within")
-    apart = (inner != outer) & valid[inner] & valid[outer] & (kinds[inner] == kinds[outer])
-    inner, outer = inner[apart], outer[apart]
+    separate = (inner != outer) & valid[inner] & valid[outer] & (kinds[inner] == kinds[outer])
+    inner, outer = inner[separate], outer[separate]
     contained = shapely.covers(polygons[outer], polygons[inner]) & (
         shapely.area(polygons[outer]) > shapely.area(polygons[inner]))
     inner, outer = inner[contained], outer[contained]

@@ -116,10 +116,10 @@ class RunFacts:
 
     def rows(self) -> dict[str, str]:
         """What is known, by its name."""
-        made = {say("Made by"): f"UrbanMap {self.version}, {self.work}".replace(" ,", ","),
-                say("Day"): self.day.isoformat(), say("Coordinate reference system"): self.crs,
-                say("Height system"): self.heights, **self.inputs}
-        return {name: value for name, value in made.items() if value}
+        facts = {say("Made by"): f"UrbanMap {self.version}, {self.work}".replace(" ,", ","),
+                 say("Day"): self.day.isoformat(), say("Coordinate reference system"): self.crs,
+                 say("Height system"): self.heights, **self.inputs}
+        return {name: value for name, value in facts.items() if value}
 
 
 _RUN: ContextVar[RunFacts | None] = ContextVar("run of a report", default=None)

@@ -65,16 +65,16 @@ def plan_map(polygons: Sequence[shapely.Geometry | None], values: np.ndarray, li
     height = int((y_max - y_min) * scale) + 60
     tolerance = 0.5 / scale
 
-    def place(xy: np.ndarray) -> np.ndarray:
+    def to_picture(xy: np.ndarray) -> np.ndarray:
         return np.column_stack([10 + (xy[:, 0] - x_min) * scale, 10 + (y_max - xy[:, 1]) * scale])
 
     classes = np.digitize(values, limits)
-    parts = [f'<path d="{_path(shapely.simplify(shapes[row], tolerance), place)}" fill-rule="evenodd" '
+    parts = [f'<path d="{_path(shapely.simplify(shapes[row], tolerance), to_picture)}" fill-rule="evenodd" '
              f'fill="{RAMP[classes[row]] if np.isfinite(values[row]) else UNKNOWN}" stroke="#333" stroke-width="0.5"/>'
              for row in present]
     for row, text in labels.items():
         if shapes[row] is not None:
-            x, y = place(shapely.get_coordinates(shapely.point_on_surface(shapes[row])))[0]
+            x, y = to_picture(shapely.get_coordinates(shapely.point_on_surface(shapes[row])))[0]
             parts.append(f'<text x="{x:.1f}" y="{y + 4:.1f}" text-anchor="middle" font-weight="bold" stroke="#fff" '
                          f'stroke-width="3" paint-order="stroke">{html.escape(text)}</text>')
     parts.append(_legend(limits, unit, height - 30))

@@ -46,16 +46,16 @@ def profile(x: np.ndarray, series: Sequence[Series], x_label: str, y_label: str,
     x_low, x_high = float(x.min()), max(float(x.max()), float(x.min()) + 1e-9)
     y_low, y_high = _limits([item.values for item in series] + list(band or ()))
 
-    def place(x_values, y_values):
+    def to_picture(x_values, y_values):
         return (left + (np.asarray(x_values) - x_low) / (x_high - x_low) * (width - left - right),
                 height - bottom - (np.asarray(y_values) - y_low) / (y_high - y_low) * (height - top - bottom))
 
-    parts = [_shaded_interval(item, place, (x_low, x_high), (y_low, y_high)) for item in intervals]
+    parts = [_shaded_interval(item, to_picture, (x_low, x_high), (y_low, y_high)) for item in intervals]
     keep = _thinned(len(x))
     if band is not None:
-        parts.append(_band(x[keep], band[0][keep], band[1][keep], place))
-    parts += [_curve(x, item, place, keep) for item in series]
-    parts.append(_axes(place, (x_low, x_high), (y_low, y_high), width, height, x_label, y_label))
+        parts.append(_band(x[keep], band[0][keep], band[1][keep], to_picture))
+    parts += [_curve(x, item, to_picture, keep) for item in series]
+    parts.append(_axes(to_picture, (x_low, x_high), (y_low, y_high), width, height, x_label, y_label))
     parts.append(_legend(series, intervals, height))
     return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height + 22}" role="img" '
             f'font-family="sans-serif" font-size="11">{"".join(parts)}</svg>')
@@ -94,8 +94,8 @@ def _band(x: np.ndarray, low: np.ndarray, high: np.ndarray, place) -> str:
     known = np.isfinite(low) & np.isfinite(high)
     if not known.any():
         return ""
-    there, back = (np.column_stack(place(x[known], side[known])) for side in (high, low))
-    corners = " ".join(f"{a:.1f},{b:.1f}" for a, b in np.vstack([there, back[::-1]]))
+    upper, back = (np.column_stack(place(x[known], side[known])) for side in (high, low))
+    corners = " ".join(f"{a:.1f},{b:.1f}" for a, b in np.vstack([upper, back[::-1]]))
     return f'<polygon points="{corners}" fill="#9ec5d8" fill-opacity="0.5"/>'
 
 

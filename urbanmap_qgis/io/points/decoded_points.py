@@ -61,8 +61,8 @@ class DecodedPoints:
                 raise OSError("the scratch file of decoded points is cut off")
             part = part[number:]
 
-    def kept(self, path: Path, header: laspy.LasHeader,
-             chunks: Iterator[laspy.ScaleAwarePointRecord]) -> Iterator[laspy.ScaleAwarePointRecord]:
+    def remember(self, path: Path, header: laspy.LasHeader,
+                 chunks: Iterator[laspy.ScaleAwarePointRecord]) -> Iterator[laspy.ScaleAwarePointRecord]:
         """The same chunks; once all were taken they are held, where the disk has room and no other file is being read.
 
         What is not held is decoded again: only time depends on it.

@@ -71,8 +71,8 @@ def check_las(path: str | os.PathLike) -> None:
             if header.compressed:
                 _check_compressed(file, header, records, size)
             elif header.points_start + header.count * header.record_length > size:
-                held = max(size - header.points_start, 0) // header.record_length
-                raise _Damaged(say("it is truncated: it holds {held:,} of {count:,} points", held=held,
+                complete = max(size - header.points_start, 0) // header.record_length
+                raise _Damaged(say("it is truncated: it holds {held:,} of {count:,} points", held=complete,
                                    count=header.count))
     except OSError as error:
         raise InputError(say("{path} cannot be read ({strerror}).", path=path.name, strerror=error.strerror)) from error

@@ -70,9 +70,9 @@ class PointBuckets:
 
     def pop(self, key: int) -> np.ndarray:
         """All records of a bucket as `read` gives them; the bucket is empty after that."""
-        held, stored = self._pieces.get(key, []), self._path(key)
-        alone = len(held) == 1 and not (stored and stored.exists())
-        records = held[0] if alone else self.read(key)
+        in_memory, stored = self._pieces.get(key, []), self._path(key)
+        alone = len(in_memory) == 1 and not (stored and stored.exists())
+        records = in_memory[0] if alone else self.read(key)
         self._held -= sum(piece.nbytes for piece in self._pieces.pop(key, []))
         if stored:
             stored.unlink(missing_ok=True)

@@ -193,14 +193,14 @@ def _chunks(path: Path, header: laspy.LasHeader, chunk_points: int,
             layers: laspy.DecompressionSelection) -> Iterator[laspy.ScaleAwarePointRecord]:
     """The points of one file, from where `decoded_points.decoded_once` holds them if it does."""
     holder = decoded_points() if header.are_points_compressed else None
-    held = holder.chunks(path, header, chunk_points) if holder else None
-    if held is not None:
-        yield from held
+    decoded = holder.chunks(path, header, chunk_points) if holder else None
+    if decoded is not None:
+        yield from decoded
         return
     with decoding(path), laspy.open(path, decompression_selection=layers) as reader:
         chunks = reader.chunk_iterator(chunk_points)
         whole = layers == laspy.DecompressionSelection.all()
-        yield from holder.kept(path, header, chunks) if holder and whole else chunks
+        yield from holder.remember(path, header, chunks) if holder and whole else chunks
 
 
 def valid_points(points: laspy.ScaleAwarePointRecord) -> np.ndarray:

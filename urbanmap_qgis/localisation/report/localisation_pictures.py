@@ -22,11 +22,11 @@ def accuracy_plan(city: LocalisationMap, accuracy: AccuracyMap, rows: np.ndarray
     scale = min(width / (high[0] - low[0]), 0.7 * width / (high[1] - low[1]))
     size = (high - low) * scale
 
-    def at(points: np.ndarray) -> np.ndarray:
+    def to_picture(points: np.ndarray) -> np.ndarray:
         return np.column_stack([(points[:, 0] - low[0]) * scale, (high[1] - points[:, 1]) * scale])
 
-    parts = [_markings(city, at, low, high), _walls(city, at, low, high)]
-    for row, (x, y) in zip(rows, at(xy)):
+    parts = [_markings(city, to_picture, low, high), _walls(city, to_picture, low, high)]
+    for row, (x, y) in zip(rows, to_picture(xy)):
         colour = COLOUR_OF_CLASS[accuracy.kind[row]]
         major, minor = enlarged * accuracy.ellipse.major[row] * scale, enlarged * accuracy.ellipse.minor[row] * scale
         if np.isfinite(major):

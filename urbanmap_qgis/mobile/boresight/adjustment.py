@@ -91,7 +91,7 @@ class Boresights:
     determined : (scanners, 6) bool.
     pairs : planes compared.
     rms_before, rms_after : m, of their distances (weighted), before with the trajectories' corrections alone.
-    apart : m, RMS of the places' corrections about their mean.
+    place_rms : m, RMS of the places' corrections about their mean.
     """
 
     value: np.ndarray
@@ -100,7 +100,7 @@ class Boresights:
     pairs: int
     rms_before: float
     rms_after: float
-    apart: float
+    place_rms: float
 
 
 def adjust_boresights(patches: PlanePatches, poses: PatchPoses, node_pass: np.ndarray, scanners: int,

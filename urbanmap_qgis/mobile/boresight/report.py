@@ -23,7 +23,7 @@ def write_boresight_report(path: str | os.PathLike, calibrated: CalibratedScanne
     report.facts({"Pairs of planes": found.pairs, "Passes": calibrated.passes,
                   "Distance between planes before, RMS (mm)": 1000 * found.rms_before,
                   "Distance between planes after, RMS (mm)": 1000 * found.rms_after,
-                  "Passes apart, RMS (m)": found.apart})
+                  "Passes apart, RMS (m)": found.place_rms})
     report.section("Corrections")
     report.table(("Scanner", "value", "unit", "correction", "standard deviation", "status"), calibrated.rows())
     report.paragraph("Lever arms in metres forward, right and down; angles in degrees about the body's axes. A "

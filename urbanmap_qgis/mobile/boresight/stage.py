@@ -85,10 +85,10 @@ def calibrate_scanners(clouds: Sequence[Sequence[str | os.PathLike]], trajectori
     if found.pairs < _FEWEST_PAIRS:
         raise InsufficientDataError(say("Only {pairs} planes were seen by two scanners or in two passes: drive a "
                                         "street with walls in both directions.", pairs=found.pairs))
-    if found.apart > settings.max_apart:
+    if found.place_rms > settings.max_apart:
         raise InputError(say("The passes lie {apart:.1f} m apart: correct the trajectories first (“Adjust several "
                              "drives”) and place the points with them (“Apply corrected trajectory”).",
-                             apart=found.apart))
+                             apart=found.place_rms))
     _tell(found, progress)
     return CalibratedScanners(_corrected(calibration, found), found, first_pass)
 

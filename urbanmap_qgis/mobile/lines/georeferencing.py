@@ -134,15 +134,15 @@ class _Georeferencer:
         """Points (m, 3) and returns of a chunk that can be placed; their scanner numbers are the calibration's."""
         self._count(scans)
         sound = np.isfinite(scans.time) & np.isfinite(scans.angle) & np.isfinite(scans.distance) & (scans.distance > 0)
-        scans = self._kept(scans, sound, "no_return")
+        scans = self._select(scans, sound, "no_return")
         if not len(scans):
             return np.empty((0, 3)), scans
         time = self._times(scans.time)
         inside = self.trajectory.within(time)
         for start, end in self.holes:
             inside &= (time <= start) | (time >= end)
-        scans = self._kept(scans, inside, "outside")
-        scans = self._kept(scans, scans.distance >= self.settings.min_range, "too_near")
+        scans = self._select(scans, inside, "outside")
+        scans = self._select(scans, scans.distance >= self.settings.min_range, "too_near")
         parts = [self._of_scanner(scans, number) for number in np.unique(scans.scanner)]
         if not parts:
             return np.empty((0, 3)), scans
@@ -190,7 +190,7 @@ class _Georeferencer:
             return time + self.shift
         return time
 
-    def _kept(self, scans: RangeScans, keep: np.ndarray, reason: str) -> RangeScans:
+    def _select(self, scans: RangeScans, keep: np.ndarray, reason: str) -> RangeScans:
         lost = len(keep) - int(np.count_nonzero(keep))
         self.counts[reason] += lost
         return scans.of(keep) if lost else scans

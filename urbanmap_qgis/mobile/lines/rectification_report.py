@@ -174,15 +174,15 @@ def course_map(before: Trajectory, rectified: Rectified) -> str:
     scale = (_WIDTH - 40) / max(span[0], span[1] * 1.3)
     height = int(span[1] * scale) + 60
 
-    def place(xy: np.ndarray) -> np.ndarray:
+    def to_picture(xy: np.ndarray) -> np.ndarray:
         return np.column_stack([20 + (xy[:, 0] - low[0]) * scale, 20 + (high[1] - xy[:, 1]) * scale])
 
-    parts = [_line(place(old), "#999", 1.0)]
+    parts = [_line(to_picture(old), "#999", 1.0)]
     status = rectified.status[rows]
     for run in np.split(np.arange(len(rows)), np.flatnonzero(np.diff(status)) + 1):
-        parts.append(_line(place(new[run]), COLOURS[0], 1.8, status[run[0]] == EXTRAPOLATED))
+        parts.append(_line(to_picture(new[run]), COLOURS[0], 1.8, status[run[0]] == EXTRAPOLATED))
     for item in rectified.sets:
-        x, y = place(item.place[None, :2])[0]
+        x, y = to_picture(item.place[None, :2])[0]
         parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="{_SET_COLOURS[item.status]}" stroke="#fff"/>'
                      f'<text x="{x + 6:.1f}" y="{y - 5:.1f}">{html.escape(item.name)}</text>')
     longest = (_WIDTH - 40) / 4 / scale

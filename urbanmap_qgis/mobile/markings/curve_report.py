@@ -138,20 +138,20 @@ def curve_svg(curve: IntensityCurve) -> str:
     i_max = 1.05 * max(float(curve.asphalt.max()), float(curve.intensity(curve.nearest)))
     width, height = WIDTH - _LEFT - _RIGHT, HEIGHT - _TOP - _BOTTOM
 
-    def place(r: np.ndarray, i: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def to_picture(r: np.ndarray, i: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         return _LEFT + np.asarray(r) / r_max * width, _TOP + (1 - np.asarray(i) / i_max) * height
 
-    x, y = place(curve.ranges, curve.asphalt)
+    x, y = to_picture(curve.ranges, curve.asphalt)
     dots = "".join(f'<circle cx="{a:.1f}" cy="{b:.1f}" r="2.2" fill="{"#2f6f8f" if used else "#bbbbbb"}"/>'
                    for a, b, used in zip(x, y, curve.used))
     r = np.linspace(curve.nearest, curve.r2, 200)
-    line = "L".join(f"{a:.1f} {b:.1f}" for a, b in zip(*place(r, curve.intensity(r))))
+    line = "L".join(f"{a:.1f} {b:.1f}" for a, b in zip(*to_picture(r, curve.intensity(r))))
     limits = "".join(f'<path d="M{a:.1f} {_TOP}V{HEIGHT - _BOTTOM}" stroke="#777" stroke-dasharray="4 3"/>'
                      f'<text x="{a - 4:.1f}" y="{_TOP + 10}" text-anchor="end">{name}</text>'
-                     for name, a in _limits(curve, lambda at: float(place(at, 0)[0])))
+                     for name, a in _limits(curve, lambda at: float(to_picture(at, 0)[0])))
     return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{HEIGHT}" role="img" '
             f'font-family="sans-serif" font-size="11">{dots}<path d="M{line}" fill="none" stroke="#d73027" '
-            f'stroke-width="1.6"/>{limits}{_axes(r_max, i_max, place)}</svg>')
+            f'stroke-width="1.6"/>{limits}{_axes(r_max, i_max, to_picture)}</svg>')
 
 
 def _limits(curve: IntensityCurve, at) -> list[tuple[str, float]]:

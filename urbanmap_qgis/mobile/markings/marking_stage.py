@@ -162,7 +162,7 @@ class _Run:
     def __init__(self, survey: SurveyPoints, settings: ExtractionSettings, executor: Executor | None):
         self.survey, self.settings, self.executor = survey, settings, executor
         units = max(len(survey.units), 1)
-        self.length = int(np.clip(_PIECE_POINTS * units / max(survey.read_counts.kept, 1), 1, _MAX_UNITS))
+        self.length = int(np.clip(_PIECE_POINTS * units / max(survey.read_counts.nearby, 1), 1, _MAX_UNITS))
         self.together = survey.calibration is None and len(survey.tracks.by_source) > MAX_SCANNERS
         self.first_id = _first_ids(survey)
         self.histograms: dict[int, RangeHistogram] = {}
@@ -360,7 +360,7 @@ class _Run:
         marked = len(np.unique(self.survey.unit(records["time"]))) / max(len(self.survey.units), 1)
         return Extraction(points, records["number"], (brightness * self.reference).astype(np.float32), contrast,
                           self.curves, self.failed, self.reference, read_counts.points, read_counts.outside,
-                          read_counts.standing, read_counts.kept, self.ground_points, self.in_range,
+                          read_counts.standing, read_counts.nearby, self.ground_points, self.in_range,
                           self.method, marked, self.scatter,
                           {number: item.gains for number, item in self.lasers.items()})
 

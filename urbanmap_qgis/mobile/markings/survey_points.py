@@ -61,7 +61,7 @@ class ReadCounts:
     usable : no noise or withheld points.
     outside : before or after the trajectory, or in gaps of it.
     standing : measured while the vehicle stood.
-    kept : near the vehicle.
+    nearby : near the vehicle.
     classes : (256,) number of usable points by class.
     least, most : intensity.
     height : m, median height over the vehicle of points near it in plan; NaN without any.
@@ -71,7 +71,7 @@ class ReadCounts:
     usable: int = 0
     outside: int = 0
     standing: int = 0
-    kept: int = 0
+    nearby: int = 0
     classes: np.ndarray = field(default_factory=lambda: np.zeros(256, dtype=np.int64))
     least: float = np.inf
     most: float = -np.inf
@@ -130,7 +130,7 @@ class SurveyPoints:
         self.read_counts.most = max(self.read_counts.most, float(intensity.max()))
         near, distance = self._near(x, y, z, time, source)
         nearby = np.flatnonzero(near)
-        self.read_counts.kept += len(nearby)
+        self.read_counts.nearby += len(nearby)
         if not len(nearby):
             return
         rows, time = rows[nearby], time[nearby]
@@ -189,7 +189,7 @@ class SurveyPoints:
             raise InputError(say("All points of {name} have the intensity {most:g}, by which markings cannot be "
                                  "told: export the survey with the measured intensities.", name=name,
                                  most=read_counts.most))
-        if not read_counts.kept:
+        if not read_counts.nearby:
             heights = read_counts.heights
             difference = (say(" (they lie {heights:+.0f} m above the scanner)", heights=np.median(heights)) if heights
                           else "")

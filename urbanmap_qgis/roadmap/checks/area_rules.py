@@ -83,9 +83,9 @@ def _others_refer(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
 
 @rule("Area.BufferZoneValidity-001")
 def _buffer_points(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    held = {node for lane in inspected.lanes.values() for node in (*lane.left, *lane.right)}
+    lane_nodes = {node for lane in inspected.lanes.values() for node in (*lane.left, *lane.right)}
     for way in inspected.ways_of("hatched_road_markings"):
-        loose = [node for node in inspected.line(way) if node not in held]
+        loose = [node for node in inspected.line(way) if node not in lane_nodes]
         if loose:
             yield broken("way", way, points=", ".join(map(str, dict.fromkeys(loose))))
 

@@ -57,10 +57,10 @@ def _short_ways(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
 @rule("File.MissingReference-003")
 def _missing_members(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
     content = inspected.content
-    held = {"node": content.nodes, "way": content.ways, "relation": content.relations}
+    elements = {"node": content.nodes, "way": content.ways, "relation": content.relations}
     for number, relation in content.relations.items():
         for kind, member, _ in relation.members:
-            if member not in held.get(kind, {}):
+            if member not in elements.get(kind, {}):
                 yield broken("relation", number, kind=kind, missing=member)
 
 
@@ -107,9 +107,9 @@ def _far_away(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
     numbers, tree = list(inspected.row), shapely.STRtree(points)
     for k in np.flatnonzero(away > FAR):
         near = tree.query_nearest(points[k], exclusive=True, all_matches=False)
-        apart = shapely.distance(points[k], points[near[0]]) if len(near) else np.inf
-        if apart > FAR / 2:
-            yield broken("node", numbers[known[k]], apart=f"{apart:.0f}")
+        distance = shapely.distance(points[k], points[near[0]]) if len(near) else np.inf
+        if distance > FAR / 2:
+            yield broken("node", numbers[known[k]], apart=f"{distance:.0f}")
 
 
 @rule("File.Height-001")
@@ -121,7 +121,7 @@ def _without_height(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]
 
 @rule("File.Height-002")
 def _height_spikes(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    told: set[int] = set()
+    reported: set[int] = set()
     for way in dict.fromkeys(way for lane in inspected.lanes.values() for way in lane.ways):
         nodes = inspected.line(way)
         places = inspected.places(nodes)
@@ -132,8 +132,8 @@ def _height_spikes(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
         inner = (np.minimum(steep[:-1], steep[1:]) > STEEP) & (rise[:-1] * rise[1:] < 0)
         spike = np.concatenate([steep[:1] > 2 * STEEP, inner, steep[-1:] > 2 * STEEP])
         for k in np.flatnonzero(spike):
-            if nodes[k] not in told:
-                told.add(nodes[k])
+            if nodes[k] not in reported:
+                reported.add(nodes[k])
                 yield broken("node", nodes[k], apart=f"{np.abs(rise[max(k - 1, 0):k + 1]).max():.1f}")
 
 
@@ -163,8 +163,8 @@ def _nobody_first(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
 def _sign_without_kind(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
     for one in inspected.rules_of("traffic_sign"):
         ways = [inspected.content.ways[number] for number in one.ids("refers") if number in inspected.content.ways]
-        told = [way for way in ways if "subtype" in way.tags]
-        if "sign_type" not in one.tags and not (ways and told):
+        with_kind = [way for way in ways if "subtype" in way.tags]
+        if "sign_type" not in one.tags and not (ways and with_kind):
             yield broken("relation", one.number)
 
 
@@ -178,10 +178,10 @@ def _unknown_rules(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
 
 @rule("Lanelet2.Load-006")
 def _extension(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    told: set[str] = set()
+    reported: set[str] = set()
     for one in inspected.rules.values():
-        if one.subtype in AUTOWARE_RULES and one.subtype not in told:
-            told.add(one.subtype)
+        if one.subtype in AUTOWARE_RULES and one.subtype not in reported:
+            reported.add(one.subtype)
             yield broken("relation", one.number, value=one.subtype)
 
 
@@ -218,27 +218,27 @@ def _nobody_yields(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
 def _without_participants(inspected: MapInspection) -> tuple[dict[str, list[int]], set[str]]:
     """Lanelets without participants by subtype, and the subtypes of which others have some."""
     without: dict[str, list[int]] = {}
-    told = set()
+    stated = set()
     for lane in inspected.lanes.values():
         if any(key.startswith("participant") for key in lane.tags):
-            told.add(lane.subtype)
+            stated.add(lane.subtype)
         else:
             without.setdefault(lane.subtype, []).append(lane.number)
-    return without, told
+    return without, stated
 
 
 @rule("Lanelet2.Participants-001")
 def _participant_missing(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    without, told = _without_participants(inspected)
-    for subtype in told & without.keys():
+    without, stated = _without_participants(inspected)
+    for subtype in stated & without.keys():
         for number in without[subtype]:
             yield broken("relation", number)
 
 
 @rule("Lanelet2.Participants-002")
 def _participants_nowhere(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    without, told = _without_participants(inspected)
-    for subtype in sorted(without.keys() - told):
+    without, stated = _without_participants(inspected)
+    for subtype in sorted(without.keys() - stated):
         yield broken("relation", without[subtype][0], value=subtype)
 
 

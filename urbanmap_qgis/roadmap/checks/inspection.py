@@ -68,7 +68,7 @@ class MapInspection:
     ----------
     content : the file. numbers : node ids in their order. degrees : (n, 2) longitude and latitude.
     metres : (n, 3) places with heights, NaN where unknown; local coordinates where all nodes have them.
-    kept : what more than one rule has to find out, by a name.
+    computed : what more than one rule has to find out, by a name.
     """
 
     def __init__(self, content: OsmFile):
@@ -83,7 +83,7 @@ class MapInspection:
         whole = len(nodes) > 0 and bool(np.isfinite(self.local).all())
         self.metres = np.column_stack([self.local if whole else self.projected, height])
         self.lanes = {lane.number: lane for lane in map(self._lane, content.relations.values()) if lane is not None}
-        self.kept: dict[str, dict] = {}
+        self.computed: dict[str, dict] = {}
         self._conflicts: dict[tuple[int, bool], dict[int, float]] = {}
         self.rules = {number: _checked_rule(relation) for number, relation in content.relations.items()
                       if relation.tags.get("type") == "regulatory_element"}
@@ -102,8 +102,8 @@ class MapInspection:
 
     def line(self, way: int) -> tuple[int, ...]:
         """Node ids of a way that are there; empty where there are fewer than two or the way is missing."""
-        held = self.content.ways.get(way)
-        nodes = tuple(number for number in held.nodes if number in self.row) if held else ()
+        element = self.content.ways.get(way)
+        nodes = tuple(number for number in element.nodes if number in self.row) if element else ()
         return nodes if len(nodes) >= 2 else ()
 
     def _aligned(self, left: tuple[int, ...], right: tuple[int, ...]) -> tuple[tuple[int, ...], tuple[int, ...]]:
@@ -132,8 +132,8 @@ class MapInspection:
 
     def way_type(self, way: int) -> str:
         """The type of a way, "" where there is none."""
-        held = self.content.ways.get(way)
-        return held.tags.get("type", "") if held else ""
+        element = self.content.ways.get(way)
+        return element.tags.get("type", "") if element else ""
 
     def ways_of(self, *types: str) -> list[int]:
         """Ids of the ways of some types."""
@@ -243,14 +243,14 @@ class MapInspection:
         return self._conflicts[lane.number, together]
 
     def _overlapping(self, lane: CheckedLane, together: bool) -> dict[int, float]:
-        own = self.valid_areas[lane.number]
+        area = self.valid_areas[lane.number]
         linked = {one.number for one in (*self.followers(lane), *self.before(lane), lane)}
         found = {}
-        for other in self.meeting(own):
+        for other in self.meeting(area):
             same = other.begin == lane.begin and not together
             if other.number in linked or other.subtype not in VEHICLE_SUBTYPES or same:
                 continue
-            share = own.intersection(self.valid_areas[other.number]).area / max(own.area, 1e-9)
+            share = area.intersection(self.valid_areas[other.number]).area / max(area.area, 1e-9)
             if share > 1e-4:
                 found[other.number] = share
         return found
@@ -283,16 +283,16 @@ def _checked_rule(relation: OsmRelation) -> CheckedRule:
     roles = defaultdict(list)
     for kind, number, role in relation.members:
         roles[role].append((kind, number))
-    return CheckedRule(relation.identifier, relation.tags, {role: tuple(held) for role, held in roles.items()})
+    return CheckedRule(relation.identifier, relation.tags, {role: tuple(members) for role, members in roles.items()})
 
 
 def _projected(degrees: np.ndarray) -> np.ndarray:
     """Places (n, 2) in metres about the middle one; NaN where latitude or longitude are none on the earth."""
     known = np.isfinite(degrees).all(axis=1) & (np.abs(degrees[:, 1]) <= 90.0) & (np.abs(degrees[:, 0]) <= 180.0)
-    made = np.full(degrees.shape, math.nan)
+    places = np.full(degrees.shape, math.nan)
     if known.any():
         middle = np.median(degrees[known], axis=0)
         plane = pyproj.Proj(proj="tmerc", lat_0=middle[1], lon_0=middle[0], ellps="WGS84")
-        made[known] = np.column_stack(plane(degrees[known, 0], degrees[known, 1]))
-        made[~np.isfinite(made).all(axis=1)] = math.nan
-    return made
+        places[known] = np.column_stack(plane(degrees[known, 0], degrees[known, 1]))
+        places[~np.isfinite(places).all(axis=1)] = math.nan
+    return places

@@ -71,10 +71,10 @@ def _unknown_turn(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
 
 @rule("Intersection.IntersectionAreaSegmentType-001")
 def _area_points(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    held = {node for way in inspected.ways_of("road_border") for node in inspected.line(way)}
-    held |= {node for lane in inspected.lanes.values() for node in (*lane.begin, *lane.end)}
+    border_nodes = {node for way in inspected.ways_of("road_border") for node in inspected.line(way)}
+    border_nodes |= {node for lane in inspected.lanes.values() for node in (*lane.begin, *lane.end)}
     for way in inspected.ways_of("intersection_area"):
-        loose = list(dict.fromkeys(node for node in inspected.line(way) if node not in held))
+        loose = list(dict.fromkeys(node for node in inspected.line(way) if node not in border_nodes))
         if loose:
             yield broken("way", way, points=", ".join(map(str, loose)))
 
@@ -130,8 +130,8 @@ def _border_types(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
 @rule("Intersection.TurnSignalDistanceOverlap-001")
 def _turns_follow(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
     for lane in _turning(inspected):
-        told = as_number(lane.tags.get("turn_signal_distance", ""))
-        distance = told if np.isfinite(told) else SIGNAL_BEFORE
+        stated = as_number(lane.tags.get("turn_signal_distance", ""))
+        distance = stated if np.isfinite(stated) else SIGNAL_BEFORE
         others = _turns_before(inspected, lane, distance) if lane.tags["turn_direction"] != "straight" else []
         if others:
             yield broken("relation", lane.number, distance=f"{distance:g}", others=", ".join(map(str, others)))
@@ -291,9 +291,9 @@ def _nobody_yields(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
         by_area.setdefault(lane.tags.get("intersection_area", ""), []).append(lane)
     for way in inspected.ways_of("intersection_area"):
         lanes = by_area.get(str(way), [])
-        told = any(inspected.lane_rules(lane, "right_of_way") for lane in lanes)
+        regulated = any(inspected.lane_rules(lane, "right_of_way") for lane in lanes)
         plain = all(_group(inspected, lane) == PLAIN for lane in lanes)
         meet = any(_turns_across(inspected, lane, inspected.lanes[number]) and share > HARD
                    for lane in lanes for number, share in _conflicting(inspected, lane).items())
-        if lanes and plain and not told and meet:
+        if lanes and plain and not regulated and meet:
             yield broken("way", way)

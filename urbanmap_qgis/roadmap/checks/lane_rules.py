@@ -28,9 +28,9 @@ WALKWAY_REACH = 3.0
 
 def _beside_unshared(inspected: MapInspection) -> dict[int, list[int]]:
     """Lanelets whose border lies within another one made wider, by that one."""
-    if "beside" not in inspected.kept:
-        inspected.kept["beside"] = _find_beside(inspected)
-    return inspected.kept["beside"]
+    if "beside" not in inspected.computed:
+        inspected.computed["beside"] = _find_beside(inspected)
+    return inspected.computed["beside"]
 
 
 def _find_beside(inspected: MapInspection) -> dict[int, list[int]]:
@@ -46,14 +46,14 @@ def _find_beside(inspected: MapInspection) -> dict[int, list[int]]:
     within = shapely.covers(wide[one], borders[other, 0]) | shapely.covers(wide[one], borders[other, 1])
     found: dict[int, list[int]] = {}
     for k, j in zip(one[within & (one != other)], other[within & (one != other)]):
-        if _apart(inspected, lanes[k], lanes[j]):
+        if _unconnected(inspected, lanes[k], lanes[j]):
             both = shapely.area(shapely.intersection(wide[k], areas[j]))
             if both < OVERLAP * (wide[k].area + areas[j].area - both):
                 found.setdefault(numbers[k], []).append(numbers[j])
     return found
 
 
-def _apart(inspected: MapInspection, lane: CheckedLane, other: CheckedLane) -> bool:
+def _unconnected(inspected: MapInspection, lane: CheckedLane, other: CheckedLane) -> bool:
     """Whether two lanelets share no bound, no begin and no end, and do not follow each other."""
     return not ({lane.begin, lane.end} & {other.begin, other.end}
                 or {lane.begin, lane.end} & {other.begin[::-1], other.end[::-1]} or set(lane.ways) & set(other.ways))
@@ -79,9 +79,9 @@ def _border_of_several(inspected: MapInspection, rule: MapRule) -> Iterator[Brok
 
 def _local(inspected: MapInspection) -> Iterator[tuple[int, bool, bool]]:
     """Nodes with whether they have local_x and local_y, where any node of the map has."""
-    held = [(number, "local_x" in node.tags, "local_y" in node.tags)
-            for number, node in inspected.content.nodes.items()]
-    yield from held if any(x or y for _, x, y in held) else ()
+    given = [(number, "local_x" in node.tags, "local_y" in node.tags)
+             for number, node in inspected.content.nodes.items()]
+    yield from given if any(x or y for _, x, y in given) else ()
 
 
 @rule("Lane.LocalCoordinatesDeclaration-001", "Lane.LocalCoordinatesDeclaration-002",
@@ -115,8 +115,8 @@ def _centre_line_ends(inspected: MapInspection, rule: MapRule) -> Iterator[Broke
 @rule("Lane.CenterlineGeometry-002")
 def _centre_line_outside(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
     for lane, way, nodes in _centre_lines(inspected):
-        apart = shapely.distance(shapely.points(inspected.places(nodes)[:, :2]), inspected.valid_areas[lane.number])
-        outside = [nodes[k] for k in np.flatnonzero(apart > IN_PLAN)]
+        distances = shapely.distance(shapely.points(inspected.places(nodes)[:, :2]), inspected.valid_areas[lane.number])
+        outside = [nodes[k] for k in np.flatnonzero(distances > IN_PLAN)]
         if outside:
             yield broken("way", way, points=", ".join(map(str, outside)))
 

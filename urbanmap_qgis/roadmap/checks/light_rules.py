@@ -205,9 +205,9 @@ def _starting_line(inspected: MapInspection, lane: CheckedLane, stop: tuple[int,
     ends = [inspected.places(pair)[:, :2] for pair in (lane.begin, lane.end)]
     if stop:
         line = inspected.places((stop[0], stop[-1]))[:, :2]
-        apart = [min(np.linalg.norm(end - line, axis=1).sum(), np.linalg.norm(end - line[::-1], axis=1).sum())
-                 for end in ends]
-        ends = ends if apart[0] <= apart[1] else ends[::-1]
+        distances = [min(np.linalg.norm(end - line, axis=1).sum(), np.linalg.norm(end - line[::-1], axis=1).sum())
+                     for end in ends]
+        ends = ends if distances[0] <= distances[1] else ends[::-1]
     return ends[0][1] - ends[0][0]
 
 

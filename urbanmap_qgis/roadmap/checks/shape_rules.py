@@ -57,9 +57,9 @@ def _curvature(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
             one, other, chord = places[1:-1] - places[:-2], places[2:] - places[1:-1], places[2:] - places[:-2]
             area = np.abs(one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0])
             sides = np.prod([np.linalg.norm(side, axis=1) for side in (one, other, chord)], axis=0)
-            sharp = np.flatnonzero(2.0 * area > SHARPEST * np.maximum(sides, 1e-12))
-            if len(sharp):
-                yield broken("relation", lane.number, node=nodes[sharp[0] + 1])
+            kinks = np.flatnonzero(2.0 * area > SHARPEST * np.maximum(sides, 1e-12))
+            if len(kinks):
+                yield broken("relation", lane.number, node=nodes[kinks[0] + 1])
                 break
 
 
@@ -100,10 +100,10 @@ def _width(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
 
 @rule("Shape.Twin-001")
 def _twins(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    held: dict[tuple, list[int]] = defaultdict(list)
+    by_bounds: dict[tuple, list[int]] = defaultdict(list)
     for lane in inspected.lanes.values():
-        held[lane.left, lane.right].append(lane.number)
-    for numbers in held.values():
+        by_bounds[lane.left, lane.right].append(lane.number)
+    for numbers in by_bounds.values():
         for number in numbers[1:]:
             yield broken("relation", number, other=numbers[0])
 

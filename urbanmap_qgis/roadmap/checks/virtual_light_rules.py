@@ -170,12 +170,12 @@ def _wrong_order(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
 @rule("Intersection.VirtualTrafficLightSectionOverlap-001")
 def _sections_overlap(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
     """Ways between start and end lines that share a lanelet other than the one of the start line."""
-    held = {section.element.number: {lane.number for way in section.ways.values() for lane in way[1:]}
-            for section in _sections(inspected)}
+    lanes_of = {section.element.number: {lane.number for way in section.ways.values() for lane in way[1:]}
+                for section in _sections(inspected)}
     firsts = {section.element.number: {way[1].number if len(way) > 1 else -1 for way in section.ways.values()}
               for section in _sections(inspected)}
-    numbers = list(held)
+    numbers = list(lanes_of)
     for k, one in enumerate(numbers):
         for other in numbers[k + 1:]:
-            if held[one] & held[other] and not firsts[one] & firsts[other]:
+            if lanes_of[one] & lanes_of[other] and not firsts[one] & firsts[other]:
                 yield broken("relation", one, other=other)

@@ -68,8 +68,8 @@ def _sections(stations: Stations, rows: np.ndarray, settings: EdgeSettings) -> I
 def _kinds(stations: Stations, rows: np.ndarray, settings: EdgeSettings) -> np.ndarray:
     """GAP, FULL, LOW or UNSURE of each station; short stretches of the others belong to what is beside them."""
     height, measured, sigma = stations.height[rows], np.isfinite(stations.foot[rows]), stations.sigma[rows]
-    told = measured & stations.seen[rows]
-    usual = np.nanmedian(height[told]) if told.any() else np.nan
+    known = measured & stations.seen[rows]
+    usual = np.nanmedian(height[known]) if known.any() else np.nan
     low = measured & (height < max(LOWERED_SHARE * usual, settings.min_height))
     unsure = measured & ~(sigma < _UNSURE)
     kinds = np.where(measured, np.where(unsure, UNSURE, np.where(low, LOW, FULL)), GAP)
@@ -170,8 +170,8 @@ def _edge(stations: Stations, kind: int, part: np.ndarray, corner: np.ndarray, c
 
 def _with_gaps(edges: list[RoadEdge]) -> list[RoadEdge]:
     """The same with the way from each to the next one of its chain."""
-    made = []
+    with_gaps = []
     for edge, following in zip(edges, [*edges[1:], None]):
         gap = 0.0 if following is None else float(np.hypot(*(following.foot[0] - edge.foot[-1])[:2]))
-        made.append(RoadEdge(**{**edge.__dict__, "gap": gap}))
-    return made
+        with_gaps.append(RoadEdge(**{**edge.__dict__, "gap": gap}))
+    return with_gaps

@@ -119,15 +119,15 @@ class EdgePoints:
     def tiles(self, progress: Progress = SILENT) -> Iterator[EdgeTile]:
         """All tiles that have points, with their margins, column by column."""
         keys = sorted(self.keys)
-        held: dict[int, np.ndarray] = {}
+        loaded: dict[int, np.ndarray] = {}
         for number, key in enumerate(keys):
             around = [key + i * _ROW + j for i in (-1, 0, 1) for j in (-1, 0, 1)]
-            held = {name: held[name] if name in held else self.buckets.read(name)
-                    for name in around if name in self.keys}
+            loaded = {name: loaded[name] if name in loaded else self.buckets.read(name)
+                      for name in around if name in self.keys}
             low = np.array([key // _ROW, key % _ROW], float) * TILE
             if not self._reached(low):
                 continue
-            yield EdgeTile(low, np.concatenate([_within(held[name], low) for name in around if name in held]))
+            yield EdgeTile(low, np.concatenate([_within(loaded[name], low) for name in around if name in loaded]))
             progress.step((number + 1) / len(keys))
 
     def _reached(self, low: np.ndarray) -> bool:

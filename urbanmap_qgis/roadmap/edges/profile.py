@@ -71,7 +71,7 @@ class _Line:
     spread: float
     nearest: float
 
-    def at(self, a: float) -> float:
+    def height(self, a: float) -> float:
         return self.z + self.slope * (a - self.middle)
 
     def sigma(self, a: float) -> float:
@@ -125,22 +125,22 @@ def _line(a: np.ndarray, z: np.ndarray, side: int) -> _Line | None:
         noise = max(1.4826 * float(np.median(np.abs(off[keep]))), _NOISE)
         line = _Line(float(mean_z), slope, float(mean_a), noise, int(np.count_nonzero(keep)), spread,
                      float(np.sort(np.abs(a[keep]))[_FEWEST // 2]))
-        kept = np.abs(off) < 3.0 * noise
-        if np.array_equal(kept, keep):
+        inliers = np.abs(off) < 3.0 * noise
+        if np.array_equal(inliers, keep):
             break
-        keep = kept
+        keep = inliers
     return line if line.noise <= _ROUGH and line.nearest <= _NEAREST else None
 
 
 def _face(a: np.ndarray, z: np.ndarray, low: _Line, high: _Line) -> Profile | None:
     """Foot, top and place of the face between two sides; None where these are too far apart to tell of a low step."""
-    step = high.at(0.0) - low.at(0.0)
+    step = high.height(0.0) - low.height(0.0)
     sigma_z = float(np.hypot(low.sigma(0.0), high.sigma(0.0)))
     number = low.number + high.number
     if step < max(_FLUSH, 3.0 * sigma_z):
         if max(low.nearest, high.nearest) > _NEAREST_FLUSH or sigma_z > 0.5 * _FLUSH:
             return None
-        return Profile(0.0, 0.0, low.at(0.0), high.at(0.0), np.nan, sigma_z, number)
+        return Profile(0.0, 0.0, low.height(0.0), high.height(0.0), np.nan, sigma_z, number)
     near = np.abs(a) < _FACE
     margin = max(_MARGIN * step, 2.0 * _NOISE)
     above, below = z - low.z - low.slope * (a - low.middle), high.z + high.slope * (a - high.middle) - z
@@ -148,7 +148,7 @@ def _face(a: np.ndarray, z: np.ndarray, low: _Line, high: _Line) -> Profile | No
     if np.count_nonzero(face) >= _FACE_POINTS:
         return _on_face(a[face], (above - 0.5 * step)[face], step, low, high, number)
     edge, sigma = _change(a[near], above[near]**2, below[near]**2, max(low.noise, high.noise))
-    return Profile(edge, edge, low.at(edge), high.at(edge), sigma, sigma_z, number)
+    return Profile(edge, edge, low.height(edge), high.height(edge), sigma, sigma_z, number)
 
 
 def _on_face(a: np.ndarray, up: np.ndarray, step: float, low: _Line, high: _Line, number: int) -> Profile:
@@ -162,7 +162,7 @@ def _on_face(a: np.ndarray, up: np.ndarray, step: float, low: _Line, high: _Line
     noise = max(float(np.sqrt((off**2).sum() / max(len(a) - 2, 1))), _NOISE)
     sigma = noise * float(np.sqrt(1.0 / len(a) + up.mean()**2 / spread))
     foot, top = edge - 0.5 * lean * step, edge + 0.5 * lean * step
-    return Profile(foot, top, low.at(foot), high.at(top), sigma,
+    return Profile(foot, top, low.height(foot), high.height(top), sigma,
                    float(np.hypot(low.sigma(foot), high.sigma(top))), number + len(a))
 
 

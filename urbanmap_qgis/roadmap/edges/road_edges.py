@@ -111,15 +111,15 @@ def _densities(tile: EdgeTile, low: np.ndarray, survey: EdgePoints) -> list[int]
 
     Scanners on the roof of a car do not see the ground right below.
     """
-    own = tile.owns(survey.path)
-    if not own.any():
+    in_tile = tile.owns(survey.path)
+    if not in_tile.any():
         return []
-    way = np.gradient(survey.path, axis=0)[own][::4]
+    way = np.gradient(survey.path, axis=0)[in_tile][::4]
     across = np.column_stack([-way[:, 1], way[:, 0]]) / np.maximum(np.hypot(*way.T), 1e-9)[:, None]
     x, y = tile.points["x"][low], tile.points["y"][low]
     return [max(int(np.count_nonzero((np.abs(x - place[0]) < 0.5) & (np.abs(y - place[1]) < 0.5)))
                 for place in at + np.array([[-3.5], [0.0], [3.5]]) * normal)
-            for at, normal in zip(survey.path[own][::4], across)]
+            for at, normal in zip(survey.path[in_tile][::4], across)]
 
 
 def _beside(candidates: EdgeCandidates, survey: EdgePoints) -> EdgeCandidates:

@@ -88,26 +88,26 @@ def lanelet_elements(built: VectorMap, crs_wkt: str, projector: str = "Transvers
     speed_limit : km/h, for lanes that have none of their own.
     dialect : of the regulatory elements, one of `DIALECTS`.
     """
-    made = _Elements()
-    numbers = [made.node(place) for place in built.nodes]
+    elements = _Elements()
+    numbers = [elements.node(place) for place in built.nodes]
     shared = _shared_bounds(built)
-    bounds = [made.way([numbers[n] for n in bound.nodes], _bound_tags(bound, k in shared))
+    bounds = [elements.way([numbers[n] for n in bound.nodes], _bound_tags(bound, k in shared))
               for k, bound in enumerate(built.bounds)]
-    lanelets = [made.relation([("way", bounds[lane.left], "left"), ("way", bounds[lane.right], "right")],
-                              _lane_tags(lane, speed_limit)) for lane in built.lanes]
-    _add_intersections(made, built, numbers, lanelets)
-    stops = _add_stop_lines(made, built, lanelets, dialect)
+    lanelets = [elements.relation([("way", bounds[lane.left], "left"), ("way", bounds[lane.right], "right")],
+                                  _lane_tags(lane, speed_limit)) for lane in built.lanes]
+    _add_intersections(elements, built, numbers, lanelets)
+    stops = _add_stop_lines(elements, built, lanelets, dialect)
     for k in sorted({k for lane in built.lanes for k in lane.crosswalks}):
-        _add_crosswalk(made, built, k, stops, lanelets, dialect)
-    places = np.array(made.places).reshape(-1, 3)
+        _add_crosswalk(elements, built, k, stops, lanelets, dialect)
+    places = np.array(elements.places).reshape(-1, 3)
     coordinates = map_coordinates(places[:, :2], crs_wkt, projector)
     nodes = {}
-    for k, number in enumerate(made.node_ids):
+    for k, number in enumerate(elements.node_ids):
         tags = {"local_x": f"{coordinates.local[k, 0]:.4f}", "local_y": f"{coordinates.local[k, 1]:.4f}"}
         tags |= {"ele": f"{places[k, 2]:.4f}"} if np.isfinite(places[k, 2]) else {}
         tags |= {"ele_sigma": f"{built.height_sigmas[k]:.2f}"} if k in built.height_sigmas else {}
         nodes[number] = OsmNode(number, float(coordinates.latitude[k]), float(coordinates.longitude[k]), tags)
-    return OsmFile(nodes, made.ways, made.relations()), coordinates
+    return OsmFile(nodes, elements.ways, elements.relations()), coordinates
 
 
 def _shared_bounds(built: VectorMap) -> set[int]:
@@ -140,58 +140,59 @@ def _lane_tags(lane: MapLane, speed_limit: float | None) -> dict[str, str]:
     return tags | ({"speed_limit": f"{limit:g}"} if limit is not None else {})
 
 
-def _add_intersections(made: _Elements, built: VectorMap, numbers: list[int], lanelets: list[int]) -> None:
+def _add_intersections(elements: _Elements, built: VectorMap, numbers: list[int], lanelets: list[int]) -> None:
     """Areas of intersections, the turns of the ways in them, and who yields.
 
     A way that no area of ends of lanes covers has no turn_direction: Autoware asks for both or none.
     """
     for one in built.intersections:
-        area = made.way([numbers[node] for node in one.ring], {"type": "intersection_area", "area": "yes"})
+        area = elements.way([numbers[node] for node in one.ring], {"type": "intersection_area", "area": "yes"})
         for lane in one.lanes:
-            made.tags[lanelets[lane]] |= {"turn_direction": built.lanes[lane].turn, "intersection_area": str(area)}
+            elements.tags[lanelets[lane]] |= {"turn_direction": built.lanes[lane].turn, "intersection_area": str(area)}
         for lane, waiting in one.yields.items():
             members = [("relation", lanelets[lane], "right_of_way")]
             members += [("relation", lanelets[other], "yield") for other in waiting]
-            made.rule(members, "right_of_way", [lanelets[lane]])
+            elements.rule(members, "right_of_way", [lanelets[lane]])
 
 
-def _add_stop_lines(made: _Elements, built: VectorMap, lanelets: list[int], dialect: str) -> dict[int, int]:
+def _add_stop_lines(elements: _Elements, built: VectorMap, lanelets: list[int], dialect: str) -> dict[int, int]:
     """Stop lines by their numbers; those that no lane refers to would only break the validators' rules."""
     stops = {}
     for k in sorted({k for lane in built.lanes for k in lane.stop_lines}):
-        stops[k] = made.way([made.node(place) for place in built.stop_lines[k]],
-                            {"type": "stop_line", "subtype": "solid"})
+        stops[k] = elements.way([elements.node(place) for place in built.stop_lines[k]],
+                                {"type": "stop_line", "subtype": "solid"})
         before = [lanelets[number] for number, lane in enumerate(built.lanes) if k in lane.stop_lines]
         if dialect == "autoware":
-            made.rule([("way", stops[k], "refers")], "road_marking", before)
+            elements.rule([("way", stops[k], "refers")], "road_marking", before)
         else:
-            made.rule([("way", stops[k], "ref_line")], "traffic_sign", before, sign_type=STOP_LINE_SIGN)
+            elements.rule([("way", stops[k], "ref_line")], "traffic_sign", before, sign_type=STOP_LINE_SIGN)
     return stops
 
 
-def _add_crosswalk(made: _Elements, built: VectorMap, number: int, stops: dict[int, int], lanelets: list[int],
+def _add_crosswalk(elements: _Elements, built: VectorMap, number: int, stops: dict[int, int], lanelets: list[int],
                    dialect: str) -> None:
     """A crosswalk as lanelet across the traffic and as polygon, and a rule for each stop line before it."""
     area, ring = built.crosswalks[number], built.crosswalk_ring(number)[:4]
     walk = np.array([-area.heading[1], area.heading[0]])
     across, along = ring[:, :2] @ walk, ring[:, :2] @ area.heading
     order = np.lexsort((across, along > np.median(along)))
-    corners = [made.node(ring[k]) for k in order]  # near side from right to left, then far side
-    sides = [made.way(pair, {"type": "pedestrian_marking"}) for pair in (corners[:2], corners[2:])]
+    corners = [elements.node(ring[k]) for k in order]  # near side from right to left, then far side
+    sides = [elements.way(pair, {"type": "pedestrian_marking"}) for pair in (corners[:2], corners[2:])]
     left, right = sides[::-1] if _turned(ring[order]) else sides
-    lanelet = made.relation([("way", left, "left"), ("way", right, "right")], {
+    lanelet = elements.relation([("way", left, "left"), ("way", right, "right")], {
         "type": "lanelet", **defaults("lanelet"), "subtype": "crosswalk", "one_way": "no",
         "participant:pedestrian": "yes"})
-    outline = made.way([corners[k] for k in (0, 1, 3, 2)], {"type": "crosswalk_polygon", "area": "yes"})
+    outline = elements.way([corners[k] for k in (0, 1, 3, 2)], {"type": "crosswalk_polygon", "area": "yes"})
     for stop, lanes in _stops_before(built, number).items():
         line = [("way", stops[stop], "ref_line")] if stop is not None else []
         crossing = [lanelets[lane] for lane in lanes]
         if dialect == "autoware":
-            made.rule([("relation", lanelet, "refers"), *line, ("way", outline, "crosswalk_polygon")], "crosswalk",
-                      crossing)
+            elements.rule([("relation", lanelet, "refers"), *line, ("way", outline, "crosswalk_polygon")], "crosswalk",
+                          crossing)
         else:
-            made.rule([("relation", lanelet, "right_of_way"), *(("relation", one, "yield") for one in crossing), *line],
-                      "right_of_way", [lanelet, *crossing])
+            elements.rule([("relation", lanelet, "right_of_way"), *(("relation", one, "yield") for one in crossing),
+                           *line],
+                          "right_of_way", [lanelet, *crossing])
 
 
 def _stops_before(built: VectorMap, crosswalk: int) -> dict[int | None, list[int]]:
@@ -216,5 +217,5 @@ def _stops_before(built: VectorMap, crosswalk: int) -> dict[int | None, list[int
 def _turned(corners: np.ndarray) -> bool:
     """Whether the first of two parallel ways (two corners each) lies to the right of the second."""
     course = corners[1, :2] - corners[0, :2]
-    apart = corners[2:, :2].mean(axis=0) - corners[:2, :2].mean(axis=0)
-    return bool(course[0] * apart[1] - course[1] * apart[0] > 0)
+    across = corners[2:, :2].mean(axis=0) - corners[:2, :2].mean(axis=0)
+    return bool(course[0] * across[1] - course[1] * across[0] > 0)

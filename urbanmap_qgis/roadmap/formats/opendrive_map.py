@@ -48,9 +48,9 @@ class _Shape:
         fine = np.linspace(0.0, self.s[-1], max(int(self.s[-1] / 0.25), 2))
         places, heading = along_plan(self.plan, fine)
         nearest = np.argmin(np.linalg.norm(places[None] - xy[:, None], axis=2), axis=1)
-        apart, turn = xy - places[nearest], heading[nearest]
-        along = apart[:, 0] * np.cos(turn) + apart[:, 1] * np.sin(turn)
-        return fine[nearest] + along, apart[:, 1] * np.cos(turn) - apart[:, 0] * np.sin(turn)
+        offset, turn = xy - places[nearest], heading[nearest]
+        along = offset[:, 0] * np.cos(turn) + offset[:, 1] * np.sin(turn)
+        return fine[nearest] + along, offset[:, 1] * np.cos(turn) - offset[:, 0] * np.sin(turn)
 
 
 def opendrive_tree(built: VectorMap, crs_wkt: str,
@@ -153,10 +153,10 @@ def _met(path: np.ndarray, places: np.ndarray, normal: np.ndarray, cuts: np.ndar
         if len(points):
             across = (points - places[k]) @ normal[k]
             last = offsets[k] = across[np.argmin(np.abs(across - last))]
-    held = np.isfinite(offsets)
-    if not held.any():
+    known = np.isfinite(offsets)
+    if not known.any():
         return np.interp(s, s[[0, -1]], [(path[0] - places[0]) @ normal[0], (path[-1] - places[-1]) @ normal[-1]])
-    return np.interp(s, s[held], offsets[held])
+    return np.interp(s, s[known], offsets[known])
 
 
 def _add_road(root: ET.Element, built: VectorMap, layout: RoadLayout, number: int, shape: _Shape,
@@ -299,10 +299,10 @@ def _add_crosswalks(element: ET.Element, built: VectorMap, shape: _Shape, walks:
         base = foot + frame[1] * t
         corners = (ring[:, :2] - base) @ frame.T
         extent = np.ptp(corners, axis=0)
-        made = _add(objects, "object", id=f"crosswalk{walk}", type="crosswalk", name="crosswalk", s=s, t=t,
-                    zOffset=0.0, orientation="none", hdg=0.0, pitch=0.0, roll=0.0, length=extent[0], width=extent[1],
-                    dynamic="no")
-        outline = _add(_add(made, "outlines"), "outline", id=0, closed="true")
+        crosswalk = _add(objects, "object", id=f"crosswalk{walk}", type="crosswalk", name="crosswalk", s=s, t=t,
+                         zOffset=0.0, orientation="none", hdg=0.0, pitch=0.0, roll=0.0, length=extent[0],
+                         width=extent[1], dynamic="no")
+        outline = _add(_add(crosswalk, "outlines"), "outline", id=0, closed="true")
         for number, (u, v) in enumerate(corners):
             _add(outline, "cornerLocal", u=u, v=v, z=0.0, height=0.0, id=number)
 
@@ -317,12 +317,12 @@ def _add_stop_lines(element: ET.Element, built: VectorMap, road: LaneRoad, shape
         s, t = shape.local(line)
         valid = [place for place, lane in enumerate(road.lanes) if stop in built.lanes[lane].stop_lines]
         country, kind = STOP_SIGN
-        made = _add(signals, "signal", s=float(np.clip(s.mean(), 0.0, shape.s[-1])), t=float(t.mean()),
-                    id=f"stop{stop}", name="stop line", dynamic="no", orientation="+" if road.ahead[valid[0]] else "-",
-                    zOffset=0.0, country=country, type=kind, subtype="-1", value=-1.0, height=0.0,
-                    width=float(np.linalg.norm(line[-1] - line[0])), hOffset=0.0)
+        signal = _add(signals, "signal", s=float(np.clip(s.mean(), 0.0, shape.s[-1])), t=float(t.mean()),
+                      id=f"stop{stop}", name="stop line", dynamic="no", orientation="+" if road.ahead[valid[0]]
+                      else "-", zOffset=0.0, country=country, type=kind, subtype="-1", value=-1.0, height=0.0,
+                      width=float(np.linalg.norm(line[-1] - line[0])), hOffset=0.0)
         ids = sorted(road.lane_id(place) for place in valid)
-        _add(made, "validity", fromLane=ids[0], toLane=ids[-1])
+        _add(signal, "validity", fromLane=ids[0], toLane=ids[-1])
 
 
 def _add_junction(root: ET.Element, built: VectorMap, layout: RoadLayout, number: int) -> None:

@@ -39,7 +39,7 @@ class PlanElement:
     u: tuple[float, ...] = ()
     v: tuple[float, ...] = ()
 
-    def at(self, ds: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def pose(self, ds: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Places (n, 2) and headings (n,) at distances from its begin."""
         ds = np.asarray(ds, float)
         if self.kind == "cubic":
@@ -86,7 +86,7 @@ def fit_plan_view(points: np.ndarray, tolerance: float = 0.02,
     for tip, given in zip((0, -1), ends):
         if given is not None and given @ tangents[tip] > OBLIQUE:
             tangents[tip] = given
-    made: list[PlanElement] = []
+    elements: list[PlanElement] = []
     spans = [(0, len(points) - 1)]
     while spans:
         first, last = spans.pop()
@@ -95,10 +95,10 @@ def fit_plan_view(points: np.ndarray, tolerance: float = 0.02,
             middle = first + int(np.argmin(np.abs(at[first + 1:last] - (at[first] + at[last]) / 2.0))) + 1
             spans += [(middle, last), (first, middle)]
         else:
-            made.append(element)
-    starts = np.concatenate([[0.0], np.cumsum([one.length for one in made])])
+            elements.append(element)
+    starts = np.concatenate([[0.0], np.cumsum([one.length for one in elements])])
     return [PlanElement(float(s), one.x, one.y, one.heading, one.length, one.kind, one.curvature, one.u, one.v)
-            for s, one in zip(starts, made)]
+            for s, one in zip(starts, elements)]
 
 
 def plan_length(elements: Sequence[PlanElement]) -> float:
@@ -113,7 +113,7 @@ def along_plan(elements: Sequence[PlanElement], s: np.ndarray) -> tuple[np.ndarr
     places, headings = np.zeros((len(s), 2)), np.zeros(len(s))
     for number in np.unique(which):
         rows = which == number
-        places[rows], headings[rows] = elements[number].at(s[rows] - elements[number].s)
+        places[rows], headings[rows] = elements[number].pose(s[rows] - elements[number].s)
     return places, headings
 
 
@@ -127,18 +127,18 @@ def fit_profile(s: np.ndarray, values: np.ndarray, tolerance: float = 0.01) -> l
     if np.abs(values[0] + slope * (s - s[0]) - values).max() <= tolerance:
         return [CubicPiece(float(s[0]), float(values[0]), float(slope))]
     slopes = np.gradient(values, s) if len(s) > 2 else np.full(len(s), (values[-1] - values[0]) / (s[-1] - s[0]))
-    made: list[CubicPiece] = []
+    pieces: list[CubicPiece] = []
     spans = [(0, len(s) - 1)]
     while spans:
         first, last = spans.pop()
         piece = _hermite(s[first], s[last], values[first], values[last], slopes[first], slopes[last])
         ds = s[first:last + 1] - s[first]
-        held = piece.a + ds * (piece.b + ds * (piece.c + ds * piece.d))
-        if last - first > 1 and np.abs(held - values[first:last + 1]).max() > tolerance:
+        fitted = piece.a + ds * (piece.b + ds * (piece.c + ds * piece.d))
+        if last - first > 1 and np.abs(fitted - values[first:last + 1]).max() > tolerance:
             spans += [((first + last) // 2, last), (first, (first + last) // 2)]
         else:
-            made.append(piece)
-    return made
+            pieces.append(piece)
+    return pieces
 
 
 def _hermite(s0, s1, v0, v1, m0, m1) -> CubicPiece:
@@ -204,7 +204,7 @@ def _element(points: np.ndarray, begin: np.ndarray, end: np.ndarray, tolerance: 
 
 def _fits(element: PlanElement, points: np.ndarray, tolerance: float) -> bool:
     """Whether an element and a path keep within the tolerance of each other."""
-    places, _ = element.at(np.linspace(0.0, element.length, 40))
+    places, _ = element.pose(np.linspace(0.0, element.length, 40))
     return (_stray(points, shapely.LineString(places)) <= tolerance
             and _stray(places, shapely.LineString(points)) <= tolerance)
 

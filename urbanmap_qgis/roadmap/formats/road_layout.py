@@ -113,21 +113,21 @@ def _of_one_connection(built: VectorMap, groups: list[list[int]]) -> list[list[i
     """Groups cut until every one leads to one road or junction at each of its ends, as far as its lanes do."""
     while True:
         owner = {lane: number for number, group in enumerate(groups) for lane in group}
-        made: list[list[int]] = []
+        split: list[list[int]] = []
         for group in groups:
-            held: list[set[int]] = [set(), set()]
+            connected: list[set[int]] = [set(), set()]
             part: list[int] = []
             for lane in group:
-                met = [one | other for one, other in zip(held, _ends(built, owner, lane))]
+                met = [one | other for one, other in zip(connected, _ends(built, owner, lane))]
                 if part and max(map(len, met)) > 1:
-                    made.append(part)
+                    split.append(part)
                     part, met = [], _ends(built, owner, lane)
                 part.append(lane)
-                held = met
-            made.append(part)
-        if len(made) == len(groups):
+                connected = met
+            split.append(part)
+        if len(split) == len(groups):
             return groups
-        groups = made
+        groups = split
 
 
 def _road(built: VectorMap, group: list[int], left_hand: bool) -> LaneRoad:
@@ -186,8 +186,8 @@ def _join_roads(built: VectorMap, layout: RoadLayout) -> None:
             ends = _end_of(layout, number, False), _end_of(layout, follower, True)
             names = ["behind" if behind else "before" for _, behind in ends]
             wanted = [("road", ends[1][0]), ("road", ends[0][0])]
-            held = [getattr(layout.roads[road], name) for (road, _), name in zip(ends, names)]
-            if any(have not in (None, want) for have, want in zip(held, wanted)):
+            links = [getattr(layout.roads[road], name) for (road, _), name in zip(ends, names)]
+            if any(have not in (None, want) for have, want in zip(links, wanted)):
                 layout.untold.append((number, follower))
                 continue
             for (road, _), name, want in zip(ends, names, wanted):

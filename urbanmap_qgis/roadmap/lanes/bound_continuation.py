@@ -36,15 +36,15 @@ def continued(tracks: Sequence[BoundTrack], axis: Axis, barriers: Sequence[shape
     What is added is unseen, as a gap is. It ends at crosswalks, at other bounds, and where a lane beside it would be
     too narrow. Short marks and what is not parallel are left as they are.
     """
-    made = list(tracks)
+    extended = list(tracks)
     tree = shapely.STRtree(list(barriers)) if len(barriers) else None
-    for number in sorted(range(len(made)), key=lambda k: made[k].start - made[k].end):
+    for number in sorted(range(len(extended)), key=lambda k: extended[k].start - extended[k].end):
         for ahead in (False, True):
-            others = [track for k, track in enumerate(made) if k != number]
-            added = _beyond(made[number], others, axis, ahead, tree, settings)
+            others = [track for k, track in enumerate(extended) if k != number]
+            added = _beyond(extended[number], others, axis, ahead, tree, settings)
             if added is not None:
-                made[number] = _longer(made[number], *added, ahead)
-    return made
+                extended[number] = _longer(extended[number], *added, ahead)
+    return extended
 
 
 def _beyond(track: BoundTrack, others: Sequence[BoundTrack], axis: Axis, ahead: bool, tree: shapely.STRtree | None,
@@ -57,26 +57,28 @@ def _beyond(track: BoundTrack, others: Sequence[BoundTrack], axis: Axis, ahead: 
         at = np.arange(max(track.start, other.start), min(track.end, other.end), STEP / 2.0)
         if reach < STEP or len(at) * STEP / 2.0 < LEAST_SEEN or seen < LEAST_SEEN:
             continue
-        apart = track.at(at) - other.at(at)
-        wide = abs(float(np.median(apart)))
-        if apart.std() > PARALLEL or not settings.min_width <= wide <= 2.0 * settings.max_width:
+        separation = track.interpolate(at) - other.interpolate(at)
+        wide = abs(float(np.median(separation)))
+        if separation.std() > PARALLEL or not settings.min_width <= wide <= 2.0 * settings.max_width:
             continue
         if best is None or wide < best[0]:
-            best = (wide, float(np.median(apart)), other, reach)
+            best = (wide, float(np.median(separation)), other, reach)
     if best is None:
         return None
-    _, apart, other, reach = best
-    beside = [other.at(np.array([end]))[0] - (track.offset[-1] if ahead else track.offset[0]) for other in others]
+    _, separation, other, reach = best
+    beside = [other.interpolate(np.array([end]))[0] - (track.offset[-1] if ahead else track.offset[0])
+              for other in others]
     inner = np.nanmin([*beside, 0.0]) < 0.0 < np.nanmax([*beside, 0.0])
     sign = 1.0 if ahead else -1.0
     onward = end + sign * np.arange(STEP, reach, STEP)
-    if any((np.abs(track.at(onward) - other.at(onward) - apart) < SAME_BOUND).any() for track in others):
+    if any((np.abs(track.interpolate(onward) - other.interpolate(onward) - separation) < SAME_BOUND).any()
+           for track in others):
         return None  # the bound itself goes on there: that gap was too long to be drawn through
     length = min(reach, settings.bridge, (FARTHEST if inner else OUTERMOST) * seen)
     if length < STEP:
         return None
     chainage = end + sign * np.append(np.arange(STEP, length, STEP), length)
-    offset = other.at(chainage) + apart
+    offset = other.interpolate(chainage) + separation
     foot, along = axis.frame(chainage)
     plan = foot + offset[:, None] * np.column_stack([-along[:, 1], along[:, 0]])
     free = _free(chainage, offset, plan, others, tree, settings)
@@ -92,7 +94,7 @@ def _free(chainage: np.ndarray, offset: np.ndarray, plan: np.ndarray, others: Se
     """How many of the points lie clear of crosswalks and leave room for a lane to all other bounds."""
     blocked = np.zeros(len(chainage), bool)
     for other in others:
-        blocked |= np.abs(other.at(chainage) - offset) < settings.min_width  # NaN beyond its ends is no block
+        blocked |= np.abs(other.interpolate(chainage) - offset) < settings.min_width  # NaN beyond its ends is no block
     if tree is not None:
         blocked[np.unique(tree.query(shapely.points(plan), predicate="intersects")[0])] = True
     return int(np.argmax(blocked)) if blocked.any() else len(blocked)

@@ -118,12 +118,12 @@ def _draw_inwards(built: VectorMap, ring: list[int], lanes: list[int]) -> None:
         return
     area = shapely.Polygon(np.array(built.nodes)[ring][:, :2])
     inside = area.buffer(-ON_EDGE)
-    held = _end_nodes(built, range(len(built.lanes)))
+    end_nodes = _end_nodes(built, range(len(built.lanes)))
     for number in lanes:
         for side in (built.lanes[number].left, built.lanes[number].right):
             for node in built.bounds[side].nodes:
                 place = shapely.Point(built.nodes[node][:2])
-                if node not in held and not inside.covers(place) and not inside.is_empty:
+                if node not in end_nodes and not inside.covers(place) and not inside.is_empty:
                     near = shapely.get_coordinates(shapely.shortest_line(place, inside))[1]
                     built.nodes[node] = np.array([*near, built.nodes[node][2]])
 

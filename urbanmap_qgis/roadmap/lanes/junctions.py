@@ -142,13 +142,14 @@ def _append(built: VectorMap, one: int, other: int, sides: Sequence[np.ndarray],
     width = [np.linalg.norm((built.coordinates(lane, "left")[at] - built.coordinates(lane, "right")[at])[:2])
              for lane, at in ((one, -1), (other, 0))]
     number = len(built.lanes)
-    made = MapLane(*bounds, True, True, np.zeros((0, 3)), float(np.mean(width)), float(min(width)),
-                   "virtual", evidence, _turn(built.lanes[one].centre, built.lanes[other].centre), successors=[other])
-    built.lanes.append(made)
+    connection = MapLane(*bounds, True, True, np.zeros((0, 3)), float(np.mean(width)), float(min(width)),
+                         "virtual", evidence, _turn(built.lanes[one].centre, built.lanes[other].centre),
+                         successors=[other])
+    built.lanes.append(connection)
     if not (built.area(number).is_valid and _is_smooth(built, one, other, bounds)):
         del built.nodes[before[0]:], built.bounds[before[1]:], built.lanes[before[2]:]
         return False
-    made.centre = centre_line(built.coordinates(number, "left"), built.coordinates(number, "right"))
+    connection.centre = centre_line(built.coordinates(number, "left"), built.coordinates(number, "right"))
     built.lanes[one].successors.append(number)
     return True
 
@@ -241,10 +242,10 @@ def _between(first: np.ndarray, last: np.ndarray, path: np.ndarray, before: np.n
 
 def _smooth(points: np.ndarray) -> np.ndarray:
     """A path with its corners rounded, the ends held."""
-    made = points.copy()
+    smoothed = points.copy()
     for _ in range(6):
-        made[1:-1] = 0.25 * made[:-2] + 0.5 * made[1:-1] + 0.25 * made[2:]
-    return made
+        smoothed[1:-1] = 0.25 * smoothed[:-2] + 0.5 * smoothed[1:-1] + 0.25 * smoothed[2:]
+    return smoothed
 
 
 def _unit(vector: np.ndarray) -> np.ndarray:

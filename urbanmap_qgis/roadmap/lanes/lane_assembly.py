@@ -20,7 +20,7 @@ def add_section(built: VectorMap, section: RoadSection, strips: Sequence[Strip])
     """Put the strips whose direction is known into the map as lanes; the others become findings."""
     nodes: dict[tuple[int, float], int] = {}
     bounds: dict[tuple[int, float], int] = {}
-    made: dict[int, int] = {}
+    lane_of_strip: dict[int, int] = {}
     for number, strip in enumerate(strips):
         if strip.sign == 0:
             x, y = strip_middle(section, strip)
@@ -32,8 +32,8 @@ def add_section(built: VectorMap, section: RoadSection, strips: Sequence[Strip])
         for track in (strip.right, strip.left):
             if (track, strip.start) not in bounds:
                 bounds[track, strip.start] = _bound(built, section.tracks[track], strip, track, nodes)
-        made[number] = _lane(built, strip, bounds[strip.right, strip.start], bounds[strip.left, strip.start])
-    _relate(built, section, strips, made)
+        lane_of_strip[number] = _lane(built, strip, bounds[strip.right, strip.start], bounds[strip.left, strip.start])
+    _relate(built, section, strips, lane_of_strip)
 
 
 def _bound(built: VectorMap, track: BoundTrack, strip: Strip, number: int, nodes: dict[tuple[int, float], int]) -> int:
@@ -41,7 +41,7 @@ def _bound(built: VectorMap, track: BoundTrack, strip: Strip, number: int, nodes
     ends = []
     for at in (strip.start, strip.end):
         if (number, at) not in nodes:
-            nodes[number, at] = _node(built, track.place(at))
+            nodes[number, at] = _node(built, track.point(at))
         ends.append(nodes[number, at])
     inner = (track.chainage > strip.start + NEAREST) & (track.chainage < strip.end - NEAREST)
     points = _needed(track, strip, inner)
@@ -51,7 +51,7 @@ def _bound(built: VectorMap, track: BoundTrack, strip: Strip, number: int, nodes
                               float(strip.end - strip.start - seen)))
     unseen = strip.end - strip.start - seen
     if unseen > 1.0:
-        x, y = track.place((strip.start + strip.end) / 2.0)[:2]
+        x, y = track.point((strip.start + strip.end) / 2.0)[:2]
         built.findings.append(Finding("bound not seen", say("The bound is drawn through {unseen:.1f} m without a "
                                                             "line.", unseen=unseen),
                                       float(x), float(y)))
@@ -63,9 +63,9 @@ def _needed(track: BoundTrack, strip: Strip, inner: np.ndarray) -> np.ndarray:
     points = track.points[inner]
     if not len(points):
         return points
-    path = np.vstack([track.place(strip.start), points, track.place(strip.end)])
-    kept = shapely.get_coordinates(shapely.LineString(path[:, :2]).simplify(0.01))
-    rows = [int(np.argmin(np.linalg.norm(path[:, :2] - place, axis=1))) for place in kept[1:-1]]
+    path = np.vstack([track.point(strip.start), points, track.point(strip.end)])
+    corners = shapely.get_coordinates(shapely.LineString(path[:, :2]).simplify(0.01))
+    rows = [int(np.argmin(np.linalg.norm(path[:, :2] - place, axis=1))) for place in corners[1:-1]]
     # A long straight bound keeps a node each 10 m for its heights.
     at = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(path[:, :2], axis=0), axis=1))])
     borders = [0, *rows, len(path) - 1]
@@ -128,11 +128,11 @@ def _at_shares(path: np.ndarray, shares: np.ndarray) -> np.ndarray:
     return np.column_stack([np.interp(shares, at, column) for column in path.T])
 
 
-def _relate(built: VectorMap, section: RoadSection, strips: Sequence[Strip], made: dict[int, int]) -> None:
+def _relate(built: VectorMap, section: RoadSection, strips: Sequence[Strip], lane_of_strip: dict[int, int]) -> None:
     """Successors along the section and neighbours across it."""
-    for number, lane in made.items():
+    for number, lane in lane_of_strip.items():
         strip = strips[number]
-        for other_number, other_lane in made.items():
+        for other_number, other_lane in lane_of_strip.items():
             other = strips[other_number]
             if (other.right, other.left) == (strip.right, strip.left) and other.sign == strip.sign and \
                     abs((other.start - strip.end) if strip.sign > 0 else (other.end - strip.start)) < 1e-6:

@@ -95,7 +95,7 @@ def lane_strips(section: RoadSection, stops: Sequence[np.ndarray], settings: Map
         return []
     start, end = min(track.start for track in tracks), max(track.end for track in tracks)
     at = np.arange(np.floor(start / STEP), np.ceil(end / STEP) + 1) * STEP
-    offset = np.array([track.at(at) for track in tracks])
+    offset = np.array([track.interpolate(at) for track in tracks])
     pairs = _adjacent(offset, tracks, settings)
     runs = [(pair, at[span[0]], at[span[1] - 1]) for pair, mask in pairs.items() for span in _spans(mask)
             if (span[1] - span[0]) * STEP >= settings.min_length]
@@ -125,17 +125,17 @@ def _adjacent(offset: np.ndarray, tracks: Sequence[BoundTrack],
     length = np.array([track.end - track.start for track in tracks])
     found: dict[tuple[int, int], np.ndarray] = {}
     for station in range(offset.shape[1]):
-        here = [int(k) for k in np.argsort(offset[:, station]) if np.isfinite(offset[k, station])]
+        present = [int(k) for k in np.argsort(offset[:, station]) if np.isfinite(offset[k, station])]
         place = offset[:, station]
         while True:
-            drop = [here[n] for n in range(1, len(here) - 1)
-                    if _too_narrow(place[here[n - 1]], place[here[n]], place[here[n + 1]], settings)
-                    and settings.min_width <= place[here[n + 1]] - place[here[n - 1]] <= settings.max_width
-                    and length[here[n]] < 0.7 * min(length[here[n - 1]], length[here[n + 1]])]
+            drop = [present[n] for n in range(1, len(present) - 1)
+                    if _too_narrow(place[present[n - 1]], place[present[n]], place[present[n + 1]], settings)
+                    and settings.min_width <= place[present[n + 1]] - place[present[n - 1]] <= settings.max_width
+                    and length[present[n]] < 0.7 * min(length[present[n - 1]], length[present[n + 1]])]
             if not drop:
                 break
-            here.remove(min(drop, key=lambda k: length[k]))
-        for right, left in zip(here[:-1], here[1:]):
+            present.remove(min(drop, key=lambda k: length[k]))
+        for right, left in zip(present[:-1], present[1:]):
             if settings.min_width <= place[left] - place[right] <= settings.max_width:
                 found.setdefault((right, left), np.zeros(offset.shape[1], bool))[station] = True
     return found
@@ -152,8 +152,8 @@ def _spans(mask: np.ndarray) -> np.ndarray:
     edges = np.flatnonzero(np.diff(np.concatenate([[0], mask.astype(np.int8), [0]]))).reshape(-1, 2)
     if not len(edges):
         return edges
-    apart = np.flatnonzero(edges[1:, 0] - edges[:-1, 1] > 1.0 / STEP)
-    return np.column_stack([edges[np.append(0, apart + 1), 0], edges[np.append(apart, len(edges) - 1), 1]])
+    breaks = np.flatnonzero(edges[1:, 0] - edges[:-1, 1] > 1.0 / STEP)
+    return np.column_stack([edges[np.append(0, breaks + 1), 0], edges[np.append(breaks, len(edges) - 1), 1]])
 
 
 def _cuts(runs, section: RoadSection, stops: Sequence[np.ndarray], settings: MapSettings) -> np.ndarray:
@@ -182,8 +182,8 @@ def _cuts(runs, section: RoadSection, stops: Sequence[np.ndarray], settings: Map
 
 def _outer(runs, group: np.ndarray, side: int) -> float:
     """The section's own end: the median of the ends of the longer half of the lanes that end there."""
-    there = [run for run in runs if group[0] <= run[side] <= group[-1]]
-    long = sorted(there, key=lambda run: run[1] - run[2])[:max(1, (len(there) + 1) // 2)]
+    ending = [run for run in runs if group[0] <= run[side] <= group[-1]]
+    long = sorted(ending, key=lambda run: run[1] - run[2])[:max(1, (len(ending) + 1) // 2)]
     return float(np.median([run[side] for run in long]))
 
 
@@ -208,7 +208,7 @@ def add_drives(strips: Sequence[Strip], section: RoadSection, drives: Sequence[D
         for strip in strips:
             inside = (chainage >= strip.start) & (chainage <= strip.end) & (np.abs(cosine) > np.cos(DRIVE_ANGLE))
             right, left = section.tracks[strip.right], section.tracks[strip.left]
-            inside &= (offset > right.at(chainage)) & (offset < left.at(chainage))
+            inside &= (offset > right.interpolate(chainage)) & (offset < left.interpolate(chainage))
             inside &= ~(np.abs(drive.places[:, 2] - _height(right, chainage)) > settings.height_gap + 2.0)
             ways = [float(length[inside & (sign * cosine > 0)].sum()) for sign in (1, -1)]
             strip.forward, strip.backward = strip.forward + ways[0], strip.backward + ways[1]
@@ -226,7 +226,7 @@ def add_arrows(strips: Sequence[Strip], section: RoadSection, areas: Sequence[Ma
         chainage, offset = section.axis.local(middle)
         _, along = section.axis.frame(chainage)
         for strip in strips:
-            right, left = section.tracks[strip.right].at(chainage)[0], section.tracks[strip.left].at(chainage)[0]
+            right, left = (section.tracks[side].interpolate(chainage)[0] for side in (strip.right, strip.left))
             if strip.start <= chainage[0] <= strip.end and right < offset[0] < left:
                 strip.arrows.append(area.kind)
                 strip.forward += 10.0 * float(area.heading @ along[0] > 0.7)
@@ -240,10 +240,10 @@ def add_stops(strips: Sequence[Strip], section: RoadSection, stops: Sequence[np.
     Where the side of the traffic is known, it leads away in the strip across the solid line at which a stop line ends.
     """
     for level, low, high in _whole_stops(section, stops):
-        there = [strip for strip in strips if min(abs(strip.start - level), abs(strip.end - level)) < STOP_REACH]
-        middles = {id(strip): _middle(section, strip, level) for strip in there}
-        covered = [strip for strip in there if low < middles[id(strip)] < high]
-        others = [strip for strip in there if not low - 0.5 < middles[id(strip)] < high + 0.5]
+        ending = [strip for strip in strips if min(abs(strip.start - level), abs(strip.end - level)) < STOP_REACH]
+        middles = {id(strip): _middle(section, strip, level) for strip in ending}
+        covered = [strip for strip in ending if low < middles[id(strip)] < high]
+        others = [strip for strip in ending if not low - 0.5 < middles[id(strip)] < high + 0.5]
         if not covered or not others:
             continue
         for strip in covered:
@@ -389,8 +389,8 @@ def _is_bounded(strip: Strip, shared: int, section: RoadSection) -> bool:
     """Whether the far bound of a strip has another beyond it, or is seen well: no lane is made of scraps beside one."""
     far = section.tracks[strip.left if shared == strip.right else strip.right]
     at = np.array([(strip.start + strip.end) / 2.0])
-    beyond = [track.at(at)[0] for track in section.tracks if track is not far]
-    place, near = far.at(at)[0], section.tracks[shared].at(at)[0]
+    beyond = [track.interpolate(at)[0] for track in section.tracks if track is not far]
+    place, near = far.interpolate(at)[0], section.tracks[shared].interpolate(at)[0]
     if any((one > place) == (place > near) for one in beyond if np.isfinite(one)):
         return True
     return far.seen >= MOSTLY_SEEN * section.tracks[shared].seen
@@ -423,8 +423,8 @@ def left_hand_traffic(sections: Sequence[tuple[RoadSection, list[Strip]]]) -> bo
             for other in strips:
                 if one.start != other.start or one.forward <= one.backward or other.backward <= other.forward:
                     continue
-                apart = _middle(section, one, one.start) - _middle(section, other, one.start)
-                votes += np.sign(apart) * min(one.forward, other.backward)
+                separation = _middle(section, one, one.start) - _middle(section, other, one.start)
+                votes += np.sign(separation) * min(one.forward, other.backward)
     return None if votes == 0 else bool(votes > 0)
 
 
@@ -436,5 +436,5 @@ def _finding(section: RoadSection, strip: Strip, kind: str, text: str) -> Findin
 def strip_middle(section: RoadSection, strip: Strip) -> tuple[float, float]:
     """Plan place of the middle of a strip."""
     at = (strip.start + strip.end) / 2.0
-    place = (section.tracks[strip.right].place(at) + section.tracks[strip.left].place(at)) / 2.0
+    place = (section.tracks[strip.right].point(at) + section.tracks[strip.left].point(at)) / 2.0
     return float(place[0]), float(place[1])

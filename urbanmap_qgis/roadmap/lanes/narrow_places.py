@@ -27,7 +27,7 @@ def narrow_places(section: RoadSection, drives: Sequence[DrivenPath], settings: 
     if len(tracks) < 2 or not drives:
         return []
     at = np.arange(min(track.start for track in tracks), max(track.end for track in tracks), STEP)
-    offset = np.array([track.at(at) for track in tracks])
+    offset = np.array([track.interpolate(at) for track in tracks])
     local = [section.axis.local(drive.places[:, :2]) for drive in drives]
     findings = []
     for right in range(len(tracks)):
@@ -50,9 +50,9 @@ def narrow_places(section: RoadSection, drives: Sequence[DrivenPath], settings: 
 
 def _drives_between(right, left, chainage: np.ndarray, offset: np.ndarray, span: tuple[float, float]) -> bool:
     """Whether a drive (chainages and offsets) runs between two tracks for half of a stretch."""
-    there = (chainage >= span[0]) & (chainage <= span[1])
-    there &= (offset > right.at(chainage)) & (offset < left.at(chainage))
-    return bool(there.any() and np.ptp(chainage[there]) >= (span[1] - span[0]) / 2.0)
+    inside = (chainage >= span[0]) & (chainage <= span[1])
+    inside &= (offset > right.interpolate(chainage)) & (offset < left.interpolate(chainage))
+    return bool(inside.any() and np.ptp(chainage[inside]) >= (span[1] - span[0]) / 2.0)
 
 
 def passes_narrow_place(findings: Sequence[Finding], path: np.ndarray) -> bool:

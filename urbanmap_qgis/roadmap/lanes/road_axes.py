@@ -43,15 +43,15 @@ class RoadAxis:
 
 def axes_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[str, Sequence]) -> list[RoadAxis]:
     """Axes of a table with the optional fields oneway, lanes and speed_limit or maxspeed (km/h, or "30 mph")."""
-    made = []
+    axes = []
     for row, shape in enumerate(geometries):
-        told = {name.lower(): values[row] for name, values in columns.items()}
-        speeds = [_speed(told[name]) for name in SPEED_FIELDS if told.get(name) is not None]
+        attributes = {name.lower(): values[row] for name, values in columns.items()}
+        speeds = [_speed(attributes[name]) for name in SPEED_FIELDS if attributes.get(name) is not None]
         for part in shapely.get_parts(shape) if shape is not None else ():
             if part.geom_type == "LineString" and part.length > 0:
-                made.append(RoadAxis(shapely.force_2d(part), _oneway(told.get("oneway")), _count(told.get("lanes")),
-                                     speeds[0] if speeds else np.nan))
-    return made
+                axes.append(RoadAxis(shapely.force_2d(part), _oneway(attributes.get("oneway")),
+                                     _count(attributes.get("lanes")), speeds[0] if speeds else np.nan))
+    return axes
 
 
 def _oneway(value) -> int | None:
@@ -116,8 +116,8 @@ def _nearest(group: Sequence[Strip], section: RoadSection,
     near = []
     for axis in axes:
         place = shapely.Point(middle)
-        apart = axis.plan.distance(place)
-        if apart > REACH:
+        distance = axis.plan.distance(place)
+        if distance > REACH:
             continue
         cosine = _course(axis.plan, place) @ course[0]
         if abs(cosine) > PARALLEL:

@@ -55,7 +55,7 @@ class BoundTrack:
         """Length of its lines, m."""
         return sum(end - start for start, end, line in self.pieces if line is not None)
 
-    def at(self, chainage: np.ndarray) -> np.ndarray:
+    def interpolate(self, chainage: np.ndarray) -> np.ndarray:
         """Offsets at chainages (m,); NaN beyond the ends."""
         return np.interp(chainage, self.chainage, self.offset, left=np.nan, right=np.nan)
 
@@ -64,7 +64,7 @@ class BoundTrack:
         seen = [piece for piece in self.pieces if piece[2] is not None]
         return min(seen, key=lambda piece: max(piece[0] - chainage, chainage - piece[1], 0.0))[2]
 
-    def place(self, chainage: float) -> np.ndarray:
+    def point(self, chainage: float) -> np.ndarray:
         """Place (3,) at a chainage; straight on beyond the ends."""
         if self.start <= chainage <= self.end:
             return np.array([np.interp(chainage, self.chainage, column) for column in self.points.T])
@@ -96,8 +96,8 @@ class Axis:
         """Chainage and offset to the left (n,) of places (n, 2)."""
         chainage = self.chainage(xy)
         foot, along = self.frame(chainage)
-        apart = xy - foot
-        return chainage, along[:, 0] * apart[:, 1] - along[:, 1] * apart[:, 0]
+        offset = xy - foot
+        return chainage, along[:, 0] * offset[:, 1] - along[:, 1] * offset[:, 0]
 
     def frame(self, chainage: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Places (n, 2) and unit directions (n, 2) at chainages."""
@@ -173,12 +173,12 @@ def _beside(paths: Sequence[np.ndarray], settings: MapSettings) -> list[list[int
         for other in tree.query(plan, predicate="dwithin", distance=settings.max_width + 0.5):
             if other == k:
                 continue
-            apart = shapely.distance(places, plans[other])
+            distance = shapely.distance(places, plans[other])
             foot = shapely.line_locate_point(plans[other], places)
             inner = (foot > 0.01) & (foot < plans[other].length - 0.01)
-            if (inner & (apart <= settings.max_width + 0.5)).sum() < LEAST_BESIDE:
+            if (inner & (distance <= settings.max_width + 0.5)).sum() < LEAST_BESIDE:
                 continue
-            near = np.flatnonzero(inner & (apart <= settings.max_width + 0.5))
+            near = np.flatnonzero(inner & (distance <= settings.max_width + 0.5))
             turn = _turn(plan, plans[other], at[near], foot[near])
             if (turn < PARALLEL).sum() >= LEAST_BESIDE and _level(paths[k], paths[other], settings):
                 links.append((k, int(other)))
@@ -262,7 +262,7 @@ def _joined(tracks: list[BoundTrack], barriers: Sequence[shapely.Geometry], sett
 def _lateral(one: BoundTrack, other: BoundTrack) -> float:
     """Distance across between the prolongations of two tracks in the middle of the gap between them, m."""
     middle = (one.end + other.start) / 2.0
-    return float(np.linalg.norm((one.place(middle) - other.place(middle))[:2]))
+    return float(np.linalg.norm((one.point(middle) - other.point(middle))[:2]))
 
 
 def _concatenated(one: BoundTrack, other: BoundTrack) -> BoundTrack:

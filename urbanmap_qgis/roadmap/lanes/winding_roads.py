@@ -36,15 +36,15 @@ def unwound_roads(axis: np.ndarray,
     at = shapely.line_locate_point(line, shapely.points(coarse[1:-1]))
     turned = np.floor(np.abs(heading - heading[0]) / STRETCH_TURN)
     cuts = [0.0, *at[np.flatnonzero(np.diff(turned) != 0)], line.length]
-    made = []
+    unwound = []
     for begin, end in zip(cuts[:-1], cuts[1:]):
         if end - begin < SHORTEST:
             continue
-        held = [[part for one in chain for part in _within(one, line, begin, end)] for chain in chains]
+        chain_parts = [[part for one in chain for part in _within(one, line, begin, end)] for chain in chains]
         where = np.unique(np.concatenate([np.arange(begin, end, 1.0), [end]]))
         places = shapely.get_coordinates(shapely.line_interpolate_point(line, where))
-        made.append((places, [parts for parts in held if parts]))
-    return made
+        unwound.append((places, [parts for parts in chain_parts if parts]))
+    return unwound
 
 
 def _within(line: MapLine, axis: shapely.LineString, begin: float, end: float) -> list[MapLine]:
@@ -58,7 +58,7 @@ def _within(line: MapLine, axis: shapely.LineString, begin: float, end: float) -
     edges = np.flatnonzero(np.diff(np.concatenate([[0], inside.astype(np.int8), [0]]))).reshape(-1, 2)
     parts = []
     for first, last in edges:
-        held = sorted({first, last - 1, *np.arange(first, last, 5)})
+        rows = sorted({first, last - 1, *np.arange(first, last, 5)})
         if fine[last - 1] - fine[first] >= SHORTEST:
-            parts.append(replace(line, points=points[held]))
+            parts.append(replace(line, points=points[rows]))
     return parts

@@ -140,24 +140,24 @@ def _run(bar: np.ndarray, gap: np.ndarray, seed: np.ndarray, missing: int) -> np
 
     Beyond bare places as many painted ones must follow: one stroke some way off is something else.
     """
-    there = (bar >= LEAST_FILL) & (bar - gap >= LEAST_FILL)
-    start = there & seed
+    striped = (bar >= LEAST_FILL) & (bar - gap >= LEAST_FILL)
+    start = striped & seed
     if not start.any():
         return seed
     first = last = int(np.flatnonzero(start)[np.count_nonzero(start) // 2])
     for step in (1, -1):
         at, bare, back = first, 0, 0
         while 0 <= at < len(bar) and bare <= missing:
-            if there[at]:
+            if striped[at]:
                 back += 1
             else:
                 bare, back = (bare + 1, 0) if back == 0 or back >= bare else (missing + 1, 0)
-            if there[at] and back >= bare:
+            if striped[at] and back >= bare:
                 first, last, bare, back = min(first, at), max(last, at), 0, 0
             at += step
-    made = np.zeros(len(bar), bool)
-    made[first:last + 1] = True
-    return made
+    covered = np.zeros(len(bar), bool)
+    covered[first:last + 1] = True
+    return covered
 
 
 def _edge(profile: np.ndarray, steps: np.ndarray, inside: np.ndarray) -> tuple[float, float]:

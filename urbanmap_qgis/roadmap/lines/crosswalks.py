@@ -71,15 +71,15 @@ def find_crosswalks(strokes: Sequence[Stroke], polygons: Sequence[shapely.Polygo
     end = np.array([strokes[n].axis[-1] for n in numbers])
     width = np.array([strokes[n].width for n in numbers])
     paint = shapely.STRtree(polygons)
-    made = []
+    grown = []
     for group in _groups(start, end):
         row = _bar_row(start[group], end[group], width[group])
         if row is not None:
-            made.append((len(group), extended(row, paint)))
-    rows = [row for _, row in sorted(made, key=lambda one: -one[0])
+            grown.append((len(group), extended(row, paint)))
+    rows = [row for _, row in sorted(grown, key=lambda one: -one[0])
             if row.count >= FEWEST and row.fill >= LEAST_MEAN_FILL]
     middles = shapely.points((start + end) / 2.0)
-    rows = joined_rows(_apart(rows))
+    rows = joined_rows(_distinct_rows(rows))
     return [_crosswalk(row, numbers[shapely.intersects(row.area.buffer(0.2), middles)]) for row in rows]
 
 
@@ -87,14 +87,14 @@ def _crosswalk(row: BarRow, numbers: np.ndarray) -> Crosswalk:
     return Crosswalk(row.area, tuple(int(n) for n in numbers), row.pitch, row.count, row.direction, row.fill)
 
 
-def _apart(rows: Sequence[BarRow]) -> list[BarRow]:
+def _distinct_rows(rows: Sequence[BarRow]) -> list[BarRow]:
     """The rows without those that are mostly part of one before them (two pieces of one crosswalk grow to the same)."""
-    kept: list[BarRow] = []
+    distinct: list[BarRow] = []
     for row in rows:
         area = row.area
-        if not any(area.intersection(other.area).area > 0.3 * min(area.area, other.area.area) for other in kept):
-            kept.append(row)
-    return kept
+        if not any(area.intersection(other.area).area > 0.3 * min(area.area, other.area.area) for other in distinct):
+            distinct.append(row)
+    return distinct
 
 
 def _groups(start: np.ndarray, end: np.ndarray) -> list[np.ndarray]:
@@ -105,10 +105,10 @@ def _groups(start: np.ndarray, end: np.ndarray) -> list[np.ndarray]:
     middle = (start + end) / 2.0
     tree = shapely.STRtree(shapely.linestrings(np.stack([start, end], axis=1)))
     a, b = tree.query(tree.geometries, predicate="dwithin", distance=PITCH[1])
-    apart = middle[b] - middle[a]
+    separation = middle[b] - middle[a]
     turn = np.abs(along[a, 0] * along[b, 1] - along[a, 1] * along[b, 0])
-    across = np.abs(apart[:, 0] * along[a, 1] - apart[:, 1] * along[a, 0])
-    ahead = np.abs((apart * along[a]).sum(axis=1))
+    across = np.abs(separation[:, 0] * along[a, 1] - separation[:, 1] * along[a, 0])
+    ahead = np.abs((separation * along[a]).sum(axis=1))
     beside = (turn < np.sin(PARALLEL)) & (across > PITCH[0]) & (across < PITCH[1])
     beside &= ahead < 0.5 * np.maximum(length[a], length[b])
     count = len(start)

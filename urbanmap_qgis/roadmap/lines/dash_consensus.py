@@ -40,8 +40,8 @@ def _patterns(lines: Sequence[Sequence[Section]]) -> list[tuple[float, float]]:
     """Periods and dashes (m) of the regular sections."""
     found = []
     for section in (one for sections in lines for one in sections if one.kind == "dashed"):
-        held = _in_step(section.dashes, section.period, _usual(section))
-        if held.sum() >= LEAST and _share(section.dashes, held) >= REGULAR:
+        members = _in_step(section.dashes, section.period, _usual(section))
+        if members.sum() >= LEAST and _share(section.dashes, members) >= REGULAR:
             found.append((section.period, _usual(section)))
     return found
 
@@ -56,16 +56,17 @@ def _usual(section: Section) -> float:
 def _in_step(runs: np.ndarray, period: float, dash: float) -> np.ndarray:
     """Which runs (n,) are as long as a dash and lie in step with another such run."""
     alike = np.abs(runs[:, 1] - runs[:, 0] - dash) <= ALIKE * dash
-    apart = np.abs(runs.mean(axis=1)[:, None] - runs.mean(axis=1)) / period
-    number = np.round(apart)
-    near = (number >= 1) & (number <= MULTIPLES) & (np.abs(apart - number) <= IN_STEP * np.sqrt(np.maximum(number, 1)))
+    periods = np.abs(runs.mean(axis=1)[:, None] - runs.mean(axis=1)) / period
+    number = np.round(periods)
+    near = (number >= 1) & (number <= MULTIPLES)
+    near &= np.abs(periods - number) <= IN_STEP * np.sqrt(np.maximum(number, 1))
     return alike & (near & alike).any(axis=1)
 
 
-def _share(runs: np.ndarray, held: np.ndarray) -> float:
+def _share(runs: np.ndarray, members: np.ndarray) -> float:
     """Share of the paint that lies in the runs held."""
     length = runs[:, 1] - runs[:, 0]
-    return float(length[held].sum() / max(length.sum(), 1e-9))
+    return float(length[members].sum() / max(length.sum(), 1e-9))
 
 
 def _resolved(sections: Sequence[Section], patterns: Sequence[tuple[float, float]]) -> list[Section]:
@@ -73,9 +74,9 @@ def _resolved(sections: Sequence[Section], patterns: Sequence[tuple[float, float
     runs, owner = [], []
     for section in sections:
         found = _best(section, patterns) if section.kind == "dashed" else (np.zeros(len(section.dashes), bool), None)
-        held, pattern = found
+        members, pattern = found
         runs += list(section.dashes)
-        owner += [pattern if one else None for one in held]
+        owner += [pattern if one else None for one in members]
     if not runs:
         return list(sections)
     runs = np.array(runs)
@@ -86,22 +87,22 @@ def _resolved(sections: Sequence[Section], patterns: Sequence[tuple[float, float
 def _best(section: Section, patterns: Sequence[tuple[float, float]]) -> tuple[np.ndarray, tuple[float, float] | None]:
     """Runs of a dashed section that stay dashes, and the pattern they keep."""
     tried = [(_in_step(section.dashes, *pattern), pattern) for pattern in patterns]
-    held, pattern = max(tried, key=lambda one: _share(section.dashes, one[0]), default=(np.zeros(1, bool), None))
-    if held.any():
-        return _with_worn(section.dashes, held, *pattern), pattern
-    own = section.period, _usual(section)
-    regular = _share(section.dashes, _in_step(section.dashes, *own)) >= IRREGULAR or len(section.dashes) < LEAST
-    return np.full(len(section.dashes), regular), own
+    members, pattern = max(tried, key=lambda one: _share(section.dashes, one[0]), default=(np.zeros(1, bool), None))
+    if members.any():
+        return _with_worn(section.dashes, members, *pattern), pattern
+    usual = section.period, _usual(section)
+    regular = _share(section.dashes, _in_step(section.dashes, *usual)) >= IRREGULAR or len(section.dashes) < LEAST
+    return np.full(len(section.dashes), regular), usual
 
 
-def _with_worn(runs: np.ndarray, held: np.ndarray, period: float, dash: float) -> np.ndarray:
+def _with_worn(runs: np.ndarray, members: np.ndarray, period: float, dash: float) -> np.ndarray:
     """The runs held, and shorter ones beside such a one that lie where a dash in step with them would."""
     middle = runs.mean(axis=1)
-    apart = (middle[:, None] - middle[held]) / period
-    off = np.abs(apart - np.round(apart)) * period
-    near = (np.abs(apart) <= MULTIPLES + 0.5) & (off <= (dash * (1 + ALIKE) - (runs[:, 1] - runs[:, 0]))[:, None] / 2)
-    beside = np.append(held[1:], False) | np.append(False, held[:-1])
-    return held | (near.any(axis=1) & beside)
+    periods = (middle[:, None] - middle[members]) / period
+    off = np.abs(periods - np.round(periods)) * period
+    near = (np.abs(periods) <= MULTIPLES + 0.5) & (off <= (dash * (1 + ALIKE) - (runs[:, 1] - runs[:, 0]))[:, None] / 2)
+    beside = np.append(members[1:], False) | np.append(False, members[:-1])
+    return members | (near.any(axis=1) & beside)
 
 
 def _section(runs: np.ndarray, pattern: tuple[float, float] | None) -> Section:

@@ -144,7 +144,7 @@ def _same_colour(one: StrokeChain, other: StrokeChain, colours) -> bool:
 def _joined(chains: list[StrokeChain], links: list[tuple[int, int]]) -> list[StrokeChain]:
     """The chains after joining the tips."""
     gone: set[int] = set()
-    made = []
+    joined = []
     for one, other in links:
         first, second = chains[one // 2], chains[other // 2]
         axis = first.axis if one % 2 else first.axis[::-1]
@@ -153,6 +153,6 @@ def _joined(chains: list[StrokeChain], links: list[tuple[int, int]]) -> list[Str
         after_numbers = second.strokes[::-1] if other % 2 else second.strokes
         painted = first.painted + second.painted
         width = (first.painted * first.width + second.painted * second.width) / max(painted, 1e-9)
-        made.append(StrokeChain(np.vstack([axis, after]), [*numbers, *after_numbers], painted, width))
+        joined.append(StrokeChain(np.vstack([axis, after]), [*numbers, *after_numbers], painted, width))
         gone |= {one // 2, other // 2}
-    return [chain for k, chain in enumerate(chains) if k not in gone] + made
+    return [chain for k, chain in enumerate(chains) if k not in gone] + joined

@@ -132,9 +132,9 @@ def _smoothed(offset: np.ndarray, good: np.ndarray) -> tuple[np.ndarray, float]:
         matrix = stiff * band
         matrix[2] += weight + 1e-6
         smooth = solveh_banded(matrix, weight * offset)
-        apart = np.abs(offset - smooth)
-        spread = max(1.4826 * float(np.median(apart[good])), 0.004)
-        weight = good * np.minimum(1.0, 2.0 * spread / np.maximum(apart, 1e-9))
+        deviation = np.abs(offset - smooth)
+        spread = max(1.4826 * float(np.median(deviation[good])), 0.004)
+        weight = good * np.minimum(1.0, 2.0 * spread / np.maximum(deviation, 1e-9))
     return smooth, spread
 
 
@@ -152,7 +152,7 @@ def _second_differences(count: int) -> np.ndarray:
 def _distance_to(mask: np.ndarray) -> np.ndarray:
     """Number of stations (n,) from each to the nearest marked one."""
     marked = np.flatnonzero(mask)
-    here = np.arange(len(mask))
-    after = np.clip(np.searchsorted(marked, here), 0, len(marked) - 1)
+    index = np.arange(len(mask))
+    after = np.clip(np.searchsorted(marked, index), 0, len(marked) - 1)
     before = np.maximum(after - 1, 0)
-    return np.minimum(np.abs(marked[after] - here), np.abs(marked[before] - here))
+    return np.minimum(np.abs(marked[after] - index), np.abs(marked[before] - index))

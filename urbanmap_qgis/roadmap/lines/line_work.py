@@ -169,17 +169,17 @@ def line_work(polygons: Sequence[shapely.Polygon], colours: Sequence[str], setti
     lines = _without_crossing([line for line in lines if not of_stops.issuperset(line.chain.strokes)])
     common = with_common_patterns([line.sections for line in lines])
     lines = [replace(line, sections=sections) for line, sections in zip(lines, common)]
-    made = _sections_of(lines, strokes, colours, settings)
-    made += [replace(_whole(line, strokes, colours, settings, len(lines) + k), confidence=sure[k])
-             for k, line in enumerate(stops)]
-    made = _with_partners(made)
+    pieces = _sections_of(lines, strokes, colours, settings)
+    pieces += [replace(_whole(line, strokes, colours, settings, len(lines) + k), confidence=sure[k])
+               for k, line in enumerate(stops)]
+    pieces = _with_partners(pieces)
     left = [n for n in _left_over(polygons, strokes, in_rows, [*lines, *stops]) if n not in of_symbols]
     areas = [RoadArea(row.area, "crosswalk", row.direction, row.fill, "white") for row in crosswalks]
     areas += [RoadArea(symbol.area, symbol.kind, symbol.heading, symbol.score, colours[symbol.polygons[0]])
               for symbol in symbols]
     areas += [RoadArea(polygons[n], "unknown", np.full(2, np.nan), np.nan, colours[n]) for n in left]
     progress.step(1.0)
-    return LineWork(tuple(made), tuple(areas), len(polygons))
+    return LineWork(tuple(pieces), tuple(areas), len(polygons))
 
 
 def with_ground_heights(work: LineWork, heights_at) -> LineWork:
@@ -257,7 +257,7 @@ def _without_crossing(lines: Sequence[_Line]) -> list[_Line]:
 
 def _sections_of(lines: Sequence[_Line], strokes, colours, settings: LineSettings) -> list[RoadLine]:
     """The lines cut into sections of one kind; a section of dashes reaches to the solid ones beside it."""
-    made = []
+    pieces = []
     for number, line in enumerate(lines):
         colour = _colour(line.chain, strokes, colours)
         guiding = colour == "yellow" and line.fit.width >= settings.guide_width
@@ -267,9 +267,9 @@ def _sections_of(lines: Sequence[_Line], strokes, colours, settings: LineSetting
             end = sections[k + 1].start if k + 1 < len(sections) and section.kind == "dashed" else section.end
             if k and section.kind == sections[k - 1].kind:
                 start = sections[k - 1].end
-            made.append(_piece(line, section, start, end, "guiding strip" if guiding else section.kind, colour, number,
-                               settings))
-    return [line for line in made if line is not None]
+            pieces.append(_piece(line, section, start, end, "guiding strip" if guiding else section.kind, colour,
+                                 number, settings))
+    return [line for line in pieces if line is not None]
 
 
 def _whole(line: _Line, strokes, colours, settings: LineSettings, number: int) -> RoadLine:
@@ -327,18 +327,18 @@ def _with_partners(lines: Sequence[RoadLine]) -> list[RoadLine]:
     """The lines, those that run beside another one in the distance of a double line marked with it."""
     plans = [line.plan for line in lines]
     tree = shapely.STRtree(plans)
-    made = []
+    paired = []
     for k, line in enumerate(lines):
         partner = -1
         places = shapely.line_interpolate_point(plans[k], np.linspace(0.1, 0.9, 9), normalized=True)
         for other in tree.query(plans[k], predicate="dwithin", distance=DOUBLE[1]):
             if lines[other].chain == line.chain or "stop line" in (line.kind, lines[other].kind):
                 continue
-            apart = shapely.distance(places, plans[other])
-            if ((apart >= DOUBLE[0]) & (apart <= DOUBLE[1])).mean() >= 0.6:
+            distance = shapely.distance(places, plans[other])
+            if ((distance >= DOUBLE[0]) & (distance <= DOUBLE[1])).mean() >= 0.6:
                 partner = lines[other].chain
-        made.append(replace(line, partner=partner))
-    return made
+        paired.append(replace(line, partner=partner))
+    return paired
 
 
 def _left_over(polygons: Sequence[shapely.Polygon], strokes: Sequence[Stroke], in_rows: set[int],

@@ -64,8 +64,8 @@ def point_polygons(places: np.ndarray) -> list[shapely.Polygon]:
     pieces = []
     for tile in tiles:
         low = tile * TILE - margin
-        own = cells[((cells >= low) & (cells < low + TILE + 2 * margin)).all(axis=1)] - low
-        pieces += _tile_pieces(own, low, margin)
+        in_tile = cells[((cells >= low) & (cells < low + TILE + 2 * margin)).all(axis=1)] - low
+        pieces += _tile_pieces(in_tile, low, margin)
     joined = shapely.get_parts(shapely.union_all(pieces))  # in whole cells: tiles meet without a slit
     joined = shapely.transform(joined, lambda cell: cell * (CELL / FINER))
     inside = shapely.area(shapely.buffer(joined, -SURFACE, quad_segs=2)).sum()

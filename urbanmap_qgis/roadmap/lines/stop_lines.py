@@ -97,10 +97,10 @@ def _one_bar(one: StrokeChain, other: StrokeChain) -> StrokeChain | None:
 def _at_end(chain: StrokeChain, lines: Sequence[tuple[StrokeChain, FittedLine]]) -> tuple[bool, bool]:
     """Whether a line ends at the bar, and whether one goes through it."""
     bar = shapely.LineString(chain.axis)
-    along, own = _course(chain.axis), set(chain.strokes)
+    along, strokes = _course(chain.axis), set(chain.strokes)
     at_end = False
     for other, fit in lines:
-        if fit.width >= 0.8 * chain.width or not own.isdisjoint(other.strokes):
+        if fit.width >= 0.8 * chain.width or not strokes.isdisjoint(other.strokes):
             continue
         axis = shapely.LineString(fit.axis)
         if axis.distance(bar) > NEAR_STOP:

@@ -86,12 +86,12 @@ def find_symbols(polygons: Sequence[shapely.Polygon], strokes: Sequence[Stroke],
             symbol = _symbol(place, along, wanted, tree, free)
             found += [symbol] if symbol is not None else []
     used: set[int] = set()
-    kept = []
+    accepted = []
     for symbol in sorted(found, key=lambda one: -one.score):
         if used.isdisjoint(symbol.polygons):
             used |= set(symbol.polygons)
-            kept.append(symbol)
-    return kept
+            accepted.append(symbol)
+    return accepted
 
 
 def _heads(shapes: np.ndarray) -> list[tuple[np.ndarray, str]]:
@@ -107,13 +107,13 @@ def _diamonds(shapes: np.ndarray) -> list[tuple[np.ndarray, str]]:
     """Middles (2,) of polygons that lie together and have a diamond's size."""
     small = shapes[shapely.area(shapes) < 4.0]
     blobs = shapely.get_parts(shapely.union_all(shapely.buffer(small, SPACING / 2, quad_segs=2)))
-    made = []
+    diamonds = []
     for frame in shapely.minimum_rotated_rectangle(blobs):
         corners = shapely.get_coordinates(frame)[:3]
         sides = np.sort(np.linalg.norm(np.diff(corners, axis=0), axis=1)) - SPACING
         if len(sides) == 2 and all(low <= side <= high for side, (low, high) in zip(sides[::-1], DIAMOND)):
-            made.append((np.array(frame.centroid.coords[0]), "diamond"))
-    return made
+            diamonds.append((np.array(frame.centroid.coords[0]), "diamond"))
+    return diamonds
 
 
 def _direction_of(strokes: Sequence[Stroke]) -> Callable[[np.ndarray], np.ndarray | None]:

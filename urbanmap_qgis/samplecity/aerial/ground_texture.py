@@ -120,11 +120,11 @@ class _TrafficMarks:
             along = (np.array(lane.end) - lane.start) / lane.length
             across = np.array([-along[1], along[0]])
 
-            def place(forward, left, start=start, along=along, across=across):
+            def to_plan(forward, left, start=start, along=along, across=across):
                 return start + np.multiply.outer(forward, along) + np.multiply.outer(left, across)
 
             for left, width, change in ((0.78, 0.45, 0.05), (-0.78, 0.45, 0.05), (0.0, 0.5, -0.06)):
-                ends = place(np.array([0.0, lane.length]), np.full(2, left))
+                ends = to_plan(np.array([0.0, lane.length]), np.full(2, left))
                 pixels = np.column_stack([(ends[:, 0] - west) / cell - 0.5, (north - ends[:, 1]) / cell - 0.5])
                 line = np.zeros(shape, np.uint8)
                 cv2.line(line, *(tuple(int(v) for v in np.rint(p * 16)) for p in pixels), 255,
@@ -135,12 +135,12 @@ class _TrafficMarks:
                 at, left = rng.uniform(0, lane.length - length), rng.uniform(-0.5, 0.5) * (lane.width - width)
                 forward = np.array([0.0, length, length, 0.0]) + at
                 side = np.array([-0.5, -0.5, 0.5, 0.5]) * width + left
-                self.repairs.append((place(forward, side), float(rng.choice([-0.16, -0.1, 0.1]))))
+                self.repairs.append((to_plan(forward, side), float(rng.choice([-0.16, -0.1, 0.1]))))
             turn = np.arange(16) * np.pi / 8
             for at in np.arange(rng.uniform(5.0, 40.0), lane.length, 38.0):
                 left = rng.uniform(-0.4, 0.4)
                 for radius, change in ((0.42, 0.12), (0.33, -0.3)):
-                    self.covers.append((place(at + radius * np.cos(turn), left + radius * np.sin(turn)), change))
+                    self.covers.append((to_plan(at + radius * np.cos(turn), left + radius * np.sin(turn)), change))
         self.tracks = cv2.GaussianBlur(self.tracks, (0, 0), 0.8)
 
 

@@ -182,8 +182,8 @@ def spot_reflectance(scene: Scene, material: np.ndarray, point: np.ndarray, dire
     total = REFLECTANCE[material].copy()
     for share in (0.7, -0.7):
         x, y = (point[:, :2] + (share * half_length)[:, None] * along).T
-        here = paint.at(x, y)
-        total += REFLECTANCE[np.where(here > 0, here, base)]
+        marking = paint.material_at(x, y)
+        total += REFLECTANCE[np.where(marking > 0, marking, base)]
     if "surface" in scene.faults:
         road = scene.ground.kerb_distance(point[:, 0], point[:, 1]) <= 0
         total[road] *= surface_factor(*scene.ground.to_local(point[road, 0], point[road, 1]))

@@ -29,7 +29,7 @@ def make_trees(ground: Ground, size: float, rng: np.random.Generator) -> tuple[T
                 height, keep = rng.uniform(2.4, 3.4), rng.random() < 0.8
                 if not keep or not _clear(ground, street, along, 12.0):
                     continue
-                x, y = _place(ground, street, along, across)
+                x, y = _world_place(ground, street, along, across)
                 z = float(ground.height(x, y))
                 trees.append(Tree(x, y, z + height + radius_z, float(radius), float(radius_z), z, 0.25))
     return tuple(trees)
@@ -111,12 +111,12 @@ def _vehicle(lane: Lane, place: float, speed: float, epochs: tuple[str, ...], rn
 def _parked(ground: Ground, street: Street, along: float, across: float, turned: bool, epochs: tuple[str, ...],
             rng: np.random.Generator) -> Vehicle:
     """A vehicle that stands along the street, facing back along it if `turned`."""
-    ends = [_place(ground, street, along + step, across) for step in (-0.5, 0.5)]
+    ends = [_world_place(ground, street, along + step, across) for step in (-0.5, 0.5)]
     start, end = reversed(ends) if turned else ends
     return _vehicle(Lane(street.name, start, end, 2.0), 0.5, 0.0, epochs, rng, cars_only=True)
 
 
-def _place(ground: Ground, street: Street, along: float, across: float) -> tuple[float, float]:
+def _world_place(ground: Ground, street: Street, along: float, across: float) -> tuple[float, float]:
     """x, y of a place given along and across (v, or u for a street along v) a street."""
     u, v = (along, across) if street.along == "u" else (across, along)
     x, y = ground.to_world(u, v)

@@ -51,7 +51,7 @@ class Paint:
         found[known] = inside
         return found
 
-    def at(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    def material_at(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
         """`Material` of the paint left at the places (uint8), 0 where there is none or it is worn off."""
         x, y = np.asarray(x, float), np.asarray(y, float)
         marking = self.marking_at(x, y)

@@ -78,11 +78,11 @@ class Scene:
         """`Material` of the ground (uint8) at the places, with the paint that is left on it."""
         x, y = np.asarray(x, float), np.asarray(y, float)
         material = _SURFACE_MATERIAL[self.ground.kind(x, y)]
-        painted = self.paint(epoch).at(x, y)
+        painted = self.paint(epoch).material_at(x, y)
         return np.where(painted > 0, painted, material).astype(np.uint8)
 
     def paint(self, epoch: str) -> Paint:
-        """Road paint of an epoch: `.at(x, y)` gives `Material` or 0, `.marking_at(x, y)` the marking's number."""
+        """Paint of an epoch: `.material_at(x, y)` gives `Material` or 0, `.marking_at(x, y)` a marking's number."""
         return self._paints[epoch]
 
     def markings_at(self, epoch: str) -> list[Marking]:

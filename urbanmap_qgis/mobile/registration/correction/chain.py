@@ -42,9 +42,9 @@ class NodeChain:
         rising = np.concatenate([[True], np.diff(path_parameter) > 0])
         time = np.interp(nodes, path_parameter[rising], trajectory.time[rising])
         self.stopped, self.jump = stop_steps(trajectory, time), jump_steps(trajectory, time)
-        self._take(normals)
+        self._start(normals)
 
-    def _take(self, normals: NormalEquations) -> None:
+    def _start(self, normals: NormalEquations) -> None:
         self.size = len(normals.active)
         self._held: tuple[PoseErrorModel, _Prior] | None = None
         self.node, self.ahead = self._next_node(normals.path_parameter)
@@ -62,7 +62,7 @@ class NodeChain:
     def with_normals(self, normals: NormalEquations) -> NodeChain:
         """The same nodes with other normal equations."""
         other = copy(self)
-        other._take(normals)
+        other._start(normals)
         return other
 
     def _next_node(self, path_parameter: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -95,7 +95,7 @@ class PointObservations:
         for first in range(0, count, _SECTION_PATCHES):
             part = self.points.of_patches(first * _FINE, (first + _SECTION_PATCHES) * _FINE - 1)
             if len(part):
-                moved = self._moved(part, curve(part.path_parameter))
+                moved = self._transformed(part, curve(part.path_parameter))
                 more, counted = self._section(part, moved, blur)
                 sums, share = sums + more, share + counted
                 if self.settings.three_d:
@@ -112,7 +112,7 @@ class PointObservations:
                         information * believed[:, None, None], (share[:, 0] > 0) & (believed > 0),
                         self.settings.three_d, _share_met(share, _MET_PIECES))
 
-    def _moved(self, points: PatchPoints, correction: np.ndarray) -> _Moved:
+    def _transformed(self, points: PatchPoints, correction: np.ndarray) -> _Moved:
         """Points moved by corrections (m, 6)."""
         piece = points.patch // _FINE
         rotation = np.einsum("nij,nj->ni", self.back[piece][:, 3:, 3:], correction[:, 3:])

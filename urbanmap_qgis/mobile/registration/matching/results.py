@@ -68,7 +68,7 @@ class AlternativePositions:
     margin: np.ndarray
     offsets: np.ndarray
     scores: np.ndarray
-    own: np.ndarray
+    own_scores: np.ndarray
 
 
 def alternative_positions(start: InitialShifts, windows: Windows, patches: int) -> AlternativePositions:
@@ -157,7 +157,7 @@ def _modes(correction: np.ndarray, alternatives: AlternativePositions,
            status: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     position = correction[:, None, :2]
     modes = np.concatenate([position, position + alternatives.offsets], axis=1)
-    scores = np.column_stack([alternatives.own, alternatives.scores])
+    scores = np.column_stack([alternatives.own_scores, alternatives.scores])
     scores[status == NO_MARKINGS] = np.nan
     return modes, scores
 

@@ -30,9 +30,9 @@ def fast_drift_rate(chainage: np.ndarray, shift: np.ndarray, min_change: float =
     chainage : (n,) m, rising.
     shift : (n, 2) m, the error of the trajectory there.
     """
-    change = _at(chainage, shift, 0.5 * SPAN) - _at(chainage, shift, -0.5 * SPAN)
+    change = _shifts_ahead(chainage, shift, 0.5 * SPAN) - _shifts_ahead(chainage, shift, -0.5 * SPAN)
     size = np.hypot(*change.T)
-    around = np.max([_at(chainage, size[:, None], offset)[:, 0] for offset in _STEP_OFFSETS], axis=0)
+    around = np.max([_shifts_ahead(chainage, size[:, None], offset)[:, 0] for offset in _STEP_OFFSETS], axis=0)
     stays = np.ones(len(chainage), bool)
     for offsets in _BESIDE:
         lasting = _mean_beside(chainage, shift, offsets) - _mean_beside(chainage, shift, -offsets)
@@ -40,11 +40,11 @@ def fast_drift_rate(chainage: np.ndarray, shift: np.ndarray, min_change: float =
     return np.where((size > min_change) & stays, size / SPAN, 0.0)
 
 
-def _at(chainage: np.ndarray, shift: np.ndarray, offset: float) -> np.ndarray:
+def _shifts_ahead(chainage: np.ndarray, shift: np.ndarray, offset: float) -> np.ndarray:
     """Shifts (n, 2) `offset` m farther along the path."""
     return np.column_stack([np.interp(chainage + offset, chainage, axis) for axis in shift.T])
 
 
 def _mean_beside(chainage: np.ndarray, shift: np.ndarray, offsets: np.ndarray) -> np.ndarray:
     """Mean shift (n, 2) at `offsets` m from each place along the path."""
-    return np.mean([_at(chainage, shift, offset) for offset in offsets], axis=0)
+    return np.mean([_shifts_ahead(chainage, shift, offset) for offset in offsets], axis=0)
