@@ -60,7 +60,10 @@ def _result(future: Future, check: Callable[[], None]) -> Result:
 def start_worker(packages: str = "", catalogue: str = "") -> None:
     """Called in a worker process when it starts: it leaves Ctrl-C to the process that started it, and ends with it.
 
-    `packages` : folder of installed packages, see `dependencies.activate`; `catalogue` : see `wording.use_catalogue`.
+    Parameters
+    ----------
+    packages : folder of installed packages, see `dependencies.activate`.
+    catalogue : see `wording.use_catalogue`.
     """
     use_catalogue(catalogue or None)
     if packages:

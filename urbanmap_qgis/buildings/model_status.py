@@ -55,9 +55,15 @@ TOWER = 30.0
 class ModelFacts:
     """What a status is judged by; NaN where not known.
 
-    height : of the highest roof over the ground, m. area, outline_area : of the plan and of the outline, m2.
-    points : candidate points. not_explained, unseen : shares. rmse_z95 : of the candidate points, m.
-    lost_roofs : a roof found in the points has no polygon. curved : the outline has curved walls.
+    Attributes
+    ----------
+    height : of the highest roof over the ground, m.
+    area, outline_area : of the plan and of the outline, m2.
+    points : candidate points.
+    not_explained, unseen : shares.
+    rmse_z95 : of the candidate points, m.
+    lost_roofs : a roof found in the points has no polygon.
+    curved : the outline has curved walls.
     """
 
     height: float

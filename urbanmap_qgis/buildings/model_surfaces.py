@@ -16,7 +16,11 @@ from .quality import RoofCell
 class ModelSurfaces:
     """Surfaces of one building's solids.
 
-    cells : roofs in plan with heights; walls : see `wall_rectangles`; ground_area : of the ground faces, m2.
+    Attributes
+    ----------
+    cells : roofs in plan with heights.
+    walls : see `wall_rectangles`.
+    ground_area : of the ground faces, m2.
     """
 
     cells: list[RoofCell]

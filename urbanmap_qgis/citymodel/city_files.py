@@ -32,7 +32,8 @@ def write_city_files(model: CityModel, cityjson: _Place = None, cityjsonseq: _Pl
 
     Parameters
     ----------
-    cityjson, cityjsonseq : files. citygml, tiles : folders.
+    cityjson, cityjsonseq : files.
+    citygml, tiles : folders.
     geoid : added to heights in 3D Tiles, unless they are ellipsoidal.
     delivery : what CityGML says of all its buildings.
     """
@@ -65,7 +66,8 @@ def model_in_plane(model: CityModel, progress: Progress = SILENT) -> CityModel:
 
     Raises
     ------
-    InputError : it lies outside of Japan. InsufficientDataError : it holds no building.
+    InputError : it lies outside of Japan.
+    InsufficientDataError : it holds no building.
     """
     notes: list[str] = []
     wkt, buildings, places = placed_model(model, None, notes)

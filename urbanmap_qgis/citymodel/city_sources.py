@@ -68,7 +68,8 @@ def placed_model(model: CityModel, target_wkt: str | None, notes: list[str],
     Parameters
     ----------
     target_wkt : wanted reference; None for the model's own, or in Japan's degrees the plane rectangular zone of the
-        first building. notes : gets a sentence on a change of datum.
+        first building.
+    notes : gets a sentence on a change of datum.
 
     Raises
     ------

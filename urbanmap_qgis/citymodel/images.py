@@ -65,7 +65,8 @@ def copy_images(place: Path, names: Mapping[str, str], images: Mapping[str, Path
 
     Raises
     ------
-    InputError : an image was not given. OutputError : it cannot be copied.
+    InputError : an image was not given.
+    OutputError : it cannot be copied.
     """
     for image, name in names.items():
         if image not in images:

@@ -158,7 +158,8 @@ class CityModel:
     reference : of all coordinates.
     buildings : may be walked through once only, so that a city need not be in memory.
     images : files of the images that textures name, by that name.
-    title : of the data set. date : of the data, ISO 8601 text, empty where not known.
+    title : of the data set.
+    date : of the data, ISO 8601 text, empty where not known.
     """
 
     reference: CityReference

@@ -14,8 +14,10 @@ class ReadingNotes:
 
     Attributes
     ----------
-    unread : elements that the record has no place for, by name. others : other kinds of city objects, by name.
-    missing_lists, missing_images : names of code lists and images that are not there. repeated : ids met before.
+    unread : elements that the record has no place for, by name.
+    others : other kinds of city objects, by name.
+    missing_lists, missing_images : names of code lists and images that are not there.
+    repeated : ids met before.
     files : files read.
     """
 

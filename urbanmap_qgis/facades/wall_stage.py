@@ -258,7 +258,7 @@ def _heights(plane: WallPlane, flat: shapely.Polygon) -> np.ndarray:
 
 
 def _status(plane: WallPlane, points: int, seen: WallCoverage, depth: float) -> tuple[str, str]:
-    """Status of a wall and the reason; `depth` : m inside the outline of what is no facade, else 0."""
+    """Status of a wall and the reason; `depth` is m inside the outline of what is no facade, else 0."""
     if points < _FEW:
         return FEW, say("only {points} points lie on it", points=points)
     if plane.rmse > _ROUGH:

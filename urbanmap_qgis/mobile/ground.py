@@ -67,7 +67,8 @@ class PassGround:
     Attributes
     ----------
     grid : of the cloth's nodes.
-    lowest : (rows, columns) believed lowest heights, cloth : converged heights, m.
+    lowest : (rows, columns) believed lowest heights.
+    cloth : converged heights, m.
     """
 
     grid: Grid

@@ -19,7 +19,8 @@ def require_drivable(table: np.ndarray, order: np.ndarray, name: str, unit: str,
 
     Parameters
     ----------
-    table : (n, 4 or more) time (s), easting, northing, height (m). order : (m,) its rows by time.
+    table : (n, 4 or more) time (s), easting, northing, height (m).
+    order : (m,) its rows by time.
     unit, first : what a row is called in the file, "row" or "record", and the number of its first.
 
     Raises

@@ -30,7 +30,9 @@ def cut_at_tile(polygons: Sequence[shapely.Geometry | None], tile: GridTile
 
     Returns
     -------
-    pieces : (m,) polygons. rows : (m,) of each, the polygon it is of. shares : (m,) of that polygon's area, 0 to 1.
+    pieces : (m,) polygons.
+    rows : (m,) of each, the polygon it is of.
+    shares : (m,) of that polygon's area, 0 to 1.
     """
     given = np.empty(len(polygons), object)
     given[:] = polygons
@@ -90,7 +92,9 @@ def joined(pieces: np.ndarray, tiles: Sequence[str], columns: Mapping[str, Seque
 
     Parameters
     ----------
-    pieces : (m,) polygons. tiles : names of the tiles that they are of. columns : their fields.
+    pieces : (m,) polygons.
+    tiles : names of the tiles that they are of.
+    columns : their fields.
 
     Returns
     -------

@@ -32,12 +32,14 @@ class TileRecord:
 
     Attributes
     ----------
-    name : of the tile. status : done, empty (there is nothing in it to work on) or failed.
+    name : of the tile.
+    status : done, empty (there is nothing in it to work on) or failed.
     reason : why it is empty or failed, one sentence.
     fingerprint : of settings and inputs, see `fingerprint`.
     seconds, cpu, memory : time of the work and its time on processors, s; greatest memory of its process, MB (0 where
         not known).
-    outputs : size in bytes of each result by its file name in the tile's folder. checksums : SHA-256 of each.
+    outputs : size in bytes of each result by its file name in the tile's folder.
+    checksums : SHA-256 of each.
     figures : numbers that the algorithm gave.
     """
 

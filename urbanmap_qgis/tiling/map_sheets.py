@@ -78,7 +78,8 @@ class SheetGrid(TileGrid):
 
     Parameters
     ----------
-    level : 5000, 2500, 1000 or 500. system : number of the system. `size` is the sheets' height, m.
+    level : 5000, 2500, 1000 or 500.
+    system : number of the system. `size` is the sheets' height, m.
     """
 
     level: int = 500

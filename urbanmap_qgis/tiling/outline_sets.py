@@ -21,7 +21,8 @@ def buffers_needed(outlines: np.ndarray, grid: TileGrid, tiles: Sequence[GridTil
 
     Parameters
     ----------
-    outlines : (n,) polygons; missing ones are in no tile. reach : m, distance up to which two are of one set.
+    outlines : (n,) polygons; missing ones are in no tile.
+    reach : m, distance up to which two are of one set.
     """
     needed = np.full(len(outlines), np.nan)
     usable = np.flatnonzero(shapely.is_geometry(outlines) & ~shapely.is_empty(outlines))

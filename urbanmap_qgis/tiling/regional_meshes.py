@@ -77,7 +77,9 @@ class MeshGrid(TileGrid):
 
     Parameters
     ----------
-    size : about their side, m. crs_wkt : projected CRS of the data. parts : see `MESH_PARTS`.
+    size : about their side, m.
+    crs_wkt : projected CRS of the data.
+    parts : see `MESH_PARTS`.
     """
 
     crs_wkt: str = ""

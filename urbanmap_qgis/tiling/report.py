@@ -22,7 +22,8 @@ def write_tiles_report(path: str | os.PathLike, title: str, settings: Mapping[st
 
     Parameters
     ----------
-    records : of the tiles that were done, in their order. reused : how many of them an earlier run had done.
+    records : of the tiles that were done, in their order.
+    reused : how many of them an earlier run had done.
     estimate : lines of an extrapolation to all tiles; empty for a run over all.
     """
     count = {status: sum(record.status == status for record in records) for status in (DONE, EMPTY, FAILED)}

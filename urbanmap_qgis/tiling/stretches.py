@@ -23,8 +23,8 @@ class StretchTile(GridTile):
 
     Attributes
     ----------
-    path : (n, 2) its places, m, as nested tuples. core, read : from and to which GPS second points are the stretch's
-        own, and are read.
+    path : (n, 2) its places, m, as nested tuples.
+    core, read : from and to which GPS second points are the stretch's own, and are read.
     """
 
     path: tuple[tuple[float, float], ...]
@@ -72,7 +72,9 @@ class StretchGrid(TileGrid):
 
     Parameters
     ----------
-    size, buffer : along the path, m. time : (n,) s. path : (n, 2) m.
+    size, buffer : along the path, m.
+    time : (n,) s.
+    path : (n, 2) m.
     """
 
     time: np.ndarray = None

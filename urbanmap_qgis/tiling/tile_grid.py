@@ -79,7 +79,8 @@ class TileGrid:
 
     Parameters
     ----------
-    size : side of a tile, whole units of the CRS. buffer : width of the surroundings that a tile reads, same units.
+    size : side of a tile, whole units of the CRS.
+    buffer : width of the surroundings that a tile reads, same units.
     """
 
     size: float

@@ -26,7 +26,8 @@ class Distortion:
 
     Attributes
     ----------
-    k1, k2, k3 : radial, p1, p2 : tangential.
+    k1, k2, k3 : radial.
+    p1, p2 : tangential.
     unit_mm : 1 where the coefficients are for millimetres, the focal length where they are for focal lengths.
     """
 

@@ -108,7 +108,8 @@ def occlusion_map(camera: FrameCamera, pose: ExteriorOrientation, dsm: str | os.
 
     Raises
     ------
-    InputError : a raster cannot be read, or the surface does not reach the frame. OutputError : nothing can be written.
+    InputError : a raster cannot be read, or the surface does not reach the frame.
+    OutputError : nothing can be written.
     """
     with NormalisedSurface(dsm, ground) as surface:
         rows, columns, uncovered = frame_window(camera, pose, surface)

@@ -25,20 +25,23 @@ class ConfidenceSettings:
     Parameters
     ----------
     texture_factor, texture_less : standard deviation over `texture_lag`, grey values after level adjustment, that
-    smooth ground has at most: so many times that of the image's own road, less so much; `min_texture` where that is
-    less, as in soft light.
+        smooth ground has at most: so many times that of the image's own road, less so much; `min_texture` where that is
+        less, as in soft light.
     max_warmth, max_green : (red - blue) and |green - mean of red and blue| as shares of the brightness that grey ground
-    has at most. warmer_than_road : in hard light, where that texture is exceeded, it may be warmer than the image's own
-    road by so much.
+        has at most.
+    warmer_than_road : in hard light, where that texture is exceeded, it may be warmer than the image's own road by so
+        much.
     max_step : difference from the mean brightness of such ground within 4 m, as a share of it.
-    beside : share of smooth grey ground within 0.7 m of the paint. around : the same within 5 m.
+    beside : share of smooth grey ground within 0.7 m of the paint.
+    around : the same within 5 m.
     both_sides : the same on the poorer of two opposite sides, 0.8 m away: kerbs, rails, roof edges and banks have a
-    road on one side only. worn : times the limits above for that ground: cracks and worn strips. open_ground : as a
-    share of all ground; it stands in for `beside` where all is too near to paint to be looked at.
+        road on one side only.
+    worn : times the limits above for that ground: cracks and worn strips.
+    open_ground : as a share of all ground; it stands in for `beside` where all is too near to paint to be looked at.
     contrast : of the top-hat, in thresholds; `faint` is the confidence at the first, as worn paint lies there.
     warmer : how much warmer than the ground paint is: white is neutral, yellow warm, asphalt never warmer than either.
     blue_contrast, blue : contrast and (blue - red) as a share of the brightness from which it may be bluer than the
-    ground, as lines of bus lanes are; less is glass or metal.
+        ground, as lines of bus lanes are; less is glass or metal.
     """
 
     texture_factor: float = 3.5
@@ -84,10 +87,11 @@ class GroundBeside:
 
     Attributes
     ----------
-    clear : uint8, 1 where ground is seen and no bright thing is near. even : uint8, 1 where that may be a worn
-        road. smooth : uint8, 1 where it is smooth, grey and about as bright as such ground around.
-    brightness : float32, mean of the smooth ground within 4 m. shades : int16, warmth of the ground in `_SHADES`; None
-    for grey images.
+    clear : uint8, 1 where ground is seen and no bright thing is near.
+    even : uint8, 1 where that may be a worn road.
+    smooth : uint8, 1 where it is smooth, grey and about as bright as such ground around.
+    brightness : float32, mean of the smooth ground within 4 m.
+    shades : int16, warmth of the ground in `_SHADES`; None for grey images.
     """
 
     clear: np.ndarray
@@ -152,8 +156,12 @@ def ground_beside(bands: np.ndarray, image: np.ndarray, road: np.ndarray, bright
 
     Parameters
     ----------
-    bands : (1 or 3 and more, rows, columns), red, green, blue first. image : levelled brightness. road : the same
-    without what is as narrow as paint. bright : bool, what may be paint. seen : bool. model : the image's own road.
+    bands : (1 or 3 and more, rows, columns), red, green, blue first.
+    image : levelled brightness.
+    road : the same without what is as narrow as paint.
+    bright : bool, what may be paint.
+    seen : bool.
+    model : the image's own road.
     """
     clear = _clear(bright, seen, pixel)
     smooth, even, shades = _grey_and_smooth(bands, image, clear, pixel, model, settings)
@@ -265,9 +273,11 @@ def marking_confidence(core: np.ndarray, bands: np.ndarray, relief: np.ndarray, 
 
     Parameters
     ----------
-    core : bool, pixels that may be paint. relief : (n,) their top-hat in thresholds. ground : round them. roads : bool,
-    known roads, in which the ground needs no proof; None for unknown. wanted : rows and columns, by default all; what
-    they depend on lies within 6 m of them.
+    core : bool, pixels that may be paint.
+    relief : (n,) their top-hat in thresholds.
+    ground : round them.
+    roads : bool, known roads, in which the ground needs no proof; None for unknown.
+    wanted : rows and columns, by default all; what they depend on lies within 6 m of them.
     """
     if roads is not None:
         return np.float32(0.5) + np.float32(0.5) * _ramp(relief, settings.contrast)
@@ -356,8 +366,12 @@ def _poorer_side(rows: np.ndarray, columns: np.ndarray, ground: GroundBeside, st
                  ) -> np.ndarray:
     """Share (n,) of smooth ground on the poorer of two opposite sides of bright pixels, in the best of four directions.
 
-    Across a line on a road both sides are road; no direction has that at a kerb. `rows`, `columns` : of the pixels.
-    `stand_in` : (n,) share for sides where all is too near to paint.
+    Across a line on a road both sides are road; no direction has that at a kerb.
+
+    Parameters
+    ----------
+    rows, columns : of the pixels.
+    stand_in : (n,) share for sides where all is too near to paint.
     """
     height, width = ground.clear.shape
     even, clear = (_as_mean(_totals(flags, _SIDE_BOX, pixel), _SIDE_BOX, pixel)
@@ -381,7 +395,8 @@ def along_strokes(confidence: np.ndarray, core: np.ndarray, pixel: float) -> np.
 
     Parameters
     ----------
-    confidence : (n,) of the bright pixels. core : bool (rows, columns), where they are.
+    confidence : (n,) of the bright pixels.
+    core : bool (rows, columns), where they are.
     """
     inside = np.flatnonzero(core)
     values = np.zeros(core.shape, np.uint8)

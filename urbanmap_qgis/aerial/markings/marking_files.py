@@ -65,7 +65,9 @@ class SearchArea:
 
     Parameters
     ----------
-    roads : only inside them; None for everywhere. buildings : not inside them. mask : raster, not where it is above 0.
+    roads : only inside them; None for everywhere.
+    buildings : not inside them.
+    mask : raster, not where it is above 0.
     """
 
     roads: Sequence[shapely.Geometry] | None = None
@@ -79,9 +81,11 @@ class MarkingResult:
 
     Attributes
     ----------
-    polygons : markings with their attributes. pixel : side, m. searched_area : m2 of the image that could have shown
-        some.
-    marked_area : m2 of paint in the mask. road : the image's own road; None where it was not looked at.
+    polygons : markings with their attributes.
+    pixel : side, m.
+    searched_area : m2 of the image that could have shown some.
+    marked_area : m2 of paint in the mask.
+    road : the image's own road; None where it was not looked at.
     """
 
     polygons: MarkingPolygons
@@ -205,7 +209,8 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
 
     Raises
     ------
-    InputError : the orthophoto or the mask cannot be used. OutputError : the mask cannot be written.
+    InputError : the orthophoto or the mask cannot be used.
+    OutputError : the mask cannot be written.
     """
     settings, places = settings or MarkingSettings(), places or SearchArea()
     with own_gdal(CACHE), ExitStack() as stack:

@@ -25,17 +25,19 @@ class CleanSettings:
     ----------
     max_width : strokes of paint are narrower; what is wider in both directions (paving, roofs, vehicles) is ground.
     top_hat_ratio : paint is this many thresholds brighter than the ground on both sides.
-    min_area : smaller pieces are specks. min_length : shorter pieces too.
+    min_area : smaller pieces are specks.
+    min_length : shorter pieces too.
     vehicle_width, vehicle_area : widest and smallest bright body that counts as a vehicle.
     body_ratio, body_width, body_area, rim : nothing is paint within `rim` of a body that is so many thresholds brighter
-    than the ground, so wide and so large: a vehicle's own edges lie there. Arrow heads are narrower.
-    vehicle_gap, vehicle_share : short pieces with this share this near to a vehicle belong to it. line_length : longer
-    ones are lines beside it.
+        than the ground, so wide and so large: a vehicle's own edges lie there. Arrow heads are narrower.
+    vehicle_gap, vehicle_share : short pieces with this share this near to a vehicle belong to it.
+    line_length : longer ones are lines beside it.
     wear_gap : flakes of worn paint this near to each other are one piece.
     border_share : pieces with this share of pixels along the edge of what is hidden are roof edges that a mask left.
     max_length : pieces of this length or more are not judged by their shape.
     min_confidence : pieces (parts of long ones) with less confidence that they are paint on a road are left out.
-    confidence : how it is measured. fill_width : paint up to this width, such as arrow heads, is filled.
+    confidence : how it is measured.
+    fill_width : paint up to this width, such as arrow heads, is filled.
     """
 
     max_width: float = 0.8
@@ -76,10 +78,14 @@ class Candidates:
 
     Attributes
     ----------
-    core : bool, bright pixels. bands : (1 or 3 and more, rows, columns). image : levelled brightness. road : the same
-    without all that is narrower than `max_width`. threshold : grey values that paint stands out by. seen : bool, where
-    ground is seen. roads : bool, None where unknown. model : the
-    image's own road.
+    core : bool, bright pixels.
+    bands : (1 or 3 and more, rows, columns).
+    image : levelled brightness.
+    road : the same without all that is narrower than `max_width`.
+    threshold : grey values that paint stands out by.
+    seen : bool, where ground is seen.
+    roads : bool, None where unknown.
+    model : the image's own road.
     """
 
     core: np.ndarray

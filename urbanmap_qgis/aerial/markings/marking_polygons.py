@@ -42,11 +42,13 @@ class TilePolygons:
 
     Attributes
     ----------
-    polygons : (n,) shapely polygons. at_seam : (n,) bool, they touch the tile's edge.
+    polygons : (n,) shapely polygons.
+    at_seam : (n,) bool, they touch the tile's edge.
     pixels, contrast, yellow, confidence : (n,) number of pixel centres inside, sum of contrasts, number of yellow ones,
         sum of confidences.
     measures : (n, 4) area, perimeter, north and west end, in the CRS, before whole ones (not at the seam) were
-        simplified. top : first row of the tile.
+        simplified.
+    top : first row of the tile.
     """
 
     polygons: np.ndarray
@@ -65,9 +67,11 @@ class MarkingPolygons:
 
     Attributes
     ----------
-    polygons : (n,) shapely polygons, an array or in a file. area : (n,) m2.
+    polygons : (n,) shapely polygons, an array or in a file.
+    area : (n,) m2.
     length, width : (n,) m, of the stroke if it were straightened.
-    contrast : (n,) mean grey values (of 255 after level adjustment) above the road. colour : (n,) "white" or "yellow".
+    contrast : (n,) mean grey values (of 255 after level adjustment) above the road.
+    colour : (n,) "white" or "yellow".
     confidence : (n,) 0 to 1 that it is paint on a road; NaN where it was not measured.
     """
 
@@ -89,7 +93,8 @@ def tile_polygons(markings: Markings, window: tuple[slice, slice], rows: slice, 
 
     Parameters
     ----------
-    markings : of the tile with its surroundings, which take `window` of the image. rows, columns : of the tile.
+    markings : of the tile with its surroundings, which take `window` of the image.
+    rows, columns : of the tile.
     transform : from pixels (corners at whole numbers) to the CRS.
     """
     top, left = rows.start - window[0].start, columns.start - window[1].start
@@ -197,8 +202,8 @@ def _polygons_of_rings(points: np.ndarray, counts: np.ndarray, area: np.ndarray,
 
     Parameters
     ----------
-    area : (m,) of the lines, as `_signed_areas` has it. piece : (m,) number of the piece of high ground that they
-        bound: a hole belongs to the outline of the same piece.
+    area : (m,) of the lines, as `_signed_areas` has it.
+    piece : (m,) number of the piece of high ground that they bound: a hole belongs to the outline of the same piece.
     """
     rings = shapely.linearrings(points, indices=np.repeat(np.arange(len(counts)), counts))
     outer, hole = area > 0, area < 0
@@ -233,8 +238,10 @@ def merge_tile_polygons(pieces: Iterable[TilePolygons], transform: Affine, metre
 
     Parameters
     ----------
-    pieces : of tiles in rows from the top. transform : from pixels (corners at whole numbers) to the CRS.
-    min_area : m2, smaller ones are left out. folder : for the files.
+    pieces : of tiles in rows from the top.
+    transform : from pixels (corners at whole numbers) to the CRS.
+    min_area : m2, smaller ones are left out.
+    folder : for the files.
     """
     store, rows = StoredPolygons(folder), StoredRows(folder, len(_FIGURES))
     try:

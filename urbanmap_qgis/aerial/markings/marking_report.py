@@ -54,7 +54,8 @@ class OrthophotoQuality:
     ----------
     pairs : of overlapping frames, None where they were not compared.
     views : share of the ground in the image that 0, 1, 2 and 3 or more frames see; None where unknown.
-    roads : whether markings were looked for inside roads only. contrast : grey values, as asked for.
+    roads : whether markings were looked for inside roads only.
+    contrast : grey values, as asked for.
     """
 
     pairs: Sequence[PairShift] | None

@@ -52,10 +52,10 @@ class MarkingSettings:
 
     Parameters
     ----------
-    block_size : side of the Gaussian window, m (J Table 3-2). contrast : how much brighter than the window's mean paint
-    is, in grey values of an image levelled to 0..255 (J Table 3-2).
-    paper : whether the plain adaptive threshold of J 3.2.2 is taken, see `thresholded`; `cleaning` is None
-    then.
+    block_size : side of the Gaussian window, m (J Table 3-2).
+    contrast : how much brighter than the window's mean paint is, in grey values of an image levelled to 0..255 (J Table
+        3-2).
+    paper : whether the plain adaptive threshold of J 3.2.2 is taken, see `thresholded`; `cleaning` is None then.
     cleaning : rules for what is no marking; None keeps all that passes the threshold.
     levels : of the image that this one is a part of, so that its parts do not differ; None takes them of this one.
     """
@@ -113,9 +113,11 @@ class Markings:
 
     Attributes
     ----------
-    mask : bool, pixel centres on paint. field : float32, brightness less that half-way between paint and road: its zero
-    line is the paint's edge. contrast : float32, grey values above the road. yellow : bool. confidence : float32, 0 to
-    1, see `marking_confidence`; NaN where it is not measured.
+    mask : bool, pixel centres on paint.
+    field : float32, brightness less that half-way between paint and road: its zero line is the paint's edge.
+    contrast : float32, grey values above the road.
+    yellow : bool.
+    confidence : float32, 0 to 1, see `marking_confidence`; NaN where it is not measured.
     """
 
     mask: np.ndarray
@@ -181,10 +183,12 @@ def find_markings(bands: np.ndarray, seen: np.ndarray, roads: np.ndarray | None,
 
     Parameters
     ----------
-    bands : (1 or more, rows, columns), see `paint_brightness`. seen : bool, where the image shows ground: all else does
-    not enter the mean. roads : bool, where markings may be; None for everywhere. pixel : side, m.
+    bands : (1 or more, rows, columns), see `paint_brightness`.
+    seen : bool, where the image shows ground: all else does not enter the mean.
+    roads : bool, where markings may be; None for everywhere.
+    pixel : side, m.
     wanted : rows and columns for which they are wanted, by default all; what lies `margin_pixels` round them, or up to
-    the image's edge, must be there.
+        the image's edge, must be there.
     """
     wanted = wanted or (slice(0, seen.shape[0]), slice(0, seen.shape[1]))
     allowed = seen if roads is None else seen & roads

@@ -31,8 +31,8 @@ class RoadModel:
     Attributes
     ----------
     texture : that of its smoothest seventh, grey values after level adjustment, see `marking_confidence.texture`.
-    warmth, green : its median colour, shares of the brightness, see `marking_confidence.colours_of`. brightness : its
-    median, grey values after level adjustment.
+    warmth, green : its median colour, shares of the brightness, see `marking_confidence.colours_of`.
+    brightness : its median, grey values after level adjustment.
     """
 
     texture: float = 0.0

@@ -188,7 +188,11 @@ def frame_shifts(sources: Sequence[ViewSource], grid: Grid, progress: Progress =
     """Shifts between all pairs of sources that share at least five patches with markings, not all at one place, in the
     sources' order.
 
-    Looks at a few pieces of the grid, spread evenly. `metres` : in a unit of the grid.
+    Looks at a few pieces of the grid, spread evenly.
+
+    Parameters
+    ----------
+    metres : in a unit of the grid.
     """
     pieces = list(tiles(grid))
     pieces = [pieces[k] for k in np.unique(np.linspace(0, len(pieces) - 1, min(_TILES, len(pieces))).astype(int))]

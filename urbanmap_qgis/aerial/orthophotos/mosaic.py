@@ -256,7 +256,8 @@ def write_mosaic(sources: Sequence[ViewSource], grid: Grid, crs_wkt: str, bands:
 
     Raises
     ------
-    InsufficientDataError : no source sees any ground. OutputError : a file cannot be written.
+    InsufficientDataError : no source sees any ground.
+    OutputError : a file cannot be written.
     """
     choice, workers = choice or PixelSelection(), workers or Workers()
     if dtype not in _FULL_SCALE:

@@ -371,6 +371,8 @@ class ElevationInputs:
     """Where frames lie: rasters of the ground's and (optional) the surface's height, m, in one projected CRS with the
     poses, and polygons of buildings, which are taken out of the mosaic.
 
+    Attributes
+    ----------
     heights : of those buildings above the ground, m, None where unknown: with it they also hide what lies behind them.
     masks : occlusion maps, a file for each frame, of its rows and columns, above 0 where it shows no ground.
     """

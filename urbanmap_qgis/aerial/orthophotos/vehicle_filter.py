@@ -151,7 +151,8 @@ def filter_vehicles(orthophotos: Sequence[str | os.PathLike], output: str | os.P
 
     Raises
     ------
-    InputError : fewer than two, or of different kinds. InsufficientDataError : no pixel has data.
+    InputError : fewer than two, or of different kinds.
+    InsufficientDataError : no pixel has data.
     """
     if len(orthophotos) < 2:
         raise InputError(say("Vehicles can only be told by comparing: give two or more orthophotos of the same "

@@ -43,7 +43,7 @@ def is_watertight(mesh: Solid) -> bool:
 
 
 def mesh_fit(mesh: Solid, points: np.ndarray, error: float) -> MeshFit:
-    """Distances of points (n, 3) from roofs (across them) and walls, whichever is nearer, in m; `error` : as stated."""
+    """Distances of points (n, 3) from roofs (across them) and walls, whichever is nearer, in m; `error` as stated."""
     distance = np.minimum(roof_distance(mesh, points), wall_distance(mesh, points, 4 * error))
     known = np.isfinite(distance)
     if not known.any():

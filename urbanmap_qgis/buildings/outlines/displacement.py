@@ -54,8 +54,11 @@ MOVED_FROM = 0.005  # m, shorter shifts are none
 class Displacements:
     """Shifts of n outlines, in the order given.
 
-    dx, dy : (n,) m, to be added to the outline; sigma : (n,) m, uncertainty of dx and of dy (each);
-    score_before, score_after : (n,) in [-1, 1], mean building evidence under the outline as given and as moved;
+    Attributes
+    ----------
+    dx, dy : (n,) m, to be added to the outline.
+    sigma : (n,) m, uncertainty of dx and of dy (each).
+    score_before, score_after : (n,) in [-1, 1], mean building evidence under the outline as given and as moved.
     status : (n,) of "kept", "moved", "not observable" (no building to be seen in reach: the outline follows the
         common shift of its connected set, which is mostly none).
     """

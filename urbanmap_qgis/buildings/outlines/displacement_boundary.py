@@ -22,7 +22,10 @@ CACHED = 30_000  # raster lookups whose arrays fit into the processor's cache
 class Edges:
     """Straight edges of all outlines, sorted by outline, the interior on the left of each.
 
-    owner : (m,) outline number; start, end : (m, 2) in m.
+    Attributes
+    ----------
+    owner : (m,) outline number.
+    start, end : (m, 2) in m.
     """
 
     owner: np.ndarray

@@ -29,7 +29,10 @@ class SharedWalls:
 
     Edges that only partly face each other are left out: houses with a gap between them have those as well.
 
-    pair : (m,) number of the pair, sorted; length : (m,) m;
+    Attributes
+    ----------
+    pair : (m,) number of the pair, sorted.
+    length : (m,) m.
     meeting : (m, 2) m, the relative shift (shift of j less shift of i) at which both ends fall together.
     """
 

@@ -37,9 +37,15 @@ PAIRS_AT_ONCE = 2048  # pairs whose tables over all candidates are held at once
 class OutlineNetwork:
     """What the score of an arrangement needs, of n outlines with p pairs of neighbours.
 
-    edges, pieces, coarse : boundaries; perimeter : (n,) m; sums, grid : row sums of the evidence;
-    pairs : (p, 2) first < second; walls : see `SharedWalls`; overlaps : tables of `overlap_tables`;
-    common : (n, 2) m, shift of the whole set that each outline belongs to;
+    Attributes
+    ----------
+    edges, pieces, coarse : boundaries.
+    perimeter : (n,) m.
+    sums, grid : row sums of the evidence.
+    pairs : (p, 2) first < second.
+    walls : see `SharedWalls`.
+    overlaps : tables of `overlap_tables`.
+    common : (n, 2) m, shift of the whole set that each outline belongs to.
     shift_weight : (n,) factor on the price of departing from it.
     """
 

@@ -36,7 +36,8 @@ def expand_labels(data: np.ndarray, borders: Borders, start: np.ndarray) -> np.n
 
     Parameters
     ----------
-    data : (n, k) cost of each label. start : (n,) labels to begin with.
+    data : (n, k) cost of each label.
+    start : (n,) labels to begin with.
     """
     search = _Search(np.asfortranarray(data), borders, start.copy())
     count = data.shape[1]

@@ -35,7 +35,8 @@ def candidate_segments(raster: LabelRaster, planes: np.ndarray, outline: shapely
 
     Parameters
     ----------
-    planes : (k, 3) a, b, c of z = a x + b y + c. points, label : (n, 3) and (n,), to place steps exactly.
+    planes : (k, 3) a, b, c of z = a x + b y + c.
+    points, label : (n, 3) and (n,), to place steps exactly.
     """
     cracks = label_boundaries(raster.label, raster.x, raster.y)
     reach = 1.5 * raster.cell + 0.2

@@ -25,9 +25,11 @@ class LabelRaster:
 
     Attributes
     ----------
-    x, y : centres of columns and rows, m. cell : side, m.
+    x, y : centres of columns and rows, m.
+    cell : side, m.
     label : (rows, columns) plane of each cell, gaps filled from the nearest one; -1 outside the outline.
-    inside : (rows, columns) bool. seen : (rows, columns) bool, cells with points of a plane.
+    inside : (rows, columns) bool.
+    seen : (rows, columns) bool, cells with points of a plane.
     ceiling : (rows, columns) highest point near each cell, m; inf where there is none.
     """
 

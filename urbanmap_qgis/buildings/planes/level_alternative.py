@@ -56,7 +56,9 @@ def has_lost_plane(polygons: Sequence[shapely.Polygon], plane_of: Sequence[int],
 
     Parameters
     ----------
-    plane_of : plane of each polygon. points, roof : (n, 3) and (n,) plane of each. density : points/m2.
+    plane_of : plane of each polygon.
+    points, roof : (n, 3) and (n,) plane of each.
+    density : points/m2.
     """
     lost = (roof > 0) & ~np.isin(roof, plane_of)
     if not lost.any():

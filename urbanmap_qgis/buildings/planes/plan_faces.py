@@ -105,7 +105,8 @@ def label_faces(faces: PlanFaces, raster: LabelRaster, planes: np.ndarray, point
 
     Parameters
     ----------
-    planes : (k, 3). points, label : (n, 3) and (n,); those without a plane (-1) do not count.
+    planes : (k, 3).
+    points, label : (n, 3) and (n,); those without a plane (-1) do not count.
     """
     data = _data_costs(faces, raster, planes, points, label)
     borders = _PlaneBorders(faces.pairs, faces.border, smoothness * faces.length, planes)

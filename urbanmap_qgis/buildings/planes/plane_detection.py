@@ -45,7 +45,8 @@ def detect_planes(points: np.ndarray, density: float, parameters: PlaneParameter
 
     Parameters
     ----------
-    points : those that stand above the ground, m, on a local origin. density : points/m2 on roofs.
+    points : those that stand above the ground, m, on a local origin.
+    density : points/m2 on roofs.
     """
     if len(points) < FEWEST:
         return np.full(len(points), -1)

@@ -41,7 +41,8 @@ class PlanePartition:
     ----------
     polygons : at the heights of their planes, m, in the outline's coordinates.
     roof_numbers : (k,) the plane's number as the points have it.
-    planes : (k, 3) a, b, c of z = a (x - origin x) + b (y - origin y) + c. origin : x and y, m.
+    planes : (k, 3) a, b, c of z = a (x - origin x) + b (y - origin y) + c.
+    origin : x and y, m.
     coverage : (k,) share of the area with points.
     status : "ok" or "one plane".
     """
@@ -60,7 +61,8 @@ def partition_planes(outline: shapely.Geometry, points: np.ndarray, roof: np.nda
     Parameters
     ----------
     outline : Polygon or MultiPolygon, courtyards as holes, m.
-    points : (n, 3) of the building, m. roof : (n,) number of the plane of each, 0 = none; at least one has a plane.
+    points : (n, 3) of the building, m.
+    roof : (n,) number of the plane of each, 0 = none; at least one has a plane.
     """
     origin = np.floor(outline.bounds[:2])
     local = shapely.transform(shapely.force_2d(outline), lambda c: c - origin)

@@ -60,7 +60,9 @@ def segment_planes(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely
     Parameters
     ----------
     x, y, z : (n,) points of the building, m; may hold trees, walls, roof furniture and some ground.
-    outline : the primary outline. ground : height of the ground, m. density : points/m2 of the cloud on roofs.
+    outline : the primary outline.
+    ground : height of the ground, m.
+    density : points/m2 of the cloud on roofs.
     min_height : least height of a roof above the ground, m.
     """
     roof = np.zeros(len(z), np.int32)

@@ -72,7 +72,8 @@ def grow_planes(points: np.ndarray, around: Surroundings, tolerance: float, fewe
 
     Parameters
     ----------
-    points : (n, 3), local coordinates in m. tolerance : farthest distance of a point from its plane, m.
+    points : (n, 3), local coordinates in m.
+    tolerance : farthest distance of a point from its plane, m.
     fewest : points of the smallest plane.
     """
     label = np.full(len(points), -1)

@@ -31,7 +31,8 @@ def building_directions(edges: np.ndarray, planes: np.ndarray) -> np.ndarray:
 
     Parameters
     ----------
-    edges : (e, 2) vectors of the outline's edges, m. planes : (k, 3).
+    edges : (e, 2) vectors of the outline's edges, m.
+    planes : (k, 3).
     """
     angle = np.radians(main_directions(edges))
     level = np.column_stack([np.cos(angle), np.sin(angle)])
@@ -51,7 +52,8 @@ def step_lines(cracks: LabelBoundaries, normals: np.ndarray, cell: float, least_
 
     Parameters
     ----------
-    cracks : borders of planes that no intersection explains. normals : the building's own, (m, 2).
+    cracks : borders of planes that no intersection explains.
+    normals : the building's own, (m, 2).
     points, label : (n, 2) and (n,), which place each line where it parts the points of its two planes best.
     """
     angle = np.radians(FREE_DIRECTIONS)

@@ -62,8 +62,10 @@ def without_small_parts(chosen: np.ndarray, cost: np.ndarray, pairs: np.ndarray,
 
     Parameters
     ----------
-    chosen : (n,) labels. cost : (n, k) of each label. pairs, worth : (m, 2) and (m,) borders between pieces and what a
-        border between two labels costs there. area : (n,) m2.
+    chosen : (n,) labels.
+    cost : (n, k) of each label.
+    pairs, worth : (m, 2) and (m,) borders between pieces and what a border between two labels costs there.
+    area : (n,) m2.
     """
     parts = _Parts(chosen, cost, pairs, worth, area)
     small = [(float(parts.area[part]), part) for part in parts.around if parts.area[part] < min_roof_area]

@@ -74,7 +74,8 @@ class IurTable:
 
         Parameters
         ----------
-        name : with its prefix, of any version. value : a group, a simple value or a list of these.
+        name : with its prefix, of any version.
+        value : a group, a simple value or a list of these.
         """
         wanted = self._today(name.removeprefix(PREFIX))
         field = next((item for item in self.fields[_BUILDING] if self._today(item.name) == wanted), None)

@@ -52,7 +52,8 @@ class PlateauDelivery:
 
     Attributes
     ----------
-    version : of i-UR, one of `VERSIONS`. city_code : five digits of the municipality; empty for none.
+    version : of i-UR, one of `VERSIONS`.
+    city_code : five digits of the municipality; empty for none.
     measured : whether the models are of laser points by this program; else nothing is known of where they come from.
     map_level : of the public survey that the points are of, one of `SCALES`; 0 where it is none.
     """

@@ -73,7 +73,8 @@ def open_citygml(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: R
 
     Parameters
     ----------
-    notes : filled while the buildings are walked through. given : reference of files that name none.
+    notes : filled while the buildings are walked through.
+    given : reference of files that name none.
 
     Raises
     ------

@@ -36,9 +36,11 @@ class ShapeReader:
 
     Attributes
     ----------
-    swapped : whether the file's first coordinate is the northern one. textures : of the whole file.
+    swapped : whether the file's first coordinate is the northern one.
+    textures : of the whole file.
     digits : of plane coordinates that tell corners apart, 3 of metres and 9 of degrees.
-    problems : what was found wrong. unread : elements that the record has no place for, by name.
+    problems : what was found wrong.
+    unread : elements that the record has no place for, by name.
     """
 
     swapped: bool

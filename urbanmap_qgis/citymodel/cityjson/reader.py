@@ -55,7 +55,8 @@ def open_cityjson(path: str | os.PathLike, notes: ReadingNotes, given: CityRefer
 
     Parameters
     ----------
-    notes : filled while the buildings are walked through. given : reference of files that name none.
+    notes : filled while the buildings are walked through.
+    given : reference of files that name none.
 
     Raises
     ------

@@ -46,7 +46,8 @@ def write_model_cityjson(path: str | os.PathLike, model: CityModel, progress: Pr
 
     Raises
     ------
-    InputError : two objects have the same id, or coordinates are degrees. OutputError : the file cannot be written.
+    InputError : two objects have the same id, or coordinates are degrees.
+    OutputError : the file cannot be written.
     """
     _require_metres(model.reference)
     vertices, appearance, count = VertexList(), _Appearance(), 0
@@ -71,7 +72,8 @@ def write_model_cityjsonseq(path: str | os.PathLike, model: CityModel, progress:
 
     Raises
     ------
-    InputError : two objects have the same id, or coordinates are degrees. OutputError : the file cannot be written.
+    InputError : two objects have the same id, or coordinates are degrees.
+    OutputError : the file cannot be written.
     """
     _require_metres(model.reference)
     count, origin = 0, None

@@ -61,7 +61,8 @@ def add_primitive(buffer: GlbBuffer, material: int, corners: np.ndarray, places:
 
     Parameters
     ----------
-    corners : (t, 3, 3) east, north, up. places : (t, 3, 2) in the image, from its lower left corner.
+    corners : (t, 3, 3) east, north, up.
+    places : (t, 3, 2) in the image, from its lower left corner.
     owner : (t,) number of the feature of each triangle.
     """
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])

@@ -46,7 +46,9 @@ class BuildingRow:
         under its own name.
     outline : polygon or multipolygon in plan; None where there is none.
     solid : multipolygon of the faces of its most detailed model; None where it has none.
-    faces : polygons with z of that model. kinds : surface type of each. part : number of the roof surface, or None.
+    faces : polygons with z of that model.
+    kinds : surface type of each.
+    part : number of the roof surface, or None.
     """
 
     values: dict[str, Any]

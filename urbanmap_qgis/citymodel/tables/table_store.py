@@ -17,8 +17,11 @@ class TableStore:
 
     Attributes
     ----------
-    columns : values by name, one a building; None where a building lacks one. outlines : one a building.
-    modelled : rows that have a solid. models : their solids. surfaces, surface_columns : faces of the models.
+    columns : values by name, one a building; None where a building lacks one.
+    outlines : one a building.
+    modelled : rows that have a solid.
+    models : their solids.
+    surfaces, surface_columns : faces of the models.
     """
 
     def __init__(self, models: bool, surfaces: bool):

@@ -68,7 +68,8 @@ def write_tiles(folder: str | os.PathLike, model: CityModel, geoid: GeoidHeights
 
     Raises
     ------
-    InputError : the reference system is not known, or an image was not given. OutputError : a file cannot be written.
+    InputError : the reference system is not known, or an image was not given.
+    OutputError : a file cannot be written.
     """
     target = Path(folder)
     trouble = tiles_folder_trouble(target)

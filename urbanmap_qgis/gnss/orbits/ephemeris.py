@@ -165,7 +165,10 @@ def nearest_record(names: np.ndarray, toe: np.ndarray, satellite: np.ndarray, ti
                    better: np.ndarray | None = None) -> np.ndarray:
     """(n,) row of the record nearest in time for each satellite and time, -1 where none is near enough.
 
-    `names`, `toe` : (m,) of the records; `better` : (m,) among records of one time the highest wins.
+    Parameters
+    ----------
+    names, toe : (m,) of the records.
+    better : (m,) among records of one time the highest wins.
     """
     chosen = np.full(len(satellite), -1)
     for name in np.unique(satellite):

@@ -99,7 +99,8 @@ def write_overlays(states: Sequence[OverlayState], folder: str | os.PathLike, pa
 
     Raises
     ------
-    InsufficientDataError : no point and no edge lies in any image. OutputError : the folder cannot be written.
+    InsufficientDataError : no point and no edge lies in any image.
+    OutputError : the folder cannot be written.
     """
     share = 0.6 / len(states)
     drawn = [overlays(state, kind, max_range, progress.part(number * share, (number + 1) * share))

@@ -46,7 +46,8 @@ def write_textured(buildings: Iterable[Textured], model: str | os.PathLike | Non
 
     Raises
     ------
-    InputError : the model's ending is another. OutputError : a file cannot be written.
+    InputError : the model's ending is another.
+    OutputError : a file cannot be written.
     """
     check_model_name(model)
     records: list[FacadeRecord] = []

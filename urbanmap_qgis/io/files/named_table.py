@@ -35,7 +35,8 @@ def known_columns(columns: Mapping[str, Sequence], needed: Iterable[str], aliase
 
     Parameters
     ----------
-    aliases : the needed name by another one, written as `plain_name` gives it. name : of the file, for messages.
+    aliases : the needed name by another one, written as `plain_name` gives it.
+    name : of the file, for messages.
 
     Raises
     ------

@@ -64,8 +64,8 @@ def calibrate_scanners(clouds: Sequence[Sequence[str | os.PathLike]], trajectori
 
     Raises
     ------
-    InputError : the passes lie too far apart. InsufficientDataError : too few planes were seen by two scanners or in
-        two passes.
+    InputError : the passes lie too far apart.
+    InsufficientDataError : too few planes were seen by two scanners or in two passes.
     """
     settings = settings or BoresightSettings()
     if not calibration.scanners:

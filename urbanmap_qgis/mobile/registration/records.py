@@ -143,8 +143,8 @@ class WindowResults:
     ----------
     time : (n,) s, at the patch's middle.
     chainage : (n,) m driven to the patch's middle.
-    place : (n, 3)
-    m, angles : (n, 3) degrees, of the reported trajectory there.
+    place : (n, 3) m.
+    angles : (n, 3) degrees, of the reported trajectory there.
     correction : (n, 6) dx, dy, dz (m), droll, dpitch, dheading (degrees). NaN where there is none.
     covariance : (n, 6, 6) of the correction, m and degrees. NaN where there is none. Includes the floor of the
         reference, the drift within the window, contradictions within it, and other places that fit nearly as well.
@@ -160,7 +160,9 @@ class WindowResults:
     status : (n,) int8, see REGISTERED and its fellows.
     modes : (n, MODES, 2) dx, dy of the positions that fit, the row's own first; NaN where there are fewer.
     mode_scores : (n, MODES) log-likelihood of each (independent evidence of this window), own first.
-    linearised : (n, 6), information : (n, 6, 6), gradient : (n, 6), see above; zeros where the patch has no points.
+    linearised : (n, 6).
+    information : (n, 6, 6).
+    gradient : (n, 6), see above; zeros where the patch has no points.
     three_d : whether height, roll and pitch were estimated.
     search : m, largest error east or north that was looked for.
     beyond : whether the best path of the start runs along the edge of it, so that the survey may lie farther off.

@@ -66,7 +66,9 @@ class MapInspection:
 
     Attributes
     ----------
-    content : the file. numbers : node ids in their order. degrees : (n, 2) longitude and latitude.
+    content : the file.
+    numbers : node ids in their order.
+    degrees : (n, 2) longitude and latitude.
     metres : (n, 3) places with heights, NaN where unknown; local coordinates where all nodes have them.
     computed : what more than one rule has to find out, by a name.
     """

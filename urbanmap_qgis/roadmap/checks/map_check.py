@@ -24,8 +24,12 @@ class MapFault:
 
     Attributes
     ----------
-    rule : its code. severity : "error", "warning" or "info". text : what. element : such as "way 12". source : of the
-    rule. longitude, latitude : where, degrees; NaN where it has no place.
+    rule : its code.
+    severity : "error", "warning" or "info".
+    text : what.
+    element : such as "way 12".
+    source : of the rule.
+    longitude, latitude : where, degrees; NaN where it has no place.
     """
 
     rule: str

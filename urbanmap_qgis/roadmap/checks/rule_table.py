@@ -24,7 +24,9 @@ class MapRule:
 
     Attributes
     ----------
-    code, severity : see there. primitive : kind of element that it looks at. source : who asks for it.
+    code, severity : see there.
+    primitive : kind of element that it looks at.
+    source : who asks for it.
     text, japanese : sentence on an element that breaks it, with named fields.
     """
 

@@ -53,9 +53,12 @@ class TagRule:
 
     Attributes
     ----------
-    element : "lanelet", "linestring", "regulatory element" or "point". key : of the tag.
-    values : allowed ones; empty where any are. number : (lowest, highest) of a tag that is a number, or None.
-    default : what the writer puts where nothing else is known; "" for none. source : who asks for it.
+    element : "lanelet", "linestring", "regulatory element" or "point".
+    key : of the tag.
+    values : allowed ones; empty where any are.
+    number : (lowest, highest) of a tag that is a number, or None.
+    default : what the writer puts where nothing else is known; "" for none.
+    source : who asks for it.
     """
 
     element: str

@@ -27,8 +27,11 @@ class MapCoordinates:
 
     Attributes
     ----------
-    latitude, longitude : (n,) degrees. local : (n, 2) m in the projector's plane.
-    projector : name. origin : latitude and longitude of the local origin. grid : MGRS square, or "".
+    latitude, longitude : (n,) degrees.
+    local : (n, 2) m in the projector's plane.
+    projector : name.
+    origin : latitude and longitude of the local origin.
+    grid : MGRS square, or "".
     """
 
     latitude: np.ndarray

@@ -24,8 +24,12 @@ class PlanElement:
 
     Attributes
     ----------
-    s : chainage of its begin, m. x, y : m. heading : of its begin, rad from the x axis. length : m.
-    kind : "line", "arc" or "cubic". curvature : of an arc, 1/m.
+    s : chainage of its begin, m.
+    x, y : m.
+    heading : of its begin, rad from the x axis.
+    length : m.
+    kind : "line", "arc" or "cubic".
+    curvature : of an arc, 1/m.
     u, v : (4,) coefficients of a cubic in its own frame, over p from 0 to 1 (paramPoly3, normalized).
     """
 

@@ -14,9 +14,11 @@ class LaneRoad:
 
     Attributes
     ----------
-    lanes : numbers of the map's lanes, from right to left. bounds : numbers (n + 1,) of theirs in that order.
+    lanes : numbers of the map's lanes, from right to left.
+    bounds : numbers (n + 1,) of theirs in that order.
     axis : place in `bounds` of the one that is the reference line.
-    ahead : (n,) whether each lane leads along the road. junction : number of the junction it belongs to, or -1.
+    ahead : (n,) whether each lane leads along the road.
+    junction : number of the junction it belongs to, or -1.
     before, behind : ("road", number) or ("junction", number) at the begin and at the end, or None.
     """
 
@@ -39,7 +41,9 @@ class RoadLayout:
 
     Attributes
     ----------
-    roads : see there. of_lane : road and place in it of each lane. junctions : numbers of each one's connecting roads.
+    roads : see there.
+    of_lane : road and place in it of each lane.
+    junctions : numbers of each one's connecting roads.
     untold : pairs of lanes whose connection cannot be told beside those of the lanes beside them.
     """
 

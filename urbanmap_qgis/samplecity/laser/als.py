@@ -49,8 +49,8 @@ class AlsPoints:
     Attributes
     ----------
     xyz : (n, 3) as measured.
-    true : (n, 3) where the pulse ended. time, intensity, classification, return_number, returns, scan_angle (degrees),
-        strip : (n,).
+    true : (n, 3) where the pulse ended. time, intensity, classification, return_number, returns, scan_angle (degrees).
+    strip : (n,).
     """
 
     xyz: np.ndarray

@@ -61,8 +61,8 @@ class Correction:
 
     Attributes
     ----------
-    time : (n,)
-    s, chainage : (n,) m, of the patches.
+    time : (n,) s.
+    chainage : (n,) m, of the patches.
     value : (n, 6) dx, dy, dz, droll, dpitch, dheading; 0 for what was not estimated.
     covariance : (n, 6, 6), the reference's own error included; NaN for what was not estimated.
     status : (n,) int8, REGISTERED, BRIDGED or DISTRUSTED.
@@ -163,7 +163,9 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
 def _scaled_in_plan(chain: NodeChain, covariance: np.ndarray, found: np.ndarray) -> np.ndarray:
     """Covariances of the nodes with the variances east and north of others: heights and angles have noise of their own.
 
-    `covariance`, `found` : (k, 2 d, 2 d) of (error, rate) of each parameter, in the chain's order.
+    Parameters
+    ----------
+    covariance, found : (k, 2 d, 2 d) of (error, rate) of each parameter, in the chain's order.
     """
     size = np.ones(covariance.shape[:2])
     east_north = slice(0, 2 * 2)

@@ -24,7 +24,8 @@ class _Prior:
 
     Attributes
     ----------
-    diagonal : (k, d, 2, d, 2), ahead : (k - 1, d, 2, d, 2) blocks.
+    diagonal : (k, d, 2, d, 2).
+    ahead : (k - 1, d, 2, d, 2) blocks.
     log_determinant : of its steps' precisions.
     """
 

@@ -20,7 +20,9 @@ class NormalEquations:
     ----------
     active : numbers of the d parameters (dx, dy, dz, droll, dpitch, dheading) that are estimated.
     path_parameter : (n,) m, of the pieces.
-    place : (n, d), gradient : (n, d), information : (n, d, d).
+    place : (n, d).
+    gradient : (n, d).
+    information : (n, d, d).
     present : (n,) bool, whether the piece says anything.
     met : (n,) share of the points around that lie on reference markings; None where it is not known.
     three_d : whether height, roll and pitch are estimated.

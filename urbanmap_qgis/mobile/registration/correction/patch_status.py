@@ -58,7 +58,7 @@ def contradicted(residual: np.ndarray, covariance: np.ndarray, window_covariance
     Parameters
     ----------
     residual : (n, 2) m, window less correction in plan.
-    covariance, own : (n, 2, 2) of the correction and the window.
+    covariance, window_covariance : (n, 2, 2) of the correction and the window.
     usable : (n,) windows that carry a correction.
     """
     comparable = usable & np.isfinite(residual).all(axis=1) & np.isfinite(window_covariance).all(axis=(1, 2))

@@ -32,7 +32,7 @@ class ChainSolution:
 def solve_chain(diagonal: np.ndarray, ahead: np.ndarray, right: np.ndarray) -> ChainSolution:
     """Solve the symmetric positive definite system with blocks `diagonal` (n, p, p) and `ahead` (n - 1, p, p).
 
-    `ahead[k]` stands in row k, column k + 1. `right` : (n, p).
+    `ahead[k]` stands in row k, column k + 1; `right` is (n, p).
     """
     count = len(right)
     scale = 1.0 / np.sqrt(np.einsum("kii->ki", diagonal))  # states in their own units

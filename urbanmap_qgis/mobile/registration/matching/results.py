@@ -62,7 +62,14 @@ class InitialShifts:
 
 @dataclass(frozen=True)
 class AlternativePositions:
-    """Other positions than the row's own. alias_ratio, margin : (n,). offsets : (n, MODES - 1, 2) m, scores."""
+    """Other positions than the row's own.
+
+    Attributes
+    ----------
+    alias_ratio, margin, own_scores : (n,).
+    offsets : (n, MODES - 1, 2) m.
+    scores : (n, MODES - 1).
+    """
 
     alias_ratio: np.ndarray
     margin: np.ndarray

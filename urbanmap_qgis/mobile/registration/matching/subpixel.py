@@ -39,7 +39,7 @@ class MarkingField:
 
     @classmethod
     def of(cls, coverage: Coverage, blur: float, background: float) -> MarkingField:
-        """`blur` : m, standard deviation of a Gaussian laid on besides the spline's own; 0 for none."""
+        """`blur` is, in m, the standard deviation of a Gaussian laid on besides the spline's own; 0 for none."""
         share = coverage.share
         pad = _PAD + int(np.ceil(3 * blur / coverage.grid.cell))
         share = cv2.copyMakeBorder(share, pad, pad, pad, pad, cv2.BORDER_CONSTANT, value=0.0)

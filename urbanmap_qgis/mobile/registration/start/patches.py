@@ -20,8 +20,8 @@ class Patches:
     length : m.
     time : (n,) s, when the vehicle is at the patch's middle.
     chainage : (n,) m driven up to there.
-    place : (n, 3)
-    m, angles : (n, 3) degrees, reported.
+    place : (n, 3) m.
+    angles : (n, 3) degrees, reported.
     stop_time : (n,) s waited up to there.
     epoch_time, epoch_chainage, epoch_stop_time : the trajectory's epochs, chainage and time of stops until then.
     """

@@ -72,8 +72,9 @@ class Reference:
 
         Raises
         ------
-        InputError : a file cannot be read as a raster, or the mask's cells are too large to show markings, or it is
-            an image. InsufficientDataError : the mask is empty.
+        InputError : a file cannot be read as a raster, or the mask's cells are too large to show markings, or it is an
+            image.
+        InsufficientDataError : the mask is empty.
         """
         with RasterSampler(path) as source:
             if source.grid.cell > COARSEST:
