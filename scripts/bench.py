@@ -30,7 +30,8 @@ from scripts.bench_stages import stage_tables  # noqa: E402
 from scripts.bench_street import street_tables  # noqa: E402
 from scripts.bench_table import print_table  # noqa: E402
 from scripts.scoring import Score, points_inside, score_building, summary  # noqa: E402
-from urbanmap_qgis.buildings.model_stage import BuildingModel, RoofInput, build_models  # noqa: E402
+from urbanmap_qgis.buildings.building_model import BuildingModel, RoofInput  # noqa: E402
+from urbanmap_qgis.buildings.model_stage import build_models  # noqa: E402
 from urbanmap_qgis.buildings.model_surfaces import roof_cells, wall_rectangles  # noqa: E402
 from urbanmap_qgis.buildings.outlines.footprint import Footprints, clean_footprints  # noqa: E402
 from urbanmap_qgis.buildings.planes.plane_detection import LEVELS, PLANES, PlaneParameters  # noqa: E402

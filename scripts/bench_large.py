@@ -10,7 +10,7 @@ import shapely
 from scipy.spatial import cKDTree
 
 from scripts.bench_table import print_table
-from urbanmap_qgis.buildings.model_stage import FitPoints, RoofInput, model_building
+from urbanmap_qgis.buildings.building_model import FitPoints, RoofInput, model_building
 from urbanmap_qgis.buildings.planes.plane_detection import PLANES, PlaneParameters
 from urbanmap_qgis.buildings.planes.plane_segmentation import segment_planes
 from urbanmap_qgis.buildings.polygon_stage import PolygonParameters, RoofPolygons, roof_polygons_of

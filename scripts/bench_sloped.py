@@ -12,7 +12,7 @@ import numpy as np
 
 from scripts.bench_table import print_table
 from scripts.scoring import points_inside, summary
-from urbanmap_qgis.buildings.model_stage import BuildingModel
+from urbanmap_qgis.buildings.building_model import BuildingModel
 from urbanmap_qgis.buildings.model_surfaces import roof_cells
 from urbanmap_qgis.buildings.quality import height_differences
 from urbanmap_qgis.citymodel.cityjson.writer import write_model_cityjson

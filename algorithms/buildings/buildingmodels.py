@@ -127,7 +127,7 @@ class BuildingModels(UrbanMapAlgorithm):
         import numpy as np
         import shapely
 
-        from ...urbanmap_qgis.buildings.model_stage import RoofInput
+        from ...urbanmap_qgis.buildings.building_model import RoofInput
         from ...urbanmap_qgis.errors import InputError
 
         found = {"building_id": building_numbers(table),

@@ -8,15 +8,9 @@ import shapely
 
 from urbanmap_qgis.buildings import segmentation
 from urbanmap_qgis.buildings.base_height import outline_ground
-from urbanmap_qgis.buildings.model_stage import (
-    BLOCK,
-    GROUND_UNKNOWN,
-    NOT_MODELLED,
-    OK,
-    RoofInput,
-    build_models,
-    model_building,
-)
+from urbanmap_qgis.buildings.building_model import RoofInput, model_building
+from urbanmap_qgis.buildings.model_stage import build_models
+from urbanmap_qgis.buildings.model_status import BLOCK, GROUND_UNKNOWN, NOT_MODELLED, OK
 from urbanmap_qgis.buildings.model_surfaces import roof_cells
 from urbanmap_qgis.buildings.model_table import COLUMNS, model_columns, write_model_report
 from urbanmap_qgis.buildings.outlines.footprint import Footprints, clean_footprints

@@ -11,10 +11,11 @@ import shapely
 
 from tests.figures import ENVELOPES, stays
 from tests.solid_files import read_solids, write_solids
+from urbanmap_qgis.buildings.building_model import RoofInput
 from urbanmap_qgis.buildings.merging.merge_stage import edge_columns, merge_models, merged_columns
 from urbanmap_qgis.buildings.merging.wall_match import MergeSettings, measured_wall
 from urbanmap_qgis.buildings.mesh25d.mesh_stage import MeshSettings, mesh_buildings, mesh_columns, total_fit
-from urbanmap_qgis.buildings.model_stage import RoofInput, build_models
+from urbanmap_qgis.buildings.model_stage import build_models
 from urbanmap_qgis.buildings.model_table import model_columns, write_model_report
 from urbanmap_qgis.buildings.outlines.footprint import Footprints, clean_footprints
 from urbanmap_qgis.buildings.planes.plane_detection import PlaneParameters

@@ -11,7 +11,7 @@ import pytest
 import shapely
 
 from urbanmap_qgis.buildings import model_stage, polygon_stage
-from urbanmap_qgis.buildings.model_stage import FitPoints, RoofInput, model_building
+from urbanmap_qgis.buildings.building_model import FitPoints, RoofInput, model_building
 from urbanmap_qgis.buildings.model_status import NOT_MODELLED, SIMPLIFIED
 from urbanmap_qgis.buildings.planes import plan_faces as faces_module
 from urbanmap_qgis.buildings.planes.plan_faces import plan_faces

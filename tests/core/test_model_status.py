@@ -4,15 +4,9 @@ import numpy as np
 import pytest
 import shapely
 
+from urbanmap_qgis.buildings.building_model import FROM_NEIGHBOURS, FitPoints, RoofInput, model_building
 from urbanmap_qgis.buildings.fit_points import candidate_points
-from urbanmap_qgis.buildings.model_stage import (
-    FROM_NEIGHBOURS,
-    FitPoints,
-    RoofInput,
-    bases_with_neighbours,
-    build_models,
-    model_building,
-)
+from urbanmap_qgis.buildings.model_stage import bases_with_neighbours, build_models
 from urbanmap_qgis.buildings.model_status import (
     FEW_POINTS,
     GROUND_UNKNOWN,

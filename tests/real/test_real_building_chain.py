@@ -8,7 +8,7 @@ import pytest
 pytest.importorskip("osgeo.ogr", reason="GDAL's Python module, which reads the outlines, is not installed")
 
 from scripts.bench import DATA, DELFT, Delft, chain, outlines_of
-from urbanmap_qgis.buildings.model_stage import NOT_MODELLED
+from urbanmap_qgis.buildings.model_status import NOT_MODELLED
 from urbanmap_qgis.buildings.solids.validity import check_solid
 
 pytestmark = pytest.mark.skipif(not DATA.is_dir(), reason="the real test data are not beside the checkout")

@@ -15,9 +15,9 @@ from ..citymodel.cityjson.textured_faces import TexturedFaces
 from ..citymodel.model import CityObject
 from ..geometry.solid import Solid
 from ..progress import SILENT, Progress
+from .building_model import BuildingModel
 from .city_objects import BuildingSource, building_source, city_objects
 from .model_figures import ModelFigures
-from .model_stage import BuildingModel
 
 SAME = 0.01
 """Distance (m) up to which the middles of two faces are one."""

@@ -2,117 +2,36 @@
 
 from __future__ import annotations
 
-import math
 from concurrent.futures import Executor
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import numpy as np
 import shapely
 
-from ..errors import Cancelled, InputError, InsufficientDataError, trouble_words
+from ..errors import Cancelled, InputError, trouble_words
 from ..execution import checkpoint, in_order
-from ..geometry.grid import Grid
-from ..geometry.solid import Solid
 from ..io.points.pointcloud import PointCloud, PointLayout
 from ..progress import SILENT, Progress
 from ..wording import say
+from .building_model import (
+    ASSUMED,
+    FROM_NEIGHBOURS,
+    KNOWN,
+    BuildingModel,
+    FitPoints,
+    RoofInput,
+    model_building,
+    unmodelled,
+)
 from .building_points import BUILDINGS_AT_ONCE, coordinates, iter_building_blocks, require_dimension
 from .fit_points import candidate_points
-from .model_status import (
-    BLOCK,
-    GROUND_UNKNOWN,
-    LOST_AREA,
-    LOST_ROOFS,
-    NOT_MODELLED,
-    OK,
-    SIMPLIFIED,
-    ModelFacts,
-    judge,
-    quality,
-)
-from .model_surfaces import ModelSurfaces
 from .outlines.evidence import BUILDING_CLASS
-from .outlines.footprint import Footprints, has_curved_walls
-from .planes.level_alternative import broad_area
+from .outlines.footprint import Footprints
 from .planes.plane_detection import LEVELS, PLANES
-from .planes.plane_solids import checked_sloped_solids, is_sloped
-from .planes.roof_type import roof_type
-from .polygon_stage import LEVELS_BETTER
-from .quality import ModelFit, height_differences, model_fit, surface_distances, unexplained_points
-from .solids.plan_partition import partition_plan
-from .solids.solid import building_solids
-from .solids.validity import check_solid
-
-LEVEL_LOD, SLOPED_LOD = "1.3", "2.2"
-
-STOREY = 2.5
-"""Height (m) given to a building whose ground is not known, below its lowest roof."""
-
-MIN_CELLS = 10
-"""Cells of a plan from which the share without points is told."""
+from .planes.plane_solids import is_sloped
 
 NEIGHBOUR_RANGE, NEIGHBOURS = 100.0, 5
 """Distance (m) within which, and number of nearest outlines from which, an unknown ground height is taken."""
-
-MOST_FIT_POINTS = 50_000
-"""Points of one building that the figures of fit are taken from; of more a regular choice."""
-
-KNOWN, FROM_NEIGHBOURS, ASSUMED = "", "taken from its neighbours", f"assumed {STOREY} m under its lowest roof"
-"""Where a base height comes from."""
-
-
-@dataclass(frozen=True)
-class RoofInput:
-    """Roof polygons, one row each: polygon (with z where its roof is a plane), building, roof, height (m), status."""
-
-    polygon: np.ndarray
-    building_id: np.ndarray
-    roof_id: np.ndarray
-    height: np.ndarray
-    status: np.ndarray
-
-
-@dataclass(frozen=True)
-class BuildingModel:
-    """The model of one footprint.
-
-    Attributes
-    ----------
-    building_id : number of the building.
-    solids : closed solids, one for each part that stands alone; empty where there is no model.
-    base : height of the ground face, m.
-    roofs : number of roofs.
-    status, reason : one of `model_status.STATUSES`, and why.
-    fit : figures of fit to the points; None where no points were given.
-    base_source : where the base comes from: `KNOWN`, `FROM_NEIGHBOURS` or `ASSUMED`.
-    quality : 0 to 1, see `model_status.quality`.
-    density : roof points a m2 of the plan, NaN where no points were given.
-    unseen : share of the plan without roof points, NaN where no points were given.
-    lod : level of detail, "2.2" with roofs on their planes, "1.3" with level ones.
-    roof_type : what the roof is, a word of `roof_type`; empty without a model.
-    """
-
-    building_id: int
-    solids: tuple[Solid, ...]
-    base: float
-    roofs: int
-    status: str
-    reason: str
-    fit: ModelFit | None = None
-    density: float = float("nan")
-    unseen: float = float("nan")
-    lod: str = LEVEL_LOD
-    roof_type: str = ""
-    quality: float = float("nan")
-    base_source: str = KNOWN
-
-
-@dataclass(frozen=True)
-class FitPoints:
-    """Points (n, 3) that can be roof, m, and the roof that took each (n,), 0 for none."""
-
-    xyz: np.ndarray
-    roof: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -238,142 +157,7 @@ def _model_piece(piece: tuple[np.ndarray, ModelPiece]) -> tuple[np.ndarray, list
         except Cancelled:
             raise
         except Exception as error:  # one building's trouble is not the others'
-            models.append(BuildingModel(number, (), base, 0, NOT_MODELLED, trouble_words(error), quality=0.0))
+            models.append(unmodelled(number, base, trouble_words(error)))
     return rows, models
 
 
-def model_building(number: int, outline: shapely.Geometry | None, note: str, roofs: RoofInput, base: float,
-                   points: FitPoints | None = None, sloped: bool = False, source: str = KNOWN,
-                   open_share: float = 0.0) -> BuildingModel:
-    """The model of one building from its roofs, sloped or level, with its figures of fit to `points`.
-
-    `source` : where the base height comes from; without a base it is assumed.
-    """
-    if not len(roofs.height):
-        reason = note or say("no roof was found in its points")
-        return BuildingModel(number, (), base, 0, NOT_MODELLED, reason, quality=0.0)
-    status, reason = OK, note
-    if (roofs.roof_id == 0).all():
-        status, reason = BLOCK, say("too few points for roofs; {note}", note=note).rstrip("; ")
-    simplified = next((str(words) for words in roofs.status if SIMPLIFIED in str(words)), "")
-    if simplified:
-        why = simplified[simplified.index(SIMPLIFIED) + len(SIMPLIFIED):].lstrip(": ")
-        status, reason = SIMPLIFIED, "; ".join(filter(None, (why, note)))
-    if source == FROM_NEIGHBOURS and base >= float(roofs.height.min()):
-        base = math.nan
-    if any(LEVELS_BETTER in str(words) for words in roofs.status):
-        reason = say("level roofs, as they fit its points better than planes; {reason}", reason=reason).rstrip("; ")
-    if not np.isfinite(base):
-        base, source = float(roofs.height.min()) - STOREY, ASSUMED
-    if source != KNOWN:
-        status = GROUND_UNKNOWN if status == OK else status
-        reason = "; ".join(filter(None, (reason, say("its ground is not known, {source}", source=source))))
-    try:
-        solids, problems, lod = (), [""], SLOPED_LOD
-        if sloped:
-            lids = shapely.force_3d(roofs.polygon, roofs.height)
-            solids, problems = checked_sloped_solids(outline, lids, roofs.roof_id, base)
-        if problems:
-            lod = LEVEL_LOD
-            if sloped:
-                status = SIMPLIFIED if status == OK else status
-                why = say("level roofs, as the sloped solid is not valid ({problems})", problems=problems[0])
-                reason = f"{reason}; {why}" if reason else why
-            solids, problems = _checked_solids(outline, roofs.polygon, roofs.height, roofs.roof_id, base)
-        if problems:
-            solids, status, reason = _simplified(outline, roofs, base, problems)
-    except InsufficientDataError as error:
-        return BuildingModel(number, (), base, 0, NOT_MODELLED, str(error), quality=0.0)
-    model = BuildingModel(number, solids, base, len(set(roofs.roof_id.tolist())), status, reason, lod=lod,
-                          base_source=source)
-    if not solids:
-        return replace(model, quality=0.0)
-    faces = ModelSurfaces.of(solids)
-    model = replace(model, roof_type=roof_type(faces.cells))
-    return _judged(model if points is None else _measured(model, points, faces), outline,
-                   _lost_roofs(points, roofs, faces), open_share, faces.ground_area)
-
-
-def _judged(model: BuildingModel, outline: shapely.Geometry | None, lost: bool,
-            open_share: float, area: float) -> BuildingModel:
-    """The model, on `area` m2, with the status and the quality that its facts give."""
-    fit = model.fit
-    top = max(float(solid.vertices[:, 2].max()) for solid in model.solids)
-    official = area if outline is None else outline.area / max(1.0 - open_share, 0.01)
-    facts = ModelFacts(top - model.base, area, official,
-                       fit.points if fit else math.nan, fit.not_explained if fit else math.nan, model.unseen,
-                       fit.rmse_z95 if fit else math.nan,
-                       lost, outline is not None and has_curved_walls(outline))
-    status, reason = judge(model.status, model.reason, facts)
-    figure = quality(status, fit.rmse_z, fit.rmse_z95, fit.not_explained, model.unseen) if fit else math.nan
-    return replace(model, status=status, reason=reason, quality=figure)
-
-
-def _checked_solids(outline: shapely.Geometry | None, polygons: np.ndarray, heights: np.ndarray, ids: np.ndarray,
-                    base: float) -> tuple[tuple[Solid, ...], list[str]]:
-    """Solids and what the check says against them."""
-    plan = partition_plan(outline, list(polygons), heights.tolist(), ids.tolist(), limit="roofs")
-    solids = building_solids(plan.cells, base)
-    return solids, [f"{problem.code} {problem.name}" for solid in solids for problem in check_solid(solid)]
-
-
-def _simplified(outline: shapely.Geometry | None, roofs: RoofInput, base: float,
-                problems: list[str]) -> tuple[tuple[Solid, ...], str, str]:
-    """One block at the mean roof height, where the detailed solid is not valid; nothing where even that fails."""
-    areas = shapely.area(roofs.polygon)
-    height = float(np.average(roofs.height, weights=areas)) if areas.sum() else float(roofs.height.mean())
-    whole = shapely.union_all(shapely.make_valid(roofs.polygon))
-    solids, left = _checked_solids(outline, np.array([whole], dtype=object), np.array([height]), np.array([0]), base)
-    if left:
-        return (), NOT_MODELLED, say("no valid solid could be made ({left})", left=left[0])
-    return solids, SIMPLIFIED, say("one height for all roofs, as the detailed solid is not valid ({problems})",
-                                   problems=problems[0])
-
-
-def _lost_roofs(points: FitPoints | None, roofs: RoofInput, faces: ModelSurfaces) -> bool:
-    """Whether a roof found in the points is not in the model, and no other surface of it explains its points.
-
-    What lies in narrow strips alone, as on parapets, is no roof.
-    """
-    said = any(str(status).startswith(LOST_ROOFS) for status in roofs.status)
-    if points is None:
-        return said
-    step = -(-len(points.xyz) // MOST_FIT_POINTS)
-    roof = points.roof[::step]
-    absent = ~np.isin(roof, [0, *roofs.roof_id.tolist()])
-    xyz = points.xyz[::step][absent]
-    if not len(xyz):
-        return False
-    cells = faces.cells
-    dz = height_differences(*xyz.T, cells)
-    far = unexplained_points(*xyz[:, :2].T, dz, surface_distances(*xyz.T, cells, faces.walls), cells)
-    density = np.count_nonzero(roof) / faces.ground_area
-    missed, number = xyz[far & np.isfinite(dz)], roof[absent][far & np.isfinite(dz)]
-    return any(broad_area(missed[number == one], density) >= LOST_AREA for one in np.unique(number))
-
-
-def _measured(model: BuildingModel, points: FitPoints, faces: ModelSurfaces) -> BuildingModel:
-    """The model with its figures of fit."""
-    on_roof = points.roof > 0
-    step = -(-len(points.xyz) // MOST_FIT_POINTS)
-    fit = model_fit(*np.ascontiguousarray(points.xyz[::step].T), faces.cells, faces.walls, on_roof[::step])
-    fit = replace(fit, points=len(points.xyz))
-    plan = shapely.union_all([cell.polygon for cell in faces.cells])
-    roof = points.xyz[on_roof]
-    density = len(roof) / plan.area
-    return replace(model, fit=fit, density=density, unseen=unseen_share(plan, roof, density))
-
-
-def unseen_share(plan: shapely.Geometry, points: np.ndarray, density: float) -> float:
-    """Share of a plan's area without points (n, 3), on cells in which `density` points/m2 give four on average."""
-    if not len(points):
-        return 1.0
-    grid = Grid.covering(*plan.bounds, 2.0 / math.sqrt(density))
-    hit = np.zeros(grid.shape, bool)
-    row, column, inside = grid.cells(points[:, 0], points[:, 1])
-    hit[row[inside], column[inside]] = True
-    x, y = np.meshgrid(*grid.centres())
-    shapely.prepare(plan)
-    within = shapely.contains_xy(plan, x, y)
-    # On a few cells the share would be chance.
-    return float(1.0 - hit[within].mean()) if within.sum() >= MIN_CELLS else 0.0

@@ -12,8 +12,8 @@ from ..geometry.solid import volume
 from ..io.pages.report import BAD, GOOD, LOOK, Report
 from ..io.pages.svg import plan_map
 from ..wording import say
+from .building_model import BuildingModel
 from .model_figures import OWN_FIGURES, figure_columns, model_figures
-from .model_stage import BuildingModel
 from .model_status import MAX_UNSEEN, NOT_MODELLED, STATUSES, counts
 from .model_surfaces import ground_area
 

@@ -300,7 +300,7 @@ def _segment_as_paper(tile: Tile, x: np.ndarray, y: np.ndarray, ground: tuple[Gr
 
 def _made_ground(x: np.ndarray, y: np.ndarray, z: np.ndarray, classes: np.ndarray,
                  polygons: np.ndarray, progress: Progress) -> tuple[Grid, np.ndarray] | None:
-    """Ground heights of a tile from its own points, None where they shift_weight no ground."""
+    """Ground heights of a tile from its own points, None where they hold no ground."""
     if not len(x):
         return None
     x_min, y_min, x_max, y_max = shapely.total_bounds(polygons)
