@@ -50,6 +50,7 @@ RECIPES: dict[str, dict] = {
     "loadcitymodel": {"INPUT": "city:models/buildings.city.json"},
     "exportcitymodel": {"BUILDINGS": "buildingmodels:OUTPUT", "SURFACES": "buildingmodels:OUTPUT_SURFACES"},
     "tiledrun": {"ALGORITHM": "buildingsfromals", "POINTS": ["city:als/als.laz"], **OUTLINES, "TILE": 100},
+    "runjob": {"JOB": "made:surface.urbanmap.json"},
     "loadgsidem": {"INPUT": "made:FG-GML-5339-46-11-DEM5A-20161001.xml", "CRS": "EPSG:6677"},
     "markinglines": {"MARKINGS": MAP["MARKINGS"], "GROUND": HEIGHTS["GROUND"]},
     "roadedges": {**DRIVE, "WALLS": "wallsfrommms:OUTPUT"},
@@ -121,6 +122,16 @@ def prepare(city: Path, folder: Path) -> None:
     text = writer.dem_xml("53394611", ["地表面,12.50"] * (150 * 225), 150, 225)
     (folder / "FG-GML-5339-46-11-DEM5A-20161001.xml").write_text(text, encoding="utf-8")
     write_geopackage(folder / "drawn.gpkg", [Layer("drawn", drawn, {"class": ["paint"] * len(drawn)})])
+    write_surface_job(city, folder)
+
+
+def write_surface_job(city: Path, folder: Path) -> None:
+    """A job of one short step."""
+    from urbanmap_qgis.job.chain_plan import PlannedStep
+    from urbanmap_qgis.job.job_file import planned_job, write_job
+
+    step = PlannedStep("surface", "surfacefromals", {"POINTS": {"input": "als"}, "RESOLUTION": 2.0})
+    write_job(folder / "surface.urbanmap.json", planned_job("reference", {"als": (str(city / "als/als.laz"),)}, [step]))
 
 
 def algorithms() -> dict:

@@ -24,7 +24,7 @@ _SPEC.loader.exec_module(every)
 
 LONG = {"samplecity", "georeferencemms", "adjustsurveys", "calibratescanner"}
 """More than four seconds: run into files and temporary places, but not once more as a model of one step."""
-TIMED = ("tiledrun",)
+TIMED = ("tiledrun", "runjob")
 """Results that say when and how long they were worked on: not compared byte by byte."""
 FILES = ("fileDestination", "rasterDestination", "folderDestination")
 

@@ -20,7 +20,7 @@ CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes"
             "loadgsibuildings", "loadgsidem", "loadcitymodel", "convertheights",
             "segmentbuildings", "segmentroofs", "roofpolygons",
             "buildingmodels", "wallsfrommms", "mergebuildingmodels", "mesh25d", "exportcitymodel",
-            "buildingsfromals", "tiledrun",
+            "buildingsfromals", "tiledrun", "runjob",
             "satellitevisibility", "gnssreflections", "adjustwalls", "markinglines", "vectormap", "checkvectormap",
             "lanemap", "roadedges", "localisationaccuracy", "acceptance")
 

@@ -1,0 +1,233 @@
+"""From a wish and the files at hand to the steps of the chain, and what is missing for it and where to get it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Container
+from dataclasses import dataclass, field
+
+from ..wording import known, mark, say
+from . import roles
+from .roles import Parts
+
+REFERENCE, SURVEY, BUILDINGS, WALLS = "reference", "survey", "buildings", "walls"
+LANES, ACCURACY, ROAD_SPACE = "lanemap", "accuracymap", "roadmodel"
+
+WISHES = {
+    REFERENCE: mark("Aerial reference: road markings and ground"), SURVEY: mark("Mobile survey laid on the reference"),
+    BUILDINGS: mark("Building models"), WALLS: mark("Building models with measured walls"),
+    LANES: mark("Lane map"), ACCURACY: mark("Map of the accuracy of localisation"),
+    ROAD_SPACE: mark("Road model"),
+}
+"""What can be wished for, with its English name."""
+
+_NEEDS = {ROAD_SPACE: "roadspace"}
+"""Algorithm without which a wish cannot be had."""
+
+_MISSING = {
+    roles.ALS: mark("Airborne laser points (LAS, LAZ) are missing: the surveying authority of the area has them; in "
+                    "Japan those of GSI and of the prefectures are at the G-Spatial Information Centre."),
+    roles.FOOTPRINTS: mark("Building outlines are missing: in Japan download “outlines of buildings” (BldA) of GSI's "
+                           "Fundamental Geospatial Data; elsewhere take those of the cadastre or of OpenStreetMap."),
+    roles.FRAMES: mark("Aerial frames with camera and exterior orientation, or an orthophoto, are missing: ask who "
+                       "flew them for the frames as the camera took them (TIFF or JPEG)."),
+    roles.CAMERA_ROLE: mark("The camera file (JSON) of the frames is missing: write it from the camera's calibration "
+                            "certificate; the page on file formats has an example."),
+    roles.EXTERIOR_ROLE: mark("The exterior orientation of the frames is missing: export it from the aerial "
+                              "triangulation as a table with image, x, y, z, omega, phi, kappa."),
+    "survey": mark("A mobile survey with its trajectory is missing: export the points with GPS times (LAS, LAZ) and "
+                   "the trajectory of the same drive from the navigation software."),
+    "calibration": mark("The calibration of the scanners (JSON) is missing: write it from the certificate of the "
+                        "vehicle; without it intensities are not made even over ranges."),
+    roles.NAVIGATION_ROLE: mark("No GNSS navigation file: accuracy is predicted from walls and markings alone; data "
+                                "centres of the IGS and GSI's GEONET have them by day."),
+    ROAD_SPACE: mark("This version has no algorithm for it."),
+}
+
+Value = object
+"""A parameter: a plain value, {"input": role}, {"step": id, "output": name}, or a list of these."""
+
+
+@dataclass(frozen=True)
+class PlannedStep:
+    """One step: its name in the job, the algorithm's id without provider, and its parameters (see `Value`)."""
+
+    id: str
+    algorithm: str
+    parameters: dict[str, Value]
+
+
+@dataclass
+class ChainPlan:
+    """Steps in order, sentences on what is missing (the chain cannot run) and notes on what is not needed but helps."""
+
+    steps: list[PlannedStep] = field(default_factory=list)
+    missing: list[str] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+
+
+def wishes(available: Container[str]) -> list[str]:
+    """What can be wished for with the algorithms that are there."""
+    return [wish for wish in WISHES if _NEEDS.get(wish) is None or _NEEDS[wish] in available]
+
+
+def wish_name(wish: str) -> str:
+    """Name of a wish in the user's language."""
+    return known(WISHES[wish])
+
+
+def plan_chain(wish: str, parts: Parts, crs: str = "") -> ChainPlan:
+    """The chain for a wish with the parts at hand; steps stand in it also where something is missing for them.
+
+    Parameters
+    ----------
+    crs : the system of the results where files are in degrees (a code or WKT); "" leaves it to the algorithm.
+    """
+    work = _Planning(parts, crs)
+    _WORK[wish](work)
+    work.plan.missing = list(dict.fromkeys(work.plan.missing))
+    return work.plan
+
+
+def _given(role: str) -> Value:
+    return {"input": role}
+
+
+def _result(step: str, output: str = "OUTPUT") -> Value:
+    return {"step": step, "output": output}
+
+
+class _Planning:
+    """The plan as it grows; each method gives the parameter that its result is, None where it cannot be had."""
+
+    def __init__(self, parts: Parts, crs: str):
+        self.parts, self.crs, self.plan = parts, crs, ChainPlan()
+        self.made: dict[str, dict[str, Value]] = {}
+
+    def has(self, role: str) -> bool:
+        return role in self.parts.inputs
+
+    def lacks(self, role: str) -> None:
+        self.plan.missing.append(known(_MISSING[role]))
+
+    def add(self, identifier: str, algorithm: str, **parameters: Value) -> None:
+        kept = {name: value for name, value in parameters.items() if value not in (None, [])}
+        self.plan.steps.append(PlannedStep(identifier, algorithm, kept))
+
+    def footprints(self, needed: bool) -> Value | None:
+        if self.has(roles.FOOTPRINTS):
+            return _given(roles.FOOTPRINTS)
+        if self.has(roles.GSI_FOOTPRINTS):
+            if "outlines" not in self.made:
+                self.add("outlines", "loadgsibuildings", INPUT=_given(roles.GSI_FOOTPRINTS), CRS=self.crs or None)
+                self.made["outlines"] = {"OUTPUT": _result("outlines")}
+            return self.made["outlines"]["OUTPUT"]
+        if needed:
+            self.lacks(roles.FOOTPRINTS)
+        return None
+
+    def reference(self) -> dict[str, Value]:
+        """Mask, polygons and ground of the road markings: given, or made from frames or an orthophoto."""
+        if "reference" not in self.made:
+            self.made["reference"] = self._given_reference() or self._made_reference()
+        return self.made["reference"]
+
+    def _given_reference(self) -> dict[str, Value]:
+        polygons = _given(roles.MARKING_POLYGONS) if self.has(roles.MARKING_POLYGONS) else None
+        mask = _given(roles.MASK) if self.has(roles.MASK) else polygons
+        if mask is None:
+            return {}
+        self.plan.notes.append(say("The markings given are the reference; leave them out to make it from the images."))
+        ground = _given(roles.GROUND) if self.has(roles.GROUND) else self._ground_from_als()
+        return {"mask": mask, "polygons": polygons, "ground": ground, "image": None}
+
+    def _ground_from_als(self) -> Value | None:
+        if not self.has(roles.ALS):
+            return None
+        self.add("surface", "surfacefromals", POINTS=_given(roles.ALS))
+        return _result("surface", "OUTPUT_GROUND")
+
+    def _made_reference(self) -> dict[str, Value]:
+        if (self.has(roles.FRAMES) and self.has(roles.EXTERIOR_ROLE)) or not self.has(roles.ORTHOPHOTO_ROLE):
+            for role in (roles.FRAMES, roles.CAMERA_ROLE, roles.EXTERIOR_ROLE, roles.ALS):
+                if not self.has(role):
+                    self.lacks(role)
+            footprints = self.footprints(False)
+            self.add("reference", "aerialmarkings", FRAMES=_given(roles.FRAMES), CAMERA=_given(roles.CAMERA_ROLE),
+                     EXTERIOR=_given(roles.EXTERIOR_ROLE), ALS=_given(roles.ALS), FOOTPRINTS=footprints)
+            return {"mask": _result("reference"), "polygons": _result("reference", "OUTPUT_POLYGONS"),
+                    "ground": _result("reference", "OUTPUT_GROUND"),
+                    "image": _result("reference", "OUTPUT_ORTHOPHOTO")}
+        ground = _given(roles.GROUND) if self.has(roles.GROUND) else self._ground_from_als()
+        self.add("reference", "roadmarkingsfromorthophoto", INPUT=_given(roles.ORTHOPHOTO_ROLE),
+                 BUILDINGS=self.footprints(False), GROUND=ground)
+        return {"mask": _result("reference"), "polygons": _result("reference", "OUTPUT_POLYGONS"), "ground": ground,
+                "image": _given(roles.ORTHOPHOTO_ROLE)}
+
+    def surveys(self) -> list[str]:
+        """Ids of the steps that lay each survey on the reference."""
+        if "surveys" not in self.made:
+            if not self.parts.surveys:
+                self.lacks("survey")
+            reference = self.reference()
+            self.made["surveys"] = {f"survey_{number}": self._survey(number, reference)
+                                    for number in self.parts.surveys or (1,)}
+        return list(self.made["surveys"])
+
+    def _survey(self, number: int, reference: dict[str, Value]) -> Value:
+        def optional(role: str) -> Value | None:
+            return _given(f"{role}_{number}") if self.has(f"{role}_{number}") else None
+
+        if self.parts.surveys and not self.has(f"calibration_{number}"):
+            self.plan.notes.append(known(_MISSING["calibration"]))
+        self.add(f"survey_{number}", "georeferencemms", POINTS=_given(f"survey_{number}"),
+                 TRAJECTORY=_given(f"trajectory_{number}"), CALIBRATION=optional("calibration"),
+                 MARKINGS=reference["mask"], GROUND=reference["ground"], IMAGE=reference["image"],
+                 IMAGES=optional("poses"))
+        if self.has(f"control_{number}"):
+            self.add(f"accuracy_{number}", "checkaccuracy", CONTROL=_given(f"control_{number}"),
+                     TRAJECTORY=_given(f"trajectory_{number}"),
+                     CORRECTED=_result(f"survey_{number}", "OUTPUT_TRAJECTORY"), CRS=self.crs or None)
+        return _result(f"survey_{number}")
+
+    def buildings(self) -> Value:
+        if "buildings" not in self.made:
+            if not self.has(roles.ALS):
+                self.lacks(roles.ALS)
+            self.add("buildings", "buildingsfromals", POINTS=_given(roles.ALS),
+                     FOOTPRINTS=self.footprints(True) or _given(roles.FOOTPRINTS))
+            self.made["buildings"] = {"OUTPUT": _result("buildings")}
+        return self.made["buildings"]["OUTPUT"]
+
+    def walls(self) -> None:
+        models = self.buildings()
+        surveys = [_result(step) for step in self.surveys()]
+        self.add("walls", "wallsfrommms", POINTS=surveys, BUILDINGS=models)
+        self.add("merged", "mergebuildingmodels", MODELS=models, WALLS=_result("walls"))
+
+    def lanes(self) -> None:
+        drives = [_result(step, "OUTPUT_TRAJECTORY") for step in self.surveys()]
+        reference = self.reference()
+        if reference["polygons"] is None:
+            self.plan.missing.append(say("Markings as polygons are missing: a mask alone makes no lane map; leave it "
+                                         "out to make both from the images."))
+        self.add("lanes", "lanemap", MARKINGS=reference["polygons"], GROUND=reference["ground"], TRAJECTORY=drives)
+
+    def accuracy(self) -> None:
+        buildings = self.buildings()
+        self.lanes()
+        if not self.has(roles.NAVIGATION_ROLE):
+            self.plan.notes.append(known(_MISSING[roles.NAVIGATION_ROLE]))
+        self.add("localisation", "localisationaccuracy", BUILDINGS=buildings,
+                 MARKINGS=_result("lanes", "OUTPUT_BOUNDS"), ROADS=_result("lanes", "OUTPUT_CENTRES"),
+                 GROUND=self.reference()["ground"],
+                 NAVIGATION=_given(roles.NAVIGATION_ROLE) if self.has(roles.NAVIGATION_ROLE) else None)
+
+    def road_space(self) -> None:
+        surveys, reference = self.surveys(), self.reference()
+        self.add("roadspace", "roadspace", POINTS=[_result(step) for step in surveys], MARKINGS=reference["polygons"],
+                 TRAJECTORY=[_result(step, "OUTPUT_TRAJECTORY") for step in surveys])
+
+
+_WORK: dict[str, Callable[[_Planning], object]] = {
+    REFERENCE: _Planning.reference, SURVEY: _Planning.surveys, BUILDINGS: _Planning.buildings, WALLS: _Planning.walls,
+    LANES: _Planning.lanes, ACCURACY: _Planning.accuracy, ROAD_SPACE: _Planning.road_space}

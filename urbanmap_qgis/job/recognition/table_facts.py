@@ -1,0 +1,218 @@
+"""Tables of text, and SBET: each of the project's readers is tried on a sample of rows, until one takes it.
+
+So a table counts as what it is read as later, with all the spellings of columns, delimiters and encodings that its
+reader knows.
+"""
+
+from __future__ import annotations
+
+import csv
+import itertools
+import re
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+from ...aerial.frames.camera import read_exterior
+from ...errors import InputError, UrbanMapError
+from ...io.conversion.reprojection import epsg_wkt
+from ...io.files.guard import read_text
+from ...io.files.named_table import plain_name
+from ...mobile.control import read_control
+from ...mobile.image_poses import read_image_poses
+from ...mobile.lines.range_scans import read_scans
+from ...mobile.lines.tie_points import read_tie_points
+from ...mobile.trajectory_files import SBET_SUFFIXES, read_trajectory
+from ...wording import say
+from ..file_facts import (
+    CONTROL,
+    EXTERIOR,
+    IMAGE_POSES,
+    IMAGE_TIMES,
+    OTHER,
+    SCANS,
+    TABLE,
+    TEXT_POINTS,
+    TIE_POINTS,
+    TRAJECTORY,
+    FileFacts,
+)
+
+WHOLE_BYTES = 4_000_000
+"""Tables up to this size are read whole; of longer ones rows from all over them."""
+
+_BLOCKS, _BLOCK_BYTES = 64, 4096
+_SBET_BYTES = 136
+_WGS84 = 4326
+_MOST_HEAD = 60
+_SIGNATURES = {
+    TRAJECTORY: {"time", "x", "y", "z", "roll", "pitch", "heading"},
+    IMAGE_POSES: {"id", "time", "x", "y", "z", "roll", "pitch", "heading"},
+    CONTROL: {"id", "x", "y", "time", "xmms", "ymms"}, TIE_POINTS: {"set", "time", "xmms", "ymms", "xref", "yref"},
+    EXTERIOR: {"image", "x", "y", "z", "omega", "phi", "kappa"}, SCANS: {"time", "angle", "range"}}
+"""Columns by which a table that its reader refuses is told all the same."""
+
+_NUMBER = re.compile(r"^[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
+
+
+def _pose_facts(path: Path, sample: Path) -> FileFacts:
+    poses = read_image_poses(sample)
+    return FileFacts(path, IMAGE_POSES, extent=_box(poses.place), times=_span(poses.time), count=len(poses.id))
+
+
+def _trajectory_facts(path: Path, sample: Path) -> FileFacts:
+    file = read_trajectory(sample)
+    found = file.trajectory
+    notes = file.notes if sample == path else ()  # gaps of a sample are no gaps of the trajectory
+    return FileFacts(path, TRAJECTORY, extent=_box(found.place), times=_span(found.time), notes=notes,
+                     detail=file.applied, count=len(found) if sample == path else None)
+
+
+def _control_facts(path: Path, sample: Path) -> FileFacts:
+    points = read_control(sample)
+    return FileFacts(path, CONTROL, extent=_box(points.true), times=_span(points.time), count=len(points))
+
+
+def _tie_facts(path: Path, sample: Path) -> FileFacts:
+    ties = read_tie_points(sample)
+    return FileFacts(path, TIE_POINTS, extent=_box(ties.reference), times=_span(ties.time), count=len(ties))
+
+
+def _exterior_facts(path: Path, sample: Path) -> FileFacts:
+    poses = read_exterior(sample)
+    return FileFacts(path, EXTERIOR, extent=_box(np.array([pose.centre for pose in poses])), count=len(poses))
+
+
+def _scan_facts(path: Path, sample: Path) -> FileFacts:
+    chunks = [chunk.time for chunk in itertools.islice(read_scans([sample]), 1)]
+    times = np.concatenate(chunks)
+    return FileFacts(path, SCANS, times=_span(times) if sample == path else None)
+
+
+_TRIED: tuple[tuple[str, Callable[[Path, Path], FileFacts]], ...] = (
+    (IMAGE_POSES, _pose_facts), (TRAJECTORY, _trajectory_facts), (CONTROL, _control_facts), (TIE_POINTS, _tie_facts),
+    (EXTERIOR, _exterior_facts), (SCANS, _scan_facts))
+
+
+def table_facts(path: Path, head: bytes, packed: bool = False) -> list[FileFacts]:
+    """What a text file is; `head`: its first bytes, unpacked where it is `packed`.
+
+    Raises
+    ------
+    InputError : a table of a known kind that its reader refuses.
+    """
+    if packed:
+        return [FileFacts(path, SCANS if _names_in(head) >= _SIGNATURES[SCANS] else OTHER)]
+    if b"\0" in head and not head.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return [FileFacts(path, OTHER)]
+    with tempfile.TemporaryDirectory() as folder:
+        sample = _sample(path, head, Path(folder))
+        refusals = {}
+        for kind, facts in _TRIED:
+            try:
+                return [facts(path, sample)]
+            except UrbanMapError as error:
+                refusals[kind] = str(error)
+        names = _names_in(head)
+        near = [kind for kind, signature in _SIGNATURES.items() if signature <= names]
+        if near:
+            best = max(near, key=lambda kind: len(_SIGNATURES[kind]))
+            return [FileFacts(path, best, problem=refusals[best])]
+        return [_other_table(path, sample, names)]
+
+
+def _sample(path: Path, head: bytes, folder: Path) -> Path:
+    """The file itself where it is short, else a file with rows from all over it."""
+    size = path.stat().st_size
+    if size <= WHOLE_BYTES:
+        return path
+    place = folder / path.name
+    with path.open("rb") as stream, place.open("wb") as made:
+        made.write(head[:head.rfind(b"\n") + 1])
+        for share in np.linspace(0.0, 1.0, _BLOCKS)[1:]:
+            stream.seek(max(int(share * (size - _BLOCK_BYTES)), len(head)))
+            block = stream.read(_BLOCK_BYTES)
+            made.write(block[block.find(b"\n") + 1:block.rfind(b"\n") + 1])
+    return place
+
+
+def _names_in(head: bytes) -> set[str]:
+    """Plain names in the line with the most words among the first ones."""
+    text = head.decode("utf-8-sig", "replace")
+    lines = [re.split(r"[,;\t ]+", line.strip()) for line in text.splitlines()[:_MOST_HEAD]]
+    named = [{plain_name(word).replace("_", "") for word in line} for line in lines
+             if line and not any(_NUMBER.match(word) for word in line)]
+    return max(named, key=len, default=set())
+
+
+def _other_table(path: Path, sample: Path, names: set[str]) -> FileFacts:
+    """Points as text, a table of times of a line image, or another table."""
+    lines = [line for line in read_text(sample, "a text").splitlines() if line.strip() and not line.startswith("#")]
+    if {"column", "time"} <= names and len(names) == 2:
+        rows = np.array(list(csv.reader(lines[1:])), float)
+        return FileFacts(path, IMAGE_TIMES, times=_span(rows[:, 1]), count=len(rows))
+    delimiter = next((mark for mark in ",;\t" if all(mark in line for line in lines[1:6])), None)
+    cells = [[cell.strip() for cell in line.split(delimiter)] for line in lines]
+    numbers = [row for row in cells[1:] if len(row) >= 3 and all(_NUMBER.match(cell) for cell in row[:3])]
+    named = not names or {"x", "y", "z"} <= names
+    places = np.array([row[:3] for row in numbers], float).reshape(-1, 3)
+    # A column that always rises counts something, such as time.
+    in_time = len(places) > 2 and bool((np.diff(places, axis=0) > 0).all(axis=0).any())
+    if len(cells) > 10 and named and not in_time and len(numbers) >= 0.99 * (len(cells) - 1):
+        return FileFacts(path, TEXT_POINTS, extent=_box(places), count=len(numbers) if sample == path else None,
+                         doubt=say("told by its rows of three numbers or more"),
+                         notes=(say("{name} holds points as text: convert them to LAS or LAZ to use them.",
+                                    name=path.name),))
+    widths = [len(row) for row in cells[:_MOST_HEAD]]
+    alike = widths.count(max(set(widths), key=widths.count)) >= 0.9 * len(widths) if widths else False
+    counted = sum(any(_NUMBER.match(cell) for cell in row) for row in cells[1:_MOST_HEAD]) > 0.5 * len(widths) - 1
+    return FileFacts(path, TABLE if delimiter and alike and counted else OTHER)
+
+
+def is_sbet(path: Path, head: bytes) -> bool:
+    """Whether a file holds records of an Applanix SBET: times that rise, latitudes and longitudes in radians."""
+    if path.stat().st_size < 2 * _SBET_BYTES or b"\0" not in head:
+        return False
+    records = np.frombuffer(head[:len(head) // _SBET_BYTES * _SBET_BYTES], "<f8").reshape(-1, 17)
+    return bool(np.isfinite(records).all() and (np.diff(records[:, 0]) > 0).all() and (records[:, 0] >= 0).all()
+                and (np.abs(records[:, 1]) < 1.6).all() and (np.abs(records[:, 2]) < 3.2).all()
+                and (np.abs(records[:, 3]) < 2e4).all() and (np.ptp(records[:, 0]) < 604_800.0))
+
+
+def sbet_facts(path: Path, _head: bytes) -> list[FileFacts]:
+    """What an SBET file is.
+
+    Raises
+    ------
+    InputError : it is cut off within a record.
+    """
+    if path.stat().st_size % _SBET_BYTES:
+        raise InputError(say("{path} is no SBET file or is cut off: its length is no multiple of {itemsize} bytes.",
+                             path=path.name, itemsize=_SBET_BYTES))
+    records = np.memmap(path, "<f8", "r").reshape(-1, 17)
+    some = records[:: max(len(records) // 1000, 1)]
+    places = np.degrees(some[:, [2, 1]])
+    notes = () if path.suffix.lower() in SBET_SUFFIXES else (say(
+        "{name} holds an SBET: let its name end in .out or .sbet, by which it is read.", name=path.name),)
+    return [FileFacts(path, TRAJECTORY, detail="SBET", crs_wkt=epsg_wkt(_WGS84), heights="ellipsoidal",
+                      extent=_box(places), times=(float(records[0, 0]), float(records[-1, 0])), count=len(records),
+                      notes=notes)]
+
+
+def parquet_facts(path: Path, _head: bytes) -> list[FileFacts]:
+    """A Parquet file: line scans where the package that reads it is there and says so, else a table."""
+    try:
+        first = next(iter(read_scans([path])))
+    except InputError:
+        return [FileFacts(path, TABLE, detail="Parquet")]
+    return [FileFacts(path, SCANS, times=_span(first.time))]
+
+
+def _box(places: np.ndarray) -> tuple[float, float, float, float]:
+    return (*map(float, places[:, :2].min(axis=0)), *map(float, places[:, :2].max(axis=0)))
+
+
+def _span(times: np.ndarray) -> tuple[float, float]:
+    return float(np.min(times)), float(np.max(times))

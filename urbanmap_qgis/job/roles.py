@@ -1,0 +1,154 @@
+"""Which file plays which part in a job: airborne points, outlines, frames, each survey with what belongs to it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+from ..wording import say
+from .agreement import times_overlap
+from .file_facts import (
+    CALIBRATION,
+    CAMERA,
+    CONTROL,
+    ELEVATION,
+    EXTERIOR,
+    FRAME,
+    GSI_DEM,
+    GSI_OUTLINES,
+    IMAGE_POSES,
+    MARKING_MASK,
+    MARKINGS,
+    NAVIGATION,
+    OBSERVATIONS,
+    ORTHOPHOTO,
+    OUTLINES,
+    POINTS,
+    TRAJECTORY,
+    FileFacts,
+)
+
+ALS, FOOTPRINTS, GSI_FOOTPRINTS, FRAMES = "als", "footprints", "gsi_footprints", "frames"
+CAMERA_ROLE, EXTERIOR_ROLE, ORTHOPHOTO_ROLE = "camera", "exterior", "orthophoto"
+MASK, MARKING_POLYGONS, GROUND, GSI_GROUND = "marking_mask", "markings", "ground", "gsi_ground"
+NAVIGATION_ROLE, OBSERVATIONS_ROLE = "navigation", "observations"
+
+_SINGLE = ((FOOTPRINTS, OUTLINES), (GSI_FOOTPRINTS, GSI_OUTLINES), (CAMERA_ROLE, CAMERA), (EXTERIOR_ROLE, EXTERIOR),
+           (ORTHOPHOTO_ROLE, ORTHOPHOTO), (MASK, MARKING_MASK), (MARKING_POLYGONS, MARKINGS), (GROUND, ELEVATION),
+           (GSI_GROUND, GSI_DEM))
+_SEVERAL = ((FRAMES, FRAME), (NAVIGATION_ROLE, NAVIGATION), (OBSERVATIONS_ROLE, OBSERVATIONS))
+_TRUTH = {"truth", "ground_truth", "groundtruth"}
+"""Folders of what results are checked against: only control points are taken from them."""
+
+
+@dataclass(frozen=True)
+class Parts:
+    """The parts of a job.
+
+    Attributes
+    ----------
+    inputs : sources (paths, with the layer where there are several) by role. A survey's roles end in its number:
+        survey_1, trajectory_1, calibration_1, poses_1, control_1.
+    surveys : numbers of the surveys.
+    notes : sentences on what was taken of several.
+    """
+
+    inputs: Mapping[str, tuple[str, ...]]
+    surveys: tuple[int, ...] = ()
+    notes: tuple[str, ...] = field(default_factory=tuple)
+
+
+def parts_of(facts: Sequence[FileFacts]) -> Parts:
+    """The parts that recognised files play, each in a way that can be changed by leaving files out."""
+    sound = [item for item in facts if item.usable and (item.kind == CONTROL or not _is_truth(item))]
+    inputs: dict[str, tuple[str, ...]] = {}
+    notes: list[str] = []
+    clouds, twins = _without_twins([item for item in sound if item.kind == POINTS])
+    notes += twins
+    surveys = _surveys(clouds, sound, inputs, notes)
+    driven = {source for role, sources in inputs.items() if role.startswith("survey_") for source in sources}
+    flown = tuple(item.source for item in clouds if item.source not in driven)
+    if flown:
+        inputs[ALS] = flown
+    for role, kind in _SINGLE:
+        found = sorted((item for item in sound if item.kind == kind), key=lambda item: bool(item.doubt))
+        if found:
+            inputs[role] = (found[0].source,)
+        if len(found) > 1:
+            notes.append(say("{count} files could be this part ({role}): {names}; the first is taken, untick it to "
+                             "take another.", count=len(found), role=role, names=_names(found)))
+    for role, kind in _SEVERAL:
+        found = [item for item in sound if item.kind == kind]
+        if found:
+            inputs[role] = tuple(item.source for item in found)
+    return Parts(inputs, surveys, tuple(notes))
+
+
+def _is_truth(item: FileFacts) -> bool:
+    return item.path.parent.name.lower() in _TRUTH
+
+
+def _names(found: Sequence[FileFacts]) -> str:
+    return ", ".join(item.label for item in found[:4]) + (", …" if len(found) > 4 else "")
+
+
+def _without_twins(clouds: Sequence[FileFacts]) -> tuple[list[FileFacts], list[str]]:
+    """Clouds, of those with the same number of points in the same box and times only one, and notes on it."""
+    first: dict[tuple, FileFacts] = {}
+    notes = []
+    for item in clouds:
+        key = (item.count, item.extent, item.times)
+        if key in first:
+            notes.append(say("{one} and {other} hold the same points: only the first is taken.", one=first[key].label,
+                             other=item.label))
+        first.setdefault(key, item)
+    return list(first.values()), notes
+
+
+def _surveys(clouds: Sequence[FileFacts], facts: Sequence[FileFacts], inputs: dict[str, tuple[str, ...]],
+             notes: list[str]) -> tuple[int, ...]:
+    """Clouds that a trajectory covers in time, those of one trajectory together, with their calibration and tables."""
+    drives = [item for item in facts if item.kind == TRAJECTORY and item.times]
+    of_drive: dict[str, list[FileFacts]] = {}
+    for cloud in clouds:
+        fitting = [drive for drive in drives if cloud.times and times_overlap(cloud.times, drive.times)
+                   and _near(cloud, drive)]
+        if fitting:
+            drive = nearest(cloud, fitting)
+            of_drive.setdefault(drive.source, []).append(cloud)
+            if len(fitting) > 1:
+                notes.append(say("{count} trajectories cover the times of {name}: {drive}, which lies nearest to it, "
+                                 "is taken.", count=len(fitting), name=cloud.label, drive=drive.label))
+    by_source = {drive.source: drive for drive in drives}
+    for number, (source, own) in enumerate(sorted(of_drive.items()), 1):
+        drive = by_source[source]
+        inputs[f"survey_{number}"] = tuple(item.source for item in own)
+        inputs[f"trajectory_{number}"] = (source,)
+        for role, kind, timed in (("calibration", CALIBRATION, False), ("poses", IMAGE_POSES, True),
+                                  ("control", CONTROL, True)):
+            fitting = [item for item in facts if item.kind == kind
+                       and (not timed or (item.times and times_overlap(item.times, drive.times)))]
+            if fitting:
+                inputs[f"{role}_{number}"] = (nearest(drive, fitting).source,)
+    return tuple(range(1, len(of_drive) + 1))
+
+
+def _near(cloud: FileFacts, drive: FileFacts) -> bool:
+    """Whether a trajectory's box meets a cloud's; said of those in the same count of coordinates only."""
+    if cloud.extent is None or drive.extent is None or (drive.crs_wkt and drive.crs_wkt != cloud.crs_wkt):
+        return True
+    one, other = cloud.extent, drive.extent
+    return one[0] <= other[2] and other[0] <= one[2] and one[1] <= other[3] and other[1] <= one[3]
+
+
+def nearest(item: FileFacts, others: Sequence[FileFacts]) -> FileFacts:
+    """The file that lies nearest to another one among folders, then by the beginning of its name, then by name."""
+    def rank(other: FileFacts) -> tuple[int, int, str]:
+        folder = os.path.relpath(other.path.parent.absolute(), item.path.parent.absolute())
+        steps = 0 if folder == "." else len(folder.split(os.sep))
+        alike = next((place for place, (one, two) in enumerate(zip(item.path.name, other.path.name)) if one != two),
+                     min(len(item.path.name), len(other.path.name)))
+        return steps, -alike, str(other.path)
+
+    return min(others, key=rank)
