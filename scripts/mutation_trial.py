@@ -1,13 +1,17 @@
 #!/usr/bin/env python3
 """Do the tests notice? Random small changes of the core, each in a copy of the checkout, and how many the tests catch.
 
-    python3 scripts/mutation_trial.py --seed 1 --count 40 [--only geometry io] [--budget 40]
+    python3 scripts/mutation_trial.py --seed 1 --count 40 [--only geometry io] [--budget 40] [--slow] [--minutes 20]
 
 One change at a time: an operator (+ and -, * and /, & and |, a sign), a comparison (turned to its opposite), a branch
 (its condition negated, "and" and "or"), a constant (a whole number plus one, a decimal number doubled, True and False).
 For each change those core tests run that enter the changed function (for a line outside functions: any function of its
 module), fastest first, to the first failure, as many as fit into the budget of seconds. Which test enters which
-function is measured in one run of the core tests, kept in build/mutation and measured again for tests that changed.
+function is measured in a run of the core tests, kept in build/mutation and measured again for tests that changed.
+Slow tests are left out; `--slow` then tries them, and them alone, on what has survived.
+
+All goes in slices: outcomes are kept while core and tests are the same, and `--minutes` ends a slice; the same command
+goes on.
 
 The changes are drawn evenly from all places where one is possible, so that a seed always gives the same ones for the
 same sources. Left out are texts, annotations, decorators and what is inside f-strings.
@@ -42,7 +46,9 @@ TESTS = "tests/core"
 KINDS = ("operator", "comparison", "branch", "constant")
 COPIED = (CORE, "tests", "scripts", "algorithms", "resources", "docs")
 COPIED_FILES = ("__init__.py", "metadata.txt", "pyproject.toml", "README.md", "requirements.txt", "Makefile")
+QUICK, SLOW = "not slow", "slow"  # marks of tests
 STRUCTURE = "test_structure.py"  # reads the sources and runs none
+SLICE = 12  # test files that are measured in one run
 START_SECONDS = 90.0  # of Python, the packages and what fixtures make anew, on a busy machine
 
 OPERATORS = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.FloorDiv: ast.Mult,
@@ -84,7 +90,7 @@ def pytest_sessionfinish(session):
     sys.settrace(None)
     threading.settrace(None)
     for nodeid in failed:
-        del entered[nodeid]
+        entered.pop(nodeid, None)
     Path(os.environ["REACH_FILE"]).write_text(json.dumps(
         {"entered": entered, "lasted": lasted, "failed": sorted(failed)}))
 '''
@@ -200,39 +206,49 @@ def pytest_in(folder: Path, arguments: list[str], limit: float | None = None, **
     return done.returncode, done.stdout + done.stderr
 
 
-def measured_reach(folder: Path) -> dict[str, dict]:
-    """For each test file: hash, and for each of its tests the functions that it enters and its seconds.
+def measured_reach(folder: Path, marks: str, until: float) -> dict[str, dict]:
+    """For each test file: hash, and for each of its tests with `marks` the functions that it enters and its seconds.
 
     Measured for the files that are new or changed since the last time, the others are taken as kept; all are measured
-    when the core has other functions than then.
+    when the core has other functions than then. Kept after every few files; ends the program after `until`.
     """
-    kept_file = KEPT / f"reach_{core_functions(folder)}.json"
+    kept_file = KEPT / f"reach_{core_functions(folder)}_{marks.replace(' ', '_')}.json"
     kept = json.loads(kept_file.read_text(encoding="utf-8")) if kept_file.is_file() else {}
     hashes = {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in (folder / TESTS).glob("test_*.py")
               if path.name != STRUCTURE}
     reach = {name: entry for name, entry in kept.items() if hashes.get(name) == entry["hash"]}
     new = sorted(set(hashes) - set(reach))
-    if new:
-        print(f"Measuring what {len(new)} test files reach ...", flush=True)
-        (folder / "reach_tracer.py").write_text(TRACER, encoding="utf-8")
-        result = folder / "reach.json"
-        _, said = pytest_in(folder, ["-p", "reach_tracer", *(f"{TESTS}/{name}" for name in new)],
-                            REACH_FILE=str(result))
-        measured = json.loads(result.read_text(encoding="utf-8"))
-        if not measured["entered"]:
-            sys.exit(f"No test could be run:\n{said[-3000:]}")
-        for test in measured["failed"]:
-            print(f"Left out, it fails without any change: {test}", flush=True)
-        names = {place: function_names(folder / CORE / place) for place in
-                 {place for calls in measured["entered"].values() for place, _ in calls}}
-        for name in new:
-            reach[name] = {"hash": hashes[name], "tests": {}}
-        for test, calls in measured["entered"].items():
-            functions = sorted({f"{place}:{names[place][line]}" for place, line in calls if line in names[place]})
-            reach[test.partition("::")[0].rpartition("/")[2]]["tests"][test] = [measured["lasted"][test], functions]
-        KEPT.mkdir(parents=True, exist_ok=True)
+    KEPT.mkdir(parents=True, exist_ok=True)
+    for first in range(0, len(new), SLICE):
+        if time.monotonic() > until:
+            sys.exit(f"{len(new) - first} test files are left to measure: run the same command again.")
+        names = new[first:first + SLICE]
+        print(f"Measuring what {marks} tests reach, {first + len(names)} of {len(new)} files ...", flush=True)
+        for name, tests in _reach_of(folder, names, marks).items():
+            reach[name] = {"hash": hashes[name], "tests": tests}
         kept_file.write_text(json.dumps(reach), encoding="utf-8")
     return reach
+
+
+def _reach_of(folder: Path, files: list[str], marks: str) -> dict[str, dict]:
+    """Seconds and functions of each test with `marks` of some files, by file."""
+    (folder / "reach_tracer.py").write_text(TRACER, encoding="utf-8")
+    result = folder / "reach.json"
+    result.unlink(missing_ok=True)
+    _, said = pytest_in(folder, ["-p", "reach_tracer", "-m", marks, *(f"{TESTS}/{name}" for name in files)],
+                        REACH_FILE=str(result))
+    if not result.is_file():
+        sys.exit(f"No test could be run:\n{said[-3000:]}")
+    measured = json.loads(result.read_text(encoding="utf-8"))
+    for test in measured["failed"]:
+        print(f"Left out, it fails without any change: {test}", flush=True)
+    names = {place: function_names(folder / CORE / place) for place in
+             {place for calls in measured["entered"].values() for place, _ in calls}}
+    found: dict[str, dict] = {name: {} for name in files}
+    for test, calls in measured["entered"].items():
+        functions = sorted({f"{place}:{names[place][line]}" for place, line in calls if line in names[place]})
+        found[test.partition("::")[0].rpartition("/")[2]][test] = [measured["lasted"][test], functions]
+    return found
 
 
 def core_functions(folder: Path) -> str:
@@ -302,16 +318,72 @@ def try_change(change: Change, folder: Path, tests: list[tuple[float, str]], bud
     return ("caught" if status else "survived"), len(chosen)
 
 
-def table(results: list[tuple[Change, str, int, float]]) -> str:
+class Outcomes:
+    """Outcomes of one seed, kept on the disk: those of the same core and tests are not tried again."""
+
+    def __init__(self, folder: Path, seed: int):
+        sources = sorted(path for place in (CORE, TESTS) for path in (folder / place).rglob("*.py"))
+        state = hashlib.sha256(b"".join(path.read_bytes() for path in sources)).hexdigest()[:12]
+        self.file = KEPT / f"trial_{seed}_{state}.jsonl"
+        lines = self.file.read_text(encoding="utf-8").splitlines() if self.file.is_file() else []
+        self.known = {key: (outcome, tests) for key, outcome, tests in map(json.loads, lines)}
+
+    def of(self, change: Change, marks: str) -> tuple[str, int] | None:
+        """Outcome and number of tests of a change; None where it was not tried."""
+        return self.known.get(self._key(change, marks))
+
+    def add(self, change: Change, marks: str, outcome: tuple[str, int]) -> None:
+        """Keep an outcome."""
+        self.known[self._key(change, marks)] = outcome
+        with self.file.open("a", encoding="utf-8") as file:
+            file.write(json.dumps([self._key(change, marks), *outcome]) + "\n")
+
+    @staticmethod
+    def _key(change: Change, marks: str) -> str:
+        return f"{change.module}:{change.begin}:{change.text}:{marks}"
+
+
+def table(results: list[tuple[Change, str]]) -> str:
     """Counts by kind as Markdown."""
     caught, of = Counter(), Counter()
-    for change, outcome, _, _ in results:
+    for change, outcome in results:
         for row in (change.kind, "all", *(["all without constants"] if change.kind != "constant" else [])):
             of[row] += 1
             caught[row] += outcome == "caught"
     rows = [f"| {row} | {caught[row]} | {of[row]} | {100 * caught[row] / of[row]:.0f} % |"
             for row in (*KINDS, "all without constants", "all") if of[row]]
     return "\n".join(["| kind | caught | of | share |", "|---|---|---|---|", *rows])
+
+
+def drawn_changes(given: argparse.Namespace) -> tuple[list[Change], int]:
+    """The changes that the seed draws, and of how many."""
+    files = {name: path for name, path in modules().items() if path.name != "__init__.py"
+             and (not given.only or name.split(".")[1] in given.only) and name.split(".")[1] not in given.without}
+    possible = [change for name, path in files.items() for change in changes_of(name, path)
+                if change.kind in given.kinds]
+    return random.Random(given.seed).sample(possible, min(given.count, len(possible))), len(possible)
+
+
+def trial(drawn: list[Change], folder: Path, given: argparse.Namespace, marks: str, until: float) -> list[str]:
+    """Outcome of each change; with slow tests only what the others let through is tried."""
+    users: dict[str, set[str]] = {}
+    for name, path in modules().items():
+        for other in own_imports(path):
+            users.setdefault(other, set()).add(name)
+    reach, outcomes, results = measured_reach(folder, marks, until), Outcomes(folder, given.seed), []
+    for number, change in enumerate(drawn, 1):
+        before = outcomes.of(change, QUICK) if marks == SLOW else None
+        known = before if before and before[0] == "caught" else outcomes.of(change, marks)
+        if known is None:
+            if time.monotonic() > until:
+                sys.exit(f"{len(drawn) - number + 1} changes are left: run the same command again.")
+            begun = time.perf_counter()
+            known = try_change(change, folder, tests_of(change, reach, users), given.budget)
+            outcomes.add(change, marks, known)
+            print(f"{number:3d} {known[0]:11s} {change.kind:10s} {change.module.partition('.')[2]}:{change.line} "
+                  f"{change.old} -> {change.text} ({known[1]} tests, {time.perf_counter() - begun:.0f} s)", flush=True)
+        results.append(known[0])
+    return results
 
 
 def main() -> None:
@@ -322,28 +394,22 @@ def main() -> None:
     parser.add_argument("--without", nargs="+", default=[], metavar="ROOM", help="folders of the core to leave out")
     parser.add_argument("--kinds", nargs="+", default=KINDS, choices=KINDS)
     parser.add_argument("--budget", type=float, default=40.0, help="seconds of tests for one change")
+    parser.add_argument("--slow", action="store_true", help="try slow tests on what has survived the others")
+    parser.add_argument("--minutes", type=float, default=float("inf"), help="of this slice")
     given = parser.parse_args()
-    files = {name: path for name, path in modules().items() if path.name != "__init__.py"
-             and (not given.only or name.split(".")[1] in given.only) and name.split(".")[1] not in given.without}
-    possible = [change for name, path in files.items() for change in changes_of(name, path)
-                if change.kind in given.kinds]
-    drawn = random.Random(given.seed).sample(possible, min(given.count, len(possible)))
-    users: dict[str, set[str]] = {}
-    for name, path in modules().items():
-        for other in own_imports(path):
-            users.setdefault(other, set()).add(name)
-    results = []
+    until = time.monotonic() + 60.0 * given.minutes
+    drawn, of = drawn_changes(given)
     with tempfile.TemporaryDirectory(prefix="mutation_", dir=_same_disk()) as place:
         folder = Path(place) / "checkout"
         copy_checkout(folder)
-        reach = measured_reach(folder)
-        for number, change in enumerate(drawn, 1):
-            begun = time.perf_counter()
-            outcome, tests = try_change(change, folder, tests_of(change, reach, users), given.budget)
-            results.append((change, outcome, tests, time.perf_counter() - begun))
+        results = trial(drawn, folder, given, QUICK, until)
+        if given.slow:
+            results = trial(drawn, folder, given, SLOW, until)
+    print(f"\nSeed {given.seed}, {len(drawn)} of {of} possible changes\n\n{table(list(zip(drawn, results)))}")
+    for number, (change, outcome) in enumerate(zip(drawn, results), 1):
+        if outcome != "caught":
             print(f"{number:3d} {outcome:11s} {change.kind:10s} {change.module.partition('.')[2]}:{change.line} "
-                  f"{change.old} -> {change.text} ({tests} tests, {results[-1][3]:.0f} s)", flush=True)
-    print(f"\nSeed {given.seed}, {len(drawn)} of {len(possible)} possible changes\n\n{table(results)}")
+                  f"{change.old} -> {change.text}")
 
 
 def _same_disk() -> Path:

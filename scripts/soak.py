@@ -1,4 +1,4 @@
-"""A run over tiles that is not left in peace: killed, ended, its disk full, results damaged, inputs changed.
+"""A run over tiles that is not left in peace: killed whole or a worker, its disk full, results damaged, inputs changed.
 
     python scripts/soak.py FOLDER                     half an hour
     python scripts/soak.py FOLDER --minutes 240       a night's part
@@ -6,12 +6,15 @@
 
 A small town is run over tiles once without any trouble. The same run is then begun again and again in a folder of its
 own, each time with a misfortune drawn by a seeded generator; in the end it is let go on, and the merged layer must
-hold the same bytes. Runs go through `scripts/urbanmap`. Exit code 1 where they differ, or where a run says nothing.
+hold the same bytes, as after every run in between that ends as if all were well. The folder is a disk of its own in
+memory where the system permits that, so that it can be full; elsewhere files are limited in size. Runs go through
+`scripts/urbanmap`. Exit code 1 where layers differ, or where a run fails without a sentence.
 """
 
 from __future__ import annotations
 
 import argparse
+import contextlib
 import json
 import os
 import random
@@ -21,6 +24,7 @@ import subprocess
 import sys
 import time
 from collections import Counter
+from collections.abc import Iterator
 from pathlib import Path
 
 import laspy
@@ -31,7 +35,10 @@ import shapely.geometry
 ROOT = Path(__file__).resolve().parent.parent
 TILE, BUFFER, WAIT = 40, 20, 900.0
 SMALL = 60_000
-"""Bytes that a file may have where the disk is to be full: less than a layer of one tile."""
+"""Bytes that a file may have where the disk cannot be filled: less than a layer of one tile."""
+DISK = "48m"
+ROOM = 1_500_000
+"""Bytes left on a disk that is full, at most: a few tiles find room."""
 
 
 def make_town(folder: Path, side: int) -> dict[str, object]:
@@ -60,11 +67,42 @@ def make_town(folder: Path, side: int) -> dict[str, object]:
     return {"POINTS": files, "FOOTPRINTS": outlines}
 
 
-class Soak:
-    """One run that is begun again and again in the folder `run`."""
+@contextlib.contextmanager
+def own_disk(folder: Path) -> Iterator[bool]:
+    """In the block, `folder` is a disk of its own in memory; False where that is not permitted."""
+    folder.mkdir(parents=True, exist_ok=True)
+    mounted = not subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={DISK}", "none", str(folder)],
+                                 capture_output=True, check=False).returncode
+    try:
+        yield mounted
+    finally:
+        if mounted:
+            subprocess.run(["umount", "--lazy", str(folder)], check=True)
 
-    def __init__(self, folder: Path, inputs: dict[str, object], seed: int):
-        self.folder, self.inputs, self.chance, self.met = folder, inputs, random.Random(seed), Counter()
+
+def descendants(process: int) -> list[int]:
+    """Processes that a process has started, and those that these have."""
+    try:
+        lists = [task.read_text().split() for task in Path(f"/proc/{process}/task").glob("*/children")]
+    except OSError:
+        return []
+    children = [int(number) for numbers in lists for number in numbers]
+    return [found for child in children for found in (child, *descendants(child))]
+
+
+class Soak:
+    """One run that is begun again and again in the folder `run`.
+
+    Attributes
+    ----------
+    met : number of misfortunes by kind. ends : exit codes of the troubled runs, -1 where they were killed.
+    expected : bytes of the merged layer, where they are known. filled : whether the disk can be filled.
+    """
+
+    def __init__(self, folder: Path, inputs: dict[str, object], seed: int, expected: bytes | None = None,
+                 filled: bool = False):
+        self.folder, self.inputs, self.expected, self.filled = folder, inputs, expected, filled
+        self.chance, self.met, self.ends, self.lasted = random.Random(seed), Counter(), Counter(), 20.0
 
     def command(self, workers: int) -> list[str]:
         """Arguments of a run."""
@@ -84,27 +122,46 @@ class Soak:
         return subprocess.Popen(self.command(self.chance.choice((1, 2))), stdout=subprocess.PIPE,
                                 stderr=subprocess.STDOUT, text=True, start_new_session=True, preexec_fn=small)
 
-    def ended(self, process: subprocess.Popen, told: bool = True) -> int:
-        """Wait for a run; one that fails must say why."""
+    @property
+    def merged(self) -> Path:
+        """The layer that the tiles make together."""
+        return self.folder / "run" / "merged" / "output.gpkg"
+
+    def ended(self, process: subprocess.Popen, killed: bool = False, same: bool = True) -> int:
+        """Wait for a run. One that fails must say why, one that ends well must have made the expected layer.
+
+        Parameters
+        ----------
+        killed : a signal was sent, it may say nothing. same : the inputs are those of the expected layer.
+        """
         out, _ = process.communicate(timeout=WAIT)
-        if told and process.returncode and ("Traceback" in out or "ERROR" not in out):
-            sys.exit(f"exit code {process.returncode} without a sentence:\n{out[-3000:]}")
-        return process.returncode
+        code = process.returncode
+        self.ends["killed" if killed else f"code {code}"] += 1
+        if not killed and code and ("Traceback" in out or "ERROR" not in out):
+            sys.exit(f"exit code {code} without a sentence:\n{out[-3000:]}")
+        if code == 0 and same and self.expected not in (None, self.merged.read_bytes()):
+            sys.exit(f"a run ended as if all were well with another layer:\n{out[-3000:]}")
+        return code
 
     def round(self) -> None:
         """One misfortune."""
-        kind = self.chance.choice(("kill", "end", "full", "results", "record", "place", "inputs"))
+        kind = self.chance.choice(("kill", "end", "worker", "full", "results", "record", "place", "inputs"))
         self.met[kind] += 1
         getattr(self, f"_{kind}")()
 
-    def _interrupted(self, number: int) -> None:
+    def _begun(self) -> subprocess.Popen:
+        """A run, some time after its begin: it may have ended."""
         process = self.start()
-        until = time.monotonic() + self.chance.uniform(1.0, 20.0)
-        while process.poll() is None and time.monotonic() < until:
-            time.sleep(0.1)
-        if process.poll() is None:
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.wait(self.chance.uniform(0.1, 1.0) * self.lasted)
+        return process
+
+    def _interrupted(self, number: int, same: bool = True) -> None:
+        process = self._begun()
+        killed = process.poll() is None
+        if killed:
             os.killpg(process.pid, number)
-        self.ended(process, told=False)
+        self.ended(process, killed, same)
 
     def _kill(self) -> None:
         self._interrupted(signal.SIGKILL)
@@ -112,12 +169,34 @@ class Soak:
     def _end(self) -> None:
         self._interrupted(signal.SIGTERM)
 
-    def _full(self) -> None:
-        if self.ended(self.start(SMALL), told=False) == 0 and not self._all_kept():
-            sys.exit("a run on a full disk ended as if all were well")
+    def _worker(self) -> None:
+        """One of the processes that a run has started is killed, as the system does where memory is short."""
+        process = self._begun()
+        workers = descendants(process.pid)
+        if process.poll() is None and workers:
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(self.chance.choice(workers), signal.SIGKILL)
+        self.ended(process)
 
-    def _all_kept(self) -> bool:
-        return (self.folder / "run" / "merged" / "output.gpkg").is_file()
+    def _full(self) -> None:
+        """Little room is left on the disk; some of it, or all, is taken by another file."""
+        self._damage()
+        if not self.filled:
+            self.ended(self.start(SMALL))
+            return
+        system = os.statvfs(self.folder)
+        free = system.f_bavail * system.f_frsize
+        other = self.folder / "other"
+        other.write_bytes(bytes(max(free - self.chance.randrange(ROOM), 0)))
+        try:
+            self.ended(self.start())
+        finally:
+            other.unlink()
+
+    def _damage(self) -> None:
+        """Some tiles are to be made again."""
+        for _ in range(self.chance.randrange(1, 6)):
+            self._results()
 
     def _made(self, pattern: str) -> Path | None:
         found = sorted(self.folder.glob(f"run/tiles/{pattern}"))
@@ -150,7 +229,7 @@ class Soak:
         cloud = laspy.read(path)
         cloud.z = np.asarray(cloud.z) * 1.5
         cloud.write(path)
-        self._interrupted(signal.SIGTERM)
+        self._interrupted(signal.SIGTERM, same=False)
         path.write_bytes(before)
 
 
@@ -164,19 +243,32 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=1)
     given = parser.parse_args()
     inputs = make_town(given.folder / "inputs", given.side)
-    whole, troubled = Soak(given.folder / "whole", inputs, given.seed), Soak(given.folder / "soak", inputs, given.seed)
+    whole, begun = Soak(given.folder / "whole", inputs, given.seed), time.monotonic()
     if whole.ended(whole.start()):
         sys.exit("the run without trouble failed")
+    with own_disk(given.folder / "soak") as filled:
+        troubled = Soak(given.folder / "soak", inputs, given.seed, whole.merged.read_bytes(), filled)
+        troubled.lasted = time.monotonic() - begun
+        done = soak(troubled, given)
+        code = troubled.ended(troubled.start())
+        same = code == 0 and whole.merged.read_bytes() == troubled.merged.read_bytes()
+    print(f"{done} misfortunes ({_counts(troubled.met)}), ends of the runs ({_counts(troubled.ends)}): "
+          f"{'the same bytes' if same else 'NOT the same'}")
+    sys.exit(0 if same else 1)
+
+
+def soak(troubled: Soak, given: argparse.Namespace) -> int:
+    """Misfortunes until the time is over or their number is reached; how many."""
     until, done = time.monotonic() + 60.0 * given.minutes, 0
     while done < given.rounds if given.rounds is not None else time.monotonic() < until:
         troubled.round()
         done += 1
-    code = troubled.ended(troubled.start())
-    one, other = (item.folder / "run" / "merged" / "output.gpkg" for item in (whole, troubled))
-    same = code == 0 and one.read_bytes() == other.read_bytes()
-    print(f"{done} misfortunes ({', '.join(f'{count} {kind}' for kind, count in sorted(troubled.met.items()))}): "
-          f"{'the same bytes' if same else 'NOT the same'}")
-    sys.exit(0 if same else 1)
+        print(f"{done}: {_counts(troubled.met)}", flush=True)
+    return done
+
+
+def _counts(counted: Counter) -> str:
+    return ", ".join(f"{count} {kind}" for kind, count in sorted(counted.items()))
 
 
 if __name__ == "__main__":
