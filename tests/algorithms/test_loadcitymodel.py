@@ -142,7 +142,7 @@ BOMB = '<!DOCTYPE a [<!ENTITY b "x"><!ENTITY c "&b;&b;&b;">]>'
     ("a.json", "{", "not JSON"),
     ("a.json", '{"type": "FeatureCollection"}', "not a CityJSON file"),
     ("a.json", json.dumps(cityjson(metadata={})), "names no coordinate reference system"),
-    ("a.json", json.dumps(cityjson(vertices=[[0, 0, 0]])), "names a vertex that it does not have"),
+    ("a.json", json.dumps(cityjson(vertices=[[0, 0, 0]])), "names a vertex that is not there"),
     ("a.json", json.dumps(cityjson(CityObjects=[])), "no city objects"),
     ("a.jsonl", "{}\n", "not a CityJSON file"),
     ("a.jsonl", json.dumps(cityjson(CityObjects={})) + "\n{\n", "its line 2 is no JSON"),

@@ -77,7 +77,7 @@ def test_what_is_no_geoid_is_refused(tmp_path):
     with pytest.raises(InputError, match="holds 4 heights, its header says 9"):
         read_geoid(tmp_path / "short.asc")
     (tmp_path / "text.asc").write_text("no numbers\n")
-    with pytest.raises(InputError, match="cannot be read as a geoid model"):
+    with pytest.raises(InputError, match="text.asc: line 1 cannot be read"):
         read_geoid(tmp_path / "text.asc")
     (tmp_path / "text.tif").write_text("no raster")
     with pytest.raises(InputError, match="cannot be read as a geoid model"):

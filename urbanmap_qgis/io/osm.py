@@ -13,7 +13,7 @@ from xml.sax.saxutils import quoteattr  # nosec B406 # writes, reads nothing
 from ..errors import InputError
 from ..wording import say
 from .files.atomic import written_beside
-from .files.guard import reads
+from .files.guard import PARSER_ERRORS, reads, unreadable_part
 from .official.xml_stream import decoded
 
 
@@ -61,7 +61,7 @@ def read_osm(path: str | os.PathLike) -> OsmFile:
 
     Raises
     ------
-    InputError : it is no OSM XML, has a document type, or a number in it is none.
+    InputError : it is no OSM XML, has a document type, or an element lacks something or has a number that is none.
     """
     parser = XMLParser()  # nosec B314 # `decoded` refuses document types
     with open(path, "rb") as file:
@@ -73,14 +73,24 @@ def read_osm(path: str | os.PathLike) -> OsmFile:
                              tag=root.tag))
     found: dict[str, dict] = {"node": {}, "way": {}, "relation": {}}
     repeated = []
-    for element in root:
+    for number, element in enumerate(root, 1):
         if element.tag not in found or element.get("action") == "delete":
             continue
-        identifier = int(element.attrib["id"])
-        if identifier in found[element.tag]:
-            repeated.append((element.tag, identifier))
-        found[element.tag][identifier] = _element(element, identifier)
+        try:
+            identifier = int(element.attrib["id"])
+            if identifier in found[element.tag]:
+                repeated.append((element.tag, identifier))
+            found[element.tag][identifier] = _element(element, identifier)
+        except PARSER_ERRORS as error:
+            raise unreadable_part(path, _part(element, number), error) from error
     return OsmFile(found["node"], found["way"], found["relation"], tuple(repeated))
+
+
+def _part(element: Element, number: int) -> str:
+    """An element by its id, or by its place in the file where it has none."""
+    identifier = element.get("id", "")[:40]
+    return f"{element.tag} {identifier}" if identifier else say("{tag} (element {number} of the file)", tag=element.tag,
+                                                                number=number)
 
 
 _NUMBERS = ("local_x", "local_y", "ele")
@@ -90,7 +100,7 @@ _NUMBERS = ("local_x", "local_y", "ele")
 def _element(element: Element, identifier: int) -> OsmNode | OsmWay | OsmRelation:
     tags = {tag.attrib["k"]: tag.attrib["v"] for tag in element.iter("tag")}
     if element.tag == "node":
-        return OsmNode(identifier, *_degrees(element, identifier, tags), tags)
+        return OsmNode(identifier, *_degrees(element, tags), tags)
     if element.tag == "way":
         return OsmWay(identifier, tuple(int(part.attrib["ref"]) for part in element.iter("nd")), tags)
     members = tuple((part.attrib["type"], int(part.attrib["ref"]), part.get("role", ""))
@@ -98,7 +108,7 @@ def _element(element: Element, identifier: int) -> OsmNode | OsmWay | OsmRelatio
     return OsmRelation(identifier, members, tags)
 
 
-def _degrees(element: Element, identifier: int, tags: Mapping[str, str]) -> tuple[float, float]:
+def _degrees(element: Element, tags: Mapping[str, str]) -> tuple[float, float]:
     """Latitude and longitude; NaN where the attributes are empty, as Vector Map Builder leaves them, and local
     coordinates stand in the tags."""
     others = [float(tags[name]) for name in _NUMBERS if name in tags]
@@ -109,7 +119,7 @@ def _degrees(element: Element, identifier: int, tags: Mapping[str, str]) -> tupl
         degrees = tuple(map(float, texts))
         others += degrees
     if not all(map(math.isfinite, others)):
-        raise ValueError(f"node {identifier} has a coordinate that is not finite")
+        raise ValueError("a coordinate that is not finite")
     return degrees
 
 

@@ -17,7 +17,7 @@ import numpy as np
 
 from ...errors import InputError
 from ...geometry.solid import FaceTexture
-from ...io.files.guard import first_not_finite, read_json, reads
+from ...io.files.guard import first_not_finite, read_json, reading_part, reads
 from ...io.files.named_files import IMAGE, named_file
 from ...io.reference.height_systems import JAPANESE
 from ...progress import SILENT, Progress
@@ -44,6 +44,7 @@ from ..reading_notes import ReadingNotes
 
 _TITLE_HEIGHTS = re.compile(r"heights: (\w+)$")
 _SOLIDS = {"Solid": 1, "MultiSolid": 2, "CompositeSolid": 2}
+_KINDS = (BUILDING, BUILDING_PART)
 _STRUCTURE = ("type", "id", "children", "parent")
 _LONGEST_LINE = 2**28
 
@@ -161,26 +162,21 @@ class _Piece:
     def __init__(self, content: Mapping, head: Mapping, path: Path, notes: ReadingNotes, images: dict[str, Path],
                  reference: CityReference):
         self.path, self.notes, self.digits = path, notes, 9 if reference.geographic else 3
+        self.reading = ""  # the object that is read, for messages
         self.objects = content.get("CityObjects")
         if not isinstance(self.objects, Mapping) or not isinstance(content.get("vertices"), list):
             raise InputError(say("{path} is damaged: it has no city objects or no vertices; export it again.",
                                  path=path.name))
-        transform = head.get("transform") or content.get("transform")
-        vertices = np.asarray(content["vertices"], dtype=np.float64).reshape(-1, 3)
-        if transform:
-            vertices = vertices * np.asarray(transform["scale"], float) + np.asarray(transform["translate"], float)
-        bad = first_not_finite(vertices)
-        if bad is not None:
-            raise InputError(say("{path} is damaged: its vertex {bad} has no finite coordinates.", path=path.name,
-                                 bad=bad))
+        vertices = _vertices(content["vertices"], head.get("transform") or content.get("transform"), path)
         # Latitude first, as the codes of geographic systems have it, or longitude first: Japan and most of Asia lie
         # east of 90 degrees, where only one of the two can be a latitude.
         if reference.geographic and len(vertices) and np.abs(vertices[:, 0]).max() <= 90 < np.abs(vertices[:, 1]).max():
             vertices = vertices[:, [1, 0, 2]]
         self.vertices = vertices
-        appearance = content.get("appearance") or head.get("appearance") or {}
-        self.images = [str(item.get("image") or "") for item in appearance.get("textures") or ()]
-        self.places = np.asarray(appearance.get("vertices-texture") or [], dtype=float).reshape(-1, 2)
+        with reading_part(path, "appearance"):
+            appearance = content.get("appearance") or head.get("appearance") or {}
+            self.images = [str(item.get("image") or "") for item in appearance.get("textures") or ()]
+            self.places = np.asarray(appearance.get("vertices-texture") or [], dtype=float).reshape(-1, 2)
         for image in self.images:
             found = named_file(path, image, IMAGE)
             if found is not None:
@@ -191,15 +187,18 @@ class _Piece:
     def buildings(self, seen: set[str]) -> Iterator[CityObject]:
         """Buildings with their parts; parts whose building is not there stand as buildings."""
         for key, item in self.objects.items():
-            kind = item.get("type")
-            parents = [name for name in item.get("parents") or () if name in self.objects]
-            if kind not in (BUILDING, BUILDING_PART):
+            with reading_part(self.path, key):
+                kind = item.get("type")
+                parents = [name for name in item.get("parents") or () if name in self.objects]
+                found = self._object(key, item, seen) if kind in _KINDS and not parents else None
+            if kind not in _KINDS:
                 self.notes.others[str(kind)] += 1
-            elif not parents:
-                yield self._object(key, item, seen)
+            elif found is not None:
+                yield found
 
     def _object(self, key: str, item: Mapping, seen: set[str]) -> CityObject:
         problems: list[str] = []
+        self.reading = key
         shapes = [shape for geometry in item.get("geometry") or () for shape in self._shapes(geometry, problems)]
         parts = []
         for child in item.get("children") or ():
@@ -272,11 +271,11 @@ class _Piece:
     def _ring(self, ring: list) -> np.ndarray | None:
         numbers = np.asarray(ring)
         if numbers.dtype.kind not in "iu" or numbers.ndim != 1:
-            raise InputError(say("{path} is damaged: a ring is no list of vertices; export it again.",
-                                 path=self.path.name))
+            raise InputError(say("{path} is damaged: a ring of {key} is no list of vertices; export it again.",
+                                 path=self.path.name, key=self.reading))
         if len(numbers) and (numbers.min() < 0 or numbers.max() >= len(self.vertices)):
-            raise InputError(say("{path} is damaged: it names a vertex that it does not have; export it again.",
-                                 path=self.path.name))
+            raise InputError(say("{path} is damaged: {key} names a vertex that is not there; export it again.",
+                                 path=self.path.name, key=self.reading))
         return self.vertices[numbers] if len(numbers) >= 3 else None
 
     def _texture(self, rings: list | None, count: int) -> FaceTexture | None:
@@ -286,6 +285,38 @@ class _Piece:
         if not 0 <= image < len(self.images) or any(max(ring[1:], default=0) >= len(self.places) for ring in rings):
             return None
         return FaceTexture(self.images[image], tuple(self.places[ring[1:]] for ring in rings))
+
+
+def _vertices(listed: list, transform: Mapping | None, path: Path) -> np.ndarray:
+    """Vertices (n, 3) of a list, moved as the file says.
+
+    Raises
+    ------
+    InputError : one is no list of three finite numbers, or the transform is none.
+    """
+    try:
+        vertices = np.asarray(listed, dtype=np.float64).reshape(len(listed), 3)
+    except (ArithmeticError, TypeError, ValueError) as error:
+        raise InputError(say("{path} is damaged: its vertex {bad} is no list of three numbers; export it again.",
+                             path=path.name, bad=_first_no_corner(listed))) from error
+    with reading_part(path, "transform"):
+        if transform:
+            vertices = vertices * np.asarray(transform["scale"], float).reshape(3) + np.asarray(
+                transform["translate"], float).reshape(3)
+    bad = first_not_finite(vertices)
+    if bad is not None:
+        raise InputError(say("{path} is damaged: its vertex {bad} has no finite coordinates.", path=path.name, bad=bad))
+    return vertices
+
+
+def _first_no_corner(listed: list) -> int:
+    """Number, from 0, of the first vertex that is no list of three numbers."""
+    for number, vertex in enumerate(listed):
+        try:
+            np.asarray(vertex, dtype=np.float64).reshape(3)
+        except (ArithmeticError, TypeError, ValueError):
+            return number
+    return 0
 
 
 def _two_outlines(shapes: list[CityShape]) -> list[CityShape]:

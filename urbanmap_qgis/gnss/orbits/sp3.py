@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from ...errors import InputError
-from ...io.files.guard import first_not_finite, reads
+from ...io.files.guard import first_not_finite, reads, unreadable_part
 from ...wording import say
 from ..rinex.gnss_time import calendar_seconds, known_scale, to_gps
 from ..rinex.text_lines import read_bytes
@@ -70,7 +70,7 @@ def read_sp3(path: str | os.PathLike) -> PreciseOrbits:
         raise InputError(say("{name} counts time in \"{scale}\", which is not known: use orbits in GPS time.",
                              name=name, scale=scale))
     times, rows = [], []
-    for line in lines:
+    for number, line in enumerate(lines, 1):
         try:
             if line.startswith("*"):
                 parts = line[1:].split()
@@ -78,9 +78,11 @@ def read_sp3(path: str | os.PathLike) -> PreciseOrbits:
             elif line.startswith("P") and times:
                 rows.append((len(times) - 1, line[1:4].replace(" ", "0"),
                              *(float(line[4 + 14 * k:18 + 14 * k]) for k in range(4))))
-        except (ValueError, IndexError):
-            # The last line of a file that breaks off; damage further up would only leave a gap.
-            continue
+        except (ArithmeticError, IndexError, ValueError) as error:
+            # The last line may break off, and a position further up leaves a gap; without an epoch the positions after
+            # it would be those of the epoch before.
+            if line.startswith("*") and number < len(lines):
+                raise unreadable_part(name, say("line {number}", number=number), error) from error
     # A position in words that are no number (NaN) is one that is not there, as 0 is.
     bad = first_not_finite([[0.0 if value != value else value for value in row[2:]] for row in rows])
     if bad is not None or not np.isfinite(times).all():

@@ -8,10 +8,13 @@ from pathlib import Path
 
 import numpy as np
 import rasterio
+from rasterio.errors import RasterioError
 from rasterio.windows import Window
 
+from ...errors import InputError
 from ...geometry.grid import Grid
 from ...io.raster import RasterSampler, own_gdal
+from ...wording import say
 from .views import eight_bits
 
 _ABOVE = 10_000.0  # m from where it is looked down
@@ -42,10 +45,18 @@ class OrthophotoImage:
         return place, np.broadcast_to((0.0, 0.0, -1.0), place.shape)
 
     def window(self, left: int, top: int, right: int, bottom: int) -> np.ndarray:
-        """Pixels (rows, columns, 3) uint8 from column `left` to before `right`, row `top` to before `bottom`."""
-        with own_gdal(), rasterio.open(self.path) as source:
-            bands = [1, 2, 3] if source.count >= 3 else [1, 1, 1]
-            return eight_bits(source.read(bands, window=Window(left, top, right - left, bottom - top)))
+        """Pixels (rows, columns, 3) uint8 from column `left` to before `right`, row `top` to before `bottom`.
+
+        Raises
+        ------
+        InputError : a part of the file is damaged.
+        """
+        try:
+            with own_gdal(), rasterio.open(self.path) as source:
+                bands = [1, 2, 3] if source.count >= 3 else [1, 1, 1]
+                return eight_bits(source.read(bands, window=Window(left, top, right - left, bottom - top)))
+        except RasterioError as error:
+            raise InputError(say("{path} is damaged: {error}.", path=self.path.name, error=error)) from error
 
     def pixels(self, points: np.ndarray, window: tuple[float, float, float, float],
                max_range: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:

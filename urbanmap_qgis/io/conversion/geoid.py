@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import os
 import re
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
+from typing import TypeVar
 
 import numpy as np
 import rasterio
@@ -13,8 +17,10 @@ from rasterio.errors import RasterioError
 
 from ...errors import InputError
 from ...wording import say
-from ..files.guard import read_text, reads
+from ..files.guard import read_text, reads, unreadable_part
 from ..raster import own_gdal
+
+_Number = TypeVar("_Number", int, float)
 
 HIGHEST = 120.0
 """m: the geoid is nowhere farther from the ellipsoid."""
@@ -87,6 +93,10 @@ def read_geoid(path: str | os.PathLike) -> Geoid:
     """
     path = Path(path)
     geoid = _from_text(path) if path.suffix.lower() in _TEXT_SUFFIXES else _from_raster(path)
+    if not (math.isfinite(geoid.south) and math.isfinite(geoid.west)
+            and all(0.0 < step < 90.0 for step in geoid.steps)):
+        raise InputError(say("{path} is no geoid model: its header must name its first node and the steps between "
+                             "nodes in degrees, all greater than 0.", path=path.name))
     known = geoid.heights[np.isfinite(geoid.heights)]
     if min(geoid.heights.shape) < 2 or not len(known) or np.abs(known).max() > HIGHEST:
         raise InputError(say("{path} is no geoid model: its values must be heights of the geoid above the ellipsoid "
@@ -119,9 +129,13 @@ def _from_text(path: Path) -> Geoid:
 def _from_gsi(name: str, text: str) -> Geoid:
     """GSI's own grid: south, west, steps, rows, columns in the first line, then heights from south to north."""
     head, _, body = text.partition("\n")
-    south, west, *steps = (float(value) for value in head.split()[:4])
-    rows, columns = (int(value) for value in head.split()[4:6])
-    return Geoid(name, _grid(name, body, rows, columns, 999.0), south, west, tuple(map(_whole_seconds, steps)))
+    try:
+        south, west, *steps = (float(value) for value in head.split()[:4])
+        rows, columns = (int(value) for value in head.split()[4:6])
+        d_latitude, d_longitude = map(_whole_seconds, steps)
+    except (ArithmeticError, ValueError) as error:
+        raise unreadable_part(name, say("line {number}", number=1), error) from error
+    return Geoid(name, _grid(name, body, (rows, columns), 999.0, 2), south, west, (d_latitude, d_longitude))
 
 
 def _from_isg(name: str, text: str) -> Geoid:
@@ -129,13 +143,27 @@ def _from_isg(name: str, text: str) -> Geoid:
     head, _, body = text.partition("end_of_head")
     entries = dict(re.split(r"\s*[:=]\s*", line.strip(), maxsplit=1) for line in head.splitlines()
                    if re.search(r"[:=]", line))
-    south, north, west = (_angle(entries[key]) for key in ("lat min", "lat max", "lon min"))
-    steps = tuple(_whole_seconds(_angle(entries[key])) for key in ("delta lat", "delta lon"))
-    rows, columns = int(entries["nrows"]), int(entries["ncols"])
-    heights = _grid(name, body.partition("\n")[2], rows, columns, float(entries.get("nodata", -9999.0)))[::-1]
+    number = partial(_entry, name, entries)
+    south, north, west = (number(key, _angle) for key in ("lat min", "lat max", "lon min"))
+    steps = tuple(_whole_seconds(number(key, _angle)) for key in ("delta lat", "delta lon"))
+    rows, columns = number("nrows", int), number("ncols", int)
+    nothing = number("nodata", float) if "nodata" in entries else -9999.0
+    lines = head.count("\n") + 2
+    heights = _grid(name, body.partition("\n")[2], (rows, columns), nothing, lines)[::-1]
     # Limits are those of the cells where there is one row for each step between them.
-    half = 0.5 if round((north - south) / steps[0]) == rows else 0.0
+    half = 0.5 if abs(north - south - rows * steps[0]) < 0.5 * steps[0] else 0.0
     return Geoid(name, heights, south + half * steps[0], west + half * steps[1], steps)
+
+
+def _entry(name: str, entries: Mapping[str, str], key: str, convert: Callable[[str], _Number]) -> _Number:
+    """A number of the header."""
+    try:
+        value = convert(entries[key])
+        if not math.isfinite(value):
+            raise ValueError(f"could not convert string to float: {entries[key]!r}")
+        return value
+    except (ArithmeticError, LookupError, ValueError) as error:
+        raise unreadable_part(name, say("“{name}” of its header", name=key), error) from error
 
 
 def _angle(text: str) -> float:
@@ -154,9 +182,24 @@ def _whole_seconds(step: float) -> float:
     return seconds * _SECOND if seconds and abs(step / _SECOND - seconds) < 0.01 else step
 
 
-def _grid(name: str, body: str, rows: int, columns: int, nothing: float) -> np.ndarray:
-    values = np.array(body.replace("end_of_data", "").split(), float)
-    if len(values) != rows * columns:
+def _grid(name: str, body: str, shape: tuple[int, int], nothing: float, line: int) -> np.ndarray:
+    """Heights (rows, columns) of a text that begins in a line of the file; NaN where they are `nothing`."""
+    text = body.replace("end_of_data", "")
+    try:
+        values = np.array(text.split(), float)
+    except ValueError as error:
+        raise unreadable_part(name, say("line {number}", number=line + _bad_line(text)), error) from error
+    if min(shape) < 1 or len(values) != shape[0] * shape[1]:
         raise InputError(say("{name} holds {values_count} heights, its header says {rows}: the file is cut off; "
-                             "download it again.", name=name, values_count=len(values), rows=rows * columns))
-    return np.where(np.isclose(values, nothing), np.nan, values).reshape(rows, columns)
+                             "download it again.", name=name, values_count=len(values), rows=shape[0] * shape[1]))
+    return np.where(np.isclose(values, nothing), np.nan, values).reshape(shape)
+
+
+def _bad_line(text: str) -> int:
+    """Number, from 0, of the first line of a text with something that is no number."""
+    for number, line in enumerate(text.split("\n")):
+        try:
+            np.array(line.split(), float)
+        except ValueError:
+            return number
+    return 0

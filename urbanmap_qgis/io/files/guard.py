@@ -14,7 +14,7 @@ import struct
 import sys
 import zipfile
 import zlib
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TypeVar
 from xml.etree.ElementTree import ParseError  # nosec B405 # the error alone, no parser
@@ -30,6 +30,9 @@ _CONTROL = re.compile(rb"[\x00-\x08\x0e-\x19\x1b-\x1f\x7f]")
 
 LONGEST_FIELD = 2**27
 """Characters of a field of a table: as long as the longest file that is read whole."""
+
+LONGEST_INTEGER = 300
+"""Digits of a whole number: those beyond 308 are too large for a decimal number."""
 
 PARSER_ERRORS = (ArithmeticError, AttributeError, EOFError, LookupError, MemoryError, NotImplementedError, OSError,
                  ParseError, RuntimeError, TypeError, ValueError, csv.Error, np.linalg.LinAlgError, struct.error,
@@ -82,6 +85,33 @@ def reads(what: str) -> Callable[[Read], Read]:
 def _refusal(path: object, what: str, error: BaseException) -> InputError:
     return InputError(say("{name} cannot be read as {what}{reason}: it is damaged or of another kind; export or "
                           "download it again.", name=_name(path), what=what, reason=_reason(error)))
+
+
+def unreadable_part(path: str | os.PathLike, part: str, error: BaseException) -> InputError:
+    """The refusal of a file of which a row or an element cannot be read, to be raised from the parser's error.
+
+    Parameters
+    ----------
+    part : what cannot be read, such as "node 12".
+    """
+    return InputError(say("{name}: {part} cannot be read{reason}: correct it, or export or download the file again.",
+                          name=Path(path).name, part=part, reason=_reason(error)))
+
+
+@contextlib.contextmanager
+def reading_part(path: str | os.PathLike, part: str) -> Iterator[None]:
+    """In the block, what a parser raises becomes the refusal that names the file's part, see `unreadable_part`.
+
+    Raises
+    ------
+    InputError : the part cannot be read.
+    """
+    try:
+        yield
+    except UrbanMapError:
+        raise
+    except PARSER_ERRORS as error:
+        raise unreadable_part(path, part, error) from error
 
 
 def _name(path: object) -> str:
@@ -138,21 +168,37 @@ def _decoded(data: bytes) -> str:
 
 
 def read_json(path: str | os.PathLike, what: str) -> object:
-    """A JSON file in UTF-8, in which NaN and Infinity, which JSON does not have, are refused.
+    """A JSON file in UTF-8, in which NaN and Infinity, which JSON does not have, and numbers beyond all are refused.
 
     Raises
     ------
-    InputError : it is no JSON.
+    InputError : it is no JSON, or holds such a number.
     """
+    text = read_text(path, what)
     try:
-        return json.loads(read_text(path, what), parse_constant=_no_constant)
+        return json.loads(text, parse_constant=_no_constant, parse_int=_integer)
+    except _NoNumber as error:
+        line = text.count("\n", 0, max(text.find(str(error)), 0)) + 1
+        raise InputError(say("{path} cannot be read as {what}: “{number}” in its line {line} is no number that could "
+                             "be used; correct it, or export it again.", path=Path(path).name, what=what,
+                             number=str(error)[:20], line=line)) from error
     except (ValueError, RecursionError) as error:
         raise InputError(say("{path} cannot be read as {what}{reason}: it is not JSON, or damaged; export it again.",
                              path=Path(path).name, what=what, reason=_reason(error))) from error
 
 
+class _NoNumber(ValueError):
+    """A text of a JSON file that stands for no number; `str` of it is the text."""
+
+
 def _no_constant(name: str) -> float:
-    raise ValueError(f"{name} is no number in JSON")
+    raise _NoNumber(name)
+
+
+def _integer(text: str) -> int:
+    if len(text) > LONGEST_INTEGER:
+        raise _NoNumber(text)
+    return int(text)
 
 
 def first_not_finite(table: np.ndarray) -> int | None:

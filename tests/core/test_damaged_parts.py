@@ -1,0 +1,166 @@
+"""Files of which one part is damaged, as trials with scripts/fuzz.py found them: the sentence names row or element."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+import rasterio
+
+from tests.city_models import town
+from tests.core.test_map_check import sound_map
+from urbanmap_qgis.citymodel.cityjson.reader import read_cityjson
+from urbanmap_qgis.citymodel.cityjson.writer import write_model_cityjson
+from urbanmap_qgis.errors import InputError
+from urbanmap_qgis.gnss.orbits.sp3 import read_sp3
+from urbanmap_qgis.imagery.views.orthophoto_source import orthophoto_source
+from urbanmap_qgis.io.conversion.geoid import read_geoid
+from urbanmap_qgis.io.files.guard import read_json
+from urbanmap_qgis.io.osm import read_osm, write_osm
+
+LONG = "9" * 400
+
+
+def refused(read, path, text, words):
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(InputError, match=words):
+        read(path)
+
+
+@pytest.mark.parametrize(("number", "shown"), [(LONG, "9{20}"), ("-" + LONG, "-9{19}"), ("NaN", "NaN"),
+                                               ("-Infinity", "-Infinity")])
+def test_numbers_of_json_that_are_none_are_named_with_their_line(tmp_path, number, shown):
+    refused(lambda path: read_json(path, "a camera file"), tmp_path / "a.json", f'{{"a": 1,\n"b": {number}}}',
+            f"a.json cannot be read as a camera file: “{shown}” in its line 2 is no number")
+
+
+def test_long_numbers_of_json_that_can_be_used_are_read(tmp_path):
+    (tmp_path / "a.json").write_text(f'[{"9" * 300}, -1, 1e5]')
+    assert read_json(tmp_path / "a.json", "numbers") == [int("9" * 300), -1, 1e5]
+
+
+@pytest.mark.parametrize(("old", "new", "words"), [
+    ('id="11"', 'id="x"', "a.osm: node x cannot be read .“x” is no number"),
+    ('id="11" ', "", r"a.osm: node \(element 1 of the file\) cannot be read .“id” is missing"),
+    ('ref="12"', 'ref=""', "a.osm: way 111 cannot be read"),
+    ('ref="121"', 'reff="121"', "a.osm: relation 200 cannot be read .“ref” is missing"),
+    ('lon="', 'lan="', "a.osm: node 11 cannot be read .“lon” is missing"),
+    ('k="ele" v="1"', 'k="ele" v="inf"', "a.osm: node 11 cannot be read")])
+def test_elements_of_lane_maps(tmp_path, old, new, words):
+    write_osm(tmp_path / "sound.osm", sound_map())
+    text = (tmp_path / "sound.osm").read_text(encoding="utf-8")
+    assert old in text
+    refused(read_osm, tmp_path / "a.osm", text.replace(old, new, 1), words)
+
+
+GSI_GRID = "36.0 139.0 0.016667 0.025 3 2 1 ver1\n1 2\n3 4\n5 6\n"
+ISG = ("begin_of_head\nlat min : 36.0\nlat max : 36.2\nlon min : 139.0\ndelta lat : 0.1\ndelta lon : 0.1\nnrows : 3\n"
+       "ncols : 2\nend_of_head\n1 2\n3 4\n5 6\n")
+
+
+@pytest.mark.parametrize(("text", "old", "new", "words"), [
+    (GSI_GRID, "139.0", "a", "line 1 cannot be read"), (GSI_GRID, "3 2 1", "3 2.5 1", "line 1 cannot be read"),
+    (GSI_GRID, " 0.025 3 2 1 ver1", "", "line 1 cannot be read"), (GSI_GRID, "3 4", "3 4.4.4", "line 3 cannot be read"),
+    (GSI_GRID, "36.0", "inf", "first node and the steps"), (GSI_GRID, "0.025", "0", "first node and the steps"),
+    (GSI_GRID, "0.025", "nan", "line 1 cannot be read"), (GSI_GRID, "3 2 1", "-3 -2 1", "its header says 6"),
+    (ISG, "lat max : 36.2", "", "“lat max” of its header cannot be read"),
+    (ISG, "nrows : 3", "nrows : 3.0.0", "“nrows” of its header cannot be read"),
+    (ISG, "lon min : 139.0", "lon min : 1e999", "“lon min” of its header cannot be read"),
+    (ISG, "delta lat : 0.1", "delta lat : 0.0", "first node and the steps"),
+    (ISG, "3 4", "3 x", "line 11 cannot be read")])
+def test_grids_of_a_geoid(tmp_path, text, old, new, words):
+    name = "a.isg" if text is ISG else "a.asc"
+    (tmp_path / name).write_text(text)
+    assert read_geoid(tmp_path / name).heights.shape == (3, 2)
+    assert old in text
+    refused(read_geoid, tmp_path / name, text.replace(old, new), words)
+
+
+def test_limits_of_a_geoid_are_those_of_nodes_or_of_cells(tmp_path):
+    """Three rows from 36.0 to 36.2 are nodes, from 36.0 to 36.3 cells."""
+    (tmp_path / "a.isg").write_text(ISG)
+    (tmp_path / "b.isg").write_text(ISG.replace("36.2", "36.3"))
+    assert read_geoid(tmp_path / "a.isg").south == pytest.approx(36.0)
+    assert read_geoid(tmp_path / "b.isg").south == pytest.approx(36.05)
+
+
+def sp3(*epochs):
+    """Orbits of one satellite, x 1000 km times the number of the epoch."""
+    head = "#cP2019  4 28  0  0  0.00000000       1 ORBIT IGS14 HLM  IGS"
+    rows = [f"{epoch}\nPG01{1000.0 * number:14.6f}{-20000.0:14.6f}{9000.0:14.6f}{12.5:14.6f}"
+            for number, epoch in enumerate(epochs, 1)]
+    return "\n".join([head, *rows, ""])
+
+
+@pytest.mark.parametrize("epoch", ["*  2019  4 2X  0 15  0.00000000", f"*  2019  4 28  0 {LONG}  0.0", "*  2019  4"])
+def test_an_epoch_of_orbits_that_is_damaged_does_not_move_positions_to_the_one_before(tmp_path, epoch):
+    sound = [f"*  2019  4 28  0 {minute:2d}  0.00000000" for minute in (0, 15, 30)]
+    (tmp_path / "a.sp3").write_text(sp3(*sound))
+    assert read_sp3(tmp_path / "a.sp3").place[0, :, 0] == pytest.approx([1e6, 2e6, 3e6])
+    refused(read_sp3, tmp_path / "a.sp3", sp3(sound[0], epoch, sound[2]), "a.sp3: line 4 cannot be read")
+    (tmp_path / "a.sp3").write_text(sp3(*sound[:2]) + epoch)  # the last line breaks off
+    assert read_sp3(tmp_path / "a.sp3").place[0, :, 0] == pytest.approx([1e6, 2e6])
+
+
+@pytest.fixture
+def cityjson(tmp_path):
+    """Content of a sound CityJSON file."""
+    write_model_cityjson(tmp_path / "sound.city.json", town())
+    return json.loads((tmp_path / "sound.city.json").read_text(encoding="utf-8"))
+
+
+def _key(content):
+    return next(key for key, item in content["CityObjects"].items() if item.get("geometry"))
+
+
+@pytest.mark.parametrize("vertex", [[1, 2], [1, 2, 3, 4], ["a", 1, 2], [[1], 2, 3], 10**400, None])
+def test_vertices_of_cityjson(tmp_path, cityjson, vertex):
+    cityjson["vertices"][5] = vertex
+    text = json.dumps(cityjson).replace(str(10**400), "1e999")
+    words = "vertex 5 is no list of three numbers"
+    refused(read_cityjson, tmp_path / "a.city.json", text, words)
+
+
+def test_vertices_all_of_six_numbers_are_not_taken_for_twice_as_many(tmp_path, cityjson):
+    cityjson["vertices"] = [[*vertex, *vertex] for vertex in cityjson["vertices"]]
+    refused(read_cityjson, tmp_path / "a.city.json", json.dumps(cityjson), "vertex 0 is no list of three numbers")
+
+
+@pytest.mark.parametrize("change", [{"scale": [1, 1]}, {"scale": "x"}, {"translate": None}])
+def test_transform_of_cityjson(tmp_path, cityjson, change):
+    cityjson["transform"].update(change)
+    refused(read_cityjson, tmp_path / "a.city.json", json.dumps(cityjson), "a.city.json: transform cannot be read")
+
+
+def test_appearance_of_cityjson(tmp_path, cityjson):
+    cityjson["appearance"] = {"textures": ["a"]}
+    refused(read_cityjson, tmp_path / "a.city.json", json.dumps(cityjson), "a.city.json: appearance cannot be read")
+
+
+@pytest.mark.parametrize("damage", [{"geometry": 5}, {"geometry": ["x"]}, {"children": [[1]]}, {"attributes": [1]}])
+def test_objects_of_cityjson(tmp_path, cityjson, damage):
+    key = _key(cityjson)
+    cityjson["CityObjects"][key].update(damage)
+    refused(read_cityjson, tmp_path / "a.city.json", json.dumps(cityjson), f"a.city.json: {key} cannot be read")
+
+
+@pytest.mark.parametrize(("ring", "words"), [(["a"], "a ring of {} is no list of vertices"),
+                                             ([0, 1, 10**6], "{} names a vertex that is not there")])
+def test_rings_of_cityjson(tmp_path, cityjson, ring, words):
+    key = _key(cityjson)
+    cityjson["CityObjects"][key]["geometry"][0]["boundaries"][0][0] = ring
+    refused(read_cityjson, tmp_path / "a.city.json", json.dumps(cityjson), words.format(key))
+
+
+def test_an_orthophoto_damaged_within(tmp_path):
+    """Its head is sound, so that it opens; the pixels are asked for later."""
+    path = tmp_path / "a.tif"
+    with rasterio.open(path, "w", driver="GTiff", width=400, height=400, count=3, dtype="uint8", crs="EPSG:6677",
+                       compress="deflate", transform=rasterio.Affine(0.1, 0, 0, 0, -0.1, 0)) as file:
+        file.write(np.random.default_rng(1).integers(0, 255, (3, 400, 400), np.uint8))
+    image = orthophoto_source(path)
+    data = path.read_bytes()
+    path.write_bytes(data[:3000] + bytes(len(data) - 6000) + data[-3000:])
+    with pytest.raises(InputError, match=r"a\.tif is damaged"):
+        image.window(0, 0, 400, 400)
