@@ -30,12 +30,12 @@ def test_stretches_share_the_drive():
     grid = StretchGrid.along(*drive(), 200.0, 30.0)
     tiles = grid.covering((0.0, -5.0, 520.0, 5.0))
     assert [tile.name for tile in tiles] == [f"stretch_{number:05d}" for number in range(5)]
-    assert tiles[0].core[0] == -np.inf and tiles[-1].core[1] == np.inf
+    assert tiles[0].core_times[0] == -np.inf and tiles[-1].core_times[1] == np.inf
     for before, after in zip(tiles, tiles[1:]):
-        assert before.core[1] == after.core[0]
-        assert after.read[0] == pytest.approx(after.core[0] - 3.0, abs=0.2)
-    assert tiles[1].core == pytest.approx((1020.0, 1060.0), abs=0.2)  # with the stop in it
-    assert tiles[4].core[0] == pytest.approx(1100.0, abs=0.2)  # 240 m: no stretch of 40 m is left over
+        assert before.core_times[1] == after.core_times[0]
+        assert after.read[0] == pytest.approx(after.core_times[0] - 3.0, abs=0.2)
+    assert tiles[1].core_times == pytest.approx((1020.0, 1060.0), abs=0.2)  # with the stop in it
+    assert tiles[4].core_times[0] == pytest.approx(1100.0, abs=0.2)  # 240 m: no stretch of 40 m is left over
     assert all(tile.square.area > 10 * 190 for tile in tiles[:1])
 
 
@@ -66,7 +66,7 @@ def test_points_go_by_their_time(make_cloud, tmp_path, sort):
 def test_a_short_drive_is_one_stretch():
     time, place = drive()
     tile, = StretchGrid.along(time, place, 5000.0, 10.0).covering((0, 0, 1, 1))
-    assert tile.core == tile.read == (-np.inf, np.inf)
+    assert tile.core_times == tile.read == (-np.inf, np.inf)
 
 
 def test_points_without_times_are_told(make_cloud, tmp_path):

@@ -24,11 +24,11 @@ class StretchTile(GridTile):
     Attributes
     ----------
     path : (n, 2) its places, m, as nested tuples.
-    core, read : from and to which GPS second points are the stretch's own, and are read.
+    core_times, read : from and to which GPS second points are the stretch's own, and are read.
     """
 
     path: tuple[tuple[float, float], ...]
-    core: tuple[float, float]
+    core_times: tuple[float, float]
     read: tuple[float, float]
 
     @property
@@ -43,7 +43,7 @@ class StretchTile(GridTile):
 
     def owns_of(self, chunk) -> np.ndarray:
         """Mask (n,) of the points of a chunk that were measured in the stretch."""
-        return _between(chunk, self.core)
+        return _between(chunk, self.core_times)
 
     def reads_of(self, chunk) -> np.ndarray:
         """Mask (n,) of the points of a chunk that the stretch reads."""
