@@ -3,6 +3,7 @@
 # make test    all tests (make test-core, -algorithms, -cli, -gui and -real run a part)
 # make lint    check the style of the code
 # make judges  programs of others that judge lane maps, into build/judges
+# make qt6     PyQt6, into build/qt6, for the trial of the plugin's face with Qt 6
 # make package the zip for QGIS's plugin repository
 # make docs    the documentation as a website, build/site
 # make translations  bring the translations up to date and compile them
@@ -20,7 +21,7 @@ PYTEST = $(PYTHON) -m pytest --dist loadfile -n
 export PATH := /usr/bin:/bin:$(PATH)
 export QGIS_NO_OVERRIDE_IMPORT := 1
 
-.PHONY: setup judges demo quick test lint package docs translations bench soak clean $(PARTS:%=test-%)
+.PHONY: setup judges qt6 demo quick test lint package docs translations bench soak clean $(PARTS:%=test-%)
 
 setup:
 	@scripts/setup.sh
@@ -29,6 +30,10 @@ setup:
 judges: setup
 	$(PYTHON) -c 'import sys, subprocess; subprocess.check_call([sys._base_executable, "-m", "venv", "build/judges"])'
 	build/judges/bin/pip install -q -r requirements-judges.txt
+
+# Beside .venv, not in it: PyQt5, which QGIS has, and PyQt6 do not go together. Without it its test is left out.
+qt6: setup
+	$(PYTHON) -m pip install -q --disable-pip-version-check --upgrade --target build/qt6 'PyQt6>=6.6'
 
 demo: setup
 	scripts/demo/demo.sh
