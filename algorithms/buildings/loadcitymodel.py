@@ -98,7 +98,7 @@ class LoadCityModel(UrbanMapAlgorithm):
                 progress.warn(tr("{0} of {1} buildings have something wrong; the field “note” says what.").format(
                     counts.with_problems, counts.buildings))
             progress.message(tr("{0} buildings in {1}, heights: {2}").format(
-                counts.buildings, crs_name(wkt), model.reference.heights))
+                counts.buildings, crs_name(wkt), tr(model.reference.heights)))
             results = self._write(parameters, context, store, wkt, progress)
         return {**results, "BUILDINGS": counts.buildings, "PROBLEMS": counts.with_problems,
                 "HEIGHTS": model.reference.heights}

@@ -53,7 +53,8 @@ class CheckAccuracy(UrbanMapAlgorithm):
         corrected = self.read_trajectory(parameters, "CORRECTED", context, crs or None, progress)
         used, left_out = in_survey_time(control, reported.trajectory)
         if left_out:
-            progress.warn(f"{left_out} control points were not measured during this survey: they are left out.")
+            progress.warn(tr("{0} control points were not measured during this survey: they are left out.").format(
+                left_out))
         errors = {tr("as reported"): residuals(used)}
         if corrected:
             errors[tr("corrected")] = residuals(used, correction_between(reported.trajectory, corrected.trajectory))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..framework.base import UrbanMapAlgorithm
+from ..framework.declaring.parameters import tr
 from .control_points import add_control, read_control
 
 
@@ -36,7 +37,8 @@ class LandmarkUpdate(UrbanMapAlgorithm):
         reported = self.read_trajectory(parameters, "TRAJECTORY", context, crs or None, progress)
         used, left_out = in_survey_time(control, reported.trajectory)
         if left_out:
-            progress.warn(f"{left_out} control points were not measured during this survey: they are left out.")
+            progress.warn(tr("{0} control points were not measured during this survey: they are left out.").format(
+                left_out))
         updated = update_by_landmarks(reported.trajectory, used)
         return {"OUTPUT": self.write_trajectory(parameters, "OUTPUT", context, reported, updated, crs),
                 "POINTS_USED": len(used)}

@@ -63,7 +63,7 @@ class CheckVectorMap(UrbanMapAlgorithm):
         faults = check_map(content, [code.strip() for code in excluded.split(",") if code.strip()])
         counts = Counter(fault.severity for fault in faults)
         for (severity, rule), count in sorted(Counter((fault.severity, fault.rule) for fault in faults).items()):
-            progress.message(f"{severity}: {rule}: {count}")
+            progress.message(f"{tr(severity)}: {rule}: {count}")
         names = ("rule", "severity", "text", "element", "source")
         places = [shapely.points(fault.longitude, fault.latitude) if np.isfinite(fault.longitude) else None
                   for fault in faults]

@@ -58,8 +58,8 @@ def _warnings(built, drives, figures) -> list[str]:
                            "findings “bound not seen”.").format(1.0 - figures.seen))
     strips = sum(finding.kind == "no lane made" for finding in built.findings)
     if strips:
-        warnings.append(tr("Of {0} strips beside lines no lane was made; see the findings “no lane made”.").format(
-            strips))
+        warnings.append(tr("Of {0} strips beside lines no lane was made; see the findings “{1}”.").format(
+            strips, tr("no lane made")))
     contradictions = sum(finding.kind == "direction contradicts" for finding in built.findings)
     if contradictions:
         warnings.append(tr("Evidence on directions contradicts itself at {0} places.").format(contradictions))
@@ -69,7 +69,8 @@ def _warnings(built, drives, figures) -> list[str]:
 def _facts(built, figures) -> dict[str, object]:
     side = {True: tr("left"), False: tr("right"), None: tr("not shown by drives; left assumed")}[built.left_hand]
     return {tr("Side of the traffic"): side, tr("Length of lanes (m)"): figures.length,
-            **{tr("Direction from: {0} (m)").format(name): length for name, length in figures.by_evidence.items()},
+            **{tr("Direction from: {0} (m)").format(tr(name)): length
+               for name, length in figures.by_evidence.items()},
             tr("Bounds seen, share"): figures.seen, tr("Median sigma of bounds (m)"): figures.sigma,
             tr("Driven near the map (m)"): figures.driven, tr("Of it inside lanes, share"): figures.covered}
 

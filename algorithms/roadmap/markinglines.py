@@ -164,7 +164,7 @@ class MarkingLines(UrbanMapAlgorithm):
 
     def _tell(self, work, progress):
         kinds = Counter(line.kind for line in work.lines)
-        progress.message(", ".join(f"{kind}: {count}" for kind, count in sorted(kinds.items())) or tr("No lines."))
+        progress.message(", ".join(f"{tr(kind)}: {count}" for kind, count in sorted(kinds.items())) or tr("No lines."))
         if not work.lines:
             progress.warn(tr("No line was found in the {0} polygons: check that they are road markings in metres, and "
                              "lower the minimum line length for short ones.").format(work.polygons))

@@ -151,7 +151,7 @@ class RoadEdges(UrbanMapAlgorithm):
 
     def _tell(self, found, progress):
         for (kind, status), count in sorted(Counter((edge.kind, edge.status) for edge in found.edges).items()):
-            progress.message(tr("{0}, {1}: {2}").format(kind, status, count))
+            progress.message(tr("{0}, {1}: {2}").format(tr(kind), tr(status), count))
         if not found.length("kerb", "lowered kerb"):
             progress.warn(tr("No kerb was found along {0:.0f} m of path: the road has none, or the points are too "
                              "sparse or too noisy to show steps of a few centimetres.").format(found.path_length))

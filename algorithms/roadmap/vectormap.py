@@ -167,7 +167,7 @@ class VectorMap(UrbanMapAlgorithm):
 
     def _tell(self, built, drives, progress):
         for kind, count in sorted(Counter(finding.kind for finding in built.findings).items()):
-            progress.message(f"{kind}: {count}")
+            progress.message(f"{tr(kind)}: {count}")
         if not drives:
             progress.warn(tr("Without trajectories only arrows and stop lines tell directions: most strips stay "
                              "findings, and nothing connects lanes through junctions."))

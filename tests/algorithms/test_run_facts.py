@@ -43,7 +43,7 @@ def test_inputs_and_settings_are_in_the_users_words(stage, plugin, polygon_layer
     facts = plugin("algorithms.framework.running.run_facts").run_facts(
         stage, {"FOOTPRINTS": layer.id(), "TABLE": str(table), "RATIO": 2.0}, context)
     assert facts.inputs == {"Outlines": "建物外周線", "Table": "表.csv"}
-    assert facts.settings == {"Ratio": "2 m²", "Exact": "yes", "Method": "full"}
+    assert facts.settings == {"Ratio": "2 m²", "Exact": "yes", "Method": "full method"}
     assert facts.work == "Told" and facts.version and facts.crs.startswith(layer.crs().authid())
     assert facts.heights == "not stated by the inputs"
     QgsProject.instance().removeMapLayer(layer.id())

@@ -83,7 +83,7 @@ def judge(status: str, reason: str, facts: ModelFacts) -> tuple[str, str]:
     notes = [reason] if status == OK and reason else []
     found += list(_flaws(facts))
     if facts.height >= TOWER and facts.height > math.sqrt(facts.area):
-        notes.append(f"a tower, {facts.height:.0f} m high")
+        notes.append(say("a tower, {height:.0f} m high", height=facts.height))
     if facts.curved:
         notes.append(say("curved walls are drawn as short straight ones"))
     order = list(STATUSES)
@@ -108,9 +108,9 @@ def _flaws(facts: ModelFacts):
     if facts.unseen > MAX_UNSEEN:
         yield UNSEEN, say("{unseen:.0f} % of its plan has no roof points", unseen=100 * facts.unseen)
     if facts.points < MIN_POINTS:
-        yield FEW_POINTS, f"only {facts.points:.0f} points"
+        yield FEW_POINTS, say("only {points:.0f} points", points=facts.points)
     if facts.area < MIN_AREA:
-        yield SMALL, f"only {facts.area:.1f} m2"
+        yield SMALL, say("only {area:.1f} m2", area=facts.area)
 
 
 def quality(status: str, rmse_z: float, rmse_z95: float, not_explained: float, unseen: float) -> float:

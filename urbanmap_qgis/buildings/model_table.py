@@ -11,7 +11,7 @@ import shapely
 from ..geometry.solid import volume
 from ..io.pages.report import BAD, GOOD, LOOK, Report
 from ..io.pages.svg import plan_map
-from ..wording import say
+from ..wording import mark, say
 from .building_model import BuildingModel
 from .model_figures import OWN_FIGURES, figure_columns, model_figures
 from .model_status import MAX_UNSEEN, NOT_MODELLED, STATUSES, counts
@@ -74,7 +74,8 @@ def write_model_report(path: str | os.PathLike, columns: Mapping[str, Sequence],
     worst = _worst(columns)
     report.section(say("The worst {worst_count}", worst_count=len(worst)))
     names = ("building_id", "status", "quality", "roofs", "points", "rmse_z95", "p95")
-    heads = ("building", "status", "quality", "roofs", "points", "RMSE z 95 % (m)", "p95 (m)", "why")
+    heads = (mark("building"), mark("status"), mark("quality"), mark("roofs"), mark("points"), "RMSE z 95 % (m)",
+             "p95 (m)", mark("why"))
     report.table(heads, [[*(columns[name][row] for name in names), _why(columns, row)] for row in worst])
     report.section("Result")
     report.facts({
@@ -141,7 +142,7 @@ def _why(columns: Mapping[str, Sequence], row: int) -> str:
     if MAX_UNSEEN >= unseen > 0.2:
         causes.append(say("{unseen:.0f} % of its plan has no roof points", unseen=100 * unseen))
     if density < 2.0:
-        causes.append(f"only {density:.1f} points a m²")
+        causes.append(say("only {density:.1f} points a m²", density=density))
     if coverage < 0.9:
         causes.append(say("{coverage:.0f} % of its points lie beside the model: check the outline",
                           coverage=100 * (1 - coverage)))

@@ -10,7 +10,7 @@ from typing import Union
 from ..io.conversion.geoid import Geoid
 from ..io.reference.height_systems import ELLIPSOIDAL, UNKNOWN
 from ..progress import SILENT, Progress
-from ..wording import say
+from ..wording import known, say
 from .city_sources import placed_model
 from .citygml.plateau import PlateauDelivery, with_plateau_attributes
 from .citygml.writer import write_citygml
@@ -82,9 +82,14 @@ def _warn_of_heights(model: CityModel, plateau: bool, bare: bool, progress: Prog
     heights = model.reference.heights
     if plateau and model.reference.epsg in PLATEAU_SYSTEMS and heights not in ("JGD2011", "JGD2024"):
         progress.warn(say("CityGML states heights in JGD2011 (EPSG:6697), but those of the models are {heights}: "
-                          "give the height system, or convert the heights, if they are others.", heights=heights))
+                          "give the height system, or convert the heights, if they are others.",
+                          heights=known(heights)))
     if bare and heights != ELLIPSOIDAL.word:
-        known = "of no stated system" if heights == UNKNOWN.word else f"in {heights}"
-        progress.warn(say("3D Tiles want heights above the ellipsoid, but those of the models are {known} and are "
-                          "written as they are: give a geoid model, or buildings sink or float on a globe.",
-                          known=known))
+        if heights == UNKNOWN.word:
+            progress.warn(say("3D Tiles want heights above the ellipsoid, but the models do not state what theirs "
+                              "count from, and they are written as they are: give a geoid model, or buildings sink or "
+                              "float on a globe."))
+        else:
+            progress.warn(say("3D Tiles want heights above the ellipsoid, but those of the models are in {heights} and "
+                              "are written as they are: give a geoid model, or buildings sink or float on a globe.",
+                              heights=heights))

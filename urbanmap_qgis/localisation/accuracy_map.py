@@ -8,6 +8,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..progress import SILENT, Progress
+from ..wording import mark
 from .ellipses import PlanEllipse, along_and_across, plan_ellipses
 from .evidence.information import covariance, fused
 from .evidence.marking_map import MarkingMap, marking_evidence, visible_markings
@@ -26,7 +27,7 @@ from .walls.wall_scan import AZIMUTHS, LAYERS, WallScan, scan_walls
 BLOCK = 250
 """Places worked on at once: bounds the memory."""
 
-SOURCES = ("walls", "markings", "satellites", "together")
+SOURCES = (mark("walls"), mark("markings"), mark("satellites"), mark("together"))
 
 _FIGURES = ("points", "walls", "covered", "sky_covered", "cell_rms", "two_surfaces", "satellites", "dilution",
             "samples", "other_level")

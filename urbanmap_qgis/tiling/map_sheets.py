@@ -103,7 +103,8 @@ class SheetGrid(TileGrid):
     @property
     def title(self) -> str:
         """What the tiles are, for reports."""
-        return f"map sheets of level {self.level}, plane rectangular system {self.system}"
+        return say("map sheets of level {level}, plane rectangular system {system}", level=self.level,
+                   system=self.system)
 
     def tile(self, column: int, row: int) -> SheetTile:
         """The sheet in a column and row counted from the origin of the system."""

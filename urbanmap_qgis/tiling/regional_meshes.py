@@ -101,7 +101,7 @@ class MeshGrid(TileGrid):
     @property
     def title(self) -> str:
         """What the tiles are, for reports."""
-        return f"regional meshes of about {self.size:g} m"
+        return say("regional meshes of about {size:g} m", size=self.size)
 
     def tile(self, column: int, row: int) -> MeshTile:
         """The mesh in a column and row, see `geometry.mesh_code`."""

@@ -93,7 +93,7 @@ class StretchGrid(TileGrid):
     @property
     def title(self) -> str:
         """What the tiles are, for reports."""
-        return f"stretches of {self.size:g} m of the drive"
+        return say("stretches of {size:g} m of the drive", size=self.size)
 
     @property
     def _ways(self) -> np.ndarray:

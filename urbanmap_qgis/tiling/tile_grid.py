@@ -104,7 +104,7 @@ class TileGrid:
     @property
     def title(self) -> str:
         """What the tiles are, for reports."""
-        return f"squares of {self.size:g} m"
+        return say("squares of {size:g} m", size=self.size)
 
     def around(self, core: Bounds) -> Bounds:
         """A core and the buffer around it."""

@@ -31,6 +31,7 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QCoreApplication
 
 from ....urbanmap_qgis.errors import InputError
+from .choice_words import CHOICE_WORDS
 
 LAZ_FILTER = "LAZ point cloud (*.laz);;LAS point cloud (*.las)"
 CITYJSON_FILTER = "CityJSON (*.city.json *.json)"
@@ -39,6 +40,9 @@ OBJ_FILTER = "Wavefront OBJ (*.obj)"
 
 FILES_WIDGET = f"{__package__}.files_widget.FilesWidget"
 """What QGIS's dialogs show for several files."""
+
+CHOICE_WIDGET = f"{__package__}.choice_widget.ChoiceWidget"
+"""What QGIS's dialogs show for a choice."""
 
 UNIT = re.compile(r" \([^()]*\)$")
 """The unit at the end of a label."""
@@ -55,6 +59,21 @@ def with_files_widget(definition, layers: bool) -> None:
     """Let dialogs show our own field for a parameter of several files; `layers`: with those of point cloud layers."""
     if definition.type() == "multilayer" and definition.layerType() == QgsProcessing.SourceType.TypeFile:
         definition.setMetadata({"widget_wrapper": {"class": FILES_WIDGET}, "urbanmap_layers": layers})
+
+
+def choice_words(values: Sequence[str]) -> dict[str, str]:
+    """What the user is shown for each value of a choice, in his language."""
+    return {value: tr(CHOICE_WORDS[value]) if value in CHOICE_WORDS else value for value in values}
+
+
+def _help_with_words(help: str, words: Mapping[str, str]) -> str:
+    """Translated help whose last bracket, which lists the values, also says the words that dialogs show."""
+    text = f"{help} ({', '.join(words)})"
+    told = tr(text)
+    if told == text:
+        return text
+    listed = "、".join(value if word == value else f"{value}：{word}" for value, word in words.items())
+    return re.sub(r" ?[（(][^（）()]*[)）]$", f"（{listed}）", told)
 
 
 class Declarations:
@@ -176,7 +195,9 @@ class Declarations:
                    advanced: bool = False):
         """One of a few words; the words themselves are the values. On the command line their numbers do as well."""
         definition = QgsProcessingParameterEnum(name, tr(label), list(choices), False, default, False, True)
-        return self.declare_parameter(definition, f"{help} ({', '.join(choices)})", advanced)
+        words = choice_words(choices)
+        definition.setMetadata({"widget_wrapper": {"class": CHOICE_WIDGET}, "urbanmap_words": words})
+        return self.declare_parameter(definition, _help_with_words(help, words), advanced)
 
     def add_text(self, name: str, label: str, help: str, default: str | None = None, optional: bool = True,
                  advanced: bool = False):

@@ -63,7 +63,9 @@ def _told(algorithm, parameters: Mapping, context: QgsProcessingContext, inputs:
         if definition.isDestination() or name in UNTOLD or (definition.type() in INPUTS) != inputs:
             continue
         value = parameters.get(name, definition.defaultValue())
-        text = value_text(value, context)
+        words = definition.metadata().get("urbanmap_words", {})
+        text = words.get(value, "") if isinstance(value, str) else ""
+        text = text or value_text(value, context)
         if text:
             unit = UNIT.findall(definition.description()) if not inputs else []
             label = UNIT.sub("", definition.description()) if unit else definition.description()

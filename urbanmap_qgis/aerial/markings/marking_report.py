@@ -17,7 +17,7 @@ from rasterio.transform import Affine
 
 from ...io.pages.report import BAD, GOOD, LOOK, Report
 from ...io.raster import own_gdal
-from ...wording import say
+from ...wording import mark, say
 from .marking_files import MarkingResult, colour_bands
 from .marking_polygons import CACHE
 from .stored_polygons import batches
@@ -179,7 +179,8 @@ def quality_warnings(found: MarkingResult, evidence: OrthophotoQuality) -> list[
 def _agreement(report: Report, evidence: OrthophotoQuality) -> None:
     if evidence.views is not None:
         report.section("Coverage")
-        names = "no data (buildings, hidden ground, beyond the frames)", "by one frame", "by two", "by three or more"
+        names = (mark("no data (buildings, hidden ground, beyond the frames)"), mark("by one frame"), mark("by two"),
+                 mark("by three or more"))
         report.facts({name: f"{share:.1%}" for name, share in zip(names, evidence.views)})
     if evidence.pairs is None:
         return

@@ -324,7 +324,7 @@ def _why_unchanged(plan: _Plan) -> str:
     if KEPT in states:
         return say("the measured walls fit the model")
     if states == {"not seen"}:
-        return "no measured wall runs along it"
+        return say("no measured wall runs along it")
     return say("its measured walls are beyond the limits")
 
 

@@ -10,11 +10,11 @@ import numpy as np
 import shapely
 
 from ...errors import InputError
-from ...wording import say
+from ...wording import mark, say
 from .plan_edges import Line, OuterEdge
 
 MOVED, KEPT, NOT_SEEN, TOO_FAR, NEIGHBOUR, FOLDED = (
-    "moved", "fits", "not seen", "too far", "neighbour", "does not fit")
+    mark("moved"), mark("fits"), mark("not seen"), mark("too far"), mark("neighbour"), mark("does not fit"))
 """What became of an edge: on the measured wall; it lay there already; no wall along it; the wall is beyond the limits;
 it would run into a neighbour; the plan would fold."""
 
@@ -292,7 +292,7 @@ def match_edge(edge: OuterEdge, walls: WallIndex, base: float, top: float, setti
             continue
         found.append(one)
     if not found:
-        return far or EdgeMatch(NOT_SEEN, "no measured wall runs along it")
+        return far or EdgeMatch(NOT_SEEN, say("no measured wall runs along it"))
     # What is longer but low stands before the facade: a canopy, a sign, a garden wall, a hoarding.
     best = max(found, key=lambda one: (round(one.area_along, 1), one.measured))
     others = [one for one in found

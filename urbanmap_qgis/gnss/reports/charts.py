@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import shapely
 
+from ...wording import say
 from ..rays.reflections import LOS, REFLECTED, SignalPaths
 from ..rays.wall_faces import WallPieces
 from ..signals.tables import Signals
@@ -46,9 +47,9 @@ def scatter(predicted: np.ndarray, measured: np.ndarray, sure: np.ndarray, size:
     line = (f'<path d="M{left:.0f} {foot:.0f}L{left + (high - low) * scale:.0f} {foot - (high - low) * scale:.0f}" '
             f'stroke="#444"/><path d="M{left:.0f} 12V{foot:.0f}H{size - 10}" stroke="#444" fill="none"/>')
     colour = np.where(sure[rows], _BLUE, "#a6bddb")
-    text = (f'<text x="{size / 2:.0f}" y="{size - 4}" text-anchor="middle">predicted, m</text>'
+    text = (f'<text x="{size / 2:.0f}" y="{size - 4}" text-anchor="middle">{say("predicted, m")}</text>'
             f'<text x="12" y="{size / 2:.0f}" text-anchor="middle" transform="rotate(-90 12 {size / 2:.0f})">'
-            'measured, m</text>')
+            f'{say("measured, m")}</text>')
     return _svg(size, size, line + ticks + _dots(x, y, colour, 1.8) + text)
 
 
@@ -84,7 +85,7 @@ def wall_map(shapes: np.ndarray, before: WallPieces, after: WallPieces, walls: W
     length = 50 if 50 * scale < width / 3 else 10
     parts.append(f'<path d="M{width - 10 - length * scale:.0f} {height - 10:.0f}H{width - 10}" stroke="#333" '
                  f'stroke-width="3"/><text x="{width - 14 - length * scale:.0f}" y="{height - 6:.0f}" '
-                 f'text-anchor="end">{length} m (moves: {length / 3:.1f} m)</text>')
+                 f'text-anchor="end">{length} m {say("(moves: {third:.1f} m)", third=length / 3)}</text>')
     return _svg(width, int(height), "".join(parts))
 
 

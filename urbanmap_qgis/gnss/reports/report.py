@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections import Counter
 from collections.abc import Callable
 
@@ -10,14 +11,16 @@ import numpy as np
 
 from ...io.pages.report import BAD, GOOD, LOOK, Report, percent
 from ...io.pages.svg import bars
-from ...wording import say
+from ...wording import known as known_words
+from ...wording import mark, say
 from ..rays.ray_lines import RayStatistics, ray_statistics
 from ..rays.reflections import LOS, NLOS, REFLECTED, SignalPaths
 from ..signals.tables import SYSTEM_NAMES, Signals
 from ..walls.adjustment import ADJUSTED, HELD, Adjustment
 from .charts import scatter, sky_plot, wall_map
 
-_NAMES = {LOS: "in line of sight", NLOS: "blocked, no single wall reflects it", REFLECTED: "reflected by one wall"}
+_NAMES = {LOS: mark("in line of sight"), NLOS: mark("blocked, no single wall reflects it"),
+          REFLECTED: mark("reflected by one wall")}
 _ROWS = 200
 
 
@@ -134,7 +137,7 @@ def _signals(report: Report, signals: Signals, paths: SignalPaths, corrected: np
     systems = ", ".join(f"{SYSTEM_NAMES.get(name, name)} {np.sum(signals.system == name):,}"
                         for name in np.unique(signals.system))
     report.facts({"Epochs": len(signals.epochs), "Signals": len(signals), "By system": systems,
-                  **{_NAMES[kind].capitalize(): count for kind, count in figures.count.items()},
+                  **{known_words(_NAMES[kind]).capitalize(): count for kind, count in figures.count.items()},
                   "Residuals in line of sight: median, m": figures.los_median,
                   "Residuals in line of sight: quartile range, m": figures.los_iqr,
                   "Reflected signals with a known clock": figures.reflected,
@@ -150,7 +153,7 @@ def _signals(report: Report, signals: Signals, paths: SignalPaths, corrected: np
             low, high = (-10.0, 10.0) if kind == LOS else (-20.0, 80.0)
             counts, edges = np.histogram(np.clip(corrected[rows], low, high), bins=50, range=(low, high))
             report.figure(bars(counts, edges, "residual, m"), say("Residuals of signals {names} ({sum:,}).",
-                                                                  names=_NAMES[kind], sum=rows.sum()))
+                                                                  names=known_words(_NAMES[kind]), sum=rows.sum()))
     rows = np.flatnonzero(known & (paths.kind == REFLECTED))
     if len(rows):
         report.figure(scatter(paths.excess()[rows], corrected[rows], paths.sure[rows]),
@@ -183,4 +186,4 @@ def _median(values: np.ndarray) -> float:
 
 def _kind_of(reason: str) -> str:
     """A reason without its figures."""
-    return reason.split(" (")[0]
+    return re.split(r" \(|（", reason)[0]

@@ -17,7 +17,7 @@ import shapely
 
 from ...errors import InputError
 from ...progress import SILENT, Progress
-from ...wording import say
+from ...wording import mark, say
 from ..rays.reflections import LOS, REFLECTED, SignalPaths, TraceSettings, possible_walls, trace
 from ..rays.tracing import WallObstacles, mirror_reflections
 from ..rays.wall_faces import WallPieces, WallTable, building_walls, wall_table
@@ -29,7 +29,7 @@ from .receiver_clock import PassClock
 from .residuals import corrected_residuals, line_of_sight_clocks
 from .signal_strength import attenuation
 
-ADJUSTED, NOT_OBSERVABLE, HELD = "adjusted", "not observable", "held"
+ADJUSTED, NOT_OBSERVABLE, HELD = mark("adjusted"), mark("not observable"), mark("held")
 """Moved by its observations; left because the observations do not decide; decided, but the building would not stay
 valid."""
 
@@ -285,7 +285,9 @@ def _reason_against(k: int, wall: int, found: Offsets, numbers: dict, inlier_sha
         return say("contradicting observations: the passes do not agree")
     if found.sigma[k] > settings.max_sigma:
         flat = np.median(observations.cosine[observations.wall == wall]) < 0.25
-        return f"{'signals run along the wall' if flat else 'not precise enough'} (sigma {found.sigma[k]:.2f} m)"
+        if flat:
+            return say("signals run along the wall (sigma {sigma:.2f} m)", sigma=found.sigma[k])
+        return say("not precise enough (sigma {sigma:.2f} m)", sigma=found.sigma[k])
     if abs(found.offset[k]) > settings.max_offset:
         return say("offset of {offset:.1f} m is not credible", offset=found.offset[k])
     return ""

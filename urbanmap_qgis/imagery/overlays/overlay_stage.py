@@ -13,7 +13,7 @@ from ...errors import InsufficientDataError, OutputError
 from ...io.pages.report import LOOK, Report
 from ...io.points.pointcloud import PointCloud, iter_chunks, valid_points
 from ...progress import SILENT, Progress
-from ...wording import say
+from ...wording import mark, say
 from ..views.views import Source
 from .edge_lines import EdgeSamples, edge_samples, edge_segments
 from .overlay_layers import DrawnEdges, DrawnPoints, nearest_points, visible_edges
@@ -174,7 +174,8 @@ def _write_page(page: str | os.PathLike, states: Sequence[OverlayState], drawn: 
     _add_pictures(report, states, drawn, records, colours, pictures, folder)
     report.section("Images")
     names = [state.name for state in states]
-    report.table(("image", *(f"points, {name}" for name in names), *(f"edges, {name} (pixels)" for name in names)),
+    report.table((mark("image"), *(say("points, {state}", state=name) for name in names),
+                  *(say("edges, {state} (pixels)", state=name) for name in names)),
                  [(record.image, *record.points, *(round(length) for length in record.edges)) for record in records])
     report.write(page)
 
@@ -198,6 +199,6 @@ def _add_window(report: Report, source: Source, window: tuple[int, int, int, int
     if len(panels) == 2 and folder is not None:
         name = f"{Path(source.name).stem}_{left}_{top}_{'_'.join(names)}.jpg"
         (folder / name).write_bytes(jpeg(beside(*panels)))
-    report.switcher([("image", jpeg(plain)), *((name, jpeg(panel)) for name, panel in zip(names, panels))],
+    report.switcher([(say("image"), jpeg(plain)), *((name, jpeg(panel)) for name, panel in zip(names, panels))],
                     say("{source}, columns {left} to {right}, rows {top} to {bottom}", source=source.name, left=left,
                         right=right, top=top, bottom=bottom))

@@ -6,10 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...wording import mark
 from ..ellipses import PlanEllipse
 from ..localisation_settings import LocalisationSettings
 
-GOOD, USABLE, POOR, NONE = "good", "usable", "poor", "none"
+GOOD, USABLE, POOR, NONE = mark("good"), mark("usable"), mark("poor"), mark("none")
 """Classes of a place by the standard deviation of its weakest direction; "none" where nothing fixes it."""
 
 INSIDE = "inside a building"

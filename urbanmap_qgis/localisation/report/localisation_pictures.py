@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...wording import say
 from ..accuracy_map import AccuracyMap, LocalisationMap
 from ..places.place_status import GOOD, NONE, POOR, USABLE
 
@@ -50,7 +51,7 @@ def agreement_plot(predicted: np.ndarray, observed: np.ndarray, size: int = 460)
         for v in np.linspace(0.0, top, 6))
     axes = (f'<path d="M{left:.0f} 12V{foot:.0f}H{size - 10}" stroke="#444" fill="none"/>'
             f'<path d="M{left:.0f} {foot:.0f}L{left + top * scale:.0f} {foot - top * scale:.0f}" stroke="#999"/>')
-    words = (f'<text x="{size / 2:.0f}" y="{size - 6}" text-anchor="middle">predicted, m</text>'
+    words = (f'<text x="{size / 2:.0f}" y="{size - 6}" text-anchor="middle">{say("predicted, m")}</text>'
              f'<text x="12" y="{size / 2:.0f}" text-anchor="middle" transform="rotate(-90 12 {size / 2:.0f})">'
              'observed, m</text>')
     return _picture(size, size, axes + ticks + dots + words)

@@ -8,7 +8,7 @@ import numpy as np
 
 from ...io.pages.report import GOOD, LOOK, Report
 from ...io.pages.svg_profile import COLOURS, Series, profile
-from ...wording import say
+from ...wording import known, mark, say
 from .network import KINDS, plan_residuals
 from .stage import STATUS_NAMES, AdjustedDrive, AdjustedSurvey
 
@@ -25,7 +25,7 @@ def write_network_report(path: str | os.PathLike, survey: AdjustedSurvey) -> Non
                   "RMS in height (m)", "largest in height (m)"), survey.residual_rows())
     report.section("Drives")
     report.table(("Drive", "path length (m)", "mean correction in plan (m)", "median sigma in plan (m)",
-                  "largest sigma in plan (m)", *(f"{name} (%)" for name in STATUS_NAMES)),
+                  "largest sigma in plan (m)", *(f"{known(name)} (%)" for name in STATUS_NAMES)),
                  [_drive_row(drive) for drive in survey.drives])
     for drive in survey.drives:
         _profiles(report, drive)
@@ -68,7 +68,7 @@ def _worst(report: Report, survey: AdjustedSurvey) -> None:
 def _profiles(report: Report, drive: AdjustedDrive) -> None:
     report.section(drive.name)
     curves = [Series(name, drive.correction[:, k], colour)
-              for k, (name, colour) in enumerate(zip(("east", "north", "up"), COLOURS))]
+              for k, (name, colour) in enumerate(zip((mark("east"), mark("north"), mark("up")), COLOURS))]
     report.figure(profile(drive.chainage, curves, "chainage (m)", "m"),
                   say("Correction along the path. Look for steps that no loss of satellites explains."))
     sigma = np.sqrt(drive.covariance[:, 2, 2])

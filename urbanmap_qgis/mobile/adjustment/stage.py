@@ -11,7 +11,7 @@ import numpy as np
 from ...errors import InputError, InsufficientDataError
 from ...io.points.pointcloud import PointCloud, iter_chunks, open_cloud
 from ...progress import SILENT, Progress
-from ...wording import say
+from ...wording import known, say
 from ..apply_correction import survey_time_shift
 from ..calibration import Calibration
 from ..control import ControlPoints
@@ -344,7 +344,7 @@ def _tell(survey: AdjustedSurvey, placed: Sequence[bool | None], progress: Progr
     """Say what was reached, and warn of what is not placed."""
     for name, count, lost, plan, _, up, _ in survey.residual_rows():
         progress.message(say("{count} observations ({name}), {lost} without weight; RMS residual {plan:.1f} cm in "
-                             "plan, {up:.1f} cm in height.", count=count, name=name, lost=lost, plan=100 * plan,
+                             "plan, {up:.1f} cm in height.", count=count, name=known(name), lost=lost, plan=100 * plan,
                              up=100 * up))
     relative = [drive.name for drive, item in zip(survey.drives, placed) if item is False]
     loose = [drive.name for drive, item in zip(survey.drives, placed) if item is None]

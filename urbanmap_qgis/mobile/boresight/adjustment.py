@@ -16,9 +16,10 @@ from scipy.sparse import coo_matrix, csc_matrix
 from scipy.sparse.linalg import splu
 from scipy.spatial import cKDTree
 
+from ...wording import mark
 from .plane_patches import PlanePatches, group_pairs
 
-PARAMETERS = ("forward", "right", "down", "roll", "pitch", "heading")
+PARAMETERS = (mark("forward"), mark("right"), mark("down"), mark("roll"), mark("pitch"), mark("heading"))
 """Of each scanner: lever arm (m) and rotation (degrees) about the body's axes."""
 
 _SIZE = len(PARAMETERS)

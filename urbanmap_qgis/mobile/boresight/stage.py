@@ -14,7 +14,7 @@ from ...errors import InputError, InsufficientDataError
 from ...io.files.atomic import written_beside
 from ...io.points.pointcloud import iter_chunks, open_cloud
 from ...progress import SILENT, Progress
-from ...wording import say
+from ...wording import mark, say
 from ..apply_correction import survey_time_shift
 from ..calibration import Calibration, scanner_of
 from ..passes import BlockPositions
@@ -49,7 +49,7 @@ class CalibratedScanners:
         """Scanner, parameter, unit, correction, standard deviation, status."""
         found = self.boresights
         return [(scanner.id, name, "m" if k < 3 else "degrees", float(found.value[s, k]), float(found.sigma[s, k]),
-                 "determined" if found.determined[s, k] else "not determined")
+                 mark("determined") if found.determined[s, k] else mark("not determined"))
                 for s, scanner in enumerate(self.calibration.scanners) for k, name in enumerate(PARAMETERS)]
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from ...io.pages.report import BAD, GOOD, LOOK, Fixed, Report
 from ...io.pages.svg_profile import COLOURS, Series, ShadedInterval, profile
-from ...wording import say
+from ...wording import mark, say
 from ..trajectory import Trajectory
 from .course_heights import CourseHeights
 from .rectification import BLUNDER, CONTRADICTING, EXTRAPOLATED, ONE_PAIR, POSITION_ONLY, SUSPECT, USED, Rectified
@@ -92,22 +92,22 @@ def _facts(before: Trajectory, rectified: Rectified) -> dict[str, object]:
     moved = np.hypot(*(rectified.trajectory.place - before.place)[:, :2].T)
     figures = rectified.figures()
     return {
-        "Method": _METHOD[rectified.settings.method],
-        "Epochs": len(before),
-        "Sets of tie points used": f"{len(used)} of {len(rectified.sets)}",
-        "Distance of the tie points from the reference before, m": figures.get("BEFORE"),
-        "after, m": figures.get("AFTER"),
-        "Off without itself, mean over the sets, m": figures.get("PREDICTED"),
-        "Moved in plan, mean, m": float(moved.mean()),
-        "maximum, m": float(moved.max()),
-        "Sigma of a coordinate between the sets, mean, m": figures.get("MEAN_SIGMA"),
-        "maximum of all epochs, m": figures["MAX_SIGMA"],
-        "Share of the epochs before the first or after the last set": figures["HELD_SHARE"],
-        "Errors of heading rotate the course (dead reckoning)": walk.coupled,
-        "Random walk of the position, m per root second": walk.position_walk,
-        "of the heading, ° per root second": float(np.degrees(walk.heading_walk)),
-        "Sigma of a tie point's coordinate, m": walk.sigma,
-        "Sigmas are multiplied by": rectified.sigma_factor,
+        mark("Method"): _METHOD[rectified.settings.method],
+        mark("Epochs"): len(before),
+        mark("Sets of tie points used"): say("{used} of {given}", used=len(used), given=len(rectified.sets)),
+        mark("Distance of the tie points from the reference before, m"): figures.get("BEFORE"),
+        mark("after, m"): figures.get("AFTER"),
+        mark("Off without itself, mean over the sets, m"): figures.get("PREDICTED"),
+        mark("Moved in plan, mean, m"): float(moved.mean()),
+        mark("maximum, m"): float(moved.max()),
+        mark("Sigma of a coordinate between the sets, mean, m"): figures.get("MEAN_SIGMA"),
+        mark("maximum of all epochs, m"): figures["MAX_SIGMA"],
+        mark("Share of the epochs before the first or after the last set"): figures["HELD_SHARE"],
+        mark("Errors of heading rotate the course (dead reckoning)"): walk.coupled,
+        mark("Random walk of the position, m per root second"): walk.position_walk,
+        mark("of the heading, ° per root second"): float(np.degrees(walk.heading_walk)),
+        mark("Sigma of a tie point's coordinate, m"): walk.sigma,
+        mark("Sigmas are multiplied by"): rectified.sigma_factor,
     }
 
 
@@ -119,13 +119,16 @@ def _drift(report: Report, before: Trajectory, rectified: Rectified) -> None:
     sets = np.searchsorted(before.time, [item.time for item in rectified.used]).clip(0, len(time) - 1)
     at_sets = np.full((len(time), 2), np.nan)
     at_sets[sets] = change[sets, :2]
-    for axis, name in enumerate(("East", "North")):
+    captions = (mark("Correction to the east with its sigma. A set that lies beside the curve's band does not fit the "
+                     "others."),
+                mark("Correction to the north with its sigma. A set that lies beside the curve's band does not fit the "
+                     "others."))
+    for axis, name in enumerate((mark("East correction"), mark("North correction"))):
         curve = change[:, axis]
-        report.figure(profile(time, [Series(f"{name} correction", curve), Series("sets", at_sets[:, axis], COLOURS[1],
-                                                                                True)], "time (s)", "m",
+        report.figure(profile(time, [Series(name, curve), Series("sets", at_sets[:, axis], COLOURS[1], True)],
+                              "time (s)", "m",
                               (curve - rectified.plan_sigma, curve + rectified.plan_sigma), extrapolated),
-                      say("Correction to the {name} with its sigma. A set that lies beside the curve's band does not "
-                          "fit the others.", name=name.lower()))
+                      captions[axis])
     change_of_heading = rectified.trajectory.angles[:, 2] - before.angles[:, 2]
     report.figure(profile(time, [Series("Heading correction", change_of_heading, COLOURS[2])], "time (s)", "°",
                           (change_of_heading - rectified.heading_sigma, change_of_heading + rectified.heading_sigma),

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from ...io.pages.report import BAD, GOOD, LOOK, Report
-from ...wording import say
+from ...wording import mark, say
 from .intensity_calibration import IntensityCurve
 from .lasers import LaserGains
 from .marking_stage import Extraction
@@ -117,7 +117,7 @@ def _curve(report: Report, curve: IntensityCurve, reference: float) -> None:
         "C (floor)": curve.floor, "A (at 1 m)": curve.gain, "b (fall)": curve.fall,
         "d (loss near the scanner), m": curve.near or None, "R1, m": curve.r1, "R2, m": curve.r2,
         "Shortest range, m": curve.nearest, "I_M (largest intensity of asphalt)": float(curve.intensity(curve.nearest)),
-        "I_m (smallest)": curve.smallest, "I_ref": reference,
+        "I_m (smallest)": curve.smallest, mark("I_ref (reference)"): reference,
         "Ground points": int(curve.points.sum()), "Bins used": int(curve.used.sum()),
         "Residual of the bins (robust), %": 100.0 * curve.residual,
         "Scatter of single asphalt points, %": 100.0 * curve.scatter})
@@ -173,9 +173,9 @@ def _axes(r_max: float, i_max: float, place) -> str:
         parts.append(f'<path d="M{_LEFT} {y:.1f}h-4" stroke="#444"/>'
                      f'<text x="{_LEFT - 6}" y="{y + 4:.1f}" text-anchor="end">{value:g}</text>')
     parts.append(f'<path d="M{_LEFT} {_TOP}V{bottom}H{WIDTH - _RIGHT}" fill="none" stroke="#444"/>'
-                 f'<text x="{(_LEFT + WIDTH) / 2}" y="{HEIGHT - 6}" text-anchor="middle">Range, m</text>'
+                 f'<text x="{(_LEFT + WIDTH) / 2}" y="{HEIGHT - 6}" text-anchor="middle">{say("Range, m")}</text>'
                  f'<text x="14" y="{HEIGHT / 2}" transform="rotate(-90 14 {HEIGHT / 2})" '
-                 'text-anchor="middle">Intensity</text>')
+                 f'text-anchor="middle">{say("Intensity")}</text>')
     return "".join(parts)
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from ...io.pages.report import BAD, GOOD, LOOK, Fixed, Report
 from ...io.pages.svg_profile import COLOURS, Series, ShadedInterval, profile
 from ...io.raster import RasterSampler
-from ...wording import say
+from ...wording import known, mark, say
 from ..pose_correction import correction_between
 from .correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED, STATUS_NAMES
 from .stage import RegisteredSurvey, unregistered_sections
@@ -63,34 +63,36 @@ def _verdict(report: Report, survey: RegisteredSurvey) -> None:
 def _summary(report: Report, survey: RegisteredSurvey) -> None:
     correction = survey.correction
     plan, sigma = np.hypot(correction.value[:, 0], correction.value[:, 1]), correction.plan_sigma()
-    facts = {"Path length (m)": float(correction.chainage[-1]), "Patches": len(correction),
-             "Marking points": len(survey.markings),
-             "Registered (% of the path)": 100 * survey.share(REGISTERED), "Bridged (%)": 100 * survey.share(BRIDGED),
-             "Not to be trusted (%)": 100 * survey.share(DISTRUSTED),
-             "Correction in plan, mean and maximum (m)": f"{plan.mean():.3f}, {plan.max():.3f}",
-             "Standard deviation in plan, median and maximum (m)": _middle_and_largest(sigma)}
+    facts = {mark("Path length (m)"): float(correction.chainage[-1]), mark("Patches"): len(correction),
+             mark("Marking points"): len(survey.markings),
+             mark("Registered (% of the path)"): 100 * survey.share(REGISTERED),
+             mark("Bridged (%)"): 100 * survey.share(BRIDGED),
+             mark("Not to be trusted (%)"): 100 * survey.share(DISTRUSTED),
+             mark("Correction in plan, mean and maximum (m)"): f"{plan.mean():.3f}, {plan.max():.3f}",
+             mark("Standard deviation in plan, median and maximum (m)"): _middle_and_largest(sigma)}
     if correction.three_d:
         up, sigma_up = correction.value[:, 2], correction.sigma()[:, 2]
-        facts["Correction in height, mean and maximum (m)"] = (f"{up.mean():.3f}, "
-                                                               f"{up[np.argmax(np.abs(up))]:.3f}")
-        facts["Standard deviation in height, median and maximum (m)"] = _middle_and_largest(sigma_up)
+        facts[mark("Correction in height, mean and maximum (m)")] = (
+            f"{up.mean():.3f}, {up[np.argmax(np.abs(up))]:.3f}")
+        facts[mark("Standard deviation in height, median and maximum (m)")] = _middle_and_largest(sigma_up)
     if np.isfinite(correction.drift_factor):
-        facts["Drift, times the expected one"] = correction.drift_factor
-        facts["Variance of the observations, times the stated one"] = correction.noise_factor
+        facts[mark("Drift, times the expected one")] = correction.drift_factor
+        facts[mark("Variance of the observations, times the stated one")] = correction.noise_factor
     report.facts(facts)
     if not np.isfinite(correction.drift_factor):
         report.paragraph("Each patch is moved by its own window, as in the paper: between patches there are steps, "
                          "nothing is bridged, and patches that are not to be trusted are moved all the same.")
     report.paragraph("Registered: found from markings around. Bridged: between or beyond registered parts, by how "
                      "trajectories drift. Not to be trusted: too far from them, or markings that contradict. Standard "
-                     "deviations include what the reference itself is off by."
-                     + ("" if correction.three_d else " Heights, roll and pitch were not touched."))
+                     "deviations include what the reference itself is off by.")
+    if not correction.three_d:
+        report.paragraph("Heights, roll and pitch were not touched.")
 
 
 def _middle_and_largest(sigma: np.ndarray) -> str:
     """Median and maximum of standard deviations (n,), m, where they are known."""
-    known = sigma[np.isfinite(sigma)]
-    return f"{np.median(known):.3f}, {known.max():.3f}" if len(known) else "not known"
+    finite = sigma[np.isfinite(sigma)]
+    return f"{np.median(finite):.3f}, {finite.max():.3f}" if len(finite) else say("not known")
 
 
 def _profiles(report: Report, survey: RegisteredSurvey) -> None:
@@ -99,12 +101,12 @@ def _profiles(report: Report, survey: RegisteredSurvey) -> None:
               for item in unregistered_sections(survey)]
     chainage, sigma = correction.chainage, correction.sigma()
     report.section("Correction along the path")
-    names = ("east", "north", "up") if correction.three_d else ("east", "north")
+    names = (mark("east"), mark("north"), mark("up")) if correction.three_d else (mark("east"), mark("north"))
     series = [Series(name, correction.value[:, k], colour) for k, (name, colour) in enumerate(zip(names, COLOURS))]
     report.figure(profile(chainage, series, "chainage (m)", "m", intervals=shades),
                   say("Correction of the reported positions. Look for steps and spikes: a trajectory drifts smoothly, "
                       "and jumps only where its satellites were lost or found again."))
-    angles = ("roll", "pitch", "heading") if correction.three_d else ("heading",)
+    angles = (mark("roll"), mark("pitch"), mark("heading")) if correction.three_d else (mark("heading"),)
     numbers = (3, 4, 5) if correction.three_d else (5,)
     series = [Series(name, correction.value[:, k], colour) for name, k, colour in zip(angles, numbers, COLOURS)]
     report.figure(profile(chainage, series, "chainage (m)", "degrees", intervals=shades),
@@ -144,16 +146,18 @@ def _before_and_after(report: Report, survey: RegisteredSurvey, reference: Refer
     if not len(places):
         return
     report.section("Markings before and after")
-    report.paragraph("Marking points of the survey over the " + ("aerial image" if image else "reference markings")
-                     + say(": left as reported (red), right corrected (green). A picture is {side:.0f} m wide.",
-                           side=_SIDE))
+    behind = mark("Marking points of the survey over the aerial image: left as reported (red), right corrected "
+                  "(green). A picture is {side:.0f} m wide.") if image else mark(
+        "Marking points of the survey over the reference markings: left as reported (red), right corrected (green). A "
+        "picture is {side:.0f} m wide.")
+    report.paragraph(say(behind, side=_SIDE))
     moved = correction_between(survey.reported, survey.trajectory)
     with tempfile.TemporaryDirectory() as folder:
         for number, patch in enumerate(places):
             picture = _picture(survey, patch, moved, reference, image)
             file = Path(folder) / f"{number}.png"
             file.write_bytes(cv2.imencode(".png", picture)[1].tobytes())
-            status = STATUS_NAMES[survey.correction.status[patch]]
+            status = known(STATUS_NAMES[survey.correction.status[patch]])
             report.picture(file, f"{survey.correction.chainage[patch]:.0f} m: {status}")
 
 

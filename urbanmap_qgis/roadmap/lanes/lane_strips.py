@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ...wording import say
+from ...wording import mark, say
 from ..map_records import DrivenPath, Finding, MapArea, MapSettings
 from .road_sections import STEP, BoundTrack, RoadSection
 
@@ -38,10 +38,10 @@ AWAY = 6.0
 MOSTLY_SEEN = 0.5
 """The outermost bound of a lane that only a dashed line tells of is seen along such a share of that line."""
 
-BESIDE, ACROSS = "beside a dashed line", "across the centre line"
-ALONG_AXIS = "road axis"
+BESIDE, ACROSS = mark("beside a dashed line"), mark("across the centre line")
+ALONG_AXIS = mark("road axis")
 INFERRED = (BESIDE, ACROSS, ALONG_AXIS)
-DRIVEN, PAINTED = "drive", "arrow or stop line"
+DRIVEN, PAINTED = mark("drive"), mark("arrow or stop line")
 
 DRIVE_ANGLE = np.radians(25.0)
 LEAST_UNDRIVEN = 25.0
