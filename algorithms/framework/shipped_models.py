@@ -7,7 +7,7 @@ from pathlib import Path
 
 from qgis.core import QgsApplication, QgsProcessingModelAlgorithm
 
-from .declaring.parameters import tr, with_files_widget
+from .declaring.parameters import tr, with_choice_widget, with_files_widget
 from .language.language import translated_model
 
 MODELS = Path(__file__).resolve().parents[2] / "resources" / "models"
@@ -29,10 +29,14 @@ class ShippedModel(QgsProcessingModelAlgorithm):
         self._title = tr(super().displayName())
         for name in self.parameterComponents():  # QGIS's own field would empty what presets say of files
             definition = self.parameterDefinition(name)
-            if definition.type() == "multilayer":
-                made = definition.clone()
+            if definition.type() not in ("multilayer", "enum"):
+                continue
+            made = definition.clone()
+            if definition.type() == "enum":
+                with_choice_widget(made)
+            else:
                 with_files_widget(made, name in POINTS_NAMES)
-                self.updateModelParameter(made)
+            self.updateModelParameter(made)
 
     def name(self):
         return self._identity

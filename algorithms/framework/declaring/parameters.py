@@ -66,12 +66,17 @@ def choice_words(values: Sequence[str]) -> dict[str, str]:
     return {value: tr(CHOICE_WORDS[value]) if value in CHOICE_WORDS else value for value in values}
 
 
-def _help_with_words(help: str, words: Mapping[str, str]) -> str:
-    """Translated help whose last bracket, which lists the values, also says the words that dialogs show."""
-    text = f"{help} ({', '.join(words)})"
-    told = tr(text)
-    if told == text:
-        return text
+def with_choice_widget(definition) -> None:
+    """Let dialogs show the words of a choice."""
+    words = choice_words(definition.options())
+    definition.setMetadata({"widget_wrapper": {"class": CHOICE_WIDGET}, "urbanmap_words": words})
+
+
+def choice_help(help: str, values: Sequence[str]) -> str:
+    """Translated help of a choice: its last bracket, which lists the values, also says the words that dialogs show."""
+    told, words = tr(help), choice_words(values)
+    if told == help:
+        return help
     listed = "、".join(value if word == value else f"{value}：{word}" for value, word in words.items())
     return re.sub(r" ?[（(][^（）()]*[)）]$", f"（{listed}）", told)
 
@@ -195,9 +200,8 @@ class Declarations:
                    advanced: bool = False):
         """One of a few words; the words themselves are the values. On the command line their numbers do as well."""
         definition = QgsProcessingParameterEnum(name, tr(label), list(choices), False, default, False, True)
-        words = choice_words(choices)
-        definition.setMetadata({"widget_wrapper": {"class": CHOICE_WIDGET}, "urbanmap_words": words})
-        return self.declare_parameter(definition, _help_with_words(help, words), advanced)
+        with_choice_widget(definition)
+        return self.declare_parameter(definition, choice_help(f"{help} ({', '.join(choices)})", choices), advanced)
 
     def add_text(self, name: str, label: str, help: str, default: str | None = None, optional: bool = True,
                  advanced: bool = False):

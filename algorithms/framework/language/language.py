@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from qgis.core import QgsApplication, QgsProcessingModelAlgorithm
 from qgis.PyQt.QtCore import QCoreApplication, QTranslator
 
 from ....urbanmap_qgis.wording import use_catalogue
-from ..declaring.parameters import UNIT, tr
+from ..declaring.parameters import UNIT, choice_help, tr
 
 TRANSLATIONS = Path(__file__).resolve().parents[3] / "resources" / "translations"
 
@@ -37,15 +38,24 @@ def stop_speaking(translator: QTranslator) -> None:
 def translated_model(model: QgsProcessingModelAlgorithm, group: str) -> QgsProcessingModelAlgorithm:
     """The model with its labels and help in the user's language; its name stays, for saved models say it."""
     model.setGroup(tr(group))
+    choices = {definition.name(): definition.options() for definition in model.parameterDefinitions()
+               if definition.type() == "enum"}
     for definition in model.parameterDefinitions():
         if definition.name() in model.parameterComponents():
             made = definition.clone()
             made.setDescription(_label(made.description()))
-            made.setHelp(tr(made.help()) if made.help() else "")
+            made.setHelp(_help(made.help(), choices.get(made.name())))
             model.updateModelParameter(made)
-    model.setHelpContent({key: tr(text) if isinstance(text, str) and text else text
+    model.setHelpContent({key: _help(text, choices.get(key)) if isinstance(text, str) else text
                           for key, text in model.helpContent().items()})
     return model
+
+
+def _help(text: str, values: Sequence[str] | None) -> str:
+    """A help in the user's language; of a choice, with words for its values."""
+    if not text:
+        return text
+    return choice_help(text, values) if values else tr(text)
 
 
 def _label(text: str) -> str:
