@@ -62,12 +62,47 @@ def test_the_japanese_readme_has_the_commands_algorithms_and_pictures_of_the_eng
     assert said("README.ja.md") == (commands, algorithms, pictures)
 
 
+@pytest.mark.parametrize("page", sorted((ROOT / "docs/ja").glob("tutorial_*.md")), ids=lambda page: page.stem)
+def test_japanese_tutorials_have_the_commands_and_pictures_of_the_english_ones(page):
+    def said(place):
+        text = place.read_text(encoding="utf-8")
+        pictures = re.findall(r"images/(?:tutorials/)?(\w+\.jpg)", text)
+        return re.findall(r"^```\n(.*?)^```", text, re.M | re.S), [name.replace("_ja.", ".") for name in pictures]
+
+    commands, pictures = said(ROOT / "docs" / page.name)
+    assert commands and pictures and said(page) == (commands, pictures)
+
+
+def test_every_tutorial_and_the_start_page_are_there_in_japanese():
+    wanted = {"index.md", *(path.name for path in (ROOT / "docs").glob("tutorial_*.md"))}
+    assert {path.name for path in (ROOT / "docs/ja").glob("*.md")} == wanted and len(wanted) == 5
+
+
+def test_help_in_japanese_opens_japanese_pages(plugin, tmp_path, monkeypatch, algorithms):
+    pages, speaking = (plugin(f"algorithms.framework.language.{name}") for name in ("help_page", "language"))
+    for name in ("index.html", "tutorial_survey.html", "mobile.html"):
+        for folder in (tmp_path, tmp_path / "ja"):
+            if folder == tmp_path or name != "mobile.html":
+                folder.mkdir(exist_ok=True)
+                (folder / name).write_text(name, encoding="utf-8")
+    monkeypatch.setattr(pages, "SITES", (tmp_path,))
+    assert pages.index_file(()) == tmp_path / "index.html"
+    translator = speaking.speak_language("ja")
+    try:
+        assert pages.index_file(()) == tmp_path / "ja" / "index.html"
+        text = pages.page_html(next(item for item in algorithms if item.name() == "checkaccuracy"))
+    finally:
+        speaking.stop_speaking(translator)
+    assert (tmp_path / "ja" / "tutorial_survey.html").as_uri() in text and (tmp_path / "mobile.html").as_uri() in text
+
+
 def test_pictures_of_tutorials_are_those_that_the_script_makes():
     spec = importlib.util.spec_from_file_location("make_tutorial_pictures", ROOT / "scripts/make_tutorial_pictures.py")
     script = importlib.util.module_from_spec(spec)
     sys.modules[spec.name] = script
     spec.loader.exec_module(script)
-    pages = "".join(path.read_text(encoding="utf-8") for path in [*(ROOT / "docs").glob("*.md"), *ROOT.glob("*.md")])
+    pages = "".join(path.read_text(encoding="utf-8")
+                    for path in [*(ROOT / "docs").glob("*.md"), *(ROOT / "docs/ja").glob("*.md"), *ROOT.glob("*.md")])
     shown = set(re.findall(r"images/tutorials/([\w.]+)", pages))
     there = {path.name: path.stat().st_size for path in (ROOT / "docs/images/tutorials").iterdir()}
     assert shown == set(script.PICTURES) == set(there)

@@ -21,6 +21,11 @@ GUIDES = {"start": "sample_city.md", "aerial": "aerial.md", "mobile": "mobile.md
           "delivery": "acceptance.md"}
 """Page on the methods of each group, in docs/."""
 
+TUTORIALS = {"buildingsfromals": "tutorial_buildings.html", "aerialmarkings": "tutorial_reference.html",
+             "georeferencemms": "tutorial_survey.html", "checkaccuracy": "tutorial_survey.html",
+             "lanemap": "tutorial_lanemap.html"}
+"""Tutorial that leads through an algorithm, on the website."""
+
 PICTURES = {
     "samplecity": "sample_city.jpg", "buildingmodels": "models_city.jpg", "buildingsfromals": "models_sloped.jpg",
     "wallsfrommms": "facades.jpg", "mergebuildingmodels": "facades.jpg", "facadetextures": "facade_texture.jpg",
@@ -95,14 +100,17 @@ def page_html(algorithm) -> str:
     for heading, rows in ((tr("Input"), inputs), (tr("Output"), outputs)):
         parts += [f"<h2>{escape(heading)}</h2>", "<table>", *_rows(rows), "</table>"]
     parts.append(f"<p>{escape(tr('Method'))}: {escape(algorithm.SOURCE or tr('own'))}</p>")
+    for tutorial in found(TUTORIALS.get(algorithm.name(), "none")):
+        parts.append(f'<p><a href="{tutorial.as_uri()}">{escape(tr("Step by step, with pictures"))}</a></p>')
     for guide in found(GUIDES[algorithm.groupId()].replace(".md", ".html")):
         parts.append(f'<p><a href="{guide.as_uri()}">{escape(tr("How it works"))}</a></p>')
     return _page(title, parts)
 
 
 def found(name: str) -> list[Path]:
-    """The first file of this name in the documentation, or none."""
-    return [path for path in (folder / name for folder in (*SITES, DOCS)) if path.is_file()][:1]
+    """The first file of this name in the documentation, in the user's language where there is one, or none."""
+    places = (folder / part / name for folder in (*SITES, DOCS) for part in (language(), ""))
+    return [path for path in places if path.is_file()][:1]
 
 
 def _page(title: str, parts: Iterable[str]) -> str:
