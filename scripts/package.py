@@ -23,6 +23,9 @@ READMES = ("README.md", "README.ja.md")
 FILES = ("metadata.txt", "__init__.py", "LICENSE", *READMES, "CHANGELOG.md")
 FOLDERS = ("algorithms", "urbanmap_qgis", "resources")
 PICTURES = (".jpg", ".png")
+WINDOWS, PHOTOGRAPHS = 62, 46  # least quality at which the text of windows is read; of pictures without text
+ICON_STYLES_FILES = ("brands.min.css", "fontawesome.min.css", "solid.min.css", "v4-font-face.min.css")
+ICON_STYLES = re.compile(r'<link href="[^"]*css/(?:brands|fontawesome|solid|v4-font-face)\.min\.css" rel="stylesheet">')
 TO_REFERENCE = re.compile(r'<a [^>]*href="(?:\.\./)*api/[^"]*"[^>]*>(.*?)</a>', re.DOTALL)
 REQUIRED = ("name", "qgisMinimumVersion", "description", "about", "version", "author")
 PUBLISHED = ("email", "repository", "tracker", "homepage", "changelog")
@@ -75,30 +78,31 @@ def metadata(root: Path, repository: str = "", email: str = "") -> bytes:
 def website(site: Path) -> dict[str, bytes]:
     """The documentation as a website by name in the zip, where `make docs` has built it: the help that is in it.
 
-    Left out are what holds times, what is for programmers (source maps, the reference of the core), fonts of symbols
-    that `site.css` hides, and pictures that no page shows.
+    Left out are what holds times, what is for programmers (source maps, the reference of the core), fonts and styles
+    of symbols that `site.css` hides, and pictures that no page shows.
     """
     pages = "".join(path.read_text(encoding="utf-8") for path in site.rglob("*.html"))
     paths = [path for path in sorted(site.rglob("*")) if path.is_file() and not path.name.startswith("sitemap")
              and path.suffix not in (".map", ".inv") and path.parent.name != "webfonts"
              and "api" not in path.relative_to(site).parts
-             and (path.suffix not in PICTURES or path.name in pages)]
+             and path.name not in ICON_STYLES_FILES and (path.suffix not in PICTURES or path.name in pages)]
     return {f"site/{path.relative_to(site).as_posix()}": smaller(path) for path in paths}
 
 
 def smaller(path: Path) -> bytes:
-    """A file as it goes into the zip: photographs with the least quality at which their text is read, pages without
-    links to what is left out."""
+    """A file as it goes into the zip: pictures with the least quality that they need, pages without links to what is
+    left out."""
     data = path.read_bytes()
     if path.suffix == ".html":
-        return TO_REFERENCE.sub(r"\1", data.decode("utf-8")).encode("utf-8")
+        return ICON_STYLES.sub("", TO_REFERENCE.sub(r"\1", data.decode("utf-8"))).encode("utf-8")
     if path.suffix != ".jpg":
         return data
     import cv2
     import numpy as np
 
     picture = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_COLOR)
-    quality = [cv2.IMWRITE_JPEG_QUALITY, 62, cv2.IMWRITE_JPEG_OPTIMIZE, 1, cv2.IMWRITE_JPEG_PROGRESSIVE, 1]
+    least = WINDOWS if path.parent.name == "tutorials" else PHOTOGRAPHS
+    quality = [cv2.IMWRITE_JPEG_QUALITY, least, cv2.IMWRITE_JPEG_OPTIMIZE, 1, cv2.IMWRITE_JPEG_PROGRESSIVE, 1]
     made = cv2.imencode(".jpg", picture, quality)[1].tobytes()
     return min(data, made, key=len)
 
