@@ -11,7 +11,7 @@ from qgis.core import (
     QgsRendererRange,
 )
 
-from .symbols import EDGE, arrow_along, fill, renderer_3d, rules, solid_symbol
+from .symbols import EDGE, arrow_along, fill, marker, renderer_3d, rules, solid_symbol
 
 MODEL_STATUS = {
     "ok": ("ok", "#e9dcc6"),
@@ -242,7 +242,16 @@ def loaded_models(layer) -> None:
     layer.setRenderer3D(engine.QgsRuleBased3DRenderer(root))
 
 
+def city_faults(layer) -> None:
+    """Points by severity."""
+    colours = {"error": "#d7263d", "warning": "#e09a2b", "info": "#4a8fe7"}
+    layer.setRenderer(QgsCategorizedSymbolRenderer("severity", [
+        QgsRendererCategory(value, marker(colour, 2.4), value) for value, colour in colours.items()]))
+    layer.setMapTipTemplate("[% \"rule\" %], [% \"type\" %] [% \"gml_id\" %]<br>[% \"text\" %]")
+
+
 FIELDS = {
+    city_faults: ("Point", "rule:string severity:string text:string type:string gml_id:string"),
     segmented_buildings: ("MultiPolygon", "building_id:integer status:string shift_status:string shift_x:double "
                           "shift_y:double shift_sigma:double points:integer density:double"),
     roof_polygons: ("PolygonZ", "building_id:integer roof_id:integer height:double status:string points:integer "

@@ -48,6 +48,7 @@ RECIPES: dict[str, dict] = {
     "wallsfrommms": {"POINTS": DRIVE["POINTS"], "BUILDINGS": OUTLINES["FOOTPRINTS"]},
     "mergebuildingmodels": {"MODELS": "buildingmodels:OUTPUT", "WALLS": "wallsfrommms:OUTPUT"},
     "loadcitymodel": {"INPUT": "city:models/buildings.city.json"},
+    "checkcitymodel": {"INPUT_FOLDER": "exportcitymodel:OUTPUT_CITYGML", "INPUT": None},
     "exportcitymodel": {"BUILDINGS": "buildingmodels:OUTPUT", "SURFACES": "buildingmodels:OUTPUT_SURFACES"},
     "tiledrun": {"ALGORITHM": "buildingsfromals", "POINTS": ["city:als/als.laz"], **OUTLINES, "TILE": 100},
     "runjob": {"JOB": "made:surface.urbanmap.json"},

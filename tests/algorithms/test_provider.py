@@ -19,7 +19,7 @@ CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes"
             "georeferencescans", "rectifytrajectory", "tiepointproposals",
             "loadgsibuildings", "loadgsidem", "loadcitymodel", "convertheights",
             "segmentbuildings", "segmentroofs", "roofpolygons",
-            "buildingmodels", "wallsfrommms", "mergebuildingmodels", "mesh25d", "exportcitymodel",
+            "buildingmodels", "wallsfrommms", "mergebuildingmodels", "mesh25d", "exportcitymodel", "checkcitymodel",
             "buildingsfromals", "tiledrun", "runjob",
             "satellitevisibility", "gnssreflections", "adjustwalls", "markinglines", "vectormap", "checkvectormap",
             "lanemap", "roadedges", "localisationaccuracy", "acceptance")

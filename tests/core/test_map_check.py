@@ -11,7 +11,7 @@ from scripts.make_rule_page import PAGE, rules_page
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.io.osm import OsmFile, OsmNode, OsmRelation, OsmWay, read_osm
 from urbanmap_qgis.roadmap.checks.map_check import check_map
-from urbanmap_qgis.roadmap.checks.rule_table import SEVERITIES, map_rules, rule_functions
+from urbanmap_qgis.roadmap.checks.rule_table import MAP_RULES, SEVERITIES, map_rules
 
 LANE = {"type": "lanelet", "subtype": "road", "location": "urban", "one_way": "yes", "speed_limit": "40",
         "participant:vehicle": "yes"}
@@ -179,7 +179,7 @@ def test_damage_is_found(damage):
 
 
 def test_every_rule_has_a_function_and_a_text_with_the_same_fields_in_both_languages():
-    assert set(rule_functions()) == set(map_rules())
+    assert set(MAP_RULES.functions) == set(map_rules())
     for rule in map_rules().values():
         assert rule.severity in SEVERITIES and rule.source in ("Autoware", "Lanelet2", "UrbanMap")
         english, japanese = (sorted(name for _, name, *_ in Formatter().parse(text) if name)
@@ -200,7 +200,7 @@ def test_rules_can_be_left_out_by_code_or_its_begin():
 
 
 def test_texts_are_japanese_for_a_japanese_user(monkeypatch):
-    monkeypatch.setattr("urbanmap_qgis.roadmap.checks.rule_table.language", lambda: "ja")
+    monkeypatch.setattr("urbanmap_qgis.io.files.rule_table.language", lambda: "ja")
     texts = {fault.rule: fault.text for fault in check_map(changed(**CASES["mapping.bool_tags"]))}
     assert texts["mapping.bool_tags"] == "one_way=maybe は yes か no でなければなりません。"
 

@@ -45,3 +45,25 @@ def regional_mesh_code(row: int, column: int, parts: int = 1) -> str:
         row, column, parts = row // 2, column // 2, parts // 2
     first, second = divmod(row, 80), divmod(column, 80)
     return (f"{first[0]:02d}{second[0]:02d}{first[1] // 10}{second[1] // 10}{first[1] % 10}{second[1] % 10}{digits}")
+
+
+def mesh_bounds(code: str) -> tuple[float, float, float, float] | None:
+    """Western, southern, eastern and northern border (degrees) of the mesh of a code of 4, 6, 8, 9 or 10 digits; None
+    for what is no code of a mesh."""
+    if len(code) not in (4, 6, 8, 9, 10) or not code.isdigit():
+        return None
+    south, west = int(code[:2]) / 1.5, float(WEST + int(code[2:4]))
+    height, width = 2.0 / 3.0, 1.0
+    for begin, parts in ((4, 8), (6, 10)):
+        if len(code) > begin:
+            row, column = int(code[begin]), int(code[begin + 1])
+            if max(row, column) >= parts:
+                return None
+            height, width = height / parts, width / parts
+            south, west = south + row * height, west + column * width
+    for digit in code[8:]:
+        if digit not in "1234":
+            return None
+        height, width = height / 2.0, width / 2.0
+        south, west = south + (int(digit) - 1) // 2 * height, west + (int(digit) - 1) % 2 * width
+    return west, south, west + width, south + height

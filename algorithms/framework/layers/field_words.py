@@ -358,5 +358,11 @@ _OF_STYLE: dict[tuple[str, str], FieldWords] = {
     ("gsi_buildings", "orgMDId"): FieldWords(mark("source’s metadata")),
     ("gsi_buildings", "source"): FieldWords(mark("file")),
     ("map_faults", "source"): FieldWords(mark("source of the rule")),
+    ("city_faults", "source"): FieldWords(mark("source of the rule")),
+    ("city_faults", "requirement"): FieldWords(mark("requirement")),
+    ("city_faults", "file"): FieldWords(mark("file")),
+    ("city_faults", "type"): FieldWords(mark("kind of feature")),
+    ("city_faults", "gml_id"): FieldWords(mark("id in the city model")),
+    ("city_faults", "lod"): FieldWords(mark("level of detail")),
 }
 """Words of fields in the layers of one style, where they differ."""

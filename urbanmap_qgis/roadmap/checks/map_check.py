@@ -7,12 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...errors import InputError
 from ...io.osm import OsmFile
-from ...wording import say
 from . import area_rules, file_rules, intersection_rules, lane_rules, light_rules, shape_rules, virtual_light_rules
 from .inspection import MapInspection
-from .rule_table import SEVERITIES, Broken, MapRule, map_rules, rule_functions
+from .rule_table import MAP_RULES, SEVERITIES, Broken, MapRule
 
 ROOMS = (file_rules, shape_rules, lane_rules, light_rules, area_rules, intersection_rules, virtual_light_rules)
 """Modules whose rules are checked, one kind of elements each."""
@@ -52,14 +50,9 @@ def check_map(content: OsmFile, excluded: Collection[str] = ()) -> list[MapFault
     ------
     InputError : an excluded code is the begin of none.
     """
-    unknown = [code for code in excluded if not any(one.startswith(code) for one in map_rules())]
-    if unknown:
-        raise InputError(say("No rule has a code that begins with {code}; the documentation lists them.",
-                             code=unknown[0]))
     inspected = MapInspection(content)
-    functions = rule_functions()
-    found = [_fault(inspected, rule, one) for code, rule in map_rules().items()
-             if not any(code.startswith(begin) for begin in excluded) for one in functions[code](inspected, rule)]
+    found = [_fault(inspected, rule, one) for code, rule in MAP_RULES.chosen(excluded).items()
+             for one in MAP_RULES.functions[code](inspected, rule)]
     return sorted(found, key=lambda fault: SEVERITIES.index(fault.severity))
 
 

@@ -7,39 +7,17 @@ our own. A rule's function (`rule`) says only which elements break it, with the 
 
 from __future__ import annotations
 
-import csv
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import lru_cache
 from pathlib import Path
 
-from ...wording import language
+from ...io.files.rule_table import SEVERITIES, CheckRule, RuleTable
 
-SEVERITIES = ("error", "warning", "info")
+__all__ = ["MAP_RULES", "SEVERITIES", "Broken", "MapRule", "broken", "map_rules", "rule"]
 
-
-@dataclass(frozen=True)
-class MapRule:
-    """One row.
-
-    Attributes
-    ----------
-    code, severity : see there.
-    primitive : kind of element that it looks at.
-    source : who asks for it.
-    text, japanese : sentence on an element that breaks it, with named fields.
-    """
-
-    code: str
-    severity: str
-    primitive: str
-    source: str
-    text: str
-    japanese: str
-
-    def sentence(self, fields: Mapping[str, object]) -> str:
-        """The text in the user's language with its fields filled."""
-        return (self.japanese if language() == "ja" else self.text).format(**fields)
+MapRule = CheckRule
+MAP_RULES = RuleTable(Path(__file__).with_name("rules.tsv"))
+rule = MAP_RULES.rule
 
 
 @dataclass(frozen=True)
@@ -56,28 +34,6 @@ def broken(kind: str, number: int, /, **fields: object) -> Broken:
     return Broken(kind, number, fields)
 
 
-RuleFunction = Callable[..., Iterator[Broken]]
-_functions: dict[str, RuleFunction] = {}
-
-
-def rule(*codes: str) -> Callable[[RuleFunction], RuleFunction]:
-    """Register the function of one rule; of several that differ by a word, it takes their number as second argument."""
-    def registered(function: RuleFunction) -> RuleFunction:
-        for code in codes:
-            if code not in map_rules() or code in _functions:
-                raise KeyError(code)
-            _functions[code] = function
-        return function
-    return registered
-
-
-def rule_functions() -> Mapping[str, RuleFunction]:
-    """The functions by their rules' codes."""
-    return _functions
-
-
-@lru_cache(maxsize=1)
 def map_rules() -> Mapping[str, MapRule]:
     """All rules by their codes, in the order of the table."""
-    with open(Path(__file__).with_name("rules.tsv"), encoding="utf-8", newline="") as table:
-        return {row["code"]: MapRule(**row) for row in csv.DictReader(table, delimiter="\t", quoting=csv.QUOTE_NONE)}
+    return MAP_RULES.rules

@@ -1,0 +1,364 @@
+"""Rules on solids and composite surfaces, and on which polygons they are made of (L14, L16, L18, L-bldg-02 to -09)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import shapely
+
+from ...io.files.rule_table import CheckRule
+from .checked_file import CityBlock
+from .city_rule_table import Violation, city_rule, violation
+from .feature_walk import CityBody, CityFeature, CityThing
+from .geometry_rules import NEAREST, PLANE
+
+OUTER_SURFACES = ("bldg:RoofSurface", "bldg:WallSurface", "bldg:GroundSurface", "bldg:OuterFloorSurface",
+                  "bldg:OuterCeilingSurface", "bldg:ClosureSurface")
+INNER_SURFACES = ("bldg:CeilingSurface", "bldg:InteriorWallSurface", "bldg:FloorSurface", "bldg:ClosureSurface")
+_OPENINGS = ("bldg:Door", "bldg:Window")
+
+SolidCheck = Callable[..., Any]
+"""Function from a body (vertices, faces) to its problems, such as that of the building models (val3dity's codes)."""
+
+_WHY = {303: ("a side or vertex belongs to more faces than two",
+              "境界面が立体を分断しています（多様体ではありません）"),
+        305: ("it falls into parts", "境界面が複数の部分に分かれています"),
+        306: ("faces cross or overlap", "境界面が交差又は重複しています"),
+        307: ("a face looks inwards", "境界面の向きが外側を向いていません"),
+        405: ("all faces look inwards", "境界面の向きが外側を向いていません"),
+        301: ("it has fewer than four faces", "境界面が4面未満です")}
+
+
+@dataclass(frozen=True, eq=False)
+class _Faces:
+    """The faces of a solid in a block: numbers of its polygons and whether each is turned over."""
+
+    thing: CityThing
+    body: CityBody
+    polygons: np.ndarray
+    flipped: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class _FacedBody:
+    """What the check of solids takes."""
+
+    vertices: np.ndarray
+    faces: tuple[tuple[tuple[int, ...], ...], ...]
+
+
+def _polygon_numbers(thing: CityThing) -> dict[str, int]:
+    return {polygon.id: number for number, polygon in enumerate(thing.polygons) if polygon.id}
+
+
+def _members(thing: CityThing, body: CityBody, by_id: dict[str, int], deep: int = 0) -> list[tuple[int, bool]] | None:
+    """Polygons of a body, in the thing's list, with whether they are turned over; None where one is not there."""
+    found: list[tuple[int, bool]] = []
+    for member, flipped in body.members:
+        if isinstance(member, int):
+            found.append((member, flipped))
+        elif member in by_id:
+            found.append((by_id[member], flipped))
+        else:
+            other = next((one for one in thing.bodies if one.id == member and one is not body), None)
+            inner = _members(thing, other, by_id, deep + 1) if other is not None and deep < 4 else None
+            if not inner:
+                return None
+            found += [(number, flipped != turned) for number, turned in inner]
+    return found
+
+
+def _bodies(block: CityBlock, *kinds: str) -> list[_Faces]:
+    """Bodies of some kinds whose polygons are all there and can be read."""
+    found = []
+    shapes = block.shapes
+    for thing in block.things:
+        by_id: dict[str, int] | None = None
+        for body in thing.bodies:
+            if body.kind not in kinds:
+                continue
+            by_id = _polygon_numbers(thing) if by_id is None else by_id
+            members = _members(thing, body, by_id)
+            numbers = [shapes.number.get(id(thing.polygons[number])) for number, _ in members or ()]
+            if numbers and None not in numbers:
+                found.append(_Faces(thing, body, np.array(numbers, int),
+                                    np.array([turned for _, turned in members or ()], bool)))
+    return found
+
+
+@dataclass(frozen=True, eq=False)
+class _Edges:
+    """How often sides of faces meet: (B,) numbers of sides with one face, with more than two, and with two faces that
+    turn alike there, for each body."""
+
+    single: np.ndarray
+    several: np.ndarray
+    alike: np.ndarray
+
+
+def _edges(block: CityBlock, bodies: list[_Faces]) -> _Edges:
+    shapes = block.shapes
+    ends = np.append(shapes.outer_ring[1:], len(shapes.polygon))
+    _, vertex = np.unique(shapes.raw, axis=0, return_inverse=True)
+    vertex = vertex.ravel()
+    owner, one, other = [], [], []
+    for number, faces in enumerate(bodies):
+        for polygon, turned in zip(faces.polygons, faces.flipped):
+            for ring in range(shapes.outer_ring[polygon], ends[polygon]):
+                loop = vertex[shapes.start[ring]:shapes.start[ring + 1]]
+                loop = loop[:-1] if loop[0] == loop[-1] else loop
+                following = np.roll(loop, -1)
+                one.append(following if turned else loop)
+                other.append(loop if turned else following)
+                owner.append(np.full(len(loop), number))
+    table = np.column_stack([np.concatenate(owner), np.concatenate(one), np.concatenate(other)])
+    table = table[table[:, 1] != table[:, 2]]
+    sign = np.where(table[:, 1] < table[:, 2], 1, -1)
+    table[:, 1:].sort(axis=1)
+    order = np.lexsort(table.T[::-1])
+    table, sign = table[order], sign[order]
+    begin = np.flatnonzero(np.r_[True, (np.diff(table, axis=0) != 0).any(axis=1)])
+    count = np.diff(np.append(begin, len(table)))
+    turn = np.add.reduceat(sign, begin)
+    body = table[begin, 0]
+    size = len(bodies)
+    return _Edges(np.bincount(body[count == 1], minlength=size), np.bincount(body[count > 2], minlength=size),
+                  np.bincount(body[(count == 2) & (turn != 0)], minlength=size))
+
+
+def _volumes(block: CityBlock, bodies: list[_Faces]) -> np.ndarray:
+    """Volume of each body, m3; negative where its faces look inwards."""
+    shapes = block.shapes
+    vectors = np.add.reduceat(shapes.area_vectors, shapes.outer_ring, axis=0)
+    first = shapes.metres[shapes.start[shapes.outer_ring]]
+    part = (vectors * first).sum(axis=1) / 3.0
+    return np.array([np.sum(np.where(faces.flipped, -part[faces.polygons], part[faces.polygons]))
+                     for faces in bodies])
+
+
+def _plain_prism(block: CityBlock, faces: _Faces) -> bool:
+    """Whether a closed body is one polygon pulled up: two heights, one bottom, one top, upright walls."""
+    shapes = block.shapes
+    upright = np.abs(shapes.normals[faces.polygons, 2])
+    if not ((upright < 1e-6) | (upright > 1.0 - 1e-9)).all() or (upright > 0.5).sum() != 2:
+        return False
+    first = shapes.start[shapes.outer_ring[faces.polygons]]
+    last = shapes.start[np.append(shapes.outer_ring[1:], len(shapes.polygon))[faces.polygons]]
+    heights = {height for begin, end in zip(first, last) for height in shapes.raw[begin:end, 2].tolist()}
+    return len(heights) == 2
+
+
+def solid_violations(block: CityBlock, check: SolidCheck) -> Iterator[tuple[str, Violation]]:
+    """Solids that are not closed or whose boundary is not valid (L14), with the code of the rule.
+
+    Parameters
+    ----------
+    check : judges what is no plain prism.
+    """
+    bodies = _bodies(block, "Solid")
+    if not bodies:
+        return
+    edges, volumes = _edges(block, bodies), _volumes(block, bodies)
+    for number, faces in enumerate(bodies):
+        sound = not (edges.single[number] or edges.several[number] or edges.alike[number]) and volumes[number] > 0
+        if sound and _plain_prism(block, faces):
+            continue
+        codes = {problem.code for problem in check(_faced(block, faces), planarity=PLANE, snap=NEAREST / 10)}
+        place = block.shapes.place(int(faces.polygons[0]))
+        if 302 in codes:
+            count = int(edges.single[number]) or 1
+            yield "L14.closed", violation(faces.body.feature, faces.body.lod, place, count=count)
+        elif codes & set(_WHY):
+            why, why_ja = _WHY[min(codes & set(_WHY))]
+            yield "L14.boundary", violation(faces.body.feature, faces.body.lod, place, why=why, why_ja=why_ja)
+
+
+def _faced(block: CityBlock, faces: _Faces) -> _FacedBody:
+    """A body as the check of solids takes it."""
+    shapes = block.shapes
+    ends = np.append(shapes.outer_ring[1:], len(shapes.polygon))
+    vertices, made = [], []
+    for polygon, turned in zip(faces.polygons, faces.flipped):
+        loops = []
+        for ring in range(shapes.outer_ring[polygon], ends[polygon]):
+            places = shapes.metres[shapes.start[ring]:shapes.start[ring + 1]]
+            places = places[:-1] if shapes.closed[ring] else places
+            numbers = range(len(vertices), len(vertices) + len(places))
+            vertices += list(places)
+            loops.append(tuple(reversed(numbers)) if turned else tuple(numbers))
+        made.append(tuple(loops))
+    corners, number = np.unique(np.array(vertices), axis=0, return_inverse=True)
+    number = number.ravel()
+    return _FacedBody(corners, tuple(tuple(tuple(int(number[k]) for k in loop) for loop in face) for face in made))
+
+
+@city_rule("L16")
+def _closed_surface(block: CityBlock, rule: CheckRule) -> Iterator[Violation]:
+    bodies = _bodies(block, "TriangulatedSurface", "Tin")
+    for number in np.flatnonzero(_edges(block, bodies).single == 0) if bodies else ():
+        yield violation(bodies[number].body.feature, bodies[number].body.lod)
+
+
+@city_rule("L18")
+def _surface_falls_apart(block: CityBlock, rule: CheckRule) -> Iterator[Violation]:
+    """Composite surfaces outside of solids, whose edges L14 judges: equal polygons, polygons that touch no other."""
+    shapes = block.shapes
+    for faces in _bodies(block, "CompositeSurface"):
+        if len(faces.polygons) < 2 or any(shapes.polygons[number].owner is not None for number in faces.polygons):
+            continue
+        corners = [{tuple(place) for place in shapes.raw[slice(*shapes.start[[ring, ring + 1]])].tolist()}
+                   for ring in shapes.outer_ring[faces.polygons]]
+        place = shapes.place(int(faces.polygons[0]))
+        if len({frozenset(one) for one in corners}) < len(corners):
+            yield violation(faces.body.feature, faces.body.lod, place, why="the same polygon twice",
+                            why_ja="重なる多角形があります")
+        elif any(not any(one & other for j, other in enumerate(corners) if j != k) and not _touches(block, faces, k)
+                 for k, one in enumerate(corners)):
+            yield violation(faces.body.feature, faces.body.lod, place, why="a polygon that touches no other",
+                            why_ja="他のいずれとも接していない多角形があります")
+
+
+def _plan(block: CityBlock, number: int) -> shapely.Polygon:
+    """Outer ring of a polygon in plan, m."""
+    shapes = block.shapes
+    ring = shapes.outer_ring[number]
+    return shapely.Polygon(shapes.metres[shapes.start[ring]:shapes.start[ring + 1], :2])
+
+
+def _touches(block: CityBlock, faces: _Faces, k: int) -> bool:
+    """Whether a polygon lies at another one of its surface without a common vertex."""
+    plans = np.array([_plan(block, number) for number in faces.polygons], object)
+    return bool((shapely.distance(plans[k], np.delete(plans, k)) < NEAREST).any())
+
+
+@city_rule("L-bldg-02")
+def _parts_apart(block: CityBlock, rule: CheckRule) -> Iterator[Violation]:
+    for thing in block.things:
+        parts = [one for one in thing.features if one.type == "bldg:BuildingPart"]
+        if len(parts) < 2:
+            continue
+        by_id = _polygon_numbers(thing)
+        for level in (2, 3, 4):
+            boxes = [_extent(block, thing, body, by_id) for body in thing.bodies
+                     if body.kind == "Solid" and body.lod == level and body.feature in parts]
+            known = [box for box in boxes if box is not None]
+            if len(known) > 1 and not _connected(known):
+                yield violation(thing.features[0], level)
+
+
+def _extent(block: CityBlock, thing: CityThing, body: CityBody, by_id: dict[str, int],
+            ) -> tuple[shapely.Geometry, float, float] | None:
+    """Plan of a solid and its lowest and highest place, m; None where a polygon is not there."""
+    numbers = [block.shapes.number.get(id(thing.polygons[k])) for k, _ in _members(thing, body, by_id) or ()]
+    if not numbers or None in numbers:
+        return None
+    shapes = block.shapes
+    places = np.vstack([shapes.metres[slice(*shapes.start[[ring, ring + 1]])] for ring in shapes.outer_ring[numbers]])
+    level = [number for number in numbers if abs(shapes.normals[number, 2]) > 0.1]
+    plan = shapely.union_all(shapely.make_valid(np.array([_plan(block, number) for number in level], object)))
+    return plan, float(places[:, 2].min()), float(places[:, 2].max())
+
+
+def _connected(boxes: list[tuple[shapely.Geometry, float, float]]) -> bool:
+    """Whether all bodies hang together by bodies that touch."""
+    reached, waiting = {0}, [0]
+    while waiting:
+        plan, low, high = boxes[waiting.pop()]
+        for number, (other, floor, roof) in enumerate(boxes):
+            if (number not in reached and shapely.distance(plan, other) < NEAREST and floor < high + NEAREST
+                    and low < roof + NEAREST):
+                reached.add(number)
+                waiting.append(number)
+    return len(reached) == len(boxes)
+
+
+@city_rule("L-bldg-03")
+def _opening_outside(block: CityBlock, rule: CheckRule) -> Iterator[Violation]:
+    shapes = block.shapes
+    owners: dict[tuple[int, int], list[int]] = {}
+    for number, polygon in enumerate(shapes.polygons):
+        owners.setdefault((id(polygon.feature), polygon.lod or 0), []).append(number)
+    for feature in block.features(*_OPENINGS):
+        for level in sorted(feature.lods):
+            own, around = owners.get((id(feature), level)), owners.get((id(feature.parent), level))
+            if own and around and not _covered(block, own, around):
+                yield violation(feature, level, shapes.place(own[0]))
+
+
+def _covered(block: CityBlock, own: list[int], around: list[int]) -> bool:
+    """Whether polygons, seen along the normal of those around them, lie within their outer rings."""
+    shapes = block.shapes
+    normal = shapes.normals[around[0]]
+    helper = np.array([1.0, 0.0, 0.0]) if abs(normal[2]) > 0.5 else np.array([0.0, 0.0, 1.0])
+    first = np.cross(helper, normal)
+    axes = np.column_stack([first, np.cross(normal, first)])
+
+    def seen(number: int) -> shapely.Geometry:
+        ring = shapes.outer_ring[number]
+        return shapely.make_valid(shapely.Polygon(shapes.metres[shapes.start[ring]:shapes.start[ring + 1]] @ axes))
+
+    wall = shapely.union_all([seen(number) for number in around])
+    return bool(shapely.covers(shapely.buffer(wall, PLANE), shapely.union_all([seen(number) for number in own])))
+
+
+def _boundary_ids(thing: CityThing, holder: CityFeature, surfaces: tuple[str, ...], level: int) -> set[str]:
+    """Ids of the polygons of a level in the boundary surfaces of a feature and of its installations, with openings."""
+    def held(feature: CityFeature) -> bool:
+        above = feature.parent
+        if feature.type in _OPENINGS:
+            return above is not None and held(above)
+        return feature.type in surfaces and above is not None and (above is holder or (
+            above.type.endswith("BuildingInstallation") and above.parent is holder))
+
+    return {polygon.id for polygon in thing.polygons if polygon.lod == level and polygon.id and held(polygon.feature)}
+
+
+def _foreign_faces(block: CityBlock, types: tuple[str, ...], names: tuple[str, ...], surfaces: tuple[str, ...],
+                   ) -> Iterator[Violation]:
+    """Solids with a face that is none of the boundary surfaces' polygons."""
+    for thing in block.things:
+        by_id = _polygon_numbers(thing)
+        for body in thing.bodies:
+            if body.kind not in ("Solid",) or body.name not in names or body.feature.type not in types:
+                continue
+            members = _members(thing, body, by_id) or []
+            known = _boundary_ids(thing, body.feature, surfaces, body.lod or 0)
+            for number, _ in members:
+                if thing.polygons[number].id not in known:
+                    yield violation(body.feature, body.lod, level=body.lod)
+
+
+@city_rule("L-bldg-06")
+def _no_boundary_surface(block: CityBlock, rule: CheckRule) -> Iterator[Violation]:
+    yield from _foreign_faces(block, ("bldg:Building", "bldg:BuildingPart"), ("lod2Solid", "lod3Solid"),
+                              OUTER_SURFACES)
+
+
+@city_rule("L-bldg-08")
+def _no_boundary_surface_4(block: CityBlock, rule: CheckRule) -> Iterator[Violation]:
+    yield from _foreign_faces(block, ("bldg:Building", "bldg:BuildingPart"), ("lod4Solid",), OUTER_SURFACES)
+
+
+@city_rule("L-bldg-09")
+def _no_room_surface(block: CityBlock, rule: CheckRule) -> Iterator[Violation]:
+    yield from _foreign_faces(block, ("bldg:Room",), ("lod4Solid",), INNER_SURFACES)
+
+
+@city_rule("L-tran-03")
+def _area_not_referred(block: CityBlock, rule: CheckRule) -> Iterator[Violation]:
+    for thing in block.things:
+        road = thing.features[0]
+        if road.type != "tran:Road":
+            continue
+        referred = {link.target.lstrip("#") for link in thing.references if link.feature is road}
+        for feature in thing.features[1:]:
+            if feature.type not in ("tran:TrafficArea", "tran:AuxiliaryTrafficArea"):
+                continue
+            for level in sorted(feature.lods & {2, 3}):
+                own = [polygon for polygon in thing.polygons if polygon.feature is feature and polygon.lod == level]
+                named = {one.id for one in (*own, *(body for body in thing.bodies if body.feature is feature))}
+                if own and not named & referred:
+                    yield violation(road, level, level=level, area=feature.id)
