@@ -26,9 +26,12 @@ class BlockShapes:
 
     Attributes
     ----------
-    polygons : in the order of the file. thing : (P,) number of each one's city object.
-    raw, metres : (N, 3) places of all rings, as in the file and in metres. start : (R + 1,) begin of each ring.
-    polygon : (R,) number of each ring's polygon. outer : (R,) whether it is the outer one.
+    polygons : in the order of the file.
+    thing : (P,) number of each one's city object.
+    raw, metres : (N, 3) places of all rings, as in the file and in metres.
+    start : (R + 1,) begin of each ring.
+    polygon : (R,) number of each ring's polygon.
+    outer : (R,) whether it is the outer one.
     unreadable : polygons with coordinates that are no numbers or not three a place; they have no rings here.
     """
 

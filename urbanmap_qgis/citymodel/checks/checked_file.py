@@ -45,11 +45,14 @@ class CheckedFile:
 
     Attributes
     ----------
-    source, number : the file and its number in the run. delivery : whether it lies in the folders of a delivery.
-    path : its name with the folders that tell it from the others. root : attributes of its root.
+    source, number : the file and its number in the run.
+    delivery : whether it lies in the folders of a delivery.
+    path : its name with the folders that tell it from the others.
+    root : attributes of its root.
     system : name of its reference system, "" without.
     low, high : corners of its envelope as they stand there, None without.
-    counts : features by type. broken : what the parser says of a file that is no whole XML.
+    counts : features by type.
+    broken : what the parser says of a file that is no whole XML.
     """
 
     source: XmlSource

@@ -37,9 +37,15 @@ class CityFault:
 
     Attributes
     ----------
-    rule : its code. severity : "error", "warning" or "info". text : what. file : its name; path : with its folder.
-    type, gml_id : of the feature, "" for a file. lod : -1 without. longitude, latitude : where, as in the file
-    (degrees, or metres of a projected system); NaN where it has no place. source : of the rule.
+    rule : its code.
+    severity : "error", "warning" or "info".
+    text : what.
+    file : its name
+    path : with its folder.
+    type, gml_id : of the feature, "" for a file.
+    lod : -1 without.
+    longitude, latitude : where, as in the file (degrees, or metres of a projected system); NaN where it has no place.
+    source : of the rule.
     """
 
     rule: str
@@ -66,9 +72,13 @@ class CityInspection:
 
     Attributes
     ----------
-    faults : errors first. files : their names with their folders. counts : features by file and type. sizes : bytes by
-    file. objects : number of city objects. geographic : whether places are degrees. plane : reference system of those
-    that are none, as the file names it.
+    faults : errors first.
+    files : their names with their folders.
+    counts : features by file and type.
+    sizes : bytes by file.
+    objects : number of city objects.
+    geographic : whether places are degrees.
+    plane : reference system of those that are none, as the file names it.
     """
 
     faults: list[CityFault] = field(default_factory=list)

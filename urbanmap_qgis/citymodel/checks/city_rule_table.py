@@ -36,7 +36,8 @@ class Violation:
     Attributes
     ----------
     feature : the city object; None for a file as a whole.
-    fields : of the rule's text. lod : level of detail of the geometry, None where it has none.
+    fields : of the rule's text.
+    lod : level of detail of the geometry, None where it has none.
     place : (longitude or x, latitude or y) of the thing; None for the feature's own.
     """
 

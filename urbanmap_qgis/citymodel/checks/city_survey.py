@@ -45,9 +45,13 @@ class CitySurvey:
 
     Attributes
     ----------
-    ids : hash of every id; tags : number of the tag that has it; files : number of its file.
-    kinds : tags by their number. building_ids : features by building id that have neither branch nor part.
-    solids, areas, roads : outlines by level of detail. links : references that lead out of their city object.
+    ids : hash of every id
+    tags : number of the tag that has it
+    files : number of its file.
+    kinds : tags by their number.
+    building_ids : features by building id that have neither branch nor part.
+    solids, areas, roads : outlines by level of detail.
+    links : references that lead out of their city object.
     """
 
     ids: array = field(default_factory=lambda: array("q"))

@@ -45,7 +45,10 @@ class CityFeature:
 
     Attributes
     ----------
-    element : of the file. type : such as "bldg:Building". id : its gml:id. parent : the feature that holds it.
+    element : of the file.
+    type : such as "bldg:Building".
+    id : its gml:id.
+    parent : the feature that holds it.
     geometry : names of its properties with a geometry (lod1Solid) with the kinds of geometry in each.
     place : first place of its geometry as it stands in the file; None without.
     """
@@ -78,8 +81,9 @@ class CityPolygon:
 
     Attributes
     ----------
-    owner : number of its solid in the object's list, None outside of solids. group : number of its composite surface or
-    triangulated surface. outer_rings : how many exterior rings the file gives.
+    owner : number of its solid in the object's list, None outside of solids.
+    group : number of its composite surface or triangulated surface.
+    outer_rings : how many exterior rings the file gives.
     """
 
     feature: CityFeature
@@ -131,8 +135,9 @@ class CityThing:
 
     Attributes
     ----------
-    features : itself first. codes : values with a list of codes: (feature, element, its parent). ids : (id, tag,
-    feature) of everything that has one.
+    features : itself first.
+    codes : values with a list of codes: (feature, element, its parent).
+    ids : (id, tag, feature) of everything that has one.
     """
 
     features: list[CityFeature] = field(default_factory=list)

@@ -27,7 +27,9 @@ class CheckRule:
 
     Attributes
     ----------
-    code, severity : see there. primitive : kind of element that it looks at. source : who asks for it.
+    code, severity : see there.
+    primitive : kind of element that it looks at.
+    source : who asks for it.
     text, japanese : sentence on an element that breaks it, with named fields.
     """
 
