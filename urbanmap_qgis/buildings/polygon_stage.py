@@ -40,9 +40,21 @@ CELL = (0.25, 1.0)
 BLOCK_STATUS, LOST_ROOFS, SIMPLIFIED = "plain block", "lost roofs", "simplified"
 LEVELS_BETTER = "level roofs fit better"
 
-MIN_INNER_POINTS, FLAT_SPREAD, MIN_PARAPET = 10, 0.15, 0.5
-"""A flat roof inside a parapet: so many points well inside, of no more spread (m, robust standard deviation), and so
-much (m) below the middle of all its points."""
+
+@dataclass(frozen=True)
+class PolygonStageLimits:
+    """Limits of polygon stage, each with its unit."""
+
+    # A flat roof inside a parapet: so many points well inside, of no more spread (m, robust standard deviation),
+    # and so much (m) below the middle of all its points.
+    min_inner_points: int = 10
+    flat_spread: float = 0.15
+    min_parapet: float = 0.5
+    # Distance (m) within which other outlines are neighbours that a building's own may not cross.
+    party_wall_reach: float = 3.0
+
+
+LIMITS = PolygonStageLimits()
 
 LOST_AREA = 4.0
 """Area (m2) inside the outline from which a roof that has no polygon is missed."""
@@ -50,9 +62,6 @@ LOST_AREA = 4.0
 PARTITION, POINTS, PAPER = "partition", "points", "paper"
 """The methods: the outline divided without gaps, the same with an outline drawn from the points, or each roof
 outlined on its own as the paper does."""
-
-PARTY_WALL_REACH = 3.0
-"""Distance (m) within which other outlines are neighbours that a building's own may not cross."""
 
 ROBUST, MAXIMUM = "robust", "maximum"
 """The roof heights: the median of the roof's points, or the highest of them as in the paper."""
@@ -293,7 +302,7 @@ def _has_lost_roof(outline: shapely.Geometry, x: np.ndarray, y: np.ndarray, roof
 def _neighbours(polygons: np.ndarray) -> list[list[shapely.Geometry]]:
     """Outlines near each outline, itself left out."""
     tree = shapely.STRtree(polygons)
-    one, other = tree.query(polygons, "dwithin", PARTY_WALL_REACH)
+    one, other = tree.query(polygons, "dwithin", LIMITS.party_wall_reach)
     beside: list[list[shapely.Geometry]] = [[] for _ in polygons]
     for row, near in sorted(zip(one.tolist(), other.tolist())):
         if row != near:
@@ -340,11 +349,11 @@ def _inner_height(polygon: shapely.Polygon, x: np.ndarray, y: np.ndarray, z: np.
     inner = shapely.buffer(polygon, -PARAPET_REACH)
     shapely.prepare(inner)
     heights = z[shapely.contains_xy(inner, x, y)]
-    if len(heights) < MIN_INNER_POINTS:
+    if len(heights) < LIMITS.min_inner_points:
         return height
     level = float(np.median(heights))
-    flat = 1.4826 * float(np.median(np.abs(heights - level))) < FLAT_SPREAD
-    return level if flat and height - level >= MIN_PARAPET else height
+    flat = 1.4826 * float(np.median(np.abs(heights - level))) < LIMITS.flat_spread
+    return level if flat and height - level >= LIMITS.min_parapet else height
 
 
 def _outline_each(table: RoofPolygons, number: int, outline: shapely.Geometry, points: tuple, roof: np.ndarray,

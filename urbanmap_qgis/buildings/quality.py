@@ -9,21 +9,24 @@ import shapely
 
 from ..execution import checkpoint
 
-BEST_SHARE = 0.95
-"""Share of the points, those that fit best, that the trimmed RMSE is taken over."""
+
+@dataclass(frozen=True)
+class BuildingsQualityLimits:
+    """Limits of buildings quality, each with its unit."""
+
+    best_share: float = 0.95  # Share of the points, those that fit best, that the trimmed RMSE is taken over.
+    explained: float = 0.5  # Distance (m) to the nearest surface of the model up to which it explains a point.
+    # Distance (m) by which the search for near surfaces goes too far, so that no rounding leaves one out.
+    rounding: float = 1e-6
+    # Distance (m) of a point that no roof took from a wall up to which it is a point of that wall: outlines are
+    # rough.
+    wall_point: float = 1.0
 
 
-EXPLAINED = 0.5
-"""Distance (m) to the nearest surface of the model up to which it explains a point."""
+LIMITS = BuildingsQualityLimits()
 
 PARAPET_HEIGHT, PARAPET_REACH = 1.5, 1.0
 """A point up to so much over a roof (m) and so near to its edge (m) is its parapet, which the model leaves out."""
-
-ROUNDING = 1e-6
-"""Distance (m) by which the search for near surfaces goes too far, so that no rounding leaves one out."""
-
-WALL_POINT = 1.0
-"""Distance (m) of a point that no roof took from a wall up to which it is a point of that wall: outlines are rough."""
 
 
 @dataclass(frozen=True)
@@ -54,7 +57,7 @@ class ModelFit:
     rmse_3d : root mean square distance to the nearest surface of the model.
     p95 : 95th percentile of that distance.
     coverage : share of the points that lie over or under a roof of the model.
-    not_explained : share of the points farther than `EXPLAINED` from every surface of the model, parapets left out.
+    not_explained : share of points farther than `LIMITS.explained` from all surfaces of the model, parapets apart.
     """
 
     points: int
@@ -82,12 +85,12 @@ def model_fit(x: np.ndarray, y: np.ndarray, z: np.ndarray, cells: list[RoofCell]
     on_wall = np.zeros(len(x), bool)
     if on_roof is not None and len(walls) and not on_roof.all():
         other = np.flatnonzero(~on_roof)
-        limit = np.full(len(other), WALL_POINT)
-        on_wall[other] = _wall_distances(x[other], y[other], z[other], walls, limit) < WALL_POINT
+        limit = np.full(len(other), LIMITS.wall_point)
+        on_wall[other] = _wall_distances(x[other], y[other], z[other], walls, limit) < LIMITS.wall_point
         over &= ~on_wall
     distance = surface_distances(x, y, z, cells, walls, below)
     absolute = np.sort(np.abs(dz[over]))
-    best = absolute[:max(int(np.ceil(BEST_SHARE * len(absolute))), 1)]
+    best = absolute[:max(int(np.ceil(LIMITS.best_share * len(absolute))), 1)]
     median = (float(absolute[(len(absolute) - 1) // 2] + absolute[len(absolute) // 2]) / 2 if len(absolute)
               else np.nan)
     return ModelFit(len(x), _rms(absolute), _rms(best), median, _rms(distance), float(np.percentile(distance, 95)),
@@ -98,7 +101,7 @@ def model_fit(x: np.ndarray, y: np.ndarray, z: np.ndarray, cells: list[RoofCell]
 def unexplained_points(x: np.ndarray, y: np.ndarray, dz: np.ndarray, distance: np.ndarray,
                        cells: list[RoofCell]) -> np.ndarray:
     """Mask (n,) of the points that neither a surface of the model nor a parapet on one of its roofs explains."""
-    far = distance > EXPLAINED
+    far = distance > LIMITS.explained
     low = np.flatnonzero(far & (dz > 0) & (dz <= PARAPET_HEIGHT))
     if len(low):
         edges = shapely.union_all([shapely.boundary(cell.polygon) for cell in cells])
@@ -143,7 +146,7 @@ def surface_distances(x: np.ndarray, y: np.ndarray, z: np.ndarray, cells: list[R
         nearest[rows] = np.minimum(nearest[rows], _roof_distances(x[rows], y[rows], z[rows], cell, at_place=True))
     for cell, rows in zip(cells, below):
         checkpoint()
-        near = _within_reach(x, y, z, cell, nearest + ROUNDING)
+        near = _within_reach(x, y, z, cell, nearest + LIMITS.rounding)
         near[rows] = False
         near = np.flatnonzero(near)
         if len(near):
@@ -200,7 +203,7 @@ def _wall_distances(x: np.ndarray, y: np.ndarray, z: np.ndarray, walls: np.ndarr
     left out, and infinity stands where all are."""
     if walls.shape[1] == 6:
         walls = walls[:, [0, 1, 2, 3, 4, 4, 5, 5]]
-    reach, nearest = limit + ROUNDING, np.full(len(x), np.inf)
+    reach, nearest = limit + LIMITS.rounding, np.full(len(x), np.inf)
     least, most = np.minimum(walls[:, [0, 1, 4]], walls[:, [2, 3, 5]]), np.maximum(walls[:, [0, 1, 6]],
                                                                                   walls[:, [2, 3, 7]])
     near = np.ones((len(x), len(walls)), bool)

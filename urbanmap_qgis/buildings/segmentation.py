@@ -36,8 +36,22 @@ from .outlines.footprint import Footprints
 from .point_assignment import Assignment, assign_points, points_in_expanded
 from .unclassified_roofs import unclassified_roof_points
 
-TILE_POINTS = 3_000_000
-"""Points worked on together; the side of the tiles follows from the cloud's density."""
+
+@dataclass(frozen=True)
+class SegmentationLimits:
+    """Limits of segmentation, each with its unit."""
+
+    tile_points: int = 3_000_000  # Points worked on together; the side of the tiles follows from the cloud's density.
+    ground_cell: float = 1.0  # Side (m) of the cells of the ground heights that are made where none are given.
+    # LAS classes that are never roofs: ground, vegetation, water, road surface, bridge deck.
+    not_building: tuple[float, ...] = (2, 3, 4, 5, 9, 11, 17)
+    # Class 6 is trusted for a building where it holds at least this share of its high points.
+    min_classed_share: float = 0.2
+    min_roof_points: int = 3
+    on_ground: float = 1.0  # Height (m) above the ground up to which a point shows that a place is open.
+
+
+LIMITS = SegmentationLimits()
 
 TILE_SIDE = (150.0, 600.0)
 """Least and greatest side (m) of a tile."""
@@ -45,22 +59,8 @@ TILE_SIDE = (150.0, 600.0)
 BUFFER = 60.0
 """Reach (m) beyond a tile within which points and outlines are seen: wide enough for ground round blocks."""
 
-GROUND_CELL = 1.0
-"""Side (m) of the cells of the ground heights that are made where none are given."""
-
-NOT_BUILDING = (2, 3, 4, 5, 9, 11, 17)
-"""LAS classes that are never roofs: ground, vegetation, water, road surface, bridge deck."""
-
-MIN_CLASSED_SHARE = 0.2
-"""Class 6 is trusted for a building where it holds at least this share of its high points."""
-
-MIN_ROOF_POINTS = 3
-
 FULL, PAPER = "full", "paper"
 """Methods: outlines adjusted and candidate points chosen, or all points in the expanded outlines as in the paper."""
-
-ON_GROUND = 1.0
-"""Height (m) above the ground up to which a point shows that a place is open."""
 
 
 @dataclass(frozen=True)
@@ -191,7 +191,7 @@ class _Tiling:
                                  "place and that their coordinate reference systems are set right."))
         extent = np.maximum(cloud.maximum[:2] - cloud.minimum[:2], 1.0)
         self.density = cloud.point_count / float(np.prod(extent))
-        self.side = float(np.clip(math.sqrt(TILE_POINTS / self.density), *TILE_SIDE))
+        self.side = float(np.clip(math.sqrt(LIMITS.tile_points / self.density), *TILE_SIDE))
         self.origin = low - self.side * 1e-6
         centre = (bounds[:, :2] + bounds[:, 2:]) / 2
         self.columns = int((high[0] - low[0]) // self.side) + 2
@@ -265,7 +265,7 @@ def _segment_tile(tile: Tile, progress: Progress = SILENT) -> tuple[np.ndarray, 
     above = np.full(len(z), np.inf)
     if ground and len(x):
         above = z - ground_without_decks(outlines, x, y, z, sample(*ground, x, y), tile.density)
-        outlines[:] = with_courtyards(outlines, x, y, above < ON_GROUND, tile.density)
+        outlines[:] = with_courtyards(outlines, x, y, above < LIMITS.on_ground, tile.density)
     several = np.asarray(points.number_of_returns) > 1
     assignment = _assign_candidates(x, y, z, classes, above, several, outlines, tile.parameters)
     assigned = np.flatnonzero((assignment.owner >= 0) & tile.inside[assignment.owner])
@@ -305,7 +305,7 @@ def _made_ground(x: np.ndarray, y: np.ndarray, z: np.ndarray, classes: np.ndarra
         return None
     x_min, y_min, x_max, y_max = shapely.total_bounds(polygons)
     grid = Grid.covering(max(x.min(), x_min - BUFFER), max(y.min(), y_min - BUFFER),
-                         min(x.max(), x_max + BUFFER), min(y.max(), y_max + BUFFER), GROUND_CELL)
+                         min(x.max(), x_max + BUFFER), min(y.max(), y_max + BUFFER), LIMITS.ground_cell)
     try:
         return grid, ground_raster(x, y, z, classes if classes.any() else None, grid, progress=progress)
     except InsufficientDataError:
@@ -343,7 +343,7 @@ def _assign_candidates(x: np.ndarray, y: np.ndarray, z: np.ndarray, classes: np.
     owner = np.full(len(x), -1, np.int64)
     primary = np.zeros(len(x), bool)
     open_to_all = np.ones(256, bool)
-    open_to_all[[*NOT_BUILDING, BUILDING_CLASS]] = False
+    open_to_all[[*LIMITS.not_building, BUILDING_CLASS]] = False
     high = np.flatnonzero(open_to_all[classes] & ~(above < parameters.minimum_height))
 
     def assign(candidates: np.ndarray, wanted: np.ndarray) -> Assignment:
@@ -382,7 +382,7 @@ def _trusted_classes(found: Assignment, others: Assignment, count: int) -> np.nd
     """Mask of the buildings whose class 6 points (`found`) describe them: enough, and not few beside the `others`."""
     classed = np.bincount(found.owner[found.primary & (found.owner >= 0)], minlength=count)
     unclassed = np.bincount(others.owner[others.owner >= 0], minlength=count)
-    return (classed >= MIN_ROOF_POINTS) & (classed >= MIN_CLASSED_SHARE * (classed + unclassed))
+    return (classed >= LIMITS.min_roof_points) & (classed >= LIMITS.min_classed_share * (classed + unclassed))
 
 
 def _count_points(table: SegmentedBuildings, assignment: Assignment, outlines: np.ndarray,
@@ -394,5 +394,5 @@ def _count_points(table: SegmentedBuildings, assignment: Assignment, outlines: n
     table.density[:] = inside / np.maximum(shapely.area(outlines), 1e-9)
     if ground is not None:
         table.ground[:] = outline_ground(outlines, *ground)
-    table.status[:] = np.where(table.points >= MIN_ROOF_POINTS, "ok",
+    table.status[:] = np.where(table.points >= LIMITS.min_roof_points, "ok",
                                np.where(table.points > 0, "too few points", "no points"))

@@ -20,15 +20,23 @@ from .trajectory import Trajectory, interpolate
 MEASURED = 200.0
 """m: no scanner of a survey vehicle is used farther out."""
 
-SEEN_BESIDE = 25.0
-"""m to either side of the path within which markings are taken."""
+
+@dataclass(frozen=True)
+class SurveyChecksLimits:
+    """Limits of survey checks, each with its unit."""
+
+    seen_beside: float = 25.0  # m to either side of the path within which markings are taken.
+    most: float = 0.9  # of the path; less is told
+    samples: int = 500
+    over_ground: float = 15.0  # m; no body of a vehicle is higher
+    # m by which a body is never above all points, or below them
+    above: float = 30.0
+    below: float = 5.0
+
+
+LIMITS = SurveyChecksLimits()
 
 _UNITS = {"millimetres": 1e-3, "centimetres": 1e-2, "feet": 0.3048, "kilometres": 1e3}
-
-_MOST = 0.9  # of the path; less is told
-_SAMPLES = 500
-_OVER_GROUND = 15.0  # m; no body of a vehicle is higher
-_ABOVE, _BELOW = 30.0, 5.0  # m by which a body is never above all points, or below them
 
 
 @dataclass(frozen=True)
@@ -55,7 +63,7 @@ def require_survey(cloud: PointCloud, trajectory: Trajectory) -> None:
     """
     span = sampled_span(cloud)
     shift = time_shift(cloud, trajectory, span)
-    time = np.linspace(span[0] + shift, span[1] + shift, _SAMPLES)
+    time = np.linspace(span[0] + shift, span[1] + shift, LIMITS.samples)
     place = interpolate(trajectory, time, "hold").place
     name, low, high = cloud.paths[0].name, cloud.minimum, cloud.maximum
     away = _box(low, high).distance(place[:, 0], place[:, 1]).min()
@@ -63,7 +71,7 @@ def require_survey(cloud: PointCloud, trajectory: Trajectory) -> None:
         raise InputError(say("{name} lies {length} from where the vehicle was at its times: {reason}.", name=name,
                              length=_length(away), reason=_reason(_box(low, high), place)))
     above, below = place[:, 2].min() - high[2], low[2] - place[:, 2].max()
-    if above > _ABOVE or below > _BELOW:
+    if above > LIMITS.above or below > LIMITS.below:
         raise InputError(say("All points of {name} lie more than {above:.0f} m {value} the trajectory: heights above "
                              "the ellipsoid and above sea level cannot be mixed; convert one of them (a geoid model "
                              "can be given for SBET).", name=name, above=max(above, below),
@@ -97,9 +105,9 @@ def require_reference(trajectory: Trajectory, span: tuple[float, float] | None, 
     InputError : no part of the path lies in them, or the vehicle is far above or below the ground.
     """
     first, last = span or (trajectory.time[0], trajectory.time[-1])
-    time = np.linspace(max(first, trajectory.time[0]), min(last, trajectory.time[-1]), _SAMPLES)
+    time = np.linspace(max(first, trajectory.time[0]), min(last, trajectory.time[-1]), LIMITS.samples)
     x, y, z = interpolate(trajectory, time, "hold").place.T
-    boxes = [(say("The reference markings"), _markings_box(reference), SEEN_BESIDE)]
+    boxes = [(say("The reference markings"), _markings_box(reference), LIMITS.seen_beside)]
     if reference.ground is not None:
         boxes.append((say("The ground elevation"), _raster_box(reference.ground), 0.0))
     for what, box, beside in boxes:
@@ -109,13 +117,13 @@ def require_reference(trajectory: Trajectory, span: tuple[float, float] | None, 
             reach = "lie" if what.endswith("s") else "lies"
             raise InputError(say("{what} {reach} {length} from the path of the survey: give those of the same place.",
                                  what=what, reach=reach, length=_length(float(away.min()))))
-        if share < _MOST:
+        if share < LIMITS.most:
             progress.warn(say("{what} cover{value} {share:.0f} % of the path only: the rest cannot be registered.",
                               what=what, value="" if what.endswith("s") else "s", share=100 * share))
     if reference.ground is not None:
         height = z - reference.heights(x, y)
         middle = float(np.median(height[np.isfinite(height)])) if np.isfinite(height).any() else 0.0
-        if not -_BELOW <= middle <= _OVER_GROUND:
+        if not -LIMITS.below <= middle <= LIMITS.over_ground:
             raise InputError(say("The vehicle is {middle:.0f} m {value} the ground elevation: heights above the "
                                  "ellipsoid and above sea level cannot be mixed, convert one of the two (a geoid "
                                  "model can be given for SBET).", middle=abs(middle),

@@ -21,11 +21,20 @@ ANGLES = ("degrees", "radians", "degrees_from_east", "radians_from_east")
 ANGLE_NAMES = ("degrees clockwise from grid north", "radians clockwise from grid north",
                "degrees counter-clockwise from east", "radians counter-clockwise from east")
 
-_STEP = 2.0  # m of path over which the direction of travel is taken
-_STEPS = 8  # so many of them say enough
-_AGREES = 5.0  # degrees; side slip and the mounting of the inertial unit stay below
-_STRANGE = 20.0
-_CLEARLY = 3.0
+
+@dataclass(frozen=True)
+class TrajectoryReadingLimits:
+    """Limits of trajectory reading, each with its unit."""
+
+    step: float = 2.0  # m of path over which the direction of travel is taken
+    steps: int = 8  # so many of them say enough
+    agrees: float = 5.0  # degrees; side slip and the mounting of the inertial unit stay below
+    strange: float = 20.0
+    clearly: float = 3.0
+
+
+LIMITS = TrajectoryReadingLimits()
+
 _RADIAN_LIMIT = 2.0 * np.pi + 0.01
 
 
@@ -41,7 +50,6 @@ class TrajectoryReading:
 
     angles: str = "degrees"
     geoid: Geoid | None = None
-
 
 USUAL = TrajectoryReading()
 """Degrees clockwise from grid north, heights as they are."""
@@ -80,19 +88,19 @@ def judged_headings(trajectory: Trajectory, angles: np.ndarray, counted: str, na
                              max=np.abs(angles).max()))
     away = {way: _away(trajectory, angles, way) for way in ANGLES}
     off = away[counted]
-    if not np.isfinite(off) or off <= _AGREES:
+    if not np.isfinite(off) or off <= LIMITS.agrees:
         return []
     best = min(away, key=lambda way: away[way])
-    if best != counted and away[best] <= _AGREES and off > _CLEARLY * away[best]:
+    if best != counted and away[best] <= LIMITS.agrees and off > LIMITS.clearly * away[best]:
         raise InputError(say("{name}: the headings lie {off:.0f}° beside the direction of travel (median), but read "
                              "as {angle_names} they go with it ({away:.1f}°): say that the angles are counted so, or "
                              "convert them to {angle_names_2}.", name=name, off=off,
                              angle_names=ANGLE_NAMES[ANGLES.index(best)], away=away[best],
                              angle_names_2=ANGLE_NAMES[0]))
-    if off > 180.0 - _AGREES:
+    if off > 180.0 - LIMITS.agrees:
         return [say("{name}: the vehicle drove backwards, or its headings are half a turn off: they point against "
                     "the direction of travel.", name=name)]
-    if off > _STRANGE:
+    if off > LIMITS.strange:
         return [say("{name}: the headings lie {off:.0f}° beside the direction of travel (median): where the body's x "
                     "axis does not point forward, the calibration must say the same; otherwise the headings are "
                     "wrong.", name=name, off=off)]
@@ -104,8 +112,8 @@ def _away(trajectory: Trajectory, angles: np.ndarray, counted: str) -> float:
     if counted.startswith("radians") and np.abs(angles).max(initial=0.0) > _RADIAN_LIMIT:
         return np.inf
     chainage = path_chainage(trajectory)
-    at = np.arange(0.0, chainage[-1] + 1e-9, _STEP)
-    if len(at) <= _STEPS:
+    at = np.arange(0.0, chainage[-1] + 1e-9, LIMITS.step)
+    if len(at) <= LIMITS.steps:
         return np.nan
     rising = np.concatenate([[True], np.diff(chainage) > 0])
     time = np.interp(at, chainage[rising], trajectory.time[rising])
@@ -114,7 +122,7 @@ def _away(trajectory: Trajectory, angles: np.ndarray, counted: str) -> float:
     heading = unwrapped(from_file_angles(angles, counted))[:, 2]
     middle = np.interp(0.5 * (time[1:] + time[:-1]), trajectory.time, heading)
     off = np.abs((middle - course + 180.0) % 360.0 - 180.0)[_driven(trajectory, time)]
-    return float(np.median(off)) if len(off) >= _STEPS else np.nan
+    return float(np.median(off)) if len(off) >= LIMITS.steps else np.nan
 
 
 def _driven(trajectory: Trajectory, time: np.ndarray) -> np.ndarray:

@@ -11,13 +11,18 @@ import shapely
 from ...wording import say
 from ..solids.plan_partition import Cell
 
-_LEVEL = 0.005
-"""A face whose heights differ by less than this (m) is level."""
 
-_UPRIGHT_AREA = 1e-4
-_SLOPED_AREA = 0.05
-_OFF_PLANE = 0.02
-"""A sloped face bends by no more than this (m)."""
+@dataclass(frozen=True)
+class ModelPartsLimits:
+    """Limits of model parts, each with its unit."""
+
+    level: float = 0.005  # A face whose heights differ by less than this (m) is level.
+    upright_area: float = 1e-4
+    sloped_area: float = 0.05
+    off_plane: float = 0.02  # A sloped face bends by no more than this (m).
+
+
+LIMITS = ModelPartsLimits()
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,16 +66,16 @@ def model_parts(faces: Sequence[shapely.Polygon]) -> ModelParts:
     origin = shapely.get_coordinates(faces[0])[0]
     for face, z in zip(faces, z_faces):
         plan = shapely.force_2d(face)
-        if plan.area < _UPRIGHT_AREA:
+        if plan.area < LIMITS.upright_area:
             continue
-        level = np.ptp(z) <= _LEVEL
-        if level and z.mean() - base < _LEVEL:
+        level = np.ptp(z) <= LIMITS.level
+        if level and z.mean() - base < LIMITS.level:
             grounds.append(plan)
             continue
         plane, off = (np.array([0.0, 0.0, z.mean()]), 0.0) if level else _plane(face, origin)
-        if off > _OFF_PLANE and plan.area > _SLOPED_AREA:
+        if off > LIMITS.off_plane and plan.area > LIMITS.sloped_area:
             return ModelParts(base, (), say("a sloped face of it is not plane"))
-        sloped = sloped or (not level and plan.area > _SLOPED_AREA)
+        sloped = sloped or (not level and plan.area > LIMITS.sloped_area)
         roofs.append(plan)
         heights.append(float(z.max() if not level else z.mean()))
         planes.append(tuple(plane.tolist()))

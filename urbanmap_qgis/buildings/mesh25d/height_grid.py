@@ -15,14 +15,21 @@ from ...errors import InsufficientDataError
 from ...geometry.grid import Grid
 from ...wording import say
 
-_MIN_CELL, _MAX_CELL = 0.2, 1.0
-_LAYER = 0.3
-"""Points this far below the highest of their cell (m) lie on the same surface."""
+
+@dataclass(frozen=True)
+class HeightGridLimits:
+    """Limits of height grid, each with its unit."""
+
+    min_cell: float = 0.2
+    max_cell: float = 1.0
+    layer: float = 0.3  # Points this far below the highest of their cell (m) lie on the same surface.
+    max_iterations: int = 20
+
+
+LIMITS = HeightGridLimits()
 
 MIN_POINTS = 20
 """Points that a mesh needs at least."""
-
-_MAX_ITERATIONS = 20
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,7 +54,7 @@ class HeightGrid:
 
 def cell_size(points: np.ndarray, area: float) -> float:
     """Side of a cell (m) that holds about one of points (n, 3) on an area (m2)."""
-    return float(np.clip(math.sqrt(area / max(len(points), 1)), _MIN_CELL, _MAX_CELL))
+    return float(np.clip(math.sqrt(area / max(len(points), 1)), LIMITS.min_cell, LIMITS.max_cell))
 
 
 def height_grid(points: np.ndarray, plan: shapely.Geometry, step: float, min_area: float) -> HeightGrid:
@@ -70,7 +77,7 @@ def height_grid(points: np.ndarray, plan: shapely.Geometry, step: float, min_are
     if not measured.any():
         raise InsufficientDataError(say("none of its points lies on its outline"))
     inside = _inside(plan, grid)
-    for _ in range(_MAX_ITERATIONS):
+    for _ in range(LIMITS.max_iterations):
         filled = _filled(z)
         label = _surfaces(filled, max(step, 1.5 * cell))
         small = _small(label, inside & np.isfinite(z), min_area / cell**2)
@@ -92,7 +99,7 @@ def _top_heights(points: np.ndarray, grid: Grid) -> np.ndarray:
     z = points[inside, 2]
     top = np.full(grid.rows * grid.columns, -np.inf)
     np.maximum.at(top, cell, z)
-    upper = z > top[cell] - _LAYER
+    upper = z > top[cell] - LIMITS.layer
     cell, z = cell[upper], z[upper]
     order = np.lexsort((z, cell))
     cell, z = cell[order], z[order]
@@ -140,7 +147,7 @@ def _small(label: np.ndarray, counted: np.ndarray, least: float) -> np.ndarray:
 def _without_corner_contacts(label: np.ndarray) -> np.ndarray:
     """Labels without cells that touch others of their surface only at a corner, and numbered from 0."""
     label = label.copy()
-    for _ in range(_MAX_ITERATIONS):
+    for _ in range(LIMITS.max_iterations):
         a, b, c, d = label[:-1, :-1], label[:-1, 1:], label[1:, :-1], label[1:, 1:]
         # Two surfaces crosswise, or four: the lower right cell joins its left neighbour.
         cross = ((a == d) & (b != a) & (c != a)) | ((b == c) & (a != b) & (d != b))

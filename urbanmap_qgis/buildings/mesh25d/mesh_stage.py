@@ -32,18 +32,22 @@ OK, COARSE, GROUND_UNKNOWN, NOT_MODELLED = "ok", "error exceeded", "ground unkno
 """Status of a mesh: sound; fewer than 95 % of the uppermost points within the stated error; foot assumed; none."""
 
 STOREY = 3.0
-_ENOUGH = 0.95
-_TRIES = (1.0, 0.7, 0.4)
-"""Shares of the stated error, step and minimum area that are tried one after another while the points are not met."""
 
-_UNDER = 0.02
-"""Share of points under the uppermost surface that is told."""
 
-_GAIN = 0.01
-"""More triangles must bring at least this share of points within the error."""
+@dataclass(frozen=True)
+class MeshStageLimits:
+    """Limits of mesh stage, each with its unit."""
 
-_CHECKED = 4000
-"""Meshes of up to so many triangles are checked for self-intersection."""
+    enough: float = 0.95
+    # Shares of the stated error, step and minimum area that are tried one after another while the points are not
+    # met.
+    tries: tuple[float, ...] = (1.0, 0.7, 0.4)
+    under: float = 0.02  # Share of points under the uppermost surface that is told.
+    gain: float = 0.01  # More triangles must bring at least this share of points within the error.
+    checked: int = 4000  # Meshes of up to so many triangles are checked for self-intersection.
+
+
+LIMITS = MeshStageLimits()
 
 
 @dataclass(frozen=True)
@@ -134,11 +138,11 @@ def mesh_building(number: int, plan: shapely.Geometry | None, points: np.ndarray
         if assumed and len(points):
             base = float(np.quantile(points[:, 2], 0.05)) - STOREY
         best = None
-        for share in _TRIES:
+        for share in LIMITS.tries:
             mesh = _meshed(number, plan, points, base, settings, share)
-            if best is None or (mesh.watertight, mesh.fit.within - _GAIN) > (best.watertight, best.fit.within):
+            if best is None or (mesh.watertight, mesh.fit.within - LIMITS.gain) > (best.watertight, best.fit.within):
                 best = mesh
-            if best.watertight and best.fit.within >= _ENOUGH:
+            if best.watertight and best.fit.within >= LIMITS.enough:
                 break
     except InsufficientDataError as error:
         return BuildingMesh(number, None, NOT_MODELLED, "; ".join(filter(None, (note, str(error)))))
@@ -190,17 +194,17 @@ def _judged(mesh: BuildingMesh, assumed: bool, note: str, settings: MeshSettings
     if not mesh.watertight:
         return BuildingMesh(mesh.building_id, None, NOT_MODELLED,
                             "; ".join([*reasons, say("no closed mesh could be made")]), mesh.base)
-    valid = not check_solid(mesh.mesh) if len(mesh.mesh.faces) <= _CHECKED else None
+    valid = not check_solid(mesh.mesh) if len(mesh.mesh.faces) <= LIMITS.checked else None
     status = OK
     if assumed:
         status = GROUND_UNKNOWN
         reasons.append(say("its ground is not known, the foot is put {storey:g} m under its lowest roof",
                            storey=STOREY))
-    if mesh.fit.within < _ENOUGH:
+    if mesh.fit.within < LIMITS.enough:
         status = COARSE
         reasons.append(say("only {within:.0f} % of its uppermost points lie within {max_error:g} m",
                            within=100 * mesh.fit.within, max_error=settings.max_error))
-    if mesh.fit.under > _UNDER:
+    if mesh.fit.under > LIMITS.under:
         reasons.append(say("{under:.0f} % of its points lie under the uppermost surface, which alone is meshed",
                            under=100 * mesh.fit.under))
     if valid is False:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -10,13 +11,18 @@ from scipy.spatial import cKDTree
 from ..solids.half_edges import OUTSIDE, HalfEdges
 from .surface_plan import SurfacePlan
 
-_NEIGHBOURS = 12
-_LEVEL = 1.0
-"""Weight (m2 a point) with which a plane is held level: decides where the points tell no slope."""
 
-_BEYOND = 0.3
-_SAME = 0.05
-"""Surfaces whose heights at a node differ by less than this (m) meet there."""
+@dataclass(frozen=True)
+class NodeHeightsLimits:
+    """Limits of node heights, each with its unit."""
+
+    neighbours: int = 12
+    level: float = 1.0  # Weight (m2 a point) with which a plane is held level: decides where the points tell no slope.
+    beyond: float = 0.3
+    same: float = 0.05  # Surfaces whose heights at a node differ by less than this (m) meet there.
+
+
+LIMITS = NodeHeightsLimits()
 
 UNITS = 10_000
 """Heights at nodes are whole tenths of a millimetre."""
@@ -93,7 +99,7 @@ def _fitted(plan: SurfacePlan, cells: list[np.ndarray], base: float) -> Heights:
 
 def local_heights(cells: np.ndarray, places: np.ndarray) -> np.ndarray:
     """Heights (n,) at places (n, 2) by planes through the nearest of cells (k, 3)."""
-    count = min(_NEIGHBOURS, len(cells))
+    count = min(LIMITS.neighbours, len(cells))
     near = cKDTree(cells[:, :2]).query(places, count)[1].reshape(len(places), count)
     points = cells[near]
     middle = np.median(points[:, :, 2], axis=1)
@@ -102,11 +108,11 @@ def local_heights(cells: np.ndarray, places: np.ndarray) -> np.ndarray:
     centre = (points * weight[..., None]).sum(axis=1) / total[:, None]
     away = points - centre[:, None]
     normal = np.einsum("nk,nki,nkj->nij", weight, away[..., :2], away[..., :2])
-    normal += np.eye(2) * (_LEVEL * 0.02 * total)[:, None, None]
+    normal += np.eye(2) * (LIMITS.level * 0.02 * total)[:, None, None]
     right = np.einsum("nk,nki,nk->ni", weight, away[..., :2], away[..., 2])
     slope = np.linalg.solve(normal, right[..., None])[..., 0]
     height = centre[:, 2] + ((places - centre[:, :2]) * slope).sum(axis=1)
-    return np.clip(height, points[:, :, 2].min(axis=1) - _BEYOND, points[:, :, 2].max(axis=1) + _BEYOND)
+    return np.clip(height, points[:, :, 2].min(axis=1) - LIMITS.beyond, points[:, :, 2].max(axis=1) + LIMITS.beyond)
 
 
 def _simplify_chain(edges: HalfEdges, chain: list[int], heights: Heights, tolerance: int) -> None:
@@ -147,7 +153,8 @@ def _equalise_heights(edges: HalfEdges, heights: Heights, base: int) -> None:
         names = sorted({surface for surface in surfaces if surface != OUTSIDE}, key=lambda s: heights[s, node])
         group: list[int] = []
         for surface in [*names, None]:
-            if surface is not None and (not group or heights[surface, node] - heights[group[-1], node] < _SAME * UNITS):
+            if surface is not None and (not group
+                                        or heights[surface, node] - heights[group[-1], node] < LIMITS.same * UNITS):
                 group.append(surface)
                 continue
             level = round(sum(heights[name, node] for name in group) / len(group))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import cv2
 import numpy as np
 import shapely
@@ -10,23 +12,24 @@ from ..polygons.partition_lines import LabelBoundaries, edge_rows, inward_walls,
 from .label_raster import LabelRaster
 from .step_lines import building_directions, cracks_by_pair, step_lines
 
-LEAST_BEND = 0.07
-"""Difference of two planes' slopes below which they have no useful intersection (about 4 degrees)."""
 
-LEAST_LENGTH = 1.0
-"""Metres of common border that make a segment."""
+@dataclass(frozen=True)
+class CandidateSegmentsLimits:
+    """Limits of candidate segments, each with its unit."""
 
-EXTENSION = 6.0
-"""Metres by which segments are drawn on beyond the place where one of their two planes ends."""
+    # Difference of two planes' slopes below which they have no useful intersection (about 4 degrees).
+    least_bend: float = 0.07
+    least_length: float = 1.0  # Metres of common border that make a segment.
+    extension: float = 6.0  # Metres by which segments are drawn on beyond the place where one of their two planes ends.
+    join: float = 10.0  # Metres between two segments on one line up to which they are made one.
+    # Parallel lines nearer than this (m) are one; the intersection of planes stays, else the stronger one.
+    merge: float = 0.3
+    most_walls: int = 12
 
-JOIN = 10.0
-"""Metres between two segments on one line up to which they are made one."""
 
-MERGE = 0.3
-"""Parallel lines nearer than this (m) are one; the intersection of planes stays, else the stronger one."""
+LIMITS = CandidateSegmentsLimits()
 
 PARALLEL = np.sin(np.radians(5.0))
-MOST_WALLS = 12
 
 
 def candidate_segments(raster: LabelRaster, planes: np.ndarray, outline: shapely.Geometry, points: np.ndarray,
@@ -44,11 +47,11 @@ def candidate_segments(raster: LabelRaster, planes: np.ndarray, outline: shapely
     explained = _intersections(drawn, cracks, planes, raster.cell, reach)
     rest = LabelBoundaries(cracks.xy[~explained], cracks.left[~explained], cracks.right[~explained])
     normals = building_directions(edge_rows(outline)[:, 2:], planes)
-    for line, along, pair in step_lines(rest, normals, raster.cell, LEAST_LENGTH, points[:, :2], label):
+    for line, along, pair in step_lines(rest, normals, raster.cell, LIMITS.least_length, points[:, :2], label):
         drawn.add(line, drawn.reach(line, along, pair))
     bounds = outline.bounds
     whole = float(np.hypot(bounds[2] - bounds[0], bounds[3] - bounds[1])) + 1.0
-    for line in inward_walls(outline, LEAST_LENGTH)[:MOST_WALLS]:
+    for line in inward_walls(outline, LIMITS.least_length)[:LIMITS.most_walls]:
         drawn.add(line, _around(line, bounds, whole))
     return drawn.ends()
 
@@ -74,11 +77,11 @@ def _intersections(drawn: _Segments, cracks: LabelBoundaries, planes: np.ndarray
     for one, two, members in cracks_by_pair(cracks, len(planes)):
         difference = planes[one] - planes[two]
         bend = float(np.hypot(difference[0], difference[1]))
-        if bend < LEAST_BEND:
+        if bend < LIMITS.least_bend:
             continue
         line = (difference[0] / bend, difference[1] / bend, -difference[2] / bend)
         near = members[np.abs(cracks.xy[members] @ np.array(line[:2]) - line[2]) < reach]
-        if len(near) * cell < LEAST_LENGTH:
+        if len(near) * cell < LIMITS.least_length:
             continue
         explained[near] = True
         along = cracks.xy[near] @ np.array([-line[1], line[0]])
@@ -107,7 +110,7 @@ class _Segments:
         spans = [self.corners[plane] @ direction for plane in pair if len(self.corners[plane])]
         low = max((float(span.min()) for span in spans), default=along[0])
         high = min((float(span.max()) for span in spans), default=along[1])
-        return [min(along[0], low) - EXTENSION, max(along[1], high) + EXTENSION]
+        return [min(along[0], low) - LIMITS.extension, max(along[1], high) + LIMITS.extension]
 
     def add(self, line: tuple, along: list[float]) -> None:
         """Add a line, or lengthen the one that it lies on."""
@@ -116,8 +119,8 @@ class _Segments:
         middle = np.array(line[:2]) * line[2] + np.array([-line[1], line[0]]) * (along[0] + along[1]) / 2
         start, end = np.where(turned > 0, along[0], -along[1]), np.where(turned > 0, along[1], -along[0])
         on = np.abs(line[0] * rows[:, 1] - line[1] * rows[:, 0]) < PARALLEL
-        on &= np.abs(rows[:, :2] @ middle - rows[:, 2]) < MERGE
-        on &= (start < rows[:, 4] + JOIN) & (end > rows[:, 3] - JOIN)
+        on &= np.abs(rows[:, :2] @ middle - rows[:, 2]) < LIMITS.merge
+        on &= (start < rows[:, 4] + LIMITS.join) & (end > rows[:, 3] - LIMITS.join)
         if on.any():
             place = int(np.argmax(on))
             self.rows[place, 3:] = min(rows[place, 3], start[place]), max(rows[place, 4], end[place])

@@ -14,14 +14,21 @@ from .region_growing import grow_planes, surroundings
 PLANES, LEVELS = "planes", "levels"
 """What roofs are: planes, level or sloped (LoD2.2), or level pieces (LoD1.3, as in J 5.3)."""
 
-FEWEST = 4
-"""Points of the smallest plane, however thin the cloud."""
 
-FEWEST_STEEP, STEEP = 8, math.tan(math.radians(50.0))
-"""A plane steeper than this needs so many points: a few points on a wall and an eave make a plane, too."""
+@dataclass(frozen=True)
+class PlaneDetectionLimits:
+    """Limits of plane detection, each with its unit."""
 
-DENSE, THIN_FACTOR = 8.0, 2.0
-"""Points/m2 below which the tolerance grows with the distance between points, and how far it grows."""
+    fewest: int = 4  # Points of the smallest plane, however thin the cloud.
+    # A plane steeper than this needs so many points: a few points on a wall and an eave make a plane, too.
+    fewest_steep: int = 8
+    steep: float = math.tan(math.radians(50.0))
+    # Points/m2 below which the tolerance grows with the distance between points, and how far it grows.
+    dense: float = 8.0
+    thin_factor: float = 2.0
+
+
+LIMITS = PlaneDetectionLimits()
 
 
 @dataclass(frozen=True)
@@ -48,11 +55,11 @@ def detect_planes(points: np.ndarray, density: float, parameters: PlaneParameter
     points : those that stand above the ground, m, on a local origin.
     density : points/m2 on roofs.
     """
-    if len(points) < FEWEST:
+    if len(points) < LIMITS.fewest:
         return np.full(len(points), -1)
     around = surroundings(points, density)
-    fewest = max(FEWEST, round(parameters.least_area * density))
-    tolerance = parameters.tolerance * min(max(math.sqrt(DENSE / density), 1.0), THIN_FACTOR)
+    fewest = max(LIMITS.fewest, round(parameters.least_area * density))
+    tolerance = parameters.tolerance * min(max(math.sqrt(LIMITS.dense / density), 1.0), LIMITS.thin_factor)
     label = grow_planes(points, around, tolerance, fewest)
     label = merge_planes(points, around.neighbours, label, parameters.merge_tolerance)
     for _ in range(2):
@@ -66,7 +73,7 @@ def _without_small(points: np.ndarray, label: np.ndarray, fewest: int) -> np.nda
     large = count >= fewest
     if label.max(initial=-1) >= 0:
         slope = np.hypot(*fitted_planes(points, label)[:, :2].T)
-        large &= (count >= FEWEST_STEEP) | (slope < STEEP)
+        large &= (count >= LIMITS.fewest_steep) | (slope < LIMITS.steep)
     number = np.cumsum(large) - 1
     keep = (label >= 0) & large[label]
     return np.where(keep, number[label], -1)

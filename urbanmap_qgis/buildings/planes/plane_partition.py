@@ -20,15 +20,21 @@ from .plan_nodes import meeting_polygons
 from .plane_moments import moments
 from .plane_regularisation import regular_planes
 
-LEAST_AREA = 2.0
-"""Smaller pieces of a roof (m2) join the neighbour that fits best."""
 
-STRIP_WIDTH, STRIP_SLOPE = 0.5, 0.1
-"""Width (m) up to which, and slope (rise over run) from which, a plane is no roof: points of a facade or of the side of
-a parapet, which lie in a strip along it."""
+@dataclass(frozen=True)
+class PlanePartitionLimits:
+    """Limits of plane partition, each with its unit."""
 
-MOST_POINTS = 100_000
-"""Points of one building that lines are placed and planes are chosen by; of more a regular choice is taken."""
+    least_area: float = 2.0  # Smaller pieces of a roof (m2) join the neighbour that fits best.
+    # Width (m) up to which, and slope (rise over run) from which, a plane is no roof: points of a facade or of
+    # the side of a parapet, which lie in a strip along it.
+    strip_width: float = 0.5
+    strip_slope: float = 0.1
+    # Points of one building that lines are placed and planes are chosen by; of more a regular choice is taken.
+    most_points: int = 100_000
+
+
+LIMITS = PlanePartitionLimits()
 
 OK, ONE_PLANE = "ok", "one plane"
 
@@ -79,7 +85,7 @@ def partition_planes(outline: shapely.Geometry, points: np.ndarray, roof: np.nda
     raster = label_raster(points, of_point, local, density)
     raster, planes, capped = _with_caps(raster, planes, points, of_point)
     numbers = np.concatenate([numbers, numbers[capped]])
-    step = -(-len(points) // MOST_POINTS)
+    step = -(-len(points) // LIMITS.most_points)
     polygons, labels = _divided(local, raster, planes, points[::step], of_point[::step])
     lifted = meeting_polygons(polygons, planes[labels])
     shift = np.array([*origin, 0.0])
@@ -100,7 +106,7 @@ def without_steep_strips(points: np.ndarray, roof: np.ndarray) -> np.ndarray:
         spread = np.linalg.eigvalsh(np.cov(centred[:, :2].T)) if len(centred) > 2 else np.zeros(2)
         slope = np.linalg.lstsq(centred[:, :2], centred[:, 2], rcond=1e-6)[0]
         # Evenly spread points lie on 3.5 standard deviations.
-        if np.sqrt(12.0 * max(spread[0], 0.0)) < STRIP_WIDTH and np.hypot(*slope) > STRIP_SLOPE:
+        if np.sqrt(12.0 * max(spread[0], 0.0)) < LIMITS.strip_width and np.hypot(*slope) > LIMITS.strip_slope:
             left[roof == number] = 0
     return left if (left > 0).any() else roof
 
@@ -117,7 +123,7 @@ def _with_caps(raster: LabelRaster, planes: np.ndarray, points: np.ndarray,
     height = plane_at[..., 0] * x + plane_at[..., 1] * y + plane_at[..., 2]
     unseen = raster.inside & ~raster.seen
     area = np.bincount(raster.label[unseen & (height > high[raster.label])], minlength=len(planes)) * raster.cell**2
-    capped = np.flatnonzero((area > LEAST_AREA) & np.isfinite(low))
+    capped = np.flatnonzero((area > LIMITS.least_area) & np.isfinite(low))
     if not len(capped):
         return raster, planes, capped
     top = np.array([points[label == plane, 2].max() for plane in capped])
@@ -140,13 +146,13 @@ def _divided(outline: shapely.Geometry, raster: LabelRaster, planes: np.ndarray,
     chosen, cost = label_faces(faces, raster, planes, points, label)
     chosen = without_steep_slivers(chosen, cost, faces, planes)
     chosen = without_small_parts(chosen, cost, faces.pairs, faces.length * SMOOTHNESS, shapely.area(faces.polygons),
-                                 LEAST_AREA)
+                                 LIMITS.least_area)
     return dissolve(faces.polygons, chosen, outline)
 
 
 def without_steep_slivers(chosen: np.ndarray, cost: np.ndarray, faces: PlanFaces, planes: np.ndarray) -> np.ndarray:
-    """Plane (n,) of each face; steep parts narrower than `STRIP_WIDTH` are given to the best plane beside them."""
-    steep = np.hypot(planes[:, 0], planes[:, 1]) > STRIP_SLOPE
+    """Plane (n,) of each face; steep parts narrower than `LIMITS.strip_width` go to the best plane beside them."""
+    steep = np.hypot(planes[:, 0], planes[:, 1]) > LIMITS.strip_slope
     n, one, two = len(chosen), *faces.pairs.T
     graph = coo_matrix((np.ones(len(one), bool), (one, two)), shape=(n, n)).tocsr()
     graph = graph + graph.T
@@ -159,7 +165,7 @@ def without_steep_slivers(chosen: np.ndarray, cost: np.ndarray, faces: PlanFaces
         if not steep[chosen[group[0]]]:
             continue
         whole = shapely.union_all(faces.polygons[group])
-        if not shapely.is_empty(shapely.buffer(whole, -STRIP_WIDTH / 2)):
+        if not shapely.is_empty(shapely.buffer(whole, -LIMITS.strip_width / 2)):
             continue
         touching = graph[group].indices
         beside = np.unique(chosen[touching[part[touching] != number]])

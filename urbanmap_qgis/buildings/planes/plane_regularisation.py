@@ -2,25 +2,29 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from .plane_moments import solve
 
-LEVEL_ERROR = 0.04
-"""A plane is level where that adds no more than this root mean square error, m."""
 
-LEVEL_SLOPE = 0.02
-"""So is one of less slope."""
+@dataclass(frozen=True)
+class PlaneRegularisationLimits:
+    """Limits of plane regularisation, each with its unit."""
 
-TURN_ERROR = 0.015
-"""Planes are turned to the building's directions, and made mirror images, where that adds no more error, m."""
+    level_error: float = 0.04  # A plane is level where that adds no more than this root mean square error, m.
+    level_slope: float = 0.02  # So is one of less slope.
+    # Planes are turned to the building's directions, and made mirror images, where that adds no more error, m.
+    turn_error: float = 0.015
+    # Level planes nearer in height than this (m) are one: no step of some centimetres is left between them.
+    one_height: float = 0.06
+    mirror_slope: float = 0.08  # Largest difference of two slopes that are made one.
 
-ONE_HEIGHT = 0.06
-"""Level planes nearer in height than this (m) are one: no step of some centimetres is left between them."""
+
+LIMITS = PlaneRegularisationLimits()
 
 MOST_TURN = np.radians(6.0)
-MIRROR_SLOPE = 0.08
-"""Largest difference of two slopes that are made one."""
 
 
 def regular_planes(table: np.ndarray, directions: np.ndarray) -> np.ndarray:
@@ -36,7 +40,7 @@ def regular_planes(table: np.ndarray, directions: np.ndarray) -> np.ndarray:
     planes = planes.copy()
     level = _level(table)
     slope = np.hypot(planes[:, 0], planes[:, 1])
-    flat = (level - fit_error < LEVEL_ERROR**2) | (slope < LEVEL_SLOPE)
+    flat = (level - fit_error < LIMITS.level_error**2) | (slope < LIMITS.level_slope)
     for row in range(len(planes)):
         if flat[row]:
             planes[row] = 0.0, 0.0, table[row, 3] / n[row]
@@ -51,11 +55,11 @@ def regular_planes(table: np.ndarray, directions: np.ndarray) -> np.ndarray:
 
 
 def _one_height(planes: np.ndarray, weight: np.ndarray, level: np.ndarray) -> None:
-    """One height for level planes (their rows) that lie within `ONE_HEIGHT` of each other, changed in place."""
+    """One height for level planes (their rows) that lie within `LIMITS.one_height` of each other, changed in place."""
     order = level[np.argsort(planes[level, 2], kind="stable")]
     group: list[int] = []
     for row in [*order.tolist(), None]:
-        if row is not None and (not group or planes[row, 2] - planes[group[0], 2] < ONE_HEIGHT):
+        if row is not None and (not group or planes[row, 2] - planes[group[0], 2] < LIMITS.one_height):
             group.append(row)
             continue
         if group:
@@ -80,7 +84,7 @@ def _turned(m: np.ndarray, plane: np.ndarray, fit_error: float, directions: np.n
         return None
     direction = directions[best] * np.sign(cosine[best])
     turned = _along(m, direction)
-    return direction if _mean_square(m, turned) - fit_error < TURN_ERROR**2 else None
+    return direction if _mean_square(m, turned) - fit_error < LIMITS.turn_error**2 else None
 
 
 def _along(m: np.ndarray, direction: np.ndarray, slope: float | None = None) -> np.ndarray:
@@ -110,13 +114,13 @@ def _mirror(table: np.ndarray, planes: np.ndarray, fit_error: np.ndarray, axis: 
         first = left.pop(0)
         slope = float(np.hypot(*planes[first, :2]))
         group = [first] + [row for row in left if abs(abs(axis[row] @ axis[first]) - 1) < 1e-9
-                           and abs(np.hypot(*planes[row, :2]) - slope) < MIRROR_SLOPE]
+                           and abs(np.hypot(*planes[row, :2]) - slope) < LIMITS.mirror_slope]
         if len(group) < 2:
             continue
         weight = table[group, 0]
         common = float(np.hypot(planes[group, 0], planes[group, 1]) @ weight / weight.sum())
         for row in group:
             mirrored = _along(table[row], axis[row], common)
-            if _mean_square(table[row], mirrored) - fit_error[row] < TURN_ERROR**2:
+            if _mean_square(table[row], mirrored) - fit_error[row] < LIMITS.turn_error**2:
                 planes[row] = mirrored
         left = [row for row in left if row not in group]

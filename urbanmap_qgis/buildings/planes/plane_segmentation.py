@@ -13,19 +13,24 @@ from .plane_moments import azimuth_degrees, slope_degrees
 
 OK, FEW_POINTS, NO_POINTS, NO_PLANES = "ok", "few points", "no roof points", "no planes"
 
-LEAST_EXPLAINED = 0.35
-"""A building of whose points a smaller share lies on planes has no planes worth the name."""
 
-STRIP_CELL, LEAST_BROAD, LEVEL = 0.4, 0.25, 0.1
-"""Cells (m) three of which make a roof broad enough; share of such cells of a level roof; slope up to which one is
-level: steep strips are mansards."""
+@dataclass(frozen=True)
+class PlaneSegmentationLimits:
+    """Limits of plane segmentation, each with its unit."""
 
-STRIP_DENSITY = 4.0
-"""Points/m2 from which a strip can be told from a roof with few points."""
+    # A building of whose points a smaller share lies on planes has no planes worth the name.
+    least_explained: float = 0.35
+    # Cells (m) three of which make a roof broad enough; share of such cells of a level roof; slope up to which
+    # one is level: steep strips are mansards.
+    strip_cell: float = 0.4
+    least_broad: float = 0.25
+    level: float = 0.1
+    strip_density: float = 4.0  # Points/m2 from which a strip can be told from a roof with few points.
+    fewest_points: int = 3
+    most_points: int = 30_000  # Points of one building that planes are grown on; of more a regular choice is taken.
 
-FEWEST_POINTS = 3
-MOST_POINTS = 30_000
-"""Points of one building that planes are grown on; of more a regular choice is taken."""
+
+LIMITS = PlaneSegmentationLimits()
 
 
 @dataclass(frozen=True)
@@ -67,21 +72,21 @@ def segment_planes(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely
     """
     roof = np.zeros(len(z), np.int32)
     high = np.flatnonzero(z >= ground + min_height)
-    if len(high) < FEWEST_POINTS:
+    if len(high) < LIMITS.fewest_points:
         return PlaneSegmentation(roof, (), NO_POINTS)
     corner = np.floor([x[high].min(), y[high].min(), 0.0])
     points = np.column_stack([x[high], y[high], z[high]]) - corner
-    step = -(-len(points) // MOST_POINTS)
+    step = -(-len(points) // LIMITS.most_points)
     chosen = np.arange(0, len(points), step)
     label = detect_planes(points[chosen], density / step, parameters)
-    if (label >= 0).mean() < LEAST_EXPLAINED:
+    if (label >= 0).mean() < LIMITS.least_explained:
         return PlaneSegmentation(roof, (), NO_PLANES)
     if step > 1:
         label = _spread(points, points[chosen], label, parameters.tolerance)
     shapely.prepare(outline)
     label = _seen_inside(label, shapely.contains_xy(outline, x[high], y[high]))
-    if density >= STRIP_DENSITY:
-        label = _without_strips(points, label, max(STRIP_CELL, density**-0.5))
+    if density >= LIMITS.strip_density:
+        label = _without_strips(points, label, max(LIMITS.strip_cell, density**-0.5))
     if label.max(initial=-1) < 0:
         return PlaneSegmentation(roof, (), NO_PLANES)
     heights = [float(np.median(points[label == number, 2])) for number in range(label.max() + 1)]
@@ -108,14 +113,14 @@ def _without_strips(points: np.ndarray, label: np.ndarray, cell: float) -> np.nd
         return label
     planes = fitted_planes(points, label)
     keep = np.ones(count, bool)
-    for number in np.flatnonzero(np.hypot(planes[:, 0], planes[:, 1]) < LEVEL):
+    for number in np.flatnonzero(np.hypot(planes[:, 0], planes[:, 1]) < LIMITS.level):
         xy = points[label == number, :2]
         column, row = (np.floor((xy - xy.min(axis=0)) / cell).astype(np.int64) + 2).T
         hit = np.zeros((row.max() + 3, column.max() + 3), np.uint8)
         hit[row, column] = 1
         hit = cv2.morphologyEx(hit, cv2.MORPH_CLOSE, np.ones((2, 2), np.uint8))
         broad = cv2.morphologyEx(hit, cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
-        keep[number] = np.count_nonzero(broad) >= LEAST_BROAD * np.count_nonzero(hit)
+        keep[number] = np.count_nonzero(broad) >= LIMITS.least_broad * np.count_nonzero(hit)
     if not keep.any():
         return label
     renumbered = np.cumsum(keep) - 1

@@ -26,14 +26,20 @@ from .piece_labels import choose_roofs
 from .plan_arrangement import Arrangement, arrange, dissolve
 from .small_roofs import insert_roof_patches, roof_patch
 
-GUESSED_CELL_WEIGHT = 1.0
-"""Weight of a cell without data, which took the label of its nearest neighbour."""
-MIN_CONFUSION = 0.3
-"""Least cost of giving a cell to the wrong roof, where both have the same height, as a share of the full cost."""
-MAX_LINES = 62
-"""Sides of this many lines fit into one integer."""
-NEAR_BORDER = 1.5
-"""Metres; label borders farther from a polygon's edge are clutter, which `agreement` counts."""
+
+@dataclass(frozen=True)
+class RoofPlanLimits:
+    """Limits of roof plan, each with its unit."""
+
+    guessed_cell_weight: float = 1.0  # Weight of a cell without data, which took the label of its nearest neighbour.
+    # Least cost of giving a cell to the wrong roof, where both have the same height, as a share of the full cost.
+    min_confusion: float = 0.3
+    max_lines: int = 62  # Sides of this many lines fit into one integer.
+    # Metres; label borders farther from a polygon's edge are clutter, which `agreement` counts.
+    near_border: float = 1.5
+
+
+LIMITS = RoofPlanLimits()
 
 
 @dataclass(frozen=True)
@@ -72,7 +78,7 @@ class RoofPartition:
     coverage : (k,) share of each roof's area with labelled cells.
     agreement : (k,) share of each roof's labelled area that is labelled as this roof.
     boundary_rms : (k,) metres, from the roof borders in the raster to the polygon's border, those within
-        `NEAR_BORDER`; nan without any.
+        `LIMITS.near_border`; nan without any.
     """
 
     polygons: tuple[shapely.Polygon, ...]
@@ -119,9 +125,9 @@ def partition_roofs(outline: shapely.Geometry, labels_grid: Grid, labels: np.nda
     labels = np.asarray(labels)
     if labels.shape != labels_grid.shape:
         raise InputError(say("The roof raster has not the rows and columns of its grid."))
-    if not 0 <= parameters.max_lines <= MAX_LINES - MAX_WALL_LINES:
+    if not 0 <= parameters.max_lines <= LIMITS.max_lines - MAX_WALL_LINES:
         raise InputError(say("At most {max_lines} dividing lines are possible: lower their number.",
-                             max_lines=MAX_LINES - MAX_WALL_LINES))
+                             max_lines=LIMITS.max_lines - MAX_WALL_LINES))
     if outline.is_empty or outline.area <= 0:
         raise InputError(say("The building outline has no area: repair or remove it."))
     rows, columns, grid = labels_grid.window(*outline.bounds)
@@ -202,7 +208,7 @@ def _divided(outline: shapely.Geometry, grid: Grid, labels: np.ndarray, numbers:
     if lost:
         regions = [cells.xy[cells.roof == roof] for roof in lost]
         more = with_enclosing_lines(lines, regions, local, grid.cell, parameters.merge_distance)
-        if len(lines) < len(more) <= MAX_LINES:
+        if len(lines) < len(more) <= LIMITS.max_lines:
             arrangement, piece, chosen = _label(local, more, cells, confusion, parameters)
     polygons, label_of = dissolve(arrangement.pieces, chosen, local)
     polygons, label_of, given = _with_lost_roofs(polygons, label_of, chosen[piece], cells, left, local)
@@ -239,7 +245,7 @@ def _label(outline: shapely.Geometry, lines: np.ndarray, cells: _Cells, confusio
     arrangement = arrange(outline, lines)
     piece = _piece_of_cell(arrangement, lines, cells.xy)
     k = len(confusion)
-    weight = np.where(cells.certain, 1.0, GUESSED_CELL_WEIGHT) * cells.side ** 2
+    weight = np.where(cells.certain, 1.0, LIMITS.guessed_cell_weight) * cells.side ** 2
     votes = np.bincount(piece * k + cells.roof, weight, minlength=len(arrangement.pieces) * k).reshape(-1, k)
     chosen = choose_roofs(votes @ confusion, arrangement, parameters.smoothness, parameters.min_roof_area)
     return arrangement, piece, chosen
@@ -289,7 +295,7 @@ def _confusion(filled: np.ndarray, data: np.ndarray, heights: np.ndarray | None,
     label, height = filled[usable], heights[usable]
     median = np.array([np.median(height[label == i]) if (label == i).any() else np.nan for i in range(k)])
     step = np.abs(median[:, None] - median[None, :])
-    return cost * np.where(np.isfinite(step), np.clip(step / full_step, MIN_CONFUSION, 1.0), 1.0)
+    return cost * np.where(np.isfinite(step), np.clip(step / full_step, LIMITS.min_confusion, 1.0), 1.0)
 
 
 def _quality(polygons: list, label_of: np.ndarray, given: np.ndarray, measured: _Cells, boundaries: LabelBoundaries,
@@ -308,6 +314,6 @@ def _quality(polygons: list, label_of: np.ndarray, given: np.ndarray, measured: 
             border = shapely.multilinestrings(shapely.get_rings([polygons[m] for m in mine]))
             shapely.prepare(border)
             distance = shapely.distance(border, places[near])
-            distance = distance[distance < NEAR_BORDER]
+            distance = distance[distance < LIMITS.near_border]
             rms[mine] = np.sqrt(np.mean(distance ** 2)) if len(distance) else np.nan
     return coverage[label_of], agreement[label_of], rms

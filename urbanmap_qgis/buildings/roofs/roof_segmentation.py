@@ -22,31 +22,31 @@ OK, FEW_POINTS, NO_POINTS = "ok", "few points", "no roof points"
 MIN_POINTS = 3
 """A building with fewer usable points gets no roof."""
 
-POINTS_TO_DIVIDE = 12
-"""A building with fewer usable points gets one flat roof."""
 
-HEIGHT_TOLERANCE = 0.3
-"""Distance above or below the cells of a roof at which a point still belongs to it, m."""
+@dataclass(frozen=True)
+class RoofSegmentationLimits:
+    """Limits of roof segmentation, each with its unit."""
 
-PARAPET_SLICE = 0.3
-"""Height range of the hits on the top of a parapet, m."""
+    points_to_divide: int = 12  # A building with fewer usable points gets one flat roof.
+    # Distance above or below the cells of a roof at which a point still belongs to it, m.
+    height_tolerance: float = 0.3
+    parapet_slice: float = 0.3  # Height range of the hits on the top of a parapet, m.
+    # Inside cells this far from a supported one still get its roof, m; farther ones under trees and in small
+    # gaps.
+    gap_fill: float = 1.5
+    # Area in m2 and share of the border along roofs of gaps that are filled however far the next point is. A
+    # building no larger than that has no courtyard: it is filled whole.
+    max_gap_area: float = 25.0
+    enclosure: float = 0.75
+    nowhere: float = -1e9  # Height of what is no roof, m.
+
+
+LIMITS = RoofSegmentationLimits()
 
 PARAPET_SHARE = 0.15
 """Hits in that range for each cell of the roof's border strip that make a parapet."""
 
-GAP_FILL = 1.5
-"""Inside cells this far from a supported one still get its roof, m; farther ones under trees and in small gaps."""
-
-MAX_GAP_AREA, ENCLOSURE = 25.0, 0.75
-"""Area in m2 and share of the border along roofs of gaps that are filled however far the next point is.
-
-A building no larger than that has no courtyard: it is filled whole.
-"""
-
 DEFAULTS = RoofParameters()
-
-NOWHERE = -1e9
-"""Height of what is no roof, m."""
 
 _NEIGHBOURHOOD = np.ones((3, 3), np.uint8)
 
@@ -134,7 +134,7 @@ def segment_roofs(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely.
     surface = roof_surface(x[usable], y[usable], z[usable], outline, density, returns)
     if len(usable) < MIN_POINTS:
         return _no_roof(len(z), surface)
-    if len(usable) < POINTS_TO_DIVIDE:
+    if len(usable) < LIMITS.points_to_divide:
         return _one_roof(z, usable, surface)
     plan = roof_levels(surface, z[usable], density, outline.area, parameters)
     of_point = roofs_of_points(plan, surface, z[usable], parameters)
@@ -174,7 +174,7 @@ def roofs_of_points(plan: RoofLevels, surface: RoofSurface, z: np.ndarray,
     padded = np.pad(plan.labels, 1).ravel()
     at = (cell[rest] // columns + 1) * (columns + 2) + cell[rest] % columns + 1
     nearest = np.full(len(rest), np.inf)
-    middle = np.where(low <= high, (low + high) / 2, NOWHERE)
+    middle = np.where(low <= high, (low + high) / 2, LIMITS.nowhere)
     for shift in (-columns - 3, -columns - 2, -columns - 1, -1, 1, columns + 1, columns + 2, columns + 3):
         beside = padded[at + shift]
         distance = np.abs(z[rest] - middle[beside])
@@ -205,12 +205,12 @@ def _parapet_tops(roof: np.ndarray, above: np.ndarray, border_cells: np.ndarray)
     roof, above = roof[order], above[order]
     # Roofs one after the other on one axis, so far apart that no slice reaches into the next.
     axis = roof * 1e3 + above
-    count = np.searchsorted(axis, axis + PARAPET_SLICE, side="right") - np.arange(len(axis))
+    count = np.searchsorted(axis, axis + LIMITS.parapet_slice, side="right") - np.arange(len(axis))
     level = count >= np.maximum(PARAPET_SHARE * border_cells[roof], MIN_POINTS)
     best = np.lexsort((count, roof))
     best = best[level[best]]
     top = np.zeros(len(border_cells))
-    top[roof[best]] = above[best] + PARAPET_SLICE
+    top[roof[best]] = above[best] + LIMITS.parapet_slice
     return top
 
 
@@ -221,11 +221,11 @@ def _height_ranges(plan: RoofLevels) -> tuple[np.ndarray, np.ndarray]:
     k = int(plan.labels.max(initial=0))
     distance = np.abs(height - _group_medians(label, height, k)[label])
     # Walls and clutter among the cells must not widen the range: nothing beyond three standard deviations counts.
-    limit = np.maximum(3 * 1.4826 * _group_medians(label, distance, k), HEIGHT_TOLERANCE)
+    limit = np.maximum(3 * 1.4826 * _group_medians(label, distance, k), LIMITS.height_tolerance)
     typical = distance <= limit[label]
-    low, high = np.full(k + 1, -NOWHERE), np.full(k + 1, NOWHERE)
-    np.minimum.at(low, label[typical], height[typical] - HEIGHT_TOLERANCE)
-    np.maximum.at(high, label[typical], height[typical] + HEIGHT_TOLERANCE)
+    low, high = np.full(k + 1, -LIMITS.nowhere), np.full(k + 1, LIMITS.nowhere)
+    np.minimum.at(low, label[typical], height[typical] - LIMITS.height_tolerance)
+    np.maximum.at(high, label[typical], height[typical] + LIMITS.height_tolerance)
     return low, high
 
 
@@ -242,9 +242,9 @@ def _group_medians(label: np.ndarray, value: np.ndarray, k: int) -> np.ndarray:
 
 def _drops_beside(labels: np.ndarray, middle: np.ndarray, step: float, reach: int) -> np.ndarray:
     """Cells of a roof with no roof or a roof lower by `step` m at most `reach` cells away."""
-    height = np.where(labels > 0, middle[labels], NOWHERE)
+    height = np.where(labels > 0, middle[labels], LIMITS.nowhere)
     window = np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)
-    lowest = cv2.erode(height, window, borderType=cv2.BORDER_CONSTANT, borderValue=NOWHERE)
+    lowest = cv2.erode(height, window, borderType=cv2.BORDER_CONSTANT, borderValue=LIMITS.nowhere)
     return (labels > 0) & (lowest <= height - step)
 
 
@@ -272,9 +272,9 @@ def _complete(plan: RoofLevels, surface: RoofSurface, roof_of_point: np.ndarray,
     supported = (cv2.morphologyEx(hit, cv2.MORPH_CLOSE, _NEIGHBOURHOOD) > 0) & (plan.labels > 0)
     distance, nearest = ndimage.distance_transform_edt(~supported, return_indices=True)
     under_clutter = (surface.count > 0) | (plan.labels > 0)
-    near = distance * surface.grid.cell <= GAP_FILL
+    near = distance * surface.grid.cell <= LIMITS.gap_fill
     gap = surface.inside & ~open_cells & ~supported & ~under_clutter
-    if surface.inside.sum() * surface.grid.cell**2 > MAX_GAP_AREA:
+    if surface.inside.sum() * surface.grid.cell**2 > LIMITS.max_gap_area:
         gap = _enclosed(gap, supported, surface.grid.cell)
     fill = surface.inside & ~open_cells & (under_clutter | near | gap)
     of_cell = np.where(supported | (fill & supported.any()), plan.labels[tuple(nearest)], 0)
@@ -286,7 +286,7 @@ def _enclosed(gap: np.ndarray, supported: np.ndarray, cell: float) -> np.ndarray
     part, n = ndimage.label(gap)
     if n == 0:
         return gap
-    small = np.bincount(part.ravel()) * cell**2 <= MAX_GAP_AREA
+    small = np.bincount(part.ravel()) * cell**2 <= LIMITS.max_gap_area
     padded, roof = np.pad(part, 1), np.pad(supported, 1)
     sides, closed = np.zeros(n + 1), np.zeros(n + 1)
     for axis, shift in ((0, 1), (0, -1), (1, 1), (1, -1)):
@@ -294,7 +294,7 @@ def _enclosed(gap: np.ndarray, supported: np.ndarray, cell: float) -> np.ndarray
         border = (padded > 0) & (beside == 0)
         sides += np.bincount(padded[border], minlength=n + 1)
         closed += np.bincount(padded[border & roof_beside], minlength=n + 1)
-    return gap & (small & (closed >= ENCLOSURE * sides))[part]
+    return gap & (small & (closed >= LIMITS.enclosure * sides))[part]
 
 
 def _numbered(z: np.ndarray, usable: np.ndarray, surface: RoofSurface, of_point: np.ndarray,
@@ -333,7 +333,7 @@ def _one_roof(z: np.ndarray, usable: np.ndarray, surface: RoofSurface) -> RoofSe
     inner = surface.inside.ravel()[surface.cell_of_point]
     if inner.sum() < MIN_POINTS:
         inner = np.ones(len(usable), dtype=bool)
-    near = np.abs(z[usable] - np.median(z[usable][inner])) <= 2 * HEIGHT_TOLERANCE
+    near = np.abs(z[usable] - np.median(z[usable][inner])) <= 2 * LIMITS.height_tolerance
     if not near.any():
         near = inner
     of_cell = surface.inside.astype(np.int64)

@@ -12,18 +12,26 @@ import shapely
 from ...geometry.grid import Grid
 from ...io.points.point_buckets import stable_order
 
-POINTS_PER_CELL = 1.0
-"""Cells are made this full on average: the finest at which neighbouring points still lie in neighbouring cells."""
 
-MIN_CELL, MAX_CELL = 0.4, 2.0
-"""Limits of the cell size, m."""
+@dataclass(frozen=True)
+class RoofSurfaceLimits:
+    """Limits of roof surface, each with its unit."""
 
-MAX_CELLS = 250_000
-"""The largest raster of a building; a larger building (or a stray point) gets larger cells."""
+    # Cells are made this full on average: the finest at which neighbouring points still lie in neighbouring
+    # cells.
+    points_per_cell: float = 1.0
+    # Limits of the cell size, m.
+    min_cell: float = 0.4
+    max_cell: float = 2.0
+    # The largest raster of a building; a larger building (or a stray point) gets larger cells.
+    max_cells: int = 250_000
+    # Roughness in m and share of multiple returns that are both exceeded in trees (measured on AHN3 in Delft: by
+    # four in five cells of trees, by one in fifty of roofs).
+    tree_roughness: float = 0.3
+    tree_multi_return: float = 0.5
 
-TREE_ROUGHNESS, TREE_MULTI_RETURN = 0.3, 0.5
-"""Roughness in m and share of multiple returns that are both exceeded in trees (measured on AHN3 in Delft: by four
-in five cells of trees, by one in fifty of roofs)."""
+
+LIMITS = RoofSurfaceLimits()
 
 _NEIGHBOURHOOD = np.ones((3, 3), np.uint8)
 
@@ -61,13 +69,13 @@ class RoofSurface:
         """
         if self.multi_return is None:
             return self.roughness > max_roughness
-        return (self.roughness > TREE_ROUGHNESS) & (self.multi_return > TREE_MULTI_RETURN)
+        return (self.roughness > LIMITS.tree_roughness) & (self.multi_return > LIMITS.tree_multi_return)
 
 
 def roof_cell_size(density: float, width: float, depth: float) -> float:
     """Cell size in m, a multiple of 0.1, for `density` points/m2 and a building of width x depth m."""
-    size = min(max(math.sqrt(POINTS_PER_CELL / density), MIN_CELL), MAX_CELL)
-    return math.ceil(10 * max(size, math.sqrt(width * depth / MAX_CELLS)) - 1e-9) / 10
+    size = min(max(math.sqrt(LIMITS.points_per_cell / density), LIMITS.min_cell), LIMITS.max_cell)
+    return math.ceil(10 * max(size, math.sqrt(width * depth / LIMITS.max_cells)) - 1e-9) / 10
 
 
 def roof_surface(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely.Geometry,

@@ -25,12 +25,21 @@ RELATIVE_KINDS = (TIE, PLANE)
 NONE = -1
 """Number of the other drive of an observation of one drive alone."""
 
-_FACTORS = (1.0, 2.0, 4.0, 8.0)
-_PASSES = 30
-_CONVERGED = 1e-3  # change of weights
-_COLUMNS = 384  # of the covariance that are solved for at once
-_ACTIVE = (0, 1, 2, 5)  # of the drift's parameters: east, north, up, heading
-_DIMENSIONS = len(_ACTIVE)
+
+@dataclass(frozen=True)
+class AdjustmentNetworkLimits:
+    """Limits of adjustment network, each with its unit."""
+
+    factors: tuple[float, ...] = (1.0, 2.0, 4.0, 8.0)
+    passes: int = 30
+    converged: float = 1e-3  # change of weights
+    columns: int = 384  # of the covariance that are solved for at once
+    active: tuple[float, ...] = (0, 1, 2, 5)  # of the drift's parameters: east, north, up, heading
+
+
+LIMITS = AdjustmentNetworkLimits()
+
+_DIMENSIONS = len(LIMITS.active)
 _RADIANS = np.pi / 180.0
 
 
@@ -159,7 +168,7 @@ def adjust_network(drives: Sequence[DriveNodes], observations: NetworkObservatio
     covariance then holds what `settings.model.initial_sigma` says of it.
     """
     design = _design(drives, observations)
-    fits = [_robust_fit(drives, design, observations, settings, factor) for factor in _FACTORS]
+    fits = [_robust_fit(drives, design, observations, settings, factor) for factor in LIMITS.factors]
     best = max(fits, key=lambda fit: fit.likelihood)
     offsets = np.concatenate([[0], np.cumsum([len(drive) for drive in drives])])
     state = best.solution.reshape(-1, _DIMENSIONS, 2)
@@ -207,9 +216,9 @@ def _design(drives: Sequence[DriveNodes], observations: NetworkObservations) -> 
 def _prior(drives: Sequence[DriveNodes], model: GaussMarkovDrift) -> tuple[csc_matrix, float]:
     """Normal matrix (8 k, 8 k) of the drift of all drives, and the logarithm of its determinant."""
     rows, columns, values, determinant, first = [], [], [], 0.0, 0
-    axes, active = np.arange(_DIMENSIONS), list(_ACTIVE)
+    axes, active = np.arange(_DIMENSIONS), list(LIMITS.active)
     for nodes in drives:
-        transition, precision = model.steps(nodes.parameter, nodes.stops, nodes.jumps, _ACTIVE,
+        transition, precision = model.steps(nodes.parameter, nodes.stops, nodes.jumps, LIMITS.active,
                                             0.0 if nodes.fast is None else nodes.fast)
         k = len(nodes)
         index = 2 * ((first + np.arange(k))[:, None, None] * _DIMENSIONS + axes[:, None]) + np.arange(2)  # (k, 4, 2)
@@ -239,7 +248,7 @@ def _robust_fit(drives: Sequence[DriveNodes], design: csc_matrix, observations: 
     prior, log_prior = _prior(drives, settings.model.scaled(factor))
     information, value = _information(observations), np.nan_to_num(observations.value)
     weight, noise = np.ones(len(observations)), 1.0
-    for _ in range(_PASSES):
+    for _ in range(LIMITS.passes):
         normal = (design.T @ _block_diagonal(information * (weight / noise)[:, None, None]) @ design + prior).tocsc()
         right = design.T @ np.einsum("nij,nj->ni", information * (weight / noise)[:, None, None], value).ravel()
         factors = splu(normal, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
@@ -248,8 +257,8 @@ def _robust_fit(drives: Sequence[DriveNodes], design: csc_matrix, observations: 
         misfit = np.einsum("ni,nij,nj->n", residual, information, residual) / _observed(observations)
         last, weight = weight, 1.0 / (1.0 + misfit / noise / settings.gross**2)
         noise_before, noise = noise, _noise(misfit, settings)
-        if not len(weight) or (np.abs(weight - last).max() < _CONVERGED
-                               and abs(noise / noise_before - 1.0) < _CONVERGED):
+        if not len(weight) or (np.abs(weight - last).max() < LIMITS.converged
+                               and abs(noise / noise_before - 1.0) < LIMITS.converged):
             break
     return _Fit(solution, factors, residual, weight, factor, noise,
                 _likelihood(solution, prior, log_prior, factors, misfit, noise, observations, settings))
@@ -297,7 +306,7 @@ def _covariances(factors, nodes: int) -> np.ndarray:
     """(nodes, 4, 4) covariance of the corrections at each node."""
     covariance = np.empty((nodes, _DIMENSIONS, _DIMENSIONS))
     size = 2 * _DIMENSIONS * nodes
-    at_once = max(_COLUMNS // _DIMENSIONS, 1)
+    at_once = max(LIMITS.columns // _DIMENSIONS, 1)
     for first in range(0, nodes, at_once):
         chunk = np.arange(first, min(first + at_once, nodes))
         position = 2 * (chunk[:, None] * _DIMENSIONS + np.arange(_DIMENSIONS))  # (m, 4)

@@ -24,18 +24,26 @@ from ..registration.correction.gauss_markov import path_parameters_of
 from ..trajectory import Trajectory, interpolate, move_points
 from .network import PLANE, NetworkObservations
 
-PIECE = 10.0
-"""m of path between plane ties."""
 
-_REACH = 25.0  # m from the vehicle; farther planes turn with its heading
-_NEAR = 0.6  # m between middles of two planes that are compared
+@dataclass(frozen=True)
+class AdjustmentPlanesLimits:
+    """Limits of adjustment planes, each with its unit."""
+
+    piece: float = 10.0  # m of path between plane ties.
+    reach: float = 25.0  # m from the vehicle; farther planes turn with its heading
+    near: float = 0.6  # m between middles of two planes that are compared
+    apart: float = 0.25  # m along the normal; more is another plane
+    fewest: int = 12  # planes of a tie
+    sigma: float = 0.015  # m, of two planes against each other: structure of facades, and their normals
+    # m east, north, up of a tie, however many planes it has: facades turn with roll and pitch
+    floor: tuple[float, ...] = 0.03, 0.03, 0.01
+    unknown: float = 10.0  # m, along what the planes say nothing about
+    robust: float = 1.4826
+
+
+LIMITS = AdjustmentPlanesLimits()
+
 _PARALLEL = np.cos(np.radians(8.0))
-_APART = 0.25  # m along the normal; more is another plane
-_FEWEST = 12  # planes of a tie
-_SIGMA = 0.015  # m, of two planes against each other: structure of facades, and their normals
-_FLOOR = 0.03, 0.03, 0.01  # m east, north, up of a tie, however many planes it has: facades turn with roll and pitch
-_UNKNOWN = 10.0  # m, along what the planes say nothing about
-_ROBUST = 1.4826
 
 
 @dataclass(frozen=True)
@@ -69,7 +77,7 @@ def planes_of(clouds: Sequence[Sequence[str | os.PathLike]], trajectories: Seque
             points = np.column_stack([chunk.x, chunk.y, chunk.z])
             usable = trajectory.within(time) & np.isfinite(points).all(axis=1)
             place = interpolate(trajectory, time[usable]).place
-            usable[usable] = np.linalg.norm(points[usable] - place, axis=1) <= _REACH
+            usable[usable] = np.linalg.norm(points[usable] - place, axis=1) <= LIMITS.reach
             search.add(points[usable], time[usable], len(drive) + passes.of(time[usable]))
         drive += [number] * passes.count
     return DrivePlanes(search.patches(), np.array(drive, int))
@@ -108,7 +116,7 @@ class _Pair:
         self.parameters = [parameters[k] for k in self.drives]
         patches = planes.patches
         one, other = (np.flatnonzero(patches.group == group) for group in (first, second))
-        distance, near = cKDTree(moved[other]).query(moved[one], distance_upper_bound=_NEAR)
+        distance, near = cKDTree(moved[other]).query(moved[one], distance_upper_bound=LIMITS.near)
         found = np.isfinite(distance)
         one, other = one[found], other[near[found]]
         cosine = (patches.normal[one] * patches.normal[other]).sum(axis=1)
@@ -116,31 +124,31 @@ class _Pair:
         normal /= np.maximum(np.linalg.norm(normal, axis=1), 1e-9)[:, None]
         # By so much the first pass must move more than the second, along the normal.
         gap = ((moved[other] - moved[one]) * normal).sum(axis=1)
-        good = (np.abs(cosine) >= _PARALLEL) & (np.abs(gap) <= _APART)
+        good = (np.abs(cosine) >= _PARALLEL) & (np.abs(gap) <= LIMITS.apart)
         self.normal, self.gap, self.place = normal[good], gap[good], moved[one][good]
         self.time = [patches.time[some][good] for some in (one, other)]
         self.along = np.interp(self.time[0], self.reported[0].time, self.parameters[0])
 
     def pieces(self) -> list[np.ndarray]:
         """Numbers of the planes of each piece of the first pass."""
-        piece = np.floor(self.along / PIECE)
+        piece = np.floor(self.along / LIMITS.piece)
         order = np.argsort(piece, kind="stable")
         return np.split(order, np.flatnonzero(np.diff(piece[order])) + 1) if len(order) else []
 
     def tie(self, some: np.ndarray) -> NetworkObservations | None:
         """One observation by some of the planes; None where they are too few."""
         middle = np.median(self.gap[some])
-        scatter = max(_ROBUST * np.median(np.abs(self.gap[some] - middle)), _SIGMA)
+        scatter = max(LIMITS.robust * np.median(np.abs(self.gap[some] - middle)), LIMITS.sigma)
         normal, distance = self.normal[some], self.gap[some]
-        if len(some) < _FEWEST:
+        if len(some) < LIMITS.fewest:
             return None
         weight = np.ones(len(some))
         for _ in range(5):
-            information = (normal * weight[:, None]).T @ normal / scatter**2 + np.eye(3) / _UNKNOWN**2
+            information = (normal * weight[:, None]).T @ normal / scatter**2 + np.eye(3) / LIMITS.unknown**2
             shift = np.linalg.solve(information, (normal * weight[:, None]).T @ distance / scatter**2)
             weight = 1.0 / (1.0 + ((distance - normal @ shift) / (3.0 * scatter)) ** 2)
         covariance = np.eye(4)
-        covariance[:3, :3] = np.linalg.inv(information) + np.diag(_FLOOR) ** 2
+        covariance[:3, :3] = np.linalg.inv(information) + np.diag(LIMITS.floor) ** 2
         return self._observation(some, shift, covariance)
 
     def _observation(self, some: np.ndarray, shift: np.ndarray, covariance: np.ndarray) -> NetworkObservations:

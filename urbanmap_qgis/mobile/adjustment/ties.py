@@ -29,11 +29,20 @@ from .point_reference import PointReference
 SPACING = 10.0
 """m of path between ties."""
 
-_WINDOW = 30.0  # m over which neighbouring patches share their markings (J Table 3-2: 60 patches of 0.5 m)
-_NEAR = 12.0  # m from the vehicle to the markings by which it is found when the other drive passed
-_FEWEST = 20  # marking points there
-_SHARED = 0.02  # of a pass's cells that must be near another pass's to compare the two
-_CELL = 5.0  # m, of that comparison
+
+@dataclass(frozen=True)
+class TiesLimits:
+    """Limits of ties, each with its unit."""
+
+    window: float = 30.0  # m over which neighbouring patches share their markings (J Table 3-2: 60 patches of 0.5 m)
+    near: float = 12.0  # m from the vehicle to the markings by which it is found when the other drive passed
+    fewest: int = 20  # marking points there
+    shared: float = 0.02  # of a pass's cells that must be near another pass's to compare the two
+    cell: float = 5.0  # m, of that comparison
+
+
+LIMITS = TiesLimits()
+
 _ACTIVE = [0, 1, 2, 5]
 
 
@@ -106,10 +115,10 @@ def reference_observations(drives: Sequence[Drive], reference: Reference, run: R
 
 def _share_streets(first: DrivePass, second: DrivePass, run: RegistrationRun) -> bool:
     """Whether the passes' markings lie near each other, as far as the reported places tell."""
-    cells = [np.unique(np.floor(np.column_stack([item.markings.x, item.markings.y]) / _CELL), axis=0)
+    cells = [np.unique(np.floor(np.column_stack([item.markings.x, item.markings.y]) / LIMITS.cell), axis=0)
              for item in (first, second)]
-    near = cKDTree(cells[0]).query(cells[1], distance_upper_bound=run.windows.search / _CELL + 1.0)[0]
-    return float(np.isfinite(near).mean()) > _SHARED
+    near = cKDTree(cells[0]).query(cells[1], distance_upper_bound=run.windows.search / LIMITS.cell + 1.0)[0]
+    return float(np.isfinite(near).mean()) > LIMITS.shared
 
 
 def _tie(drives: Sequence[Drive], first: DrivePass, second: DrivePass, run: RegistrationRun,
@@ -167,7 +176,7 @@ def _observations(registration: RegisteredSurvey, patches: np.ndarray, number: i
     """Rows for patches of a registration; those of one window share markings, which widens them."""
     correction, n = registration.correction, len(patches)
     value = correction.value[patches][:, _ACTIVE]
-    covariance = correction.covariance[patches][:, _ACTIVE][:, :, _ACTIVE] * (_WINDOW / SPACING)
+    covariance = correction.covariance[patches][:, _ACTIVE][:, :, _ACTIVE] * (LIMITS.window / SPACING)
     if not correction.three_d:
         value[:, 2] = np.nan
     parameter = np.interp(correction.time[patches], drive.trajectory.time,
@@ -179,8 +188,8 @@ def _observations(registration: RegisteredSurvey, patches: np.ndarray, number: i
 def _times_of_passing(markings: MarkingPoints, place: np.ndarray) -> np.ndarray:
     """When a pass measured the markings around places (n, 3); NaN where it measured too few."""
     tree = cKDTree(np.column_stack([markings.x, markings.y]))
-    return np.array([np.median(markings.time[near]) if len(near) >= _FEWEST else np.nan
-                     for near in tree.query_ball_point(place[:, :2], _NEAR)])
+    return np.array([np.median(markings.time[near]) if len(near) >= LIMITS.fewest else np.nan
+                     for near in tree.query_ball_point(place[:, :2], LIMITS.near)])
 
 
 def pairs_of(observations: NetworkObservations) -> Iterator[tuple[int, int]]:

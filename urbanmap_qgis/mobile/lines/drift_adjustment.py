@@ -28,17 +28,28 @@ POSITION_WALK, HEADING_WALK, SIGMA = 0.05, np.radians(0.01), 0.05
 """What is expected of the walk (m and radians per square root of a second) and of tie points (m)."""
 
 _SPREAD = np.log([4.0, 4.0, 3.0])
-_START_SIGMA = 1000.0
-_MIN_STEP = 1e-3
+
+
+@dataclass(frozen=True)
+class DriftAdjustmentLimits:
+    """Limits of drift adjustment, each with its unit."""
+
+    start_sigma: float = 1000.0
+    min_step: float = 1e-3
+    node_steps: tuple[float, ...] = 1.0, 5.0  # s
+    iterations: int = 3
+    band: int = 5
+    coupling_evidence: float = 20.0
+    min_share: float = 1e-9
+    min_weight: float = 1e-3
+    # Errors that nothing was seen of walk this many times as fast as expected: so that most navigations do not
+    # faster.
+    unseen: float = 2.0
+
+
+LIMITS = DriftAdjustmentLimits()
+
 _NODES, _MAX_NODES = 600, 4000
-_NODE_STEPS = 1.0, 5.0  # s
-_ITERATIONS = 3
-_BAND = 5
-_COUPLING_EVIDENCE = 20.0
-_MIN_SHARE = 1e-9
-_MIN_WEIGHT = 1e-3
-_UNSEEN = 2.0
-"""Errors that nothing was seen of walk this many times as fast as expected: so that most navigations do not faster."""
 
 
 @dataclass(frozen=True)
@@ -123,7 +134,8 @@ class RandomWalkDrift:
         total = np.zeros_like(drift)
         for weight, other in self.alternatives:
             known = np.array([other.walk.position_walk, other.walk.position_walk, other.walk.heading_walk])
-            unseen = np.maximum((_UNSEEN * np.array([POSITION_WALK, POSITION_WALK, HEADING_WALK])) ** 2 - known**2, 0.0)
+            unseen = np.maximum((LIMITS.unseen * np.array([POSITION_WALK, POSITION_WALK,
+                                                           HEADING_WALK])) ** 2 - known**2, 0.0)
             total += weight * (other.variances(time) + (other.interpolate(time) - drift) ** 2
                                + np.maximum(beyond, 0.0)[:, None] * unseen)
         return total
@@ -153,11 +165,11 @@ def fit_drift(pairs: TiePairs, trajectory: Trajectory, walk: RandomWalk, fixed_s
     system.linearise(start)
     found = [_most_likely(system, replace(walk, coupled=coupled), fixed_sigma) for coupled in (False, True)]
     # Without clear evidence errors are not carried along the course driven: that would bend it.
-    chosen = int(found[1][1] > found[0][1] + _COUPLING_EVIDENCE)
+    chosen = int(found[1][1] > found[0][1] + LIMITS.coupling_evidence)
     odds = np.exp(np.clip([likelihood - found[chosen][1] for _, likelihood, _ in found], -50.0, 50.0))
     alternatives = []
     for weight, (mode, _, spread) in zip(odds / odds.sum(), found):
-        if weight >= _MIN_WEIGHT:
+        if weight >= LIMITS.min_weight:
             position, heading = (_scale_factor(size) for size in spread)
             wide = replace(mode, position_walk=mode.position_walk * position, heading_walk=mode.heading_walk * heading)
             model = _model(system, mode, start)
@@ -169,7 +181,7 @@ def fit_drift(pairs: TiePairs, trajectory: Trajectory, walk: RandomWalk, fixed_s
 def _model(system: _System, walk: RandomWalk, start: np.ndarray) -> RandomWalkDrift:
     """The drift of a given random walk, the rotations linearised about it; `start` (k, 3) to begin with."""
     system.linearise(start)
-    for _ in range(_ITERATIONS):
+    for _ in range(LIMITS.iterations):
         value = system.solve(walk)[0]
         system.linearise(value)
     covariance, gain = system.covariances(walk)
@@ -210,7 +222,7 @@ def leave_one_out_misfits(pairs: TiePairs, model: RandomWalkDrift) -> tuple[np.n
         share, axes = np.linalg.eigh(np.eye(len(spread)) - spread / model.walk.sigma**2)
         mean = np.tile(np.eye(2), len(members)) / len(members)
         # What only this set determines has a share of nought: nothing is predicted there, its sigma is infinite.
-        left = mean @ axes / np.maximum(share, _MIN_SHARE)
+        left = mean @ axes / np.maximum(share, LIMITS.min_share)
         misfit[number] = np.hypot(*(left @ axes.T @ residual[members].ravel()))
         sigmas[number] = misfit[number] / (model.walk.sigma * np.sqrt(np.trace(left @ axes.T @ mean.T)))
     return misfit, sigmas
@@ -226,16 +238,16 @@ def misfit_of_excluded(others: TiePairs, model: RandomWalkDrift) -> tuple[float,
 
 
 class _System:
-    """The normal equations of the pairs, linear about a drift, in banded form (upper, `_BAND` diagonals above)."""
+    """The normal equations of the pairs, linear about a drift, banded (upper, `LIMITS.band` diagonals above)."""
 
     def __init__(self, pairs: TiePairs, trajectory: Trajectory):
         self.pairs = pairs
-        step = np.clip(trajectory.duration / _NODES, *_NODE_STEPS)
+        step = np.clip(trajectory.duration / _NODES, *LIMITS.node_steps)
         count = int(np.clip(trajectory.duration / step, 2, _MAX_NODES))
         self.time = np.unique(np.concatenate([np.linspace(trajectory.time[0], trajectory.time[-1], count + 1),
                                               pairs.time]))
         self.node = np.searchsorted(self.time, pairs.time)
-        self.step = np.maximum(np.diff(self.time), _MIN_STEP)
+        self.step = np.maximum(np.diff(self.time), LIMITS.min_step)
         place = [np.interp(self.time, trajectory.time, axis) for axis in trajectory.place[:, :2].T]
         self.course = np.diff(np.column_stack(place), axis=0)
 
@@ -245,13 +257,13 @@ class _System:
         lever = rotated_vectors(self.pairs.seen, rotation + np.pi / 2)
         observed = self.pairs.true - rotated_vectors(self.pairs.seen, rotation) + lever * rotation[:, None]
         size = 3 * len(self.time)
-        self.normal, self.right = np.zeros((_BAND + 1, size)), np.zeros(size)
+        self.normal, self.right = np.zeros((LIMITS.band + 1, size)), np.zeros(size)
         column = 3 * self.node
         for axis in (0, 1):
-            np.add.at(self.normal[_BAND], column + axis, 1.0)
-            np.add.at(self.normal[_BAND - 2 + axis], column + 2, lever[:, axis])
+            np.add.at(self.normal[LIMITS.band], column + axis, 1.0)
+            np.add.at(self.normal[LIMITS.band - 2 + axis], column + 2, lever[:, axis])
             np.add.at(self.right, column + axis, observed[:, axis])
-        np.add.at(self.normal[_BAND], column + 2, (lever**2).sum(axis=1))
+        np.add.at(self.normal[LIMITS.band], column + 2, (lever**2).sum(axis=1))
         np.add.at(self.right, column + 2, (lever * observed).sum(axis=1))
         self.squares, self.observations = float((observed**2).sum()), 2 * len(observed)
 
@@ -261,7 +273,7 @@ class _System:
         From a node x to the next y the walk is y - F x, F = [[1, 0, -dn], [0, 1, de], [0, 0, 1]] with the course step
         (de, dn) where it is coupled, and weights w: F'wF, -F'w and w are added.
         """
-        start = np.array([_START_SIGMA, _START_SIGMA, walk.heading_sigma]) ** -2.0
+        start = np.array([LIMITS.start_sigma, LIMITS.start_sigma, walk.heading_sigma]) ** -2.0
         weight = np.array([walk.position_walk, walk.position_walk, walk.heading_walk]) ** -2.0 / self.step[:, None]
         across = np.column_stack([-self.course[:, 1], self.course[:, 0]]) * float(walk.coupled)
         diagonal = np.zeros((len(self.time), 3))
@@ -270,12 +282,12 @@ class _System:
         diagonal[:-1, 2] += (across**2 * weight[:, :2]).sum(axis=1)
         diagonal[1:] += weight
         band = np.zeros_like(self.normal)
-        band[_BAND] = diagonal.ravel()
-        band[_BAND - 3, 3:] = -weight.ravel()
+        band[LIMITS.band] = diagonal.ravel()
+        band[LIMITS.band - 3, 3:] = -weight.ravel()
         for axis in (0, 1):
             carried = across[:, axis] * weight[:, axis]
-            band[_BAND - 2 + axis, 2:-1:3] += carried
-            band[_BAND - 1 - axis, 3 + axis::3] -= carried
+            band[LIMITS.band - 2 + axis, 2:-1:3] += carried
+            band[LIMITS.band - 1 - axis, 3 + axis::3] -= carried
         return band, float(np.log(start).sum() + np.log(weight).sum())
 
     def solve(self, walk: RandomWalk) -> tuple[np.ndarray, float]:
@@ -285,7 +297,8 @@ class _System:
         right = self.right / walk.sigma**2
         value = cho_solve_banded((factor, False), right, check_finite=False)
         misfit = self.squares / walk.sigma**2 - float(right @ value)
-        likelihood = 0.5 * (determinant - misfit) - np.log(factor[_BAND]).sum() - self.observations * np.log(walk.sigma)
+        likelihood = 0.5 * (determinant - misfit) - np.log(factor[LIMITS.band]).sum()
+        likelihood -= self.observations * np.log(walk.sigma)
         return value.reshape(-1, 3), likelihood
 
     def covariances(self, walk: RandomWalk) -> tuple[np.ndarray, np.ndarray]:
@@ -296,8 +309,8 @@ class _System:
         for row in range(3):
             for column in range(3):
                 if column >= row:
-                    node_covariance[:, row, column] = factor[_BAND + row - column, column::3]
-                beside[:, row, column] = factor[_BAND + row - column - 3, 3 + column::3]
+                    node_covariance[:, row, column] = factor[LIMITS.band + row - column, column::3]
+                beside[:, row, column] = factor[LIMITS.band + row - column - 3, 3 + column::3]
         back = np.linalg.inv(node_covariance)
         gain = back[:-1] @ beside
         covariance = back @ back.transpose(0, 2, 1)

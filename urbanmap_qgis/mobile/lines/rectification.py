@@ -42,16 +42,27 @@ EXTRAPOLATED, BETWEEN = 0, 1
 
 Ground = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
-_CONTRADICTION = 5.0  # sigmas of the misfit within a set
-_SUSPECT = 4.0  # times the usual misfit against the other sets, and sigmas of it
-_BLUNDER = 8.0  # sigmas
-_MIN_MEDIAN = 0.1
-_MIN_SUSPECT = 0.1  # m
-_JUMP, _MAX_DRIFT_RATE = 1.0, 0.5  # m, m/s
+
+@dataclass(frozen=True)
+class RectificationLimits:
+    """Limits of rectification, each with its unit."""
+
+    contradiction: float = 5.0  # sigmas of the misfit within a set
+    suspect: float = 4.0  # times the usual misfit against the other sets, and sigmas of it
+    blunder: float = 8.0  # sigmas
+    min_median: float = 0.1
+    min_suspect: float = 0.1  # m
+    # m, m/s
+    jump: float = 1.0
+    max_drift_rate: float = 0.5
+    min_sets_to_compare: int = 5
+    min_sets_for_sigma: int = 4
+    short_share: float = 0.5
+
+
+LIMITS = RectificationLimits()
+
 _MAX_ROTATION = np.radians(10.0)
-_MIN_SETS_TO_COMPARE = 5
-_MIN_SETS_FOR_SIGMA = 4
-_SHORT_SHARE = 0.5
 
 
 @dataclass(frozen=True)
@@ -190,7 +201,7 @@ def rectify(trajectory: Trajectory, ties: TiePoints, ground: Ground | None = Non
     _warn_of_jumps(ties, number, keep, status, names, progress)
     corrected = _corrected(trajectory, ties, number, place, keep, model, settings)
     _warn_of_extent(trajectory, model, progress)
-    if settings.tie_sigma is None and len(np.unique(number[keep])) < _MIN_SETS_FOR_SIGMA:
+    if settings.tie_sigma is None and len(np.unique(number[keep])) < LIMITS.min_sets_for_sigma:
         progress.warn(say("{unique_count} sets do not tell how good the tie points are: give their sigma, or add "
                           "sets.", unique_count=len(np.unique(number[keep]))))
     progress.step(0.7)
@@ -273,12 +284,12 @@ def _first_two(ties: TiePoints, names: list[str], number: np.ndarray, place: np.
 def _misfit_limit(ties: TiePoints, number: np.ndarray, place: np.ndarray, settings: RectifySettings) -> float:
     """Largest misfit within a set, m: five sigmas of it, which are what most sets show."""
     if settings.tie_sigma is not None:
-        return _CONTRADICTION * np.sqrt(2.0) * settings.tie_sigma
-    least = _CONTRADICTION * np.sqrt(2.0) * SIGMA
+        return LIMITS.contradiction * np.sqrt(2.0) * settings.tie_sigma
+    least = LIMITS.contradiction * np.sqrt(2.0) * SIGMA
     sets = [np.flatnonzero(number == k) for k in range(number.max() + 1)]
     shown = [misfit(place[rows], ties.measured[rows], ties.reference[rows]).max() for rows in sets if len(rows) > 1]
-    usual = 1.4826 * float(np.median(shown)) if len(shown) >= _MIN_SETS_FOR_SIGMA else 0.0
-    return max(least, _CONTRADICTION * usual)
+    usual = 1.4826 * float(np.median(shown)) if len(shown) >= LIMITS.min_sets_for_sigma else 0.0
+    return max(least, LIMITS.contradiction * usual)
 
 
 def _without_outliers(ties: TiePoints, place: np.ndarray, members: np.ndarray,
@@ -316,10 +327,10 @@ def _model(trajectory: Trajectory, ties: TiePoints, number: np.ndarray, place: n
     model = fit_drift(pairs, trajectory, start, fixed)
     examined = np.zeros(len(names), bool)
     # At most a quarter of the sets can be blunders: more would be a drift that jumps.
-    for _ in range(len(names) // 4 if len(sets) >= _MIN_SETS_TO_COMPARE else 0):
+    for _ in range(len(names) // 4 if len(sets) >= LIMITS.min_sets_to_compare else 0):
         sigmas = leave_one_out_misfits(pairs, model)[1]
         worst = int(np.argmax(np.where(examined[sets], 0.0, sigmas)))
-        if sigmas[worst] <= _SUSPECT * max(float(np.median(sigmas)), _MIN_MEDIAN):
+        if sigmas[worst] <= LIMITS.suspect * max(float(np.median(sigmas)), LIMITS.min_median):
             break
         name, suspect = names[sets[worst]], number == sets[worst]
         examined[sets[worst]] = True
@@ -328,12 +339,12 @@ def _model(trajectory: Trajectory, ties: TiePoints, number: np.ndarray, place: n
         without = fit_drift(others, trajectory, start, fixed)
         away, sigmas_off = misfit_of_excluded(_pairs(ties, number, place, keep & suspect)[0], without)
         progress.check()
-        if sigmas_off > _BLUNDER and away > _MIN_SUSPECT and not settings.keep_blunders:
+        if sigmas_off > LIMITS.blunder and away > LIMITS.min_suspect and not settings.keep_blunders:
             progress.warn(say("Set {name} lies {away:.2f} m from where the other sets put it and is left out: check "
                               "that survey and reference show the same place.", name=name, away=away))
             status[sets[worst]], keep[suspect] = BLUNDER, False
             pairs, sets, model = others, left, without
-        elif sigmas_off > _SUSPECT and away > _MIN_SUSPECT:
+        elif sigmas_off > LIMITS.suspect and away > LIMITS.min_suspect:
             progress.warn(say("Set {name} lies {away:.2f} m from where the other sets put it: check that survey and "
                               "reference show the same place.", name=name, away=away))
             status[sets[worst]] = SUSPECT
@@ -348,7 +359,7 @@ def _warn_of_jumps(ties: TiePoints, number: np.ndarray, keep: np.ndarray, status
     time = np.array([ties.time[members].mean() for members in rows])
     shift = np.array([(ties.reference - ties.measured)[members].mean(axis=0) for members in rows])
     change, step = np.hypot(*np.diff(shift, axis=0).T), np.diff(time)
-    for k in np.flatnonzero((change > _JUMP) & (change > _MAX_DRIFT_RATE * step)):
+    for k in np.flatnonzero((change > LIMITS.jump) & (change > LIMITS.max_drift_rate * step)):
         progress.warn(say("Sets {names} and {names_2} contradict each other: within {step:.1f} s the drift would "
                           "change by {change:.1f} m; check both.", names=names[used[k]], names_2=names[used[k + 1]],
                           step=step[k], change=change[k]))
@@ -411,14 +422,14 @@ def _sigma_factor(ties: TiePoints, number: np.ndarray, place: np.ndarray, keep: 
                   model: RandomWalkDrift) -> float:
     """Root mean square of the sets' misfits against the others, in sigmas of these; 1 where it is less."""
     pairs, sets = _pairs(ties, number, place, keep)
-    if len(sets) < _MIN_SETS_FOR_SIGMA:
+    if len(sets) < LIMITS.min_sets_for_sigma:
         return 1.0
     return max(1.0, float(np.sqrt(np.mean(leave_one_out_misfits(pairs, model)[1] ** 2))))
 
 
 def _warn_of_extent(trajectory: Trajectory, model: RandomWalkDrift, progress: Progress) -> None:
     """Warn where much of the course has no set on both sides."""
-    if model.last - model.first < _SHORT_SHARE * trajectory.duration:
+    if model.last - model.first < LIMITS.short_share * trajectory.duration:
         progress.warn(say("The tie points lie within {last:.0f} of {duration:.0f} s: the rest of the course is only "
                           "moved along with them, and its sigma grows; add sets there.", last=model.last - model.first,
                           duration=trajectory.duration))

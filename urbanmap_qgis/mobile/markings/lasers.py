@@ -26,24 +26,30 @@ ATTRIBUTE, SOURCE, ANGLE = "attribute", "point source id", "vertical angle"
 RESTLESS = 0.3
 """Scatter of a scanner's asphalt from which its lasers are told apart."""
 
-MAX_SILENT = 0.1
-"""Share of a laser's points without a signal from which it is left out."""
 
-MAX_SCATTER = 0.54
-"""Scatter of a laser on even ground, of the natural logarithm, from which it is left out."""
+@dataclass(frozen=True)
+class LasersLimits:
+    """Limits of lasers, each with its unit."""
 
-_BIN = 0.1  # degrees; neighbouring lasers of a scanner lie 0.2 degrees or more apart
-_ANGLES = int(180 / _BIN)
-_CELL = 0.4  # m
-_FEWEST = 200  # points by which a laser is judged
-_PASSES = 40
-_SETTLED = 1e-3  # largest change of a gain's logarithm
-_AS_GOOD = 1.1
-_MOST_GAIN = 10.0
-_BETTER = 0.9
-_BRIGHT = 2.0  # of the cell's brightness: what is brighter is paint or glare
-_PARABOLA = 8, 0.5  # lasers, and extent of the logarithm of range, from which a parabola over range can be told
-_ROBUST = 1.4826
+    max_silent: float = 0.1  # Share of a laser's points without a signal from which it is left out.
+    max_scatter: float = 0.54  # Scatter of a laser on even ground, of the natural logarithm, from which it is left out.
+    bin: float = 0.1  # degrees; neighbouring lasers of a scanner lie 0.2 degrees or more apart
+    cell: float = 0.4  # m
+    fewest: int = 200  # points by which a laser is judged
+    passes: int = 40
+    settled: float = 1e-3  # largest change of a gain's logarithm
+    as_good: float = 1.1
+    most_gain: float = 10.0
+    better: float = 0.9
+    bright: float = 2.0  # of the cell's brightness: what is brighter is paint or glare
+    # lasers, and extent of the logarithm of range, from which a parabola over range can be told
+    parabola: tuple[float, ...] = 8, 0.5
+    robust: float = 1.4826
+
+
+LIMITS = LasersLimits()
+
+_ANGLES = int(180 / LIMITS.bin)
 
 
 @dataclass(frozen=True)
@@ -115,7 +121,7 @@ def told_apart(records: np.ndarray, brightness: np.ndarray, silent: np.ndarray, 
             found.append(gains)
     least = min((gains.after for gains in found), default=0.0)
     # A number is surer than an angle, which neighbouring lasers may share.
-    best = next((gains for gains in found if gains.after <= _AS_GOOD * least), None)
+    best = next((gains for gains in found if gains.after <= LIMITS.as_good * least), None)
     return best and Lasers(track, mount, trajectory, best)
 
 
@@ -127,7 +133,7 @@ def laser_numbers(records: np.ndarray, told_by: str, track: Track, trajectory: T
     if told_by == SOURCE:
         return records["source"].astype(np.int64)
     angle = vertical_angles(records, track, trajectory, mount)
-    return np.clip((angle + 90.0) / _BIN, 0, _ANGLES - 1).astype(np.int64)
+    return np.clip((angle + 90.0) / LIMITS.bin, 0, _ANGLES - 1).astype(np.int64)
 
 
 def vertical_angles(records: np.ndarray, track: Track, trajectory: Trajectory, mount: Mount | None) -> np.ndarray:
@@ -163,8 +169,8 @@ def find_gains(x: np.ndarray, y: np.ndarray, ranges: np.ndarray, brightness: np.
     """
     count = int(laser.max(initial=0)) + 1
     points = np.bincount(laser, minlength=count)
-    judged = points >= _FEWEST
-    heard = judged & (np.bincount(laser, weights=silent, minlength=count) <= MAX_SILENT * points)
+    judged = points >= LIMITS.fewest
+    heard = judged & (np.bincount(laser, weights=silent, minlength=count) <= LIMITS.max_silent * points)
     if np.count_nonzero(heard) < 3:
         return None
     before = _scatter(x, y, brightness, judged[laser] & ~silent)
@@ -176,10 +182,10 @@ def find_gains(x: np.ndarray, y: np.ndarray, ranges: np.ndarray, brightness: np.
     gain = _alternating(cell, cells, brightness, laser, count)
     gain /= _common_over_range(gain, _medians(ranges, laser, count), np.bincount(laser, minlength=count))
     off = _off(cell, cells, brightness / gain[laser])
-    scatter = _medians(np.abs(off), laser, count) * _ROBUST
-    good = heard & (scatter <= MAX_SCATTER) & (gain > 1.0 / _MOST_GAIN) & (gain < _MOST_GAIN)
-    after = float(_ROBUST * np.median(np.abs(off[good[laser]]))) if good.any() else np.inf
-    if not after < _BETTER * before:
+    scatter = _medians(np.abs(off), laser, count) * LIMITS.robust
+    good = heard & (scatter <= LIMITS.max_scatter) & (gain > 1.0 / LIMITS.most_gain) & (gain < LIMITS.most_gain)
+    after = float(LIMITS.robust * np.median(np.abs(off[good[laser]]))) if good.any() else np.inf
+    if not after < LIMITS.better * before:
         return None
     return LaserGains(told_by, np.where(good, gain, np.nan), judged, before, after)
 
@@ -187,12 +193,12 @@ def find_gains(x: np.ndarray, y: np.ndarray, ranges: np.ndarray, brightness: np.
 def _scatter(x: np.ndarray, y: np.ndarray, brightness: np.ndarray, some: np.ndarray) -> float:
     """Scatter of the logarithms of some points about the means of their cells."""
     cell, cells = _cells(x[some], y[some])
-    return float(_ROBUST * np.median(np.abs(_off(cell, cells, brightness[some].astype(float)))))
+    return float(LIMITS.robust * np.median(np.abs(_off(cell, cells, brightness[some].astype(float)))))
 
 
 def _cells(x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, int]:
     """Number (n,) of the ground's cell of each point, and how many there are."""
-    column, row = (np.floor((values - values.min()) / _CELL).astype(np.int64) for values in (x, y))
+    column, row = (np.floor((values - values.min()) / LIMITS.cell).astype(np.int64) for values in (x, y))
     _, cell = np.unique(row * (int(column.max()) + 1) + column, return_inverse=True)
     return cell, int(cell.max()) + 1
 
@@ -200,12 +206,12 @@ def _cells(x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, int]:
 def _alternating(cell: np.ndarray, cells: int, brightness: np.ndarray, laser: np.ndarray, count: int) -> np.ndarray:
     """Gains (count,) of lasers and brightness of the ground, by turns; points are sorted by laser."""
     gain = np.ones(count)
-    for _ in range(_PASSES):
+    for _ in range(LIMITS.passes):
         change = _medians(_off(cell, cells, brightness / gain[laser]), laser, count)
         gain *= np.exp(change)
         # Only ratios are observed: the points' mean stays.
         gain /= np.exp(np.mean(np.log(gain[laser])))
-        if np.abs(change).max() < _SETTLED:
+        if np.abs(change).max() < LIMITS.settled:
             break
     return gain
 
@@ -214,7 +220,7 @@ def _common_over_range(gain: np.ndarray, ranges: np.ndarray, points: np.ndarray)
     """The smooth course (count,) of gains over the lasers' ranges (count,), m: a parabola of the logarithms."""
     some = (points > 0) & (ranges > 0)
     way = np.log(np.where(some, ranges, 1.0))
-    degree = 2 if np.count_nonzero(some) >= _PARABOLA[0] and np.ptp(way[some]) > _PARABOLA[1] else 0
+    degree = 2 if np.count_nonzero(some) >= LIMITS.parabola[0] and np.ptp(way[some]) > LIMITS.parabola[1] else 0
     parabola = np.polyfit(way[some], np.log(gain[some]), degree, w=np.sqrt(points[some]))
     return np.exp(np.where(some, np.polyval(parabola, way), 0.0))
 
@@ -222,7 +228,7 @@ def _common_over_range(gain: np.ndarray, ranges: np.ndarray, points: np.ndarray)
 def _off(cell: np.ndarray, cells: int, values: np.ndarray) -> np.ndarray:
     """Logarithm (n,) of values (n,) over the mean of their cell, paint and glare aside."""
     mean = np.bincount(cell, weights=values, minlength=cells) / np.bincount(cell, minlength=cells)
-    even = values < _BRIGHT * mean[cell]
+    even = values < LIMITS.bright * mean[cell]
     some = np.maximum(np.bincount(cell[even], minlength=cells), 1)
     mean = np.bincount(cell[even], weights=values[even], minlength=cells) / some
     return np.log(values / np.maximum(mean, 1e-9)[cell])

@@ -23,20 +23,29 @@ from ...wording import say
 CELL = 0.05
 """m, side of the grid's cells."""
 
-_SPACINGS = (1.0, 2.0, 4.0, 8.0)
-_SUPPORT = 0.02
-_COARSEST = 8
-_STAND_OUT = 1.25
-_CLEAR = 5.0
-_NEAR_CORE = 0.12
-_PAINT_REACH = 0.25
-_STEP_REACH = 0.12
-_FOOT_REACH, _FOOT = 0.4, 0.1
-_STEP_SHARE = 0.3
-_STEP_SIGMAS = 7.0
-_ROUGH_CELL = 0.2
-_ROUGH_POINTS = 5
-_MIN_POINTS = 50
+
+@dataclass(frozen=True)
+class MarkingPointsLimits:
+    """Limits of marking points, each with its unit."""
+
+    spacings: tuple[float, ...] = (1.0, 2.0, 4.0, 8.0)
+    support: float = 0.02
+    coarsest: int = 8
+    stand_out: float = 1.25
+    clear: float = 5.0
+    near_core: float = 0.12
+    paint_reach: float = 0.25
+    step_reach: float = 0.12
+    foot_reach: float = 0.4
+    foot: float = 0.1
+    step_share: float = 0.3
+    step_sigmas: float = 7.0
+    rough_cell: float = 0.2
+    rough_points: int = 5
+    min_points: int = 50
+
+
+LIMITS = MarkingPointsLimits()
 
 
 @dataclass(frozen=True)
@@ -73,7 +82,7 @@ class MarkingPointSettings:
     @property
     def reach(self) -> float:
         """How far, m, the answer for a point looks round it."""
-        blur = 4 * max(_SPACINGS) * CELL
+        blur = 4 * max(LIMITS.spacings) * CELL
         return self.block_size + 2 * self.max_width + 2 * blur + self.longest + 2 * self.join + 1.0
 
 
@@ -112,18 +121,18 @@ def roughness(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> float:
 
     NaN where the points are too few to tell.
     """
-    if len(x) < _MIN_POINTS:
+    if len(x) < LIMITS.min_points:
         return float("nan")
-    column = np.floor(x / _ROUGH_CELL).astype(np.int64)
-    row = np.floor(y / _ROUGH_CELL).astype(np.int64)
+    column = np.floor(x / LIMITS.rough_cell).astype(np.int64)
+    row = np.floor(y / LIMITS.rough_cell).astype(np.int64)
     columns = int(np.ptp(column)) + 1
     _cells, cell = np.unique((row - row.min()) * columns + column - column.min(), return_inverse=True)
     count = np.bincount(cell)
     offset = z - (np.bincount(cell, weights=z) / count)[cell]
-    spread = np.bincount(cell, weights=offset ** 2)[count >= _ROUGH_POINTS]
-    if len(spread) < _MIN_POINTS:
+    spread = np.bincount(cell, weights=offset ** 2)[count >= LIMITS.rough_points]
+    if len(spread) < LIMITS.min_points:
         return float("nan")
-    return float(np.median(np.sqrt(spread / (count[count >= _ROUGH_POINTS] - 1))))
+    return float(np.median(np.sqrt(spread / (count[count >= LIMITS.rough_points] - 1))))
 
 
 def marking_points(x: np.ndarray, y: np.ndarray, z: np.ndarray, brightness: np.ndarray, noise: Noise = Noise(),
@@ -144,22 +153,23 @@ def marking_points(x: np.ndarray, y: np.ndarray, z: np.ndarray, brightness: np.n
     cell = row * grid.columns + column
     image, share = _image(cell, brightness, grid)
     ground = _ground_level(image, settings)
-    contrast = np.maximum(max(settings.contrast, _STAND_OUT * noise.brightness), _CLEAR * noise.brightness * share)
+    contrast = np.maximum(max(settings.contrast, LIMITS.stand_out * noise.brightness),
+                          LIMITS.clear * noise.brightness * share)
     core = _core(image, ground, contrast, settings)
     if not core.any():
         return MarkingAnswer(np.zeros(n, bool), np.zeros(n, np.float32), np.full(n, np.nan, np.float32))
-    near = cv2.dilate(core.astype(np.uint8), _disc(_NEAR_CORE)).ravel()[cell] > 0
+    near = cv2.dilate(core.astype(np.uint8), _disc(LIMITS.near_core)).ravel()[cell] > 0
     some = np.flatnonzero(near)
     bright, paint_level = _above_middle(some, cell, brightness, image, ground, core, grid)
-    bright &= ~_on_steps(some, cell, z, bright, grid, max(settings.step, _STEP_SIGMAS * noise.height))
+    bright &= ~_on_steps(some, cell, z, bright, grid, max(settings.step, LIMITS.step_sigmas * noise.height))
     bright &= _large_enough(some, cell, bright, grid, settings)
     return _answer(n, some[bright], brightness, ground.ravel()[cell[some[bright]]], paint_level[bright])
 
 
 def _grid(x: np.ndarray, y: np.ndarray) -> Grid:
     """Grid round points, its corners on multiples of the coarsest cells."""
-    coarse = Grid.covering(x.min() - 0.5, y.min() - 0.5, x.max() + 0.5, y.max() + 0.5, CELL * _COARSEST)
-    return Grid(coarse.x_min, coarse.y_max, CELL, coarse.rows * _COARSEST, coarse.columns * _COARSEST)
+    coarse = Grid.covering(x.min() - 0.5, y.min() - 0.5, x.max() + 0.5, y.max() + 0.5, CELL * LIMITS.coarsest)
+    return Grid(coarse.x_min, coarse.y_max, CELL, coarse.rows * LIMITS.coarsest, coarse.columns * LIMITS.coarsest)
 
 
 def _image(cell: np.ndarray, brightness: np.ndarray, grid: Grid) -> tuple[np.ndarray, np.ndarray]:
@@ -171,10 +181,10 @@ def _image(cell: np.ndarray, brightness: np.ndarray, grid: Grid) -> tuple[np.nda
     image, number = np.full(grid.shape, np.nan, dtype=np.float32), np.ones(grid.shape, dtype=np.float32)
     empty, open_ = np.ones(grid.shape, dtype=bool), np.empty(grid.shape, dtype=bool)
     weight, value = np.empty_like(count), np.empty_like(count)
-    for spacing in _SPACINGS:
+    for spacing in LIMITS.spacings:
         _blurred(count, spacing, weight)
         _blurred(total, spacing, value)
-        np.greater(weight, _SUPPORT, out=open_)
+        np.greater(weight, LIMITS.support, out=open_)
         open_ &= empty
         empty ^= open_
         np.divide(value, weight, out=image, where=open_)
@@ -204,7 +214,7 @@ def _blurred(layer: np.ndarray, sigma: float, out: np.ndarray | None = None) -> 
     `out` is where it goes: new memory for each mean costs as much as the mean.
     The caller's grid must lie on multiples of 8 cells, so that the coarse one does not depend on its extent.
     """
-    step = int(min(max(2 ** np.floor(np.log2(sigma / 1.5)), 1), _COARSEST))
+    step = int(min(max(2 ** np.floor(np.log2(sigma / 1.5)), 1), LIMITS.coarsest))
     if step == 1:
         return cv2.GaussianBlur(layer, (0, 0), sigma, dst=out, borderType=cv2.BORDER_CONSTANT)
     rows, columns = layer.shape
@@ -230,7 +240,7 @@ def _core(image: np.ndarray, ground: np.ndarray, contrast: np.ndarray, settings:
     mean /= np.maximum(weight, 1e-3, out=weight)
     margin = contrast * ground
     # Corners of wide bright surfaces: there the ground beside is as bright.
-    beside = cv2.dilate(ground, _disc(_PAINT_REACH))
+    beside = cv2.dilate(ground, _disc(LIMITS.paint_reach))
     beside *= np.float32(1.0 + 0.5 * settings.contrast)
     mean += margin
     margin += ground
@@ -249,12 +259,12 @@ def _disc(radius: float) -> np.ndarray:
 def _above_middle(some: np.ndarray, cell: np.ndarray, brightness: np.ndarray, image: np.ndarray, ground: np.ndarray,
                   core: np.ndarray, grid: Grid) -> tuple[np.ndarray, np.ndarray]:
     """Which of some points are brighter than the middle between ground and the paint near them; that paint's level."""
-    highest = cv2.dilate(np.where(core, image, np.float32(0)), _disc(_PAINT_REACH)).ravel()
+    highest = cv2.dilate(np.where(core, image, np.float32(0)), _disc(LIMITS.paint_reach)).ravel()
     base = ground.ravel()[cell[some]]
     value = brightness[some]
     bright = value > 0.5 * (highest[cell[some]] + base)
     bright_cell = cell[some[bright]]
-    sigma = _PAINT_REACH / CELL / 1.5
+    sigma = LIMITS.paint_reach / CELL / 1.5
     count, total = (_blurred(_few_sums(bright_cell, values, grid), sigma).ravel()[cell[some]]
                     for values in (None, value[bright]))
     level = np.where(count > 1e-6, total / np.maximum(count, 1e-6), highest[cell[some]])
@@ -268,11 +278,12 @@ def _on_steps(some: np.ndarray, cell: np.ndarray, z: np.ndarray, bright: np.ndar
     low = extreme_in_cells(cell, height, grid.rows * grid.columns, highest=False)
     low[np.isinf(low)] = 1e6
     low = low.reshape(grid.shape)
-    beside, around = (cv2.erode(low, _disc(reach)).ravel()[cell[some]] for reach in (_STEP_REACH, _FOOT_REACH))
-    above = (height[some] - beside > step) | (height[some] - around > max(step, _FOOT))
+    beside, around = (cv2.erode(low, _disc(reach)).ravel()[cell[some]]
+                      for reach in (LIMITS.step_reach, LIMITS.foot_reach))
+    above = (height[some] - beside > step) | (height[some] - around > max(step, LIMITS.foot))
     counts = [cv2.GaussianBlur(_few_sums(cell[some[part]], None, grid), (0, 0), 1.5).ravel()[cell[some]]
               for part in (bright & above, bright)]
-    return above | (counts[0] > _STEP_SHARE * counts[1])
+    return above | (counts[0] > LIMITS.step_share * counts[1])
 
 
 def _large_enough(some: np.ndarray, cell: np.ndarray, bright: np.ndarray, grid: Grid,

@@ -34,14 +34,28 @@ BLOCK = 5
 """Patches of a block, whose scores of shifts are found together."""
 
 _SECTION_PATCHES = 400  # patches of a section's core
-_AROUND = 10  # patches more than its windows need
-_DRIFT = 0.05  # m in the root of a metre: random walk of the error that the start allows
-_STANDING_DRIFT = 0.15  # m in the root of a second that the vehicle stands
+
+
+@dataclass(frozen=True)
+class RegistrationRegisterLimits:
+    """Limits of registration register, each with its unit."""
+
+    around: int = 10  # patches more than its windows need
+    drift: float = 0.05  # m in the root of a metre: random walk of the error that the start allows
+    standing_drift: float = 0.15  # m in the root of a second that the vehicle stands
+    wider: float = 2.0  # times the search, where the first one leaves doubt
+    # m from the edge of the search; share of blocks that may lie there
+    border: float = 0.4
+    border_share: float = 0.02
+    # log-likelihood by which a block's place beats others; share of such blocks
+    proof: float = 3.0
+    sure_share: float = 0.5
+    gain: float = 1.08  # times the narrow search's score: right places had 1.12 or more, wrong ones 1.02 (four cities)
+
+
+LIMITS = RegistrationRegisterLimits()
+
 _PRIOR_SIGMA = 2.5  # m
-_WIDER = 2.0  # times the search, where the first one leaves doubt
-_BORDER, _BORDER_SHARE = 0.4, 0.02  # m from the edge of the search; share of blocks that may lie there
-_PROOF, _SURE_SHARE = 3.0, 0.5  # log-likelihood by which a block's place beats others; share of such blocks
-_GAIN = 1.08  # times the narrow search's score: right places had 1.12 or more, wrong ones 1.02 (four cities)
 
 
 def register_windows(markings: MarkingPoints, trajectory: Trajectory, reference: Reference,
@@ -102,26 +116,26 @@ def _start(points: PatchPoints, patches: Patches, reference: Reference, settings
            progress: Progress, executor: Executor | None) -> tuple[InitialShifts, float]:
     """Shifts of all blocks, and how far they were looked for, m: farther where the first search leaves doubt."""
     found = _correlated(points, patches, reference, settings, progress.part(0.0, 0.4), executor)
-    if not settings.start or not (_at_border(found, settings.search) or _sure_share(found) < _SURE_SHARE):
+    if not settings.start or not (_at_border(found, settings.search) or _sure_share(found) < LIMITS.sure_share):
         return found, settings.search
-    search = _WIDER * settings.search
+    search = LIMITS.wider * settings.search
     wide = _correlated(points, patches, reference, replace(settings, search=search), progress.part(0.4, 1.0), executor)
-    same = np.median(np.abs(wide.best - found.best).max(axis=1)) * CELL < _BORDER
-    better = same or wide.score > _GAIN * found.score
-    if better and not _at_border(wide, search) and _sure_share(wide) >= max(_SURE_SHARE, _sure_share(found)):
+    same = np.median(np.abs(wide.best - found.best).max(axis=1)) * CELL < LIMITS.border
+    better = same or wide.score > LIMITS.gain * found.score
+    if better and not _at_border(wide, search) and _sure_share(wide) >= max(LIMITS.sure_share, _sure_share(found)):
         return wide, search
     return found, settings.search
 
 
 def _at_border(start: InitialShifts, search: float) -> bool:
     """Whether the best path runs along the edge of what was searched."""
-    return float((np.abs(start.best * CELL) > search - _BORDER).any(axis=1).mean()) > _BORDER_SHARE
+    return float((np.abs(start.best * CELL) > search - LIMITS.border).any(axis=1).mean()) > LIMITS.border_share
 
 
 def _sure_share(start: InitialShifts) -> float:
     """Share of the blocks with markings whose place beats all others."""
     with_markings = start.scores.any(axis=(1, 2))
-    return float((path_margins(start)[with_markings] >= _PROOF).mean()) if with_markings.any() else 0.0
+    return float((path_margins(start)[with_markings] >= LIMITS.proof).mean()) if with_markings.any() else 0.0
 
 
 def _correlated(points: PatchPoints, patches: Patches, reference: Reference, settings: RegistrationSettings,
@@ -157,7 +171,8 @@ def _correlated(points: PatchPoints, patches: Patches, reference: Reference, set
 def _step_variances(patches: Patches) -> np.ndarray:
     """(b - 1,) m2, variance of the error's change from each block to the next."""
     middle = _block_middles(patches)
-    return _DRIFT ** 2 * np.diff(patches.chainage[middle]) + _STANDING_DRIFT ** 2 * np.diff(patches.stop_time[middle])
+    driven, stood = np.diff(patches.chainage[middle]), np.diff(patches.stop_time[middle])
+    return LIMITS.drift ** 2 * driven + LIMITS.standing_drift ** 2 * stood
 
 
 def _block_middles(patches: Patches) -> np.ndarray:
@@ -191,8 +206,8 @@ def _sections(points: PatchPoints, patches: Patches, windows: Windows, start: In
     for core_first in range(0, len(patches), _SECTION_PATCHES):
         core_last = min(core_first + _SECTION_PATCHES, len(patches)) - 1
         core = slice(core_first, core_last + 1)
-        first = max(int(windows.first[core].min()) - _AROUND, 0)
-        last = min(int(windows.last[core].max()) + _AROUND, len(patches) - 1)
+        first = max(int(windows.first[core].min()) - LIMITS.around, 0)
+        last = min(int(windows.last[core].max()) + LIMITS.around, len(patches) - 1)
         rows = np.arange(first, last + 1)
         yield PathSection(first, core_first - first, core_last - first, patches.chainage[rows], patches.stop_time[rows],
                       patches.place[rows],

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 import shapely
@@ -12,14 +13,19 @@ from ..formats.lanelet_tags import VEHICLE_SUBTYPES
 from .inspection import CheckedLane, MapInspection
 from .rule_table import Broken, MapRule, broken, rule
 
-TOO_CLOSE = 0.05
-"""Points of one line so near are one point drawn twice, m."""
 
-NARROW, WIDE = 1.5, 8.0
-"""Widths of a lane for vehicles beyond which it is told, m."""
+@dataclass(frozen=True)
+class ShapeRulesLimits:
+    """Limits of shape rules, each with its unit."""
 
-SHARPEST = 0.5
-"""Largest curvature of a bound, 1/m (lanelet2_validation)."""
+    too_close: float = 0.05  # Points of one line so near are one point drawn twice, m.
+    # Widths of a lane for vehicles beyond which it is told, m.
+    narrow: float = 1.5
+    wide: float = 8.0
+    sharpest: float = 0.5  # Largest curvature of a bound, 1/m (lanelet2_validation).
+
+
+LIMITS = ShapeRulesLimits()
 
 ROADS = (*VEHICLE_SUBTYPES, "pedestrian_lane")
 
@@ -44,7 +50,7 @@ def _duplicated(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
 def _too_close(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
     upright = {"traffic_light", "light_bulbs", "traffic_sign", "pole", "post"}
     for number, nodes, steps in _steps(inspected):
-        near = [k for k in np.flatnonzero(steps < TOO_CLOSE) if nodes[k] != nodes[k + 1]]
+        near = [k for k in np.flatnonzero(steps < LIMITS.too_close) if nodes[k] != nodes[k + 1]]
         if near and inspected.way_type(number) not in upright:
             yield broken("way", number, apart=f"{steps[near].min():.3f}")
 
@@ -57,7 +63,7 @@ def _curvature(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
             one, other, chord = places[1:-1] - places[:-2], places[2:] - places[1:-1], places[2:] - places[:-2]
             area = np.abs(one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0])
             sides = np.prod([np.linalg.norm(side, axis=1) for side in (one, other, chord)], axis=0)
-            kinks = np.flatnonzero(2.0 * area > SHARPEST * np.maximum(sides, 1e-12))
+            kinks = np.flatnonzero(2.0 * area > LIMITS.sharpest * np.maximum(sides, 1e-12))
             if len(kinks):
                 yield broken("relation", lane.number, node=nodes[kinks[0] + 1])
                 break
@@ -93,8 +99,8 @@ def _width(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
         if lane.subtype not in ROADS or min(left.length, right.length) == 0:
             continue
         width = shapely.distance(shapely.line_interpolate_point(left, shares, normalized=True), right)
-        narrow = NARROW if lane.subtype in ("road", "highway", "bus_lane") else 0.0
-        if width.min() < narrow or width.max() > WIDE:
+        narrow = LIMITS.narrow if lane.subtype in ("road", "highway", "bus_lane") else 0.0
+        if width.min() < narrow or width.max() > LIMITS.wide:
             yield broken("relation", lane.number, narrowest=f"{width.min():.2f}", widest=f"{width.max():.2f}")
 
 

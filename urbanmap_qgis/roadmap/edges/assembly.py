@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -14,22 +15,26 @@ from .stations import Stations
 BRIDGED = 2
 """Stations without a measurement over which a line is drawn; over more it has a gap."""
 
-LOWERED_SHARE = 0.55
-"""A kerb is lowered where it is lower than this share of its usual height."""
 
-SHORTEST_LOWERED = 1.5
-"""m."""
+@dataclass(frozen=True)
+class EdgesAssemblyLimits:
+    """Limits of edges assembly, each with its unit."""
 
-_WINDOW = 6  # stations to either side that tell where a station ought to lie
-_STRAY = 0.08  # m; a station farther from its neighbours' line is none of theirs
-_STRAY_END = 0.15  # m; the same at the ends of a course, which may bend
-_UNSURE = 0.03  # m; sigma from which an edge is doubtful
-_TALLEST = 1.2  # share of the highest kerb
-_FEWEST = 3  # stations
-_LOW = 0.06  # m; so low a step hardly shows where it is
-_CARRIED = 0.02  # m, least sigma of a place that is carried over from the kerb beside
-_FEW = 0.6  # completeness
-_SCALE = 1.3  # profiles of neighbouring stations share points and the shape of the road
+    lowered_share: float = 0.55  # A kerb is lowered where it is lower than this share of its usual height.
+    shortest_lowered: float = 1.5  # m.
+    window: int = 6  # stations to either side that tell where a station ought to lie
+    stray: float = 0.08  # m; a station farther from its neighbours' line is none of theirs
+    stray_end: float = 0.15  # m; the same at the ends of a course, which may bend
+    unsure: float = 0.03  # m; sigma from which an edge is doubtful
+    tallest: float = 1.2  # share of the highest kerb
+    fewest: int = 3  # stations
+    low: float = 0.06  # m; so low a step hardly shows where it is
+    carried: float = 0.02  # m, least sigma of a place that is carried over from the kerb beside
+    few: float = 0.6  # completeness
+    scale: float = 1.3  # profiles of neighbouring stations share points and the shape of the road
+
+
+LIMITS = EdgesAssemblyLimits()
 
 GAP, FULL, LOW, UNSURE = 0, 1, 2, 3
 
@@ -50,7 +55,7 @@ def kerb_lines(stations: Stations, settings: EdgeSettings, corner: np.ndarray, f
 
 def _sections(stations: Stations, rows: np.ndarray, settings: EdgeSettings) -> Iterator[tuple[int, np.ndarray]]:
     """Sections of a course: FULL, LOW or UNSURE, and their rows; neighbouring ones share a station."""
-    stations.foot[rows[stations.height[rows] > _TALLEST * settings.max_height]] = np.nan
+    stations.foot[rows[stations.height[rows] > LIMITS.tallest * settings.max_height]] = np.nan
     _carry_low(stations, rows)
     _leave_out_strays(stations, rows)
     kinds = _kinds(stations, rows, settings)
@@ -61,7 +66,7 @@ def _sections(stations: Stations, rows: np.ndarray, settings: EdgeSettings) -> I
             continue
         goes_on = end < len(kinds) and kinds[end] != GAP
         part = rows[start:end + 1 if goes_on else end]
-        if np.count_nonzero(np.isfinite(stations.foot[part])) >= _FEWEST:
+        if np.count_nonzero(np.isfinite(stations.foot[part])) >= LIMITS.fewest:
             yield int(kinds[start]), part
 
 
@@ -70,10 +75,11 @@ def _kinds(stations: Stations, rows: np.ndarray, settings: EdgeSettings) -> np.n
     height, measured, sigma = stations.height[rows], np.isfinite(stations.foot[rows]), stations.sigma[rows]
     known = measured & stations.seen[rows]
     usual = np.nanmedian(height[known]) if known.any() else np.nan
-    low = measured & (height < max(LOWERED_SHARE * usual, settings.min_height))
-    unsure = measured & ~(sigma < _UNSURE)
+    low = measured & (height < max(LIMITS.lowered_share * usual, settings.min_height))
+    unsure = measured & ~(sigma < LIMITS.unsure)
     kinds = np.where(measured, np.where(unsure, UNSURE, np.where(low, LOW, FULL)), GAP)
-    for kind, longest in ((GAP, BRIDGED), (UNSURE, BRIDGED), (LOW, int(SHORTEST_LOWERED / STATION) - 1), (FULL, 1)):
+    for kind, longest in ((GAP, BRIDGED), (UNSURE, BRIDGED), (LOW, int(LIMITS.shortest_lowered / STATION) - 1),
+                          (FULL, 1)):
         kinds = _absorbed(kinds, kind, longest)
     # A station that says less than its neighbours is no corner of their line.
     stations.foot[rows[unsure & (kinds != UNSURE)]] = np.nan
@@ -97,7 +103,7 @@ def _expected(stations: Stations, rows: np.ndarray, number: int, use: np.ndarray
 
     `use` (k,) which of the course's stations may tell. Offsets across are taken along the station's own normal.
     """
-    near = np.arange(max(number - _WINDOW, 0), min(number + _WINDOW + 1, len(rows)))
+    near = np.arange(max(number - LIMITS.window, 0), min(number + LIMITS.window + 1, len(rows)))
     near = near[use[near] & (near != number)]
     row, others = rows[number], rows[near]
     normal = stations.normal[row]
@@ -115,13 +121,13 @@ def _carry_low(stations: Stations, rows: np.ndarray) -> None:
     """Steps too low to show their place lie where the kerb beside them leads."""
     middle = 0.5 * (stations.foot + stations.top)
     height = stations.height
-    sure = np.isfinite(stations.sigma[rows]) & (height[rows] >= _LOW) & (stations.sigma[rows] < _CARRIED)
-    for number in np.flatnonzero(np.isfinite(stations.foot[rows]) & ~sure & (height[rows] < _LOW)).tolist():
+    sure = np.isfinite(stations.sigma[rows]) & (height[rows] >= LIMITS.low) & (stations.sigma[rows] < LIMITS.carried)
+    for number in np.flatnonzero(np.isfinite(stations.foot[rows]) & ~sure & (height[rows] < LIMITS.low)).tolist():
         row = rows[number]
         wide = np.flatnonzero(sure)
         before, after = wide[wide < number][-4:], wide[wide > number][:4]
         if len(before) < 2 or len(after) < 2 or after[0] - before[-1] > 24:
-            stations.sigma[row] = np.fmax(stations.sigma[row], 2 * _UNSURE)
+            stations.sigma[row] = np.fmax(stations.sigma[row], 2 * LIMITS.unsure)
             continue
         others = rows[np.concatenate([before, after])]
         normal = stations.normal[row]
@@ -129,7 +135,7 @@ def _carry_low(stations: Stations, rows: np.ndarray) -> None:
         along, across = offset @ np.array([-normal[1], normal[0]]), offset @ normal
         line = np.polyfit(along, across, 1)
         stations.foot[row] = stations.top[row] = line[1]
-        stations.sigma[row] = max(float(np.std(across - np.polyval(line, along))), _CARRIED)
+        stations.sigma[row] = max(float(np.std(across - np.polyval(line, along))), LIMITS.carried)
 
 
 def _leave_out_strays(stations: Stations, rows: np.ndarray) -> None:
@@ -139,7 +145,7 @@ def _leave_out_strays(stations: Stations, rows: np.ndarray) -> None:
     for number in np.flatnonzero(use).tolist():
         expected = _expected(stations, rows, number, use, middle)
         inside = use[:number].any() and use[number + 1:].any()
-        limit = max(_STRAY if inside else _STRAY_END, 3 * np.nan_to_num(stations.sigma[rows[number]]))
+        limit = max(LIMITS.stray if inside else LIMITS.stray_end, 3 * np.nan_to_num(stations.sigma[rows[number]]))
         if np.isfinite(expected) and abs(middle[rows[number]] - expected) > limit:
             stations.foot[rows[number]] = stations.top[rows[number]] = np.nan
 
@@ -152,18 +158,18 @@ def _edge(stations: Stations, kind: int, part: np.ndarray, corner: np.ndarray, c
         across, z = getattr(stations, name)[measured], getattr(stations, f"z_{name}")[measured]
         plan = stations.place[measured] + across[:, None] * stations.normal[measured]
         sides.append(np.column_stack([plan, z]) + corner)
-    sigma = _SCALE * float(np.sqrt(np.mean(stations.sigma[measured]**2)))
+    sigma = LIMITS.scale * float(np.sqrt(np.mean(stations.sigma[measured]**2)))
     completeness = len(measured) / len(part)
     status, reason = MEASURED, ""
     if kind == UNSURE:
         status, reason = DOUBTFUL, say("its face is not seen: it lies between the last points before and the first "
                                        "behind")
-    elif completeness < _FEW:
+    elif completeness < LIMITS.few:
         status, reason = DOUBTFUL, say("most of it is hidden")
     height = float(np.median(stations.height[measured]))
-    lowered = kind == LOW or (kind == UNSURE and height < _LOW)
+    lowered = kind == LOW or (kind == UNSURE and height < LIMITS.low)
     return RoadEdge(LOWERED if lowered else KERB, *sides, height, sigma,
-                    _SCALE * float(np.sqrt(np.mean(stations.sigma_z[measured]**2))),
+                    LIMITS.scale * float(np.sqrt(np.mean(stations.sigma_z[measured]**2))),
                     int(stations.points[measured].sum()), int(stations.passes[measured].max()), completeness, chain,
                     0.0, status, reason)
 

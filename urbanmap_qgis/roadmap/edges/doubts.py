@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
@@ -11,15 +11,22 @@ from scipy.spatial import cKDTree
 from ...wording import say
 from .edge_records import DOUBTFUL, KERB, LOWERED, MEASURED, RAIL, WALL, RoadEdge
 
-TALLEST_VEHICLE = 4.2
-"""m; higher walls are none."""
 
-KERBED = 0.5
-"""m of kerb for each m of path from which a road is one with kerbs."""
+@dataclass(frozen=True)
+class DoubtsLimits:
+    """Limits of doubts, each with its unit."""
 
-_CAR_HEIGHT, _CAR_LENGTH = 1.7, 6.5  # m
+    tallest_vehicle: float = 4.2  # m; higher walls are none.
+    kerbed: float = 0.5  # m of kerb for each m of path from which a road is one with kerbs.
+    # m
+    car_height: float = 1.7
+    car_length: float = 6.5
+    right_at: float = 0.3  # m; a rail may stand on the kerb itself
+
+
+LIMITS = DoubtsLimits()
+
 _BEFORE = 0.5  # share of an edge's stations
-_RIGHT_AT = 0.3  # m; a rail may stand on the kerb itself
 
 
 def with_doubts(edges: list[RoadEdge], path: np.ndarray, path_length: float) -> list[RoadEdge]:
@@ -30,11 +37,11 @@ def with_doubts(edges: list[RoadEdge], path: np.ndarray, path_length: float) -> 
     path : (k, 2) places of the vehicle, m, in the coordinates of the edges.
     """
     kerbs = _kerbs(edges)
-    if not len(kerbs) or shapely.length(kerbs).sum() < KERBED * path_length:
+    if not len(kerbs) or shapely.length(kerbs).sum() < LIMITS.kerbed * path_length:
         return edges
     tree, places = shapely.STRtree(kerbs), cKDTree(path)
     return [_judged(edge, tree, path[places.query(edge.foot[:, :2])[1]])
-            if edge.kind in (RAIL, WALL) and edge.status == MEASURED and edge.height < TALLEST_VEHICLE else edge
+            if edge.kind in (RAIL, WALL) and edge.status == MEASURED and edge.height < LIMITS.tallest_vehicle else edge
             for edge in edges]
 
 
@@ -51,9 +58,9 @@ def _judged(edge: RoadEdge, kerbs: shapely.STRtree, path: np.ndarray) -> RoadEdg
     """The edge, doubtful where no kerb lies between it and its places (n, 2) on the path."""
     ways = shapely.linestrings(np.stack([edge.foot[:, :2], path], axis=1))
     behind = np.zeros(len(ways), bool)
-    behind[kerbs.query(ways, predicate="dwithin", distance=_RIGHT_AT)[0]] = True
+    behind[kerbs.query(ways, predicate="dwithin", distance=LIMITS.right_at)[0]] = True
     if np.mean(~behind) > _BEFORE:
         return replace(edge, status=DOUBTFUL, reason=say("no kerb lies before it: it may be the side of a vehicle"))
-    if edge.kind == WALL and edge.height < _CAR_HEIGHT and edge.length < _CAR_LENGTH:
+    if edge.kind == WALL and edge.height < LIMITS.car_height and edge.length < LIMITS.car_length:
         return replace(edge, status=DOUBTFUL, reason=say("it is as long and high as a car"))
     return edge

@@ -24,11 +24,21 @@ TILE = 20.0
 MARGIN = 2.5
 """Points so far beyond a tile are read with it, m: no step or profile looks farther."""
 
-_ROW = 1 << 24
-_AHEAD = 8.0  # m by which a tilted fan reaches ahead of the vehicle
-_ABOVE, _BELOW = 2.5, 5.0  # m over and under the body, at the path
-_SLOPE = 0.15  # of the ground across
-_CREEP = 0.02
+
+@dataclass(frozen=True)
+class EdgePointsLimits:
+    """Limits of edge points, each with its unit."""
+
+    row: float = 1 << 24
+    ahead: float = 8.0  # m by which a tilted fan reaches ahead of the vehicle
+    # m over and under the body, at the path
+    above: float = 2.5
+    below: float = 5.0
+    slope: float = 0.15  # of the ground across
+    creep: float = 0.02
+
+
+LIMITS = EdgePointsLimits()
 
 
 @dataclass(frozen=True)
@@ -94,20 +104,20 @@ class EdgePoints:
         for start, end in self.gaps:
             known &= (time <= start) | (time >= end)
         now, before = (np.interp(at, self.trajectory.time, self.chainage) for at in (time, time - STOPPED))
-        return known & ~((now - before < _CREEP) & (time - STOPPED > self.trajectory.time[0]))
+        return known & ~((now - before < LIMITS.creep) & (time - STOPPED > self.trajectory.time[0]))
 
     def _add(self, place: np.ndarray, time: np.ndarray) -> None:
         body = interpolate(self.trajectory, time, "hold").place
         away = np.hypot(*(place - body)[:, :2].T)
         height = (place - body)[:, 2]
-        near = ((away <= self.width + _AHEAD) & (height <= _ABOVE + _SLOPE * away)
-                & (height >= -_BELOW - _SLOPE * away))
+        near = ((away <= self.width + LIMITS.ahead) & (height <= LIMITS.above + LIMITS.slope * away)
+                & (height >= -LIMITS.below - LIMITS.slope * away))
         place, time = place[near] - self.corner, time[near]
         record = np.empty(len(place), POINT)
         record["x"], record["y"], record["z"] = place.T
         record["drive"] = np.searchsorted(self.breaks, time).astype(np.uint16)
         column, row = (np.floor(axis / TILE).astype(np.int64) for axis in place[:, :2].T)
-        keys = column * _ROW + row
+        keys = column * LIMITS.row + row
         self.keys.update(np.unique(keys).tolist())
         self.kept_points += len(record)
         self.buckets.add(keys, record)
@@ -121,10 +131,10 @@ class EdgePoints:
         keys = sorted(self.keys)
         loaded: dict[int, np.ndarray] = {}
         for number, key in enumerate(keys):
-            around = [key + i * _ROW + j for i in (-1, 0, 1) for j in (-1, 0, 1)]
+            around = [key + i * LIMITS.row + j for i in (-1, 0, 1) for j in (-1, 0, 1)]
             loaded = {name: loaded[name] if name in loaded else self.buckets.read(name)
                       for name in around if name in self.keys}
-            low = np.array([key // _ROW, key % _ROW], float) * TILE
+            low = np.array([key // LIMITS.row, key % LIMITS.row], float) * TILE
             if not self._reached(low):
                 continue
             yield EdgeTile(low, np.concatenate([_within(loaded[name], low) for name in around if name in loaded]))

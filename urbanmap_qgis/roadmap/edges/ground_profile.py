@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 from scipy.ndimage import distance_transform_edt, grey_opening
@@ -12,15 +13,24 @@ from .edge_records import POINT
 CELL = 0.5
 """m."""
 
-WIDEST = 7
-"""Cells; what is narrower in some direction and rises above the ground stands on it: vehicles, rails, walls."""
 
-NEAR_BELOW, NEAR_ABOVE = 0.3, 0.4
-"""m below and above the ground within which points may belong to it or to a kerb."""
+@dataclass(frozen=True)
+class GroundProfileLimits:
+    """Limits of ground profile, each with its unit."""
 
-_FINE, _UPRIGHT = 0.1, 0.35  # m: side of a cell, and range of the heights in it that only upright things have
-_LOW = 0.1  # share of a cell's points that may lie below its ground
-_GHOSTS = 3  # points below which a cell's lowest ones count for nothing
+    # Cells; what is narrower in some direction and rises above the ground stands on it: vehicles, rails, walls.
+    widest: int = 7
+    # m below and above the ground within which points may belong to it or to a kerb.
+    near_below: float = 0.3
+    near_above: float = 0.4
+    # m: side of a cell, and range of the heights in it that only upright things have
+    fine: float = 0.1
+    upright: float = 0.35
+    low: float = 0.1  # share of a cell's points that may lie below its ground
+    ghosts: int = 3  # points below which a cell's lowest ones count for nothing
+
+
+LIMITS = GroundProfileLimits()
 
 Heights = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
@@ -39,7 +49,7 @@ def above_ground(points: np.ndarray, ground: Heights | None = None) -> np.ndarra
     low, cell = _lowest(points)
     known = np.isfinite(low)
     nearest = distance_transform_edt(~known, return_distances=False, return_indices=True)
-    surface = grey_opening(low[tuple(nearest)], WIDEST, mode="nearest")
+    surface = grey_opening(low[tuple(nearest)], LIMITS.widest, mode="nearest")
     return points["z"] - _smooth_at(surface, points, cell)
 
 
@@ -48,16 +58,17 @@ def near_ground(points: np.ndarray, height: np.ndarray) -> np.ndarray:
 
     `height` (n,) as of `above_ground`.
     """
-    low = (height > -NEAR_BELOW) & (height < NEAR_ABOVE)
+    low = (height > -LIMITS.near_below) & (height < LIMITS.near_above)
     if not low.any():
         return low
-    rows = np.flatnonzero((height > -NEAR_BELOW) & (height < 2.0))
-    column, row = (np.floor((points[name][rows] - points[name][rows].min()) / _FINE).astype(np.int64) for name in "xy")
+    rows = np.flatnonzero((height > -LIMITS.near_below) & (height < 2.0))
+    column, row = (np.floor((points[name][rows] - points[name][rows].min()) / LIMITS.fine).astype(np.int64)
+                   for name in "xy")
     flat = column * (int(row.max()) + 1) + row
     order = np.argsort(flat, kind="stable")
     starts = np.flatnonzero(np.diff(flat[order], prepend=-1))
     z = points["z"][rows][order]
-    tall = np.maximum.reduceat(z, starts) - np.minimum.reduceat(z, starts) > _UPRIGHT
+    tall = np.maximum.reduceat(z, starts) - np.minimum.reduceat(z, starts) > LIMITS.upright
     upright = np.zeros(len(rows), bool)
     upright[order] = np.repeat(tall, np.diff(np.append(starts, len(rows))))
     low[rows[upright]] = False
@@ -74,8 +85,8 @@ def _lowest(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     order = np.lexsort((points["z"], flat))
     count = np.bincount(flat, minlength=shape[0] * shape[1])
     start = np.concatenate([[0], np.cumsum(count)[:-1]])
-    full = np.flatnonzero(count >= _GHOSTS)
-    rank = np.minimum((_LOW * count[full]).astype(np.int64) + 1, count[full] - 1)
+    full = np.flatnonzero(count >= LIMITS.ghosts)
+    rank = np.minimum((LIMITS.low * count[full]).astype(np.int64) + 1, count[full] - 1)
     low = np.full(len(count), np.nan)
     low[full] = points["z"][order[start[full] + rank]]
     return low.reshape(shape), corner

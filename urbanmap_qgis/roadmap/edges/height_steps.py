@@ -19,14 +19,24 @@ CELL = 0.1
 DIRECTIONS = 4
 """Directions in which strips run, over half a turn."""
 
-SPANS = ((1, 7), (1, 17))
-"""Cells left out at the step, and cells to which each side reaches: near the vehicle, and where points are sparse."""
 
-_SLOPE_SIGMA, _NOISE = 0.04, 0.01  # what a side's slope may be without being seen, and a point's height error, m
-_SMOOTH = 0.03  # m: a rougher side is no made surface
-_SIGNIFICANT = 4.0
-_FEWEST = 3  # points of a side
-_APART = 4  # cells between two candidates of a strip
+@dataclass(frozen=True)
+class HeightStepsLimits:
+    """Limits of height steps, each with its unit."""
+
+    # Cells left out at the step, and cells to which each side reaches: near the vehicle, and where points are
+    # sparse.
+    spans: tuple[tuple[float, ...], ...] = ((1, 7), (1, 17))
+    # what a side's slope may be without being seen, and a point's height error, m
+    slope_sigma: float = 0.04
+    noise: float = 0.01
+    smooth: float = 0.03  # m: a rougher side is no made surface
+    significant: float = 4.0
+    fewest: int = 3  # points of a side
+    apart: int = 4  # cells between two candidates of a strip
+
+
+LIMITS = HeightStepsLimits()
 
 
 @dataclass(frozen=True)
@@ -85,7 +95,7 @@ class Strips:
 
     def peaks(self, value: np.ndarray, score: np.ndarray) -> EdgeCandidates:
         """Candidates where the score (strips, borders) is greatest; the sign of `value` tells to which side."""
-        peak = (score > 0) & (score >= maximum_filter1d(score, 2 * _APART + 1, axis=1, mode="constant"))
+        peak = (score > 0) & (score >= maximum_filter1d(score, 2 * LIMITS.apart + 1, axis=1, mode="constant"))
         strip, cell = np.nonzero(peak)
         middle = (self.first_strip + strip + 0.5) * STRIP
         across = np.array([-self.along[1], self.along[0]])
@@ -96,11 +106,11 @@ class Strips:
 
 def _in_strips(place: np.ndarray, along: np.ndarray, settings: EdgeSettings) -> EdgeCandidates:
     """Candidates of points (n, 3) whose normals run along the direction (2,) or against it."""
-    if len(place) < 4 * _FEWEST:
+    if len(place) < 4 * LIMITS.fewest:
         return joined_candidates([])
     strips = Strips.of(place, along)
-    height, score = _steps(*strips.sides(*SPANS[0]), settings)
-    for span in SPANS[1:]:
+    height, score = _steps(*strips.sides(*LIMITS.spans[0]), settings)
+    for span in LIMITS.spans[1:]:
         # A wider span only speaks where the narrower one has too few points.
         wide_height, wide_score = _steps(*strips.sides(*span), settings)
         score = np.where(np.isnan(height), wide_score, score)
@@ -123,12 +133,13 @@ def _moments(a: np.ndarray, strip: np.ndarray, z: np.ndarray) -> np.ndarray:
 
 def _steps(before: Side, after: Side, settings: EdgeSettings) -> tuple[np.ndarray, np.ndarray]:
     """Height of the step (strips, borders), m, NaN where points lack, and its score, 0 where there is none."""
-    enough = (before.number >= _FEWEST) & (after.number >= _FEWEST)
+    enough = (before.number >= LIMITS.fewest) & (after.number >= LIMITS.fewest)
     height = np.where(enough, after.height - before.height, np.nan)
     size = np.abs(np.where(enough, height, 0.0))
     rough = np.maximum(before.rough, after.rough)
     good = (enough & (size >= settings.min_height) & (size <= settings.max_height)
-            & (size > _SIGNIFICANT * np.hypot(before.sigma, after.sigma)) & (rough < np.minimum(_SMOOTH, 0.35 * size)))
+            & (size > LIMITS.significant * np.hypot(before.sigma, after.sigma))
+            & (rough < np.minimum(LIMITS.smooth, 0.35 * size)))
     return height, np.where(good, size / (0.01 + rough), 0.0)
 
 
@@ -137,10 +148,10 @@ def _side(sums: np.ndarray, start: np.ndarray, end: np.ndarray) -> Side:
     n, sum_a, sum_z, sum_aa, sum_az, sum_zz = sums[:, :, end] - sums[:, :, start]
     number = np.maximum(n, 1.0)
     mean_a, mean_z = sum_a / number, sum_z / number
-    spread = np.maximum(sum_aa - n * mean_a**2, 0.0) + (_NOISE / _SLOPE_SIGMA)**2
+    spread = np.maximum(sum_aa - n * mean_a**2, 0.0) + (LIMITS.noise / LIMITS.slope_sigma)**2
     both = sum_az - n * mean_a * mean_z
     slope = both / spread
     rough = np.sqrt(np.maximum(sum_zz - n * mean_z**2 - slope * both, 0.0) / number)
     beyond = np.arange(sums.shape[2]) * CELL - mean_a
-    noise = np.maximum(rough, _NOISE)
+    noise = np.maximum(rough, LIMITS.noise)
     return Side(mean_z + slope * beyond, noise * np.sqrt(1.0 / number + beyond**2 / spread), rough, n)

@@ -28,21 +28,38 @@ CELL = 0.1
 LOWEST, BAND = 0.2, 1.3
 """m above the ground between which rails and walls show."""
 
-RAIL_HEIGHTS = (0.35, 1.4)
-"""m; what is higher is a wall."""
 
-_RISE, _FEWEST = 0.2, 3  # m that a cell's points cover in height, and their number
-_AROUND, _THIN = 0.6, 0.12  # m round a cell whose neighbours tell its direction, and their spread across, of that along
-_HALF_LENGTH, _ACROSS, _SKIN = 0.4, 0.35, 0.12  # m about a station; m within which a face's points lie
-_ROUGH = 0.05  # m; vegetation scatters more
-_GROUND_BAND = (0.04, 0.2)  # m; walls reach the ground, the sides of vehicles do not
-_FOOTED, _LONG = (0.1, 0.5), 12.0  # shares of a rail's stations that reach the ground; m, longer than vehicles
-_UNEVEN, _BACKED = 0.15, 0.25  # m between the quartiles of a rail's height; share of stations
-_BEHIND = 1.2  # m; what is taller right behind a rail may be a vehicle's cabin
-_BROKEN = 0.6  # m; a gap in height above which what follows is something else
-_NOISE = 0.006  # m
-_BRIDGED = 2  # stations
-_SHORTEST = 5  # stations
+@dataclass(frozen=True)
+class UprightsLimits:
+    """Limits of uprights, each with its unit."""
+
+    rail_heights: tuple[float, ...] = (0.35, 1.4)  # m; what is higher is a wall.
+    # m that a cell's points cover in height, and their number
+    rise: float = 0.2
+    fewest: int = 3
+    # m round a cell whose neighbours tell its direction, and their spread across, of that along
+    around: float = 0.6
+    thin: float = 0.12
+    # m about a station; m within which a face's points lie
+    half_length: float = 0.4
+    across: float = 0.35
+    skin: float = 0.12
+    rough: float = 0.05  # m; vegetation scatters more
+    ground_band: tuple[float, ...] = (0.04, 0.2)  # m; walls reach the ground, the sides of vehicles do not
+    # shares of a rail's stations that reach the ground; m, longer than vehicles
+    footed: tuple[float, ...] = (0.1, 0.5)
+    long: float = 12.0
+    # m between the quartiles of a rail's height; share of stations
+    uneven: float = 0.15
+    backed: float = 0.25
+    behind: float = 1.2  # m; what is taller right behind a rail may be a vehicle's cabin
+    broken: float = 0.6  # m; a gap in height above which what follows is something else
+    noise: float = 0.006  # m
+    bridged: int = 2  # stations
+    shortest: int = 5  # stations
+
+
+LIMITS = UprightsLimits()
 
 
 @dataclass
@@ -87,7 +104,7 @@ def upright_candidates(tile: EdgeTile, height: np.ndarray, path: cKDTree) -> Edg
     """
     band = (height > LOWEST) & (height < BAND)
     points, up = tile.points[band], height[band]
-    if len(points) < _FEWEST:
+    if len(points) < LIMITS.fewest:
         return joined_candidates([])
     column, row = (np.floor(points[name] / CELL).astype(np.int64) for name in "xy")
     flat = (column - column.min()) * (int(np.ptp(row)) + 1) + row - row.min()
@@ -95,8 +112,8 @@ def upright_candidates(tile: EdgeTile, height: np.ndarray, path: cKDTree) -> Edg
     starts = np.flatnonzero(np.diff(flat[order], prepend=-1))
     count = np.diff(np.append(starts, len(order)))
     rise = np.maximum.reduceat(up[order], starts) - np.minimum.reduceat(up[order], starts)
-    tall = (rise >= _RISE) & (count >= _FEWEST)
-    if np.count_nonzero(tall) < _FEWEST:
+    tall = (rise >= LIMITS.rise) & (count >= LIMITS.fewest)
+    if np.count_nonzero(tall) < LIMITS.fewest:
         return joined_candidates([])
     place = np.column_stack([np.add.reduceat(points[name][order], starts)[tall] / count[tall] for name in "xy"])
     normal, thin = _directions(place)
@@ -110,7 +127,7 @@ def upright_candidates(tile: EdgeTile, height: np.ndarray, path: cKDTree) -> Edg
 
 def _directions(place: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Normals (n, 2) of lines through the places round each one, and whether these are thin lines (n,)."""
-    pairs = cKDTree(place).query_pairs(_AROUND, output_type="ndarray")
+    pairs = cKDTree(place).query_pairs(LIMITS.around, output_type="ndarray")
     first, second = np.concatenate([pairs, pairs[:, ::-1]]).T
     offset = place[second] - place[first]
     number = np.bincount(first, minlength=len(place)) + 1.0
@@ -119,7 +136,7 @@ def _directions(place: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     xx, yy, xy = sums[2] - sums[0]**2, sums[3] - sums[1]**2, sums[4] - sums[0] * sums[1]
     angle = 0.5 * np.arctan2(2 * xy, xx - yy)
     half, mean = np.hypot(0.5 * (xx - yy), xy), 0.5 * (xx + yy)
-    thin = (number >= 4) & (mean - half < _THIN**2 * (mean + half)) & (mean + half > 0.2**2)
+    thin = (number >= 4) & (mean - half < LIMITS.thin**2 * (mean + half)) & (mean + half > 0.2**2)
     return np.column_stack([-np.sin(angle), np.cos(angle)]), thin
 
 
@@ -130,42 +147,43 @@ def measure_uprights(stations: Uprights, tile: EdgeTile, height: np.ndarray) -> 
     if not len(mine) or not len(rows):
         return
     place = np.column_stack([tile.points[name][rows] for name in "xy"])
-    around = cKDTree(place).query_ball_point(stations.place[mine], np.hypot(_HALF_LENGTH, _BEHIND + _ACROSS))
+    around = cKDTree(place).query_ball_point(stations.place[mine],
+                                             np.hypot(LIMITS.half_length, LIMITS.behind + LIMITS.across))
     for station, near in zip(mine.tolist(), around):
         near = np.array(near, int)
         offset, normal = place[near] - stations.place[station], stations.normal[station]
-        close = np.abs(offset @ np.array([-normal[1], normal[0]])) <= _HALF_LENGTH
+        close = np.abs(offset @ np.array([-normal[1], normal[0]])) <= LIMITS.half_length
         some = rows[near[close]]
         _measure(stations, station, (offset @ normal)[close], height[some], tile.points[some])
 
 
 def _measure(stations: Uprights, station: int, across: np.ndarray, up: np.ndarray, points: np.ndarray) -> None:
     """Put one station's face into `stations`, unless it is no face."""
-    band = (np.abs(across) < _ACROSS) & (up > LOWEST) & (up < BAND)
-    if np.count_nonzero(band) < 2 * _FEWEST:
+    band = (np.abs(across) < LIMITS.across) & (up > LOWEST) & (up < BAND)
+    if np.count_nonzero(band) < 2 * LIMITS.fewest:
         return
     middle = float(np.median(across[band]))
-    skin = np.abs(across - middle) < _SKIN
+    skin = np.abs(across - middle) < LIMITS.skin
     face = band & skin
-    scatter = float(np.std(across[face])) if np.count_nonzero(face) >= 2 * _FEWEST else np.inf
-    if np.count_nonzero(face) < 0.6 * np.count_nonzero(band) or scatter > _ROUGH:
+    scatter = float(np.std(across[face])) if np.count_nonzero(face) >= 2 * LIMITS.fewest else np.inf
+    if np.count_nonzero(face) < 0.6 * np.count_nonzero(band) or scatter > LIMITS.rough:
         return
     column = np.sort(up[skin & (up > LOWEST)])
-    broken = np.flatnonzero(np.diff(column) > _BROKEN)
+    broken = np.flatnonzero(np.diff(column) > LIMITS.broken)
     top = float(column[broken[0]] if len(broken) else column[-1])
     number = int(np.count_nonzero(face))
-    noise = max(scatter, _NOISE)
+    noise = max(scatter, LIMITS.noise)
     stations.across[station] = float(np.mean(across[face]))
     stations.ground[station] = float(np.median((points["z"] - up)[face]))
     stations.height[station] = top
     stations.sigma[station] = noise / np.sqrt(number)
-    stations.sigma_z[station] = max((top - LOWEST) / max(np.count_nonzero(skin), 1) * 2.0, _NOISE)
+    stations.sigma_z[station] = max((top - LOWEST) / max(np.count_nonzero(skin), 1) * 2.0, LIMITS.noise)
     stations.points[station] = number
     stations.passes[station] = len(np.unique(points["drive"][face]))
-    low = skin & (up > _GROUND_BAND[0]) & (up < _GROUND_BAND[1])
-    stations.footed[station] = np.count_nonzero(low) >= _FEWEST
-    taller = (across > middle + _SKIN) & (across < middle + _BEHIND) & (up > top + 0.1) & (up < 2.2)
-    stations.backed[station] = np.count_nonzero(taller) >= _FEWEST
+    low = skin & (up > LIMITS.ground_band[0]) & (up < LIMITS.ground_band[1])
+    stations.footed[station] = np.count_nonzero(low) >= LIMITS.fewest
+    taller = (across > middle + LIMITS.skin) & (across < middle + LIMITS.behind) & (up > top + 0.1) & (up < 2.2)
+    stations.backed[station] = np.count_nonzero(taller) >= LIMITS.fewest
 
 
 def upright_lines(stations: Uprights, settings: EdgeSettings, corner: np.ndarray, first_chain: int) -> list[RoadEdge]:
@@ -185,14 +203,14 @@ def _runs(stations: Uprights, rows: np.ndarray) -> list[tuple[str, np.ndarray]]:
     measured = rows[np.isfinite(stations.across[rows])]
     height = stations.height[measured]
     smooth = np.array([np.median(height[max(i - 2, 0):i + 3]) for i in range(len(height))])
-    usable = smooth >= RAIL_HEIGHTS[0]
+    usable = smooth >= LIMITS.rail_heights[0]
     measured, smooth = measured[usable], smooth[usable]
     if not len(measured):
         return []
-    wall = smooth > RAIL_HEIGHTS[1]
-    cuts = np.flatnonzero((np.diff(measured) > _BRIDGED + 1) | (np.diff(wall.astype(int)) != 0)) + 1
+    wall = smooth > LIMITS.rail_heights[1]
+    cuts = np.flatnonzero((np.diff(measured) > LIMITS.bridged + 1) | (np.diff(wall.astype(int)) != 0)) + 1
     return [(WALL if wall[part[0]] else RAIL, measured[part])
-            for part in np.split(np.arange(len(measured)), cuts) if len(part) >= _SHORTEST]
+            for part in np.split(np.arange(len(measured)), cuts) if len(part) >= LIMITS.shortest]
 
 
 def _edge(stations: Uprights, kind: str, part: np.ndarray, corner: np.ndarray, chain: int) -> RoadEdge | None:
@@ -205,11 +223,11 @@ def _edge(stations: Uprights, kind: str, part: np.ndarray, corner: np.ndarray, c
     top = foot + np.column_stack([np.zeros_like(plan), stations.height[part]])
     status, reason = MEASURED, ""
     if kind == RAIL:
-        if np.subtract(*np.percentile(stations.height[part], [75, 25])) > _UNEVEN or footed < _FOOTED[0]:
+        if np.subtract(*np.percentile(stations.height[part], [75, 25])) > LIMITS.uneven or footed < LIMITS.footed[0]:
             return None
-        if backed > _BACKED:
+        if backed > LIMITS.backed:
             status, reason = DOUBTFUL, say("something taller stands right behind it: it may be a row of vehicles")
-        elif footed < _FOOTED[1] and STATION * len(part) < _LONG:
+        elif footed < LIMITS.footed[1] and STATION * len(part) < LIMITS.long:
             status, reason = DOUBTFUL, say("it does not reach the ground: it may be the side of a vehicle")
     sigma, sigma_z = (float(np.sqrt(np.mean(values[part]**2))) for values in (stations.sigma, stations.sigma_z))
     return RoadEdge(kind, foot + corner, top + corner, float(np.median(stations.height[part])), sigma, sigma_z,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 import shapely
@@ -10,20 +11,23 @@ import shapely
 from ..map_records import MapSettings
 from .road_sections import Axis, BoundTrack
 
-LEAST_SEEN = 8.0
-"""A bound is continued where it is seen over so many metres, and beside its neighbour over so many."""
 
-PARALLEL = 0.10
-"""Its distance to the neighbour varies by no more there (standard deviation), m."""
+@dataclass(frozen=True)
+class BoundContinuationLimits:
+    """Limits of bound continuation, each with its unit."""
+
+    # A bound is continued where it is seen over so many metres, and beside its neighbour over so many.
+    least_seen: float = 8.0
+    parallel: float = 0.10  # Its distance to the neighbour varies by no more there (standard deviation), m.
+    # The same for a bound with none beyond it, which may be no road's: kerbs and paving are yellow lines too.
+    outermost: float = 0.5
+    same_bound: float = 0.5  # What lies so near to where a bound would go on is the same bound, m.
+
+
+LIMITS = BoundContinuationLimits()
 
 FARTHEST = 4.0
 """It is continued by no more than so many times the length over which it is seen."""
-
-OUTERMOST = 0.5
-"""The same for a bound with none beyond it, which may be no road's: kerbs and paving are yellow lines too."""
-
-SAME_BOUND = 0.5
-"""What lies so near to where a bound would go on is the same bound, m."""
 
 STEP = 1.0
 """Distance of the points that are made, m."""
@@ -55,11 +59,11 @@ def _beyond(track: BoundTrack, others: Sequence[BoundTrack], axis: Axis, ahead: 
     for other in others:
         reach = (other.end - end) if ahead else (end - other.start)
         at = np.arange(max(track.start, other.start), min(track.end, other.end), STEP / 2.0)
-        if reach < STEP or len(at) * STEP / 2.0 < LEAST_SEEN or seen < LEAST_SEEN:
+        if reach < STEP or len(at) * STEP / 2.0 < LIMITS.least_seen or seen < LIMITS.least_seen:
             continue
         separation = track.interpolate(at) - other.interpolate(at)
         wide = abs(float(np.median(separation)))
-        if separation.std() > PARALLEL or not settings.min_width <= wide <= 2.0 * settings.max_width:
+        if separation.std() > LIMITS.parallel or not settings.min_width <= wide <= 2.0 * settings.max_width:
             continue
         if best is None or wide < best[0]:
             best = (wide, float(np.median(separation)), other, reach)
@@ -71,10 +75,10 @@ def _beyond(track: BoundTrack, others: Sequence[BoundTrack], axis: Axis, ahead: 
     inner = np.nanmin([*beside, 0.0]) < 0.0 < np.nanmax([*beside, 0.0])
     sign = 1.0 if ahead else -1.0
     onward = end + sign * np.arange(STEP, reach, STEP)
-    if any((np.abs(track.interpolate(onward) - other.interpolate(onward) - separation) < SAME_BOUND).any()
+    if any((np.abs(track.interpolate(onward) - other.interpolate(onward) - separation) < LIMITS.same_bound).any()
            for track in others):
         return None  # the bound itself goes on there: that gap was too long to be drawn through
-    length = min(reach, settings.bridge, (FARTHEST if inner else OUTERMOST) * seen)
+    length = min(reach, settings.bridge, (FARTHEST if inner else LIMITS.outermost) * seen)
     if length < STEP:
         return None
     chainage = end + sign * np.append(np.arange(STEP, length, STEP), length)

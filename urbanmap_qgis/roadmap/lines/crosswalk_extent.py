@@ -8,20 +8,24 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
-SLICE = 0.2
-"""Bars are looked at in slices of this length, m."""
 
-BEYOND_BARS, BEYOND_ENDS = 14, 4.0
-"""Bars are looked for so many places, and their ends so many metres, beyond those known."""
+@dataclass(frozen=True)
+class CrosswalkExtentLimits:
+    """Limits of crosswalk extent, each with its unit."""
 
-LEAST_FILL = 0.25
-"""A bar or a slice is there where so much of its place holds paint, and so much more than the places between bars."""
+    slice: float = 0.2  # Bars are looked at in slices of this length, m.
+    # Bars are looked for so many places, and their ends so many metres, beyond those known.
+    beyond_bars: int = 14
+    beyond_ends: float = 4.0
+    # A bar or a slice is there where so much of its place holds paint, and so much more than the places between
+    # bars.
+    least_fill: float = 0.25
+    missing: int = 3  # So many bars in a row may be hidden or worn away.
+    # Two rows whose bars begin and end on the same lines, at the same pitch, are one crosswalk so far apart, m.
+    join: float = 7.0
 
-MISSING = 3
-"""So many bars in a row may be hidden or worn away."""
 
-JOIN = 7.0
-"""Two rows whose bars begin and end on the same lines, at the same pitch, are one crosswalk so far apart, m."""
+LIMITS = CrosswalkExtentLimits()
 
 
 @dataclass(frozen=True)
@@ -71,15 +75,15 @@ def extended(row: BarRow, paint: shapely.STRtree) -> BarRow:
     slope = (row.near[0] + row.far[0]) / 2.0
     middle = row.first + (row.count - 1) * row.pitch / 2.0
     edges = np.array([side[0] * middle + side[1] - slope * middle for side in (row.near, row.far)])
-    steps = np.arange(edges[0] - BEYOND_ENDS, edges[1] + BEYOND_ENDS, SLICE) + SLICE / 2
-    places = np.arange(-BEYOND_BARS, row.count + BEYOND_BARS)
+    steps = np.arange(edges[0] - LIMITS.beyond_ends, edges[1] + LIMITS.beyond_ends, LIMITS.slice) + LIMITS.slice / 2
+    places = np.arange(-LIMITS.beyond_bars, row.count + LIMITS.beyond_bars)
     bars = _fill(row, places, steps, slope, 0.0, paint)
     gaps = _fill(row, np.arange(places[0], places[-1] + 2), steps, slope, -0.5, paint)
     between = (gaps[:-1] + gaps[1:]) / 2.0
     known = (places >= 0) & (places < row.count)
     inside = (steps > edges[0]) & (steps < edges[1])
     for _ in range(3):
-        known = _run(bars[:, inside].mean(axis=1), between[:, inside].mean(axis=1), known, MISSING)
+        known = _run(bars[:, inside].mean(axis=1), between[:, inside].mean(axis=1), known, LIMITS.missing)
         inside = _run(bars[known].mean(axis=0), between[known].mean(axis=0), inside, 2)
     if known.sum() < 2 or inside.sum() < 2:
         return row
@@ -103,7 +107,7 @@ def joined_rows(rows: Sequence[BarRow]) -> list[BarRow]:
 
 def _joined(one: BarRow, other: BarRow) -> BarRow | None:
     """One row of two, None where the other does not continue the one."""
-    if abs(one.direction @ other.normal) > np.sin(np.radians(4.0)) or one.area.distance(other.area) > JOIN:
+    if abs(one.direction @ other.normal) > np.sin(np.radians(4.0)) or one.area.distance(other.area) > LIMITS.join:
         return None
     corners = shapely.get_coordinates(other.area.exterior)[:4]
     p, a = corners @ one.normal, corners @ one.direction
@@ -140,7 +144,7 @@ def _run(bar: np.ndarray, gap: np.ndarray, seed: np.ndarray, missing: int) -> np
 
     Beyond bare places as many painted ones must follow: one stroke some way off is something else.
     """
-    striped = (bar >= LEAST_FILL) & (bar - gap >= LEAST_FILL)
+    striped = (bar >= LIMITS.least_fill) & (bar - gap >= LIMITS.least_fill)
     start = striped & seed
     if not start.any():
         return seed
@@ -169,5 +173,5 @@ def _edge(profile: np.ndarray, steps: np.ndarray, inside: np.ndarray) -> tuple[f
         share = 0.0
         for k in (tip, tip + step):
             share += float(np.clip(profile[k] / max(usual, 1e-9), 0.0, 1.0)) if 0 <= k < len(profile) else 0.0
-        ends.append(steps[tip] + step * SLICE * (share - 0.5))
+        ends.append(steps[tip] + step * LIMITS.slice * (share - 0.5))
     return float(ends[0]), float(ends[1])

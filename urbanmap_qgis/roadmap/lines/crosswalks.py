@@ -13,22 +13,23 @@ from scipy.sparse.csgraph import connected_components
 from .crosswalk_extent import BarRow, extended, joined_rows
 from .strokes import Stroke
 
-BAR_WIDTH = (0.25, 0.85)
-"""Of a bar, m; 45 or 50 cm in most countries."""
 
-BAR_LENGTH = (0.8, 9.0)
-PITCH = (0.65, 1.75)
-"""Distance of neighbouring bars' centre lines, m."""
+@dataclass(frozen=True)
+class CrosswalksLimits:
+    """Limits of crosswalks, each with its unit."""
+
+    bar_width: tuple[float, ...] = (0.25, 0.85)  # Of a bar, m; 45 or 50 cm in most countries.
+    bar_length: tuple[float, ...] = (0.8, 9.0)
+    pitch: tuple[float, ...] = (0.65, 1.75)  # Distance of neighbouring bars' centre lines, m.
+    least_mean_fill: float = 0.35  # The bars' places hold so much more paint than those between them, 0 to 1.
+    regular: float = 0.6  # Share of the distances between bars that must be multiples of the pitch, to a quarter of it.
+
+
+LIMITS = CrosswalksLimits()
 
 PARALLEL = np.radians(12.0)
 FEWEST, SEED = 4, 3
 """Bars of a crosswalk, and of a row that may be part of one."""
-
-LEAST_MEAN_FILL = 0.35
-"""The bars' places hold so much more paint than those between them, 0 to 1."""
-
-REGULAR = 0.6
-"""Share of the distances between bars that must be multiples of the pitch, to a quarter of it."""
 
 
 @dataclass(frozen=True)
@@ -63,8 +64,9 @@ def find_crosswalks(strokes: Sequence[Stroke], polygons: Sequence[shapely.Polygo
     ----------
     polygons : the markings that the strokes were taken from.
     """
-    numbers = np.array([n for n, stroke in enumerate(strokes) if BAR_WIDTH[0] <= stroke.width <= BAR_WIDTH[1]
-                        and BAR_LENGTH[0] <= stroke.length <= BAR_LENGTH[1]], np.int64)
+    numbers = np.array([n for n, stroke in enumerate(strokes)
+                        if LIMITS.bar_width[0] <= stroke.width <= LIMITS.bar_width[1]
+                        and LIMITS.bar_length[0] <= stroke.length <= LIMITS.bar_length[1]], np.int64)
     if len(numbers) < SEED:
         return []
     start = np.array([strokes[n].axis[0] for n in numbers])
@@ -77,7 +79,7 @@ def find_crosswalks(strokes: Sequence[Stroke], polygons: Sequence[shapely.Polygo
         if row is not None:
             grown.append((len(group), extended(row, paint)))
     rows = [row for _, row in sorted(grown, key=lambda one: -one[0])
-            if row.count >= FEWEST and row.fill >= LEAST_MEAN_FILL]
+            if row.count >= FEWEST and row.fill >= LIMITS.least_mean_fill]
     middles = shapely.points((start + end) / 2.0)
     rows = joined_rows(_distinct_rows(rows))
     return [_crosswalk(row, numbers[shapely.intersects(row.area.buffer(0.2), middles)]) for row in rows]
@@ -104,12 +106,12 @@ def _groups(start: np.ndarray, end: np.ndarray) -> list[np.ndarray]:
     along = chord / length[:, None]
     middle = (start + end) / 2.0
     tree = shapely.STRtree(shapely.linestrings(np.stack([start, end], axis=1)))
-    a, b = tree.query(tree.geometries, predicate="dwithin", distance=PITCH[1])
+    a, b = tree.query(tree.geometries, predicate="dwithin", distance=LIMITS.pitch[1])
     separation = middle[b] - middle[a]
     turn = np.abs(along[a, 0] * along[b, 1] - along[a, 1] * along[b, 0])
     across = np.abs(separation[:, 0] * along[a, 1] - separation[:, 1] * along[a, 0])
     ahead = np.abs((separation * along[a]).sum(axis=1))
-    beside = (turn < np.sin(PARALLEL)) & (across > PITCH[0]) & (across < PITCH[1])
+    beside = (turn < np.sin(PARALLEL)) & (across > LIMITS.pitch[0]) & (across < LIMITS.pitch[1])
     beside &= ahead < 0.5 * np.maximum(length[a], length[b])
     count = len(start)
     links = coo_matrix((np.ones(beside.sum()), (a[beside], b[beside])), shape=(count, count))
@@ -127,14 +129,14 @@ def _bar_row(start: np.ndarray, end: np.ndarray, width: np.ndarray) -> BarRow | 
     normal = np.array([-direction[1], direction[0]])
     place = ((start + end) / 2.0) @ normal
     order = np.argsort(place)
-    bar = np.concatenate([[0], np.cumsum(np.diff(place[order]) > PITCH[0] / 2)])
+    bar = np.concatenate([[0], np.cumsum(np.diff(place[order]) > LIMITS.pitch[0] / 2)])
     row = np.array([np.average(place[order][bar == one], weights=length[order][bar == one]) for one in np.unique(bar)])
     if len(row) < SEED:
         return None
     steps = np.diff(row)
     pitch = float(np.median(steps[steps < 1.5 * np.median(steps)]))
     off = np.abs(steps / pitch - np.round(steps / pitch))
-    if (off < 0.25).mean() < REGULAR or not PITCH[0] <= pitch <= PITCH[1]:
+    if (off < 0.25).mean() < LIMITS.regular or not LIMITS.pitch[0] <= pitch <= LIMITS.pitch[1]:
         return None
     first, pitch, count = _comb(row, pitch)
     ends = np.sort(np.stack([start @ direction, end @ direction]), axis=0)

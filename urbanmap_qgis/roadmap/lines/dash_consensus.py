@@ -3,26 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
 from .dash_pattern import Section
 
-ALIKE = 0.2
-"""Dashes of one pattern differ in length by up to this share."""
 
-IN_STEP = 0.06
-"""Distances of dashes differ from multiples of the period by up to this share of it."""
+@dataclass(frozen=True)
+class DashConsensusLimits:
+    """Limits of dash consensus, each with its unit."""
 
-REGULAR, IRREGULAR = 0.7, 0.5
-"""A section is regular where so much of its paint lies in dashes of one length in step; below the second it is no
-dashed line, but a solid one with gaps worn into it."""
+    alike: float = 0.2  # Dashes of one pattern differ in length by up to this share.
+    in_step: float = 0.06  # Distances of dashes differ from multiples of the period by up to this share of it.
+    # A section is regular where so much of its paint lies in dashes of one length in step; below the second it is
+    # no dashed line, but a solid one with gaps worn into it.
+    regular: float = 0.7
+    irregular: float = 0.5
+    multiples: int = 3  # Dashes up to so many periods apart are in step: those between may be hidden.
+
+
+LIMITS = DashConsensusLimits()
 
 LEAST = 3
 """Dashes in step that show a pattern."""
-
-MULTIPLES = 3
-"""Dashes up to so many periods apart are in step: those between may be hidden."""
 
 
 def with_common_patterns(lines: Sequence[Sequence[Section]]) -> list[list[Section]]:
@@ -41,7 +45,7 @@ def _patterns(lines: Sequence[Sequence[Section]]) -> list[tuple[float, float]]:
     found = []
     for section in (one for sections in lines for one in sections if one.kind == "dashed"):
         members = _in_step(section.dashes, section.period, _usual(section))
-        if members.sum() >= LEAST and _share(section.dashes, members) >= REGULAR:
+        if members.sum() >= LEAST and _share(section.dashes, members) >= LIMITS.regular:
             found.append((section.period, _usual(section)))
     return found
 
@@ -49,17 +53,17 @@ def _patterns(lines: Sequence[Sequence[Section]]) -> list[tuple[float, float]]:
 def _usual(section: Section) -> float:
     """The dash of a section: the median of its dashes near the pattern's own, m."""
     length = section.dashes[:, 1] - section.dashes[:, 0]
-    near = np.abs(length - section.dash) <= ALIKE * section.dash
+    near = np.abs(length - section.dash) <= LIMITS.alike * section.dash
     return float(np.median(length[near])) if near.any() else section.dash
 
 
 def _in_step(runs: np.ndarray, period: float, dash: float) -> np.ndarray:
     """Which runs (n,) are as long as a dash and lie in step with another such run."""
-    alike = np.abs(runs[:, 1] - runs[:, 0] - dash) <= ALIKE * dash
+    alike = np.abs(runs[:, 1] - runs[:, 0] - dash) <= LIMITS.alike * dash
     periods = np.abs(runs.mean(axis=1)[:, None] - runs.mean(axis=1)) / period
     number = np.round(periods)
-    near = (number >= 1) & (number <= MULTIPLES)
-    near &= np.abs(periods - number) <= IN_STEP * np.sqrt(np.maximum(number, 1))
+    near = (number >= 1) & (number <= LIMITS.multiples)
+    near &= np.abs(periods - number) <= LIMITS.in_step * np.sqrt(np.maximum(number, 1))
     return alike & (near & alike).any(axis=1)
 
 
@@ -91,7 +95,8 @@ def _best(section: Section, patterns: Sequence[tuple[float, float]]) -> tuple[np
     if members.any():
         return _with_worn(section.dashes, members, *pattern), pattern
     usual = section.period, _usual(section)
-    regular = _share(section.dashes, _in_step(section.dashes, *usual)) >= IRREGULAR or len(section.dashes) < LEAST
+    regular = _share(section.dashes, _in_step(section.dashes,
+                                              *usual)) >= LIMITS.irregular or len(section.dashes) < LEAST
     return np.full(len(section.dashes), regular), usual
 
 
@@ -100,7 +105,8 @@ def _with_worn(runs: np.ndarray, members: np.ndarray, period: float, dash: float
     middle = runs.mean(axis=1)
     periods = (middle[:, None] - middle[members]) / period
     off = np.abs(periods - np.round(periods)) * period
-    near = (np.abs(periods) <= MULTIPLES + 0.5) & (off <= (dash * (1 + ALIKE) - (runs[:, 1] - runs[:, 0]))[:, None] / 2)
+    near = np.abs(periods) <= LIMITS.multiples + 0.5
+    near &= off <= (dash * (1 + LIMITS.alike) - (runs[:, 1] - runs[:, 0]))[:, None] / 2
     beside = np.append(members[1:], False) | np.append(False, members[:-1])
     return members | (near.any(axis=1) & beside)
 

@@ -6,25 +6,24 @@ from dataclasses import dataclass
 
 import numpy as np
 
-SHORTEST_GAP = 0.8
-"""Of a dashed line, m."""
 
-LONGEST_PERIOD = 22.0
-"""Dash and gap together, m."""
+@dataclass(frozen=True)
+class DashPatternLimits:
+    """Limits of dash pattern, each with its unit."""
 
-STRETCH = 90.0
-"""Longer lines are compared with patterns stretch by stretch, m: dashes keep no phase for hundreds of metres."""
+    shortest_gap: float = 0.8  # Of a dashed line, m.
+    longest_period: float = 22.0  # Dash and gap together, m.
+    # Longer lines are compared with patterns stretch by stretch, m: dashes keep no phase for hundreds of metres.
+    stretch: float = 90.0
+    advantage: float = 0.08  # By so much more a dashed pattern must explain of the paint than a solid one.
+    nearest_whole: float = 2.5  # Whole dashes tell of the ends of others up to so many periods away.
 
-ADVANTAGE = 0.08
-"""By so much more a dashed pattern must explain of the paint than a solid one."""
 
+LIMITS = DashPatternLimits()
 
 WHOLE, WORN = 0.12, 0.15
 """Lengths of whole dashes are alike to within the first; an end that lies farther inwards than the second of where its
 neighbours ask for it is worn, m."""
-
-NEAREST_WHOLE = 2.5
-"""Whole dashes tell of the ends of others up to so many periods away."""
 
 
 @dataclass(frozen=True)
@@ -112,7 +111,7 @@ def with_worn_ends(dashes: np.ndarray, period: float, dash: float) -> tuple[np.n
         return untouched
     moved, placed = dashes.copy(), np.zeros(dashes.shape, bool)
     place = np.round((middle - first) / period)
-    near = np.abs(middle[:, None] - middle[whole]).min(axis=1) <= NEAREST_WHOLE * period
+    near = np.abs(middle[:, None] - middle[whole]).min(axis=1) <= LIMITS.nearest_whole * period
     for k in np.unique(place[near]):
         members = np.flatnonzero(place == k)
         wanted = first + k * period + usual * np.array([-0.5, 0.5])
@@ -145,11 +144,11 @@ def _solid(runs: np.ndarray) -> Section:
 def _pattern(runs: np.ndarray) -> tuple[float, float, float] | None:
     """Period, dash (m) and agreement of the best periodic pattern; None where a solid line explains the paint as well.
 
-    Of a line longer than 1.5 `STRETCH` the medians of its stretches, where most of its pieces lie in dashed ones.
+    Of a line longer than 1.5 `LIMITS.stretch` the medians of its stretches, where most pieces lie in dashed ones.
     """
-    if runs[-1, 1] - runs[0, 0] <= 1.5 * STRETCH:
+    if runs[-1, 1] - runs[0, 0] <= 1.5 * LIMITS.stretch:
         return _pattern_of_stretch(runs)
-    stretch = ((runs[:, 0] - runs[0, 0]) // STRETCH).astype(int)
+    stretch = ((runs[:, 0] - runs[0, 0]) // LIMITS.stretch).astype(int)
     parts = [runs[stretch == k] for k in np.unique(stretch)]
     found = [(pattern, len(part)) for part in parts if (pattern := _pattern_of_stretch(part)) is not None]
     if sum(count for _, count in found) <= 0.5 * len(runs):
@@ -164,7 +163,7 @@ def _pattern_of_stretch(runs: np.ndarray) -> tuple[float, float, float] | None:
     0.1 m. The paint of a solid line that is worn has gaps too, but not regular ones.
     """
     gaps = runs[1:, 0] - runs[:-1, 1]
-    if (gaps >= SHORTEST_GAP).sum() < 2:
+    if (gaps >= LIMITS.shortest_gap).sum() < 2:
         return None
     step = 0.1
     count = int(np.ceil((runs[-1, 1] - runs[0, 0]) / step))
@@ -175,9 +174,9 @@ def _pattern_of_stretch(runs: np.ndarray) -> tuple[float, float, float] | None:
     starts = runs[1:, 0] - runs[0, 0]
     guesses = np.unique(np.round(np.concatenate([np.diff(runs[:, 0]), np.diff(runs[:, 1]), starts / 2.0]), 1))
     near = (guesses[:, None] + np.arange(-0.2, 0.25, 0.05)).ravel()
-    periods = np.unique(np.round(near[(near >= 1.5) & (near <= min(LONGEST_PERIOD, count * step / 1.5))], 2))
+    periods = np.unique(np.round(near[(near >= 1.5) & (near <= min(LIMITS.longest_period, count * step / 1.5))], 2))
     best = max((_agreement(paint, step, period) for period in periods), default=None)
-    if best is None or best[0] < solid + ADVANTAGE or best[0] < 0.5:
+    if best is None or best[0] < solid + LIMITS.advantage or best[0] < 0.5:
         return None
     return best[1], best[2], best[0]
 
@@ -190,7 +189,7 @@ def _agreement(paint: np.ndarray, step: float, period: float) -> tuple[float, fl
     twice_hits, twice_total = np.concatenate([[0], np.tile(hits, 2).cumsum()]), np.concatenate(
         [[0], np.tile(total, 2).cumsum()])
     best = (-1.0, period, np.nan)
-    for dash in range(max(2, bins // 10), bins - int(np.ceil(0.5 * SHORTEST_GAP / step))):
+    for dash in range(max(2, bins // 10), bins - int(np.ceil(0.5 * LIMITS.shortest_gap / step))):
         inside = twice_hits[dash:dash + bins] - twice_hits[:bins]
         either = paint.sum() + (twice_total[dash:dash + bins] - twice_total[:bins]) - inside
         share = float((inside / either).max())

@@ -11,21 +11,26 @@ from scipy.spatial import cKDTree
 
 from .strokes import Stroke
 
-SHORTEST_FOR_GAP = ((0.6, 0.25), (2.0, 0.6), (5.0, 1.0), (7.5, 1.5), (10.0, 2.0), (13.0, 2.5))
-"""A gap of at most so many metres may be bridged between lines at least so long, m; round by round, near ones first,
-so that far ones are joined by good directions."""
 
-OFFSET = 0.12
-"""Lateral distance allowed between a line's prolongation and the next piece, m, beside what its direction leaves."""
+@dataclass(frozen=True)
+class LineChainsLimits:
+    """Limits of line chains, each with its unit."""
+
+    # A gap of at most so many metres may be bridged between lines at least so long, m; round by round, near ones
+    # first, so that far ones are joined by good directions.
+    shortest_for_gap: tuple[tuple[float, ...], ...] = ((0.6, 0.25), (2.0, 0.6), (5.0, 1.0), (7.5, 1.5), (10.0, 2.0),
+                                                       (13.0, 2.5))
+    # Lateral distance allowed between a line's prolongation and the next piece, m, beside what its direction
+    # leaves.
+    offset: float = 0.12
+    direction_length: float = 8.0  # The direction of a line at its end is that of its last so many metres.
+    width_ratio: float = 1.8  # Lines continue each other where their widths differ by no more than this factor.
+
+
+LIMITS = LineChainsLimits()
 
 BEND = np.radians(2.5)
 """Change of direction allowed beyond what the directions' accuracy leaves, per end."""
-
-DIRECTION_LENGTH = 8.0
-"""The direction of a line at its end is that of its last so many metres."""
-
-WIDTH_RATIO = 1.8
-"""Lines continue each other where their widths differ by no more than this factor."""
 
 
 @dataclass
@@ -62,7 +67,7 @@ def link_strokes(strokes: Sequence[Stroke], numbers: Sequence[int], barriers: Se
     """
     chains = [StrokeChain(strokes[n].axis, [n], strokes[n].length, strokes[n].width) for n in numbers]
     tree = shapely.STRtree(list(barriers)) if len(barriers) else None
-    for longest, shortest in SHORTEST_FOR_GAP:
+    for longest, shortest in LIMITS.shortest_for_gap:
         while True:
             links = _best_links(chains, longest, shortest, tree, colours)
             if not links:
@@ -78,7 +83,7 @@ def _ends(chains: Sequence[StrokeChain]) -> tuple[np.ndarray, np.ndarray, np.nda
         for axis in (chain.axis[::-1], chain.axis):
             steps = np.linalg.norm(np.diff(axis, axis=0), axis=1)
             behind = np.concatenate([np.cumsum(steps[::-1])[::-1], [0.0]])
-            start = max(0, int(np.searchsorted(-behind, -DIRECTION_LENGTH, side="right")) - 1)
+            start = max(0, int(np.searchsorted(-behind, -LIMITS.direction_length, side="right")) - 1)
             chord = axis[-1] - axis[start]
             length = max(np.linalg.norm(chord), 1e-6)
             place.append(axis[-1])
@@ -100,7 +105,7 @@ def _best_links(chains: list[StrokeChain], longest: float, shortest: float, barr
         return []
     cost = _link_cost(place, outward, doubt, pairs)
     width = np.array([chains[k].width for k in able])[pairs // 2]
-    fits = np.isfinite(cost) & (width.max(axis=1) <= WIDTH_RATIO * width.min(axis=1))
+    fits = np.isfinite(cost) & (width.max(axis=1) <= LIMITS.width_ratio * width.min(axis=1))
     pairs, cost = pairs[fits], cost[fits]
     order = np.argsort(cost, kind="stable")
     used: set[int] = set()
@@ -125,7 +130,7 @@ def _link_cost(place: np.ndarray, outward: np.ndarray, doubt: np.ndarray, pairs:
     for tip, towards in ((a, gap), (b, -gap)):
         along = (towards * outward[tip]).sum(axis=1)
         across = np.abs(towards[:, 0] * outward[tip, 1] - towards[:, 1] * outward[tip, 0])
-        allowed = OFFSET + distance * np.tan(doubt[tip] + BEND)
+        allowed = LIMITS.offset + distance * np.tan(doubt[tip] + BEND)
         cost += 2.0 * across
         cost[(along < -0.3) | (across > allowed)] = np.inf
     turn = np.arccos(np.clip(-(outward[a] * outward[b]).sum(axis=1), -1.0, 1.0))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import cv2
 import numpy as np
@@ -21,24 +22,29 @@ CELL = 0.05
 TILE = 1000
 """Cells a side of the tiles that are rastered one by one."""
 
-CLOSED = 2
-"""Cells: gaps between points are closed up to twice that, as between the scans of a drive. Lines that have no 0.3 m
-between them may become one."""
 
-LEAST_AREA = 0.02
-"""Smaller pieces are scatter, m2."""
+@dataclass(frozen=True)
+class PointPaintLimits:
+    """Limits of point paint, each with its unit."""
 
-FINER, BLUR = 2, 1.2
-"""The border is drawn on cells so much finer, blurred by so many of them."""
+    # Cells: gaps between points are closed up to twice that, as between the scans of a drive. Lines that have no
+    # 0.3 m between them may become one.
+    closed: int = 2
+    least_area: float = 0.02  # Smaller pieces are scatter, m2.
+    # The border is drawn on cells so much finer, blurred by so many of them.
+    finer: int = 2
+    blur: float = 1.2
+    # Points are no marking points where more than the second of what they cover lies farther than the first (m)
+    # inside.
+    surface: float = 0.6
+    most_surface: float = 0.3
+    stairs: float = 0.025  # The border follows the cells' edges to within so much, m.
+
+
+LIMITS = PointPaintLimits()
 
 BORDER = 0.1
 """Paint of points so near to that of images is the same, m."""
-
-SURFACE, MOST_SURFACE = 0.6, 0.3
-"""Points are no marking points where more than the second of what they cover lies farther than the first (m) inside."""
-
-STAIRS = 0.025
-"""The border follows the cells' edges to within so much, m."""
 
 
 def point_polygons(places: np.ndarray) -> list[shapely.Polygon]:
@@ -60,19 +66,19 @@ def point_polygons(places: np.ndarray) -> list[shapely.Polygon]:
         return []
     cells = np.unique(np.floor(np.asarray(places, float) / CELL).astype(np.int64), axis=0)
     tiles = np.unique(cells // TILE, axis=0)
-    margin = 2 * CLOSED + 1
+    margin = 2 * LIMITS.closed + 1
     pieces = []
     for tile in tiles:
         low = tile * TILE - margin
         in_tile = cells[((cells >= low) & (cells < low + TILE + 2 * margin)).all(axis=1)] - low
         pieces += _tile_pieces(in_tile, low, margin)
     joined = shapely.get_parts(shapely.union_all(pieces))  # in whole cells: tiles meet without a slit
-    joined = shapely.transform(joined, lambda cell: cell * (CELL / FINER))
-    inside = shapely.area(shapely.buffer(joined, -SURFACE, quad_segs=2)).sum()
-    if inside > MOST_SURFACE * shapely.area(joined).sum():
+    joined = shapely.transform(joined, lambda cell: cell * (CELL / LIMITS.finer))
+    inside = shapely.area(shapely.buffer(joined, -LIMITS.surface, quad_segs=2)).sum()
+    if inside > LIMITS.most_surface * shapely.area(joined).sum():
         raise InputError(say("The points cover whole surfaces, not paint: give marking points, as road markings from "
                              "mobile surveys make them, not the survey itself."))
-    smooth = shapely.simplify(joined[shapely.area(joined) >= LEAST_AREA], STAIRS)
+    smooth = shapely.simplify(joined[shapely.area(joined) >= LIMITS.least_area], LIMITS.stairs)
     return [shape for shape in smooth if shape.geom_type == "Polygon" and shape.is_valid and not shape.is_empty]
 
 
@@ -86,13 +92,14 @@ def _tile_pieces(cells: np.ndarray, low: np.ndarray, margin: int) -> list[shapel
     """Closed cells (column, row) of one tile, counted from `low`, as polygons in units of the finer cells."""
     painted = np.zeros((TILE + 2 * margin, TILE + 2 * margin), np.uint8)
     painted[cells[:, 1], cells[:, 0]] = 1
-    disk = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * CLOSED + 1, 2 * CLOSED + 1))
+    disk = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * LIMITS.closed + 1, 2 * LIMITS.closed + 1))
     closed = cv2.morphologyEx(painted, cv2.MORPH_CLOSE, np.ones((3, 3), np.uint8))  # the disk dents thin paint
     closed = cv2.morphologyEx(closed, cv2.MORPH_CLOSE, disk)
-    fine = cv2.GaussianBlur(closed.repeat(FINER, axis=0).repeat(FINER, axis=1) * np.float32(1), (0, 0), BLUR)
-    inner = slice(margin * FINER, -margin * FINER)
+    fine = cv2.GaussianBlur(closed.repeat(LIMITS.finer, axis=0).repeat(LIMITS.finer, axis=1) * np.float32(1), (0, 0),
+                            LIMITS.blur)
+    inner = slice(margin * LIMITS.finer, -margin * LIMITS.finer)
     closed = (fine[inner, inner] > 0.5).astype(np.uint8)
-    place = Affine(1.0, 0.0, (low[0] + margin) * FINER, 0.0, 1.0, (low[1] + margin) * FINER)
+    place = Affine(1.0, 0.0, (low[0] + margin) * LIMITS.finer, 0.0, 1.0, (low[1] + margin) * LIMITS.finer)
     return [shapely.geometry.shape(outline) for outline, _ in shapes(closed, closed.astype(bool), 4, place)]
 
 
@@ -110,4 +117,4 @@ def hidden_paint(polygons: Sequence[shapely.Polygon], added: Sequence[shapely.Po
     for k in np.unique(which):
         left[k] = bodies[k].difference(shapely.union_all(around[over[which == k]]))
     parts = shapely.get_parts(left)
-    return [part for part in parts if part.geom_type == "Polygon" and part.area >= LEAST_AREA]
+    return [part for part in parts if part.geom_type == "Polygon" and part.area >= LIMITS.least_area]

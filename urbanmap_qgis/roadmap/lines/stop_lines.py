@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 import shapely
@@ -13,23 +14,30 @@ from .crosswalks import Crosswalk
 from .line_chains import StrokeChain
 from .line_fit import FittedLine
 
-NEAR_STOP = 4.0
-"""A line ends so near a stop line at most, m."""
+
+@dataclass(frozen=True)
+class StopLinesLimits:
+    """Limits of stop lines, each with its unit."""
+
+    near_stop: float = 4.0  # A line ends so near a stop line at most, m.
+    # Length of a stop line, m: a lane is not narrower, but wear shortens bars, and a crosswalk tells what they
+    # are.
+    shortest: float = 2.0
+    shortest_at_crosswalk: float = 1.4
+    longest: float = 16.0
+    # Bars in one line are one stop line so far apart, and so much beside each other, m: lane lines and wear cut
+    # them.
+    joint: float = 1.5
+    joint_offset: float = 0.25
+    beside: tuple[float, ...] = (0.5, 7.0)  # A stop line lies so far before a crosswalk, m.
+    # Confidence of a wholly painted stop line that only lines' ends or only a crosswalk show.
+    one_evidence: float = 0.7
+
+
+LIMITS = StopLinesLimits()
 
 CROSSES = 3.0
 """A line that goes on so far on both sides of a bar crosses it: the bar is no stop line, m."""
-
-SHORTEST, SHORTEST_AT_CROSSWALK, LONGEST = 2.0, 1.4, 16.0
-"""Length of a stop line, m: a lane is not narrower, but wear shortens bars, and a crosswalk tells what they are."""
-
-JOINT, JOINT_OFFSET = 1.5, 0.25
-"""Bars in one line are one stop line so far apart, and so much beside each other, m: lane lines and wear cut them."""
-
-BESIDE = (0.5, 7.0)
-"""A stop line lies so far before a crosswalk, m."""
-
-ONE_EVIDENCE = 0.7
-"""Confidence of a wholly painted stop line that only lines' ends or only a crosswalk show."""
 
 
 def stop_line_confidence(chain: StrokeChain, lines: Sequence[tuple[StrokeChain, FittedLine]],
@@ -37,17 +45,17 @@ def stop_line_confidence(chain: StrokeChain, lines: Sequence[tuple[StrokeChain, 
     """How sure a bar is a stop line, 0 (none) to 1.
 
     It is one where it lies across the end of a line or along a crosswalk, and no line goes through it. Both together
-    give the share of its length that is painted; one alone `ONE_EVIDENCE` of it.
+    give the share of its length that is painted; one alone `LIMITS.one_evidence` of it.
     """
     beside = any(_beside(chain, row) for row in crosswalks)
-    if not (SHORTEST_AT_CROSSWALK if beside else SHORTEST) <= chain.length <= LONGEST:
+    if not (LIMITS.shortest_at_crosswalk if beside else LIMITS.shortest) <= chain.length <= LIMITS.longest:
         return 0.0
     at_end, crossed = _at_end(chain, lines)
     if crossed:
         return 0.0
     evidence = at_end + beside
     painted = min(chain.painted / max(chain.length, 1e-9), 1.0)
-    return painted * (0.0, ONE_EVIDENCE, 1.0)[evidence]
+    return painted * (0.0, LIMITS.one_evidence, 1.0)[evidence]
 
 
 def joined_bars(bars: Sequence[StrokeChain]) -> list[StrokeChain]:
@@ -55,7 +63,7 @@ def joined_bars(bars: Sequence[StrokeChain]) -> list[StrokeChain]:
     if not len(bars):
         return []
     tree = shapely.STRtree([shapely.LineString(bar.axis) for bar in bars])
-    a, b = tree.query(tree.geometries, predicate="dwithin", distance=JOINT)
+    a, b = tree.query(tree.geometries, predicate="dwithin", distance=LIMITS.joint)
     label = connected_components(coo_matrix((np.ones(len(a)), (a, b)), shape=(len(bars),) * 2), directed=False)[1]
     order = np.argsort(label, kind="stable")
     groups = np.split(order, np.flatnonzero(np.diff(label[order])) + 1)
@@ -79,13 +87,14 @@ def _joined_near(bars: Sequence[StrokeChain]) -> list[StrokeChain]:
 
 def _one_bar(one: StrokeChain, other: StrokeChain) -> StrokeChain | None:
     """Two bars as one, None where the shorter does not continue the longer."""
-    if np.linalg.norm(one.axis.mean(axis=0) - other.axis.mean(axis=0)) > (one.length + other.length) / 2 + JOINT:
+    if np.linalg.norm(one.axis.mean(axis=0) - other.axis.mean(axis=0)) > (one.length + other.length) / 2 + LIMITS.joint:
         return None
     along, origin = _course(one.axis), one.axis[0]
     place, beside = (other.axis - origin) @ along, (other.axis - origin) @ np.array([-along[1], along[0]])
     gap = max(place.min() - one.length, -place.max())
     wide = max(one.width, other.width) <= 1.6 * min(one.width, other.width)
-    if not (-1.0 <= gap <= JOINT and wide and np.abs(beside[[0, -1]]).max() <= JOINT_OFFSET + 0.03 * one.length):
+    if not (-1.0 <= gap <= LIMITS.joint and wide
+            and np.abs(beside[[0, -1]]).max() <= LIMITS.joint_offset + 0.03 * one.length):
         return None
     after = other.axis if place[0] < place[-1] else other.axis[::-1]
     axis = np.vstack([one.axis, after] if place.mean() > 0 else [after, one.axis])
@@ -103,7 +112,7 @@ def _at_end(chain: StrokeChain, lines: Sequence[tuple[StrokeChain, FittedLine]])
         if fit.width >= 0.8 * chain.width or not strokes.isdisjoint(other.strokes):
             continue
         axis = shapely.LineString(fit.axis)
-        if axis.distance(bar) > NEAR_STOP:
+        if axis.distance(bar) > LIMITS.near_stop:
             continue
         if axis.crosses(bar):
             at = axis.project(axis.intersection(bar).centroid)
@@ -113,7 +122,7 @@ def _at_end(chain: StrokeChain, lines: Sequence[tuple[StrokeChain, FittedLine]])
         tip = 0 if near[0] < near[1] else -1
         inner = (fit.axis if tip == 0 else fit.axis[::-1])[:31][-1]
         cosine = abs(_course(np.array([fit.axis[tip], inner])) @ along)
-        if cosine < 0.5 and bar.distance(shapely.Point(fit.axis[tip])) <= NEAR_STOP:
+        if cosine < 0.5 and bar.distance(shapely.Point(fit.axis[tip])) <= LIMITS.near_stop:
             at_end = True
     return at_end, False
 
@@ -121,7 +130,8 @@ def _at_end(chain: StrokeChain, lines: Sequence[tuple[StrokeChain, FittedLine]])
 def _beside(chain: StrokeChain, row: Crosswalk) -> bool:
     """Whether the bar lies before a crosswalk, along its row of bars."""
     bar = shapely.LineString(chain.axis)
-    if abs(_course(chain.axis) @ row.direction) > 0.35 or not BESIDE[0] < bar.distance(row.area) < BESIDE[1]:
+    near = LIMITS.beside[0] < bar.distance(row.area) < LIMITS.beside[1]
+    if abs(_course(chain.axis) @ row.direction) > 0.35 or not near:
         return False
     normal = np.array([-row.direction[1], row.direction[0]])
     reach = shapely.get_coordinates(row.area.exterior) @ normal

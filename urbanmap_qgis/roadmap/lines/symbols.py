@@ -12,31 +12,38 @@ from shapely import affinity
 from .strokes import Stroke
 from .symbol_patterns import CELL, COLUMNS, ROWS, PatternMatch, matches
 
-LEAST_SCORE, LEAST_COMPLETE, LEAST_PRECISE = 0.72, 0.55, 0.82
-"""Harmonic mean of the share of the pattern that is painted and of that of the paint about it in it; both, at least."""
 
-LEAST_LEAD = 0.05
-"""By so much the best kind must be ahead of the next, and its heading of the opposite one."""
+@dataclass(frozen=True)
+class SymbolsLimits:
+    """Limits of symbols, each with its unit."""
 
-STROKE, LEAST_HEAD, LONGEST_HEAD = 0.3, 0.015, 2.6
-"""Paint wider than the first (m) is no shaft; what is left of it when so much is taken off its edges is a head where it
-has so much area (m2) and is no longer than the last (m)."""
+    # Harmonic mean of the share of the pattern that is painted and of that of the paint about it in it; both, at
+    # least.
+    least_score: float = 0.72
+    least_complete: float = 0.55
+    least_precise: float = 0.82
+    least_lead: float = 0.05  # By so much the best kind must be ahead of the next, and its heading of the opposite one.
+    # Paint wider than the first (m) is no shaft; what is left of it when so much is taken off its edges is a head
+    # where it has so much area (m2) and is no longer than the last (m).
+    stroke: float = 0.3
+    least_head: float = 0.015
+    longest_head: float = 2.6
+    # So much of each side of an arrow's heads must be painted, and so much of them in the mean.
+    least_flank: float = 0.3
+    least_flanks: float = 0.5
+    # An arrow has one head only where no more of a second one is painted, and so much of the paint beside the
+    # place of that is there: where the paint is worn or hidden, so may be the head.
+    most_branch: float = 0.05
+    least_beside: float = 0.8
+    # Long and short side of what may be a diamond, m.
+    diamond: tuple[tuple[float, ...], ...] = ((3.0, 6.5), (0.9, 2.2))
+    member: float = 0.2  # Paint this near the pattern belongs to the symbol, m.
 
-LEAST_FLANK, LEAST_FLANKS = 0.3, 0.5
-"""So much of each side of an arrow's heads must be painted, and so much of them in the mean."""
 
-MOST_BRANCH, LEAST_BESIDE = 0.05, 0.8
-"""An arrow has one head only where no more of a second one is painted, and so much of the paint beside the place of
-that is there: where the paint is worn or hidden, so may be the head."""
+LIMITS = SymbolsLimits()
 
 SPACING = 0.45
 """Pieces of one diamond lie no farther apart, m (worn paint falls into pieces)."""
-
-DIAMOND = ((3.0, 6.5), (0.9, 2.2))
-"""Long and short side of what may be a diamond, m."""
-
-MEMBER = 0.2
-"""Paint this near the pattern belongs to the symbol, m."""
 
 UNKNOWN_ARROW = "arrow, kind unknown"
 
@@ -96,10 +103,10 @@ def find_symbols(polygons: Sequence[shapely.Polygon], strokes: Sequence[Stroke],
 
 def _heads(shapes: np.ndarray) -> list[tuple[np.ndarray, str]]:
     """Middles (2,) of parts of paint too wide for a shaft and not too long: a plain stroke is no arrow."""
-    cores = shapely.get_parts(shapely.buffer(shapes, -STROKE / 2.0, quad_segs=2))
+    cores = shapely.get_parts(shapely.buffer(shapes, -LIMITS.stroke / 2.0, quad_segs=2))
     box = shapely.bounds(cores)
     size = np.hypot(box[:, 2] - box[:, 0], box[:, 3] - box[:, 1])
-    good = (shapely.area(cores) >= LEAST_HEAD) & (size < LONGEST_HEAD)
+    good = (shapely.area(cores) >= LIMITS.least_head) & (size < LIMITS.longest_head)
     return [(middle, "arrow") for middle in shapely.get_coordinates(shapely.centroid(cores[good]))]
 
 
@@ -111,7 +118,7 @@ def _diamonds(shapes: np.ndarray) -> list[tuple[np.ndarray, str]]:
     for frame in shapely.minimum_rotated_rectangle(blobs):
         corners = shapely.get_coordinates(frame)[:3]
         sides = np.sort(np.linalg.norm(np.diff(corners, axis=0), axis=1)) - SPACING
-        if len(sides) == 2 and all(low <= side <= high for side, (low, high) in zip(sides[::-1], DIAMOND)):
+        if len(sides) == 2 and all(low <= side <= high for side, (low, high) in zip(sides[::-1], LIMITS.diamond)):
             diamonds.append((np.array(frame.centroid.coords[0]), "diamond"))
     return diamonds
 
@@ -137,12 +144,13 @@ def _symbol(place: np.ndarray, along: np.ndarray, wanted: str, tree: shapely.STR
     near = tree.query(shapely.Point(place).buffer(reach), predicate="intersects")
     matrix = [*across, *along, -across @ place, -along @ place]
     paint = [affinity.affine_transform(tree.geometries[k], matrix) for k in near]
-    fits = [match for match in matches(paint, LEAST_COMPLETE) if match.score >= LEAST_SCORE - LEAST_LEAD]
-    fits = [match for match in fits if match.precise >= LEAST_PRECISE and _has_heads(match, paint)]
-    if not fits or fits[0].score < LEAST_SCORE or not fits[0].kind.startswith(wanted):
+    fits = [match for match in matches(paint, LIMITS.least_complete)
+            if match.score >= LIMITS.least_score - LIMITS.least_lead]
+    fits = [match for match in fits if match.precise >= LIMITS.least_precise and _has_heads(match, paint)]
+    if not fits or fits[0].score < LIMITS.least_score or not fits[0].kind.startswith(wanted):
         return None
     best = fits[0]
-    reached = best.shape.buffer(MEMBER)
+    reached = best.shape.buffer(LIMITS.member)
     inside = np.array([shape.intersection(reached).area >= 0.5 * shape.area for shape in paint])
     if not inside.any():
         return None
@@ -160,7 +168,7 @@ def _has_heads(match: PatternMatch, paint: Sequence[shapely.Geometry]) -> bool:
     """Whether both sides of each of an arrow's heads are painted: lines and bars have none."""
     painted = shapely.union_all(list(paint))
     shares = [flank.intersection(painted).area / flank.area for flank in match.flanks]
-    return not shares or (min(shares) >= LEAST_FLANK and float(np.mean(shares)) >= LEAST_FLANKS)
+    return not shares or (min(shares) >= LIMITS.least_flank and float(np.mean(shares)) >= LIMITS.least_flanks)
 
 
 def _kind(fits: Sequence[PatternMatch], paint: Sequence[shapely.Geometry]) -> str:
@@ -168,15 +176,15 @@ def _kind(fits: Sequence[PatternMatch], paint: Sequence[shapely.Geometry]) -> st
     best = fits[0]
     painted = shapely.union_all(list(paint))
     for branch, beside in best.branches:
-        if (branch.intersection(painted).area > MOST_BRANCH * branch.area or
-                beside.intersection(painted).area < LEAST_BESIDE * beside.area):
+        if (branch.intersection(painted).area > LIMITS.most_branch * branch.area or
+                beside.intersection(painted).area < LIMITS.least_beside * beside.area):
             return UNKNOWN_ARROW
-    rivals = {match.kind for match in fits if match.score > best.score - LEAST_LEAD} - {best.kind}
+    rivals = {match.kind for match in fits if match.score > best.score - LIMITS.least_lead} - {best.kind}
     return UNKNOWN_ARROW if rivals and best.kind.startswith("arrow") else best.kind
 
 
 def _heading(fits: Sequence[PatternMatch], along: np.ndarray) -> np.ndarray:
     """Direction (2,) in which the best match is read, NaN where the opposite one fits about as well."""
     best = fits[0]
-    against = any(match.backwards != best.backwards and match.score > best.score - LEAST_LEAD for match in fits)
+    against = any(match.backwards != best.backwards and match.score > best.score - LIMITS.least_lead for match in fits)
     return np.full(2, np.nan) if against or best.kind == "diamond" else -along if best.backwards else along

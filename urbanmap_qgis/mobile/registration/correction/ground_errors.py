@@ -13,13 +13,25 @@ import numpy as np
 LENGTH = 25.0
 """m in which an error of the heights forgets itself (Gaussian: correlation exp(-d2 / 2 L2))."""
 
-_CELL = 2.0  # m, in which differences to the ground are averaged
-_GROUP = 6  # pieces in which the survey's own error counts as one rigid body
-_NEAR, _FAR = (1.0, 4.0), (7.0, 13.0)  # m apart: the difference of two cells by noise, and by errors that bend
-_FEWEST = 30  # pairs from which the size of the errors can be told
-_TILT = 2.0  # times the slope of such an error: across a road it bends too
-_LEAST, _MOST = 0.01, 0.5  # m
-_UNKNOWN = 0.05  # m, where it cannot be told
+
+@dataclass(frozen=True)
+class GroundErrorsLimits:
+    """Limits of ground errors, each with its unit."""
+
+    cell: float = 2.0  # m, in which differences to the ground are averaged
+    group: int = 6  # pieces in which the survey's own error counts as one rigid body
+    # m apart: the difference of two cells by noise, and by errors that bend
+    near: tuple[float, ...] = (1.0, 4.0)
+    far: tuple[float, ...] = (7.0, 13.0)
+    fewest: int = 30  # pairs from which the size of the errors can be told
+    tilt: float = 2.0  # times the slope of such an error: across a road it bends too
+    # m
+    least: float = 0.01
+    most: float = 0.5
+    unknown: float = 0.05  # m, where it cannot be told
+
+
+LIMITS = GroundErrorsLimits()
 
 
 @dataclass(frozen=True)
@@ -39,22 +51,23 @@ def ground_sigma(differences: HeightDifferences) -> float:
     """
     offset, off, first, second = _pairs(differences)
     if not len(first):
-        return _UNKNOWN
+        return LIMITS.unknown
     distance = np.hypot(*(offset[first] - offset[second]).T)
     turn, step = offset[first] - offset[second], off[first] - off[second]
-    near, far = ((distance > low) & (distance < high) for low, high in (_NEAR, _FAR))
-    if near.sum() < _FEWEST or far.sum() < _FEWEST:
-        return _UNKNOWN
+    near, far = ((distance > low) & (distance < high) for low, high in (LIMITS.near, LIMITS.far))
+    if near.sum() < LIMITS.fewest or far.sum() < LIMITS.fewest:
+        return LIMITS.unknown
     step = step - turn @ np.linalg.lstsq(turn[far], step[far], rcond=None)[0]
     squares = [(1.4826 * np.median(np.abs(step[mask]))) ** 2 for mask in (near, far)]
     shared = [np.exp(-0.5 * (np.mean(distance[mask]) / LENGTH) ** 2) for mask in (near, far)]
-    return float(np.clip(np.sqrt(max(squares[1] - squares[0], 0.0) / (2 * (shared[0] - shared[1]))), _LEAST, _MOST))
+    return float(np.clip(np.sqrt(max(squares[1] - squares[0], 0.0) / (2 * (shared[0] - shared[1]))), LIMITS.least,
+                         LIMITS.most))
 
 
 def _pairs(differences: HeightDifferences) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Offsets (c, 2) and means (c,) of the cells, and the numbers of those that pair, within their group of pieces."""
-    group = differences.piece // _GROUP
-    cell = np.floor(differences.offset / _CELL).astype(np.int64)
+    group = differences.piece // LIMITS.group
+    cell = np.floor(differences.offset / LIMITS.cell).astype(np.int64)
     keys, number = np.unique(np.column_stack([group, cell]), axis=0, return_inverse=True)
     number = number.reshape(-1)
     count = np.bincount(number)
@@ -82,7 +95,7 @@ def without_shared_errors(gradient: np.ndarray, information: np.ndarray, sigma: 
     length : m of path of a piece.
     """
     shared = max(np.sqrt(2 * np.pi) * LENGTH / length, 1.0)
-    tilt = _TILT * sigma / LENGTH
+    tilt = LIMITS.tilt * sigma / LENGTH
     spread = shared * np.diag([0.0, 0.0, sigma**2, tilt**2, tilt**2, 0.0])
     keep = np.linalg.inv(np.eye(6) + information @ spread)
     return np.einsum("nij,nj->ni", keep, gradient), keep @ information

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from ....wording import say
@@ -12,16 +14,24 @@ STATUS_NAMES = ("registered", "bridged", "not to be trusted")
 """registered: found from markings around the patch. bridged: between or beyond registered patches, by the model of the
 drift. not to be trusted: too far from them, or contradictory or ambiguous markings."""
 
-_CONTRADICTION = 9.2  # squared Mahalanobis distance in plan that chance exceeds in 1 % of the cases
-_MIN_CONTRADICTION = 0.1  # m: smaller differences are within what drift in a window does
-_OPPOSED_SHARE = 0.5  # of the difference that is one standard deviation then
+
+@dataclass(frozen=True)
+class PatchStatusLimits:
+    """Limits of patch status, each with its unit."""
+
+    contradiction: float = 9.2  # squared Mahalanobis distance in plan that chance exceeds in 1 % of the cases
+    min_contradiction: float = 0.1  # m: smaller differences are within what drift in a window does
+    opposed_share: float = 0.5  # of the difference that is one standard deviation then
+    rejected: float = 0.2  # weight below which a piece's own evidence counts as contradicted
+
+
+LIMITS = PatchStatusLimits()
+
 MOST_SPAN = 8.0
 """m without evidence: between markings farther apart a step of the error may hide."""
 
 LEAST_MET = 0.2
 """Share of the points around that lie on reference markings: less is near what chance gives."""
-
-_REJECTED = 0.2  # weight below which a piece's own evidence counts as contradicted
 
 
 def patch_statuses(window_sigma: np.ndarray, weight: np.ndarray, sigma: np.ndarray, doubtful: np.ndarray,
@@ -42,7 +52,7 @@ def patch_statuses(window_sigma: np.ndarray, weight: np.ndarray, sigma: np.ndarr
     reason[sigma > registered] = say("the markings do not fix the position well")
     reason[window_sigma > registered] = say("the markings around do not fix the position in all directions")
     reason[~np.isfinite(window_sigma)] = say("no markings registered around the patch")
-    rejected = weight <= _REJECTED
+    rejected = weight <= LIMITS.rejected
     status[rejected], reason[rejected] = BRIDGED, say("the markings here contradict those around")
     status[doubtful], reason[doubtful] = BRIDGED, say("another position of the markings fits as well")
     status[sigma > trusted] = DISTRUSTED
@@ -65,18 +75,18 @@ def contradicted(residual: np.ndarray, covariance: np.ndarray, window_covariance
     inverse = np.linalg.inv(np.where(comparable[:, None, None], covariance + window_covariance, np.eye(2)))
     off = np.where(comparable[:, None], residual, 0.0)
     distance = np.einsum("ni,nij,nj->n", off, inverse, off)
-    return comparable & (distance > _CONTRADICTION) & (np.hypot(*off.T) > _MIN_CONTRADICTION)
+    return comparable & (distance > LIMITS.contradiction) & (np.hypot(*off.T) > LIMITS.min_contradiction)
 
 
 def opposing_spread(residual: np.ndarray, opposed: np.ndarray) -> np.ndarray:
     """(n, 2, 2) m2 added where correction and window contradict each other: either may be right."""
     off = np.where(opposed[:, None], np.nan_to_num(residual), 0.0)
-    return _OPPOSED_SHARE**2 * off[:, :, None] * off[:, None, :]
+    return LIMITS.opposed_share**2 * off[:, :, None] * off[:, None, :]
 
 
 def evidence_spans(normals: NormalEquations, weight: np.ndarray, path_parameter: np.ndarray) -> np.ndarray:
     """(n,) m from the last piece of evidence before each path parameter to the next after it; infinite at an end."""
-    evidence = normals.path_parameter[normals.present & (weight > _REJECTED)]
+    evidence = normals.path_parameter[normals.present & (weight > LIMITS.rejected)]
     half = 0.5 * float(np.median(np.diff(normals.path_parameter))) if len(normals.path_parameter) > 1 else 0.0
     ends = np.concatenate([[-np.inf], evidence, [np.inf]])
     before = ends[np.searchsorted(evidence, path_parameter + half, side="right")]

@@ -25,12 +25,23 @@ from ..start.reference import Reference
 from .ground_errors import HeightDifferences, ground_sigma, without_shared_errors
 from .normal_equations import PLANE, SPACE, NormalEquations
 
-_FINE = 4  # parts of a piece in which points are thinned
+
+@dataclass(frozen=True)
+class PointObservationsLimits:
+    """Limits of point observations, each with its unit."""
+
+    fine: int = 4  # parts of a piece in which points are thinned
+    around: float = 2.0  # m
+    # Share of a section's points on reference markings: what chance alone gives, and what is surely more than
+    # chance.
+    chance: float = 0.03
+    sure: float = 0.15
+    averaged: int = 2  # pieces to either side over which curvatures are averaged
+
+
+LIMITS = PointObservationsLimits()
+
 _SECTION_PATCHES = 100  # pieces whose reference is held in memory
-_AROUND = 2.0  # m
-_CHANCE, _SURE = 0.03, 0.15
-"""Share of a section's points on reference markings: what chance alone gives, and what is surely more than chance."""
-_AVERAGED = 2  # pieces to either side over which curvatures are averaged
 _OVERLAP_PIECES, _MET_PIECES = 3, 7  # pieces to either side over which the share is taken: for their belief, and told
 
 
@@ -74,10 +85,10 @@ class PointObservations:
         middle = np.minimum((np.arange(count) + 0.5) * length, path_parameter[-1])
         time = np.interp(middle, path_parameter, trajectory.time)
         pose = interpolate(trajectory, time)
-        times, places = [np.repeat(time, _FINE), np.repeat(middle, _FINE)], [pose.place, pose.angles]
+        times, places = [np.repeat(time, LIMITS.fine), np.repeat(middle, LIMITS.fine)], [pose.place, pose.angles]
         none = np.zeros(len(path_parameter))  # the path parameter counts the stops already
-        fine = Patches(length / _FINE, *times, *(np.repeat(values, _FINE, axis=0) for values in places),
-                       np.zeros(_FINE * count), trajectory.time, path_parameter, none)
+        fine = Patches(length / LIMITS.fine, *times, *(np.repeat(values, LIMITS.fine, axis=0) for values in places),
+                       np.zeros(LIMITS.fine * count), trajectory.time, path_parameter, none)
         points = thin_points(markings.select(usable), trajectory, fine, settings.subsampling)
         return cls(points, middle, pose.angles[:, 2], length, np.linalg.inv(angle_rates(pose.angles)), reference,
                    settings)
@@ -93,7 +104,7 @@ class PointObservations:
         none = PatchSums(np.zeros((count, 6)), np.zeros((count, 6, 6)))
         sums, heights, share, differences = none, none, np.zeros((count, 2)), []
         for first in range(0, count, _SECTION_PATCHES):
-            part = self.points.of_patches(first * _FINE, (first + _SECTION_PATCHES) * _FINE - 1)
+            part = self.points.of_patches(first * LIMITS.fine, (first + _SECTION_PATCHES) * LIMITS.fine - 1)
             if len(part):
                 moved = self._transformed(part, curve(part.path_parameter))
                 more, counted = self._section(part, moved, blur)
@@ -114,7 +125,7 @@ class PointObservations:
 
     def _transformed(self, points: PatchPoints, correction: np.ndarray) -> _Moved:
         """Points moved by corrections (m, 6)."""
-        piece = points.patch // _FINE
+        piece = points.patch // LIMITS.fine
         rotation = np.einsum("nij,nj->ni", self.back[piece][:, 3:, 3:], correction[:, 3:])
         side = np.cross(rotation, points.lever_arm)
         lever_arm = points.lever_arm + side + 0.5 * np.cross(rotation, side)
@@ -124,7 +135,8 @@ class PointObservations:
     def _section(self, points: PatchPoints, transformed: _Moved, blur: float) -> tuple[PatchSums, np.ndarray]:
         """Sums in plan of some points by piece, and how many there are and lie on reference markings (n, 2)."""
         count, moved, point_weight = len(self.path_parameter), transformed.place, transformed.weight
-        low, high = moved[:, :2].min(axis=0) - _AROUND - 3 * blur, moved[:, :2].max(axis=0) + _AROUND + 3 * blur
+        low = moved[:, :2].min(axis=0) - LIMITS.around - 3 * blur
+        high = moved[:, :2].max(axis=0) + LIMITS.around + 3 * blur
         field = MarkingField.of(self.reference.coverage(*low, *high), blur, self.settings.background)
         terms = field_terms(field, moved[:, 0], moved[:, 1])
         gradient = (terms.gx * point_weight, terms.gy * point_weight, None)
@@ -135,7 +147,7 @@ class PointObservations:
     def _heights(self, points: PatchPoints, transformed: _Moved, differences: list[HeightDifferences]) -> PatchSums:
         """Sums in height of some points by piece; their differences to the ground are appended."""
         moved = transformed.place
-        box = (*(moved[:, :2].min(axis=0) - _AROUND), *(moved[:, :2].max(axis=0) + _AROUND))
+        box = (*(moved[:, :2].min(axis=0) - LIMITS.around), *(moved[:, :2].max(axis=0) + LIMITS.around))
         off = self.reference.ground_part(*box).interpolate(moved[:, 0], moved[:, 1]) - moved[:, 2]
         gradient, hessian = _height_terms(off, transformed.weight, self.settings)
         known = np.abs(off) < 3 * self.settings.height_robust
@@ -167,7 +179,7 @@ def _height_terms(off: np.ndarray, point_weight: np.ndarray,
 
 def _averaged(information: np.ndarray) -> np.ndarray:
     """Information (n, d, d) averaged over a few pieces, without the directions in which a score bends upwards."""
-    window = np.arange(-_AVERAGED, _AVERAGED + 1)
+    window = np.arange(-LIMITS.averaged, LIMITS.averaged + 1)
     rows = np.clip(np.arange(len(information))[:, None] + window, 0, len(information) - 1)
     values, vectors = np.linalg.eigh(information[rows].mean(axis=1))
     return np.einsum("nij,nj,nkj->nik", vectors, np.maximum(values, 0.0), vectors)
@@ -175,7 +187,7 @@ def _averaged(information: np.ndarray) -> np.ndarray:
 
 def _belief(share: np.ndarray) -> np.ndarray:
     """(n,) 0 to 1: how far the pieces' points meet more reference markings than chance lets them."""
-    return np.clip((_share_met(share, _OVERLAP_PIECES) - _CHANCE) / (_SURE - _CHANCE), 0.0, 1.0)
+    return np.clip((_share_met(share, _OVERLAP_PIECES) - LIMITS.chance) / (LIMITS.sure - LIMITS.chance), 0.0, 1.0)
 
 
 def _share_met(share: np.ndarray, pieces: int) -> np.ndarray:

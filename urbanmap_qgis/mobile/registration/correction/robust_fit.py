@@ -12,17 +12,26 @@ from .error_model import PoseErrorModel
 from .normal_equations import NormalEquations
 from .settings import CorrectionSettings
 
-_PASSES = 6
-_FACTORS = (1.0, 2.0, 4.0, 8.0)
-_FACTOR_SPREAD = 1.0  # how far from the expected drift, in powers of two, a survey's usually lies
-_HEADING_FACTORS = (5.0, 25.0)  # times the stated error of the heading that are tried
-_HEADING_PROOF = 50.0  # log-likelihood by which they must be better: 6 to 13 where paint was moved, 200 by 2 degrees
-_MOST_OWN = 0.9  # of the information on its place that a block can have from itself
-_WEIGHT_TOLERANCE = 0.02
-_REGION = 5  # pieces to either side that are a piece's region
-_MIN_USUAL = 0.1  # reduced chi square of single pieces below which none is held against them
-_MIN_NOISE = 0.3  # of the stated variance of the evidence, whatever the survey says
-_MIN_BLOCKS = 5  # from which the variance of the evidence can be told
+
+@dataclass(frozen=True)
+class RobustFitLimits:
+    """Limits of robust fit, each with its unit."""
+
+    passes: int = 6
+    factors: tuple[float, ...] = (1.0, 2.0, 4.0, 8.0)
+    factor_spread: float = 1.0  # how far from the expected drift, in powers of two, a survey's usually lies
+    heading_factors: tuple[float, ...] = (5.0, 25.0)  # times the stated error of the heading that are tried
+    # log-likelihood by which they must be better: 6 to 13 where paint was moved, 200 by 2 degrees
+    heading_proof: float = 50.0
+    most_own: float = 0.9  # of the information on its place that a block can have from itself
+    weight_tolerance: float = 0.02
+    region: int = 5  # pieces to either side that are a piece's region
+    min_usual: float = 0.1  # reduced chi square of single pieces below which none is held against them
+    min_noise: float = 0.3  # of the stated variance of the evidence, whatever the survey says
+    min_blocks: int = 5  # from which the variance of the evidence can be told
+
+
+LIMITS = RobustFitLimits()
 
 
 @dataclass(frozen=True)
@@ -45,10 +54,10 @@ def robust_fit(chain: NodeChain, model: PoseErrorModel, allowed: np.ndarray, set
                 progress: Progress) -> Fit:
     """The adjustment with the size of drift that makes the survey likeliest, its gross blocks counted against it."""
     tried = []
-    for number, factor in enumerate(_FACTORS):
-        progress.step(number / len(_FACTORS))
+    for number, factor in enumerate(LIMITS.factors):
+        progress.step(number / len(LIMITS.factors))
         fit, likelihood = reweighted_fit(chain, model.scaled(factor), allowed, settings)
-        tried.append((likelihood - 0.5 * (np.log2(factor) / _FACTOR_SPREAD) ** 2, factor, fit))
+        tried.append((likelihood - 0.5 * (np.log2(factor) / LIMITS.factor_spread) ** 2, factor, fit))
     likelihood, factor, fit = max(tried, key=lambda entry: entry[0])
     return _with_likely_heading(chain, model, allowed, settings, likelihood, replace(fit, drift_factor=factor))
 
@@ -57,9 +66,9 @@ def _with_likely_heading(chain: NodeChain, model: PoseErrorModel, allowed: np.nd
                          likelihood: float, fit: Fit) -> Fit:
     """The adjustment with a larger error of the heading, where this makes the survey much likelier."""
     best = likelihood
-    for factor in _HEADING_FACTORS:
+    for factor in LIMITS.heading_factors:
         other, reached = reweighted_fit(chain, model.scaled(fit.drift_factor).with_heading(factor), allowed, settings)
-        reached -= 0.5 * (np.log2(fit.drift_factor) / _FACTOR_SPREAD) ** 2 + _HEADING_PROOF
+        reached -= 0.5 * (np.log2(fit.drift_factor) / LIMITS.factor_spread) ** 2 + LIMITS.heading_proof
         if reached > best:
             best, fit = reached, replace(other, drift_factor=fit.drift_factor, heading_factor=factor)
     return fit
@@ -72,16 +81,17 @@ def reweighted_fit(chain: NodeChain, model: PoseErrorModel, allowed: np.ndarray,
     block = ((normals.path_parameter - normals.path_parameter[0]) / settings.block_length).astype(int)
     single, share, noise, found = allowed.copy(), np.ones(block.max() + 1), 1.0, 1.0
     weight = single
-    for _ in range(_PASSES):
+    for _ in range(LIMITS.passes):
         scaled = weight / noise
         state, spread, likelihood = chain.solve(model, scaled)
         value, covariance = chain.interpolate(state, spread, normals.path_parameter)
         test = _block_tests(normals, value, covariance, block, single, share, noise)
         single = _single_weights(normals.misfit(value), allowed, settings)
         share, found = _block_shares(test, noise, settings)
-        noise_found = max(found, _MIN_NOISE)
+        noise_found = max(found, LIMITS.min_noise)
         last, weight = weight, single * share[block]
-        if np.abs(weight - last).max() < _WEIGHT_TOLERANCE and abs(noise_found / noise - 1.0) < _WEIGHT_TOLERANCE:
+        steady = abs(noise_found / noise - 1.0) < LIMITS.weight_tolerance
+        if steady and np.abs(weight - last).max() < LIMITS.weight_tolerance:
             break
         noise = noise_found
     likelihood -= chain.unconstrained_likelihood(scaled, allowed)
@@ -96,10 +106,11 @@ def _single_weights(misfit: np.ndarray, allowed: np.ndarray, settings: Correctio
     counted = (allowed > 0) & (misfit > 0)
     if not counted.any():
         return allowed
-    usual = max(float(np.median(misfit[counted])), _MIN_USUAL)
+    usual = max(float(np.median(misfit[counted])), LIMITS.min_usual)
     running = np.concatenate([np.zeros((1, 2)), np.cumsum(np.column_stack([misfit * counted, counted]), axis=0)])
     number = np.arange(len(misfit))
-    total = (running[np.minimum(number + _REGION + 1, len(misfit))] - running[np.maximum(number - _REGION, 0)])
+    total = running[np.minimum(number + LIMITS.region + 1, len(misfit))]
+    total = total - running[np.maximum(number - LIMITS.region, 0)]
     around = total[:, 0] / np.maximum(total[:, 1], 1.0)
     regional = np.maximum(around / (settings.region * usual), 1.0)
     return allowed / (1.0 + misfit / (settings.single**2 * usual)) / regional
@@ -140,13 +151,13 @@ def _spread_of_others(covariance: np.ndarray, block_information: np.ndarray) -> 
     root = np.linalg.cholesky(covariance)
     values, vectors = np.linalg.eigh(root.T @ block_information @ root)
     axes = root @ vectors
-    return (axes / (1.0 - np.clip(values, 0.0, _MOST_OWN))) @ axes.T
+    return (axes / (1.0 - np.clip(values, 0.0, LIMITS.most_own))) @ axes.T
 
 
 def _block_shares(test: np.ndarray, noise: float, settings: CorrectionSettings) -> tuple[np.ndarray, float]:
     """Weights (b,) of blocks by their reduced chi square, and the factor of the observations' variance."""
     fair = test[np.isfinite(test)]
-    if len(fair) >= _MIN_BLOCKS:  # the median, so that gross blocks do not raise it
+    if len(fair) >= LIMITS.min_blocks:  # the median, so that gross blocks do not raise it
         noise *= float(np.clip(np.median(fair) / 0.8, 0.1, 2.0))
     test = np.nan_to_num(test, nan=0.0)
     share = np.minimum(1.0, settings.gross**2 / 6.0 / np.maximum(test, 1e-9))

@@ -18,18 +18,33 @@ from .ndt_match import Mixture, ndt_terms
 from .patch_sums import PLANE, SPACE, PatchSums, by_patch, point_gradients, sum_points, window_sums
 from .subpixel import FieldTerms, MarkingField, field_terms
 
-_AROUND = 3.0  # m of reference beyond where points can come to lie
+
+@dataclass(frozen=True)
+class PathSectionLimits:
+    """Limits of path section, each with its unit."""
+
+    around: float = 3.0  # m of reference beyond where points can come to lie
+    # m and patches: markings nearer than this share their errors
+    cluster: float = 2.0
+    cluster_patches: int = 4
+    consistent: float = 0.12  # contradiction up to which a window's clusters agree (0.05 to 0.10 on two cities)
+    # m and patches of a group of points that is reweighted as one
+    group_size: float = 4.0
+    group_patches: int = 10
+    rounds: int = 6  # of reweighting
+    soft: float = 2.0  # reduced chi square of a group at which its weight is a half
+    # variance of a group's gradient by its terms' squares, and at least
+    usual_excess: float = 0.08
+    min_variance: float = 1e-3
+    min_excess: float = 0.02  # by how much a window's clusters disagree at least
+    evened: int = 5  # patches to either side over which information is averaged
+
+
+LIMITS = PathSectionLimits()
+
 _TOLERANCE = np.array([0.002, 0.002, 0.002, 1e-4, 1e-4, 1e-4])  # m and radians: well below the sigma of a window
 _STEP_LIMIT = np.array([0.3, 0.3, 0.5, 0.01, 0.01, 0.01])  # of the curve in one step: a third of a cell of 1 m
-_CLUSTER, _CLUSTER_PATCHES = 2.0, 4  # m and patches: markings nearer than this share their errors
-_CONSISTENT = 0.12  # contradiction up to which a window's clusters agree (0.05 to 0.10 on two cities)
 # Set on the sample cities "canyon", "elevated road" and "repainted" and on the independent one:
-_GROUP_SIZE, _GROUP_PATCHES = 4.0, 10  # m and patches of a group of points that is reweighted as one
-_ROUNDS = 6  # of reweighting
-_SOFT = 2.0  # reduced chi square of a group at which its weight is a half
-_USUAL_EXCESS, _MIN_VARIANCE = 0.08, 1e-3  # variance of a group's gradient by its terms' squares, and at least
-_MIN_EXCESS = 0.02  # by how much a window's clusters disagree at least
-_EVENED = 5  # patches to either side over which information is averaged
 _WEAK_PRIOR = np.array([0.1, 0.1, 0.1, 0.003, 0.003, 0.003])  # of a window about the curve, m and radians
 
 
@@ -111,7 +126,7 @@ def adjust_section(section: PathSection, reference: Reference, settings: Registr
         tolerance = _TOLERANCE if number == len(stages) - 1 else 5 * _TOLERANCE
         curve, converged = _converge(curve, scene, stage(scene), settings.iterations, tolerance)
     contradiction = _contradiction(curve, scene)
-    if settings.refinement and contradiction.max() > _CONSISTENT:
+    if settings.refinement and contradiction.max() > LIMITS.consistent:
         curve, converged, scene = _reweighted(curve, scene, contradiction)
     return _windows_about(curve, converged, contradiction, scene)
 
@@ -128,9 +143,9 @@ def _contradiction(curve: CorrectionCurve, scene: _Scene) -> np.ndarray:
 def _reweighted(curve: CorrectionCurve, scene: _Scene,
                 contradiction: np.ndarray) -> tuple[CorrectionCurve, bool, _Scene]:
     """The curve where windows contradict themselves: groups with large gradients lose weight (J: repainted)."""
-    share = np.clip((contradiction - _CONSISTENT) / _CONSISTENT, 0.0, 1.0)[scene.patch]
+    share = np.clip((contradiction - LIMITS.consistent) / LIMITS.consistent, 0.0, 1.0)[scene.patch]
     field, whole, converged = MarkingField.of(scene.coverage, 0.0, scene.settings.background), scene, False
-    for _ in range(_ROUNDS):
+    for _ in range(LIMITS.rounds):
         weight = _cluster_weights(curve.transform(scene.section.points), field, whole)
         scene = replace(whole, point_weight=whole.point_weight * (1 - share + share * weight))
         curve, converged = _converge(curve, scene, _field_sums(scene, 0.0), scene.settings.iterations, _TOLERANCE)
@@ -140,14 +155,15 @@ def _reweighted(curve: CorrectionCurve, scene: _Scene,
 def _cluster_weights(moved: np.ndarray, field: MarkingField, scene: _Scene) -> np.ndarray:
     """(m,) weights of points by the gradient of their group against what its observations let expect (Cauchy)."""
     terms = field_terms(field, moved[:, 0], moved[:, 1])
-    cluster = _cluster_numbers(moved, scene.patch // _GROUP_PATCHES, _GROUP_SIZE)
+    cluster = _cluster_numbers(moved, scene.patch // LIMITS.group_patches, LIMITS.group_size)
     count = int(cluster.max()) + 1
     weight = scene.point_weight
     gx, gy = (np.bincount(cluster, g * weight, count) for g in (terms.gx, terms.gy))
-    xx, xy, yy = (np.bincount(cluster, product * weight, count) * _USUAL_EXCESS + same for product, same in (
-        (terms.gx * terms.gx, _MIN_VARIANCE), (terms.gx * terms.gy, 0.0), (terms.gy * terms.gy, _MIN_VARIANCE)))
+    xx, xy, yy = (np.bincount(cluster, product * weight, count) * LIMITS.usual_excess + same for product, same in (
+        (terms.gx * terms.gx, LIMITS.min_variance), (terms.gx * terms.gy, 0.0),
+        (terms.gy * terms.gy, LIMITS.min_variance)))
     gradient = (yy * gx * gx - 2 * xy * gx * gy + xx * gy * gy) / (xx * yy - xy * xy)
-    return (1.0 / (1.0 + gradient / _SOFT))[cluster]
+    return (1.0 / (1.0 + gradient / LIMITS.soft))[cluster]
 
 
 def _cluster_numbers(moved: np.ndarray, group: np.ndarray, side: float) -> np.ndarray:
@@ -174,7 +190,7 @@ class _Scene:
     @classmethod
     def of(cls, section: PathSection, reference: Reference, settings: RegistrationSettings) -> _Scene:
         points = section.points
-        around = settings.search + _AROUND
+        around = settings.search + LIMITS.around
         x_min, y_min = points.place[:, :2].min(axis=0) - around
         x_max, y_max = points.place[:, :2].max(axis=0) + around
         ground = reference.ground_part(x_min, y_min, x_max, y_max) if settings.three_d else None
@@ -307,9 +323,9 @@ def _windows_about(curve: CorrectionCurve, converged: bool, contradiction: np.nd
     window, scatter, (patchwise, terms) = _normals_about(curve, scene)
     step, covariance, excess = _solve(window, scatter, active)
     core = slice(section.core_first, section.core_last + 1)
-    counted = max(float(np.median(excess)), _MIN_EXCESS)
+    counted = max(float(np.median(excess)), LIMITS.min_excess)
     covariance += curve_covariance(curve, _evened(patchwise.information) / counted, scene.active)[core]
-    covariance *= np.maximum(contradiction[core] / _CONSISTENT, 1.0)[:, None, None] ** 2
+    covariance *= np.maximum(contradiction[core] / LIMITS.consistent, 1.0)[:, None, None] ** 2
     shares = by_patch(np.column_stack([np.ones(len(points)), terms.share, terms.on_marking]), scene.patch,
                       scene.patches)
     counted = window_sums(shares, section.window_first, section.window_last)
@@ -325,7 +341,7 @@ def _windows_about(curve: CorrectionCurve, converged: bool, contradiction: np.nd
 def _evened(information: np.ndarray) -> np.ndarray:
     """(n, 6, 6) shared out over neighbouring patches, so that each curves downwards as a larger piece of path does."""
     count = len(information)
-    low, high = (np.clip(np.arange(count) + side * _EVENED, 0, count - 1) for side in (-1, 1))
+    low, high = (np.clip(np.arange(count) + side * LIMITS.evened, 0, count - 1) for side in (-1, 1))
     values, vectors = np.linalg.eigh(window_sums(information / (high - low + 1)[:, None, None], low, high))
     return np.einsum("nij,nj,nkj->nik", vectors, np.maximum(values, 0), vectors)
 
@@ -338,12 +354,12 @@ def _padded(step: np.ndarray, section: PathSection, patches: int) -> np.ndarray:
 
 def _scatter(moved: np.ndarray, gradient: tuple, scene: _Scene) -> np.ndarray:
     """(n, 6, 6) squares of the gradients of clusters of points, by patch: how uneven the observations really are."""
-    group = scene.patch // _CLUSTER_PATCHES
-    cluster = _cluster_numbers(moved, group, _CLUSTER)
+    group = scene.patch // LIMITS.cluster_patches
+    cluster = _cluster_numbers(moved, group, LIMITS.cluster)
     order = np.argsort(cluster, kind="stable")
     start = np.flatnonzero(np.r_[True, np.diff(cluster[order]) != 0])
     total = np.add.reduceat(point_gradients(moved - scene.origin, gradient)[order], start, axis=0)
-    patch = np.minimum(group[order][start] * _CLUSTER_PATCHES + _CLUSTER_PATCHES // 2, scene.patches - 1)
+    patch = np.minimum(group[order][start] * LIMITS.cluster_patches + LIMITS.cluster_patches // 2, scene.patches - 1)
     by_group = np.argsort(patch, kind="stable")
     total, patch = total[by_group], patch[by_group]
     squares = np.einsum("ni,nj->nij", total, total)
@@ -363,7 +379,7 @@ def _solve(window: PatchSums, scatter: np.ndarray, active: list[int]
     solution = np.einsum("nij,nj->ni", inverse, gradient)
     scatter = scatter[:, active][:, :, active]
     excess = np.einsum("nij,nji->n", scatter, inverse) / width
-    covariance = inverse * np.maximum(excess, _MIN_EXCESS)[:, None, None]
+    covariance = inverse * np.maximum(excess, LIMITS.min_excess)[:, None, None]
     step = np.zeros((count, 6))
     step[:, active] = solution
     full = np.zeros((count, 6, 6))

@@ -23,14 +23,22 @@ from ..start.patches import Patches
 from .ndt_match import rotation_matrix
 from .windows import Windows
 
-_MIN_POINTS = 30
-_MIN_OVERLAP = 0.45  # below, most of the points contradict the place
-_CHANCE_OVERLAP = 0.25  # below, it may be chance
-_CHANCE_SIGMA = 1.0  # m
-_LARGEST_SIGMA = 0.10  # m in plan
-_PROOF = 3.0  # log-likelihood
-_APART = 3  # cells (0.6 m): positions nearer are one
-_OTHER = 4  # cells: a path this far off goes through another position
+
+@dataclass(frozen=True)
+class MatchingResultsLimits:
+    """Limits of matching results, each with its unit."""
+
+    min_points: int = 30
+    min_overlap: float = 0.45  # below, most of the points contradict the place
+    chance_overlap: float = 0.25  # below, it may be chance
+    chance_sigma: float = 1.0  # m
+    largest_sigma: float = 0.10  # m in plan
+    proof: float = 3.0  # log-likelihood
+    apart: int = 3  # cells (0.6 m): positions nearer are one
+    other: int = 4  # cells: a path this far off goes through another position
+
+
+LIMITS = MatchingResultsLimits()
 
 
 @dataclass(frozen=True)
@@ -96,7 +104,7 @@ def alternative_positions(start: InitialShifts, windows: Windows, patches: int) 
         seen[span] = patch
         surface = (running[span[1] + 1] - running[span[0]]).astype(np.float32)
         peak[patch] = surface[middle - 1:middle + 2, middle - 1:middle + 2].max()
-        alternatives, heights = peaks(surface, _APART, MODES - 1)
+        alternatives, heights = peaks(surface, LIMITS.apart, MODES - 1)
         offsets[patch, :len(alternatives)], scores[patch, :len(alternatives)] = alternatives * CELL, heights
         if len(heights) and peak[patch] > 0:
             ratio[patch] = heights[0] / peak[patch]
@@ -111,7 +119,7 @@ def path_margins(start: InitialShifts) -> np.ndarray:
     margin = np.full(len(start.deficit), np.inf)
     for block, (east, north) in enumerate(start.best):
         gain = start.deficit[block].max() - start.deficit[block]
-        far = np.maximum(np.abs(offset - north)[:, None], np.abs(offset - east)) >= _OTHER
+        far = np.maximum(np.abs(offset - north)[:, None], np.abs(offset - east)) >= LIMITS.other
         alternatives, heights = peaks(np.pad(gain, 1), 0, 12)
         row, column = alternatives[:, 1] + (size + 2) // 2 - 1, alternatives[:, 0] + (size + 2) // 2 - 1
         other = far[row, column]
@@ -139,7 +147,7 @@ def assemble(patches: Patches, windows: Windows, start: InitialShifts, parts: Se
     points, overlap = column("points"), column("overlap")
     covariance[:, [0, 1], [0, 1]] += _chance_variance(overlap)[:, None]
     alternatives = alternative_positions(start, windows, len(patches))
-    covariance[:, :2, :2] += alternative_spread(BestPath(start.best, start.deficit), (_APART - 0.5) * CELL)[
+    covariance[:, :2, :2] += alternative_spread(BestPath(start.best, start.deficit), (LIMITS.apart - 0.5) * CELL)[
         np.arange(len(patches)) // start.block]
     status = _statuses(points, overlap, covariance, alternatives, column("converged"))
     if not settings.three_d:
@@ -156,8 +164,8 @@ def assemble(patches: Patches, windows: Windows, start: InitialShifts, parts: Se
 
 def _chance_variance(overlap: np.ndarray) -> np.ndarray:
     """(n,) m2, because a place that few points share, as of dashes that were all painted anew, may be chance."""
-    lack = (_MIN_OVERLAP - np.nan_to_num(overlap)) / (_MIN_OVERLAP - _CHANCE_OVERLAP)
-    return (_CHANCE_SIGMA * np.clip(lack, 0.0, 1.0)) ** 2
+    lack = (LIMITS.min_overlap - np.nan_to_num(overlap)) / (LIMITS.min_overlap - LIMITS.chance_overlap)
+    return (LIMITS.chance_sigma * np.clip(lack, 0.0, 1.0)) ** 2
 
 
 def _modes(correction: np.ndarray, alternatives: AlternativePositions,
@@ -174,10 +182,10 @@ def _statuses(points: np.ndarray, overlap: np.ndarray, covariance: np.ndarray, a
     status = np.full(len(points), REGISTERED, dtype=np.int8)
     with np.errstate(invalid="ignore"):
         largest = np.sqrt(np.linalg.eigvalsh(np.nan_to_num(covariance[:, :2, :2], nan=1e6))[:, -1])
-        status[(largest > _LARGEST_SIGMA) | (overlap < _MIN_OVERLAP)] = WEAK
-        status[alternatives.margin < _PROOF] = AMBIGUOUS
+        status[(largest > LIMITS.largest_sigma) | (overlap < LIMITS.min_overlap)] = WEAK
+        status[alternatives.margin < LIMITS.proof] = AMBIGUOUS
         status[~converged] = NOT_CONVERGED
-        status[(points < _MIN_POINTS) | ~(overlap > 0)] = NO_MARKINGS
+        status[(points < LIMITS.min_points) | ~(overlap > 0)] = NO_MARKINGS
     return status
 
 

@@ -2,20 +2,26 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from ....errors import InputError, InsufficientDataError
 from ....io.raster import RasterSampler
 from ....wording import say
 
-MOST_VALUES = 8
-"""Different values that a mask may have; an image has dozens in any small part."""
 
-MOST_MARKED = 0.5
-"""Share of the cells that may be marked: paint covers a few per cent of a road."""
+@dataclass(frozen=True)
+class MaskCheckLimits:
+    """Limits of mask check, each with its unit."""
 
-_BLOCK = 512
-_BLOCKS = 25
+    most_values: int = 8  # Different values that a mask may have; an image has dozens in any small part.
+    most_marked: float = 0.5  # Share of the cells that may be marked: paint covers a few per cent of a road.
+    block: int = 512
+    blocks: int = 25
+
+
+LIMITS = MaskCheckLimits()
 
 
 def refuse_unless_mask(source: RasterSampler) -> None:
@@ -37,10 +43,10 @@ def refuse_unless_mask(source: RasterSampler) -> None:
         block = block[np.isfinite(block)]
         values = np.union1d(values, block)
         marked, valid = marked + int((block > 0).sum()), valid + len(block)
-        if len(values) > MOST_VALUES:
+        if len(values) > LIMITS.most_values:
             raise InputError(say("{path} has many different values and is an image or a surface, no mask of road "
                                  "markings: {advice}.", path=source.path.name, advice=advice))
-    if marked > MOST_MARKED * max(valid, 1):
+    if marked > LIMITS.most_marked * max(valid, 1):
         raise InputError(say("{path} is above 0 in {marked:.0f} % of its cells, so that it is no mask of road "
                              "markings: {advice}.", path=source.path.name, marked=100 * marked / valid, advice=advice))
     if not marked and not any((block > 0).any() for block in _blocks(source)):
@@ -50,8 +56,9 @@ def refuse_unless_mask(source: RasterSampler) -> None:
 
 def _spread(source: RasterSampler):
     """Blocks at regular distances over the raster."""
-    side = int(_BLOCKS**0.5)
-    starts = [np.unique(np.linspace(0, max(length - _BLOCK, 0), side).astype(int)) for length in source.grid.shape]
+    side = int(LIMITS.blocks**0.5)
+    starts = [np.unique(np.linspace(0, max(length - LIMITS.block, 0), side).astype(int))
+              for length in source.grid.shape]
     for top in starts[0]:
         for left in starts[1]:
             yield _block(source, int(top), int(left))
@@ -59,11 +66,11 @@ def _spread(source: RasterSampler):
 
 def _blocks(source: RasterSampler):
     """All blocks of the raster."""
-    for top in range(0, source.grid.rows, _BLOCK):
-        for left in range(0, source.grid.columns, _BLOCK):
+    for top in range(0, source.grid.rows, LIMITS.block):
+        for left in range(0, source.grid.columns, LIMITS.block):
             yield _block(source, top, left)
 
 
 def _block(source: RasterSampler, top: int, left: int) -> np.ndarray:
-    return source.read(slice(top, min(top + _BLOCK, source.grid.rows)),
-                       slice(left, min(left + _BLOCK, source.grid.columns)))
+    return source.read(slice(top, min(top + LIMITS.block, source.grid.rows)),
+                       slice(left, min(left + LIMITS.block, source.grid.columns)))
