@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections import Counter, OrderedDict
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
 from functools import partial
@@ -16,7 +16,15 @@ from ..execution import in_order
 from ..geometry.grid import Grid
 from ..io.points.decoded_points import decoded_once
 from ..io.points.point_buckets import PointBuckets
-from ..io.points.pointcloud import PointCloud, PointLayout, cloud_writer, iter_chunks, open_cloud, valid_points
+from ..io.points.pointcloud import (
+    PointCloud,
+    PointLayout,
+    cloud_writer,
+    iter_chunks,
+    of_classes,
+    open_cloud,
+    valid_points,
+)
 from ..progress import SILENT, Progress
 from ..terrain.cloth import JAVANMARDI, ClothSettings, LowestHeights, bottom_points, final_cloth, first_cloth
 from ..terrain.outliers import isolation_limit, plausible
@@ -36,6 +44,7 @@ _MOST_NODES = 100_000_000
 _TILE = 64.0
 _TILE_POINTS = 2_000_000
 _BUCKET_MEMORY = 60_000_000
+_HELD_MEMORY = 120_000_000
 _CHUNK = 250_000
 _RECORD = np.dtype([("x", "<f8"), ("y", "<f8"), ("z", "<f8"), ("t", "<f8")])
 
@@ -137,14 +146,14 @@ class _Survey:
             for name in "xyz":
                 records[name] = chunk[name]
             records["t"] = chunk["gps_time"] if timed else 0.0
-            records = records[valid_points(chunk) & plausible(records["x"], records["y"], records["z"])]
+            usable = valid_points(chunk) & plausible(records["x"], records["y"], records["z"])
+            records = records if usable.all() else records[usable]
             if not len(records):
                 continue
             self.usable += len(records)
             positions.add(records["x"], records["y"], records["t"])
             tile = self.tiling.keys(records["x"], records["y"])
-            counts.update(dict(zip(*(values.tolist() for values in np.unique(tile, return_counts=True)))))
-            self.buckets.add(tile, records)
+            counts.update(self.buckets.add(tile, records))
         if not counts:
             raise InsufficientDataError(say("{paths} holds no usable points: all are noise, withheld or have no "
                                             "valid height.", paths=self.cloud.paths[0].name))
@@ -164,8 +173,7 @@ class _Survey:
             for start in range(0, len(whole), _CHUNK):
                 records = whole[start:start + _CHUNK].copy()  # a part of the whole would keep all of it in memory
                 tile = self.tiling.keys(records["x"], records["y"])
-                keys.update(np.unique(tile).tolist())
-                self.smaller.add(tile, records)
+                keys.update(self.smaller.add(tile, records))
         self.keys, self.buckets = sorted(keys), self.smaller
 
     def grounds(self, progress: Progress) -> list[PassGround | None]:
@@ -184,8 +192,9 @@ class _Survey:
         for step, key in enumerate(self.keys):
             records = self.buckets.read(key)
             pass_number = self.passes.of(records["t"])
-            for number in np.unique(pass_number).tolist():
-                x, y = (records[name][pass_number == number] for name in "xy")
+            for number in np.flatnonzero(np.bincount(pass_number)).tolist():
+                mine = slice(None) if self.passes.count == 1 else np.flatnonzero(pass_number == number)
+                x, y = (records[name][mine] for name in "xy")
                 found[number][key] = (len(x), x.min(), y.min(), x.max(), y.max())
             progress.step((step + 1) / len(self.keys))
         return found
@@ -220,36 +229,60 @@ class _Survey:
 
     def _tiles(self, keys: list[int], pass_number: int, margin: float) -> Iterator[TilePoints]:
         """The points of each tile and of a margin round it, of one pass."""
-        known = set(keys)
+        known, held = set(keys), _HeldTiles(partial(self._of_pass, pass_number=pass_number))
         for key in keys:
             box, (column, row) = self.tiling.box(key), self.tiling.column_row(key)
-            parts = [_columns(self._of_pass(key, pass_number))]
+            parts = [dict(held.get(key))]
             for near in self.tiling.around(key)[1:]:
-                if near in known:  # read anew each time: a slow drive has millions of points in each tile
+                if near in known:
                     other_column, other_row = self.tiling.column_row(near)
-                    parts.append(_columns(_beside(self._of_pass(near, pass_number), box, margin,
-                                                  other_column - column, other_row - row)))
+                    parts.append(_beside(held.get(near), box, margin, other_column - column, other_row - row))
             in_tile = len(parts[0]["x"])
             yield TilePoints({name: np.concatenate([part.pop(name) for part in parts]) for name in "xyz"}, in_tile, box)
 
-    def _of_pass(self, key: int, pass_number: int) -> np.ndarray:
-        """The points of a tile that were measured in a pass."""
+    def _of_pass(self, key: int, pass_number: int) -> dict[str, np.ndarray]:
+        """Coordinates of the points of a tile that were measured in a pass, a column each."""
         records = self.buckets.read(key)
-        return records if self.passes.count == 1 else records[self.passes.of(records["t"]) == pass_number]
+        if self.passes.count == 1:
+            return {name: np.ascontiguousarray(records[name]) for name in "xyz"}
+        rows = np.flatnonzero(self.passes.of(records["t"]) == pass_number)
+        return {name: records[name][rows] for name in "xyz"}
 
 
-def _columns(records: np.ndarray) -> dict[str, np.ndarray]:
-    """Coordinates of records, a column each: less memory than records, and what the filter works on."""
-    return {name: np.ascontiguousarray(records[name]) for name in "xyz"}
+class _HeldTiles:
+    """Columns of the tiles used last: each is a neighbour of eight others, but a slow drive has millions of points."""
+
+    def __init__(self, read: Callable[[int], dict[str, np.ndarray]]):
+        self._read = read
+        self._tiles: OrderedDict[int, dict[str, np.ndarray]] = OrderedDict()
+        self._bytes = 0
+
+    def get(self, key: int) -> dict[str, np.ndarray]:
+        """The columns of a tile; they must not be changed."""
+        if key in self._tiles:
+            self._tiles.move_to_end(key)
+            return self._tiles[key]
+        columns = self._tiles[key] = self._read(key)
+        self._bytes += _size(columns)
+        while self._bytes > _HELD_MEMORY and len(self._tiles) > 1:
+            self._bytes -= _size(self._tiles.popitem(last=False)[1])
+        return columns
 
 
-def _beside(records: np.ndarray, box: tuple[float, float, float, float], margin: float, right: int,
-            up: int) -> np.ndarray:
+def _size(columns: dict[str, np.ndarray]) -> int:
+    """Bytes of columns."""
+    return sum(values.nbytes for values in columns.values())
+
+
+def _beside(columns: dict[str, np.ndarray], box: tuple[float, float, float, float], margin: float, right: int,
+            up: int) -> dict[str, np.ndarray]:
     """The points of the tile `right` columns and `up` rows away that lie within a margin of a tile's box."""
+    near = np.ones(len(columns["x"]), dtype=bool)
     for name, step, low, high in (("x", right, box[0], box[2]), ("y", up, box[1], box[3])):
         if step:
-            records = records[records[name] <= high + margin if step > 0 else records[name] >= low - margin]
-    return records
+            near &= columns[name] <= high + margin if step > 0 else columns[name] >= low - margin
+    rows = np.flatnonzero(near)
+    return {name: values[rows] for name, values in columns.items()}
 
 
 def _put(layers: list[np.ndarray], part: ClothPart) -> None:
@@ -268,7 +301,7 @@ def _write(cloud: PointCloud, output: str | os.PathLike, passes: SurveyPasses, g
             ground = _ground_of(chunk, passes, grounds, settings.threshold)
             total += int(np.count_nonzero(ground))
             classes = np.asarray(chunk.classification)
-            undecided = np.isin(classes, UNDECIDED)
+            undecided = of_classes(chunk, UNDECIDED)
             candidates += int(np.count_nonzero(undecided & valid_points(chunk)))
             records = layout.adapt(chunk, np.ones(len(chunk), dtype=bool))
             view = layout.view(records)
@@ -291,7 +324,7 @@ def _check_share(ground: int, candidates: int, min_share: float) -> None:
 def _ground_of(chunk, passes: SurveyPasses, grounds: list[PassGround | None], threshold: float) -> np.ndarray:
     """Which points of a chunk are ground, (n,) bool."""
     x, y, z = (np.asarray(chunk[name]) for name in "xyz")
-    candidate = valid_points(chunk) & plausible(x, y, z) & np.isin(np.asarray(chunk.classification), UNDECIDED)
+    candidate = valid_points(chunk) & plausible(x, y, z) & of_classes(chunk, UNDECIDED)
     pass_number = passes.of(np.asarray(chunk["gps_time"])) if passes.count > 1 else np.zeros(len(z), dtype=int)
     found = np.zeros(len(z), dtype=bool)
     for number in np.unique(pass_number[candidate]).tolist():

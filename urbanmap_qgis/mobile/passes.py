@@ -19,6 +19,8 @@ MIN_ABSENCE = 30.0
 CELL = 16.0
 """m, side of the cells of the grid on which places are compared."""
 
+_FEW_PASSES = 8
+
 
 class BlockPositions:
     """Collects the mean place of the points of each second, chunk by chunk."""
@@ -79,4 +81,9 @@ class SurveyPasses:
 
     def of(self, time: np.ndarray) -> np.ndarray:
         """Number of the pass, from 0, of each time (n,)."""
-        return np.searchsorted(self.starts, time, side="right")
+        if len(self.starts) > _FEW_PASSES:
+            return np.searchsorted(self.starts, time, side="right")
+        number = np.zeros(np.shape(time), np.int64)
+        for start in self.starts:  # for a few starts several times faster than a search
+            number += ~(time < start)
+        return number

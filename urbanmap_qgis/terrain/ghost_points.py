@@ -21,6 +21,7 @@ GHOST_SHARE = 0.05
 _THIN_SHARE = 0.5  # a layer's points to those 0.4 m above it: a wall has as many there, a road with vehicles a tenth
 _SLICES = 34
 _ROUNDS = 4
+_DENSE = 4  # elements a point up to which counting into all of them beats sorting
 _AROUND = [(down, right) for down in (-1, 0, 1) for right in (-1, 0, 1)]
 
 
@@ -67,12 +68,12 @@ class _Slices:
         self.in_column = np.zeros((len(suspect), _SLICES), np.int64)
         self.around = np.zeros((len(suspect), _SLICES), np.int64)
         row, column = np.divmod(suspect, shape[1])
-        cell, height = self._within(cell, height, suspect, shape)
+        cell, level, points = self._piles(*self._within(cell, height, suspect, shape), lowest.size)
         for down, right in _AROUND:
             inside = ((row + down >= 0) & (row + down < shape[0]) & (column + right >= 0) & (column + right < shape[1]))
             number = np.full(lowest.size, -1)
             number[suspect[inside] + down * shape[1] + right] = np.flatnonzero(inside)
-            counts = self._count(number[cell], height)
+            counts = self._count(number[cell], level, points)
             self.around += counts
             if not down and not right:
                 self.in_column = counts
@@ -88,13 +89,30 @@ class _Slices:
         some = np.flatnonzero(height < top[1:-1, 1:-1].ravel()[cell])
         return cell[some], height[some]
 
-    def _count(self, number: np.ndarray, height: np.ndarray) -> np.ndarray:
+    def _piles(self, cell: np.ndarray, height: np.ndarray, cells: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Cell, slice of height and number of the points that share both, for slices that a suspect counts."""
+        first = int(self.base.min())
+        levels = int(self.base.max()) + _SLICES - first
+        level = np.floor(height / BIN).astype(np.int64) - first
+        some = np.flatnonzero((level >= 0) & (level < levels))
+        code = cell[some] * np.int64(levels) + level[some]
+        if cells * levels <= _DENSE * len(code):
+            points = np.bincount(code)
+            piles = np.flatnonzero(points)
+            points = points[piles]
+        else:
+            piles, points = np.unique(code, return_counts=True)
+        cell, level = np.divmod(piles, levels)
+        return cell, level + first, points
+
+    def _count(self, number: np.ndarray, level: np.ndarray, points: np.ndarray) -> np.ndarray:
         """Points by suspect (its number; -1: none) and slice, (suspects, slices)."""
         used = np.flatnonzero(number >= 0)
-        number = number[used]
-        level = np.floor(height[used] / BIN).astype(np.int64) - self.base[number]
+        number, points = number[used], points[used]
+        level = level[used] - self.base[number]
         near = (level >= 0) & (level < _SLICES)
-        flat = np.bincount(number[near] * _SLICES + level[near], minlength=self.around.size)
+        place = number[near] * _SLICES + level[near]
+        flat = np.bincount(place, points[near], self.around.size).astype(np.int64)  # whole numbers: exact
         return flat.reshape(self.around.shape)
 
     def floors(self) -> np.ndarray:

@@ -18,6 +18,8 @@ from typing import BinaryIO
 import laspy
 import numpy as np
 
+from .point_buckets import fill_from
+
 _SPARE = 2.0
 """Times the records' size that must be free on the disk: the outputs may go to the same one."""
 
@@ -51,15 +53,8 @@ class DecodedPoints:
         for first in range(0, header.point_count, chunk_points):
             records = np.empty(min(chunk_points, header.point_count - first), kind)
             self._file.seek(start + first * kind.itemsize)
-            self._fill(memoryview(records.view(np.uint8)))
+            fill_from(self._file, memoryview(records.view(np.uint8)))
             yield laspy.ScaleAwarePointRecord(records, header.point_format, header.scales, header.offsets)
-
-    def _fill(self, part: memoryview) -> None:
-        while len(part):
-            number = self._file.readinto(part)
-            if not number:
-                raise OSError("the scratch file of decoded points is cut off")
-            part = part[number:]
 
     def remember(self, path: Path, header: laspy.LasHeader,
                  chunks: Iterator[laspy.ScaleAwarePointRecord]) -> Iterator[laspy.ScaleAwarePointRecord]:

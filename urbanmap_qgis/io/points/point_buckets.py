@@ -4,19 +4,45 @@ from __future__ import annotations
 
 import tempfile
 from pathlib import Path
+from typing import BinaryIO
 
 import numpy as np
 
 MEMORY_LIMIT = 300_000_000
 """Bytes of records held in memory before the buckets move to disk."""
 
+_RUN_SHARE = 0.25
+
+
+def fill_from(stream: BinaryIO, part: memoryview) -> None:
+    """Read bytes until a part of memory is full.
+
+    Raises
+    ------
+    OSError : there are no more.
+    """
+    while len(part):
+        number = stream.readinto(part)
+        if not number:
+            raise OSError("a scratch file of points is cut off")
+        part = part[number:]
+
 
 def stable_order(keys: np.ndarray) -> np.ndarray:
-    """Order (n,) that sorts whole numbers, equal ones as they came; numbers of 16 bits are sorted by their digits."""
+    """Order (n,) that sorts whole numbers, equal ones as they came.
+
+    Numbers of 16 bits are sorted by their digits; of others, runs of equal ones are moved together.
+    """
     low, high = (int(keys.min()), int(keys.max())) if len(keys) else (0, 0)
-    if low >= 0 and high < 2**16:
-        keys = keys.astype(np.uint16)
-    return np.argsort(keys, kind="stable")
+    if high - low < 2**16:
+        return np.argsort((keys - low).astype(np.uint16), kind="stable")
+    starts = np.flatnonzero(np.concatenate([[True], keys[1:] != keys[:-1]]))
+    if len(starts) > _RUN_SHARE * len(keys):
+        return np.argsort(keys, kind="stable")
+    runs = np.argsort(keys[starts], kind="stable")
+    length = np.diff(np.append(starts, len(keys)))[runs]
+    before = np.cumsum(length) - length
+    return np.repeat(starts[runs] - before, length) + np.arange(len(keys))
 
 
 class PointBuckets:
@@ -47,26 +73,39 @@ class PointBuckets:
         if self._folder is not None:
             self._folder.cleanup()
 
-    def add(self, keys: np.ndarray, records: np.ndarray) -> None:
-        """Put records (n,) into the buckets that `keys` (n,) name; they must not be changed after that."""
+    def add(self, keys: np.ndarray, records: np.ndarray) -> dict[int, int]:
+        """Put records (n,) into the buckets that `keys` (n,) name; they must not be changed after that.
+
+        Returns how many went into each bucket.
+        """
         if not len(records):
-            return
+            return {}
         if (keys[1:] < keys[:-1]).any():
             order = stable_order(keys)
             keys, records = keys[order], records[order]
         starts = np.flatnonzero(keys[1:] != keys[:-1]) + 1
+        counts = {}
         for name, piece in zip(keys[np.r_[0, starts]].tolist(), np.split(records, starts)):
             self._pieces.setdefault(name, []).append(piece)
+            counts[name] = len(piece)
         self._held += records.nbytes
         if self._held > self.memory_limit:
             self._spill()
+        return counts
 
     def read(self, key: int) -> np.ndarray:
         """All records of a bucket, in the order in which they came; empty if there are none."""
-        stored = self._path(key)
-        pieces = [np.fromfile(stored, dtype=self.dtype)] if stored and stored.exists() else []
-        pieces += self._pieces.get(key, [])
-        return np.concatenate(pieces) if pieces else np.zeros(0, dtype=self.dtype)
+        stored, held = self._path(key), self._pieces.get(key, [])
+        on_disk = stored.stat().st_size // self.dtype.itemsize if stored and stored.exists() else 0
+        records = np.empty(on_disk + sum(map(len, held)), dtype=self.dtype)
+        if on_disk:
+            with stored.open("rb", buffering=0) as stream:
+                fill_from(stream, memoryview(records[:on_disk].view(np.uint8)))
+        place = on_disk
+        for piece in held:
+            records[place:place + len(piece)] = piece
+            place += len(piece)
+        return records
 
     def pop(self, key: int) -> np.ndarray:
         """All records of a bucket as `read` gives them; the bucket is empty after that."""

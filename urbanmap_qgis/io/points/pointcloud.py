@@ -205,10 +205,17 @@ def _chunks(path: Path, header: laspy.LasHeader, chunk_points: int,
 
 def valid_points(points: laspy.ScaleAwarePointRecord) -> np.ndarray:
     """Mask (n,) of points that are neither noise (classes 7, 18) nor withheld, with heights in reason."""
-    z = np.asarray(points.z)
-    keep = np.isfinite(z) & (np.abs(z) < 1e5)
-    keep &= ~np.isin(np.asarray(points.classification), NOISE_CLASSES)
-    return keep & ~np.asarray(points.withheld).astype(bool)
+    keep = np.abs(np.asarray(points.z)) < 1e5  # not so for what is no number
+    keep &= ~of_classes(points, NOISE_CLASSES)
+    keep &= ~np.asarray(points.withheld).astype(bool)
+    return keep
+
+
+def of_classes(points: laspy.ScaleAwarePointRecord, classes: Iterable[int]) -> np.ndarray:
+    """Mask (n,) of the points of some classes (0 to 255)."""
+    wanted = np.zeros(256, dtype=bool)
+    wanted[list(classes)] = True
+    return wanted[np.asarray(points.classification)]
 
 
 class PointLayout:
@@ -244,13 +251,15 @@ class PointLayout:
 
     def adapt(self, points: laspy.ScaleAwarePointRecord, keep: np.ndarray) -> np.ndarray:
         """Records (m,) of this layout for the points that `keep` (n,) marks; new attributes are 0."""
-        record = laspy.ScaleAwarePointRecord.zeros(int(np.count_nonzero(keep)), header=self.header)
         rows = slice(None) if keep.all() else np.flatnonzero(keep)
         same_place = (np.array_equal(points.scales, self.header.scales)
                       and np.array_equal(points.offsets, self.header.offsets))
+        if same_place and points.array.dtype == self.dtype:
+            return points.array[rows].copy() if keep.all() else points.array[rows]
         stored = set(points.array.dtype.names) & set(self.dtype.names)
         if points.point_format.id != self.header.point_format.id:
             stored = set(points.point_format.dimension_names) & set(self.header.point_format.dimension_names)
+        record = laspy.ScaleAwarePointRecord.zeros(int(np.count_nonzero(keep)), header=self.header)
         for name in sorted(stored - {"X", "Y", "Z"}):
             record[name] = points[name][rows]
         if same_place:
