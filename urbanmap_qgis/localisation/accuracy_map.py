@@ -226,10 +226,11 @@ def _aliases(prepared: _Prepared, places: RoadPlaces, sensor: np.ndarray, able: 
     most = int(settings.search / STEP)
     if most < 1:
         return modes
+    ends = np.searchsorted(scan.of, np.arange(len(able) + 1)) if scan is not None else None
     for number, row in enumerate(able):
         surface = np.zeros((2 * most + 1, 2 * most + 1))
         if scan is not None:
-            of_place = scan.of == number
+            of_place = slice(ends[number], ends[number + 1])
             surface += prepared.wall_field.shifted(sensor[number, :2] + scan.offset[of_place, :2], most)
         if seen is not None:
             surface += prepared.marking_field.shifted(city.markings.xy[seen[1][seen[0] == number]], most)

@@ -61,13 +61,23 @@ class ScoreField:
         A cell counts once however many points fall into it; points nearer to the bounds than the shifts count nothing.
         """
         cell = np.floor((points - [self.left, self.bottom]) / STEP).astype(np.int64)
-        cell = np.unique(cell, axis=0)
+        cell = _different_rows(cell)
         if len(cell) > _POINTS:
             cell = cell[np.linspace(0, len(cell) - 1, _POINTS).astype(int)]
         cell = cell - most
         views = np.lib.stride_tricks.sliding_window_view(self.score, (2 * most + 1, 2 * most + 1))
         inside = ((cell >= 0) & (cell < views.shape[1::-1])).all(axis=1)
         return views[cell[inside, 1], cell[inside, 0]].sum(axis=0, dtype=np.float64)
+
+
+def _different_rows(cell: np.ndarray) -> np.ndarray:
+    """Different rows of cells (m, 2) in the order of their first, then their second number."""
+    if not len(cell):
+        return cell
+    low = cell.min(axis=0)
+    height = int(cell[:, 1].max() - low[1]) + 1
+    code = np.unique((cell[:, 0] - low[0]) * height + cell[:, 1] - low[1])
+    return np.column_stack(np.divmod(code, height)) + low
 
 
 @dataclass(frozen=True)

@@ -23,7 +23,10 @@ MIN_INCIDENCE_COSINE = 0.02
 _CELL = 12.0
 _LARGEST_GRID = 2_000_000
 _PAIRS = 1_500_000
-"""Walls tested at once, and places times walls looked at at once."""
+"""Places times walls looked at at once."""
+
+_TESTED = 100_000
+"""Walls tested at once: what is known of so many stays near the processor."""
 
 
 @dataclass(frozen=True)
@@ -112,6 +115,8 @@ class _March:
         count = len(start)
         self.grid = grid
         self.piece, self.distance = np.full(count, -1), np.full(count, np.inf)
+        self._normals = np.ascontiguousarray(grid.walls.normal.T)
+        self._columns: tuple[np.ndarray, ...] = ()
         flat = start[:, :2] - grid.origin
         rows, columns = grid.shape
         size = np.array([columns, rows]) * grid.cell
@@ -163,10 +168,12 @@ class _March:
         """Find the nearest wall among those of the cells `number` for the rays `look`."""
         count = self.grid.first[number + 1] - self.grid.first[number]
         ends = np.cumsum(count)
+        self._columns = (*np.ascontiguousarray(self.flat.T), *np.ascontiguousarray(self.direction[:, :2].T),
+                         np.minimum(self.end[self.ray], self.distance[self.ray]))
         begin = 0
         while begin < len(look):
             done = ends[begin - 1] if begin else 0
-            stop = max(int(np.searchsorted(ends, done + _PAIRS, side="right")), begin + 1)
+            stop = max(int(np.searchsorted(ends, done + _TESTED, side="right")), begin + 1)
             block = slice(begin, stop)
             ray = np.repeat(look[block], count[block])
             within = np.arange(len(ray)) - np.repeat(ends[block] - count[block] - done, count[block])
@@ -176,13 +183,22 @@ class _March:
 
     def _hits(self, ray: np.ndarray, member: np.ndarray) -> None:
         walls = self.grid.walls
-        normal = walls.normal[member]
-        flat, direction = self.flat[ray], self.direction[ray]
-        speed = normal[:, 0] * direction[:, 0] + normal[:, 1] * direction[:, 1]
+        # Column by column: taking pairs of numbers from all over the memory is most of the work.
+        flat_x, flat_y, along_x, along_y, nearest = self._columns
+        normal_x, normal_y = (values[member] for values in self._normals)
+        at = walls.offset[member]
+        at -= normal_x * flat_x[ray]
+        at -= normal_y * flat_y[ray]
+        normal_x *= along_x[ray]
+        normal_y *= along_y[ray]
+        normal_x += normal_y  # how fast the ray comes nearer
         with np.errstate(divide="ignore", invalid="ignore"):
-            at = (walls.offset[member] - normal[:, 0] * flat[:, 0] - normal[:, 1] * flat[:, 1]) / speed
+            at /= normal_x
+        hit = np.flatnonzero((at > 1e-9) & (at < nearest[ray]))
+        at, member, ray = at[hit], member[hit], ray[hit]
         target = self.ray[ray]
-        hit = np.flatnonzero((at > 1e-9) & (at < self.end[target]) & (at < self.distance[target]))
+        # An earlier block of the same cells may have met a nearer wall.
+        hit = np.flatnonzero(at < self.distance[target])
         at, member, target, ray = at[hit], member[hit], target[hit], ray[hit]
         share = _share(walls, member, self.flat[ray] + at[:, None] * self.direction[ray, :2])
         z = self.z[ray] + at * self.direction[ray, 2]

@@ -16,7 +16,7 @@ With u = 1 / s^2, no groups and no P this is H^-1, which grows smaller with ever
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -58,12 +58,6 @@ class Evidence:
     shared: tuple[SharedError, ...] = ()
 
 
-def part_of(evidence: Evidence, mask: np.ndarray) -> Evidence:
-    """The rows of a mask (n,)."""
-    shared = tuple(SharedError(error.group[mask], error.factor[mask], error.sigma[mask]) for error in evidence.shared)
-    return Evidence(evidence.of[mask], evidence.row[mask], evidence.weight[mask], evidence.noise[mask], shared)
-
-
 def surface_rows(normal: np.ndarray, offset: np.ndarray) -> np.ndarray:
     """Rows (m, 3) of surfaces with normals (m, 2) at offsets (m, 2), m, from the vehicle."""
     turn = offset[:, 0] * normal[:, 1] - offset[:, 1] * normal[:, 0]
@@ -77,12 +71,73 @@ def information(evidence: Evidence, count: int) -> np.ndarray:
 
 def covariance(evidence: Evidence, count: int, prior: np.ndarray) -> np.ndarray:
     """(count, 3, 3) covariance of east, north (m2) and turn (rad2) at each place; `prior` (3, 3) is P."""
-    h = information(evidence, count) + prior
-    middle = _summed(evidence.of, evidence.row, (evidence.weight * evidence.noise) ** 2, count) + prior
-    for error in evidence.shared:
-        middle += _shared(evidence, error, count)
-    inverse = np.linalg.inv(h)
-    return inverse @ middle @ inverse
+    return next(covariances_of_parts(evidence, [np.ones(len(evidence.of), bool)], count, prior))
+
+
+def covariances_of_parts(evidence: Evidence, masks: Iterable[np.ndarray], count: int,
+                         prior: np.ndarray) -> Iterator[np.ndarray]:
+    """`covariance` of the rows of each mask (m,) bool; to the last digit, as a row left out adds nothing."""
+    gained = _products(evidence.row, evidence.weight)
+    noise = _products(evidence.row, (evidence.weight * evidence.noise) ** 2)
+    groups = [_Groups.of(evidence, error) for error in evidence.shared]
+    for mask in masks:
+        kept = mask.astype(float)
+        h = _sums(evidence.of, gained, kept, count) + prior
+        middle = _sums(evidence.of, noise, kept, count) + prior
+        for group in groups:
+            middle += group.summed(kept, count)
+        inverse = np.linalg.inv(h)
+        yield inverse @ middle @ inverse
+
+
+def _products(row: np.ndarray, weight: np.ndarray) -> list[tuple[int, int, np.ndarray]]:
+    """Each element on and above the diagonal of u a a^T, with its place."""
+    return [(i, j, weight * row[:, i] * row[:, j]) for i in range(3) for j in range(i, 3)]
+
+
+def _sums(of: np.ndarray, products: list[tuple[int, int, np.ndarray]], kept: np.ndarray, count: int) -> np.ndarray:
+    """(count, 3, 3) sums of products by place; `kept` (m,) is 1 or 0."""
+    total = np.empty((count, 3, 3))
+    for i, j, product in products:
+        total[:, i, j] = total[:, j, i] = np.bincount(of, product * kept, count)
+    return total
+
+
+@dataclass(frozen=True)
+class _Groups:
+    """The displacements of one kind as they meet places.
+
+    Attributes
+    ----------
+    rows : (k,) numbers of the rows that have one.
+    number : (k,) of the pair of place and displaced thing.
+    parts : (3, k) u f a.
+    place : (g,) place of each pair.
+    variance : (g,) m2.
+    """
+
+    rows: np.ndarray
+    number: np.ndarray
+    parts: np.ndarray
+    place: np.ndarray
+    variance: np.ndarray
+
+    @classmethod
+    def of(cls, evidence: Evidence, error: SharedError) -> _Groups:
+        """Pairs of a displacement."""
+        rows = np.flatnonzero(error.group >= 0)
+        width = int(error.group.max(initial=0)) + 1
+        key, first, number = np.unique(evidence.of[rows] * width + error.group[rows], return_index=True,
+                                       return_inverse=True)
+        scaled = evidence.weight[rows] * error.factor[rows]
+        parts = np.stack([scaled * evidence.row[rows, axis] for axis in range(3)])
+        return cls(rows, number.ravel(), parts, key // width, error.sigma[rows[first]] ** 2)
+
+    def summed(self, kept: np.ndarray, count: int) -> np.ndarray:
+        """(count, 3, 3) sum of s^2 b b^T at each place."""
+        kept = kept[self.rows]
+        b = np.column_stack([np.bincount(self.number, part * kept, len(self.place)) for part in self.parts])
+        return _summed(self.place, b, self.variance, count)
 
 
 def fused(covariances: Sequence[np.ndarray], prior: np.ndarray) -> np.ndarray:
@@ -102,16 +157,3 @@ def _summed(of: np.ndarray, row: np.ndarray, weight: np.ndarray, count: int) -> 
         for j in range(i, 3):
             total[:, i, j] = total[:, j, i] = np.bincount(of, weight * row[:, i] * row[:, j], count)
     return total
-
-
-def _shared(evidence: Evidence, error: SharedError, count: int) -> np.ndarray:
-    rows = np.flatnonzero(error.group >= 0)
-    if not len(rows):
-        return np.zeros((count, 3, 3))
-    width = int(error.group.max()) + 1
-    key, first, number = np.unique(evidence.of[rows] * width + error.group[rows], return_index=True,
-                                   return_inverse=True)
-    number = number.ravel()
-    scaled = evidence.weight[rows] * error.factor[rows]
-    b = np.column_stack([np.bincount(number, scaled * evidence.row[rows, axis]) for axis in range(3)])
-    return _summed(key // width, b, error.sigma[rows[first]] ** 2, count)

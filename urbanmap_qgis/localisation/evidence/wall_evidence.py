@@ -9,7 +9,7 @@ from ..localisation_settings import LocalisationSettings
 from ..walls.wall_cells import PlanWallCells
 from ..walls.wall_map import WallMap
 from ..walls.wall_scan import WallScan
-from .information import Evidence, SharedError, covariance, part_of, surface_rows
+from .information import Evidence, SharedError, covariances_of_parts, surface_rows
 
 
 def wall_evidence(walls: WallMap, scan: WallScan, sensor: np.ndarray, cells: PlanWallCells,
@@ -49,8 +49,8 @@ def walls_covariance(walls: WallMap, scan: WallScan, sensor: np.ndarray, heading
     distance = np.linalg.norm(scan.offset, axis=1)
     prior = settings.prior()
     total = np.zeros((len(sensor), 3, 3))
-    for reach in before:
-        total += covariance(part_of(every, distance < reach), len(sensor), prior)
+    for each in covariances_of_parts(every, (distance < reach for reach in before), len(sensor), prior):
+        total += each
     return total / len(patterns)
 
 
@@ -78,6 +78,14 @@ def _point_weights(walls: WallMap, scan: WallScan, sensor: np.ndarray, cells: Pl
     return np.where(number >= 0, along_normal, 1.0 / (sigma ** 2 + settings.scanner.noise ** 2))
 
 
+def _spreads(cells: PlanWallCells, number: np.ndarray) -> np.ndarray:
+    """(m, 2, 2) covariances of cells, m2; of each cell, which many points fall into, only once inverted."""
+    met = np.zeros(len(cells.ndt.inverse), bool)
+    met[number] = True
+    place = np.cumsum(met) - 1
+    return np.linalg.inv(cells.ndt.inverse[met])[place[number]]
+
+
 def representation(walls: WallMap, scan: WallScan, sensor: np.ndarray, cells: PlanWallCells, count: int
                    ) -> tuple[np.ndarray, np.ndarray]:
     """How well cells stand for the walls seen from each place.
@@ -92,8 +100,8 @@ def representation(walls: WallMap, scan: WallScan, sensor: np.ndarray, cells: Pl
     seen = np.flatnonzero(number >= 0)
     number, of = number[seen], scan.of[seen]
     normal = walls.walls.normal[scan.piece[seen]]
-    spread = np.linalg.inv(cells.ndt.inverse[number])
-    beyond = np.einsum("mi,mij,mj->m", normal, spread, normal) - walls.sigma[walls.walls.wall[scan.piece[seen]]] ** 2
+    sigma = walls.sigma[walls.walls.wall[scan.piece[seen]]]
+    beyond = np.einsum("mi,mij,mj->m", normal, _spreads(cells, number), normal) - sigma ** 2
     points = np.bincount(of, minlength=count).astype(float)
     points[points == 0] = np.nan
     return (np.sqrt(np.bincount(of, np.maximum(beyond, 0.0), count) / points),
