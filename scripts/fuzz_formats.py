@@ -269,6 +269,18 @@ def _tiled_raster(path: Path):
     return grid
 
 
+def _recognised(path: Path):
+    """What a file is found to be, and whether it is as it was."""
+    from urbanmap_qgis.job.job_progress import file_state_of
+    from urbanmap_qgis.job.recognition.contents import recognise_file
+
+    return [facts.extent for facts in recognise_file(path)], file_state_of(str(path))
+
+
+def _recognised_beside(path: Path):
+    return _recognised(path.with_suffix(".shp"))
+
+
 FORMATS: dict[str, tuple[str, Callable, Callable]] = {
     "LAS": ("a.las", lambda path, city: sound.written_cloud(path, city, 3), _cloud),
     "LAS 1.4": ("a.las", lambda path, city: sound.written_cloud(path, city, 6), _cloud),
@@ -331,4 +343,17 @@ FORMATS: dict[str, tuple[str, Callable, Callable]] = {
     "orthophoto's markings": ("a.tif", sound.image("aerial/ortho.tif", 300, 400), _marked),
     "orthophoto to draw on": ("a.tif", sound.image("aerial/ortho.tif", 300, 400), _orthophoto_image),
     "raster of tiles": ("a.tif", sound.copied("truth/ground.tif"), _tiled_raster),
+    "job": ("a.json", sound.job, _of("job.job_file", "read_job")),
+    "verdict of a report": ("a.html", sound.report, _of("job.job_progress", "verdict_of")),
+    "shapefile": ("a.shp", sound.shapefile(".shp"), _recognised),
+    "shapefile's table": ("a.dbf", sound.shapefile(".dbf"), _recognised_beside),
+    "shapefile's system": ("a.prj", sound.shapefile(".prj"), _recognised_beside),
+    "GeoPackage": ("a.gpkg", sound.copied("footprints/gsi_buildings.gpkg"), _recognised),
 }
+RECOGNISED = ("LAZ", "trajectory CSV", "SBET", "range scans gz", "calibration", "camera", "CityJSON", "CityJSONSeq",
+              "GSI XML", "GSI DEM", "CityGML", "CityGML zip", "CityGML in a zip's zip", "Lanelet2 map", "job",
+              "check points", "RINEX observations", "RINEX navigation", "compact RINEX", "SP3", "orthophoto",
+              "frame JPEG")
+"""Formats that are told by their content."""
+
+FORMATS.update({f"{name}, recognised": (*FORMATS[name][:2], _recognised) for name in RECOGNISED})

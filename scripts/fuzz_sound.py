@@ -349,3 +349,40 @@ def geoid_isg(path: Path, city: Path) -> Path:
     path.write_text("\n".join(["begin_of_head", *(f"{name:<10} : {value}" for name, value in entries.items()),
                                "end_of_head", *rows, ""]), encoding="utf-8")
     return path
+
+
+def shapefile(ending: str) -> Callable[[Path, Path], Path]:
+    """One part of a shapefile by its ending; the others lie beside it, and where the damaged ones will be."""
+
+    def make(path: Path, city: Path) -> Path:
+        from tests.core.test_recognition import shapefile as written_shapefile
+
+        written_shapefile(path.with_suffix(".shp"))
+        path.with_suffix(".prj").write_text(crs_text(), encoding="utf-8")
+        (path.parent / "damaged").mkdir()
+        for other in path.parent.glob("a.*"):
+            shutil.copy(other, path.parent / "damaged")
+        return path.with_suffix(ending)
+
+    return make
+
+
+def job(path: Path, city: Path) -> Path:
+    """A job that has run in part."""
+    from urbanmap_qgis.job.job_file import DONE, FAILED, JobStep, planned_job, write_job
+
+    steps = [JobStep("outlines", "loadgsibuildings", {"INPUT": str(city / "footprints")}, DONE, "abc",
+                     {"OUTPUT": str(path.parent / "outlines.gpkg"), "BUILDINGS": 12}),
+             JobStep("models", "buildingsfromals", {"MIN_ROOF_AREA": 20.0, "LEVELS": [1, 2]}, FAILED, message="why")]
+    write_job(path, planned_job("buildings", {"points": (str(city / "als/als.laz"),)}, steps, (str(city),)))
+    return path
+
+
+def report(path: Path, city: Path) -> Path:
+    """A report with a verdict."""
+    from urbanmap_qgis.io.pages.report import LOOK, Report
+
+    page = Report("Report")
+    page.verdict(LOOK, "Look at the parts.")
+    page.write(path)
+    return path

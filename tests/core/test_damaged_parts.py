@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import struct
 
 import numpy as np
 import pytest
@@ -10,14 +11,22 @@ import rasterio
 
 from tests.city_models import town
 from tests.core.test_map_check import sound_map
+from tests.core.test_rinex_observations import epoch_3, field, header_3
+from urbanmap_qgis.aerial.markings.marking_files import levels_of_orthophoto
+from urbanmap_qgis.aerial.orthophotos.vehicle_filter import OrthophotoSource
 from urbanmap_qgis.citymodel.cityjson.reader import read_cityjson
 from urbanmap_qgis.citymodel.cityjson.writer import write_model_cityjson
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.gnss.orbits.sp3 import read_sp3
+from urbanmap_qgis.gnss.rinex.observation_file import read_observations
 from urbanmap_qgis.imagery.views.orthophoto_source import orthophoto_source
 from urbanmap_qgis.io.conversion.geoid import read_geoid
 from urbanmap_qgis.io.files.guard import read_json
 from urbanmap_qgis.io.osm import read_osm, write_osm
+from urbanmap_qgis.io.points.pointcloud import open_cloud
+from urbanmap_qgis.io.raster import RasterSampler
+from urbanmap_qgis.mobile.gps_time import time_range
+from urbanmap_qgis.mobile.markings.survey_points import sampled_span
 
 LONG = "9" * 400
 
@@ -164,3 +173,52 @@ def test_an_orthophoto_damaged_within(tmp_path):
     path.write_bytes(data[:3000] + bytes(len(data) - 6000) + data[-3000:])
     with pytest.raises(InputError, match=r"a\.tif is damaged"):
         image.window(0, 0, 400, 400)
+
+
+def raster(path, cell=0.5):
+    with rasterio.open(path, "w", driver="GTiff", width=40, height=40, count=1, dtype="uint8", crs="EPSG:6677",
+                       transform=rasterio.Affine(cell, 0, 12345.25, 0, -cell, 2)) as file:
+        file.write(np.ones((1, 40, 40), np.uint8))
+    return path
+
+
+@pytest.mark.parametrize("read", [RasterSampler, OrthophotoSource, orthophoto_source, read_geoid, levels_of_orthophoto])
+def test_a_raster_whose_system_is_no_text(tmp_path, read):
+    data = raster(tmp_path / "a.tif").read_bytes()
+    name = b"JGD2011 / Japan Plane Rectangular CS IX"
+    assert data.count(name) >= 1
+    (tmp_path / "b.tif").write_bytes(data.replace(name, name[:10] + b"\xb2\x8b;Un\xbbS" + name[17:]).replace(
+        struct.pack("<H", 6677), struct.pack("<H", 32767)))
+    with pytest.raises(InputError, match="b.tif"):
+        read(tmp_path / "b.tif")
+
+
+@pytest.mark.parametrize("read", [RasterSampler, levels_of_orthophoto])
+def test_a_raster_with_cells_of_no_size(tmp_path, read):
+    with pytest.raises(InputError, match="cells of no size"):
+        read(raster(tmp_path / "a.tif", 1e-200))
+
+
+def test_an_epoch_of_observations_at_no_time_is_left_out_and_told(tmp_path):
+    epochs = "".join(epoch_3(30.0 * number, ["G01" + field(2.0e7 + number)]) for number in range(3))
+    (tmp_path / "a.obs").write_text(header_3({"G": ["C1C"]}) + epochs.replace("30.0000000", "       nan"))
+    found = read_observations(tmp_path / "a.obs")
+    assert np.diff(found.time) == pytest.approx([60.0]) and found.code == pytest.approx([2.0e7, 2.0e7 + 2])
+    assert "2 lines fit in no epoch" in found.notes[0]
+
+
+def test_a_kind_of_observation_without_a_band_is_no_code(tmp_path):
+    text = header_3({"G": ["C1C", "S1C"]}).replace("C1C S1C", "C1C C  ")
+    (tmp_path / "a.obs").write_text(text + epoch_3(0.0, ["G01" + field(2.0e7) + field(3.0e7)]))
+    assert read_observations(tmp_path / "a.obs").code == pytest.approx([2.0e7])
+
+
+@pytest.mark.parametrize("span", [sampled_span, time_range])
+def test_gps_times_that_are_no_numbers_do_not_hide_the_span_of_the_others(make_cloud, tmp_path, span):
+    count, time = np.arange(1000.0), np.linspace(5000.0, 5100.0, 1000)
+    time[[0, 500, 999]] = np.nan, np.inf, -np.inf
+    path = make_cloud(tmp_path / "a.laz", count, count, count % 7, gps_time=time)
+    assert span(open_cloud([path])) == pytest.approx((5000.0, 5100.0), abs=6.0)
+    none = make_cloud(tmp_path / "b.laz", count, count, count % 7, gps_time=np.full(1000, np.nan))
+    with pytest.raises(InputError, match="No GPS time in b.laz is a number"):
+        span(open_cloud([none]))

@@ -29,6 +29,10 @@ _BLOCK = 256
 _SAMPLE_BLOCK = 2048
 
 
+OPENING_ERRORS = (RasterioError, OSError, UnicodeError)
+"""What rasterio raises on a file that cannot be opened; the text of a damaged reference system may be no UTF-8."""
+
+
 @contextmanager
 def own_gdal(cache: int | None = None) -> Iterator[None]:
     """Let rasterio use the GDAL and PROJ data that came with it.
@@ -122,7 +126,7 @@ class RasterSampler:
             with own_gdal():
                 self._source = rasterio.open(self.path)
                 self.crs_wkt = known_wkt(self._source.crs.to_wkt()) if self._source.crs else ""
-        except (RasterioError, OSError) as error:
+        except OPENING_ERRORS as error:
             raise InputError(say("{path} cannot be read as a raster: check the file.", path=self.path.name)) from error
         self.bands = self._source.count
         if not 1 <= band <= self.bands:
@@ -181,6 +185,8 @@ def _grid_of(source: rasterio.DatasetReader, path: Path) -> Grid:
     if not np.isfinite(place[:6]).all():
         raise InputError(say("{path} says where it lies in numbers that are not finite: it is damaged; export it "
                              "again.", path=path.name))
+    if not place.determinant:
+        raise InputError(say("{path} has cells of no size: it is damaged; export it again.", path=path.name))
     if place.b or place.d or place.a <= 0 or not np.isclose(place.a, -place.e, rtol=1e-6):
         raise InputError(say("{path} is turned or its cells are not square: warp it to a north-up raster first.",
                              path=path.name))

@@ -19,7 +19,7 @@ _ENOUGH = 0.5
 
 
 def time_range(cloud: PointCloud) -> tuple[float, float]:
-    """First and last gps_time of a cloud, s, as stored.
+    """First and last gps_time of a cloud, s, as stored; those that are no numbers are left out.
 
     Raises
     ------
@@ -30,11 +30,16 @@ def time_range(cloud: PointCloud) -> tuple[float, float]:
                              "survey with it.", paths=cloud.paths[0].name))
     first, last, zeros, count, lowest = np.inf, -np.inf, 0, 0, np.inf
     for chunk in iter_chunks(cloud):
+        count += len(chunk)
         time = np.asarray(chunk["gps_time"])
+        time = time[np.isfinite(time)]
         if len(time):
             first, last = min(first, float(time.min())), max(last, float(time.max()))
-            zeros, count = zeros + int(np.count_nonzero(time == 0.0)), count + len(time)
+            zeros += int(np.count_nonzero(time == 0.0))
             lowest = min(lowest, float(time[time != 0.0].min(initial=np.inf)))
+    if count and not np.isfinite(first):
+        raise InputError(say("No GPS time in {paths} is a number: export the survey with the points' times.",
+                             paths=cloud.paths[0].name))
     if not last > first and last == 0.0:
         raise InputError(say("All GPS times in {paths} are zero: export the survey with the points' times.",
                              paths=cloud.paths[0].name))

@@ -15,7 +15,7 @@ from rasterio.errors import NotGeoreferencedWarning, RasterioError
 from rasterio.windows import Window
 
 from ...errors import InputError
-from ...io.raster import own_gdal
+from ...io.raster import OPENING_ERRORS, own_gdal
 from ...wording import say
 from .camera import ExteriorOrientation, FrameCamera
 
@@ -103,7 +103,7 @@ class FrameImage:
             with own_gdal(), warnings.catch_warnings():
                 warnings.simplefilter("ignore", NotGeoreferencedWarning)
                 self._source = rasterio.open(self.path)
-        except (RasterioError, OSError) as error:
+        except OPENING_ERRORS as error:
             raise InputError(say("{path} cannot be read as an image: check the file.", path=self.path.name)) from error
         self.bands, self.width, self.height = self._source.count, self._source.width, self._source.height
         self.dtype = np.dtype(self._source.dtypes[0])

@@ -25,7 +25,7 @@ from rasterio.windows import Window
 from ...errors import InputError, OutputError
 from ...execution import in_order
 from ...io.files.atomic import written_beside
-from ...io.raster import own_gdal
+from ...io.raster import OPENING_ERRORS, own_gdal
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..worker_resources import WorkerResource, sent_polygons, worker_resource
@@ -103,7 +103,7 @@ class _OrthophotoReader:
         self.path = Path(path)
         try:
             self.source = stack.enter_context(rasterio.open(self.path))
-        except RasterioError as error:
+        except OPENING_ERRORS as error:
             raise InputError(say("{path} cannot be read as a raster: check the file.", path=self.path.name)) from error
         self.bands = colour_bands(self.source, self.path)
         place = self.source.transform
@@ -111,6 +111,8 @@ class _OrthophotoReader:
             raise InputError(say("{path} says where it lies in numbers that are not finite: it is damaged; export it "
                                  "again.", path=self.path.name))
         across, down = math.hypot(place.a, place.d), math.hypot(place.b, place.e)
+        if not across * down:
+            raise InputError(say("{path} has cells of no size: it is damaged; export it again.", path=self.path.name))
         if not 0.9 < across / down < 1.1 or abs(place.a * place.b + place.d * place.e) > 0.1 * across * down:
             raise InputError(say("{path} has pixels that are not square: warp it to square pixels first.",
                                  path=self.path.name))
@@ -131,7 +133,7 @@ class _OrthophotoReader:
     def _mask_on_grid(self, path: str | os.PathLike, stack: ExitStack) -> WarpedVRT:
         try:
             mask = stack.enter_context(rasterio.open(path))
-        except RasterioError as error:
+        except OPENING_ERRORS as error:
             raise InputError(say("{path} cannot be read as a raster: check the file.", path=Path(path).name)) from error
         bounds, other = self.source.bounds, mask.bounds
         if (bounds.left >= other.right or bounds.right <= other.left or bounds.bottom >= other.top

@@ -20,7 +20,7 @@ from rasterio.windows import Window
 
 from ...errors import InputError
 from ...geometry.grid import Grid
-from ...io.raster import own_gdal
+from ...io.raster import OPENING_ERRORS, own_gdal
 from ...progress import SILENT, Progress
 from ...wording import say
 from .frame_shifts import FrameShift, frame_shifts, warn_of_shifts
@@ -47,7 +47,7 @@ class OrthophotoSource:
         with own_gdal():
             try:
                 self._file = rasterio.open(path)
-            except (RasterioError, OSError) as error:
+            except OPENING_ERRORS as error:
                 raise InputError(say("{name} cannot be read as an image: check the file.", name=self.name)) from error
         if self._file.crs is None:
             self._file.close()

@@ -6,6 +6,7 @@ are walked one after another; the numbers of all satellites are cut out of the f
 
 from __future__ import annotations
 
+import math
 import os
 import re
 from collections.abc import Iterator
@@ -200,6 +201,8 @@ class _Walk:
             try:
                 flag, count = int(text[31]), int(text[32:35])
                 time = _epoch_3(text) if flag <= 1 else 0.0
+                if not math.isfinite(time):
+                    raise ValueError("an epoch that is not finite")
             except (ValueError, IndexError):
                 self._skipped += high - low + 1
                 continue
@@ -327,7 +330,7 @@ def _band_of(system: str, kind: str, version: float) -> str | None:
     """RINEX 3 band of a code observation ("C1C", or "P1" of RINEX 2); None where it is no code of a band we use."""
     if kind[0] not in "CP" or (kind[0] == "P" and version >= 3):
         return None
-    band = kind[1]
+    band = kind[1:2]
     # BeiDou's B1I was band 1 before RINEX 3.03; later 1P, 1D, 1X are the new B1C, whose group delay is another.
     if system == "C" and band == "1" and (version < 3.03 or kind[2:] in ("I", "Q")):
         band = "2"

@@ -8,12 +8,11 @@ from pathlib import Path
 
 import numpy as np
 import rasterio
-from rasterio.errors import RasterioError
 from rasterio.windows import Window
 
 from ...errors import InputError
 from ...geometry.grid import Grid
-from ...io.raster import RasterSampler, own_gdal
+from ...io.raster import OPENING_ERRORS, RasterSampler, own_gdal
 from ...wording import say
 from .views import eight_bits
 
@@ -55,7 +54,7 @@ class OrthophotoImage:
             with own_gdal(), rasterio.open(self.path) as source:
                 bands = [1, 2, 3] if source.count >= 3 else [1, 1, 1]
                 return eight_bits(source.read(bands, window=Window(left, top, right - left, bottom - top)))
-        except RasterioError as error:
+        except OPENING_ERRORS as error:
             raise InputError(say("{path} is damaged: {error}.", path=self.path.name, error=error)) from error
 
     def pixels(self, points: np.ndarray, window: tuple[float, float, float, float],

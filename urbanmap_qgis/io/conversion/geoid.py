@@ -13,12 +13,11 @@ from typing import TypeVar
 
 import numpy as np
 import rasterio
-from rasterio.errors import RasterioError
 
 from ...errors import InputError
 from ...wording import say
 from ..files.guard import read_text, reads, unreadable_part
-from ..raster import own_gdal
+from ..raster import OPENING_ERRORS, own_gdal
 
 _Number = TypeVar("_Number", int, float)
 
@@ -109,7 +108,7 @@ def _from_raster(path: Path) -> Geoid:
         with own_gdal(), rasterio.open(path) as source:
             place, crs = source.transform, source.crs
             heights = source.read(1, masked=True).astype(float).filled(np.nan)
-    except (RasterioError, OSError) as error:
+    except OPENING_ERRORS as error:
         raise InputError(say("{path} cannot be read as a geoid model: give a GeoTIFF, a GTX or a text grid of GSI.",
                              path=path.name)) from error
     if place.b or place.d or place.a <= 0 or place.e >= 0 or (crs is not None and not crs.is_geographic):

@@ -14,7 +14,7 @@ from rasterio.windows import Window
 
 from ...errors import InputError
 from ...io.files.guard import reads
-from ...io.raster import own_gdal
+from ...io.raster import OPENING_ERRORS, own_gdal
 from ...wording import say
 from ..calibration import Calibration, MountedCamera
 from .line_camera import LineCamera, StripImage
@@ -118,7 +118,7 @@ def _opened(path: Path):
         with own_gdal(), warnings.catch_warnings():
             warnings.simplefilter("ignore", NotGeoreferencedWarning)
             return rasterio.open(path)
-    except (RasterioError, OSError) as error:
+    except OPENING_ERRORS as error:
         raise InputError(say("{path} cannot be read as an image: check the file.", path=path.name)) from error
 
 

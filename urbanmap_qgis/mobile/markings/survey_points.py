@@ -256,11 +256,13 @@ def sampled_span(cloud: PointCloud) -> tuple[float, float]:
 
 @lru_cache(maxsize=8)
 def _sampled(files: tuple[FileState, ...]) -> tuple[float, float] | None:
-    """Span of the samples of files; None where all times are 0. Each stage of a chain asks it for the same files."""
-    times = [time for path, *_ in files for time in _probes(path)]
-    if not any(time.any() for time in times):
-        return None
-    return tuple(np.quantile(np.concatenate(times), [_FEW, 1.0 - _FEW]).tolist())
+    """Span of the samples of files; None where all times are 0. Each stage of a chain asks it for the same files.
+
+    Times that are no numbers are left out: such points lie outside of any trajectory.
+    """
+    times = np.concatenate([time for path, *_ in files for time in _probes(path)])
+    times = times[np.isfinite(times)]
+    return tuple(np.quantile(times, [_FEW, 1.0 - _FEW]).tolist()) if times.any() else None
 
 
 def _probes(path: str) -> Iterator[np.ndarray]:
