@@ -23,6 +23,7 @@ class UrbanMapPlugin:
         self.dialog = None
         self.menus = []
         self.toolbox_entry = None
+        self.report_links = None
         activate_profile_packages()
         self.translator = speak_language()
 
@@ -45,6 +46,7 @@ class UrbanMapPlugin:
             action.triggered.connect(work)
             self._add_to_menu(action)
         self._add_models()
+        self._add_reports()
         self.offer_packages()
 
     def _add_to_menu(self, action):
@@ -67,6 +69,13 @@ class UrbanMapPlugin:
         self._add_to_menu(menu.menuAction())
         self.menus.append(menu)
         self.toolbox_entry = ToolboxEntry()
+
+    def _add_reports(self):
+        """Offer the report of each run, and the choice to open reports by themselves."""
+        from .framework.report_links import ReportLinks
+
+        self.report_links = ReportLinks(self.iface)
+        self._add_to_menu(self.report_links.action(self.iface.mainWindow()))
 
     def open_model(self, identity, checked=False):
         """Open a copy of a shipped model in QGIS's modeller."""
@@ -122,6 +131,9 @@ class UrbanMapPlugin:
         if self.toolbox_entry is not None:
             self.toolbox_entry.remove()
             self.toolbox_entry = None
+        if self.report_links is not None:
+            self.report_links.remove()
+            self.report_links = None
         if self.provider is not None:
             QgsApplication.processingRegistry().removeProvider(self.provider)
             self.provider = None

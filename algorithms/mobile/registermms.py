@@ -98,8 +98,8 @@ class RegisterMms(UrbanMapAlgorithm):
         self.add_number_output("REGISTERED_SHARE", "Registered", "Share of the path that is registered, 0 to 1.")
         self.add_number_output("BRIDGED_SHARE", "Bridged", "Share of the path that is bridged, 0 to 1.")
         self.add_number_output("DISTRUSTED_SHARE", "Not to be trusted", "Share of the path not to be trusted, 0 to 1.")
-        self.add_number_output("MEDIAN_SIGMA", "Median standard deviation", "In plan, over the path.", "m")
-        self.add_number_output("MAX_SIGMA", "Maximum standard deviation", "In plan.", "m")
+        self.add_number_output("MEDIAN_SIGMA", "Median standard deviation", "In plan, over the whole path.", "m")
+        self.add_number_output("MAX_SIGMA", "Maximum standard deviation", "In plan, over the whole path.", "m")
 
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.mobile.calibration import read_calibration
@@ -163,13 +163,12 @@ class RegisterMms(UrbanMapAlgorithm):
         from ...urbanmap_qgis.mobile.registration.correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED
 
         length = np.hypot(made.correction.value[:, 0], made.correction.value[:, 1])
-        sigma = made.correction.plan_sigma()
-        known = sigma[np.isfinite(sigma)]
+        middle, largest = made.plan_accuracy()
         return {"WAY": float(made.correction.chainage[-1]), "MEAN_CORRECTION": float(length.mean()),
                 "MAX_CORRECTION": float(length.max()), "REGISTERED_SHARE": made.share(REGISTERED),
                 "BRIDGED_SHARE": made.share(BRIDGED), "DISTRUSTED_SHARE": made.share(DISTRUSTED),
-                "MEDIAN_SIGMA": float(np.median(known)) if len(known) else None,
-                "MAX_SIGMA": float(known.max()) if len(known) else None}
+                "MEDIAN_SIGMA": middle if np.isfinite(middle) else None,
+                "MAX_SIGMA": largest if np.isfinite(largest) else None}
 
     def _write_patches(self, parameters, context, made, crs, progress):
         import shapely

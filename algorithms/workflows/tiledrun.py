@@ -64,8 +64,9 @@ class TiledRun(UrbanMapAlgorithm):
         self.add_layer_output("OUTPUT", "Tiles", "One square a tile with status, reason, time, memory.")
         self.add_folder_output("OUTPUT_FOLDER", "Folder of the run", "Results by tile, merged results, and what a "
                                "later run needs to go on.")
-        self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: what was done, what failed and why, time, "
-                             "memory, disk, a map of the tiles.", HTML_FILTER, optional=True)
+        self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: how many buildings or walls are ok, "
+                             "doubtful and failed, which tiles failed and why, time, memory, disk, a map.",
+                             HTML_FILTER, optional=True)
         for name, label in (("TILES", "Tiles"), ("DONE", "Tiles done"), ("EMPTY", "Empty tiles"),
                             ("FAILED", "Failed tiles"), ("KEPT", "Tiles kept from an earlier run")):
             self.add_number_output(name, label, "Number of them.")
@@ -104,7 +105,7 @@ class TiledRun(UrbanMapAlgorithm):
 
     def _run(self, parameters, context, inputs, folder, progress):
         from ...urbanmap_qgis.tiling.journal import DONE, EMPTY, FAILED, kept_record
-        from ..framework.tiles.tile_merge import merge_results, whole_records
+        from ..framework.tiles.tile_merge import counts_of, merge_results, whole_records
         from ..framework.tiles.tile_pool import run_tiles
 
         tiles = self._chosen(inputs.tiles, self.parameterAsInt(parameters, "ESTIMATE", context))
@@ -130,7 +131,10 @@ class TiledRun(UrbanMapAlgorithm):
         merged = merge_results(folder, tiles, records, inputs.outputs, joined, progress.part(0.9, 0.97))
         for name, path in merged.items():
             progress.message(tr("{0}: {1}").format(name, path))
-        report = self._report(parameters, context, inputs, [records[tile.name] for tile in tiles], kept)
+        counts = counts_of(merged.get("OUTPUT"), CUTTABLE[inputs.stage.name()])
+        if counts:
+            progress.message(counts.sentence())
+        report = self._report(parameters, context, inputs, [records[tile.name] for tile in tiles], kept, counts)
         layer = self._write(parameters, context, inputs, tiles, records, progress.part(0.97, 1.0))
         return {"OUTPUT": layer, "OUTPUT_FOLDER": str(folder), "OUTPUT_REPORT": report, "TILES": len(tiles),
                 "DONE": count[DONE], "EMPTY": count[EMPTY], "FAILED": count[FAILED], "KEPT": kept}, merged
@@ -182,7 +186,7 @@ class TiledRun(UrbanMapAlgorithm):
             return tiles
         return [tiles[(2 * number + 1) * len(tiles) // (2 * wanted)] for number in range(wanted)]
 
-    def _report(self, parameters, context, inputs, records, kept):
+    def _report(self, parameters, context, inputs, records, kept, counts):
         from ...urbanmap_qgis.tiling.report import extrapolated, write_tiles_report
 
         path = self.output_path(parameters, "OUTPUT_REPORT", context)
@@ -192,7 +196,7 @@ class TiledRun(UrbanMapAlgorithm):
         if len(records) < len(inputs.tiles):
             estimate = extrapolated(records, len(inputs.tiles), self.parameterAsInt(parameters, "WORKERS", context))
         write_tiles_report(path, tr("{0}, tile by tile").format(inputs.stage.displayName()), inputs.shown, inputs.grid,
-                           inputs.tiles, records, kept, estimate)
+                           inputs.tiles, records, kept, estimate, counts)
         return str(path)
 
     def _write(self, parameters, context, inputs, tiles, records, progress):

@@ -63,7 +63,7 @@ def test_menu_comes_and_goes_with_the_plugin(qgis_app, plugin, monkeypatch):
     desktop.initGui()
     assert [action.text() for action in interface.menus["UrbanMap"]] == [
         "Sample city…", "Documentation", "Install Python packages…", "Diagnostics…",
-        "Open a chain in the modeller"]
+        "Open a chain in the modeller", "Open reports in the browser after a run"]
     desktop.provider = None
     monkeypatch.setattr(sys, "modules", dict(sys.modules))  # other tests go on with those that are loaded
     desktop.unload()
@@ -140,3 +140,45 @@ def test_diagnostics_name_versions_packages_and_providers(qgis_app, plugin, monk
     monkeypatch.setattr(module, "PACKAGES", {"urbanmap_absent": package})
     monkeypatch.setattr(module, "find_missing", lambda: [dependencies.Missing(package)])
     assert "urbanmap_absent: missing (urbanmap-absent~=1.2)" in module.diagnostics()
+
+
+@pytest.fixture
+def links(qgis_app, plugin):
+    """What offers reports in a window of its own, its message bar, and what was opened in the browser."""
+    from types import SimpleNamespace
+
+    from qgis.core import QgsSettings
+    from qgis.gui import QgsMessageBar
+
+    module, bar = plugin("algorithms.framework.report_links"), QgsMessageBar()
+    QgsSettings().remove(module.SETTING)
+    made = module.ReportLinks(SimpleNamespace(messageBar=lambda: bar))
+    yield SimpleNamespace(made=made, bar=bar, module=module)
+    made.remove()
+    QgsSettings().remove(module.SETTING)
+
+
+def test_a_report_is_offered_and_opened_when_wished(qgis_app, links, monkeypatch):
+    from threading import Thread
+
+    from qgis.PyQt.QtWidgets import QPushButton, QWidget
+
+    opened = []
+    monkeypatch.setattr(links.module, "open_report", opened.append)
+    for name in ("first.html", "second.html"):  # as a run does, in a thread of its own
+        thread = Thread(target=links.made.made.emit, args=("Check accuracy: Report", f"/reports/{name}"))
+        thread.start()
+        thread.join()
+    assert links.bar.currentItem() is None
+    wait_until(qgis_app, lambda: [item.text() for item in links.bar.items()] == ["Check accuracy: Report: second.html"])
+    (line,) = links.bar.items()
+    (button,) = [item for item in line.findChildren(QPushButton) if item.text() == "Open report"]
+    button.click()
+    assert opened == ["/reports/second.html"]
+    window = QWidget()
+    switch = links.made.action(window)
+    assert switch.isCheckable() and not switch.isChecked()
+    switch.setChecked(True)
+    links.made.made.emit("Check accuracy: Report", "/reports/third.html")
+    wait_until(qgis_app, lambda: len(opened) == 2)
+    assert opened[1] == "/reports/third.html"

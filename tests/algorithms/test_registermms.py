@@ -56,6 +56,11 @@ def test_trajectory_patches_and_report(run, small_city, markings, read_layer, tm
     assert {row.attributes["status"] for row in rows} <= {"registered", "bridged", "not to be trusted"}
     text = (tmp_path / "report.html").read_text(encoding="utf-8")
     assert "of the path is registered" in text and text.count("data:image/png") >= 3
+    middle, largest = result["MEDIAN_SIGMA"], result["MAX_SIGMA"]  # one figure in verdict, table, log and results
+    assert f"over the whole path is {100 * middle:.1f} cm (median)" in text
+    assert f"median and maximum (m)</th><td>{middle:.3f}, {largest:.3f}</td>" in text
+    assert f"over the whole path {100 * middle:.1f} cm (median)" in " ".join(run.feedback.infos)
+    assert np.median([row.attributes["sigma"] for row in rows]) == pytest.approx(middle)
 
     from qgis.core import QgsVectorLayer
 

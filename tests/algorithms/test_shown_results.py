@@ -141,3 +141,15 @@ def test_reports_have_names_of_their_own(qgis_app):
     reports = [output.description() for item in own for output in item.outputDefinitions()
                if output.type() == "outputHtml"]
     assert len(reports) > 10 and len(set(reports)) == len(reports)
+
+
+def test_reports_are_offered_under_names_of_their_own(run, context, window, plugin, small_city, monkeypatch):
+    links, offered = plugin("algorithms.framework.report_links"), []
+    taker = type("Taker", (), {"made": type("Signal", (), {"emit": staticmethod(lambda *told: offered.append(told))})})
+    monkeypatch.setattr(links.ReportLinks, "current", taker)
+    result = run("urbanmap:checkaccuracy", {
+        "TRAJECTORY": str(small_city / "mms/survey_01_trajectory.csv"), "CRS": "EPSG:6677",
+        "CONTROL": str(small_city / "truth/control_survey_01.csv"),
+        "OUTPUT": "TEMPORARY_OUTPUT", "OUTPUT_REPORT": "TEMPORARY_OUTPUT"}, context)
+    assert offered == [("Check accuracy at control points: Report", result["OUTPUT_REPORT"])]
+    assert Path(result["OUTPUT_REPORT"]).name == "checkaccuracy_report.html" and Path(result["OUTPUT_REPORT"]).is_file()

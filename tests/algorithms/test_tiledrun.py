@@ -53,7 +53,10 @@ def test_buildings_over_tiles_are_those_of_one_run(run, town, read_layer, tmp_pa
     tiles = read_layer(tmp_path / "tiles.gpkg")
     assert {row.attributes["status"] for row in tiles} <= {"done", "empty"}
     assert all(row.geometry.area() == SIDE * SIDE for row in tiles)
-    assert "tiles are done" in (tmp_path / "report.html").read_text(encoding="utf-8")
+    report = (tmp_path / "report.html").read_text(encoding="utf-8")
+    good = sum(row.attributes["status"] == "ok" for row in tiled.values())
+    sentence = f"{len(tiled)} buildings: {good} ok, {len(tiled) - good} doubtful, 0 failed."
+    assert sentence in report and "tiles are done" in report and sentence in " ".join(run.feedback.infos)
 
 
 def test_a_later_run_does_only_what_is_missing(run, town, read_layer, tmp_path):

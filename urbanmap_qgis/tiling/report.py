@@ -10,6 +10,7 @@ import numpy as np
 from ..io.pages.report import BAD, GOOD, LOOK, Fixed, Report
 from ..wording import say
 from .journal import DONE, EMPTY, FAILED, TileRecord
+from .result_counts import ResultCounts
 from .tile_grid import GridTile, TileGrid
 
 _LISTED = 50
@@ -17,28 +18,24 @@ _LISTED = 50
 
 def write_tiles_report(path: str | os.PathLike, title: str, settings: Mapping[str, object], grid: TileGrid,
                        tiles: Sequence[GridTile], records: Sequence[TileRecord], reused: int,
-                       estimate: Mapping[str, object]) -> None:
-    """Write what became of the tiles: a verdict, the failed ones with their reasons, time and memory, a map.
+                       estimate: Mapping[str, object], results: ResultCounts | None = None) -> None:
+    """Write what was made: a verdict on it, failed tiles with their reasons, time and memory, a map.
 
     Parameters
     ----------
     records : of the tiles that were done, in their order.
     reused : how many of them an earlier run had done.
     estimate : lines of an extrapolation to all tiles; empty for a run over all.
+    results : what the merged result holds; None where its features have no status.
     """
     count = {status: sum(record.status == status for record in records) for status in (DONE, EMPTY, FAILED)}
     report = Report(title)
-    if estimate:
-        report.verdict(LOOK, say("This is an estimate from {records_count} of {tiles_count} tiles.",
-                                 records_count=len(records), tiles_count=len(tiles)))
-        report.facts(estimate)
-    elif count[FAILED]:
-        report.verdict(BAD, say("{count} of {tiles_count} tiles failed; the others are whole. Run again with the "
-                                "same folder when the reasons below are put right: only the failed tiles are then "
-                                "done.", count=count[FAILED], tiles_count=len(tiles)))
-    else:
-        report.verdict(GOOD, say("All {tiles_count} tiles are done.", tiles_count=len(tiles)))
+    _verdict(report, count[FAILED], len(records), len(tiles), bool(estimate), results)
+    report.facts(estimate)
     _add_failures(report, records)
+    if results and results.total:
+        report.section("Results")
+        report.table(("status", "number"), sorted(results.statuses.items(), key=lambda item: (-item[1], item[0])))
     report.section("Tiles")
     seconds = np.array([record.seconds for record in records if record.status == DONE])
     report.facts({"Done": count[DONE], "Empty": count[EMPTY], "Failed": count[FAILED],
@@ -57,6 +54,26 @@ def write_tiles_report(path: str | os.PathLike, title: str, settings: Mapping[st
         report.section("Settings of the algorithm")
         report.facts(settings)
     report.write(path)
+
+
+def _verdict(report: Report, failed: int, done: int, tiles: int, estimate: bool, results: ResultCounts | None) -> None:
+    """First what the user wants, buildings or walls; then the tiles."""
+    parts = [results.sentence()] if results else []
+    grade = LOOK if results and (results.doubtful or results.missing) else GOOD
+    if results and not results.good + results.doubtful:
+        grade = BAD
+    if estimate:
+        grade = LOOK
+        parts.append(say("This is an estimate from {records_count} of {tiles_count} tiles.", records_count=done,
+                         tiles_count=tiles))
+    elif failed:
+        grade = BAD
+        parts.append(say("{count} of {tiles_count} tiles failed, and what lies in them is missing. Run again with the "
+                         "same folder when the reasons below are put right: only the failed tiles are then done.",
+                         count=failed, tiles_count=tiles))
+    else:
+        parts.append(say("All {tiles_count} tiles are done.", tiles_count=tiles))
+    report.verdict(grade, " ".join(parts))
 
 
 def _add_failures(report: Report, records: Sequence[TileRecord]) -> None:

@@ -171,7 +171,7 @@ def _wanted(algorithm, parameters: Mapping, context: QgsProcessingContext,
         elif kind in FILES:
             text = _file_text(algorithm, parameters, name, context)
             if text and (temporary or not _is_temporary(text)):
-                yield name, Path(text), ""
+                yield name, _own_name(algorithm, definition, Path(text)), ""
 
 
 def _file_text(algorithm, parameters: Mapping, name: str, context: QgsProcessingContext) -> str:
@@ -184,6 +184,13 @@ def _file_text(algorithm, parameters: Mapping, name: str, context: QgsProcessing
     if algorithm.parameterDefinition(name).type() == "rasterDestination":
         return algorithm.parameterAsOutputLayer(parameters, name, context)
     return algorithm.parameterAsFileOutput(parameters, name, context)
+
+
+def _own_name(algorithm, definition, path: Path) -> Path:
+    """A temporary report is called after its algorithm: the browser's tabs and QGIS's list of reports show the name."""
+    if path.stem == definition.name() and path.suffix == ".html" and _is_temporary(str(path)):
+        return path.with_name(f"{algorithm.name()}_{definition.name().lower().removeprefix('output_')}.html")
+    return path
 
 
 def _is_temporary(text: str) -> bool:

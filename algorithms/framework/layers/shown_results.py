@@ -71,9 +71,20 @@ def show_files(algorithm, results: Mapping, context: QgsProcessingContext, feedb
         else:
             feedback.pushInfo(tr("{0}: this QGIS cannot show point clouds, so no layer is loaded; the file is {1}.")
                               .format(definition.description(), path))
+    _offer_reports(algorithm, results)
     if passing:
         feedback.pushWarning(tr("In a temporary folder, gone when QGIS ends: {0}. Give these outputs a name to keep "
                                 "them.").format(", ".join(passing)))
+
+
+def _offer_reports(algorithm, results: Mapping) -> None:
+    """Let the window offer the reports among the results, in the order declared."""
+    from ..report_links import ReportLinks
+
+    for definition in algorithm.outputDefinitions():
+        value = results.get(definition.name())
+        if definition.type() == "outputHtml" and isinstance(value, str) and ReportLinks.current is not None:
+            ReportLinks.current.made.emit(definition.description(), value)
 
 
 def is_temporary(path: Path) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -11,12 +12,14 @@ from qgis.core import QgsVectorLayer
 from ....urbanmap_qgis.errors import OutputError
 from ....urbanmap_qgis.progress import SILENT, Progress
 from ....urbanmap_qgis.tiling.journal import DONE, FAILED, TileRecord, damaged_output, require_room, tile_folder
+from ....urbanmap_qgis.tiling.result_counts import ResultCounts
 from ....urbanmap_qgis.tiling.tile_grid import GridTile
 from ..declaring.parameters import tr
 from ..layers.layers import features_of, without_times
 from ..layers.styles import save_style_text, saved_style
 from .tile_joins import EdgePieces, joined_fields, read_layer
 from .tile_layers import count_of, layer_file
+from .tiled_algorithms import Cut
 
 MERGED = "merged"
 
@@ -86,6 +89,14 @@ def whole_records(run_folder: Path, tiles: Sequence[GridTile], records: Mapping[
                 name)
             made[tile.name] = replace(record, status=FAILED, reason=reason)
     return made
+
+
+def counts_of(path: Path | None, cut: Cut) -> ResultCounts | None:
+    """How many features of the merged main result are good, doubtful and missing; None where none is judged."""
+    if path is None or not cut.things:
+        return None
+    statuses = Counter(str(feature["status"]) for feature in features_in(path))
+    return ResultCounts.of(cut.things, statuses, cut.good, cut.missing)
 
 
 def features_in(path: Path) -> list:

@@ -17,6 +17,8 @@ class Cut:
     joined : layers of polygons that may be longer than any buffer: cut at the tiles' edges and joined across them.
     along : the trajectory by which the survey is cut into stretches of its drive instead of areas.
     needed : parameters that must be given, because each tile would choose for itself.
+    things : what the features of the main result are, "" where their status says nothing of success.
+    good, missing : statuses of those that are as they should be, and of those that could not be made.
     """
 
     owner: str = ""
@@ -24,19 +26,22 @@ class Cut:
     joined: tuple[str, ...] = ()
     needed: tuple[str, ...] = ()
     along: str = ""
+    things: str = ""
+    good: tuple[str, ...] = ("ok",)
+    missing: tuple[str, ...] = ("not modelled",)
 
 
 CUTTABLE = {
-    "buildingsfromals": Cut("FOOTPRINTS"),
+    "buildingsfromals": Cut("FOOTPRINTS", things="buildings"),
     "surfacefromals": Cut(),
     "roadmarkingsfromorthophoto": Cut(extent="INPUT", joined=("OUTPUT_POLYGONS",)),
     "groundfrommms": Cut(),
-    "mesh25d": Cut("FOOTPRINTS"),
-    "wallsfrommms": Cut("BUILDINGS"),
+    "mesh25d": Cut("FOOTPRINTS", things="buildings"),
+    "wallsfrommms": Cut("BUILDINGS", things="walls"),
     "orthorectifyframes": Cut(extent="GROUND", needed=("RESOLUTION",)),
     "aerialmarkings": Cut(joined=("OUTPUT_POLYGONS",), needed=("RESOLUTION",)),
     "roadmarkingsfrommms": Cut(along="TRAJECTORY"),
-    "mergebuildingmodels": Cut("MODELS"),
+    "mergebuildingmodels": Cut("MODELS", things="buildings", good=("merged",), missing=("not merged",)),
 }
 """Algorithms that can be run over tiles. New ones come last: the command line takes their numbers too."""
 

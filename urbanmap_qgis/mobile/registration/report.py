@@ -15,7 +15,7 @@ from ...io.raster import RasterSampler
 from ...wording import known, mark, say
 from ..pose_correction import correction_between
 from .correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED, STATUS_NAMES
-from .stage import RegisteredSurvey, unregistered_sections
+from .stage import RegisteredSurvey, middle_and_largest, unregistered_sections
 from .start.reference import Reference
 
 _SIDE = 24.0  # m of road that a picture shows
@@ -50,9 +50,8 @@ def _verdict(report: Report, survey: RegisteredSurvey) -> None:
         report.verdict(BAD, "No part of the path is registered: the result is as reported. Check that the reference is "
                        "of the same place, and its date.")
         return
-    sigma = survey.correction.plan_sigma()[survey.correction.status == REGISTERED]
-    text = (say("{registered:.0f} % of the path is registered, with a median standard deviation of {sigma:.1f} cm in "
-                "plan.", registered=100 * registered, sigma=100 * np.median(sigma)))
+    text = say("{registered:.0f} % of the path is registered. The standard deviation in plan over the whole path is "
+               "{sigma:.1f} cm (median).", registered=100 * registered, sigma=100 * survey.plan_accuracy()[0])
     if distrusted:
         text += (say(" {distrusted:.0f} % is not to be trusted: leave it out, or measure it otherwise; the table "
                      "below tells where.", distrusted=100 * distrusted))
@@ -62,19 +61,21 @@ def _verdict(report: Report, survey: RegisteredSurvey) -> None:
 
 def _summary(report: Report, survey: RegisteredSurvey) -> None:
     correction = survey.correction
-    plan, sigma = np.hypot(correction.value[:, 0], correction.value[:, 1]), correction.plan_sigma()
+    plan = np.hypot(correction.value[:, 0], correction.value[:, 1])
     facts = {mark("Path length (m)"): float(correction.chainage[-1]), mark("Patches"): len(correction),
              mark("Marking points"): len(survey.markings),
              mark("Registered (% of the path)"): 100 * survey.share(REGISTERED),
              mark("Bridged (%)"): 100 * survey.share(BRIDGED),
              mark("Not to be trusted (%)"): 100 * survey.share(DISTRUSTED),
              mark("Correction in plan, mean and maximum (m)"): f"{plan.mean():.3f}, {plan.max():.3f}",
-             mark("Standard deviation in plan, median and maximum (m)"): _middle_and_largest(sigma)}
+             mark("Standard deviation in plan over the whole path, median and maximum (m)"): _pair(
+                 survey.plan_accuracy())}
     if correction.three_d:
-        up, sigma_up = correction.value[:, 2], correction.sigma()[:, 2]
+        up = correction.value[:, 2]
         facts[mark("Correction in height, mean and maximum (m)")] = (
             f"{up.mean():.3f}, {up[np.argmax(np.abs(up))]:.3f}")
-        facts[mark("Standard deviation in height, median and maximum (m)")] = _middle_and_largest(sigma_up)
+        facts[mark("Standard deviation in height over the whole path, median and maximum (m)")] = _pair(
+            middle_and_largest(correction.sigma()[:, 2]))
     if np.isfinite(correction.drift_factor):
         facts[mark("Drift, times the expected one")] = correction.drift_factor
         facts[mark("Variance of the observations, times the stated one")] = correction.noise_factor
@@ -89,10 +90,9 @@ def _summary(report: Report, survey: RegisteredSurvey) -> None:
         report.paragraph("Heights, roll and pitch were not touched.")
 
 
-def _middle_and_largest(sigma: np.ndarray) -> str:
-    """Median and maximum of standard deviations (n,), m, where they are known."""
-    finite = sigma[np.isfinite(sigma)]
-    return f"{np.median(finite):.3f}, {finite.max():.3f}" if len(finite) else say("not known")
+def _pair(figures: tuple[float, float]) -> str:
+    """Median and maximum, m, where they are known."""
+    return f"{figures[0]:.3f}, {figures[1]:.3f}" if np.isfinite(figures[0]) else say("not known")
 
 
 def _profiles(report: Report, survey: RegisteredSurvey) -> None:

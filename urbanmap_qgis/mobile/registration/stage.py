@@ -69,6 +69,19 @@ class RegisteredSurvey:
         """Share of the patches with a status, 0 to 1."""
         return float(np.mean(self.correction.status == status))
 
+    def plan_accuracy(self) -> tuple[float, float]:
+        """Median and maximum of the standard deviation in plan over the whole path, m; NaN where it is not known.
+
+        The one figure that log, report and results tell: of registered, bridged and distrusted patches alike.
+        """
+        return middle_and_largest(self.correction.plan_sigma())
+
+
+def middle_and_largest(sigma: np.ndarray) -> tuple[float, float]:
+    """Median and maximum of standard deviations (n,), those that are known; NaN where none is."""
+    known = sigma[np.isfinite(sigma)]
+    return (float(np.median(known)), float(known.max())) if len(known) else (np.nan, np.nan)
+
 
 @dataclass(frozen=True)
 class UnregisteredSection:
@@ -178,10 +191,9 @@ def _read_markings(cloud: PointCloud, trajectory: Trajectory, progress: Progress
 def _tell(survey: RegisteredSurvey, progress: Progress) -> None:
     """Say what was reached, and warn of what must not be trusted."""
     correction = survey.correction
-    sigma = correction.plan_sigma()
-    known = sigma[np.isfinite(sigma)]
-    spread = (say("standard deviation {known:.1f} cm (median)", known=100 * np.median(known)) if len(known) else
-              say("how accurate it is is not known"))
+    middle, _ = survey.plan_accuracy()
+    spread = (say("standard deviation in plan over the whole path {sigma:.1f} cm (median)", sigma=100 * middle)
+              if np.isfinite(middle) else say("how accurate it is is not known"))
     progress.message(say("{share:.0f} % of the path is registered, {share_2:.0f} % bridged; {spread}.",
                          share=100 * survey.share(REGISTERED), share_2=100 * survey.share(BRIDGED), spread=spread))
     if correction.heading_factor > 1.0:
