@@ -32,8 +32,8 @@ class OcclusionMap(UrbanMapAlgorithm):
                       "Images (*.tif *.tiff *.jpg *.jpeg *.TIF *.TIFF *.JPG *.JPEG)")
         self.add_file("CAMERA", "Camera", "JSON with focal_length_mm, pixel_pitch_mm, image_width, image_height, "
                       "principal_point_mm and distortion, if there is any.", "Camera (*.json)")
-        self.add_file("EXTERIOR", "Exterior orientation", "CSV with the columns image, x, y, z, omega, phi, kappa; the "
-                      "frame is found by its file name.", "Table (*.csv *.txt)")
+        self.add_file("EXTERIOR", "Exterior orientation", "CSV with the columns image, x, y, z, omega, phi, kappa, or "
+                      "what Metashape or Pix4D wrote; the frame is found by its file name.", "Table (*.csv *.txt)")
         self.add_raster("DSM", "Surface", "Heights of the surface, from “Surface and ground from ALS”, in the CRS and "
                         "height system of the exterior orientation.")
         self.add_raster("GROUND", "Ground", "Heights of the ground, likewise.")
@@ -66,7 +66,8 @@ class OcclusionMap(UrbanMapAlgorithm):
                                "surface shows nothing that stands.")
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.aerial.frames.camera import read_camera, read_exterior
+        from ...urbanmap_qgis.aerial.frames.camera import read_camera
+        from ...urbanmap_qgis.aerial.frames.exterior_files import read_exterior
         from ...urbanmap_qgis.aerial.frames.frame_images import FrameImage, find_frames
         from ...urbanmap_qgis.aerial.frames.occlusion import OcclusionSettings, occlusion_map
 

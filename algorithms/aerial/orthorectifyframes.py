@@ -38,7 +38,8 @@ class OrthorectifyFrames(FrameShiftsOutput, UrbanMapAlgorithm):
             "took them, each named in the exterior orientation.")
         self.add_file("CAMERA", "Camera", "JSON file of the camera: focal_length_mm, pixel_pitch_mm, image_width, "
                       "image_height, principal_point_mm, distortion.", "Camera (*.json)")
-        self.add_file("EXTERIOR", "Exterior orientation", "CSV file image,x,y,z,omega,phi,kappa (metres, degrees).",
+        self.add_file("EXTERIOR", "Exterior orientation", "CSV file image,x,y,z,omega,phi,kappa (metres, degrees), or "
+                      "what Metashape (Omega Phi Kappa) or Pix4D wrote, whose order of angles is known.",
                       "Exterior orientation (*.csv *.txt)")
         self.add_raster("GROUND", "Ground", "Heights of the bare ground in metres; the mosaic has its coordinate "
                         "system.")
@@ -84,7 +85,8 @@ class OrthorectifyFrames(FrameShiftsOutput, UrbanMapAlgorithm):
         self.add_shifts_output()
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.aerial.frames.camera import read_camera, read_exterior
+        from ...urbanmap_qgis.aerial.frames.camera import read_camera
+        from ...urbanmap_qgis.aerial.frames.exterior_files import read_exterior
         from ...urbanmap_qgis.aerial.frames.frame_images import find_frames
         from ...urbanmap_qgis.aerial.orthophotos.mosaic import MosaicFiles
         from ...urbanmap_qgis.aerial.orthophotos.orthorectification import ElevationInputs, orthorectify

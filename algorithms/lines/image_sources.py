@@ -22,7 +22,8 @@ def add_images(algorithm) -> None:
     algorithm.declare_parameter(QgsProcessingParameterMultipleLayers(
         "FRAMES", tr("Frames"), files, None, True), "Perspective images, each named in the exterior orientation.")
     algorithm.add_file("CAMERA", "Camera", "JSON file of the frames' camera.", "Camera (*.json)", optional=True)
-    algorithm.add_file("EXTERIOR", "Exterior orientation", "CSV file image,x,y,z,omega,phi,kappa of the frames.",
+    algorithm.add_file("EXTERIOR", "Exterior orientation", "CSV file image,x,y,z,omega,phi,kappa of the frames, or "
+                       "what Metashape or Pix4D wrote.",
                        "Exterior orientation (*.csv *.txt)", optional=True)
 
 

@@ -31,7 +31,8 @@ class ApplyTrajectory(UrbanMapAlgorithm):
                             "time,x,y,z,roll,pitch,heading, SBET, or a point layer with these fields.")
         self.add_trajectory("CORRECTED", "Corrected trajectory", "The same after the correction.")
         self.add_trajectory_reading()
-        self.add_file("IMAGES", "Image poses", "CSV id,time,x,y,z,roll,pitch,heading of the survey's images.",
+        self.add_file("IMAGES", "Image poses", "CSV id,time,x,y,z,roll,pitch,heading of the survey's images, "
+                      "angles counted as those of the trajectory.",
                       POSES_FILTER, optional=True)
         self.add_choice("OUTSIDE", "Points outside the trajectory", "What is done with points that were measured "
                         "before the trajectory begins or after it ends: move them with its nearest pose, keep them "
@@ -70,6 +71,7 @@ class ApplyTrajectory(UrbanMapAlgorithm):
         results = {"OUTPUT": str(output), "POINT_COUNT": moved.points, "POINTS_OUTSIDE": moved.outside,
                    "POINTS_IN_GAPS": moved.in_gaps, "MEAN_MOVEMENT": moved.mean, "MAX_MOVEMENT": moved.largest}
         if images and poses:
-            apply_to_images(images, reported.trajectory, corrected.trajectory, poses, moved, progress)
+            apply_to_images(images, reported.trajectory, corrected.trajectory, poses, moved, progress,
+                            self.parameterAsString(parameters, "ANGLES", context))
             results["OUTPUT_IMAGES"] = str(poses)
         return results

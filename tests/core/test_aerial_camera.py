@@ -20,8 +20,8 @@ from urbanmap_qgis.aerial.frames.camera import (
     omega_phi_kappa,
     project_to_frame,
     read_camera,
-    read_exterior,
 )
+from urbanmap_qgis.aerial.frames.exterior_files import read_exterior
 from urbanmap_qgis.errors import InputError
 
 CAMERA = FrameCamera(100.0, 0.01, 1001, 801, (0.05, -0.03))
@@ -168,9 +168,9 @@ def test_oblique_flight_in_radians_is_found(tmp_path):
 
 @pytest.mark.parametrize(("text", "word"), [
     ("image,x,y,z,omega,phi\na,1,2,3,4,5\n", "kappa"), ("image,x,y,z,omega,phi,kappa\n", "no image"),
-    ("image,x,y,z,omega,phi,kappa\na,1,2,3,0,0,east\n", "Line 2"),
+    ("image,x,y,z,omega,phi,kappa\na,1,2,3,0,0,east\n", "Row 1"),
     ("image,x,y,z,omega,phi,kappa\na,1,2,3,0,0,nan\n", "not a number"),
-    ("image,x,y,z,omega,phi,kappa\na,1,2,3,0,0,0\na,1,2,3,0,0,0\n", "Line 3"),
+    ("image,x,y,z,omega,phi,kappa\na,1,2,3,0,0,0\na,1,2,3,0,0,0\n", "Row 2"),
 ])
 def test_bad_exterior_file(tmp_path, text, word):
     (tmp_path / "e.csv").write_text(text)

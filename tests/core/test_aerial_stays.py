@@ -8,7 +8,8 @@ import pytest
 
 from tests.figures import stays
 from tests.stored import stored
-from urbanmap_qgis.aerial.frames.camera import read_camera, read_exterior
+from urbanmap_qgis.aerial.frames.camera import read_camera
+from urbanmap_qgis.aerial.frames.exterior_files import read_exterior
 from urbanmap_qgis.aerial.frames.frame_images import find_frames
 from urbanmap_qgis.aerial.frames.occlusion import PAPER_OCCLUSION, OcclusionSettings, occlusion_map
 from urbanmap_qgis.aerial.markings.marking_files import SearchArea, markings_from_orthophoto

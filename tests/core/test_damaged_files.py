@@ -17,7 +17,8 @@ import rasterio
 from pyproj import CRS
 
 from tests.solid_files import read_solids
-from urbanmap_qgis.aerial.frames.camera import read_camera, read_exterior
+from urbanmap_qgis.aerial.frames.camera import read_camera
+from urbanmap_qgis.aerial.frames.exterior_files import read_exterior
 from urbanmap_qgis.aerial.orthophotos.vehicle_filter import OrthophotoSource
 from urbanmap_qgis.citymodel.citygml.reader import open_citygml
 from urbanmap_qgis.citymodel.cityjson.reader import open_cityjson

@@ -3,9 +3,13 @@
 import numpy as np
 import pytest
 
+from urbanmap_qgis.aerial.frames.exterior_files import EXTERIOR
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.io.files.named_table import known_columns, named_rows, plain_name
 from urbanmap_qgis.mobile.control import read_control
+from urbanmap_qgis.mobile.image_poses import read_image_poses, write_image_poses
+from urbanmap_qgis.mobile.lines.tie_points import read_tie_points
+from urbanmap_qgis.mobile.survey_columns import CONTROL, IMAGE_POSES, TIE_POINTS, TRAJECTORY
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory, write_trajectory
 
 ROWS = ["10.0,1,2,3,0,0,359", "10.1,2,2,3,0,0,1", "10.2,3,2,3,0,0,3"]
@@ -104,3 +108,69 @@ def test_control_points_of_a_japanese_spreadsheet_are_read(tmp_path):
 def test_a_table_without_the_names_is_left_to_its_reader():
     assert named_rows("a,b\n1,2\n", ("x",), {}, "a.csv") == (("a", "b"), [["1", "2"]], ",")
     assert named_rows("", ("x",), {}, "a.csv") == ((), [], ",")
+
+
+POSES = ["img_1,10.0,1,2,3,0,0,359", "img_2,10.1,2,2,3,0,0,1", "img_3,10.2,3,2,3,0,0,3"]
+
+
+@pytest.mark.parametrize("encoding", ["utf-8-sig", "cp932", "utf-16"])
+@pytest.mark.parametrize("delimiter", [",", ";", "\t", " "])
+def test_image_poses_with_a_head_and_japanese_names_are_read(tmp_path, encoding, delimiter):
+    text = "\r\n".join(["車載カメラの姿勢",
+                        "画像名,GPS時刻(秒),東(m),北(m),標高(m),ロール(度),ピッチ(度),方位角(度),備考",
+                        *(f"{row},良" for row in POSES)])
+    poses = read_image_poses(written(tmp_path, text.replace(",", delimiter), encoding))
+    assert poses.id == ("img_1", "img_2", "img_3") and poses.others == {"備考": ("良",) * 3}
+    assert np.allclose(poses.place[:, 0], [1, 2, 3]) and np.allclose(poses.angles[:, 2], [359, 361, 363])
+
+
+def test_image_poses_of_inertial_explorer_are_read(tmp_path):
+    text = ("Project: drive\nDatum: JGD2011\n\n  Event     GPSTime   Easting  Northing   H-Ell  Roll  Pitch  Heading\n"
+            "              (sec)       (m)       (m)     (m) (deg)  (deg)    (deg)\n"
+            "  shot_1     10.000     1.000     2.000   3.000  0.10  -0.20   359.00\n"
+            "  shot_2     10.100     2.000     2.000   3.500  0.10  -0.20     1.00\n")
+    poses = read_image_poses(written(tmp_path, text, name="export.txt"))
+    assert poses.id == ("shot_1", "shot_2") and np.allclose(poses.place[1], [2, 2, 3.5])
+    assert np.allclose(poses.angles, [[0.1, -0.2, 359], [0.1, -0.2, 361]])
+
+
+def test_image_poses_in_radians_are_refused_or_read_as_said_and_come_back_so(tmp_path):
+    course = np.radians(np.arange(0, 180, 10.0))
+    places = np.cumsum(5.0 * np.column_stack([np.sin(course), np.cos(course)]), axis=0)
+    text = "\n".join(["id,time,x,y,z,roll,pitch,heading",
+                      *(f"i{k},{k},{x:.4f},{y:.4f},3,0.01,0.02,{course[k]:.6f}" for k, (x, y) in enumerate(places))])
+    with pytest.raises(InputError, match="they are radians; say that the angles are counted so"):
+        read_image_poses(written(tmp_path, text))
+    poses = read_image_poses(written(tmp_path, text), "radians")
+    assert np.allclose(poses.angles[:, 2], np.degrees(course), atol=1e-3)
+    write_image_poses(tmp_path / "out.csv", poses)
+    again = read_image_poses(tmp_path / "out.csv", "radians")
+    assert np.allclose(again.angles, poses.angles, atol=1e-5)
+
+
+@pytest.mark.parametrize("encoding", ["utf-8-sig", "cp932"])
+@pytest.mark.parametrize("delimiter", [",", ";", "\t", " "])
+def test_tie_points_with_a_head_and_japanese_names_are_read(tmp_path, encoding, delimiter):
+    text = "\r\n".join(["タイポイント一覧", "組番号,時刻,計測東(m),計測北(m),基準東(m),基準北(m)", "角,12.5,1,2,3,4",
+                        "角,11,5,6,7,8"])
+    ties = read_tie_points(written(tmp_path, text.replace(",", delimiter), encoding))
+    assert ties.time.tolist() == [11, 12.5]
+    assert ties.measured[0].tolist() == [5, 6] and ties.reference[1].tolist() == [3, 4]
+
+
+@pytest.mark.parametrize(("read", "header"), [
+    (read_image_poses, "id,time,X座標,Y座標,z,roll,pitch,heading"),
+    (read_tie_points, "set,time,計測X,計測Y,x_ref,y_ref"),
+    (read_control, "id,x,y,z,time,計測X座標,計測Y座標,z_mms"),
+])
+def test_plane_coordinates_of_the_survey_are_not_guessed_either(tmp_path, read, header):
+    with pytest.raises(InputError, match="may count north or east"):
+        read(written(tmp_path, header + "\n" + ",".join("1" * (header.count(",") + 1)) + "\n"))
+
+
+def test_the_tables_name_each_column_and_each_other_name_once():
+    for table in (TRAJECTORY, CONTROL, IMAGE_POSES, TIE_POINTS, EXTERIOR):
+        others = [other for column in table for other in (column.name, *column.others)]
+        assert len(others) == len(set(others))
+        assert all(plain_name(other) == other for column in table for other in column.others)
+        assert {column.unit for column in table} <= {"", "m", "s", "degrees"}

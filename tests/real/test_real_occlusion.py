@@ -12,7 +12,8 @@ import rasterio
 from rasterio.errors import NotGeoreferencedWarning
 from scipy.ndimage import map_coordinates
 
-from urbanmap_qgis.aerial.frames.camera import frame_rays, project_to_frame, read_camera, read_exterior
+from urbanmap_qgis.aerial.frames.camera import frame_rays, project_to_frame, read_camera
+from urbanmap_qgis.aerial.frames.exterior_files import read_exterior
 from urbanmap_qgis.aerial.frames.frame_images import FrameImage, find_frames
 from urbanmap_qgis.aerial.frames.normalised_surface import NormalisedSurface
 from urbanmap_qgis.aerial.frames.occlusion import occlusion_mask

@@ -8,7 +8,8 @@ import cv2
 import numpy as np
 import pytest
 
-from urbanmap_qgis.aerial.frames.camera import read_camera, read_exterior
+from urbanmap_qgis.aerial.frames.camera import read_camera
+from urbanmap_qgis.aerial.frames.exterior_files import read_exterior
 from urbanmap_qgis.aerial.frames.frame_images import find_frames
 from urbanmap_qgis.aerial.orthophotos.mosaic import MosaicFiles, PixelSelection
 from urbanmap_qgis.aerial.orthophotos.orthorectification import (

@@ -90,16 +90,17 @@ def apply_correction(paths: Sequence[str | os.PathLike], reported: Trajectory, c
 
 def apply_to_images(path: str | os.PathLike, reported: Trajectory, corrected: Trajectory,
                     output: str | os.PathLike, moved: CorrectionSummary,
-                    progress: Progress = SILENT) -> CorrectionSummary:
+                    progress: Progress = SILENT, counted: str = "degrees") -> CorrectionSummary:
     """Write image poses as the corrected trajectory gives them; `moved` with their numbers is given back.
 
-    Images taken outside the trajectories move with the nearest pose.
+    Images taken outside the trajectories move with the nearest pose. `counted` says how the table counts angles, one
+    of `trajectory_reading.ANGLES`.
 
     Raises
     ------
     InputError : the table cannot be read, or no image was taken during the survey.
     """
-    poses = read_image_poses(path)
+    poses = read_image_poses(path, counted)
     start, end = max(reported.time[0], corrected.time[0]), min(reported.time[-1], corrected.time[-1])
     away = (poses.time < start) | (poses.time > end)
     if away.all():

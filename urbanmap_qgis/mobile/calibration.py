@@ -10,9 +10,14 @@ from pathlib import Path
 import numpy as np
 
 from ..errors import InputError
+from ..io.files.columns import Entry
 from ..io.files.guard import read_json, reads
 from ..wording import say
 from .trajectory import Trajectory, body_to_map
+
+MOUNT_ANGLES = tuple(Entry(name, "degrees", default=0.0) for name in ("roll", "pitch", "heading"))
+RANGE = Entry("max_range", "m", default=np.inf)
+"""Entries of a scanner or camera beside its lever arm (m)."""
 
 _MAX_LEVER_ARM = 20.0
 
@@ -110,7 +115,7 @@ def _scanner(entry: Mapping, name: str) -> MountedScanner:
         source = int(source)
     except (TypeError, ValueError, OverflowError):
         source = None
-    return MountedScanner(*_mount(entry, name), source, _number(entry, "max_range", name, np.inf))
+    return MountedScanner(*_mount(entry, name), source, _number(entry, RANGE, name))
 
 
 def _camera(entry: Mapping, name: str) -> MountedCamera:
@@ -127,14 +132,14 @@ def _mount(entry: Mapping, name: str) -> tuple[str, np.ndarray, np.ndarray]:
     if np.abs(arm).max() > _MAX_LEVER_ARM:
         raise InputError(say("{name}: the lever arm of {value} is {max:.0f} m long; it must be in metres.", name=name,
                              value=identity or "an entry", max=np.abs(arm).max()))
-    angles = [_number(entry, key, name, 0.0) for key in ("roll", "pitch", "heading")]
+    angles = [_number(entry, angle, name) for angle in MOUNT_ANGLES]
     return identity, np.array(arm, float), np.array(angles)
 
 
-def _number(entry: Mapping, key: str, name: str, default: float) -> float:
-    value = entry.get(key, default)
-    if not _is_number(value) and not (key not in entry and value == np.inf):
-        raise InputError(say("{name}: “{key}” of {entry} is no number.", name=name, key=key,
+def _number(entry: Mapping, known: Entry, name: str) -> float:
+    value = entry.get(known.name, known.default)
+    if not _is_number(value) and known.name in entry:
+        raise InputError(say("{name}: “{key}” of {entry} is no number.", name=name, key=known.name,
                              entry=entry.get("id", "an entry")))
     return float(value)
 

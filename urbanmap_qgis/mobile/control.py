@@ -10,27 +10,19 @@ from pathlib import Path
 import numpy as np
 
 from ..errors import InputError, InsufficientDataError
+from ..io.files.columns import aliases_of, names_of, needed_of
 from ..io.files.guard import read_text, reads
 from ..io.files.named_table import known_columns, named_rows
 from ..wording import say
 from .gps_time import shift_between
 from .pose_correction import PoseCorrection
+from .survey_columns import CONTROL
 from .trajectory import Trajectory
 
-COLUMNS = ("id", "x", "y", "z", "time", "x_mms", "y_mms", "z_mms")
+COLUMNS = names_of(CONTROL)
 
 _HEIGHTS = ("z", "z_mms")
-_ALIASES = {
-    **dict.fromkeys(("name", "point", "点名", "点番号", "測点名", "名称", "番号"), "id"),
-    **dict.fromkeys(("gpstime", "時刻", "時間", "gps時刻", "gps時間", "gps秒"), "time"),
-    **dict.fromkeys(("easting", "east", "東", "東座標", "東距"), "x"),
-    **dict.fromkeys(("northing", "north", "北", "北座標", "北距"), "y"),
-    **dict.fromkeys(("height", "elevation", "標高", "高さ", "z座標"), "z"),
-    **dict.fromkeys(("計測東", "eastmms"), "x_mms"), **dict.fromkeys(("計測北", "northmms"), "y_mms"),
-    **dict.fromkeys(("計測標高", "計測高さ", "heightmms"), "z_mms")}
-"""Other names of the columns, as `named_table.plain_name` gives them."""
-
-_NEEDED = ("x", "y", "time", "x_mms", "y_mms")
+_ALIASES, _NEEDED = aliases_of(CONTROL), needed_of(CONTROL)
 _FAR = 100.0
 
 

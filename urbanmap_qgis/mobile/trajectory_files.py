@@ -14,32 +14,25 @@ from pyproj import CRS, Proj, Transformer
 
 from ..errors import InputError
 from ..io.files.atomic import written_beside
+from ..io.files.columns import aliases_of, names_of
 from ..io.files.guard import first_not_finite, read_text, reads
 from ..io.files.named_table import known_columns, meanings, named_rows
 from ..io.points.pointcloud import plan_crs
 from ..wording import say
+from .survey_columns import TRAJECTORY
 from .trajectory import Trajectory, gaps, jumps, unwrapped
 from .trajectory_accuracy import rms_file_of, sigma_of_columns, sigma_of_rms_file, stated_accuracy
 from .trajectory_glitches import require_drivable
 from .trajectory_reading import USUAL, TrajectoryReading, from_file_angles, judged_headings, to_file_angles
 
-COLUMNS = ("time", "x", "y", "z", "roll", "pitch", "heading")
+COLUMNS = names_of(TRAJECTORY)
 
 SBET_SUFFIXES = (".out", ".sbet")
 
 _SBET = np.dtype([(name, "<f8") for name in (
     "time", "latitude", "longitude", "altitude", "velocity_x", "velocity_y", "velocity_z", "roll", "pitch", "heading",
     "wander", "acceleration_x", "acceleration_y", "acceleration_z", "rate_x", "rate_y", "rate_z")])
-_ALIASES = {
-    **dict.fromkeys(("gpstime", "t", "gpsseconds", "gpssec", "sow", "weekseconds", "時刻", "時間", "gps時刻", "gps時間",
-                     "gps秒"), "time"),
-    **dict.fromkeys(("easting", "east", "東", "東座標", "東距", "東西"), "x"),
-    **dict.fromkeys(("northing", "north", "北", "北座標", "北距", "南北"), "y"),
-    **dict.fromkeys(("height", "altitude", "elevation", "ellipsoidheight", "ellipsoidalheight", "orthometricheight",
-                     "hell", "hmsl", "標高", "高さ", "楕円体高", "z座標"), "z"),
-    **dict.fromkeys(("ロール", "ロール角"), "roll"), **dict.fromkeys(("ピッチ", "ピッチ角"), "pitch"),
-    **dict.fromkeys(("yaw", "azimuth", "ヘディング", "ヨー", "ヨー角", "方位", "方位角"), "heading")}
-"""Other names of the columns, as `named_table.plain_name` gives them."""
+_ALIASES = aliases_of(TRAJECTORY)
 _DECIMALS = {"time": 6, "x": 4, "y": 4, "z": 4, "roll": 6, "pitch": 6, "heading": 6}
 _SHOWN = 3
 _TURN = 6.4  # radians; no angle of a body is more
@@ -94,7 +87,8 @@ def read_trajectory(path: str | os.PathLike, crs_wkt: str | None = None,
     if path.suffix.lower() in SBET_SUFFIXES:
         return _read_sbet(path, crs_wkt, reading)
     text = read_text(path, "a trajectory (CSV)")
-    header, rows, delimiter = named_rows(text, COLUMNS, _ALIASES, path.name, reading.angles.startswith("radians"))
+    header, rows, delimiter = named_rows(text, COLUMNS, _ALIASES, path.name,
+                                         ("radians",) if reading.angles.startswith("radians") else ())
     header = _each_once(header)
     ragged = next((number for number, row in enumerate(rows, 2) if len(row) != len(header)), None)
     if ragged:

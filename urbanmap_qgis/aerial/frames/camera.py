@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import math
 import os
 from dataclasses import dataclass, field
@@ -12,10 +10,15 @@ from pathlib import Path
 import numpy as np
 
 from ...errors import InputError
-from ...io.files.guard import first_not_finite, read_json, read_text, reads
+from ...io.files.columns import Entry
+from ...io.files.guard import read_json, reads
 from ...wording import say
 
-_COLUMNS = ("image", "x", "y", "z", "omega", "phi", "kappa")
+CAMERA = (Entry("focal_length_mm", "mm"), Entry("pixel_pitch_mm", "mm"), Entry("image_width", "pixels"),
+          Entry("image_height", "pixels"))
+LENS = tuple(Entry(name, "", default=0.0) for name in ("k1", "k2", "k3", "p1", "p2"))
+"""Entries of a camera file, and of the distortion in it, whose unit the file says."""
+
 _NEWTON_STEPS = 12
 _NEWTON_ENOUGH = 1e-12
 
@@ -171,22 +174,22 @@ def read_camera(path: str | os.PathLike) -> FrameCamera:
     if not isinstance(values, dict):
         raise InputError(say("{path} holds no camera: it must be a JSON object with focal_length_mm and so on.",
                              path=path.name))
-    focal = _number(values, "focal_length_mm", path)
+    focal, pitch, width, height = (_number(values, entry, path) for entry in CAMERA)
     point = values.get("principal_point_mm", [0.0, 0.0])
     if not isinstance(point, list) or len(point) != 2:
         raise InputError(say("principal_point_mm in {path} must be two numbers: x0 and y0 in millimetres.",
                              path=path.name))
     named = {"x0": point[0], "y0": point[1]}
-    return FrameCamera(focal, _number(values, "pixel_pitch_mm", path),
-                  int(_number(values, "image_width", path)), int(_number(values, "image_height", path)),
-                  (_number(named, "x0", path), _number(named, "y0", path)),
-                  _distortion(values.get("distortion"), focal, path))
+    return FrameCamera(focal, pitch, int(width), int(height),
+                       tuple(_number(named, Entry(name, "mm"), path) for name in named),
+                       _distortion(values.get("distortion"), focal, path))
 
 
-def _number(values: dict, name: str, path: Path, default: float | None = None) -> float:
-    value = values.get(name, default)
+def _number(values: dict, entry: Entry, path: Path) -> float:
+    value = values.get(entry.name, entry.default)
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(float(value)):
-        raise InputError(say("{name} is missing in {path} or is not a number: add it.", name=name, path=path.name))
+        raise InputError(say("{name} is missing in {path} or is not a number: add it.", name=entry.name,
+                             path=path.name))
     return float(value)
 
 
@@ -197,7 +200,7 @@ def _distortion(values: object, focal: float, path: Path) -> Distortion:
         raise InputError(say("The distortion in {path} is not of the model \"brown\": convert it, or resample the "
                              "frames without distortion.", path=path.name))
     units = values.get("units")
-    coefficients = {name: _number(values, name, path, 0.0) for name in ("k1", "k2", "k3", "p1", "p2")}
+    coefficients = {entry.name: _number(values, entry, path) for entry in LENS}
     if units not in ("mm", "focal") and any(coefficients.values()):
         raise InputError(say("The distortion in {path} must name its units: \"mm\" or \"focal\".", path=path.name))
     return Distortion(**coefficients, unit_mm=focal if units == "focal" else 1.0)
@@ -277,99 +280,3 @@ def frame_rays(camera: FrameCamera, pose: ExteriorOrientation, column: np.ndarra
         x, y = (value * lens.unit_mm for value in lens.remove(x / lens.unit_mm, y / lens.unit_mm))
     d = np.stack([x, y, np.full(x.shape, -camera.focal_length)], axis=-1)
     return d / np.linalg.norm(d, axis=-1, keepdims=True) @ pose.rotation
-
-
-@reads("an exterior orientation")
-def read_exterior(path: str | os.PathLike, unit: str = "automatic", order: str = "papers") -> list[ExteriorOrientation]:
-    """Poses of a CSV file with the columns image, x, y, z, omega, phi, kappa (further ones are ignored).
-
-    Parameters
-    ----------
-    unit : of the angles: "degrees", "gon", "radians", or "automatic": degrees, and an error where they look otherwise.
-    order : "papers" for R_omega R_phi R_kappa (J eq. 1), "usual" for R_kappa R_phi R_omega, which is converted.
-
-    Raises
-    ------
-    InputError : a column is missing, a value is no number, an image comes twice, or the angles are not degrees.
-    """
-    path = Path(path)
-    names, numbers = _exterior_rows(path)
-    if unit == "automatic":
-        _require_degrees(numbers[:, 3:], path)
-    scale = {"automatic": 1.0, "degrees": 1.0, "gon": 0.9, "radians": math.degrees(1.0)}
-    if unit not in scale or order not in ("papers", "usual"):
-        raise InputError(say("The angles are in degrees, gon or radians and in the order papers or usual, not {unit} "
-                             "and {order}.", unit=unit, order=order))
-    poses = []
-    for name, row in zip(names, numbers.tolist()):
-        angles = tuple(angle * scale[unit] for angle in row[3:])
-        poses.append(ExteriorOrientation(name, *row[:3],
-                                         *(angles_from_usual_order(*angles) if order == "usual" else angles)))
-    return poses
-
-
-def _exterior_rows(path: Path) -> tuple[list[str], np.ndarray]:
-    """Image names and (n, 6) x, y, z, omega, phi, kappa as they stand in the file."""
-    text = read_text(path, "an exterior orientation (CSV)")
-    header = text.partition("\n")[0]
-    delimiter = max(",;\t", key=header.count)
-    rows = csv.DictReader(io.StringIO(text), delimiter=delimiter, skipinitialspace=True)
-    rows.fieldnames = [(name or "").strip().lower() for name in rows.fieldnames or ()]
-    missing = [name for name in _COLUMNS if name not in rows.fieldnames]
-    if missing:
-        raise InputError(say("{path} has no column {missing}: its first line must be {columns}.", path=path.name,
-                             missing=", ".join(missing), columns=",".join(_COLUMNS)))
-    names, numbers = [], []
-    for row in rows:
-        name = (row["image"] or "").strip()
-        if not name or name in names:
-            raise InputError(say("Line {line_num} of {path} names no image or one that came before: each image needs "
-                                 "one line.", line_num=rows.line_num, path=path.name))
-        try:
-            numbers.append([float(row[column]) for column in _COLUMNS[1:]])
-        except (TypeError, ValueError) as error:
-            raise InputError(say("Line {line_num} of {path} ({name}) must hold numbers in x, y, z, omega, phi, kappa.",
-                                 line_num=rows.line_num, path=path.name, name=name)) from error
-        names.append(name)
-    if not names:
-        raise InputError(say("{path} lists no image.", path=path.name))
-    table = np.array(numbers)
-    bad = first_not_finite(table)
-    if bad is not None:
-        raise InputError(say("{path} holds a value that is not a number for {names}: correct it.", path=path.name,
-                             names=names[bad]))
-    return names, table
-
-
-def _require_degrees(angles: np.ndarray, path: Path) -> None:
-    """Refuse angles (n, 3) that are gon or radians by their looks."""
-    guess = _looks_like(angles)
-    if guess:
-        raise InputError(say("The angles in {path} look like {guess}: convert them to degrees, or say their unit if "
-                             "you know it.", path=path.name, guess=guess))
-
-
-def _looks_like(angles: np.ndarray) -> str:
-    """"gon", "radians" or "" (degrees), from the habits of flights: level, in strips to and fro or crosswise.
-
-    Gon: beyond 360, or headings at the whole hundreds of at least two directions. Radians: all within one turn of
-    2 pi, and either almost no tilt at all with a large heading, or headings at whole right angles of at least two
-    directions in three frames or more.
-    """
-    tilt, kappa = np.abs(angles[:, :2]), angles[:, 2]
-    if np.abs(angles).max() > 360:
-        return "gon"
-    if _in_steps(kappa, 100, 5) and np.ptp(np.abs(kappa)) > 50 and not _in_steps(kappa, 90, 5):
-        return "gon"
-    if np.abs(angles).max() <= 2 * math.pi and np.abs(kappa).max() > 1:
-        if 0 < tilt.max() < 0.15:
-            return "radians"
-        steps = np.unique(np.round(kappa / (math.pi / 2)))
-        if len(kappa) >= 3 and len(steps) >= 2 and _in_steps(kappa, math.pi / 2, 0.15):
-            return "radians"
-    return ""
-
-
-def _in_steps(angles: np.ndarray, step: float, tolerance: float) -> bool:
-    """Whether every angle lies within the tolerance of a multiple of the step."""
-    return bool((np.abs(angles - step * np.round(angles / step)) <= tolerance).all())

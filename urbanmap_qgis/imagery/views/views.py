@@ -9,7 +9,8 @@ from typing import Protocol
 
 import numpy as np
 
-from ...aerial.frames.camera import FrameCamera, frame_rays, project_to_frame, read_camera, read_exterior
+from ...aerial.frames.camera import FrameCamera, frame_rays, project_to_frame, read_camera
+from ...aerial.frames.exterior_files import read_exterior
 from ...aerial.frames.frame_images import AerialFrame, FrameImage, find_frames
 from ...errors import InputError
 from ...mobile.calibration import read_calibration

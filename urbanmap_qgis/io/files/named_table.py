@@ -9,7 +9,7 @@ from __future__ import annotations
 import csv
 import re
 import unicodedata
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from ...errors import InputError
 from ...wording import say
@@ -20,7 +20,8 @@ _BRACKETS = re.compile(r"[(\[（［<].*?[)\]）］>]")
 _OTHER_UNITS = {"rad": "radians", "radian": "radians", "radians": "radians", "ラジアン": "radians", "ft": "feet",
                 "feet": "feet", "foot": "feet", "usft": "feet", "gon": "gon", "grad": "gon", "dms": "degrees, minutes, "
                 "seconds", "mm": "millimetres", "cm": "centimetres", "km": "kilometres"}
-_NORTH_OR_EAST = re.compile(r"[xy]座標|座標[xy]|平面直角[xy]")
+_NORTH_OR_EAST = re.compile(r"(計測|基準|参照|真)?([xy]座標|座標[xy]|平面直角[xy])|(計測|基準|参照)[xy]")
+_COMMENT = re.compile(r"^\ufeff?\s*#+\s*")
 
 
 def plain_name(name: object) -> str:
@@ -29,7 +30,7 @@ def plain_name(name: object) -> str:
     return re.sub(r"[\s_\-.:]+", "", text).lower()
 
 
-def known_columns(columns: Mapping[str, Sequence], needed: Iterable[str], aliases: Mapping[str, str],
+def known_columns(columns: Mapping[str, Sequence], needed: Sequence[str], aliases: Mapping[str, str],
                   name: str) -> dict[str, str]:
     """The file's column (its key) of each needed one that is there; one of just that name goes before another name.
 
@@ -52,7 +53,7 @@ def known_columns(columns: Mapping[str, Sequence], needed: Iterable[str], aliase
                                  "call it {meant}.", name=name, meant=meant, keys=", ".join(map(str, keys))))
     known = {meant: keys[0] for meant, keys in found.items()}
     japanese = [str(key) for key in columns if _NORTH_OR_EAST.fullmatch(plain_name(key))]
-    if japanese and not {"x", "y"} <= set(known):
+    if japanese and not {key for key in needed if key[0] in "xy"} <= set(known):
         raise InputError(say("{name}: {columns} may count north or east (in the Japanese plane rectangular system X "
                              "counts north): call the column that counts east “東” or “east”, and the one that counts "
                              "north “北” or “north”.", name=name, columns=", ".join(japanese)))
@@ -73,14 +74,15 @@ def meanings(keys: Iterable[str], needed: Iterable[str], aliases: Mapping[str, s
 
 
 def named_rows(text: str, needed: Sequence[str], aliases: Mapping[str, str], name: str,
-               radians: bool = False) -> tuple[tuple[str, ...], list[list[str]], str]:
+               told: Collection[str] = ()) -> tuple[tuple[str, ...], list[list[str]], str]:
     """Names of the columns, rows and delimiter of the names in a table with the columns `needed`.
 
-    Where no line names them all, the first line is taken for the names.
+    Names may stand behind a "#", further lines of that kind are passed over; rows may have another delimiter. Where
+    no line names them all, the first line is taken for the names.
 
     Parameters
     ----------
-    radians : whether angles are told to be in radians, so that such a unit is right.
+    told : other units that the user said the file has, such as "radians", so that they are right.
 
     Raises
     ------
@@ -88,18 +90,24 @@ def named_rows(text: str, needed: Sequence[str], aliases: Mapping[str, str], nam
     """
     lines = [line for line in text.splitlines() if line.strip()]
     at, delimiter = _head(lines, needed, aliases)
-    header = tuple(item.strip() for item in _cells(lines[at:at + 1], delimiter)[0]) if lines else ()
-    rows = [row for row in _cells(lines[at + 1:], delimiter) if any(cell.strip() for cell in row)]
-    if rows and all(len(row) != len(header) for row in rows[:3]):
-        split = [line.split() for line in lines[at + 1:]]
-        if any(len(row) == len(header) for row in split[:3]):
-            rows = split
+    header = tuple(item.strip() for item in _cells([_COMMENT.sub("", lines[at])], delimiter)[0]) if lines else ()
+    lines = [*lines[:at + 1], *(line for line in lines[at + 1:] if not _COMMENT.match(line))]
+    rows = _rows(lines[at + 1:], delimiter, len(header))
     units = 0
     while units < min(len(rows), 3) and not any(_is_number(cell) for cell in rows[units]):
         units += 1
     units = units if units < len(rows) else 0
-    _check_units([*header, *(cell for line in lines[at + 1:at + 1 + units] for cell in line.split())], name, radians)
+    _check_units([*header, *(cell for line in lines[at + 1:at + 1 + units] for cell in line.split())], name, told)
     return header, rows[units:], delimiter
+
+
+def _rows(lines: Sequence[str], delimiter: str, width: int) -> list[list[str]]:
+    """The rows by the delimiter of the names, or by another one where only that gives as many values."""
+    for other in (delimiter, *DELIMITERS[::-1]) if delimiter != " " else (" ", *DELIMITERS):
+        rows = [row for row in _cells(lines, other) if any(cell.strip() for cell in row)]
+        if any(len(row) == width for row in rows[:3]):
+            return rows
+    return [row for row in _cells(lines, delimiter) if any(cell.strip() for cell in row)]
 
 
 def _head(lines: Sequence[str], needed: Sequence[str], aliases: Mapping[str, str]) -> tuple[int, str]:
@@ -107,7 +115,7 @@ def _head(lines: Sequence[str], needed: Sequence[str], aliases: Mapping[str, str
     wanted = {plain_name(key) for key in needed}
     for number, line in enumerate(lines[:_HEAD_LINES]):
         for delimiter in DELIMITERS:
-            plain = [plain_name(cell) for cell in _cells([line], delimiter)[0]]
+            plain = [plain_name(cell) for cell in _cells([_COMMENT.sub("", line)], delimiter)[0]]
             if {plain_name(aliases.get(cell, cell)) for cell in plain} >= wanted:
                 return number, delimiter
     first = lines[0] if lines else ""
@@ -131,12 +139,12 @@ def _is_number(cell: str) -> bool:
     return True
 
 
-def _check_units(cells: Iterable[str], name: str, radians: bool) -> None:
+def _check_units(cells: Iterable[str], name: str, told: Collection[str]) -> None:
     """Refuse units in brackets, or alone in a cell, that are others than the ones read."""
     for cell in cells:
         text = unicodedata.normalize("NFKC", cell)
         for part in [*(found.group()[1:-1] for found in _BRACKETS.finditer(text)), text]:
             other = _OTHER_UNITS.get(re.sub(r"[\s\-_.,()]+", "", part).lower())
-            if other and not (radians and other == "radians"):
+            if other and other not in told:
                 raise InputError(say("{name} states the unit {unit}: metres, seconds and decimal degrees are read; "
                                      "export it in these.", name=name, unit=part.strip(" ,()")))

@@ -6,7 +6,6 @@ is when the survey measured the place; with it the place moves with the trajecto
 
 from __future__ import annotations
 
-import csv
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -16,13 +15,16 @@ import numpy as np
 import shapely
 
 from ...errors import InputError
+from ...io.files.columns import aliases_of, names_of
 from ...io.files.guard import read_text, reads
+from ...io.files.named_table import known_columns, named_rows
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..gps_time import shift_between
+from ..survey_columns import TIE_POINTS
 from ..trajectory import Trajectory, gaps
 
-COLUMNS = ("set", "time", "x_mms", "y_mms", "x_ref", "y_ref")
+COLUMNS, _ALIASES = names_of(TIE_POINTS), aliases_of(TIE_POINTS)
 
 MAX_GAP = 1.0
 """s: tie points between epochs farther apart are not used."""
@@ -64,31 +66,28 @@ class TiePoints:
 
 @reads("tie points")
 def read_tie_points(path: str | os.PathLike) -> TiePoints:
-    """Tie points of a CSV with the columns `COLUMNS`, separated by comma, semicolon or tabulator.
+    """Tie points of a table with the columns `COLUMNS`, or what other programs call them (`TIE_POINTS`).
 
     Raises
     ------
     InputError : it cannot be read, a column is missing, or a value is no number.
     """
     path = Path(path)
-    text = read_text(path, "tie points (CSV)")
-    header = text.split("\n", 1)[0]
-    rows = [row for row in csv.reader(text.splitlines(), delimiter=max(",;\t", key=header.count)) if any(row)]
-    if not rows or any(len(row) != len(rows[0]) for row in rows):
+    header, rows, _ = named_rows(read_text(path, "tie points (CSV)"), COLUMNS, _ALIASES, path.name)
+    if not header or any(len(row) != len(header) for row in rows):
         raise InputError(say("{path}: not every row has as many values as the header; the file may be cut off.",
                              path=path.name))
-    return tie_points_from_columns(dict(zip(rows[0], zip(*rows[1:]))) if len(rows) > 1 else
-                                   dict.fromkeys(rows[0], ()), path.name)
+    return tie_points_from_columns(dict(zip(header, zip(*rows))) if rows else dict.fromkeys(header, ()), path.name)
 
 
 def tie_points_from_columns(columns: Mapping[str, Sequence], name: str = "The tie points") -> TiePoints:
-    """Tie points of named columns (`COLUMNS`, in any case).
+    """Tie points of named columns (`COLUMNS`, or other names of `TIE_POINTS`, in any case).
 
     Raises
     ------
     InputError : a column is missing, a value is no number, there are none, or a pair is more than 200 m apart.
     """
-    known = {str(key).strip().lower(): key for key in columns}
+    known = known_columns(columns, COLUMNS, _ALIASES, name)
     missing = [column for column in COLUMNS if column not in known]
     if missing:
         raise InputError(say("{name} has no column {missing}: tie points need {columns}.", name=name,
