@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from ...urbanmap_qgis.errors import InputError, OutputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.declaring.parameters import CITYJSON_FILTER, tr
+from ..framework.declaring.parameters import CITY_MODEL_FILTER, CITYJSON_FILTER, tr
 from ..framework.layers.building_layers import read_buildings
 from ..framework.layers.layers import make_fields
 from ..framework.layers.outlines import column
@@ -36,7 +36,8 @@ class ExportCityModel(UrbanMapAlgorithm):
         self.add_polygons("BUILDINGS", "Building models", "MultiPolygonZ with all faces of each building, such as "
                           "those of “Building models”. Without it give a city model.", optional=True)
         self.add_file("CITY_MODEL", "City model", "CityGML (.gml, .zip) or CityJSON file instead of the layer: its "
-                      "buildings are written with all that they hold, and nothing is added.", optional=True)
+                      "buildings are written with all that they hold, and nothing is added.", CITY_MODEL_FILTER,
+                      optional=True)
         self.add_vector("SURFACES", "Surfaces", "Surfaces of “Building models”, for the roofs' ids and the types of "
                         "walls; without them types are told by the faces.", optional=True)
         self.add_file("TEXTURES", "Textured model", "CityJSON file of “Facade textures” of the same buildings: its "

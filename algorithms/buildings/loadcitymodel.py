@@ -7,7 +7,7 @@ from pathlib import Path
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.declaring.parameters import tr
+from ..framework.declaring.parameters import CITY_MODEL_FILTER, tr
 from ..framework.layers.crs import crs_name, wkt_of
 from ..framework.layers.layers import make_fields, own_fields
 
@@ -38,7 +38,7 @@ class LoadCityModel(UrbanMapAlgorithm):
             "INPUT", "City model",
             "CityGML (.gml, or a .zip of them), CityJSON (.json) or CityJSONSeq (.jsonl). The path of a folder, such "
             "as that of a PLATEAU data set, can be typed here as well.",
-            filter="City models (*.gml *.GML *.zip *.json *.jsonl *.xml);;All files (*)", optional=True)
+            filter=CITY_MODEL_FILTER, optional=True)
         self.add_file(
             "INPUT_FOLDER", "Folder of city models",
             "All city models in this folder and its subfolders; instead of the file or beside it.", folder=True,

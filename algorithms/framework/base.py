@@ -12,7 +12,6 @@ from qgis.core import (
     QgsProcessingContext,
     QgsProcessingException,
     QgsProcessingFeedback,
-    QgsProcessingMultiStepFeedback,
     QgsProcessingUtils,
 )
 from qgis.PyQt.QtGui import QIcon
@@ -32,6 +31,7 @@ from .running.matrix_library import bind_products
 from .running.native_libraries import PACKAGES_WITH_LIBRARIES, import_apart
 from .running.python_thread import in_python_thread
 from .running.same_sums import same_sums
+from .running.step_feedback import StepsMultiStepFeedback
 
 ICONS = Path(__file__).resolve().parents[2] / "resources" / "icons"
 
@@ -356,7 +356,7 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         """
         import processing
 
-        stages = QgsProcessingMultiStepFeedback(steps, feedback)
+        stages = StepsMultiStepFeedback(steps, feedback)
         done = iter(range(steps))
 
         def run(algorithm: str, **parameters) -> dict:

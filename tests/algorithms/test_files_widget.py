@@ -141,3 +141,36 @@ def test_field_takes_pasted_and_dropped_files(qgis_app, plugin):
                                Qt.KeyboardModifier.NoModifier))
     assert field.files == ["/data/d.laz"] == module.paths_in("file:///data/d.laz")
     assert module.paths_in(" /a.laz ; /b.laz\n/c.laz ") == ["/a.laz", "/b.laz", "/c.laz"]
+
+
+def test_every_dialog_shows_the_right_files_first(qgis_app):
+    """A file that is asked for without saying which endings it has is one of hundreds."""
+    from qgis.core import QgsApplication, QgsProcessing, QgsProcessingParameterFile
+
+    without, several = [], {}
+    for algorithm in QgsApplication.processingRegistry().providerById("urbanmap").algorithms():
+        for item in algorithm.parameterDefinitions():
+            named = f"{algorithm.id()} {item.name()}"
+            if item.type() == "file" and item.behavior() == QgsProcessingParameterFile.Behavior.File:
+                without += [named] if "*." not in item.fileFilter().replace("*.*", "") else []
+            elif item.type() == "fileDestination":
+                without += [named] if not item.fileFilter() else []
+            elif item.type() == "multilayer" and item.layerType() == QgsProcessing.SourceType.TypeFile:
+                several[named] = item.metadata().get("urbanmap_filter", "")
+    assert without == []
+    wrong = {named: shown for named, shown in several.items() if "*." not in shown or not shown.endswith("(*)")}
+    assert len(several) > 20 and not wrong
+    assert "*.laz" in several["urbanmap:buildingsfromals_model POINTS"]
+
+
+def test_the_chooser_asks_for_the_files_of_its_field(qgis_app, plugin, monkeypatch):
+    from qgis.core import QgsApplication
+
+    widget = plugin("algorithms.framework.declaring.files_widget")
+    algorithm = QgsApplication.processingRegistry().algorithmById("urbanmap:segmentbuildings")
+    points = algorithm.parameterDefinition("POINTS")
+    asked = []
+    monkeypatch.setattr(widget.QFileDialog, "getOpenFileNames", lambda *said: asked.append(said) or (["/a.laz"], ""))
+    dialog = widget.FilesDialog("Points", [], {}, points.metadata()["urbanmap_filter"])
+    dialog._browse()
+    assert dialog.chosen() == ["/a.laz"] and asked[0][3].startswith("Point clouds (*.las *.laz")

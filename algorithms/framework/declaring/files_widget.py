@@ -50,8 +50,9 @@ class _FilesWrapper(WidgetWrapper):
     """Stands between a dialog of Processing and the field."""
 
     def createWidget(self):
-        field = FilesField(self.parameterDefinition().description(),
-                           self.parameterDefinition().metadata().get("urbanmap_layers", False))
+        known = self.parameterDefinition().metadata()
+        field = FilesField(self.parameterDefinition().description(), known.get("urbanmap_layers", False),
+                           known.get("urbanmap_filter", ""))
         field.changed.connect(lambda: self.widgetValueHasChanged.emit(self))
         return field
 
@@ -67,9 +68,9 @@ class FilesField(QWidget):
 
     changed = pyqtSignal()
 
-    def __init__(self, title: str, with_layers: bool = False, parent=None):
+    def __init__(self, title: str, with_layers: bool = False, filter: str = "", parent=None):
         super().__init__(parent)
-        self.title, self.with_layers, self.files = title, with_layers, []
+        self.title, self.with_layers, self.filter, self.files = title, with_layers, filter, []
         self.line, button = QLineEdit(), QToolButton()
         self.line.setAcceptDrops(False)  # the field itself takes files that are dropped
         self.line.editingFinished.connect(self._typed)
@@ -90,7 +91,8 @@ class FilesField(QWidget):
 
     def choose(self) -> None:
         """Let the user choose."""
-        dialog = FilesDialog(self.title, self.files, layer_files() if self.with_layers else {}, self)
+        dialog = FilesDialog(self.title, self.files, layer_files() if self.with_layers else {}, self.filter,
+                             self)
         if dialog.exec():
             self.set_files(dialog.chosen())
 
@@ -126,8 +128,9 @@ def paths_in(text: str) -> list[str]:
 class FilesDialog(QDialog):
     """A list of files, of which those with a tick are chosen, in their order."""
 
-    def __init__(self, title: str, files: Sequence[str], layers: dict[str, str], parent=None):
+    def __init__(self, title: str, files: Sequence[str], layers: dict[str, str], filter: str = "", parent=None):
         super().__init__(parent)
+        self.filter = filter
         self.setWindowTitle(title)
         self.list = QListWidget()
         self.list.setDragDropMode(QAbstractItemView.DragDropMode.InternalMove)
@@ -159,7 +162,8 @@ class FilesDialog(QDialog):
 
     def _browse(self) -> None:
         settings = QSettings()
-        files, _ = QFileDialog.getOpenFileNames(self, self.windowTitle(), settings.value(_LAST_FOLDER, "", str))
+        files, _ = QFileDialog.getOpenFileNames(self, self.windowTitle(), settings.value(_LAST_FOLDER, "", str),
+                                                self.filter)
         for file in files:
             self._add(file, True)
         if files:
