@@ -15,6 +15,12 @@ class Interface:
         self.window = window
         self.menus = {}
 
+    def messageBar(self):
+        from qgis.gui import QgsMessageBar
+
+        self.bar = getattr(self, "bar", None) or QgsMessageBar()
+        return self.bar
+
     def mainWindow(self):
         return self.window
 

@@ -65,7 +65,8 @@ def chain(block, run_algorithm, tmp_path_factory):
     done = run_algorithm("urbanmap:buildingsfromals", **block, **outputs(folder))
     assert done.code == 0, done.err
     assert "Step: Segment roofs" in done.out
-    assert not [mark for mark in (".urbanmap-", "processing_", "Results: {") if mark in done.out + done.err]  # inner places
+    inner = (".urbanmap-", "processing_", "Results: {")
+    assert not [mark for mark in inner if mark in done.out + done.err]
     return folder
 
 
