@@ -9,7 +9,8 @@ import numpy as np
 from pyproj import CRS, Transformer
 from pyproj.exceptions import CRSError, ProjError
 
-from ..aerial.frames.camera import read_camera, read_exterior
+from ..aerial.frames.camera import read_camera
+from ..aerial.frames.exterior_files import read_exterior
 from ..errors import InputError, UrbanMapError
 from ..io.reference.crs_text import same_horizontal
 from ..io.reference.height_systems import refuse_other_heights

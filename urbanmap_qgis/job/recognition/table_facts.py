@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ...aerial.frames.camera import read_exterior
+from ...aerial.frames.exterior_files import read_exterior
 from ...errors import InputError, UrbanMapError
 from ...io.conversion.reprojection import epsg_wkt
 from ...io.files.guard import read_text
