@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import xml.etree.ElementTree as ET
+
 import numpy as np
 import pyproj
 import pytest
@@ -12,6 +14,7 @@ from tests.core import opendrive_reader as reader
 from tests.core.lane_map_judges import JUDGES
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.roadmap.formats.opendrive_map import opendrive_tree, write_opendrive
+from urbanmap_qgis.roadmap.formats.opendrive_tags import DriveNode, drive_faults
 from urbanmap_qgis.roadmap.formats.plan_view import along_plan, fit_plan_view, fit_profile, plan_length
 from urbanmap_qgis.roadmap.formats.road_layout import road_layout
 from urbanmap_qgis.roadmap.map_records import DrivenPath, MapLine, MapSettings
@@ -55,6 +58,28 @@ def case(request, tmp_path_factory):
     assert not notes
     write_opendrive(path, tree)
     return built, path, *reader.read_roads(path)
+
+
+def test_files_are_as_their_tags_are_declared(case):
+    assert list(drive_faults(ET.parse(case[1]).getroot())) == []
+
+
+def test_tags_that_are_not_as_declared_are_named():
+    root = DriveNode(("OpenDRIVE",), {})
+    road = root.add("road", length=-1.0, id=1, junction=-1, rule="middle")
+    road.add("link").add("predecessor", elementType="road")
+    lane = road.add("lanes").add("laneSection").add("left").add("lane", id=1, type="driving")
+    lane.add("link").add("predecessor", id=2)
+    lane.add("width", sOffset=0.0, a=float("nan"), b=0.0, c=0.0, d=0.0)
+    assert sorted(drive_faults(root)) == [
+        "OpenDRIVE/road/lanes/laneSection/left/lane/width: a is nan",
+        "OpenDRIVE/road/link/predecessor: elementId is missing",
+        "OpenDRIVE/road: length is -1",
+        "OpenDRIVE/road: rule is middle"]
+    with pytest.raises(KeyError):
+        road.add("bridge")
+    with pytest.raises(KeyError):
+        lane.add("speed", min=3.0)
 
 
 def offset_of(root):

@@ -15,6 +15,7 @@ from ...errors import InputError
 from ...io.files.atomic import written_beside
 from ...wording import say
 from ..map_records import Bound, MapArea, VectorMap
+from .opendrive_tags import COLOURS, DriveNode
 from .plan_view import CubicPiece, PlanElement, along_plan, fit_plan_view, fit_profile, plan_length
 from .road_layout import LaneRoad, RoadLayout, road_layout
 
@@ -26,12 +27,6 @@ REACH = 60.0
 
 BOLD = 0.22
 """Wider lines are bold road marks, m."""
-
-ROAD_TYPE = "town"
-"""Of all roads, as the lanelets' location is urban: nothing in paint and drives tells another."""
-
-STOP_SIGN = ("DE", "294")
-"""Country and type that readers of OpenDRIVE know a stop line by: sign 294 of the German catalogue."""
 
 
 @dataclass(frozen=True)
@@ -70,7 +65,7 @@ def opendrive_tree(built: VectorMap, crs_wkt: str,
     layout = road_layout(built)
     nodes = np.array(built.nodes)
     origin = np.floor(nodes[:, :2].min(axis=0) / 100.0) * 100.0
-    root = ET.Element("OpenDRIVE")
+    root = DriveNode(("OpenDRIVE",), {})
     _add_header(root, crs_wkt, origin, nodes[:, :2] - origin)
     shapes = [_shape(built, road, origin) for road in layout.roads]
     things = _things_by_road(built, layout)
@@ -93,18 +88,7 @@ def write_opendrive(path: str | os.PathLike, tree: ET.ElementTree) -> None:
         tree.write(temporary, encoding="utf-8", xml_declaration=True)
 
 
-def _text(value: float) -> str:
-    """A number as the file has it; 17 digits would only be noise."""
-    return f"{float(value):.10g}"
-
-
-def _add(parent: ET.Element, name: str, /, **attributes) -> ET.Element:
-    values = {key.rstrip("_"): value if isinstance(value, str) else str(value) if isinstance(value, (int, np.integer))
-              else _text(value) for key, value in attributes.items() if value is not None}
-    return ET.SubElement(parent, name, values)
-
-
-def _add_header(root: ET.Element, crs_wkt: str, origin: np.ndarray, local: np.ndarray) -> None:
+def _add_header(root: DriveNode, crs_wkt: str, origin: np.ndarray, local: np.ndarray) -> None:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", UserWarning)  # a PROJ string holds less: the format asks for it
@@ -113,10 +97,10 @@ def _add_header(root: ET.Element, crs_wkt: str, origin: np.ndarray, local: np.nd
         raise InputError(say("The lines' CRS cannot be written as a PROJ string, which OpenDRIVE needs: assign a "
                              "projected CRS known to PROJ.")) from error
     low, high = local.min(axis=0), local.max(axis=0)
-    header = _add(root, "header", revMajor=1, revMinor=7, name="lane map", version="1", north=high[1], south=low[1],
-                  east=high[0], west=low[0])
-    ET.SubElement(header, "geoReference").text = reference
-    _add(header, "offset", x=origin[0], y=origin[1], z=0.0, hdg=0.0)
+    header = root.add("header", north=high[1], south=low[1],
+                      east=high[0], west=low[0])
+    header.add("geoReference").text = reference
+    header.add("offset", x=origin[0], y=origin[1])
 
 
 def _shape(built: VectorMap, road: LaneRoad, origin: np.ndarray) -> _Shape:
@@ -159,40 +143,40 @@ def _met(path: np.ndarray, places: np.ndarray, normal: np.ndarray, cuts: np.ndar
     return np.interp(s, s[known], offsets[known])
 
 
-def _add_road(root: ET.Element, built: VectorMap, layout: RoadLayout, number: int, shape: _Shape,
-              speed_limit: float | None) -> ET.Element:
+def _add_road(root: DriveNode, built: VectorMap, layout: RoadLayout, number: int, shape: _Shape,
+              speed_limit: float | None) -> DriveNode:
     road = layout.roads[number]
-    element = _add(root, "road", name="", length=shape.s[-1], id=number + 1, junction=_junction_id(road.junction),
-                   rule="LHT" if built.left_hand is not False else "RHT")
-    link = _add(element, "link")
+    element = root.add("road", length=shape.s[-1], id=number + 1, junction=_junction_id(road.junction),
+                       rule="LHT" if built.left_hand is not False else "RHT")
+    link = element.add("link")
     for name, end in (("predecessor", road.before), ("successor", road.behind)):
         if end is not None:
             at = None if end[0] == "junction" else _contact(built, layout, number, end[1], name == "predecessor")
-            _add(link, name, elementType=end[0], elementId=_junction_id(end[1]) if at is None else end[1] + 1,
-                 contactPoint=at)
+            link.add(name, elementType=end[0], elementId=_junction_id(end[1]) if at is None else end[1] + 1,
+                     contactPoint=at)
     _add_type(element, [built.lanes[lane].speed_limit for lane in road.lanes], speed_limit)
-    plan = _add(element, "planView")
+    plan = element.add("planView")
     for one in shape.plan:
-        geometry = _add(plan, "geometry", s=one.s, x=one.x, y=one.y, hdg=one.heading, length=one.length)
+        geometry = plan.add("geometry", s=one.s, x=one.x, y=one.y, hdg=one.heading, length=one.length)
         if one.kind == "cubic":
             (au, bu, cu, du), (av, bv, cv, dv) = one.u, one.v
-            _add(geometry, "paramPoly3", aU=au, bU=bu, cU=cu, dU=du, aV=av, bV=bv, cV=cv, dV=dv, pRange="normalized")
+            geometry.add("paramPoly3", aU=au, bU=bu, cU=cu, dU=du, aV=av, bV=bv, cV=cv, dV=dv)
         else:
-            _add(geometry, one.kind, **({"curvature": one.curvature} if one.kind == "arc" else {}))
+            geometry.add(one.kind, **({"curvature": one.curvature} if one.kind == "arc" else {}))
     if np.isfinite(shape.height).all():
-        profile = _add(element, "elevationProfile")
+        profile = element.add("elevationProfile")
         for piece in fit_profile(shape.s, shape.height):
             _add_cubic(profile, "elevation", "s", piece)
     _add_lanes(element, built, layout, number, shape, speed_limit)
     return element
 
 
-def _add_type(element: ET.Element, limits: list[float], speed_limit: float | None) -> None:
+def _add_type(element: DriveNode, limits: list[float], speed_limit: float | None) -> None:
     """The road's type with the highest limit of its lanes, where one is known."""
-    kind = _add(element, "type", s=0.0, type=ROAD_TYPE)
+    kind = element.add("type")
     known = [limit for limit in limits if np.isfinite(limit)] or ([speed_limit] if speed_limit is not None else [])
     if known:
-        _add(kind, "speed", max=max(known), unit="km/h")
+        kind.add("speed", max=max(known))
 
 
 def _junction_id(number: int) -> int:
@@ -213,58 +197,58 @@ def _contact(built: VectorMap, layout: RoadLayout, number: int, other: int, begi
     return "start"
 
 
-def _add_cubic(parent: ET.Element, name: str, at: str, piece: CubicPiece) -> None:
-    _add(parent, name, **{at: piece.s}, a=piece.a, b=piece.b, c=piece.c, d=piece.d)
+def _add_cubic(parent: DriveNode, name: str, at: str, piece: CubicPiece) -> None:
+    parent.add(name, **{at: piece.s}, a=piece.a, b=piece.b, c=piece.c, d=piece.d)
 
 
-def _add_lanes(element: ET.Element, built: VectorMap, layout: RoadLayout, number: int, shape: _Shape,
+def _add_lanes(element: DriveNode, built: VectorMap, layout: RoadLayout, number: int, shape: _Shape,
                speed_limit: float | None) -> None:
     road = layout.roads[number]
-    section = _add(_add(element, "lanes"), "laneSection", s=0.0)
+    section = element.add("lanes").add("laneSection")
     places = range(len(road.lanes))
     for name, members in (("left", [place for place in places if road.lane_id(place) > 0][::-1]), ("center", None),
                           ("right", [place for place in places if road.lane_id(place) < 0][::-1])):
         if members is None:
-            middle = _add(_add(section, "center"), "lane", id=0, type="none", level="false")
+            middle = section.add("center").add("lane", id=0, type="none")
             _add_mark(middle, built.bounds[road.bounds[road.axis]])
         elif members:
-            side = _add(section, name)
+            side = section.add(name)
             for place in members:
                 _add_lane(side, built, layout, number, place, shape, speed_limit)
 
 
-def _add_lane(side: ET.Element, built: VectorMap, layout: RoadLayout, number: int, place: int, shape: _Shape,
+def _add_lane(side: DriveNode, built: VectorMap, layout: RoadLayout, number: int, place: int, shape: _Shape,
               speed_limit: float | None) -> None:
     road = layout.roads[number]
     lane = built.lanes[road.lanes[place]]
     identifier = road.lane_id(place)
-    element = _add(side, "lane", id=identifier, type="driving", level="false")
-    link = _add(element, "link")
+    element = side.add("lane", id=identifier, type="driving")
+    link = element.add("link")
     into = [k for k, one in enumerate(built.lanes) if road.lanes[place] in one.successors]
     before, behind = (into, lane.successors) if road.ahead[place] else (lane.successors, into)
     for name, end, met in (("predecessor", road.before, before), ("successor", road.behind, behind)):
         for one in met:
             other, at = layout.of_lane[one]
             if end == ("road", other):
-                _add(link, name, id=layout.roads[other].lane_id(at))
+                link.add(name, id=layout.roads[other].lane_id(at))
     width = np.maximum(shape.offsets[place + 1] - shape.offsets[place], 0.0)
     for piece in fit_profile(shape.s, width):
         _add_cubic(element, "width", "sOffset", piece)
     _add_mark(element, built.bounds[road.bounds[place + 1 if identifier > 0 else place]])
     limit = lane.speed_limit if np.isfinite(lane.speed_limit) else speed_limit
     if limit is not None:
-        _add(element, "speed", sOffset=0.0, max=limit, unit="km/h")
+        element.add("speed", max=limit)
 
 
-def _add_mark(lane: ET.Element, bound: Bound) -> None:
+def _add_mark(lane: DriveNode, bound: Bound) -> None:
     """The road mark of a bound; border and virtual bounds have no paint."""
     if bound.kind not in ("solid", "dashed"):
-        _add(lane, "roadMark", sOffset=0.0, type="edge" if bound.kind == "road border" else "none", color="standard")
+        lane.add("roadMark", type="edge" if bound.kind == "road border" else "none")
         return
     kind = "solid" if bound.kind == "solid" else "broken"
-    _add(lane, "roadMark", sOffset=0.0, type=f"{kind} {kind}" if bound.double else kind,
-         weight="bold" if bound.width > BOLD else "standard",
-         color=bound.colour if bound.colour in ("white", "yellow", "blue", "red", "green", "orange") else "standard",
+    lane.add("roadMark", type=f"{kind} {kind}" if bound.double else kind,
+             weight="bold" if bound.width > BOLD else "standard",
+             color=bound.colour if bound.colour in COLOURS else None,
          width=bound.width if np.isfinite(bound.width) else None, laneChange="none" if kind == "solid" else "both")
 
 
@@ -284,10 +268,10 @@ def _things_by_road(built: VectorMap, layout: RoadLayout) -> list[list[tuple[str
     return things
 
 
-def _add_crosswalks(element: ET.Element, built: VectorMap, shape: _Shape, walks: list[int], origin) -> None:
+def _add_crosswalks(element: DriveNode, built: VectorMap, shape: _Shape, walks: list[int], origin) -> None:
     if not walks:
         return
-    objects = _add(element, "objects")
+    objects = element.add("objects")
     for walk in walks:
         area: MapArea = built.crosswalks[walk]
         ring = shapely.get_coordinates(area.polygon.exterior, include_z=True)[:-1] - [*origin, 0.0]
@@ -299,40 +283,35 @@ def _add_crosswalks(element: ET.Element, built: VectorMap, shape: _Shape, walks:
         base = foot + frame[1] * t
         corners = (ring[:, :2] - base) @ frame.T
         extent = np.ptp(corners, axis=0)
-        crosswalk = _add(objects, "object", id=f"crosswalk{walk}", type="crosswalk", name="crosswalk", s=s, t=t,
-                         zOffset=0.0, orientation="none", hdg=0.0, pitch=0.0, roll=0.0, length=extent[0],
-                         width=extent[1], dynamic="no")
-        outline = _add(_add(crosswalk, "outlines"), "outline", id=0, closed="true")
+        crosswalk = objects.add("object", id=f"crosswalk{walk}", s=s, t=t, length=extent[0], width=extent[1])
+        outline = crosswalk.add("outlines").add("outline")
         for number, (u, v) in enumerate(corners):
-            _add(outline, "cornerLocal", u=u, v=v, z=0.0, height=0.0, id=number)
+            outline.add("cornerLocal", u=u, v=v, id=number)
 
 
-def _add_stop_lines(element: ET.Element, built: VectorMap, road: LaneRoad, shape: _Shape, stops: list[int],
+def _add_stop_lines(element: DriveNode, built: VectorMap, road: LaneRoad, shape: _Shape, stops: list[int],
                     origin) -> None:
     if not stops:
         return
-    signals = _add(element, "signals")
+    signals = element.add("signals")
     for stop in stops:
         line = built.stop_lines[stop][:, :2] - origin
         s, t = shape.local(line)
         valid = [place for place, lane in enumerate(road.lanes) if stop in built.lanes[lane].stop_lines]
-        country, kind = STOP_SIGN
-        signal = _add(signals, "signal", s=float(np.clip(s.mean(), 0.0, shape.s[-1])), t=float(t.mean()),
-                      id=f"stop{stop}", name="stop line", dynamic="no", orientation="+" if road.ahead[valid[0]]
-                      else "-", zOffset=0.0, country=country, type=kind, subtype="-1", value=-1.0, height=0.0,
-                      width=float(np.linalg.norm(line[-1] - line[0])), hOffset=0.0)
+        signal = signals.add("signal", s=float(np.clip(s.mean(), 0.0, shape.s[-1])), t=float(t.mean()),
+                             id=f"stop{stop}", orientation="+" if road.ahead[valid[0]] else "-",
+                             width=float(np.linalg.norm(line[-1] - line[0])))
         ids = sorted(road.lane_id(place) for place in valid)
-        _add(signal, "validity", fromLane=ids[0], toLane=ids[-1])
+        signal.add("validity", fromLane=ids[0], toLane=ids[-1])
 
 
-def _add_junction(root: ET.Element, built: VectorMap, layout: RoadLayout, number: int) -> None:
+def _add_junction(root: DriveNode, built: VectorMap, layout: RoadLayout, number: int) -> None:
     """One connection for each connecting road, which leads from one lane to one lane."""
-    junction = _add(root, "junction", id=_junction_id(number), name="", type="default")
+    junction = root.add("junction", id=_junction_id(number))
     for count, road in enumerate(layout.junctions[number]):
         (lane,) = layout.roads[road].lanes
         for before in (k for k, one in enumerate(built.lanes) if lane in one.successors):
             incoming, place = layout.of_lane[before]
-            connection = _add(junction, "connection", id=count, incomingRoad=incoming + 1, connectingRoad=road + 1,
-                              contactPoint="start")
-            _add(connection, "laneLink", from_=layout.roads[incoming].lane_id(place),
-                 to=layout.roads[road].lane_id(0))
+            connection = junction.add("connection", id=count, incomingRoad=incoming + 1, connectingRoad=road + 1)
+            connection.add("laneLink", from_=layout.roads[incoming].lane_id(place),
+                           to=layout.roads[road].lane_id(0))
