@@ -34,14 +34,20 @@ CELL = 0.25
 TILE = 512
 """Cells along a tile."""
 
-_TILES_HELD = 64
-_FRONT = 6.0
-"""What stands up to this far from an outline (m) may hide the facade."""
 
-_FRONT_CELL = 0.5
-_LOW_CELL = 1.0
-_FRONT_KEY = 1 << 40
-_MARGIN_BELOW = 3.0
+@dataclass(frozen=True)
+class FacadePointsLimits:
+    """Limits of facade points, each with its unit."""
+
+    tiles_held: int = 64
+    front: float = 6.0  # What stands up to this far from an outline (m) may hide the facade.
+    front_cell: float = 0.5
+    low_cell: float = 1.0
+    front_key: float = 1 << 40
+    margin_below: float = 3.0
+
+
+LIMITS = FacadePointsLimits()
 
 
 @dataclass(frozen=True)
@@ -129,7 +135,7 @@ class NearestOutline:
             self._tiles.move_to_end(key)
         else:
             self._tiles[key] = self._rasterised(key)
-            if len(self._tiles) > _TILES_HELD:
+            if len(self._tiles) > LIMITS.tiles_held:
                 self._tiles.popitem(last=False)
         return self._tiles[key]
 
@@ -174,7 +180,7 @@ class LowestPoints:
 
     def add(self, row: np.ndarray, x: np.ndarray, y: np.ndarray, z: np.ndarray) -> None:
         """Take points (n,) near buildings `row`."""
-        table = np.column_stack([row, np.floor(x / _LOW_CELL), np.floor(y / _LOW_CELL), z])
+        table = np.column_stack([row, np.floor(x / LIMITS.low_cell), np.floor(y / LIMITS.low_cell), z])
         self._pieces.append(_lowest(table))
         self._held += len(self._pieces[-1])
         if self._held > 4_000_000:
@@ -190,7 +196,7 @@ class LowestPoints:
         for row in range(count):
             cells = table[starts[row]:starts[row + 1]]
             if len(cells):
-                planes[row] = ground_plane((cells[:, 1:3] + 0.5) * _LOW_CELL - origin[row], cells[:, 3])
+                planes[row] = ground_plane((cells[:, 1:3] + 0.5) * LIMITS.low_cell - origin[row], cells[:, 3])
         return planes
 
 
@@ -235,7 +241,7 @@ def facade_points(cloud: PointCloud, plans: BuildingPlans, settings: FacadeSetti
     ------
     InsufficientDataError : no point lies near any building.
     """
-    nearest = NearestOutline(plans, _FRONT)
+    nearest = NearestOutline(plans, LIMITS.front)
     low = LowestPoints()
     with PointBuckets(RECORD) as buckets:
         rows = _collect(cloud, nearest, settings, ground, buckets, low, progress)
@@ -273,13 +279,13 @@ def _collect(cloud: PointCloud, nearest: NearestOutline, settings: FacadeSetting
         buckets.add(row[within], records[within])
         rows.update(np.unique(row[within]).tolist())
         front = _thinned(x, y, z, row)
-        buckets.add(row[front] + _FRONT_KEY, records[front])
+        buckets.add(row[front] + LIMITS.front_key, records[front])
     return rows
 
 
 def _thinned(x: np.ndarray, y: np.ndarray, z: np.ndarray, row: np.ndarray) -> np.ndarray:
     """Indices of one point of each half-metre cube."""
-    cube = [np.floor((axis - axis.min()) / _FRONT_CELL).astype(np.int64) for axis in (x, y, z)]
+    cube = [np.floor((axis - axis.min()) / LIMITS.front_cell).astype(np.int64) for axis in (x, y, z)]
     size = [int(axis.max()) + 1 for axis in cube]
     code = ((row * size[0] + cube[0]) * size[1] + cube[1]) * size[2] + cube[2]
     return np.unique(code, return_index=True)[1]
@@ -308,7 +314,7 @@ def _buildings(rows: list[int], buckets: PointBuckets, plans: BuildingPlans, set
         if len(records) > settings.max_points:
             share = settings.max_points / len(records)
             records = records[np.random.default_rng(row).random(len(records)) < share]
-        front = buckets.read(row + _FRONT_KEY)
+        front = buckets.read(row + LIMITS.front_key)
         plane = planes[row]
         if not np.isfinite(plane[0]) and np.isfinite(plans.base[row]):
             plane = np.array([plans.base[row], 0.0, 0.0])
@@ -316,7 +322,7 @@ def _buildings(rows: list[int], buckets: PointBuckets, plans: BuildingPlans, set
         keep = np.ones(len(records), bool)
         if np.isfinite(plane[0]):
             height = facade.height(facade.points)
-            keep = (height > -_MARGIN_BELOW) & (height <= settings.max_height)
+            keep = (height > -LIMITS.margin_below) & (height <= settings.max_height)
         yield row, FacadePoints(facade.points[keep], facade.time[keep], facade.front, plane, origin[row], share)
 
 

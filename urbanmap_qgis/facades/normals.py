@@ -13,16 +13,19 @@ import numpy as np
 VOXEL = 0.3
 """Side of a voxel where points are dense, m."""
 
-_MIN_SUPPORT = 12
-"""Points that a neighbourhood should have: voxels grow until half of the neighbourhoods do."""
 
-_MAX_VOXEL = 1.2
+@dataclass(frozen=True)
+class NormalsLimits:
+    """Limits of normals, each with its unit."""
 
-UPRIGHT = 0.35
-"""Walls have normals that rise or fall by less than this (sine): 20 degrees."""
+    min_support: int = 12  # Points that a neighbourhood should have: voxels grow until half of the neighbourhoods do.
+    max_voxel: float = 1.2
+    upright: float = 0.35  # Walls have normals that rise or fall by less than this (sine): 20 degrees.
+    # The extent of a flat neighbourhood across is at most this share of its second extent (standard deviations).
+    flat: float = 0.2
 
-_FLAT = 0.2
-"""The extent of a flat neighbourhood across is at most this share of its second extent (standard deviations)."""
+
+LIMITS = NormalsLimits()
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,8 +58,8 @@ class NormalVoxels:
     @property
     def upright(self) -> np.ndarray:
         """Voxels (v,) that lie on a flat upright surface."""
-        return ((np.abs(self.normal[:, 2]) < UPRIGHT) & (self.support >= 5)
-                & (self.thickness < np.maximum(_FLAT * self.extent, 0.01)))
+        return ((np.abs(self.normal[:, 2]) < LIMITS.upright) & (self.support >= 5)
+                & (self.thickness < np.maximum(LIMITS.flat * self.extent, 0.01)))
 
 
 def voxel_normals(points: np.ndarray, size: float = VOXEL) -> NormalVoxels:
@@ -66,7 +69,7 @@ def voxel_normals(points: np.ndarray, size: float = VOXEL) -> NormalVoxels:
     """
     while True:
         voxels = _voxels(points, size)
-        if size * 1.5 > _MAX_VOXEL or np.median(voxels.support) >= _MIN_SUPPORT:
+        if size * 1.5 > LIMITS.max_voxel or np.median(voxels.support) >= LIMITS.min_support:
             return voxels
         size *= 1.5
 

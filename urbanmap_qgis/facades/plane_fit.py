@@ -6,16 +6,20 @@ from dataclasses import dataclass
 
 import numpy as np
 
-_TUKEY = 4.685
-_MIN_NOISE = 0.003
-_ENOUGH = 20_000
-"""Points on which a plane is found, evenly taken from all; its figures are those of all."""
 
-_BLOCK = 1.0
-"""Points within a square of this side (m) share their errors: the accuracy counts squares, not points."""
+@dataclass(frozen=True)
+class PlaneFitLimits:
+    """Limits of plane fit, each with its unit."""
 
-PASS_GAP = 20.0
-"""Seconds without a point between two passes."""
+    tukey: float = 4.685
+    min_noise: float = 0.003
+    enough: int = 20_000  # Points on which a plane is found, evenly taken from all; its figures are those of all.
+    # Points within a square of this side (m) share their errors: the accuracy counts squares, not points.
+    block: float = 1.0
+    pass_gap: float = 20.0  # Seconds without a point between two passes.
+
+
+LIMITS = PlaneFitLimits()
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,7 +99,7 @@ def robust_plane(points: np.ndarray, time: np.ndarray, normal: np.ndarray, tilti
     """
     if len(points) < 10:
         return None
-    some = points[::max(1, len(points) // _ENOUGH)]
+    some = points[::max(1, len(points) // LIMITS.enough)]
     plane = _described(points, time, normal, *_solved(some, True, iterations))
     if not tilting or np.ptp(points[:, 2]) < 2.0:
         return plane
@@ -113,9 +117,9 @@ def _solved(points: np.ndarray, upright: bool, iterations: int) -> tuple[np.ndar
     centre, normal = least_squares_plane(points, np.ones(len(points)), upright)
     for _ in range(iterations):
         residual = component(points - centre, normal)
-        inliers = residual[np.abs(residual - middle) < _TUKEY * scale]
+        inliers = residual[np.abs(residual - middle) < LIMITS.tukey * scale]
         middle = float(np.median(inliers))
-        scale = max(1.4826 * float(np.median(np.abs(inliers - middle))), _MIN_NOISE)
+        scale = max(1.4826 * float(np.median(np.abs(inliers - middle))), LIMITS.min_noise)
         centre, normal = least_squares_plane(points, _weights(residual, middle, scale), upright)
     return centre, normal, scale
 
@@ -126,7 +130,7 @@ def _described(points: np.ndarray, time: np.ndarray, side: np.ndarray, centre: n
     if normal @ side < 0:
         normal = -normal
     residual = component(points - centre, normal)
-    inlier = np.abs(residual) < _TUKEY * scale
+    inlier = np.abs(residual) < LIMITS.tukey * scale
     passes = pass_numbers(time[inlier])
     sigma, spread = _sigma(points[inlier], residual[inlier], passes, normal)
     return WallPlane(centre, normal, float(np.sqrt(np.mean(residual[inlier] ** 2))), sigma, int(inlier.sum()),
@@ -135,17 +139,17 @@ def _described(points: np.ndarray, time: np.ndarray, side: np.ndarray, centre: n
 
 def _weights(residual: np.ndarray, middle: float, scale: float) -> np.ndarray:
     """Tukey's weights (n,)."""
-    relative = np.clip((residual - middle) / (_TUKEY * scale), -1.0, 1.0)
+    relative = np.clip((residual - middle) / (LIMITS.tukey * scale), -1.0, 1.0)
     return (1 - relative**2) ** 2
 
 
 def pass_numbers(time: np.ndarray) -> np.ndarray:
-    """Number of the drive (n,) that each point belongs to: a pause of `PASS_GAP` seconds parts two."""
+    """Number of the drive (n,) that each point belongs to: a pause of `LIMITS.pass_gap` seconds parts two."""
     if not np.isfinite(time).all():
         return np.zeros(len(time), np.int64)
     order = np.argsort(time, kind="stable")
     number = np.zeros(len(time), np.int64)
-    number[order[1:]] = np.cumsum(np.diff(time[order]) > PASS_GAP)
+    number[order[1:]] = np.cumsum(np.diff(time[order]) > LIMITS.pass_gap)
     return number
 
 
@@ -153,7 +157,7 @@ def _sigma(points: np.ndarray, residual: np.ndarray, passes: np.ndarray, normal:
     """Standard deviation of a plane's place, and of its place between passes."""
     level = np.array([-normal[1], normal[0]]) / np.hypot(*normal[:2])
     beside, high = component(points[:, :2], level), points[:, 2]
-    block = np.column_stack([np.floor(beside / _BLOCK), np.floor(high / _BLOCK), passes])
+    block = np.column_stack([np.floor(beside / LIMITS.block), np.floor(high / LIMITS.block), passes])
     block = (block - block.min(axis=0)).astype(np.int64)
     size = block.max(axis=0) + 1
     code = (block[:, 0] * size[1] + block[:, 1]) * size[2] + block[:, 2]

@@ -18,18 +18,23 @@ from ..geometry.alpha_shape import alpha_shape, signed_area
 from ..wording import say
 from .plane_fit import WallPlane, component
 
-_THIN = 0.12
-"""One point in each square of this side (m) is enough for a hull."""
 
-_CELL = 0.25
-"""Cells on which shares are counted, m."""
+@dataclass(frozen=True)
+class WallContoursLimits:
+    """Limits of wall contours, each with its unit."""
 
-_SPACINGS = 3.0
-_MIN_ALPHA, _MAX_ALPHA = 0.35, 1.2
-_IN_FRONT = 0.3
-_SIDEWARDS = 4
-_SIMPLIFICATION = 0.04
-_GRID = 0.001
+    thin: float = 0.12  # One point in each square of this side (m) is enough for a hull.
+    cell: float = 0.25  # Cells on which shares are counted, m.
+    spacings: float = 3.0
+    min_alpha: float = 0.35
+    max_alpha: float = 1.2
+    in_front: float = 0.3
+    sidewards: int = 4
+    simplification: float = 0.04
+    grid: float = 0.001
+
+
+LIMITS = WallContoursLimits()
 
 
 @dataclass(frozen=True)
@@ -146,7 +151,7 @@ def _joined(pieces: np.ndarray, max_gap: float) -> list[tuple[shapely.Polygon, s
             # Only what leads from one piece to another: bays of one piece stay as they are.
             links = [part for part in bridges if part.geom_type == "Polygon"
                      and np.count_nonzero(shapely.dwithin(members, part, 1e-6)) > 1]
-            joined = shapely.union_all([measured, *links], grid_size=_GRID)
+            joined = shapely.union_all([measured, *links], grid_size=LIMITS.grid)
         parts = [part for part in shapely.get_parts(joined) if part.geom_type == "Polygon" and part.area > 1e-3]
         contours += [(part, shapely.intersection(part, measured)) for part in parts]
     return contours
@@ -154,7 +159,7 @@ def _joined(pieces: np.ndarray, max_gap: float) -> list[tuple[shapely.Polygon, s
 
 def _thinned(flat: np.ndarray) -> np.ndarray:
     """One point of each small square; well within the wall one of each four."""
-    place = np.floor((flat - flat.min(axis=0)) / _THIN).astype(np.int64)
+    place = np.floor((flat - flat.min(axis=0)) / LIMITS.thin).astype(np.int64)
     height = int(place[:, 1].max()) + 1
     code, first = np.unique(place[:, 0] * height + place[:, 1], return_index=True)
     row, column = code // height, code % height
@@ -169,7 +174,7 @@ def contour_alpha(flat: np.ndarray) -> float:
     place = np.floor((flat - flat.min(axis=0)) / 0.5).astype(np.int64)
     _, count = np.unique(place[:, 0] * (int(place[:, 1].max()) + 1) + place[:, 1], return_counts=True)
     spacing = 0.5 / math.sqrt(float(np.quantile(count, 0.2)))
-    return float(np.clip(_SPACINGS * spacing, _MIN_ALPHA, _MAX_ALPHA))
+    return float(np.clip(LIMITS.spacings * spacing, LIMITS.min_alpha, LIMITS.max_alpha))
 
 
 def alpha_polygon(flat: np.ndarray, alpha: float) -> shapely.Geometry:
@@ -184,7 +189,7 @@ def alpha_polygon(flat: np.ndarray, alpha: float) -> shapely.Geometry:
     hull = shapely.union_all(shapely.make_valid(outer))
     if holes:
         hull = shapely.difference(hull, shapely.union_all(shapely.make_valid(holes)))
-    hull = shapely.simplify(hull, _SIMPLIFICATION)
+    hull = shapely.simplify(hull, LIMITS.simplification)
     parts = shapely.get_parts(hull if hull.is_valid else shapely.make_valid(hull))
     return shapely.MultiPolygon([part for part in parts if part.geom_type == "Polygon"])
 
@@ -211,19 +216,19 @@ def wall_coverage(plane: WallPlane, contours: list[Contour], foot: float, top: f
     shape = shapely.union_all([contour.measured for contour in contours])
     left, low, right, high = shape.bounds
     low, high = min(low, foot - plane.point[2]), max(high, top - plane.point[2])
-    columns = max(math.ceil((right - left) / _CELL), 1)
-    rows = max(math.ceil((high - low) / _CELL), 1)
-    u, v = np.meshgrid(left + (np.arange(columns) + 0.5) * _CELL, low + (np.arange(rows) + 0.5) * _CELL)
+    columns = max(math.ceil((right - left) / LIMITS.cell), 1)
+    rows = max(math.ceil((high - low) / LIMITS.cell), 1)
+    u, v = np.meshgrid(left + (np.arange(columns) + 0.5) * LIMITS.cell, low + (np.arange(rows) + 0.5) * LIMITS.cell)
     shapely.prepare(shape)
     seen = shapely.contains_xy(shape, u, v)
     before = np.zeros_like(seen)
     if len(front):
         off = plane.distance(front)
-        flat = in_plane(plane, front[off > _IN_FRONT])
-        place = np.floor((flat - (left, low)) / _CELL).astype(np.int64)
+        flat = in_plane(plane, front[off > LIMITS.in_front])
+        place = np.floor((flat - (left, low)) / LIMITS.cell).astype(np.int64)
         inside = ((place >= 0) & (place < (columns, rows))).all(axis=1)
         before[place[inside, 1], place[inside, 0]] = True
         # It is seen aslant: what stands in front hides something to its sides and above.
-        before = ndimage.binary_dilation(before, np.ones((2 * _SIDEWARDS + 1, 2 * _SIDEWARDS + 1)))
+        before = ndimage.binary_dilation(before, np.ones((2 * LIMITS.sidewards + 1, 2 * LIMITS.sidewards + 1)))
     covered, hidden = float(seen.mean()), float((before & ~seen).mean())
     return WallCoverage((right - left) * (high - low), covered, hidden, max(1.0 - covered - hidden, 0.0))

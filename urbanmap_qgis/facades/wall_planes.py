@@ -22,12 +22,21 @@ from .statistical_outliers import statistical_outliers
 _SEED_COSINE = np.cos(np.radians(25.0))
 _EDGE_COSINE = np.cos(np.radians(12.0))
 _GROWTH = (1.2, 2.5, 5.0, 10.0, 20.0, np.inf)
-_POINT_TOLERANCE = 0.12
-_SLICE = 20_000
-_SEEDS = 3000
 
-_PASSES = 2
-"""Beside a large wall the normals of a narrow one are bent; with the points of the large one gone they are not."""
+
+@dataclass(frozen=True)
+class WallPlanesLimits:
+    """Limits of wall planes, each with its unit."""
+
+    point_tolerance: float = 0.12
+    slice: int = 20_000
+    seeds: int = 3000
+    # Beside a large wall the normals of a narrow one are bent; with the points of the large one gone they are
+    # not.
+    passes: int = 2
+
+
+LIMITS = WallPlanesLimits()
 
 
 @dataclass(frozen=True)
@@ -71,7 +80,7 @@ def wall_segments(points: np.ndarray, time: np.ndarray, edges: np.ndarray, outwa
     """
     segments: list[Segment] = []
     left = np.arange(len(points))
-    for _ in range(_PASSES):
+    for _ in range(LIMITS.passes):
         found, taken = _one_pass(points[left], time[left], edges, outward, settings, progress)
         segments += [Segment(segment.plane, left[segment.points]) for segment in found]
         if not found:
@@ -140,7 +149,7 @@ def _grow_all(voxels: NormalVoxels, wall: np.ndarray, edges: np.ndarray, outward
         if not free[seed] or tried[seed]:
             continue
         tries += 1
-        if tries > _SEEDS:
+        if tries > LIMITS.seeds:
             break
         progress.check()
         found = _grow(seed, mean, normal, weight, free, settings, voxels.size)
@@ -166,8 +175,8 @@ def _agrees(mean: np.ndarray, normal: np.ndarray, edges: np.ndarray, outward: np
         return np.zeros(len(mean), bool)
     level = normal[:, :2] / np.maximum(np.hypot(*normal[:, :2].T), 1e-9)[:, None]
     agrees = np.zeros(len(mean), bool)
-    for start in range(0, len(mean), _SLICE):
-        part = slice(start, start + _SLICE)
+    for start in range(0, len(mean), LIMITS.slice):
+        part = slice(start, start + LIMITS.slice)
         near = edge_distance(mean[part, :2], edges).argmin(axis=1)
         agrees[part] = np.abs((level[part] * outward[near]).sum(axis=1)) > _EDGE_COSINE
     return agrees
@@ -261,11 +270,11 @@ def _outwards(centre: np.ndarray, facing: np.ndarray, places: np.ndarray, edges:
 def _claim(points: np.ndarray, voxels: NormalVoxels, grown: list, settings: PlaneSettings) -> np.ndarray:
     """Number of the plane that each point lies on, (n,), -1 for none: the nearest of those that cover its place."""
     owner = np.full(len(points), -1, np.int32)
-    best = np.full(len(points), _POINT_TOLERANCE)
+    best = np.full(len(points), LIMITS.point_tolerance)
     order = np.argsort(voxels.of_point, kind="stable")
     starts = np.concatenate([[0], np.cumsum(voxels.count)])
     for number, (centre, normal, mask) in enumerate(grown):
-        distance = _POINT_TOLERANCE + voxels.size
+        distance = LIMITS.point_tolerance + voxels.size
         near = np.flatnonzero(np.abs(component(voxels.mean - centre, normal)) < distance)
         grownmask = _Mask(mask.axes, mask.low, mask.cell, ndimage.binary_dilation(mask.filled, np.ones((3, 3))))
         near = near[grownmask.holds(voxels.mean[near])]

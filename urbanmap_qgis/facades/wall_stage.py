@@ -26,29 +26,30 @@ OK, ROUGH, PARTLY, FEW, INSIDE = "ok", "rough", "partly seen", "few points", "in
 to trust it; inside the outline behind another wall, on a roof, or farther than outlines may be off: a setback or a room
 seen through a window."""
 
-_ROUGH = 0.05
-_HALF = 0.5
-_FEW = 30
-_NONE = 10
-"""Fewer points than this are no wall."""
 
-_DEEP = 1.0
-"""A wall deeper inside the outline than this, m, is one only where no other stands before it."""
+@dataclass(frozen=True)
+class WallStageLimits:
+    """Limits of wall stage, each with its unit."""
 
-_PODIUM = 8.0
-"""A wall inside the outline of which nothing up to this height was seen, m, stands on a roof."""
+    rough: float = 0.05
+    half: float = 0.5
+    few: int = 30
+    none: int = 10  # Fewer points than this are no wall.
+    deep: float = 1.0  # A wall deeper inside the outline than this, m, is one only where no other stands before it.
+    podium: float = 8.0  # A wall inside the outline of which nothing up to this height was seen, m, stands on a roof.
+    overlap: float = 0.3  # Distance (m) by which, and share of its area of which, a wall stands before another.
+    step: float = 0.5
+    # A wall from the ground up to this height, m, is no garden wall or hoarding: what begins at its top stands on
+    # it.
+    storey: float = 3.2
+    facing: float = 0.94
+    # Cosine of the maximum angle between a wall and the outline's edge that it belongs to: 15 degrees.
+    min_edge_cosine: float = 0.966
+
+
+LIMITS = WallStageLimits()
 
 _BEFORE = 0.3
-_OVERLAP = 0.3
-"""Distance (m) by which, and share of its area of which, a wall stands before another."""
-
-_STEP = 0.5
-_STOREY = 3.2
-"""A wall from the ground up to this height, m, is no garden wall or hoarding: what begins at its top stands on it."""
-
-_FACING = 0.94
-_MIN_EDGE_COSINE = 0.966
-"""Cosine of the maximum angle between a wall and the outline's edge that it belongs to: 15 degrees."""
 
 
 @dataclass(frozen=True)
@@ -158,7 +159,7 @@ def _walls_of(piece: _Piece, settings: WallSettings, check: Progress | None) -> 
     planes = []
     for segment in wall_segments(given.points, given.time, ends, outward, settings.planes, check or SILENT):
         contours = wall_contours(segment.plane, given.points[segment.points], settings.contours)
-        contours = [contour for contour in contours if contour.points >= _NONE]
+        contours = [contour for contour in contours if contour.points >= LIMITS.none]
         if contours:
             planes.append((segment.plane, contours))
     walls: list[FacadeWall] = []
@@ -177,9 +178,9 @@ def _described(piece: _Piece, plane: WallPlane, contours: Sequence[Contour], end
         z = shapely.get_coordinates(polygon, include_z=True)[:, 2]
         foot, top = _span(piece, plane, z, settings.facade.max_height)
         depth = _depth(piece.plan, plane, contour.polygon)
-        on_a_roof = float(z.min()) - foot > _PODIUM
+        on_a_roof = float(z.min()) - foot > LIMITS.podium
         inside = depth > settings.facade.tolerance or (
-            depth > _DEEP and (on_a_roof or _behind_another(plane, contour, planes)))
+            depth > LIMITS.deep and (on_a_roof or _behind_another(plane, contour, planes)))
         if inside:
             foot = float(z.min())  # it stands on a roof
         seen = wall_coverage(plane, [contour], foot, top, piece.points.front)
@@ -205,7 +206,7 @@ def _edge_of(plane: WallPlane, contours: Sequence[Contour], ends: np.ndarray,
              outward: np.ndarray) -> tuple[int, float]:
     """Outline edge that a wall runs along: the nearest that faces as it does; and how far the wall stands before it."""
     facing = outward @ plane.normal[:2]
-    parallel = np.flatnonzero(facing > _MIN_EDGE_COSINE)
+    parallel = np.flatnonzero(facing > LIMITS.min_edge_cosine)
     if not len(parallel):
         return -1, float("nan")
     along = plane.axes[0][:2]
@@ -239,17 +240,17 @@ def _behind_another(plane: WallPlane, contour: Contour,
     ground = min(float(_heights(other, one.polygon).min()) for other, contours in planes for one in contours)
     covered = []
     for other, contours in planes:
-        if other.normal @ plane.normal < _FACING:
+        if other.normal @ plane.normal < LIMITS.facing:
             continue
         for one in contours:
             corners = shapely.get_coordinates(on_map(other, shapely.box(*one.polygon.bounds)), include_z=True)[:-1]
             if np.mean(plane.distance(corners)) > _BEFORE:
                 flat, z = in_plane(plane, corners), corners[:, 2]
                 (left, low), (right, high) = flat.min(axis=0), flat.max(axis=0)
-                if z.min() < ground + 1.0 and z.max() > ground + _STOREY and foot > z.max() - _STEP:
+                if z.min() < ground + 1.0 and z.max() > ground + LIMITS.storey and foot > z.max() - LIMITS.step:
                     high = extent.bounds[3]
                 covered.append(shapely.intersection(shapely.box(left, low, right, high), extent))
-    return bool(shapely.union_all(covered).area > _OVERLAP * extent.area) if covered else False
+    return bool(shapely.union_all(covered).area > LIMITS.overlap * extent.area) if covered else False
 
 
 def _heights(plane: WallPlane, flat: shapely.Polygon) -> np.ndarray:
@@ -259,15 +260,15 @@ def _heights(plane: WallPlane, flat: shapely.Polygon) -> np.ndarray:
 
 def _status(plane: WallPlane, points: int, seen: WallCoverage, depth: float) -> tuple[str, str]:
     """Status of a wall and the reason; `depth` is m inside the outline of what is no facade, else 0."""
-    if points < _FEW:
+    if points < LIMITS.few:
         return FEW, say("only {points} points lie on it", points=points)
-    if plane.rmse > _ROUGH:
+    if plane.rmse > LIMITS.rough:
         return ROUGH, say("its points scatter by {rmse:.0f} cm: no flat wall, or drives that disagree",
                           rmse=100 * plane.rmse)
     if depth > 0:
         return INSIDE, say("it lies {depth:.1f} m inside the outline: a setback, or a room seen through a window",
                            depth=depth)
-    if seen.coverage < _HALF:
+    if seen.coverage < LIMITS.half:
         why = say("something stands in front") if seen.hidden > seen.unseen else say("the survey did not see the rest")
         return PARTLY, say("{coverage:.0f} % of it was seen; {why}", coverage=100 * seen.coverage, why=why)
     return OK, ""

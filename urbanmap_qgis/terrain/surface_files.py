@@ -46,13 +46,22 @@ from .tiles import (
     triangulate_tile,
 )
 
-_MOST_CELLS = 4_000_000_000
-_MOST_NODES = 100_000_000
-_PLACE = 1000.0  # m
-_LEAST_FILLED = 300  # times the squares of `_PLACE` with points: a corridor of 100 km from corner to corner takes 35
-_IN_MEMORY = 1_000_000_000
-_WIDEST_SPACING = 5.0
-_FAR = 10.0
+
+@dataclass(frozen=True)
+class SurfaceFilesLimits:
+    """Limits of surface files, each with its unit."""
+
+    most_cells: int = 4_000_000_000
+    most_nodes: int = 100_000_000
+    place: float = 1000.0  # m
+    # times the squares of `place` with points: a corridor of 100 km from corner to corner takes 35
+    least_filled: int = 300
+    in_memory: int = 1_000_000_000
+    widest_spacing: float = 5.0
+    far: float = 10.0
+
+
+LIMITS = SurfaceFilesLimits()
 
 
 @dataclass(frozen=True)
@@ -203,7 +212,7 @@ class _Work:
         area = float(extent[0] * extent[1])
         spacing = math.sqrt(area / cloud.point_count)
         self.neighbours = isolation_limit(cloud.point_count, area)
-        self.blocks = Blocks.for_spacing(max(settings.resolution, min(spacing, _WIDEST_SPACING)))
+        self.blocks = Blocks.for_spacing(max(settings.resolution, min(spacing, LIMITS.widest_spacing)))
         self.tiling = Tiling.for_blocks(settings.resolution, self.blocks)
         self.points = stack.enter_context(PointBuckets(POINT))
         self.highest, self.ground = _Vertices(stack), _Vertices(stack)
@@ -231,7 +240,7 @@ class _Work:
             high = np.maximum(high, [records["x"].max(), records["y"].max()])
             tile = self.tiling.keys(records["x"], records["y"])
             keys.update(np.unique(tile).tolist())
-            place, count = np.unique(np.floor(records["x"] / _PLACE) + 1j * np.floor(records["y"] / _PLACE),
+            place, count = np.unique(np.floor(records["x"] / LIMITS.place) + 1j * np.floor(records["y"] / LIMITS.place),
                                      return_counts=True)
             places.update(dict(zip(place.tolist(), count.tolist())))
             self.points.add(tile, records)
@@ -240,7 +249,7 @@ class _Work:
                                             "valid height.", paths=self.cloud.paths[0].name))
         self.keys = sorted(keys)
         self.grid = Grid.covering(*low, *high, self.settings.resolution)
-        if self.grid.rows * self.grid.columns > _MOST_CELLS:
+        if self.grid.rows * self.grid.columns > LIMITS.most_cells:
             raise InputError(say("The raster would have {columns:,} x {rows:,} cells: choose a coarser resolution, "
                                  "or check for points far outside the area.", columns=self.grid.columns,
                                  rows=self.grid.rows))
@@ -253,7 +262,7 @@ class _Work:
         """Highest points and ground points of all cells."""
         with_cloth = source is not None and source.method == "cloth"
         grid = self.cloth_grid if with_cloth else None
-        if grid and grid.rows * grid.columns > _MOST_NODES:
+        if grid and grid.rows * grid.columns > LIMITS.most_nodes:
             raise InputError(say("The area is too large for one cloth: choose a coarser cloth resolution."))
         levels = [np.full(grid.shape, fill) for fill in (np.inf, np.inf, 0)] if grid else []
         work = partial(reduce_tile, cell=self.settings.resolution, neighbours=self.neighbours, cloth_grid=grid)
@@ -305,12 +314,12 @@ class _Work:
 
 
 def _require_filled(places: Counter[complex]) -> None:
-    """Refuse points whose squares of `_PLACE` fill next to nothing of their box: one strange coordinate does that."""
+    """Refuse points whose squares of `LIMITS.place` fill next to nothing of their box: one strange place does that."""
     corners = np.array([(place.real, place.imag) for place in places])
-    if np.prod(np.ptp(corners, axis=0) + 1) > _LEAST_FILLED * len(corners):
+    if np.prod(np.ptp(corners, axis=0) + 1) > LIMITS.least_filled * len(corners):
         most = places.most_common(1)[0][0]
-        away = np.linalg.norm(corners - (most.real, most.imag), axis=1) * _PLACE / 1000
-        x, y = (corners[np.argmax(away)] + 0.5) * _PLACE
+        away = np.linalg.norm(corners - (most.real, most.imag), axis=1) * LIMITS.place / 1000
+        x, y = (corners[np.argmax(away)] + 0.5) * LIMITS.place
         raise InputError(say("The points fill next to nothing of the box around them, and some lie near "
                              "{x:.0f}, {y:.0f}, {length:.0f} km from the others: remove those, or work on the "
                              "places one by one.", x=x, y=y, length=away.max()))
@@ -362,7 +371,7 @@ class _Canvas:
                  mesh: MeshWriter | None = None, framed: bool = False):
         self.work, self.vertices, self.max_edge, self.mesh = work, vertices, max_edge, mesh
         self.triangles = self.left_out = 0
-        self.far = max(_FAR, 2 * work.blocks.radius)
+        self.far = max(LIMITS.far, 2 * work.blocks.radius)
         progress.message(say("Triangulating the ground.") if framed else say("Triangulating the surface."))
         self.raster = self._blank()
         if mesh:
@@ -376,7 +385,7 @@ class _Canvas:
     def _blank(self) -> np.ndarray:
         """An empty raster, in a temporary file if it is large."""
         shape = self.work.grid.shape
-        if 4 * shape[0] * shape[1] <= _IN_MEMORY:
+        if 4 * shape[0] * shape[1] <= LIMITS.in_memory:
             return np.full(shape, np.nan, dtype=np.float32)
         folder = self.work.stack.enter_context(tempfile.TemporaryDirectory(prefix="urbanmap-"))
         raster = np.memmap(Path(folder) / "raster", dtype=np.float32, mode="w+", shape=shape)

@@ -28,11 +28,20 @@ from .silhouette import SilhouetteEdges, fill_silhouette, silhouette_edges
 HIDDEN = 255
 _STRIP_VERTICES = 1_000_000
 _STRIP_ROWS = 512
-_BLOCK = 256
-_PROBES = 64
-_DEEPER = 15.0
-_STANDING_HEIGHT = 2.0
-_STANDING_SHARE = 0.1
+
+
+@dataclass(frozen=True)
+class OcclusionLimits:
+    """Limits of occlusion, each with its unit."""
+
+    block: int = 256
+    probes: int = 64
+    deeper: float = 15.0
+    standing_height: float = 2.0
+    standing_share: float = 0.1
+
+
+LIMITS = OcclusionLimits()
 
 
 @dataclass(frozen=True)
@@ -55,7 +64,6 @@ class OcclusionSettings:
     def __post_init__(self) -> None:
         if not self.threshold > 0:
             raise InputError(say("The height threshold must be greater than 0."))
-
 
 DEFAULT_OCCLUSION = OcclusionSettings()
 
@@ -142,19 +150,19 @@ def frame_window(camera: FrameCamera, pose: ExteriorOrientation, surface: Normal
     InputError : the frame looks past the surface altogether.
     """
     grid, ground = surface.grid, surface.ground
-    column, row = np.meshgrid(np.linspace(-0.5, camera.width - 0.5, _PROBES),
-                              np.linspace(-0.5, camera.height - 0.5, _PROBES))
+    column, row = np.meshgrid(np.linspace(-0.5, camera.width - 0.5, LIMITS.probes),
+                              np.linspace(-0.5, camera.height - 0.5, LIMITS.probes))
     ray = frame_rays(camera, pose, column.ravel(), row.ravel())
     x, y = (values.ravel() for values in np.meshgrid(*(
-        np.linspace(low, high, _PROBES) for low, high in zip(ground.grid.bounds[:2], ground.grid.bounds[2:]))))
+        np.linspace(low, high, LIMITS.probes) for low, high in zip(ground.grid.bounds[:2], ground.grid.bounds[2:]))))
     for _ in range(3):
         heights = ground.sample(x, y)
         if not np.isfinite(heights).any():
             break
         level = float(np.nanmedian(heights))
-        bounds = _reach(pose, ray, float(np.nanmin(heights)) - _DEEPER, grid)
-        x, y = (values.ravel() for values in np.meshgrid(np.linspace(bounds[0], bounds[2], _PROBES),
-                                                         np.linspace(bounds[1], bounds[3], _PROBES)))
+        bounds = _reach(pose, ray, float(np.nanmin(heights)) - LIMITS.deeper, grid)
+        x, y = (values.ravel() for values in np.meshgrid(np.linspace(bounds[0], bounds[2], LIMITS.probes),
+                                                         np.linspace(bounds[1], bounds[3], LIMITS.probes)))
     else:
         rows, columns, part = grid.window(*bounds)
         seen = surface.known(*_meet(pose, ray, level))
@@ -211,8 +219,8 @@ def raise_footprints(surface: NormalisedSurface, footprints: Sequence, rows: sli
         shapely.prepare(outline)
         inside = shapely.contains_xy(outline, x, y)
         z, above = surface.heights(down, across)
-        standing = (above > min(settings.threshold, _STANDING_HEIGHT)) & inside
-        if not standing.any() or standing.sum() < _STANDING_SHARE * inside.sum():
+        standing = (above > min(settings.threshold, LIMITS.standing_height)) & inside
+        if not standing.any() or standing.sum() < LIMITS.standing_share * inside.sum():
             flat += 1
             continue
         nearest = distance_transform_edt(~standing, return_distances=False, return_indices=True)
@@ -294,8 +302,8 @@ def _strips(camera: FrameCamera, sides: SilhouetteEdges) -> Iterator[tuple[int, 
 def _write(output: str | os.PathLike, camera: FrameCamera, sides: SilhouetteEdges, progress: Progress) -> int:
     """Write the mask strip by strip; returns how many pixels are masked."""
     profile = {"driver": "GTiff", "width": camera.width, "height": camera.height, "count": 1, "dtype": "uint8",
-               "tiled": True, "blockxsize": _BLOCK, "blockysize": _BLOCK, "compress": "deflate", "zlevel": 1,
-               "bigtiff": "if_safer"}
+               "tiled": True, "blockxsize": LIMITS.block, "blockysize": LIMITS.block, "compress": "deflate",
+               "zlevel": 1, "bigtiff": "if_safer"}
     hidden = 0
     try:
         with own_gdal(), written_beside(output) as temporary, warnings.catch_warnings():

@@ -63,20 +63,34 @@ class ConfidenceSettings:
     blue_contrast: tuple[float, float] = (4.5, 7.0)
     blue: tuple[float, float] = (0.1, 0.15)
 
-
 GROUND_REACH = 9.2
 """m round a pixel that the ground beside it is told by: half the boxes below for its texture and, twice, brightness."""
 
-_CLEAR_OF_PAINT = 0.2
-_TEXTURE_BOX, _BRIGHTNESS_BOX, _AROUND_BOX, _BESIDE_BOX, _BESIDE, _MEAN_BOX = 1.2, 8.0, 10.0, 2.4, 0.7, 2.5
-_SIDE, _SIDE_BOX = 0.8, 0.6
-_REACH_ROUND = 6.0  # m round a pixel that it is judged by, ground given: the largest of the boxes, halved, and slack
-_STEP_SLACK = 6  # grey values: dark ground may differ by these whatever its share
-_MIN_PAIRS = 0.02
-_MAX_DIFFERENCE = 100.0  # grey values; keeps sums of squares whole
+
+@dataclass(frozen=True)
+class MarkingConfidenceLimits:
+    """Limits of marking confidence, each with its unit."""
+
+    clear_of_paint: float = 0.2
+    texture_box: float = 1.2
+    brightness_box: float = 8.0
+    around_box: float = 10.0
+    beside_box: float = 2.4
+    beside: float = 0.7
+    mean_box: float = 2.5
+    side: float = 0.8
+    side_box: float = 0.6
+    # m round a pixel that it is judged by, ground given: the largest of the boxes, halved, and slack
+    reach_round: float = 6.0
+    step_slack: int = 6  # grey values: dark ground may differ by these whatever its share
+    min_pairs: float = 0.02
+    max_difference: float = 100.0  # grey values; keeps sums of squares whole
+
+
+LIMITS = MarkingConfidenceLimits()
+
 _PRIOR = np.float32(0.03)  # share of the box that weighs as much as the stand-in
 _SIDE_PRIOR = np.float32(0.1)  # the same for a side, whose box is small
-
 
 _SHADES = np.float32(200)  # steps of warmth in 1: whole numbers are summed
 
@@ -114,15 +128,15 @@ def texture(image: np.ndarray, clear: np.ndarray, pixel: float, lag: float) -> n
     for one, other in ((np.s_[step:], np.s_[:-step]), (np.s_[:, step:], np.s_[:, :-step])):
         weight = clear[one] * clear[other]
         difference = image[one] - image[other]
-        np.minimum(difference, _MAX_DIFFERENCE, out=difference)
-        np.maximum(difference, -_MAX_DIFFERENCE, out=difference)
+        np.minimum(difference, LIMITS.max_difference, out=difference)
+        np.maximum(difference, -LIMITS.max_difference, out=difference)
         difference *= difference
         np.rint(difference, out=difference)
         difference *= weight
         squares[one] += difference
         pairs[one] += weight
-    found, pairs = (_box(values, _TEXTURE_BOX, pixel) for values in (squares, pairs))
-    few = pairs <= _MIN_PAIRS
+    found, pairs = (_box(values, LIMITS.texture_box, pixel) for values in (squares, pairs))
+    few = pairs <= LIMITS.min_pairs
     pairs *= 2
     # Sums over boxes that run along leave rounding errors below 0.
     np.maximum(found, 0, out=found)
@@ -143,7 +157,7 @@ def clear_of_paint(bright: np.ndarray, seen: np.ndarray, pixel: float) -> np.nda
 
 def _clear(bright: np.ndarray, seen: np.ndarray, pixel: float) -> np.ndarray:
     """The same as uint8."""
-    side = 2 * max(round(_CLEAR_OF_PAINT / pixel), 1) + 1
+    side = 2 * max(round(LIMITS.clear_of_paint / pixel), 1) + 1
     near = cv2.dilate(bright.view(np.uint8), cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (side, side)))
     near ^= 1
     near &= seen.view(np.uint8)
@@ -167,7 +181,7 @@ def ground_beside(bands: np.ndarray, image: np.ndarray, road: np.ndarray, bright
     smooth, even, shades = _grey_and_smooth(bands, image, clear, pixel, model, settings)
     smooth = _as_bright_as_around(road, smooth, pixel, settings)
     brightness = np.empty(road.shape, np.float32)
-    for strip, wide, inner in row_strips(len(road), _box_pixels(_BRIGHTNESS_BOX, pixel) // 2, 2 * STRIP):
+    for strip, wide, inner in row_strips(len(road), _box_pixels(LIMITS.brightness_box, pixel) // 2, 2 * STRIP):
         weight = smooth[wide].astype(np.float32)
         brightness[strip] = _mean_with(np.rint(road[wide]), weight, _share_of(weight, pixel), pixel)[inner]
     return GroundBeside(clear, even, smooth, brightness, shades)
@@ -179,7 +193,7 @@ def _grey_and_smooth(bands: np.ndarray, image: np.ndarray, clear: np.ndarray, pi
     columns); and its warmth in whole shades, int16, None for grey images."""
     smooth, even = np.empty_like(clear), np.empty_like(clear)
     shades = np.empty(clear.shape, np.int16) if len(bands) >= 3 else None
-    halo = _box_pixels(_TEXTURE_BOX, pixel) // 2 + _lag_pixels(settings.texture_lag, pixel)
+    halo = _box_pixels(LIMITS.texture_box, pixel) // 2 + _lag_pixels(settings.texture_lag, pixel)
     limit = max(settings.min_texture, settings.texture_factor * model.texture - settings.texture_less)
     warmest = settings.max_warmth
     if limit > settings.min_texture:  # soft light warms no road: what is warm there is earth
@@ -207,21 +221,21 @@ def _as_bright_as_around(road: np.ndarray, smooth: np.ndarray, pixel: float, set
                          ) -> np.ndarray:
     """Smooth ground that is about as bright as the mean of such ground within 4 m, uint8."""
     ground = np.empty_like(smooth)
-    for strip, wide, inner in row_strips(len(road), _box_pixels(_BRIGHTNESS_BOX, pixel) // 2, 2 * STRIP):
+    for strip, wide, inner in row_strips(len(road), _box_pixels(LIMITS.brightness_box, pixel) // 2, 2 * STRIP):
         weight = smooth[wide].astype(np.float32)
         mean = _mean_with(np.rint(road[wide]), weight, _share_of(weight, pixel), pixel)[inner]
         difference = road[strip] - mean
         np.abs(difference, out=difference)
         np.abs(mean, out=mean)
         mean *= settings.max_step
-        mean += _STEP_SLACK
+        mean += LIMITS.step_slack
         np.bitwise_and(smooth[strip], (difference < mean).view(np.uint8), out=ground[strip])
     return ground
 
 
 def _share_of(weight: np.ndarray, pixel: float) -> np.ndarray:
     """Share of what has a weight within 4 m, to divide by."""
-    share = _box(weight, _BRIGHTNESS_BOX, pixel)
+    share = _box(weight, LIMITS.brightness_box, pixel)
     return np.maximum(share, np.float32(1e-4), out=share)
 
 
@@ -230,7 +244,7 @@ def _mean_with(values: np.ndarray, weight: np.ndarray, share: np.ndarray, pixel:
     """Mean of whole numbers (changed by this) with a weight of 0 or 1 within 4 m, in units of `steps`; `share` of it
     from `_share_of`."""
     values *= weight
-    total = _box(values, _BRIGHTNESS_BOX, pixel)
+    total = _box(values, LIMITS.brightness_box, pixel)
     if steps is not None:
         total /= steps
     total /= share
@@ -282,7 +296,7 @@ def marking_confidence(core: np.ndarray, bands: np.ndarray, relief: np.ndarray, 
     if roads is not None:
         return np.float32(0.5) + np.float32(0.5) * _ramp(relief, settings.contrast)
     wanted = wanted or (slice(0, core.shape[0]), slice(0, core.shape[1]))
-    halo = math.ceil(_REACH_ROUND / pixel) + 2
+    halo = math.ceil(LIMITS.reach_round / pixel) + 2
     confidence, done = np.empty(len(relief), np.float32), 0
     for strip, _, _ in row_strips(wanted[0].stop - wanted[0].start, 0, 3 * STRIP):
         rows = slice(strip.start + wanted[0].start, strip.stop + wanted[0].start)
@@ -318,8 +332,8 @@ def _confidence_at(rows: np.ndarray, columns: np.ndarray, core: np.ndarray, band
 def _warmth_of_ground(ground: GroundBeside, rows: np.ndarray, columns: np.ndarray, pixel: float) -> np.ndarray:
     """Mean warmth (n,) of the smooth ground within 4 m of pixels."""
     inside = rows * ground.smooth.shape[1] + columns
-    share = _share_at(ground.smooth, _BRIGHTNESS_BOX, pixel, inside)
-    total = _share_at(ground.shades * ground.smooth, _BRIGHTNESS_BOX, pixel, inside)
+    share = _share_at(ground.smooth, LIMITS.brightness_box, pixel, inside)
+    total = _share_at(ground.shades * ground.smooth, LIMITS.brightness_box, pixel, inside)
     total /= _SHADES
     total /= np.maximum(share, np.float32(1e-4))
     return total
@@ -329,7 +343,7 @@ def _on_road(core: np.ndarray, rows: np.ndarray, columns: np.ndarray, ground: Gr
              settings: ConfidenceSettings) -> np.ndarray:
     """Confidence (n,) that bright pixels at rows and columns lie on a road, by the smooth grey ground beside and around
     them."""
-    side = 2 * max(round(_BESIDE / pixel), 1) + 1
+    side = 2 * max(round(LIMITS.beside / pixel), 1) + 1
     ring = cv2.dilate(core.view(np.uint8), cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (side, side)))
     ring &= ground.clear
     inside = rows * core.shape[1] + columns
@@ -337,11 +351,12 @@ def _on_road(core: np.ndarray, rows: np.ndarray, columns: np.ndarray, ground: Gr
     def near(flags: np.ndarray, side: float) -> np.ndarray:
         return _share_at(flags, side, pixel, inside)
 
-    smooth = near(ground.smooth, _AROUND_BOX)
-    around = smooth / np.maximum(near(ground.clear, _AROUND_BOX), np.float32(0.05))
+    smooth = near(ground.smooth, LIMITS.around_box)
+    around = smooth / np.maximum(near(ground.clear, LIMITS.around_box), np.float32(0.05))
     # Between the bars of a crossing no ground is clear: smooth ground around then stands in for what lies beside.
     stand_in = _ramp(smooth, settings.open_ground)
-    beside = ((near(ring & ground.smooth, _BESIDE_BOX) + _PRIOR * stand_in) / (near(ring, _BESIDE_BOX) + _PRIOR))
+    beside = ((near(ring & ground.smooth, LIMITS.beside_box) + _PRIOR * stand_in)
+              / (near(ring, LIMITS.beside_box) + _PRIOR))
     sides = _poorer_side(rows, columns, ground, stand_in, pixel)
     return _ramp(beside, settings.beside) * _ramp(around, settings.around) * _ramp(sides, settings.both_sides)
 
@@ -374,12 +389,12 @@ def _poorer_side(rows: np.ndarray, columns: np.ndarray, ground: GroundBeside, st
     stand_in : (n,) share for sides where all is too near to paint.
     """
     height, width = ground.clear.shape
-    even, clear = (_as_mean(_totals(flags, _SIDE_BOX, pixel), _SIDE_BOX, pixel)
+    even, clear = (_as_mean(_totals(flags, LIMITS.side_box, pixel), LIMITS.side_box, pixel)
                    for flags in (ground.even, ground.clear))
     stand_in = _SIDE_PRIOR * stand_in
     best = np.zeros(len(rows), np.float32)
     for angle in np.deg2rad((0, 45, 90, 135)):
-        down, across = round(_SIDE * np.sin(angle) / pixel), round(_SIDE * np.cos(angle) / pixel)
+        down, across = round(LIMITS.side * np.sin(angle) / pixel), round(LIMITS.side * np.cos(angle) / pixel)
         sides = []
         for sign in (1, -1):
             place = (np.clip(rows + sign * down, 0, height - 1) * width
@@ -401,8 +416,8 @@ def along_strokes(confidence: np.ndarray, core: np.ndarray, pixel: float) -> np.
     inside = np.flatnonzero(core)
     values = np.zeros(core.shape, np.uint8)
     values.ravel()[inside] = np.rint(confidence * np.float32(255))
-    total = _share_at(values, _MEAN_BOX, pixel, inside)
-    weight = _share_at(core.view(np.uint8), _MEAN_BOX, pixel, inside)
+    total = _share_at(values, LIMITS.mean_box, pixel, inside)
+    weight = _share_at(core.view(np.uint8), LIMITS.mean_box, pixel, inside)
     return total / np.float32(255) / np.maximum(weight, np.float32(1e-4))
 
 

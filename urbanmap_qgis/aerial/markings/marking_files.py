@@ -44,19 +44,24 @@ from .road_markings import (
 )
 from .road_model import RoadModel, road_model_of
 
-MIN_PIXEL = 0.06
-"""m. Finer pixels are taken together to this size or just below twice it: paint has no smaller detail."""
 
-MAX_PIXEL = 0.5
-"""m. Markings are 0.1 to 0.45 m wide: with larger pixels there is nothing to see."""
+@dataclass(frozen=True)
+class MarkingFilesLimits:
+    """Limits of marking files, each with its unit."""
+
+    # m. Finer pixels are taken together to this size or just below twice it: paint has no smaller detail.
+    min_pixel: float = 0.06
+    max_pixel: float = 0.5  # m. Markings are 0.1 to 0.45 m wide: with larger pixels there is nothing to see.
+    mask_block: int = 256
+    samples: int = 16
+    sample_side: int = 128
+
+
+LIMITS = MarkingFilesLimits()
 
 _TILE = 2560
 """Pixels, side of a tile at most: what is worked on round tiles is then up to 0.65 of their own, and a process takes
 0.6 GB."""
-
-_MASK_BLOCK = 256
-_SAMPLES = 16
-_SAMPLE_SIDE = 128
 
 
 @dataclass(frozen=True)
@@ -117,10 +122,10 @@ class _OrthophotoReader:
             raise InputError(say("{path} has pixels that are not square: warp it to square pixels first.",
                                  path=self.path.name))
         self.own_pixel = math.sqrt(across * down) * metres_per_unit
-        if self.own_pixel > MAX_PIXEL:
+        if self.own_pixel > LIMITS.max_pixel:
             raise InputError(say("{path} has pixels of {own_pixel:.2f} m, in which road markings cannot be seen: use "
                                  "an orthophoto of {max_pixel} m or finer.", path=self.path.name,
-                                 own_pixel=self.own_pixel, max_pixel=MAX_PIXEL))
+                                 own_pixel=self.own_pixel, max_pixel=LIMITS.max_pixel))
         self.factor = max(int(min_pixel / self.own_pixel), 1)
         self.pixel = self.own_pixel * self.factor
         self.rows = -(-self.source.height // self.factor)
@@ -216,7 +221,7 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
     """
     settings, places = settings or MarkingSettings(), places or SearchArea()
     with own_gdal(CACHE), ExitStack() as stack:
-        min_pixel = 0.0 if settings.paper else MIN_PIXEL
+        min_pixel = 0.0 if settings.paper else LIMITS.min_pixel
         scene = _OrthophotoReader(path, places, metres_per_unit, min_pixel, stack)
         if not scene.mask_covers():
             progress.warn(say("{mask} does not cover all of {path}: where it does not, nothing is taken as hidden.",
@@ -224,7 +229,8 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
         levels = _levels(scene, settings, progress.part(0.0, 0.1))
         profile = {"driver": "GTiff", "width": scene.source.width, "height": scene.source.height, "count": 1,
                    "dtype": "uint8", "transform": scene.source.transform, "crs": scene.source.crs, "tiled": True,
-                   "blockxsize": _MASK_BLOCK, "blockysize": _MASK_BLOCK, "compress": "deflate", "bigtiff": "if_safer"}
+                   "blockxsize": LIMITS.mask_block, "blockysize": LIMITS.mask_block, "compress": "deflate",
+                   "bigtiff": "if_safer"}
         given = scene
         if executor is not None:
             stored = SearchArea(stack.enter_context(sent_polygons(places.roads)),
@@ -250,7 +256,7 @@ def levels_of_orthophoto(path: str | os.PathLike, places: SearchArea | None = No
     """
     settings = settings or MarkingSettings()
     with own_gdal(CACHE), ExitStack() as stack:
-        min_pixel = 0.0 if settings.paper else MIN_PIXEL
+        min_pixel = 0.0 if settings.paper else LIMITS.min_pixel
         scene = _OrthophotoReader(path, places or SearchArea(), metres_per_unit, min_pixel, stack)
         return _levels(scene, settings, progress)
 
@@ -350,7 +356,7 @@ def _side(length: int, most: int, step: int) -> int:
     """Side of tiles that share a length evenly, at most `most`."""
     most = max(most // step, 1) * step
     side = -(-length // -(-length // most))
-    unit = math.lcm(_MASK_BLOCK, step)
+    unit = math.lcm(LIMITS.mask_block, step)
     return min(-(-side // unit) * unit, most)
 
 
@@ -386,17 +392,17 @@ def _levels(scene: _OrthophotoReader, settings: MarkingSettings, progress: Progr
 def _samples(scene: _OrthophotoReader, progress: Progress
              ) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray | None]]:
     """Bands, where ground is seen, and roads of small pieces spread over the image."""
-    side = _SAMPLE_SIDE
+    side = LIMITS.sample_side
     across = _spread(scene.columns, side)
     for number, row in enumerate(_spread(scene.rows, side)):
-        progress.step(number / _SAMPLES)
+        progress.step(number / LIMITS.samples)
         for column in across:
             yield scene.read(slice(row, min(row + side, scene.rows)), slice(column, min(column + side, scene.columns)))
 
 
 def _spread(length: int, side: int) -> list[int]:
-    """Starts of at most `_SAMPLES` pieces spread evenly over a length."""
-    count = min(-(-length // side), _SAMPLES)
+    """Starts of at most `LIMITS.samples` pieces spread evenly over a length."""
+    count = min(-(-length // side), LIMITS.samples)
     return [int(start) for start in np.linspace(0, max(length - side, 0), count)]
 
 

@@ -22,13 +22,21 @@ from .marking_files import MarkingResult, colour_bands
 from .marking_polygons import CACHE
 from .stored_polygons import batches
 
-_PICTURE_SIDE = 1400
-_DETAIL = 500  # pixels, side of the part shown at full size
-_LINE_COLOUR = (0, 200, 83)  # blue, green, red
-_COARSE = 0.15
-_FAINT = 1.5  # times the contrast asked for
-_ONE_VIEW = 0.2
-_ROUGH = 2.5  # grey values; overcast drone photos measured 1 to 2.2, sunlit and sharpened tiles above 3.7
+
+@dataclass(frozen=True)
+class MarkingReportLimits:
+    """Limits of marking report, each with its unit."""
+
+    picture_side: int = 1400
+    detail: int = 500  # pixels, side of the part shown at full size
+    line_colour: tuple[float, ...] = (0, 200, 83)  # blue, green, red
+    coarse: float = 0.15
+    faint: float = 1.5  # times the contrast asked for
+    one_view: float = 0.2
+    rough: float = 2.5  # grey values; overcast drone photos measured 1 to 2.2, sunlit and sharpened tiles above 3.7
+
+
+LIMITS = MarkingReportLimits()
 
 
 @dataclass(frozen=True)
@@ -152,25 +160,25 @@ def quality_warnings(found: MarkingResult, evidence: OrthophotoQuality) -> list[
                               second=pair.second, east=np.hypot(pair.east, pair.north)))
     if evidence.pairs is not None and not evidence.pairs:
         doubts.append(say("No two frames share enough markings to be compared: a wrong orientation would not show."))
-    if found.pixel > _COARSE:
+    if found.pixel > LIMITS.coarse:
         doubts.append(say("With pixels of {pixel:.2f} m lane lines are narrower than a pixel: many are missed.",
                           pixel=found.pixel))
     if not evidence.roads:
         doubts.append(say("No roads were given: edges of flat roofs, kerbs, rims of vehicles, reeds at water and "
                           "lines of car parks may be among the markings; cut by their confidence, or give roads."))
-    if found.road is not None and found.road.texture > _ROUGH:
+    if found.road is not None and found.road.texture > LIMITS.rough:
         doubts.append(say("Smooth ground has a texture of {texture:.1f} grey values in this image, as in hard light or "
                           "after sharpening: paint is missed and other things are taken for paint more often than in "
                           "soft light. Look at the markings over the image, or give roads.",
                           texture=found.road.texture))
     alone = evidence.views[1] / max(1 - evidence.views[0], 1e-9) if evidence.views is not None else 0.0
-    if alone > _ONE_VIEW:
+    if alone > LIMITS.one_view:
         doubts.append(say("{alone:.0%} of the ground in the image is seen by one frame only: vehicles stay there, "
                           "and hide markings.", alone=alone))
     markings = found.polygons
-    if len(markings) and (markings.contrast < _FAINT * evidence.contrast).mean() > 0.1:
+    if len(markings) and (markings.contrast < LIMITS.faint * evidence.contrast).mean() > 0.1:
         doubts.append(say("{mean:.0%} of the markings hardly stand out from the road: worn paint, shadow edges or "
-                          "paving.", mean=(markings.contrast < _FAINT * evidence.contrast).mean()))
+                          "paving.", mean=(markings.contrast < LIMITS.faint * evidence.contrast).mean()))
     if not len(markings):
         doubts.append(say("No marking was found: check the roads, the contrast and whether the image shows any."))
     return doubts
@@ -197,7 +205,7 @@ def _pictures(report: Report, orthophoto: Path, found: MarkingResult) -> None:
     report.section("Pictures")
     with (own_gdal(CACHE), rasterio.open(orthophoto) as source,
           tempfile.TemporaryDirectory(prefix="urbanmap-") as folder):
-        shrink = max(source.width, source.height) / _PICTURE_SIDE
+        shrink = max(source.width, source.height) / LIMITS.picture_side
         parts = [((0, 0, source.width, source.height), max(shrink, 1.0),
                   say("Markings (green) over the orthophoto. Look for paint without an outline, and outlines on roofs, "
                       "kerbs and vehicles."))]
@@ -216,11 +224,11 @@ def _densest(source: rasterio.DatasetReader, found: MarkingResult) -> tuple[int,
     back = ~source.transform
     column = back.a * middle[:, 0] + back.b * middle[:, 1] + back.c
     row = back.d * middle[:, 0] + back.e * middle[:, 1] + back.f
-    across = -(-source.width // _DETAIL)
-    cell = (row // _DETAIL).astype(int) * across + (column // _DETAIL).astype(int)
+    across = -(-source.width // LIMITS.detail)
+    cell = (row // LIMITS.detail).astype(int) * across + (column // LIMITS.detail).astype(int)
     best = int(np.bincount(np.maximum(cell, 0), weights=found.polygons.area).argmax())
-    left, top = best % across * _DETAIL, best // across * _DETAIL
-    return left, top, min(_DETAIL, source.width - left), min(_DETAIL, source.height - top)
+    left, top = best % across * LIMITS.detail, best // across * LIMITS.detail
+    return left, top, min(LIMITS.detail, source.width - left), min(LIMITS.detail, source.height - top)
 
 
 def _drawn(source: rasterio.DatasetReader, path: Path, box: tuple[int, int, int, int], factor: float,
@@ -252,4 +260,4 @@ def _draw(image: np.ndarray, polygons: np.ndarray, back: Affine, box: tuple[int,
         column = (back.a * points[:, 0] + back.b * points[:, 1] + back.c - left) / factor - 0.5
         row = (back.d * points[:, 0] + back.e * points[:, 1] + back.f - top) / factor - 0.5
         places = np.round(16 * np.column_stack((column, row))).astype(np.int32)
-        cv2.polylines(image, [places], True, _LINE_COLOUR, 1, cv2.LINE_AA, shift=4)
+        cv2.polylines(image, [places], True, LIMITS.line_colour, 1, cv2.LINE_AA, shift=4)

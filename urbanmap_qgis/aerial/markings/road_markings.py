@@ -20,30 +20,32 @@ from .marking_confidence import clear_of_paint, colours_of, texture
 from .marking_filter import Candidates, Cleaned, CleanSettings, disc_kernel, remove_non_markings
 from .road_model import RoadModel
 
-YELLOW_WEIGHT = 0.5
-"""How much of red less blue is added to red: yellow paint on light paving is no brighter than it, but warmer."""
 
-SHADE_FLOOR = 0.35
-"""In shade paint stands out less, in proportion; the threshold follows down to this share of itself."""
+@dataclass(frozen=True)
+class RoadMarkingsLimits:
+    """Limits of road markings, each with its unit."""
 
-EDGE_SPREAD = 0.25
-"""m round a marking's pixels in which its edge is looked for, and its own brightness."""
+    # How much of red less blue is added to red: yellow paint on light paving is no brighter than it, but warmer.
+    yellow_weight: float = 0.5
+    # In shade paint stands out less, in proportion; the threshold follows down to this share of itself.
+    shade_floor: float = 0.35
+    edge_spread: float = 0.25  # m round a marking's pixels in which its edge is looked for, and its own brightness.
+    # Where green exceeds red by this factor there are leaves; neither white nor yellow paint does, in sun or
+    # shade.
+    greenness: float = 1.08
+    # Times the ground's brightness: what is brighter, and wider than paint can be, is a surface of its own.
+    brighter: float = 1.2
+    # Paint whose warmth (red less blue), less that of the ground beside it, exceeds this share of its red is
+    # yellow.
+    yellow_share: float = 0.15
+    rounded: int = 16  # pixels by which boxes and discs, one after the other, are wider than their sizes in m
+    no_paint: float = -1e3  # grey values: of the field far from paint
+
+
+LIMITS = RoadMarkingsLimits()
 
 MIN_RANGE = 1.5
 """Least range of the levels, in medians of the brightness; new paint is two to three times as bright as asphalt."""
-
-GREENNESS = 1.08
-"""Where green exceeds red by this factor there are leaves; neither white nor yellow paint does, in sun or shade."""
-
-BRIGHTER = 1.2
-"""Times the ground's brightness: what is brighter, and wider than paint can be, is a surface of its own."""
-
-YELLOW_SHARE = 0.15
-"""Paint whose warmth (red less blue), less that of the ground beside it, exceeds this share of its red is yellow."""
-
-
-_ROUNDED = 16  # pixels by which boxes and discs, one after the other, are wider than their sizes in m
-_NO_PAINT = -1e3  # grey values: of the field far from paint
 
 
 @dataclass(frozen=True)
@@ -69,7 +71,6 @@ class MarkingSettings:
     def __post_init__(self) -> None:
         if self.paper and self.cleaning is not None:
             raise ValueError("The paper's threshold is not cleaned.")
-
 
 PAPER_MARKINGS = MarkingSettings(paper=True, cleaning=None)
 """J 3.2.2 with the values of Table 3-2."""
@@ -154,7 +155,7 @@ def paint_brightness(bands: np.ndarray) -> np.ndarray:
     mean += blue
     mean /= np.float32(3)
     blue -= red
-    blue *= np.float32(-YELLOW_WEIGHT)
+    blue *= np.float32(-LIMITS.yellow_weight)
     red += blue
     return np.maximum(red, mean, out=mean)
 
@@ -172,9 +173,9 @@ def level_adjustment_of(brightness: np.ndarray, min_range: float = MIN_RANGE) ->
 
 def margin_pixels(pixel: float, settings: MarkingSettings) -> int:
     """How far, in pixels of side `pixel` (m), the result at a pixel looks round itself."""
-    reach = settings.block_size / 2 + 4 * EDGE_SPREAD
+    reach = settings.block_size / 2 + 4 * LIMITS.edge_spread
     reach += settings.cleaning.reach if settings.cleaning else CleanSettings().max_width
-    return math.ceil(reach / pixel) + _ROUNDED
+    return math.ceil(reach / pixel) + LIMITS.rounded
 
 
 def find_markings(bands: np.ndarray, seen: np.ndarray, roads: np.ndarray | None, pixel: float, levels: LevelAdjustment,
@@ -203,7 +204,7 @@ def find_markings(bands: np.ndarray, seen: np.ndarray, roads: np.ndarray | None,
         return _refined(core, image, road, bands, allowed, pixel, unknown).part(wanted)
     _leave_out_green(core, bands)
     found = Candidates(core, bands, image, road, threshold, seen, roads, levels.road)
-    near = grown(wanted, math.ceil((2 * settings.cleaning.fill_width + 4 * EDGE_SPREAD) / pixel) + 4, core.shape)
+    near = grown(wanted, math.ceil((2 * settings.cleaning.fill_width + 4 * LIMITS.edge_spread) / pixel) + 4, core.shape)
     cleaned = remove_non_markings(found, pixel, settings.cleaning, near)
     image, road, allowed, bands = image[near], road[near], allowed[near], bands[:, near[0], near[1]]
     del found, threshold  # large pieces of image: each array counts
@@ -234,7 +235,7 @@ def _bright(bands: np.ndarray, seen: np.ndarray, pixel: float, levels: LevelAdju
         if not seen[lines].all():
             np.copyto(image[lines], mean, where=~seen[lines])
         share = np.divide(mean, max(levels.middle, 1.0), out=threshold[lines])
-        np.maximum(share, SHADE_FLOOR, out=share)
+        np.maximum(share, LIMITS.shade_floor, out=share)
         np.minimum(share, 1.0, out=share)
         share *= settings.contrast
         mean += share
@@ -273,7 +274,7 @@ def _filled(cleaned: Cleaned, image: np.ndarray, road: np.ndarray, allowed: np.n
     square = np.ones((side, side), np.uint8)
     closed = cv2.morphologyEx(cleaned.core.view(np.uint8), cv2.MORPH_CLOSE, square) > 0
     # Verges and paving are wider still: kerbs must not be filled towards them.
-    lit = (image > BRIGHTER * cleaned.ground).view(np.uint8)
+    lit = (image > LIMITS.brighter * cleaned.ground).view(np.uint8)
     closed &= cv2.morphologyEx(lit, cv2.MORPH_OPEN, square) == 0
     closed &= ~cleaned.core
     closed &= allowed
@@ -285,7 +286,7 @@ def _filled(cleaned: Cleaned, image: np.ndarray, road: np.ndarray, allowed: np.n
     wide = np.zeros(closed.shape, bool)
     wide.ravel()[inside] = road.take(inside) > 0.5 * (paint.take(inside) + cleaned.ground.take(inside))
     del paint
-    near = np.flatnonzero(cv2.dilate(wide.view(np.uint8), disc_kernel(2 * EDGE_SPREAD, pixel)))
+    near = np.flatnonzero(cv2.dilate(wide.view(np.uint8), disc_kernel(2 * LIMITS.edge_spread, pixel)))
     road = np.array(road)
     road.ravel()[near] = np.minimum(road.take(near), cleaned.ground.take(near))
     return cleaned.core | wide, road
@@ -311,7 +312,7 @@ def thresholded(image: np.ndarray, bands: np.ndarray, seen: np.ndarray, allowed:
     yellow = np.zeros(mask.shape, dtype=bool)
     if len(bands) >= 3:
         red = bands[0].astype(np.float32)
-        yellow = mask & (red - bands[2] > YELLOW_SHARE * red)
+        yellow = mask & (red - bands[2] > LIMITS.yellow_share * red)
     return Markings(mask, np.where(mask, np.float32(1), np.float32(-1)),
                     np.where(mask, image - mean, np.float32(0)), yellow, np.full(mask.shape, np.nan, np.float32))
 
@@ -351,7 +352,7 @@ def _leave_out_green(core: np.ndarray, bands: np.ndarray) -> None:
         red, green, blue = (cv2.blur(bands[band, wide].astype(np.float32), (3, 3),
                                      borderType=cv2.BORDER_REPLICATE)[inner] for band in (0, 1, 2))
         leaves = green > blue
-        red *= GREENNESS
+        red *= LIMITS.greenness
         leaves &= green > red
         core[strip] &= ~leaves
 
@@ -362,8 +363,9 @@ def _refined(core: np.ndarray, image: np.ndarray, road: np.ndarray, bands: np.nd
 
     The half-way line is where an edge lies whatever the blur; a threshold over the mean is not.
     """
-    spread, narrower = disc_kernel(2 * EDGE_SPREAD, pixel), disc_kernel(2 * max(EDGE_SPREAD / 2, pixel), pixel)
-    markings = Markings(np.zeros(core.shape, bool), np.full(core.shape, _NO_PAINT, np.float32),
+    spread = disc_kernel(2 * LIMITS.edge_spread, pixel)
+    narrower = disc_kernel(2 * max(LIMITS.edge_spread / 2, pixel), pixel)
+    markings = Markings(np.zeros(core.shape, bool), np.full(core.shape, LIMITS.no_paint, np.float32),
                         np.zeros(core.shape, np.float32), np.zeros(core.shape, bool), np.zeros(core.shape, np.float32))
     for strip, wide, inner in row_strips(len(core), max(len(spread), len(narrower)) // 2):
         cores = core[wide]
@@ -391,4 +393,4 @@ def _yellow(bands: np.ndarray, spread: np.ndarray) -> np.ndarray:
     ground = cv2.erode(warmth, spread)
     np.subtract(warmth, ground, out=ground)
     np.maximum(ground, warmth, out=ground)
-    return (ground > YELLOW_SHARE * red) & (warmth > 0.5 * YELLOW_SHARE * red)
+    return (ground > LIMITS.yellow_share * red) & (warmth > 0.5 * LIMITS.yellow_share * red)

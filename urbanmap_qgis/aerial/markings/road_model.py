@@ -11,17 +11,20 @@ from dataclasses import dataclass
 
 import numpy as np
 
-_LIT = 0.6
-"""Times the median brightness: what is darker may be shade, whose texture says little."""
 
-_GREY = 0.35, 0.1
-"""Warmth and green, shares of the brightness, up to which ground may be a road in an image with a cast."""
+@dataclass(frozen=True)
+class RoadModelLimits:
+    """Limits of road model, each with its unit."""
 
-_SMOOTH = 2.0
-"""Times the texture of smooth ground that a road's stays below."""
+    lit: float = 0.6  # Times the median brightness: what is darker may be shade, whose texture says little.
+    # Warmth and green, shares of the brightness, up to which ground may be a road in an image with a cast.
+    grey: tuple[float, ...] = 0.35, 0.1
+    smooth: float = 2.0  # Times the texture of smooth ground that a road's stays below.
+    percentile: int = 15
+    fewest: int = 100
 
-_PERCENTILE = 15
-_FEWEST = 100
+
+LIMITS = RoadModelLimits()
 
 
 @dataclass(frozen=True)
@@ -50,11 +53,11 @@ def road_model_of(ground: Iterable[np.ndarray]) -> RoadModel:
     if not len(rows):
         return RoadModel()
     level = rows[:, 3]
-    lit = level > _LIT * np.median(level)
-    grey = lit & (np.abs(rows[:, 1]) < _GREY[0]) & (np.abs(rows[:, 2]) < _GREY[1])
-    chosen = rows[grey if np.count_nonzero(grey) >= _FEWEST else lit]
+    lit = level > LIMITS.lit * np.median(level)
+    grey = lit & (np.abs(rows[:, 1]) < LIMITS.grey[0]) & (np.abs(rows[:, 2]) < LIMITS.grey[1])
+    chosen = rows[grey if np.count_nonzero(grey) >= LIMITS.fewest else lit]
     if not len(chosen):
         chosen = rows
-    rough = float(np.percentile(chosen[:, 0], _PERCENTILE))
-    _, warmth, green, brightness = np.median(chosen[chosen[:, 0] <= max(_SMOOTH * rough, 1e-6)], axis=0)
+    rough = float(np.percentile(chosen[:, 0], LIMITS.percentile))
+    _, warmth, green, brightness = np.median(chosen[chosen[:, 0] <= max(LIMITS.smooth * rough, 1e-6)], axis=0)
     return RoadModel(rough, float(warmth), float(green), float(brightness))

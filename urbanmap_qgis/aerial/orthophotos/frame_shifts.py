@@ -19,24 +19,30 @@ from ...progress import SILENT, Progress
 from ...wording import say
 from .mosaic import GroundView, ViewSource, reaching, tiles
 
-PATCH = 64
-"""Pixels, side of the patches compared."""
 
-_TILES = 8
-_NARROW = 11  # pixels: wider things are no markings
-_CONTRAST = 0.12  # of the brightest: what a marking stands out by at least
-_MIN_BRIGHT_SHARE = 0.01
-_CLEAR_PEAK = 0.3
-_MIN_PATCHES = 5
-_MIN_REACH = 1  # patches, east or north, that all of them span: a thing smaller than a patch is no evidence
+@dataclass(frozen=True)
+class FrameShiftsLimits:
+    """Limits of frame shifts, each with its unit."""
+
+    patch: int = 64  # Pixels, side of the patches compared.
+    tiles: int = 8
+    narrow: int = 11  # pixels: wider things are no markings
+    contrast: float = 0.12  # of the brightest: what a marking stands out by at least
+    min_bright_share: float = 0.01
+    clear_peak: float = 0.3
+    min_patches: int = 5
+    min_reach: int = 1  # patches, east or north, that all of them span: a thing smaller than a patch is no evidence
+    level_share: float = 0.95  # of a patch on which nothing stands
+    # pixels: with a known base, and of orthophotos, in which heights lean anyhow
+    apart: float = 0.5
+    apart_unknown: float = 1.0
+    heights: tuple[float, ...] = (-2.0, 300.0)  # m: what stands anywhere above the ground, or lies below it
+    ground_sigma: float = 0.1  # m, of the ground's height, the same under all patches
+    max_warnings: int = 5
+    overlap: int = 4  # patches overlap by half in both directions: so many of them speak of the same ground
 
 
-_LEVEL_SHARE = 0.95  # of a patch on which nothing stands
-_APART, _APART_UNKNOWN = 0.5, 1.0  # pixels: with a known base, and of orthophotos, in which heights lean anyhow
-_HEIGHTS = (-2.0, 300.0)  # m: what stands anywhere above the ground, or lies below it
-_GROUND_SIGMA = 0.1  # m, of the ground's height, the same under all patches
-_MAX_WARNINGS = 5
-_OVERLAP = 4  # patches overlap by half in both directions: so many of them speak of the same ground
+LIMITS = FrameShiftsLimits()
 
 
 @dataclass(frozen=True)
@@ -95,7 +101,7 @@ class FrameShift:
         if self.parallax is None or self.on_ground:
             return False
         height = float(np.median(self.vectors @ self.parallax)) / float(self.parallax @ self.parallax)
-        return _HEIGHTS[0] <= height <= _HEIGHTS[1]
+        return LIMITS.heights[0] <= height <= LIMITS.heights[1]
 
     @property
     def unexplained(self) -> tuple[float, float]:
@@ -105,7 +111,7 @@ class FrameShift:
             if self.parallax is None or not self.length:
                 return self.length, self.sigma
             along = abs(self.parallax @ (self.east, self.north)) / self.length
-            return self.length, float(np.hypot(self.sigma, _GROUND_SIGMA * along))
+            return self.length, float(np.hypot(self.sigma, LIMITS.ground_sigma * along))
         east, north = self.parallax / np.hypot(*self.parallax)
         across = self.vectors @ (-north, east)
         middle = np.median(across)
@@ -114,7 +120,7 @@ class FrameShift:
 
 
 def _sigma_of_median(spread: float, patches: int) -> float:
-    return float(np.sqrt(np.pi / 2) * spread / np.sqrt(max(patches / _OVERLAP, 1)))
+    return float(np.sqrt(np.pi / 2) * spread / np.sqrt(max(patches / LIMITS.overlap, 1)))
 
 
 def shift_columns(shifts: Sequence[FrameShift], pixel: float) -> dict[str, np.ndarray]:
@@ -160,22 +166,22 @@ def status_of(shift: FrameShift, pixel: float) -> str:
 
 
 def _surely(length: float, sigma: float, shift: FrameShift, pixel: float) -> bool:
-    least = _APART_UNKNOWN if shift.parallax is None else _APART
+    least = LIMITS.apart_unknown if shift.parallax is None else LIMITS.apart
     return length > max(least * pixel, 3 * sigma)
 
 
 def warn_of_shifts(shifts: Sequence[FrameShift], pixel: float, progress: Progress) -> None:
     """Warn of the pairs that are apart, the worst first; say where heights hide whether they are."""
     bad = sorted((shift for shift in shifts if lie_apart(shift, pixel)), key=lambda shift: -shift.unexplained[0])
-    for shift in bad[:_MAX_WARNINGS]:
+    for shift in bad[:LIMITS.max_warnings]:
         progress.warn(say("{first} and {second} lie {unexplained:.2f} m apart on the road markings {value}(east "
                           "{east:.2f}, north {north:.2f}, sigma {unexplained_2:.2f}; {patches} places): check their "
                           "orientation and the ground.", first=shift.first, second=shift.second,
                           unexplained=shift.unexplained[0], value=say("across their base ") if shift.explained else "",
                           east=shift.east, north=shift.north, unexplained_2=shift.unexplained[1],
                           patches=shift.patches))
-    if len(bad) > _MAX_WARNINGS:
-        progress.warn(say("{bad_count} more pairs of images lie apart.", bad_count=len(bad) - _MAX_WARNINGS))
+    if len(bad) > LIMITS.max_warnings:
+        progress.warn(say("{bad_count} more pairs of images lie apart.", bad_count=len(bad) - LIMITS.max_warnings))
     hidden = sum(status_of(shift, pixel) == "height" for shift in shifts)
     if hidden:
         progress.message(say("In {hidden} pairs of images the shift may come from the height of what stands on the "
@@ -195,7 +201,7 @@ def frame_shifts(sources: Sequence[ViewSource], grid: Grid, progress: Progress =
     metres : in a unit of the grid.
     """
     pieces = list(tiles(grid))
-    pieces = [pieces[k] for k in np.unique(np.linspace(0, len(pieces) - 1, min(_TILES, len(pieces))).astype(int))]
+    pieces = [pieces[k] for k in np.unique(np.linspace(0, len(pieces) - 1, min(LIMITS.tiles, len(pieces))).astype(int))]
     found: dict[tuple[int, int], list[np.ndarray]] = defaultdict(list)
     for done, (_, _, tile) in enumerate(pieces):
         progress.step(done / len(pieces))
@@ -219,9 +225,9 @@ def frame_shifts(sources: Sequence[ViewSource], grid: Grid, progress: Progress =
 
 def _enough(patches: np.ndarray, grid: Grid) -> bool:
     """Whether there are enough patches, and not all at one place."""
-    if len(patches) < _MIN_PATCHES:
+    if len(patches) < LIMITS.min_patches:
         return False
-    return float(np.ptp(patches[:, :2], axis=0).max()) >= _MIN_REACH * PATCH * grid.cell
+    return float(np.ptp(patches[:, :2], axis=0).max()) >= LIMITS.min_reach * LIMITS.patch * grid.cell
 
 
 def _pair(first: ViewSource, second: ViewSource, patches: np.ndarray, grid: Grid) -> FrameShift:
@@ -243,24 +249,25 @@ def _pair(first: ViewSource, second: ViewSource, patches: np.ndarray, grid: Grid
 def _markings(view: GroundView) -> np.ndarray:
     """What is brighter than its surroundings and narrow, as a share of the brightest, float32."""
     grey = view.values.mean(axis=-1)
-    return cv2.morphologyEx(grey, cv2.MORPH_TOPHAT, np.ones((_NARROW, _NARROW), np.uint8)) / max(grey.max(), 1.0)
+    kernel = np.ones((LIMITS.narrow, LIMITS.narrow), np.uint8)
+    return cv2.morphologyEx(grey, cv2.MORPH_TOPHAT, kernel) / max(grey.max(), 1.0)
 
 
 def _patch_shifts(first: np.ndarray, second: np.ndarray, both: np.ndarray, level: np.ndarray | None) -> np.ndarray:
     """Middle (column, row; corners at whole numbers) and shift (columns, rows) of all patches with markings that both
     see, and 1 where they are known to be level, else 0, (n, 5)."""
-    window = cv2.createHanningWindow((PATCH, PATCH), cv2.CV_32F)
+    window = cv2.createHanningWindow((LIMITS.patch, LIMITS.patch), cv2.CV_32F)
     shifts = []
-    for top in range(0, first.shape[0] - PATCH + 1, PATCH // 2):
-        for left in range(0, first.shape[1] - PATCH + 1, PATCH // 2):
-            part = slice(top, top + PATCH), slice(left, left + PATCH)
+    for top in range(0, first.shape[0] - LIMITS.patch + 1, LIMITS.patch // 2):
+        for left in range(0, first.shape[1] - LIMITS.patch + 1, LIMITS.patch // 2):
+            part = slice(top, top + LIMITS.patch), slice(left, left + LIMITS.patch)
             if not both[part].all():
                 continue
             a, b = first[part].copy(), second[part].copy()  # phaseCorrelate lays the window on what it is given
-            if min((a > _CONTRAST).mean(), (b > _CONTRAST).mean()) < _MIN_BRIGHT_SHARE:
+            if min((a > LIMITS.contrast).mean(), (b > LIMITS.contrast).mean()) < LIMITS.min_bright_share:
                 continue
             shift, peak = cv2.phaseCorrelate(a, b, window)
-            if peak > _CLEAR_PEAK:
-                flat = level is not None and level[part].mean() >= _LEVEL_SHARE
-                shifts.append((left + PATCH / 2, top + PATCH / 2, *shift, float(flat)))
+            if peak > LIMITS.clear_peak:
+                flat = level is not None and level[part].mean() >= LIMITS.level_share
+                shifts.append((left + LIMITS.patch / 2, top + LIMITS.patch / 2, *shift, float(flat)))
     return np.array(shifts, float).reshape(-1, 5)

@@ -6,6 +6,7 @@ A vehicle that moves stands in another place in the next frame, so that some fra
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import cv2
 import numpy as np
@@ -15,28 +16,26 @@ METHODS = ("vote", "darkest")
 AGREEMENT = 0.12
 """Views agree where their channels differ by less than this share of the road's own brightness there ..."""
 
-AGREEMENT_FLOOR = 0.04
-"""... or by less than this share of the full scale."""
 
-LIKENESS = 0.2
-"""A view is like the road around where its channels differ by less than this share of the road's brightness."""
+@dataclass(frozen=True)
+class VehiclesLimits:
+    """Limits of vehicles, each with its unit."""
 
-ROAD_BOX = 41
-"""Pixels, side of the neighbourhood in which the road's colour is looked for."""
+    agreement_floor: float = 0.04  # ... or by less than this share of the full scale.
+    # A view is like the road around where its channels differ by less than this share of the road's brightness.
+    likeness: float = 0.2
+    road_box: int = 41  # Pixels, side of the neighbourhood in which the road's colour is looked for.
+    object_box: int = 25  # Pixels, about the size of a vehicle: over this neighbourhood a view is judged as a whole.
+    # A view shows free road where at least this share of the neighbourhood is like the road around, or paint on
+    # it.
+    free_share: float = 0.6
+    clearer: float = 0.2  # ... and this share more than in the view that it replaces.
+    paint_width: int = 9  # Pixels: what is brighter than the road and narrower is paint; vehicles are wider.
 
-OBJECT_BOX = 25
-"""Pixels, about the size of a vehicle: over this neighbourhood a view is judged as a whole."""
 
-FREE_SHARE = 0.6
-"""A view shows free road where at least this share of the neighbourhood is like the road around, or paint on it."""
+LIMITS = VehiclesLimits()
 
-CLEARER = 0.2
-"""... and this share more than in the view that it replaces."""
-
-PAINT_WIDTH = 9
-"""Pixels: what is brighter than the road and narrower is paint; vehicles are wider."""
-
-REACH = ROAD_BOX + OBJECT_BOX // 2 + PAINT_WIDTH + 3
+REACH = LIMITS.road_box + LIMITS.object_box // 2 + LIMITS.paint_width + 3
 """Pixels: what lies farther off has no say in a pixel's vote."""
 
 
@@ -94,10 +93,10 @@ def majority_vote(views: np.ndarray, seen: np.ndarray, full_scale: float, box: i
     agreed = (most >= 2) & (2 * most > seen.sum(axis=0))
     road, known = _road_around(cv2.split(composite(views, number)), agreed)
     unlike = np.stack([_largest_difference(planes, road) for planes in smooth])
-    like = seen & (unlike < np.maximum(LIKENESS * _mean(road), AGREEMENT_FLOOR * full_scale))
+    like = seen & (unlike < np.maximum(LIMITS.likeness * _mean(road), LIMITS.agreement_floor * full_scale))
     alike = _lowest(unlike, like)
     number = np.where(~agreed & known & (alike >= 0), alike, number)
-    paint = seen & (_narrow(total) > LIKENESS * _sum(road))
+    paint = seen & (_narrow(total) > LIMITS.likeness * _sum(road))
     return np.where(known, _freer(number, total, like, paint, seen), number)
 
 
@@ -148,12 +147,12 @@ def _freer(number: np.ndarray, total: np.ndarray, like: np.ndarray, paint: np.nd
     chosen = np.zeros(number.shape, np.float32)
     for view, (flags, sees, counts) in enumerate(zip(like | paint, seen, around)):
         np.copyto(chosen, _share(flags, sees, counts), where=np.maximum(number, 0) == view)
-    return np.where((number >= 0) & (freest >= FREE_SHARE) & (freest > chosen + CLEARER), best, number)
+    return np.where((number >= 0) & (freest >= LIMITS.free_share) & (freest > chosen + LIMITS.clearer), best, number)
 
 
 def _narrow(total: np.ndarray) -> np.ndarray:
     """How much brighter than what is wider than paint each pixel of the views is, (views, rows, columns)."""
-    square = np.ones((PAINT_WIDTH, PAINT_WIDTH), np.uint8)
+    square = np.ones((LIMITS.paint_width, LIMITS.paint_width), np.uint8)
     return np.stack([cv2.morphologyEx(view, cv2.MORPH_TOPHAT, square, borderType=cv2.BORDER_REPLICATE)
                      for view in total])
 
@@ -169,7 +168,7 @@ def _share(flags: np.ndarray, seen: np.ndarray, around: np.ndarray) -> np.ndarra
 
 def _count(flags: np.ndarray) -> np.ndarray:
     """Flags set in the neighbourhood, float32."""
-    return cv2.boxFilter(flags.view(np.uint8), cv2.CV_32F, (OBJECT_BOX, OBJECT_BOX), normalize=False,
+    return cv2.boxFilter(flags.view(np.uint8), cv2.CV_32F, (LIMITS.object_box, LIMITS.object_box), normalize=False,
                          borderType=cv2.BORDER_CONSTANT)
 
 
@@ -180,9 +179,9 @@ def _road_around(image: Sequence[np.ndarray], agreed: np.ndarray) -> tuple[list[
     not count.
     """
     weight = agreed.astype(np.float32)
-    mean, _ = _box_mean(image, weight, ROAD_BOX)
+    mean, _ = _box_mean(image, weight, LIMITS.road_box)
     weight[_sum(image) > 1.15 * _sum(mean)] = 0
-    road, share = _box_mean(image, weight, ROAD_BOX)
+    road, share = _box_mean(image, weight, LIMITS.road_box)
     return road, share > 0.05
 
 
@@ -255,7 +254,7 @@ def _agreement(smooth: Sequence[Sequence[np.ndarray]], seen: np.ndarray, full_sc
             one, other = smooth[first], smooth[second]
             level = _mean([np.minimum(a, b) for a, b in zip(one, other)])
             level *= AGREEMENT
-            np.maximum(level, AGREEMENT_FLOOR * full_scale, out=level)
+            np.maximum(level, LIMITS.agreement_floor * full_scale, out=level)
             near = _largest_difference(one, other) < level
             near &= seen[first]
             near &= seen[second]

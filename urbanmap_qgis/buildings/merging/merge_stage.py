@@ -47,14 +47,19 @@ from .wall_match import (
 MERGED, UNCHANGED, NOT_MERGED = "merged", "unchanged", "not merged"
 """Status of a building: on measured walls; no wall moved it (or all fitted); kept as it was, as it cannot be merged."""
 
-_LOW = 0.5
-"""A roof up to this far above the height (m) belongs below it: no thin slice of the old plan stays on top."""
 
-_TOUCH = 0.02
-"""Neighbours may share this much plan more than before, m2: the rounding of their nodes."""
+@dataclass(frozen=True)
+class MergeStageLimits:
+    """Limits of merge stage, each with its unit."""
 
-_MAX_ITERATIONS = 20
-_LIFT = 0.01
+    # A roof up to this far above the height (m) belongs below it: no thin slice of the old plan stays on top.
+    low: float = 0.5
+    touch: float = 0.02  # Neighbours may share this much plan more than before, m2: the rounding of their nodes.
+    max_iterations: int = 20
+    lift: float = 0.01
+
+
+LIMITS = MergeStageLimits()
 
 
 @dataclass(frozen=True, eq=False)
@@ -168,7 +173,7 @@ def _matched(piece: tuple[int, shapely.Geometry | None], index: WallIndex, setti
     if parts.problem:
         return _Plan(building_id, geometry, parts, reason=parts.problem)
     cut = None
-    if parts.sloped and max(cell.height for cell in parts.cells) > parts.base + settings.height + _LOW:
+    if parts.sloped and max(cell.height for cell in parts.cells) > parts.base + settings.height + LIMITS.low:
         cut = cut_height(parts, parts.base + settings.height)
         if cut is None:
             return _Plan(building_id, geometry, parts, reason=say("it has sloped roofs and is higher than the walls "
@@ -210,7 +215,7 @@ def _clear_of_neighbours(plans: list[_Plan], progress: Progress) -> list[_Plan]:
     rows = [row for row, plan in enumerate(plans) if plan.geometry is not None and plan.edges is not None]
     before = {row: shapely.union_all([cell.polygon for cell in plans[row].parts.cells]) for row in rows}
     after = {row: _union(plans[row]) for row in rows}
-    for _ in range(_MAX_ITERATIONS):
+    for _ in range(LIMITS.max_iterations):
         changed = False
         tree = shapely.STRtree([shapely.union(before[row], after[row]) for row in rows])
         pairs = tree.query(tree.geometries, predicate="intersects")
@@ -221,7 +226,7 @@ def _clear_of_neighbours(plans: list[_Plan], progress: Progress) -> list[_Plan]:
                 continue
             # Above the height the plans are as they were: only what lies below can run into each other.
             common = shapely.intersection(after[one], after[two])
-            if common.area - shapely.intersection(before[one], before[two]).area <= _TOUCH:
+            if common.area - shapely.intersection(before[one], before[two]).area <= LIMITS.touch:
                 continue
             intruding = _intruding(plans[one], common)
             if intruding:
@@ -284,7 +289,7 @@ def _merged(plan: _Plan, settings: MergeSettings) -> MergedBuilding:
 def _checked(plan: _Plan, settings: MergeSettings) -> tuple[tuple[Solid, ...], str]:
     """The solids of a plan with its edges moved, and what the check says against them, "" if nothing."""
     problem = ""
-    for lift in (0.0,) if plan.parts.sloped and plan.cut is None else (0.0, _LIFT):
+    for lift in (0.0,) if plan.parts.sloped and plan.cut is None else (0.0, LIMITS.lift):
         try:
             solids = _plan_solids(plan, settings, lift)
         except (InputError, ValueError) as error:
@@ -307,7 +312,7 @@ def _cut_solids(plan: _Plan, settings: MergeSettings, lift: float) -> tuple[Soli
     """Measured walls up to the cut, and above it the sloped roofs as they were."""
     parts, cut = plan.parts, plan.cut
     tall = [cell.height > cut for cell in parts.cells]
-    level = tuple(replace(cell, height=cut + 4 * _LOW) if high else cell for cell, high in zip(parts.cells, tall))
+    level = tuple(replace(cell, height=cut + 4 * LIMITS.low) if high else cell for cell, high in zip(parts.cells, tall))
     lower = layered_solids(_prisms(replace(plan, parts=replace(parts, cells=level)), settings), lift)
     roofs = [SlopedCell(piece, cell.roof_id, plane, parts.origin)
              for cell, plane, high in zip(parts.cells, parts.planes, tall) if high
@@ -353,7 +358,7 @@ def _prisms(plan: _Plan, settings: MergeSettings) -> list[Prism]:
     prisms: list[Prism] = []
     for number, cell in enumerate(plan.parts.cells):
         old, name = _pieces(cell.polygon), (cell.roof_id,)
-        if cell.height > cut + _LOW:
+        if cell.height > cut + LIMITS.low:
             prisms += [Prism(piece, base, cut) for piece in _pieces(below[number])]
             prisms += [Prism(piece, cut, cell.height, *name) for piece in old]
             continue

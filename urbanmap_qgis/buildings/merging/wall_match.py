@@ -18,24 +18,26 @@ MOVED, KEPT, NOT_SEEN, TOO_FAR, NEIGHBOUR, FOLDED = (
 """What became of an edge: on the measured wall; it lay there already; no wall along it; the wall is beyond the limits;
 it would run into a neighbour; the plan would fold."""
 
-_SAME = 0.01
-_SHORT = 0.5
-_LONG = 4.0
-_BENT = 0.3
-_SMALL_ROTATION = 1.0
-_FACING = 0.94
 
-_COPLANAR = 0.1
-"""Walls whose ends lie this near to the line of a larger one, m, are of its plane."""
+@dataclass(frozen=True)
+class WallMatchLimits:
+    """Limits of wall match, each with its unit."""
 
-_STEP = 0.3
-"""Walls whose depth differs by more than this, m, have a step between them."""
+    same: float = 0.01
+    short: float = 0.5
+    long: float = 4.0
+    bent: float = 0.3
+    small_rotation: float = 1.0
+    facing: float = 0.94
+    coplanar: float = 0.1  # Walls whose ends lie this near to the line of a larger one, m, are of its plane.
+    step: float = 0.3  # Walls whose depth differs by more than this, m, have a step between them.
+    # A step is looked for in gaps between walls up to this wide, m: in a wider one its place is not known.
+    step_gap: float = 2.0
+    # Length of an edge, m, that must have been measured, and of the pieces into which steps cut it.
+    min_piece: float = 1.0
 
-_STEP_GAP = 2.0
-"""A step is looked for in gaps between walls up to this wide, m: in a wider one its place is not known."""
 
-_MIN_PIECE = 1.0
-"""Length of an edge, m, that must have been measured, and of the pieces into which steps cut it."""
+LIMITS = WallMatchLimits()
 
 
 @dataclass(frozen=True)
@@ -220,7 +222,7 @@ def _coplanar(first: MeasuredWall, other: MeasuredWall) -> bool:
     """Whether a wall lies on the line of a larger one that faces the same way."""
     ends = np.array([other.point + end * other.along for end in (other.left, other.right)])
     away = np.abs((ends - first.point) @ first.normal).max()
-    return bool(first.normal @ other.normal > _FACING and away < _COPLANAR)
+    return bool(first.normal @ other.normal > LIMITS.facing and away < LIMITS.coplanar)
 
 
 def _summed(first: MeasuredWall, parts: Sequence[MeasuredWall]) -> MeasuredWall:
@@ -266,7 +268,7 @@ def steps_along(edge: OuterEdge, walls: WallIndex, base: float, top: float, sett
     ordered = sorted(found, key=lambda one: -one.area_along)
     for number, one in enumerate(ordered):
         free_spans = [(max(low, start), min(high, end)) for low, high in one.spans for start, end in free
-                      if min(high, end) - max(low, start) >= _MIN_PIECE]
+                      if min(high, end) - max(low, start) >= LIMITS.min_piece]
         pieces += [(low, high, number) for low, high in free_spans]
         for low, high in free_spans:
             free = [part for start, end in free for part in ((start, min(low, end)), (max(high, start), end))
@@ -274,9 +276,9 @@ def steps_along(edge: OuterEdge, walls: WallIndex, base: float, top: float, sett
     depth = [one.offset for one in ordered]
     pieces.sort()
     breaks = [(before[1] + after[0]) / 2 for before, after in zip(pieces[:-1], pieces[1:])
-              if abs(depth[before[2]] - depth[after[2]]) > _STEP and after[0] - before[1] < _STEP_GAP]
+              if abs(depth[before[2]] - depth[after[2]]) > LIMITS.step and after[0] - before[1] < LIMITS.step_gap]
     ends = [0.0, *breaks, edge.length]
-    return breaks if breaks and min(np.diff(ends)) >= _MIN_PIECE else []
+    return breaks if breaks and min(np.diff(ends)) >= LIMITS.min_piece else []
 
 
 def match_edge(edge: OuterEdge, walls: WallIndex, base: float, top: float, settings: MergeSettings) -> EdgeMatch:
@@ -284,7 +286,7 @@ def match_edge(edge: OuterEdge, walls: WallIndex, base: float, top: float, setti
     found: list[WallsAlong] = []
     far = None
     for one in walls_along(edge, walls, base, top, settings):
-        if one.measured < settings.min_share or one.measured * edge.length < _MIN_PIECE:
+        if one.measured < settings.min_share or one.measured * edge.length < LIMITS.min_piece:
             continue
         if abs(one.offset) > settings.max_offset or abs(one.rotation) > settings.max_rotation:
             if far is None or abs(one.offset) < abs(far.offset):
@@ -296,14 +298,14 @@ def match_edge(edge: OuterEdge, walls: WallIndex, base: float, top: float, setti
     # What is longer but low stands before the facade: a canopy, a sign, a garden wall, a hoarding.
     best = max(found, key=lambda one: (round(one.area_along, 1), one.measured))
     others = [one for one in found
-              if one is not best and abs(one.offset - best.offset) > _STEP and one.measured > 0.25]
+              if one is not best and abs(one.offset - best.offset) > LIMITS.step and one.measured > 0.25]
     note = say("{others_count} more wall{value} at another depth along it", others_count=len(others),
                value="s" * (len(others) > 1)) if others else ""
     line = _new_line(edge, best.wall, best.measured, best.rotation)
-    if best.measured < _SHORT and _walls_off_line(edge, line, walls, best.wall, base, top, settings):
+    if best.measured < LIMITS.short and _walls_off_line(edge, line, walls, best.wall, base, top, settings):
         return _match(TOO_FAR, say("the facade along it is not straight"), best)
     ends = np.array([line.foot(end) for end in edge.ends]) - edge.ends
-    if np.hypot(*ends.T).max() < _SAME:
+    if np.hypot(*ends.T).max() < LIMITS.same:
         return _match(KEPT, note, best)
     if np.hypot(*ends.T).max() > 1.5 * settings.max_offset:
         return _match(TOO_FAR, say("an end would move too far"), best)
@@ -323,7 +325,7 @@ def _walls_off_line(edge: OuterEdge, line: Line, walls: WallIndex, chosen: Measu
             continue
         middle = wall.point + (wall.left + wall.right) / 2 * wall.along
         extent = (middle - edge.ends[0]) @ edge.line.along
-        if 0 < extent < edge.length and abs((middle - line.point) @ line.outward) > _BENT:
+        if 0 < extent < edge.length and abs((middle - line.point) @ line.outward) > LIMITS.bent:
             return True
     return False
 
@@ -333,7 +335,7 @@ def _along(edge: OuterEdge, wall: MeasuredWall, base: float, top: float) -> tupl
     not."""
     line = edge.line
     cosine = float(line.outward @ wall.normal)
-    if cosine < _FACING or min(wall.top, top) - max(wall.foot, base) < 0.5:
+    if cosine < LIMITS.facing or min(wall.top, top) - max(wall.foot, base) < 0.5:
         return None
     ends = np.array([wall.point + extent * wall.along for extent in (wall.left, wall.right)])
     extent = np.sort((ends - edge.ends[0]) @ line.along)
@@ -350,7 +352,7 @@ def _along(edge: OuterEdge, wall: MeasuredWall, base: float, top: float) -> tupl
 def _new_line(edge: OuterEdge, wall: MeasuredWall, measured: float, rotation: float) -> Line:
     """The wall's trace; an edge of which little was measured, on a wall that is short or rotated, keeps its
     direction."""
-    if measured >= _SHORT or (wall.right - wall.left >= _LONG and abs(rotation) < _SMALL_ROTATION):
+    if measured >= LIMITS.short or (wall.right - wall.left >= LIMITS.long and abs(rotation) < LIMITS.small_rotation):
         return Line(wall.point, wall.along)
     line = edge.line
     ends = np.array([wall.point + extent * wall.along for extent in (wall.left, wall.right)])
@@ -365,7 +367,6 @@ def _far_note(offset: float, rotation: float, settings: MergeSettings) -> str:
         return say("the wall was measured {offset:.2f} m {value} of it", offset=abs(offset),
                    value=say("outside") if offset > 0 else say("inside"))
     return say("the measured wall is rotated by {rotation:.1f} degrees against it", rotation=abs(rotation))
-
 
 JAVANMARDI = MergeSettings()
 """The height of J 5.7, and limits for models of airborne scanning."""

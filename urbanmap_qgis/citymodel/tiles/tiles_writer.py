@@ -31,12 +31,21 @@ GENERATOR = "UrbanMap"
 CELL = 250.0
 """Side of a tile of content, m."""
 
-BLOCK_ERROR, CELL_ERROR = 4.0, 60.0
-"""Geometric errors, m: of blocks in place of details, and of nothing in place of a cell's blocks."""
 
-_A, _F = 6378137.0, 1 / 298.257223563
-_E2 = _F * (2 - _F)
-_DEGREE = 111_320.0
+@dataclass(frozen=True)
+class TilesWriterLimits:
+    """Limits of tiles writer, each with its unit."""
+
+    # Geometric errors, m: of blocks in place of details, and of nothing in place of a cell's blocks.
+    block_error: float = 4.0
+    cell_error: float = 60.0
+    a: float = 6378137.0
+    f: float = 1 / 298.257223563
+    e2: float = f * (2 - f)
+    degree: float = 111_320.0
+
+
+LIMITS = TilesWriterLimits()
 
 GeoidHeights = Callable[[np.ndarray, np.ndarray], np.ndarray]
 """Function from longitudes and latitudes (n,), degrees, to heights of the geoid above the ellipsoid, m."""
@@ -118,7 +127,7 @@ def tileset(cells: Mapping[tuple[int, int], TileCell], asset: Mapping[str, Any])
     level: dict[tuple[int, int], tuple[dict, np.ndarray, np.ndarray]] = {}
     for (column, row), cell in sorted(cells.items()):
         level[column, row] = _cell_tile(column, row, cell), cell.low, cell.high
-    error = CELL_ERROR
+    error = LIMITS.cell_error
     while len(level) > 1:
         error *= 2.0
         above: dict[tuple[int, int], list] = {}
@@ -136,10 +145,10 @@ def tileset(cells: Mapping[tuple[int, int], TileCell], asset: Mapping[str, Any])
 def earth_centred(places: np.ndarray) -> np.ndarray:
     """Earth-centred coordinates (n, 3), m, of longitude, latitude (degrees) and ellipsoidal height (n, 3), WGS 84."""
     longitude, latitude = np.radians(places[:, 0]), np.radians(places[:, 1])
-    normal = _A / np.sqrt(1.0 - _E2 * np.sin(latitude) ** 2)
+    normal = LIMITS.a / np.sqrt(1.0 - LIMITS.e2 * np.sin(latitude) ** 2)
     level = (normal + places[:, 2]) * np.cos(latitude)
     return np.column_stack([level * np.cos(longitude), level * np.sin(longitude),
-                            (normal * (1.0 - _E2) + places[:, 2]) * np.sin(latitude)])
+                            (normal * (1.0 - LIMITS.e2) + places[:, 2]) * np.sin(latitude)])
 
 
 def local_axes(longitude: float, latitude: float) -> np.ndarray:
@@ -183,7 +192,7 @@ def _sort_in(building: CityObject, to_degrees, geoid: GeoidHeights | None, cells
         return
     low, high = corners.min(axis=0), corners.max(axis=0)
     middle = (low + high) / 2.0
-    step = CELL / _DEGREE
+    step = CELL / LIMITS.degree
     # Columns are as wide as rows are high, by bands of a degree so that they meet.
     column = math.floor(middle[0] * math.cos(math.radians(math.floor(middle[1]))) / step)
     place = column, math.floor(middle[1] / step)
@@ -248,7 +257,7 @@ def _cell_tile(column: int, row: int, cell: TileCell) -> dict[str, Any]:
     matrix[:3, :3] = local_axes(*origin[:2]).T
     matrix[:3, 3] = earth_centred(origin[None])[0]
     volume = {"region": cell.region()}
-    return {"boundingVolume": volume, "geometricError": BLOCK_ERROR, "refine": "REPLACE",
+    return {"boundingVolume": volume, "geometricError": LIMITS.block_error, "refine": "REPLACE",
             "transform": matrix.T.ravel().tolist(), "content": {"uri": f"tiles/{_file(column, row, 'blocks')}"},
             "children": [{"boundingVolume": volume, "geometricError": 0.0,
                           "content": {"uri": f"tiles/{_file(column, row, 'details')}"}}]}

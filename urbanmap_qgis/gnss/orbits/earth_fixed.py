@@ -12,11 +12,20 @@ from ...errors import InputError
 from ...wording import say
 
 SPEED_OF_LIGHT = 299792458.0  # m/s
-SEMI_MAJOR, FLATTENING = 6378137.0, 1 / 298.257223563
-"""The ellipsoid of WGS 84."""
 
-_SQUARED = FLATTENING * (2 - FLATTENING)
-_STEP = 20.0
+
+@dataclass(frozen=True)
+class EarthFixedLimits:
+    """Limits of earth fixed, each with its unit."""
+
+    # The ellipsoid of WGS 84.
+    semi_major: float = 6378137.0
+    flattening: float = 1 / 298.257223563
+    squared: float = flattening * (2 - flattening)
+    step: float = 20.0
+
+
+LIMITS = EarthFixedLimits()
 
 
 @dataclass(frozen=True)
@@ -73,7 +82,7 @@ class MapFrame:
         """
         place = np.asarray(place, float)
         longitude, latitude = self._geographic(place[:, 0], place[:, 1])
-        further_lon, further_lat = self._geographic(place[:, 0], place[:, 1] + _STEP)
+        further_lon, further_lat = self._geographic(place[:, 0], place[:, 1] + LIMITS.step)
         if not (np.isfinite(longitude).all() and np.isfinite(further_lat).all()):
             raise InputError(say("The trajectory lies outside the area of its CRS: check the CRS."))
         lower, meridian = _curvature(latitude)
@@ -93,13 +102,13 @@ def earth_fixed(latitude: np.ndarray, longitude: np.ndarray, height: np.ndarray)
     lower, _ = _curvature(latitude)
     return np.stack([(lower + height) * np.cos(latitude) * np.cos(longitude),
                      (lower + height) * np.cos(latitude) * np.sin(longitude),
-                     (lower * (1 - _SQUARED) + height) * np.sin(latitude)], axis=-1)
+                     (lower * (1 - LIMITS.squared) + height) * np.sin(latitude)], axis=-1)
 
 
 def _curvature(latitude: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Radii of curvature across and along the meridian, m."""
-    root = np.sqrt(1 - _SQUARED * np.sin(latitude) ** 2)
-    return SEMI_MAJOR / root, SEMI_MAJOR * (1 - _SQUARED) / root ** 3
+    root = np.sqrt(1 - LIMITS.squared * np.sin(latitude) ** 2)
+    return LIMITS.semi_major / root, LIMITS.semi_major * (1 - LIMITS.squared) / root ** 3
 
 
 def _axes(latitude: np.ndarray, longitude: np.ndarray, convergence: np.ndarray) -> np.ndarray:

@@ -6,6 +6,8 @@ above sea level and above the ellipsoid, of times, and of places.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from scipy import sparse
 
@@ -13,19 +15,28 @@ from ...errors import InsufficientDataError
 from ...wording import say
 from .tables import Signals
 
-_TUKEY = 4.7
-_MAD = 1.4826
-_BLOCK = 60.0
-_LOW_LOSS = 7.0
-_FADING = 4.0
-_HIGH = 50.0
-_AIR_HEIGHT = 0.7
+
+@dataclass(frozen=True)
+class AntennaHeightLimits:
+    """Limits of antenna height, each with its unit."""
+
+    tukey: float = 4.7
+    mad: float = 1.4826
+    block: float = 60.0
+    low_loss: float = 7.0
+    fading: float = 4.0
+    high: float = 50.0
+    air_height: float = 0.7
+
+
+LIMITS = AntennaHeightLimits()
+
 _COARSE = np.array([40.0, 20.0, 10.0, 6.0, 4.0, 3.0, 3.0, 3.0, 3.0, 3.0])
 
 
 def tukey(scaled: np.ndarray) -> np.ndarray:
     """Tukey's weights: 1 at 0, 0 from 4.7 sigma on; 0 for NaN."""
-    return np.where(np.abs(scaled) < _TUKEY, (1 - (scaled / _TUKEY) ** 2) ** 2, 0.0)
+    return np.where(np.abs(scaled) < LIMITS.tukey, (1 - (scaled / LIMITS.tukey) ** 2) ** 2, 0.0)
 
 
 def grouped_median(value: np.ndarray, group: np.ndarray, count: int) -> np.ndarray:
@@ -48,14 +59,14 @@ def strong_signals(signals: Signals) -> np.ndarray:
     the horizon), sets the measure; 4 dB below it, more than fading takes and less than a reflection costs, is the
     limit. Signals without a strength count from 50 degrees of elevation.
     """
-    raised = signals.cn0 + _LOW_LOSS * (1.0 - signals.direction[:, 2])
+    raised = signals.cn0 + LIMITS.low_loss * (1.0 - signals.direction[:, 2])
     strong = np.zeros(len(signals), bool)
     for name in np.unique(signals.system):
         of_system = (signals.system == name) & np.isfinite(raised)
         if of_system.any():
-            strong[of_system] = raised[of_system] >= np.percentile(raised[of_system], 90) - _FADING
+            strong[of_system] = raised[of_system] >= np.percentile(raised[of_system], 90) - LIMITS.fading
     unknown = ~np.isfinite(signals.cn0)
-    strong[unknown] = signals.elevation[unknown] >= _HIGH
+    strong[unknown] = signals.elevation[unknown] >= LIMITS.high
     return strong
 
 
@@ -73,7 +84,7 @@ def strong_scatter(signals: Signals) -> float:
     left = left - grouped_median(left, epoch, epochs)[epoch]
     # One of three signals or more is the median itself.
     left = left[(np.bincount(epoch, minlength=epochs)[epoch] > 3) & (left != 0)]
-    return float(_MAD * np.median(np.abs(left))) if len(left) >= 50 else float("nan")
+    return float(LIMITS.mad * np.median(np.abs(left))) if len(left) >= 50 else float("nan")
 
 
 def estimate_height(signals: Signals, line_of_sight: np.ndarray | None = None) -> tuple[float, float]:
@@ -106,10 +117,10 @@ def estimate_height(signals: Signals, line_of_sight: np.ndarray | None = None) -
     inverse = np.linalg.pinv(_normal(unknowns, weight, group, count), rcond=1e-10, hermitian=True)
     slope = unknowns @ inverse[0]
     influence = weight * left * (slope - _centre(slope, weight, group, count)[group])
-    block = np.floor(signals.time[rows] / _BLOCK).astype(np.int64)
+    block = np.floor(signals.time[rows] / LIMITS.block).astype(np.int64)
     satellite, satellites = _numbered(signals.satellite[rows])
     score = np.bincount(_numbered(block * satellites + satellite)[0], influence)
-    return -float(solution[0]), float(np.hypot(np.sqrt(np.sum(score ** 2)), _AIR_HEIGHT))
+    return -float(solution[0]), float(np.hypot(np.sqrt(np.sum(score ** 2)), LIMITS.air_height))
 
 
 def _numbered(values: np.ndarray) -> tuple[np.ndarray, int]:

@@ -33,17 +33,24 @@ from .antenna_height import estimate_height, grouped_median, strong_scatter, str
 from .atmosphere import ionosphere, nearest_model, troposphere
 from .tables import SYSTEM_NAMES, Epochs, Signals, SignalSettings
 
-HEIGHT_LIMIT = 12.0
-"""Heights that differ from what the satellites say by more than this, m, are taken for a mix-up of heights."""
 
-LARGEST_SEPARATION = 120.0
-"""The geoid is nowhere farther from the ellipsoid, m."""
+@dataclass(frozen=True)
+class ObservationsLimits:
+    """Limits of observations, each with its unit."""
 
-USUAL_SCATTER, WIDE_SCATTER, LARGEST_SCATTER = 1.5, 5.0, 30.0
-"""Scatter of the strongest signals, m: up to which no other time is tried, that is told, and that is refused."""
+    # Heights that differ from what the satellites say by more than this, m, are taken for a mix-up of heights.
+    height_limit: float = 12.0
+    largest_separation: float = 120.0  # The geoid is nowhere farther from the ellipsoid, m.
+    # Scatter of the strongest signals, m: up to which no other time is tried, that is told, and that is refused.
+    usual_scatter: float = 1.5
+    wide_scatter: float = 5.0
+    largest_scatter: float = 30.0
+    glonass_factor: float = 1.5
+    glonass_channel: float = 2.5
+    no_cn0: float = 38.0
 
-_GLONASS_FACTOR, _GLONASS_CHANNEL = 1.5, 2.5
-_NO_CN0 = 38.0
+
+LIMITS = ObservationsLimits()
 
 
 def load_observations(observation_paths: Sequence[str | os.PathLike], navigation_paths: Sequence[str | os.PathLike],
@@ -277,9 +284,9 @@ def expected_sigma(cn0: np.ndarray, elevation: np.ndarray, system: np.ndarray, d
     system : (n,) letters.
     delay : (n,) modelled delay in the ionosphere, m.
     """
-    strength = np.where(np.isfinite(cn0), cn0, _NO_CN0)
+    strength = np.where(np.isfinite(cn0), cn0, LIMITS.no_cn0)
     noise = np.sqrt(0.25 ** 2 + 1500.0 * 10 ** (-strength / 10))
-    noise = np.where(system == "R", np.hypot(_GLONASS_FACTOR * noise, _GLONASS_CHANNEL), noise)
+    noise = np.where(system == "R", np.hypot(LIMITS.glonass_factor * noise, LIMITS.glonass_channel), noise)
     air = 0.1 / np.sin(elevation)
     free = np.full(len(air), 5.0) / np.sin(elevation + 0.2) if without_ionosphere else 0.3 * delay
     return np.sqrt(0.7 ** 2 + noise ** 2 + air ** 2 + free ** 2)
@@ -321,7 +328,7 @@ def _with_height(given: float | None, settings: SignalSettings, at_height: Calla
         return signals
     note = _check_fit(signals, retimed)
     if given is None:
-        if abs(offset) > LARGEST_SEPARATION:
+        if abs(offset) > LIMITS.largest_separation:
             raise InputError(say("By the satellites the antenna is {offset:.0f} m above the heights of the "
                                  "trajectory, more than any geoid separation: trajectory and observations do not "
                                  "belong together.", offset=offset))
@@ -330,7 +337,7 @@ def _with_height(given: float | None, settings: SignalSettings, at_height: Calla
         derived = (say("The geoid separation was not given; the satellites say {offset:.1f} m (sigma {sigma:.1f} m), "
                        "which is used: the official value is better.", offset=offset + further, sigma=sigma))
         return replace(signals.raised(further), geoid_sigma=sigma, notes=(*signals.notes, *note, derived))
-    if abs(offset) > max(HEIGHT_LIMIT, 4 * sigma):
+    if abs(offset) > max(LIMITS.height_limit, 4 * sigma):
         raise InputError(say("By the satellites the antenna is {offset:.0f} m {value} than the trajectory with a "
                              "geoid separation of {given:g} m says: heights above sea level and above the ellipsoid "
                              "seem to be mixed up; a separation of about {given_2:.0f} m would fit.",
@@ -355,18 +362,18 @@ def _check_fit(signals: Signals, retimed: Callable[[float, float], Signals]) -> 
     InputError : the trajectory's times are UTC, or it does not belong to the observations.
     """
     scatter = _scatter(signals)
-    if not scatter > USUAL_SCATTER:
+    if not scatter > LIMITS.usual_scatter:
         return ()
     leap = float(leap_seconds(signals.epochs.gps_time[:1])[0])
     for seconds, fault in ((leap, say("too early, as UTC is")), (-leap, say("too late"))):
-        if _scatter(retimed(seconds, signals.geoid_separation)) < min(scatter / 2.5, WIDE_SCATTER):
+        if _scatter(retimed(seconds, signals.geoid_separation)) < min(scatter / 2.5, LIMITS.wide_scatter):
             raise InputError(say("The trajectory's times are {leap:.0f} s {fault}: give them in GPS time.", leap=leap,
                                  fault=fault))
-    if scatter > LARGEST_SCATTER:
+    if scatter > LIMITS.largest_scatter:
         raise InputError(say("The code ranges do not fit the trajectory (the strongest signals contradict each other "
                              "by {scatter:.0f} m): its CRS, its times or the observation file are of another drive.",
                              scatter=scatter))
-    if scatter < WIDE_SCATTER:
+    if scatter < LIMITS.wide_scatter:
         return ()
     return (say("The strongest signals contradict each other by {scatter:.1f} m at the places of the trajectory, "
                 "more than the 1 to 3 m that are usual: check its times, its places and the lever arm of the antenna.",

@@ -31,13 +31,23 @@ _NAME = re.compile(r"FG-GML-([\d-]+?)-DEM(1A|5A|5B|5C|10A|10B)(?:-(\d{8}))?", re
 _ANY_NAME = re.compile(r"FG-GML-", re.IGNORECASE)
 _SECONDS = {1.0: 0.04, 5.0: 0.2, 10.0: 0.4}
 _SYSTEMS = {"fguuid:jgd2000.bl": "JGD2000", "fguuid:jgd2011.bl": "JGD2011", "fguuid:jgd2024.bl": "JGD2024"}
-_LARGEST_MESH = 2**28
-_MOST_CELLS = 2**24
+
+
+@dataclass(frozen=True)
+class GsiDemLimits:
+    """Limits of gsi dem, each with its unit."""
+
+    largest_mesh: float = 2**28
+    most_cells: float = 2**24
+    # GSI writes -9999. where there is no height, under whichever kind; no place in Japan lies below -200 m.
+    lowest: float = -1000.0
+    highest: float = 9000.0
+    named_at_most: int = 3
+
+
+LIMITS = GsiDemLimits()
+
 _EMPTY_KINDS = {"データなし", "データ無し", "nodata"}
-# GSI writes -9999. where there is no height, under whichever kind; no place in Japan lies below -200 m.
-_LOWEST = -1000.0
-_HIGHEST = 9000.0
-_NAMED_AT_MOST = 3
 
 DEMS = Wanted("elevation models (FG-GML-...-DEM1A, 5A, 5B, 5C, 10A, 10B)",
               "download the item 'digital elevation model' from the GSI",
@@ -158,7 +168,7 @@ def _newest_of_each(meshes: list[DemMesh]) -> tuple[list[DemMesh], list[str]]:
 def _read_mesh(source: XmlSource, progress: Progress) -> DemMesh | None:
     """The mesh of a file; None where it is another kind of file."""
     found = None
-    for root, element in root_children(source, "GSI data", _LARGEST_MESH, progress):
+    for root, element in root_children(source, "GSI data", LIMITS.largest_mesh, progress):
         if root.tag != FGD + "Dataset":
             return None
         if element.tag == FGD + "DEM":
@@ -176,7 +186,7 @@ def _mesh(element: Element, source: XmlSource) -> DemMesh:
     north, east = _pair(coverage, "upperCorner", source)
     columns, rows = (int(high - low) + 1 for low, high in zip(
         _pair(coverage, "low", source), _pair(coverage, "high", source)))
-    if not (0 < rows * columns <= _MOST_CELLS and rows > 0 and north > south and east > west):
+    if not (0 < rows * columns <= LIMITS.most_cells and rows > 0 and north > south and east > west):
         raise InputError(say("{source} is damaged: its grid of {columns} x {rows} cells cannot be; download it again.",
                              source=source.name, columns=columns, rows=rows))
     cell = (east - west) / columns
@@ -259,7 +269,8 @@ def _tuples(text: str, source: XmlSource) -> tuple[np.ndarray, Counter]:
     except ValueError as error:
         raise InputError(say("{source} is damaged: a height is no number; download it again.",
                              source=source.name)) from error
-    empty = ~((values > _LOWEST) & (values < _HIGHEST)) | np.array([kind in _EMPTY_KINDS for kind in kinds], bool)
+    empty = ~((values > LIMITS.lowest) & (values < LIMITS.highest))
+    empty |= np.array([kind in _EMPTY_KINDS for kind in kinds], bool)
     values[empty] = np.nan
     return values.astype(np.float32), Counter(kind for kind, gone in zip(kinds, empty.tolist()) if not gone)
 
@@ -299,5 +310,5 @@ def _notes(others: list[str], strange: list[str], older: list[str], meshes: list
 
 
 def _some(items: list[str]) -> str:
-    more = len(items) - _NAMED_AT_MOST
-    return ", ".join(items[:_NAMED_AT_MOST]) + (say(" and {count} more", count=more) if more > 0 else "")
+    more = len(items) - LIMITS.named_at_most
+    return ", ".join(items[:LIMITS.named_at_most]) + (say(" and {count} more", count=more) if more > 0 else "")

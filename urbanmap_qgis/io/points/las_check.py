@@ -20,17 +20,25 @@ import numpy as np
 from ...errors import InputError
 from ...wording import say
 
-RECORD_LENGTHS = (20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67)
-"""Bytes of a record of each point format, without extra bytes."""
+
+@dataclass(frozen=True)
+class LasCheckLimits:
+    """Limits of las check, each with its unit."""
+
+    # Bytes of a record of each point format, without extra bytes.
+    record_lengths: tuple[float, ...] = (20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67)
+    laszip_id: int = 22204
+    bytes14: int = 14
+    variable: float = 2**32 - 1
+    # Points of a chunk for which the decoder makes room whether the file has them or not: what no program writes.
+    large_chunk: float = 2**27
+
+
+LIMITS = LasCheckLimits()
 
 _HEADER, _VLR, _EVLR = 227, 54, 60
-_LASZIP_ID = 22204
 _LAYERS = {10: 9, 11: 1, 12: 2, 13: 1}
 """Layers of the items of LASzip 3 by their type: point, colours, colours with near infrared, wave packet."""
-_BYTES14 = 14
-_VARIABLE = 2**32 - 1
-_LARGE_CHUNK = 2**27
-"""Points of a chunk for which the decoder makes room whether the file has them or not: what no program writes."""
 _EXTRA_TYPES, _EXTRA_BYTES = 30, 192
 """Kinds of extra attributes by the number that tells them, and bytes of the description of one."""
 
@@ -109,9 +117,9 @@ def _header(file: BinaryIO, size: int) -> _Header:
     if not _HEADER <= header_size <= points_start <= size:
         raise _Damaged(say("its header and the place of its points do not fit its size"))
     point_format = kind & 0x3F
-    if point_format >= len(RECORD_LENGTHS):
+    if point_format >= len(LIMITS.record_lengths):
         raise _Damaged(say("its point format {point_format} is none that is known", point_format=point_format))
-    if record_length < RECORD_LENGTHS[point_format]:
+    if record_length < LIMITS.record_lengths[point_format]:
         raise _Damaged(say("its records of {record_length} bytes are too short for point format {point_format}",
                            record_length=record_length, point_format=point_format))
     numbers = np.frombuffer(start, "<f8", 12, 131)
@@ -165,13 +173,13 @@ def _check_evlrs(file: BinaryIO, header: _Header, size: int) -> None:
 
 
 def _check_compressed(file: BinaryIO, header: _Header, records: list[tuple[bytes, int, bytes]], size: int) -> None:
-    laszip = [content for user, record, content in records if (user, record) == (b"laszip encoded", _LASZIP_ID)]
+    laszip = [content for user, record, content in records if (user, record) == (b"laszip encoded", LIMITS.laszip_id)]
     if not laszip:
         raise _Damaged(say("it is compressed, but its record on the compression is missing"))
     items = _items(laszip[0], header)
     (chunk_size,) = struct.unpack_from("<I", laszip[0], 12)
     chunks = _chunks(file, header, laszip[0], chunk_size, size)
-    if any(kind in _LAYERS or kind == _BYTES14 for kind, _ in items):
+    if any(kind in _LAYERS or kind == LIMITS.bytes14 for kind, _ in items):
         _check_layers(file, header, items, chunks, chunk_size)
 
 
@@ -205,16 +213,16 @@ def _chunks(file: BinaryIO, header: _Header, laszip: bytes, chunk_size: int, siz
     room = place - header.points_start - 8
     if version != 0 or not 0 < number <= room // header.record_length:
         raise _Damaged(say("there is no room for its {number:,} chunks", number=number))
-    if chunk_size == 0 or (chunk_size != _VARIABLE and not (number - 1) * chunk_size < header.count
+    if chunk_size == 0 or (chunk_size != LIMITS.variable and not (number - 1) * chunk_size < header.count
                            <= number * chunk_size):
         raise _Damaged(say("its {number:,} chunks do not hold {count:,} points", number=number, count=header.count))
-    if chunk_size != _VARIABLE and chunk_size > max(header.count, _LARGE_CHUNK):
+    if chunk_size != LIMITS.variable and chunk_size > max(header.count, LIMITS.large_chunk):
         raise _Damaged(say("it says that its chunks hold {chunk_size:,} points", chunk_size=chunk_size))
     chunks = _chunk_table(file, header, laszip)
     if len(chunks) != number or any(length < header.record_length for _, length in chunks) or sum(
             length for _, length in chunks) > room:
         raise _Damaged(say("the table of its chunks does not fit its size"))
-    if chunk_size == _VARIABLE and sum(points for points, _ in chunks) != header.count:
+    if chunk_size == LIMITS.variable and sum(points for points, _ in chunks) != header.count:
         raise _Damaged(say("its chunks do not hold {count:,} points", count=header.count))
     return chunks
 
@@ -236,13 +244,13 @@ def _chunk_table(file: BinaryIO, header: _Header, laszip: bytes) -> list[tuple[i
 def _check_layers(file: BinaryIO, header: _Header, items: list[tuple[int, int]], chunks: list[tuple[int, int]],
                   chunk_size: int) -> None:
     """The lengths of each chunk's layers, for which the decoder makes room at once, add up to the chunk's."""
-    layers = sum(length if kind == _BYTES14 else _LAYERS.get(kind, 0) for kind, length in items)
+    layers = sum(length if kind == LIMITS.bytes14 else _LAYERS.get(kind, 0) for kind, length in items)
     head = header.record_length + 4 + 4 * layers
     place = header.points_start + 8
     for _, length in chunks:
         file.seek(place + header.record_length)
         numbers = np.frombuffer(file.read(4 + 4 * layers), "<u4").astype(np.int64)
         if len(numbers) < 1 + layers or head + numbers[1:].sum() > length or (
-                chunk_size != _VARIABLE and numbers[0] > chunk_size):
+                chunk_size != LIMITS.variable and numbers[0] > chunk_size):
             raise _Damaged(say("the lengths within a chunk do not fit it"))
         place += length

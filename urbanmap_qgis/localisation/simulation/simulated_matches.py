@@ -13,18 +13,22 @@ from ..map_aliases import EVIDENCE_OF_CELL, STEP, ScoreField
 from ..walls.wall_cells import space_cells, wall_plan_cells
 from ..walls.wall_map import WallMap
 
-_COARSE = (1.0, 0.3)
-"""Least sigmas of the walls at the levels before the last, m: walls that are farther off still pull."""
 
-_GROUND_SIGMA = 0.05
-_SAME_START = 3.0
-"""Starts are looked for within so many sigmas."""
+@dataclass(frozen=True)
+class SimulatedMatchesLimits:
+    """Limits of simulated matches, each with its unit."""
 
-_STARTS = 2
-"""Starts from which the NDT is tried; the likeliest result is kept."""
+    # Least sigmas of the walls at the levels before the last, m: walls that are farther off still pull.
+    coarse: tuple[float, ...] = (1.0, 0.3)
+    ground_sigma: float = 0.05
+    same_start: float = 3.0  # Starts are looked for within so many sigmas.
+    starts: int = 2  # Starts from which the NDT is tried; the likeliest result is kept.
+    # Share of an independent observation that a point of a scan counts for, as its neighbours are on the same
+    # wall.
+    evidence_of_point: float = 0.05
 
-EVIDENCE_OF_POINT = 0.05
-"""Share of an independent observation that a point of a scan counts for, as its neighbours are on the same wall."""
+
+LIMITS = SimulatedMatchesLimits()
 
 
 @dataclass(frozen=True)
@@ -47,14 +51,14 @@ def space_matching_map(walls: WallMap, field: ScoreField, settings: Localisation
     """Map for scans of several layers around a place (2,), with a level road at height `foot`, m."""
     reach = settings.scanner.max_range
     rise = reach * np.tan(np.radians(max(settings.scanner.highest, 0.0))) + settings.scanner.height
-    levels = tuple(space_cells(each, settings.cell, rise, foot, xy, reach + 5.0, _GROUND_SIGMA)
+    levels = tuple(space_cells(each, settings.cell, rise, foot, xy, reach + 5.0, LIMITS.ground_sigma)
                    for each in _levels(walls))
     return MatchingMap(field, levels, Mixture.of(settings.outliers, settings.cell, 3))
 
 
 def _levels(walls: WallMap) -> list[WallMap]:
     """The walls with less and less tolerance, at last as accurate as they are."""
-    return [replace(walls, sigma=np.maximum(walls.sigma, least)) for least in _COARSE
+    return [replace(walls, sigma=np.maximum(walls.sigma, least)) for least in LIMITS.coarse
             if walls.sigma.min() < least] + [walls]
 
 
@@ -80,7 +84,7 @@ def match_error(scan: np.ndarray, place: np.ndarray, city: MatchingMap, settings
         turned = np.arctan2(found.rotation[1, 0], found.rotation[0, 0])
         away = ((found.translation - start)[:2] ** 2).sum() / settings.start_sigma ** 2
         away += (turned / np.radians(settings.start_heading)) ** 2
-        likelihood = EVIDENCE_OF_POINT * value - away / 2
+        likelihood = LIMITS.evidence_of_point * value - away / 2
         if likelihood > best[0]:
             best = (likelihood, np.array([*(found.translation[:2] - place[:2]), turn + turned]))
     return best[1]
@@ -98,7 +102,7 @@ def _through_levels(points: np.ndarray, pose: RigidMotion, city: MatchingMap) ->
 def _starts(points: np.ndarray, start: np.ndarray, field: ScoreField, settings: LocalisationSettings
             ) -> list[tuple[np.ndarray, float]]:
     """Shifts (2,), m, and turns, rad, that fit best, what was known before taken into account."""
-    most = int(np.ceil(_SAME_START * settings.start_sigma / STEP))
+    most = int(np.ceil(LIMITS.same_start * settings.start_sigma / STEP))
     offset = np.arange(-most, most + 1) * STEP
     before = (offset[:, None] ** 2 + offset ** 2) / (2 * settings.start_sigma ** 2)
     found = []
@@ -110,4 +114,4 @@ def _starts(points: np.ndarray, start: np.ndarray, field: ScoreField, settings: 
         row, column = np.unravel_index(score.argmax(), score.shape)
         found.append((float(score[row, column]), offset[column], offset[row], turn))
     found.sort(key=lambda each: -each[0])
-    return [(np.array([east, north]), turn) for _, east, north, turn in found[:_STARTS]]
+    return [(np.array([east, north]), turn) for _, east, north, turn in found[:LIMITS.starts]]

@@ -40,13 +40,21 @@ STATUS_NAMES = ("placed", "bridged", "relative only", "not tied")
 """Of a node: near observations of a network with control or reference; farther from them; in a network whose place is
 only what the drives report in the mean; of a drive without any observation, which stays as reported."""
 
-_NODES = 5.0  # m of the drift's parameter
-_STEP_REACH = 30.0  # m of path
-_NEAR = 30.0  # m from an observation that a node is placed by
-_KEPT = 0.3  # weight from which an observation counts
-_BELONGS = 200.0  # m from the vehicle within which its points lie in the median
-_CONTROL_REACH = 60.0  # m from the vehicle within which it measures a control point
-_SAMPLE = 5000  # points by which a cloud's drive is found
+
+@dataclass(frozen=True)
+class AdjustmentStageLimits:
+    """Limits of adjustment stage, each with its unit."""
+
+    nodes: float = 5.0  # m of the drift's parameter
+    step_reach: float = 30.0  # m of path
+    near: float = 30.0  # m from an observation that a node is placed by
+    kept: float = 0.3  # weight from which an observation counts
+    belongs: float = 200.0  # m from the vehicle within which its points lie in the median
+    control_reach: float = 60.0  # m from the vehicle within which it measures a control point
+    sample: int = 5000  # points by which a cloud's drive is found
+
+
+LIMITS = AdjustmentStageLimits()
 
 
 @dataclass(frozen=True)
@@ -127,7 +135,7 @@ class AdjustedSurvey:
                 plan = sizes[of_kind]
                 up = np.abs(self.network.residual[of_kind, 2])
                 known = up[np.isfinite(up)]
-                rows.append((name, int(of_kind.sum()), int((self.network.weight[of_kind] < _KEPT).sum()),
+                rows.append((name, int(of_kind.sum()), int((self.network.weight[of_kind] < LIMITS.kept).sum()),
                              float(np.sqrt(np.mean(plan**2))), float(plan.max()),
                              float(np.sqrt(np.mean(known**2))) if len(known) else np.nan,
                              float(known.max()) if len(known) else np.nan))
@@ -147,7 +155,7 @@ def assign_clouds(paths: Sequence[str | os.PathLike], trajectories: Sequence[Tra
         cloud = open_cloud([path])
         away = [_distance(cloud, trajectory) for trajectory in trajectories]
         nearest = int(np.argmin(away))
-        if not away[nearest] < _BELONGS:
+        if not away[nearest] < LIMITS.belongs:
             raise InputError(say("{paths} belongs to none of the trajectories: none covers its GPS times near its "
                                  "points. Give the trajectory of each drive.", paths=cloud.paths[0].name))
         found[nearest].append(path)
@@ -164,7 +172,7 @@ def _distance(cloud: PointCloud, trajectory: Trajectory) -> float:
     except InputError:
         return np.inf
     chunk = next(iter_chunks(cloud))
-    some = slice(None, None, max(len(chunk) // _SAMPLE, 1))
+    some = slice(None, None, max(len(chunk) // LIMITS.sample, 1))
     time = np.asarray(chunk.gps_time)[some] + shift
     within = trajectory.within(time)
     if not within.any():
@@ -223,7 +231,7 @@ def _plane_observations(clouds: Sequence[Sequence[str | os.PathLike]], drives: S
         adjusted = [drive.corrected for drive in preliminary.drives]
     found = plane_ties(planes, reported, adjusted, run.registration.correction.time_weight)
     # Beside a step the drives are not together well enough to tell which planes are the same.
-    return found.select(away_from_steps(found, ties, _STEP_REACH))
+    return found.select(away_from_steps(found, ties, LIMITS.step_reach))
 
 
 def control_observations(drives: Sequence[Drive], control: ControlPoints, run: AdjustmentRun) -> NetworkObservations:
@@ -236,10 +244,10 @@ def control_observations(drives: Sequence[Drive], control: ControlPoints, run: A
     away = np.stack([_away(drive.trajectory, control) for drive in drives])
     number = np.argmin(away, axis=0)
     nearest = away.min(axis=0)
-    if (nearest > _CONTROL_REACH).any():
+    if (nearest > LIMITS.control_reach).any():
         name = control.id[int(np.argmax(nearest))]
         raise InputError(say("Control point {name} was measured by none of the drives: no trajectory passes within "
-                             "{control_reach:.0f} m of it at its time.", name=name, control_reach=_CONTROL_REACH))
+                             "{control_reach:.0f} m of it at its time.", name=name, control_reach=LIMITS.control_reach))
     n = len(control)
     parameter, arm = np.zeros(n), np.zeros((n, 2))
     for k, drive in enumerate(drives):
@@ -277,7 +285,7 @@ def _adjusted(drives: Sequence[Drive], observations: NetworkObservations, run: A
     progress.message(say("Adjusting {drives_count} drives with {observations_count} observations.",
                          drives_count=len(drives), observations_count=len(observations)))
     network = adjust_network(nodes, observations, NetworkSettings(run.registration.correction.model()))
-    inlier = network.weight >= _KEPT
+    inlier = network.weight >= LIMITS.kept
     placed = _networks(len(drives), observations, inlier)
     results = tuple(
         _drive_result(drives[k], parameters[k], nodes[k], times[k], network.state[k], network.covariance[k],
@@ -295,7 +303,7 @@ def _adjusted(drives: Sequence[Drive], observations: NetworkObservations, run: A
 def _nodes(trajectory: Trajectory, parameter: np.ndarray, number: int,
            observations: NetworkObservations) -> tuple[DriveNodes, np.ndarray]:
     """Nodes along the parameter of the drive `number`, and their times, s."""
-    count = max(int(np.ceil((parameter[-1] - parameter[0]) / _NODES)), 1)
+    count = max(int(np.ceil((parameter[-1] - parameter[0]) / LIMITS.nodes)), 1)
     at = np.linspace(parameter[0], parameter[-1], count + 1)
     rising = np.concatenate([[True], np.diff(parameter) > 0])
     time = np.interp(at, parameter[rising], trajectory.time[rising])
@@ -322,7 +330,7 @@ def _node_status(nodes: DriveNodes, number: int, observations: NetworkObservatio
         return np.full(len(nodes), RELATIVE if placed is False else NOT_TIED)
     parameter = np.concatenate([observations.parameter[inlier & (observations.drive == number)],
                             observations.other_parameter[inlier & (observations.other == number)]])
-    near = np.abs(nodes.parameter[:, None] - parameter[None, :]).min(axis=1) <= _NEAR
+    near = np.abs(nodes.parameter[:, None] - parameter[None, :]).min(axis=1) <= LIMITS.near
     return np.where(near, PLACED, BRIDGED)
 
 

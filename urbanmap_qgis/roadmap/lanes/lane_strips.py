@@ -14,29 +14,29 @@ from .road_sections import STEP, BoundTrack, RoadSection
 SNAP = 9.0
 """Ends of lanes so near to each other along the road are one cross-section of it, m."""
 
-COVER = 0.6
-"""Share of a cell that both bounds of a lane must cover."""
 
-ONE_LANE = 4.0
-"""Between two lines no farther apart there is one lane at the most, m."""
+@dataclass(frozen=True)
+class LaneStripsLimits:
+    """Limits of lane strips, each with its unit."""
 
-STOP_REACH = 6.0
-"""A stop line belongs to a lane that ends so near, m."""
+    cover: float = 0.6  # Share of a cell that both bounds of a lane must cover.
+    one_lane: float = 4.0  # Between two lines no farther apart there is one lane at the most, m.
+    stop_reach: float = 6.0  # A stop line belongs to a lane that ends so near, m.
+    clear_drive: float = 15.0  # Drives in one direction over so many metres are believed more than paint.
+    one_row: float = 1.5  # Pieces of a stop line lie so near to each other along and across the road, m.
+    at_line: float = 0.6  # A stop line ends at a line that lies so near to its end, m.
+    # What a stop line on the other side of the road weighs, m driven: less than any evidence in the lane itself.
+    away: float = 6.0
+    # The outermost bound of a lane that only a dashed line tells of is seen along such a share of that line.
+    mostly_seen: float = 0.5
+    # Where no drive shows it, arrows and stop lines tell a direction only between bounds so long, m: not in car
+    # parks.
+    least_undriven: float = 25.0
+    # A drive shows a strip's direction where it runs in it for so long, m (or half of a shorter strip).
+    least_drive: float = 5.0
 
-CLEAR_DRIVE = 15.0
-"""Drives in one direction over so many metres are believed more than paint."""
 
-ONE_ROW = 1.5
-"""Pieces of a stop line lie so near to each other along and across the road, m."""
-
-AT_LINE = 0.6
-"""A stop line ends at a line that lies so near to its end, m."""
-
-AWAY = 6.0
-"""What a stop line on the other side of the road weighs, m driven: less than any evidence in the lane itself."""
-
-MOSTLY_SEEN = 0.5
-"""The outermost bound of a lane that only a dashed line tells of is seen along such a share of that line."""
+LIMITS = LaneStripsLimits()
 
 BESIDE, ACROSS = mark("beside a dashed line"), mark("across the centre line")
 ALONG_AXIS = mark("road axis")
@@ -44,11 +44,6 @@ INFERRED = (BESIDE, ACROSS, ALONG_AXIS)
 DRIVEN, PAINTED = mark("drive"), mark("arrow or stop line")
 
 DRIVE_ANGLE = np.radians(25.0)
-LEAST_UNDRIVEN = 25.0
-"""Where no drive shows it, arrows and stop lines tell a direction only between bounds so long, m: not in car parks."""
-
-LEAST_DRIVE = 5.0
-"""A drive shows a strip's direction where it runs in it for so long, m (or half of a shorter strip)."""
 
 
 @dataclass
@@ -107,7 +102,7 @@ def lane_strips(section: RoadSection, stops: Sequence[np.ndarray], settings: Map
         for pair in sorted({pair for pair, *_ in runs}, key=lambda one: np.nanmean(offset[list(one)])):
             within = (at >= first) & (at <= last)
             covered = sum(max(0.0, min(last, b) - max(first, a)) for one, a, b in runs if one == pair)
-            if covered < COVER * (last - first):
+            if covered < LIMITS.cover * (last - first):
                 continue
             wide = (offset[pair[1]] - offset[pair[0]])[within]
             wide = wide[np.isfinite(wide)]
@@ -144,7 +139,7 @@ def _adjacent(offset: np.ndarray, tracks: Sequence[BoundTrack],
 def _too_narrow(right: float, middle: float, left: float, settings: MapSettings) -> bool:
     """Whether a bound between two others leaves no lane on either side, or none on one within one lane's width."""
     narrow = (middle - right < settings.min_width, left - middle < settings.min_width)
-    return all(narrow) or (any(narrow) and left - right <= ONE_LANE)
+    return all(narrow) or (any(narrow) and left - right <= LIMITS.one_lane)
 
 
 def _spans(mask: np.ndarray) -> np.ndarray:
@@ -240,7 +235,8 @@ def add_stops(strips: Sequence[Strip], section: RoadSection, stops: Sequence[np.
     Where the side of the traffic is known, it leads away in the strip across the solid line at which a stop line ends.
     """
     for level, low, high in _whole_stops(section, stops):
-        ending = [strip for strip in strips if min(abs(strip.start - level), abs(strip.end - level)) < STOP_REACH]
+        ending = [strip for strip in strips if min(abs(strip.start - level),
+                                                   abs(strip.end - level)) < LIMITS.stop_reach]
         middles = {id(strip): _middle(section, strip, level) for strip in ending}
         covered = [strip for strip in ending if low < middles[id(strip)] < high]
         others = [strip for strip in ending if not low - 0.5 < middles[id(strip)] < high + 0.5]
@@ -252,8 +248,8 @@ def add_stops(strips: Sequence[Strip], section: RoadSection, stops: Sequence[np.
             strip.backward += 10.0 * (not at_end)
             away = _across_solid(section, strip, others, (low, high), at_end == left_hand)
             if left_hand is not None and away is not None:
-                away.forward += AWAY * (not at_end)
-                away.backward += AWAY * at_end
+                away.forward += LIMITS.away * (not at_end)
+                away.backward += LIMITS.away * at_end
 
 
 def _whole_stops(section: RoadSection, stops: Sequence[np.ndarray]) -> list[tuple[float, float, float]]:
@@ -263,7 +259,7 @@ def _whole_stops(section: RoadSection, stops: Sequence[np.ndarray]) -> list[tupl
     whole: list[tuple[float, float, float]] = []
     for low, high, level in pieces:
         for number, (at, right, left) in enumerate(whole):
-            if abs(at - level) < ONE_ROW and low - left < ONE_ROW:
+            if abs(at - level) < LIMITS.one_row and low - left < LIMITS.one_row:
                 whole[number] = (at, right, max(left, high))
                 break
         else:
@@ -279,7 +275,7 @@ def _across_solid(section: RoadSection, strip: Strip, others: Sequence[Strip], r
               and (one.left == strip.right if to_right else one.right == strip.left)]
     kinds = _kinds(track, strip.start, strip.end)
     at = np.interp((strip.start + strip.end) / 2.0, track.chainage, track.offset)
-    ends = abs(reach[0 if to_right else 1] - at) < AT_LINE
+    ends = abs(reach[0 if to_right else 1] - at) < LIMITS.at_line
     return beside[0] if beside and ends and set(kinds) == {"solid"} else None
 
 
@@ -350,13 +346,14 @@ def _own_direction(members: Sequence[Strip]) -> tuple[int, str, str]:
     forward, backward = sum(one.forward for one in members), sum(one.backward for one in members)
     length = sum(one.end - one.start for one in members)
     contradicts = min(forward, backward) > 0.3 * max(forward, backward)
-    if max(ways) >= CLEAR_DRIVE and min(ways) <= 0.1 * max(ways):
+    if max(ways) >= LIMITS.clear_drive and min(ways) <= 0.1 * max(ways):
         return 1 if ways[0] > ways[1] else -1, DRIVEN, (
             say("Arrows or stop lines contradict the drives about the direction here; that of the drives was taken.")
             if contradicts else "")
     if contradicts:
         return 0, "", say("Drives, arrows or stop lines contradict each other about the direction here.")
-    if max(forward, backward) >= min(LEAST_DRIVE, length / 2.0) and (max(ways) > 0 or length > LEAST_UNDRIVEN):
+    if max(forward, backward) >= min(LIMITS.least_drive,
+                                     length / 2.0) and (max(ways) > 0 or length > LIMITS.least_undriven):
         return 1 if forward > backward else -1, DRIVEN if max(ways) > 0 else PAINTED, ""
     return 0, "", ""
 
@@ -393,7 +390,7 @@ def _is_bounded(strip: Strip, shared: int, section: RoadSection) -> bool:
     place, near = far.interpolate(at)[0], section.tracks[shared].interpolate(at)[0]
     if any((one > place) == (place > near) for one in beyond if np.isfinite(one)):
         return True
-    return far.seen >= MOSTLY_SEEN * section.tracks[shared].seen
+    return far.seen >= LIMITS.mostly_seen * section.tracks[shared].seen
 
 
 def _kinds(track: BoundTrack, start: float, end: float) -> dict[str, float]:
