@@ -20,7 +20,7 @@ class UrbanMapPlugin:
         self.iface = iface
         self.provider = None
         self.actions = []
-        self.dialog = None
+        self.dialog = self.guide = self.guide_action = None
         self.menus = []
         self.toolbox_entry = None
         self.report_links = None
@@ -39,6 +39,7 @@ class UrbanMapPlugin:
             return
         from qgis.PyQt.QtWidgets import QAction
 
+        self._add_guide()
         for label, work in ((tr("Sample city…"), self.make_sample_city), (tr("Documentation"), self.show_documentation),
                             (tr("Install Python packages…"), self.install_packages),
                             (tr("Diagnostics…"), self.show_diagnostics)):
@@ -48,6 +49,49 @@ class UrbanMapPlugin:
         self._add_models()
         self._add_reports()
         self.offer_packages()
+
+    def _add_guide(self):
+        """Let the menu and the toolbar show the dock that leads from files to results."""
+        from qgis.PyQt.QtWidgets import QAction
+
+        self.guide_action = QAction(self.provider.icon(), tr("Guide"), self.iface.mainWindow())
+        self.guide_action.setToolTip(tr("UrbanMap: from your files to results"))
+        self.guide_action.setCheckable(True)
+        self.guide_action.toggled.connect(self.show_guide)
+        self.iface.addToolBarIcon(self.guide_action)
+        self._add_to_menu(self.guide_action)
+
+    def show_guide(self, shown):
+        """Show or hide the dock; it is made when it is wanted first."""
+        from qgis.PyQt.QtCore import Qt
+
+        from .framework.guide.dock import GuideDock
+
+        if self.guide is None:
+            if not shown:
+                return
+            self.guide = GuideDock(self.iface.mainWindow())
+            self.guide.visibilityChanged.connect(self._guide_shown)
+            self.iface.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self.guide)
+        self.guide.setVisible(shown)
+
+    def _guide_shown(self, _visible):
+        """Let the button say whether the dock is open, also where it lies behind another one."""
+        self.guide_action.blockSignals(True)
+        self.guide_action.setChecked(not self.guide.isHidden())
+        self.guide_action.blockSignals(False)
+
+    def _remove_guide(self):
+        if self.guide is not None:
+            self.guide.visibilityChanged.disconnect(self._guide_shown)
+            self.guide.shut()
+            self.iface.removeDockWidget(self.guide)
+            self.guide.setParent(None)
+            self.guide.deleteLater()
+            self.guide = None
+        if self.guide_action is not None:
+            self.iface.removeToolBarIcon(self.guide_action)
+            self.guide_action = None
 
     def _add_to_menu(self, action):
         """Add an entry to the plugin's menu."""
@@ -122,6 +166,7 @@ class UrbanMapPlugin:
 
     def unload(self):
         """Take everything away again."""
+        self._remove_guide()
         for action in self.actions:
             self.iface.removePluginMenu("UrbanMap", action)
         self.actions = []

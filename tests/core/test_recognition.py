@@ -244,6 +244,11 @@ def test_folders_leave_out_what_belongs_to_other_files(tmp_path):
     (tmp_path / ".hidden.json").write_text("{}", encoding="utf-8")
     (tmp_path / "b.json").write_text(json.dumps({"urbanmap_job": 1, "wish": "buildings"}), encoding="utf-8")
     assert [item.kind for item in recognise_files([tmp_path, tmp_path / "b.json"])] == ["outlines", "job"]
+    (tmp_path / "c_results").mkdir()
+    (tmp_path / "c_results" / "d.json").write_text("{}", encoding="utf-8")
+    assert len(recognise_files([tmp_path])) == 3
+    (tmp_path / "c.urbanmap.json").write_text(json.dumps({"urbanmap_job": 1}), encoding="utf-8")
+    assert [item.kind for item in recognise_files([tmp_path])] == ["outlines", "job", "job"]
 
 
 def test_missing_files_get_a_sentence(tmp_path):

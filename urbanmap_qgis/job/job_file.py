@@ -20,7 +20,6 @@ from .chain_plan import PlannedStep
 from .recognition.json_facts import JOB_MARK
 
 VERSION = 1
-SUFFIX = ".urbanmap.json"
 PLANNED, DONE, FAILED = "planned", "done", "failed"
 
 
@@ -62,6 +61,8 @@ class JobRecord:
     steps: tuple[JobStep, ...]
     given: tuple[str, ...] = ()
     """Files and folders that the user gave, from which the inputs were recognised."""
+    left_out: tuple[str, ...] = ()
+    """Sources among them that are not to be used."""
 
     def with_step(self, step: JobStep) -> JobRecord:
         """The job with the step of the same id replaced."""
@@ -105,7 +106,7 @@ def planned_job(wish: str, inputs: Mapping[str, tuple[str, ...]], steps: Iterabl
             made.append(replace(known, parameters={**known.parameters, **step.parameters}))
         else:
             made.append(JobStep(step.id, step.algorithm, step.parameters))
-    return JobRecord(wish, dict(inputs), tuple(made), given)
+    return JobRecord(wish, dict(inputs), tuple(made), given, before.left_out if before else ())
 
 
 def write_job(path: str | os.PathLike, job: JobRecord) -> None:
@@ -124,6 +125,7 @@ def write_job(path: str | os.PathLike, job: JobRecord) -> None:
         stored["files"] = {_relative(file, folder): facts for file, facts in step.files.items()}
         steps.append(stored)
     content = {JOB_MARK: VERSION, "wish": job.wish, "given": [_relative(item, folder) for item in job.given],
+               "left_out": [_relative(item, folder) for item in job.left_out],
                "inputs": {role: [_relative(item, folder) for item in sources] for role, sources in job.inputs.items()},
                "steps": steps}
     with written_beside(path) as temporary:
@@ -155,7 +157,7 @@ def read_job(path: str | os.PathLike) -> JobRecord:
         raise InputError(say("{name} has the step “{step}” twice: give each its own name.", name=name, step=twice[0]))
     return JobRecord(str(content.get("wish", "")), {str(role): tuple(_absolute(item, folder) for item in sources)
                                               for role, sources in content["inputs"].items()}, tuple(steps),
-               tuple(_absolute(item, folder) for item in content.get("given", ())))
+               *(tuple(_absolute(item, folder) for item in content.get(name, ())) for name in ("given", "left_out")))
 
 
 _PATH = "path"

@@ -27,6 +27,7 @@ from .file_facts import (
     POINTS,
     TRAJECTORY,
     FileFacts,
+    kind_name,
 )
 
 ALS, FOOTPRINTS, GSI_FOOTPRINTS, FRAMES = "als", "footprints", "gsi_footprints", "frames"
@@ -76,8 +77,8 @@ def parts_of(facts: Sequence[FileFacts]) -> Parts:
         if found:
             inputs[role] = (found[0].source,)
         if len(found) > 1:
-            notes.append(say("{count} files could be this part ({role}): {names}; the first is taken, untick it to "
-                             "take another.", count=len(found), role=role, names=_names(found)))
+            notes.append(say("{kind}: {count} files could be taken ({names}); the first is, untick it to take another.",
+                             kind=kind_name(kind), count=len(found), names=_names(found)))
     for role, kind in _SEVERAL:
         found = [item for item in sound if item.kind == kind]
         if found:

@@ -14,9 +14,6 @@ from qgis.core import QgsApplication, QgsProcessingAlgorithm
 from ....urbanmap_qgis.errors import InputError
 from ..declaring.parameters import tr
 
-RESULTS = "_results"
-"""Ends the name of the folder beside a job in which its results lie."""
-
 _DESTINATIONS = ("sink", "rasterDestination", "fileDestination")
 
 
@@ -42,8 +39,10 @@ def algorithms_there() -> set[str]:
 
 def results_folder(job_path: Path) -> Path:
     """Where a job's results go if nobody says otherwise: beside it, under its name."""
+    from ....urbanmap_qgis.job.recognition.contents import RESULTS_ENDING
+
     name = re.sub(r"(\.urbanmap)?\.json$", "", job_path.name, flags=re.IGNORECASE)
-    return job_path.parent / f"{name}{RESULTS}"
+    return job_path.parent / f"{name}{RESULTS_ENDING}"
 
 
 def filled_parameters(job, step, folder: Path) -> dict:

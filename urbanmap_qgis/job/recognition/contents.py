@@ -25,6 +25,9 @@ from .table_facts import is_sbet, parquet_facts, sbet_facts, table_facts
 from .vector_facts import geopackage_facts, shapefile_facts
 from .xml_facts import xml_facts, zip_facts
 
+RESULTS_ENDING, JOB_ENDING = "_results", ".urbanmap.json"
+"""Ends of the names of a job's file and of the folder of its results beside it."""
+
 HEAD_BYTES = 65_536
 """Bytes of a file that are looked at to tell its kind."""
 
@@ -40,7 +43,7 @@ _NEEDED_SUFFIX = {**dict.fromkeys(_POINT_SUFFIXES, b"LASF"), ".gpkg": b"SQLi", "
 def recognise_files(paths: Iterable[str | os.PathLike], progress: Progress = SILENT) -> list[FileFacts]:
     """What the files are that are given or lie in folders that are given, in the order of their names, each once.
 
-    Hidden files, and files that belong to another one (parts of a shapefile, world files), are left out.
+    Hidden files, files that belong to another one (parts of a shapefile, world files) and results of jobs are left out.
     """
     files = list(dict.fromkeys(file for path in paths for file in _files_in(Path(path))))
     found: list[FileFacts] = []
@@ -58,9 +61,17 @@ def _files_in(path: Path) -> Iterator[Path]:
               if file.is_file() and not any(part.startswith(".") for part in file.relative_to(path).parts))
     for file in inside:
         name = file.name.lower()
+        if any(_is_results(folder) for folder in file.parents if folder.is_relative_to(path)):
+            continue
         is_part = file.suffix.lower() in _PARTS_OF_A_SHAPEFILE and file.with_suffix(".shp").is_file()
         if not is_part and not name.endswith(_BESIDE):
             yield file
+
+
+def _is_results(folder: Path) -> bool:
+    """Whether a job has written its results into a folder: they are no inputs of the next one."""
+    name = folder.name.removesuffix(RESULTS_ENDING)
+    return name != folder.name and (folder.parent / f"{name}{JOB_ENDING}").is_file()
 
 
 def recognise_file(path: str | os.PathLike) -> tuple[FileFacts, ...]:

@@ -1,0 +1,229 @@
+"""The dock “UrbanMap”: from files to results, and the job kept in a file."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import replace
+from pathlib import Path
+
+from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtWidgets import (
+    QComboBox,
+    QDockWidget,
+    QFileDialog,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QScrollArea,
+    QTabWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ....urbanmap_qgis.errors import UrbanMapError
+from ..declaring.parameters import tr
+from ..jobs.job_steps import algorithms_there, results_folder
+from ..packages.dependencies import refusal
+from ..running.native_libraries import PACKAGES_WITH_LIBRARIES, import_apart
+from .files_panel import FilesPanel
+from .step_dialog import StepDialog
+from .step_runner import StepRunner
+from .steps_panel import StepsPanel
+
+NEEDED = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs", "cv2")
+JOB_FILTER = "UrbanMap job (*.urbanmap.json)"
+
+
+class GuideDock(QDockWidget):
+    """What have you, what do you want, what is missing, and the steps; all else is asked of the core and algorithms."""
+
+    def __init__(self, parent=None):
+        super().__init__(tr("UrbanMap"), parent)
+        self.setObjectName("UrbanMapGuide")
+        self.job, self.path, self.dialog = None, None, None
+        self._loading = False
+        self.files, self.runner = FilesPanel(), StepRunner(self)
+        self.steps = StepsPanel(self.runner)
+        self.wish, self.missing, self.place, self.pages = QComboBox(), QLabel(), QLabel(), QTabWidget()
+        self._lay_out()
+        self.files.changed.connect(self.plan)
+        self.wish.currentIndexChanged.connect(self.plan)
+        self.steps.wanted.connect(self.open_step)
+        self.steps.run_wanted.connect(self.run)
+        self.runner.changed.connect(self._keep)
+
+    def _lay_out(self) -> None:
+        for label in (self.missing, self.place):
+            label.setWordWrap(True)
+            label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        for title, *widgets in ((tr("1. What have you?"), self.files),
+                                (tr("2. What do you want?"), self.wish, self.missing, self.steps)):
+            page = QWidget()
+            column = QVBoxLayout(page)
+            for widget in widgets:
+                column.addWidget(widget)
+            area = QScrollArea()
+            area.setWidgetResizable(True)
+            area.setFrameShape(QFrame.Shape.NoFrame)
+            area.setWidget(page)
+            self.pages.addTab(area, title)
+        inside = QWidget()
+        layout = QVBoxLayout(inside)
+        layout.addLayout(self._job_row())
+        layout.addWidget(self.place)
+        layout.addWidget(self.pages, 1)
+        self.setWidget(inside)
+        self._fill_wishes()
+
+    def _job_row(self) -> QHBoxLayout:
+        row = QHBoxLayout()
+        for label, work in ((tr("New job"), self.new_job), (tr("Open job…"), self._browse_job),
+                            (tr("Save job as…"), self._save_as)):
+            button = QPushButton(label)
+            button.clicked.connect(lambda _checked=False, work=work: work())
+            row.addWidget(button)
+        row.addStretch(1)
+        return row
+
+    def _fill_wishes(self) -> None:
+        message = refusal(NEEDED)
+        self.setEnabled(not message)
+        if message:
+            self.missing.setText(message)
+            return
+        import_apart(PACKAGES_WITH_LIBRARIES)
+        from ....urbanmap_qgis.job.chain_plan import wish_name, wishes
+
+        self.wish.addItem(tr("Choose…"), "")
+        for wish in wishes(algorithms_there()):
+            self.wish.addItem(wish_name(wish), wish)
+
+    def plan(self, *_ignored) -> None:
+        """Plan the chain anew from the files that are used and the wish; settings and states of steps stay."""
+        from ....urbanmap_qgis.job.agreement import common_system
+        from ....urbanmap_qgis.job.chain_plan import plan_chain
+        from ....urbanmap_qgis.job.job_file import planned_job
+        from ....urbanmap_qgis.job.job_progress import refreshed_job
+        from ....urbanmap_qgis.job.roles import parts_of
+
+        wish, used = self.wish.currentData(), self.files.used()
+        if self._loading or self.runner.busy():
+            return
+        if not wish or not self.files.findings.facts:
+            self.missing.clear()
+            return
+        parts = parts_of(used)
+        plan = plan_chain(wish, parts, crs_text(common_system(used)))
+        told = [*(f"• {sentence}" for sentence in plan.missing),
+                *(f"◦ {sentence}" for sentence in (*parts.notes, *plan.notes))]
+        head = tr("Missing:") if plan.missing else tr("Nothing is missing.")
+        self.missing.setText("\n".join([head, *told]))
+        made = planned_job(wish, parts.inputs, plan.steps, tuple(self.files.given), self.job)
+        self._keep(refreshed_job(replace(made, left_out=tuple(sorted(self.files.left_out)))))
+        self.steps.show_job(self.job)
+        self.steps.run.setEnabled(not plan.missing)
+
+    def run(self) -> None:
+        """Run what is not done, one step after the other."""
+        if self.path is None:
+            self.path = default_place(self.files.given)
+        self.runner.start(self.job, [step.id for step in self.job.steps], results_folder(self.path))
+
+    def open_step(self, identifier: str) -> None:
+        """Open a step's own dialog, filled in."""
+        folder = results_folder(self.path or default_place(self.files.given))
+        self.dialog = StepDialog(self.job, self.job.step(identifier), folder, self)
+        self.dialog.taken.connect(self._take)
+        self.dialog.done.connect(self._take_results)
+
+    def _take(self, identifier: str, values: dict) -> None:
+        """Keep what the user has set in a step's dialog."""
+        from ....urbanmap_qgis.job.job_progress import refreshed_job
+
+        step = self.job.step(identifier)
+        self._keep(refreshed_job(self.job.with_step(replace(step, parameters={**step.parameters, **values}))))
+        self.steps.show_job(self.job)
+
+    def _take_results(self, identifier: str, results: dict) -> None:
+        """Keep what a step has made that was run from its own dialog."""
+        from ....urbanmap_qgis.job.job_progress import done_step, resolved_parameters
+
+        step = self.job.step(identifier)
+        self._keep(self.job.with_step(done_step(step, resolved_parameters(self.job, step), results, step.seconds)))
+        self.steps.show_job(self.job)
+
+    def _keep(self, job) -> None:
+        """Take a job and write it beside the data."""
+        from ....urbanmap_qgis.job.job_file import write_job
+
+        self.job = job
+        if self.path is None and self.files.given:
+            self.path = default_place(self.files.given)
+        if self.path is None:
+            return
+        try:
+            write_job(self.path, job)
+            self.place.setText(tr("Job: {0}").format(self.path))
+        except UrbanMapError as error:
+            self.place.setText(str(error))
+
+    def new_job(self) -> None:
+        """Begin with nothing."""
+        self.runner.cancel()
+        self.job, self.path = None, None
+        self.place.clear()
+        self.wish.setCurrentIndex(0)
+        self.files.clear()
+        self.steps.show_job(None)
+        self.pages.setCurrentIndex(0)
+
+    def open_job(self, path: str) -> None:
+        """Take a job from its file; steps that are done and unchanged stay so."""
+        from ....urbanmap_qgis.job.job_file import read_job
+        from ....urbanmap_qgis.job.job_progress import refreshed_job
+
+        try:
+            job = refreshed_job(read_job(path))
+        except UrbanMapError as error:
+            self.place.setText(str(error))
+            return
+        self.job, self.path = job, Path(path)
+        self._loading = True
+        self.wish.setCurrentIndex(max(self.wish.findData(job.wish), 0))
+        self._loading = False
+        self.place.setText(tr("Job: {0}").format(self.path))
+        self.files.set_given(job.given, job.left_out)
+        self.steps.show_job(job)
+        self.pages.setCurrentIndex(1)
+
+    def _browse_job(self) -> None:
+        path, _ = QFileDialog.getOpenFileName(self, tr("Open job…"), "", tr(JOB_FILTER))
+        if path:
+            self.open_job(path)
+
+    def _save_as(self) -> None:
+        path, _ = QFileDialog.getSaveFileName(self, tr("Save job as…"), str(self.path or ""), tr(JOB_FILTER))
+        if path and self.job is not None:
+            self.path = Path(path if path.endswith(".json") else f"{path}.urbanmap.json")
+            self._keep(self.job)
+
+    def shut(self) -> None:
+        """End what is at work, before the dock goes."""
+        self.files.recognition.stop()
+        self.runner.cancel()
+
+
+def default_place(given: list[str]) -> Path:
+    """Where a job is kept if nobody says otherwise: in the folder that holds all files given, under its name."""
+    folder = Path(given[0]) if len(given) == 1 and Path(given[0]).is_dir() else Path(
+        os.path.commonpath([str(Path(path).parent) for path in given]))
+    return folder / f"{folder.name or 'job'}.urbanmap.json"
+
+
+def crs_text(wkt: str) -> str:
+    """The plane part of a system as its code where it has one, as parameters of algorithms take it."""
+    from ..layers.crs import crs_from, horizontal
+
+    found = horizontal(crs_from(wkt)) if wkt else None
+    return (found.authid() or found.toWkt()) if found is not None and found.isValid() else ""

@@ -1,0 +1,226 @@
+"""What have you: files that are dropped, told by kind in a table, with a map and what does not fit together."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from datetime import datetime, timedelta
+from pathlib import Path
+
+from qgis.PyQt.QtCore import Qt, pyqtSignal
+from qgis.PyQt.QtGui import QColor
+from qgis.PyQt.QtWidgets import (
+    QAbstractItemView,
+    QFileDialog,
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QTreeWidget,
+    QTreeWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ..declaring.parameters import tr
+from .extent_map import ExtentMap
+from .recognition_thread import Findings, Recognition
+
+_FACTS = Qt.ItemDataRole.UserRole
+_GPS_START = datetime(1980, 1, 6)
+_WEEK = 604_800.0
+_MANY = 6
+"""Groups of more files stay folded."""
+_WIDEST = 230
+"""Pixels of a column at first."""
+_BAD, _DOUBT = "#c0273a", "#a86400"
+
+
+def span_text(times: tuple[float, float] | None) -> str:
+    """A time span for a table: seconds of the week as they are, full GPS seconds as day and time (GPS)."""
+    if times is None:
+        return ""
+    first, last = times
+    if not _WEEK < first < 4e9:
+        return f"{first:.0f}–{last:.0f} s"
+    start, end = (_GPS_START + timedelta(seconds=value) for value in (first, last))
+    return f"{start:%Y-%m-%d %H:%M}–{end:%H:%M}" if start.date() == end.date() else f"{start:%Y-%m-%d}–{end:%Y-%m-%d}"
+
+
+class FilesTree(QTreeWidget):
+    """The table, which takes files and folders that are dropped on it."""
+
+    dropped = pyqtSignal(list)
+
+    def __init__(self, parent=None):
+        super().__init__(parent)
+        self.setHeaderLabels([tr("File"), tr("Reference system"), tr("Heights"), tr("Times"), tr("Remarks")])
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setAcceptDrops(True)
+        self.setMinimumHeight(200)
+
+    def dragEnterEvent(self, event):
+        if any(url.isLocalFile() for url in event.mimeData().urls()):
+            event.acceptProposedAction()
+
+    def dragMoveEvent(self, event):
+        event.acceptProposedAction()
+
+    def dropEvent(self, event):
+        self.dropped.emit([url.toLocalFile() for url in event.mimeData().urls() if url.isLocalFile()])
+        event.acceptProposedAction()
+
+
+class FilesPanel(QWidget):
+    """Files and folders given, what they are, and which of them are used; `changed` comes when any of it changes."""
+
+    changed = pyqtSignal()
+
+    def __init__(self, parent=None):
+        super().__init__(parent)
+        self.given: list[str] = []
+        self.left_out: set[str] = set()
+        self.findings = Findings((), ())
+        self.tree, self.map = FilesTree(), ExtentMap()
+        self.hint = QLabel(tr("Drop files and folders here."))
+        self.fit = QLabel()
+        self.bar = QProgressBar()
+        self.recognition = Recognition(self)
+        self._lay_out()
+        self.tree.dropped.connect(self.add)
+        self.tree.itemChanged.connect(self._ticked)
+        self.tree.currentItemChanged.connect(self._chosen)
+        self.recognition.found.connect(self._show)
+        self.recognition.moved.connect(lambda share: self.bar.setValue(int(100 * share)))
+
+    def _lay_out(self) -> None:
+        self.hint.setWordWrap(True)
+        self.fit.setWordWrap(True)
+        self.fit.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.bar.hide()
+        row = QHBoxLayout()
+        for label, work in ((tr("Add files…"), self._browse_files), (tr("Add folder…"), self._browse_folder),
+                            (tr("Clear"), self.clear)):
+            button = QPushButton(label)
+            button.clicked.connect(work)
+            row.addWidget(button)
+        row.addStretch(1)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addLayout(row)
+        for widget, share in ((self.hint, 0), (self.bar, 0), (self.tree, 2), (self.map, 1), (self.fit, 0)):
+            layout.addWidget(widget, share)
+
+    def add(self, paths: Sequence[str]) -> None:
+        """Take more files and folders."""
+        self.set_given([*self.given, *paths], self.left_out)
+
+    def set_given(self, paths: Sequence[str], left_out: Sequence[str] = ()) -> None:
+        """Take these instead of those before."""
+        self.given, self.left_out = list(dict.fromkeys(str(path) for path in paths if path)), set(left_out)
+        self.bar.setValue(0)
+        self.bar.setVisible(bool(self.given))
+        self.recognition.start(self.given)
+
+    def clear(self) -> None:
+        """Forget all files."""
+        self.set_given([])
+
+    def used(self) -> list:
+        """The core's records of the files that have a tick."""
+        return [item for item in self.findings.facts if item.usable and item.source not in self.left_out]
+
+    def _browse_files(self) -> None:
+        files, _ = QFileDialog.getOpenFileNames(self, tr("Add files…"), self._folder())
+        if files:
+            self.add(files)
+
+    def _browse_folder(self) -> None:
+        folder = QFileDialog.getExistingDirectory(self, tr("Add folder…"), self._folder())
+        if folder:
+            self.add([folder])
+
+    def _folder(self) -> str:
+        return str(Path(self.given[-1]).parent) if self.given else ""
+
+    def _show(self, findings: Findings) -> None:
+        from ....urbanmap_qgis.job.file_facts import kind_name
+
+        self.findings = findings
+        self.bar.hide()
+        self.tree.blockSignals(True)
+        self.tree.clear()
+        groups: dict[str, list] = {}
+        for item in findings.facts:
+            title = tr("Cannot be used") if item.problem else kind_name(item.kind)
+            groups.setdefault(title, []).append(item)
+        for title, members in sorted(groups.items(), key=lambda entry: _group_rank(entry[1])):
+            head = QTreeWidgetItem(self.tree, [f"{title} ({len(members)})"])
+            head.setFirstColumnSpanned(True)
+            for item in members:
+                self._add_row(head, item)
+            head.setExpanded(bool(members[0].problem) or (members[0].usable and len(members) <= _MANY))
+        self.tree.blockSignals(False)
+        for column in range(self.tree.columnCount()):
+            self.tree.resizeColumnToContents(column)
+            self.tree.setColumnWidth(column, min(self.tree.columnWidth(column), _WIDEST))
+        usable = sum(item.usable for item in findings.facts)
+        self.hint.setText(tr("{0} of {1} files and layers can be used. Untick what is not to be used.").format(
+            usable, len(findings.facts)) if findings.facts else tr("Drop files and folders here."))
+        self._tell()
+        self.changed.emit()
+
+    def _add_row(self, head: QTreeWidgetItem, item) -> None:
+        from ....urbanmap_qgis.job.agreement import system_name
+
+        parts = (item.doubt and f"? {item.doubt}", item.detail, *item.notes)
+        remarks = item.problem or "; ".join(part for part in parts if part)
+        system = system_name(item.crs_wkt)
+        code = system.split(" ")[0] if system.startswith("EPSG:") else system
+        row = QTreeWidgetItem(head, [item.label, code, "" if item.heights == "unknown" else item.heights,
+                                     span_text(item.times), remarks])
+        row.setData(0, _FACTS, item.source)
+        for column in range(5):
+            row.setToolTip(column, "\n".join(part for part in (str(item.path), system, remarks) if part))
+        if item.problem:
+            row.setForeground(4, QColor(_BAD))
+        elif item.doubt:
+            row.setForeground(4, QColor(_DOUBT))
+        if item.usable:
+            off = item.source in self.left_out
+            row.setCheckState(0, Qt.CheckState.Unchecked if off else Qt.CheckState.Checked)
+
+    def _ticked(self, row: QTreeWidgetItem, _column: int) -> None:
+        source = row.data(0, _FACTS)
+        if source is None:
+            return
+        if row.checkState(0) == Qt.CheckState.Checked:
+            self.left_out.discard(source)
+        else:
+            self.left_out.add(source)
+        self._tell()
+        self.changed.emit()
+
+    def _chosen(self, row: QTreeWidgetItem | None, _before) -> None:
+        self.map.choose(row.text(0) if row is not None else "")
+
+    def _tell(self) -> None:
+        """Show where the files lie and what does not fit together."""
+        from ....urbanmap_qgis.job.agreement import disagreements
+
+        used = self.used()
+        kept = {item.source for item in used}
+        self.map.show_boxes([(item.label, item.kind, extent) for item, extent in
+                             zip(self.findings.facts, self.findings.extents) if extent and item.source in kept])
+        told = disagreements(used)
+        if told:
+            self.fit.setText("\n".join([tr("Does not fit together:"), *(f"• {sentence}" for sentence in told)]))
+            self.fit.setStyleSheet(f"color: {_BAD}")
+        else:
+            self.fit.setText(tr("As far as the files say, all fits together.") if used else "")
+            self.fit.setStyleSheet("")
+
+
+def _group_rank(members: Sequence) -> tuple[int, int]:
+    """What cannot be used first, then what is of use in the order found, then the rest."""
+    first = members[0]
+    return (0 if first.problem else 1 if first.usable else 2), 0

@@ -1,0 +1,150 @@
+"""A job's steps run one after the other in the background, with progress and time remaining."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from pathlib import Path
+
+from qgis.core import (
+    QgsApplication,
+    QgsProcessingAlgRunnerTask,
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingOutputLayerDefinition,
+    QgsProject,
+)
+from qgis.PyQt.QtCore import QObject, pyqtSignal
+
+from ....urbanmap_qgis.errors import InputError
+from ..declaring.parameters import tr
+from ..jobs.job_steps import algorithm_of, filled_parameters
+
+
+class StepFeedback(QgsProcessingFeedback):
+    """Keeps the errors that a run tells."""
+
+    def __init__(self):
+        super().__init__(False)
+        self.errors: list[str] = []
+
+    def reportError(self, error, fatalError=False):
+        self.errors.append(error)
+        super().reportError(error, fatalError)
+
+
+class StepRunner(QObject):
+    """Runs steps of a job; `changed` comes with the job whenever a step begins or ends, `ended` with a sentence."""
+
+    changed = pyqtSignal(object)
+    moved = pyqtSignal(float)
+    ended = pyqtSignal(str)
+
+    def __init__(self, parent=None):
+        super().__init__(parent)
+        self.job, self.folder = None, Path()
+        self.waiting: list[str] = []
+        self.current = ""
+        self.fraction = 0.0
+        self._started = 0.0
+        self._task = self._feedback = self._context = self._asked = self._given = self._algorithm = None
+
+    def busy(self) -> bool:
+        """Whether a step is at work."""
+        return bool(self.current)
+
+    def start(self, job, steps: Sequence[str], folder: Path) -> None:
+        """Run steps of a job, by their ids in their order; those that are done and unchanged are left alone."""
+        from ....urbanmap_qgis.job.job_progress import refreshed_job
+
+        self.job, self.folder, self.waiting = refreshed_job(job), folder, list(steps)
+        self._next()
+
+    def cancel(self) -> None:
+        """End the step at work and begin no other."""
+        self.waiting = []
+        if self._task is not None:
+            self._feedback.cancel()
+            self._task.cancel()
+
+    def seconds_left(self) -> float | None:
+        """Seconds that all that is to run still takes; None while nothing can be said."""
+        from ....urbanmap_qgis.job.job_progress import time_remaining
+
+        if not self.current:
+            return None
+        steps = [self.job.step(name) for name in (self.current, *self.waiting)]
+        return time_remaining(steps, time.monotonic() - self._started, self.fraction)
+
+    def _next(self) -> None:
+        from ....urbanmap_qgis.job.job_progress import failed_step, is_up_to_date
+
+        while self.waiting and is_up_to_date(self.job, self.job.step(self.waiting[0])):
+            self.waiting.pop(0)
+        if not self.waiting:
+            self._end(tr("All steps are done."))
+            return
+        step = self.job.step(self.waiting.pop(0))
+        self.current, self.fraction, self._started = step.id, 0.0, time.monotonic()
+        try:
+            self._begin(step)
+        except InputError as error:
+            self.job = self.job.with_step(failed_step(step, str(error), 0.0))
+            self._end(self._failure(step, str(error)))
+        else:
+            self.changed.emit(self.job)
+
+    def _begin(self, step) -> None:
+        """Start a step as a task; what keeps it from running is raised."""
+        from ....urbanmap_qgis.job.job_progress import resolved_parameters
+
+        self.folder.mkdir(parents=True, exist_ok=True)
+        self._asked = resolved_parameters(self.job, step)
+        self._algorithm = algorithm_of(step.algorithm)
+        self._given = filled_parameters(self.job, step, self.folder)
+        for definition in self._algorithm.destinationParameterDefinitions():
+            place = self._given.get(definition.name())
+            if place and definition.type() in ("sink", "rasterDestination"):
+                self._given[definition.name()] = QgsProcessingOutputLayerDefinition(place, QgsProject.instance())
+        self._context, self._feedback = QgsProcessingContext(), StepFeedback()
+        self._context.setProject(QgsProject.instance())
+        self._context.setFeedback(self._feedback)
+        sound, message = self._algorithm.checkParameterValues(self._given, self._context)
+        if not sound:
+            raise InputError(message)
+        self._feedback.progressChanged.connect(self._progress)
+        self._task = QgsProcessingAlgRunnerTask(self._algorithm, self._given, self._context, self._feedback)
+        self._task.executed.connect(self._executed)
+        QgsApplication.taskManager().addTask(self._task)
+
+    def _progress(self, percent: float) -> None:
+        self.fraction = percent / 100.0
+        self.moved.emit(self.fraction)
+
+    def _executed(self, succeeded: bool, results: dict) -> None:
+        from processing.gui.Postprocessing import handleAlgorithmResults
+
+        from ....urbanmap_qgis.job.job_progress import done_step, failed_step
+
+        step, seconds = self.job.step(self.current), time.monotonic() - self._started
+        cancelled, errors = self._feedback.isCanceled(), self._feedback.errors
+        self._task = None
+        if cancelled:
+            self._end(tr("Stopped."))
+            return
+        if not succeeded:
+            message = " ".join(errors[-1:]).strip() or tr("It ended without a reason.")
+            self.job = self.job.with_step(failed_step(step, message, seconds))
+            self._end(self._failure(step, message))
+            return
+        handleAlgorithmResults(self._algorithm, self._context, self._feedback, True, self._given)
+        self.job = self.job.with_step(done_step(step, self._asked, results, seconds))
+        self._next()
+
+    def _failure(self, step, message: str) -> str:
+        return tr("Step “{0}” ({1}) failed: {2}").format(step.id, algorithm_of(step.algorithm).displayName(), message)
+
+    def _end(self, sentence: str) -> None:
+        self.current, self.waiting = "", []
+        self.changed.emit(self.job)
+        self.ended.emit(sentence)

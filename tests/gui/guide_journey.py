@@ -1,0 +1,240 @@
+"""Runs inside QGIS's desktop (`qgis --code`): the dock from dropped files to loaded results, noted for the tests.
+
+URBANMAP_GUIDE names a JSON file: "city" (folder to drop), "report" (file to write after each step), "pictures" (a
+folder or "").
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import time
+import traceback
+from pathlib import Path
+
+TASK = json.loads(Path(os.environ["URBANMAP_GUIDE"]).read_text(encoding="utf-8"))
+CITY = Path(TASK["city"])
+PATIENCE = 90.0
+
+
+def settle(seconds: float = 0.05) -> None:
+    """Let the windows work."""
+    from qgis.PyQt.QtCore import QEventLoop, QTimer
+
+    loop = QEventLoop()
+    QTimer.singleShot(int(1000 * seconds), loop.quit)
+    loop.exec()
+
+
+def wait_until(done, what: str) -> None:
+    """Let the windows work until something is so."""
+    end = time.monotonic() + PATIENCE
+    while not done():
+        if time.monotonic() > end:
+            raise TimeoutError(what)
+        settle()
+
+
+def plugin():
+    from qgis import utils
+
+    return utils.plugins["urbanmap_qgis"]
+
+
+def picture(name: str) -> None:
+    """The main window as it looks."""
+    from qgis.PyQt.QtCore import Qt
+    from qgis.utils import iface
+
+    if not TASK["pictures"]:
+        return
+    window = iface.mainWindow()
+    window.showNormal()
+    window.resize(1380, 880)
+    window.resizeDocks([plugin().guide], [560], Qt.Orientation.Horizontal)
+    settle(1.0)
+    window.grab().save(str(Path(TASK["pictures"]) / f"{name}.png"))
+
+
+def drop(paths: list[Path]) -> None:
+    """Drop files on the table, as a file manager does."""
+    from qgis.PyQt.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
+    from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent
+    from qgis.PyQt.QtWidgets import QApplication
+
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
+    tree = plugin().guide.files.tree
+    how = Qt.DropAction.CopyAction, data, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+    enter, event = QDragEnterEvent(QPoint(20, 20), *how), QDropEvent(QPointF(20, 20), *how)
+    QApplication.sendEvent(tree.viewport(), enter)
+    QApplication.sendEvent(tree.viewport(), event)
+
+
+def wish(word: str) -> None:
+    """Choose a wish."""
+    box = plugin().guide.wish
+    box.setCurrentIndex(box.findData(word))
+    settle()
+
+
+def states() -> dict:
+    """State of each step, as the list shows it."""
+    tree = plugin().guide.steps.tree
+    rows = [tree.topLevelItem(row) for row in range(tree.topLevelItemCount())]
+    return {row.toolTip(0): [row.text(1), row.text(2)] for row in rows}
+
+
+def loaded() -> list:
+    """Name, size and renderer of the project's layers."""
+    from qgis.core import QgsMapLayerType, QgsProject
+
+    found = []
+    for layer in QgsProject.instance().mapLayers().values():
+        vector = layer.type() == QgsMapLayerType.VectorLayer
+        found.append([layer.name(), layer.featureCount() if vector else layer.width(), layer.renderer().type()])
+    return sorted(found)
+
+
+def opened() -> dict:
+    """The button opens the dock."""
+    plugin().guide_action.trigger()
+    settle(1.0)
+    picture("empty")
+    return {"visible": plugin().guide.isVisible(), "steps": states()}
+
+
+def dropped() -> dict:
+    """The city's folder dropped on the table."""
+    guide = plugin().guide
+    drop([CITY])
+    wait_until(lambda: guide.files.findings.facts and not guide.files.recognition.busy(), "files were not recognised")
+    tree = guide.files.tree
+    return {"groups": [tree.topLevelItem(row).text(0) for row in range(tree.topLevelItemCount())],
+            "boxes": len(guide.files.map.placed()), "fit": guide.files.fit.text(), "hint": guide.files.hint.text()}
+
+
+def planned() -> dict:
+    """Buildings wished for."""
+    picture("files")
+    guide = plugin().guide
+    guide.pages.setCurrentIndex(1)
+    wish("buildings")
+    picture("planned")
+    return {"steps": states(), "missing": guide.missing.text(), "job": str(guide.path), "kept": guide.path.is_file()}
+
+
+def ran() -> dict:
+    """Run pressed, to the end."""
+    guide, moves = plugin().guide, []
+    guide.runner.moved.connect(moves.append)
+    guide.steps.run.click()
+    wait_until(lambda: moves or not guide.runner.busy(), "no progress")
+    settle(2.5)
+    picture("running")
+    told = guide.steps.told.text()
+    wait_until(lambda: not guide.runner.busy(), "the run did not end")
+    settle(0.5)
+    guide.steps.tree.setCurrentItem(guide.steps.tree.topLevelItem(0))
+    picture("done")
+    return {"steps": states(), "layers": loaded(), "moves": len(moves), "told": [told, guide.steps.told.text()],
+            "report": guide.steps.report.isEnabled()}
+
+
+def reopened() -> dict:
+    """A new job, then the kept one opened and run again: nothing is done anew."""
+    guide = plugin().guide
+    path = guide.path
+    guide.new_job()
+    wait_until(lambda: not guide.files.findings.facts, "files were not cleared")
+    emptied = states()
+    guide.open_job(str(path))
+    wait_until(lambda: guide.files.findings.facts and not guide.files.recognition.busy(), "files were not recognised")
+    settle(0.5)
+    shown = states()
+    guide.steps.run.click()
+    wait_until(lambda: not guide.runner.busy(), "the run did not end")
+    return {"empty": emptied, "steps": shown, "after": states(), "layers": loaded(), "told": guide.steps.told.text()}
+
+
+def tuned() -> dict:
+    """A step's own dialog, filled in; a setting changed there is kept in the job."""
+    guide = plugin().guide
+    guide.open_step("buildings")
+    settle(0.5)
+    dialog = guide.dialog
+    filled, untouched = {name: str(value) for name, value in dialog.before.items()}, dialog.values()
+    dialog.window.setParameters({**dialog.before, "MIN_ROOF_AREA": 30.0})
+    dialog.window.close()
+    settle(0.2)
+    return {"filled": filled, "untouched": untouched, "steps": states(),
+            "kept": guide.job.step("buildings").parameters.get("MIN_ROOF_AREA")}
+
+
+def cancelled() -> dict:
+    """Another wish, whose first step is stopped."""
+    guide = plugin().guide
+    wish("survey")
+    before, moves = states(), []
+    picture("survey")
+    guide.runner.moved.connect(moves.append)
+    guide.steps.run.click()
+    wait_until(lambda: moves or not guide.runner.busy(), "no progress")
+    guide.steps.stop.click()
+    started = time.monotonic()
+    wait_until(lambda: not guide.runner.busy(), "it did not stop")
+    return {"before": before, "after": states(), "told": guide.steps.told.text(),
+            "seconds": time.monotonic() - started}
+
+
+def unticked() -> dict:
+    """Without the airborne points buildings are told to lack them."""
+    from qgis.PyQt.QtCore import Qt
+
+    guide = plugin().guide
+    wish("buildings")
+    tree = guide.files.tree
+    for group in range(tree.topLevelItemCount()):
+        for row in range(tree.topLevelItem(group).childCount()):
+            item = tree.topLevelItem(group).child(row)
+            if item.text(0).startswith("als"):
+                item.setCheckState(0, Qt.CheckState.Unchecked)
+    settle()
+    return {"missing": guide.missing.text(), "run": guide.steps.run.isEnabled(), "left_out": len(guide.job.left_out)}
+
+
+def unloaded() -> dict:
+    """The plugin taken away with the dock open, and loaded again."""
+    from qgis import utils
+    from qgis.PyQt.QtWidgets import QDockWidget
+
+    window = utils.iface.mainWindow()
+    utils.unloadPlugin("urbanmap_qgis")
+    settle(0.5)
+    left = [dock.objectName() for dock in window.findChildren(QDockWidget) if dock.objectName() == "UrbanMapGuide"]
+    utils.loadPlugin("urbanmap_qgis")
+    utils.startPlugin("urbanmap_qgis")
+    plugin().guide_action.trigger()
+    settle(0.5)
+    return {"left": left, "again": plugin().guide.isVisible()}
+
+
+STEPS = (opened, dropped, planned, ran, reopened, tuned, cancelled, unticked, unloaded)
+
+
+def travel() -> None:
+    """Do the steps, write the report, end QGIS."""
+    report = {}
+    settle(1.0)
+    for step in STEPS:
+        try:
+            report[step.__name__] = step()
+        except BaseException:
+            report[step.__name__] = {"error": traceback.format_exc()}
+        Path(TASK["report"]).write_text(json.dumps(report, default=str), encoding="utf-8")
+    os._exit(0)  # QGIS would ask about the unsaved project
+
+
+from qgis.PyQt.QtCore import QTimer  # noqa: E402
+
+QTimer.singleShot(500, travel)

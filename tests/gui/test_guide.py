@@ -1,0 +1,100 @@
+"""The dock in QGIS's desktop: the sample city dropped on it, buildings wished for, run, loaded, opened again."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import shutil
+import subprocess
+import sys
+import sysconfig
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+
+pytestmark = [pytest.mark.slow, pytest.mark.skipif(
+    shutil.which("xvfb-run") is None or not (shutil.which("qgis.bin") or shutil.which("qgis")),
+    reason="no QGIS desktop or no xvfb-run (apt install qgis xvfb)")]
+
+
+@pytest.fixture(scope="module")
+def told(small_city, tmp_path_factory):
+    """What the steps of one sitting gave, by name."""
+    spec = importlib.util.spec_from_file_location("urbanmap_windows", ROOT / "scripts" / "make_tutorial_pictures.py")
+    windows = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = windows
+    spec.loader.exec_module(windows)
+    folder = tmp_path_factory.mktemp("guide")
+    shutil.copytree(small_city, folder / "city")
+    profile = windows.profile_of(folder, "en")
+    packages = profile / "config/profiles/default/python/urbanmap_packages"
+    packages.mkdir(parents=True)
+    version = f"py{sys.version_info.major}.{sys.version_info.minor}"
+    (packages / version).symlink_to(sysconfig.get_path("purelib"), target_is_directory=True)
+    (folder / "task.json").write_text(json.dumps({
+        "city": str(folder / "city"), "report": str(folder / "report.json"), "pictures": ""}), encoding="utf-8")
+    try:
+        windows.open_desktop(Path(__file__).with_name("guide_journey.py"), folder, profile,
+                             URBANMAP_GUIDE=str(folder / "task.json"))
+    except subprocess.CalledProcessError as error:
+        print(error)  # the steps that it came to are in the report; the others fail
+    report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
+
+    def step(name: str) -> dict:
+        assert name in report, f"QGIS ended before the step {name}"
+        assert "error" not in report[name], report[name]["error"]
+        return report[name]
+
+    return step
+
+
+def test_dropped_folder_is_told(told):
+    assert told("opened") == {"visible": True, "steps": {}}
+    found = told("dropped")
+    assert {"Point cloud (4)", "Camera (1)", "GNSS navigation (1)"} <= set(found["groups"])
+    assert found["boxes"] > 50 and "all fits together" in found["fit"]
+
+
+def test_chain_is_planned_and_kept_beside_the_data(told):
+    found = told("planned")
+    assert found["steps"] == {"buildings": ["to run", ""]} and found["missing"].startswith("Nothing is missing.")
+    assert found["kept"] and found["job"].endswith("city/city.urbanmap.json")
+
+
+def test_run_loads_results_with_style_and_verdict(told):
+    found = told("ran")
+    state, verdict = found["steps"]["buildings"]
+    assert state == "done" and "buildings" in verdict and found["moves"] > 2 and found["report"]
+    (name, size, renderer), = found["layers"]
+    assert name == "Building models" and size > 5 and renderer == "categorizedSymbol"
+    assert "1 of 1: Buildings from ALS" in found["told"][0] and found["told"][1] == "All steps are done."
+
+
+def test_opened_again_nothing_is_done_anew(told):
+    found = told("reopened")
+    assert found["empty"] == {} and found["steps"]["buildings"][0] == found["after"]["buildings"][0] == "done"
+    assert len(found["layers"]) == 1
+
+
+def test_step_opens_filled_in_and_keeps_settings(told):
+    found = told("tuned")
+    assert "als.laz" in found["filled"]["POINTS"] and "gsi_buildings.gpkg" in found["filled"]["FOOTPRINTS"]
+    assert found["untouched"] == {} and found["kept"] == 30.0
+    assert found["steps"]["buildings"][0] == "to run"
+
+
+def test_cancel_stops_and_nothing_counts_as_done(told):
+    found = told("cancelled")
+    assert len(found["before"]) > 2 and all(state == "to run" for state, _ in found["after"].values())
+    assert found["told"] == "Stopped." and found["seconds"] < 30
+
+
+def test_what_is_unticked_is_missing(told):
+    found = told("unticked")
+    assert "Airborne laser points" in found["missing"] and not found["run"] and found["left_out"] == 2
+
+
+def test_plugin_goes_with_the_dock_open(told):
+    assert told("unloaded") == {"left": [], "again": True}
