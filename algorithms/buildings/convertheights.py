@@ -41,7 +41,8 @@ class ConvertHeights(UrbanMapAlgorithm):
         self.add_number("CHANGE", "One value", "Instead of a grid, one correction or geoid height for all places.",
                         None, -120.0, 120.0, unit="m", optional=True, advanced=True)
         self.add_boolean("REVERSE", "Against the grid", "The corrections of the grid lead from the result's system to "
-                         "that of the data.", advanced=True)
+                         "that of the data. Between JGD2000, JGD2011 and JGD2024 this is known and need not be said.",
+                         advanced=True)
         self.add_file_output("OUTPUT_POINTS", "Point cloud", "With converted heights, all attributes kept.", LAZ_FILTER,
                              optional=True)
         self.add_raster_output("OUTPUT_RASTER", "Raster", "With converted heights.", optional=True)

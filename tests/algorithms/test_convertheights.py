@@ -62,9 +62,13 @@ def test_points_get_the_correction_and_state_the_new_system(run, plugin, cloud, 
     assert heights.heights_of(opened.crs_wkt).kind == "JGD2024"
     assert result["LEAST"] <= result["MEAN"] <= result["LARGEST"] and 0.2 < result["MEAN"] < 0.3
     assert any("500 heights changed" in text for text in run.feedback.infos)
-    back = run(ALGORITHM, {"POINTS": [result["OUTPUT_POINTS"]], "GRID": str(grid), "TARGET_HEIGHTS": "JGD2011",
-                           "REVERSE": True, "OUTPUT_POINTS": str(tmp_path / "old.laz")})
-    assert np.abs(np.asarray(laspy.read(back["OUTPUT_POINTS"]).z) - 30.0).max() < 0.0011
+    for said in (True, False):
+        back = run(ALGORITHM, {"POINTS": [result["OUTPUT_POINTS"]], "GRID": str(grid), "TARGET_HEIGHTS": "JGD2011",
+                               "REVERSE": said, "OUTPUT_POINTS": str(tmp_path / f"old_{said}.laz")})
+        assert np.abs(np.asarray(laspy.read(back["OUTPUT_POINTS"]).z) - 30.0).max() < 0.0011
+    with pytest.raises(Exception, match="older heights"):
+        run(ALGORITHM, {"POINTS": [str(cloud)], "GRID": str(grid), "TARGET_HEIGHTS": "JGD2024", "REVERSE": True,
+                        "OUTPUT_POINTS": str(tmp_path / "wrong.laz")})
 
 
 def test_older_point_formats_state_the_system_too(run, plugin, make_las_1_2, grid, tmp_path):
@@ -102,6 +106,11 @@ def test_raster_and_layer(run, read_layer, plugin, polygon_layer, grid, tmp_path
     assert heights_of(crs).kind == "JGD2024" and np.isnan(made[0, 0])
     x, y = np.meshgrid(*place.centres())
     assert np.nanmax(np.abs(made - 20.0 - expected(x, y))) < 1e-4
+
+    run(ALGORITHM, {"RASTER": str(tmp_path / "new.tif"), "TARGET_HEIGHTS": "JGD2011", "GRID": str(grid),
+                    "OUTPUT_RASTER": str(tmp_path / "back.tif")})  # its heights are those that the file states
+    back, _, crs = read_raster(tmp_path / "back.tif")
+    assert heights_of(crs).kind == "JGD2011" and np.nanmax(np.abs(back - values)) < 1e-4
 
     ring = f"{EAST} {NORTH} 5,{EAST + 9} {NORTH} 5,{EAST + 9} {NORTH + 9} 7,{EAST} {NORTH} 5"
     layer = polygon_layer([f"POLYGONZ(({ring}))"], "EPSG:6677", {"ground": [5.0]})

@@ -20,8 +20,15 @@ from ...progress import SILENT, Progress
 from ...wording import say
 from ..points.pointcloud import PointLayout, cloud_writer, iter_chunks, open_cloud
 from ..raster import RasterSampler, write_raster
-from ..reference.crs_text import horizontal_part, parse_wkt, wkt_text
-from ..reference.height_systems import ELLIPSOIDAL, HeightSystem, heights_of, same_heights, stating_heights
+from ..reference.crs_text import horizontal_part, parse_wkt, same_horizontal, wkt_text
+from ..reference.height_systems import (
+    ELLIPSOIDAL,
+    JAPANESE,
+    HeightSystem,
+    heights_of,
+    same_heights,
+    stating_heights,
+)
 from .geoid import Geoid
 
 LARGEST_CORRECTION = 5.0
@@ -100,7 +107,8 @@ def height_conversion(wkt: str, stated: HeightSystem, target: HeightSystem, grid
     Parameters
     ----------
     stated : system of the data, where their reference does not say it.
-    reverse : the corrections of `grid` lead from the target to the data's system.
+    reverse : the corrections of `grid` lead from the target to the data's system; between Japan's systems their age
+        tells it, and corrections are those of the older one's heights.
 
     Raises
     ------
@@ -130,13 +138,31 @@ def height_conversion(wkt: str, stated: HeightSystem, target: HeightSystem, grid
             raise InputError(say("{grid} holds up to {size:.1f} m, which is a geoid model: between {source} and "
                                  "{target} give the grid of corrections.", grid=grid.name, size=size, source=source,
                                  target=target))
-        sign = -1.0 if reverse else 1.0
+        sign = _sign(source, target, reverse)
     part = horizontal_part(parse_wkt(wkt)) if wkt else None
     if part is None:
         raise InputError(say("The data have no coordinate reference system: assign the one that they are in."))
     plane = CRS.from_wkt(wkt_text(part))
     to_degrees = None if plane.is_geographic else Transformer.from_crs(plane, plane.geodetic_crs, always_xy=True)
     return HeightConversion(grid, sign, target, stating_heights(plane.to_wkt(), target), to_degrees)
+
+
+def _sign(source: HeightSystem, target: HeightSystem, reverse: bool) -> float:
+    """Sign that corrections between two systems above the geoid are added with.
+
+    Raises
+    ------
+    InputError : the corrections are to be taken against the grid, but the systems say that they lead along it.
+    """
+    age = list(JAPANESE)
+    if source.kind not in age or target.kind not in age:
+        return -1.0 if reverse else 1.0
+    if age.index(source.kind) > age.index(target.kind):
+        return -1.0
+    if reverse:
+        raise InputError(say("Corrections are those of the older heights, so that from {source} to {target} they are "
+                             "added: leave “Against the grid” off.", source=source, target=target))
+    return 1.0
 
 
 def convert_points(paths: Sequence[str | os.PathLike], output: str | os.PathLike, stated: HeightSystem,
@@ -170,18 +196,28 @@ def convert_raster(path: str | os.PathLike, output: str | os.PathLike, crs_wkt: 
                    ) -> HeightChange:
     """Write a raster of heights with converted ones.
 
-    `crs_wkt` : of the raster, with what it states of heights.
+    Parameters
+    ----------
+    crs_wkt : of the raster; what the file itself states of heights is used where this says nothing of them.
 
     Raises
     ------
     InputError : see `height_conversion`; a cell with a height lies outside the grid.
     """
     with RasterSampler(path) as source:
-        conversion = height_conversion(crs_wkt or source.crs_wkt, stated, target, grid, reverse)
+        conversion = height_conversion(_with_heights(crs_wkt, source.crs_wkt), stated, target, grid, reverse)
         write_raster(output, _ConvertedRows(source, conversion), source.grid, conversion.wkt, progress=progress)
     if not conversion.change.count:
         raise InsufficientDataError(say("{path} holds no heights: give another raster.", path=source.path.name))
     return conversion.change
+
+
+def _with_heights(crs_wkt: str, own_wkt: str) -> str:
+    """The reference given, with the heights that the file's own one states, where it states none and both are one in
+    plan: programs drop the vertical part."""
+    if not crs_wkt or not own_wkt or heights_of(crs_wkt).known:
+        return crs_wkt or own_wkt
+    return own_wkt if same_horizontal(crs_wkt, own_wkt) else crs_wkt
 
 
 class _ConvertedRows:
