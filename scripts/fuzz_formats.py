@@ -194,6 +194,13 @@ def _tileset(path: Path):
     return tiles_folder_trouble(path.parent)
 
 
+def _checked(path: Path):
+    from urbanmap_qgis.buildings.solids.validity import check_solid
+    from urbanmap_qgis.citymodel.checks.city_check import check_city
+
+    return [(fault.rule, fault.text) for fault in check_city(path, check_solid).faults]
+
+
 def _gml_folder(path: Path):
     from urbanmap_qgis.citymodel.citygml.writer import gml_folder_trouble
 
@@ -327,6 +334,7 @@ FORMATS: dict[str, tuple[str, Callable, Callable]] = {
     "CityGML zip": ("a.zip", sound.zipped("udx/bldg/a.gml", sound.citygml), _city_files),
     "CityGML of PLATEAU zip": ("a.zip", sound.plateau_zip, _city_files),
     "CityGML in a zip's zip": ("a.zip", sound.zipped("udx/bldg/a.gml", sound.citygml, "b.zip"), _city_files),
+    "CityGML, checked": ("a.gml", sound.plateau, _checked),
     "CityGML of a folder": ("a.gml", sound.citygml, _gml_folder),
     "CityJSONSeq": ("a.city.jsonl", sound.sequence, _city_files),
     "textured CityJSON": ("a.city.json", sound.textured, _of("citymodel.cityjson.textured_faces",

@@ -24,7 +24,7 @@ class ExportCityModel(UrbanMapAlgorithm):
     ID = "exportcitymodel"
     NAME = "Export city model"
     KEYWORDS = ("CityJSON", "CityJSONSeq", "CityGML", "PLATEAU", "3D Tiles", "Cesium", "GeoParquet", "building", "LOD")
-    REQUIRES = ("numpy", "scipy", "shapely", "pyproj")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "cv2")
     HELP = (
         "Writes building models of any step as CityJSON, CityGML (in Japan as PLATEAU lays it out) and 3D Tiles.\n"
         "Each building has its levels of detail 0 (outline and roof outline), 1.2, 1.3 and 2.2 side by side, parts "

@@ -1,10 +1,14 @@
 """Files that input files name: only of the model's own folder, only of the kind that is wanted."""
 
 import json
+import re
 import zipfile
 from contextlib import ExitStack
 from dataclasses import replace
+from pathlib import Path
 
+import cv2
+import numpy as np
 import pytest
 
 from tests.city_models import gable_house, town, wall_texture
@@ -129,3 +133,44 @@ def test_lists_of_codes_lie_where_the_specification_has_them(tmp_path):
     assert named_file(loose, "../../codelists/u.xml", CODE_LIST) is not None
     assert named_file(loose, "../../w.xml", CODE_LIST) is None
     assert named_file(loose, "../../codelists/u.xml", IMAGE) is None
+
+
+def test_images_of_one_name_in_two_folders_stay_apart(model, tmp_path):
+    gml, named = model
+    other = tmp_path / "set" / "b"
+    first = tmp_path / "set" / "a"
+    for folder, content in ((first, JPEG + b"first"), (other, JPEG + b"second")):
+        (folder / named).parent.mkdir(parents=True)
+        (folder / named).write_bytes(content)
+        text = gml.read_text(encoding="utf-8")  # the same buildings under ids of their own
+        (folder / "m.gml").write_text(re.sub("(id=\"|#)(?=[^\"]*\")", rf"\1{folder.name}_", text), encoding="utf-8")
+    files, notes = export(tmp_path / "set", tmp_path / "out")
+    assert not notes.missing_images
+    for content in (JPEG + b"first", JPEG + b"second"):  # beside CityJSON and its sequence, and beside CityGML
+        assert sum(one == content for one in files) == 2
+    tiles = b"".join(file.read_bytes() for file in (tmp_path / "out" / "tiles").rglob("*.glb"))
+    assert b"first" in tiles and b"second" in tiles
+
+
+def test_tiff_becomes_png_where_formats_take_no_tiff(model, tmp_path):
+    gml, named = model
+    pixels = np.zeros((4, 6, 3), np.uint8)
+    pixels[:, :3] = (10, 200, 30)
+    tiff = str(Path(named).with_suffix(".tif"))
+    (gml.parent / tiff).write_bytes(cv2.imencode(".tif", pixels)[1].tobytes())
+    gml.write_text(gml.read_text(encoding="utf-8").replace(f">{named}<", f">{tiff}<"), encoding="utf-8")
+    export(gml, tmp_path / "out")
+    out = tmp_path / "out"
+    tile = next((out / "tiles").rglob("*.glb")).read_bytes()
+    assert b"image/png" in tile and b"\x89PNG" in tile and b"image/jpeg" not in tile
+    assert '"type": "PNG"' in (out / "m.city.json").read_text().replace('"type":"PNG"', '"type": "PNG"')
+    (image,) = (out / "m_textures").iterdir()
+    assert image.suffix == ".png" and np.array_equal(cv2.imread(str(image)), pixels)
+    assert "image/tiff" in next((out / "gml").rglob("*.gml")).read_text(encoding="utf-8")
+
+
+def test_tiff_that_is_none_is_left_out(model, tmp_path):
+    gml, named = model
+    (gml.parent / named).write_bytes(b"II*\0" + b"\1" * 40)
+    files, _ = export(gml, tmp_path / "out")
+    assert files and not any(content.startswith(b"II*\0") for content in files)

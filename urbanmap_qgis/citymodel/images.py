@@ -8,12 +8,17 @@ from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
+import numpy as np
+
 from ..errors import InputError, OutputError
 from ..io.files.named_files import IMAGE, is_kind
 from ..progress import SILENT, Progress
 from ..wording import say
 from .model import CityModel
 from .objects import retextured
+
+_TIFF = (".tif", ".tiff")
+_TIFF_STARTS = (b"II*\0", b"MM\0*")
 
 
 def with_images_there(model: CityModel, progress: Progress = SILENT) -> CityModel:
@@ -32,9 +37,37 @@ def with_images_there(model: CityModel, progress: Progress = SILENT) -> CityMode
 def _is_image(file: Path) -> bool:
     try:
         with file.open("rb") as stream:
-            return is_kind(stream.read(16), IMAGE)
-    except OSError:  # it has gone since the model was opened, or may not be read
+            start = stream.read(16)
+        if start.startswith(_TIFF_STARTS):
+            web_image(file)
+        return is_kind(start, IMAGE)
+    except (OSError, InputError):  # it has gone since the model was opened, may not be read, or is no whole TIFF
         return False
+
+
+def web_image(path: Path) -> bytes:
+    """The contents of an image as PNG or JPEG, which is all that glTF and CityJSON take; TIFF becomes PNG.
+
+    Raises
+    ------
+    InputError : it is a TIFF that cannot be read.
+    """
+    contents = path.read_bytes()
+    if not contents.startswith(_TIFF_STARTS):
+        return contents
+    import cv2
+
+    pixels = cv2.imdecode(np.frombuffer(contents, np.uint8), cv2.IMREAD_COLOR)
+    if pixels is None:
+        raise InputError(say("The image {path} of a texture is a TIFF that cannot be read: save it as PNG or JPEG.",
+                             path=path.name))
+    return cv2.imencode(".png", pixels)[1].tobytes()
+
+
+def web_name(name: str) -> str:
+    """The name of an image as `web_image` gives it: .png instead of .tif and .tiff."""
+    place = PurePosixPath(name)
+    return str(place.with_suffix(".png")) if place.suffix.lower() in _TIFF else name
 
 
 def images_beside(model: CityModel, path: str | os.PathLike, folder: str = "") -> CityModel:
@@ -53,7 +86,7 @@ def images_beside(model: CityModel, path: str | os.PathLike, folder: str = "") -
     path = Path(path)
     folder_name = folder or f"{path.name.split('.')[0]}_textures"
     plain = [PurePosixPath(name.replace(os.sep, "/")).name for name in model.images]
-    names = {name: f"{folder_name}/{short if folder else f'{number}-{short}'}"
+    names = {name: f"{folder_name}/{short if folder else web_name(f'{number}-{short}')}"
              for number, (name, short) in enumerate(zip(model.images, plain))}
     copy_images(path.parent, names, model.images)
     return replace(model, buildings=(retextured(item, names) for item in model.buildings),
@@ -75,7 +108,10 @@ def copy_images(place: Path, names: Mapping[str, str], images: Mapping[str, Path
         beside = target.with_name(f".{target.name}.part")
         try:
             target.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(images[image], beside)
+            if target.suffix.lower() == ".png" and images[image].suffix.lower() in _TIFF:
+                beside.write_bytes(web_image(images[image]))
+            else:
+                shutil.copyfile(images[image], beside)
             os.replace(beside, target)
         except OSError as error:
             raise OutputError(say("The image {place} cannot be written ({strerror}).", place=target,

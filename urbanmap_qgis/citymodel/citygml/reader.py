@@ -12,7 +12,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field, replace
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from xml.etree.ElementTree import Element  # nosec B405 # elements alone, no parser
 
 import numpy as np
@@ -84,8 +84,7 @@ def open_citygml(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: R
     listing = list_sources(path, stack, CITYGML)
     sources = listing.sources
     reference = _reference_of(sources[0], given)
-    images: dict[str, Path] = {}
-    unpacked = _unpacking(stack)
+    images = _Images({}, _unpacking(stack))
 
     @reads("CityGML")
     def buildings(_path) -> Iterator[CityObject]:
@@ -98,12 +97,32 @@ def open_citygml(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: R
                 raise InputError(say("{source} is in another reference system than {sources}: load them in separate "
                                      "runs.", source=source.name, sources=sources[0].name))
             part = progress.part(done / total, (done + source.size) / total)
-            for building in _buildings_of(source, of_file, notes, images, unpacked, part):
+            for building in _buildings_of(source, of_file, notes, images, part):
                 yield _once(building, seen, notes)
             done += source.size
             notes.files.append(source.name)
 
-    return CityModel(reference.reference, buildings(path), images, title=Path(sources[0].name).stem)
+    return CityModel(reference.reference, buildings(path), images.places, title=Path(sources[0].name).stem)
+
+
+@dataclass
+class _Images:
+    """Images of all files: places on the disk by name, and which source each name stands for."""
+
+    places: dict[str, Path]
+    unpacked: Callable[[XmlSource], Path]
+    sources: dict[str, str] = field(default_factory=dict)
+
+    def named(self, image: str, found: XmlSource) -> str:
+        """The name of an image, another one where an image of another folder has it already."""
+        plain, number, name = PurePosixPath(image.replace("\\", "/")), 1, image
+        while self.sources.get(name, found.name) != found.name:
+            number += 1
+            name = str(plain.with_name(f"{plain.stem}-{number}{plain.suffix}"))
+        if name not in self.sources:
+            self.sources[name] = found.name
+            self.places[name] = found.path or self.unpacked(found)
+        return name
 
 
 def _unpacking(stack: ExitStack) -> Callable[[XmlSource], Path]:
@@ -157,15 +176,18 @@ def _reference_of(source: XmlSource, given: CityReference | None) -> NamedRefere
     return NamedReference(given, False)
 
 
-def _buildings_of(source: XmlSource, reference: NamedReference, notes: ReadingNotes, images: dict[str, Path],
-                  unpacked: Callable[[XmlSource], Path], progress: Progress) -> Iterator[CityObject]:
-    file = _File(source, reference, notes, _textures(source))
-    for image in set(file.textures.images.values()):
+def _buildings_of(source: XmlSource, reference: NamedReference, notes: ReadingNotes, images: _Images,
+                  progress: Progress) -> Iterator[CityObject]:
+    textures = _textures(source)
+    names = {}
+    for image in sorted(set(textures.images.values())):
         found = source.beside(image, IMAGE)
         if found is None:
             notes.missing_images.add(image)
-        elif image not in images:
-            images[image] = found.path or unpacked(found)
+        else:
+            names[image] = images.named(image, found)
+    covered = {polygon: names.get(image, image) for polygon, image in textures.images.items()}
+    file = _File(source, reference, notes, GmlTextures(covered, textures.places))
     for _, member in root_children(source, MAKER, LARGEST_BUILDING, progress):
         if split_tag(member.tag)[1] not in ("cityObjectMember", "featureMember", "featureMembers"):
             continue

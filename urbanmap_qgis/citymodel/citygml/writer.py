@@ -239,7 +239,7 @@ def _image_name(file: _GmlFile, image: str) -> str:
 
 def _texture(name: str, targets: list) -> str:
     """An image with the polygons that it covers."""
-    kind = "png" if name.lower().endswith(".png") else "jpg"
+    kind = {".png": "png", ".tif": "tiff", ".tiff": "tiff"}.get(PurePosixPath(name).suffix.lower(), "jpg")
     rows = []
     for polygon, rings in targets:
         lists = "".join(

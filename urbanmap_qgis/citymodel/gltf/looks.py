@@ -15,6 +15,7 @@ from ...errors import InputError
 from ...geometry.solid import GROUND, INNER_WALL, OUTER_WALL, OVERHANG, ROOF
 from ...geometry.triangulation import triangulate_face
 from ...wording import say
+from ..images import web_image
 from ..model import CitySurface
 from ..solids import surface_type
 from .glb_file import GlbBuffer
@@ -78,7 +79,7 @@ def add_primitive(buffer: GlbBuffer, material: int, corners: np.ndarray, places:
 
 
 def image_contents(looks: Sequence[str], images: Mapping[str, Path]) -> dict[str, bytes]:
-    """Bytes of the images that are looks, by look.
+    """Bytes of the images that are looks, by look, as PNG or JPEG.
 
     Raises
     ------
@@ -89,7 +90,7 @@ def image_contents(looks: Sequence[str], images: Mapping[str, Path]) -> dict[str
         name = look.removeprefix(_IMAGE)
         if name not in images:
             raise InputError(say("The image {look} of a texture was not given: its file is missing.", look=name))
-        contents[look] = images[name].read_bytes()
+        contents[look] = web_image(images[name])
     return contents
 
 
