@@ -7,7 +7,7 @@ from pathlib import Path
 
 from qgis.core import QgsApplication, QgsProcessingModelAlgorithm
 
-from .declaring.parameters import tr, with_choice_widget, with_files_widget
+from .declaring.parameters import UNIT, distance_unit, tr, with_choice_widget, with_files_widget
 from .language.language import translated_model
 
 MODELS = Path(__file__).resolve().parents[2] / "resources" / "models"
@@ -29,10 +29,12 @@ class ShippedModel(QgsProcessingModelAlgorithm):
         self._title = tr(super().displayName())
         for name in self.parameterComponents():  # QGIS's own field would empty what presets say of files
             definition = self.parameterDefinition(name)
-            if definition.type() not in ("multilayer", "enum"):
+            if definition.type() not in ("multilayer", "enum", "distance"):
                 continue
             made = definition.clone()
-            if definition.type() == "enum":
+            if definition.type() == "distance":
+                made.setDescription(made.description() if distance_unit() else UNIT.sub("", made.description()))
+            elif definition.type() == "enum":
                 with_choice_widget(made)
             else:
                 with_files_widget(made, name in POINTS_NAMES)

@@ -57,3 +57,18 @@ def test_temporary_results_are_not_told_by_their_names(plugin, qgis_app):
     assert text == "result of an earlier step"
     assert facts.value_text(["/a/b.laz", "/c/d.laz"], QgsProcessingContext()) == "b.laz, d.laz"
     assert facts.value_text("/a/b.gpkg|layername=屋根", QgsProcessingContext()) == "b.gpkg, 屋根"
+
+
+def test_distances_have_their_unit_in_reports_of_the_window_too(qgis_app, plugin, monkeypatch):
+    """There the label has none, as QGIS shows it in a box beside the field."""
+    import importlib
+
+    from qgis.core import QgsApplication, QgsProcessingContext
+
+    facts = plugin("algorithms.framework.running.run_facts")
+    algorithm = QgsApplication.processingRegistry().algorithmById("urbanmap:segmentbuildings")
+    told = facts.run_facts(algorithm.create(), {"EXPANSION": 1.5}, QgsProcessingContext()).settings["Expansion"]
+    monkeypatch.setattr(importlib.import_module("qgis.utils"), "iface", object())
+    shown = algorithm.create()
+    assert shown.parameterDefinition("EXPANSION").description() == "Expansion"
+    assert facts.run_facts(shown, {"EXPANSION": 1.5}, QgsProcessingContext()).settings["Expansion"] == told == "1.5 m"

@@ -190,6 +190,19 @@ def plugin_menu() -> dict:
     return {action.text(): action for action in utils.plugins[PLUGIN].actions}
 
 
+def distances() -> dict:
+    """Labels and boxes of units in a dialog with distances, of an algorithm and of a model."""
+    from qgis.PyQt.QtWidgets import QComboBox, QLabel
+
+    found = {}
+    for algorithm in ("urbanmap:segmentbuildings", "urbanmap:buildingsfromals_model"):
+        window = dialog_of(algorithm, {})
+        units = [box.currentText() for box in window.findChildren(QComboBox)]
+        found[algorithm] = {"labels": [label.text() for label in window.findChildren(QLabel)], "boxes": units}
+        window.close()
+    return found
+
+
 def models() -> dict:
     """Each shipped model opened by the menu, as a copy without a file; the toolbox's menu; a run with given files."""
     from processing.gui.ProviderActions import ProviderContextMenuActions
@@ -217,7 +230,7 @@ def models() -> dict:
 
 
 STEPS = {"dialogs": dialogs, "runs": runs, "again": again, "together": together, "cancel": cancel, "reloads": reloads,
-         "models": models}
+         "models": models, "distances": distances}
 
 
 def travel() -> None:

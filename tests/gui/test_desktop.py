@@ -44,7 +44,7 @@ RUNS = {
 """Of each group an algorithm that makes layers: what is given, runs in one dialog, new dialogs, style by layer."""
 
 CANCELLED = ("groundfrommms", {"POINTS": ["city:mms/survey_01.laz"]})
-STEPS = ["dialogs", "runs", "together", "cancel", "reloads", "again", "models"]
+STEPS = ["dialogs", "runs", "together", "cancel", "reloads", "again", "models", "distances"]
 
 
 def load_script(name: str):
@@ -162,3 +162,9 @@ def test_models_open_as_copies_in_the_modeller_and_run_with_files_preset(step):
     assert told["run"]["succeeded"], told["run"]["log"][-3000:]
     assert [layer["size"] > 0 and layer["at_home"] for layer in told["run"]["layers"]] == [True]
     assert told["entries"] == [["urbanmap:buildingsfromals_model", "Open a copy in the modeller…"]]
+
+
+def test_a_unit_is_shown_once_beside_a_distance(step):
+    for told in step(7).values():
+        assert "Expansion" in told["labels"] and "meters" in told["boxes"]
+        assert not [label for label in told["labels"] if label.endswith("(m)")]

@@ -195,7 +195,7 @@ class Declarations:
                      minimum: float | None = 0.0, maximum: float | None = None,
                      optional: bool = False, advanced: bool = False):
         """A distance in metres."""
-        definition = QgsProcessingParameterDistance(name, _with_unit(label, "m"), default, "", optional)
+        definition = QgsProcessingParameterDistance(name, _with_unit(label, distance_unit()), default, "", optional)
         definition.setDefaultUnit(QgsUnitTypes.DistanceUnit.DistanceMeters)
         _limit(definition, minimum, maximum)
         return self.declare_parameter(definition, help, advanced)
@@ -339,6 +339,13 @@ def with_words(parameters: Mapping[str, object], definitions: Sequence) -> dict[
 
 def _with_unit(label: str, unit: str) -> str:
     return f"{tr(label)} ({tr(unit.replace('m2', 'm²'))})" if unit else tr(label)
+
+
+def distance_unit() -> str:
+    """Unit behind the label of a distance: none in the window, where QGIS shows it in a box beside the field."""
+    from qgis.utils import iface
+
+    return "m" if iface is None else ""
 
 
 def _limit(definition, minimum: float | None, maximum: float | None) -> None:

@@ -68,6 +68,7 @@ def _told(algorithm, parameters: Mapping, context: QgsProcessingContext, inputs:
         text = text or value_text(value, context)
         if text:
             unit = UNIT.findall(definition.description()) if not inputs else []
+            unit = unit or (["m"] if definition.type() == "distance" else [])
             label = UNIT.sub("", definition.description()) if unit else definition.description()
             told[label] = text + (f" {unit[0].strip(' ()')}" if unit else "")
     return told
