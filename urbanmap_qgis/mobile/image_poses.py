@@ -14,7 +14,7 @@ from ..errors import InputError
 from ..io.files.atomic import written_beside
 from ..io.files.columns import aliases_of, names_of
 from ..io.files.guard import first_not_finite, read_text, reads
-from ..io.files.named_table import known_columns, named_rows
+from ..io.files.named_table import known_columns, named_rows, number_table
 from ..wording import say
 from .survey_columns import IMAGE_POSES
 from .trajectory import Trajectory, attitude_angles, interpolate, rotations, unwrapped
@@ -75,11 +75,7 @@ def read_image_poses(path: str | os.PathLike, counted: str = "degrees") -> Image
     if missing:
         raise InputError(say("{name} has no column {missing} or no row: image poses need {columns}.", name=name,
                              missing=", ".join(missing), columns=",".join(COLUMNS)))
-    try:
-        table = np.array([np.asarray(columns[known[column]], float) for column in COLUMNS[1:]]).T
-    except (TypeError, ValueError) as error:
-        raise InputError(say("{name} holds a value that is no number ({error}): correct it.", name=name,
-                             error=error)) from error
+    table = number_table(columns, known, COLUMNS[1:], name)
     bad = first_not_finite(table)
     if bad is not None:
         raise InputError(say("{name} has no number in row {bad}: correct or remove it.", name=name, bad=bad + 2))

@@ -16,7 +16,7 @@ from ..errors import InputError
 from ..io.files.atomic import written_beside
 from ..io.files.columns import aliases_of, names_of
 from ..io.files.guard import first_not_finite, read_text, reads
-from ..io.files.named_table import known_columns, meanings, named_rows
+from ..io.files.named_table import known_columns, meanings, named_rows, number_table
 from ..io.points.pointcloud import plan_crs
 from ..wording import say
 from .survey_columns import TRAJECTORY
@@ -121,11 +121,7 @@ def trajectory_from_columns(columns: Mapping[str, Sequence], name: str = "The tr
     if missing:
         raise InputError(say("{name} has no column {missing}: a trajectory needs {columns}.", name=name,
                              missing=", ".join(missing), columns=",".join(COLUMNS)))
-    try:
-        table = np.array([np.asarray(columns[known[column]], float) for column in COLUMNS]).T
-    except (TypeError, ValueError) as error:
-        raise InputError(say("{name} holds a value that is no number ({error}): correct it.", name=name,
-                             error=error)) from error
+    table = number_table(columns, known, COLUMNS, name)
     bad = np.flatnonzero(~np.isfinite(table).all(axis=1))
     if len(bad):
         raise InputError(say("{name} has no number in row {bad}: correct or remove it.", name=name, bad=bad[0] + 2))

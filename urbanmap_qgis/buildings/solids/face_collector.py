@@ -2,16 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable
+from collections.abc import Hashable, Iterable, Sequence
 
 import numpy as np
 import shapely
 
+from ...errors import InputError
 from ...geometry.solid import GROUND, Face
-from .half_edges import HalfEdges, trace_rings
+from ...wording import say
+from .half_edges import HalfEdges, half_edges, trace_rings, whole_metre_origin
 
 UNITS = 10_000
 """Lattice units a metre: coordinates are exact to 0.1 mm."""
+
+
+def edges_of_cells(cells: Sequence, base_height: float) -> HalfEdges | None:
+    """Half edges of the cells' polygons in `UNITS`; None without cells.
+
+    Raises
+    ------
+    InputError : the base height is not finite, or cells overlap.
+    """
+    if not np.isfinite(base_height):
+        raise InputError(say("The building has no base height: give the ground's height in metres."))
+    if not cells:
+        return None
+    polygons = shapely.force_2d(np.array([cell.polygon for cell in cells], dtype=object))
+    try:
+        return half_edges(polygons, whole_metre_origin(shapely.total_bounds(polygons)), 1 / UNITS)
+    except ValueError as error:
+        raise InputError(say("Cells of one building overlap: cut its plan with partition_plan first.")) from error
 
 
 class FaceCollector:

@@ -9,12 +9,10 @@ from itertools import chain
 import numpy as np
 import shapely
 
-from ...errors import InputError
 from ...geometry.solid import INNER_WALL, OUTER_WALL, ROOF, Solid
 from ...geometry.triangulation import triangulate_face
-from ...wording import say
-from .face_collector import UNITS, FaceCollector
-from .half_edges import HalfEdges, connected_cells, half_edges, whole_metre_origin
+from .face_collector import UNITS, FaceCollector, edges_of_cells
+from .half_edges import HalfEdges, connected_cells
 from .manifold import Height, cut_corners
 
 LEAST_STEP = 0.05
@@ -49,15 +47,9 @@ def sloped_solids(cells: Sequence[SlopedCell], base_height: float, least_height:
     ------
     InputError : the base height is not finite, or cells overlap.
     """
-    if not np.isfinite(base_height):
-        raise InputError(say("The building has no base height: give the ground's height in metres."))
-    if not cells:
+    edges = edges_of_cells(cells, base_height)
+    if edges is None:
         return ()
-    polygons = shapely.force_2d(np.array([cell.polygon for cell in cells], dtype=object))
-    try:
-        edges = half_edges(polygons, whole_metre_origin(shapely.total_bounds(polygons)), 1 / UNITS)
-    except ValueError as error:
-        raise InputError(say("Cells of one building overlap: cut its plan with partition_plan first.")) from error
     solids = []
     for part in connected_cells(edges, len(cells)):
         directed = {edge: cell for edge, cell in edges.cell.items() if cell in part}

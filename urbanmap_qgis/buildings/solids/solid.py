@@ -4,14 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Sequence
 
-import numpy as np
-import shapely
-
-from ...errors import InputError
 from ...geometry.solid import INNER_WALL, OUTER_WALL, ROOF, Solid
-from ...wording import say
-from .face_collector import UNITS, FaceCollector
-from .half_edges import HalfEdges, connected_cells, half_edges, whole_metre_origin
+from .face_collector import UNITS, FaceCollector, edges_of_cells
+from .half_edges import HalfEdges, connected_cells
 from .manifold import PlanRepair, repair_plan
 from .plan_partition import Cell
 
@@ -35,15 +30,9 @@ def building_solids(cells: Sequence[Cell], base_height: float, *, least_height: 
     ------
     InputError : the base height is not finite, or cells overlap.
     """
-    if not np.isfinite(base_height):
-        raise InputError(say("The building has no base height: give the ground's height in metres."))
-    if not cells:
+    edges = edges_of_cells(cells, base_height)
+    if edges is None:
         return ()
-    polygons = np.array([cell.polygon for cell in cells], dtype=object)
-    try:
-        edges = half_edges(polygons, whole_metre_origin(shapely.total_bounds(polygons)), 1 / UNITS)
-    except ValueError as error:
-        raise InputError(say("Cells of one building overlap: cut its plan with partition_plan first.")) from error
     base = round(base_height * UNITS)
     heights, raised = _levels([cell.height for cell in cells], base, least_height, least_step)
     solids = []

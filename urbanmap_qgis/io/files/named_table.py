@@ -11,6 +11,8 @@ import re
 import unicodedata
 from collections.abc import Collection, Iterable, Mapping, Sequence
 
+import numpy as np
+
 from ...errors import InputError
 from ...wording import say
 
@@ -58,6 +60,21 @@ def known_columns(columns: Mapping[str, Sequence], needed: Sequence[str], aliase
                              "counts north): call the column that counts east “東” or “east”, and the one that counts "
                              "north “北” or “north”.", name=name, columns=", ".join(japanese)))
     return known
+
+
+def number_table(columns: Mapping[str, Sequence], known: Mapping[str, str], wanted: Sequence[str],
+                 name: str) -> np.ndarray:
+    """Numbers (rows, columns) of some columns, in the order wanted; `known` is what `known_columns` gave.
+
+    Raises
+    ------
+    InputError : a value is no number.
+    """
+    try:
+        return np.array([np.asarray(columns[known[column]], float) for column in wanted]).T
+    except (TypeError, ValueError) as error:
+        raise InputError(say("{name} holds a value that is no number ({error}): correct it.", name=name,
+                             error=error)) from error
 
 
 def meanings(keys: Iterable[str], needed: Iterable[str], aliases: Mapping[str, str]) -> dict[str, str]:

@@ -17,7 +17,7 @@ import shapely
 from ...errors import InputError
 from ...io.files.columns import aliases_of, names_of
 from ...io.files.guard import read_text, reads
-from ...io.files.named_table import known_columns, named_rows
+from ...io.files.named_table import known_columns, named_rows, number_table
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..gps_time import shift_between
@@ -92,11 +92,7 @@ def tie_points_from_columns(columns: Mapping[str, Sequence], name: str = "The ti
     if missing:
         raise InputError(say("{name} has no column {missing}: tie points need {columns}.", name=name,
                              missing=", ".join(missing), columns=",".join(COLUMNS)))
-    try:
-        table = np.array([np.asarray(columns[known[column]], float) for column in COLUMNS[1:]]).T
-    except (TypeError, ValueError) as error:
-        raise InputError(say("{name} holds a value that is no number ({error}): correct it.", name=name,
-                             error=error)) from error
+    table = number_table(columns, known, COLUMNS[1:], name)
     if not len(table):
         raise InputError(say("{name} holds no tie points: give at least one set of two pairs.", name=name))
     bad = np.flatnonzero(~np.isfinite(table).all(axis=1))
