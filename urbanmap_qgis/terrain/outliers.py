@@ -59,7 +59,6 @@ def _levels(z: np.ndarray, voxel: float) -> tuple[np.ndarray, int]:
     step, count = _steps(z, voxel)
     used = np.bincount(step, minlength=count) > 0
     needed = used.copy()
-    needed[1:] |= used[:-1]
     needed[:-1] |= used[1:]
     return (np.cumsum(needed) - 1)[step], int(needed.sum())
 
