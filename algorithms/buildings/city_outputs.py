@@ -24,6 +24,9 @@ def add_plateau_parameters(algorithm):
     algorithm.add_choice("MAP_LEVEL", "Map level of the public survey", "Level of the public survey that the laser "
                          "points are of, for CityGML's quality attributes; none where they are of no public survey.",
                          MAP_LEVELS, MAP_LEVELS[0], advanced=True)
+    algorithm.add_file("SCHEMAS", "Schemas of i-UR", "Folder with uro/3.2/urbanObject.xsd and urf/3.2/urbanFunction.xsd"
+                       " (of the version above), as the G-spatial information centre gives them: they go along with "
+                       "CityGML into the folder “schemas”.", folder=True, optional=True, advanced=True)
 
 
 def day_of(algorithm, parameters, name, context):
@@ -62,7 +65,9 @@ def _delivery(algorithm, parameters, context):
     level = algorithm.parameterAsString(parameters, "MAP_LEVEL", context)
     return PlateauDelivery(algorithm.parameterAsString(parameters, "IUR_VERSION", context),
                            algorithm.parameterAsString(parameters, "CITY_CODE", context) or "",
-                           not parameters.get("CITY_MODEL"), int(level) if level.isdigit() else 0)
+                           not parameters.get("CITY_MODEL"), int(level) if level.isdigit() else 0,
+                           day_of(algorithm, parameters, "DATA_DATE", context) if "DATA_DATE" in parameters else "",
+                           algorithm.input_path(parameters, "SCHEMAS", context))
 
 
 def _geoid(algorithm, parameters, context):

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import os
+import shutil
 from collections.abc import Sequence
 from dataclasses import replace
+from pathlib import Path
 from typing import Union
 
+from ..errors import InputError, OutputError
 from ..io.conversion.geoid import Geoid
 from ..io.reference.height_systems import ELLIPSOIDAL, UNKNOWN
 from ..progress import SILENT, Progress
@@ -38,6 +41,7 @@ def write_city_files(model: CityModel, cityjson: _Place = None, cityjsonseq: _Pl
     delivery : what CityGML says of all its buildings.
     """
     delivery = delivery or PlateauDelivery()
+    delivery = replace(delivery, created=delivery.created or model.date)
     model = with_images_there(model, progress)
     _warn_of_heights(model, citygml is not None, tiles is not None and geoid is None, progress)
     for number, (path, write) in enumerate(((cityjson, write_model_cityjson), (cityjsonseq, write_model_cityjsonseq))):
@@ -49,7 +53,9 @@ def write_city_files(model: CityModel, cityjson: _Place = None, cityjsonseq: _Pl
         buildings: Sequence[CityObject] = tuple(model.buildings)
         ready = (with_plateau_attributes(item, number, delivery, model.reference.epsg in PLATEAU_SYSTEMS)
                  for number, item in enumerate(buildings, 1))
-        write_citygml(citygml, replace(model, buildings=ready), progress, delivery.version)
+        write_citygml(citygml, replace(model, buildings=ready), progress, delivery.version, delivery.lists)
+        if delivery.schemas is not None and model.reference.epsg in PLATEAU_SYSTEMS:
+            copy_schemas(delivery.schemas, citygml, delivery.version)
         missing = sum(not any(part.shapes for part in item.objects()) for item in buildings)
         if missing and model.reference.epsg in PLATEAU_SYSTEMS:
             progress.warn(say("{missing} buildings have no model and no place in a mesh: CityGML leaves them out.",
@@ -59,6 +65,33 @@ def write_city_files(model: CityModel, cityjson: _Place = None, cityjsonseq: _Pl
         heights = geoid.interpolate if geoid is not None and model.reference.heights != ELLIPSOIDAL.word else None
         write_tiles(tiles, model, heights, progress)
     progress.step(1.0)
+
+
+def copy_schemas(source: str | os.PathLike, folder: str | os.PathLike, version: str) -> None:
+    """Copy the schemas of a version of i-UR to where a delivery has them (specification, 7.2.4.1).
+
+    Parameters
+    ----------
+    source : folder with uro/<version>/urbanObject.xsd and urf/<version>/urbanFunction.xsd somewhere in it.
+
+    Raises
+    ------
+    InputError : one of the two is not there.
+    OutputError : one cannot be copied.
+    """
+    for module, name in (("uro", "urbanObject.xsd"), ("urf", "urbanFunction.xsd")):
+        found = next((path for path in sorted(Path(source).rglob(name)) if path.parent.name == version
+                      and path.parent.parent.name == module), None)
+        if found is None:
+            raise InputError(say("{source} holds no {module}/{version}/{name}: give the folder of i-UR's schemas.",
+                                 source=source, module=module, version=version, name=name))
+        place = Path(folder) / "schemas" / "iur" / module / version / name
+        try:
+            place.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(found, place)
+        except OSError as error:
+            raise OutputError(say("The file {place} cannot be written ({strerror}).", place=place,
+                                  strerror=error.strerror)) from error
 
 
 def model_in_plane(model: CityModel, progress: Progress = SILENT) -> CityModel:

@@ -33,8 +33,13 @@ def code_value(name: str, code: str) -> CodeValue:
     return CodeValue(code, f"{FOLDER}{name}.xml", (_OLD_LISTS.get(name) or code_lists()[name])[code])
 
 
-def write_codelists(folder: str | os.PathLike, version: str) -> None:
+def write_codelists(folder: str | os.PathLike, version: str,
+                    more: Mapping[str, Mapping[str, str]] | None = None) -> None:
     """Write all lists that a version refers to into a folder.
+
+    Parameters
+    ----------
+    more : other lists likewise, codes and their meaning by list.
 
     Raises
     ------
@@ -46,7 +51,7 @@ def write_codelists(folder: str | os.PathLike, version: str) -> None:
     except OSError as error:
         raise OutputError(say("The folder {place} cannot be made ({strerror}): choose another output.", place=place,
                               strerror=error.strerror)) from error
-    for name, codes in lists_of(version).items():
+    for name, codes in {**lists_of(version), **(more or {})}.items():
         entries = "".join(
             f'<gml:dictionaryEntry><gml:Definition gml:id="id{code}"><gml:description>{escape(meaning)}'
             f"</gml:description><gml:name>{code}</gml:name></gml:Definition></gml:dictionaryEntry>\n"

@@ -9,7 +9,10 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from datetime import date
+from pathlib import Path
 from typing import Any
+from uuid import NAMESPACE_URL, uuid5
 
 from ...errors import InputError
 from ...wording import say
@@ -19,7 +22,16 @@ from .iur import VERSIONS, code_lists, iur_table
 
 ID_ATTRIBUTE = "uro:buildingIDAttribute"
 QUALITY_ATTRIBUTE, OLD_QUALITY_ATTRIBUTE = "uro:bldgDataQualityAttribute", "uro:buildingDataQualityAttribute"
-AUTHORITIES = "../../codelists/Common_localPublicAuthorities.xml"
+AUTHORITIES_LIST = "Common_localPublicAuthorities"
+AUTHORITIES = f"../../codelists/{AUTHORITIES_LIST}.xml"
+_PREFECTURES = tuple((  # noqa: SIM905
+    "北海道 青森県 岩手県 宮城県 秋田県 山形県 福島県 茨城県 栃木県 群馬県 埼玉県 千葉県 東京都 神奈川県 "
+    "新潟県 富山県 石川県 福井県 山梨県 長野県 岐阜県 静岡県 愛知県 三重県 滋賀県 京都府 大阪府 兵庫県 "
+    "奈良県 和歌山県 鳥取県 島根県 岡山県 広島県 山口県 徳島県 香川県 愛媛県 高知県 福岡県 佐賀県 長崎県 "
+    "熊本県 大分県 宮崎県 鹿児島県 沖縄県").split())
+"""By their codes, JIS X 0401, from 01."""
+
+_OWN_ID = re.compile(r"bldg_[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}", re.IGNORECASE)
 
 PUBLIC_SURVEY, AIRBORNE_LASER, OTHER_MATERIAL, NOT_MADE = "000", "112", "700", "999"
 """Codes of `DataQualityAttribute_geometrySrcDesc`."""
@@ -56,12 +68,26 @@ class PlateauDelivery:
     city_code : five digits of the municipality; empty for none.
     measured : whether the models are of laser points by this program; else nothing is known of where they come from.
     map_level : of the public survey that the points are of, one of `SCALES`; 0 where it is none.
+    created : day on which the data were made, ISO 8601; empty where not known.
+    schemas : folder with the schemas of i-UR that go along; None for none.
     """
 
     version: str = VERSIONS[0]
     city_code: str = ""
     measured: bool = True
     map_level: int = 0
+    created: str = ""
+    schemas: Path | None = None
+
+    @property
+    def lists(self) -> dict[str, dict[str, str]]:
+        """Lists of codes that the buildings' ids refer to: the prefecture and the municipality."""
+        if not self.city_code:
+            return {}
+        number = int(self.city_code[:2])
+        prefecture = _PREFECTURES[number - 1] if 1 <= number <= len(_PREFECTURES) else self.city_code[:2]
+        return {AUTHORITIES_LIST: {self.city_code[:2]: prefecture,
+                                   self.city_code: f"{prefecture} 市区町村コード{self.city_code}"}}
 
 
 def check_city_code(code: str) -> None:
@@ -94,11 +120,23 @@ def with_plateau_attributes(item: CityObject, number: int, delivery: PlateauDeli
     if not extended:
         return replace(item, attributes=attributes)
     attributes = _with_quality(attributes, item, delivery)
+    if delivery.created:
+        attributes.setdefault("creationDate", date.fromisoformat(delivery.created))
     if not delivery.city_code:
         return replace(item, attributes=attributes)
-    parts = tuple(replace(part, attributes=_with_id(part.attributes, number, delivery.city_code, place))
-                  for place, part in enumerate(item.parts, 1))
-    return replace(item, attributes=_with_id(attributes, number, delivery.city_code), parts=parts)
+    parts = tuple(_under_own_id(replace(part, attributes=_with_id(part.attributes, number, delivery.city_code, place)),
+                                delivery.city_code) for place, part in enumerate(item.parts, 1))
+    attributes = _with_id(attributes, number, delivery.city_code)
+    return _under_own_id(replace(item, attributes=attributes, parts=parts), delivery.city_code)
+
+
+def _under_own_id(item: CityObject, city_code: str) -> CityObject:
+    """A building under an id as PLATEAU's data have it, bldg_ and a UUID; made of the one it has, which stays as the
+    attribute source_id."""
+    if _OWN_ID.fullmatch(item.id):
+        return item
+    made = uuid5(NAMESPACE_URL, f"urn:urbanmap:{city_code}:{item.id}")
+    return replace(item, id=f"bldg_{made}", attributes={"source_id": item.id, **item.attributes})
 
 
 def _with_id(attributes: dict[str, Any], number: int, city_code: str, part: int = 0) -> dict[str, Any]:

@@ -11,7 +11,7 @@ import re
 import shutil
 import tempfile
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
@@ -39,6 +39,12 @@ _NAMESPACES = {
     "gml": "http://www.opengis.net/gml", "xlink": "http://www.w3.org/1999/xlink",
     "xAL": "urn:oasis:names:tc:ciq:xsdschema:xAL:2.0",
     "xsi": "http://www.w3.org/2001/XMLSchema-instance"}
+_SCHEMAS = " ".join(f"{uri} http://schemas.opengis.net/{place}" for uri, place in (
+    (_NAMESPACES["core"], "citygml/2.0/cityGMLBase.xsd"),
+    (_NAMESPACES["bldg"], "citygml/building/2.0/building.xsd"),
+    (_NAMESPACES["gen"], "citygml/generics/2.0/generics.xsd"),
+    (_NAMESPACES["app"], "citygml/appearance/2.0/appearance.xsd"), (_NAMESPACES["gml"], "gml/3.1.1/base/gml.xsd")))
+"""Where schemas are, as files of the specification's data say it (7.2.4.1: those of i-UR go along)."""
 _NAME = re.compile(r"[^\W\d][\w.\-]*\Z")
 _OTHER = re.compile(r"[^\w.\-]")
 
@@ -75,7 +81,8 @@ class _GmlFile:
 
 
 def write_citygml(folder: str | os.PathLike, model: CityModel, progress: Progress = SILENT,
-                  version: str = VERSIONS[0]) -> dict[str, int]:
+                  version: str = VERSIONS[0], lists: Mapping[str, Mapping[str, str]] | None = None,
+                  ) -> dict[str, int]:
     """Write a city model into a folder as CityGML 2.0, building by building; return the files with their buildings.
 
     Coordinates in a JGD2011 or JGD2024 system are written as PLATEAU has them: latitude, longitude and height
@@ -87,6 +94,7 @@ def write_citygml(folder: str | os.PathLike, model: CityModel, progress: Progres
     Parameters
     ----------
     version : of i-UR, one of `VERSIONS`.
+    lists : lists of codes that go along in Japan besides those of the version: codes and their meaning by list.
 
     Raises
     ------
@@ -116,7 +124,7 @@ def write_citygml(folder: str | os.PathLike, model: CityModel, progress: Progres
             _write_file(place / f"{file.name}.gml", file, frame, model, names.table.namespace)
             copy_images(place, file.images, model.images)
     if plateau:
-        write_codelists(target / "codelists", version)
+        write_codelists(target / "codelists", version, lists)
     if names.homeless:
         progress.warn(say("{count} attributes have no place in i-UR {version} and are written as generic ones "
                           "({names}).", count=sum(names.homeless.values()), version=version,
@@ -255,6 +263,9 @@ def _texture(name: str, targets: list) -> str:
 def _write_file(path: Path, file: _GmlFile, frame: _Frame, model: CityModel, extension: str) -> None:
     """Put head, members and textures together."""
     spaces = " ".join(f'xmlns:{prefix}="{uri}"' for prefix, uri in {**_NAMESPACES, "uro": extension}.items())
+    if frame.epsg in (GEOGRAPHIC_2011, GEOGRAPHIC_2024):
+        own = f"{extension} ../../schemas/iur/uro/{extension.rpartition('/')[2]}/urbanObject.xsd"
+        spaces += f' xsi:schemaLocation="{own} {_SCHEMAS}"'
     title = f"<gml:name>{xml_text(model.title)}</gml:name>" if model.title else ""
     envelope = ""
     if np.isfinite(file.low).all():
