@@ -96,6 +96,7 @@ def street(make_cloud, tmp_path_factory):
     return files, trajectories
 
 
+@pytest.mark.slow
 def test_the_difference_of_two_scanners_is_found(street):
     files, trajectories = street
     found = calibrate_scanners(files, trajectories, Calibration(SCANNERS)).boresights
@@ -104,6 +105,7 @@ def test_the_difference_of_two_scanners_is_found(street):
     assert found.rms_after < 0.5 * found.rms_before
 
 
+@pytest.mark.slow
 def test_values_lie_within_their_standard_deviations(street):
     files, trajectories = street
     made = calibrate_scanners(files, trajectories, Calibration(SCANNERS))
@@ -114,6 +116,7 @@ def test_values_lie_within_their_standard_deviations(street):
     assert made.calibration.scanners[1].angles[0] == pytest.approx(found.value[1, 3], abs=0.1)
 
 
+@pytest.mark.slow
 def test_a_flat_street_between_walls_along_it_does_not_determine_the_pitch(street):
     files, trajectories = street
     found = calibrate_scanners(files, trajectories, Calibration(SCANNERS)).boresights
@@ -133,6 +136,7 @@ def test_one_scanner_in_one_pass_is_refused(street):
         calibrate_scanners(files[:1], trajectories[:1], Calibration((both,)))
 
 
+@pytest.mark.slow
 def test_passes_that_lie_apart_are_refused(street, make_cloud, tmp_path):
     import laspy
 

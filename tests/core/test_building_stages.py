@@ -99,6 +99,7 @@ def test_models_are_closed_valid_and_of_the_right_volume(chain):
     assert models[4].status == NOT_MODELLED and models[4].reason and not models[4].solids
 
 
+@pytest.mark.slow
 def test_workers_and_cuts_change_nothing(tmp_path, make_cloud, footprints, monkeypatch):
     path = make_cloud(tmp_path / "c.laz", *scene(False)[:3])
     one = run_chain(path, footprints, tmp_path)

@@ -58,6 +58,7 @@ def chain(request, small_city, outlines, tmp_path_factory):
     return request.param, folder, found, roofs, drawn, models, placed
 
 
+@pytest.mark.slow
 def test_points_roofs_and_polygons_stay(chain):
     kind, folder, found, roofs, drawn, _, _ = chain
     stays(f"buildings_roofs_{kind}", {"segmented": found, "roofs": roofs, "polygons": drawn, "files": folder})
@@ -110,6 +111,7 @@ def test_walls_stay(walls):
                               "contours": [wall.contour for wall in walls[0]]}, 1e-2)
 
 
+@pytest.mark.slow
 def test_merged_models_stay(chain, walls):
     kind, _, _, _, _, models, _ = chain
     measured = [measured_wall(row, part, 0.02, 0.002) for row, wall in enumerate(walls[0])

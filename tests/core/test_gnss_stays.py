@@ -55,6 +55,7 @@ def page(path) -> str:
     return path.read_text(encoding="utf-8")
 
 
+@pytest.mark.slow
 def test_signals_stay(signals):
     stays("gnss_signals", signals)
 

@@ -144,6 +144,7 @@ def test_raster_in_degrees_holds_the_cells_of_the_file(tmp_path):
     assert np.abs(heights - meshes.meshes[0].heights).max() < 1e-4
 
 
+@pytest.mark.slow
 def test_finer_product_lies_over_the_coarser_which_fills_its_gaps(tmp_path):
     lines = ["地表面,5.00"] * (ROWS * COLUMNS)
     for place in range(225 * 40, 225 * 60):

@@ -44,6 +44,7 @@ PATCHWORK = """
 """
 
 
+@pytest.mark.slow
 def test_a_roof_of_6000_m2_and_270_planes_stays_in_memory():
     resource = pytest.importorskip("resource")
     limit = 4 * 2**30

@@ -60,6 +60,7 @@ def cloud(small_city, drive, tmp_path_factory):
     return path
 
 
+@pytest.mark.slow
 def test_georeferenced_scans_stay(small_city, drive, tmp_path):
     placed = georeference_scans([small_city / "lines" / "scans.csv.gz"], drive,
                                 read_calibration(small_city / "lines" / "calibration.json"), tmp_path / "cloud.laz",

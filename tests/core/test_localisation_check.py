@@ -59,6 +59,7 @@ def test_scans_lie_on_walls_and_on_the_road(walls):
     assert len(ray_directions(scanner, 120)) == 16 * 120 and scan.hidden == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("share", [0.1, 0.3])
 def test_vehicles_and_trees_hide_about_what_is_asked_for(walls, share):
     sensor = np.tile([[0.0, 1.0, 2.0]], (300, 1))
@@ -67,6 +68,7 @@ def test_vehicles_and_trees_hide_about_what_is_asked_for(walls, share):
     assert np.mean([scan.hidden for scan in scans]) == pytest.approx(share, rel=0.5)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["2D", "multi-layer"])
 def test_registration_in_the_city_as_mapped_is_exact(walls, places, kind):
     """Without displacement, noise and vehicles the matcher must find the place from a metre away."""

@@ -89,6 +89,7 @@ def score(numbers, paint):
     return hit / max(len(numbers), 1), hit / paint.sum()
 
 
+@pytest.mark.slow
 def test_markings_with_all_their_attributes(write, tmp_path):
     made = drive()
     number = np.arange(len(made.x))
@@ -141,6 +142,7 @@ def test_no_seams_between_stretches(write, monkeypatch):
     assert len(np.setxor1d(whole, cut)) < 0.002 * len(whole)
 
 
+@pytest.mark.slow
 def test_classified_ground_is_taken_as_it_is(write):
     made = drive(40.0)
     ground = np.abs(made.y - Y0) < 6.9
@@ -162,6 +164,7 @@ def test_a_street_driven_twice_is_not_mixed(write):
     assert precision > 0.97 and recall > 0.94
 
 
+@pytest.mark.slow
 def test_a_wait_is_left_out_and_times_outside_are_told(write):
     made = drive(40.0, wait=20.0)
     rng = np.random.default_rng(1)
@@ -214,6 +217,7 @@ def test_without_calibration_and_without_markings(write, tmp_path):
     assert np.isnan(facts_of(found)["PAINT_CONTRAST"])
 
 
+@pytest.mark.slow
 def test_a_scanner_that_sees_no_road_is_left_out(write):
     made = drive(40.0)
     wall = np.abs(made.y - Y0) > 6.9
@@ -278,6 +282,7 @@ def test_more_that_cannot_be_used(write, make_cloud, tmp_path):
         extract(broken, made)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("at", [0.05, 0.55, 0.72])
 def test_cancel_leaves_nothing(write, tmp_path, at):
     made = drive(40.0)

@@ -88,6 +88,7 @@ def test_tiles_of_many_points_are_split_and_the_ground_stays(survey, tmp_path, m
     assert np.array_equal(classes(tmp_path / "whole.laz"), classes(tmp_path / "split.laz"))
 
 
+@pytest.mark.slow
 def test_a_second_pass_that_lies_higher_keeps_its_ground(survey, tmp_path):
     first, second = street(), street(lift=0.6, start=1100.0, seed=2, backwards=True)
     both = tuple(np.concatenate(pair) for pair in zip(first, second))

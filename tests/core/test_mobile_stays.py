@@ -93,6 +93,7 @@ def paint(small_city):
     return shapely.from_wkb([blob[8 + ENVELOPES[blob[3] >> 1 & 7]:] for blob in blobs])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["plan", "space"])
 def test_registration_stays(survey, markings, paint, small_city, tmp_path, kind):
     reported = survey[1]

@@ -131,6 +131,7 @@ def test_position_to_a_tenth_of_a_pixel(place):
     assert np.abs(shift).max() < 0.02
 
 
+@pytest.mark.slow
 def test_hidden_ground_comes_from_another_frame(place):
     ground, surface, frames, output = place
     def seen_behind_the_block(poses):
@@ -164,6 +165,7 @@ def test_outlines_mask_buildings_without_a_surface(place):
     assert "DSM" in warnings[0]
 
 
+@pytest.mark.slow
 def test_own_resolution_and_same_output_twice(place):
     ground, surface, frames, output = place
     made = lay(frames(), CAMERA, ground, output, surface=surface)

@@ -43,6 +43,7 @@ def survey(make_cloud, folder, name, true, shift, ends, seed):
     return path, Trajectory(true.time, true.place + shift, true.angles)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ends", [True, False])
 def test_planes_say_how_far_drives_lie_apart(make_cloud, tmp_path, ends):
     shift = np.array([[0.05, 0.06, -0.04], [-0.06, -0.05, 0.05]])
@@ -64,6 +65,7 @@ def test_planes_say_how_far_drives_lie_apart(make_cloud, tmp_path, ends):
         assert plan_residuals(found, residual) == pytest.approx(np.full(len(found), 0.01), abs=0.02)
 
 
+@pytest.mark.slow
 def test_ties_that_are_adjusted_already_say_the_same(make_cloud, tmp_path):
     shift = np.array([[0.8, 0.5, 0.3], [-0.7, -0.6, -0.2]])
     true = [drive(100.0), drive(200.0, True)]

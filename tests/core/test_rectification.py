@@ -228,6 +228,7 @@ def test_paper_takes_sets_of_two_as_they_are(true):
         rectify(reported, ties.of(np.isin(ties.sets, ["1"])), None, RectifySettings(method="paper"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", ["drift", "paper"])
 @pytest.mark.parametrize(("count", "seconds"), [(2, 20.0), (4, 40.0), (8, 60.0)])
 def test_sets_in_one_place_do_not_vouch_for_the_whole_drive(true, method, count, seconds):

@@ -36,6 +36,7 @@ def test_a_kerb_lies_where_it_is_whatever_its_direction(tmp_path, angle):
     assert 0.0003 < kerb.sigma < 0.01 and kerb.completeness > 0.95
 
 
+@pytest.mark.slow
 def test_two_passes_are_surer_than_one(tmp_path):
     once, = edges_of(tmp_path, Street(length=30.0)).edges
     twice, = edges_of(tmp_path, Street(length=30.0), passes=2).edges
@@ -48,6 +49,7 @@ def test_no_kerb_no_edge(tmp_path):
     assert not edges_of(tmp_path, Street(kerb=0.0)).edges
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("angle", [0.0, 33.0])
 def test_grass_beside_the_road_is_its_border(tmp_path, angle):
     border, = edges_of(tmp_path, Street(kerb=0.0, rough=0.04), angle).edges
@@ -56,6 +58,7 @@ def test_grass_beside_the_road_is_its_border(tmp_path, angle):
     assert np.sqrt(np.mean(off**2)) < 0.04 and np.mean(np.abs(off) < 2 * border.sigma) > 0.93
 
 
+@pytest.mark.slow
 def test_a_lowered_place_is_a_section_of_its_own(tmp_path):
     # The ground behind is lowered too: its own borders, which run away from the road, are steps as well.
     edges = [edge for edge in edges_of(tmp_path, Street(lowered=(25.0, 30.0))).edges if across(edge, 0.0).max() < 4.3]
@@ -67,6 +70,7 @@ def test_a_lowered_place_is_a_section_of_its_own(tmp_path):
     assert len({edge.chain for edge in edges}) == 1
 
 
+@pytest.mark.slow
 def test_nothing_is_drawn_where_nothing_is_seen(tmp_path):
     first, second = sorted(edges_of(tmp_path, Street(hidden=(25.0, 31.0))).edges,
                            key=lambda edge: to_local(edge.foot, 0.0)[:, 0].min())
@@ -103,12 +107,14 @@ def test_what_stands_before_the_kerb_may_be_a_vehicle():
     assert with_doubts(edges[1:], path, 40.0) == edges[1:], "a road without kerbs tells nothing"
 
 
+@pytest.mark.slow
 def test_a_kerb_before_a_rail_is_found(tmp_path):
     kerb = [edge for edge in edges_of(tmp_path, Street(rail=0.8)).edges if edge.kind == "kerb"]
     assert sum(edge.length for edge in kerb) > 50.0
     assert max(np.abs(across(edge, 0.0) - KERB_AT).max() for edge in kerb) < 0.02
 
 
+@pytest.mark.slow
 def test_steps_of_a_stair_are_no_kerb_higher_than_asked(tmp_path):
     found = edges_of(tmp_path, Street(kerb=0.28), settings=EdgeSettings(max_height=0.2, survey_sigma=0.0))
     assert not [edge for edge in found.edges if edge.kind == "kerb"]

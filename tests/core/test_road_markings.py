@@ -153,6 +153,7 @@ def test_result_does_not_depend_on_the_cut(tmp_path, tile):
     assert sorted(whole.polygons.colour) == sorted(cut.polygons.colour)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["threads", "processes"])
 def test_workers_make_the_same_file(tmp_path, kind):
     bands, _white, _yellow = street(500, 600)

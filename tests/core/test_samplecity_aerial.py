@@ -282,6 +282,7 @@ def hit_classes(camera, exposure, faces, pixels):
     return nearest, hit
 
 
+@pytest.mark.slow
 def test_masks_equal_ray_casting(city, written):
     folder, made = written
     camera, exposures = exposures_of(folder)
@@ -347,6 +348,7 @@ def test_files_are_of_the_right_kind(city, written):
     assert (image.max(axis=0) > 0).all()
 
 
+@pytest.mark.slow
 def test_same_seed_same_bytes(city, written, tmp_path):
     folder, _ = written
     seed = np.random.SeedSequence(7)

@@ -174,6 +174,7 @@ def test_frame_agrees_with_proj():
 
 # Files
 
+@pytest.mark.slow
 def test_observation_files_hold_what_the_truth_tells(city, signals):
     folder, summary = city
     seen = defaultdict(dict)

@@ -284,6 +284,7 @@ def test_images_are_placed_by_the_reported_trajectory(true, tmp_path):
     np.testing.assert_allclose(turned, rotation, atol=1e-6)
 
 
+@pytest.mark.slow
 def test_same_seed_gives_the_same_bytes(scene, short, tmp_path):
     def digest(name, seed):
         folder = tmp_path / name

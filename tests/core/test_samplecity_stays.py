@@ -29,6 +29,7 @@ def test_what_a_sensor_measures_stays(name, tmp_path, monkeypatch):
     stays(f"samplecity_{name}", {"files": tmp_path, "summary": summary})
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("scene, size", [("canyon", SIZE), ("few markings", SIZE), ("repainted", SIZE),
                                          ("elevated road", SIZE), ("canyon", 240.0)])
 def test_the_truth_stays(scene, size, tmp_path):

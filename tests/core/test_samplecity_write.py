@@ -29,6 +29,7 @@ def files(folder: Path) -> dict[str, bytes]:
     return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
+@pytest.mark.slow
 def test_same_files_whoever_makes_them(quick, tmp_path):
     told: list[float] = []
     write.make_city(tmp_path / "alone", 60, seed=3, progress=Progress(report=told.append))
@@ -50,6 +51,7 @@ def test_processes_make_the_same(tmp_path, monkeypatch):
     assert files(tmp_path / "alone") == files(tmp_path / "process")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("together", [False, True])
 def test_cancel_leaves_nothing(quick, tmp_path, together):
     def cancelled():
@@ -61,6 +63,7 @@ def test_cancel_leaves_nothing(quick, tmp_path, together):
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("together", [False, True])
 def test_an_error_of_one_sensor_stops_all_and_leaves_nothing(quick, tmp_path, monkeypatch, together):
     def fail(*_):
@@ -87,6 +90,7 @@ def test_messages_of_workers_arrive(quick, tmp_path, monkeypatch):
     assert messages == ["one line"] and warnings == ["注意"]
 
 
+@pytest.mark.slow
 def test_places_that_cannot_be_used_are_refused(quick, tmp_path):
     full = tmp_path / "full"
     full.mkdir()
@@ -103,6 +107,7 @@ def test_places_that_cannot_be_used_are_refused(quick, tmp_path):
     assert (tmp_path / "empty" / "README.txt").is_file()
 
 
+@pytest.mark.slow
 def test_truth_is_the_scene_s(quick, tmp_path):
     write.make_city(tmp_path / "city", 60, "repainted", 3)
     scene = make_scene(60, "repainted", 3)

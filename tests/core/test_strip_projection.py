@@ -79,6 +79,7 @@ def offsets(small_city):
     return np.array(found)
 
 
+@pytest.mark.slow
 def test_edges_are_seen_where_they_are_projected(offsets):
     assert len(offsets) >= 5
     assert abs(np.median(offsets)) < 0.3 and np.median(np.abs(offsets)) < 0.4 and np.abs(offsets).max() < 1.5

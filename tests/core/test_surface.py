@@ -135,6 +135,7 @@ def town_file(make_cloud, tmp_path):
     return make_cloud(tmp_path / "点群.laz", x, y, z, classification=classes)
 
 
+@pytest.mark.slow
 def test_files_equal_memory(town_file, tmp_path):
     x, y, z, classes = town()
     summary = surfaces_from_files([town_file], tmp_path / "dsm.tif", tmp_path / "ground.tif")
@@ -152,6 +153,7 @@ def test_files_equal_memory(town_file, tmp_path):
     assert summary.empty_share == pytest.approx(np.isnan(surface).mean())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("tile_metres", [40.0, 97.0])
 def test_result_does_not_depend_on_tiles_order_or_workers(make_cloud, tmp_path, monkeypatch, tile_metres):
     x, y, z, _classes = town(density=3.0)
@@ -194,6 +196,7 @@ def test_mesh_is_the_whole_surface(town_file, tmp_path):
     assert not (tmp_path / "ground.tif").exists() and summary.ground_points is None
 
 
+@pytest.mark.slow
 def test_gaps_empty_or_ground(make_cloud, tmp_path):
     x, y, z, classes = town()
     keep = np.hypot(x - X0 - 60, y - Y0 - 62) > 15

@@ -120,6 +120,7 @@ def test_points_of_a_building_go_with_their_building(make_cloud, tmp_path):
     assert sorted(read_all(open_cloud([path]), ("x",))["x"].tolist()) == [10.0, 20.0, 52.0]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("cell", [0.5, 0.3, 1.7])
 def test_a_raster_cut_into_tiles_is_put_together_as_it_was(tmp_path, cell):
     grid = Grid(-40.25, 61.7, cell, 170, 211)

@@ -65,6 +65,7 @@ def truth(small_city):
     return np.column_stack([ends, [row["z_foot"] for row in rows], [row["z_top"] for row in rows]])
 
 
+@pytest.mark.slow
 def test_walls_lie_on_true_walls(found, truth):
     """Outlines are off by decimetres; the walls found on their behalf are not."""
     walls, counts = found
@@ -198,6 +199,7 @@ def test_the_facade_of_an_outline_that_is_too_large_is_a_wall(tmp_path, depth):
     assert statuses(tmp_path, [((0, 0), (20, 0), 0, 9)], outline) == {0.0: "ok"}
 
 
+@pytest.mark.slow
 def test_a_setback_and_a_room_behind_the_facade_are_inside(tmp_path):
     facade, room = ((0, 0), (20, 0), 0, 9), ((1, 1.5), (19, 1.5), 1, 8)
     found = statuses(tmp_path, [facade, room], shapely.box(0, 0, 20, 10))
