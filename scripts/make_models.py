@@ -16,6 +16,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+os.environ.setdefault("QT_HASH_SEED", "0")  # the same order of attributes each time
 
 from qgis.core import (
     QgsApplication,
@@ -238,7 +239,7 @@ def help_content(chain, steps: tuple[Step, ...]) -> dict[str, str]:
     """The chain's help, for the model's panel."""
     content = {
         "ALG_DESC": f"{chain.shortDescription()}</p><p>This is the same chain as “{chain.displayName()}”, as a model: "
-                    "open it in the modeller to see its steps, or save it under another name and change it.",
+                    "the menu Plugins > UrbanMap > Open a chain in the modeller opens a copy to look at and to change.",
     }
     for definition in chain.parameterDefinitions():
         key = definition.name()

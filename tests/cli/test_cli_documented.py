@@ -23,9 +23,6 @@ FILES = {
     "survey.laz": "mms/survey_01.laz", "trajectory.csv": "mms/survey_01_trajectory.csv",
     "calibration.json": "mms/calibration.json", "markings.gpkg": "truth/markings.gpkg", "lines": "lines",
     "day.nav": "gnss/satellites.nav",
-    # What the first steps of the tutorial make, which the README's commands make too.
-    "reference.gpkg": "truth/markings.gpkg", "reference_ground.tif": "truth/ground.tif",
-    "placed.csv": "truth/survey_01_trajectory.csv",
 }
 
 
@@ -104,3 +101,18 @@ def test_launcher_without_qgis_says_so(tmp_path):
     done = subprocess.run(["sh", str(ROOT / "scripts" / "urbanmap"), "list"], env={"PATH": str(tmp_path)},
                           capture_output=True, text=True, check=False)
     assert done.returncode == 1 and "QGIS is not installed" in done.stderr
+
+
+@pytest.mark.parametrize("page", sorted(ROOT.glob("docs/**/tutorial_*.md")),
+                         ids=lambda page: f"{page.parent.name}-{page.stem}")
+def test_tutorials_need_nothing_but_what_they_make(page, small_city):
+    """A reader has the sample city, and what earlier commands of the page made."""
+    made, asked = set(), []
+    for command in commands_of(page):
+        for name, value in re.findall(r"\b([A-Z][A-Z0-9_]*)=(\S+)", command):
+            if name.startswith("OUTPUT"):
+                made.add(value)
+            elif "/" in value or re.search(r"\.[a-z]{2,}$", value):
+                asked.append(value)
+                assert value in made or (small_city / value.removeprefix("city/")).exists(), f"{value}: {command}"
+    assert asked
