@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 from qgis.core import Qgis, QgsSettings
 from qgis.PyQt.QtCore import QObject, Qt, QUrl, pyqtSignal
 from qgis.PyQt.QtGui import QDesktopServices
@@ -47,7 +45,7 @@ class ReportLinks(QObject):
             return
         self._take_away()
         bar = self.iface.messageBar()
-        line = bar.createMessage("UrbanMap", f"{title}: {Path(path).name}")
+        line = bar.createMessage("UrbanMap", title)
         line.setObjectName(SETTING)
         button = QPushButton(tr("Open report"), line)
         button.clicked.connect(lambda: open_report(path))

@@ -15,6 +15,12 @@ class Interface:
         self.window = window
         self.menus = {}
 
+    def addToolBarIcon(self, action):
+        self.tools = [action]
+
+    def removeToolBarIcon(self, action):
+        self.tools.remove(action)
+
     def messageBar(self):
         from qgis.gui import QgsMessageBar
 
@@ -68,12 +74,12 @@ def test_menu_comes_and_goes_with_the_plugin(qgis_app, plugin, monkeypatch):
     desktop.initProcessing = lambda: None
     desktop.initGui()
     assert [action.text() for action in interface.menus["UrbanMap"]] == [
-        "Sample city…", "Documentation", "Install Python packages…", "Diagnostics…",
+        "Guide", "Sample city…", "Documentation", "Install Python packages…", "Diagnostics…",
         "Open a chain in the modeller", "Open reports in the browser after a run"]
     desktop.provider = None
     monkeypatch.setattr(sys, "modules", dict(sys.modules))  # other tests go on with those that are loaded
     desktop.unload()
-    assert interface.menus == {"UrbanMap": []}
+    assert interface.menus == {"UrbanMap": []} and interface.tools == []
     assert QgsApplication.processingRegistry().providerById("urbanmap") is not None
 
 
@@ -172,11 +178,11 @@ def test_a_report_is_offered_and_opened_when_wished(qgis_app, links, monkeypatch
     opened = []
     monkeypatch.setattr(links.module, "open_report", opened.append)
     for name in ("first.html", "second.html"):  # as a run does, in a thread of its own
-        thread = Thread(target=links.made.made.emit, args=("Check accuracy: Report", f"/reports/{name}"))
+        thread = Thread(target=links.made.made.emit, args=(f"Report {name}", f"/reports/{name}"))
         thread.start()
         thread.join()
     assert links.bar.currentItem() is None
-    wait_until(qgis_app, lambda: [item.text() for item in links.bar.items()] == ["Check accuracy: Report: second.html"])
+    wait_until(qgis_app, lambda: [item.text() for item in links.bar.items()] == ["Report second.html"])
     (line,) = links.bar.items()
     (button,) = [item for item in line.findChildren(QPushButton) if item.text() == "Open report"]
     button.click()
