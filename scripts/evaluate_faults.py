@@ -119,7 +119,7 @@ def faulty(survey: DrivenSurvey, fault: Fault) -> DrivenSurvey:
 class Outcome:
     """What came out of one run, at the patches: error (n, 6), sigma (n, 6), status (n,), near the step (n,) bool.
 
-    `seconds` of CPU that registering `length` m took.
+    `seconds` of CPU that registering `length` m took; `told` steps of the correction that were listed.
     """
 
     error: np.ndarray
@@ -129,6 +129,7 @@ class Outcome:
     near: np.ndarray
     seconds: float
     length: float
+    told: str = ""
 
     @property
     def plan(self) -> np.ndarray:

@@ -1,0 +1,288 @@
+#!/usr/bin/env python3
+"""What registration makes of a wrong reference: road re-marked after the flight, a frame off, stretches without paint.
+
+    python scripts/evaluate_reference_faults.py --city FOLDER GROUND [--city ...] [--cases remarked,frame] \\
+        [--survey survey_01] [--cache FOLDER] --output table.md
+
+FOLDER is a sample city, GROUND the raster of “Surface and ground from ALS”. The reference is made of the true markings,
+each 1.5 cm off and every twentieth left out, then wronged; the corrected trajectory is compared with the true one at
+every patch.
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import sqlite3
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass, fields, replace
+from pathlib import Path
+
+import numpy as np
+import shapely
+from evaluate_faults import DrivenSurvey, Fault, Outcome, constant_fault, percent, read_survey, run, step_fault, table
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from urbanmap_qgis.mobile.markings.records import MarkingPoints
+from urbanmap_qgis.mobile.registration.correction.patch_status import DISTRUSTED, REGISTERED
+from urbanmap_qgis.mobile.registration.records import RegistrationSettings
+from urbanmap_qgis.mobile.registration.start.reference import Reference
+from urbanmap_qgis.mobile.trajectory import Trajectory, interpolate, path_chainage
+from urbanmap_qgis.mobile.trajectory_files import read_trajectory
+
+WRONG = 0.1
+"""m in plan: a registered patch that is farther off, and by more than three sigma, is a confident wrong answer."""
+
+PLACE_SIGMA, LEFT_OUT = 0.015, 0.05
+"""m, of each marking of the reference, and share of them that it has not."""
+
+REACH = 15.0
+"""m to either side of the path: what belongs to a stretch of it."""
+
+
+@dataclass(frozen=True)
+class Marks:
+    """Marking polygons (n,) and their kinds (n,)."""
+
+    polygons: np.ndarray
+    kind: np.ndarray
+
+    def select(self, which: np.ndarray) -> Marks:
+        """Some of them."""
+        return Marks(self.polygons[which], self.kind[which])
+
+    def moved(self, which: np.ndarray, shift: np.ndarray) -> Marks:
+        """With some of them moved by (2,) m."""
+        polygons = self.polygons.copy()
+        polygons[which] = shapely.transform(polygons[which], lambda place: place + shift)
+        return Marks(polygons, self.kind)
+
+    def split(self, zone: shapely.Geometry) -> tuple[Marks, np.ndarray]:
+        """Cut at the edge of a zone, and which lie within it."""
+        parts, kinds, inside = [], [], []
+        for geometries, within in ((shapely.intersection(self.polygons, zone), True),
+                                   (shapely.difference(self.polygons, zone), False)):
+            pieces, owner = shapely.get_parts(geometries, return_index=True)
+            area = (shapely.get_type_id(pieces) == shapely.GeometryType.POLYGON) & (shapely.area(pieces) > 1e-3)
+            parts.append(pieces[area])
+            kinds.append(self.kind[owner[area]])
+            inside.append(np.full(np.count_nonzero(area), within))
+        return Marks(np.concatenate(parts), np.concatenate(kinds)), np.concatenate(inside)
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A survey and the markings of its reference."""
+
+    survey: DrivenSurvey
+    marks: Marks
+
+    def stretch(self, begin: float, end: float) -> shapely.Geometry:
+        """The ground beside the true path between two shares of its length."""
+        true = self.survey.true
+        way = path_chainage(true)
+        some = (way >= begin * way[-1]) & (way <= end * way[-1])
+        return shapely.buffer(shapely.LineString(true.place[some, :2][::20]), REACH, cap_style="flat")
+
+    def around_middle(self, length: float) -> tuple[float, float]:
+        """Shares of the path between which `length` m in its middle lie."""
+        half = 0.5 * length / path_chainage(self.survey.true)[-1]
+        return 0.5 - half, 0.5 + half
+
+    def axes(self) -> np.ndarray:
+        """(2, 2) unit vectors along and aside of the path at its middle."""
+        heading = np.radians(self.survey.true.angles[len(self.survey.true.time) // 2, 2])
+        along = np.array([np.sin(heading), np.cos(heading)])
+        return np.array([along, [along[1], -along[0]]])
+
+
+def remarked(length: float, along: float, aside: float) -> Callable[[Scene], Scene]:
+    """Paint of `length` m in the middle lay elsewhere at the flight."""
+    def change(scene: Scene) -> Scene:
+        marks, inside = scene.marks.split(scene.stretch(*scene.around_middle(length)))
+        return replace(scene, marks=marks.moved(inside, np.array([along, aside]) @ scene.axes()))
+    return change
+
+
+def repainted(share: float, size: float) -> Callable[[Scene], Scene]:
+    """So many of all markings, here and there, lay elsewhere at the flight, all by one shift."""
+    def change(scene: Scene) -> Scene:
+        chosen = np.random.default_rng(5).random(len(scene.marks.kind)) < share
+        return replace(scene, marks=scene.marks.moved(chosen, size * np.array([0.6, 0.8])))
+    return change
+
+
+def frame_off(size: float) -> Callable[[Scene], Scene]:
+    """The second half of the reference comes from a frame that is off."""
+    def change(scene: Scene) -> Scene:
+        marks, inside = scene.marks.split(scene.stretch(0.5, 1.0))
+        return replace(scene, marks=marks.moved(inside, size * np.array([0.6, 0.8]) @ scene.axes()))
+    return change
+
+
+def bare(length: float) -> Callable[[Scene], Scene]:
+    """No reference in the middle."""
+    def change(scene: Scene) -> Scene:
+        marks, inside = scene.marks.split(scene.stretch(*scene.around_middle(length)))
+        return replace(scene, marks=marks.select(~inside))
+    return change
+
+
+def only(kinds: tuple[str, ...], off: float) -> Callable[[Scene], Scene]:
+    """Lines of some kinds alone, in the reference and the survey, which is reported `off` m aside of the truth."""
+    def change(scene: Scene) -> Scene:
+        survey, marks = scene.survey, scene.marks.select(np.isin(scene.marks.kind, kinds))
+        true, old = survey.true, survey.markings
+        survey_marks = old.select(survey.reported.within(old.time) & true.within(old.time))
+        near = interpolate(survey.reported, survey_marks.time).place - interpolate(true, survey_marks.time).place
+        place = shapely.points(survey_marks.x - near[:, 0], survey_marks.y - near[:, 1])
+        found, _ = shapely.STRtree(marks.polygons).query(place, predicate="dwithin", distance=0.15)
+        kept = survey_marks.select(np.unique(found))
+        moved = DrivenSurvey(survey.name, kept, survey.reported, true)
+        little = interpolate(true, survey.reported.time, "hold").place - survey.reported.place
+        target = survey.reported.place + 0.97 * little + np.append(off * scene.axes()[1], 0.0)
+        return Scene(_reported_at(moved, target), marks)
+    return change
+
+
+def _reported_at(survey: DrivenSurvey, place: np.ndarray) -> DrivenSurvey:
+    """The survey as if its trajectory had been reported at places (e, 3)."""
+    reported, old = survey.reported, survey.markings
+    shift = Trajectory(reported.time, place - reported.place, reported.angles)
+    dx, dy, dz = interpolate(shift, old.time).place.T
+    return replace(survey, reported=Trajectory(reported.time, place, reported.angles),
+                   markings=replace(old, x=old.x + dx, y=old.y + dy, z=old.z + dz))
+
+
+def height_step(size: float, length: float) -> Fault:
+    """The reported height steps by `size` m within `length` m of path in the middle of the drive."""
+    def change(chainage: np.ndarray, _trajectory: Trajectory) -> np.ndarray:
+        made = np.zeros((len(chainage), 6))
+        made[:, 2] = size * np.clip((chainage - 0.5 * chainage[-1]) / length + 0.5, 0.0, 1.0)
+        return made
+    return Fault(f"height step of {size:g} m in {length:g} m", change)
+
+
+def middle_step(size: float, share: float = 0.0) -> Fault:
+    """A re-fix of `size` m in 20 m, `share` m before the middle of the drive."""
+    def change(chainage: np.ndarray, trajectory: Trajectory) -> np.ndarray:
+        begin = 0.5 * chainage[-1] - share
+        return step_fault(size, 20.0, share=begin / 190.0).change(chainage, trajectory)
+    return Fault(f"step of {size:g} m", change)
+
+
+NONE = constant_fault("as reported", (0, 0, 0, 0, 0, 0))
+LINES = ("edge", "centre", "lane")
+
+
+def unchanged(scene: Scene) -> Scene:
+    """The reference as it is."""
+    return scene
+
+
+CASES: dict[str, list[tuple[str, Callable[[Scene], Scene], Fault]]] = {
+    "none": [("no fault", unchanged, NONE)],
+    "remarked": [("100 m re-marked 0.5 m aside", remarked(100, 0.0, 0.5), NONE),
+                 ("40 m re-marked 0.5 m aside", remarked(40, 0.0, 0.5), NONE),
+                 ("100 m re-marked 1 m along", remarked(100, 1.0, 0.0), NONE),
+                 ("60 % repainted by one shift", repainted(0.6, 0.5), NONE)],
+    "frame": [("half of the reference 0.36 m off", frame_off(0.36), NONE),
+              ("half of the reference 0.12 m off", frame_off(0.12), NONE)],
+    "bare": [("85 m bare", bare(85), NONE), ("85 m bare, step of 1 m", bare(85), middle_step(1.0)),
+             ("85 m bare, step of 2 m at its side", bare(85), middle_step(2.0, 25.0))],
+    "thin": [("lines alone, 0.3 m off", only(LINES, 0.3), NONE), ("lines alone, right", only(LINES, 0.0), NONE),
+             ("edge lines alone, 0.3 m off", only(("edge", "centre"), 0.3), NONE)],
+    "step": [("reference right, step of 1.5 m", unchanged, middle_step(1.5))],
+    "height": [("height step of 0.5 m", unchanged, height_step(0.5, 20.0))],
+}
+
+HEADER = ("case", "city", "mean (m)", "max", "registered", "distrusted", "registered and wrong", "kept over 3 sigma",
+          "median sigma (m)", "steps told", "CPU (ms/m)")
+SIGMA_HEADER = ("case", "city", "within 1 / 2 sigma: east", "north", "up", "roll", "pitch", "heading",
+                "pitch before (deg)", "after", "height after (m)")
+
+
+def rows_of(case: str, city: str, made: Outcome | str) -> tuple[tuple, tuple]:
+    """Figures of one run, in both tables."""
+    if isinstance(made, str):
+        return ((case, city, f"refused: {made[:50]}", *[""] * (len(HEADER) - 3)),
+                (case, city, *[""] * (len(SIGMA_HEADER) - 2)))
+    plan, kept, sure = made.plan, made.status != DISTRUSTED, made.status == REGISTERED
+    ratio = np.abs(made.error) / made.sigma
+    over = (ratio[:, :2] > 3).any(axis=1)
+    sigma = np.hypot(made.sigma[:, 0], made.sigma[:, 1]) / np.sqrt(2)
+    both = [f"{percent(ratio[kept, axis] < 1)} / {percent(ratio[kept, axis] < 2)}" for axis in range(6)]
+    pitch = [float(np.abs(part[kept, 4]).mean()) for part in (made.before, made.error)] if kept.any() else ["", ""]
+    return ((case, city, float(plan.mean()), float(plan.max()), percent(sure), percent(~kept),
+             int((sure & over & (plan > WRONG)).sum()), int((kept & over).sum()), float(np.median(sigma)),
+             made.told, f"{1000 * made.seconds / made.length:.0f}"),
+            (case, city, *both, *pitch, float(np.abs(made.error[kept, 2]).mean()) if kept.any() else ""))
+
+
+def read_marks(city: Path) -> Marks:
+    """The markings at the flight, each a little off, some left out."""
+    with contextlib.closing(sqlite3.connect(city / "truth" / "markings.gpkg")) as database:
+        blobs, kinds = zip(*database.execute("SELECT geom, kind FROM aerial WHERE private = 0"))
+    skipped = {0: 8, 1: 40, 2: 56, 3: 56, 4: 72}  # header with its envelope, by the flags' envelope code
+    polygons = shapely.force_2d(shapely.from_wkb([blob[skipped[blob[3] >> 1 & 7]:] for blob in blobs]))
+    polygons, owner = shapely.get_parts(polygons, return_index=True)
+    rng = np.random.default_rng(3)
+    off = rng.normal(0.0, PLACE_SIGMA, (len(polygons), 2))
+    marks = [shapely.transform(polygon, lambda place, by=by: place + by) for polygon, by in zip(polygons, off)]
+    kept = rng.random(len(marks)) > LEFT_OUT
+    return Marks(np.array(marks, dtype=object)[kept], np.array(kinds)[owner][kept])
+
+
+def cached_survey(city: Path, name: str, cache: Path | None) -> DrivenSurvey:
+    """The survey with its markings, which are kept in a folder for the next time."""
+    if cache is None:
+        return read_survey(city, name)
+    file = cache / f"{city.name}_{name}.npz"
+    if not file.is_file():
+        made = read_survey(city, name).markings
+        cache.mkdir(parents=True, exist_ok=True)
+        np.savez(file, **{item.name: getattr(made, item.name) for item in fields(made)})
+    with np.load(file) as stored:
+        markings = MarkingPoints(**{item.name: stored[item.name] for item in fields(MarkingPoints)})
+    reported, true = (read_trajectory(path, "").trajectory for path in (
+        city / "mms" / f"{name}_trajectory.csv", city / "truth" / f"{name}_trajectory.csv"))
+    return DrivenSurvey(name, markings, reported, true)
+
+
+def evaluate(city: Path, ground: Path, name: str, cases: list[str], cache: Path | None) -> tuple[list, list]:
+    """Rows of both tables."""
+    scene, rows, sigmas = Scene(cached_survey(city, name, cache), read_marks(city)), [], []
+    for title, change, fault in [item for kind in cases for item in CASES[kind]]:
+        wrong = change(scene)
+        made = run(wrong.survey, fault, Reference.from_polygons(wrong.marks.polygons, ground),
+                   RegistrationSettings(three_d=True))
+        for found, row in zip((rows, sigmas), rows_of(title, f"{city.name} {name}", made)):
+            found.append(row)
+        print("\n".join([*table(HEADER, rows[-1:])[2:3], *table(SIGMA_HEADER, sigmas[-1:])[2:3]]), flush=True)
+    return rows, sigmas
+
+
+def main() -> int:
+    """Make the tables."""
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--city", nargs=2, type=Path, action="append", required=True, metavar=("FOLDER", "GROUND"))
+    parser.add_argument("--cases", default=",".join(CASES))
+    parser.add_argument("--survey", default="survey_01")
+    parser.add_argument("--cache", type=Path, help="folder that keeps extracted markings")
+    parser.add_argument("--output", type=Path, help="Markdown file")
+    given = parser.parse_args()
+    rows, sigmas = [], []
+    for folder, ground in given.city:
+        more = evaluate(folder, ground, given.survey, given.cases.split(","), given.cache)
+        rows, sigmas = rows + more[0], sigmas + more[1]
+    lines = table(HEADER, rows) + table(SIGMA_HEADER, sigmas)
+    print("\n".join(lines))
+    if given.output:
+        given.output.write_text("\n".join(lines), encoding="utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
