@@ -86,23 +86,24 @@ class Scene:
         some = (way >= begin * way[-1]) & (way <= end * way[-1])
         return shapely.buffer(shapely.LineString(true.place[some, :2][::20]), REACH, cap_style="flat")
 
-    def around_middle(self, length: float) -> tuple[float, float]:
-        """Shares of the path between which `length` m in its middle lie."""
+    def about(self, share: float, length: float) -> tuple[float, float]:
+        """Shares of the path between which `length` m of it about a share of it lie."""
         half = 0.5 * length / path_chainage(self.survey.true)[-1]
-        return 0.5 - half, 0.5 + half
+        return share - half, share + half
 
-    def axes(self) -> np.ndarray:
-        """(2, 2) unit vectors along and aside of the path at its middle."""
-        heading = np.radians(self.survey.true.angles[len(self.survey.true.time) // 2, 2])
+    def axes(self, share: float) -> np.ndarray:
+        """(2, 2) unit vectors along and aside of the path at a share of it."""
+        way = path_chainage(self.survey.true)
+        heading = np.radians(self.survey.true.angles[np.searchsorted(way, share * way[-1]), 2])
         along = np.array([np.sin(heading), np.cos(heading)])
         return np.array([along, [along[1], -along[0]]])
 
 
-def remarked(length: float, along: float, aside: float) -> Callable[[Scene], Scene]:
-    """Paint of `length` m in the middle lay elsewhere at the flight."""
+def remarked(length: float, along: float, aside: float, at: float = 0.3) -> Callable[[Scene], Scene]:
+    """Paint of `length` m about a share of the path lay elsewhere at the flight."""
     def change(scene: Scene) -> Scene:
-        marks, inside = scene.marks.split(scene.stretch(*scene.around_middle(length)))
-        return replace(scene, marks=marks.moved(inside, np.array([along, aside]) @ scene.axes()))
+        marks, inside = scene.marks.split(scene.stretch(*scene.about(at, length)))
+        return replace(scene, marks=marks.moved(inside, np.array([along, aside]) @ scene.axes(at)))
     return change
 
 
@@ -114,18 +115,18 @@ def repainted(share: float, size: float) -> Callable[[Scene], Scene]:
     return change
 
 
-def frame_off(size: float) -> Callable[[Scene], Scene]:
-    """The second half of the reference comes from a frame that is off."""
+def frame_off(size: float, at: float = 0.35) -> Callable[[Scene], Scene]:
+    """The reference beyond a share of the path comes from a frame that is off."""
     def change(scene: Scene) -> Scene:
-        marks, inside = scene.marks.split(scene.stretch(0.5, 1.0))
-        return replace(scene, marks=marks.moved(inside, size * np.array([0.6, 0.8]) @ scene.axes()))
+        marks, inside = scene.marks.split(scene.stretch(at, 1.0))
+        return replace(scene, marks=marks.moved(inside, size * np.array([0.6, 0.8]) @ scene.axes(at)))
     return change
 
 
 def bare(length: float) -> Callable[[Scene], Scene]:
     """No reference in the middle."""
     def change(scene: Scene) -> Scene:
-        marks, inside = scene.marks.split(scene.stretch(*scene.around_middle(length)))
+        marks, inside = scene.marks.split(scene.stretch(*scene.about(0.5, length)))
         return replace(scene, marks=marks.select(~inside))
     return change
 
@@ -142,7 +143,7 @@ def only(kinds: tuple[str, ...], off: float) -> Callable[[Scene], Scene]:
         kept = survey_marks.select(np.unique(found))
         moved = DrivenSurvey(survey.name, kept, survey.reported, true)
         little = interpolate(true, survey.reported.time, "hold").place - survey.reported.place
-        target = survey.reported.place + 0.97 * little + np.append(off * scene.axes()[1], 0.0)
+        target = survey.reported.place + 0.97 * little + np.append(off * scene.axes(0.3)[1], 0.0)
         return Scene(_reported_at(moved, target), marks)
     return change
 
@@ -188,8 +189,9 @@ CASES: dict[str, list[tuple[str, Callable[[Scene], Scene], Fault]]] = {
                  ("40 m re-marked 0.5 m aside", remarked(40, 0.0, 0.5), NONE),
                  ("100 m re-marked 1 m along", remarked(100, 1.0, 0.0), NONE),
                  ("60 % repainted by one shift", repainted(0.6, 0.5), NONE)],
-    "frame": [("half of the reference 0.36 m off", frame_off(0.36), NONE),
-              ("half of the reference 0.12 m off", frame_off(0.12), NONE)],
+    "frame": [("65 % of the reference 0.36 m off", frame_off(0.36), NONE),
+              ("65 % of the reference 0.12 m off", frame_off(0.12), NONE),
+              ("half of the reference 0.36 m off", frame_off(0.36, 0.5), NONE)],
     "bare": [("85 m bare", bare(85), NONE), ("85 m bare, step of 1 m", bare(85), middle_step(1.0)),
              ("85 m bare, step of 2 m at its side", bare(85), middle_step(2.0, 25.0))],
     "thin": [("lines alone, 0.3 m off", only(LINES, 0.3), NONE), ("lines alone, right", only(LINES, 0.0), NONE),

@@ -90,6 +90,11 @@ class RegisterMms(UrbanMapAlgorithm):
         self.add_layer_output("OUTPUT_PATCHES", "Patches", "One point a patch at its corrected place, with correction "
                               "(m, degrees), standard deviations, window, score, status and its reason.", optional=True,
                               source_type=QgsProcessing.SourceType.TypeVectorPoint, by_default=True)
+        self.add_layer_output("OUTPUT_STEPS", "Disagreements", "One point a place where reference and survey disagree: "
+                              "edges of markings that changed after the flight, a reference that jumps, steps hidden "
+                              "where there are no markings; with size (m), direction (degrees from north) and "
+                              "standard deviation.", optional=True,
+                              source_type=QgsProcessing.SourceType.TypeVectorPoint)
         self.add_file_output("OUTPUT_REPORT", "Report", "Correction and its uncertainty along the path, pictures "
                              "before and after, what to distrust.", HTML_FILTER, optional=True, by_default=True)
         self.add_number_output("WAY", "Path length", "Length of the driven path.", "m")
@@ -116,6 +121,7 @@ class RegisterMms(UrbanMapAlgorithm):
         results = {**self._figures(made), "OUTPUT": self.write_trajectory(
             parameters, "OUTPUT", context, trajectory, made.trajectory, crs)}
         results.update(self._write_patches(parameters, context, made, crs, progress))
+        results.update(self._write_steps(parameters, context, made, crs, progress))
         report = self.output_path(parameters, "OUTPUT_REPORT", context)
         if report:
             write_registration_report(report, made, reference,
@@ -181,3 +187,14 @@ class RegisterMms(UrbanMapAlgorithm):
         layer = self.write_layer(parameters, "OUTPUT_PATCHES", context, fields, columns, crs, shapely.points(places),
                                  "PointZ", style="mms_patches", progress=progress)
         return {"OUTPUT_PATCHES": layer} if layer else {}
+
+    def _write_steps(self, parameters, context, made, crs, progress):
+        import shapely
+
+        from ...urbanmap_qgis.mobile.registration.stage import step_table
+
+        columns, places = step_table(made)
+        fields = make_fields(*((name, "text" if name == "kind" else "real") for name in columns))
+        layer = self.write_layer(parameters, "OUTPUT_STEPS", context, fields, columns, crs, shapely.points(places),
+                                 "PointZ", style="mms_steps", progress=progress)
+        return {"OUTPUT_STEPS": layer} if layer else {}

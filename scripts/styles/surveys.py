@@ -53,6 +53,21 @@ def mms_patches(layer) -> None:
         "σ [% round(\"sigma\", 3) %] m in plan, window [% round(\"window\", 1) %] m")
 
 
+def mms_steps(layer) -> None:
+    """Places where reference and survey disagree, with arrows 20 times the step."""
+    line = 'make_line($geometry, translate($geometry, 20 * "east", 20 * "north"))'
+    entries = []
+    for label, kind, colour in (("changed markings", "changed markings", "#d73027"),
+                                ("reference and survey disagree", "reference and survey disagree", "#7b3294"),
+                                ("hidden step", "hidden step", "#4d4d4d")):
+        symbol = marker(colour, 3.0)
+        symbol.insertSymbolLayer(0, arrow_along(line, colour))
+        entries.append((label, f"\"kind\" = '{kind}'", symbol))
+    rules(layer, tuple(entries))
+    layer.setMapTipTemplate("<b>[% round(\"way\", 1) %] m: [% \"kind\" %]</b><br>[% round(\"size\", 3) %] m towards "
+                            "[% round(\"direction\") %]°, σ [% round(\"sigma\", 3) %] m")
+
+
 def adjustment_ties(layer) -> None:
     """Ties, control points and reference of a network by what is left of them, with enlarged arrows."""
     line = 'make_line($geometry, translate($geometry, 200 * "east", 200 * "north"))'
@@ -128,6 +143,8 @@ def rectification_epochs(layer) -> None:
 FIELDS = {
     control_residuals: ("PointZ", "id:string plan_before:double plan_after:double east_before:double east_after:double "
                         "north_before:double north_after:double"),
+    mms_steps: ("PointZ", "way:double time:double kind:string size:double direction:double east:double north:double "
+                "sigma:double"),
     mms_patches: ("PointZ", "status:string reason:string way:double sigma:double east:double north:double up:double "
                   "window:double"),
     adjustment_ties: ("PointZ", "kind:string drive:string other:string plan:double east:double north:double up:double "

@@ -134,7 +134,7 @@ def with_clusters(parts, count, depth, size, seed=3):
     return *(column[order] for column in parts[:4]), parts[4][order].astype(bool)
 
 
-@pytest.mark.parametrize("depth", [(0.25, 0.4), (0.4, 1.0), (1.0, 2.0)])
+@pytest.mark.parametrize("depth", [(0.25, 0.4), (0.4, 1.0), (1.0, 2.0), (6.0, 13.0)])
 def test_ghosts_below_the_road_take_no_ground(survey, tmp_path, depth):
     clean, truth = survey("clean.laz")
     classify_ground_files([clean], tmp_path / "clean_ground.laz")

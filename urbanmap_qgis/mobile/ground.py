@@ -31,14 +31,12 @@ from ..terrain.outliers import isolation_limit, plausible
 from ..terrain.surface_files import metric_crs_wkt
 from ..terrain.tiles import ClothPart, TilePoints, Tiling, layer_of_tile, lowest_heights_of_tile, point_margin
 from ..wording import say
+from .markings.survey_points import MIN_GROUND_SHARE
 from .passes import BlockPositions, SurveyPasses
 
 GROUND, UNASSIGNED = 2, 1
 UNDECIDED = (0, UNASSIGNED, GROUND)
 """Classes that say nothing of what a point is, or what the filter is to say anew."""
-
-MIN_GROUND_SHARE = 0.01
-"""Ground is a third to two thirds of the points of a drive; a smaller share than this cannot be right."""
 
 _MOST_NODES = 100_000_000
 _TILE = 64.0

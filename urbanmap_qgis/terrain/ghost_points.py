@@ -1,9 +1,9 @@
-"""Ghost points close below the ground: multipath clusters 0.2 m to 3 m under a much denser, thin layer.
+"""Ghost points below the ground: multipath clusters 0.2 m to 15 m under a much denser, thin layer.
 
 A mobile scanner sees wet or shiny ground, glass and retroreflectors by detours too; the points then lie in small
-clusters below the road. They are too many to be isolated and too near to the road to be told by height alone, but the
-road above them is a thin layer of far more points. A wall is no thin layer, and ground that truly lies lower continues
-in the cells around.
+clusters below the road. They are too many to be isolated and often too near to the road to be told by height alone,
+but the road above them is a thin layer of far more points. A wall is no thin layer, and ground that truly lies lower
+continues in the cells around.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ GHOST_SHARE = 0.05
 """Ghosts are at most this share of the points of the layer above them, in the cell and its eight neighbours."""
 
 _THIN_SHARE = 0.5  # a layer's points to those 0.4 m above it: a wall has as many there, a road with vehicles a tenth
-_SLICES = 34
+_SLICES = 160  # ghosts of real drives lie up to 13 m deep
 _ROUNDS = 4
 _DENSE = 4  # elements a point up to which counting into all of them beats sorting
 _AROUND = [(down, right) for down in (-1, 0, 1) for right in (-1, 0, 1)]

@@ -27,6 +27,9 @@ RECORD = np.dtype([("x", "<f8"), ("y", "<f8"), ("z", "<f8"), ("time", "<f8"), ("
 """A point: m, s in the trajectory's time, its number in the files, m, point source id, of a ground class, and what may
 be the number of its laser."""
 
+MIN_GROUND_SHARE = 0.01
+"""Ground is a third or more of the points near the vehicle; a smaller share than this cannot be right."""
+
 LASER_DIMENSIONS = ("ring", "laser", "laser_id", "laser_number", "channel", "beam", "user_data")
 """Attributes that may number the lasers of a scanner; the first one that the files have is taken."""
 
@@ -273,8 +276,14 @@ def _probes(path: str) -> Iterator[np.ndarray]:
             yield np.asarray(reader.read_points(_PROBE)["gps_time"])
 
 
-def require_points(number: int, name: str) -> None:
-    """Refuse a survey without ground near the vehicle."""
+def require_points(number: int, near: int, name: str) -> None:
+    """Refuse a survey without ground near the vehicle, or with a share of the `near` points that cannot be right."""
     if not number:
         raise InsufficientDataError(say("{name} has no ground points near the vehicle: give the survey with its road.",
                                         name=name))
+    if number < MIN_GROUND_SHARE * near:
+        raise InsufficientDataError(
+            say("Only {ground:,} of {near:,} points near the vehicle of {name} were found to be ground "
+                "({share:.2g} %), which cannot be right for a drive: look for many points below the road or a wrong "
+                "height unit, or classify the ground first.", ground=number, near=near, name=name,
+                share=100 * number / near))

@@ -37,6 +37,7 @@ def write_registration_report(path: str | os.PathLike, survey: RegisteredSurvey,
     report = Report("Registration of a mobile survey")
     _verdict(report, survey)
     _distrust(report, survey)
+    _steps(report, survey)
     _summary(report, survey)
     _profiles(report, survey)
     _before_and_after(report, survey, reference, image)
@@ -46,6 +47,10 @@ def write_registration_report(path: str | os.PathLike, survey: RegisteredSurvey,
 def _verdict(report: Report, survey: RegisteredSurvey) -> None:
     """What was reached along the path, and whether it can be used."""
     registered, distrusted = survey.share(REGISTERED), survey.share(DISTRUSTED)
+    if not registered and survey.correction.steps:
+        report.verdict(BAD, say("Reference and survey disagree, and nobody can say from the markings alone which is "
+                                "right: no part of the path is registered. Check the reference at the places below."))
+        return
     if not registered:
         report.verdict(BAD, "No part of the path is registered: the result is as reported. Check that the reference is "
                        "of the same place, and its date.")
@@ -138,6 +143,21 @@ def _distrust(report: Report, survey: RegisteredSurvey) -> None:
     report.table(("From (m)", "to (m)", "from time (s)", "to time (s)", "status", "why", "largest sigma (m)"),
                  [(round(item.start, 1), round(item.end, 1), Fixed.of(item.start_time), Fixed.of(item.end_time),
                    item.status, item.reason, item.sigma) for item in found])
+
+
+def _steps(report: Report, survey: RegisteredSurvey) -> None:
+    """Where reference and survey disagree."""
+    steps = survey.correction.steps
+    if not steps:
+        return
+    report.section("Where reference and survey disagree")
+    report.paragraph(say("The correction steps here, and a trajectory does not. Between two edges of changed markings "
+                         "the road was painted anew: the correction bridges them. Of a single step nobody can say from "
+                         "markings alone which side is right: a frame of the reference may be off, or the road beyond "
+                         "was painted anew; the standard deviations of both sides hold either."))
+    report.table(("At (m)", "time (s)", "kind", "size (m)", "towards (degrees)", "sigma (m)"),
+                 [(round(item.place, 1), Fixed.of(item.time), say(item.kind), round(item.size, 3),
+                   round(item.direction), round(item.sigma, 3)) for item in steps])
 
 
 def _before_and_after(report: Report, survey: RegisteredSurvey, reference: Reference,

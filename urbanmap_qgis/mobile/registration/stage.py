@@ -140,7 +140,7 @@ def register_markings(markings: MarkingPoints, trajectory: Trajectory, reference
         correction = patchwise_correction(windows, run.correction)
         corrected = correct_patchwise(trajectory, windows, run.windows.patch_length)
     survey = RegisteredSurvey(corrected, trajectory, markings, windows, correction)
-    if not survey.share(REGISTERED):
+    if not survey.share(REGISTERED) and not correction.steps:
         raise InsufficientDataError(say("No part of the survey could be registered to the reference markings, so "
                                         "that there is no result: check that both show the same roads, and the "
                                         "maximum error."))
@@ -200,8 +200,16 @@ def _tell(survey: RegisteredSurvey, progress: Progress) -> None:
         progress.warn(say("The reported heading contradicts the markings by {correction:.1f} degrees (median), much "
                           "more than its accuracy: it was corrected; check the calibration and the trajectory.",
                           correction=abs(np.median(correction.value[:, 5]))))
+    if correction.steps:
+        first = correction.steps[0]
+        progress.warn(say("Reference and survey disagree at {count} places, the first at {place:.0f} m by {size:.2f} m "
+                          "({kind}): see the steps' layer and the report.", count=len(correction.steps),
+                          place=first.place, size=first.size, kind=say(first.kind)))
     if survey.share(DISTRUSTED) > 0:
         spans = [item for item in unregistered_sections(survey) if item.status == STATUS_NAMES[DISTRUSTED]]
+    else:
+        spans = []
+    if spans:  # those shorter than a metre are not listed
         longest = max(spans, key=lambda item: item.end - item.start)
         progress.warn(say("{share:.0f} % of the path is not to be trusted, the longest section from "
                           "{longest_start:.0f} to {end:.0f} m ({reason}): see the patches' layer.",
@@ -226,6 +234,18 @@ def unregistered_sections(survey: RegisteredSurvey) -> list[UnregisteredSection]
                 STATUS_NAMES[correction.status[first]], str(correction.reason[first]),
                 float(np.fmax.reduce(sigma[part]))))
     return found
+
+
+def step_table(survey: RegisteredSurvey) -> tuple[dict[str, object], np.ndarray]:
+    """Columns of the layer of steps between reference and survey, and their places on the corrected path (n, 3)."""
+    steps = survey.correction.steps
+    columns = {"way": [item.place for item in steps], "time": [item.time for item in steps],
+               "kind": [item.kind for item in steps], "size": [item.size for item in steps],
+               "direction": [item.direction for item in steps], "east": [item.east for item in steps],
+               "north": [item.north for item in steps], "sigma": [item.sigma for item in steps]}
+    time = np.array(columns["time"], float)
+    places = np.column_stack([np.interp(time, survey.trajectory.time, axis) for axis in survey.trajectory.place.T])
+    return columns, places
 
 
 def patch_table(survey: RegisteredSurvey) -> tuple[dict[str, object], np.ndarray]:

@@ -9,15 +9,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from functools import partial
 
 import numpy as np
 
 from ....errors import InsufficientDataError
 from ....progress import SILENT, Progress
 from ....wording import say
-from ...trajectory import Trajectory, gaps, jumps
+from ...trajectory import Trajectory, gaps, jumps, path_chainage
 from ..records import WindowResults
 from .chain import NodeChain, nodes_along, smooth_between
+from .disagreements import CorrectionStep, Disagreements, either_side, hidden_factor, settle, with_disagreements
 from .error_model import PoseErrorModel
 from .error_steps import window_steps
 from .gauss_markov import path_parameters_of
@@ -73,6 +75,7 @@ class Correction:
     drift_factor : how many times as large as expected the drift is.
     noise_factor : of the observations' variance.
     heading_factor : how many times as large as stated the error of the heading was taken for, 1 as a rule.
+    steps : where reference and survey disagree, in the order driven.
     """
 
     time: np.ndarray
@@ -91,6 +94,7 @@ class Correction:
     _node_state: np.ndarray = field(repr=False)
     _active: tuple[int, ...] = field(repr=False)
     _time_weight: float = field(repr=False)
+    steps: tuple[CorrectionStep, ...] = ()
 
     def __len__(self) -> int:
         return len(self.time)
@@ -151,13 +155,43 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
         at_nodes = np.interp(chain.nodes, at_patches, allowed)
         chain, fit = _onto_points(points, chain, fit, model, at_nodes, settings, progress.part(0.5, 1.0))
     model = model.scaled(fit.drift_factor).with_heading(fit.heading_factor)
+    found = settle(chain, fit, model, np.interp(chain.nodes, at_patches, allowed),
+                   partial(_adjusted_again, points=points, model=model, settings=settings),
+                   partial(_likelihood, model=model, settings=settings), MOST_SPAN)
+    chain, fit = found.chain, found.fit
     least = _MIN_OF_WINDOWS if points is None else _MIN_REPORTED
     noise = np.where(chain.fast_near(chain.normals.path_parameter, _AROUND_STEP), max(fit.found_noise, 1.0),
                      max(fit.found_noise, least))
     quiet = chain.solve(model, fit.weight / noise)[1]
     fit = replace(fit, covariance=_scaled_in_plan(chain, fit.covariance, quiet))
-    correction = _result(windows, chain, fit, at_patches, doubtful, settings)
+    correction = _result(windows, replace(found, fit=fit), at_patches, doubtful, settings)
+    correction = replace(correction, steps=found.listed(partial(_along, trajectory, path_parameter)))
     return _distrusted(correction, trajectory, windows.beyond, settings)
+
+
+def _adjusted_again(chain: NodeChain, fit: Fit, allowed: np.ndarray, points: Evaluate | None, model: PoseErrorModel,
+                    settings: CorrectionSettings) -> tuple[NodeChain, Fit]:
+    """The adjustment of a chain that may jump elsewhere, its drift as found before."""
+    again = reweighted_fit(chain, model, _at_pieces(chain, allowed), settings)[0]
+    again = replace(again, drift_factor=fit.drift_factor, heading_factor=fit.heading_factor)
+    if points is None:
+        return chain, again
+    return _onto_points(points, chain, again, model, allowed, settings, SILENT, search=False)
+
+
+def _likelihood(chain: NodeChain, allowed: np.ndarray, model: PoseErrorModel, settings: CorrectionSettings) -> float:
+    """Log-likelihood of a model of the drift with a chain's evidence."""
+    return reweighted_fit(chain, model, _at_pieces(chain, allowed), settings)[1]
+
+
+def _at_pieces(chain: NodeChain, allowed: np.ndarray) -> np.ndarray:
+    """(n,) 0 or 1, whether the evidence of the pieces may be believed, from the nodes (k,)."""
+    return (np.interp(chain.normals.path_parameter, chain.nodes, allowed) > 0.5).astype(float)
+
+
+def _along(trajectory: Trajectory, path_parameter: np.ndarray, at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Chainages, m, and times, s, at path parameters (n,)."""
+    return (np.interp(at, path_parameter, path_chainage(trajectory)), np.interp(at, path_parameter, trajectory.time))
 
 
 def _scaled_in_plan(chain: NodeChain, covariance: np.ndarray, found: np.ndarray) -> np.ndarray:
@@ -183,8 +217,11 @@ def _angle_sigma(trajectory: Trajectory, path_parameter: np.ndarray, nodes: np.n
 
 
 def _onto_points(points: Evaluate, chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.ndarray,
-                 settings: CorrectionSettings, progress: Progress) -> tuple[NodeChain, Fit]:
-    """Gauss and Newton's method on the points' own normal equations, from the windows' correction."""
+                 settings: CorrectionSettings, progress: Progress, search: bool = True) -> tuple[NodeChain, Fit]:
+    """Gauss and Newton's method on the points' own normal equations, from the windows' correction.
+
+    With `search` the size of the drift is looked for; otherwise the model is taken as it is.
+    """
     for number, blur in enumerate(settings.blurs):
         progress.step(number / len(settings.blurs))
         last, normals = fit.state, points(_Curve(chain, fit.state), blur)
@@ -192,10 +229,10 @@ def _onto_points(points: Evaluate, chain: NodeChain, fit: Fit, model: PoseErrorM
         trusted = np.interp(normals.path_parameter, chain.nodes, allowed) > 0.5
         if not (trusted & normals.present).any():
             trusted = np.ones(len(trusted), bool)
-        if number in _SEARCHED:
+        if search and number in _SEARCHED:
             fit = robust_fit(chain, model, trusted.astype(float), settings, SILENT)
         else:
-            likely = model.scaled(fit.drift_factor).with_heading(fit.heading_factor)
+            likely = model.scaled(fit.drift_factor).with_heading(fit.heading_factor) if search else model
             fit = replace(reweighted_fit(chain, likely, trusted.astype(float), settings)[0],
                           drift_factor=fit.drift_factor, heading_factor=fit.heading_factor)
         if blur == settings.blurs[-1] and np.abs(fit.state - last)[:, :2, 0].max() < _CONVERGED:
@@ -231,10 +268,11 @@ def _only_own_mode_fits(windows: WindowResults, value: np.ndarray, covariance: n
     return (own_distance < 9.0) & (nearest - own_distance > 2 * 3.0 * settings.min_margin)
 
 
-def _result(windows: WindowResults, chain: NodeChain, fit: Fit, at_patches: np.ndarray, doubtful: np.ndarray,
+def _result(windows: WindowResults, found: Disagreements, at_patches: np.ndarray, doubtful: np.ndarray,
             settings: CorrectionSettings) -> Correction:
     """The correction at the patches with its quality."""
-    normals, n = chain.normals, len(windows)
+    chain, fit, n = found.chain, found.fit, len(windows)
+    normals = chain.normals
     active = list(normals.active)
     value, covariance = np.zeros((n, 6)), np.full((n, 6, 6), np.nan)
     value[:, active], spread = chain.interpolate(fit.state, fit.covariance, at_patches)
@@ -246,6 +284,9 @@ def _result(windows: WindowResults, chain: NodeChain, fit: Fit, at_patches: np.n
     residual = windows.correction - value
     opposed = contradicted(residual[:, :2], covariance[:, :2, :2], windows.covariance[:, :2, :2], windows.usable)
     covariance[:, :2, :2] += opposing_spread(residual[:, :2], opposed)
+    covariance[:, :2, :2] *= hidden_factor(found.hidden, at_patches)[:, None, None]
+    beside, variance = either_side(found.steps, chain.nodes, at_patches)
+    covariance[:, :2, :2] += variance
     support = np.where(chain.fast_near(at_patches, _ON_STEP), _STEP_SUPPORT, settings.support_length)
     by_own_windows = own_sigma(normals, fit.weight / fit.noise_factor, at_patches, support)
     status, reason = patch_statuses(by_own_windows, weight, plan_sigma(covariance), doubtful, settings.registered_sigma,
@@ -256,6 +297,7 @@ def _result(windows: WindowResults, chain: NodeChain, fit: Fit, at_patches: np.n
         few = normals.met[piece] < LEAST_MET
         status, reason = _bridged(status, reason, few, say("few of the markings here are in the reference"))
     status, reason = _bridged(status, reason, opposed, say("the window here contradicts the correction"))
+    status, reason = with_disagreements(status, reason, found, at_patches, beside)
     return Correction(windows.time, windows.chainage, value, covariance, status, reason, weight, residual,
                       normals.three_d, fit.drift_factor, fit.noise_factor, fit.heading_factor, chain.nodes, fit.state,
                       normals.active, settings.time_weight)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...trajectory import Trajectory
-from ..matching.block_chain import solve_chain
+from ..matching.block_chain import ChainSolution, solve_chain
 from .error_model import PoseErrorModel
 from .gauss_markov import jump_steps, stop_steps
 from .normal_equations import NormalEquations
@@ -46,7 +46,7 @@ class NodeChain:
         self._start(normals)
 
     def _start(self, normals: NormalEquations) -> None:
-        self.size = len(normals.active)
+        self.size, self.unsoftened = len(normals.active), normals
         self._held: tuple[PoseErrorModel, _Prior] | None = None
         self.node, self.ahead = self._next_node(normals.path_parameter)
         moving = np.concatenate([self.fast[:1], np.maximum(self.fast[1:], self.fast[:-1]), self.fast[-1:]]) > 0
@@ -66,6 +66,19 @@ class NodeChain:
         other._start(normals)
         return other
 
+    def with_fast(self, fast: np.ndarray) -> NodeChain:
+        """The same where the error changes fast elsewhere, (k - 1,) m."""
+        other = copy(self)
+        other.fast = fast
+        other._start(self.unsoftened)
+        return other
+
+    def hardened(self) -> NodeChain:
+        """The same with all the information of pieces where the error changes fast, so that chains can be compared."""
+        other = copy(self)
+        other.normals = self.unsoftened
+        return other
+
     def _next_node(self, path_parameter: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Number of the nearest node of each reading, and how far ahead of it the reading is, m."""
         node = np.searchsorted(0.5 * (self.nodes[1:] + self.nodes[:-1]), path_parameter)
@@ -73,6 +86,14 @@ class NodeChain:
 
     def solve(self, model: PoseErrorModel, weight: np.ndarray):
         """Most likely states (k, d, 2), their covariances, and the log-likelihood of the model."""
+        solution, right, prior = self._solved(model, weight)
+        k, d = len(self.nodes), self.size
+        likelihood = 0.5 * (float((right.reshape(k, -1) * solution.state).sum()) + prior.log_determinant
+                            - solution.log_determinant)
+        return solution.state.reshape(k, d, 2), solution.covariance, likelihood
+
+    def _solved(self, model: PoseErrorModel, weight: np.ndarray) -> tuple[ChainSolution, np.ndarray, _Prior]:
+        """The solution, the right side (k, d, 2) and the prior."""
         k, d = len(self.nodes), self.size
         prior = self._prior_of(model)
         diagonal, right = prior.diagonal.copy(), np.zeros((k, d, 2))
@@ -83,11 +104,28 @@ class NodeChain:
         right[filled] = np.add.reduceat(gradient[:, :, None] * steps[:, None], first, axis=0)
         products = weighted[:, :, None, :, None] * (steps[:, :, None] * steps[:, None])[:, None, :, None]
         diagonal[filled] += np.add.reduceat(products, first, axis=0)
-        solution = solve_chain(diagonal.reshape(k, 2 * d, 2 * d), prior.ahead.reshape(k - 1, 2 * d, 2 * d),
-                               right.reshape(k, 2 * d))
-        likelihood = 0.5 * (float((right.reshape(k, -1) * solution.state).sum()) + prior.log_determinant
-                            - solution.log_determinant)
-        return solution.state.reshape(k, d, 2), solution.covariance, likelihood
+        return solve_chain(diagonal.reshape(k, 2 * d, 2 * d), prior.ahead.reshape(k - 1, 2 * d, 2 * d),
+                           right.reshape(k, 2 * d)), right, prior
+
+    def disturbances(self, model: PoseErrorModel, weight: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """How each step of the chain pulls at the model: (k - 1, p), with covariances (k - 1, p, p) where it holds.
+
+        The smoothed disturbances times their precision (de Jong and Penzer 1998): of a state with p = 2 d values, error
+        and rate in turn. A jump that the model does not know stands out in them, wherever the evidence is.
+        """
+        k, d = len(self.nodes), self.size
+        solution = self._solved(model, weight)[0]
+        transition, small = model.steps(self.nodes, self.stopped, self.jump, self.normals.active, self.fast)
+        whole, precision = np.zeros((2, k - 1, d, 2, d, 2))
+        axis = np.arange(d)
+        whole[:, axis, :, axis, :], precision[:, axis, :, axis, :] = (np.moveaxis(np.broadcast_to(
+            part, small.shape), 1, 0) for part in (transition, small))
+        whole, precision = (part.reshape(k - 1, 2 * d, 2 * d) for part in (whole, precision))
+        before, after = solution.covariance[:-1], solution.covariance[1:]
+        carried = whole @ solution.gain @ after  # minus F C(k, k + 1)
+        found = solution.state[1:] - np.einsum("kij,kj->ki", whole, solution.state[:-1])
+        spread = after + whole @ before @ np.swapaxes(whole, 1, 2) + carried + np.swapaxes(carried, 1, 2)
+        return np.einsum("kij,kj->ki", precision, found), precision - precision @ spread @ precision
 
     def _prior_of(self, model: PoseErrorModel) -> _Prior:
         """What a model says of the nodes; held for the next call, as the same model is solved with many weights."""

@@ -22,11 +22,13 @@ class ChainSolution:
     state : (n, p).
     covariance : (n, p, p) of each state, given all.
     log_determinant : of the matrix.
+    gain : (n - 1, p, p); the covariance of a state and the next one is -gain[k] @ covariance[k + 1].
     """
 
     state: np.ndarray
     covariance: np.ndarray
     log_determinant: float
+    gain: np.ndarray
 
 
 def solve_chain(diagonal: np.ndarray, ahead: np.ndarray, right: np.ndarray) -> ChainSolution:
@@ -62,4 +64,5 @@ def solve_chain(diagonal: np.ndarray, ahead: np.ndarray, right: np.ndarray) -> C
     for k in range(count - 2, -1, -1):
         state[k] = inverse[k] @ state[k] - gain[k] @ state[k + 1]
         covariance[k] += gain[k] @ covariance[k + 1] @ gain[k].T
-    return ChainSolution(state * scale, covariance * scale[:, :, None] * scale[:, None, :], log_determinant)
+    return ChainSolution(state * scale, covariance * scale[:, :, None] * scale[:, None, :], log_determinant,
+                         gain * scale[:-1, :, None] / scale[1:, None, :])

@@ -1,0 +1,73 @@
+"""Sharp steps between reference and survey: found, told, and nothing beside them called registered."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.core.simulated_windows import shifted, simulate
+from urbanmap_qgis.mobile.registration.correction.adjustment import adjust_correction
+from urbanmap_qgis.mobile.registration.correction.disagreements import CHANGED, DISAGREEMENT, HIDDEN
+from urbanmap_qgis.mobile.registration.correction.patch_status import DISTRUSTED, REGISTERED
+
+
+def plan_error(drive, correction):
+    return np.hypot(*(correction.value - drive.error)[:, :2].T)
+
+
+def far_off(drive, correction):
+    """Patches that are called registered and off by more than 0.1 m."""
+    return int(((correction.status == REGISTERED) & (plan_error(drive, correction) > 0.1)).sum())
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_drive_without_faults_has_no_steps(seed):
+    made = adjust_correction((drive := simulate(seed, crossings=25.0, turn=None)).windows, drive.reported)
+    assert made.steps == () and (made.status == REGISTERED).mean() > 0.9
+
+
+def test_markings_that_changed_between_the_flight_and_the_drive():
+    drive = shifted(simulate(1, crossings=25.0, turn=None), 100.0, 200.0, (0.3, 0.4))
+    made = adjust_correction(drive.windows, drive.reported)
+    assert [step.kind for step in made.steps] == [CHANGED, CHANGED]
+    assert [step.place for step in made.steps] == pytest.approx([100.0, 200.0], abs=4.0)
+    assert [step.size for step in made.steps] == pytest.approx([0.5, 0.5], abs=0.06)
+    assert made.steps[0].direction == pytest.approx(np.degrees(np.arctan2(0.3, 0.4)), abs=10.0)
+    inside = (drive.windows.chainage > 104) & (drive.windows.chainage < 196)
+    assert not (made.status[inside] == REGISTERED).any() and far_off(drive, made) == 0
+    assert plan_error(drive, made).max() < 3 * made.plan_sigma().max()
+    assert (made.status[~inside] == REGISTERED).mean() > 0.85
+
+
+@pytest.mark.parametrize("size", [0.36, 0.25])
+def test_a_reference_that_jumps_and_stays(size):
+    drive = shifted(simulate(2, crossings=25.0, turn=None), 220.0, 600.0, (0.6 * size, -0.8 * size))
+    made = adjust_correction(drive.windows, drive.reported)
+    assert [step.kind for step in made.steps] == [DISAGREEMENT]
+    assert made.steps[0].size == pytest.approx(size, abs=0.05)
+    assert not (made.status == REGISTERED).any()
+    off, sigma = plan_error(drive, made), made.plan_sigma()
+    assert (off < 3 * sigma).mean() > 0.98  # either side may be the wrong one
+
+
+def test_a_fix_of_the_trajectory_is_no_disagreement():
+    drive = simulate(3, crossings=25.0, turn=None)
+    ramp = np.clip((drive.windows.chainage - 240.0) / 20.0, 0.0, 1.0)[:, None] * np.array([1.2, 0.5, 0, 0, 0, 0])
+    windows = drive.windows
+    for name in ("linearised", "correction"):
+        getattr(windows, name)[:] += ramp
+    windows.modes[:, 0] += ramp[:, :2]
+    made = adjust_correction(windows, drive.reported)
+    assert not [step for step in made.steps if step.kind != HIDDEN]
+    assert (made.status == REGISTERED).mean() > 0.8
+
+
+def test_a_step_that_hides_where_there_are_no_markings():
+    drive = shifted(simulate(4, crossings=25.0, turn=None, gaps=((200.0, 285.0),)), 285.0, 600.0, (1.2, -0.9))
+    made = adjust_correction(drive.windows, drive.reported)
+    assert [step.kind for step in made.steps] == [HIDDEN]
+    inside = (drive.windows.chainage > 202) & (drive.windows.chainage < 283)
+    assert (made.status[inside] == DISTRUSTED).all()
+    assert (made.status[~inside] == REGISTERED).mean() > 0.85
+    calm = simulate(4, crossings=25.0, turn=None, gaps=((200.0, 285.0),))
+    assert adjust_correction(calm.windows, calm.reported).steps == ()

@@ -1,0 +1,327 @@
+"""Where reference and survey disagree: sharp steps of the correction, and steps that hide where there are no markings.
+
+Paint that was laid anew after the flight, or a frame of the reference that is off, moves the correction within a few
+metres; a trajectory drifts, and after an outage is fixed anew over 20 to 60 m. A step is told by the disturbance of the
+drift that it needs (de Jong and Penzer 1998) and proved by an adjustment that may jump there. Two steps that undo each
+other enclose markings that changed; of one alone nobody can say which side of it is right.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ....wording import mark, say
+from .chain import NodeChain
+from .error_model import PoseErrorModel
+from .patch_status import BRIDGED, DISTRUSTED, REGISTERED
+from .robust_fit import Fit
+
+CHANGED, DISAGREEMENT, HIDDEN = mark("changed markings"), mark("reference and survey disagree"), mark("hidden step")
+"""Kinds of steps: an edge of markings that changed, one whose right side is not known, one without markings about."""
+
+MOST_SHARP = 3.0
+"""Standard deviations of a step beyond which it is believed: of one that hides, by the model alone."""
+
+_SUSPECT, _PROVEN = 2.2, 4.5  # standard deviations of a step that is looked at, and that is proven
+_LEAST = 0.06  # m: smaller steps are within what markings and their reference are off by
+_APART = 25.0  # m of path, within which suspects are one step
+_FREE = (0.1, 1.0)  # m, by which the error may jump at a suspect, at least and at most
+_BESIDE = 20.0  # m to either side, whose evidence must bear the step out
+_BORNE_OUT = 0.9  # of the evidence that a smooth correction believes there
+_SHARP = 0.85  # of all evidence there: a sharp step meets 0.9 to 1.0 of it, a re-fix over 20 m 0.3 to 0.5
+_LIKELIER = 5.0  # log-likelihood by which jumps must beat the drift that may change fast over 20 m
+_PLAN = (0, 2)  # places of the errors east and north among a state's values
+_UNDONE = 0.4  # of the smaller of two steps, that their sum has at most where they undo each other
+_EITHER = 0.5  # variance of a side of a step, of its size's square: one of the two sides is off by all of it
+
+
+@dataclass(frozen=True)
+class CorrectionStep:
+    """A step of the correction.
+
+    Attributes
+    ----------
+    place : m, chainage.
+    time : s.
+    east, north : m, by which the correction changes.
+    sigma : m, of its size.
+    kind : CHANGED, DISAGREEMENT or HIDDEN.
+    """
+
+    place: float
+    time: float
+    east: float
+    north: float
+    sigma: float
+    kind: str
+
+    @property
+    def size(self) -> float:
+        """m."""
+        return float(np.hypot(self.east, self.north))
+
+    @property
+    def direction(self) -> float:
+        """Degrees clockwise from grid north."""
+        return float(np.degrees(np.arctan2(self.east, self.north)) % 360.0)
+
+
+@dataclass(frozen=True)
+class NodeStep:
+    """A step between two nodes: number of the first, change (2,) m, covariance (2, 2), and chi square of none."""
+
+    node: int
+    change: np.ndarray
+    covariance: np.ndarray
+    square: float
+
+    @property
+    def size(self) -> float:
+        """m."""
+        return float(np.hypot(*self.change))
+
+    @property
+    def sigma(self) -> float:
+        """m, along the step."""
+        unit = self.change / max(self.size, 1e-9)
+        return float(np.sqrt(unit @ self.covariance @ unit))
+
+
+def step_tests(chain: NodeChain, model: PoseErrorModel, fit: Fit, least_noise: float) -> list[NodeStep | None]:
+    """What a jump in plan between each node and the next would be; None where there is no evidence on a side."""
+    pull, spread = chain.disturbances(model, fit.weight / max(fit.found_noise, least_noise))
+    pull, spread = pull[:, _PLAN], spread[:, _PLAN][:, :, _PLAN]
+    sizes = np.linalg.eigvalsh(spread)
+    tests: list[NodeStep | None] = [None] * len(pull)
+    for k in np.flatnonzero(sizes[:, 0] > 1e-6 * np.maximum(sizes[:, -1], 1.0)):
+        covariance = np.linalg.inv(spread[k])
+        change = covariance @ pull[k]
+        tests[k] = NodeStep(int(k), change, covariance, float(change @ pull[k]))
+    return tests
+
+
+def suspects(tests: Sequence[NodeStep | None], nodes: np.ndarray) -> list[NodeStep]:
+    """The likeliest of the steps within every `_APART` m that a model without steps does not expect."""
+    likely = sorted((item for item in tests if item is not None and item.square > _SUSPECT**2
+                     and item.size > _LEAST), key=lambda item: -item.square)
+    chosen: list[NodeStep] = []
+    for item in likely:
+        if all(abs(nodes[item.node] - nodes[other.node]) > _APART for other in chosen):
+            chosen.append(item)
+    return sorted(chosen, key=lambda item: item.node)
+
+
+def with_free_steps(chain: NodeChain, steps: Sequence[NodeStep]) -> NodeChain:
+    """The chain that may jump at the steps, and there alone of all places around."""
+    fast, places = chain.fast.copy(), 0.5 * (chain.nodes[1:] + chain.nodes[:-1])
+    for step in steps:
+        fast[np.abs(places - places[step.node]) <= _APART] = 0.0
+    fast[[step.node for step in steps]] = [np.clip(step.size, *_FREE) for step in steps]
+    return chain.with_fast(fast)
+
+
+def proven(steps: Sequence[NodeStep], chain: NodeChain, fit: Fit, smooth: tuple[NodeChain, Fit],
+           model: PoseErrorModel) -> list[NodeStep]:
+    """Those steps that the adjustment which may jump (`chain`, `fit`) needs, and that its evidence bears out."""
+    firm = chain.with_fast(np.where(np.isin(np.arange(len(chain.fast)), [step.node for step in steps]), 0.0,
+                                    chain.fast))
+    tests, found = step_tests(firm, model, fit, fit.noise_factor), []
+    for step in steps:
+        test = tests[step.node]
+        if test is None or test.square < _PROVEN**2 or test.size < _LEAST:
+            continue
+        near = np.abs(chain.normals.path_parameter - chain.nodes[step.node]) <= _BESIDE
+        near &= chain.normals.present
+        believed = fit.weight[near].sum()
+        if believed >= max(_BORNE_OUT * smooth[1].weight[near].sum(), _SHARP * np.count_nonzero(near)):
+            found.append(test)
+    return found
+
+
+def undone(steps: Sequence[NodeStep], nodes: np.ndarray) -> list[tuple[NodeStep, NodeStep]]:
+    """Pairs of steps that follow each other and undo each other, about less path than lies outside up to the next."""
+    pairs, number = [], 0
+    ends = [nodes[0], *(nodes[step.node] for step in steps), nodes[-1]]
+    while number < len(steps) - 1:
+        first, second = steps[number], steps[number + 1]
+        rest = float(np.hypot(*(first.change + second.change)))
+        least = min(first.size, second.size)
+        allowed = max(_UNDONE * least, min(MOST_SHARP * np.hypot(first.sigma, second.sigma), least))
+        outside = ends[number + 1] - ends[number] + ends[number + 3] - ends[number + 2]
+        if rest < allowed and ends[number + 2] - ends[number + 1] <= outside:
+            pairs.append((first, second))
+            number += 1
+        number += 1
+    return pairs
+
+
+def either_side(steps: Sequence[NodeStep], nodes: np.ndarray, at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Mask (n,) of path parameters beside a step of which nobody knows the right side; variance (n, 2, 2) m2 to add.
+
+    A side reaches up to the next step, or the end.
+    """
+    beside, variance = np.zeros(len(at), bool), np.zeros((len(at), 2, 2))
+    places = [0.5 * (nodes[step.node] + nodes[step.node + 1]) for step in steps]
+    ends = [-np.inf, *places, np.inf]
+    for number, step in enumerate(steps):
+        there = (at >= ends[number]) & (at <= ends[number + 2])
+        beside |= there
+        variance[there] += _EITHER * np.outer(step.change, step.change)
+    return beside, variance
+
+
+def hidden_steps(tests: Sequence[NodeStep | None], chain: NodeChain,
+                 longest: float) -> list[tuple[float, float, NodeStep]]:
+    """Stretches of more than `longest` m without markings: begin, end, and the step across each."""
+    seen = chain.normals.path_parameter[chain.normals.present]
+    found = []
+    for begin, end in zip(seen[:-1], seen[1:]):
+        if end - begin <= longest:
+            continue
+        inside = [tests[k] for k in range(len(tests)) if begin < chain.nodes[k] < end and tests[k] is not None]
+        if inside:
+            found.append((float(begin), float(end), max(inside, key=lambda item: item.square)))
+    return found
+
+
+@dataclass(frozen=True)
+class Disagreements:
+    """What was found and how the correction goes on with it.
+
+    Attributes
+    ----------
+    chain, fit : the adjustment that jumps at `steps` and does without the markings between `changed` ones.
+    steps : of which nobody knows the right side. changed : first and last of each stretch of changed markings.
+    hidden : begin and end (path parameters) of stretches without evidence, and the step across each.
+    """
+
+    chain: NodeChain
+    fit: Fit
+    steps: list[NodeStep]
+    changed: list[tuple[NodeStep, NodeStep]]
+    hidden: list[tuple[float, float, NodeStep]]
+
+    def within_changed(self, at: np.ndarray) -> np.ndarray:
+        """Mask (n,) of path parameters on changed markings."""
+        return _between(self.changed, self.chain.nodes, at)
+
+    def listed(self, chainage_of: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]) -> tuple[CorrectionStep, ...]:
+        """All steps along the path; `chainage_of` gives chainages and times at path parameters."""
+        nodes = self.chain.nodes
+        places = [(0.5 * (nodes[step.node] + nodes[step.node + 1]), step, kind) for step, kind in (
+            *((step, DISAGREEMENT) for step in self.steps), *((step, CHANGED) for pair in self.changed
+                                                              for step in pair))]
+        places += [(0.5 * (begin + end), step, HIDDEN) for begin, end, step in self.hidden
+                   if step.square > MOST_SHARP**2]
+        places.sort(key=lambda item: item[0])
+        chainage, time = chainage_of(np.array([item[0] for item in places]))
+        return tuple(CorrectionStep(float(way), float(at), *step.change.tolist(), step.sigma, kind)
+                     for way, at, (_, step, kind) in zip(chainage, time, places))
+
+
+Adjust = Callable[[NodeChain, Fit, np.ndarray], tuple[NodeChain, Fit]]
+"""Adjusts a chain from a fit on, with how far the evidence at the nodes (k,) may be believed."""
+
+Likelihood = Callable[[NodeChain, np.ndarray], float]
+"""Log-likelihood of a chain's model with such evidence."""
+
+
+def settle(chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.ndarray, adjust: Adjust,
+           likelihood: Likelihood, longest: float) -> Disagreements:
+    """The adjustment with its sharp steps found, and what cannot be decided told.
+
+    Parameters
+    ----------
+    allowed : (k,) 0 to 1, how far the evidence at each node may be believed.
+    longest : m without evidence beyond which a step may hide.
+    """
+    tests = step_tests(chain, model, fit, 1.0)
+    likely = suspects([*tests, *_fast_places(chain, fit)], chain.nodes)
+    gaps = hidden_steps(tests, chain, longest)
+    likely = [step for step in likely if not any(begin < chain.nodes[step.node] < end for begin, end, _ in gaps)]
+    steps: list[NodeStep] = []
+    changed: list[tuple[NodeStep, NodeStep]] = []
+    if likely:
+        free = with_free_steps(chain, likely)
+        jumped = adjust(free, fit, allowed)
+        steps = proven(likely, *jumped, (chain, fit), model)
+        if steps and not _likelier(jumped[0].with_fast(chain.fast), steps, allowed, likelihood):
+            steps = []
+        changed = undone(steps, chain.nodes)
+        paired = [step.node for pair in changed for step in pair]
+        steps = [step for step in steps if step.node not in paired]
+        if changed or len(steps) not in (0, len(likely)):
+            clear = _without_fast(chain, changed)
+            left = np.where(_between(changed, chain.nodes, chain.nodes), 0.0, allowed)
+            jumped = adjust(with_free_steps(clear, steps) if steps else clear, fit, left)
+        if steps or changed:
+            chain, fit = jumped
+            tests = step_tests(chain, model, fit, 1.0)
+    return Disagreements(chain, fit, steps, changed, hidden_steps(tests, chain, longest))
+
+
+def _likelier(drifting: NodeChain, steps: Sequence[NodeStep], allowed: np.ndarray, likelihood: Likelihood) -> bool:
+    """Whether the steps make the survey likelier than the drift alone, which may change fast here and there."""
+    jumping = with_free_steps(drifting, steps).hardened()
+    gain = likelihood(jumping, allowed) - likelihood(drifting.hardened(), allowed)
+    return gain > _LIKELIER
+
+
+def _fast_places(chain: NodeChain, fit: Fit) -> list[NodeStep]:
+    """The middle of each stretch where the error was let change fast, as a suspect."""
+    number = np.flatnonzero(chain.fast > 0)
+    if not len(number):
+        return []
+    found = []
+    for part in np.split(number, np.flatnonzero(np.diff(number) > 1) + 1):
+        rate = fit.state[part + 1, :2, 0] - fit.state[part, :2, 0]
+        change = rate.sum(axis=0)
+        middle = int(part[np.argmin(np.abs(np.cumsum(rate @ change) - 0.5 * change @ change))])
+        found.append(NodeStep(middle, change, np.eye(2), _PROVEN**2))
+    return found
+
+
+def _between(pairs: Sequence[tuple[NodeStep, NodeStep]], nodes: np.ndarray, at: np.ndarray) -> np.ndarray:
+    """Mask (n,) of path parameters between the steps of a pair."""
+    inside = np.zeros(len(at), bool)
+    for first, second in pairs:
+        inside |= (at > nodes[first.node]) & (at < nodes[second.node + 1])
+    return inside
+
+
+def _without_fast(chain: NodeChain, pairs: Sequence[tuple[NodeStep, NodeStep]]) -> NodeChain:
+    """The chain without fast changes in and about stretches of changed markings."""
+    fast, places = chain.fast.copy(), 0.5 * (chain.nodes[1:] + chain.nodes[:-1])
+    for first, second in pairs:
+        fast[(places > chain.nodes[first.node] - _APART) & (places < chain.nodes[second.node] + _APART)] = 0.0
+    return chain.with_fast(fast)
+
+
+def hidden_factor(hidden: Sequence[tuple[float, float, NodeStep]], at: np.ndarray) -> np.ndarray:
+    """(n,) by which the variance at path parameters without evidence grows: as their ends contradict the drift."""
+    factor = np.ones(len(at))
+    for begin, end, step in hidden:
+        factor[(at > begin) & (at < end)] = max(step.square / len(_PLAN), 1.0)
+    return factor
+
+
+def with_disagreements(status: np.ndarray, reason: np.ndarray, found: Disagreements, at: np.ndarray,
+                       beside: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Statuses and reasons (n,) of patches: none is registered where reference and survey disagree.
+
+    `beside` : (n,) mask of those beside a step of which nobody knows the right side.
+    """
+    status, reason = status.copy(), reason.copy()
+    changed = found.within_changed(at)
+    for mask, why in ((beside, say("reference and survey disagree: one side of a step is wrong")),
+                      (changed, say("the markings here changed: reference and survey disagree"))):
+        status[mask & (status == REGISTERED)] = BRIDGED
+        reason[mask] = why
+    for begin, end, step in found.hidden:
+        if step.square > MOST_SHARP**2:
+            inside = (at > begin) & (at < end)
+            status[inside], reason[inside] = DISTRUSTED, say("a step of the error hides here, where no markings are")
+    return status, reason
