@@ -299,3 +299,10 @@ def test_long_stops():
     assert stops == pytest.approx([1012.0], abs=0.6)
     slow = drive(40.0).trajectory
     assert not len(survey_points.long_stops(slow, survey_points.path_chainage(slow)))
+
+
+def test_a_share_of_ground_that_cannot_be_right_is_refused():
+    with pytest.raises(InsufficientDataError, match=r"Only 50 of 10,000 points near the vehicle of a\.laz"):
+        survey_points.require_points(50, 10_000, "a.laz")
+    survey_points.require_points(150, 10_000, "a.laz")
+    survey_points.require_points(50, 0, "a.laz")  # ground by class is the user's own word

@@ -206,7 +206,7 @@ class _Run:
             self._count(records)
             ground.add(self.survey.unit(records["time"]), records)
             progress.step(min((step + 1) / self.pieces, 1.0))
-        judged = self.survey.read_counts.kept if self.method == "cloth" else 0  # classes are the user's own word
+        judged = self.survey.read_counts.nearby if self.method == "cloth" else 0  # classes are the user's own word
         require_points(self.ground_points, judged, self.survey.cloud.paths[0].name)
         known = np.array(scatters)[np.isfinite(scatters)]
         self.scatter = float(np.median(known)) if len(known) else 0.0
