@@ -6,6 +6,7 @@ import re
 from dataclasses import replace
 from datetime import date
 
+import numpy as np
 import pytest
 
 from tests.city_models import town
@@ -13,6 +14,8 @@ from urbanmap_qgis.buildings.solids.validity import check_solid
 from urbanmap_qgis.citymodel.checks.city_check import check_city
 from urbanmap_qgis.citymodel.city_files import copy_schemas, write_city_files
 from urbanmap_qgis.citymodel.citygml.plateau import PlateauDelivery, with_plateau_attributes
+from urbanmap_qgis.citymodel.model import Measure
+from urbanmap_qgis.citymodel.tables.building_table import TableNotes, building_rows
 from urbanmap_qgis.errors import InputError
 
 DELIVERY = PlateauDelivery(city_code="13101", map_level=500)
@@ -79,3 +82,22 @@ def test_schemas_of_the_version_go_along(tmp_path):
     assert (tmp_path / "set" / made[1]).read_text(encoding="utf-8") == "3.2"
     with pytest.raises(InputError, match="2.0"):
         copy_schemas(source, tmp_path / "other", "2.0")
+
+
+@pytest.mark.parametrize(("height", "told"), [("abc", "“abc” is no number"), (8.5, ""), (Measure(8.5, "m"), "")])
+def test_measured_height_that_is_no_number_is_noted(height, told):
+    item = next(iter(town().buildings))
+    (row,) = building_rows(iter([replace(item, attributes={"measuredHeight": height})]), lambda corners: corners,
+                           TableNotes())
+    assert told in row.values["note"] and bool(row.values["note"]) == bool(told)
+
+
+@pytest.mark.parametrize("far", [1e11, 2e4])
+def test_corner_far_from_all_others_is_noted(far):
+    item = next(iter(town().buildings))  # it has an attribute "note" of its own
+
+    def moved(corners):
+        return np.where(np.arange(len(corners))[:, None] == 0, corners + np.array([far, 0.0, 0.0]), corners)
+
+    (row,) = building_rows(iter([item]), moved, TableNotes())
+    assert f"{far / 1000:.0f} km apart" in row.values["note"]

@@ -53,4 +53,4 @@ class ReadingNotes:
 
 
 def _counts(counts: Counter) -> str:
-    return ", ".join(f"{number} {name}" for name, number in counts.most_common(5))
+    return ", ".join(f"{number} {name}" for name, number in counts.most_common())

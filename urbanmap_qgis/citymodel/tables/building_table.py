@@ -33,6 +33,8 @@ from ..solids import TYPES
 _UPRIGHT = 0.05  # of the unit normal's height: within 3 degrees of upright
 _LEAST_PLAN = 1e-4  # m2
 _LONGEST_NAME = 60
+LONGEST_BUILDING = 10_000.0
+"""No building is so long or high, m; the longest are about two kilometres."""
 
 
 
@@ -98,6 +100,7 @@ def _row(building: CityObject) -> BuildingRow:
     ground, top = (float(z.min()), float(z.max())) if len(z) else (None, None)
     attributes = plain_attributes(building.attributes)
     height = attributes.get("measuredHeight")
+    problems += _impossible(height, [ring for shape in shapes for surface in shape.surfaces for ring in surface.rings])
     # Outlines that lie at height 0 say nothing of it.
     if not model and len(z) and not z.any():
         ground = top = None
@@ -109,10 +112,24 @@ def _row(building: CityObject) -> BuildingRow:
         "parts": len(building.parts), "note": "; ".join(dict.fromkeys(problems)),
         "attributes": json.dumps(_with_parts(building, attributes), ensure_ascii=False, separators=(",", ":"),
                                  default=str),
-        **simple_attributes(attributes),
     }
+    # An attribute of the file called "note" or "lod" does not hide what is found here; the JSON holds it.
+    values = {**values, **{name: value for name, value in simple_attributes(attributes).items() if name not in values}}
     solid = shapely.multipolygons(array) if len(array) else None
     return BuildingRow(values, outline, solid, array, kinds, roofs)
+
+
+def _impossible(height: Any, rings: list[np.ndarray]) -> list[str]:
+    """What no building can have: a measured height that is no number, corners farther apart than one is long."""
+    told = []
+    if height is not None and not isinstance(height, (int, float)):
+        told.append(say("its measured height “{text}” is no number", text=str(height)[:40]))
+    corners = np.vstack(rings) if rings else np.zeros((1, 3))
+    extent = np.ptp(corners, axis=0).max()
+    if not extent <= LONGEST_BUILDING:
+        told.append(say("its corners lie {extent} km apart, so that a coordinate is wrong",
+                        extent=f"{extent / 1000.0:.0f}" if np.isfinite(extent) else "?"))
+    return told
 
 
 def best_model(building: CityObject) -> list[CityShape]:
