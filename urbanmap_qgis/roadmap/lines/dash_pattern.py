@@ -188,11 +188,12 @@ def _agreement(paint: np.ndarray, step: float, period: float) -> tuple[float, fl
     hits, total = np.bincount(phase, paint, bins), np.bincount(phase, minlength=bins)
     twice_hits, twice_total = np.concatenate([[0], np.tile(hits, 2).cumsum()]), np.concatenate(
         [[0], np.tile(total, 2).cumsum()])
-    best = (-1.0, period, np.nan)
-    for dash in range(max(2, bins // 10), bins - int(np.ceil(0.5 * LIMITS.shortest_gap / step))):
-        inside = twice_hits[dash:dash + bins] - twice_hits[:bins]
-        either = paint.sum() + (twice_total[dash:dash + bins] - twice_total[:bins]) - inside
-        share = float((inside / either).max())
-        if share > best[0]:
-            best = (share, period, dash * step)
-    return best
+    dashes = np.arange(max(2, bins // 10), bins - int(np.ceil(0.5 * LIMITS.shortest_gap / step)))
+    if not len(dashes):
+        return -1.0, period, np.nan
+    # By dash and phase: what lies on the dashes, of the paint and of all.
+    inside, covered = (np.lib.stride_tricks.sliding_window_view(sums, bins)[dashes[0]:dashes[-1] + 1] - sums[:bins]
+                       for sums in (twice_hits, twice_total))
+    shares = (inside / (paint.sum() + covered - inside)).max(axis=1)
+    best = int(shares.argmax())
+    return float(shares[best]), period, int(dashes[best]) * step

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import shapely
@@ -50,10 +51,15 @@ class StrokeChain:
     painted: float
     width: float
 
-    @property
+    @cached_property
     def length(self) -> float:
         """Along the axis with the gaps, m."""
         return float(np.linalg.norm(np.diff(self.axis, axis=0), axis=1).sum())
+
+    @cached_property
+    def tips(self) -> tuple[tuple[np.ndarray, np.ndarray, float], ...]:
+        """Place, outward direction and its uncertainty at the first tip and at the last: asked in every round."""
+        return _tip(self.axis[::-1]), _tip(self.axis)
 
 
 def link_strokes(strokes: Sequence[Stroke], numbers: Sequence[int], barriers: Sequence[shapely.Geometry] = (),
@@ -78,18 +84,18 @@ def link_strokes(strokes: Sequence[Stroke], numbers: Sequence[int], barriers: Se
 
 def _ends(chains: Sequence[StrokeChain]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Place (2n, 2), outward direction (2n, 2) and uncertainty of the direction (2n,), tips of chain k at 2k, 2k+1."""
-    place, outward, doubt = [], [], []
-    for chain in chains:
-        for axis in (chain.axis[::-1], chain.axis):
-            steps = np.linalg.norm(np.diff(axis, axis=0), axis=1)
-            behind = np.concatenate([np.cumsum(steps[::-1])[::-1], [0.0]])
-            start = max(0, int(np.searchsorted(-behind, -LIMITS.direction_length, side="right")) - 1)
-            chord = axis[-1] - axis[start]
-            length = max(np.linalg.norm(chord), 1e-6)
-            place.append(axis[-1])
-            outward.append(chord / length)
-            doubt.append(np.arctan(0.06 / length))
-    return np.array(place), np.array(outward), np.array(doubt)
+    tips = [tip for chain in chains for tip in chain.tips]
+    return tuple(np.array(values) for values in zip(*tips))
+
+
+def _tip(axis: np.ndarray) -> tuple[np.ndarray, np.ndarray, float]:
+    """Place (2,) of the end of an axis, the direction (2,) in which it ends and how uncertain this is."""
+    steps = np.linalg.norm(np.diff(axis, axis=0), axis=1)
+    behind = np.concatenate([np.cumsum(steps[::-1])[::-1], [0.0]])
+    start = max(0, int(np.searchsorted(-behind, -LIMITS.direction_length, side="right")) - 1)
+    chord = axis[-1] - axis[start]
+    length = max(np.linalg.norm(chord), 1e-6)
+    return axis[-1], chord / length, np.arctan(0.06 / length)
 
 
 def _best_links(chains: list[StrokeChain], longest: float, shortest: float, barriers, colours) -> list[tuple[int, int]]:

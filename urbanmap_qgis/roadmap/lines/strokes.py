@@ -104,7 +104,8 @@ def _axis_paths(polygon: shapely.Polygon) -> list[np.ndarray]:
     except QhullError:
         return []
     nodes = voronoi.vertices + origin
-    ridges = np.array([ridge for ridge in voronoi.ridge_vertices if ridge[0] >= 0], np.int64).reshape(-1, 2)
+    ridges = np.array(voronoi.ridge_vertices, np.int64).reshape(-1, 2)
+    ridges = ridges[ridges[:, 0] >= 0]
     within = shapely.contains_xy(polygon, nodes[:, 0], nodes[:, 1])
     ridges = ridges[within[ridges].all(axis=1)]
     reach = shapely.distance(shapely.points(nodes[within]), polygon.boundary)
@@ -143,8 +144,11 @@ def _paths(near: dict[int, set[int]]) -> list[list[int]]:
             if (start, step) in seen:
                 continue
             path = [start, step]
-            while len(near[path[-1]]) == 2 and path[-1] != start:
-                path.append(next(node for node in near[path[-1]] if node != path[-2]))
+            before, node = start, step
+            while len(near[node]) == 2 and node != start:
+                one, other = near[node]
+                before, node = node, one if one != before else other
+                path.append(node)
             seen |= {(path[0], path[1]), (path[-1], path[-2])}
             paths.append(path)
     return paths

@@ -176,29 +176,38 @@ def matches(paint: list[shapely.Geometry], least_complete: float) -> list[Patter
     """
     bank = _bank()
     cells = raster(paint)
-    inside, at_all = (_correlation(cells, one) for one in (bank.grown, bank.around))
-    complete = _correlation(cells, bank.pattern) / bank.area[:, None, None]
-    precise = inside / np.maximum(at_all, 1.0)
-    complete, precise = np.clip(complete, 0.0, 1.0), np.clip(precise, 0.0, 1.0)
+    spectrum = scipy.fft.rfft2(cells)
+    precise, at_all, complete = (_correlation(spectrum, one) for one in (bank.grown, bank.around, bank.pattern))
+    complete /= bank.area[:, None, None]
+    precise /= np.maximum(at_all, 1.0, out=at_all)
+    for share in (complete, precise):
+        np.clip(share, 0.0, 1.0, out=share)
     score = np.where(complete >= least_complete, 2 * complete * precise / np.maximum(complete + precise, 1e-6), 0.0)
     best = score.reshape(len(score), -1).argmax(axis=1)
-    found: dict[tuple[str, bool], PatternMatch] = {}
+    found: dict[tuple[str, bool], tuple[float, int, int, int]] = {}
     for number, flat in enumerate(best):
         row, column = np.unravel_index(flat, score.shape[1:])
         value = float(score[number, row, column])
         key = bank.kinds[number], bool(bank.backwards[number])
-        if value > 0.0 and (key not in found or value > found[key].score):
-            up = (row + ROWS // 2) % ROWS - ROWS // 2
-            right = (column + COLUMNS // 2) % COLUMNS - COLUMNS // 2
-            shape, *flanks = (affinity.translate(one, right * CELL, up * CELL)
-                              for one in (bank.shapes[number], *bank.flanks[number]))
-            branches = tuple(tuple(affinity.translate(one, right * CELL, up * CELL) for one in pair)
-                             for pair in bank.branches[number])
-            found[key] = PatternMatch(key[0], value, float(complete[number, row, column]),
-                                      float(precise[number, row, column]), shape, key[1], tuple(flanks), branches)
-    return sorted(found.values(), key=lambda match: -match.score)
+        if value > 0.0 and (key not in found or value > found[key][0]):
+            found[key] = value, number, int(row), int(column)
+    return sorted((_match(bank, *place, float(complete[place[1:]]), float(precise[place[1:]]))
+                   for place in found.values()), key=lambda match: -match.score)
 
 
-def _correlation(cells: np.ndarray, patterns: np.ndarray) -> np.ndarray:
-    """Sum over the window of cells times each pattern, by the pattern's shift (rows, columns), circular."""
-    return scipy.fft.irfft2(scipy.fft.rfft2(cells) * patterns, s=(ROWS, COLUMNS))
+def _match(bank: _Bank, score: float, number: int, row: int, column: int, complete: float,
+           precise: float) -> PatternMatch:
+    """A pattern of the bank at a shift."""
+    up = (row + ROWS // 2) % ROWS - ROWS // 2
+    right = (column + COLUMNS // 2) % COLUMNS - COLUMNS // 2
+    flanks, branches = bank.flanks[number], bank.branches[number]
+    parts = np.array([bank.shapes[number], *flanks, *(part for pair in branches for part in pair)], object)
+    shape, *placed = shapely.transform(parts, lambda xy: np.add(xy, (right * CELL, up * CELL)))
+    beside, rest = tuple(placed[:len(flanks)]), placed[len(flanks):]
+    return PatternMatch(bank.kinds[number], score, complete, precise, shape, bool(bank.backwards[number]), beside,
+                        tuple(zip(rest[::2], rest[1::2])))
+
+
+def _correlation(spectrum: np.ndarray, patterns: np.ndarray) -> np.ndarray:
+    """Sum over the window of cells (by their `spectrum`) times each pattern, by its shift (rows, columns), circular."""
+    return scipy.fft.irfft2(spectrum * patterns, s=(ROWS, COLUMNS))
