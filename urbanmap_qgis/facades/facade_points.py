@@ -18,7 +18,7 @@ import shapely
 from scipy import ndimage
 
 from ..errors import InputError, InsufficientDataError
-from ..io.points.point_buckets import PointBuckets
+from ..io.points.point_buckets import PointBuckets, stable_order
 from ..io.points.pointcloud import PointCloud, iter_chunks, valid_points
 from ..io.raster import RasterSampler
 from ..progress import SILENT, Progress
@@ -116,12 +116,12 @@ class NearestOutline:
         column, line = (np.floor(axis / CELL).astype(np.int64) for axis in (x, y))
         tile_x, tile_y = column // TILE, line // TILE
         row, distance = np.full(len(x), -1, np.int64), np.full(len(x), np.inf, np.float32)
-        code = tile_x * (1 << 24) + tile_y
-        order = np.argsort(code, kind="stable")
-        _, starts = np.unique(code[order], return_index=True)
-        for members in np.split(order, starts[1:]):
-            if not len(members):
-                continue
+        if not len(x):
+            return row, distance
+        code = (tile_x - tile_x.min()) * (int(np.ptp(tile_y)) + 1) + tile_y - tile_y.min()
+        order = stable_order(code)
+        code = code[order]
+        for members in np.split(order, np.flatnonzero(code[1:] != code[:-1]) + 1):
             key = int(tile_x[members[0]]), int(tile_y[members[0]])
             tile = self._tile(key)
             if tile is not None:
@@ -180,8 +180,13 @@ class LowestPoints:
 
     def add(self, row: np.ndarray, x: np.ndarray, y: np.ndarray, z: np.ndarray) -> None:
         """Take points (n,) near buildings `row`."""
-        table = np.column_stack([row, np.floor(x / LIMITS.low_cell), np.floor(y / LIMITS.low_cell), z])
-        self._pieces.append(_lowest(table))
+        cells = np.floor(x / LIMITS.low_cell), np.floor(y / LIMITS.low_cell)
+        starts = np.flatnonzero(_changes(row, *cells))
+        if len(starts):  # of points that follow each other in one cell the lowest
+            table = np.column_stack([row[starts], *(cell[starts] for cell in cells), np.minimum.reduceat(z, starts)])
+            self._pieces.append(_lowest(table))
+        else:
+            self._pieces.append(np.zeros((0, 4)))
         self._held += len(self._pieces[-1])
         if self._held > 4_000_000:
             self._pieces = [_lowest(np.concatenate(self._pieces))]
@@ -198,6 +203,15 @@ class LowestPoints:
             if len(cells):
                 planes[row] = ground_plane((cells[:, 1:3] + 0.5) * LIMITS.low_cell - origin[row], cells[:, 3])
         return planes
+
+
+def _changes(*columns: np.ndarray) -> np.ndarray:
+    """Mask (n,) of the rows that differ from the one before in a column (n,); the first does."""
+    changed = np.zeros(len(columns[0]), bool)
+    changed[:1] = True
+    for values in columns:
+        changed[1:] |= values[1:] != values[:-1]
+    return changed
 
 
 def _lowest(table: np.ndarray) -> np.ndarray:
@@ -261,7 +275,7 @@ def _collect(cloud: PointCloud, nearest: NearestOutline, settings: FacadeSetting
     """Sort the cloud's points into buckets; which buildings have any within tolerance."""
     timed = cloud.has_dimension("gps_time")
     rows: set[int] = set()
-    for chunk in iter_chunks(cloud, progress):
+    for chunk in iter_chunks(cloud, progress, shape_only=True, timed=timed):
         x, y, z = (np.asarray(chunk[name]) for name in "xyz")
         row, distance = nearest.of(x, y)
         near = np.flatnonzero((row >= 0) & valid_points(chunk))
@@ -288,7 +302,8 @@ def _thinned(x: np.ndarray, y: np.ndarray, z: np.ndarray, row: np.ndarray) -> np
     cube = [np.floor((axis - axis.min()) / LIMITS.front_cell).astype(np.int64) for axis in (x, y, z)]
     size = [int(axis.max()) + 1 for axis in cube]
     code = ((row * size[0] + cube[0]) * size[1] + cube[1]) * size[2] + cube[2]
-    return np.unique(code, return_index=True)[1]
+    starts = np.flatnonzero(_changes(code))
+    return starts[np.unique(code[starts], return_index=True)[1]]
 
 
 def _given_ground(plans: BuildingPlans, ground: RasterSampler, origin: np.ndarray, planes: np.ndarray) -> np.ndarray:

@@ -6,6 +6,7 @@ is the normal. All points of a voxel share it.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,6 +24,7 @@ class NormalsLimits:
     upright: float = 0.35  # Walls have normals that rise or fall by less than this (sine): 20 degrees.
     # The extent of a flat neighbourhood across is at most this share of its second extent (standard deviations).
     flat: float = 0.2
+    dense: int = 10  # Cells of a box for each number of one up to which a table of all beats sorting.
 
 
 LIMITS = NormalsLimits()
@@ -78,9 +80,8 @@ def _voxels(points: np.ndarray, size: float) -> NormalVoxels:
     low = points.min(axis=0)
     index = np.floor((points - low) / size).astype(np.int64) + 1
     shape = index.max(axis=0) + 2
-    code = (index[:, 0] * shape[1] + index[:, 1]) * shape[2] + index[:, 2]
-    codes, of_point, count = np.unique(code, return_inverse=True, return_counts=True)
-    of_point = of_point.ravel()
+    codes, of_point, count = _numbered((index[:, 0] * shape[1] + index[:, 1]) * shape[2] + index[:, 2],
+                                       int(shape.prod()))
     local = points - low
     # Sums about the voxel's corner, so that squares stay small.
     corner = np.column_stack([codes // (shape[1] * shape[2]), codes // shape[2] % shape[1], codes % shape[2]]) * size
@@ -97,18 +98,47 @@ def _voxels(points: np.ndarray, size: float) -> NormalVoxels:
                         support)
 
 
+def _numbered(code: np.ndarray, most: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Different codes (v,) ascending, the place among them of each (n,), and how often they come (v,)."""
+    if most > LIMITS.dense * len(code):
+        codes, place, count = np.unique(code, return_inverse=True, return_counts=True)
+        return codes, place.ravel(), count
+    number = np.bincount(code, minlength=most)
+    codes = np.flatnonzero(number)
+    count = number[codes]
+    number[codes] = np.arange(len(codes))
+    return codes, number[code], count
+
+
+def _places(codes: np.ndarray, most: int) -> Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]:
+    """What finds codes (m,) among ascending `codes`: which were found, and their places."""
+    if most > LIMITS.dense * 10 * len(codes):
+        def search(wanted: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+            place = np.minimum(np.searchsorted(codes, wanted), len(codes) - 1)
+            found = np.flatnonzero(codes[place] == wanted)
+            return found, place[found]
+        return search
+    table = np.full(most, -1, np.int32)
+    table[codes] = np.arange(len(codes))
+
+    def look(wanted: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        place = table[wanted]
+        found = np.flatnonzero(place >= 0)
+        return found, place[found]
+    return look
+
+
 def _neighbourhood_axes(codes: np.ndarray, sums: np.ndarray, shape: np.ndarray, size: float):
     """Normal, extents across and along, and number of points of the 27 voxels round each."""
-    total = sums.copy()
+    total, find = sums.copy(), _places(codes, int(shape.prod()))
     for dx in (-1, 0, 1):
         for dy in (-1, 0, 1):
             for dz in (-1, 0, 1):
                 if dx == dy == dz == 0:
                     continue
                 other = codes + (dx * shape[1] + dy) * shape[2] + dz
-                place = np.minimum(np.searchsorted(codes, other), len(codes) - 1)
-                found = np.flatnonzero(codes[place] == other)
-                total[found] += _shifted(sums[place[found]], np.array([dx, dy, dz]) * size)
+                found, place = find(other)
+                total[found] += _shifted(sums[place], np.array([dx, dy, dz]) * size)
     support = total[:, 0]
     mean = total[:, 1:4] / support[:, None]
     covariance = np.empty((len(codes), 3, 3))
@@ -123,8 +153,11 @@ def _shifted(sums: np.ndarray, shift: np.ndarray) -> np.ndarray:
     """Sums (k, 10) about an origin `shift` further away."""
     moved = sums.copy()
     count = sums[:, 0]
-    for k in range(3):
+    for k in np.flatnonzero(shift):
         moved[:, 1 + k] += count * shift[k]
     for column, (i, j) in enumerate(((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)), 4):
-        moved[:, column] += shift[i] * sums[:, 1 + j] + shift[j] * sums[:, 1 + i] + count * shift[i] * shift[j]
+        if shift[i] and shift[j]:
+            moved[:, column] += shift[i] * sums[:, 1 + j] + shift[j] * sums[:, 1 + i] + count * shift[i] * shift[j]
+        elif shift[i] or shift[j]:
+            moved[:, column] += shift[i] * sums[:, 1 + j] if shift[i] else shift[j] * sums[:, 1 + i]
     return moved

@@ -159,17 +159,19 @@ def same_plan_crs(first: CRS, second: CRS) -> bool:
 
 
 def iter_chunks(cloud: PointCloud, progress: Progress = SILENT, chunk_points: int = CHUNK_POINTS, *,
-                shape_only: bool = False) -> Iterator[laspy.ScaleAwarePointRecord]:
+                shape_only: bool = False, timed: bool = False) -> Iterator[laspy.ScaleAwarePointRecord]:
     """Give the cloud's points in chunks, file after file, reporting the share read.
 
     With `shape_only` times, intensities and colours may be 0: of LAZ of the point formats from 6 on these layers are
-    not decoded. Coordinates, returns, classes, flags and extra attributes are there.
+    not decoded. Coordinates, returns, classes, flags and extra attributes are there, times too where `timed`.
 
     Raises
     ------
     InputError : a file ends before the number of points that its header promises.
     """
     layers = _SHAPE if shape_only else laspy.DecompressionSelection.all()
+    if timed:
+        layers |= laspy.DecompressionSelection.GPS_TIME
     done = 0
     total = max(cloud.point_count, 1)
     for path, header in zip(cloud.paths, cloud.headers):
