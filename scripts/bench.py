@@ -24,6 +24,7 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from scripts.bench_faults import fault_tables  # noqa: E402
+from scripts.bench_goals import goals_table  # noqa: E402
 from scripts.bench_large import large_roofs_table  # noqa: E402
 from scripts.bench_sloped import sloped_table  # noqa: E402
 from scripts.bench_stages import stage_tables  # noqa: E402
@@ -223,6 +224,7 @@ def main() -> int:
     reference = reference_seconds()
     print(f"Reference: Delaunay triangulation of 200,000 points by scipy, {reference:.2f} s of CPU")
     stage_tables()
+    goals_table()
     ground_table(reference)
     large_roofs_table()
     if DELFT.is_dir():
