@@ -19,6 +19,9 @@ from urbanmap_qgis.mobile.pose_correction import correction_between
 from urbanmap_qgis.mobile.registration.correction.gauss_markov import GaussMarkovDrift
 from urbanmap_qgis.mobile.trajectory import Trajectory
 from urbanmap_qgis.roadmap.edges.profile import fit_edge_profile
+from urbanmap_qgis.samplecity.faults import ghost_rows
+from urbanmap_qgis.samplecity.scene.streets import lowered_kerbs
+from urbanmap_qgis.samplecity.scene.world import make_scene
 from urbanmap_qgis.terrain.outliers import isolated
 
 
@@ -135,3 +138,18 @@ def test_empty_levels_are_shrunk_without_bringing_points_together(gap):
     flat = np.full(6, 0.5)
     assert isolated(flat, flat, z, voxel=1.0, neighbours=3).all() == (gap > 1)
     assert not isolated(flat, flat, z, voxel=1.0, neighbours=2).any()
+
+
+def test_ghosts_lie_below_ground_points_and_without_ground_there_are_none():
+    rng = np.random.default_rng(5)
+    place = np.column_stack([rng.uniform(0, 100, (400_000, 2)), np.zeros(400_000)])
+    ground = np.arange(400_000) % 2 == 0
+    rows, depth = ghost_rows(ground, place, np.random.default_rng(1))
+    assert len(rows) == len(depth) > 0 and ground[rows].all() and (depth > 0.1).all() and (depth < 1.1).all()
+    assert not len(ghost_rows(np.zeros(400_000, bool), place, np.random.default_rng(1))[0])
+
+
+def test_lowered_kerbs_lie_within_the_city():
+    size = 100.0
+    kerbs = lowered_kerbs(make_scene(seed=1, size=size).ground, size)
+    assert kerbs and all(-size / 2 < kerb.start < kerb.end < size / 2 for kerb in kerbs)
