@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from qgis.core import QgsProcessing
+
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
 
 LEVELS = ("250", "500", "1000", "2500", "5000", "given")
 PRODUCTS = ("survey", "buildings")
-JOB = {"job": "Job", "client": "Client", "surveyor": "Surveyor", "dates": "Dates of the work",
-       "instrument": "Instrument", "method": "Method", "heights": "Height system", "checked_by": "Checked by"}
+JOB = {"job": "Job", "area": "Area of the work", "client": "Client", "surveyor": "Surveyor",
+       "dates": "Dates of the work", "chief": "Chief engineer", "leader": "Survey party leader",
+       "quantity": "Quantity of work", "instrument": "Instrument", "method": "Method", "heights": "Height system",
+       "checked_by": "Checked by", "remarks": "Remarks"}
 NUMBERS = {"POINTS": ("Check points", ""), "RMSE_PLAN": ("Standard deviation in plan about 0", "m"),
            "RMSE_HEIGHT": ("Standard deviation in height about 0", "m"), "MEAN_PLAN": ("Mean error in plan", "m"),
            "MAX_PLAN": ("Maximum error in plan", "m"), "MAX_HEIGHT": ("Maximum error in height", "m")}
@@ -18,7 +22,7 @@ class Acceptance(UrbanMapAlgorithm):
     ID = "acceptance"
     NAME = "Acceptance report"
     KEYWORDS = ("accuracy", "acceptance", "quality control", "check points", "map level", "report", "PDF")
-    REQUIRES = ("numpy", "scipy", "shapely")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj")
     HELP = (
         "Judges a survey or building models by check points, in the form of the tables of quality control of Japan's "
         "public surveys: figures in plan and in height apart, the limits of the map level, passed or failed for each "
@@ -26,7 +30,9 @@ class Acceptance(UrbanMapAlgorithm):
         "Check points must have been measured independently; those that the product was adjusted to are left out "
         "where a column “role” names them. Where there are too few points nothing is accepted.\n"
         "The standard deviation is that about a mean of 0. With few points it says little: the report gives the value "
-        "that it is below with a confidence of 95 %."
+        "that it is below with a confidence of 95 %.\n"
+        "Building models without check points yet: their edges are drawn at random, 21 of each quarter regional mesh, "
+        "into a table in which the survey fills in what it measured. That table is then given as check points."
     )
 
     def flags(self):
@@ -36,7 +42,11 @@ class Acceptance(UrbanMapAlgorithm):
     def declare(self):
         self.add_vector("INPUT", "Check points", "The residuals of “Check accuracy at control points”, or a table or "
                         "layer with x, y, z (true, metres) and x_product, y_product, z_product; id, and role (check or "
-                        "adjusted), where there are such columns.")
+                        "adjusted), where there are such columns; or the table of edges with x, y, z filled in. "
+                        "Without check points nothing is judged.", optional=True)
+        self.add_vector("BUILDINGS", "Building models", "MultiPolygonZ with all faces of each building: edges to be "
+                        "surveyed are drawn from them.", optional=True,
+                        source_type=QgsProcessing.SourceType.TypeVectorPolygon)
         self.add_choice("PRODUCT", "Product", "Building models are judged as PLATEAU's tables P05 to P08 ask: 42 check "
                         "points (21 edges with two each) in each unit.", PRODUCTS, "survey")
         self.add_choice("MAP_LEVEL", "Map level", "Whose limits hold: the standard deviation may be 0.12, 0.25, 0.70, "
@@ -61,6 +71,8 @@ class Acceptance(UrbanMapAlgorithm):
                              by_default=True)
         self.add_file_output("OUTPUT_PDF", "Report as PDF", "The same as PDF pages of A4, made by QGIS's printing.",
                              "PDF (*.pdf)", optional=True)
+        self.add_file_output("OUTPUT_EDGES", "Edges to be surveyed", "Both ends of the drawn edges with their place in "
+                             "the models; x, y and z are left blank for the survey.", "CSV (*.csv)", optional=True)
         self.add_file_output("OUTPUT_CSV", "All points", "Every check point with its errors.", "CSV (*.csv)",
                              optional=True)
         for name, (label, unit) in NUMBERS.items():
@@ -70,6 +82,8 @@ class Acceptance(UrbanMapAlgorithm):
     def check(self, parameters, context):
         from ...urbanmap_qgis.errors import InputError
 
+        if not parameters.get("INPUT") and not parameters.get("BUILDINGS"):
+            raise InputError(tr("Give check points, or building models whose edges are to be surveyed."))
         given = [self._number(parameters, name, context) for name in ("LIMIT_PLAN", "LIMIT_HEIGHT")]
         if self.parameterAsString(parameters, "MAP_LEVEL", context) == "given" and given == [None, None]:
             raise InputError(tr("Map level: “given” needs a limit in plan or in height; give one of them."))
@@ -80,13 +94,16 @@ class Acceptance(UrbanMapAlgorithm):
         from ...urbanmap_qgis.acceptance.error_figures import point_figures
 
         progress = self.progress(feedback)
+        drawn = self._drawn_edges(parameters, context, progress)
+        if not parameters.get("INPUT"):
+            return self._only_drawn(parameters, context, drawn)
         table = self.read_vector(parameters, "INPUT", context, progress.part(0.0, 0.2))
         points = self._points(parameters, context, table)
         limits, level = self._limits(parameters, context)
-        found = criteria(points, limits, self._needed(parameters, context))
+        found = criteria(points, limits, *self._needed(parameters, context))
         job = self._job(parameters, context, table)
         patches = self._patches(parameters, context)
-        results = {"OUTCOME": outcome(found)}
+        results = {"OUTCOME": outcome(found), **self._write_edges(parameters, context, drawn)}
         report = self.output_path(parameters, "OUTPUT_REPORT", context)
         if report:
             write_acceptance_report(report, points, found, limits, job, level, patches)
@@ -107,6 +124,38 @@ class Acceptance(UrbanMapAlgorithm):
                    "MAX_HEIGHT": figures.height.maximum}
         return {**results, **{name: value for name, value in numbers.items() if value == value}}
 
+    def _drawn_edges(self, parameters, context, progress):
+        """Edges of the building models; None where no models are given."""
+        models = self.read_vector(parameters, "BUILDINGS", context, progress)
+        if models is None:
+            return None
+        from ...urbanmap_qgis.acceptance.edge_sampling import draw_edges, quarter_meshes
+
+        self.require_projected("BUILDINGS", models.crs)
+        names = models.columns.get("building_id", models.ids)
+        return draw_edges(models.geometries, names, quarter_meshes(models.geometries, models.crs_wkt))
+
+    def _write_edges(self, parameters, context, drawn) -> dict[str, str]:
+        from ...urbanmap_qgis.acceptance.edge_sampling import write_edges_csv
+
+        path = self.output_path(parameters, "OUTPUT_EDGES", context) if drawn is not None else None
+        if path is None:
+            return {}
+        write_edges_csv(path, drawn)
+        return {"OUTPUT_EDGES": str(path)}
+
+    def _only_drawn(self, parameters, context, drawn) -> dict:
+        """Results where there are no check points yet: nothing is judged."""
+        from ...urbanmap_qgis.acceptance.acceptance_report import write_sampling_report
+        from ...urbanmap_qgis.acceptance.criteria import NOT_CHECKED
+
+        results = {"OUTCOME": NOT_CHECKED, **self._write_edges(parameters, context, drawn)}
+        report = self.output_path(parameters, "OUTPUT_REPORT", context)
+        if report:
+            write_sampling_report(report, drawn, self._job(parameters, context, None))
+            results["OUTPUT_REPORT"] = str(report)
+        return results
+
     def _points(self, parameters, context, table):
         from ...urbanmap_qgis.acceptance.check_points import check_points_from_columns, point_places
 
@@ -126,13 +175,15 @@ class Acceptance(UrbanMapAlgorithm):
             return level, int(word)
         return Limits(level.plan if plan is None else plan, level.height if height is None else height), None
 
-    def _needed(self, parameters, context) -> int:
-        from ...urbanmap_qgis.acceptance.map_levels import PLATEAU_POINTS
+    def _needed(self, parameters, context) -> tuple[int, int]:
+        """Fewest points and edges of a unit."""
+        from ...urbanmap_qgis.acceptance.edge_sampling import EDGES_OF_UNIT, POINTS_OF_EDGE
 
+        buildings = self.parameterAsString(parameters, "PRODUCT", context) == "buildings"
         given = self._number(parameters, "MINIMUM_POINTS", context)
         if given is not None:
-            return int(given)
-        return PLATEAU_POINTS if self.parameterAsString(parameters, "PRODUCT", context) == "buildings" else 1
+            return int(given), int(given) // POINTS_OF_EDGE if buildings else 0
+        return (EDGES_OF_UNIT * POINTS_OF_EDGE, EDGES_OF_UNIT) if buildings else (1, 0)
 
     def _number(self, parameters, name: str, context) -> float | None:
         return None if parameters.get(name) in (None, "") else self.parameterAsDouble(parameters, name, context)
@@ -141,7 +192,8 @@ class Acceptance(UrbanMapAlgorithm):
         from ...urbanmap_qgis.acceptance.job import Job
 
         texts = {name: self.parameterAsString(parameters, name.upper(), context) for name in JOB}
-        reference = f"{table.crs.authid()} {table.crs.description()}".strip() if table.crs.isValid() else ""
+        known = table is not None and table.crs.isValid()
+        reference = f"{table.crs.authid()} {table.crs.description()}".strip() if known else ""
         return Job(**texts, reference=reference)
 
     def _patches(self, parameters, context) -> dict:

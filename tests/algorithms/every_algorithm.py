@@ -1,6 +1,8 @@
 """A small real run of every algorithm on a sample city, each with all of its outputs.
 
-    python every_algorithm.py CITY FOLDER WORKERS    all of them, into FOLDER, in a process of its own
+    python every_algorithm.py CITY FOLDER WORKERS [NAME ...]    all or some, into FOLDER, in a process of its own
+
+What they said is in messages.json there, in the language of LANG.
 
 A value "city:PLACE" is a file of the city, "made:PLACE" one that is prepared beside the results, "ID:OUTPUT" a result
 of an algorithm that is run before.
@@ -71,7 +73,8 @@ RECIPES: dict[str, dict] = {
                        "CRS": "EPSG:6677"},
     "checkaccuracy": {"TRAJECTORY": DRIVE["TRAJECTORY"], "CORRECTED": "registermms:OUTPUT", "CRS": "EPSG:6677",
                       "CONTROL": "city:truth/control_survey_01.csv"},
-    "acceptance": {"INPUT": "checkaccuracy:OUTPUT", "PATCHES": "registermms:OUTPUT_PATCHES", "JOB": "1"},
+    "acceptance": {"INPUT": "checkaccuracy:OUTPUT", "BUILDINGS": "buildingmodels:OUTPUT",
+                   "PATCHES": "registermms:OUTPUT_PATCHES", "JOB": "1"},
     "adjustsurveys": {"POINTS": ["roadmarkingsfrommms:OUTPUT", "city:mms/survey_02.laz"], **BOTH},
     "applytrajectory 2": {"POINTS": ["city:mms/survey_02.laz"], "TRAJECTORY": "city:mms/survey_02_trajectory.csv",
                           "CORRECTED": TRUTH["TRAJECTORY"][1], "IMAGES": "city:mms/survey_02_images.csv"},
@@ -168,23 +171,26 @@ def places(name: str, algorithm, folder: Path) -> dict:
     return wanted
 
 
-def run_all(city: Path, folder: Path, workers: int) -> dict[str, float]:
-    """Run all recipes into a folder; seconds of each."""
+def run_all(city: Path, folder: Path, workers: int, make_feedback, names=tuple(RECIPES)) -> dict[str, float]:
+    """Run recipes into a folder; seconds of each."""
     import processing
 
     prepare(city, folder)
-    results, seconds = {}, {}
+    results, seconds, said = {}, {}, {}
     known = algorithms()
-    for name in RECIPES:
+    for name in names:
         started, algorithm = time.perf_counter(), known[name.split()[0]]
         parameters = {**places(name, algorithm, folder), **given(name, city, folder, results)}
         if algorithm.parameterDefinition("WORKERS"):
             parameters["WORKERS"] = 1 if name == "tiledrun" else workers  # its workers are processes of their own
-        made = processing.run(algorithm.create(), parameters)
+        feedback = make_feedback()
+        made = processing.run(algorithm.create(), parameters, feedback=feedback)
+        said[name] = [*feedback.infos, *feedback.warnings, *feedback.errors]
         results |= {f"{name}:{key}": value for key, value in made.items()}
         seconds[name] = time.perf_counter() - started
     files = {name: value for name, value in results.items() if isinstance(value, str)}
     (folder / "results.json").write_text(json.dumps(files), encoding="utf-8")
+    (folder / "messages.json").write_text(json.dumps(said), encoding="utf-8")
     return seconds
 
 
@@ -198,7 +204,8 @@ def main() -> None:
     application, plugin = conftest.start_qgis(folder.with_name(f"{folder.name}-profile"))
     module = importlib.import_module(f"{conftest.PLUGIN}.algorithms.framework.running.workers")
     module._processes = module._in_window  # a spawned process does not find the plugin under its name here
-    for name, seconds in run_all(city, folder, workers).items():
+    names = tuple(sys.argv[4:]) or tuple(RECIPES)
+    for name, seconds in run_all(city, folder, workers, conftest.make_feedback, names).items():
         print(f"{seconds:7.2f} s  {name}", flush=True)
     plugin.unload()
     del application

@@ -54,3 +54,25 @@ def test_given_limits_must_be_given(run, checks):
 def test_patches_must_be_those_of_a_registration(run, checks):
     with pytest.raises(Exception, match="has no field correction, sigma, residual"):
         run("urbanmap:acceptance", {"INPUT": checks, "PATCHES": checks})
+
+
+def test_edges_are_drawn_where_there_are_no_check_points(run, small_city, tmp_path):
+    models = run("urbanmap:loadcitymodel", {"INPUT": str(small_city / "models" / "buildings.city.json"),
+                                            "OUTPUT": str(tmp_path / "outlines.gpkg"),
+                                            "OUTPUT_MODELS": str(tmp_path / "models.gpkg")})["OUTPUT_MODELS"]
+    result = run("urbanmap:acceptance", {"BUILDINGS": models, "PRODUCT": "buildings", "AREA": "第3工区",
+                                         "OUTPUT_EDGES": str(tmp_path / "edges.csv"),
+                                         "OUTPUT_REPORT": str(tmp_path / "edges.html")})
+    assert result["OUTCOME"] == "not checked" and "POINTS" not in result
+    rows = (tmp_path / "edges.csv").read_text(encoding="utf-8-sig").splitlines()
+    assert len(rows) > 40 and all(row.endswith(",,") for row in rows[1:])
+    page = (tmp_path / "edges.html").read_text(encoding="utf-8")
+    assert "Nothing was checked" in page and "第3工区" in page and "Accepted" not in page
+    # The table that nobody filled in is no check either.
+    with pytest.raises(Exception, match="no check point"):
+        run("urbanmap:acceptance", {"INPUT": str(tmp_path / "edges.csv"), "PRODUCT": "buildings"})
+
+
+def test_something_must_be_given(run):
+    with pytest.raises(Exception, match="Give check points, or building models"):
+        run("urbanmap:acceptance", {})

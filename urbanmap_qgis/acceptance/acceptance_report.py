@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import csv
 import os
+from collections import Counter
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -15,6 +16,7 @@ from ..io.pages.svg_vectors import vector_map
 from ..wording import known, mark, say
 from .check_points import CheckPoints
 from .criteria import FAILED, OUTCOMES, PASSED, Criterion, outcome
+from .edge_sampling import EDGES_OF_UNIT, DrawnEdges
 from .error_figures import ErrorFigures, point_figures, signed_figures
 from .job import Job
 from .map_levels import Limits
@@ -43,6 +45,8 @@ def write_acceptance_report(path: str | os.PathLike, points: CheckPoints, found:
     report.facts(job.rows())
     _criteria(report, found, level)
     _figures(report, points)
+    if points.edge:
+        _edges(report, found)
     _registration(report, registration or {})
     _map(report, points, limits)
     _all_points(report, points)
@@ -63,9 +67,13 @@ def verdict(points: CheckPoints, found: Sequence[Criterion], level: int | None) 
                         unit=f" ({worst.unit})" if worst.unit else "")
     if total != PASSED:
         open_one = next(item for item in found if item.outcome not in (PASSED, FAILED))
+        unit = f" ({open_one.unit})" if open_one.unit else ""
+        if open_one.edges is not None and open_one.edges < open_one.needed_edges:
+            return LOOK, say("Not judged for {name}: {edges} edges with both ends measured{unit}, and {needed} are "
+                             "needed.", name=name, edges=open_one.edges, needed=open_one.needed_edges, unit=unit)
         return LOOK, say("Not judged for {name}: {component} has {count} check points{unit}, and {needed} are needed.",
                          name=name, component=known(open_one.component), count=open_one.figures.count,
-                         needed=max(open_one.needed, 1), unit=f" ({open_one.unit})" if open_one.unit else "")
+                         needed=max(open_one.needed, 1), unit=unit)
     if all(item.is_certain for item in found):
         return GOOD, say("Accepted for {name}: {count} check points keep every limit, also with a confidence of 95 %.",
                          name=name, count=len(points))
@@ -84,6 +92,33 @@ def _criteria(report: Report, found: Sequence[Criterion], level: int | None) -> 
                      "share counts too. With a confidence of 95 % the standard deviation of all places is below the "
                      "upper bound, if errors are normal.")
 
+
+def _edges(report: Report, found: Sequence[Criterion]) -> None:
+    """How many edges of buildings were measured in each unit."""
+    report.section("Sampled edges of buildings")
+    report.table((mark("Unit"), mark("edges with both ends measured"), mark("edges needed")),
+                 list(dict.fromkeys((item.unit, item.edges, item.needed_edges) for item in found)))
+    report.paragraph("Edges were drawn at random in each unit, and both ends of each surveyed. An edge with one end "
+                     "counts among the points, but not among the edges.")
+
+
+def write_sampling_report(path: str | os.PathLike, drawn: DrawnEdges, job: Job) -> None:
+    """Write the report of a run that only drew edges (HTML): nothing is judged."""
+    report = Report("Acceptance: edges of buildings to be surveyed")
+    report.verdict(LOOK, say("Nothing was checked: {count} edges were drawn. Survey both ends of each, fill x, y, z "
+                             "into the table of edges and give that as check points.", count=len(drawn)))
+    report.facts(job.rows())
+    report.section("Sampled edges of buildings")
+    number = Counter(drawn.unit)
+    report.table((mark("Unit"), mark("edges drawn"), mark("edges there are"), mark("edges needed")),
+                 [(unit, number[unit], count, EDGES_OF_UNIT) for unit, count in drawn.available.items()])
+    if min(drawn.available.values()) < EDGES_OF_UNIT:
+        report.warning("Units with fewer edges than needed cannot be judged by themselves: choose others, or larger "
+                       "ones.")
+    middle = drawn.ends[:, :, :2].mean(axis=1)
+    report.figure(vector_map(middle, np.zeros_like(middle), [str(k + 1) for k in range(len(drawn))]),
+                  "Where the drawn edges lie, with their numbers.")
+    report.write(path)
 
 
 def _figures(report: Report, points: CheckPoints) -> None:

@@ -36,6 +36,7 @@ class CheckPoints:
     unit : (n,) the unit of inspection of each (a mesh, a drive); "" where there is only one.
     state : which errors of a layer of residuals these are ("after", "before"), "" for a table of coordinates.
     adjusted : number of points left out because the product was adjusted to them.
+    edge : (n,) the edge of a building that each point is an end of; () where points are of no edges.
     """
 
     id: tuple[str, ...]
@@ -44,6 +45,7 @@ class CheckPoints:
     unit: tuple[str, ...]
     state: str = ""
     adjusted: int = 0
+    edge: tuple[str, ...] = ()
 
     def __len__(self) -> int:
         return len(self.id)
@@ -55,7 +57,8 @@ class CheckPoints:
     def _select(self, rows: np.ndarray) -> CheckPoints:
         numbers = np.flatnonzero(rows)
         return CheckPoints(tuple(self.id[k] for k in numbers), self.true[numbers], self.errors[numbers],
-                           tuple(self.unit[k] for k in numbers), self.state, self.adjusted)
+                           tuple(self.unit[k] for k in numbers), self.state, self.adjusted,
+                           tuple(self.edge[k] for k in numbers) if self.edge else ())
 
 
 def check_points_from_columns(columns: Mapping[str, Sequence], places: np.ndarray | None = None, unit_field: str = "",
@@ -66,7 +69,7 @@ def check_points_from_columns(columns: Mapping[str, Sequence], places: np.ndarra
     ----------
     columns : of a layer of residuals (east_after, north_after, up_after, or ..._before, as “Check accuracy at control
         points” writes them), or of a table with x, y, z (true) and x_product, y_product, z_product, m; id and role
-        (check, adjusted) where there are such.
+        (check, adjusted) where there are such, and edge, which names the edge of a building that a point is an end of.
     places : (n, 3) of the layer's points, m, where x and y are no columns.
     unit_field : column that names each point's unit of inspection.
     name : of the table, for messages.
@@ -85,7 +88,8 @@ def check_points_from_columns(columns: Mapping[str, Sequence], places: np.ndarra
     units = [_text(value) for value in columns[unit_field]] if unit_field else [""] * count
     checks = _are_checks(columns[lower["role"]], name) if "role" in lower else np.ones(count, bool)
     checked = np.isfinite(errors[:, :2]).all(axis=1)
-    points = CheckPoints(tuple(ids), true, errors, tuple(units), state, int(np.count_nonzero(~checks)))
+    edges = tuple(_text(value) for value in columns[lower["edge"]]) if "edge" in lower else ()
+    points = CheckPoints(tuple(ids), true, errors, tuple(units), state, int(np.count_nonzero(~checks)), edges)
     points = points._select(checks & checked)
     if not len(points):
         raise InputError(say("{name} holds no check point: give points that were measured independently and to which "

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..wording import mark
 from .check_points import CheckPoints
+from .edge_sampling import measured_edges
 from .error_figures import ErrorFigures, point_figures
 from .map_levels import Limits
 
@@ -29,6 +30,8 @@ class Criterion:
     figures : of the errors.
     limit : greatest standard deviation, m.
     needed : least number of points.
+    edges : edges of buildings with both points measured, None where points are of no edges.
+    needed_edges : least number of these.
     """
 
     unit: str
@@ -36,10 +39,14 @@ class Criterion:
     figures: ErrorFigures
     limit: float
     needed: int
+    edges: int | None = None
+    needed_edges: int = 0
 
     @property
     def outcome(self) -> str:
-        """PASSED, FAILED, or NOT_CHECKED where there are fewer points than needed."""
+        """PASSED, FAILED, or NOT_CHECKED where there are fewer points or edges than needed."""
+        if self.edges is not None and self.edges < self.needed_edges:
+            return NOT_CHECKED
         if self.figures.count < max(self.needed, 1) or not np.isfinite(self.figures.rmse):
             return NOT_CHECKED
         return PASSED if self.figures.rmse <= self.limit else FAILED
@@ -50,14 +57,18 @@ class Criterion:
         return self.outcome == PASSED and self.figures.bound <= self.limit
 
 
-def criteria(points: CheckPoints, limits: Limits, needed: int = 1) -> list[Criterion]:
-    """The criteria of each unit of inspection, plan before height; those without a limit are left out."""
+def criteria(points: CheckPoints, limits: Limits, needed: int = 1, needed_edges: int = 0) -> list[Criterion]:
+    """The criteria of each unit of inspection, plan before height; those without a limit are left out.
+
+    `needed` and `needed_edges` are the fewest points, and edges with both points measured, that a unit is judged by.
+    """
     found = []
+    edges = measured_edges(points.edge, points.unit) if points.edge else {}
     for unit in dict.fromkeys(points.unit):
         figures = point_figures(points.of_unit(unit).errors)
         for component, values, limit in ((PLAN, figures.plan, limits.plan), (HEIGHT, figures.height, limits.height)):
             if limit is not None:
-                found.append(Criterion(unit, component, values, limit, needed))
+                found.append(Criterion(unit, component, values, limit, needed, edges.get(unit), needed_edges))
     return found
 
 

@@ -8,9 +8,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-PLATEAU_POINTS = 42
-"""Check points that PLATEAU's tables P05 to P08 ask of each unit: 21 edges with two points each."""
-
 
 @dataclass(frozen=True)
 class Limits:

@@ -67,7 +67,7 @@ def panel_html(algorithm) -> str:
         lines += [f"<b>{escape(label)}</b>: {escape(' '.join(text.split()))}{escape(default)}"
                   for _, label, text, default in rows]
     if algorithm.SOURCE:
-        lines.append(f"<i>{escape(tr('Method'))}: {escape(algorithm.SOURCE)}</i>")
+        lines.append(f"<i>{escape(tr('Method'))}: {escape(tr(algorithm.SOURCE))}</i>")
     return "\n".join(lines)
 
 
@@ -84,8 +84,8 @@ def page_markdown(algorithm) -> str:
         lines += [f"| `{name}` | {_cell(label)} | {_cell(text)}{_cell(default)} |"
                   for name, label, text, default in rows]
         lines.append("")
-    lines.append(f"{tr('Method')}: {algorithm.SOURCE or tr('own')}; [{GUIDES[algorithm.groupId()]}]"
-                 f"(../{GUIDES[algorithm.groupId()]}).")
+    source = tr(algorithm.SOURCE) if algorithm.SOURCE else tr("own")
+    lines.append(f"{tr('Method')}: {source}; [{GUIDES[algorithm.groupId()]}](../{GUIDES[algorithm.groupId()]}).")
     return "\n".join([*lines, ""])
 
 
@@ -99,7 +99,8 @@ def page_html(algorithm) -> str:
         parts.append(f'<p><img src="{picture.as_uri()}" alt="{title}"></p>')
     for heading, rows in ((tr("Input"), inputs), (tr("Output"), outputs)):
         parts += [f"<h2>{escape(heading)}</h2>", "<table>", *_rows(rows), "</table>"]
-    parts.append(f"<p>{escape(tr('Method'))}: {escape(algorithm.SOURCE or tr('own'))}</p>")
+    source = tr(algorithm.SOURCE) if algorithm.SOURCE else tr("own")
+    parts.append(f"<p>{escape(tr('Method'))}: {escape(source)}</p>")
     for tutorial in found(TUTORIALS.get(algorithm.name(), "none")):
         parts.append(f'<p><a href="{tutorial.as_uri()}">{escape(tr("Step by step, with pictures"))}</a></p>')
     for guide in found(GUIDES[algorithm.groupId()].replace(".md", ".html")):
@@ -152,4 +153,6 @@ def _cell(text: str) -> str:
 
 def _default(definition) -> str:
     value = definition.defaultValue()
+    if isinstance(value, bool):
+        value = tr("yes") if value else tr("no")
     return tr(" Default: {0}.").format(value) if isinstance(value, (int, float, str)) and value != "" else ""

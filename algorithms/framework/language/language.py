@@ -46,6 +46,12 @@ def translated_model(model: QgsProcessingModelAlgorithm, group: str) -> QgsProce
             made.setDescription(_label(made.description()))
             made.setHelp(_help(made.help(), choices.get(made.name())))
             model.updateModelParameter(made)
+    for child in model.childAlgorithms().values():
+        outputs = child.modelOutputs()
+        for output in outputs.values():
+            output.setDescription(tr(output.description()))
+        child.setModelOutputs(outputs)
+        model.setChildAlgorithm(child)
     model.setHelpContent({key: _help(text, choices.get(key)) if isinstance(text, str) else text
                           for key, text in model.helpContent().items()})
     return model

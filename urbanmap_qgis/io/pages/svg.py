@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import shapely
 
-from ...wording import known
+from ...wording import known, say
 
 RAMP = ("#1a9850", "#91cf60", "#fee08b", "#fc8d59", "#d73027")
 """Colours from good to bad."""
@@ -93,7 +93,7 @@ def _path(shape: shapely.Geometry, place) -> str:
 def _legend(limits: Sequence[float], unit: str, y: int) -> str:
     """Coloured squares with the classes' limits."""
     names = [f"< {limits[0]:g}", *(f"{a:g} – {b:g}" for a, b in zip(limits, limits[1:])), f"> {limits[-1]:g} {unit}",
-             "not known"]
+             say("not known")]
     return "".join(f'<rect x="{10 + 92 * i}" y="{y}" width="12" height="12" fill="{colour}" stroke="#333" '
                    f'stroke-width="0.5"/><text x="{26 + 92 * i}" y="{y + 10}">{html.escape(name)}</text>'
                    for i, (colour, name) in enumerate(zip((*RAMP, UNKNOWN), names)))

@@ -6,11 +6,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...wording import mark
+
 POINT = np.dtype([("x", "<f8"), ("y", "<f8"), ("z", "<f8"), ("drive", "<u2")])
 """A laser point, m, and the number of the pass that measured it."""
 
 KERB, LOWERED, BORDER, RAIL, WALL = "kerb", "lowered kerb", "road border", "guard rail", "wall"
-MEASURED, DOUBTFUL = "measured", "doubtful"
+MEASURED, DOUBTFUL = mark("measured"), mark("doubtful")
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,173 @@
+"""In Japanese no English word is left but ids, formats, units, abbreviations: dialogs, help, messages, reports."""
+
+from __future__ import annotations
+
+import ast
+import html
+import json
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+CATALOGUE = ROOT / "resources" / "translations" / "urbanmap_ja.ts"
+
+NAMES = set("""
+    UrbanMap QGIS Python PyPI Dask GDAL PROJ Autoware OpenStreetMap Cesium PLATEAU README Javanmardi Shibasaki
+    Zhao Zhang Applanix Metashape Galileo BeiDou TransverseMercator distributed numpy
+""".split())  # noqa: SIM905
+"""Proper names of programs, projects, authors and systems."""
+
+FORMATS = set("""
+    CityGML CityJSON CityJSONSeq GeoParquet GeoPackage GeoTIFF Parquet Lanelet lanelet lanelets OpenDRIVE glTF
+    Wavefront Tiles LoD lod BldA BldL MultiPolygonZ PolygonZ LineStringZ PointZ zip gzip bzip Hatanaka Dataset
+    gml txt pdf
+""".split())  # noqa: SIM905
+"""Formats, kinds of files and their parts; those in capital letters only need no entry."""
+
+UNITS = set("""
+    cm mm km dm dB Hz sigma px
+""".split())  # noqa: SIM905
+
+FORMULA = set("""
+    R_omega R_phi R_kappa I_ref I_m I_M exp sin cos f(R)
+""".split())  # noqa: SIM905
+
+OUTSIDE = set("""
+    sudo apt pip python lasinfo repair Drape PatchJGD Rules withheld
+""".split())  # noqa: SIM905
+"""Words of commands, of other programs and of a page's title that help and messages name."""
+
+SOURCES = {"et", "al", "eq", "and"}
+"""Words between the authors of a method."""
+
+SPEAKING = {"InputError", "OutputError", "UrbanMapError", "warn", "message", "pushInfo", "pushWarning", "reportError",
+            "QgsProcessingException"}
+"""Calls whose first argument the user reads."""
+
+
+def english(text: str, ids: frozenset[str] | set[str]) -> list[str]:
+    """English words of a text that are no ids; files' names, paths, options and capital letters are none."""
+    text = re.sub(r"\{[^}]*\}|https?://\S+|tcp://\S+", " ", text)
+    text = re.sub(r"EPSG:\d+ ?[（(]JGD\d+ / Japan Plane Rectangular CS [IVX]+[）)]", " ", text)
+    text = re.sub(r"JGD\d+ / Japan Plane Rectangular CS [IVX]+", " ", text)
+    text = re.sub(r"[\w./*-]*\.[A-Za-z][A-Za-z0-9]{1,6}\b", " ", text)
+    words = re.findall(r"[A-Za-z][A-Za-z_]+", text)
+    known = NAMES | FORMATS | UNITS | FORMULA | ids
+    return [word for word in words if word not in known and not word.isupper()]
+
+
+@pytest.fixture(scope="module")
+def data_words():
+    """Words that the code uses as data: columns, values, keys. Help names them as they are; reports do not."""
+    found = set()
+    for folder in ("urbanmap_qgis", "algorithms"):
+        for path in (ROOT / folder).rglob("*.py"):
+            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+                if isinstance(node, ast.Constant) and isinstance(node.value, str) and len(node.value) < 40:
+                    found |= set(re.findall(r"[A-Za-z][A-Za-z_]+", node.value)) if is_data(node.value) else set()
+                elif isinstance(node, (ast.ClassDef, ast.FunctionDef)):
+                    found.add(node.name)
+    return found
+
+
+def is_data(text: str) -> bool:
+    """Whether a constant can be a column, a value or a key: at most three words without a capital or a full stop."""
+    return re.fullmatch(r"[\w.:{}|%/-]+( [a-z_]+){0,2}", text) is not None
+
+
+def test_translations_leave_no_english_but_ids(data_words):
+    from urbanmap_qgis.wording import read_catalogue
+
+    left = {text: words for text, told in read_catalogue(CATALOGUE).items()
+            if (words := [word for word in english(told, data_words) if word not in OUTSIDE])}
+    assert not left
+
+
+def test_translations_are_not_the_english_text():
+    """But those that are names, formats, units and abbreviations alone."""
+    from urbanmap_qgis.wording import read_catalogue
+
+    same = [text for text, told in read_catalogue(CATALOGUE).items() if text == told and english(text, set())]
+    assert not same
+
+
+def test_no_sentence_goes_past_the_translation():
+    raw = []
+    for folder in ("urbanmap_qgis", "algorithms"):
+        for path in sorted((ROOT / folder).rglob("*.py")):
+            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+                if (isinstance(node, ast.Call) and node.args and isinstance(node.args[0], (ast.Constant, ast.JoinedStr))
+                        and getattr(node.func, "id", getattr(node.func, "attr", "")) in SPEAKING):
+                    parts = node.args[0].values if isinstance(node.args[0], ast.JoinedStr) else [node.args[0]]
+                    text = " ".join(str(part.value) for part in parts if isinstance(part, ast.Constant))
+                    if re.search("[a-z]{2}", text):
+                        raw.append(f"{path.relative_to(ROOT)}:{node.lineno}: {text}")
+    assert not raw
+
+
+@pytest.fixture(scope="module")
+def speaking(qgis_app, plugin):
+    """Japanese for the test; the words of choices and ids of parameters and algorithms."""
+    from qgis.core import QgsApplication
+
+    language = plugin("algorithms.framework.language.language")
+    translator = language.speak_language("ja")
+    provider = QgsApplication.processingRegistry().providerById("urbanmap")
+    provider.refreshAlgorithms()  # models keep the words with which they were loaded
+    yield provider
+    language.stop_speaking(translator)
+    provider.refreshAlgorithms()
+
+
+def test_dialogs_are_in_japanese(speaking, data_words):
+    """Names, groups, labels and words of choices hold no ids; help does. (Headings of models' help are QGIS's own.)"""
+    left = {}
+    for algorithm in (item.create() for item in speaking.algorithms()):
+        labels = [algorithm.displayName(), algorithm.group(), *(
+            item.description() for item in (*algorithm.parameterDefinitions(), *algorithm.outputDefinitions()))]
+        labels += [word for item in algorithm.parameterDefinitions() if item.type() == "enum"
+                   for word in item.metadata()["urbanmap_words"].values()]
+        texts = [algorithm.shortHelpString(), *(item.help() for item in algorithm.parameterDefinitions())]
+        words = [word for text in labels for word in english(text, set())]
+        words += [word for text in texts for word in english(re.sub("<h2>.*?</h2>|<[^>]*>", " ", text), data_words)
+                  if word not in OUTSIDE | SOURCES]
+        if words:
+            left[algorithm.name()] = words
+    assert len(list(speaking.algorithms())) > 50 and left == {}
+
+
+SPOKEN = ("surfacefromals", "aerialmarkings", "segmentbuildings", "segmentroofs", "roofpolygons", "buildingmodels",
+          "wallsfrommms", "mergebuildingmodels", "exportcitymodel", "loadcitymodel", "markinglines", "vectormap",
+          "checkvectormap", "roadmarkingsfrommms", "registermms", "checkaccuracy", "acceptance", "rectifytrajectory",
+          "gnssreflections", "adjustwalls", "localisationaccuracy")
+"""Runs whose reports and messages are read: one of every kind of report that does not take long."""
+
+CITY_NAMES = {"building", "survey", "trajectory", "way", "node", "File", "Height", "SpeedLimit", "routing", "graph",
+              "status", "reason", "ele", "pass", "mms"}
+"""Names in the sample city's data, codes of rules, and fields to which a message points."""
+
+
+@pytest.mark.slow
+def test_reports_and_messages_are_in_japanese(small_city, tmp_path):
+    place = tmp_path / "results"
+    place.mkdir()
+    done = subprocess.run(
+        [sys.executable, str(Path(__file__).with_name("every_algorithm.py")), str(small_city), str(place), "1",
+         *SPOKEN], text=True, capture_output=True, timeout=600, check=False,
+        env={**os.environ, "LANG": "ja_JP.UTF-8", "LC_ALL": "", "LC_CTYPE": "C.UTF-8"})
+    assert done.returncode == 0, done.stderr[-3000:]
+    texts = [text for said in json.loads((place / "messages.json").read_text(encoding="utf-8")).values()
+             for text in said if not text.startswith("Results:")]  # QGIS's own
+    pages = list(place.glob("*.html"))
+    assert len(pages) >= 12
+    for page in pages:
+        text = re.sub(r"<style.*?</style>|data:image[^\"']*", "", page.read_text(encoding="utf-8"), flags=re.S)
+        assert '<html lang="ja">' in text
+        texts += [html.unescape(part) for part in re.findall(r">([^<]+)<", text)]
+    left = {text.strip(): words for text in texts if (words := english(text, CITY_NAMES))}
+    assert left == {}
