@@ -75,6 +75,9 @@ class Acceptance(UrbanMapAlgorithm):
                              "the models; x, y and z are left blank for the survey.", "CSV (*.csv)", optional=True)
         self.add_file_output("OUTPUT_CSV", "All points", "Every check point with its errors.", "CSV (*.csv)",
                              optional=True)
+        self.add_file("TEMPLATE", "Layout of the PDF", "Layout template of QGIS (.qpt): a changed copy of the plugin's "
+                      "resources/layouts/acceptance.qpt, whose items are filled by their ids.", extension="qpt",
+                      optional=True, advanced=True)
         for name, (label, unit) in NUMBERS.items():
             self.add_number_output(name, label, label, unit=unit)
         self.add_text_output("OUTCOME", "Outcome", "passed, failed, or not checked.")
@@ -116,7 +119,8 @@ class Acceptance(UrbanMapAlgorithm):
         if pdf:
             from .acceptance_pages import write_acceptance_pdf
 
-            write_acceptance_pdf(pdf, points, found, limits, job, level)
+            write_acceptance_pdf(pdf, points, found, limits, job, level,
+                                 self.input_path(parameters, "TEMPLATE", context))
             results["OUTPUT_PDF"] = str(pdf)
         figures = point_figures(points.errors)
         numbers = {"POINTS": len(points), "RMSE_PLAN": figures.plan.rmse, "RMSE_HEIGHT": figures.height.rmse,

@@ -1,36 +1,34 @@
-"""The acceptance report as pages of A4, laid out and printed by QGIS."""
+"""The acceptance report as pages of A4: a layout of QGIS, shipped or the office's own, filled in and printed."""
 
 from __future__ import annotations
 
 import math
 import re
 import unicodedata
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from qgis.core import (
     QgsLayoutExporter,
     QgsLayoutFrame,
-    QgsLayoutItemLabel,
-    QgsLayoutItemManualTable,
     QgsLayoutItemPage,
-    QgsLayoutItemPicture,
     QgsLayoutPoint,
     QgsLayoutSize,
     QgsPrintLayout,
     QgsProject,
+    QgsReadWriteContext,
     QgsTableCell,
-    QgsTextFormat,
 )
-from qgis.PyQt.QtGui import QFont
+from qgis.PyQt.QtXml import QDomDocument
 
-from ...urbanmap_qgis.errors import OutputError
+from ...urbanmap_qgis.errors import InputError, OutputError
+from ..framework.declaring.parameters import tr
 
-LEFT, WIDTH = 15.0, 180.0  # mm on A4
-PAGE = 282.0  # mm down to which a page is used
-MARGIN, LINE, LETTER = 0.8, 3.3, 1.7  # mm in tables: margin of a cell, height of a line, mean width of a letter
-TITLE, TEXT, SMALL = 15, 10, 8  # points
+LAYOUT = Path(__file__).resolve().parents[2] / "resources" / "layouts" / "acceptance.qpt"
+LINE, LETTER = 0.345, 0.21  # height of a line and mean width of a letter, mm a point of the letters' size
+SPARE = 5.0  # mm
+LEAST = 40.0  # mm that a picture keeps
 
 _OF_THE_MOMENT = (
     (re.compile(rb"(/(?:CreationDate|ModDate) \(D:\d{8})\d{6}"), rb"\g<1>000000"),
@@ -40,11 +38,15 @@ _OF_THE_MOMENT = (
 """What a PDF says of the moment it was made, and what stands there instead: the same report has the same bytes."""
 
 
-def write_acceptance_pdf(path: Path, points, found, limits, job, level) -> None:
+def write_acceptance_pdf(path: Path, points, found, limits, job, level, template: Path | None = None) -> None:
     """Write the report as PDF; `points`, `found`, `limits`, `job`, `level` as for the core's page.
+
+    Items of the layout are filled by their ids (`LAYOUT` has all); those that a template has not are left out, and what
+    else it has stays. Tables are made as high as they need, and what stands below them moves.
 
     Raises
     ------
+    InputError : the template is no layout of QGIS, or has none of the items.
     OutputError : QGIS cannot write the file.
     """
     from ...urbanmap_qgis.acceptance import acceptance_report as texts
@@ -57,30 +59,14 @@ def write_acceptance_pdf(path: Path, points, found, limits, job, level) -> None:
     layout = QgsPrintLayout(project)
     layout.setName("acceptance")
     project.layoutManager().addLayout(layout)  # owned by the project, which ends it before itself
-    layout.initializeDefaults()
-    layout.pageCollection().page(0).setPageSize("A4", QgsLayoutItemPage.Orientation.Portrait)
-    _label(layout, known("Acceptance: errors at check points"), 15, 10, TITLE, bold=True)
-    _label(layout, texts.verdict(points, found, level)[1], 26, 16, TEXT, bold=True)
-    below = _table(layout, [[name, value] for name, value in job.rows().items()], 44, (60.0, 120.0))
-    rows = [[known(name) for name in texts.CRITERIA_HEAD]] + [
-        [" ".join(part for part in (item.unit, known(item.component)) if part), str(item.figures.count),
-         f"{item.figures.rmse:.3f}", f"{item.limit:.3f}", f"{item.figures.bound:.3f}",
-         known(texts.OUTCOMES[item.outcome])] for item in found]
-    below = _table(layout, rows, below + 6, (44.0, 20.0, 34.0, 24.0, 32.0, 26.0))
+    _load(layout, template or LAYOUT)
+    _fill_labels(layout, {"title": known("Acceptance: errors at check points"),
+                          "verdict": texts.verdict(points, found, level)[1], "figures_title": known("Figures"),
+                          "points_title": known("All check points")})
+    _fill_tables(layout, _tables(points, found, job))
     with TemporaryDirectory() as folder:
-        svg = texts.error_map(points, limits)
-        if svg:
-            drawing = Path(folder) / "errors.svg"
-            drawing.write_text(svg, encoding="utf-8")
-            _picture(layout, drawing, below + 6)
-        _new_page(layout)
-        _label(layout, known("All check points"), 15, 8, TEXT, bold=True, page=1)
-        head = [known(name) for name in texts.point_head()]
-        body = [[*row[:2], *("–" if value != value else f"{value:.3f}" for value in row[2:])]
-                for row in texts.point_rows(points)]
-        _table(layout, [head, *body], 25, (22.0, 18.0, 26.0, 28.0, 18.0, 17.0, 17.0, 17.0, 17.0), page=1)
-        settings = QgsLayoutExporter.PdfExportSettings()
-        result = QgsLayoutExporter(layout).exportToPdf(str(path), settings)
+        _fill_pictures(layout, texts.drawings(points, limits), Path(folder))
+        result = QgsLayoutExporter(layout).exportToPdf(str(path), QgsLayoutExporter.PdfExportSettings())
     if result != QgsLayoutExporter.ExportResult.Success:
         raise OutputError(say("{path} cannot be printed: choose another output.", path=path.name))
     data = path.read_bytes()
@@ -89,63 +75,123 @@ def write_acceptance_pdf(path: Path, points, found, limits, job, level) -> None:
     path.write_bytes(data)
 
 
-def _new_page(layout) -> None:
-    """One more page of A4."""
-    page = QgsLayoutItemPage(layout)
-    page.setPageSize("A4", QgsLayoutItemPage.Orientation.Portrait)
-    layout.pageCollection().addPage(page)
+def _tables(points, found, job) -> dict[str, list[list[str]]]:
+    """Rows of the tables by the ids of their items."""
+    from ...urbanmap_qgis.acceptance import acceptance_report as texts
+    from ...urbanmap_qgis.wording import known
+
+    def metres(value: float) -> str:
+        return f"{value:.3f}" if math.isfinite(value) else "–"
+
+    criteria = [[" ".join(part for part in (item.unit, known(item.component)) if part), str(item.figures.count),
+                 metres(item.figures.rmse), metres(item.limit), metres(item.figures.bound),
+                 known(texts.OUTCOMES[item.outcome])] for item in found]
+    figures = [[name, str(one.count), metres(one.mean), metres(one.rmse), metres(one.std), metres(one.maximum)]
+               for name, one in texts.figure_rows(points)]
+    every = [[*row[:2], *map(metres, row[2:])] for row in texts.point_rows(points)]
+    return {"job": [[known(name), value] for name, value in job.rows().items()],
+            "criteria": [list(map(known, texts.CRITERIA_HEAD)), *criteria],
+            "figures": [list(map(known, texts.FIGURES_HEAD)), *figures],
+            "points": [list(map(known, texts.point_head())), *every]}
 
 
-def _label(layout, text: str, y: float, height: float, size: int, bold: bool = False, page: int = 0) -> None:
-    """A text over the page's width, mm from the top of a page."""
-    label = QgsLayoutItemLabel(layout)
-    label.setText(text)
-    label.setFont(_font(size, bold))
-    layout.addLayoutItem(label)
-    label.attemptMove(QgsLayoutPoint(LEFT, y), True, False, page)
-    label.attemptResize(QgsLayoutSize(WIDTH, height))
+def _load(layout, template: Path) -> None:
+    """Take the items of a template into an empty layout."""
+    document = QDomDocument()
+    try:
+        understood = document.setContent(template.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError):
+        understood = False
+    accepted = bool(understood) and layout.loadFromTemplate(document, QgsReadWriteContext(), True)[1]
+    ids = ("title", "verdict", "job", "criteria", "map", "points")
+    if not accepted or not any(layout.itemById(name) for name in ids):
+        raise InputError(tr("{0} is no layout for this report: change a copy of the plugin's own, and keep the ids of "
+                            "its items ({1}).").format(template.name, ", ".join(ids)))
 
 
-def _font(size: int, bold: bool = False) -> QFont:
-    font = QFont("sans-serif", size)
-    font.setBold(bold)
-    return font
+def _fill_labels(layout, labels: Mapping[str, str]) -> None:
+    for name, text in labels.items():
+        item = layout.itemById(name)
+        if item is not None and hasattr(item, "setText"):
+            item.setText(text)
 
 
-def _table(layout, rows: Sequence[Sequence[str]], y: float, widths: Sequence[float], page: int = 0) -> float:
-    """A table of texts, columns of `widths` (mm) with their margins, over as many pages as it needs.
+def _fill_tables(layout, tables: Mapping[str, list[list[str]]]) -> None:
+    """Put the rows into the tables, each as high as it needs, and move what stands below."""
+    for name, rows in tables.items():
+        frame = layout.itemById(name)
+        table = frame.multiFrame() if frame is not None and hasattr(frame, "multiFrame") else None
+        if table is None or not hasattr(table, "setTableContents"):
+            continue
+        goes_on = table.resizeMode() == table.ExtendToNextPage
+        table.setResizeMode(table.UseExistingFrames)
+        table.setTableContents([[QgsTableCell(text) for text in row] for row in rows])
+        needed = _height(table, rows) + (0.0 if goes_on else SPARE)  # a row without room would not be drawn
+        size, place, page = frame.sizeWithUnits(), frame.pagePos(), frame.page()
+        room = layout.pageCollection().page(page).pageSize().height() - place.y() - place.x()
+        lower = place.y() + size.height()
+        frame.attemptResize(QgsLayoutSize(size.width(), min(needed, room)))
+        if goes_on:
+            _go_on(layout, table, frame, needed - room)
+        else:
+            _move_below(layout, page, lower, min(needed, room) - size.height())
 
-    Returns its lower edge on the page where it begins, mm.
+
+def _go_on(layout, table, first, rest: float) -> None:
+    """More pages for the `rest` of a table, mm, each with the first one's margin above and below.
+
+    (By itself QGIS lets a table go on at the very edge of the page.)
     """
-    table = QgsLayoutItemManualTable.create(layout)
-    layout.addMultiFrame(table)
-    table.setContentTextFormat(QgsTextFormat.fromQFont(_font(SMALL)))
-    table.setWrapBehavior(table.WrapText)
-    table.setGridStrokeWidth(0.1)
-    table.setCellMargin(MARGIN)
-    table.setTableContents([[QgsTableCell(text) for text in row] for row in rows])
-    table.setColumnWidths([width - 2 * MARGIN for width in widths])
-    frame = QgsLayoutFrame(layout, table)
-    frame.attemptMove(QgsLayoutPoint(LEFT, y), True, False, page)
-    height = sum(max(_lines(text, width) for text, width in zip(row, widths)) * LINE + 2 * MARGIN for row in rows)
-    frame.attemptResize(QgsLayoutSize(WIDTH, min(height, PAGE - y)))
-    table.addFrame(frame)
-    if height > PAGE - y:
-        table.setResizeMode(table.ExtendToNextPage)
-    return min(y + height, PAGE)
+    like, left, width = layout.pageCollection().page(first.page()), first.pagePos().x(), first.sizeWithUnits().width()
+    height = like.pageSize().height() - 2 * left
+    while rest > 0:
+        page = QgsLayoutItemPage(layout)
+        page.attemptResize(like.sizeWithUnits())
+        layout.pageCollection().addPage(page)
+        frame = QgsLayoutFrame(layout, table)
+        frame.attemptMove(QgsLayoutPoint(left, left), True, False, layout.pageCollection().pageCount() - 1)
+        frame.attemptResize(QgsLayoutSize(width, height))
+        table.addFrame(frame)
+        # A row that would be cut goes to the next page.
+        rest -= height - LINE * table.contentTextFormat().size() - 2 * table.cellMargin()
 
 
-def _lines(text: str, width: float) -> int:
+def _height(table, rows: Sequence[Sequence[str]]) -> float:
+    """About how high a table is with these rows, mm."""
+    letters = table.contentTextFormat().size()
+    margin, widths = table.cellMargin(), table.columnWidths()
+    return sum(max(_lines(text, width, LETTER * letters) for text, width in zip(row, widths)) * LINE * letters
+               + 2 * margin for row in rows)
+
+
+def _lines(text: str, width: float, letter: float) -> int:
     """About how many lines a text takes in a column of `width` mm; Japanese letters are twice as wide."""
-    letters = sum(2 if unicodedata.east_asian_width(letter) in "WF" else 1 for letter in text)
-    return max(1, math.ceil(letters * LETTER / (width - 2 * MARGIN)))
+    letters = sum(2 if unicodedata.east_asian_width(one) in "WF" else 1 for one in text)
+    return max(1, math.ceil(letters * letter / width))
 
 
-def _picture(layout, path: Path, y: float) -> None:
-    """A drawing that keeps its shape, on what is left of the first page."""
-    picture = QgsLayoutItemPicture(layout)
-    picture.setPicturePath(str(path))
-    picture.setResizeMode(picture.Zoom)
-    layout.addLayoutItem(picture)
-    picture.attemptMove(QgsLayoutPoint(LEFT, y), True, False, -1)
-    picture.attemptResize(QgsLayoutSize(WIDTH, max(PAGE - y, 60.0)))
+def _move_below(layout, page: int, lower: float, by: float) -> None:
+    """Move the items of a page that begin below a height, mm; pictures give or take the room at the foot."""
+    for item in layout.items():
+        if not hasattr(item, "pagePos") or not hasattr(item, "attemptMove") or item.page() != page:
+            continue
+        place = item.pagePos()
+        if place.y() < lower - 0.5 or place.y() <= 0.0:
+            continue
+        item.attemptMove(QgsLayoutPoint(place.x(), place.y() + by), True, False, page)
+        if item.id() == "map":
+            size = item.sizeWithUnits()
+            item.attemptResize(QgsLayoutSize(size.width(), max(size.height() - by, LEAST)))
+
+
+def _fill_pictures(layout, drawings: Mapping[str, str], folder: Path) -> None:
+    """Show drawings (SVG by id); an item without one goes."""
+    for name, svg in drawings.items():
+        item = layout.itemById(name)
+        if item is None or not hasattr(item, "setPicturePath"):
+            continue
+        if not svg:
+            layout.removeLayoutItem(item)
+            continue
+        (folder / f"{name}.svg").write_text(svg, encoding="utf-8")
+        item.setPicturePath(str(folder / f"{name}.svg"))

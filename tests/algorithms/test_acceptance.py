@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
 
 
 @pytest.fixture
@@ -34,6 +38,22 @@ def test_many_points_go_on_over_pages(run, tmp_path):
     (tmp_path / "many.csv").write_text("\n".join(rows), encoding="utf-8")
     run("urbanmap:acceptance", {"INPUT": str(tmp_path / "many.csv"), "OUTPUT_PDF": str(tmp_path / "many.pdf")})
     assert (tmp_path / "many.pdf").read_bytes().count(b"/Type /Page\n") >= 4
+
+
+def test_an_office_prints_on_its_own_layout(run, checks, tmp_path):
+    shipped = (ROOT / "resources" / "layouts" / "acceptance.qpt").read_text(encoding="utf-8")
+    own = tmp_path / "own.qpt"
+    own.write_text(shipped.replace('id="map"', 'id="logo"'), encoding="utf-8")
+    sizes = []
+    for number, template in enumerate((None, str(own))):
+        pdf = tmp_path / f"{number}.pdf"
+        run("urbanmap:acceptance", {"INPUT": checks, "OUTPUT_PDF": str(pdf), "TEMPLATE": template})
+        sizes.append(pdf.stat().st_size)
+        assert pdf.read_bytes().count(b"/Type /Page\n") == 2
+    assert sizes[1] < sizes[0]  # without the map
+    own.write_text("<Layout>", encoding="utf-8")
+    with pytest.raises(Exception, match="is no layout for this report"):
+        run("urbanmap:acceptance", {"INPUT": checks, "OUTPUT_PDF": str(tmp_path / "a.pdf"), "TEMPLATE": str(own)})
 
 
 def test_limits_units_and_numbers_of_points_decide(run, checks):

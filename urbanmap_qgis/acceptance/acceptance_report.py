@@ -12,6 +12,7 @@ import numpy as np
 
 from ..io.files.atomic import written_beside
 from ..io.pages.report import BAD, GOOD, LOOK, Fixed, Report
+from ..io.pages.svg import bars
 from ..io.pages.svg_vectors import vector_map
 from ..wording import known, mark, say
 from .check_points import CheckPoints
@@ -21,8 +22,8 @@ from .error_figures import ErrorFigures, point_figures, signed_figures
 from .job import Job
 from .map_levels import Limits
 
-_HEAD = (mark("Component"), mark("points"), mark("mean (m)"), mark("RMSE (m)"), mark("standard deviation (m)"),
-         mark("maximum (m)"))
+FIGURES_HEAD = (mark("Component"), mark("points"), mark("mean (m)"), mark("RMSE (m)"), mark("standard deviation (m)"),
+                mark("maximum (m)"))
 
 CRITERIA_HEAD = (mark("Component"), mark("points"), mark("standard deviation (m)"), mark("limit (m)"),
                  mark("upper bound, 95 % (m)"), mark("outcome"))
@@ -122,14 +123,19 @@ def write_sampling_report(path: str | os.PathLike, drawn: DrawnEdges, job: Job) 
 
 
 def _figures(report: Report, points: CheckPoints) -> None:
-    figures = point_figures(points.errors)
     report.section("Figures")
-    report.table(_HEAD, [_row(say("east"), figures.east), _row(say("north"), figures.north),
-                         _row(say("plan (distance)"), figures.plan), _row(say("height"), figures.height)])
+    report.table(FIGURES_HEAD, [_row(name, figures) for name, figures in figure_rows(points)])
     if points.state == "before":
         report.warning("These are the errors as reported: the layer has none after a correction.")
     if points.adjusted:
         report.paragraph(say("Left out, as the product was adjusted to them: {count} points.", count=points.adjusted))
+
+
+def figure_rows(points: CheckPoints) -> list[tuple[str, ErrorFigures]]:
+    """Figures of the errors by component, with its words."""
+    figures = point_figures(points.errors)
+    return [(say("east"), figures.east), (say("north"), figures.north), (say("plan (distance)"), figures.plan),
+            (say("height"), figures.height)]
 
 
 def _row(name: str, figures: ErrorFigures) -> tuple:
@@ -158,6 +164,22 @@ def _map(report: Report, points: CheckPoints, limits: Limits) -> None:
                                    "point one way are an error that the whole product shares."))
     report.histogram(plan, "m", say("Errors in plan"))
     report.histogram(points.errors[:, 2], "m", say("Errors in height"))
+
+
+def drawings(points: CheckPoints, limits: Limits) -> dict[str, str]:
+    """SVG of the map and of the histograms by the ids of their places in the layout; "" where there is nothing."""
+    plan, height = np.hypot(*points.errors[:, :2].T), points.errors[:, 2]
+    return {"map": error_map(points, limits), "histogram_plan": _histogram(plan, say("Errors in plan")),
+            "histogram_height": _histogram(height, say("Errors in height"))}
+
+
+def _histogram(values: np.ndarray, words: str) -> str:
+    known_values = values[np.isfinite(values)]
+    if not len(known_values):
+        return ""
+    low, high = min(0.0, float(known_values.min())), float(known_values.max())
+    counts, edges = np.histogram(known_values, bins=16, range=(low, max(high, low + 1e-3)))
+    return bars(counts, edges, f"{words} (m)")
 
 
 def error_map(points: CheckPoints, limits: Limits) -> str:
