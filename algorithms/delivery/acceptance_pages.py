@@ -144,7 +144,9 @@ def _go_on(layout, table, first, rest: float) -> None:
     """
     like, left, width = layout.pageCollection().page(first.page()), first.pagePos().x(), first.sizeWithUnits().width()
     height = like.pageSize().height() - 2 * left
-    while rest > 0:
+    # A row that would be cut goes to the next page.
+    used = height - LINE * table.contentTextFormat().size() - 2 * table.cellMargin()
+    for _ in range(math.ceil(max(rest, 0.0) / used)):
         page = QgsLayoutItemPage(layout)
         page.attemptResize(like.sizeWithUnits())
         layout.pageCollection().addPage(page)
@@ -152,8 +154,6 @@ def _go_on(layout, table, first, rest: float) -> None:
         frame.attemptMove(QgsLayoutPoint(left, left), True, False, layout.pageCollection().pageCount() - 1)
         frame.attemptResize(QgsLayoutSize(width, height))
         table.addFrame(frame)
-        # A row that would be cut goes to the next page.
-        rest -= height - LINE * table.contentTextFormat().size() - 2 * table.cellMargin()
 
 
 def _height(table, rows: Sequence[Sequence[str]]) -> float:

@@ -17,7 +17,7 @@ from ..io.pages.svg_vectors import vector_map
 from ..wording import known, mark, say
 from .check_points import CheckPoints
 from .criteria import FAILED, OUTCOMES, PASSED, Criterion, outcome
-from .edge_sampling import EDGES_OF_UNIT, DrawnEdges
+from .edge_sampling import EDGES_OF_UNIT, SampledEdges
 from .error_figures import ErrorFigures, point_figures, signed_figures
 from .job import Job
 from .map_levels import Limits
@@ -103,7 +103,7 @@ def _edges(report: Report, found: Sequence[Criterion]) -> None:
                      "counts among the points, but not among the edges.")
 
 
-def write_sampling_report(path: str | os.PathLike, drawn: DrawnEdges, job: Job) -> None:
+def write_sampling_report(path: str | os.PathLike, drawn: SampledEdges, job: Job) -> None:
     """Write the report of a run that only drew edges (HTML): nothing is judged."""
     report = Report("Acceptance: edges of buildings to be surveyed")
     report.verdict(LOOK, say("Nothing was checked: {count} edges were drawn. Survey both ends of each, fill x, y, z "

@@ -33,7 +33,7 @@ COLUMNS = ("id", "edge", "building", "unit", "x_product", "y_product", "z_produc
 
 
 @dataclass(frozen=True)
-class DrawnEdges:
+class SampledEdges:
     """n edges drawn for a survey.
 
     Attributes
@@ -53,7 +53,7 @@ class DrawnEdges:
 
 
 def draw_edges(models: Sequence[shapely.Geometry | None], names: Sequence[str], units: Sequence[str], seed: int = 1,
-               count: int = EDGES_OF_UNIT) -> DrawnEdges:
+               count: int = EDGES_OF_UNIT) -> SampledEdges:
     """Draw `count` edges of each unit at random, first one of every building; all of a unit that has fewer.
 
     Parameters
@@ -79,7 +79,7 @@ def draw_edges(models: Sequence[shapely.Geometry | None], names: Sequence[str], 
     if not rows:
         raise InputError(say("No building has an edge of {length:g} m with heights: give models, not outlines.",
                              length=MIN_LENGTH))
-    return DrawnEdges(tuple(str(names[row]) for row, _ in rows), tuple(units[row] for row, _ in rows),
+    return SampledEdges(tuple(str(names[row]) for row, _ in rows), tuple(units[row] for row, _ in rows),
                       np.array([edges[row][edge] for row, edge in rows]), available)
 
 
@@ -132,7 +132,7 @@ def _corners(ring: np.ndarray) -> np.ndarray:
     return ring[off > _STRAIGHT]
 
 
-def write_edges_csv(path: str | os.PathLike, drawn: DrawnEdges) -> None:
+def write_edges_csv(path: str | os.PathLike, drawn: SampledEdges) -> None:
     """Write the table for the field: every point with its place in the product, its true place left blank.
 
     Raises
