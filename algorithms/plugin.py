@@ -40,7 +40,8 @@ class UrbanMapPlugin:
         from qgis.PyQt.QtWidgets import QAction
 
         self._add_guide()
-        for label, work in ((tr("Sample city…"), self.make_sample_city), (tr("Documentation"), self.show_documentation),
+        for label, work in ((tr("Import table…"), self.import_table), (tr("Sample city…"), self.make_sample_city),
+                            (tr("Documentation"), self.show_documentation),
                             (tr("Install Python packages…"), self.install_packages),
                             (tr("Diagnostics…"), self.show_diagnostics)):
             action = QAction(self.provider.icon(), label, self.iface.mainWindow())
@@ -132,6 +133,11 @@ class UrbanMapPlugin:
         from .framework.packages.install import PackagesBar
 
         PackagesBar.offer(self.iface, self.install_packages)
+
+    def import_table(self):
+        """Show the window that imports trajectories and exterior orientations of other programs."""
+        self.guide_action.setChecked(True)
+        self.guide.import_table()
 
     def make_sample_city(self):
         """Show the dialog of the algorithm that makes data to try everything."""

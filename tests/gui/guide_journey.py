@@ -203,6 +203,42 @@ def unticked() -> dict:
     return {"missing": guide.missing.text(), "run": guide.steps.run.isEnabled(), "left_out": len(guide.job.left_out)}
 
 
+def imported() -> dict:
+    """A table of another program made into a trajectory, its way of reading kept by name and chosen again."""
+    guide = plugin().guide
+    table = CITY / "table.txt"
+    lines = (CITY / "mms/survey_01_trajectory.csv").read_text(encoding="utf-8").splitlines()[1:400]
+    rows = [line.replace(",", ";") for line in lines]
+    table.write_bytes("\r\n".join(["作成 測量", "時刻;東;北;標高;ロール;ピッチ;未定", *rows]).encode("cp932"))
+    guide.import_table()
+    dialog = guide.importing
+    dialog.open_file(str(table))
+    guessed = dialog.way()
+    box = dialog.table.cellWidget(0, 6)
+    refused = dialog.write(str(CITY / "out.csv"))
+    sentence = dialog.told.text()
+    box.setCurrentIndex(box.findData("heading"))
+    dialog.name.setText("社内")
+    if TASK["pictures"]:
+        settle(0.5)
+        dialog.grab().save(str(Path(TASK["pictures"]) / "import.png"))
+    before = len(guide.files.given)
+    written = dialog.write(str(CITY / "out.csv"))
+    wait_until(lambda: not guide.files.recognition.busy(), "files were not recognised")
+    dialog.close()
+    guide.import_table()
+    again = guide.importing
+    again.path.setText(str(table))
+    again.kept.setCurrentIndex(again.kept.findText("社内"))
+    again._take_kept()
+    found = again.way()
+    again.close()
+    return {"guessed": [guessed.encoding, guessed.delimiter, guessed.skip, sorted(guessed.columns)],
+            "refused": [refused, sentence], "written": written, "kept": sorted(found.columns),
+            "given": len(guide.files.given) - before,
+            "head": (CITY / "out.csv").read_text(encoding="utf-8").splitlines()[0]}
+
+
 def unloaded() -> dict:
     """The plugin taken away with the dock open, and loaded again."""
     from qgis import utils
@@ -219,7 +255,7 @@ def unloaded() -> dict:
     return {"left": left, "again": plugin().guide.isVisible()}
 
 
-STEPS = (opened, dropped, planned, ran, reopened, tuned, cancelled, unticked, unloaded)
+STEPS = (opened, dropped, planned, ran, reopened, tuned, cancelled, unticked, imported, unloaded)
 
 
 def travel() -> None:

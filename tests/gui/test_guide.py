@@ -96,5 +96,14 @@ def test_what_is_unticked_is_missing(told):
     assert "Airborne laser points" in found["missing"] and not found["run"] and found["left_out"] == 2
 
 
+def test_table_of_another_program_is_imported(told):
+    found = told("imported")
+    encoding, delimiter, skip, columns = found["guessed"]
+    assert (encoding, delimiter, skip) == ("cp932", ";", 1) and "heading" not in columns and len(columns) == 6
+    assert not found["refused"][0] and "No column is chosen for heading" in found["refused"][1]
+    assert found["written"] and found["given"] == 1 and found["head"] == "time,x,y,z,roll,pitch,heading"
+    assert len(found["kept"]) == 7
+
+
 def test_plugin_goes_with_the_dock_open(told):
     assert told("unloaded") == {"left": [], "again": True}

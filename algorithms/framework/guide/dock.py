@@ -22,17 +22,19 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ....urbanmap_qgis.errors import UrbanMapError
+from ....urbanmap_qgis.wording import mark
 from ..declaring.parameters import tr
 from ..jobs.job_steps import algorithms_there, results_folder
 from ..packages.dependencies import refusal
 from ..running.native_libraries import PACKAGES_WITH_LIBRARIES, import_apart
 from .files_panel import FilesPanel
+from .import_dialog import ImportDialog
 from .step_dialog import StepDialog
 from .step_runner import StepRunner
 from .steps_panel import StepsPanel
 
 NEEDED = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs", "cv2")
-JOB_FILTER = "UrbanMap job (*.urbanmap.json)"
+JOB_FILTER = mark("UrbanMap job (*.urbanmap.json)")
 
 
 class GuideDock(QDockWidget):
@@ -41,7 +43,7 @@ class GuideDock(QDockWidget):
     def __init__(self, parent=None):
         super().__init__(tr("UrbanMap"), parent)
         self.setObjectName("UrbanMapGuide")
-        self.job, self.path, self.dialog = None, None, None
+        self.job, self.path, self.dialog, self.importing = None, None, None, None
         self._loading = False
         self.files, self.runner = FilesPanel(), StepRunner(self)
         self.steps = StepsPanel(self.runner)
@@ -79,7 +81,7 @@ class GuideDock(QDockWidget):
     def _job_row(self) -> QHBoxLayout:
         row = QHBoxLayout()
         for label, work in ((tr("New job"), self.new_job), (tr("Open job…"), self._browse_job),
-                            (tr("Save job as…"), self._save_as)):
+                            (tr("Save job as…"), self._save_as), (tr("Import table…"), self.import_table)):
             button = QPushButton(label)
             button.clicked.connect(lambda _checked=False, work=work: work())
             row.addWidget(button)
@@ -121,6 +123,7 @@ class GuideDock(QDockWidget):
         self.missing.setText("\n".join([head, *told]))
         made = planned_job(wish, parts.inputs, plan.steps, tuple(self.files.given), self.job)
         self._keep(refreshed_job(replace(made, left_out=tuple(sorted(self.files.left_out)))))
+        self.steps.told.clear()
         self.steps.show_job(self.job)
         self.steps.run.setEnabled(not plan.missing)
 
@@ -196,6 +199,12 @@ class GuideDock(QDockWidget):
         self.files.set_given(job.given, job.left_out)
         self.steps.show_job(job)
         self.pages.setCurrentIndex(1)
+
+    def import_table(self) -> None:
+        """Let the user import a trajectory or exterior orientation of another program, and take what comes out."""
+        self.importing = ImportDialog(self)
+        self.importing.imported.connect(lambda path: self.files.add([path]))
+        self.importing.show()
 
     def _browse_job(self) -> None:
         path, _ = QFileDialog.getOpenFileName(self, tr("Open job…"), "", tr(JOB_FILTER))

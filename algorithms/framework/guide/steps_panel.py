@@ -76,10 +76,14 @@ class StepsPanel(QWidget):
         self.job = job
         chosen = self.chosen()
         self.tree.clear()
-        for number, step in enumerate(job.steps if job else (), 1):
+        steps = job.steps if job else ()
+        for number, step in enumerate(steps, 1):
+            title = algorithm_of(step.algorithm).displayName()
+            if sum(other.algorithm == step.algorithm for other in steps) > 1:
+                title = f"{title} ({step.id})"
             state = tr("running") if step.id == self.runner.current else state_name(step.state)
             text = step.verdict or step.message
-            row = QTreeWidgetItem(self.tree, [f"{number}. {algorithm_of(step.algorithm).displayName()}", state, text])
+            row = QTreeWidgetItem(self.tree, [f"{number}. {title}", state, text])
             row.setData(0, _STEP, step.id)
             row.setToolTip(0, step.id)
             row.setToolTip(2, text)

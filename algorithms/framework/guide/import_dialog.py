@@ -1,0 +1,222 @@
+"""A table of another program read as the user tells, with a preview of its columns; ways are kept by name."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from qgis.core import QgsApplication
+from qgis.PyQt.QtCore import pyqtSignal
+from qgis.PyQt.QtWidgets import (
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QFileDialog,
+    QFormLayout,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QSpinBox,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ....urbanmap_qgis.errors import UrbanMapError
+from ....urbanmap_qgis.wording import mark
+from ..declaring.parameters import tr
+
+_ROWS = 12
+_DELIMITERS = ((",", ","), (";", ";"), ("\t", mark("Tab")), (" ", mark("Space")))
+
+
+def imports_file() -> Path:
+    """Where ways of reading are kept: in the user's profile."""
+    return Path(QgsApplication.qgisSettingsDirPath()) / "urbanmap" / "imports.json"
+
+
+class ImportDialog(QDialog):
+    """Makes a table into a trajectory or an exterior orientation; `imported` comes with the file written."""
+
+    imported = pyqtSignal(str)
+
+    def __init__(self, parent=None):
+        super().__init__(parent)
+        from ....urbanmap_qgis.job.table_import import ENCODINGS, LENGTHS
+
+        self.setWindowTitle(tr("Import a trajectory or exterior orientation"))
+        self.path, self.target, self.kept = QLineEdit(), QComboBox(), QComboBox()
+        self.encoding, self.delimiter, self.skip = QComboBox(), QComboBox(), QSpinBox()
+        self.angles, self.length, self.name = QComboBox(), QComboBox(), QLineEdit()
+        self.table, self.told = QTableWidget(), QLabel()
+        for word, label in (("trajectory", tr("Trajectory")), ("exterior", tr("Exterior orientation"))):
+            self.target.addItem(label, word)
+        self.encoding.addItems(ENCODINGS)
+        self.length.addItems(LENGTHS)
+        for mark, label in _DELIMITERS:
+            self.delimiter.addItem(tr(label) if len(label) > 1 else label, mark)
+        self.skip.setMaximum(1000)
+        self._busy = False
+        self._lay_out()
+        self._list_kept()
+        self._target_changed()
+        self.path.editingFinished.connect(self.guess)
+        self.target.currentIndexChanged.connect(self._target_changed)
+        self.kept.activated.connect(lambda _row: self._take_kept())
+        for box in (self.encoding, self.delimiter):
+            box.currentIndexChanged.connect(lambda _row: self.preview({}))
+        self.skip.valueChanged.connect(lambda _value: self.preview({}))
+
+    def _lay_out(self) -> None:
+        browse = QPushButton("…")
+        browse.clicked.connect(self._browse)
+        row = QWidget()
+        line = QHBoxLayout(row)
+        line.setContentsMargins(0, 0, 0, 0)
+        line.addWidget(self.path, 1)
+        line.addWidget(browse)
+        form = QFormLayout()
+        for label, widget in ((tr("File"), row), (tr("Make it a"), self.target), (tr("Read as"), self.kept),
+                              (tr("Encoding"), self.encoding), (tr("Delimiter"), self.delimiter),
+                              (tr("Lines before the names"), self.skip), (tr("Unit of lengths"), self.length),
+                              (tr("Angles"), self.angles), (tr("Keep this way of reading as"), self.name)):
+            form.addRow(label, widget)
+        self.name.setPlaceholderText(tr("not kept"))
+        self.told.setWordWrap(True)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Close)
+        buttons.accepted.connect(self._save)
+        buttons.rejected.connect(self.reject)
+        layout = QVBoxLayout(self)
+        layout.addLayout(form)
+        layout.addWidget(QLabel(tr("Choose above each column what it is.")))
+        layout.addWidget(self.table, 1)
+        layout.addWidget(self.told)
+        layout.addWidget(buttons)
+        self.resize(760, 640)
+
+    def open_file(self, path: str) -> None:
+        """Take a file and guess how it is read."""
+        self.path.setText(path)
+        self.guess()
+
+    def guess(self) -> None:
+        """Set everything as the file's content suggests."""
+        from ....urbanmap_qgis.job.table_import import guessed_import
+
+        if Path(self.path.text()).is_file():
+            self.take(guessed_import(self.path.text(), self.target.currentData()))
+
+    def take(self, how) -> None:
+        """Set everything as a way of reading says."""
+        self._busy = True
+        self.target.setCurrentIndex(self.target.findData(how.target))
+        self._fill_angles()
+        self.encoding.setCurrentText(how.encoding)
+        self.delimiter.setCurrentIndex(self.delimiter.findData(how.delimiter))
+        self.skip.setValue(how.skip)
+        self.length.setCurrentText(how.length)
+        self.angles.setCurrentIndex(max(self.angles.findData(how.angles), 0))
+        self._busy = False
+        self.preview(how.columns)
+
+    def way(self):
+        """The way of reading as it is set."""
+        from ....urbanmap_qgis.job.table_import import TableImport
+
+        boxes = [self.table.cellWidget(0, column) for column in range(self.table.columnCount())]
+        columns = {box.currentData(): column for column, box in enumerate(boxes) if box is not None
+                   and box.currentData()}
+        return TableImport(self.target.currentData(), self.encoding.currentText(), self.delimiter.currentData(),
+                           self.skip.value(), columns, self.angles.currentData(), self.length.currentText())
+
+    def preview(self, columns) -> None:
+        """Show the first rows, above each column what it is taken for."""
+        from ....urbanmap_qgis.job.table_import import TARGETS, split_table
+
+        if self._busy or not Path(self.path.text()).is_file():
+            return
+        self.table.clear()
+        try:
+            names, rows = split_table(self.path.text(), self.way(), _ROWS)
+        except UrbanMapError as error:
+            self.told.setText(str(error))
+            self.table.setColumnCount(0)
+            return
+        self.told.clear()
+        self.table.setColumnCount(len(names))
+        self.table.setRowCount(len(rows) + 1)
+        self.table.setHorizontalHeaderLabels(names)
+        meant = {column: name for name, column in columns.items()}
+        for column in range(len(names)):
+            box = QComboBox()
+            box.addItem("–", "")
+            for needed in TARGETS[self.target.currentData()]:
+                box.addItem(needed, needed)
+            box.setCurrentIndex(max(box.findData(meant.get(column, "")), 0))
+            self.table.setCellWidget(0, column, box)
+            for number, cells in enumerate(rows, 1):
+                self.table.setItem(number, column, QTableWidgetItem(cells[column] if column < len(cells) else ""))
+        self.table.resizeColumnsToContents()
+
+    def write(self, output: str) -> bool:
+        """Write the file, and keep the way of reading where it has a name; whether it went well."""
+        from ....urbanmap_qgis.job.table_import import import_table, remember_import
+
+        try:
+            notes = import_table(self.path.text(), self.way(), output)
+            if self.name.text().strip():
+                remember_import(imports_file(), self.name.text().strip(), self.way())
+                self._list_kept()
+        except UrbanMapError as error:
+            self.told.setText(str(error))
+            return False
+        self.told.setText("\n".join([tr("Written: {0}").format(output), *notes]))
+        self.imported.emit(output)
+        return True
+
+    def _save(self) -> None:
+        source = Path(self.path.text())
+        output, _ = QFileDialog.getSaveFileName(self, self.windowTitle(), str(
+            source.with_name(f"{source.stem}_{self.target.currentData()}.csv")), "CSV (*.csv)")
+        if output:
+            self.write(output)
+
+    def _browse(self) -> None:
+        path, _ = QFileDialog.getOpenFileName(self, self.windowTitle(), self.path.text())
+        if path:
+            self.open_file(path)
+
+    def _fill_angles(self) -> None:
+        from ....urbanmap_qgis.job.table_import import ANGLE_WAYS
+        from ....urbanmap_qgis.mobile.trajectory_reading import ANGLE_NAMES, ANGLES
+
+        names = dict(zip(ANGLES, ANGLE_NAMES))
+        self.angles.clear()
+        for way in ANGLE_WAYS[self.target.currentData()]:
+            self.angles.addItem(tr(names.get(way, way)), way)
+
+    def _target_changed(self, *_ignored) -> None:
+        if not self._busy:
+            self._fill_angles()
+            self.guess()
+
+    def _list_kept(self) -> None:
+        """The ways of reading that were kept."""
+        from ....urbanmap_qgis.job.table_import import remembered_imports
+
+        self.kept.clear()
+        self.kept.addItem(tr("as guessed"), None)
+        try:
+            for name, how in remembered_imports(imports_file()).items():
+                self.kept.addItem(name, how)
+        except UrbanMapError as error:
+            self.told.setText(str(error))
+
+    def _take_kept(self) -> None:
+        how = self.kept.currentData()
+        if how is None:
+            self.guess()
+        else:
+            self.name.setText(self.kept.currentText())
+            self.take(how)
