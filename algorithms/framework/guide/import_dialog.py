@@ -54,8 +54,8 @@ class ImportDialog(QDialog):
             self.target.addItem(label, word)
         self.encoding.addItems(ENCODINGS)
         self.length.addItems(LENGTHS)
-        for mark, label in _DELIMITERS:
-            self.delimiter.addItem(tr(label) if len(label) > 1 else label, mark)
+        for sign, label in _DELIMITERS:
+            self.delimiter.addItem(tr(label) if len(label) > 1 else label, sign)
         self.skip.setMaximum(1000)
         self._busy = False
         self._lay_out()
