@@ -135,9 +135,10 @@ def ran() -> dict:
     told = guide.steps.told.text()
     wait_until(lambda: not guide.runner.busy(), "the run did not end")
     settle(0.5)
+    told = [told, guide.steps.told.text()]
     guide.steps.tree.setCurrentItem(guide.steps.tree.topLevelItem(0))
     picture("done")
-    return {"steps": states(), "layers": loaded(), "moves": len(moves), "told": [told, guide.steps.told.text()],
+    return {"steps": states(), "layers": loaded(), "moves": len(moves), "told": [*told, guide.steps.told.text()],
             "report": guide.steps.report.isEnabled()}
 
 

@@ -69,7 +69,7 @@ def test_run_loads_results_with_style_and_verdict(told):
     assert state == "done" and "buildings" in verdict and found["moves"] > 2 and found["report"]
     (name, size, renderer), = found["layers"]
     assert name == "Building models" and size > 5 and renderer == "categorizedSymbol"
-    assert "1 of 1: Buildings from ALS" in found["told"][0] and found["told"][1] == "All steps are done."
+    assert "1 of 1: Buildings from ALS" in found["told"][0] and found["told"][1:] == ["All steps are done.", verdict]
 
 
 def test_opened_again_nothing_is_done_anew(told):

@@ -44,7 +44,7 @@ class StepsPanel(QWidget):
         self.open.clicked.connect(self._open)
         self.report.clicked.connect(self._show_report)
         self.tree.itemDoubleClicked.connect(lambda *_: self._open())
-        self.tree.currentItemChanged.connect(lambda *_: self._enable())
+        self.tree.currentItemChanged.connect(self._choose)
         runner.changed.connect(self.show_job)
         runner.moved.connect(lambda share: self.bar.setValue(int(100 * share)))
         runner.ended.connect(self._ended)
@@ -101,6 +101,12 @@ class StepsPanel(QWidget):
         """Id of the step that is chosen, "" for none."""
         row = self.tree.currentItem()
         return row.data(0, _STEP) if row is not None else ""
+
+    def _choose(self, row: QTreeWidgetItem | None, _before) -> None:
+        """Show the whole verdict of the step that is chosen, which its line may be too short for."""
+        if row is not None and not self.runner.busy():
+            self.told.setText(row.text(2))
+        self._enable()
 
     def _enable(self) -> None:
         busy, step = self.runner.busy(), self.chosen()
