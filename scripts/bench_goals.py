@@ -152,8 +152,8 @@ def buildings(_data: Path, folder: Path) -> tuple[float, float, float, float]:
         "POINTS": delft / "points.laz", "FOOTPRINTS": delft / "outlines.gpkg", "ROOFS": "planes",
         "OUTPUT": folder / "models.gpkg", "OUTPUT_CITYJSON": folder / "models.json",
         "OUTPUT_REPORT": folder / "models.html"})
-    count = ogr.Open(str(delft / "outlines.gpkg")).GetLayer(0).GetFeatureCount()
-    return spent, 1000 * spent / count, used, reference
+    outlines = ogr.Open(str(delft / "outlines.gpkg"))  # its layer lives as long as it does
+    return spent, 1000 * spent / outlines.GetLayer(0).GetFeatureCount(), used, reference
 
 
 def lane_map(data: Path, folder: Path) -> tuple[float, float, float, float]:
