@@ -152,8 +152,9 @@ def run(survey: DrivenSurvey, fault: Fault, reference: Reference, settings: Regi
                   for item in (after, before))
     chainage = correction.chainage
     near = (chainage > fault.span[0] - NEAR_STEP) & (chainage < fault.span[1] + NEAR_STEP)
+    told = "; ".join(f"{step.place:.0f} m: {step.size:.2f} m ({step.kind})" for step in correction.steps)
     return Outcome(error, old, correction.sigma(), correction.status, near, time.process_time() - begin,
-                   float(chainage[-1]))
+                   float(chainage[-1]), told)
 
 
 HEADER = ("fault", "city", "mean (m)", "max away from the step (m)", "max near it (m)", "near: within 2 sigma",
