@@ -1,9 +1,12 @@
 """Outlines put back to their places in scenes whose truth is known."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import shapely
 
+from urbanmap_qgis.buildings.outlines import displacement, displacement_search
 from urbanmap_qgis.buildings.outlines.displacement import estimate_displacements, shifted_outlines
 from urbanmap_qgis.buildings.outlines.displacement_boundary import edges_of, pieces_of, row_sums, sums_inside
 from urbanmap_qgis.buildings.outlines.displacement_pairs import MASK_CELL, meeting_tables, overlap_tables, walls_between
@@ -126,10 +129,10 @@ def test_pieces_of_work_do_not_matter(monkeypatch):
     truth = terrace()
     polygons, evidence = shifted(truth, random_shifts(len(truth), 1.5, seed=8)), evidence_of(truth)
     whole = found(estimate_displacements(polygons, evidence, GRID))
-    monkeypatch.setattr("urbanmap_qgis.buildings.outlines.displacement_search.PAIRS_AT_ONCE", 3)
+    monkeypatch.setattr(displacement_search, "LIMITS", replace(displacement_search.LIMITS, pairs_at_once=3))
     monkeypatch.setattr("urbanmap_qgis.buildings.outlines.displacement_pairs.PAIRS_AT_ONCE", 2)
     monkeypatch.setattr("urbanmap_qgis.buildings.outlines.displacement_boundary.LOOKUPS", 1000)
-    monkeypatch.setattr("urbanmap_qgis.buildings.outlines.displacement.OUTLINES_AT_ONCE", 1)
+    monkeypatch.setattr(displacement, "LIMITS", replace(displacement.LIMITS, outlines_at_once=1))
     assert np.array_equal(found(estimate_displacements(polygons, evidence, GRID)), whole)
 
 
