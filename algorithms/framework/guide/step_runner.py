@@ -137,7 +137,7 @@ class StepRunner(QObject):
             self.job = self.job.with_step(failed_step(step, message, seconds))
             self._end(self._failure(step, message))
             return
-        handleAlgorithmResults(self._algorithm, self._context, self._feedback, True, self._given)
+        handleAlgorithmResults(self._algorithm, self._context, self._feedback, parameters=self._given)
         self.job = self.job.with_step(done_step(step, self._asked, results, seconds))
         self._next()
 
