@@ -1,3 +1,5 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
 <TS version="2.1" language="ja" sourcelanguage="en">
 <context>
     <name>UrbanMap</name>
@@ -26,12 +28,28 @@
         <translation>シーン</translation>
     </message>
     <message>
+        <source>street canyon</source>
+        <translation>高層建物に挟まれた街路</translation>
+    </message>
+    <message>
+        <source>few road markings</source>
+        <translation>路面標示が少ない道路</translation>
+    </message>
+    <message>
+        <source>repainted road markings</source>
+        <translation>引き直された路面標示</translation>
+    </message>
+    <message>
+        <source>elevated road</source>
+        <translation>高架道路</translation>
+    </message>
+    <message>
         <source>A high-rise street canyon; one with few road markings; one whose markings were repainted between the flights and the drives; one under an elevated road. (canyon, few markings, repainted, elevated road)</source>
         <translation>高層ビル街（canyon）、路面標示の少ない都市（few markings）、撮影飛行と走行の間に路面標示が塗り直された都市（repainted）、高架道路の下の都市（elevated road）から選びます。（canyon, few markings, repainted, elevated road）</translation>
     </message>
     <message>
         <source>Faults</source>
-        <translation>不具合</translation>
+        <translation>不適合</translation>
     </message>
     <message>
         <source>Faults of real surveys to put in, with commas between them: steps (in the trajectories), stops (a long wait), ghosts (points below the road), rings (lasers that differ), ground (heights of the airborne points that are off), rails (and decks), driveways (lowered kerbs), paint (worn and patched), surface (wet and concrete stretches). Without any the city is as ever.</source>
@@ -150,6 +168,18 @@
         <translation>車両の除去</translation>
     </message>
     <message>
+        <source>majority vote</source>
+        <translation>多数決</translation>
+    </message>
+    <message>
+        <source>darkest image</source>
+        <translation>最も暗い画像</translation>
+    </message>
+    <message>
+        <source>as in the paper</source>
+        <translation>論文どおり</translation>
+    </message>
+    <message>
         <source>Majority vote: what most of them agree on, which also keeps dark vehicles from winning over paint. Darkest: the one with the lowest sum of channels. Paper: darkest without gain compensation. (vote, darkest, paper)</source>
         <translation>vote：多数決で、大半の画像が一致する値をとります。暗い車両が標示より優先されることも防ぎます。darkest：チャンネルの和が最小の画像をとります。paper：輝度補正なしの最小輝度合成です。（vote, darkest, paper）</translation>
     </message>
@@ -230,8 +260,8 @@
         <translation>表 (*.csv *.txt)</translation>
     </message>
     <message>
-        <source>CSV with the columns image, x, y, z, omega, phi, kappa; the frame is found by its file name.</source>
-        <translation>image, x, y, z, omega, phi, kappaの列を持つCSVです。写真はファイル名で検索します。</translation>
+        <source>CSV with the columns image, x, y, z, omega, phi, kappa, or what Metashape or Pix4D wrote; the frame is found by its file name.</source>
+        <translation>列 image、x、y、z、omega、phi、kappa の CSV、または Metashape か Pix4D が出力したファイル。写真はファイル名で探します。</translation>
     </message>
     <message>
         <source>Surface</source>
@@ -294,6 +324,10 @@
         <translation>方法</translation>
     </message>
     <message>
+        <source>refined</source>
+        <translation>改良版</translation>
+    </message>
+    <message>
         <source>Refined: as set above. Paper: the triangles of the surface higher than the threshold as they are; low parts, steep walls and walls at the cells' borders are off. (refined, paper)</source>
         <translation>refined：上の設定に従います。paper：しきい値を超える表層の三角形をそのまま使い、低い部分、急な壁、セル境界の壁は無効です。（refined, paper）</translation>
     </message>
@@ -302,12 +336,36 @@
         <translation>角度の単位</translation>
     </message>
     <message>
+        <source>automatic</source>
+        <translation>自動</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>度</translation>
+    </message>
+    <message>
+        <source>gon</source>
+        <translation>ゴン</translation>
+    </message>
+    <message>
+        <source>radians</source>
+        <translation>ラジアン</translation>
+    </message>
+    <message>
         <source>Automatic takes degrees and stops where the angles look like gon or radians. (automatic, degrees, gon, radians)</source>
         <translation>automaticは度とみなし、角度がゴンまたはラジアンらしい場合は停止します。（automatic, degrees, gon, radians）</translation>
     </message>
     <message>
         <source>Order of the angles</source>
         <translation>角度の順序</translation>
+    </message>
+    <message>
+        <source>R_omega R_phi R_kappa, as in the papers</source>
+        <translation>R_omega R_phi R_kappa（論文の順序）</translation>
+    </message>
+    <message>
+        <source>R_kappa R_phi R_omega, as bundle adjustments write</source>
+        <translation>R_kappa R_phi R_omega（バンドル調整で一般的な順序）</translation>
     </message>
     <message>
         <source>R_omega R_phi R_kappa as in the papers, or the usual R_kappa R_phi R_omega of most bundle adjustments. (papers, usual)</source>
@@ -362,6 +420,14 @@
         <translation>撮影されたままの8または16ビットのTIFFまたはJPEG画像です。それぞれの名称が外部標定要素にある必要があります。</translation>
     </message>
     <message>
+        <source>Images (*.tif *.tiff *.jpg *.jpeg *.png *.TIF *.TIFF *.JPG *.JPEG *.PNG)</source>
+        <translation>画像 (*.tif *.tiff *.jpg *.jpeg *.png *.TIF *.TIFF *.JPG *.JPEG *.PNG)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>すべてのファイル (*)</translation>
+    </message>
+    <message>
         <source>JSON file of the camera: focal_length_mm, pixel_pitch_mm, image_width, image_height, principal_point_mm, distortion.</source>
         <translation>カメラのJSONファイルです：focal_length_mm, pixel_pitch_mm, image_width, image_height, principal_point_mm, distortion。</translation>
     </message>
@@ -370,8 +436,8 @@
         <translation>外部標定要素 (*.csv *.txt)</translation>
     </message>
     <message>
-        <source>CSV file image,x,y,z,omega,phi,kappa (metres, degrees).</source>
-        <translation>CSVファイルです：image,x,y,z,omega,phi,kappa（m、度）。</translation>
+        <source>CSV file image,x,y,z,omega,phi,kappa (metres, degrees), or what Metashape (Omega Phi Kappa) or Pix4D wrote, whose order of angles is known.</source>
+        <translation>CSV ファイル image,x,y,z,omega,phi,kappa（メートル、度）、または Metashape（Omega Phi Kappa）か Pix4D が出力したファイル（角の順序は自動で判別）。</translation>
     </message>
     <message>
         <source>Heights of the bare ground in metres; the mosaic has its coordinate system.</source>
@@ -420,6 +486,14 @@
     <message>
         <source>Hidden ground</source>
         <translation>隠れた地表</translation>
+    </message>
+    <message>
+        <source>lines of sight from the ground</source>
+        <translation>地表からの視線</translation>
+    </message>
+    <message>
+        <source>occlusion map of each frame</source>
+        <translation>写真ごとの遮蔽図</translation>
     </message>
     <message>
         <source>Ground: told by lines of sight from the ground to the frame. Frame: told by an occlusion map of each frame, which masks it before ground is taken from it, as in the paper. (ground, frame)</source>
@@ -514,6 +588,10 @@
         <translation>オルソ画像の座標参照系での地表の標高（m）です。ポリゴンに標高を与えます。</translation>
     </message>
     <message>
+        <source>brighter than the road on both sides</source>
+        <translation>両側の路面より明るい部分</translation>
+    </message>
+    <message>
         <source>Profile: paint must stand out from the road on both sides, and what is no paint is left out. Paper: the plain adaptive Gaussian threshold of the grey image after a level adjustment, as in the paper; only block size and contrast matter then. (profile, paper)</source>
         <translation>profile：標示が両側の路面より明るいことを条件とし、標示でないものを除きます。paper：論文どおり、レベル補正後のグレー画像に適応的閾値処理だけを行います。この場合はブロックサイズとコントラストだけが有効です。（profile, paper）</translation>
     </message>
@@ -539,7 +617,7 @@
     </message>
     <message>
         <source>Clean</source>
-        <translation>塗装以外の除去</translation>
+        <translation>標示以外の除去</translation>
     </message>
     <message>
         <source>Leave out what is no paint by its width, contrast on both sides, shape and surroundings; without it all stays that is brighter by the contrast than the block.</source>
@@ -666,12 +744,24 @@
         <translation>同じ投影座標系の1つまたは複数のLAS、LAZまたはCOPCファイルです。標高の単位はmです。</translation>
     </message>
     <message>
+        <source>Point clouds (*.las *.laz *.LAS *.LAZ)</source>
+        <translation>点群 (*.las *.laz *.LAS *.LAZ)</translation>
+    </message>
+    <message>
         <source>Side of a raster cell in metres. Finer than the distance between points shows nothing more.</source>
         <translation>ラスタのセルの一辺（m）です。点間隔より細かくしても情報は増えません。</translation>
     </message>
     <message>
         <source>Ground points</source>
         <translation>地表面点</translation>
+    </message>
+    <message>
+        <source>classes of the points</source>
+        <translation>点のクラス</translation>
+    </message>
+    <message>
+        <source>cloth filter</source>
+        <translation>クロスフィルタ</translation>
     </message>
     <message>
         <source>How ground points are told. Automatic: by class where at least 1 % of the points have a ground class, otherwise by the cloth filter. (automatic, classes, cloth)</source>
@@ -822,8 +912,20 @@
         <translation>各走行の点の座標付けに使った軌跡です。CSV time,x,y,z,roll,pitch,heading、SBET、または点レイヤを指定します。</translation>
     </message>
     <message>
+        <source>Trajectory (*.csv *.txt *.out *.sbet *.gpkg *.shp *.geojson)</source>
+        <translation>走行軌跡 (*.csv *.txt *.out *.sbet *.gpkg *.shp *.geojson)</translation>
+    </message>
+    <message>
         <source>Angles of the trajectory</source>
         <translation>軌跡の角度</translation>
+    </message>
+    <message>
+        <source>degrees, headings counter-clockwise from east</source>
+        <translation>度（方位は東から反時計回り）</translation>
+    </message>
+    <message>
+        <source>radians, headings counter-clockwise from east</source>
+        <translation>ラジアン（方位は東から反時計回り）</translation>
     </message>
     <message>
         <source>How roll, pitch and heading of tables and layers are counted: degrees or radians, headings clockwise from grid north or counter-clockwise from east. SBET says it itself. (degrees, radians, degrees_from_east, radians_from_east)</source>
@@ -1022,12 +1124,24 @@
         <translation>画像の位置姿勢 (*.csv *.txt)</translation>
     </message>
     <message>
-        <source>CSV id,time,x,y,z,roll,pitch,heading of the survey's images.</source>
-        <translation>計測画像のCSV id,time,x,y,z,roll,pitch,headingです。</translation>
+        <source>CSV id,time,x,y,z,roll,pitch,heading of the survey's images, angles counted as those of the trajectory.</source>
+        <translation>計測画像の CSV（id,time,x,y,z,roll,pitch,heading）。角の数え方は走行軌跡と同じです。</translation>
     </message>
     <message>
         <source>Points outside the trajectory</source>
         <translation>軌跡の範囲外の点</translation>
+    </message>
+    <message>
+        <source>move with the nearest pose</source>
+        <translation>最も近い姿勢で動かす</translation>
+    </message>
+    <message>
+        <source>leave as they are</source>
+        <translation>そのままにする</translation>
+    </message>
+    <message>
+        <source>refuse to run</source>
+        <translation>処理を中止する</translation>
     </message>
     <message>
         <source>What is done with points that were measured before the trajectory begins or after it ends: move them with its nearest pose, keep them where they are, or refuse to run. Their number is told. (move, keep, refuse)</source>
@@ -1100,10 +1214,6 @@
     <message>
         <source>Difference of tilts</source>
         <translation>傾きの差</translation>
-    </message>
-    <message>
-        <source>degrees</source>
-        <translation>度</translation>
     </message>
     <message>
         <source>Standard deviation by which roll and pitch of the trajectory differ from pass to pass.</source>
@@ -1390,6 +1500,10 @@
         <translation>計測データの水平位置のずれの最大値です。最良の位置がその端にある場合や、他の位置との差がわずかな場合は、2倍の範囲まで調べます。破線の間隔の半分より広くすると、破線1本分ずれるおそれがあります。</translation>
     </message>
     <message>
+        <source>full method</source>
+        <translation>標準の方法</translation>
+    </message>
+    <message>
         <source>Full, or as in the paper to the letter: windows as rigid bodies, each started from the one before, and each patch moved by the matrix of its own window; no model of the drift, no weights, no bridging. In plan as in 3.2.4, with ground heights as in chapter 4. (full, paper)</source>
         <translation>full：全機能を使います。paper：論文どおりで、ウィンドウを剛体とし、それぞれ直前のウィンドウの結果から始め、各パッチを自身のウィンドウの行列で動かします。ドリフトのモデル、重み、補間はありません。平面では3.2.4節、地表の標高がある場合は4章によります。（full, paper）</translation>
     </message>
@@ -1411,7 +1525,7 @@
     </message>
     <message>
         <source>Accuracy of roll and pitch</source>
-        <translation>roll・pitchの精度</translation>
+        <translation>ロール・ピッチの精度</translation>
     </message>
     <message>
         <source>Standard deviation of the reported roll and pitch; that of the heading is twice as large. Not used where the trajectory states its own (columns sd_roll, sd_pitch, sd_heading, or the smrmsg file beside an SBET).</source>
@@ -1440,6 +1554,14 @@
     <message>
         <source>One point a patch at its corrected place, with correction (m, degrees), standard deviations, window, score, status and its reason.</source>
         <translation>パッチごとに、補正後の位置に1点です。補正量（m、度）、標準偏差、ウィンドウ、スコア、状態とその理由を持ちます。</translation>
+    </message>
+    <message>
+        <source>Disagreements</source>
+        <translation>不一致箇所</translation>
+    </message>
+    <message>
+        <source>One point a place where reference and survey disagree: edges of markings that changed after the flight, a reference that jumps, steps hidden where there are no markings; with size (m), direction (degrees from north) and standard deviation.</source>
+        <translation>基準と計測が一致しない箇所ごとに1点：撮影後に変化した標示の端、基準の段差、標示のない区間に隠れた段差。大きさ（m）、方向（北からの度）、標準偏差付き。</translation>
     </message>
     <message>
         <source>Correction and its uncertainty along the path, pictures before and after, what to distrust.</source>
@@ -1492,6 +1614,10 @@
     <message>
         <source>Not to be trusted</source>
         <translation>信頼できない区間</translation>
+    </message>
+    <message>
+        <source>In plan, over the whole path.</source>
+        <translation>平面位置、全経路。</translation>
     </message>
     <message>
         <source>Maximum standard deviation</source>
@@ -1662,8 +1788,8 @@
         <translation>写真のカメラのJSONファイルです。</translation>
     </message>
     <message>
-        <source>CSV file image,x,y,z,omega,phi,kappa of the frames.</source>
-        <translation>写真のCSVファイルimage,x,y,z,omega,phi,kappaです。</translation>
+        <source>CSV file image,x,y,z,omega,phi,kappa of the frames, or what Metashape or Pix4D wrote.</source>
+        <translation>写真の CSV ファイル image,x,y,z,omega,phi,kappa、または Metashape か Pix4D が出力したファイル。</translation>
     </message>
     <message>
         <source>Building models</source>
@@ -1752,6 +1878,10 @@
     <message>
         <source>One or several tables of time, angle, range, intensity and scanner (CSV, CSV.GZ, Parquet, LAS, LAZ).</source>
         <translation>時刻、角度、距離、反射強度、スキャナの1つまたは複数の表です（CSV、CSV.GZ、Parquet、LAS、LAZ）。</translation>
+    </message>
+    <message>
+        <source>Range scans (*.csv *.csv.gz *.parquet *.las *.laz)</source>
+        <translation>レンジスキャン (*.csv *.csv.gz *.parquet *.las *.laz)</translation>
     </message>
     <message>
         <source>Of the trajectory, where its layer does not say it; it is written into the point cloud, and needed for SBET trajectories.</source>
@@ -1878,6 +2008,22 @@
         <translation>点の色分け</translation>
     </message>
     <message>
+        <source>height of the point</source>
+        <translation>点の高さ</translation>
+    </message>
+    <message>
+        <source>intensity</source>
+        <translation>反射強度</translation>
+    </message>
+    <message>
+        <source>class of the point</source>
+        <translation>点のクラス</translation>
+    </message>
+    <message>
+        <source>one colour</source>
+        <translation>単色</translation>
+    </message>
+    <message>
         <source>What the colours of points tell (height, intensity, class, one)</source>
         <translation>点の色が表す内容です。（height, intensity, class, one）</translation>
     </message>
@@ -1972,6 +2118,18 @@
     <message>
         <source>Height of the trajectory's origin above the ground, in metres. Without it the mean height stays as reported.</source>
         <translation>地表から軌跡の原点までの高さ（m）です。指定しない場合、平均の高さは補正前のままです。</translation>
+    </message>
+    <message>
+        <source>best estimate of the drift</source>
+        <translation>ドリフトの最良推定</translation>
+    </message>
+    <message>
+        <source>relative motions, closed form</source>
+        <translation>相対運動（閉形式）</translation>
+    </message>
+    <message>
+        <source>relative motions, by iteration</source>
+        <translation>相対運動（反復法）</translation>
     </message>
     <message>
         <source>Best estimate of the drift from all tie points; or relative motions adjusted between sets in closed form; or the same by the paper's iteration; or the whole paper to the letter. (drift, relative, iterative, paper)</source>
@@ -2222,6 +2380,14 @@
         <translation>屋根</translation>
     </message>
     <message>
+        <source>roof planes</source>
+        <translation>屋根面（傾斜屋根を含む）</translation>
+    </message>
+    <message>
+        <source>level roofs</source>
+        <translation>水平な屋根</translation>
+    </message>
+    <message>
         <source>planes: roofs as the polygons' heights have them (LoD2.2 where any is sloped); levels: every roof at its one height (LoD1.3). (planes, levels)</source>
         <translation>planes：ポリゴンの高さどおりの屋根（傾斜屋根があればLoD2.2）。levels：すべての屋根をそれぞれ1つの高さとします（LoD1.3）。（planes, levels）</translation>
     </message>
@@ -2286,6 +2452,98 @@
         <translation>高さのRMSEの平均（良い方から95 %）</translation>
     </message>
     <message>
+        <source>City model</source>
+        <translation>都市モデル</translation>
+    </message>
+    <message>
+        <source>City models (*.gml *.GML *.zip);;All files (*)</source>
+        <translation>3D都市モデル (*.gml *.GML *.zip);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>CityGML (.gml) or a .zip of a data set. The path of a folder can be typed here as well.</source>
+        <translation>CityGML（.gml）又はデータセットの .zip。フォルダのパスを入力することもできます。</translation>
+    </message>
+    <message>
+        <source>Folder of city models</source>
+        <translation>都市モデルのフォルダ</translation>
+    </message>
+    <message>
+        <source>All CityGML files in this folder and its subfolders; instead of the file or beside it.</source>
+        <translation>このフォルダとサブフォルダにあるすべての CityGML ファイル。ファイルの代わりに、又はファイルと合わせて指定します。</translation>
+    </message>
+    <message>
+        <source>Rules left out</source>
+        <translation>除外する規則</translation>
+    </message>
+    <message>
+        <source>Codes of rules that are not looked at, with commas between them; the begin of a code stands for all that begin so, such as L-bldg.</source>
+        <translation>検査しない規則の番号（カンマ区切り）。番号の先頭だけを書くと、それで始まるすべての規則を表します（例: L-bldg）。</translation>
+    </message>
+    <message>
+        <source>Faults of the city model</source>
+        <translation>3D都市モデルの不適合箇所</translation>
+    </message>
+    <message>
+        <source>Points (longitude, latitude): rule (its code), requirement (code of the specification), severity (error, warning), text, file, type and gml_id of the feature, lod (-1 without), source of the rule. Faults without a place have no geometry.</source>
+        <translation>点（経度・緯度）: rule（規則の番号）、requirement（仕様書の番号）、severity（エラー、警告）、text（内容）、file（ファイル）、地物の type（型）と gml_id、lod（ない場合は -1）、source（規則の出典）。位置のない不適合にはジオメトリがありません。</translation>
+    </message>
+    <message>
+        <source>Table of results</source>
+        <translation>検査結果一覧</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV, a line a file: its size and the number of faults of each rule.</source>
+        <translation>CSV。1行1ファイルで、サイズと規則ごとの不適合の数。</translation>
+    </message>
+    <message>
+        <source>Table of instances</source>
+        <translation>地物インスタンス数</translation>
+    </message>
+    <message>
+        <source>CSV, a line a file: the number of features of each type, to be compared with the reference data (C02).</source>
+        <translation>CSV。1行1ファイルで、地物型ごとの数。参照データとの比較（C02）に使います。</translation>
+    </message>
+    <message>
+        <source>Quality report</source>
+        <translation>品質検査報告書</translation>
+    </message>
+    <message>
+        <source>HTML report: requirements with their numbers and verdicts, the faults, what is not checked.</source>
+        <translation>HTML の報告書: 品質要求ごとの不適合数と判定、不適合箇所、検査していない項目。</translation>
+    </message>
+    <message>
+        <source>Number of city objects in the files.</source>
+        <translation>ファイルに含まれる地物（都市オブジェクト）の数。</translation>
+    </message>
+    <message>
+        <source>City objects</source>
+        <translation>地物</translation>
+    </message>
+    <message>
+        <source>Number of errors.</source>
+        <translation>エラーの件数です。</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>エラー</translation>
+    </message>
+    <message>
+        <source>Number of warnings.</source>
+        <translation>警告の件数です。</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Check city model</source>
+        <translation>3D都市モデルの検査</translation>
+    </message>
+    <message>
         <source>LAS, LAZ or COPC files; they become one.</source>
         <translation>LAS、LAZまたはCOPCファイルです。1つにまとめて出力します。</translation>
     </message>
@@ -2342,8 +2600,8 @@
         <translation>グリッドの逆方向</translation>
     </message>
     <message>
-        <source>The corrections of the grid lead from the result's system to that of the data.</source>
-        <translation>グリッドの補正量が、結果の高さの基準からデータの高さの基準への変換である場合に指定します。</translation>
+        <source>The corrections of the grid lead from the result's system to that of the data. Between JGD2000, JGD2011 and JGD2024 this is known and need not be said.</source>
+        <translation>グリッドの補正量が、結果の高さの基準からデータの高さの基準へのものである場合に指定します。JGD2000、JGD2011、JGD2024 の間では自動的に判断するので指定は不要です。</translation>
     </message>
     <message>
         <source>With converted heights, all attributes kept.</source>
@@ -2386,8 +2644,8 @@
         <translation>「建物モデル」の出力など、建物ごとにすべての面を持つMultiPolygonZです。指定しない場合は都市モデルを指定してください。</translation>
     </message>
     <message>
-        <source>City model</source>
-        <translation>都市モデル</translation>
+        <source>City models (*.gml *.GML *.zip *.json *.jsonl *.xml);;All files (*)</source>
+        <translation>都市モデル (*.gml *.GML *.zip *.json *.jsonl *.xml);;すべてのファイル (*)</translation>
     </message>
     <message>
         <source>CityGML (.gml, .zip) or CityJSON file instead of the layer: its buildings are written with all that they hold, and nothing is added.</source>
@@ -2442,8 +2700,20 @@
         <translation>公共測量の地図情報レベル</translation>
     </message>
     <message>
+        <source>no public survey</source>
+        <translation>公共測量成果ではない</translation>
+    </message>
+    <message>
         <source>Level of the public survey that the laser points are of, for CityGML's quality attributes; none where they are of no public survey. (none, 500, 1000, 2500, 5000)</source>
         <translation>レーザ点群が公共測量成果である場合の地図情報レベルで、CityGML の品質属性に記録します。公共測量成果でない場合は none とします。（none、500、1000、2500、5000）</translation>
+    </message>
+    <message>
+        <source>Schemas of i-UR</source>
+        <translation>i-UR のスキーマ</translation>
+    </message>
+    <message>
+        <source>Folder with uro/3.2/urbanObject.xsd and urf/3.2/urbanFunction.xsd (of the version above), as the G-spatial information centre gives them: they go along with CityGML into the folder “schemas”.</source>
+        <translation>uro/3.2/urbanObject.xsd と urf/3.2/urbanFunction.xsd（上で選んだ版のもの）のあるフォルダ（G空間情報センターで配布）。CityGML とともに「schemas」フォルダに入れます。</translation>
     </message>
     <message>
         <source>Date of the data</source>
@@ -2510,16 +2780,8 @@
         <translation>閉じていない建物</translation>
     </message>
     <message>
-        <source>City models (*.gml *.GML *.zip *.json *.jsonl *.xml);;All files (*)</source>
-        <translation>都市モデル (*.gml *.GML *.zip *.json *.jsonl *.xml);;すべてのファイル (*)</translation>
-    </message>
-    <message>
         <source>CityGML (.gml, or a .zip of them), CityJSON (.json) or CityJSONSeq (.jsonl). The path of a folder, such as that of a PLATEAU data set, can be typed here as well.</source>
         <translation>CityGML（.gml、またはそれらの.zip）、CityJSON（.json）またはCityJSONSeq（.jsonl）です。PLATEAUのデータセットなどのフォルダのパスも入力できます。</translation>
-    </message>
-    <message>
-        <source>Folder of city models</source>
-        <translation>都市モデルのフォルダ</translation>
     </message>
     <message>
         <source>All city models in this folder and its subfolders; instead of the file or beside it.</source>
@@ -2894,6 +3156,14 @@
         <translation>「建物の抽出」による外周線。</translation>
     </message>
     <message>
+        <source>partition of the outline</source>
+        <translation>外周線の分割</translation>
+    </message>
+    <message>
+        <source>outline of the points</source>
+        <translation>点群の輪郭</translation>
+    </message>
+    <message>
         <source>How the polygons are drawn. (partition, points, paper)</source>
         <translation>ポリゴンの描き方です。(partition, points, paper)</translation>
     </message>
@@ -2904,6 +3174,14 @@
     <message>
         <source>Roof height</source>
         <translation>屋根の高さ</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>中央値</translation>
+    </message>
+    <message>
+        <source>highest point</source>
+        <translation>最高点</translation>
     </message>
     <message>
         <source>Height of a level roof from its points: the median, or the highest point as in the paper (the top of the parapet). The paper's method always takes the highest point. (robust, maximum)</source>
@@ -3218,12 +3496,20 @@
         <translation>RINEX 2.11、3.xまたは4.xの観測ファイルです。通常形式でも圧縮（Hatanaka）形式でもよく、gzipまたはbzip2で圧縮されていてもかまいません。1ファイルを1走行とします。</translation>
     </message>
     <message>
+        <source>Observations (*.obs *.rnx *.crx *.??o *.??O *.??d *.??D *.gz *.Z *.bz2)</source>
+        <translation>観測データ (*.obs *.rnx *.crx *.??o *.??O *.??d *.??D *.gz *.Z *.bz2)</translation>
+    </message>
+    <message>
         <source>Navigation</source>
         <translation>航法データ</translation>
     </message>
     <message>
         <source>RINEX navigation files or SP3 orbits of the same days.</source>
         <translation>同じ日のRINEX航法ファイルまたはSP3軌道。</translation>
+    </message>
+    <message>
+        <source>Navigation and orbits (*.nav *.rnx *.sp3 *.SP3 *.??n *.??N *.??p *.??P *.gz *.Z *.bz2)</source>
+        <translation>航法データと軌道暦 (*.nav *.rnx *.sp3 *.SP3 *.??n *.??N *.??p *.??P *.gz *.Z *.bz2)</translation>
     </message>
     <message>
         <source>Geoid separation</source>
@@ -3586,10 +3872,6 @@
         <translation>「車線地図」で出力したものなどのOSMファイル。</translation>
     </message>
     <message>
-        <source>Rules left out</source>
-        <translation>除外する規則</translation>
-    </message>
-    <message>
         <source>Codes of rules that are not looked at, with commas between them; the begin of a code stands for all that begin so, such as Lane.BorderSharing.</source>
         <translation>検査しない規則のコードをカンマ区切りで指定します。コードの先頭部分を書くと、それで始まる規則すべてが対象になります（例：Lane.BorderSharing）。</translation>
     </message>
@@ -3612,22 +3894,6 @@
     <message>
         <source>Lanelets</source>
         <translation>lanelet</translation>
-    </message>
-    <message>
-        <source>Number of errors.</source>
-        <translation>エラーの件数です。</translation>
-    </message>
-    <message>
-        <source>Errors</source>
-        <translation>エラー</translation>
-    </message>
-    <message>
-        <source>Number of warnings.</source>
-        <translation>警告の件数です。</translation>
-    </message>
-    <message>
-        <source>Warnings</source>
-        <translation>警告</translation>
     </message>
     <message>
         <source>Check lane map</source>
@@ -3736,6 +4002,14 @@
     <message>
         <source>Scanner</source>
         <translation>スキャナ</translation>
+    </message>
+    <message>
+        <source>one layer (2D)</source>
+        <translation>1層（2D）</translation>
+    </message>
+    <message>
+        <source>several layers</source>
+        <translation>多層</translation>
     </message>
     <message>
         <source>Of the vehicle to be localised. (2D, multi-layer)</source>
@@ -4258,8 +4532,20 @@
         <translation>通行側</translation>
     </message>
     <message>
+        <source>from the drives</source>
+        <translation>走行から判断</translation>
+    </message>
+    <message>
+        <source>traffic on the left</source>
+        <translation>左側通行</translation>
+    </message>
+    <message>
+        <source>traffic on the right</source>
+        <translation>右側通行</translation>
+    </message>
+    <message>
         <source>Auto: the side that drives in both directions show, left where they do not. (auto, left, right)</source>
-        <translation>Auto: 両方向の走行から分かる側。分からない場合は左側。(auto, left, right)</translation>
+        <translation>auto： 両方向の走行から分かる側。分からない場合は左側。(auto, left, right)</translation>
     </message>
     <message>
         <source>Minimum lane width</source>
@@ -4302,6 +4588,14 @@
         <translation>Lanelet2 の方言</translation>
     </message>
     <message>
+        <source>elements that every reader takes</source>
+        <translation>どのプログラムでも読める要素</translation>
+    </message>
+    <message>
+        <source>with Autoware's extension</source>
+        <translation>Autowareの拡張を使う</translation>
+    </message>
+    <message>
         <source>Of stop lines and crosswalks in the Lanelet2 file. lanelet2: elements that every reader takes (traffic_sign, right_of_way); autoware: road_marking and crosswalk, as Autoware asks, which other programs refuse without Autoware's extension. (lanelet2, autoware)</source>
         <translation>Lanelet2ファイルの停止線と横断歩道の表し方です。lanelet2：どの読み込みプログラムでも扱える要素（traffic_sign、right_of_way）。autoware：Autowareが求めるroad_markingとcrosswalkで、Autowareの拡張がないプログラムでは読み込めません。（lanelet2, autoware）</translation>
     </message>
@@ -4316,6 +4610,10 @@
     <message>
         <source>Vertical datum</source>
         <translation>高さの基準</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>記載なし</translation>
     </message>
     <message>
         <source>Of the lines' heights, for Autoware's projector file. (not stated, WGS84, EGM2008)</source>
@@ -4410,12 +4708,24 @@
         <translation>検証点</translation>
     </message>
     <message>
-        <source>The residuals of “Check accuracy at control points”, or a table or layer with x, y, z (true, metres) and x_product, y_product, z_product; id, and role (check or adjusted), where there are such columns.</source>
-        <translation>「検証点での精度確認」の残差、またはx、y、z（真値、m）とx_product、y_product、z_product（成果の座標）の列をもつ表かレイヤです。あればid列と、role列（checkまたはadjusted）も使います。</translation>
+        <source>The residuals of “Check accuracy at control points”, or a table or layer with x, y, z (true, metres) and x_product, y_product, z_product; id, and role (check or adjusted), where there are such columns; or the table of edges with x, y, z filled in. Without check points nothing is judged.</source>
+        <translation>「検証点での精度確認」の残差、またはx、y、z（真値、m）とx_product、y_product、z_product（成果の座標）の列をもつ表かレイヤです。あればid列と、role列（checkまたはadjusted）も使います。x、y、zを記入した辺の表も使えます。検証点がなければ判定しません。</translation>
+    </message>
+    <message>
+        <source>MultiPolygonZ with all faces of each building: edges to be surveyed are drawn from them.</source>
+        <translation>建物ごとにすべての面をもつMultiPolygonZです。点検測量する辺をここから抽出します。</translation>
     </message>
     <message>
         <source>Product</source>
         <translation>成果の種類</translation>
+    </message>
+    <message>
+        <source>mobile survey</source>
+        <translation>MMS計測</translation>
+    </message>
+    <message>
+        <source>building models</source>
+        <translation>建物モデル</translation>
     </message>
     <message>
         <source>Building models are judged as PLATEAU's tables P05 to P08 ask: 42 check points (21 edges with two each) in each unit. (survey, buildings)</source>
@@ -4424,6 +4734,10 @@
     <message>
         <source>Map level</source>
         <translation>地図情報レベル</translation>
+    </message>
+    <message>
+        <source>limits given below</source>
+        <translation>下に指定する制限値</translation>
     </message>
     <message>
         <source>Whose limits hold: the standard deviation may be 0.12, 0.25, 0.70, 1.75, 3.50 m in plan and 0.25, 0.25, 0.33, 0.66, 1.66 m in height; given: the limits below. (250, 500, 1000, 2500, 5000, given)</source>
@@ -4478,6 +4792,10 @@
         <translation>報告書の見出し欄に記載します。指定しない項目は、手で記入できるよう空欄とします。</translation>
     </message>
     <message>
+        <source>Area of the work</source>
+        <translation>地区名</translation>
+    </message>
+    <message>
         <source>Client</source>
         <translation>計画機関</translation>
     </message>
@@ -4490,12 +4808,28 @@
         <translation>作業期間</translation>
     </message>
     <message>
+        <source>Chief engineer</source>
+        <translation>主任技術者</translation>
+    </message>
+    <message>
+        <source>Survey party leader</source>
+        <translation>作業班長</translation>
+    </message>
+    <message>
+        <source>Quantity of work</source>
+        <translation>作業量</translation>
+    </message>
+    <message>
         <source>Instrument</source>
-        <translation>使用機器</translation>
+        <translation>主要機器（名称・番号）</translation>
     </message>
     <message>
         <source>Checked by</source>
         <translation>点検者</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>特記事項</translation>
     </message>
     <message>
         <source>HTML report, which prints on A4.</source>
@@ -4514,16 +4848,28 @@
         <translation>同じ内容を、QGISの印刷機能でA4のPDFにします。</translation>
     </message>
     <message>
+        <source>Edges to be surveyed</source>
+        <translation>点検測量する辺</translation>
+    </message>
+    <message>
+        <source>Both ends of the drawn edges with their place in the models; x, y and z are left blank for the survey.</source>
+        <translation>抽出した辺の両端と、モデル上の座標です。x、y、zは点検測量の結果を記入する欄として空けてあります。</translation>
+    </message>
+    <message>
         <source>All points</source>
         <translation>全点</translation>
     </message>
     <message>
-        <source>CSV (*.csv)</source>
-        <translation>CSV (*.csv)</translation>
-    </message>
-    <message>
         <source>Every check point with its errors.</source>
         <translation>すべての検証点とその較差です。</translation>
+    </message>
+    <message>
+        <source>Layout of the PDF</source>
+        <translation>PDFのレイアウト</translation>
+    </message>
+    <message>
+        <source>Layout template of QGIS (.qpt): a changed copy of the plugin's resources/layouts/acceptance.qpt, whose items are filled by their ids.</source>
+        <translation>QGISの印刷レイアウトのテンプレート（.qpt）です。プラグインの resources/layouts/acceptance.qpt の複製を変更して使います。アイテムはIDによって埋められます。</translation>
     </message>
     <message>
         <source>Standard deviation in plan about 0</source>
@@ -4590,8 +4936,108 @@
         <translation>路面標示と走行からの車線地図</translation>
     </message>
     <message>
+        <source>UrbanMap job (*.urbanmap.json *.json)</source>
+        <translation>UrbanMapの作業 (*.urbanmap.json *.json)</translation>
+    </message>
+    <message>
+        <source>File of the job (.urbanmap.json).</source>
+        <translation>作業のファイル（.urbanmap.json）。</translation>
+    </message>
+    <message>
+        <source>Other inputs</source>
+        <translation>別の入力</translation>
+    </message>
+    <message>
+        <source>Lines ROLE=FILE that take the place of the job's own inputs, with the roles of the job, such as survey_1=drive.laz. Relative paths count from the job's folder.</source>
+        <translation>作業の入力に代わる「役割=ファイル」の行。役割は作業のもの（例：survey_1=drive.laz）。相対パスは作業のフォルダから数えます。</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>手順</translation>
+    </message>
+    <message>
+        <source>Ids of the steps to run, with commas between them; all if none is given.</source>
+        <translation>実行する手順のid（コンマ区切り）。指定しなければすべて。</translation>
+    </message>
+    <message>
+        <source>Run all steps again</source>
+        <translation>すべての手順を再実行</translation>
+    </message>
+    <message>
+        <source>Also those that are done.</source>
+        <translation>完了しているものも実行します。</translation>
+    </message>
+    <message>
+        <source>Folder of the results</source>
+        <translation>結果のフォルダ</translation>
+    </message>
+    <message>
+        <source>If none is given, a folder beside the job, under its name.</source>
+        <translation>指定しなければ、作業ファイルと同じ場所の、作業名のフォルダ。</translation>
+    </message>
+    <message>
+        <source>Each step with its state, verdict and results.</source>
+        <translation>各手順の状態、判定、結果。</translation>
+    </message>
+    <message>
+        <source>File in which it stands how far the job is.</source>
+        <translation>作業の進み具合を記録したファイル。</translation>
+    </message>
+    <message>
+        <source>Job file</source>
+        <translation>作業ファイル</translation>
+    </message>
+    <message>
+        <source>Folder in which the results lie.</source>
+        <translation>結果のあるフォルダ。</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>結果</translation>
+    </message>
+    <message>
+        <source>Steps that were run now.</source>
+        <translation>今回実行した手順の数。</translation>
+    </message>
+    <message>
+        <source>Steps run</source>
+        <translation>実行した手順</translation>
+    </message>
+    <message>
+        <source>Steps that were done before and left alone.</source>
+        <translation>すでに完了していて、そのまま残した手順の数。</translation>
+    </message>
+    <message>
+        <source>Steps kept</source>
+        <translation>そのまま残した手順</translation>
+    </message>
+    <message>
+        <source>Run a job</source>
+        <translation>作業の実行</translation>
+    </message>
+    <message>
         <source>Algorithm</source>
         <translation>アルゴリズム</translation>
+    </message>
+    <message>
+        <source>Surface and ground from ALS</source>
+        <translation>航空レーザからの表層と地表</translation>
+    </message>
+    <message>
+        <source>Ground of a mobile survey</source>
+        <translation>MMS計測の地表面</translation>
+    </message>
+    <message>
+        <source>2.5D mesh of buildings</source>
+        <translation>建物の2.5Dメッシュ</translation>
+    </message>
+    <message>
+        <source>Walls from a mobile survey</source>
+        <translation>MMS計測の壁面</translation>
+    </message>
+    <message>
+        <source>Orthorectify frames</source>
+        <translation>写真のオルソ補正</translation>
     </message>
     <message>
         <source>What is run on each tile. (buildingsfromals, surfacefromals, roadmarkingsfromorthophoto, groundfrommms, mesh25d, wallsfrommms, orthorectifyframes, aerialmarkings, roadmarkingsfrommms, mergebuildingmodels)</source>
@@ -4624,6 +5070,38 @@
     <message>
         <source>Side of a tile, whole metres; corners lie on its multiples.</source>
         <translation>タイルの一辺（メートルの整数）です。四隅はその倍数の位置となります。</translation>
+    </message>
+    <message>
+        <source>squares of the tile size</source>
+        <translation>タイルの大きさの正方形</translation>
+    </message>
+    <message>
+        <source>standard regional mesh, 1 km</source>
+        <translation>基準地域メッシュ（約1 km）</translation>
+    </message>
+    <message>
+        <source>standard regional mesh, 500 m</source>
+        <translation>2分の1地域メッシュ（約500 m）</translation>
+    </message>
+    <message>
+        <source>standard regional mesh, 250 m</source>
+        <translation>4分の1地域メッシュ（約250 m）</translation>
+    </message>
+    <message>
+        <source>map sheet of level 5000</source>
+        <translation>国土基本図図郭（地図情報レベル5000）</translation>
+    </message>
+    <message>
+        <source>map sheet of level 2500</source>
+        <translation>国土基本図図郭（地図情報レベル2500）</translation>
+    </message>
+    <message>
+        <source>map sheet of level 1000</source>
+        <translation>国土基本図図郭（地図情報レベル1000）</translation>
+    </message>
+    <message>
+        <source>map sheet of level 500</source>
+        <translation>国土基本図図郭（地図情報レベル500）</translation>
     </message>
     <message>
         <source>Squares of the side above; or Japan's standard regional meshes (JIS X 0410) of about 1 km, 500 m or 250 m; or the sheets of public survey maps of level 5000 (4 by 3 km), 2500 (2 by 1.5 km), 1000 (800 by 600 m) or 500 (400 by 300 m), in a plane rectangular system. Tiles are then named by their codes. (squares, mesh1km, mesh500m, mesh250m, sheet5000, sheet2500, sheet1000, sheet500)</source>
@@ -4662,8 +5140,8 @@
         <translation>タイル別の結果、統合した結果、および後で処理を続けるために必要なもの。</translation>
     </message>
     <message>
-        <source>HTML report: what was done, what failed and why, time, memory, disk, a map of the tiles.</source>
-        <translation>HTML報告書: 処理したもの、失敗とその理由、時間、メモリ、ディスク、タイルの地図。</translation>
+        <source>HTML report: how many buildings or walls are ok, doubtful and failed, which tiles failed and why, time, memory, disk, a map.</source>
+        <translation>HTML 報告書：良好・要確認・失敗の建物または壁の数、失敗したタイルとその理由、時間、メモリ、ディスク、地図。</translation>
     </message>
     <message>
         <source>Number of them.</source>
@@ -4694,24 +5172,36 @@
         <translation>一連の処理</translation>
     </message>
     <message>
-        <source>Goes from aerial frames and airborne laser points to the reference that mobile surveys are tied to, in one run: surface and ground from ALS, orthophoto of the ground that the frames see, without moving vehicles, and road markings with their heights.&lt;/p&gt;&lt;p&gt;This is the same chain as “Road markings from aerial frames”, as a model: open it in the modeller to see its steps, or save it under another name and change it.</source>
-        <translation>空中写真と航空レーザ点群から、MMS計測の位置の基準となる成果までを一度に作成します: 航空レーザからの表層と地表、写真に写る地表のオルソ画像（移動車両なし）、高さ付きの路面標示。&lt;/p&gt;&lt;p&gt;「空中写真からの路面標示」と同じ一連の処理をモデルとしたものです。モデルデザイナーで開いて各段階を確認したり、別名で保存して変更したりできます。</translation>
+        <source>Goes from aerial frames and airborne laser points to the reference that mobile surveys are tied to, in one run: surface and ground from ALS, orthophoto of the ground that the frames see, without moving vehicles, and road markings with their heights.&lt;/p&gt;&lt;p&gt;This is the same chain as “Road markings from aerial frames”, as a model: the menu Plugins &gt; UrbanMap &gt; Open a chain in the modeller opens a copy to look at and to change.</source>
+        <translation>空中写真と航空レーザ点群から、MMS計測の位置の基準となる成果までを一度に作成します: 航空レーザからの表層と地表、写真に写る地表のオルソ画像（移動車両なし）、高さ付きの路面標示。&lt;/p&gt;&lt;p&gt;「空中写真からの路面標示」と同じ一連の処理をモデルとしたものです。メニュー「プラグイン &gt; UrbanMap &gt; 処理の流れをモデルデザイナーで開く」で複製を開き、各段階を確認し変更できます。</translation>
     </message>
     <message>
-        <source>Points on road markings that two overlapping images show, with the shift of the second against the first in metres (east, north; sigma of one place), and the median of the pair with its sigma. Pairs that lie more than a pixel apart have the status “apart”.</source>
-        <translation>重複する2枚の画像に写る路面標示上の点。1枚目に対する2枚目のずれ（東、北、メートル。1箇所のσ）と、写真の組の中央値とそのσを含みます。1画素を超えてずれた組は、ステータスが「apart」となります。</translation>
+        <source>Road markings from aerial frames (model)</source>
+        <translation>空中写真からの路面標示（モデル）</translation>
     </message>
     <message>
-        <source>Goes from airborne laser points and rough outlines to closed 3D building models in one run: segment buildings, segment roofs, roof polygons, building models.&lt;/p&gt;&lt;p&gt;This is the same chain as “Buildings from ALS”, as a model: open it in the modeller to see its steps, or save it under another name and change it.</source>
-        <translation>航空レーザ点群と概略の外周線から、閉じた3次元建物モデルまでを一度に作成します: 建物の抽出、屋根の分割、屋根ポリゴン、建物モデル。&lt;/p&gt;&lt;p&gt;「航空レーザ点群からの建物」と同じ一連の処理をモデルとしたものです。モデルデザイナーで開いて各段階を確認したり、別名で保存して変更したりできます。</translation>
+        <source>Goes from airborne laser points and rough outlines to closed 3D building models in one run: segment buildings, segment roofs, roof polygons, building models.&lt;/p&gt;&lt;p&gt;This is the same chain as “Buildings from ALS”, as a model: the menu Plugins &gt; UrbanMap &gt; Open a chain in the modeller opens a copy to look at and to change.</source>
+        <translation>航空レーザ点群と概略の外周線から、閉じた3次元建物モデルまでを一度に作成します: 建物の抽出、屋根の分割、屋根ポリゴン、建物モデル。&lt;/p&gt;&lt;p&gt;「航空レーザ点群からの建物」と同じ一連の処理をモデルとしたものです。メニュー「プラグイン &gt; UrbanMap &gt; 処理の流れをモデルデザイナーで開く」で複製を開き、各段階を確認し変更できます。</translation>
     </message>
     <message>
-        <source>Goes from a mobile survey to the same survey lying on the aerial reference, in one run: its road markings by intensity, their registration to the reference markings, and the points as the corrected trajectory places them.&lt;/p&gt;&lt;p&gt;This is the same chain as “Georeference mobile survey”, as a model: open it in the modeller to see its steps, or save it under another name and change it.</source>
-        <translation>MMS計測を空中写真の基準に合わせるまでを一度に行います: 反射強度による路面標示の抽出、基準の路面標示への位置合わせ、補正軌跡による点群の再配置。&lt;/p&gt;&lt;p&gt;「MMS計測の位置合わせ」と同じ一連の処理をモデルとしたものです。モデルデザイナーで開いて各段階を確認したり、別名で保存して変更したりできます。</translation>
+        <source>Buildings from ALS (model)</source>
+        <translation>航空レーザ点群からの建物（モデル）</translation>
     </message>
     <message>
-        <source>Goes from reference markings and corrected drives to a lane map, in one run: line work of the markings, then lanes with their bounds, directions and connections, as layers, as Lanelet2 file for Autoware and as OpenDRIVE file.&lt;/p&gt;&lt;p&gt;This is the same chain as “Lane map from markings and drives”, as a model: open it in the modeller to see its steps, or save it under another name and change it.</source>
-        <translation>基準の路面標示と補正済みの走行から、車線地図までを一度に作成します: 路面標示の線、次に境界、方向、接続をもつ車線を、レイヤ、Autoware用のLanelet2ファイル、OpenDRIVEファイルとして出力します。&lt;/p&gt;&lt;p&gt;「路面標示と走行からの車線地図」と同じ一連の処理をモデルとしたものです。モデルデザイナーで開いて各段階を確認したり、別名で保存して変更したりできます。</translation>
+        <source>Goes from a mobile survey to the same survey lying on the aerial reference, in one run: its road markings by intensity, their registration to the reference markings, and the points as the corrected trajectory places them.&lt;/p&gt;&lt;p&gt;This is the same chain as “Georeference mobile survey”, as a model: the menu Plugins &gt; UrbanMap &gt; Open a chain in the modeller opens a copy to look at and to change.</source>
+        <translation>MMS計測を空中写真の基準に合わせるまでを一度に行います: 反射強度による路面標示の抽出、基準の路面標示への位置合わせ、補正軌跡による点群の再配置。&lt;/p&gt;&lt;p&gt;「MMS計測の位置合わせ」と同じ一連の処理をモデルとしたものです。メニュー「プラグイン &gt; UrbanMap &gt; 処理の流れをモデルデザイナーで開く」で複製を開き、各段階を確認し変更できます。</translation>
+    </message>
+    <message>
+        <source>Georeference mobile survey (model)</source>
+        <translation>MMS計測の位置合わせ（モデル）</translation>
+    </message>
+    <message>
+        <source>Goes from reference markings and corrected drives to a lane map, in one run: line work of the markings, then lanes with their bounds, directions and connections, as layers, as Lanelet2 file for Autoware and as OpenDRIVE file.&lt;/p&gt;&lt;p&gt;This is the same chain as “Lane map from markings and drives”, as a model: the menu Plugins &gt; UrbanMap &gt; Open a chain in the modeller opens a copy to look at and to change.</source>
+        <translation>基準の路面標示と補正済みの走行から、車線地図までを一度に作成します: 路面標示の線、次に境界、方向、接続をもつ車線を、レイヤ、Autoware用のLanelet2ファイル、OpenDRIVEファイルとして出力します。&lt;/p&gt;&lt;p&gt;「路面標示と走行からの車線地図」と同じ一連の処理をモデルとしたものです。メニュー「プラグイン &gt; UrbanMap &gt; 処理の流れをモデルデザイナーで開く」で複製を開き、各段階を確認し変更できます。</translation>
+    </message>
+    <message>
+        <source>Lane map from markings and drives (model)</source>
+        <translation>路面標示と走行からの車線地図（モデル）</translation>
     </message>
     <message>
         <source>UrbanMap: mobile mapping and 3D city models</source>
@@ -4756,10 +5246,12 @@
     <message>
         <source>Judges a survey or building models by check points, in the form of the tables of quality control of Japan's public surveys: figures in plan and in height apart, the limits of the map level, passed or failed for each criterion, a map of the errors, all points.
 Check points must have been measured independently; those that the product was adjusted to are left out where a column “role” names them. Where there are too few points nothing is accepted.
-The standard deviation is that about a mean of 0. With few points it says little: the report gives the value that it is below with a confidence of 95 %.</source>
+The standard deviation is that about a mean of 0. With few points it says little: the report gives the value that it is below with a confidence of 95 %.
+Building models without check points yet: their edges are drawn at random, 21 of each quarter regional mesh, into a table in which the survey fills in what it measured. That table is then given as check points.</source>
         <translation>計測成果または建物モデルを検証点により判定し、公共測量の精度管理表の形式で示します：水平位置と標高それぞれの値、地図情報レベルの制限値、項目ごとの合否、較差の分布図、全点の一覧。
 検証点は独立に測量した点とします。role列で調整に用いたとされた点は除外します。点数が足りない場合は合格としません。
-標準偏差は母平均を0とした値です。点数が少ない場合は、95 %の信頼度で標準偏差の上限となる値も示します。</translation>
+標準偏差は母平均を0とした値です。点数が少ない場合は、95 %の信頼度で標準偏差の上限となる値も示します。
+検証点のまだない建物モデルでは、4分の1地域メッシュごとに21辺を無作為に抽出し、点検測量の結果を記入する表を作ります。記入した表を検証点として指定します。</translation>
     </message>
     <message>
         <source>Input</source>
@@ -4806,12 +5298,20 @@ The standard deviation is that about a mean of 0. With few points it says little
         <translation>コース</translation>
     </message>
     <message>
+        <source>yes</source>
+        <translation>はい</translation>
+    </message>
+    <message>
         <source>Corrects several drives of a mobile survey at once. Road markings that two drives saw, or one drive twice, tie them to each other, and so do facades and road as planes; control points and reference markings place them. All go into one least-squares adjustment, in which each trajectory drifts as GNSS and inertial units do.
 Without control points and reference markings the drives agree with each other, but their place is only relative: the result says so.
 The corrected trajectories keep the names, formats and epochs of those given; apply them with “Apply corrected trajectory”.</source>
         <translation>MMS計測の複数の走行を同時に補正します。2つの走行で、または1つの走行で2回見えた路面標示が走行どうしを結び付け、平面としての壁面と路面も同様に働きます。基準点と基準の路面標示がその位置を定めます。すべてを1つの最小二乗法による調整に入れ、各軌跡はGNSSと慣性装置に応じてドリフトするものとします。
 基準点と基準の路面標示がない場合、走行どうしは一致しますが、位置は相対的なものにとどまり、結果にその旨を示します。
 補正軌跡は、入力した軌跡の名称、形式、エポックを保持します。「補正軌跡の適用」で適用してください。</translation>
+    </message>
+    <message>
+        <source>network adjustment on the registration of Javanmardi 2018, 3.2.4 and 4</source>
+        <translation>Javanmardi 2018、3.2.4、4の位置合わせに基づく網平均</translation>
     </message>
     <message>
         <source>GNSS</source>
@@ -4858,6 +5358,10 @@ Give as many passes as there are: with one or two nothing is moved, about ten ar
 走行はできるだけ多く指定してください。1～2回では何も動かず、1つの壁面に約10回が必要です。</translation>
     </message>
     <message>
+        <source>Javanmardi 2018, 5.6</source>
+        <translation>Javanmardi 2018、5.6</translation>
+    </message>
+    <message>
         <source>road</source>
         <translation>道路</translation>
     </message>
@@ -4896,6 +5400,10 @@ Frames, points and outlines must be in one projected coordinate system in metres
 写真、点群、外周線は、メートル単位の同じ投影座標系としてください。</translation>
     </message>
     <message>
+        <source>Javanmardi 2018, 3.2.1, 3.2.2 and 4.1</source>
+        <translation>Javanmardi 2018、3.2.1、3.2.2、4.1</translation>
+    </message>
+    <message>
         <source>Apply corrected trajectory</source>
         <translation>補正軌跡の適用</translation>
     </message>
@@ -4924,6 +5432,10 @@ Frames, points and outlines must be in one projected coordinate system in metres
 Only coordinates change: attributes, extra dimensions, header records and the order of the points are kept. Several files are written as one, one after the other. The files may be larger than memory. The GPS times of the points may be seconds of the week or adjusted standard time.</source>
         <translation>計測の点群とその画像の位置姿勢を、座標付けに用いた軌跡から補正軌跡へ移します。
 変わるのは座標だけで、属性、追加次元、ヘッダのレコード、点の順序は保持されます。複数のファイルは順につないで1つに書き出します。ファイルはメモリより大きくても構いません。点のGPS時刻は、週内秒でも補正標準時（adjusted standard time）でも構いません。</translation>
+    </message>
+    <message>
+        <source>Javanmardi 2018, 3.2.4.3</source>
+        <translation>Javanmardi 2018、3.2.4.3</translation>
     </message>
     <message>
         <source>building</source>
@@ -4956,6 +5468,10 @@ Each solid is checked: closed, planar, oriented outwards, no self-intersection. 
 各立体について、閉合、平面性、外向きの面、自己交差のないことを検査します。点群を指定した場合は、建物ごとにモデルの適合度を示します。モデルを作成できない建物も行を残し、理由を文で示します。</translation>
     </message>
     <message>
+        <source>Javanmardi 2018, 5.3.4</source>
+        <translation>Javanmardi 2018、5.3.4</translation>
+    </message>
+    <message>
         <source>lidar</source>
         <translation>ライダー</translation>
     </message>
@@ -4970,6 +5486,10 @@ The same chain is there as a model that can be changed in the modeller.</source>
         <translation>航空レーザ点群と概略の外周線から、閉じた3次元建物モデルまでを一度に作成します: 建物の抽出、屋根の分割、屋根ポリゴン、建物モデル。
 方法paperでは、全体を論文のとおりに処理します: 拡張した外周線内の全点、ヒストグラムのみ、アルファシェイプとハフ変換による線、最高点。
 同じ一連の処理は、モデルデザイナーで変更できるモデルとしても用意されています。</translation>
+    </message>
+    <message>
+        <source>Javanmardi 2018, chapter 5</source>
+        <translation>Javanmardi 2018、5章</translation>
     </message>
     <message>
         <source>calibration</source>
@@ -4996,6 +5516,10 @@ What the drives do not determine keeps its value and is called so: heights of le
 走行から決まらないものは元の値を保ち、その旨を示します。レバーアームの高さの決定には、多くの場合、基準点が必要です。</translation>
     </message>
     <message>
+        <source>least-squares adjustment of planes seen from different sides</source>
+        <translation>異なる側から見た平面の最小二乗調整</translation>
+    </message>
+    <message>
         <source>GCP</source>
         <translation>GCP</translation>
     </message>
@@ -5005,13 +5529,63 @@ What the drives do not determine keeps its value and is called so: heights of le
     </message>
     <message>
         <source>error</source>
-        <translation>誤差</translation>
+        <translation>エラー</translation>
     </message>
     <message>
         <source>Measures how far a mobile survey is off at control points, as it was reported and, where a corrected trajectory is given, as that places it.
 The numbers are of the corrected survey where one is given, otherwise of the survey as it is.</source>
         <translation>MMS計測の検証点でのずれを、補正前について、また補正軌跡を指定した場合は補正後についても求めます。
 数値は、補正軌跡を指定した場合は補正後の計測、それ以外は元の計測のものです。</translation>
+    </message>
+    <message>
+        <source>Javanmardi 2018, 3.3.5</source>
+        <translation>Javanmardi 2018、3.3.5</translation>
+    </message>
+    <message>
+        <source>PLATEAU</source>
+        <translation>PLATEAU</translation>
+    </message>
+    <message>
+        <source>quality</source>
+        <translation>品質</translation>
+    </message>
+    <message>
+        <source>validation</source>
+        <translation>検証</translation>
+    </message>
+    <message>
+        <source>check</source>
+        <translation>検査</translation>
+    </message>
+    <message>
+        <source>i-UR</source>
+        <translation>i-UR</translation>
+    </message>
+    <message>
+        <source>delivery</source>
+        <translation>納品</translation>
+    </message>
+    <message>
+        <source>品質</source>
+        <translation>品質</translation>
+    </message>
+    <message>
+        <source>検査</source>
+        <translation>検査</translation>
+    </message>
+    <message>
+        <source>都市モデル</source>
+        <translation>都市モデル</translation>
+    </message>
+    <message>
+        <source>Checks CityGML files of PLATEAU (buildings, roads, city furniture; the common rules on all others) by the requirements of the standard product specification that a file alone can show, under its own codes (C01 to T-bldg-02), and tells what breaks them, with its place. The page “Rules of city models” of the documentation lists all, and what is not checked because it needs other data or eyes.
+Code lists are those beside the files (../../codelists); where the data set brings none, those that the specification prints. References, ids and overlaps are looked at over all files of a folder or zip. Solids that overlap are told by their plans and heights.</source>
+        <translation>PLATEAU の CityGML ファイル（建築物、道路、都市設備。そのほかは共通規則）を、標準製品仕様書の品質要求のうちファイルだけで判定できるものについて仕様書の番号（C01～T-bldg-02）で検査し、適合しない箇所を位置とともに示します。規則の一覧と、ほかのデータや目視が必要なため検査しないものは、説明書の「3D都市モデルの規則」にあります。
+コードリストはファイルに添えられたもの（../../codelists）を使い、データセットにない場合は仕様書に記載のものを使います。参照、識別子、重なりはフォルダ又は zip の全ファイルを通して調べます。立体の重なりは平面形と高さで判定します。</translation>
+    </message>
+    <message>
+        <source>Project PLATEAU, standard product specification of 3D city models 5.0, chapters 4, 6 and 7</source>
+        <translation>Project PLATEAU 3D都市モデル標準製品仕様書 第5.0版、4章、6章、7章</translation>
     </message>
     <message>
         <source>Road map</source>
@@ -5036,14 +5610,6 @@ The numbers are of the corrected survey where one is given, otherwise of the sur
     <message>
         <source>Autoware</source>
         <translation>Autoware</translation>
-    </message>
-    <message>
-        <source>validation</source>
-        <translation>検証</translation>
-    </message>
-    <message>
-        <source>check</source>
-        <translation>検査</translation>
     </message>
     <message>
         <source>Checks any Lanelet2 file (OSM) by the rules of Lanelet2's and Autoware's validators that need no other file, with their codes and severities, and by some of our own, and tells what breaks them, with its place. The page “Rules of lane maps” of the documentation lists all.
@@ -5092,18 +5658,22 @@ Errors hinder a reader or change the map's sense: repeated ids, references to wh
         <translation>標高改定</translation>
     </message>
     <message>
+        <source>no</source>
+        <translation>いいえ</translation>
+    </message>
+    <message>
         <source>Takes heights of point clouds, a raster or a layer from one height system into another, with a grid that you give: GSI's corrections between JGD2011 and JGD2024, or a geoid model.
 The result states its height system, and the change is told: its least, mean and largest. In Japan heights of JGD2024 (since April 2025) differ from JGD2011 by up to +57 and -67 cm; plane coordinates are the same.</source>
         <translation>点群、ラスタまたはレイヤの高さを、指定したグリッドを用いて別の高さの基準に変換します。グリッドは、国土地理院によるJGD2011とJGD2024の間の補正パラメータ、またはジオイド・モデルです。
 結果には高さの基準を明記し、変化量の最小、平均、最大を示します。日本では、JGD2024（2025年4月から）の標高はJGD2011と最大で+57 cm、-67 cm異なります。平面座標は同じです。</translation>
     </message>
     <message>
-        <source>Export city model</source>
-        <translation>都市モデルの出力</translation>
+        <source>GSI, revision of heights in Japan of April 2025 (JGD2024)</source>
+        <translation>国土地理院、2025年4月の標高成果の改定（JGD2024）</translation>
     </message>
     <message>
-        <source>PLATEAU</source>
-        <translation>PLATEAU</translation>
+        <source>Export city model</source>
+        <translation>都市モデルの出力</translation>
     </message>
     <message>
         <source>Cesium</source>
@@ -5160,6 +5730,10 @@ Trajectory, points and building models must fit together: correct the survey fir
 軌跡、点群、建物モデルの位置は互いに合っている必要があります。先に計測を補正してください。</translation>
     </message>
     <message>
+        <source>Zhao and Shibasaki, 2.2 and 4.2</source>
+        <translation>Zhao・Shibasaki、2.2、4.2</translation>
+    </message>
+    <message>
         <source>Aerial reference</source>
         <translation>空中写真の基準</translation>
     </message>
@@ -5186,6 +5760,10 @@ The others are resampled onto the first, also from another coordinate system, an
 ほかの画像は、座標参照系が異なる場合も含めて1枚目に合わせて再配列し、露出の違いをそろえます。1枚にデータのない画素は、ほかの画像で補います。</translation>
     </message>
     <message>
+        <source>Javanmardi 2018, 3.2.1.2</source>
+        <translation>Javanmardi 2018、3.2.1.2</translation>
+    </message>
+    <message>
         <source>registration</source>
         <translation>位置合わせ</translation>
     </message>
@@ -5194,6 +5772,10 @@ The others are resampled onto the first, also from another coordinate system, an
 With ground heights the correction is in space; without them heights stay as they are. The reference is what “Road markings from aerial frames” makes.</source>
         <translation>MMS計測データから、空中写真の基準に位置を合わせたMMS計測データまでを、1回の実行で求めます。反射強度による路面標示の抽出、基準の路面標示との位置合わせ、補正後の軌跡による点群の再配置を行います。
 地表の標高を与えると3次元で補正します。与えない場合、高さはそのままです。基準には「空中写真からの路面標示」の結果を用います。</translation>
+    </message>
+    <message>
+        <source>Javanmardi 2018, 3.2.3, 3.2.4 and 4</source>
+        <translation>Javanmardi 2018、3.2.3、3.2.4、4</translation>
     </message>
     <message>
         <source>Georeference range scans</source>
@@ -5232,6 +5814,10 @@ Position and angles of the vehicle are linear between epochs. What was measured 
 車両の位置と角度はエポック間で線形に補間します。軌跡の時間の外、または1秒を超える軌跡の欠測区間で測定されたものは除き、その数を示します。点はangleとrangeを保持します。</translation>
     </message>
     <message>
+        <source>Zhao and Shibasaki 2004, 2.2, eq. 1 and 4 to 7</source>
+        <translation>Zhao・Shibasaki 2004、2.2、式1、4～7</translation>
+    </message>
+    <message>
         <source>NLOS</source>
         <translation>NLOS</translation>
     </message>
@@ -5246,10 +5832,6 @@ The class of a signal near an edge is not sure, as walls of models stand up to a
         <translation>観測された衛星信号を建物モデルの間で追跡し、見通し内、遮蔽、壁面での1回反射に分けます。
 各信号は3Dの線となり、モデルから予測される過剰経路長と、衛星・大気・受信機時計の補正後のコード測定の残差をもちます。遮蔽されているのに受信された信号は、別の経路を通ったものです。1つの壁面だけがそれを反射し得た場合、残差は過剰経路長に等しいはずです。
 モデルの壁面は1～2 mずれていることがあるため、辺の近くを通る信号の区分は確実ではありません。</translation>
-    </message>
-    <message>
-        <source>Ground of a mobile survey</source>
-        <translation>MMS計測の地表面</translation>
     </message>
     <message>
         <source>ground</source>
@@ -5280,6 +5862,10 @@ A street that is driven several times is filtered pass by pass where the points 
 点にGPS時刻がある場合、複数回走行した道路は走行パスごとに処理します。走行パスどうしは高さが数十cmずれていることがあるためです。はるかに密な路面の下にある点の小さな塊（マルチパスによるゴースト点）は除きます。壁や柱の最下部数十cmは、しきい値では区別できないため地表に含まれます。ファイルはメモリより大きくてもかまいません。</translation>
     </message>
     <message>
+        <source>Javanmardi 2018, 3.2.3.1; cloth filter: Zhang et al. 2016</source>
+        <translation>Javanmardi 2018、3.2.3.1。布シミュレーションフィルタ：Zhangほか 2016</translation>
+    </message>
+    <message>
         <source>Landmark update</source>
         <translation>標識点による更新</translation>
     </message>
@@ -5298,6 +5884,10 @@ The correction at each control point is its true place less its place in the sur
 各調整点での補正量は、真の位置から計測データ中の位置を引いたものです。調整点の間では時間で補間し、最初の調整点より前と最後の調整点より後では一定とします。角度は変更しません。結果は調整点の近くでは良好で、その間では計測の誤差に従います。</translation>
     </message>
     <message>
+        <source>Javanmardi 2018, 3.1</source>
+        <translation>Javanmardi 2018、3.1</translation>
+    </message>
+    <message>
         <source>OpenDRIVE</source>
         <translation>OpenDRIVE</translation>
     </message>
@@ -5306,6 +5896,10 @@ The correction at each control point is its true place less its place in the sur
 Markings and ground are what “Road markings from aerial frames” makes; trajectories are what “Georeference mobile survey” makes. What is missing for a lane is a finding with its place: look at them, for no lane is made without evidence.</source>
         <translation>基準の路面標示と補正後の走行から車線地図までを、1回の実行で作成します。路面標示の線、次に境界・方向・接続をもつ車線を作成し、レイヤ、Autoware用のLanelet2ファイル、OpenDRIVEファイルとして出力します。
 路面標示と地表は「空中写真からの路面標示」の結果、軌跡は「MMS計測の位置合わせ」の結果を用います。車線に不足しているものは、その位置を示す指摘事項となります。根拠のない車線は作成されないため、指摘事項を確認してください。</translation>
+    </message>
+    <message>
+        <source>Javanmardi 2018, 6.2</source>
+        <translation>Javanmardi 2018、6.2</translation>
     </message>
     <message>
         <source>Load city model</source>
@@ -5320,14 +5914,14 @@ Markings and ground are what “Road markings from aerial frames” makes; traje
         <translation>建築物</translation>
     </message>
     <message>
-        <source>都市モデル</source>
-        <translation>都市モデル</translation>
-    </message>
-    <message>
         <source>Loads buildings of city models as outlines with heights and all attributes, and their solids and surfaces, for the other steps.
 CityGML as PLATEAU has it (.gml, .zip or its folder; files of roads and the like are passed over), CityJSON and CityJSONSeq are read, levels of detail 0 to 2. Codes get their meaning where the lists are beside the files. A building whose id is not its own, whose solid is not closed or whose parts cannot be read keeps its row; the field “note” says why. Nothing is read from the network.</source>
         <translation>都市モデルの建物を、高さとすべての属性をもつ外周線として、また立体と面として読み込み、ほかの処理で使えるようにします。
 PLATEAUのCityGML（.gml、.zip、またはそのフォルダ。道路などのファイルは読み飛ばします）、CityJSON、CityJSONSeqを、詳細度0～2で読み込みます。コードは、コードリストがファイルのそばにあれば意味に置き換えます。idが重複する建物、立体が閉じていない建物、一部が読めない建物も行を保ち、フィールド「note」に理由を示します。ネットワークからは何も読み込みません。</translation>
+    </message>
+    <message>
+        <source>OGC 12-019 (CityGML 2.0), CityJSON 2.0.1</source>
+        <translation>OGC 12-019（CityGML 2.0）、CityJSON 2.0.1</translation>
     </message>
     <message>
         <source>Load GSI buildings</source>
@@ -5364,6 +5958,10 @@ Areas (BldA) and outlines (BldL) are read from the files as downloaded: .xml, .z
 建築物（BldA）と建築物の外周線（BldL）を、ダウンロードしたままのファイル（.xml、.zip、またはそのフォルダ）から読み込みます。外周線は閉じていればポリゴンとします。複数の図郭にある建物や、面と外周線の両方がある建物は1つだけとします。除いたものや変更したものはログに示します。</translation>
     </message>
     <message>
+        <source>Javanmardi 2018, 5.3.1</source>
+        <translation>Javanmardi 2018、5.3.1</translation>
+    </message>
+    <message>
         <source>Load GSI elevation model</source>
         <translation>国土地理院の標高モデルの読込</translation>
     </message>
@@ -5384,6 +5982,10 @@ Areas (BldA) and outlines (BldL) are read from the files as downloaded: .xml, .z
 DEM1A, 5A, 5B, 5C, 10A and 10B are read as downloaded: .xml, .zip (zips in it too), or a folder of them. The newest file of a mesh is taken; where finer products have no height, coarser ones fill in. The raster states its height system (JGD2000, JGD2011 or JGD2024).</source>
         <translation>国土地理院の基盤地図情報の数値標高モデルを、ほかの処理で使う地表のラスタとして読み込みます。
 DEM1A、5A、5B、5C、10A、10Bを、ダウンロードしたままのファイル（.xml、.zip（内側のzipも可）、またはそのフォルダ）から読み込みます。メッシュごとに最新のファイルを用い、細かい製品に標高がないところは粗い製品で補います。ラスタには高さの基準（JGD2000、JGD2011またはJGD2024）が記録されます。</translation>
+    </message>
+    <message>
+        <source>GSI, product specification of the Fundamental Geospatial Data (digital elevation model)</source>
+        <translation>国土地理院、基盤地図情報（数値標高モデル）製品仕様書</translation>
     </message>
     <message>
         <source>localization</source>
@@ -5478,8 +6080,8 @@ Every result is checked: closed, planar, oriented outwards, no self-intersection
 すべての結果について、閉じていること、平面であること、外向きであること、自己交差がないことを検査します。統合できない建物は元のモデルを保ち、理由を示します。</translation>
     </message>
     <message>
-        <source>2.5D mesh of buildings</source>
-        <translation>建物の2.5Dメッシュ</translation>
+        <source>Javanmardi 2018, 5.7</source>
+        <translation>Javanmardi 2018、5.7</translation>
     </message>
     <message>
         <source>mesh</source>
@@ -5552,6 +6154,10 @@ Images and points must be placed by the same trajectory.</source>
 画像と点は同じ軌跡で配置されている必要があります。</translation>
     </message>
     <message>
+        <source>Zhao and Shibasaki, 4.2</source>
+        <translation>Zhao・Shibasaki、4.2</translation>
+    </message>
+    <message>
         <source>Occlusion map of a frame</source>
         <translation>写真の遮蔽図</translation>
     </message>
@@ -5596,8 +6202,8 @@ The edges are as good as the surface: use a resolution near the distance between
 縁の精度は表層の精度によります。解像度はレーザ点の間隔程度としてください。建物外周線を与えると、低い建物や点の欠けた屋根も加わります。マスクは空中写真と同じ行数・列数で、地図上の位置をもちません。</translation>
     </message>
     <message>
-        <source>Orthorectify frames</source>
-        <translation>写真のオルソ補正</translation>
+        <source>Javanmardi 2018, 3.2.1.1, eq. 1 to 3</source>
+        <translation>Javanmardi 2018、3.2.1.1、式1～3</translation>
     </message>
     <message>
         <source>orthorectification</source>
@@ -5618,6 +6224,10 @@ Frames, ground and surface must be in one projected coordinate system in metres.
         <translation>空中写真を地表に投影し、1枚のモザイクとします。建物・樹木・橋が1枚の写真で隠す地表は、それが写る別の写真から補います。建物自体と、どの写真にも写らない地表はノーデータ（0）です。
 写真間の露出の違いは先に調整します。車両フィルタを用いると、別の写真に車両のいた場所の路面が写るため、移動する車両は消えます。すべての写真で停車している車両は残ります。
 空中写真、地表、表層は、同一の投影座標系（メートル単位）である必要があります。</translation>
+    </message>
+    <message>
+        <source>Javanmardi 2018, 3.2.1</source>
+        <translation>Javanmardi 2018、3.2.1</translation>
     </message>
     <message>
         <source>overlay</source>
@@ -5648,6 +6258,10 @@ Points are read once; each image keeps the nearest point of every 3 by 3 pixels.
 点は一度だけ読み込みます。各画像は3×3画素ごとに最も近い点を保持します。</translation>
     </message>
     <message>
+        <source>Zhao and Shibasaki, 4.1 and 4.2</source>
+        <translation>Zhao・Shibasaki、4.1、4.2</translation>
+    </message>
+    <message>
         <source>tie points</source>
         <translation>タイポイント</translation>
     </message>
@@ -5668,12 +6282,20 @@ With a ground raster the heights then follow the ground along the course, at the
 地表のラスタを与えると、高さは走行軌跡に沿った地表に、指定した軌跡の原点の地上高を加えたものとなります。ロールとピッチはそのままです。</translation>
     </message>
     <message>
+        <source>Zhao and Shibasaki 2004, 3, eq. 8 to 17</source>
+        <translation>Zhao・Shibasaki 2004、3、式8～17</translation>
+    </message>
+    <message>
         <source>Finds how the trajectory of a mobile survey is off, by laying its road markings on those of an aerial reference, and corrects it.
 The driven path is cut into short patches; each is registered with a window of patches round it that is as long as its markings need. The windows' results become one smooth correction over the path: stretches that contradict the rest lose their weight, gaps are bridged with growing uncertainty, and each patch says how its correction was found and how sure it is.
 With ground heights (a raster, or polygons with heights) the correction is in space; without them heights, roll and pitch stay as they are. Apply the result with “Apply corrected trajectory”.</source>
         <translation>MMS計測の路面標示を空中写真の基準の路面標示に重ねて、MMS計測の軌跡のずれを求め、補正します。
 走行経路を短いパッチに分け、各パッチを、路面標示が必要とするだけの長さをもつ前後のパッチのウィンドウで位置合わせします。ウィンドウの結果は、経路に沿った1つの滑らかな補正にまとめます。ほかと矛盾する区間は重みを失い、すき間は不確かさを増しながら補間します。各パッチには、補正の求め方とその確かさを示します。
 地表の標高（ラスタ、または高さをもつポリゴン）を与えると3次元で補正します。与えない場合、高さ・ロール・ピッチはそのままです。結果は「補正軌跡の適用」で適用してください。</translation>
+    </message>
+    <message>
+        <source>Javanmardi 2018, 3.2.4 and 4</source>
+        <translation>Javanmardi 2018、3.2.4、4</translation>
     </message>
     <message>
         <source>curb</source>
@@ -5710,10 +6332,6 @@ Objects of “Objects from images” and walls of “Walls from a mobile survey�
         <translation>標示塗料</translation>
     </message>
     <message>
-        <source>intensity</source>
-        <translation>反射強度</translation>
-    </message>
-    <message>
         <source>reflectance</source>
         <translation>反射率</translation>
     </message>
@@ -5728,6 +6346,10 @@ Ground is taken by class 2 where at least 1 % of the points have it, otherwise f
         <translation>MMS計測のレーザ点群から、反射強度により路面標示上の点を抽出します。
 反射強度は斜距離と入射角により低下します。スキャナごとに、アスファルトの反射強度を斜距離の曲線に当てはめ、すべての反射強度をその値で割ります。周囲の地表より明るい点が線状をなすとき、路面標示点とします。縁石、壁の下端、広い明るい面は除きます。
 地表は、点の1 %以上がクラス2であればクラス2とし、それ以外は布シミュレーションフィルタで求めます。処理は経路に沿って行います。同じ場所の走行パスどうしは混ぜず、1秒を超える停車中に計測されたものは除きます。ファイルはメモリより大きくてもかまいません。</translation>
+    </message>
+    <message>
+        <source>Javanmardi 2018, 3.2.3</source>
+        <translation>Javanmardi 2018、3.2.3</translation>
     </message>
     <message>
         <source>zebra</source>
@@ -5748,6 +6370,10 @@ Any orthophoto of 0.5 m or finer will do, in grey or in red, green and blue, 8 o
         <translation>オルソ画像から、白・黄・青の路面標示を求めます。オルソ画像の画素に合わせたマスクと、画素より細かい輪郭のポリゴンを作成します。
 レベル補正の後、周囲のブロックのガウス平均よりコントラストの値以上明るい画素を残します（日陰では比例して小さくします）。次に、標示でないものを除きます。片側が同じ明るさのもの（縁石、壁、影の縁）、標示より幅の広い明るいもの（車両、屋根）とそれに接する短い断片、葉、微小なもの、遮蔽部分に沿った屋根の縁です。そばの地表は、道路のように滑らかな灰色でなければなりません。その度合いを信頼度で示します。
 0.5 mまたはそれより細かいオルソ画像であれば、グレーまたはRGB、8または16ビット、任意の大きさのものを使えます。道路のデータがあれば指定してください。屋根・敷地・舗装の明るい線が除かれます。画像で建物が倒れ込んでいる場合は、建物外周線、または建物が隠す部分のマスクを指定してください。</translation>
+    </message>
+    <message>
+        <source>Javanmardi 2018, 3.2.2 and 4.1</source>
+        <translation>Javanmardi 2018、3.2.2、4.1</translation>
     </message>
     <message>
         <source>roof</source>
@@ -5774,6 +6400,46 @@ Any orthophoto of 0.5 m or finer will do, in grey or in red, green and blue, 8 o
 The method “partition” divides each outline among its roofs along straight lines where roofs meet: no gaps, no slivers, common edges. The method “points” first draws the building's outer limit from its points, for outlines that are wrong in shape, then divides it likewise. The method “paper” outlines each roof on its own: radius outlier removal, alpha shape, Hough lines over the ordered boundary points, and the polygon from these lines, at the height of the roof's highest point; it leaves the outline aside and needs roofs of simple shape. A building without a roof then has no polygon; the other methods give it a plain block.</source>
         <translation>各屋根のポリゴンを点から描きます。
 方法「partition」は、屋根どうしが接する直線に沿って、各外周線を屋根に分割します。すき間や細片がなく、辺を共有します。方法「points」は、形状が誤っている外周線のために、まず点から建物の外周を描き、次に同様に分割します。方法「paper」は、各屋根の輪郭を個別に描きます。半径外れ値除去、アルファシェイプ、順序付けた境界点のハフ変換による線、これらの線からのポリゴンの順に求め、屋根の最高点の高さに置きます。外周線は用いず、単純な形状の屋根に限られます。この方法では屋根のない建物にポリゴンはありませんが、ほかの方法では単純ブロックとします。</translation>
+    </message>
+    <message>
+        <source>Javanmardi 2018, 5.3.3</source>
+        <translation>Javanmardi 2018、5.3.3</translation>
+    </message>
+    <message>
+        <source>job</source>
+        <translation>作業</translation>
+    </message>
+    <message>
+        <source>batch</source>
+        <translation>バッチ処理</translation>
+    </message>
+    <message>
+        <source>chain</source>
+        <translation>一連の処理</translation>
+    </message>
+    <message>
+        <source>resume</source>
+        <translation>再開</translation>
+    </message>
+    <message>
+        <source>repeat</source>
+        <translation>繰り返し</translation>
+    </message>
+    <message>
+        <source>dock</source>
+        <translation>パネル</translation>
+    </message>
+    <message>
+        <source>Runs the steps of a job that the dock “UrbanMap” has planned and saved. Steps that are done and whose inputs, settings and results are as they were are left alone, so that an ended run goes on where it stopped. What became of each step is written into the job's file.
+To repeat the job on another survey, give its files as lines ROLE=FILE (several with “;” between them), and another folder: the job's file is then written into that folder, and the first one stays as it is.
+A step that fails ends the run with its sentence (on the command line with exit code 1).</source>
+        <translation>パネル「UrbanMap」で計画して保存した作業の手順を実行します。完了していて、入力・設定・結果が変わっていない手順はそのまま残すので、中断した処理は止まったところから続きます。各手順の結果は作業ファイルに書き込みます。
+別の計測に作業を繰り返すには、そのファイルを「役割=ファイル」の行で指定し（複数の場合は「;」で区切る）、別のフォルダを指定します。作業ファイルはそのフォルダに書き込み、元の作業ファイルは変わりません。
+手順が失敗すると、理由を示して終了します（コマンドラインでは終了コード1）。</translation>
+    </message>
+    <message>
+        <source>own</source>
+        <translation>独自</translation>
     </message>
     <message>
         <source>Getting started</source>
@@ -5848,6 +6514,10 @@ Walls hide satellites; trees, vehicles and bridges do not. Where walls of the mo
 壁面は衛星を隠しますが、樹木・車両・橋は考慮しません。モデルの壁面が1 mずれていると、その辺の近くの衛星の数は誤ります。</translation>
     </message>
     <message>
+        <source>Javanmardi 2018, 3.3 (figure 3-20)</source>
+        <translation>Javanmardi 2018、3.3 （図3-20）</translation>
+    </message>
+    <message>
         <source>Segment buildings</source>
         <translation>建物の抽出</translation>
     </message>
@@ -5882,8 +6552,8 @@ The histogram has overlapping bins. Each maximum with more points than the minim
 ヒストグラムの階級は互いに重なります。最小屋根面積に相当する数より点の多い極大のそれぞれを屋根とし、パラペットの極大はその屋根のものと統合します。論文に加えて、平面上で離れた2つの屋根からなる1つの極大は2つに分け、突出する小さな屋根を残し、傾斜屋根は高さの誤差の要求に応じた細かさで、いくつかの陸屋根とします。</translation>
     </message>
     <message>
-        <source>Surface and ground from ALS</source>
-        <translation>航空レーザからの表層と地表</translation>
+        <source>Javanmardi 2018, 5.3.2</source>
+        <translation>Javanmardi 2018、5.3.2</translation>
     </message>
     <message>
         <source>DSM</source>
@@ -5914,6 +6584,10 @@ Noise (classes 7 and 18), withheld points and points alone in space are left out
 ノイズ（クラス7と18）、withheldの点、孤立点は除きます。ファイルはメモリより大きくてもかまいません。高さのないセルは -9999 です。</translation>
     </message>
     <message>
+        <source>Javanmardi 2018, 3.2.1.1 and 4.1; cloth filter: Zhang et al. 2016</source>
+        <translation>Javanmardi 2018、3.2.1.1、4.1。布シミュレーションフィルタ：Zhangほか 2016</translation>
+    </message>
+    <message>
         <source>Propose tie points</source>
         <translation>タイポイントの提案</translation>
     </message>
@@ -5942,12 +6616,12 @@ Each line of the result runs from the survey to the reference. Look at them befo
 結果の各線は、計測データから基準へ向かいます。使う前に確認し、誤った線の削除、端点の移動、線の追加を行ってください。その精度は外周線の精度によります。補正では、外周線の精度を「タイポイントのσ」に指定してください。</translation>
     </message>
     <message>
-        <source>tile</source>
-        <translation>タイル</translation>
+        <source>Zhao and Shibasaki 2004, 3.2, where tie points are assigned by hand</source>
+        <translation>Zhao・Shibasaki 2004、3.2（論文ではタイポイントを手で指定）</translation>
     </message>
     <message>
-        <source>batch</source>
-        <translation>バッチ処理</translation>
+        <source>tile</source>
+        <translation>タイル</translation>
     </message>
     <message>
         <source>grid</source>
@@ -5956,10 +6630,6 @@ Each line of the result runs from the survey to the reference. Look at them befo
     <message>
         <source>large area</source>
         <translation>広域</translation>
-    </message>
-    <message>
-        <source>resume</source>
-        <translation>再開</translation>
     </message>
     <message>
         <source>overnight</source>
@@ -5984,10 +6654,6 @@ Through junctions a virtual lane is made where a drive shows it. Traffic keeps t
         <translation>線と走行から車線を作成します。隣の車線と共有する境界、中心線、幅、方向、後続車線、隣接車線、停止線、横断歩道を求め、レイヤ、Autowareが必要とするタグをもつLanelet2ファイル、OpenDRIVEファイルとして出力します。
 並んだ線は道路区間となります。車線の幅で並ぶ2本の線の間で、走行・矢印・停止線が方向を示すところ、または破線を隔てた車線、黄色もしくは二重の中央線を隔てた車線が方向を示すところに車線を作成します。それ以外は車線となりません。根拠のない帯、開いた端、見えなかった境界、どの車線にも含まれない走行は、位置を示す指摘事項となります。
 交差点内では、走行が示すところに仮想の車線を作成します。通行側は、指定がなければ走行が示す側とします。軌跡は補正済みのものとしてください。1 mの誤差があると、走行が別の車線に入ります。</translation>
-    </message>
-    <message>
-        <source>Walls from a mobile survey</source>
-        <translation>MMS計測の壁面</translation>
     </message>
     <message>
         <source>mobile mapping</source>
@@ -6054,6 +6720,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>合格（{name}）：検証点 {count} 点がすべての制限値を満たします。ただし、点数が少ないか値が制限値に近いため、95 %の信頼度では示せません。</translation>
     </message>
     <message>
+        <source>Nothing was checked: {count} edges were drawn. Survey both ends of each, fill x, y, z into the table of edges and give that as check points.</source>
+        <translation>まだ検証していません：{count}辺を抽出しました。各辺の両端を点検測量し、x、y、zを辺の表に記入して、検証点として指定してください。</translation>
+    </message>
+    <message>
         <source>Errors in plan</source>
         <translation>水平位置の較差</translation>
     </message>
@@ -6114,16 +6784,24 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>検査単位</translation>
     </message>
     <message>
+        <source>edges with both ends measured</source>
+        <translation>両端を計測した辺の数</translation>
+    </message>
+    <message>
+        <source>edges needed</source>
+        <translation>必要な辺の数</translation>
+    </message>
+    <message>
+        <source>edges drawn</source>
+        <translation>抽出した辺の数</translation>
+    </message>
+    <message>
+        <source>edges there are</source>
+        <translation>全辺数</translation>
+    </message>
+    <message>
         <source>Left out, as the product was adjusted to them: {count} points.</source>
         <translation>調整に用いたため除外した点：{count} 点。</translation>
-    </message>
-    <message>
-        <source>Figure</source>
-        <translation>項目</translation>
-    </message>
-    <message>
-        <source>Errors in plan, drawn larger than the map; red: above the limit. Arrows that all point one way are an error that the whole product shares.</source>
-        <translation>水平位置の較差（地図より拡大）。赤は制限値を超えるもの。矢印がそろって同じ方向を向く場合は、成果全体に共通する誤差です。</translation>
     </message>
     <message>
         <source>east</source>
@@ -6136,6 +6814,18 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>plan (distance)</source>
         <translation>水平（距離）</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>項目</translation>
+    </message>
+    <message>
+        <source>Errors in plan, drawn larger than the map; red: above the limit. Arrows that all point one way are an error that the whole product shares.</source>
+        <translation>水平位置の較差（地図より拡大）。赤は制限値を超えるもの。矢印がそろって同じ方向を向く場合は、成果全体に共通する誤差です。</translation>
+    </message>
+    <message>
+        <source>Not judged for {name}: {edges} edges with both ends measured{unit}, and {needed} are needed.</source>
+        <translation>{name}の判定はできません：両端を計測した辺が{edges}辺{unit}で、{needed}辺必要です。</translation>
     </message>
     <message>
         <source>{name} has no field {field}: choose the field that names the units of inspection.</source>
@@ -6174,6 +6864,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>水平位置</translation>
     </message>
     <message>
+        <source>No building has an edge of {length:g} m with heights: give models, not outlines.</source>
+        <translation>高さをもつ {length:g} m 以上の辺のある建物がありません。外周線ではなく建物モデルを指定してください。</translation>
+    </message>
+    <message>
         <source>{path} holds no camera: it must be a JSON object with focal_length_mm and so on.</source>
         <translation>{path} にカメラがありません。focal_length_mmなどをもつJSONオブジェクトとしてください。</translation>
     </message>
@@ -6194,12 +6888,20 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path} の歪みに単位 "mm" または "focal" を示してください。</translation>
     </message>
     <message>
+        <source>The camera's focal length, pixel pitch, width and height must be greater than 0.</source>
+        <translation>カメラの焦点距離、画素寸法、幅、高さは0より大きくしてください。</translation>
+    </message>
+    <message>
         <source>The angles are in degrees, gon or radians and in the order papers or usual, not {unit} and {order}.</source>
         <translation>角度の単位はdegrees、gon、radiansのいずれか、順序はpapersまたはusualとしてください（現在は {unit} と {order}）。</translation>
     </message>
     <message>
-        <source>{path} has no column {missing}: its first line must be {columns}.</source>
-        <translation>{path} に列 {missing} がありません。1行目を {columns} としてください。</translation>
+        <source>{path} has its places in longitude and latitude: export it in the projected coordinate system of the points.</source>
+        <translation>{path} の位置は経緯度です。点群と同じ投影座標系で出力し直してください。</translation>
+    </message>
+    <message>
+        <source>{path} has no column {missing}: an exterior orientation needs {columns}.</source>
+        <translation>{path} に列 {missing} がありません。外部標定要素には {columns} が必要です。</translation>
     </message>
     <message>
         <source>{path} lists no image.</source>
@@ -6214,16 +6916,16 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path} の角度は {guess} と思われます。度に変換するか、単位が分かる場合は指定してください。</translation>
     </message>
     <message>
-        <source>The camera's focal length, pixel pitch, width and height must be greater than 0.</source>
-        <translation>カメラの焦点距離、画素寸法、幅、高さは0より大きくしてください。</translation>
+        <source>Row {row} of {path} names no image or one that came before: each image needs one row.</source>
+        <translation>{path} の {row} 行目に画像名がないか、前と同じ名前です。画像ごとに 1 行必要です。</translation>
     </message>
     <message>
-        <source>Line {line_num} of {path} names no image or one that came before: each image needs one line.</source>
-        <translation>{path} の {line_num} 行目に画像名がないか、すでに現れた画像です。1画像につき1行としてください。</translation>
+        <source>{path}: the rotation matrix of {image} contradicts its omega, phi and kappa: export it again, or say the order and the unit of the angles.</source>
+        <translation>{path}：{image} の回転行列が omega、phi、kappa と一致しません。出力し直すか、角の順序と単位を指定してください。</translation>
     </message>
     <message>
-        <source>Line {line_num} of {path} ({name}) must hold numbers in x, y, z, omega, phi, kappa.</source>
-        <translation>{path} の {line_num} 行目（{name}）のx、y、z、omega、phi、kappaは数値としてください。</translation>
+        <source>Row {row} of {path} ({name}) must hold numbers in x, y, z, omega, phi, kappa.</source>
+        <translation>{path} の {row} 行目（{name}）の x、y、z、omega、phi、kappa は数値でなければなりません。</translation>
     </message>
     <message>
         <source>The frame {twice} is given twice: name each once.</source>
@@ -6290,6 +6992,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path} の位置情報に有限でない数値があります。破損しているため、再度出力してください。</translation>
     </message>
     <message>
+        <source>{path} has cells of no size: it is damaged; export it again.</source>
+        <translation>{path} のセルの大きさが 0 です。壊れていますので、出力し直してください。</translation>
+    </message>
+    <message>
         <source>{path} has pixels that are not square: warp it to square pixels first.</source>
         <translation>{path} の画素は正方形ではありません。先に正方形の画素に再標本化してください。</translation>
     </message>
@@ -6336,6 +7042,22 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>No marking was found: check the roads, the contrast and whether the image shows any.</source>
         <translation>路面標示が見つかりませんでした。道路、コントラスト、および画像に路面標示が写っているかを確認してください。</translation>
+    </message>
+    <message>
+        <source>no data (buildings, hidden ground, beyond the frames)</source>
+        <translation>データなし（建物、隠れた地表、写真の範囲外）</translation>
+    </message>
+    <message>
+        <source>by one frame</source>
+        <translation>写真1枚</translation>
+    </message>
+    <message>
+        <source>by two</source>
+        <translation>写真2枚</translation>
+    </message>
+    <message>
+        <source>by three or more</source>
+        <translation>写真3枚以上</translation>
     </message>
     <message>
         <source>{polygons_count} markings were found. </source>
@@ -6462,6 +7184,34 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name} を画像として読み込めません。ファイルを確認してください。</translation>
     </message>
     <message>
+        <source>level roofs, as the sloped solid is not valid ({problems})</source>
+        <translation>勾配屋根の立体が有効でないため陸屋根としました（{problems}）</translation>
+    </message>
+    <message>
+        <source>one height for all roofs, as the detailed solid is not valid ({problems})</source>
+        <translation>詳細な立体が有効でないため、全屋根を一つの高さとしました（{problems}）</translation>
+    </message>
+    <message>
+        <source>no valid solid could be made ({left})</source>
+        <translation>有効な立体を作成できませんでした（{left}）</translation>
+    </message>
+    <message>
+        <source>no roof was found in its points</source>
+        <translation>点から屋根が見つかりませんでした</translation>
+    </message>
+    <message>
+        <source>level roofs, as they fit its points better than planes; {reason}</source>
+        <translation>平面より点によく合うため陸屋根としました；{reason}</translation>
+    </message>
+    <message>
+        <source>its ground is not known, {source}</source>
+        <translation>地表の高さが不明です（{source}）</translation>
+    </message>
+    <message>
+        <source>too few points for roofs; {note}</source>
+        <translation>屋根を作るには点が少なすぎます；{note}</translation>
+    </message>
+    <message>
         <source>{paths} has no attribute {name}: run “{maker}” first and give its result.</source>
         <translation>{paths} に属性 {name} がありません。先に「{maker}」を実行し、その結果を指定してください。</translation>
     </message>
@@ -6500,6 +7250,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>the measured walls fit the model</source>
         <translation>計測壁面はモデルに合っています</translation>
+    </message>
+    <message>
+        <source>no measured wall runs along it</source>
+        <translation>沿って計測された壁面がありません</translation>
     </message>
     <message>
         <source>Two buildings have the same building_id: give each building its own.</source>
@@ -6560,6 +7314,30 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>a sloped face of it is not plane</source>
         <translation>傾斜面が平面ではありません</translation>
+    </message>
+    <message>
+        <source>moved</source>
+        <translation>移動</translation>
+    </message>
+    <message>
+        <source>fits</source>
+        <translation>一致</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>未計測</translation>
+    </message>
+    <message>
+        <source>too far</source>
+        <translation>遠すぎる</translation>
+    </message>
+    <message>
+        <source>neighbour</source>
+        <translation>隣の建物に当たる</translation>
+    </message>
+    <message>
+        <source>does not fit</source>
+        <translation>成り立たない</translation>
     </message>
     <message>
         <source>the measured wall is rotated by {rotation:.1f} degrees against it</source>
@@ -6638,36 +7416,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>外周線に面積がありません</translation>
     </message>
     <message>
-        <source>one height for all roofs, as the detailed solid is not valid ({problems})</source>
-        <translation>詳細な立体が有効でないため、全屋根を一つの高さとしました（{problems}）</translation>
-    </message>
-    <message>
         <source>No roof has a building_id that the outlines have: give the outlines that the roofs were made with.</source>
         <translation>外周線のbuilding_idをもつ屋根がありません。屋根の作成に用いた外周線を指定してください。</translation>
     </message>
     <message>
-        <source>no roof was found in its points</source>
-        <translation>点から屋根が見つかりませんでした</translation>
-    </message>
-    <message>
-        <source>no valid solid could be made ({left})</source>
-        <translation>有効な立体を作成できませんでした（{left}）</translation>
-    </message>
-    <message>
-        <source>level roofs, as they fit its points better than planes; {reason}</source>
-        <translation>平面より点によく合うため陸屋根としました；{reason}</translation>
-    </message>
-    <message>
-        <source>level roofs, as the sloped solid is not valid ({problems})</source>
-        <translation>勾配屋根の立体が有効でないため陸屋根としました（{problems}）</translation>
-    </message>
-    <message>
-        <source>too few points for roofs; {note}</source>
-        <translation>屋根を作るには点が少なすぎます；{note}</translation>
-    </message>
-    <message>
-        <source>its ground is not known, {source}</source>
-        <translation>地表の高さが不明です（{source}）</translation>
+        <source>a tower, {height:.0f} m high</source>
+        <translation>高さ{height:.0f} mの高層建物です</translation>
     </message>
     <message>
         <source>curved walls are drawn as short straight ones</source>
@@ -6694,8 +7448,28 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>平面の {unseen:.0f} % に屋根の点がありません</translation>
     </message>
     <message>
+        <source>only {points:.0f} points</source>
+        <translation>点は{points:.0f}点だけです</translation>
+    </message>
+    <message>
+        <source>only {area:.1f} m2</source>
+        <translation>面積は{area:.1f} m²だけです</translation>
+    </message>
+    <message>
         <source>The worst {worst_count}</source>
         <translation>最も悪い {worst_count} 件</translation>
+    </message>
+    <message>
+        <source>status</source>
+        <translation>状態</translation>
+    </message>
+    <message>
+        <source>roofs</source>
+        <translation>屋根</translation>
+    </message>
+    <message>
+        <source>why</source>
+        <translation>理由</translation>
     </message>
     <message>
         <source>Buildings by quality. Those far left are to be looked at first.</source>
@@ -6720,6 +7494,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Without a model: {missing}; they keep their rows, with the reason, in the result.</source>
         <translation>モデルなし：{missing}。結果には理由とともに行が残ります。</translation>
+    </message>
+    <message>
+        <source>only {density:.1f} points a m²</source>
+        <translation>点密度は{density:.1f}点/m²だけです</translation>
     </message>
     <message>
         <source>{coverage:.0f} % of its points lie beside the model: check the outline</source>
@@ -6882,6 +7660,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>点群と外周線が重なりません。場所が同じで、座標参照系が正しく設定されているか確認してください。</translation>
     </message>
     <message>
+        <source>The building has no base height: give the ground's height in metres.</source>
+        <translation>建物に基準高がありません。地盤の標高をメートルで指定してください。</translation>
+    </message>
+    <message>
+        <source>Cells of one building overlap: cut its plan with partition_plan first.</source>
+        <translation>1つの建物のセルが重なっています。先にpartition_planで平面を分割してください。</translation>
+    </message>
+    <message>
         <source>No roof lies on the plan of the building: check outline and roofs.</source>
         <translation>建物の平面上に屋根がありません。外周線と屋根を確認してください。</translation>
     </message>
@@ -6904,14 +7690,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>A roof has no height: give a finite height for each roof.</source>
         <translation>屋根に高さがありません。各屋根に有限の高さを指定してください。</translation>
-    </message>
-    <message>
-        <source>The building has no base height: give the ground's height in metres.</source>
-        <translation>建物に基準高がありません。地盤の標高をメートルで指定してください。</translation>
-    </message>
-    <message>
-        <source>Cells of one building overlap: cut its plan with partition_plan first.</source>
-        <translation>1つの建物のセルが重なっています。先にpartition_planで平面を分割してください。</translation>
     </message>
     <message>
         <source>has rings that intersect</source>
@@ -7018,16 +7796,140 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{angle:.0f} 度の折れがあります</translation>
     </message>
     <message>
+        <source>a list of codes</source>
+        <translation>コードリスト</translation>
+    </message>
+    <message>
+        <source>a city model</source>
+        <translation>都市モデル</translation>
+    </message>
+    <message>
+        <source>needs the reference data; the table of instances has the numbers to compare</source>
+        <translation>参照データが必要です。比較する数は地物インスタンス数の表にあります</translation>
+    </message>
+    <message>
+        <source>needs the reference data and eyes</source>
+        <translation>参照データと目視が必要です</translation>
+    </message>
+    <message>
+        <source>needs the city's own list of attributes</source>
+        <translation>都市ごとの取得項目一覧が必要です</translation>
+    </message>
+    <message>
+        <source>needs the BIM model</source>
+        <translation>BIM モデルが必要です</translation>
+    </message>
+    <message>
+        <source>needs the BIM model and eyes</source>
+        <translation>BIM モデルと目視が必要です</translation>
+    </message>
+    <message>
+        <source>{objects} city objects in {files} files: {errors} errors, {warnings} warnings.</source>
+        <translation>{files} ファイル、地物 {objects} 件: エラー {errors} 件、警告 {warnings} 件。</translation>
+    </message>
+    <message>
+        <source>Check of a city model</source>
+        <translation>3D都市モデルの検査</translation>
+    </message>
+    <message>
+        <source>Instances</source>
+        <translation>地物インスタンス数</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>検査していない項目</translation>
+    </message>
+    <message>
+        <source>Requirements</source>
+        <translation>品質要求</translation>
+    </message>
+    <message>
+        <source>The data set does not pass: put the errors right, the commonest first.</source>
+        <translation>不合格です。件数の多いものからエラーを修正してください。</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>地物型</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>件数</translation>
+    </message>
+    <message>
+        <source>Requirement</source>
+        <translation>品質要求</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>理由</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>It passes what is checked here; look at the warnings before it is delivered.</source>
+        <translation>ここで検査した項目は合格です。納品前に警告を確認してください。</translation>
+    </message>
+    <message>
+        <source>Faults of {code}</source>
+        <translation>{code} の不適合</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>Feature</source>
+        <translation>地物</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>識別子</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>内容</translation>
+    </message>
+    <message>
+        <source>The first {shown} of {number} are shown; the layer holds all.</source>
+        <translation>{number} 件のうち先頭の {shown} 件を示します。すべてはレイヤにあります。</translation>
+    </message>
+    <message>
+        <source>not met</source>
+        <translation>不適合</translation>
+    </message>
+    <message>
+        <source>met</source>
+        <translation>適合</translation>
+    </message>
+    <message>
         <source>CityGML states heights in JGD2011 (EPSG:6697), but those of the models are {heights}: give the height system, or convert the heights, if they are others.</source>
         <translation>CityGMLでは標高をJGD2011（EPSG:6697）としますが、モデルの高さの基準は {heights} です。異なる場合は、高さの基準を指定するか、標高を変換してください。</translation>
     </message>
     <message>
-        <source>3D Tiles want heights above the ellipsoid, but those of the models are {known} and are written as they are: give a geoid model, or buildings sink or float on a globe.</source>
-        <translation>3D Tilesの高さは楕円体高ですが、モデルの高さ（{known}）はそのまま書き出されます。ジオイドモデルを指定してください。指定しないと、地球上で建物が沈んだり浮いたりします。</translation>
-    </message>
-    <message>
         <source>{missing} buildings have no model and no place in a mesh: CityGML leaves them out.</source>
         <translation>{missing} 棟の建物にモデルがなく、メッシュ内の位置もありません。CityGMLでは除かれます。</translation>
+    </message>
+    <message>
+        <source>{source} holds no {module}/{version}/{name}: give the folder of i-UR's schemas.</source>
+        <translation>{source} に {module}/{version}/{name} がありません。i-UR のスキーマのフォルダを指定してください。</translation>
+    </message>
+    <message>
+        <source>3D Tiles want heights above the ellipsoid, but the models do not state what theirs count from, and they are written as they are: give a geoid model, or buildings sink or float on a globe.</source>
+        <translation>3D Tilesの高さは楕円体高ですが、モデルに高さの基準が示されていないため、高さをそのまま書き出します。ジオイドモデルを指定してください。指定しないと、地球上で建物が沈んだり浮いたりします。</translation>
+    </message>
+    <message>
+        <source>3D Tiles want heights above the ellipsoid, but those of the models are in {heights} and are written as they are: give a geoid model, or buildings sink or float on a globe.</source>
+        <translation>3D Tilesの高さは楕円体高ですが、モデルの高さは{heights}で、そのまま書き出されます。ジオイドモデルを指定してください。指定しないと、地球上で建物が沈んだり浮いたりします。</translation>
+    </message>
+    <message>
+        <source>The file {place} cannot be written ({strerror}).</source>
+        <translation>ファイル {place} に書き込めません（{strerror}）。</translation>
     </message>
     <message>
         <source>The city models are in different reference systems: load them in separate runs.</source>
@@ -7060,10 +7962,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>it has no id</source>
         <translation>IDがありません</translation>
-    </message>
-    <message>
-        <source>a list of codes</source>
-        <translation>コードリスト</translation>
     </message>
     <message>
         <source>{source} names no coordinate reference system: give the one that it is in.</source>
@@ -7122,6 +8020,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path} は破損しています。{number} 行目がオブジェクトではありません。再度出力してください。</translation>
     </message>
     <message>
+        <source>{path} is damaged: its vertex {bad} has no finite coordinates.</source>
+        <translation>{path} は破損しています。頂点 {bad} の座標が有限ではありません。</translation>
+    </message>
+    <message>
         <source>{path} is damaged: its line {number} is no JSON; export it again.</source>
         <translation>{path} は破損しています。{number} 行目がJSONではありません。再度出力してください。</translation>
     </message>
@@ -7134,20 +8036,20 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path} は壊れています。都市オブジェクトまたは頂点がありません。もう一度出力してください。</translation>
     </message>
     <message>
-        <source>{path} is damaged: its vertex {bad} has no finite coordinates.</source>
-        <translation>{path} は破損しています。頂点 {bad} の座標が有限ではありません。</translation>
-    </message>
-    <message>
         <source>{path} is damaged: an attribute of {key} is no finite number.</source>
         <translation>{path}が破損しています。{key}の属性が有限の数値ではありません。</translation>
     </message>
     <message>
-        <source>{path} is damaged: a ring is no list of vertices; export it again.</source>
-        <translation>{path} は破損しています。頂点のリストでないリングがあります。再度出力してください。</translation>
+        <source>{path} is damaged: a ring of {key} is no list of vertices; export it again.</source>
+        <translation>{path} は壊れています。{key} のリングが頂点のリストになっていません。出力し直してください。</translation>
     </message>
     <message>
-        <source>{path} is damaged: it names a vertex that it does not have; export it again.</source>
-        <translation>{path} は破損しています。存在しない頂点を参照しています。再度出力してください。</translation>
+        <source>{path} is damaged: {key} names a vertex that is not there; export it again.</source>
+        <translation>{path} は壊れています。{key} が存在しない頂点を指しています。出力し直してください。</translation>
+    </message>
+    <message>
+        <source>{path} is damaged: its vertex {bad} is no list of three numbers; export it again.</source>
+        <translation>{path} は壊れています。頂点 {bad} が三つの数のリストになっていません。出力し直してください。</translation>
     </message>
     <message>
         <source>its part {child} is not there</source>
@@ -7184,6 +8086,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{lost_count} images of textures are not there ({lost}): their faces are written without.</source>
         <translation>テクスチャ画像 {lost_count} 枚が見つかりません（{lost}）。該当する面はテクスチャなしで書き出されます。</translation>
+    </message>
+    <message>
+        <source>The image {path} of a texture is a TIFF that cannot be read: save it as PNG or JPEG.</source>
+        <translation>テクスチャの画像 {path} は読み取れない TIFF です。PNG 又は JPEG で保存してください。</translation>
     </message>
     <message>
         <source>The image {image} of a texture was not given: its file is missing.</source>
@@ -7240,6 +8146,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>it has no outline and no face from which one could be made</source>
         <translation>外周線も、それを作れる面もありません</translation>
+    </message>
+    <message>
+        <source>its measured height “{text}” is no number</source>
+        <translation>計測高さ「{text}」が数値ではありません</translation>
+    </message>
+    <message>
+        <source>its corners lie {extent} km apart, so that a coordinate is wrong</source>
+        <translation>頂点が {extent} km 離れており、座標値に誤りがあります</translation>
     </message>
     <message>
         <source>The temporary file {path} is cut off: make room on the disk of temporary files, and run again.</source>
@@ -7406,6 +8320,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name}に衛星位置がありません。ファイルが不完全です。</translation>
     </message>
     <message>
+        <source>line {number}</source>
+        <translation>{number} 行目</translation>
+    </message>
+    <message>
         <source>There is no observation to trace: check that observations, ephemerides and trajectory belong to the same time and place.</source>
         <translation>追跡できる観測値がありません。観測データ、衛星暦、軌跡が同じ時刻・場所のものか確認してください。</translation>
     </message>
@@ -7456,6 +8374,30 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{path} holds no solids: give building models of LoD 1 or higher.</source>
         <translation>{path}に立体がありません。LoD 1以上の建物モデルを指定してください。</translation>
+    </message>
+    <message>
+        <source>predicted, m</source>
+        <translation>予測 (m)</translation>
+    </message>
+    <message>
+        <source>measured, m</source>
+        <translation>観測 (m)</translation>
+    </message>
+    <message>
+        <source>(moves: {third:.1f} m)</source>
+        <translation>（移動量では {third:.1f} m）</translation>
+    </message>
+    <message>
+        <source>in line of sight</source>
+        <translation>見通し内</translation>
+    </message>
+    <message>
+        <source>blocked, no single wall reflects it</source>
+        <translation>遮蔽、単一の壁面による反射なし</translation>
+    </message>
+    <message>
+        <source>reflected by one wall</source>
+        <translation>1つの壁面で反射</translation>
     </message>
     <message>
         <source>Where measured and predicted paths agree below, the models can be adjusted by them.</source>
@@ -7726,6 +8668,18 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path}は、週内時刻が同じ{who}のいずれにも対応し得ます。軌跡を通算GPS秒で指定してください。</translation>
     </message>
     <message>
+        <source>adjusted</source>
+        <translation>調整済み</translation>
+    </message>
+    <message>
+        <source>not observable</source>
+        <translation>観測不可</translation>
+    </message>
+    <message>
+        <source>held</source>
+        <translation>保留</translation>
+    </message>
+    <message>
         <source>moved, the building would not stay valid or would run into another</source>
         <translation>移動すると建物が有効でなくなるか、ほかの建物に入り込みます</translation>
     </message>
@@ -7758,8 +8712,16 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>観測が矛盾：走行どうしが一致しません</translation>
     </message>
     <message>
+        <source>not precise enough (sigma {sigma:.2f} m)</source>
+        <translation>精度不足（標準偏差 {sigma:.2f} m）</translation>
+    </message>
+    <message>
         <source>offset of {offset:.1f} m is not credible</source>
         <translation>{offset:.1f} m のオフセットは信頼できません</translation>
+    </message>
+    <message>
+        <source>signals run along the wall (sigma {sigma:.2f} m)</source>
+        <translation>信号が壁面に沿っている（標準偏差 {sigma:.2f} m）</translation>
     </message>
     <message>
         <source>no antenna in front of it</source>
@@ -7858,6 +8820,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{target}に書き込めません（{strerror}）。別のフォルダを選択してください。</translation>
     </message>
     <message>
+        <source>points, {state}</source>
+        <translation>点（{state}）</translation>
+    </message>
+    <message>
+        <source>edges, {state} (pixels)</source>
+        <translation>稜線（{state}、画素）</translation>
+    </message>
+    <message>
         <source>The textured model {path} must end in .glb, .obj or .city.json.</source>
         <translation>テクスチャ付きモデル{path}の拡張子は .glb、.obj または .city.json にしてください。</translation>
     </message>
@@ -7876,6 +8846,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The strip image {name} was taken from {times:.1f} to {times_2:.1f} s, the trajectory runs from {time:.1f} to {time_2:.1f} s: give those of one survey.</source>
         <translation>ストリップ画像{name}の撮影時刻は {times:.1f}～{times_2:.1f} s ですが、軌跡は {time:.1f}～{time_2:.1f} s です。同じ計測のものを指定してください。</translation>
+    </message>
+    <message>
+        <source>{path} is no geoid model: its header must name its first node and the steps between nodes in degrees, all greater than 0.</source>
+        <translation>{path} はジオイドモデルではありません。ヘッダーには最初のグリッド点とグリッド間隔を度で、間隔は 0 より大きい値で書いてください。</translation>
     </message>
     <message>
         <source>{path} is no geoid model: its values must be heights of the geoid above the ellipsoid in metres, none beyond {highest:g}.</source>
@@ -7898,6 +8872,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path}をジオイドモデルとして読み込めません。GeoTIFF、GTXまたは国土地理院のテキスト形式グリッドを指定してください。</translation>
     </message>
     <message>
+        <source>“{name}” of its header</source>
+        <translation>ヘッダーの「{name}」</translation>
+    </message>
+    <message>
         <source>The data say that their heights are in {own}, not in {stated}: leave the system of the data empty.</source>
         <translation>データの高さは{stated}ではなく{own}と記載されています。データの高さの基準は空欄にしてください。</translation>
     </message>
@@ -7916,6 +8894,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The data have no coordinate reference system: assign the one that they are in.</source>
         <translation>データに座標参照系がありません。正しい座標参照系を割り当ててください。</translation>
+    </message>
+    <message>
+        <source>Corrections are those of the older heights, so that from {source} to {target} they are added: leave “Against the grid” off.</source>
+        <translation>補正量は古い高さに対するものなので、{source} から {target} へは加算します。「グリッドの逆方向」を外してください。</translation>
     </message>
     <message>
         <source>{path} holds no heights: give another raster.</source>
@@ -7986,6 +8968,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name}を{what}として読み込めません{reason}。破損しているか、種類が異なります。再度出力またはダウンロードしてください。</translation>
     </message>
     <message>
+        <source>{name}: {part} cannot be read{reason}: correct it, or export or download the file again.</source>
+        <translation>{name}：{part} を読めません{reason}。直すか、ファイルを出力またはダウンロードし直してください。</translation>
+    </message>
+    <message>
         <source> (it is no text in UTF-8)</source>
         <translation>（UTF-8の文字列ではありません）</translation>
     </message>
@@ -8014,6 +9000,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>（“{value}” は数値ではありません）</translation>
     </message>
     <message>
+        <source>{path} cannot be read as {what}: “{number}” in its line {line} is no number that could be used; correct it, or export it again.</source>
+        <translation>{path} を {what} として読めません。{line} 行目の「{number}」は使える数ではありません。直すか、出力し直してください。</translation>
+    </message>
+    <message>
         <source>{path} cannot be read as {what}{reason}: it is not JSON, or damaged; export it again.</source>
         <translation>{path}を{what}として読み込めません{reason}。JSONでないか、破損しています。再度出力してください。</translation>
     </message>
@@ -8026,8 +9016,16 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name} には {meant} とみなせる列が複数あります（{keys}）。正しい列だけを残すか、その列名を {meant} にしてください。</translation>
     </message>
     <message>
+        <source>{name} holds a value that is no number ({error}): correct it.</source>
+        <translation>{name}に数値でない値があります（{error}）。修正してください。</translation>
+    </message>
+    <message>
         <source>{name} states the unit {unit}: metres, seconds and decimal degrees are read; export it in these.</source>
         <translation>{name} の単位が {unit} になっています。読めるのはメートル、秒、度（十進）です。これらの単位で書き出してください。</translation>
+    </message>
+    <message>
+        <source>No rule has a code that begins with {code}; the documentation lists them.</source>
+        <translation>{code} で始まるコードの規則はありません。一覧は説明書にあります。</translation>
     </message>
     <message>
         <source>{target} is a folder; give the name of a file.</source>
@@ -8350,6 +9348,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{source}に {largest} MB を超えるオブジェクトがあります。提供元からファイルを再度取得してください。</translation>
     </message>
     <message>
+        <source>{tag} (element {number} of the file)</source>
+        <translation>{tag}（ファイルの {number} 番目の要素）</translation>
+    </message>
+    <message>
         <source>{path} is no OSM file: its outermost element is {tag}, not osm.</source>
         <translation>{path}はOSMファイルではありません。最上位の要素が osm ではなく {tag} です。</translation>
     </message>
@@ -8382,12 +9384,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>設定</translation>
     </message>
     <message>
-        <source>yes</source>
-        <translation>はい</translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation>いいえ</translation>
+        <source>not known</source>
+        <translation>不明</translation>
     </message>
     <message>
         <source>error {length:g} cm</source>
@@ -8574,6 +9572,458 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{label_a}の高さは{first}ですが、{label_b}の高さは{second}です。「高さの基準の変換」と対応する標高補正グリッドまたはジオイドモデルで一方を変換してください。</translation>
     </message>
     <message>
+        <source>{names} and {count} more</source>
+        <translation>{names}ほか{count}件</translation>
+    </message>
+    <message>
+        <source>{names} is in {crs}, but {others} in {crs_2}: results are in the system of the points; check that both are right.</source>
+        <translation>{names}は{crs}、{others}は{crs_2}です。成果は点群の座標系になります。どちらも正しいか確認してください。</translation>
+    </message>
+    <message>
+        <source>{one} has heights in {first}, but {other} in {second}: convert one of them with “Convert heights”, or give a geoid model.</source>
+        <translation>{one}の高さは{first}、{other}の高さは{second}です。「高さの変換」でどちらかを変換するか、ジオイドモデルを指定してください。</translation>
+    </message>
+    <message>
+        <source>{names}: not where the other files are ({distance} away): check coordinates and reference system.</source>
+        <translation>{names}：ほかのファイルから{distance}離れています。座標と座標参照系を確認してください。</translation>
+    </message>
+    <message>
+        <source>No point cloud was measured in the times of the trajectories ({trajectories}): give those of one survey.</source>
+        <translation>走行軌跡（{trajectories}）の時刻に計測された点群がありません。同じ計測のものを指定してください。</translation>
+    </message>
+    <message>
+        <source>{name} was observed at other times than the navigation files hold: fetch the navigation file of its day.</source>
+        <translation>{name}の観測時刻は航法ファイルの時刻に含まれません。その日の航法ファイルを取得してください。</translation>
+    </message>
+    <message>
+        <source>{names}: not named in the exterior orientation; left out.</source>
+        <translation>{names}：外部標定要素に記載がないため使いません。</translation>
+    </message>
+    <message>
+        <source>{names} has {size}, the camera {sizes}: give the camera of these frames.</source>
+        <translation>{names}は{size}、カメラは{sizes}です。この写真のカメラを指定してください。</translation>
+    </message>
+    <message>
+        <source>The exterior orientation names none of the {kind} ({names}): give the one of this flight.</source>
+        <translation>外部標定要素に{kind}（{names}）の記載がありません。この撮影のものを指定してください。</translation>
+    </message>
+    <message>
+        <source>Aerial reference: road markings and ground</source>
+        <translation>空中写真による基準：路面標示と地盤高</translation>
+    </message>
+    <message>
+        <source>Mobile survey laid on the reference</source>
+        <translation>基準に合わせたMMS計測</translation>
+    </message>
+    <message>
+        <source>Building models with measured walls</source>
+        <translation>計測した壁面を用いた建物モデル</translation>
+    </message>
+    <message>
+        <source>Map of the accuracy of localisation</source>
+        <translation>自己位置推定精度の地図</translation>
+    </message>
+    <message>
+        <source>Road model</source>
+        <translation>道路モデル</translation>
+    </message>
+    <message>
+        <source>Airborne laser points (LAS, LAZ) are missing: the surveying authority of the area has them; in Japan those of GSI and of the prefectures are at the G-Spatial Information Centre.</source>
+        <translation>航空レーザ点群（LAS、LAZ）がありません。その地域の測量機関が提供しています。日本では国土地理院や都道府県のものがG空間情報センターにあります。</translation>
+    </message>
+    <message>
+        <source>Building outlines are missing: in Japan download “outlines of buildings” (BldA) of GSI's Fundamental Geospatial Data; elsewhere take those of the cadastre or of OpenStreetMap.</source>
+        <translation>建物外周線がありません。日本では国土地理院の基盤地図情報「建築物の外周線」（BldA）をダウンロードしてください。ほかの国では地籍やOpenStreetMapのものが使えます。</translation>
+    </message>
+    <message>
+        <source>Aerial frames with camera and exterior orientation, or an orthophoto, are missing: ask who flew them for the frames as the camera took them (TIFF or JPEG).</source>
+        <translation>空中写真（カメラと外部標定要素を含む）もオルソ画像もありません。撮影した会社から撮影したままの写真（TIFFまたはJPEG）を入手してください。</translation>
+    </message>
+    <message>
+        <source>The camera file (JSON) of the frames is missing: write it from the camera's calibration certificate; the page on file formats has an example.</source>
+        <translation>写真のカメラファイル（JSON）がありません。カメラの検定記録から作成してください。ファイル形式のページに例があります。</translation>
+    </message>
+    <message>
+        <source>The exterior orientation of the frames is missing: export it from the aerial triangulation as a table with image, x, y, z, omega, phi, kappa.</source>
+        <translation>写真の外部標定要素がありません。空中三角測量の成果から image, x, y, z, omega, phi, kappa の表として書き出してください。</translation>
+    </message>
+    <message>
+        <source>A mobile survey with its trajectory is missing: export the points with GPS times (LAS, LAZ) and the trajectory of the same drive from the navigation software.</source>
+        <translation>MMS計測とその走行軌跡がありません。GPS時刻付きの点群（LAS、LAZ）と、同じ走行の軌跡を航法解析ソフトウェアから書き出してください。</translation>
+    </message>
+    <message>
+        <source>The calibration of the scanners (JSON) is missing: write it from the certificate of the vehicle; without it intensities are not made even over ranges.</source>
+        <translation>スキャナの校正値（JSON）がありません。車両の検定記録から作成してください。ないと、距離による反射強度の補正を行いません。</translation>
+    </message>
+    <message>
+        <source>No GNSS navigation file: accuracy is predicted from walls and markings alone; data centres of the IGS and GSI's GEONET have them by day.</source>
+        <translation>GNSS航法ファイルがないため、壁面と路面標示だけから精度を予測します。航法ファイルはIGSのデータセンターや国土地理院のGEONETから日ごとに取得できます。</translation>
+    </message>
+    <message>
+        <source>This version has no algorithm for it.</source>
+        <translation>このバージョンには対応するアルゴリズムがありません。</translation>
+    </message>
+    <message>
+        <source>The markings given are the reference; leave them out to make it from the images.</source>
+        <translation>指定した路面標示を基準にします。画像から作成する場合は、それを外してください。</translation>
+    </message>
+    <message>
+        <source>Markings as polygons are missing: a mask alone makes no lane map; leave it out to make both from the images.</source>
+        <translation>路面標示のポリゴンがありません。マスクだけでは車線地図を作成できません。マスクを外すと、両方を画像から作成します。</translation>
+    </message>
+    <message>
+        <source>Points as text</source>
+        <translation>テキスト形式の点群</translation>
+    </message>
+    <message>
+        <source>Line scans</source>
+        <translation>ラインスキャン</translation>
+    </message>
+    <message>
+        <source>Aerial frame</source>
+        <translation>空中写真</translation>
+    </message>
+    <message>
+        <source>Line image</source>
+        <translation>ライン画像</translation>
+    </message>
+    <message>
+        <source>Mask of an image</source>
+        <translation>画像のマスク</translation>
+    </message>
+    <message>
+        <source>Elevation raster</source>
+        <translation>標高ラスタ</translation>
+    </message>
+    <message>
+        <source>Raster of another kind</source>
+        <translation>その他のラスタ</translation>
+    </message>
+    <message>
+        <source>Times of a line image</source>
+        <translation>ライン画像の時刻</translation>
+    </message>
+    <message>
+        <source>Building outlines (GSI)</source>
+        <translation>建物外周線（国土地理院）</translation>
+    </message>
+    <message>
+        <source>Elevation model (GSI)</source>
+        <translation>数値標高モデル（国土地理院）</translation>
+    </message>
+    <message>
+        <source>Other objects (GSI)</source>
+        <translation>その他の地物（国土地理院）</translation>
+    </message>
+    <message>
+        <source>Areas of another kind</source>
+        <translation>その他のポリゴン</translation>
+    </message>
+    <message>
+        <source>Points of a layer</source>
+        <translation>点レイヤ</translation>
+    </message>
+    <message>
+        <source>GNSS navigation</source>
+        <translation>GNSS航法ファイル</translation>
+    </message>
+    <message>
+        <source>GNSS orbits</source>
+        <translation>GNSS軌道</translation>
+    </message>
+    <message>
+        <source>UrbanMap job</source>
+        <translation>UrbanMapの作業</translation>
+    </message>
+    <message>
+        <source>Table of another kind</source>
+        <translation>その他の表</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>メッシュ</translation>
+    </message>
+    <message>
+        <source>Texture of a model</source>
+        <translation>モデルのテクスチャ</translation>
+    </message>
+    <message>
+        <source>Of no known use</source>
+        <translation>用途不明</translation>
+    </message>
+    <message>
+        <source>The job has no step “{step}”; it has {known}.</source>
+        <translation>作業に手順「{step}」はありません。あるのは{known}です。</translation>
+    </message>
+    <message>
+        <source>{name} is no UrbanMap job: choose a file that the dock has saved.</source>
+        <translation>{name}はUrbanMapの作業ファイルではありません。パネルで保存したファイルを選んでください。</translation>
+    </message>
+    <message>
+        <source>{name} was written by a later version of UrbanMap: update the plugin.</source>
+        <translation>{name}はより新しいUrbanMapで作成されています。プラグインを更新してください。</translation>
+    </message>
+    <message>
+        <source>{name} has the step “{step}” twice: give each its own name.</source>
+        <translation>{name}に手順「{step}」が2つあります。別々の名前にしてください。</translation>
+    </message>
+    <message>
+        <source>The job has no input “{role}”; it has {known}.</source>
+        <translation>作業に入力「{role}」はありません。あるのは{known}です。</translation>
+    </message>
+    <message>
+        <source>Step “{step}”: the job has no input “{role}”; add the file.</source>
+        <translation>手順「{step}」：作業に入力「{role}」がありません。ファイルを追加してください。</translation>
+    </message>
+    <message>
+        <source>Step “{step}” needs what “{before}” makes: run that step first.</source>
+        <translation>手順「{step}」には「{before}」の結果が必要です。先にその手順を実行してください。</translation>
+    </message>
+    <message>
+        <source>to run</source>
+        <translation>未実行</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>完了</translation>
+    </message>
+    <message>
+        <source>Job: {wish}</source>
+        <translation>作業：{wish}</translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>入力</translation>
+    </message>
+    <message>
+        <source>All steps are done, and no report finds fault.</source>
+        <translation>すべての手順が完了し、どのレポートにも問題はありません。</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>手順</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状態</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>秒</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>役割</translation>
+    </message>
+    <message>
+        <source>Step “{step}” failed: {message}</source>
+        <translation>手順「{step}」が失敗しました：{message}</translation>
+    </message>
+    <message>
+        <source>{waiting} of {count} steps have not run yet.</source>
+        <translation>{count}手順のうち{waiting}手順が未実行です。</translation>
+    </message>
+    <message>
+        <source>All steps are done; none of them judges its result: look at the layers.</source>
+        <translation>すべての手順が完了しました。結果を判定する手順はないため、レイヤを確認してください。</translation>
+    </message>
+    <message>
+        <source>{step}: {verdict}</source>
+        <translation>{step}：{verdict}</translation>
+    </message>
+    <message>
+        <source>format {format}, {density:.1f} points/m²</source>
+        <translation>形式{format}、{density:.1f} 点/m²</translation>
+    </message>
+    <message>
+        <source>{name} states no coordinate reference system: say it where it is used.</source>
+        <translation>{name}に座標参照系の記載がありません。使うところで指定してください。</translation>
+    </message>
+    <message>
+        <source>{name} ends in {suffix}, but its content is that of {usual}: rename it, as some programs go by the name.</source>
+        <translation>{name}の拡張子は{suffix}ですが、内容は{usual}です。名前で判断するプログラムもあるため、名前を変更してください。</translation>
+    </message>
+    <message>
+        <source>{name} is empty: copy or download it again.</source>
+        <translation>{name}は空です。コピーまたはダウンロードし直してください。</translation>
+    </message>
+    <message>
+        <source>{name} does not begin as a file of this name's ending does: it is damaged or of another kind; copy or download it again.</source>
+        <translation>{name}の先頭は、この拡張子のファイルのものではありません。破損しているか別の種類です。コピーまたはダウンロードし直してください。</translation>
+    </message>
+    <message>
+        <source>packed</source>
+        <translation>圧縮ファイル</translation>
+    </message>
+    <message>
+        <source>{name} cannot be read ({error}): it is damaged or of another kind.</source>
+        <translation>{name}を読み込めません（{error}）。破損しているか別の種類です。</translation>
+    </message>
+    <message>
+        <source>{name} holds no epoch of observations: it is cut off or damaged; fetch it again.</source>
+        <translation>{name}に観測エポックがありません。途中で切れているか破損しています。取得し直してください。</translation>
+    </message>
+    <message>
+        <source>{width} x {height} pixels</source>
+        <translation>{width} x {height} 画素</translation>
+    </message>
+    <message>
+        <source>{scanners} scanners, {cameras} cameras</source>
+        <translation>スキャナ{scanners}台、カメラ{cameras}台</translation>
+    </message>
+    <message>
+        <source>told by the size of its polygons (median {area:.1f} m²), not by a name</source>
+        <translation>名前ではなくポリゴンの大きさ（中央値 {area:.1f} m²）から判定</translation>
+    </message>
+    <message>
+        <source>of one band</source>
+        <translation>1バンド</translation>
+    </message>
+    <message>
+        <source>told by the {share:.1f} % of it that are set</source>
+        <translation>値のある画素が{share:.1f} %であることから判定</translation>
+    </message>
+    <message>
+        <source>{name} cannot be read as an image or raster: it is damaged or cut off; copy or download it again.</source>
+        <translation>{name}を画像またはラスタとして読み込めません。破損しているか途中で切れています。コピーまたはダウンロードし直してください。</translation>
+    </message>
+    <message>
+        <source>told by its decimal numbers</source>
+        <translation>小数の値であることから判定</translation>
+    </message>
+    <message>
+        <source>{path} is no SBET file or is cut off: its length is no multiple of {itemsize} bytes.</source>
+        <translation>{path}はSBETファイルではないか、途中で切れています。長さが {itemsize} バイトの倍数ではありません。</translation>
+    </message>
+    <message>
+        <source>{name} holds an SBET: let its name end in .out or .sbet, by which it is read.</source>
+        <translation>{name}の内容はSBETです。読み込むには名前の末尾を.outまたは.sbetにしてください。</translation>
+    </message>
+    <message>
+        <source>told by its rows of three numbers or more</source>
+        <translation>3つ以上の数値の行から判定</translation>
+    </message>
+    <message>
+        <source>{name} holds points as text: convert them to LAS or LAZ to use them.</source>
+        <translation>{name}はテキスト形式の点群です。使うにはLASまたはLAZに変換してください。</translation>
+    </message>
+    <message>
+        <source>{name} holds no feature: choose another file.</source>
+        <translation>{name}に地物がありません。別のファイルを選んでください。</translation>
+    </message>
+    <message>
+        <source>{name} holds no layer: export it again.</source>
+        <translation>{name}にレイヤがありません。書き出し直してください。</translation>
+    </message>
+    <message>
+        <source>{name} is cut off: copy or download it again.</source>
+        <translation>{name}は途中で切れています。コピーまたはダウンロードし直してください。</translation>
+    </message>
+    <message>
+        <source>{name} is cut off: it says that it has {said} bytes, but has {bytes}; copy or download it again.</source>
+        <translation>{name}は途中で切れています（{said}バイトのはずが{bytes}バイト）。コピーまたはダウンロードし直してください。</translation>
+    </message>
+    <message>
+        <source>{name} cannot be read as a GeoPackage ({error}): it is damaged or cut off; copy or export it again.</source>
+        <translation>{name}をGeoPackageとして読み込めません（{error}）。破損しているか途中で切れています。コピーまたは書き出し直してください。</translation>
+    </message>
+    <message>
+        <source>{name} lies alone: put its .dbf and .shx beside it.</source>
+        <translation>{name}だけがあります。.dbfと.shxを同じフォルダに置いてください。</translation>
+    </message>
+    <message>
+        <source>{name} is a database but no GeoPackage: export its layers to a GeoPackage.</source>
+        <translation>{name}はデータベースですがGeoPackageではありません。レイヤをGeoPackageに書き出してください。</translation>
+    </message>
+    <message>
+        <source>CityGML without buildings</source>
+        <translation>建物のないCityGML</translation>
+    </message>
+    <message>
+        <source>{name} is no XML: it is damaged; copy or download it again.</source>
+        <translation>{name}はXMLではありません。破損しています。コピーまたはダウンロードし直してください。</translation>
+    </message>
+    <message>
+        <source>{name} is cut off: its end is missing; copy or download it again.</source>
+        <translation>{name}は途中で切れています（終わりがありません）。コピーまたはダウンロードし直してください。</translation>
+    </message>
+    <message>
+        <source>{name} is not a sound zip file: fetch it again.</source>
+        <translation>{name}は正しいzipファイルではありません。取得し直してください。</translation>
+    </message>
+    <message>
+        <source>{count} files</source>
+        <translation>{count}ファイル</translation>
+    </message>
+    <message>
+        <source>zips in a zip</source>
+        <translation>zipの中のzip</translation>
+    </message>
+    <message>
+        <source>told by the names in it</source>
+        <translation>中のファイル名から判定</translation>
+    </message>
+    <message>
+        <source>{kind}: {count} files could be taken ({names}); the first is, untick it to take another.</source>
+        <translation>{kind}：候補が{count}ファイルあります（{names}）。最初のものを使います。ほかを使う場合はチェックを外してください。</translation>
+    </message>
+    <message>
+        <source>{one} and {other} hold the same points: only the first is taken.</source>
+        <translation>{one}と{other}は同じ点群です。最初のものだけを使います。</translation>
+    </message>
+    <message>
+        <source>{count} trajectories cover the times of {name}: {drive}, which lies nearest to it, is taken.</source>
+        <translation>{name}の時刻を含む走行軌跡が{count}個あります。最も近い場所にある{drive}を使います。</translation>
+    </message>
+    <message>
+        <source>{name} has no more than {skip} lines: leave fewer out.</source>
+        <translation>{name}は{skip}行以下です。飛ばす行を減らしてください。</translation>
+    </message>
+    <message>
+        <source>No column is chosen for {missing}: choose one.</source>
+        <translation>{missing}の列が選ばれていません。選んでください。</translation>
+    </message>
+    <message>
+        <source>{name} has no row with numbers in the columns chosen: choose other columns, or another delimiter.</source>
+        <translation>{name}には、選んだ列に数値のある行がありません。別の列か別の区切り文字を選んでください。</translation>
+    </message>
+    <message>
+        <source>{name}: row {number} has {count} values, fewer than the columns chosen: the delimiter may be another one, or the file is cut off.</source>
+        <translation>{name}：{number}行目の値は{count}個で、選んだ列より少なくなっています。区切り文字が違うか、ファイルが途中で切れています。</translation>
+    </message>
+    <message>
+        <source>{name} holds no ways of reading tables: delete it.</source>
+        <translation>{name}に表の読み込み方の記録がありません。削除してください。</translation>
+    </message>
+    <message>
+        <source>markings</source>
+        <translation>路面標示</translation>
+    </message>
+    <message>
+        <source>satellites</source>
+        <translation>衛星</translation>
+    </message>
+    <message>
+        <source>together</source>
+        <translation>全体</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>良好</translation>
+    </message>
+    <message>
+        <source>usable</source>
+        <translation>使用可</translation>
+    </message>
+    <message>
+        <source>poor</source>
+        <translation>不良</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>判定不能</translation>
+    </message>
+    <message>
         <source>The roads have no length: give lines along which vehicles drive.</source>
         <translation>道路の長さがありません。車両が走行する線を指定してください。</translation>
     </message>
@@ -8636,6 +10086,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{drive} shares no markings with other drives, control or reference: it stays as reported.</source>
         <translation>{drive}には、他の走行、基準点、基準データと共通する路面標示がないため、補正前のままとします。</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>高さ</translation>
     </message>
     <message>
         <source>Looking for markings that drives share.</source>
@@ -8734,6 +10188,30 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>ファイルのヘッダに記載された範囲の外に点があります。ヘッダを修復してください（lasinfo -repair）。</translation>
     </message>
     <message>
+        <source>forward</source>
+        <translation>前方</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>下方</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>ロール</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>ピッチ</translation>
+    </message>
+    <message>
+        <source>heading</source>
+        <translation>ヘディング</translation>
+    </message>
+    <message>
         <source>{determined} of {total} values are determined and corrected; the others keep the values of the file.</source>
         <translation>{total} 個中 {determined} 個の値を決定して補正しました。残りはファイルの値のままです。</translation>
     </message>
@@ -8768,6 +10246,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Nothing is determined: the calibration stays as it is. Drive a street with walls in both directions, and correct the trajectories first.</source>
         <translation>何も決定できないため、校正値は変更しません。壁面のある道路を両方向に走行し、先に軌跡を補正してください。</translation>
+    </message>
+    <message>
+        <source>determined</source>
+        <translation>決定</translation>
+    </message>
+    <message>
+        <source>not determined</source>
+        <translation>決定できない</translation>
     </message>
     <message>
         <source>The calibration has no scanner with point source id {point_source_id} (it has: {known}): add it, or choose the calibration of this survey.</source>
@@ -8818,6 +10304,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{paths}の点に、軌跡と対応付けるためのGPS時刻がありません。GPS時刻付きで計測データを出力してください。</translation>
     </message>
     <message>
+        <source>No GPS time in {paths} is a number: export the survey with the points' times.</source>
+        <translation>{paths} の GPS 時刻がすべて数ではありません。点の時刻を付けて計測データを出力し直してください。</translation>
+    </message>
+    <message>
         <source>All GPS times in {paths} are zero: export the survey with the points' times.</source>
         <translation>{paths}のGPS時刻がすべて0です。点の時刻付きで計測データを出力してください。</translation>
     </message>
@@ -8842,6 +10332,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>計測データが大きすぎて1枚の布では処理できません。布の解像度を粗くするか、部分ごとにフィルタ処理してください。</translation>
     </message>
     <message>
+        <source>{path}: row {ragged} has {rows_count} values, the header names {header_count}: the file may be cut off; export it again.</source>
+        <translation>{path}: {ragged} 行目の値は {rows_count} 個ですが、ヘッダの項目は {header_count} 個です。ファイルが途中で切れている可能性があります。再度出力してください。</translation>
+    </message>
+    <message>
         <source>{name} has no column {missing} or no row: image poses need {columns}.</source>
         <translation>{name}に列{missing}がないか、行がありません。画像の位置姿勢には{columns}が必要です。</translation>
     </message>
@@ -8850,8 +10344,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name}の {bad} 行目に数値がありません。修正するか、削除してください。</translation>
     </message>
     <message>
-        <source>{name} holds a value that is no number ({error}): correct it.</source>
-        <translation>{name}に数値でない値があります（{error}）。修正してください。</translation>
+        <source>{name}: all angles are below {turn:.1f} although the images look in many directions: they are radians; say that the angles are counted so, or export degrees.</source>
+        <translation>{name}：画像の向きはさまざまなのに、すべての角が {turn:.1f} 未満です。ラジアンと見られます。角の単位を指定するか、度で出力してください。</translation>
     </message>
     <message>
         <source>No control point lies in the survey's time: the trajectory cannot be updated.</source>
@@ -9010,6 +10504,74 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation> {left_out} 組を除きました。下の表で確認してください。</translation>
     </message>
     <message>
+        <source>Sets of tie points used</source>
+        <translation>使用したタイポイントの組</translation>
+    </message>
+    <message>
+        <source>Distance of the tie points from the reference before, m</source>
+        <translation>タイポイントの基準からの距離、補正前 (m)</translation>
+    </message>
+    <message>
+        <source>after, m</source>
+        <translation>補正後、m</translation>
+    </message>
+    <message>
+        <source>Off without itself, mean over the sets, m</source>
+        <translation>その組を除いた場合のずれ、組の平均 (m)</translation>
+    </message>
+    <message>
+        <source>Moved in plan, mean, m</source>
+        <translation>水平移動量、平均 (m)</translation>
+    </message>
+    <message>
+        <source>maximum, m</source>
+        <translation>最大、m</translation>
+    </message>
+    <message>
+        <source>Sigma of a coordinate between the sets, mean, m</source>
+        <translation>組の間の座標の標準偏差、平均 (m)</translation>
+    </message>
+    <message>
+        <source>maximum of all epochs, m</source>
+        <translation>全エポックの最大 (m)</translation>
+    </message>
+    <message>
+        <source>Share of the epochs before the first or after the last set</source>
+        <translation>最初の組より前、または最後の組より後のエポックの割合</translation>
+    </message>
+    <message>
+        <source>Errors of heading rotate the course (dead reckoning)</source>
+        <translation>ヘディングの誤差で経路が回転する（推測航法）</translation>
+    </message>
+    <message>
+        <source>Random walk of the position, m per root second</source>
+        <translation>位置のランダムウォーク (m/√s)</translation>
+    </message>
+    <message>
+        <source>of the heading, ° per root second</source>
+        <translation>ヘディングのランダムウォーク (°/√s)</translation>
+    </message>
+    <message>
+        <source>Sigma of a tie point's coordinate, m</source>
+        <translation>タイポイントの座標の標準偏差 (m)</translation>
+    </message>
+    <message>
+        <source>Sigmas are multiplied by</source>
+        <translation>標準偏差に掛けた係数</translation>
+    </message>
+    <message>
+        <source>{used} of {given}</source>
+        <translation>{given} 組中 {used} 組</translation>
+    </message>
+    <message>
+        <source>Correction to the east with its sigma. A set that lies beside the curve's band does not fit the others.</source>
+        <translation>東方向の補正量とその標準偏差です。曲線の帯から外れる組は、ほかの組と合っていません。</translation>
+    </message>
+    <message>
+        <source>Correction to the north with its sigma. A set that lies beside the curve's band does not fit the others.</source>
+        <translation>北方向の補正量とその標準偏差です。曲線の帯から外れる組は、ほかの組と合っていません。</translation>
+    </message>
+    <message>
         <source>Halfway between sets expect less than {predicted:.2f} m.</source>
         <translation>組の中間では {predicted:.2f} m 未満と見込まれます。</translation>
     </message>
@@ -9018,8 +10580,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>まず下の注記を読んでください。</translation>
     </message>
     <message>
-        <source>Correction to the {name} with its sigma. A set that lies beside the curve's band does not fit the others.</source>
-        <translation>{name}の補正量とその標準偏差。曲線の帯から外れる組は、ほかの組と合っていません。</translation>
+        <source>East correction</source>
+        <translation>東方向の補正量</translation>
+    </message>
+    <message>
+        <source>North correction</source>
+        <translation>北方向の補正量</translation>
     </message>
     <message>
         <source>The height of the origin above the ground was not given: the mean height stays as reported ({sensor_height:.2f} m above the ground).</source>
@@ -9158,6 +10724,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>路面標示点が見つかりません。路面に標示がないか、反射強度に表れていません。</translation>
     </message>
     <message>
+        <source>I_ref (reference)</source>
+        <translation>I_ref（基準値）</translation>
+    </message>
+    <message>
         <source>Their intensities follow the curves of the scanners. Look at them over an aerial image before they are matched.</source>
         <translation>強度はスキャナごとの曲線に従っています。照合する前に空中写真上で確認してください。</translation>
     </message>
@@ -9172,6 +10742,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Single asphalt points of scanner {number} scatter by {scatter:.0f} %: only strong paint stands out, and bright specks may be taken for paint.</source>
         <translation>スキャナ {number} のアスファルトの個々の点は {scatter:.0f} % ばらついています。濃い標示しか識別できず、明るい斑点を標示と誤る可能性があります。</translation>
+    </message>
+    <message>
+        <source>Range, m</source>
+        <translation>斜距離 (m)</translation>
+    </message>
+    <message>
+        <source>Intensity</source>
+        <translation>反射強度</translation>
     </message>
     <message>
         <source>too few ground points with intensity at different ranges</source>
@@ -9234,6 +10812,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name}には車両の近くに地表面点がありません。道路を含む計測データを指定してください。</translation>
     </message>
     <message>
+        <source>Only {ground:,} of {near:,} points near the vehicle of {name} were found to be ground ({share:.2g} %), which cannot be right for a drive: look for many points below the road or a wrong height unit, or classify the ground first.</source>
+        <translation>{name}の車両付近の点{near:,}点のうち、地面とされた点は{ground:,}点（{share:.2g} %）だけで、走行計測としてあり得ません。道路より下にある多数の点や高さの単位の誤りがないか確認するか、先に地面を分類してください。</translation>
+    </message>
+    <message>
         <source>{name} has no intensity (all are 0), by which markings are told: export the survey with it.</source>
         <translation>{name}に、路面標示の識別に必要な反射強度がありません（すべて0）。反射強度付きで計測データを出力してください。</translation>
     </message>
@@ -9280,6 +10862,30 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>the correction reaches the largest error looked for</source>
         <translation>補正量が探索する最大誤差に達しています</translation>
+    </message>
+    <message>
+        <source>changed markings</source>
+        <translation>変化した標示</translation>
+    </message>
+    <message>
+        <source>reference and survey disagree</source>
+        <translation>基準と計測の不一致</translation>
+    </message>
+    <message>
+        <source>hidden step</source>
+        <translation>隠れた段差</translation>
+    </message>
+    <message>
+        <source>reference and survey disagree: one side of a step is wrong</source>
+        <translation>基準と計測の不一致：段差のどちらか一方の側が誤り</translation>
+    </message>
+    <message>
+        <source>the markings here changed: reference and survey disagree</source>
+        <translation>この区間の標示は変化している：基準と計測の不一致</translation>
+    </message>
+    <message>
+        <source>a step of the error hides here, where no markings are</source>
+        <translation>標示のないこの区間に誤差の段差が隠れている</translation>
     </message>
     <message>
         <source>the markings do not fix the position well</source>
@@ -9338,8 +10944,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>計測データの近くに基準の路面標示がありません。両方のCRSと、基準データが走行範囲を覆っているか確認してください。</translation>
     </message>
     <message>
-        <source>{registered:.0f} % of the path is registered, with a median standard deviation of {sigma:.1f} cm in plan.</source>
-        <translation>経路の {registered:.0f} % が位置合わせ済みで、水平標準偏差の中央値は {sigma:.1f} cm です。</translation>
+        <source>{registered:.0f} % of the path is registered. The standard deviation in plan over the whole path is {sigma:.1f} cm (median).</source>
+        <translation>経路の {registered:.0f} % が位置合わせ済みです。全経路の平面位置の標準偏差は {sigma:.1f} cm（中央値）です。</translation>
     </message>
     <message>
         <source> {distrusted:.0f} % is not to be trusted: leave it out, or measure it otherwise; the table below tells where.</source>
@@ -9348,6 +10954,30 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Look at the markings before and after below: where they lie on the reference, use the result.</source>
         <translation>下の補正前後の路面標示を確認し、基準に一致していれば結果を使えます。</translation>
+    </message>
+    <message>
+        <source>Path length (m)</source>
+        <translation>経路長 (m)</translation>
+    </message>
+    <message>
+        <source>Registered (% of the path)</source>
+        <translation>位置合わせ済み（経路の %）</translation>
+    </message>
+    <message>
+        <source>Bridged (%)</source>
+        <translation>補間 (%)</translation>
+    </message>
+    <message>
+        <source>Not to be trusted (%)</source>
+        <translation>信頼できない区間 (%)</translation>
+    </message>
+    <message>
+        <source>Correction in plan, mean and maximum (m)</source>
+        <translation>水平の補正量、平均と最大 (m)</translation>
+    </message>
+    <message>
+        <source>Standard deviation in plan over the whole path, median and maximum (m)</source>
+        <translation>全経路の平面位置の標準偏差、中央値と最大（m）</translation>
     </message>
     <message>
         <source>Correction of the reported positions. Look for steps and spikes: a trajectory drifts smoothly, and jumps only where its satellites were lost or found again.</source>
@@ -9362,12 +10992,40 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>ウィンドウの路面標示点のうち基準上にある割合。下がる所では、標示が変わったか照合が誤っています。</translation>
     </message>
     <message>
-        <source>Distance of each window's own correction from the smooth one, in plan. Windows that stand out saw something else than the reference.</source>
-        <translation>各ウィンドウ自身の補正量と平滑化後の水平距離。突出するウィンドウは基準と違う物を見ています。</translation>
+        <source>The correction steps here, and a trajectory does not. Between two edges of changed markings the road was painted anew: the correction bridges them. Of a single step nobody can say from markings alone which side is right: a frame of the reference may be off, or the road beyond was painted anew; the standard deviations of both sides hold either.</source>
+        <translation>補正量がここで段差になっていますが、軌跡に段差は生じません。変化した標示の両端の間は塗り直されており、補正はその間を補間します。段差が一つだけの場合、標示だけではどちらの側が正しいか判断できません。基準の写真がずれているか、その先の道路が塗り直された可能性があり、両側の標準偏差はいずれの場合も含みます。</translation>
     </message>
     <message>
-        <source>: left as reported (red), right corrected (green). A picture is {side:.0f} m wide.</source>
-        <translation>: 左は補正前（赤）、右は補正後（緑）。画像の幅は {side:.0f} m です。</translation>
+        <source>Marking points of the survey over the aerial image: left as reported (red), right corrected (green). A picture is {side:.0f} m wide.</source>
+        <translation>空中写真に重ねたMMSの路面標示の点です。左は補正前（赤）、右は補正後（緑）。画像の幅は {side:.0f} m です。</translation>
+    </message>
+    <message>
+        <source>Marking points of the survey over the reference markings: left as reported (red), right corrected (green). A picture is {side:.0f} m wide.</source>
+        <translation>基準の路面標示に重ねたMMSの路面標示の点です。左は補正前（赤）、右は補正後（緑）。画像の幅は {side:.0f} m です。</translation>
+    </message>
+    <message>
+        <source>Reference and survey disagree, and nobody can say from the markings alone which is right: no part of the path is registered. Check the reference at the places below.</source>
+        <translation>基準と計測が一致せず、標示だけではどちらが正しいか判断できません。走行経路のどの部分も位置合わせされていません。下記の箇所で基準を確認してください。</translation>
+    </message>
+    <message>
+        <source>Correction in height, mean and maximum (m)</source>
+        <translation>高さの補正量、平均と最大 (m)</translation>
+    </message>
+    <message>
+        <source>Standard deviation in height over the whole path, median and maximum (m)</source>
+        <translation>全経路の高さの標準偏差、中央値と最大（m）</translation>
+    </message>
+    <message>
+        <source>Drift, times the expected one</source>
+        <translation>ドリフト（想定に対する倍率）</translation>
+    </message>
+    <message>
+        <source>Variance of the observations, times the stated one</source>
+        <translation>観測値の分散（設定値に対する倍率）</translation>
+    </message>
+    <message>
+        <source>Distance of each window's own correction from the smooth one, in plan. Windows that stand out saw something else than the reference.</source>
+        <translation>各ウィンドウ自身の補正量と平滑化後の水平距離。突出するウィンドウは基準と違う物を見ています。</translation>
     </message>
     <message>
         <source>Registering {markings_count:,} marking points.</source>
@@ -9378,8 +11036,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>計測データから路面標示を抽出しています。</translation>
     </message>
     <message>
-        <source>standard deviation {known:.1f} cm (median)</source>
-        <translation>標準偏差 {known:.1f} cm（中央値）</translation>
+        <source>standard deviation in plan over the whole path {sigma:.1f} cm (median)</source>
+        <translation>全経路の平面位置の標準偏差 {sigma:.1f} cm（中央値）</translation>
     </message>
     <message>
         <source>how accurate it is is not known</source>
@@ -9404,6 +11062,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The reported heading contradicts the markings by {correction:.1f} degrees (median), much more than its accuracy: it was corrected; check the calibration and the trajectory.</source>
         <translation>補正前の方位が路面標示と {correction:.1f} 度（中央値）食い違い、その精度を大きく超えていたため補正しました。校正値と軌跡を確認してください。</translation>
+    </message>
+    <message>
+        <source>Reference and survey disagree at {count} places, the first at {place:.0f} m by {size:.2f} m ({kind}): see the steps' layer and the report.</source>
+        <translation>基準と計測が{count}か所で一致しません。最初の箇所は{place:.0f} m地点、{size:.2f} m（{kind}）です。不一致のレイヤと報告書を確認してください。</translation>
     </message>
     <message>
         <source>{share:.0f} % of the path is not to be trusted, the longest section from {longest_start:.0f} to {end:.0f} m ({reason}): see the patches' layer.</source>
@@ -9534,10 +11196,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name}：楕円体高を {min:.3f}～{max:.3f} m 下げてジオイドからの高さにしました（{geoid}）。</translation>
     </message>
     <message>
-        <source>{path}: row {ragged} has {rows_count} values, the header names {header_count}: the file may be cut off; export it again.</source>
-        <translation>{path}: {ragged} 行目の値は {rows_count} 個ですが、ヘッダの項目は {header_count} 個です。ファイルが途中で切れている可能性があります。再度出力してください。</translation>
-    </message>
-    <message>
         <source>{name} has no column {missing}: a trajectory needs {columns}.</source>
         <translation>{name}に列{missing}がありません。軌跡には{columns}が必要です。</translation>
     </message>
@@ -9572,10 +11230,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{path} is in latitude and longitude: the coordinate reference system of the survey must be known; store it in the point cloud or give it.</source>
         <translation>{path}は緯度・経度です。計測データの座標参照系が必要です。点群に保存するか、指定してください。</translation>
-    </message>
-    <message>
-        <source>{path} is no SBET file or is cut off: its length is no multiple of {itemsize} bytes.</source>
-        <translation>{path}はSBETファイルではないか、途中で切れています。長さが {itemsize} バイトの倍数ではありません。</translation>
     </message>
     <message>
         <source>{path} is no SBET file: its latitudes are no angles in radians.</source>
@@ -9630,10 +11284,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name}：方位が進行方向から {off:.0f}° ずれています（中央値）。車体のx軸が前方を向かない場合は校正値も同じでなければなりません。そうでなければ方位が誤っています。</translation>
     </message>
     <message>
-        <source>No rule has a code that begins with {code}; the documentation lists them.</source>
-        <translation>{code} で始まるコードの規則はありません。一覧は説明書にあります。</translation>
-    </message>
-    <message>
         <source>its face is not seen: it lies between the last points before and the first behind</source>
         <translation>面が見えません：手前の最後の点と奥の最初の点の間にあります</translation>
     </message>
@@ -9656,6 +11306,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>No point of {paths} was measured beside the path at the height of its road: give points and trajectory of one drive, in one coordinate and height system.</source>
         <translation>{paths}には、軌跡の脇で路面の高さに計測された点がありません。同じ座標参照系・高さの基準の、同一走行の点群と軌跡を指定してください。</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>計測</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>不確か</translation>
     </message>
     <message>
         <source>There are {found:.1f} ground points a square metre beside the path: edges need {sparse:.0f} or more; give the whole survey, not a thinned one.</source>
@@ -9708,6 +11366,26 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>A strip of lane width ({width:.1f} m wide, {end:.0f} m long) shows neither drive nor arrow nor a lane line to a lane beside it; no lane was made.</source>
         <translation>車線幅の帯（幅{width:.1f} m、長さ{end:.0f} m）に、走行も矢印も隣接車線との車線境界線もないため、車線を作成しませんでした。</translation>
+    </message>
+    <message>
+        <source>road axis</source>
+        <translation>道路中心線</translation>
+    </message>
+    <message>
+        <source>beside a dashed line</source>
+        <translation>破線の隣</translation>
+    </message>
+    <message>
+        <source>across the centre line</source>
+        <translation>中央線の反対側</translation>
+    </message>
+    <message>
+        <source>drive</source>
+        <translation>走行</translation>
+    </message>
+    <message>
+        <source>arrow or stop line</source>
+        <translation>矢印または停止線</translation>
     </message>
     <message>
         <source>Drives, arrows or stop lines contradict each other about the direction here.</source>
@@ -9950,6 +11628,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>図郭には日本の平面直角座標系が必要ですが、{plan}は該当しません。正方形またはメッシュを選択するか、データの座標系を変換してください。</translation>
     </message>
     <message>
+        <source>map sheets of level {level}, plane rectangular system {system}</source>
+        <translation>国土基本図図郭（地図情報レベル{level}、平面直角座標系 第{system}系）</translation>
+    </message>
+    <message>
         <source>The data states no coordinate reference system, which map sheets need: give it (POINTS_CRS), or choose squares.</source>
         <translation>データに図郭に必要な座標参照系の記載がありません。指定する（POINTS_CRS）か、正方形を選択してください。</translation>
     </message>
@@ -9964,6 +11646,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{path} of the tile {parent} has other cells than the first tile: the rasters cannot be put together.</source>
         <translation>タイル{parent}の{path}は最初のタイルとセルが異なるため、ラスタを結合できません。</translation>
+    </message>
+    <message>
+        <source>regional meshes of about {size:g} m</source>
+        <translation>約 {size:g} m の地域メッシュ</translation>
     </message>
     <message>
         <source>The data states no coordinate reference system, which meshes need: give it (POINTS_CRS), or choose squares.</source>
@@ -9994,12 +11680,28 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>ほかに{failed_count}件がタイルのレイヤにあります。</translation>
     </message>
     <message>
-        <source>{count} of {tiles_count} tiles failed; the others are whole. Run again with the same folder when the reasons below are put right: only the failed tiles are then done.</source>
-        <translation>{tiles_count}タイル中{count}タイルが失敗しました。ほかのタイルは完成しています。下記の理由を解消し、同じフォルダで再実行してください。失敗したタイルだけが処理されます。</translation>
+        <source>{count} of {tiles_count} tiles failed, and what lies in them is missing. Run again with the same folder when the reasons below are put right: only the failed tiles are then done.</source>
+        <translation>{tiles_count} タイル中 {count} タイルが失敗し、その範囲の結果がありません。下の理由を解消してから同じフォルダで再実行してください。失敗したタイルだけが処理されます。</translation>
     </message>
     <message>
         <source>All {tiles_count} tiles are done.</source>
         <translation>全{tiles_count}タイルが完了しました。</translation>
+    </message>
+    <message>
+        <source>{total} walls: {good} ok, {doubtful} doubtful.</source>
+        <translation>壁 {total} 面：良好 {good}、要確認 {doubtful}。</translation>
+    </message>
+    <message>
+        <source>{total} buildings: {good} ok, {doubtful} doubtful, {missing} failed.</source>
+        <translation>建物 {total} 棟：良好 {good}、要確認 {doubtful}、失敗 {missing}。</translation>
+    </message>
+    <message>
+        <source>The field “status” of the merged layer tells which and why.</source>
+        <translation>どれがなぜそうなのかは、結合レイヤのフィールド「status」に示します。</translation>
+    </message>
+    <message>
+        <source>stretches of {size:g} m of the drive</source>
+        <translation>走行の {size:g} m ごとの区間</translation>
     </message>
     <message>
         <source>The points have no GPS time, by which a survey is cut into stretches: give a point cloud with times.</source>
@@ -10008,6 +11710,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The drive would take more than a million stretches: give longer ones.</source>
         <translation>走行の区間数が100万を超えます。区間を長くしてください。</translation>
+    </message>
+    <message>
+        <source>squares of {size:g} m</source>
+        <translation>一辺 {size:g} m の正方形</translation>
     </message>
     <message>
         <source>The side of a tile must be a whole number of metres, and its buffer not negative: change them.</source>
@@ -10092,6 +11798,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0}: the field {1} is missing or has empty values; give the result of “Roof polygons”.</source>
         <translation>{0}: フィールド{1}がないか、空の値があります。「屋根ポリゴン」の結果を指定してください。</translation>
+    </message>
+    <message>
+        <source>No file was given: choose a city model (.gml, .zip) or a folder.</source>
+        <translation>ファイルが指定されていません。3D都市モデル（.gml、.zip）又はフォルダを選んでください。</translation>
+    </message>
+    <message>
+        <source>{0}: the rules are those of CityGML; write {1} as CityGML by “Export city model” first.</source>
+        <translation>{0}: 規則は CityGML のものです。先に「3D都市モデルの書き出し」で {1} を CityGML にしてください。</translation>
     </message>
     <message>
         <source>{0}: this system's GDAL cannot write GeoParquet; give a name that ends in .gpkg.</source>
@@ -10282,12 +11996,20 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>ウィンドウの残差 (m)</translation>
     </message>
     <message>
+        <source>Give check points, or building models whose edges are to be surveyed.</source>
+        <translation>検証点か、点検測量する辺を抽出する建物モデルを指定してください。</translation>
+    </message>
+    <message>
         <source>Map level: “given” needs a limit in plan or in height; give one of them.</source>
         <translation>地図情報レベル: givenの場合は、水平位置または標高の制限値を指定してください。</translation>
     </message>
     <message>
         <source>{0} has no field {1}: give the patches of “Register mobile survey”.</source>
         <translation>{0}にフィールド{1}がありません。「MMS計測の位置合わせ」のパッチを指定してください。</translation>
+    </message>
+    <message>
+        <source>{0} is no layout for this report: change a copy of the plugin's own, and keep the ids of its items ({1}).</source>
+        <translation>{0}はこの報告書のレイアウトではありません。プラグインのレイアウトの複製を変更し、アイテムのID（{1}）は残してください。</translation>
     </message>
     <message>
         <source>{0}: {1} does not exist; check its name.</source>
@@ -10358,16 +12080,232 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{0}: {1}は{2}のいずれでもありません。これらの語のいずれか、または0から始まる番号を指定してください。</translation>
     </message>
     <message>
+        <source>UrbanMap job (*.urbanmap.json)</source>
+        <translation>UrbanMapの作業 (*.urbanmap.json)</translation>
+    </message>
+    <message>
+        <source>UrbanMap</source>
+        <translation>UrbanMap</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>選択…</translation>
+    </message>
+    <message>
+        <source>Missing:</source>
+        <translation>不足しているもの：</translation>
+    </message>
+    <message>
+        <source>Nothing is missing.</source>
+        <translation>不足はありません。</translation>
+    </message>
+    <message>
+        <source>Open job…</source>
+        <translation>作業を開く…</translation>
+    </message>
+    <message>
+        <source>Save job as…</source>
+        <translation>名前を付けて作業を保存…</translation>
+    </message>
+    <message>
+        <source>1. What have you?</source>
+        <translation>1. 手元のデータ</translation>
+    </message>
+    <message>
+        <source>2. What do you want?</source>
+        <translation>2. 作りたいもの</translation>
+    </message>
+    <message>
+        <source>New job</source>
+        <translation>新しい作業</translation>
+    </message>
+    <message>
+        <source>Import table…</source>
+        <translation>表の取り込み…</translation>
+    </message>
+    <message>
+        <source>Job: {0}</source>
+        <translation>作業：{0}</translation>
+    </message>
+    <message>
+        <source>Map of the files' extents</source>
+        <translation>ファイルの範囲の図</translation>
+    </message>
+    <message>
+        <source>No file with a place yet</source>
+        <translation>位置のあるファイルはまだありません</translation>
+    </message>
+    <message>
+        <source>Drop files and folders here.</source>
+        <translation>ここにファイルやフォルダをドロップしてください。</translation>
+    </message>
+    <message>
+        <source>Add folder…</source>
+        <translation>フォルダを追加…</translation>
+    </message>
+    <message>
+        <source>Reference system</source>
+        <translation>座標系</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>時刻</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>クリア</translation>
+    </message>
+    <message>
+        <source>Cannot be used</source>
+        <translation>使用不可</translation>
+    </message>
+    <message>
+        <source>As far as the files say, all fits together.</source>
+        <translation>ファイルから分かる範囲では、すべて整合しています。</translation>
+    </message>
+    <message>
+        <source>{0} of {1} files and layers can be used. Untick what is not to be used.</source>
+        <translation>{1}個のファイルとレイヤのうち{0}個を使えます。使わないものはチェックを外してください。</translation>
+    </message>
+    <message>
+        <source>Does not fit together:</source>
+        <translation>整合しないもの：</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>タブ</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>空白</translation>
+    </message>
+    <message>
+        <source>Import a trajectory or exterior orientation</source>
+        <translation>走行軌跡または外部標定要素の取り込み</translation>
+    </message>
+    <message>
+        <source>not kept</source>
+        <translation>保存しない</translation>
+    </message>
+    <message>
+        <source>as guessed</source>
+        <translation>自動判定</translation>
+    </message>
+    <message>
+        <source>Make it a</source>
+        <translation>取り込む種類</translation>
+    </message>
+    <message>
+        <source>Read as</source>
+        <translation>読み込み方</translation>
+    </message>
+    <message>
+        <source>Encoding</source>
+        <translation>文字コード</translation>
+    </message>
+    <message>
+        <source>Delimiter</source>
+        <translation>区切り文字</translation>
+    </message>
+    <message>
+        <source>Lines before the names</source>
+        <translation>列名より前の行数</translation>
+    </message>
+    <message>
+        <source>Unit of lengths</source>
+        <translation>長さの単位</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Keep this way of reading as</source>
+        <translation>この読み込み方の保存名</translation>
+    </message>
+    <message>
+        <source>Choose above each column what it is.</source>
+        <translation>各列の上で内容を選んでください。</translation>
+    </message>
+    <message>
+        <source>Written: {0}</source>
+        <translation>書き込みました：{0}</translation>
+    </message>
+    <message>
+        <source>All steps are done.</source>
+        <translation>すべての手順が完了しました。</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>中止しました。</translation>
+    </message>
+    <message>
+        <source>It ended without a reason.</source>
+        <translation>理由が示されずに終了しました。</translation>
+    </message>
+    <message>
+        <source>Step “{0}” ({1}) failed: {2}</source>
+        <translation>手順「{0}」（{1}）が失敗しました：{2}</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>実行</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Settings…</source>
+        <translation>設定…</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>実行中</translation>
+    </message>
+    <message>
+        <source>{0} of {1}: {2}</source>
+        <translation>{1}のうち{0}：{2}</translation>
+    </message>
+    <message>
+        <source>{0} s</source>
+        <translation>{0} 秒</translation>
+    </message>
+    <message>
+        <source>{0} min</source>
+        <translation>{0} 分</translation>
+    </message>
+    <message>
+        <source>{0:.1f} h</source>
+        <translation>{0:.1f} 時間</translation>
+    </message>
+    <message>
+        <source>{0}, about {1} left</source>
+        <translation>{0}（残り約{1}）</translation>
+    </message>
+    <message>
+        <source>The job has a step “{0}”, which is no algorithm of this version: update the plugin.</source>
+        <translation>作業の手順「{0}」は、このバージョンにないアルゴリズムです。プラグインを更新してください。</translation>
+    </message>
+    <message>
+        <source>{0} has no parameter {1}: correct the job.</source>
+        <translation>{0}にパラメータ{1}はありません。作業を修正してください。</translation>
+    </message>
+    <message>
+        <source>{0}: “{1}” takes one file, but the job gives {2}: leave one.</source>
+        <translation>{0}：「{1}」に指定できるのは1ファイルですが、作業では{2}ファイルです。1つにしてください。</translation>
+    </message>
+    <message>
         <source>Name</source>
         <translation>名前</translation>
     </message>
     <message>
-        <source>What</source>
-        <translation>内容</translation>
-    </message>
-    <message>
-        <source>own</source>
-        <translation>独自</translation>
+        <source>Step by step, with pictures</source>
+        <translation>画面の絵つきの手順</translation>
     </message>
     <message>
         <source>How it works</source>
@@ -10415,7 +12353,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>id in the city model</source>
-        <translation>都市モデル内のID</translation>
+        <translation>gml:id</translation>
     </message>
     <message>
         <source>measured wall</source>
@@ -10464,10 +12402,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>seam of tiles</source>
         <translation>タイルの継ぎ目</translation>
-    </message>
-    <message>
-        <source>status</source>
-        <translation>状態</translation>
     </message>
     <message>
         <source>reason</source>
@@ -10544,10 +12478,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>chainage (m)</source>
         <translation>縦断距離 (m)</translation>
-    </message>
-    <message>
-        <source>drive</source>
-        <translation>走行</translation>
     </message>
     <message>
         <source>other drive</source>
@@ -10726,10 +12656,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>三次元誤差、補正後 (m)</translation>
     </message>
     <message>
-        <source>roofs</source>
-        <translation>屋根</translation>
-    </message>
-    <message>
         <source>parts</source>
         <translation>部分</translation>
     </message>
@@ -10759,7 +12685,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>level of detail</source>
-        <translation>詳細度</translation>
+        <translation>LOD</translation>
     </message>
     <message>
         <source>kind of roof</source>
@@ -10970,10 +12896,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>遅延でも外れ値でもない観測の割合、0～1</translation>
     </message>
     <message>
-        <source>satellites</source>
-        <translation>衛星</translation>
-    </message>
-    <message>
         <source>GLONASS</source>
         <translation>GLONASS</translation>
     </message>
@@ -11035,19 +12957,19 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>dash and gap together (m)</source>
-        <translation>塗装と間隔の合計 (m)</translation>
+        <translation>標示部分と間隔の合計 (m)</translation>
     </message>
     <message>
         <source>length of a dash (m)</source>
-        <translation>塗装部分の長さ (m)</translation>
+        <translation>標示部分の長さ (m)</translation>
     </message>
     <message>
         <source>ends of worn dashes, placed by the others, m along the line</source>
-        <translation>摩耗した塗装端のうちほかから位置を決めたもの、線に沿ったm</translation>
+        <translation>摩耗した標示端のうちほかから位置を決めたもの、線に沿ったm</translation>
     </message>
     <message>
         <source>begin and end of the dashes, m along the line</source>
-        <translation>塗装部分の始点と終点、線に沿ったm</translation>
+        <translation>標示部分の始点と終点、線に沿ったm</translation>
     </message>
     <message>
         <source>standard deviation along the road (m)</source>
@@ -11326,6 +13248,22 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>壁面：外周線の辺</translation>
     </message>
     <message>
+        <source>size of the step (m)</source>
+        <translation>段差の大きさ（m）</translation>
+    </message>
+    <message>
+        <source>towards, from grid north (°)</source>
+        <translation>方向、座標北から（°）</translation>
+    </message>
+    <message>
+        <source>step east (m)</source>
+        <translation>段差 東（m）</translation>
+    </message>
+    <message>
+        <source>step north (m)</source>
+        <translation>段差 北（m）</translation>
+    </message>
+    <message>
         <source>correction east (m)</source>
         <translation>補正量、東 (m)</translation>
     </message>
@@ -11474,6 +13412,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>規則の出典</translation>
     </message>
     <message>
+        <source>requirement</source>
+        <translation>品質要求</translation>
+    </message>
+    <message>
+        <source>kind of feature</source>
+        <translation>地物型</translation>
+    </message>
+    <message>
         <source>The feature has no polygon.</source>
         <translation>地物にポリゴンがありません。</translation>
     </message>
@@ -11562,10 +13508,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{0}：この QGIS は点群を表示できないため、レイヤは読み込まれません。ファイルは {1} です。</translation>
     </message>
     <message>
-        <source>UrbanMap</source>
-        <translation>UrbanMap</translation>
-    </message>
-    <message>
         <source>The style {0} could not be given to {1}: {2}</source>
         <translation>スタイル{0}を{1}に適用できませんでした: {2}</translation>
     </message>
@@ -11576,6 +13518,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0}: {1} is neither a CSV, an SBET nor a point layer; check the file.</source>
         <translation>{0}: {1}はCSV、SBET、点レイヤのいずれでもありません。ファイルを確認してください。</translation>
+    </message>
+    <message>
+        <source>Open a copy in the modeller…</source>
+        <translation>複製をモデルデザイナーで開く…</translation>
     </message>
     <message>
         <source>UrbanMap: diagnostics</source>
@@ -11620,6 +13566,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Still missing: {0}. Restart QGIS and look again.</source>
         <translation>まだ不足しています: {0}。QGISを再起動して再確認してください。</translation>
+    </message>
+    <message>
+        <source>Open reports in the browser after a run</source>
+        <translation>実行後に報告書をブラウザで開く</translation>
+    </message>
+    <message>
+        <source>Open report</source>
+        <translation>報告書を開く</translation>
     </message>
     <message>
         <source>The Dask scheduler was lost during the work; start it and run again.</source>
@@ -11858,12 +13812,28 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>補正後</translation>
     </message>
     <message>
+        <source>{0} control points were not measured during this survey: they are left out.</source>
+        <translation>検証点 {0} 点はこの計測の時間外のため除外します。</translation>
+    </message>
+    <message>
         <source>{0}: {1} is neither a raster nor a polygon layer; check the file.</source>
         <translation>{0}: {1}はラスタでもポリゴンレイヤでもありません。ファイルを確認してください。</translation>
     </message>
     <message>
         <source>{0}: {1} is neither a raster nor a polygon layer; choose another one.</source>
         <translation>{0}: {1}はラスタでもポリゴンレイヤでもありません。別のものを選択してください。</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>ガイド</translation>
+    </message>
+    <message>
+        <source>UrbanMap: from your files to results</source>
+        <translation>UrbanMap：手元のファイルから成果まで</translation>
+    </message>
+    <message>
+        <source>Open a chain in the modeller</source>
+        <translation>処理の流れをモデルデザイナーで開く</translation>
     </message>
     <message>
         <source>Sample city…</source>
@@ -11912,10 +13882,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Rule</source>
         <translation>規則</translation>
-    </message>
-    <message>
-        <source>Number</source>
-        <translation>件数</translation>
     </message>
     <message>
         <source>The map can be loaded; look at the warnings before routes rely on it.</source>
@@ -12014,10 +13980,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>左</translation>
     </message>
     <message>
-        <source>right</source>
-        <translation>右</translation>
-    </message>
-    <message>
         <source>not shown by drives; left assumed</source>
         <translation>走行なし（左側通行と仮定）</translation>
     </message>
@@ -12034,6 +13996,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>番号</translation>
     </message>
     <message>
+        <source>no lane made</source>
+        <translation>車線の作成なし</translation>
+    </message>
+    <message>
         <source>What is missing or contradicts is numbered in the map and listed below: {0} findings.</source>
         <translation>不足や矛盾には地図上で番号を付け、下に一覧を示します：指摘 {0} 件。</translation>
     </message>
@@ -12042,8 +14008,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>境界線の長さの{0:.0%}は計測されておらず、欠落部を通して描かれています。指摘「境界線の未計測」を参照してください。</translation>
     </message>
     <message>
-        <source>Of {0} strips beside lines no lane was made; see the findings “no lane made”.</source>
-        <translation>線の間の帯 {0} 本には車線を作成していません。指摘「no lane made」を参照してください。</translation>
+        <source>Of {0} strips beside lines no lane was made; see the findings “{1}”.</source>
+        <translation>線の間の帯 {0} 本には車線を作成していません。指摘「{1}」を参照してください。</translation>
     </message>
     <message>
         <source>Evidence on directions contradicts itself at {0} places.</source>
@@ -12122,6 +14088,18 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>使用した空中写真: {0}枚。建物以外でどの写真にも写らない欠落: {1:.0f} m²。</translation>
     </message>
     <message>
+        <source>{0}: give also a folder, so that the results of the job's own inputs stay.</source>
+        <translation>{0}：作業本来の入力の結果を残すため、フォルダも指定してください。</translation>
+    </message>
+    <message>
+        <source>{0}: “{1}” is no line ROLE=FILE.</source>
+        <translation>{0}：「{1}」は「役割=ファイル」の行ではありません。</translation>
+    </message>
+    <message>
+        <source>{0}: done before, with the same inputs and settings; left alone.</source>
+        <translation>{0}：同じ入力と設定で完了しているため、そのまま残しました。</translation>
+    </message>
+    <message>
         <source>{0} of {1} tiles failed; all others are in {2}. Put right what the warnings and the layer of tiles say, and run again with the same folder: only these tiles are then done.</source>
         <translation>{1} タイル中 {0} タイルが失敗しました。その他のタイルの結果は {2} にあります。警告とタイルのレイヤーに示された原因を取り除き、同じフォルダーで再実行してください。失敗したタイルだけが処理されます。</translation>
     </message>
@@ -12158,6 +14136,22 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>標準偏差は母平均を0とした値（二乗平均平方根）で、全点に共通する誤差も含みます。誤差が正規分布に従う場合、95 %の信頼度で標準偏差は上限値以下です。</translation>
     </message>
     <message>
+        <source>Sampled edges of buildings</source>
+        <translation>建物の抽出辺</translation>
+    </message>
+    <message>
+        <source>Edges were drawn at random in each unit, and both ends of each surveyed. An edge with one end counts among the points, but not among the edges.</source>
+        <translation>辺は検査単位ごとに無作為に抽出し、その両端を点検測量したものです。一端だけの辺は、点の数には入りますが辺の数には入りません。</translation>
+    </message>
+    <message>
+        <source>Acceptance: edges of buildings to be surveyed</source>
+        <translation>精度管理：点検測量する建物の辺</translation>
+    </message>
+    <message>
+        <source>Where the drawn edges lie, with their numbers.</source>
+        <translation>抽出した辺の位置と番号です。</translation>
+    </message>
+    <message>
         <source>Figures</source>
         <translation>較差の統計</translation>
     </message>
@@ -12168,6 +14162,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>All check points</source>
         <translation>検証点一覧</translation>
+    </message>
+    <message>
+        <source>Units with fewer edges than needed cannot be judged by themselves: choose others, or larger ones.</source>
+        <translation>辺の数が足りない検査単位は、単独では判定できません。別の、またはより大きな検査単位を選んでください。</translation>
     </message>
     <message>
         <source>These are the errors as reported: the layer has none after a correction.</source>
@@ -12255,7 +14253,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>sigma (m)</source>
-        <translation>σ (m)</translation>
+        <translation>標準偏差（m）</translation>
     </message>
     <message>
         <source>places</source>
@@ -12608,18 +14606,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>residual, m</source>
         <translation>残差、m</translation>
-    </message>
-    <message>
-        <source>in line of sight</source>
-        <translation>見通し内</translation>
-    </message>
-    <message>
-        <source>blocked, no single wall reflects it</source>
-        <translation>遮蔽、単一の壁面による反射なし</translation>
-    </message>
-    <message>
-        <source>reflected by one wall</source>
-        <translation>1つの壁面で反射</translation>
     </message>
     <message>
         <source>Edges over images, before and after</source>
@@ -13026,10 +15012,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>補正前の地表面からの距離、二乗平均平方根、m</translation>
     </message>
     <message>
-        <source>after, m</source>
-        <translation>補正後、m</translation>
-    </message>
-    <message>
         <source>Sigma of a sample, m</source>
         <translation>標本のσ、m</translation>
     </message>
@@ -13038,20 +15020,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>高さのσ、平均、m</translation>
     </message>
     <message>
-        <source>maximum, m</source>
-        <translation>最大、m</translation>
-    </message>
-    <message>
         <source>Correction to the height with its sigma, and the samples of the ground.</source>
         <translation>高さの補正量とそのσ、および地表面の標本。</translation>
     </message>
     <message>
         <source>The sigma of the tie points was found from how well they fit each other. An error that they share, such as that of the reference, is not in it nor in the sigmas of the epochs.</source>
         <translation>タイポイントのσは、相互の適合度から求めました。基準の誤差など共通する誤差は、このσにもエポックのσにも含まれません。</translation>
-    </message>
-    <message>
-        <source>Heights</source>
-        <translation>高さ</translation>
     </message>
     <message>
         <source>Heading correction</source>
@@ -13126,10 +15100,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>アスファルトの反射強度は斜距離と入射角に応じて低下します。曲線f(R) = C + A R^-b (1 - exp(-(R/d)^2))をスキャナごとにアスファルトに当てはめ、反射強度をR1まではこの値で、R1からR2までは最小値で除し、R2を超えるものは除外します(Javanmardi 2018, 式4)。</translation>
     </message>
     <message>
-        <source>Files</source>
-        <translation>ファイル</translation>
-    </message>
-    <message>
         <source>Outside the trajectory's time</source>
         <translation>軌跡の時間範囲外</translation>
     </message>
@@ -13172,10 +15142,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Reference intensity</source>
         <translation>基準反射強度</translation>
-    </message>
-    <message>
-        <source>cloth filter</source>
-        <translation>クロスフィルタ</translation>
     </message>
     <message>
         <source>Lasers told apart by</source>
@@ -13238,10 +15204,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>I_m（最小）</translation>
     </message>
     <message>
-        <source>I_ref</source>
-        <translation>I_ref</translation>
-    </message>
-    <message>
         <source>Bins used</source>
         <translation>使用した階級</translation>
     </message>
@@ -13252,10 +15214,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Scatter of single asphalt points, %</source>
         <translation>アスファルト単点のばらつき、%</translation>
-    </message>
-    <message>
-        <source>Range, m</source>
-        <translation>斜距離、m</translation>
     </message>
     <message>
         <source>Asphalt</source>
@@ -13306,10 +15264,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>位置合わせ済み: 周囲の標示から決定。補間: 位置合わせ済み区間の間または外側で、軌跡のドリフト特性により決定。信頼できない: 位置合わせ済み区間から遠すぎるか、標示が矛盾。標準偏差には基準自体の誤差を含みます。</translation>
     </message>
     <message>
-        <source> Heights, roll and pitch were not touched.</source>
-        <translation> 高さ、ロール、ピッチは変更していません。</translation>
-    </message>
-    <message>
         <source>Correction along the path</source>
         <translation>軌跡に沿った補正量</translation>
     </message>
@@ -13342,28 +15296,28 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>終了時刻 (s)</translation>
     </message>
     <message>
-        <source>why</source>
-        <translation>理由</translation>
-    </message>
-    <message>
         <source>largest sigma (m)</source>
         <translation>最大のσ (m)</translation>
     </message>
     <message>
+        <source>Where reference and survey disagree</source>
+        <translation>基準と計測が一致しない箇所</translation>
+    </message>
+    <message>
+        <source>At (m)</source>
+        <translation>位置（m）</translation>
+    </message>
+    <message>
+        <source>size (m)</source>
+        <translation>大きさ（m）</translation>
+    </message>
+    <message>
+        <source>towards (degrees)</source>
+        <translation>方向（度）</translation>
+    </message>
+    <message>
         <source>Markings before and after</source>
         <translation>補正前後の標示</translation>
-    </message>
-    <message>
-        <source>Marking points of the survey over the </source>
-        <translation>計測の路面標示点の重ね図、背景は </translation>
-    </message>
-    <message>
-        <source>aerial image</source>
-        <translation>空中写真画像</translation>
-    </message>
-    <message>
-        <source>reference markings</source>
-        <translation>基準の路面標示</translation>
     </message>
     <message>
         <source>No part of the path is registered: the result is as reported. Check that the reference is of the same place, and its date.</source>
@@ -13372,6 +15326,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Each patch is moved by its own window, as in the paper: between patches there are steps, nothing is bridged, and patches that are not to be trusted are moved all the same.</source>
         <translation>論文どおり、各パッチを固有のウィンドウで移動しています。パッチ間には段差が生じ、補間は行わず、信頼できないパッチも移動しています。</translation>
+    </message>
+    <message>
+        <source>Heights, roll and pitch were not touched.</source>
+        <translation>高さ、ロール、ピッチは変更していません。</translation>
     </message>
     <message>
         <source>window length</source>
@@ -13522,6 +15480,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>内壁</translation>
     </message>
     <message>
+        <source>warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>info</source>
+        <translation>情報</translation>
+    </message>
+    <message>
         <source>error below 3 cm</source>
         <translation>誤差 3 cm未満</translation>
     </message>
@@ -13558,10 +15524,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>テクスチャあり</translation>
     </message>
     <message>
-        <source>not seen</source>
-        <translation>未計測</translation>
-    </message>
-    <message>
         <source>agree to half a pixel</source>
         <translation>半画素以内で一致</translation>
     </message>
@@ -13596,10 +15558,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>observed, not decided</source>
         <translation>観測あり、判定不可</translation>
-    </message>
-    <message>
-        <source>not observable</source>
-        <translation>観測不可</translation>
     </message>
     <message>
         <source>普通建物 ordinary building</source>
@@ -13642,18 +15600,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>備考あり</translation>
     </message>
     <message>
-        <source>good</source>
-        <translation>良好</translation>
-    </message>
-    <message>
-        <source>usable</source>
-        <translation>使用可</translation>
-    </message>
-    <message>
-        <source>poor</source>
-        <translation>不良</translation>
-    </message>
-    <message>
         <source>nothing can be said</source>
         <translation>判定不可</translation>
     </message>
@@ -13672,18 +15618,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>above 1 m</source>
         <translation>1 m超</translation>
-    </message>
-    <message>
-        <source>warning</source>
-        <translation>警告</translation>
-    </message>
-    <message>
-        <source>info</source>
-        <translation>情報</translation>
-    </message>
-    <message>
-        <source>no lane made</source>
-        <translation>車線の作成なし</translation>
     </message>
     <message>
         <source>open end</source>
@@ -13944,10 +15878,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>survey to outline</source>
         <translation>計測から外周線へ</translation>
-    </message>
-    <message>
-        <source>done</source>
-        <translation>完了</translation>
     </message>
     <message>
         <source>empty</source>
