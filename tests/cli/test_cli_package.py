@@ -130,7 +130,9 @@ def test_metadata_for_the_plugin_repository(package, tmp_path):
                    check=True)
     made = told(tmp_path / "p.zip")
     assert made["tracker"] == "https://code.example.org/survey/urbanmap/issues" and made["email"] == "a@example.org"
-    assert made["repository"] == made["homepage"] and "Processing provider" in made["changelog"]
+    changes = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8").splitlines()
+    latest = next(line for line in changes if line.startswith("- "))
+    assert made["repository"] == made["homepage"] and latest[2:] in made["changelog"]
     assert subprocess.run([*made_by, "--repository", "urbanmap"], check=False, capture_output=True).returncode == 1
 
 
