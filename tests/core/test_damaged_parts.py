@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import rasterio
 
+from scripts import fuzz_sound as sound
 from tests.city_models import town
 from tests.core.test_map_check import sound_map
 from tests.core.test_rinex_observations import epoch_3, field, header_3
@@ -25,6 +26,8 @@ from urbanmap_qgis.io.files.guard import read_json
 from urbanmap_qgis.io.osm import read_osm, write_osm
 from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.io.raster import RasterSampler
+from urbanmap_qgis.job.job_file import read_job
+from urbanmap_qgis.job.recognition.contents import recognise_file
 from urbanmap_qgis.mobile.gps_time import time_range
 from urbanmap_qgis.mobile.markings.survey_points import sampled_span
 
@@ -38,7 +41,7 @@ def refused(read, path, text, words):
 
 
 @pytest.mark.parametrize(("number", "shown"), [(LONG, "9{20}"), ("-" + LONG, "-9{19}"), ("NaN", "NaN"),
-                                               ("-Infinity", "-Infinity")])
+                                               ("1e999", "1e999"), ("-Infinity", "-Infinity")])
 def test_numbers_of_json_that_are_none_are_named_with_their_line(tmp_path, number, shown):
     refused(lambda path: read_json(path, "a camera file"), tmp_path / "a.json", f'{{"a": 1,\n"b": {number}}}',
             f"a.json cannot be read as a camera file: “{shown}” in its line 2 is no number")
@@ -123,12 +126,10 @@ def _key(content):
     return next(key for key, item in content["CityObjects"].items() if item.get("geometry"))
 
 
-@pytest.mark.parametrize("vertex", [[1, 2], [1, 2, 3, 4], ["a", 1, 2], [[1], 2, 3], 10**400, None])
+@pytest.mark.parametrize("vertex", [[1, 2], [1, 2, 3, 4], ["a", 1, 2], [[1], 2, 3], None])
 def test_vertices_of_cityjson(tmp_path, cityjson, vertex):
     cityjson["vertices"][5] = vertex
-    text = json.dumps(cityjson).replace(str(10**400), "1e999")
-    words = "vertex 5 is no list of three numbers"
-    refused(read_cityjson, tmp_path / "a.city.json", text, words)
+    refused(read_cityjson, tmp_path / "a.city.json", json.dumps(cityjson), "vertex 5 is no list of three numbers")
 
 
 def test_vertices_all_of_six_numbers_are_not_taken_for_twice_as_many(tmp_path, cityjson):
@@ -222,3 +223,23 @@ def test_gps_times_that_are_no_numbers_do_not_hide_the_span_of_the_others(make_c
     none = make_cloud(tmp_path / "b.laz", count, count, count % 7, gps_time=np.full(1000, np.nan))
     with pytest.raises(InputError, match="No GPS time in b.laz is a number"):
         span(open_cloud([none]))
+
+
+@pytest.mark.parametrize(("old", "new", "words"), [
+    ('"algorithm"', '"algorithms"', "step 1 cannot be read"), ('"steps"', '"step"', "steps cannot be read"),
+    ('"inputs"', '"input"', "inputs cannot be read"),
+    ('"MIN_ROOF_AREA": 20.0', '"MIN_ROOF_AREA": 1e999', "“1e999” in its line")])
+def test_parts_of_a_job(small_city, tmp_path, old, new, words):
+    text = sound.job(tmp_path / "a.json", small_city).read_text(encoding="utf-8")
+    assert old in text
+    refused(read_job, tmp_path / "a.json", text.replace(old, new, 1), words)
+
+
+def test_a_shapefile_with_corners_or_places_that_are_no_numbers(tmp_path):
+    """Nothing is raised where files are recognised."""
+    data = sound.shapefile(".shp")(tmp_path / "a.shp", tmp_path).read_bytes()
+    corner = 100 + 8 + 44 + 4  # of the first polygon, behind head, record, box and parts
+    (tmp_path / "a.shp").write_bytes(data[:corner] + struct.pack("<d", np.nan) + data[corner + 8:])
+    assert "corners that are no numbers" in recognise_file(tmp_path / "a.shp")[0].problem
+    (tmp_path / "a.shp").write_bytes(data[:36] + struct.pack("<d", np.nan) + data[44:])
+    assert "not finite" in recognise_file(tmp_path / "a.shp")[0].problem

@@ -217,8 +217,8 @@ def test_a_new_plan_keeps_settings_and_states(job, tmp_path):
 
 @pytest.mark.parametrize(("text", "says"), [
     ("{}", "is no UrbanMap job"), ("[1]", "is no UrbanMap job"), ('{"urbanmap_job": 99}', "later version"),
-    ('{"urbanmap_job": 1}', "cannot be read as a job"), ("no json", "cannot be read as a job"),
-    ('{"urbanmap_job": 1, "inputs": {}, "steps": [{"id": "a"}]}', "cannot be read as a job"),
+    ('{"urbanmap_job": 1}', "steps cannot be read"), ("no json", "cannot be read as a job"),
+    ('{"urbanmap_job": 1, "inputs": {}, "steps": [{"id": "a"}]}', "step 1 cannot be read"),
     ('{"urbanmap_job": 1, "inputs": {}, "steps": [{"id": "a", "algorithm": "x"}, {"id": "a", "algorithm": "x"}]}',
      "twice")])
 def test_damaged_job_files_get_a_sentence(tmp_path, text, says):

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from ..errors import InputError
 from ..io.files.atomic import written_beside
-from ..io.files.guard import read_json, reads
+from ..io.files.guard import read_json, reading_part, reads
 from ..wording import say
 from .chain_plan import PlannedStep
 from .recognition.json_facts import JOB_MARK
@@ -148,16 +148,23 @@ def read_job(path: str | os.PathLike) -> JobRecord:
         raise InputError(say("{name} was written by a later version of UrbanMap: update the plugin.", name=name))
     fields = set(JobStep.__dataclass_fields__)
     steps = []
-    for stored in content["steps"]:
-        step = JobStep(**{key: value for key, value in stored.items() if key in fields})
-        steps.append(replace(step, parameters=_opened(step.parameters, folder), outputs=_opened(step.outputs, folder),
-                             files={_absolute(file, folder): facts for file, facts in step.files.items()}))
+    with reading_part(path, "steps"):
+        listed = list(content["steps"])
+    for number, stored in enumerate(listed, 1):
+        with reading_part(path, say("step {number}", number=number)):
+            step = JobStep(**{key: value for key, value in stored.items() if key in fields})
+            steps.append(replace(step, parameters=_opened(step.parameters, folder),
+                                 outputs=_opened(step.outputs, folder),
+                                 files={_absolute(file, folder): facts for file, facts in step.files.items()}))
     twice = [step.id for number, step in enumerate(steps) if step.id in [item.id for item in steps[:number]]]
     if twice:
         raise InputError(say("{name} has the step “{step}” twice: give each its own name.", name=name, step=twice[0]))
-    return JobRecord(str(content.get("wish", "")), {str(role): tuple(_absolute(item, folder) for item in sources)
-                                              for role, sources in content["inputs"].items()}, tuple(steps),
-               *(tuple(_absolute(item, folder) for item in content.get(name, ())) for name in ("given", "left_out")))
+    with reading_part(path, "inputs"):
+        inputs = {str(role): tuple(_absolute(item, folder) for item in sources)
+                  for role, sources in content["inputs"].items()}
+        given, left_out = (tuple(_absolute(item, folder) for item in content.get(key, ()))
+                           for key in ("given", "left_out"))
+    return JobRecord(str(content.get("wish", "")), inputs, tuple(steps), given, left_out)
 
 
 _PATH = "path"

@@ -34,6 +34,9 @@ LONGEST_FIELD = 2**27
 LONGEST_INTEGER = 300
 """Digits of a whole number: those beyond 308 are too large for a decimal number."""
 
+_MAY_BE_TOO_LARGE = re.compile(r"\d{301}|\d[eE]\+?\d{3}")
+"""Numbers of JSON among which those lie that no decimal number holds."""
+
 PARSER_ERRORS = (ArithmeticError, AttributeError, EOFError, LookupError, MemoryError, NotImplementedError, OSError,
                  ParseError, RuntimeError, TypeError, ValueError, csv.Error, np.linalg.LinAlgError, struct.error,
                  zipfile.BadZipFile, zlib.error)
@@ -175,8 +178,10 @@ def read_json(path: str | os.PathLike, what: str) -> object:
     InputError : it is no JSON, or holds such a number.
     """
     text = read_text(path, what)
+    # Looking at every number takes as long as all the rest.
+    numbers = {"parse_int": _integer, "parse_float": _decimal} if _MAY_BE_TOO_LARGE.search(text) else {}
     try:
-        return json.loads(text, parse_constant=_no_constant, parse_int=_integer)
+        return json.loads(text, parse_constant=_no_constant, **numbers)
     except _NoNumber as error:
         line = text.count("\n", 0, max(text.find(str(error)), 0)) + 1
         raise InputError(say("{path} cannot be read as {what}: “{number}” in its line {line} is no number that could "
@@ -199,6 +204,12 @@ def _integer(text: str) -> int:
     if len(text) > LONGEST_INTEGER:
         raise _NoNumber(text)
     return int(text)
+
+
+def _decimal(text: str) -> float:
+    if np.isinf(float(text)):
+        raise _NoNumber(text)
+    return float(text)
 
 
 def first_not_finite(table: np.ndarray) -> int | None:
