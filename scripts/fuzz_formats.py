@@ -284,6 +284,16 @@ def _recognised(path: Path):
     return [facts.extent for facts in recognise_file(path)], file_state_of(str(path))
 
 
+def _imported(path: Path):
+    """A table of another program as the import dialog reads it, and the trajectory that it becomes."""
+    from urbanmap_qgis.job.table_import import guessed_import, import_table, split_table
+
+    how = guessed_import(path, "trajectory")
+    split_table(path, how, 20)
+    with tempfile.TemporaryDirectory(prefix="urbanmap-fuzz-") as folder:
+        return import_table(path, how, Path(folder) / "trajectory.csv")
+
+
 def _recognised_beside(path: Path):
     return _recognised(path.with_suffix(".shp"))
 
@@ -353,6 +363,8 @@ FORMATS: dict[str, tuple[str, Callable, Callable]] = {
     "raster of tiles": ("a.tif", sound.copied("truth/ground.tif"), _tiled_raster),
     "job": ("a.json", sound.job, _of("job.job_file", "read_job")),
     "verdict of a report": ("a.html", sound.report, _of("job.job_progress", "verdict_of")),
+    "table to import": ("a.csv", sound.head("mms/survey_01_trajectory.csv", 200), _imported),
+    "ways of reading tables": ("a.json", sound.ways_of_reading, _of("job.table_import", "remembered_imports")),
     "shapefile": ("a.shp", sound.shapefile(".shp"), _recognised),
     "shapefile's table": ("a.dbf", sound.shapefile(".dbf"), _recognised_beside),
     "shapefile's system": ("a.prj", sound.shapefile(".prj"), _recognised_beside),

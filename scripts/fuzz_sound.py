@@ -378,6 +378,15 @@ def job(path: Path, city: Path) -> Path:
     return path
 
 
+def ways_of_reading(path: Path, city: Path) -> Path:
+    """Two ways of reading the tables of other programs, kept by name."""
+    from urbanmap_qgis.job.table_import import TableImport, remember_import
+
+    remember_import(path, "office", TableImport("trajectory", "cp932", ";", 3, {"time": 0, "x": 2, "y": 1}))
+    remember_import(path, "other", TableImport("exterior", columns={"file": 0}, length="ft"))
+    return path
+
+
 def report(path: Path, city: Path) -> Path:
     """A report with a verdict."""
     from urbanmap_qgis.io.pages.report import LOOK, Report

@@ -9772,6 +9772,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>作業に入力「{role}」はありません。あるのは{known}です。</translation>
     </message>
     <message>
+        <source>step {number}</source>
+        <translation>手順 {number}</translation>
+    </message>
+    <message>
         <source>Step “{step}”: the job has no input “{role}”; add the file.</source>
         <translation>手順「{step}」：作業に入力「{role}」がありません。ファイルを追加してください。</translation>
     </message>
@@ -9924,8 +9928,16 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name}は途中で切れています（{said}バイトのはずが{bytes}バイト）。コピーまたはダウンロードし直してください。</translation>
     </message>
     <message>
+        <source>{name} says where it lies in numbers that are not finite: it is damaged; copy or download it again.</source>
+        <translation>{name} の位置を示す数が有限ではありません。壊れていますので、コピーまたはダウンロードし直してください。</translation>
+    </message>
+    <message>
         <source>{name} cannot be read as a GeoPackage ({error}): it is damaged or cut off; copy or export it again.</source>
         <translation>{name}をGeoPackageとして読み込めません（{error}）。破損しているか途中で切れています。コピーまたは書き出し直してください。</translation>
+    </message>
+    <message>
+        <source>{name} has a polygon with corners that are no numbers: it is damaged; copy or export it again.</source>
+        <translation>{name} に座標が数でないポリゴンがあります。壊れていますので、コピーまたは出力し直してください。</translation>
     </message>
     <message>
         <source>{name} lies alone: put its .dbf and .shx beside it.</source>

@@ -18,7 +18,9 @@ from ...wording import say
 
 DELIMITERS = ",;\t "
 _HEAD_LINES = 200
-_BRACKETS = re.compile(r"[(\[（［<].*?[)\]）］>]")
+_BRACKETS = re.compile(r"[(\[（［<][^(\[（［<)\]）］>]*[)\]）］>]")
+"""What stands in brackets, without others in it: from one that is never closed nothing is looked through twice."""
+
 _OTHER_UNITS = {"rad": "radians", "radian": "radians", "radians": "radians", "ラジアン": "radians", "ft": "feet",
                 "feet": "feet", "foot": "feet", "usft": "feet", "gon": "gon", "grad": "gon", "dms": "degrees, minutes, "
                 "seconds", "mm": "millimetres", "cm": "centimetres", "km": "kilometres"}
