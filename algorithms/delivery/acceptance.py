@@ -76,8 +76,8 @@ class Acceptance(UrbanMapAlgorithm):
         self.add_file_output("OUTPUT_CSV", "All points", "Every check point with its errors.", "CSV (*.csv)",
                              optional=True)
         self.add_file("TEMPLATE", "Layout of the PDF", "Layout template of QGIS (.qpt): a changed copy of the plugin's "
-                      "resources/layouts/acceptance.qpt, whose items are filled by their ids.", extension="qpt",
-                      optional=True, advanced=True)
+                      "resources/layouts/acceptance.qpt, whose items are filled by their ids.",
+                      filter="Layout templates (*.qpt)", optional=True, advanced=True)
         for name, (label, unit) in NUMBERS.items():
             self.add_number_output(name, label, label, unit=unit)
         self.add_text_output("OUTCOME", "Outcome", "passed, failed, or not checked.")

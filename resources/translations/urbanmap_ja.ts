@@ -4868,6 +4868,10 @@
         <translation>PDFのレイアウト</translation>
     </message>
     <message>
+        <source>Layout templates (*.qpt)</source>
+        <translation>レイアウトテンプレート (*.qpt)</translation>
+    </message>
+    <message>
         <source>Layout template of QGIS (.qpt): a changed copy of the plugin's resources/layouts/acceptance.qpt, whose items are filled by their ids.</source>
         <translation>QGISの印刷レイアウトのテンプレート（.qpt）です。プラグインの resources/layouts/acceptance.qpt の複製を変更して使います。アイテムはIDによって埋められます。</translation>
     </message>

@@ -74,7 +74,7 @@ def test_menu_comes_and_goes_with_the_plugin(qgis_app, plugin, monkeypatch):
     desktop.initProcessing = lambda: None
     desktop.initGui()
     assert [action.text() for action in interface.menus["UrbanMap"]] == [
-        "Guide", "Sample city…", "Documentation", "Install Python packages…", "Diagnostics…",
+        "Guide", "Import table…", "Sample city…", "Documentation", "Install Python packages…", "Diagnostics…",
         "Open a chain in the modeller", "Open reports in the browser after a run"]
     desktop.provider = None
     monkeypatch.setattr(sys, "modules", dict(sys.modules))  # other tests go on with those that are loaded

@@ -367,6 +367,5 @@ _OF_STYLE: dict[tuple[str, str], FieldWords] = {
     ("city_faults", "file"): FieldWords(mark("file")),
     ("city_faults", "type"): FieldWords(mark("kind of feature")),
     ("city_faults", "gml_id"): FieldWords(mark("id in the city model")),
-    ("city_faults", "lod"): FieldWords(mark("level of detail")),
 }
 """Words of fields in the layers of one style, where they differ."""
