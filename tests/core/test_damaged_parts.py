@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import json
+import shutil
+import sqlite3
 import struct
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -17,16 +20,19 @@ from urbanmap_qgis.aerial.markings.marking_files import levels_of_orthophoto
 from urbanmap_qgis.aerial.orthophotos.vehicle_filter import OrthophotoSource
 from urbanmap_qgis.citymodel.cityjson.reader import read_cityjson
 from urbanmap_qgis.citymodel.cityjson.writer import write_model_cityjson
+from urbanmap_qgis.citymodel.tiles.tiles_writer import tiles_folder_trouble
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.gnss.orbits.sp3 import read_sp3
 from urbanmap_qgis.gnss.rinex.observation_file import read_observations
 from urbanmap_qgis.imagery.views.orthophoto_source import orthophoto_source
 from urbanmap_qgis.io.conversion.geoid import read_geoid
 from urbanmap_qgis.io.files.guard import read_json
+from urbanmap_qgis.io.files.named_table import plain_name
 from urbanmap_qgis.io.osm import read_osm, write_osm
 from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.io.raster import RasterSampler
 from urbanmap_qgis.job.job_file import read_job
+from urbanmap_qgis.job.job_progress import file_state_of
 from urbanmap_qgis.job.recognition.contents import recognise_file
 from urbanmap_qgis.mobile.gps_time import time_range
 from urbanmap_qgis.mobile.markings.survey_points import sampled_span
@@ -243,3 +249,39 @@ def test_a_shapefile_with_corners_or_places_that_are_no_numbers(tmp_path):
     assert "corners that are no numbers" in recognise_file(tmp_path / "a.shp")[0].problem
     (tmp_path / "a.shp").write_bytes(data[:36] + struct.pack("<d", np.nan) + data[44:])
     assert "not finite" in recognise_file(tmp_path / "a.shp")[0].problem
+
+
+def test_a_tileset_nested_without_end_is_another_programs(tmp_path):
+    (tmp_path / "tileset.json").write_text("[" * 100_000)
+    assert "another program" in tiles_folder_trouble(tmp_path)
+
+
+def test_a_geopackage_with_a_damaged_polygon_or_name(small_city, tmp_path):
+    """Nothing is raised where files are recognised, nor where it is asked whether they have changed."""
+    path = Path(shutil.copy(small_city / "footprints/gsi_buildings.gpkg", tmp_path / "a.gpkg"))
+    with sqlite3.connect(path) as base:
+        table, geometry = base.execute("SELECT table_name, column_name FROM gpkg_geometry_columns").fetchone()
+        name, shape = base.execute(f"SELECT rowid, {geometry} FROM {table}").fetchone()
+        base.execute("PRAGMA writable_schema = 1")
+        for (trigger,) in base.execute("SELECT name FROM sqlite_master WHERE type = 'trigger'").fetchall():
+            base.execute(f"DROP TRIGGER {trigger}")
+        base.execute(f"UPDATE {table} SET {geometry} = ? WHERE rowid = ?", (shape[:-30], name))
+    assert "a.gpkg" in recognise_file(path)[0].problem
+    data = path.read_bytes()
+    with sqlite3.connect(path) as base:
+        moment, = base.execute("SELECT last_change FROM gpkg_contents").fetchone()
+    path.write_bytes(data.replace(moment.encode(), b"\x88" + moment.encode()[1:]))
+    assert len(file_state_of(str(path))) == 2
+
+
+def test_a_city_model_at_no_place(tmp_path, cityjson):
+    cityjson["metadata"]["geographicalExtent"] = [0, 0, 0, 1, 1, 1]
+    text = json.dumps(cityjson).replace("[0, 0, 0, 1, 1, 1]", "[0, 0, 0, 1e999, 1, 1]")
+    (tmp_path / "a.city.json").write_text(text)
+    assert recognise_file(tmp_path / "a.city.json")[0].problem
+
+
+def test_a_column_name_of_brackets_without_end_is_compared_at_once():
+    """It took minutes: each bracket was followed to the end of the line."""
+    assert plain_name("[" * 3000 + "a" * 200_000).startswith("[[[")
+    assert plain_name("Ellipsoid Height (m)") == "ellipsoidheight"

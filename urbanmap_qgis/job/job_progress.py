@@ -95,7 +95,7 @@ def _changes(path: str) -> str:
     try:
         with closing(sqlite3.connect(f"file:{quote(path)}?mode=ro&immutable=1", uri=True)) as base:
             rows = base.execute("SELECT table_name, last_change FROM gpkg_contents ORDER BY table_name").fetchall()
-    except sqlite3.DatabaseError:  # no GeoPackage: its time of change tells
+    except (sqlite3.DatabaseError, UnicodeError):  # no GeoPackage, or a damaged one: its time of change tells
         return ""
     return "; ".join(f"{name} {moment}" for name, moment in rows)
 

@@ -116,7 +116,7 @@ def tiles_folder_trouble(folder: str | os.PathLike) -> str:
         return ""
     try:
         ours = json.loads(path.read_text(encoding="utf-8"))["asset"]["generator"] == GENERATOR
-    except (OSError, ValueError, KeyError, TypeError):
+    except (OSError, ValueError, LookupError, TypeError, RecursionError):
         ours = False
     return "" if ours else say("The folder {folder} holds a tileset of another program: choose another folder.",
                                folder=folder)

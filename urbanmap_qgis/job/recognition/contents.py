@@ -7,10 +7,13 @@ readers choose by it.
 from __future__ import annotations
 
 import gzip
+import math
 import os
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from pathlib import Path
+
+import shapely
 
 from ...errors import InputError, UrbanMapError
 from ...io.files.guard import PARSER_ERRORS
@@ -79,14 +82,22 @@ def recognise_file(path: str | os.PathLike) -> tuple[FileFacts, ...]:
     file = Path(path)
     try:
         head = _head(file)
-        found = _by_content(file, head)
+        found = tuple(map(_with_finite_extent, _by_content(file, head)))
     except UrbanMapError as error:
         return (FileFacts(file, OTHER, problem=str(error)),)
-    except PARSER_ERRORS as error:
+    except (*PARSER_ERRORS, shapely.errors.ShapelyError) as error:
         return (FileFacts(file, OTHER, problem=say("{name} cannot be read ({error}): it is damaged or of another kind.",
                                                    name=file.name, error=str(error) or type(error).__name__)),)
     note = _suffix_note(file, head)
     return tuple(replace(facts, notes=(*facts.notes, note)) for facts in found) if note else tuple(found)
+
+
+def _with_finite_extent(facts: FileFacts) -> FileFacts:
+    if facts.extent is None or all(map(math.isfinite, facts.extent)):
+        return facts
+    problem = say("{name} says where it lies in numbers that are not finite: it is damaged; copy or download it again.",
+                  name=facts.path.name)
+    return replace(facts, extent=None, problem=facts.problem or problem)
 
 
 def _head(file: Path) -> bytes:

@@ -128,9 +128,6 @@ def shapefile_facts(path: Path, head: bytes) -> list[FileFacts]:
                              "download it again.", name=path.name, said=2 * words, bytes=path.stat().st_size))
     kind, = struct.unpack("<i", head[32:36])
     extent = struct.unpack("<4d", head[36:68])
-    if not np.isfinite(extent).all():
-        raise InputError(say("{name} says where it lies in numbers that are not finite: it is damaged; copy or "
-                             "download it again.", name=path.name))
     prj, table = path.with_suffix(".prj"), path.with_suffix(".dbf")
     crs = _prj_wkt(prj) if prj.is_file() else ""
     count, fields = _dbf_head(table) if table.is_file() else (None, ())
