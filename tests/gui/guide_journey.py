@@ -126,13 +126,14 @@ def planned() -> dict:
 
 def ran() -> dict:
     """Run pressed, to the end."""
-    guide, moves = plugin().guide, []
+    guide, moves, progress = plugin().guide, [], []
     guide.runner.moved.connect(moves.append)
+    guide.runner.moved.connect(lambda *_: progress.append(guide.steps.told.text()))
     guide.steps.run.click()
     wait_until(lambda: moves or not guide.runner.busy(), "no progress")
-    settle(2.5)
+    settle(0.5)
     picture("running")
-    told = guide.steps.told.text()
+    told = progress[0]
     wait_until(lambda: not guide.runner.busy(), "the run did not end")
     settle(0.5)
     told = [told, guide.steps.told.text()]

@@ -68,7 +68,9 @@ def install() -> None:
     from PyQt6 import QtCore, QtGui, QtWidgets, QtXml, sip
 
     for name in ("qgis", "qgis.core", "qgis.gui", "qgis.PyQt", "processing", "processing.gui",
-                 "processing.gui.wrappers", "processing.core", "processing.core.Processing"):
+                 "processing.gui.wrappers", "processing.gui.ContextAction", "processing.gui.ProviderActions",
+                 "processing.modeler", "processing.modeler.ModelerDialog", "processing.core",
+                 "processing.core.Processing"):
         sys.modules[name] = Stub(name)
         sys.modules[name].__path__ = []
     for module in (QtCore, QtGui, QtWidgets, QtXml, sip):
