@@ -242,11 +242,13 @@ def imported() -> dict:
 
 
 def unloaded() -> dict:
-    """The plugin taken away with the dock open, and loaded again."""
+    """The plugin taken away with the dock open, files just recognised and not yet shown, and loaded again."""
     from qgis import utils
     from qgis.PyQt.QtWidgets import QDockWidget
 
-    window = utils.iface.mainWindow()
+    window, guide = utils.iface.mainWindow(), plugin().guide
+    drop([CITY / "footprints"])
+    guide.files.recognition._thread.join()
     utils.unloadPlugin("urbanmap_qgis")
     settle(0.5)
     left = [dock.objectName() for dock in window.findChildren(QDockWidget) if dock.objectName() == "UrbanMapGuide"]
@@ -257,6 +259,7 @@ def unloaded() -> dict:
     return {"left": left, "again": plugin().guide.isVisible()}
 
 
+RAISED: list[str] = []
 STEPS = (opened, dropped, planned, ran, reopened, tuned, cancelled, unticked, imported, unloaded)
 
 
@@ -267,12 +270,13 @@ def travel() -> None:
     report = {}
     settle(1.0)
     # QGIS would wait in a window for somebody to read it.
-    utils.showException = lambda *told, **_named: traceback.print_exception(*told[:3])
+    utils.showException = lambda *told, **_named: RAISED.append("".join(traceback.format_exception(*told[:3])))
     for step in STEPS:
         try:
             report[step.__name__] = step()
         except BaseException:
             report[step.__name__] = {"error": traceback.format_exc()}
+        report["raised"] = RAISED
         Path(TASK["report"]).write_text(json.dumps(report, default=str), encoding="utf-8")
     os._exit(0)  # QGIS would ask about the unsaved project
 

@@ -107,3 +107,7 @@ def test_table_of_another_program_is_imported(told):
 
 def test_plugin_goes_with_the_dock_open(told):
     assert told("unloaded") == {"left": [], "again": True}
+
+
+def test_nothing_was_raised(told):
+    assert told("raised") == []

@@ -25,9 +25,11 @@ class Recognition(QObject):
 
     found = pyqtSignal(object)
     moved = pyqtSignal(float)
+    _done = pyqtSignal(object, object)
 
     def __init__(self, parent=None):
         super().__init__(parent)
+        self._done.connect(self._tell)
         self._stopped = threading.Event()
         self._thread = None
 
@@ -57,5 +59,9 @@ class Recognition(QObject):
             return
         assumed = common_system(facts)
         extents = tuple(extent_in_degrees(item, assumed) for item in facts)
+        self._done.emit(Findings(facts, extents), stopped)
+
+    def _tell(self, findings: Findings, stopped: threading.Event) -> None:
+        """Comes from the thread by the window's queue, maybe after the work was left."""
         if not stopped.is_set():
-            self.found.emit(Findings(facts, extents))
+            self.found.emit(findings)
