@@ -10,7 +10,6 @@ import csv
 import io
 import json
 import os
-import re
 import tempfile
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, replace
@@ -24,7 +23,7 @@ from ..errors import InputError
 from ..io.files.atomic import written_beside
 from ..io.files.columns import aliases_of
 from ..io.files.guard import read_json, reads
-from ..io.files.named_table import DELIMITERS, meanings
+from ..io.files.named_table import DELIMITERS, WRITTEN_NUMBER, meanings
 from ..mobile.trajectory_files import COLUMNS as TRAJECTORY_COLUMNS
 from ..mobile.trajectory_files import TRAJECTORY, read_trajectory, write_trajectory
 from ..mobile.trajectory_reading import ANGLES, TrajectoryReading
@@ -43,7 +42,6 @@ ANGLE_WAYS = {"trajectory": ANGLES, "exterior": tuple(f"{unit} {order}" for orde
 
 _ALIASES = {"trajectory": aliases_of(TRAJECTORY), "exterior": aliases_of(EXTERIOR)}
 _MOST_BEFORE = 200
-_NUMBER = re.compile(r"^[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
 
 
 @dataclass(frozen=True)
@@ -84,7 +82,7 @@ def split_table(path: str | os.PathLike, how: TableImport,
                              skip=how.skip))
     cells = [line.split() for line in lines] if how.delimiter == " " else \
         list(csv.reader(lines, delimiter=how.delimiter, skipinitialspace=True))
-    if any(_NUMBER.match(cell.strip()) for cell in cells[0]):
+    if any(WRITTEN_NUMBER.match(cell.strip()) for cell in cells[0]):
         return [str(number) for number in range(1, len(cells[0]) + 1)], cells
     return [cell.strip() for cell in cells[0]], cells[1:]
 
@@ -159,11 +157,11 @@ def _plain_text(rows: list[list[str]], how: TableImport, name: str) -> str:
                                  "delimiter may be another one, or the file is cut off.", name=name, number=number,
                                  count=len(row)))
         values = {key: row[column].strip() for key, column in how.columns.items()}
-        if not begun and not all(_NUMBER.match(values[key]) for key in numeric):
+        if not begun and not all(WRITTEN_NUMBER.match(values[key]) for key in numeric):
             continue  # a line of units, or a rule under the names
         begun = True
         for key in ("x", "y", "z"):
-            if how.length != "m" and _NUMBER.match(values[key]):
+            if how.length != "m" and WRITTEN_NUMBER.match(values[key]):
                 values[key] = repr(float(np.float64(values[key]) * LENGTHS[how.length]))
         writer.writerow([values[key] for key in TARGETS[how.target]])
     if not begun:

@@ -3,21 +3,9 @@
 from __future__ import annotations
 
 from processing.gui.wrappers import WidgetWrapper
-from qgis.gui import QgsGui
 from qgis.PyQt.QtWidgets import QComboBox
 
-
-class ChoiceWidget:
-    """What QGIS makes of the metadata of a parameter: the field of this module, in the modeller QGIS's own."""
-
-    def __new__(cls, parameter, dialog, row=0, column=0):
-        if not hasattr(dialog, "childId"):
-            return _ChoiceWrapper(parameter, dialog, row, column)
-        # The modeller, whose field offers values, inputs and expressions.
-        wrapper = QgsGui.processingGuiRegistry().createModelerParameterWidget(
-            dialog.model, dialog.childId, parameter, dialog.context)
-        wrapper.setDialog(dialog)
-        return wrapper
+from .field_of_dialog import FieldOfDialog
 
 
 class _ChoiceWrapper(WidgetWrapper):
@@ -42,3 +30,9 @@ class _ChoiceWrapper(WidgetWrapper):
 
     def value(self):
         return self.widget.currentData()
+
+
+class ChoiceWidget(FieldOfDialog):
+    """The field of a choice: values, inputs and expressions in the modeller."""
+
+    WRAPPER = _ChoiceWrapper

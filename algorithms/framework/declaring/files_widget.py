@@ -11,7 +11,6 @@ from pathlib import Path
 
 from processing.gui.wrappers import WidgetWrapper
 from qgis.core import QgsProject
-from qgis.gui import QgsGui
 from qgis.PyQt.QtCore import QSettings, Qt, QUrl, pyqtSignal
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
@@ -28,22 +27,10 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from .destinations import file_of_layer
+from .field_of_dialog import FieldOfDialog
 from .parameters import tr
 
 _LAST_FOLDER = "urbanmap/last_folder"
-
-
-class FilesWidget:
-    """What QGIS makes of the metadata of a parameter: the field of this module, in the modeller QGIS's own."""
-
-    def __new__(cls, parameter, dialog, row=0, column=0):
-        if not hasattr(dialog, "childId"):
-            return _FilesWrapper(parameter, dialog, row, column)
-        # The modeller, whose field offers outputs of earlier steps.
-        wrapper = QgsGui.processingGuiRegistry().createModelerParameterWidget(
-            dialog.model, dialog.childId, parameter, dialog.context)
-        wrapper.setDialog(dialog)
-        return wrapper
 
 
 class _FilesWrapper(WidgetWrapper):
@@ -61,6 +48,12 @@ class _FilesWrapper(WidgetWrapper):
 
     def value(self):
         return list(self.widget.files) or None
+
+
+class FilesWidget(FieldOfDialog):
+    """The field of several files: outputs of earlier steps in the modeller."""
+
+    WRAPPER = _FilesWrapper
 
 
 class FilesField(QWidget):

@@ -17,6 +17,9 @@ from ...errors import InputError
 from ...wording import say
 
 DELIMITERS = ",;\t "
+WRITTEN_NUMBER = re.compile(r"^[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
+"""A decimal number as tables have it."""
+
 _HEAD_LINES = 200
 _BRACKETS = re.compile(r"[(\[（［<][^(\[（［<)\]）］>]*[)\]）］>]")
 """What stands in brackets, without others in it: from one that is never closed nothing is looked through twice."""

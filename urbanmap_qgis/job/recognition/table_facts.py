@@ -19,7 +19,7 @@ from ...aerial.frames.exterior_files import read_exterior
 from ...errors import InputError, UrbanMapError
 from ...io.conversion.reprojection import epsg_wkt
 from ...io.files.guard import read_text
-from ...io.files.named_table import plain_name
+from ...io.files.named_table import WRITTEN_NUMBER, plain_name
 from ...mobile.control import read_control
 from ...mobile.image_poses import read_image_poses
 from ...mobile.lines.range_scans import read_scans
@@ -54,7 +54,6 @@ _SIGNATURES = {
     EXTERIOR: {"image", "x", "y", "z", "omega", "phi", "kappa"}, SCANS: {"time", "angle", "range"}}
 """Columns by which a table that its reader refuses is told all the same."""
 
-_NUMBER = re.compile(r"^[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
 
 
 def _pose_facts(path: Path, sample: Path) -> FileFacts:
@@ -143,7 +142,7 @@ def _names_in(head: bytes) -> set[str]:
     text = head.decode("utf-8-sig", "replace")
     lines = [re.split(r"[,;\t ]+", line.strip()) for line in text.splitlines()[:_MOST_HEAD]]
     named = [{plain_name(word).replace("_", "") for word in line} for line in lines
-             if line and not any(_NUMBER.match(word) for word in line)]
+             if line and not any(WRITTEN_NUMBER.match(word) for word in line)]
     return max(named, key=len, default=set())
 
 
@@ -155,7 +154,7 @@ def _other_table(path: Path, sample: Path, names: set[str]) -> FileFacts:
         return FileFacts(path, IMAGE_TIMES, times=_span(rows[:, 1]), count=len(rows))
     delimiter = next((mark for mark in ",;\t" if all(mark in line for line in lines[1:6])), None)
     cells = [[cell.strip() for cell in line.split(delimiter)] for line in lines]
-    numbers = [row for row in cells[1:] if len(row) >= 3 and all(_NUMBER.match(cell) for cell in row[:3])]
+    numbers = [row for row in cells[1:] if len(row) >= 3 and all(WRITTEN_NUMBER.match(cell) for cell in row[:3])]
     named = not names or {"x", "y", "z"} <= names
     places = np.array([row[:3] for row in numbers], float).reshape(-1, 3)
     # A column that always rises counts something, such as time.
@@ -167,7 +166,8 @@ def _other_table(path: Path, sample: Path, names: set[str]) -> FileFacts:
                                     name=path.name),))
     widths = [len(row) for row in cells[:_MOST_HEAD]]
     alike = widths.count(max(set(widths), key=widths.count)) >= 0.9 * len(widths) if widths else False
-    counted = sum(any(_NUMBER.match(cell) for cell in row) for row in cells[1:_MOST_HEAD]) > 0.5 * len(widths) - 1
+    with_numbers = [row for row in cells[1:_MOST_HEAD] if any(WRITTEN_NUMBER.match(cell) for cell in row)]
+    counted = len(with_numbers) > 0.5 * len(widths) - 1
     return FileFacts(path, TABLE if delimiter and alike and counted else OTHER)
 
 

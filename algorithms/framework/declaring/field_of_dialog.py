@@ -1,0 +1,20 @@
+"""Fields of the plugin in dialogs and batch tables; in the modeller QGIS's own."""
+
+from __future__ import annotations
+
+from processing.gui.wrappers import WidgetWrapper
+from qgis.gui import QgsGui
+
+
+class FieldOfDialog:
+    """What QGIS makes of the metadata of a parameter: a `WRAPPER`, or in the modeller the field that QGIS has there."""
+
+    WRAPPER: type[WidgetWrapper]
+
+    def __new__(cls, parameter, dialog, row=0, column=0):
+        if not hasattr(dialog, "childId"):
+            return cls.WRAPPER(parameter, dialog, row, column)
+        wrapper = QgsGui.processingGuiRegistry().createModelerParameterWidget(
+            dialog.model, dialog.childId, parameter, dialog.context)
+        wrapper.setDialog(dialog)
+        return wrapper
