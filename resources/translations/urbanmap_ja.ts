@@ -7820,6 +7820,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>都市ごとの取得項目一覧が必要です</translation>
     </message>
     <message>
+        <source>only in part: the root, values and coordinates; the schema needs a validator</source>
+        <translation>一部のみ（ルート要素・値・座標）。スキーマ全体には検証ソフトウェアが必要です</translation>
+    </message>
+    <message>
+        <source>has no rule here</source>
+        <translation>この検査には規則がありません</translation>
+    </message>
+    <message>
         <source>needs the BIM model</source>
         <translation>BIM モデルが必要です</translation>
     </message>
@@ -7846,6 +7854,26 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Requirements</source>
         <translation>品質要求</translation>
+    </message>
+    <message>
+        <source>not met</source>
+        <translation>不適合</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>対象外（除外）</translation>
+    </message>
+    <message>
+        <source>nothing to check</source>
+        <translation>対象なし</translation>
+    </message>
+    <message>
+        <source>met in part</source>
+        <translation>一部のみ検査・適合</translation>
+    </message>
+    <message>
+        <source>met</source>
+        <translation>適合</translation>
     </message>
     <message>
         <source>The data set does not pass: put the errors right, the commonest first.</source>
@@ -7904,12 +7932,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{number} 件のうち先頭の {shown} 件を示します。すべてはレイヤにあります。</translation>
     </message>
     <message>
-        <source>not met</source>
-        <translation>不適合</translation>
-    </message>
-    <message>
-        <source>met</source>
-        <translation>適合</translation>
+        <source>There is nothing to check but the files.</source>
+        <translation>検査できる地物がありません（ファイルだけを検査しました）。</translation>
     </message>
     <message>
         <source>CityGML states heights in JGD2011 (EPSG:6697), but those of the models are {heights}: give the height system, or convert the heights, if they are others.</source>
@@ -9848,6 +9872,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name}に座標参照系の記載がありません。使うところで指定してください。</translation>
     </message>
     <message>
+        <source>{name} says where it lies in numbers that are not finite: it is damaged; copy or download it again.</source>
+        <translation>{name} の位置を示す数が有限ではありません。壊れていますので、コピーまたはダウンロードし直してください。</translation>
+    </message>
+    <message>
         <source>{name} ends in {suffix}, but its content is that of {usual}: rename it, as some programs go by the name.</source>
         <translation>{name}の拡張子は{suffix}ですが、内容は{usual}です。名前で判断するプログラムもあるため、名前を変更してください。</translation>
     </message>
@@ -9930,10 +9958,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{name} is cut off: it says that it has {said} bytes, but has {bytes}; copy or download it again.</source>
         <translation>{name}は途中で切れています（{said}バイトのはずが{bytes}バイト）。コピーまたはダウンロードし直してください。</translation>
-    </message>
-    <message>
-        <source>{name} says where it lies in numbers that are not finite: it is damaged; copy or download it again.</source>
-        <translation>{name} の位置を示す数が有限ではありません。壊れていますので、コピーまたはダウンロードし直してください。</translation>
     </message>
     <message>
         <source>{name} cannot be read as a GeoPackage ({error}): it is damaged or cut off; copy or export it again.</source>
@@ -15786,10 +15810,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>used, but hardly fits its neighbours</source>
         <translation>使用、ただし近隣との適合が不十分</translation>
-    </message>
-    <message>
-        <source>left out</source>
-        <translation>除外</translation>
     </message>
     <message>
         <source>kerb, measured</source>

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 import zipfile
 
 import pytest
 
 from scripts.make_rule_page import CITY_PAGE, city_rules_page
 from urbanmap_qgis.buildings.solids.validity import check_solid
-from urbanmap_qgis.citymodel.checks.city_check import SOLID_RULES, check_city
+from urbanmap_qgis.citymodel.checks.city_check import SOLID_RULES, CityInspection, check_city
 from urbanmap_qgis.citymodel.checks.city_rule_table import CITY_RULES
 from urbanmap_qgis.citymodel.checks.quality_forms import quality_report, write_counts, write_results
 from urbanmap_qgis.errors import InputError
@@ -334,7 +335,33 @@ def test_forms_hold_every_file_and_rule(tmp_path):
     assert values["C05"] == "1" and set(CITY_RULES.rules) <= set(values) and values["C01"] == "0"
     assert (tmp_path / "c.csv").read_text(encoding="utf-8-sig").splitlines()[1].endswith(",1")
     quality_report(found).write(tmp_path / "r.html")
-    assert "core:creationDate" in (tmp_path / "r.html").read_text(encoding="utf-8")
+    page = (tmp_path / "r.html").read_text(encoding="utf-8")
+    assert "core:creationDate" in page and "met in part" in page
+    assert verdict_of_line(page, "C05") == "not met" and verdict_of_line(page, "C01") == "met"
+    assert verdict_of_line(page, "L-tran-01") == verdict_of_line(page, "L-frn-02") == "nothing to check"
+
+
+def verdict_of_line(page: str, code: str) -> str:
+    """Last cell of a requirement's first line in the report."""
+    return re.findall(r"<td[^>]*>([^<]*)</td>", page[page.index(f">{code}<"):])[2]
+
+
+def test_what_was_left_out_is_not_called_met(tmp_path):
+    written(tmp_path, FAULTY["C05"])
+    found = check_city(tmp_path, check_solid, ["C05"])
+    write_results(tmp_path / "r.csv", found)
+    head, row = (line.split(",") for line in (tmp_path / "r.csv").read_text(encoding="utf-8-sig").splitlines())
+    assert dict(zip(head, row))["C05"] == ""
+    quality_report(found).write(tmp_path / "r.html")
+    assert verdict_of_line((tmp_path / "r.html").read_text(encoding="utf-8"), "C05") == "left out"
+
+
+def test_nothing_is_not_called_good(tmp_path):
+    found = CityInspection(files=["a.gml"], counts={"a.gml": {}}, checked=tuple(CITY_RULES.rules))
+    quality_report(found).write(tmp_path / "r.html")
+    page = (tmp_path / "r.html").read_text(encoding="utf-8")
+    assert "nothing to check but the files" in page and 'class="verdict look"' in page
+    assert verdict_of_line(page, "L01") == "met" and verdict_of_line(page, "C01") == "nothing to check"
 
 
 def test_every_rule_has_a_function_a_place_in_the_page_and_two_texts():

@@ -79,6 +79,7 @@ class CityInspection:
     objects : number of city objects.
     geographic : whether places are degrees.
     plane : reference system of those that are none, as the file names it.
+    checked : codes of the rules that were looked at.
     """
 
     faults: list[CityFault] = field(default_factory=list)
@@ -88,6 +89,7 @@ class CityInspection:
     objects: int = 0
     geographic: bool = True
     plane: str = ""
+    checked: tuple[str, ...] = ()
 
 
 def check_city(path: PathLike | Sequence[PathLike], check_solid: SolidCheck, excluded: Collection[str] = (),
@@ -106,7 +108,7 @@ def check_city(path: PathLike | Sequence[PathLike], check_solid: SolidCheck, exc
     InputError : nothing is there to read, or an excluded code is the begin of none.
     """
     rules = CITY_RULES.chosen(excluded)
-    made = CityInspection()
+    made = CityInspection(checked=tuple(rules))
     with ExitStack() as stack:
         sources = list_sources(path, stack, ANY_CITYGML).sources
         survey = CitySurvey()

@@ -20,8 +20,14 @@ _WHY_NOT = {
         "needs the reference data; the table of instances has the numbers to compare"),
     "needs the reference data and eyes": mark("needs the reference data and eyes"),
     "needs the city's own list of attributes": mark("needs the city's own list of attributes"),
+    "only in part: the root, values and coordinates; the schema needs a validator": mark(
+        "only in part: the root, values and coordinates; the schema needs a validator"),
+    "has no rule here": mark("has no rule here"),
     "needs the BIM model": mark("needs the BIM model"),
     "needs the BIM model and eyes": mark("needs the BIM model and eyes")}
+
+PACKAGES = ("bldg", "frn", "tran")
+"""Parts of the specification with requirements of their own, as their codes and the types of features name them."""
 
 
 def requirements() -> list[str]:
@@ -49,7 +55,8 @@ def write_results(path: str | os.PathLike, found: CityInspection) -> None:
     """
     numbers = _by_file(found, lambda fault: fault.rule)
     _write(path, ["Index", "Filename", "Size_KB", *CITY_RULES.rules],
-           [[number, name, found.sizes[name] // 1024, *(numbers[name][code] for code in CITY_RULES.rules)]
+           [[number, name, found.sizes[name] // 1024,
+             *(numbers[name][code] if code in found.checked else "" for code in CITY_RULES.rules)]
             for number, name in enumerate(found.files, 1)])
 
 
@@ -81,7 +88,10 @@ def quality_report(found: CityInspection) -> Report:
         text += " " + say("The data set does not pass: put the errors right, the commonest first.")
     elif numbers["warning"]:
         text += " " + say("It passes what is checked here; look at the warnings before it is delivered.")
-    report.verdict(BAD if numbers["error"] else LOOK if numbers["warning"] else GOOD, text)
+    elif not found.objects:
+        text += " " + say("There is nothing to check but the files.")
+    doubtful = numbers["warning"] or not found.objects
+    report.verdict(BAD if numbers["error"] else LOOK if doubtful else GOOD, text)
     _requirement_table(report, found)
     _fault_tables(report, found)
     report.section(say("Instances"))
@@ -95,13 +105,27 @@ def quality_report(found: CityInspection) -> Report:
 
 
 def _requirement_table(report: Report, found: CityInspection) -> None:
-    """One line a requirement: faults, and whether it is met (none allowed)."""
+    """One line a requirement: faults, and whether it is met (none allowed); no word on what was not looked at."""
     report.section(say("Requirements"))
     numbers = Counter(fault.requirement for fault in found.faults)
     files = {code: {fault.path for fault in found.faults if fault.requirement == code} for code in numbers}
     report.table((say("Requirement"), say("Faults"), say("Files"), say("Verdict")),
-                 [(code, numbers[code], len(files.get(code, ())), say("not met") if numbers[code] else say("met"))
+                 [(code, numbers[code], len(files.get(code, ())), _verdict(code, numbers[code], found))
                   for code in requirements()])
+
+
+def _verdict(code: str, faults: int, found: CityInspection) -> str:
+    """Whether a requirement is met, as far as it was looked at and something was there."""
+    if faults:
+        return say("not met")
+    rules = {rule: what.primitive for rule, what in CITY_RULES.rules.items() if _requirement(rule) == code}
+    if not rules.keys() <= set(found.checked):
+        return say("left out")
+    package = next((f"{name}:" for name in PACKAGES if f"-{name}-" in code), "")
+    there = any(kind.startswith(package) for counts in found.counts.values() for kind in counts)
+    if not there and "file" not in rules.values():
+        return say("nothing to check")
+    return say("met in part") if code in NOT_CHECKED else say("met")
 
 
 def _fault_tables(report: Report, found: CityInspection) -> None:
