@@ -6,9 +6,11 @@ from qgis.core import QgsProcessing
 
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
+from .edge_runs import EdgeRuns
 
 LEVELS = ("250", "500", "1000", "2500", "5000", "given")
 PRODUCTS = ("survey", "buildings")
+EDGES_SHOWN_BY = ("roof edges", "walls")
 JOB = {"job": "Job", "area": "Area of the work", "client": "Client", "surveyor": "Surveyor",
        "dates": "Dates of the work", "chief": "Chief engineer", "leader": "Survey party leader",
        "quantity": "Quantity of work", "instrument": "Instrument", "method": "Method", "heights": "Height system",
@@ -18,11 +20,11 @@ NUMBERS = {"POINTS": ("Check points", ""), "RMSE_PLAN": ("Standard deviation in 
            "MAX_PLAN": ("Maximum error in plan", "m"), "MAX_HEIGHT": ("Maximum error in height", "m")}
 
 
-class Acceptance(UrbanMapAlgorithm):
+class Acceptance(EdgeRuns, UrbanMapAlgorithm):
     ID = "acceptance"
     NAME = "Acceptance report"
     KEYWORDS = ("accuracy", "acceptance", "quality control", "check points", "map level", "report", "PDF")
-    REQUIRES = ("numpy", "scipy", "shapely", "pyproj")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs")
     HELP = (
         "Judges a survey or building models by check points, in the form of the tables of quality control of Japan's "
         "public surveys: figures in plan and in height apart, the limits of the map level, passed or failed for each "
@@ -32,7 +34,10 @@ class Acceptance(UrbanMapAlgorithm):
         "The standard deviation is that about a mean of 0. With few points it says little: the report gives the value "
         "that it is below with a confidence of 95 %.\n"
         "Building models without check points yet: their edges are drawn at random, 21 of each quarter regional mesh, "
-        "into a table in which the survey fills in what it measured. That table is then given as check points."
+        "into a table in which the survey fills in what it measured. That table is then given as check points.\n"
+        "Building models with laser points instead: 84 edges of each mesh are looked for in the points, and the models "
+        "judged by those that the points show. If the models were made from the same points, that checks the modelling "
+        "and not the accuracy, and nothing is judged."
     )
 
     def flags(self):
@@ -47,6 +52,14 @@ class Acceptance(UrbanMapAlgorithm):
         self.add_vector("BUILDINGS", "Building models", "MultiPolygonZ with all faces of each building: edges to be "
                         "surveyed are drawn from them.", optional=True,
                         source_type=QgsProcessing.SourceType.TypeVectorPolygon)
+        self.add_points("POINTS", "Laser points of the edges", "LAS, LAZ or COPC files in the CRS of the models, in "
+                        "which edges of the building models are looked for; not together with check points.",
+                        optional=True)
+        self.add_choice("EDGES_SHOWN_BY", "Edges shown by", "roof edges: where the roof's points end, of airborne "
+                        "points, with heights; walls: faces of walls, of points from the street, without heights.",
+                        EDGES_SHOWN_BY, "roof edges")
+        self.add_boolean("INDEPENDENT", "Points of another, more accurate survey", "The laser points are of another "
+                         "survey than the models and more accurate: only then are the models judged.", default=False)
         self.add_choice("PRODUCT", "Product", "Building models are judged as PLATEAU's tables P05 to P08 ask: 42 check "
                         "points (21 edges with two each) in each unit.", PRODUCTS, "survey")
         self.add_choice("MAP_LEVEL", "Map level", "Whose limits hold: the standard deviation may be 0.12, 0.25, 0.70, "
@@ -73,8 +86,8 @@ class Acceptance(UrbanMapAlgorithm):
                              "PDF (*.pdf)", optional=True)
         self.add_file_output("OUTPUT_EDGES", "Edges to be surveyed", "Both ends of the drawn edges with their place in "
                              "the models; x, y and z are left blank for the survey.", "CSV (*.csv)", optional=True)
-        self.add_file_output("OUTPUT_CSV", "All points", "Every check point with its errors.", "CSV (*.csv)",
-                             optional=True)
+        self.add_file_output("OUTPUT_CSV", "All points", "Every check point, or every drawn edge, with its errors.",
+                             "CSV (*.csv)", optional=True)
         self.add_file("TEMPLATE", "Layout of the PDF", "Layout template of QGIS (.qpt): a changed copy of the plugin's "
                       "resources/layouts/acceptance.qpt, whose items are filled by their ids.",
                       filter="Layout templates (*.qpt)", optional=True, advanced=True)
@@ -87,26 +100,34 @@ class Acceptance(UrbanMapAlgorithm):
 
         if not parameters.get("INPUT") and not parameters.get("BUILDINGS"):
             raise InputError(tr("Give check points, or building models whose edges are to be surveyed."))
+        self.check_edge_inputs(parameters)
         given = [self._number(parameters, name, context) for name in ("LIMIT_PLAN", "LIMIT_HEIGHT")]
         if self.parameterAsString(parameters, "MAP_LEVEL", context) == "given" and given == [None, None]:
             raise InputError(tr("Map level: “given” needs a limit in plan or in height; give one of them."))
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.acceptance.acceptance_report import write_acceptance_report, write_points_csv
+        from ...urbanmap_qgis.acceptance.acceptance_report import (
+            pdf_content,
+            write_acceptance_report,
+            write_points_csv,
+        )
         from ...urbanmap_qgis.acceptance.criteria import criteria, outcome
         from ...urbanmap_qgis.acceptance.error_figures import point_figures
 
         progress = self.progress(feedback)
-        drawn = self._drawn_edges(parameters, context, progress)
+        models = self.read_vector(parameters, "BUILDINGS", context, progress)
+        if parameters.get("POINTS"):
+            return self.compare_with_points(parameters, context, models, progress)
+        drawn = self.drawn_edges(models)
         if not parameters.get("INPUT"):
-            return self._only_drawn(parameters, context, drawn)
+            return self.only_drawn(parameters, context, drawn)
         table = self.read_vector(parameters, "INPUT", context, progress.part(0.0, 0.2))
         points = self._points(parameters, context, table)
         limits, level = self._limits(parameters, context)
         found = criteria(points, limits, *self._needed(parameters, context))
         job = self._job(parameters, context, table)
         patches = self._patches(parameters, context)
-        results = {"OUTCOME": outcome(found), **self._write_edges(parameters, context, drawn)}
+        results = {"OUTCOME": outcome(found), **self.write_edges(parameters, context, drawn)}
         report = self.output_path(parameters, "OUTPUT_REPORT", context)
         if report:
             write_acceptance_report(report, points, found, limits, job, level, patches)
@@ -115,50 +136,22 @@ class Acceptance(UrbanMapAlgorithm):
         if rows:
             write_points_csv(rows, points)
             results["OUTPUT_CSV"] = str(rows)
-        pdf = self.output_path(parameters, "OUTPUT_PDF", context)
-        if pdf:
-            from .acceptance_pages import write_acceptance_pdf
-
-            write_acceptance_pdf(pdf, points, found, limits, job, level,
-                                 self.input_path(parameters, "TEMPLATE", context))
-            results["OUTPUT_PDF"] = str(pdf)
+        results.update(self.write_pdf(parameters, context, pdf_content(points, found, limits, level), job))
         figures = point_figures(points.errors)
         numbers = {"POINTS": len(points), "RMSE_PLAN": figures.plan.rmse, "RMSE_HEIGHT": figures.height.rmse,
                    "MEAN_PLAN": figures.plan.mean, "MAX_PLAN": figures.plan.maximum,
                    "MAX_HEIGHT": figures.height.maximum}
         return {**results, **{name: value for name, value in numbers.items() if value == value}}
 
-    def _drawn_edges(self, parameters, context, progress):
-        """Edges of the building models; None where no models are given."""
-        models = self.read_vector(parameters, "BUILDINGS", context, progress)
-        if models is None:
-            return None
-        from ...urbanmap_qgis.acceptance.edge_sampling import draw_edges, quarter_meshes
-
-        self.require_projected("BUILDINGS", models.crs)
-        names = models.columns.get("building_id", models.ids)
-        return draw_edges(models.geometries, names, quarter_meshes(models.geometries, models.crs_wkt))
-
-    def _write_edges(self, parameters, context, drawn) -> dict[str, str]:
-        from ...urbanmap_qgis.acceptance.edge_sampling import write_edges_csv
-
-        path = self.output_path(parameters, "OUTPUT_EDGES", context) if drawn is not None else None
+    def write_pdf(self, parameters, context, content, job) -> dict[str, str]:
+        """The PDF, where it is wanted."""
+        path = self.output_path(parameters, "OUTPUT_PDF", context)
         if path is None:
             return {}
-        write_edges_csv(path, drawn)
-        return {"OUTPUT_EDGES": str(path)}
+        from .acceptance_pages import write_acceptance_pdf
 
-    def _only_drawn(self, parameters, context, drawn) -> dict:
-        """Results where there are no check points yet: nothing is judged."""
-        from ...urbanmap_qgis.acceptance.acceptance_report import write_sampling_report
-        from ...urbanmap_qgis.acceptance.criteria import NOT_CHECKED
-
-        results = {"OUTCOME": NOT_CHECKED, **self._write_edges(parameters, context, drawn)}
-        report = self.output_path(parameters, "OUTPUT_REPORT", context)
-        if report:
-            write_sampling_report(report, drawn, self._job(parameters, context, None))
-            results["OUTPUT_REPORT"] = str(report)
-        return results
+        write_acceptance_pdf(path, content, job, self.input_path(parameters, "TEMPLATE", context))
+        return {"OUTPUT_PDF": str(path)}
 
     def _points(self, parameters, context, table):
         from ...urbanmap_qgis.acceptance.check_points import check_points_from_columns, point_places

@@ -29,6 +29,7 @@ LAYOUT = Path(__file__).resolve().parents[2] / "resources" / "layouts" / "accept
 LINE, LETTER = 0.345, 0.21  # height of a line and mean width of a letter, mm a point of the letters' size
 SPARE = 5.0  # mm
 LEAST = 40.0  # mm that a picture keeps
+LEAST_MAP = 70.0  # mm that a map needs below a table
 
 _OF_THE_MOMENT = (
     (re.compile(rb"(/(?:CreationDate|ModDate) \(D:\d{8})\d{6}"), rb"\g<1>000000"),
@@ -38,8 +39,8 @@ _OF_THE_MOMENT = (
 """What a PDF says of the moment it was made, and what stands there instead: the same report has the same bytes."""
 
 
-def write_acceptance_pdf(path: Path, points, found, limits, job, level, template: Path | None = None) -> None:
-    """Write the report as PDF; `points`, `found`, `limits`, `job`, `level` as for the core's page.
+def write_acceptance_pdf(path: Path, content, job, template: Path | None = None) -> None:
+    """Write the report as PDF: the core's `PdfContent`, and its `Job`.
 
     Items of the layout are filled by their ids (`LAYOUT` has all); those that a template has not are left out, and what
     else it has stays. Tables are made as high as they need, and what stands below them moves.
@@ -49,7 +50,6 @@ def write_acceptance_pdf(path: Path, points, found, limits, job, level, template
     InputError : the template is no layout of QGIS, or has none of the items.
     OutputError : QGIS cannot write the file.
     """
-    from ...urbanmap_qgis.acceptance import acceptance_report as texts
     from ...urbanmap_qgis.wording import known, say
 
     project = QgsProject()
@@ -60,12 +60,10 @@ def write_acceptance_pdf(path: Path, points, found, limits, job, level, template
     layout.setName("acceptance")
     project.layoutManager().addLayout(layout)  # owned by the project, which ends it before itself
     _load(layout, template or LAYOUT)
-    _fill_labels(layout, {"title": known("Acceptance: errors at check points"),
-                          "verdict": texts.verdict(points, found, level)[1], "figures_title": known("Figures"),
-                          "points_title": known("All check points")})
-    _fill_tables(layout, _tables(points, found, job))
+    _fill_labels(layout, content.labels)
+    _fill_tables(layout, {"job": [[known(name), value] for name, value in job.rows().items()], **content.tables})
     with TemporaryDirectory() as folder:
-        _fill_pictures(layout, texts.drawings(points, limits), Path(folder))
+        _fill_pictures(layout, content.drawings, Path(folder))
         result = QgsLayoutExporter(layout).exportToPdf(str(path), QgsLayoutExporter.PdfExportSettings())
     if result != QgsLayoutExporter.ExportResult.Success:
         raise OutputError(say("{path} cannot be printed: choose another output.", path=path.name))
@@ -73,26 +71,6 @@ def write_acceptance_pdf(path: Path, points, found, limits, job, level, template
     for pattern, instead in _OF_THE_MOMENT:
         data = pattern.sub(instead, data)
     path.write_bytes(data)
-
-
-def _tables(points, found, job) -> dict[str, list[list[str]]]:
-    """Rows of the tables by the ids of their items."""
-    from ...urbanmap_qgis.acceptance import acceptance_report as texts
-    from ...urbanmap_qgis.wording import known
-
-    def metres(value: float) -> str:
-        return f"{value:.3f}" if math.isfinite(value) else "–"
-
-    criteria = [[" ".join(part for part in (item.unit, known(item.component)) if part), str(item.figures.count),
-                 metres(item.figures.rmse), metres(item.limit), metres(item.figures.bound),
-                 known(texts.OUTCOMES[item.outcome])] for item in found]
-    figures = [[name, str(one.count), metres(one.mean), metres(one.rmse), metres(one.std), metres(one.maximum)]
-               for name, one in texts.figure_rows(points)]
-    every = [[*row[:2], *map(metres, row[2:])] for row in texts.point_rows(points)]
-    return {"job": [[known(name), value] for name, value in job.rows().items()],
-            "criteria": [list(map(known, texts.CRITERIA_HEAD)), *criteria],
-            "figures": [list(map(known, texts.FIGURES_HEAD)), *figures],
-            "points": [list(map(known, texts.point_head())), *every]}
 
 
 def _load(layout, template: Path) -> None:
@@ -132,13 +110,14 @@ def _fill_tables(layout, tables: Mapping[str, list[list[str]]]) -> None:
         lower = place.y() + size.height()
         frame.attemptResize(QgsLayoutSize(size.width(), min(needed, room)))
         if goes_on:
-            _go_on(layout, table, frame, needed - room)
+            _put_map_behind(layout, table, frame, lower, _go_on(layout, table, frame, needed - room))
         else:
             _move_below(layout, page, lower, min(needed, room) - size.height())
 
 
-def _go_on(layout, table, first, rest: float) -> None:
-    """More pages for the `rest` of a table, mm, each with the first one's margin above and below.
+def _go_on(layout, table, first, rest: float) -> float:
+    """More pages for the `rest` of a table, mm, each with the first one's margin above and below; how far down the last
+    of them the table reaches, mm.
 
     (By itself QGIS lets a table go on at the very edge of the page.)
     """
@@ -154,6 +133,30 @@ def _go_on(layout, table, first, rest: float) -> None:
         frame.attemptMove(QgsLayoutPoint(left, left), True, False, layout.pageCollection().pageCount() - 1)
         frame.attemptResize(QgsLayoutSize(width, height))
         table.addFrame(frame)
+        rest -= used
+    return left + rest + used if rest <= 0.0 and table.frameCount() > 1 else (
+        first.pagePos().y() + first.sizeWithUnits().height())
+
+
+def _put_map_behind(layout, table, first, lower: float, reached: float) -> None:
+    """Let a map that stands below a table in the template fill the page on which the table ends, or one of its own.
+
+    `lower`: where the table ended in the template; `reached`: where it ends now, mm.
+    """
+    item = layout.itemById("map")
+    if item is None or item.page() != first.page() or item.pagePos().y() < lower - 0.5:
+        return
+    pages, left = layout.pageCollection(), first.pagePos().x()
+    page = table.frame(table.frameCount() - 1).page()
+    size, bottom = item.sizeWithUnits(), pages.page(page).pageSize().height() - left
+    top = reached + SPARE
+    if bottom - top < LEAST_MAP:
+        added = QgsLayoutItemPage(layout)
+        added.attemptResize(pages.page(page).sizeWithUnits())
+        pages.addPage(added)
+        page, top = pages.pageCount() - 1, left
+    item.attemptMove(QgsLayoutPoint(item.pagePos().x(), top), True, False, page)
+    item.attemptResize(QgsLayoutSize(size.width(), bottom - top))
 
 
 def _height(table, rows: Sequence[Sequence[str]]) -> float:
@@ -179,9 +182,11 @@ def _move_below(layout, page: int, lower: float, by: float) -> None:
         if place.y() < lower - 0.5 or place.y() <= 0.0:
             continue
         item.attemptMove(QgsLayoutPoint(place.x(), place.y() + by), True, False, page)
+        size = item.sizeWithUnits()
         if item.id() == "map":
-            size = item.sizeWithUnits()
             item.attemptResize(QgsLayoutSize(size.width(), max(size.height() - by, LEAST)))
+        elif item.id().startswith("histogram") and by > 0.0:
+            item.attemptResize(QgsLayoutSize(size.width(), max(size.height() - by, LEAST / 2)))
 
 
 def _fill_pictures(layout, drawings: Mapping[str, str], folder: Path) -> None:

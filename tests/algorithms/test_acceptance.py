@@ -96,3 +96,33 @@ def test_edges_are_drawn_where_there_are_no_check_points(run, small_city, tmp_pa
 def test_something_must_be_given(run):
     with pytest.raises(Exception, match="Give check points, or building models"):
         run("urbanmap:acceptance", {})
+
+
+@pytest.fixture
+def models(run, small_city, tmp_path):
+    """The models of the small city, whose walls are displaced by about 1 m."""
+    return run("urbanmap:loadcitymodel", {"INPUT": str(small_city / "models" / "buildings.city.json"),
+                                          "OUTPUT": str(tmp_path / "outlines.gpkg"),
+                                          "OUTPUT_MODELS": str(tmp_path / "models.gpkg")})["OUTPUT_MODELS"]
+
+
+def test_edges_are_looked_for_in_laser_points(run, small_city, models, tmp_path):
+    settings = {"BUILDINGS": models, "POINTS": [str(small_city / "als" / "als.laz")], "MAP_LEVEL": "1000"}
+    result = run("urbanmap:acceptance", {**settings, "OUTPUT_REPORT": str(tmp_path / "a.html"),
+                                         "OUTPUT_CSV": str(tmp_path / "a.csv"), "OUTPUT_PDF": str(tmp_path / "a.pdf")})
+    assert result["OUTCOME"] == "not checked" and result["POINTS"] > 20
+    assert 0.7 < result["RMSE_PLAN"] < 2.0 and result["RMSE_HEIGHT"] > 0.0
+    assert "a check of the modelling, not of accuracy" in (tmp_path / "a.html").read_text(encoding="utf-8")
+    assert (tmp_path / "a.pdf").read_bytes().startswith(b"%PDF")
+    assert len((tmp_path / "a.csv").read_text(encoding="utf-8-sig").splitlines()) > result["POINTS"]
+    assert run("urbanmap:acceptance", {**settings, "INDEPENDENT": True})["OUTCOME"] == "failed"
+    walls = run("urbanmap:acceptance", {**settings, "INDEPENDENT": True, "EDGES_SHOWN_BY": "walls"})
+    assert walls["OUTCOME"] != "passed" and "RMSE_HEIGHT" not in walls
+
+
+def test_laser_points_stand_for_check_points_and_need_models(run, small_city, checks, models):
+    points = [str(small_city / "als" / "als.laz")]
+    with pytest.raises(Exception, match="give these too"):
+        run("urbanmap:acceptance", {"INPUT": checks, "POINTS": points})
+    with pytest.raises(Exception, match="not both"):
+        run("urbanmap:acceptance", {"INPUT": checks, "BUILDINGS": models, "POINTS": points})

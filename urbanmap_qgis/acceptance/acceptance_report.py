@@ -3,16 +3,14 @@ quality control (精度管理表) of Japan's public surveys."""
 
 from __future__ import annotations
 
-import csv
 import os
 from collections import Counter
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from ..io.files.atomic import written_beside
+from ..io.files.excel_table import write_excel_table
 from ..io.pages.report import BAD, GOOD, LOOK, Fixed, Report
-from ..io.pages.svg import bars
 from ..io.pages.svg_vectors import vector_map
 from ..wording import known, mark, say
 from .check_points import CheckPoints
@@ -21,6 +19,7 @@ from .edge_sampling import EDGES_OF_UNIT, SampledEdges
 from .error_figures import ErrorFigures, point_figures, signed_figures
 from .job import Job
 from .map_levels import Limits
+from .pdf_content import PdfContent, criterion_row, histogram_of, metres
 
 FIGURES_HEAD = (mark("Component"), mark("points"), mark("mean (m)"), mark("RMSE (m)"), mark("standard deviation (m)"),
                 mark("maximum (m)"))
@@ -46,6 +45,7 @@ def write_acceptance_report(path: str | os.PathLike, points: CheckPoints, found:
     report.facts(job.rows())
     _criteria(report, found, level)
     _figures(report, points)
+    _spread(report, points)
     if points.edge:
         _edges(report, found)
     _registration(report, registration or {})
@@ -155,31 +155,38 @@ def _registration(report: Report, registration: Mapping[str, np.ndarray]) -> Non
 
 
 def _map(report: Report, points: CheckPoints, limits: Limits) -> None:
-    """Vectors of errors in plan, and how they are spread."""
-    plan = np.hypot(*points.errors[:, :2].T)
+    """Vectors of errors in plan."""
     drawing = error_map(points, limits)
     if drawing:
         report.section("Where the errors lie")
         report.figure(drawing, say("Errors in plan, drawn larger than the map; red: above the limit. Arrows that all "
                                    "point one way are an error that the whole product shares."))
-    report.histogram(plan, "m", say("Errors in plan"))
+
+
+def _spread(report: Report, points: CheckPoints) -> None:
+    """How the errors are spread; before the map, so that they fill the first page in print."""
+    report.histogram(np.hypot(*points.errors[:, :2].T), "m", say("Errors in plan"))
     report.histogram(points.errors[:, 2], "m", say("Errors in height"))
+
+
+def pdf_content(points: CheckPoints, found: Sequence[Criterion], limits: Limits, level: int | None) -> PdfContent:
+    """What the PDF shows of check points; parameters as of `write_acceptance_report`."""
+    figures = [[name, str(one.count), *map(metres, (one.mean, one.rmse, one.std, one.maximum))]
+               for name, one in figure_rows(points)]
+    every = [[*row[:2], *map(metres, row[2:])] for row in point_rows(points)]
+    return PdfContent(
+        {"title": known("Acceptance: errors at check points"), "verdict": verdict(points, found, level)[1],
+         "figures_title": known("Figures"), "points_title": known("All check points")},
+        {"criteria": [list(map(known, CRITERIA_HEAD)), *map(criterion_row, found)],
+         "figures": [list(map(known, FIGURES_HEAD)), *figures], "points": [list(map(known, point_head())), *every]},
+        drawings(points, limits))
 
 
 def drawings(points: CheckPoints, limits: Limits) -> dict[str, str]:
     """SVG of the map and of the histograms by the ids of their places in the layout; "" where there is nothing."""
     plan, height = np.hypot(*points.errors[:, :2].T), points.errors[:, 2]
-    return {"map": error_map(points, limits), "histogram_plan": _histogram(plan, say("Errors in plan")),
-            "histogram_height": _histogram(height, say("Errors in height"))}
-
-
-def _histogram(values: np.ndarray, words: str) -> str:
-    known_values = values[np.isfinite(values)]
-    if not len(known_values):
-        return ""
-    low, high = min(0.0, float(known_values.min())), float(known_values.max())
-    counts, edges = np.histogram(known_values, bins=16, range=(low, max(high, low + 1e-3)))
-    return bars(counts, edges, f"{words} (m)")
+    return {"map": error_map(points, limits), "histogram_plan": histogram_of(plan, say("Errors in plan")),
+            "histogram_height": histogram_of(height, say("Errors in height"))}
 
 
 def error_map(points: CheckPoints, limits: Limits) -> str:
@@ -216,8 +223,6 @@ def write_points_csv(path: str | os.PathLike, points: CheckPoints) -> None:
     ------
     OutputError : the file cannot be written there.
     """
-    with written_beside(path) as temporary, temporary.open("w", encoding="utf-8-sig", newline="") as stream:
-        table = csv.writer(stream)
-        table.writerow(("id", "unit", "x", "y", "z", "east", "north", "up", "plan"))
-        table.writerows((row[0], row[1], *("" if value != value else f"{value:.4f}" for value in row[2:]))
-                        for row in point_rows(points))
+    write_excel_table(path, (("id", "unit", "x", "y", "z", "east", "north", "up", "plan"), *(
+        (row[0], row[1], *("" if value != value else f"{value:.4f}" for value in row[2:]))
+        for row in point_rows(points))))

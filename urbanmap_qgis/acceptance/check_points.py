@@ -86,15 +86,20 @@ def check_points_from_columns(columns: Mapping[str, Sequence], places: np.ndarra
         raise InputError(say("{name} has no field {field}: choose the field that names the units of inspection.",
                              name=name, field=unit_field))
     units = [_text(value) for value in columns[unit_field]] if unit_field else [""] * count
-    checks = _are_checks(columns[lower["role"]], name) if "role" in lower else np.ones(count, bool)
+    checks = are_check_points(columns[lower["role"]], name) if "role" in lower else np.ones(count, bool)
     checked = np.isfinite(errors[:, :2]).all(axis=1)
     edges = tuple(_text(value) for value in columns[lower["edge"]]) if "edge" in lower else ()
     points = CheckPoints(tuple(ids), true, errors, tuple(units), state, int(np.count_nonzero(~checks)), edges)
     points = points._select(checks & checked)
     if not len(points):
-        raise InputError(say("{name} holds no check point: give points that were measured independently and to which "
-                             "the product was not adjusted.", name=name))
+        raise no_check_point(name)
     return points
+
+
+def no_check_point(name: str) -> InputError:
+    """The refusal of a table without check points."""
+    return InputError(say("{name} holds no check point: give points that were measured independently and to which "
+                          "the product was not adjusted.", name=name))
 
 
 def point_places(geometries: Sequence[shapely.Geometry | None]) -> np.ndarray:
@@ -136,8 +141,13 @@ def _numbers(values: Sequence, field: str, name: str) -> np.ndarray:
                              column=field, error=error)) from error
 
 
-def _are_checks(roles: Sequence, name: str) -> np.ndarray:
-    """Which points are check points, by their role."""
+def are_check_points(roles: Sequence, name: str) -> np.ndarray:
+    """Which points (mask) are check points, by their role.
+
+    Raises
+    ------
+    InputError : a role is not known.
+    """
     words = [_text(role).strip().lower() for role in roles]
     unknown = sorted({word for word in words if word not in ROLES})
     if unknown:

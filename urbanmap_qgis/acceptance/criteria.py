@@ -32,6 +32,7 @@ class Criterion:
     needed : least number of points.
     edges : edges of buildings with both points measured, None where points are of no edges.
     needed_edges : least number of these.
+    barred : why it is not judged although there are enough of them; "" where it is.
     """
 
     unit: str
@@ -41,10 +42,13 @@ class Criterion:
     needed: int
     edges: int | None = None
     needed_edges: int = 0
+    barred: str = ""
 
     @property
     def outcome(self) -> str:
-        """PASSED, FAILED, or NOT_CHECKED where there are fewer points or edges than needed."""
+        """PASSED, FAILED, or NOT_CHECKED where there are fewer points or edges than needed, or it is barred."""
+        if self.barred:
+            return NOT_CHECKED
         if self.edges is not None and self.edges < self.needed_edges:
             return NOT_CHECKED
         if self.figures.count < max(self.needed, 1) or not np.isfinite(self.figures.rmse):

@@ -6,18 +6,19 @@ more of clear features with two points each.
 
 from __future__ import annotations
 
-import csv
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import shapely
+from shapely.geometry.polygon import orient
 
 from ..errors import InputError
 from ..geometry.mesh_code import COLUMNS as COLUMNS_A_DEGREE
 from ..geometry.mesh_code import ROWS, WEST, regional_mesh_code, third_mesh_code
-from ..io.files.atomic import written_beside
+from ..geometry.tolerances import LEAST_FACE
+from ..io.files.excel_table import write_excel_table
 from ..wording import say
 
 EDGES_OF_UNIT, POINTS_OF_EDGE = 21, 2
@@ -70,9 +71,9 @@ def draw_edges(models: Sequence[shapely.Geometry | None], names: Sequence[str], 
     generator, rows = np.random.default_rng(seed), []
     available: dict[str, int] = {}
     for unit in dict.fromkeys(units):
-        own = [row for row, name in enumerate(units) if name == unit and len(edges[row])]
+        unit_rows = [row for row, name in enumerate(units) if name == unit and len(edges[row])]
         # One of each building in a random order, then a second of each, ...
-        drawn = [(place, generator.random(), row, int(edge)) for row in own
+        drawn = [(place, generator.random(), row, int(edge)) for row in unit_rows
                  for place, edge in enumerate(generator.permutation(len(edges[row])))]
         available[unit] = len(drawn)
         rows += [(row, edge) for _, _, row, edge in sorted(drawn)[:count]]
@@ -103,17 +104,19 @@ def quarter_meshes(models: Sequence[shapely.Geometry | None], crs_wkt: str) -> l
 
 
 def outer_edges(model: shapely.Geometry | None) -> np.ndarray:
-    """(n, 2, 3) edges of the outer contour of a model's plan, m, with the highest height of the model at their ends."""
+    """(n, 2, 3) edges of the outer contour of a model's plan, m, with the highest height of the model at their ends.
+
+    The building is to the left of each."""
     if model is None or model.is_empty or not model.has_z:
         return np.zeros((0, 2, 3))
     faces = shapely.get_parts(shapely.force_2d(model))
-    plan = shapely.union_all(shapely.make_valid(faces[shapely.area(faces) > 1e-4]))
+    plan = shapely.union_all(shapely.make_valid(faces[shapely.area(faces) > LEAST_FACE]))
     vertices = shapely.get_coordinates(model, include_z=True)
     found = []
     for part in shapely.get_parts(plan):
         if part.geom_type != "Polygon":
             continue
-        corners = _corners(shapely.get_coordinates(part.exterior)[:-1])
+        corners = _corners(shapely.get_coordinates(orient(part).exterior)[:-1])
         away = np.hypot(*(corners[:, None, :] - vertices[None, :, :2]).transpose(2, 0, 1))
         height = np.where(away <= _SAME, vertices[None, :, 2], -np.inf).max(axis=1)
         ends = np.column_stack([corners, height])
@@ -139,13 +142,10 @@ def write_edges_csv(path: str | os.PathLike, drawn: SampledEdges) -> None:
     ------
     OutputError : the file cannot be written there.
     """
-    with written_beside(path) as temporary, temporary.open("w", encoding="utf-8-sig", newline="") as stream:
-        table = csv.writer(stream)
-        table.writerow(COLUMNS)
-        for number, (building, unit, ends) in enumerate(zip(drawn.building, drawn.unit, drawn.ends), 1):
-            for letter, point in zip("ab", ends):
-                table.writerow((f"{number}{letter}", number, building, unit, *(f"{value:.3f}" for value in point),
-                                "", "", ""))
+    edges = enumerate(zip(drawn.building, drawn.unit, drawn.ends), 1)
+    write_excel_table(path, (COLUMNS, *(
+        (f"{number}{letter}", number, building, unit, *(f"{value:.3f}" for value in point), "", "", "")
+        for number, (building, unit, ends) in edges for letter, point in zip("ab", ends))))
 
 
 def measured_edges(edge: Sequence[str], unit: Sequence[str]) -> dict[str, int]:

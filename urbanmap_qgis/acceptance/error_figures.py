@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 CONFIDENCE = 0.95
+
+_LEAST_CROSSING = 0.1  # of the edges must run, in sum, across the main direction
 
 
 @dataclass(frozen=True)
@@ -52,6 +54,24 @@ def signed_figures(errors: np.ndarray) -> ErrorFigures:
     """Figures of errors (n,) along one axis, m; missing ones are left out."""
     known = errors[np.isfinite(errors)]
     return _figures(known, len(known))
+
+
+def across_figures(normals: np.ndarray, errors: np.ndarray) -> ErrorFigures:
+    """Figures in plan of errors (n,) across edges with unit normals (n, 2), m.
+
+    The mean square in plan is that across edges of one direction and across those at right angles to it together; each
+    edge counts by how much it says beside the others (its leverage), so that many edges of one direction do not hide
+    those of the other. Where nearly all run one way the figure is NaN. The mean is of the signed errors (outward), the
+    maximum of their sizes.
+    """
+    if not len(errors):
+        return _figures(errors, 0)
+    moment = normals.T @ normals
+    if np.linalg.eigvalsh(moment)[0] < _LEAST_CROSSING * len(errors):
+        return replace(_figures(errors, len(errors)), rmse=np.nan, bound=np.nan)
+    leverage = np.einsum("ij,jk,ik->i", normals, np.linalg.inv(moment), normals)
+    rmse = float(np.sqrt(leverage @ errors ** 2))
+    return replace(_figures(errors, len(errors)), rmse=rmse, bound=rmse * _bound_factor(len(errors)))
 
 
 def _figures(values: np.ndarray, freedom: int) -> ErrorFigures:
