@@ -52,8 +52,7 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         self.add_boolean("CLEAN", "Clean", "Leave out what is no paint by its width, contrast on both sides, shape and "
                          "surroundings; without it all stays that is brighter by the contrast than the block.", True)
         self.add_distance("MAX_WIDTH", "Maximum stroke width", "What is wider than this in every direction is no "
-                          "paint.", 0.8,
-                          0.1, 5.0, advanced=True)
+                          "paint.", 0.8, 0.1, 5.0, advanced=True)
         self.add_number("MIN_AREA", "Minimum marking area", "Smaller pieces are left out.", 0.06, 0.0, 100.0, unit="m2",
                         advanced=True)
         self.add_number("MIN_CONFIDENCE", "Minimum confidence", "Markings (parts of long ones) with less confidence "
@@ -114,11 +113,10 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
             found = markings_from_orthophoto(self.raster_path(parameters, "INPUT", context), mask, places, settings,
                                              metres_per_unit(crs), progress=progress.part(0.04, 0.9),
                                              executor=executor)
-        self._tell(found, progress)
+        self._tell(found, settings.contrast, progress)
         results = {"OUTPUT": str(mask), "COUNT": len(found.polygons), "MARKED_AREA": found.marked_area,
                    "SEARCHED_AREA": found.searched_area}
-        report = self._report(parameters, context, found, settings.contrast)
-        if report:
+        if report := self._report(parameters, context, found, settings.contrast):
             results["OUTPUT_REPORT"] = report
         layer = self._write(parameters, context, found.polygons, crs, progress)
         return {**results, "OUTPUT_POLYGONS": layer} if layer else results
@@ -162,17 +160,14 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         path = self.output_path(parameters, "OUTPUT_REPORT", context)
         if path is None:
             return None
-        from ...urbanmap_qgis.aerial.markings.marking_report import (
-            OrthophotoQuality,
-            frame_count_shares,
-            write_marking_report,
-        )
+        from ...urbanmap_qgis.aerial.markings import marking_report
 
         count = self.raster_path(parameters, "FRAME_COUNT", context)
-        evidence = OrthophotoQuality(read_pairs(self, parameters, context), count and frame_count_shares(count),
-                            bool(parameters.get("ROADS")), contrast)
-        write_marking_report(path, self.raster_path(parameters, "INPUT", context), found, evidence,
-                             self.parameterAsString(parameters, "NOTE", context))
+        evidence = marking_report.OrthophotoQuality(
+            read_pairs(self, parameters, context), count and marking_report.frame_count_shares(count),
+            bool(parameters.get("ROADS")), contrast)
+        marking_report.write_marking_report(path, self.raster_path(parameters, "INPUT", context), found, evidence,
+                                            self.parameterAsString(parameters, "NOTE", context))
         return str(path)
 
     def _polygons(self, parameters, name, context, progress):
@@ -188,12 +183,16 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
                 self.label_of(name)))
         return list(shapely.make_valid(shapely.force_2d(present)))
 
-    def _tell(self, found, progress):
+    def _tell(self, found, contrast, progress):
+        from ...urbanmap_qgis.aerial.markings.marking_verdict import marking_verdict
+
         if not found.searched_area:
             progress.warn(tr("Nothing of the orthophoto is left to look at: check that roads, buildings and hidden "
                              "areas lie where the image does; the mask is empty."))
         elif not len(found.polygons):
             progress.warn(tr("No markings were found: the mask is empty; check the roads, or lower the contrast."))
+        for reason in marking_verdict(found, contrast).reasons if len(found.polygons) else ():
+            progress.warn(reason)
         if found.pixel > 0.25:
             progress.warn(tr("With pixels of {0:.2f} m only wide markings can be seen; 0.15 m or finer shows lane "
                              "lines.").format(found.pixel))

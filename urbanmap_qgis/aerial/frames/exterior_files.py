@@ -75,8 +75,9 @@ def read_exterior(path: str | os.PathLike, unit: str = "automatic", order: str =
 
 def _columns(path: Path, unit: str) -> tuple[Mapping[str, Sequence[str]], Mapping[str, str]]:
     """The file's columns, and which of them stands for which of `COLUMNS`."""
-    told = (unit,) if unit in ("gon", "radians") else ()
-    header, rows, _ = named_rows(read_text(path, "an exterior orientation (CSV)"), COLUMNS, _ALIASES, path.name, told)
+    stated_units = (unit,) if unit in ("gon", "radians") else ()
+    header, rows, _ = named_rows(read_text(path, "an exterior orientation (CSV)"), COLUMNS, _ALIASES, path.name,
+                                 stated_units)
     columns = {name: [row[place].strip() if place < len(row) else "" for row in rows]
                for place, name in enumerate(header) if name}
     known = known_columns(columns, COLUMNS, _ALIASES, path.name)

@@ -42,6 +42,7 @@ class ConfidenceSettings:
     warmer : how much warmer than the ground paint is: white is neutral, yellow warm, asphalt never warmer than either.
     blue_contrast, blue : contrast and (blue - red) as a share of the brightness from which it may be bluer than the
         ground, as lines of bus lanes are; less is glass or metal.
+    surely : confidence from which only its colour speaks against paint.
     """
 
     texture_factor: float = 3.5
@@ -62,6 +63,7 @@ class ConfidenceSettings:
     warmer: tuple[float, float] = (-0.06, -0.01)
     blue_contrast: tuple[float, float] = (4.5, 7.0)
     blue: tuple[float, float] = (0.1, 0.15)
+    surely: float = 0.5
 
 GROUND_REACH = 9.2
 """m round a pixel that the ground beside it is told by: half the boxes below for its texture and, twice, brightness."""
@@ -195,9 +197,7 @@ def _grey_and_smooth(bands: np.ndarray, image: np.ndarray, clear: np.ndarray, pi
     shades = np.empty(clear.shape, np.int16) if len(bands) >= 3 else None
     halo = _box_pixels(LIMITS.texture_box, pixel) // 2 + _lag_pixels(settings.texture_lag, pixel)
     limit = max(settings.min_texture, settings.texture_factor * model.texture - settings.texture_less)
-    warmest = settings.max_warmth
-    if limit > settings.min_texture:  # soft light warms no road: what is warm there is earth
-        warmest = max(warmest, model.warmth + settings.warmer_than_road)
+    warmest = max(settings.max_warmth, model.warmth + settings.warmer_than_road)
     for strip, wide, inner in row_strips(len(clear), max(halo, 2)):
         weight = clear[wide].astype(np.float32)
         rough = texture(image[wide], weight, pixel, settings.texture_lag)[inner]
@@ -280,7 +280,7 @@ def colours_of(bands: np.ndarray, weight: np.ndarray | None = None) -> tuple[np.
 
 def marking_confidence(core: np.ndarray, bands: np.ndarray, relief: np.ndarray, ground: GroundBeside,
                        roads: np.ndarray | None, pixel: float, settings: ConfidenceSettings,
-                       wanted: tuple[slice, slice] | None = None) -> np.ndarray:
+                       wanted: tuple[slice, slice] | None = None, colder: np.ndarray | None = None) -> np.ndarray:
     """Confidence, 0 to 1, that bright pixels are paint on a road, (n,) float32 in the order of `core[wanted]`'s.
 
     Bright pixels are few, and only they are worked out.
@@ -292,6 +292,7 @@ def marking_confidence(core: np.ndarray, bands: np.ndarray, relief: np.ndarray, 
     ground : round them.
     roads : bool, known roads, in which the ground needs no proof; None for unknown.
     wanted : rows and columns, by default all; what they depend on lies within 6 m of them.
+    colder : (n,) bool, is set where all but the colour speaks for paint: where it is bluer than the ground.
     """
     if roads is not None:
         return np.float32(0.5) + np.float32(0.5) * _ramp(relief, settings.contrast)
@@ -305,8 +306,11 @@ def marking_confidence(core: np.ndarray, bands: np.ndarray, relief: np.ndarray, 
         row += rows.start - wide.start
         column += wanted[1].start
         part = slice(done, done + len(row))
-        confidence[part] = _confidence_at(row, column, core[wide], bands[:, wide], relief[part], ground.rows(wide),
-                                          pixel, settings)
+        found, colour = _confidence_at(row, column, core[wide], bands[:, wide], relief[part], ground.rows(wide), pixel,
+                                       settings)
+        confidence[part] = found * colour
+        if colder is not None:
+            np.logical_and(found > settings.surely, colour < 0.5, out=colder[part])
         done = part.stop
     return confidence
 
@@ -317,16 +321,18 @@ def _places(flags: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _confidence_at(rows: np.ndarray, columns: np.ndarray, core: np.ndarray, bands: np.ndarray, relief: np.ndarray,
-                   ground: GroundBeside, pixel: float, settings: ConfidenceSettings) -> np.ndarray:
-    """Confidence (n,) of bright pixels at rows and columns of a strip."""
+                   ground: GroundBeside, pixel: float, settings: ConfidenceSettings) -> tuple[np.ndarray, np.ndarray]:
+    """Confidence (n,) of bright pixels at rows and columns of a strip, but for their colour, and by that."""
     confidence = settings.faint + (1 - settings.faint) * _ramp(relief, settings.contrast)
     if ground.shades is not None:
         warmth = colours_of(bands)[0][rows, columns]
         blue = np.minimum(_ramp(relief, settings.blue_contrast), _ramp(-warmth, settings.blue))
         warmer = warmth - _warmth_of_ground(ground, rows, columns, pixel)
-        confidence *= np.maximum(_ramp(warmer, settings.warmer), blue)
+        colour = np.maximum(_ramp(warmer, settings.warmer), blue)
+    else:
+        colour = np.ones_like(confidence)
     confidence *= _on_road(core, rows, columns, ground, pixel, settings)
-    return confidence
+    return confidence, colour
 
 
 def _warmth_of_ground(ground: GroundBeside, rows: np.ndarray, columns: np.ndarray, pixel: float) -> np.ndarray:

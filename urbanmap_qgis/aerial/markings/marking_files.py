@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
 from contextlib import ExitStack
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
@@ -24,12 +24,15 @@ from rasterio.windows import Window
 
 from ...errors import InputError, OutputError
 from ...execution import in_order
+from ...geometry.tolerances import ROUNDING
 from ...io.files.atomic import written_beside
 from ...io.raster import OPENING_ERRORS, own_gdal
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..worker_resources import WorkerResource, sent_polygons, worker_resource
-from .image_strips import within
+from .colour_cast import ColourCast
+from .image_strips import row_strips, within
+from .marking_evidence import SearchTally, evidence_of_light
 from .marking_filter import coarse_step
 from .marking_polygons import CACHE, MarkingPolygons, TilePolygons, merge_tile_polygons, tile_polygons
 from .road_markings import (
@@ -37,12 +40,10 @@ from .road_markings import (
     Markings,
     MarkingSettings,
     find_markings,
-    ground_figures,
-    image_brightness,
-    level_adjustment_of,
     margin_pixels,
 )
-from .road_model import RoadModel, road_model_of
+from .road_model import RoadModel
+from .sampled_levels import sampled_levels
 
 
 @dataclass(frozen=True)
@@ -53,8 +54,6 @@ class MarkingFilesLimits:
     min_pixel: float = 0.06
     max_pixel: float = 0.5  # m. Markings are 0.1 to 0.45 m wide: with larger pixels there is nothing to see.
     mask_block: int = 256
-    samples: int = 16
-    sample_side: int = 128
 
 
 LIMITS = MarkingFilesLimits()
@@ -91,6 +90,7 @@ class MarkingResult:
     searched_area : m2 of the image that could have shown some.
     marked_area : m2 of paint in the mask.
     road : the image's own road; None where it was not looked at.
+    evidence : what was taken and rejected; None as well.
     """
 
     polygons: MarkingPolygons
@@ -98,6 +98,7 @@ class MarkingResult:
     searched_area: float
     marked_area: float
     road: RoadModel | None = None
+    evidence: SearchTally | None = None
 
 
 class _OrthophotoReader:
@@ -131,6 +132,8 @@ class _OrthophotoReader:
         self.rows = -(-self.source.height // self.factor)
         self.columns = -(-self.source.width // self.factor)
         self.transform = place * Affine.scale(self.factor)
+        kind = np.dtype(self.source.dtypes[0])
+        self.top = np.iinfo(kind).max if kind.kind in "iu" else np.inf  # that values can have
         self.roads = _tree(places.roads)
         self.buildings = _tree(places.buildings)
         self.mask = self._mask_on_grid(places.mask, stack) if places.mask else None
@@ -153,7 +156,7 @@ class _OrthophotoReader:
         """Whether the mask, if any, reaches over the whole orthophoto."""
         if self.mask is None:
             return True
-        bounds, other, slack = self.source.bounds, self.mask.src_dataset.bounds, abs(self.transform.a) + 1e-9
+        bounds, other, slack = self.source.bounds, self.mask.src_dataset.bounds, abs(self.transform.a) + ROUNDING
         return (other.left <= bounds.left + slack and other.right >= bounds.right - slack
                 and other.bottom <= bounds.bottom + slack and other.top >= bounds.top - slack)
 
@@ -178,6 +181,26 @@ class _OrthophotoReader:
         if self.buildings is not None:
             seen &= ~_burnt(self.buildings, shape, place)
         return bands, seen, None if self.roads is None else _burnt(self.roads, shape, place)
+
+
+    def places(self, rows: slice, columns: slice) -> tuple[np.ndarray, np.ndarray]:
+        """x and y of the pixels' centres of a piece, in the CRS; (rows, columns) or what broadcasts to it."""
+        row = np.arange(rows.start, rows.stop)[:, None] + 0.5
+        column = np.arange(columns.start, columns.stop)[None] + 0.5
+        place = self.transform
+        if not place.b and not place.d:
+            return place.a * column + place.c, place.e * row + place.f
+        return place.a * column + place.b * row + place.c, place.d * column + place.e * row + place.f
+
+    def balanced(self, bands: np.ndarray, rows: slice, columns: slice, cast: ColourCast | None) -> np.ndarray:
+        """Bands of a piece without a cast."""
+        if cast is None or len(bands) < 3:
+            return bands
+        balanced_bands = np.empty_like(bands)
+        for strip, _, _ in row_strips(bands.shape[1]):
+            x, y = self.places(slice(rows.start + strip.start, rows.start + strip.stop), columns)
+            balanced_bands[:, strip] = cast.removed(bands[:, strip], x, y)
+        return balanced_bands
 
 
 def colour_bands(source: rasterio.DatasetReader, path: Path) -> list[int]:
@@ -226,7 +249,7 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
         if not scene.mask_covers():
             progress.warn(say("{mask} does not cover all of {path}: where it does not, nothing is taken as hidden.",
                               mask=Path(places.mask).name, path=scene.path.name))
-        levels = _levels(scene, settings, progress.part(0.0, 0.1))
+        levels = sampled_levels(scene, settings, progress.part(0.0, 0.1))
         profile = {"driver": "GTiff", "width": scene.source.width, "height": scene.source.height, "count": 1,
                    "dtype": "uint8", "transform": scene.source.transform, "crs": scene.source.crs, "tiled": True,
                    "blockxsize": LIMITS.mask_block, "blockysize": LIMITS.mask_block, "compress": "deflate",
@@ -258,18 +281,20 @@ def levels_of_orthophoto(path: str | os.PathLike, places: SearchArea | None = No
     with own_gdal(CACHE), ExitStack() as stack:
         min_pixel = 0.0 if settings.paper else LIMITS.min_pixel
         scene = _OrthophotoReader(path, places or SearchArea(), metres_per_unit, min_pixel, stack)
-        return _levels(scene, settings, progress)
+        return sampled_levels(scene, settings, progress)
 
 
 @dataclass(frozen=True)
 class _TileFound:
-    """What a tile holds: its rows and columns of the scene, mask, outlines, and pixels that could show markings."""
+    """What a tile holds: its rows and columns of the scene, mask, outlines, pixels that could show markings, and
+    evidence."""
 
     rows: slice
     columns: slice
     mask: np.ndarray
     pieces: TilePolygons | None
     searched_area: int
+    evidence: SearchTally = field(default_factory=SearchTally)
 
 
 def _found_in_tiles(given: _OrthophotoReader | WorkerResource, scene: _OrthophotoReader,
@@ -298,17 +323,19 @@ def _tile_found(given: _OrthophotoReader | WorkerResource, levels: LevelAdjustme
         markings, searched, window = _tile_markings(scene, rows, columns, levels, settings, step)
     mask = markings.mask[within((rows, columns), window)].copy()
     pieces = tile_polygons(markings, window, rows, columns, scene.transform) if mask.any() else None
-    return _TileFound(rows, columns, mask, pieces, searched)
+    return _TileFound(rows, columns, mask, pieces, searched, markings.evidence)
 
 
 def _gathered(found: Iterator[_TileFound], scene: _OrthophotoReader, settings: MarkingSettings,
               target: rasterio.io.DatasetWriter, metres_per_unit: float) -> MarkingResult:
     """Write the masks and join the outlines of all tiles."""
     searched_area = marked = 0
+    evidence = SearchTally()
 
     def pieces() -> Iterator[TilePolygons]:
-        nonlocal searched_area, marked
+        nonlocal searched_area, marked, evidence
         for part in found:
+            evidence += part.evidence
             searched_area += part.searched_area
             marked += int(part.mask.sum())
             _write(target, part.mask, part.rows, part.columns, scene.factor)
@@ -318,7 +345,8 @@ def _gathered(found: Iterator[_TileFound], scene: _OrthophotoReader, settings: M
     cell = scene.pixel ** 2
     min_area = settings.cleaning.min_area if settings.cleaning else 0.0
     polygons = merge_tile_polygons(pieces(), scene.transform, metres_per_unit, min_area, Path(target.name).parent)
-    return MarkingResult(polygons, scene.own_pixel, searched_area * cell, marked * cell)
+    return MarkingResult(polygons, scene.own_pixel, searched_area * cell, marked * cell,
+                         evidence=evidence if settings.cleaning else None)
 
 
 def _tile_markings(scene: _OrthophotoReader, rows: slice, columns: slice, levels: LevelAdjustment,
@@ -331,12 +359,16 @@ def _tile_markings(scene: _OrthophotoReader, rows: slice, columns: slice, levels
     wanted = (slice(rows.start, min(rows.stop + 1, scene.rows)),
               slice(columns.start, min(columns.stop + 1, scene.columns)))
     bands, seen, roads = scene.read(*window)
+    bands = scene.balanced(bands, *window, levels.cast)
     allowed = seen if roads is None else seen & roads
     if not allowed.any():
         empty = np.zeros((wanted[0].stop - wanted[0].start, wanted[1].stop - wanted[1].start), np.float32)
         return Markings(empty > 0, empty - 1, empty, empty > 0, empty), 0, wanted
     searched = int(np.count_nonzero(allowed[within((rows, columns), window)]))
-    return (find_markings(bands, seen, roads, scene.pixel, levels, settings, within(wanted, window)), searched, wanted)
+    markings = find_markings(bands, seen, roads, scene.pixel, levels, settings, within(wanted, window))
+    place = within((rows, columns), window)
+    light = evidence_of_light(bands[:, place[0], place[1]], seen[place], scene.top)
+    return replace(markings, evidence=markings.evidence + light), searched, wanted
 
 
 def _tiles(scene: _OrthophotoReader, most: int, step: int) -> Iterator[tuple[slice, slice, float]]:
@@ -366,44 +398,6 @@ def _write(target: rasterio.io.DatasetWriter, mask: np.ndarray, rows: slice, col
     row, column = rows.start * factor, columns.start * factor
     values = values[:target.height - row, :target.width - column]
     target.write(values, 1, window=Window(column, row, values.shape[1], values.shape[0]))
-
-
-def _levels(scene: _OrthophotoReader, settings: MarkingSettings, progress: Progress) -> LevelAdjustment | None:
-    """Levels and road from small pieces spread over the image; None where there is nothing to look at.
-
-    They are taken once for the whole image, so that tiles do not differ.
-    """
-    if settings.levels is not None:
-        return settings.levels
-    samples = list(_samples(scene, progress.part(0.0, 0.8)))  # a few megapixels at most: read once
-    values = np.concatenate([image_brightness(bands, settings)[seen if roads is None else seen & roads]
-                             for bands, seen, roads in samples])
-    if not len(values):
-        return None
-    if settings.paper:
-        return level_adjustment_of(values, 0.0)
-    levels = level_adjustment_of(values)
-    if settings.cleaning is None:
-        return levels
-    return replace(levels, road=road_model_of(ground_figures(bands, seen, scene.pixel, levels, settings)
-                                              for bands, seen, _ in samples))
-
-
-def _samples(scene: _OrthophotoReader, progress: Progress
-             ) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray | None]]:
-    """Bands, where ground is seen, and roads of small pieces spread over the image."""
-    side = LIMITS.sample_side
-    across = _spread(scene.columns, side)
-    for number, row in enumerate(_spread(scene.rows, side)):
-        progress.step(number / LIMITS.samples)
-        for column in across:
-            yield scene.read(slice(row, min(row + side, scene.rows)), slice(column, min(column + side, scene.columns)))
-
-
-def _spread(length: int, side: int) -> list[int]:
-    """Starts of at most `LIMITS.samples` pieces spread evenly over a length."""
-    count = min(-(-length // side), LIMITS.samples)
-    return [int(start) for start in np.linspace(0, max(length - side, 0), count)]
 
 
 def _in_blocks(bands: np.ndarray, seen: np.ndarray, factor: int) -> tuple[np.ndarray, np.ndarray]:

@@ -14,6 +14,7 @@ import numpy as np
 
 from .image_strips import STRIP, flat_places, grown, row_strips, within
 from .marking_confidence import GROUND_REACH, ConfidenceSettings, along_strokes, ground_beside, marking_confidence
+from .marking_evidence import SearchTally, evidence_of_pieces
 from .road_model import RoadModel
 
 
@@ -101,12 +102,14 @@ class Candidates:
 @dataclass(frozen=True)
 class Cleaned:
     """What is paint: `core` (bool), its `confidence` (float32, 0 where no core), the `ground` brightness round it and
-    `vehicles`, bright bodies wider than paint with their rims (bool); all (rows, columns)."""
+    `vehicles`, bright bodies wider than paint with their rims (bool); all (rows, columns). `evidence` is of the rows
+    and columns counted."""
 
     core: np.ndarray
     confidence: np.ndarray
     ground: np.ndarray
     vehicles: np.ndarray
+    evidence: SearchTally = field(default_factory=SearchTally)
 
 
 def disc_kernel(diameter: float, pixel: float) -> np.ndarray:
@@ -116,10 +119,13 @@ def disc_kernel(diameter: float, pixel: float) -> np.ndarray:
 
 
 def remove_non_markings(found: Candidates, pixel: float, settings: CleanSettings,
-                        wanted: tuple[slice, slice] | None = None) -> Cleaned:
-    """Pixels of the candidates that are paint, for the rows and columns wanted, by default all."""
+                        wanted: tuple[slice, slice] | None = None, counted: tuple[slice, slice] | None = None
+                        ) -> Cleaned:
+    """Pixels of the candidates that are paint, for the rows and columns wanted, by default all, and evidence of those
+    counted, by default the same."""
     shape = found.core.shape
     wanted = wanted or (slice(0, shape[0]), slice(0, shape[1]))
+    counted = counted or wanted
     narrow = _narrow(found, settings.top_hat_ratio)
     # A piece is shorter than this, or long; farther off nothing matters any more.
     near = grown(wanted, math.ceil((settings.max_length + settings.wear_gap) / pixel) + 4, shape)
@@ -127,17 +133,21 @@ def remove_non_markings(found: Candidates, pixel: float, settings: CleanSettings
     ground = ground_beside(found.bands, found.image, found.road, found.core, found.seen, pixel,
                            found.model, settings.confidence)
     relief = (found.image.take(inside) - found.road.take(inside)) / found.threshold.take(inside)
-    confidence = marking_confidence(narrow, found.bands, relief, ground, found.roads, pixel, settings.confidence, near)
+    colder = np.zeros(len(relief), bool)
+    confidence = marking_confidence(narrow, found.bands, relief, ground, found.roads, pixel, settings.confidence, near,
+                                    colder)
     brightness = ground.brightness
+    evidence = SearchTally(colder=np.count_nonzero(colder), clear=np.count_nonzero(ground.clear[counted]),
+                           smooth=np.count_nonzero(ground.smooth[counted]))
     del ground, relief  # large pieces of image: each array counts
     vehicles, bodies = vehicle_zones(found, brightness, pixel, settings)
     paint = ~bodies.take(inside)
     narrow = narrow[near] & ~bodies[near]
     inner = cv2.erode(found.seen.view(np.uint8), np.ones((5, 5), np.uint8))[near] > 0
-    accepted, confidence = filtered_components(narrow, vehicles[near], found.seen[near] & ~inner, confidence[paint],
-                                               pixel, settings)
+    accepted, confidence, pieces = filtered_components(narrow, vehicles[near], found.seen[near] & ~inner,
+                                                       confidence[paint], pixel, settings, within(counted, near))
     window = within(wanted, near)
-    return Cleaned(accepted[window], confidence[window], brightness[wanted], bodies[wanted])
+    return Cleaned(accepted[window], confidence[window], brightness[wanted], bodies[wanted], evidence + pieces)
 
 
 def _narrow(found: Candidates, ratio: float) -> np.ndarray:
@@ -220,7 +230,8 @@ def coarse_step(disc_pixel: float) -> int:
 
 
 def filtered_components(mask: np.ndarray, vehicles: np.ndarray, border: np.ndarray, confidence: np.ndarray,
-                        pixel: float, settings: CleanSettings) -> tuple[np.ndarray, np.ndarray]:
+                        pixel: float, settings: CleanSettings, counted: tuple[slice, slice]
+                        ) -> tuple[np.ndarray, np.ndarray, SearchTally]:
     """Pieces of `mask` that are large enough, sure enough, no vehicle's, and not just along a border.
 
     `vehicles` and `border` are bool (rows, columns): near to a vehicle, and at the edge of what is hidden.
@@ -228,7 +239,8 @@ def filtered_components(mask: np.ndarray, vehicles: np.ndarray, border: np.ndarr
 
     Returns
     -------
-    The kept pixels, bool, and their confidence: that of their piece, or of the part of a long one; 0 elsewhere.
+    The kept pixels, bool, and their confidence: that of their piece, or of the part of a long one; 0 elsewhere; and
+    evidence of the rows and columns counted.
     """
     joined = cv2.dilate(mask.view(np.uint8), disc_kernel(settings.wear_gap, pixel))
     count, labels, boxes, _centres = cv2.connectedComponentsWithStats(joined, connectivity=8)
@@ -249,4 +261,4 @@ def filtered_components(mask: np.ndarray, vehicles: np.ndarray, border: np.ndarr
     good = accepted[labels] & (value >= settings.min_confidence)
     chosen, values = np.zeros(mask.shape, bool), np.zeros(mask.shape, np.float32)
     chosen.ravel()[inside], values.ravel()[inside] = good, np.where(good, value, 0)
-    return chosen, values
+    return chosen, values, evidence_of_pieces(inside, labels, accepted[labels], good, mask.shape, counted, pixel)

@@ -17,6 +17,7 @@ from rasterio.transform import Affine
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
+from ...geometry.tolerances import ROUNDING
 from ...io.raster import RasterSampler, own_gdal
 from .marching_squares import zero_lines
 from .road_markings import Markings
@@ -174,10 +175,10 @@ def _without_straight_vertices(polygons: np.ndarray) -> np.ndarray:
     starts = np.searchsorted(line, np.arange(len(rings)))
     ends = np.append(starts[1:], len(points))
     off = _off_line(points[starts], points[ends - 2], points[starts + 1])
-    special = (ends - starts < 6) | (off <= _SIMPLIFIED * (1 + 1e-9))
+    special = (ends - starts < 6) | (off <= _SIMPLIFIED * (1 + ROUNDING))
     first = np.searchsorted(ring, np.arange(len(rings)))
     farthest = np.maximum.reduceat(np.hypot(*(given - given[first][ring]).T), first)
-    special |= np.hypot(*(points[starts + 1] - points[starts]).T) > farthest * (1 - 1e-9)
+    special |= np.hypot(*(points[starts + 1] - points[starts]).T) > farthest * (1 - ROUNDING)
     slow = np.zeros(len(polygons), bool)
     slow[owner[special]] = True
     simplified = np.empty(len(polygons), object)

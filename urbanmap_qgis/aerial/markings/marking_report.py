@@ -15,11 +15,13 @@ import shapely
 from rasterio.enums import Resampling
 from rasterio.transform import Affine
 
+from ...geometry.tolerances import LEAST_DIVISOR
 from ...io.pages.report import BAD, GOOD, LOOK, Report
 from ...io.raster import own_gdal
 from ...wording import mark, say
 from .marking_files import MarkingResult, colour_bands
 from .marking_polygons import CACHE
+from .marking_verdict import marking_verdict
 from .stored_polygons import batches
 
 
@@ -33,7 +35,6 @@ class MarkingReportLimits:
     coarse: float = 0.15
     faint: float = 1.5  # times the contrast asked for
     one_view: float = 0.2
-    rough: float = 2.5  # grey values; overcast drone photos measured 1 to 2.2, sunlit and sharpened tiles above 3.7
 
 
 LIMITS = MarkingReportLimits()
@@ -88,33 +89,37 @@ def frame_count_shares(path: str | os.PathLike) -> list[float]:
 
 
 def write_marking_report(path: str | os.PathLike, orthophoto: str | os.PathLike, found: MarkingResult,
-                         evidence: OrthophotoQuality, note: str = "") -> None:
+                         evidence: OrthophotoQuality, remark: str = "") -> None:
     """Write the report.
 
     Parameters
     ----------
-    note : of whoever ran it, such as the settings of a chain.
+    remark : of whoever ran it, such as the settings of a chain.
 
     Raises
     ------
     OutputError : it cannot be written.
     """
     report = Report("Road markings from the air")
-    doubts = quality_warnings(found, evidence)
-    if not len(found.polygons):
-        report.verdict(BAD, doubts[-1])
+    judged = marking_verdict(found, evidence.contrast)
+    doubts = [*judged.reasons, *quality_warnings(found, evidence)]
+    count = say("{polygons_count} markings were found. ", polygons_count=len(found.polygons))
+    if judged.grade == BAD:
+        report.verdict(BAD, (count if len(found.polygons) else "") + doubts[0])
+    elif doubts:
+        report.verdict(LOOK, count + say("{doubts_count} things are to be looked at first.", doubts_count=len(doubts)))
     else:
-        report.verdict(LOOK if doubts else GOOD, say("{polygons_count} markings were found. ",
-                                                     polygons_count=len(found.polygons))
-                       + (say("{doubts_count} things are to be looked at first.",
-                              doubts_count=len(doubts)) if doubts else
-                          "Nothing stands out; check some markings against the picture all the same."))
-    if doubts:
+        report.verdict(GOOD, count + say("Nothing stands out; check some markings against the picture all the same."))
+    notes = standing_notes(found, evidence)
+    if doubts or notes:
         report.section("What to distrust")
     for doubt in doubts:
         report.warning(doubt)
+    for note in notes:
+        report.paragraph(note)
     _result(report, found)
     _road(report, found)
+    _taken(report, found)
     _agreement(report, evidence)
     if len(found.polygons):
         report.section("Figures of the markings")
@@ -123,7 +128,7 @@ def write_marking_report(path: str | os.PathLike, orthophoto: str | os.PathLike,
         if np.isfinite(found.polygons.confidence).all():
             report.histogram(found.polygons.confidence, "confidence", "Markings by confidence", upper=1.0)
     _pictures(report, Path(orthophoto), found)
-    report.note(note)
+    report.note(remark)
     report.write(path)
 
 
@@ -150,6 +155,18 @@ def _road(report: Report, found: MarkingResult) -> None:
                   "Brightness (grey values)": round(found.road.brightness, 1)})
 
 
+def _taken(report: Report, found: MarkingResult) -> None:
+    """What was taken and rejected, by which the verdict is given."""
+    evidence = found.evidence
+    if evidence is None or not evidence.narrow:
+        return
+    report.section("What was taken and rejected")
+    report.facts({"Bright and narrow (share of the image)": evidence.narrow / max(evidence.seen, 1),
+                  "of these taken for paint": evidence.kept / evidence.narrow,
+                  "of these left out by the ground beside them": evidence.unsure / evidence.narrow,
+                  "Smooth grey share of the ground": evidence.smooth / max(evidence.clear, 1)})
+
+
 def quality_warnings(found: MarkingResult, evidence: OrthophotoQuality) -> list[str]:
     """Sentences on what a surveyor should not trust before looking."""
     doubts = []
@@ -163,25 +180,24 @@ def quality_warnings(found: MarkingResult, evidence: OrthophotoQuality) -> list[
     if found.pixel > LIMITS.coarse:
         doubts.append(say("With pixels of {pixel:.2f} m lane lines are narrower than a pixel: many are missed.",
                           pixel=found.pixel))
-    if not evidence.roads:
-        doubts.append(say("No roads were given: edges of flat roofs, kerbs, rims of vehicles, reeds at water and "
-                          "lines of car parks may be among the markings; cut by their confidence, or give roads."))
-    if found.road is not None and found.road.texture > LIMITS.rough:
-        doubts.append(say("Smooth ground has a texture of {texture:.1f} grey values in this image, as in hard light or "
-                          "after sharpening: paint is missed and other things are taken for paint more often than in "
-                          "soft light. Look at the markings over the image, or give roads.",
-                          texture=found.road.texture))
-    alone = evidence.views[1] / max(1 - evidence.views[0], 1e-9) if evidence.views is not None else 0.0
+    alone = evidence.views[1] / max(1 - evidence.views[0], LEAST_DIVISOR) if evidence.views is not None else 0.0
     if alone > LIMITS.one_view:
         doubts.append(say("{alone:.0%} of the ground in the image is seen by one frame only: vehicles stay there, "
                           "and hide markings.", alone=alone))
+    return doubts
+
+
+def standing_notes(found: MarkingResult, evidence: OrthophotoQuality) -> list[str]:
+    """Sentences on what may be wrong in any image; they do not make a good result a doubtful one."""
+    notes = []
+    if not evidence.roads:
+        notes.append(say("No roads were given: edges of flat roofs, kerbs, rims of vehicles, reeds at water and "
+                         "lines of car parks may be among the markings; cut by their confidence, or give roads."))
     markings = found.polygons
     if len(markings) and (markings.contrast < LIMITS.faint * evidence.contrast).mean() > 0.1:
-        doubts.append(say("{mean:.0%} of the markings hardly stand out from the road: worn paint, shadow edges or "
-                          "paving.", mean=(markings.contrast < LIMITS.faint * evidence.contrast).mean()))
-    if not len(markings):
-        doubts.append(say("No marking was found: check the roads, the contrast and whether the image shows any."))
-    return doubts
+        notes.append(say("{mean:.0%} of the markings hardly stand out from the road: worn paint, shadow edges or "
+                         "paving.", mean=(markings.contrast < LIMITS.faint * evidence.contrast).mean()))
+    return notes
 
 
 def _agreement(report: Report, evidence: OrthophotoQuality) -> None:

@@ -7,7 +7,7 @@ can be worked on in overlapping tiles without seams.
 from __future__ import annotations
 
 import math
-from dataclasses import astuple, dataclass, field
+from dataclasses import astuple, dataclass, field, replace
 from functools import lru_cache
 
 import cv2
@@ -15,8 +15,10 @@ import numpy as np
 
 from ...errors import InputError
 from ...wording import say
+from .colour_cast import ColourCast
 from .image_strips import grown, row_strips, within
 from .marking_confidence import clear_of_paint, colours_of, texture
+from .marking_evidence import SearchTally
 from .marking_filter import Candidates, Cleaned, CleanSettings, disc_kernel, remove_non_markings
 from .road_model import RoadModel
 
@@ -81,31 +83,36 @@ class LevelAdjustment:
     """Level adjustment: brightness `low` becomes 0, `high` 255; `middle` is the median after it.
 
     road : the image's own road, see `ground_figures`.
+    cast : what is taken out of the colours first; None for nothing.
     """
 
     low: float
     high: float
     middle: float
     road: RoadModel = field(default_factory=RoadModel)
+    cast: ColourCast | None = None
 
     @property
     def text(self) -> str:
-        """The seven numbers, to the last bit."""
-        return " ".join(repr(value) for value in (self.low, self.high, self.middle, *astuple(self.road)))
+        """The seven numbers, and the fifteen of a cast, to the last bit."""
+        numbers = (self.low, self.high, self.middle, *astuple(self.road), *(self.cast.numbers if self.cast else ()))
+        return " ".join(repr(value) for value in numbers)
 
     @classmethod
     def of_text(cls, text: str) -> LevelAdjustment | None:
-        """What `text` gave; None of an empty one. Raises `InputError` where it holds no seven such numbers."""
+        """What `text` gave; None of an empty one. Raises `InputError` where it holds no such numbers."""
         try:
             numbers = [float(word) for word in text.split()]
         except ValueError:
             numbers = []
         if not text.strip():
             return None
-        if len(numbers) != 7 or not np.isfinite(numbers).all() or numbers[1] <= numbers[0]:
+        if len(numbers) not in (7, 22) or not np.isfinite(numbers).all() or numbers[1] <= numbers[0]:
             raise InputError(say("Levels are seven numbers, low, high, middle and the road's texture, warmth, green "
-                                 "and brightness, the second above the first: give those, or none."))
-        return cls(*numbers[:3], RoadModel(*numbers[3:]))
+                                 "and brightness, the second above the first, and where the image has a cast fifteen "
+                                 "of that: give those, or none."))
+        cast = ColourCast.of_numbers(numbers[7:]) if len(numbers) > 7 else None
+        return cls(*numbers[:3], RoadModel(*numbers[3:7]), cast)
 
 
 @dataclass(frozen=True)
@@ -119,6 +126,7 @@ class Markings:
     contrast : float32, grey values above the road.
     yellow : bool.
     confidence : float32, 0 to 1, see `marking_confidence`; NaN where it is not measured.
+    evidence : of the rows and columns that were wanted.
     """
 
     mask: np.ndarray
@@ -126,6 +134,7 @@ class Markings:
     contrast: np.ndarray
     yellow: np.ndarray
     confidence: np.ndarray
+    evidence: SearchTally = field(default_factory=SearchTally)
 
     def part(self, place: tuple[slice, slice]) -> Markings:
         """Those of some rows and columns."""
@@ -205,13 +214,14 @@ def find_markings(bands: np.ndarray, seen: np.ndarray, roads: np.ndarray | None,
     _leave_out_green(core, bands)
     found = Candidates(core, bands, image, road, threshold, seen, roads, levels.road)
     near = grown(wanted, math.ceil((2 * settings.cleaning.fill_width + 4 * LIMITS.edge_spread) / pixel) + 4, core.shape)
-    cleaned = remove_non_markings(found, pixel, settings.cleaning, near)
+    cleaned = remove_non_markings(found, pixel, settings.cleaning, near, wanted)
     image, road, allowed, bands = image[near], road[near], allowed[near], bands[:, near[0], near[1]]
     del found, threshold  # large pieces of image: each array counts
     core, road = _filled(cleaned, image, road, allowed, pixel, settings.cleaning)
-    confidence = cleaned.confidence
+    confidence, evidence = cleaned.confidence, cleaned.evidence
     del cleaned
-    return _refined(core, image, road, bands, allowed, pixel, confidence).part(within(wanted, near))
+    markings = _refined(core, image, road, bands, allowed, pixel, confidence).part(within(wanted, near))
+    return replace(markings, evidence=evidence)
 
 
 def _levelled(bands: np.ndarray, levels: LevelAdjustment, settings: MarkingSettings) -> np.ndarray:

@@ -52,12 +52,25 @@ def road_model_of(ground: Iterable[np.ndarray]) -> RoadModel:
     rows = np.concatenate([np.empty((0, 4), np.float32), *ground])
     if not len(rows):
         return RoadModel()
-    level = rows[:, 3]
-    lit = level > LIMITS.lit * np.median(level)
-    grey = lit & (np.abs(rows[:, 1]) < LIMITS.grey[0]) & (np.abs(rows[:, 2]) < LIMITS.grey[1])
-    chosen = rows[grey if np.count_nonzero(grey) >= LIMITS.fewest else lit]
+    chosen = rows[lit_and_grey(rows)]
     if not len(chosen):
         chosen = rows
     rough = float(np.percentile(chosen[:, 0], LIMITS.percentile))
-    _, warmth, green, brightness = np.median(chosen[chosen[:, 0] <= max(LIMITS.smooth * rough, 1e-6)], axis=0)
+    _, warmth, green, brightness = np.median(chosen[chosen[:, 0] <= smooth_texture(chosen[:, 0])], axis=0)
     return RoadModel(rough, float(warmth), float(green), float(brightness))
+
+
+def lit_and_grey(rows: np.ndarray) -> np.ndarray:
+    """Which rows of `road_model_of` are ground in the light without much colour; with hardly any of it all that is lit,
+    bool."""
+    level = rows[:, 3]
+    if not len(level):
+        return np.zeros(0, bool)
+    lit = level > LIMITS.lit * np.median(level)
+    grey = lit & (np.abs(rows[:, 1]) < LIMITS.grey[0]) & (np.abs(rows[:, 2]) < LIMITS.grey[1])
+    return grey if np.count_nonzero(grey) >= LIMITS.fewest else lit
+
+
+def smooth_texture(texture: np.ndarray) -> float:
+    """Texture up to which some ground counts as smooth."""
+    return max(LIMITS.smooth * float(np.percentile(texture, LIMITS.percentile)), 1e-6)

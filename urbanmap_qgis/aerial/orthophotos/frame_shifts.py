@@ -15,6 +15,7 @@ import cv2
 import numpy as np
 
 from ...geometry.grid import Grid
+from ...geometry.tolerances import SIGMA_OF_MAD
 from ...progress import SILENT, Progress
 from ...wording import say
 from .mosaic import GroundView, ViewSource, reaching, tiles
@@ -88,7 +89,7 @@ class FrameShift:
     @property
     def spread(self) -> float:
         """Standard deviation of one patch in east and in north, m, from the median absolute deviation."""
-        return float(1.4826 * np.median(np.abs(self.vectors - np.median(self.vectors, axis=0))))
+        return float(SIGMA_OF_MAD * np.median(np.abs(self.vectors - np.median(self.vectors, axis=0))))
 
     @property
     def sigma(self) -> float:
@@ -115,7 +116,7 @@ class FrameShift:
         east, north = self.parallax / np.hypot(*self.parallax)
         across = self.vectors @ (-north, east)
         middle = np.median(across)
-        spread = 1.4826 * float(np.median(np.abs(across - middle)))
+        spread = SIGMA_OF_MAD * float(np.median(np.abs(across - middle)))
         return float(abs(middle)), _sigma_of_median(spread, self.patches)
 
 

@@ -14,6 +14,8 @@ import numpy as np
 import scipy.sparse
 import scipy.sparse.linalg
 
+from ...geometry.tolerances import SIGMA_OF_MAD
+
 
 @dataclass(frozen=True)
 class GainCompensationLimits:
@@ -157,7 +159,7 @@ def robust_line(x: np.ndarray, y: np.ndarray) -> tuple[float, float]:
     offset = float(np.median(y) - gain * np.median(x))
     for _ in range(LIMITS.rounds):
         residual = y - gain * x - offset
-        scale = max(1.4826 * float(np.median(np.abs(residual))), 1e-6 * spread_y)
+        scale = max(SIGMA_OF_MAD * float(np.median(np.abs(residual))), 1e-6 * spread_y)
         weight = np.clip(1 - (residual / (4.7 * scale)) ** 2, 0, None) ** 2
         total = weight.sum()
         mean_x, mean_y = (weight @ x) / total, (weight @ y) / total

@@ -1,0 +1,124 @@
+"""The verdict on road markings, from what was taken and rejected and from the result itself."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import rasterio
+import shapely
+from rasterio.transform import Affine
+
+from urbanmap_qgis.aerial.markings.marking_evidence import SearchTally, evidence_of_light, evidence_of_pieces
+from urbanmap_qgis.aerial.markings.marking_files import MarkingResult, markings_from_orthophoto
+from urbanmap_qgis.aerial.markings.marking_polygons import MarkingPolygons
+from urbanmap_qgis.aerial.markings.marking_verdict import marking_verdict
+from urbanmap_qgis.aerial.markings.road_model import RoadModel
+from urbanmap_qgis.io.pages.report import BAD, GOOD, LOOK
+
+USUAL = SearchTally(seen=10 ** 6, narrow=10 ** 5, kept=50_000, unsure=40_000, clear=600_000, smooth=300_000,
+                 straight=20_000, straight_unsure=5_000)
+
+
+def marks(count=8, width=0.2, confidence=0.9, contrast=80.0):
+    boxes = np.array([shapely.box(10 * k, 5, 10 * k + 3, 5 + width) for k in range(count)], object)
+    full = np.full(count, 1.0)
+    return MarkingPolygons(boxes, full * 3 * width, full * 3, full * width, full * contrast,
+                           np.full(count, "white", object), full * confidence)
+
+
+@pytest.fixture
+def found():
+    return MarkingResult(marks(), 0.12, 1e4, 5.0, RoadModel(2.0, 0.0, 0.0, 90.0), USUAL)
+
+
+def test_a_usual_result_is_good(found):
+    assert marking_verdict(found, 17.0).grade == GOOD
+    assert marking_verdict(found, 17.0).reasons == ()
+
+
+@pytest.mark.parametrize(("change", "grade", "words"), [
+    ({"unsure": 97_000}, BAD, "97% of what is bright and narrow was left out"),
+    ({"straight_unsure": 19_900}, BAD, "cannot be told"),
+    ({"unsure": 91_000, "straight_unsure": 19_000}, BAD, "cannot be told"),
+    ({"unsure": 85_000}, LOOK, "look for paint without an outline"),
+    ({"full": 500_000}, BAD, "50% of it are over-exposed"),
+    ({"full": 200_000}, LOOK, "20% of the image are over-exposed"),
+    ({"empty": 100_000}, LOOK, "10% of the image are black"),
+    ({"colourless": 10 ** 6}, LOOK, "has no colours"),
+    ({"colder": 30_000}, LOOK, "38% of what looks like paint is bluer than the road"),
+])
+def test_each_sign_of_the_image(found, change, grade, words):
+    made = marking_verdict(replace(found, evidence=replace(USUAL, **change)), 17.0)
+    assert made.grade == grade
+    assert len(made.reasons) == 1 and words in made.reasons[0]
+
+
+def test_few_straight_pieces_tell_nothing(found):
+    few = replace(USUAL, straight=100, straight_unsure=100)
+    assert marking_verdict(replace(found, evidence=few), 17.0).grade == GOOD
+
+
+@pytest.mark.parametrize(("change", "words"), [
+    ({"polygons": marks(width=0.45)}, "Lines are 0.45 m wide"),
+    ({"polygons": marks(confidence=0.4)}, "Few markings are sure"),
+    ({"polygons": marks(contrast=20.0)}, "hardly stand out from the ground"),
+    ({"road": RoadModel(8.0, 0.0, 0.0, 90.0)}, "texture of 8.0 grey values"),
+])
+def test_each_sign_of_the_result(found, change, words):
+    made = marking_verdict(replace(found, **change), 17.0)
+    assert made.grade == LOOK
+    assert len(made.reasons) == 1 and words in made.reasons[0]
+
+
+def test_no_marking_is_no_result(found):
+    made = marking_verdict(replace(found, polygons=marks(0)), 17.0)
+    assert made.grade == BAD and "No marking was found" in made.reasons[0]
+
+
+def test_light_is_counted_where_ground_is_seen():
+    bands = np.full((3, 4, 5), 90, np.uint8)
+    bands[:, 0] = 0
+    bands[0, 1] = 255
+    seen = np.ones((4, 5), bool)
+    seen[:, 0] = False
+    made = evidence_of_light(bands, seen, 255)
+    assert (made.seen, made.empty, made.full, made.colourless) == (16, 4, 4, 12)
+
+
+def test_pieces_are_counted_in_the_rows_and_columns_asked_for():
+    """A line of 6 m and a spot: the line is straight, its left half is left out."""
+    mask = np.zeros((50, 100), bool)
+    mask[20:22, 10:70] = True
+    mask[40:43, 10:13] = True
+    inside = np.flatnonzero(mask)
+    labels = np.where(inside // 100 < 30, 1, 2)
+    everything = np.ones(len(inside), bool)
+    good = inside % 100 >= 40
+    whole = slice(0, 50), slice(0, 100)
+    made = evidence_of_pieces(inside, labels, everything, good, mask.shape, whole, 0.1)
+    assert (made.narrow, made.kept, made.unsure) == (129, 60, 69)
+    assert (made.straight, made.straight_unsure) == (120, 60)
+    parts = [evidence_of_pieces(inside, labels, everything, good, mask.shape, (whole[0], part), 0.1)
+             for part in (slice(0, 33), slice(33, 100))]
+    assert parts[0] + parts[1] == made
+
+
+def test_a_dark_or_swapped_image_is_told(tmp_path):
+    """The same street by day, in a noisy night and with blue for red."""
+    random = np.random.default_rng(2)
+    day = np.full((3, 400, 600), 90.0)
+    day[:, 100:103, 20:580] = day[:, 200:203, 20:580] = 220
+    night = np.clip(day * 0.08 + random.normal(0, 4, day.shape), 0, 255)
+    day += random.normal(0, 1, day.shape)
+    day[0] -= np.where(day[0] < 150, 6, 0)  # asphalt is a little blue
+    day[2] += np.where(day[2] < 150, 6, 0)
+    grades = {}
+    for name, image in (("day", day), ("night", night), ("swapped", day[::-1])):
+        with rasterio.open(tmp_path / f"{name}.tif", "w", driver="GTiff", width=600, height=400, count=3, dtype="uint8",
+                           crs="EPSG:6677", transform=Affine(0.1, 0, 0, 0, -0.1, 0), photometric="RGB") as target:
+            target.write(np.rint(image).astype(np.uint8))
+        result = markings_from_orthophoto(tmp_path / f"{name}.tif", tmp_path / "mask.tif")
+        grades[name] = marking_verdict(result, 17.0).grade
+    assert grades == {"day": GOOD, "night": BAD, "swapped": BAD}

@@ -1,0 +1,101 @@
+"""What the search for markings took and rejected, by which a result is judged without any truth.
+
+Counts are of an image's own pixels and pieces, so that they mean the same in every kind of image; those of tiles add
+up, and hardly depend on how an image is cut (pixels along seams count twice).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class SearchTallyLimits:
+    """Limits of evidence, each with its unit."""
+
+    straight: float = 2.0  # m: pieces of this length or more tell of lines
+    slender: float = 0.25  # m: of these, the standard deviation across is less
+
+
+LIMITS = SearchTallyLimits()
+
+
+@dataclass(frozen=True)
+class SearchTally:
+    """Sums over an image or a part of it.
+
+    Attributes
+    ----------
+    seen, empty, full, colourless : pixels of the image; without any light; with a colour at the top of what its numbers
+        can hold; with all colours alike.
+    narrow : bright pixels that stand out on two sides.
+    kept, unsure : of these, taken for paint, and left out by their confidence alone.
+    clear, smooth : pixels of ground without paint; of these, smooth, grey and as bright as around.
+    colder : of `narrow` (round tiles counted again), where only a colour bluer than the ground's speaks against paint.
+    straight, straight_unsure : pixels of slender straight pieces of `narrow`; of these, left out by their confidence.
+    """
+
+    seen: int = 0
+    empty: int = 0
+    full: int = 0
+    colourless: int = 0
+    narrow: int = 0
+    kept: int = 0
+    unsure: int = 0
+    clear: int = 0
+    smooth: int = 0
+    straight: int = 0
+    straight_unsure: int = 0
+    colder: int = 0
+
+    def __add__(self, other: SearchTally) -> SearchTally:
+        return SearchTally(**{one.name: getattr(self, one.name) + getattr(other, one.name) for one in fields(self)})
+
+
+def evidence_of_light(bands: np.ndarray, seen: np.ndarray, top: float) -> SearchTally:
+    """Of the light in a piece of image: bands (1 or 3 and more, rows, columns), where ground is seen (bool), and the
+    highest number that the image can hold."""
+    colours = bands[:3]
+    highest = colours.max(axis=0)
+    alike = highest == colours.min(axis=0)
+    return SearchTally(seen=np.count_nonzero(seen), empty=np.count_nonzero(seen & (highest <= 0)),
+                    full=np.count_nonzero(seen & (highest >= top)), colourless=np.count_nonzero(seen & alike))
+
+
+def evidence_of_pieces(inside: np.ndarray, labels: np.ndarray, accepted: np.ndarray, good: np.ndarray,
+                       shape: tuple[int, int], counted: tuple[slice, slice], pixel: float) -> SearchTally:
+    """Of bright narrow pixels in some rows and columns.
+
+    Parameters
+    ----------
+    inside : (n,) their places in the flat image.
+    labels : (n,) the pieces that they belong to, from 0.
+    accepted, good : (n,) bool, by all but confidence, and by that too.
+    shape : of the image, pixels.
+    counted : rows and columns.
+    pixel : side, m.
+    """
+    rows, columns = np.divmod(inside, shape[1])
+    here = ((rows >= counted[0].start) & (rows < counted[0].stop)
+            & (columns >= counted[1].start) & (columns < counted[1].stop))
+    straight = _slender(labels, rows, columns, pixel)[labels] & accepted & here
+    return SearchTally(narrow=np.count_nonzero(here), kept=np.count_nonzero(good & here),
+                    unsure=np.count_nonzero(accepted & ~good & here), straight=np.count_nonzero(straight),
+                    straight_unsure=np.count_nonzero(straight & ~good))
+
+
+def _slender(labels: np.ndarray, rows: np.ndarray, columns: np.ndarray, pixel: float) -> np.ndarray:
+    """Which pieces are long, straight and narrow, by their pixels' second moments, bool."""
+    count = int(labels.max(initial=0)) + 1
+    size = np.maximum(np.bincount(labels, minlength=count), 1)
+
+    def mean(values: np.ndarray) -> np.ndarray:
+        return np.bincount(labels, values, minlength=count) / size
+
+    down, across = rows - mean(rows)[labels], columns - mean(columns)[labels]
+    first, second, mixed = mean(down * down), mean(across * across), mean(down * across)
+    half, root = (first + second) / 2, np.hypot((first - second) / 2, mixed)
+    return ((pixel * np.sqrt(12 * (half + root)) >= LIMITS.straight)
+            & (pixel * np.sqrt(np.maximum(half - root, 0)) < LIMITS.slender))
