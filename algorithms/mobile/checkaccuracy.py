@@ -7,7 +7,7 @@ from qgis.core import QgsProcessing
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
 from ..framework.layers.layers import make_fields
-from .control_points import add_control, read_control
+from .control_points import add_control, read_check_points
 
 FIGURES = {"MEAN_2D": "Mean error in plan", "MAX_2D": "Maximum error in plan",
            "STD_2D": "Standard deviation of errors in plan", "MEAN_3D": "Mean error in space",
@@ -23,7 +23,8 @@ class CheckAccuracy(UrbanMapAlgorithm):
     HELP = (
         "Measures how far a mobile survey is off at control points, as it was reported and, where a corrected "
         "trajectory is given, as that places it.\n"
-        "The numbers are of the corrected survey where one is given, otherwise of the survey as it is."
+        "The numbers are of the corrected survey where one is given, otherwise of the survey as it is.\n"
+        "A column “role” (check, adjusted) tells points apart: those that the survey was adjusted to are left out."
     )
 
     def declare(self):
@@ -48,7 +49,7 @@ class CheckAccuracy(UrbanMapAlgorithm):
         from ...urbanmap_qgis.mobile.pose_correction import correction_between
 
         progress = self.progress(feedback)
-        control, crs = read_control(self, parameters, context, progress)
+        control, crs, adjusted = read_check_points(self, parameters, context, progress)
         reported = self.read_trajectory(parameters, "TRAJECTORY", context, crs or None, progress)
         corrected = self.read_trajectory(parameters, "CORRECTED", context, crs or None, progress)
         used, left_out = in_survey_time(control, reported.trajectory)
@@ -66,7 +67,7 @@ class CheckAccuracy(UrbanMapAlgorithm):
                                                   crs or reported.crs_wkt or "", progress)
         report = self.output_path(parameters, "OUTPUT_REPORT", context)
         if report:
-            write_accuracy_report(report, used, errors, left_out)
+            write_accuracy_report(report, used, errors, left_out, adjusted)
             results["OUTPUT_REPORT"] = str(report)
         return results
 

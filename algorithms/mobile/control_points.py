@@ -25,6 +25,15 @@ def read_control(algorithm, parameters, context, progress):
     return control_from_columns(table.columns, table.label), _crs_wkt(algorithm, parameters, context, table)
 
 
+def read_check_points(algorithm, parameters, context, progress):
+    """The same without points that the survey was adjusted to, and how many of these there are."""
+    from ...urbanmap_qgis.mobile.control import check_points_of, control_from_columns
+
+    table = algorithm.read_vector(parameters, "CONTROL", context, progress)
+    control, adjusted = check_points_of(control_from_columns(table.columns, table.label), table.columns, table.label)
+    return control, _crs_wkt(algorithm, parameters, context, table), adjusted
+
+
 def _crs_wkt(algorithm, parameters, context, table: VectorTable) -> str:
     given = algorithm.parameterAsCrs(parameters, "CRS", context)
     if table.crs.isValid():

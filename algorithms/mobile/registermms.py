@@ -12,6 +12,7 @@ from ..framework.layers.layers import make_fields
 from ..framework.running.workers import workers
 from .marking_reference import add_markings
 from .survey_inputs import read_survey_and_reference
+from .wall_inputs import add_walls, read_walls
 
 METHODS = ("full", "paper")
 
@@ -30,7 +31,9 @@ class RegisterMms(UrbanMapAlgorithm):
         "contradict the rest lose their weight, gaps are bridged with growing uncertainty, and each patch says how its "
         "correction was found and how sure it is.\n"
         "With ground heights (a raster, or polygons with heights) the correction is in space; without them heights, "
-        "roll and pitch stay as they are. Apply the result with “Apply corrected trajectory”."
+        "roll and pitch stay as they are. With outlines or models of buildings the facades that the survey saw are a "
+        "second witness beside the markings: they hold the survey where there is no paint, and where both disagree "
+        "nothing is called registered. Apply the result with “Apply corrected trajectory”."
     )
 
     def declare(self):
@@ -40,6 +43,7 @@ class RegisterMms(UrbanMapAlgorithm):
                             "degrees; with sd_roll,sd_pitch,sd_heading where their accuracy is known), Applanix SBET "
                             "(with its smrmsg file beside it), or a point layer with these fields.")
         add_markings(self)
+        add_walls(self)
         self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres, in the height system of the "
                         "survey. With it the correction is in space.", optional=True)
         self.add_calibration(optional=True)
@@ -67,7 +71,8 @@ class RegisterMms(UrbanMapAlgorithm):
         self.add_choice("METHOD", "Method", "Full, or as in the paper to the letter: windows as rigid bodies, each "
                         "started from the one before, and each patch moved by the matrix of its own window; no "
                         "model of the drift, no weights, no bridging. In plan as in 3.2.4, with ground heights as in "
-                        "chapter 4.", METHODS, "full", advanced=True)
+                        "chapter 4. The markings of a whole survey are found by the paper's threshold.",
+                        METHODS, "full", advanced=True)
         self.add_distance("REFERENCE_SIGMA", "Accuracy of the reference", "Standard deviation of the error that "
                           "all reference markings around a place share (orientation of the frames, for example): no "
                           "survey can show it, so that it is part of every standard deviation. The default holds where "
@@ -88,11 +93,13 @@ class RegisterMms(UrbanMapAlgorithm):
         self.add_workers()
         self.add_trajectory_output()
         self.add_layer_output("OUTPUT_PATCHES", "Patches", "One point a patch at its corrected place, with correction "
-                              "(m, degrees), standard deviations, window, score, status and its reason.", optional=True,
+                              "(m, degrees), standard deviations, window, score, status and its reason; with walls the "
+                              "share of each witness (paint, walls).", optional=True,
                               source_type=QgsProcessing.SourceType.TypeVectorPoint, by_default=True)
         self.add_layer_output("OUTPUT_STEPS", "Disagreements", "One point a place where reference and survey disagree: "
                               "edges of markings that changed after the flight, a reference that jumps, steps hidden "
-                              "where there are no markings; with size (m), direction (degrees from north) and "
+                              "where there are no markings, stretches where walls want the survey elsewhere than the "
+                              "markings; with size (m), direction (degrees from north) and "
                               "standard deviation.", optional=True,
                               source_type=QgsProcessing.SourceType.TypeVectorPoint)
         self.add_file_output("OUTPUT_REPORT", "Report", "Correction and its uncertainty along the path, pictures "
@@ -115,9 +122,11 @@ class RegisterMms(UrbanMapAlgorithm):
         paths, crs, trajectory, reference = read_survey_and_reference(self, parameters, context, progress)
         calibration = self.input_path(parameters, "CALIBRATION", context)
         calibration = read_calibration(calibration) if calibration else None
+        run = self._run(parameters, context, reference)
+        walls = read_walls(self, parameters, context, (paths, crs, trajectory.trajectory), run, progress.part(0.0, 0.2))
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
-            made = register_survey(paths, trajectory.trajectory, reference, self._run(parameters, context, reference),
-                                   calibration, progress.part(0.0, 0.95), executor)
+            made = register_survey(paths, trajectory.trajectory, reference, run, calibration,
+                                   progress.part(0.2 if walls else 0.0, 0.95), executor, walls)
         results = {**self._figures(made), "OUTPUT": self.write_trajectory(
             parameters, "OUTPUT", context, trajectory, made.trajectory, crs)}
         results.update(self._write_patches(parameters, context, made, crs, progress))
@@ -131,6 +140,8 @@ class RegisterMms(UrbanMapAlgorithm):
 
     def _run(self, parameters, context, reference):
         """The core's settings."""
+        from ...urbanmap_qgis.mobile.markings.extraction import ExtractionSettings
+        from ...urbanmap_qgis.mobile.markings.plain_threshold import PlainThreshold
         from ...urbanmap_qgis.mobile.registration.correction.adjustment import CorrectionSettings
         from ...urbanmap_qgis.mobile.registration.records import RegistrationSettings
         from ...urbanmap_qgis.mobile.registration.stage import RegistrationRun
@@ -161,7 +172,8 @@ class RegisterMms(UrbanMapAlgorithm):
             given["max_window_patches"] = max(usual.max_window_patches, given.get("window_patches", 0))
         return RegistrationRun(replace(usual, **given), CorrectionSettings(
             reference_sigma=sigma, trusted_sigma=number("TRUSTED_SIGMA"),
-            attitude_sigma=(attitude, attitude, 2.0 * attitude)))
+            attitude_sigma=(attitude, attitude, 2.0 * attitude)),
+            ExtractionSettings(plain=PlainThreshold() if paper else None))
 
     def _figures(self, made):
         import numpy as np

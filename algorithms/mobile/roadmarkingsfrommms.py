@@ -92,7 +92,7 @@ class RoadMarkingsFromMms(UrbanMapAlgorithm):
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.mobile.calibration import read_calibration
         from ...urbanmap_qgis.mobile.markings.curve_report import doubts, facts_of, write_curve_report
-        from ...urbanmap_qgis.mobile.markings.marking_stage import markings_to_file
+        from ...urbanmap_qgis.mobile.markings.markings_file import markings_to_file
 
         progress = self.progress(feedback)
         paths, _, trajectory = read_survey(self, parameters, context, progress)
@@ -113,8 +113,8 @@ class RoadMarkingsFromMms(UrbanMapAlgorithm):
                 for name, value in results.items()}
 
     def _settings(self, parameters, context):
+        from ...urbanmap_qgis.mobile.markings.extraction import ExtractionSettings
         from ...urbanmap_qgis.mobile.markings.marking_points import MarkingPointSettings
-        from ...urbanmap_qgis.mobile.markings.marking_stage import ExtractionSettings
         from ...urbanmap_qgis.mobile.markings.plain_threshold import PlainThreshold
         from ...urbanmap_qgis.terrain.cloth import ClothSettings
 

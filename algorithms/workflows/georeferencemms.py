@@ -35,11 +35,11 @@ class GeoreferenceMms(UrbanMapAlgorithm):
 
     def declare(self):
         self.add_from(RoadMarkingsFromMms, "POINTS", "TRAJECTORY", "CALIBRATION")
-        self.add_from(RegisterMms, "MARKINGS", "GROUND")
+        self.add_from(RegisterMms, "MARKINGS", "GROUND", "BUILDINGS")
         self.add_from(ApplyTrajectory, "IMAGES")
         self.add_from(RegisterMms, "IMAGE")
-        self.add_from(RegisterMms, "METHOD", "PATCH_LENGTH", "WINDOW_PATCHES", "MAX_WINDOW_PATCHES", "FEATURE_COUNT",
-                      "SEARCH", *ACCURACIES, *READING, "WORKERS", "SCHEDULER", advanced=True)
+        self.add_from(RegisterMms, "METHOD", "FEATURES", "PATCH_LENGTH", "WINDOW_PATCHES", "MAX_WINDOW_PATCHES",
+                      "FEATURE_COUNT", "SEARCH", *ACCURACIES, *READING, "WORKERS", "SCHEDULER", advanced=True)
         self.add_from(RegisterMms, "POINTS_CRS")
         self.add_from(ApplyTrajectory, "OUTPUT", label="Georeferenced survey")
         self.add_from(RegisterMms, OUTPUT_TRAJECTORY="OUTPUT")
@@ -69,9 +69,9 @@ class GeoreferenceMms(UrbanMapAlgorithm):
                        POINTS=points, OUTPUT=self.temporary_file(context, "markings.laz"))
         registered = run("registermms", **pick("TRAJECTORY", "MARKINGS", "GROUND", "IMAGE", "PATCH_LENGTH",
                                                "WINDOW_PATCHES", "MAX_WINDOW_PATCHES", "FEATURE_COUNT", "SEARCH",
-                                               *ACCURACIES, *READING, "WORKERS", "METHOD", "OUTPUT_PATCHES",
-                                               "OUTPUT_STEPS", "OUTPUT_REPORT"),
-                         POINTS=[markings["OUTPUT"]],
+                                               *ACCURACIES, *READING, "WORKERS", "METHOD", "BUILDINGS", "FEATURES",
+                                               "OUTPUT_PATCHES", "OUTPUT_STEPS", "OUTPUT_REPORT"),
+                         POINTS=[markings["OUTPUT"]], SURVEY=points,
                          OUTPUT=self.parameterAsFileOutput(parameters, "OUTPUT_TRAJECTORY", context))
         moved = run("applytrajectory", **pick("TRAJECTORY", *READING, "IMAGES", "OUTPUT", "OUTPUT_IMAGES"),
                     POINTS=points, CORRECTED=registered["OUTPUT"])

@@ -16,13 +16,14 @@ _WORST = 10
 
 
 def write_accuracy_report(path: str | os.PathLike, control: ControlPoints, errors: Mapping[str, np.ndarray],
-                          left_out: int = 0) -> None:
+                          left_out: int = 0, adjusted: int = 0) -> None:
     """Write the report (HTML).
 
     Parameters
     ----------
     errors : (n, 3) at the control points, m, for each state of the survey by its name, the best last.
     left_out : control points outside the survey's time.
+    adjusted : control points that the survey was adjusted to.
     """
     report = Report("Accuracy at control points")
     report.paragraph(say("{control_count} control points. An error is where the survey has a point less where it "
@@ -30,6 +31,8 @@ def write_accuracy_report(path: str | os.PathLike, control: ControlPoints, error
     if left_out:
         report.warning(say("{left_out} control points were not measured during this survey and are left out.",
                            left_out=left_out))
+    if adjusted:
+        report.paragraph(say("Left out, as the product was adjusted to them: {count} points.", count=adjusted))
     figures = {name: accuracy(values) for name, values in errors.items()}
     name, best = list(figures.items())[-1]
     report.verdict(LOOK, say("{name}: {mean_2d:.1f} cm off in plan on average and {max_2d:.1f} cm at most, at "

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from ..acceptance.check_points import are_check_points, no_check_point
 from ..errors import InputError, InsufficientDataError
 from ..io.files.columns import aliases_of, names_of, needed_of
 from ..io.files.guard import read_text, reads
@@ -106,6 +107,22 @@ def control_from_columns(columns: Mapping[str, Sequence], name: str = "The contr
     ids = columns[known["id"]] if "id" in known else range(1, count + 1)
     return ControlPoints(tuple(str(value) for value in ids), np.column_stack([table[key] for key in "xyz"]),
                          table["time"], np.column_stack([table[f"{key}_mms"] for key in "xyz"]))
+
+
+def check_points_of(control: ControlPoints, columns: Mapping[str, Sequence], name: str) -> tuple[ControlPoints, int]:
+    """The control points that check a survey, by the column “role” where there is one, and how many it was adjusted to.
+
+    Raises
+    ------
+    InputError : a role is not known, or none is a check point.
+    """
+    field = next((key for key in columns if key.lower() == "role"), None)
+    if field is None:
+        return control, 0
+    checks = are_check_points(columns[field], name)
+    if not checks.any():
+        raise no_check_point(name)
+    return control.select(checks), int(np.count_nonzero(~checks))
 
 
 def _numbers(values: Sequence, column: str, name: str) -> np.ndarray:

@@ -227,14 +227,14 @@ class _Survey:
 
     def _tiles(self, keys: list[int], pass_number: int, margin: float) -> Iterator[TilePoints]:
         """The points of each tile and of a margin round it, of one pass."""
-        known, held = set(keys), _HeldTiles(partial(self._of_pass, pass_number=pass_number))
+        known, tiles = set(keys), _HeldTiles(partial(self._of_pass, pass_number=pass_number))
         for key in keys:
             box, (column, row) = self.tiling.box(key), self.tiling.column_row(key)
-            parts = [dict(held.get(key))]
+            parts = [dict(tiles.get(key))]
             for near in self.tiling.around(key)[1:]:
                 if near in known:
                     other_column, other_row = self.tiling.column_row(near)
-                    parts.append(_beside(held.get(near), box, margin, other_column - column, other_row - row))
+                    parts.append(_beside(tiles.get(near), box, margin, other_column - column, other_row - row))
             in_tile = len(parts[0]["x"])
             yield TilePoints({name: np.concatenate([part.pop(name) for part in parts]) for name in "xyz"}, in_tile, box)
 

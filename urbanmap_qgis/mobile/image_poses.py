@@ -62,8 +62,8 @@ def read_image_poses(path: str | os.PathLike, counted: str = "degrees") -> Image
     InputError : a column is missing or could be several ones, a value is no number, or degrees look like radians.
     """
     name = Path(path).name
-    told = ("radians",) if counted.startswith("radians") else ()
-    header, rows, _ = named_rows(read_text(path, "image poses (CSV)"), COLUMNS, _ALIASES, name, told)
+    stated_units = ("radians",) if counted.startswith("radians") else ()
+    header, rows, _ = named_rows(read_text(path, "image poses (CSV)"), COLUMNS, _ALIASES, name, stated_units)
     ragged = next((number for number, row in enumerate(rows, 2) if len(row) != len(header)), None)
     if ragged:
         raise InputError(say("{path}: row {ragged} has {rows_count} values, the header names {header_count}: the "

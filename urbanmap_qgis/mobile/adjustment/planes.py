@@ -18,7 +18,7 @@ from ...io.points.pointcloud import iter_chunks, open_cloud
 from ...progress import SILENT, Progress
 from ..apply_correction import survey_time_shift
 from ..boresight.plane_patches import PatchSearch, PlanePatches, group_pairs
-from ..markings.marking_stage import WEIGHT
+from ..markings.extraction import WEIGHT
 from ..passes import BlockPositions
 from ..registration.correction.gauss_markov import path_parameters_of
 from ..trajectory import Trajectory, interpolate, move_points

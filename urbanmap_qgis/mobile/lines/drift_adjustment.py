@@ -41,7 +41,6 @@ class DriftAdjustmentLimits:
     band: int = 5
     coupling_evidence: float = 20.0
     min_share: float = 1e-9
-    min_weight: float = 1e-3
     # Errors that nothing was seen of walk this many times as fast as expected: so that most navigations do not
     # faster.
     unseen: float = 2.0
@@ -169,12 +168,11 @@ def fit_drift(pairs: TiePairs, trajectory: Trajectory, walk: RandomWalk, fixed_s
     odds = np.exp(np.clip([likelihood - found[chosen][1] for _, likelihood, _ in found], -50.0, 50.0))
     alternatives = []
     for weight, (mode, _, spread) in zip(odds / odds.sum(), found):
-        if weight >= LIMITS.min_weight:
-            position, heading = (_scale_factor(size) for size in spread)
-            wide = replace(mode, position_walk=mode.position_walk * position, heading_walk=mode.heading_walk * heading)
-            model = _model(system, mode, start)
-            alternatives.append((float(weight), replace(model, **dict(zip(("covariance", "gain"),
-                                                                          system.covariances(wide))), walk=wide)))
+        position, heading = (_scale_factor(size) for size in spread)
+        wide = replace(mode, position_walk=mode.position_walk * position, heading_walk=mode.heading_walk * heading)
+        model = _model(system, mode, start)
+        covariance, gain = system.covariances(wide)
+        alternatives.append((float(weight), replace(model, covariance=covariance, gain=gain, walk=wide)))
     return replace(_model(system, found[chosen][0], start), alternatives=tuple(alternatives))
 
 

@@ -127,12 +127,11 @@ def _drift(report: Report, before: Trajectory, rectified: Rectified) -> None:
         curve = change[:, axis]
         report.figure(profile(time, [Series(name, curve), Series("sets", at_sets[:, axis], COLOURS[1], True)],
                               "time (s)", "m",
-                              (curve - rectified.plan_sigma, curve + rectified.plan_sigma), extrapolated),
+                              (curve, rectified.plan_sigma), extrapolated),
                       captions[axis])
     change_of_heading = rectified.trajectory.angles[:, 2] - before.angles[:, 2]
     report.figure(profile(time, [Series("Heading correction", change_of_heading, COLOURS[2])], "time (s)", "°",
-                          (change_of_heading - rectified.heading_sigma, change_of_heading + rectified.heading_sigma),
-                          extrapolated),
+                          (change_of_heading, rectified.heading_sigma), extrapolated),
                   "Correction to the heading with its sigma.")
 
 
@@ -164,7 +163,7 @@ def _heights(report: Report, before: Trajectory, heights: CourseHeights) -> None
     samples = np.full(len(time), np.nan)
     samples[rows] = heights.used_error
     report.figure(profile(time, [Series("ground says", samples, COLOURS[4], True), Series("taken", heights.error)],
-                          "s", "m", (heights.error - heights.sigma, heights.error + heights.sigma)),
+                          "s", "m", (heights.error, heights.sigma)),
                   "Correction to the height with its sigma, and the samples of the ground.")
 
 

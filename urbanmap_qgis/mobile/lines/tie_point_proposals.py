@@ -255,7 +255,7 @@ def _corner_candidates(cells: WallCells, view: np.ndarray, corners: OutlineCorne
     for first in walls[0]:
         for second in walls[1]:
             where = _intersection(first, second)
-            if where is None or np.hypot(*where) > search:
+            if np.hypot(*where) > search:
                 continue
             distances = [np.hypot(*(place[wall.rows] - where).T) for wall in (first, second)]
             if max(distance.min() for distance in distances) > LIMITS.from_corner:
@@ -320,11 +320,9 @@ def _fitted(place: np.ndarray, rows: np.ndarray, edge: np.ndarray) -> _Line | No
     return _Line(centre, direction, rows, fit) if fit <= LIMITS.max_rms else None
 
 
-def _intersection(first: _Line, second: _Line) -> np.ndarray | None:
-    """Where two lines meet; None where they are nearly parallel."""
+def _intersection(first: _Line, second: _Line) -> np.ndarray:
+    """Where two lines along the edges of a corner meet."""
     crossed = first.direction[0] * second.direction[1] - first.direction[1] * second.direction[0]
-    if abs(crossed) < 0.5:
-        return None
     vector = second.point - first.point
     return first.point + first.direction * (vector[0] * second.direction[1] - vector[1] * second.direction[0]) / crossed
 

@@ -9,9 +9,9 @@ import numpy as np
 
 from ...io.pages.report import BAD, GOOD, LOOK, Report
 from ...wording import mark, say
+from .extraction import Extraction
 from .intensity_calibration import IntensityCurve
 from .lasers import LaserGains
-from .marking_stage import Extraction
 
 WIDTH, HEIGHT = 640, 320
 _LEFT, _RIGHT, _TOP, _BOTTOM = 60, 14, 14, 42

@@ -16,6 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...geometry.tolerances import SIGMA_OF_MAD
 from ..calibration import Mount
 from ..trajectory import Trajectory, interpolate, rotations
 from .ranges import Track
@@ -37,14 +38,11 @@ class LasersLimits:
     cell: float = 0.4  # m
     fewest: int = 200  # points by which a laser is judged
     passes: int = 40
-    settled: float = 1e-3  # largest change of a gain's logarithm
     as_good: float = 1.1
-    most_gain: float = 10.0
     better: float = 0.9
     bright: float = 2.0  # of the cell's brightness: what is brighter is paint or glare
     # lasers, and extent of the logarithm of range, from which a parabola over range can be told
     parabola: tuple[float, ...] = 8, 0.5
-    robust: float = 1.4826
 
 
 LIMITS = LasersLimits()
@@ -182,9 +180,9 @@ def find_gains(x: np.ndarray, y: np.ndarray, ranges: np.ndarray, brightness: np.
     gain = _alternating(cell, cells, brightness, laser, count)
     gain /= _common_over_range(gain, _medians(ranges, laser, count), np.bincount(laser, minlength=count))
     off = _off(cell, cells, brightness / gain[laser])
-    scatter = _medians(np.abs(off), laser, count) * LIMITS.robust
-    good = heard & (scatter <= LIMITS.max_scatter) & (gain > 1.0 / LIMITS.most_gain) & (gain < LIMITS.most_gain)
-    after = float(LIMITS.robust * np.median(np.abs(off[good[laser]]))) if good.any() else np.inf
+    scatter = _medians(np.abs(off), laser, count) * SIGMA_OF_MAD
+    good = heard & (scatter <= LIMITS.max_scatter)
+    after = float(SIGMA_OF_MAD * np.median(np.abs(off[good[laser]]))) if good.any() else np.inf
     if not after < LIMITS.better * before:
         return None
     return LaserGains(told_by, np.where(good, gain, np.nan), judged, before, after)
@@ -193,7 +191,7 @@ def find_gains(x: np.ndarray, y: np.ndarray, ranges: np.ndarray, brightness: np.
 def _scatter(x: np.ndarray, y: np.ndarray, brightness: np.ndarray, some: np.ndarray) -> float:
     """Scatter of the logarithms of some points about the means of their cells."""
     cell, cells = _cells(x[some], y[some])
-    return float(LIMITS.robust * np.median(np.abs(_off(cell, cells, brightness[some].astype(float)))))
+    return float(SIGMA_OF_MAD * np.median(np.abs(_off(cell, cells, brightness[some].astype(float)))))
 
 
 def _cells(x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, int]:
@@ -211,8 +209,6 @@ def _alternating(cell: np.ndarray, cells: int, brightness: np.ndarray, laser: np
         gain *= np.exp(change)
         # Only ratios are observed: the points' mean stays.
         gain /= np.exp(np.mean(np.log(gain[laser])))
-        if np.abs(change).max() < LIMITS.settled:
-            break
     return gain
 
 

@@ -15,17 +15,22 @@ from ...progress import SILENT, Progress
 from ...wording import say
 from ..apply_correction import survey_time_shift
 from ..calibration import Calibration
-from ..markings.marking_stage import WEIGHT, ExtractionSettings, extract_markings
+from ..markings.extraction import WEIGHT, ExtractionSettings
+from ..markings.marking_stage import extract_markings
 from ..markings.records import MarkingPoints
 from ..trajectory import Trajectory
 from .correction.adjustment import Correction, CorrectionSettings, adjust_correction, correct_trajectory
 from .correction.gauss_markov import path_parameters_of
+from .correction.moved_markings import LEAST_BELIEVED, moved_markings, with_moved
 from .correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED, STATUS_NAMES
 from .correction.patchwise import correct_patchwise, patchwise_correction
 from .correction.point_observations import PointObservations
 from .records import RegistrationSettings, WindowResults
 from .register import register_windows
 from .start.reference import Reference
+from .walls.facade_planes import facade_planes
+from .walls.outline_walls import WallEdges
+from .walls.witness import WallWitness
 
 _SHORTEST = 1.0  # m: shorter sections are joined to what is around them when they are listed
 
@@ -106,7 +111,8 @@ class UnregisteredSection:
 
 def register_survey(paths: Sequence[str | os.PathLike], trajectory: Trajectory, reference: Reference,
                     run: RegistrationRun | None = None, calibration: Calibration | None = None,
-                    progress: Progress = SILENT, executor: Executor | None = None) -> RegisteredSurvey:
+                    progress: Progress = SILENT, executor: Executor | None = None,
+                    walls: WallWitness | None = None) -> RegisteredSurvey:
     """Register a survey, or the marking points of one, to the reference markings.
 
     Parameters
@@ -114,6 +120,7 @@ def register_survey(paths: Sequence[str | os.PathLike], trajectory: Trajectory, 
     paths : LAS, LAZ or COPC files: a survey, or markings as “Road markings of a mobile survey” writes them.
     trajectory : with which the points were placed.
     calibration : of the survey's scanners; not needed for markings.
+    walls : a second witness, see `walls_of`.
 
     Raises
     ------
@@ -123,24 +130,25 @@ def register_survey(paths: Sequence[str | os.PathLike], trajectory: Trajectory, 
     run = run or RegistrationRun()
     cloud = open_cloud(paths)
     markings = survey_markings(cloud, trajectory, run.extraction, calibration, progress.part(0.0, 0.6), executor)
-    return register_markings(markings, trajectory, reference, run, progress.part(0.6, 1.0), executor)
+    return register_markings(markings, trajectory, reference, run, progress.part(0.6, 1.0), executor, walls)
 
 
 def register_markings(markings: MarkingPoints, trajectory: Trajectory, reference: Reference,
                       run: RegistrationRun | None = None, progress: Progress = SILENT,
-                      executor: Executor | None = None) -> RegisteredSurvey:
+                      executor: Executor | None = None, walls: WallWitness | None = None) -> RegisteredSurvey:
     """The same from marking points in the trajectory's time."""
     run = run or RegistrationRun()
     progress.message(say("Registering {markings_count:,} marking points.", markings_count=len(markings)))
     windows = register_windows(markings, trajectory, reference, run.windows, progress.part(0.0, 0.8), executor)
     if run.windows.shared_windows:
-        correction = _smooth_correction(windows, markings, trajectory, reference, run, progress.part(0.8, 1.0))
+        correction = _smooth_correction(windows, markings, trajectory, reference, run, progress.part(0.8, 1.0), walls)
         corrected = correct_trajectory(trajectory, correction)
     else:
         correction = patchwise_correction(windows, run.correction)
         corrected = correct_patchwise(trajectory, windows, run.windows.patch_length)
     survey = RegisteredSurvey(corrected, trajectory, markings, windows, correction)
-    if not survey.share(REGISTERED) and not correction.steps:
+    held = walls is not None and survey.share(DISTRUSTED) < 1.0
+    if not survey.share(REGISTERED) and not correction.steps and not held:
         raise InsufficientDataError(say("No part of the survey could be registered to the reference markings, so "
                                         "that there is no result: check that both show the same roads, and the "
                                         "maximum error."))
@@ -149,15 +157,41 @@ def register_markings(markings: MarkingPoints, trajectory: Trajectory, reference
 
 
 def _smooth_correction(windows: WindowResults, markings: MarkingPoints, trajectory: Trajectory, reference: Reference,
-                       run: RegistrationRun, progress: Progress) -> Correction:
+                       run: RegistrationRun, progress: Progress, walls: WallWitness | None) -> Correction:
     """One smooth correction from the windows' results and the points themselves."""
     path_parameter = path_parameters_of(trajectory, run.correction.time_weight)
     points = None
     if run.windows.refinement:
         points = PointObservations.of(markings, trajectory, path_parameter, run.correction.node_length, reference,
-                                      run.windows).about
+                                      run.windows)
     settings = replace(run.correction, search=windows.search) if run.windows.start else run.correction
-    return adjust_correction(windows, trajectory, settings, points, progress)
+    if points is None:
+        return adjust_correction(windows, trajectory, settings, None, progress)
+    correction = adjust_correction(windows, trajectory, settings, points.about, progress, walls)
+    believed = np.interp(points.path_parameter, np.interp(windows.time, trajectory.time, path_parameter),
+                         np.nan_to_num(correction.weight)) > LEAST_BELIEVED
+    return with_moved(correction, moved_markings(points, correction.along, believed))
+
+
+def walls_of(paths: Sequence[str | os.PathLike], trajectory: Trajectory, run: RegistrationRun,
+             edges: WallEdges | None = None, alone: bool = False, progress: Progress = SILENT) -> WallWitness:
+    """The facades of a survey as a second witness beside its markings.
+
+    Parameters
+    ----------
+    edges : of buildings; without them walls say only whether they stay straight.
+    alone : the markings give the start only, the walls the correction.
+
+    Raises
+    ------
+    InsufficientDataError : the survey shows no facade.
+    """
+    along = path_parameters_of(trajectory, run.correction.time_weight)
+    planes = facade_planes(paths, trajectory, along, progress)
+    if not len(planes):
+        raise InsufficientDataError(say("The survey shows no facade near the vehicle: give all its points, not the "
+                                        "markings alone, or register it by its markings."))
+    return WallWitness(planes, edges, alone)
 
 
 def survey_markings(cloud: PointCloud, trajectory: Trajectory, settings: ExtractionSettings,
@@ -266,4 +300,6 @@ def patch_table(survey: RegisteredSurvey) -> tuple[dict[str, object], np.ndarray
         "score": windows.score, "overlap": windows.overlap, "margin": np.where(np.isfinite(windows.margin),
                                                                               windows.margin, np.nan),
         "weight": correction.weight, "residual": np.hypot(correction.residual[:, 0], correction.residual[:, 1])})
+    if correction.walls is not None:
+        columns.update({"paint": 1.0 - correction.walls, "walls": correction.walls})
     return columns, windows.place + correction.value[:, :3]

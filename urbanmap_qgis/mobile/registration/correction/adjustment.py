@@ -19,7 +19,16 @@ from ....wording import say
 from ...trajectory import Trajectory, gaps, jumps, path_chainage
 from ..records import WindowResults
 from .chain import NodeChain, nodes_along, smooth_between
-from .disagreements import CorrectionStep, Disagreements, either_side, hidden_factor, settle, with_disagreements
+from .disagreements import (
+    CorrectionStep,
+    Disagreements,
+    either_side,
+    hidden_factor,
+    hidden_steps,
+    settle,
+    step_tests,
+    with_disagreements,
+)
 from .error_model import PoseErrorModel
 from .error_steps import window_steps
 from .gauss_markov import path_parameters_of
@@ -33,11 +42,21 @@ from .patch_status import (
     contradicted,
     evidence_spans,
     opposing_spread,
-    own_sigma,
+    own_information,
     patch_statuses,
     plan_sigma,
+    plan_sigma_of,
 )
 from .robust_fit import Fit, reweighted_fit, robust_fit
+from .second_witness import (
+    Witness,
+    WitnessConflict,
+    settled_offset,
+    wall_shares,
+    with_broken_walls,
+    with_conflict,
+    without_astray,
+)
 from .settings import CorrectionSettings
 
 Evaluate = Callable[[Callable[[np.ndarray], np.ndarray], float], NormalEquations]
@@ -54,6 +73,7 @@ _MIN_REPORTED, _MIN_OF_WINDOWS = 0.05, 0.6
 """Of the stated variance in plan, whatever the survey says: by points, and by windows, which look quiet as they share
 theirs."""
 
+_WALL_ROUNDS = 3  # in which the walls are matched anew
 _SEARCH_MARGIN, _SEARCH_SHARE = 0.4, 0.02  # m from the largest error looked for; share of patches that may be there
 
 
@@ -76,6 +96,7 @@ class Correction:
     noise_factor : of the observations' variance.
     heading_factor : how many times as large as stated the error of the heading was taken for, 1 as a rule.
     steps : where reference and survey disagree, in the order driven.
+    walls : (n,) 0 to 1, share of the walls in what is known of the place in plan around; None where none were held.
     """
 
     time: np.ndarray
@@ -95,6 +116,7 @@ class Correction:
     _active: tuple[int, ...] = field(repr=False)
     _time_weight: float = field(repr=False)
     steps: tuple[CorrectionStep, ...] = ()
+    walls: np.ndarray | None = None
 
     def __len__(self) -> int:
         return len(self.time)
@@ -102,6 +124,12 @@ class Correction:
     def sigma(self) -> np.ndarray:
         """(n, 6) standard deviations, m and degrees."""
         return np.sqrt(np.einsum("nii->ni", self.covariance))
+
+    def along(self, path_parameter: np.ndarray) -> np.ndarray:
+        """The correction (m, 6) at path parameters (m,)."""
+        change = np.zeros((len(path_parameter), 6))
+        change[:, self._active] = smooth_between(self._node_parameter, self._node_state, path_parameter)
+        return change
 
     def plan_sigma(self) -> np.ndarray:
         """(n,) standard deviation in the worst direction in plan, m."""
@@ -111,20 +139,20 @@ class Correction:
 def correct_trajectory(trajectory: Trajectory, correction: Correction) -> Trajectory:
     """The trajectory with the correction at all its epochs; before the first and after the last node it is rigid."""
     path_parameter = path_parameters_of(trajectory, correction._time_weight)
-    change = np.zeros((len(path_parameter), 6))
-    change[:, correction._active] = smooth_between(correction._node_parameter, correction._node_state, path_parameter)
+    change = correction.along(path_parameter)
     return Trajectory(trajectory.time, trajectory.place + change[:, :3], trajectory.angles + change[:, 3:])
 
 
 def adjust_correction(windows: WindowResults, trajectory: Trajectory,
                       settings: CorrectionSettings | None = None, points: Evaluate | None = None,
-                      progress: Progress = SILENT) -> Correction:
+                      progress: Progress = SILENT, walls: Witness | None = None) -> Correction:
     """Adjust the windows' results to one smooth correction.
 
     Parameters
     ----------
     points : gives the evidence of the points themselves about any course (see `PointObservations.about`); with it the
         correction goes on from the windows' to where the points put it.
+    walls : a second witness beside the markings; it needs `points`.
 
     Raises
     ------
@@ -151,6 +179,9 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
         if agreeing.any():
             allowed, doubtful = np.where(agreeing, 1.0, allowed), doubtful & ~agreeing
             fit = robust_fit(chain, model, allowed, settings, progress.part(0.4, 0.5))
+    if walls is not None:
+        agreeing = doubtful & _where_walls_want_it(walls, chain, fit, model, windows, at_patches, settings)
+        allowed, doubtful = np.where(agreeing, 1.0, allowed), doubtful & ~agreeing
     if points is not None:
         at_nodes = np.interp(chain.nodes, at_patches, allowed)
         chain, fit = _onto_points(points, chain, fit, model, at_nodes, settings, progress.part(0.5, 1.0))
@@ -158,15 +189,65 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
     found = settle(chain, fit, model, np.interp(chain.nodes, at_patches, allowed),
                    partial(_adjusted_again, points=points, model=model, settings=settings),
                    partial(_likelihood, model=model, settings=settings), MOST_SPAN)
+    found, conflict = _heard(walls, found, model) if walls is not None else (found, WitnessConflict(()))
     chain, fit = found.chain, found.fit
     least = _MIN_OF_WINDOWS if points is None else _MIN_REPORTED
     noise = np.where(chain.fast_near(chain.normals.path_parameter, _AROUND_STEP), max(fit.found_noise, 1.0),
                      max(fit.found_noise, least))
-    quiet = chain.solve(model, fit.weight / noise)[1]
+    quiet = (chain.solve(model, fit.weight / noise)[1] if chain.held is None
+             else settled_offset(chain, fit, model, fit.weight / noise)[0].covariance)
     fit = replace(fit, covariance=_scaled_in_plan(chain, fit.covariance, quiet))
-    correction = _result(windows, replace(found, fit=fit), at_patches, doubtful, settings)
-    correction = replace(correction, steps=found.listed(partial(_along, trajectory, path_parameter)))
-    return _distrusted(correction, trajectory, windows.beyond, settings)
+    correction = _result(windows, replace(found, fit=fit), at_patches, doubtful, settings, conflict)
+    along = partial(_along, trajectory, path_parameter)
+    steps = (*found.listed(along), *conflict.listed(windows.chainage, windows.time))
+    correction = replace(correction, steps=tuple(sorted(steps, key=lambda step: step.place)))
+    # Walls hold the survey where few markings let the start wander off.
+    return _distrusted(correction, trajectory, windows.beyond and chain.held is None, settings)
+
+
+def _where_walls_want_it(walls: Witness, chain: NodeChain, fit: Fit, model: PoseErrorModel, windows: WindowResults,
+                         at_patches: np.ndarray, settings: CorrectionSettings) -> np.ndarray:
+    """Mask (n,) of patches whose own position, and no other one of theirs, lies where the walls alone want it."""
+    model, curve = model.scaled(fit.drift_factor).with_heading(fit.heading_factor), _Curve(chain, fit.state)
+    walls = walls.fitted(chain, model, curve)
+    held = None if walls.course is None else walls.about(walls.course, chain.normals.active)
+    if held is None:
+        return np.zeros(len(windows), bool)
+    alone = walls.by_walls(chain.with_held(held), model)
+    node = np.searchsorted(0.5 * (chain.nodes[1:] + chain.nodes[:-1]), at_patches)
+    place = np.column_stack([np.interp(at_patches, chain.nodes, axis) for axis in alone.place.T])
+    return _only_own_mode_fits(windows, place, alone.covariance[node], settings)
+
+
+def _heard(walls: Witness, found: Disagreements, model: PoseErrorModel) -> tuple[Disagreements, WitnessConflict]:
+    """What was found with what the walls say of it: steps that break them, and where outlines want the survey."""
+    walls, none = walls.fitted(found.chain, model, _Curve(found.chain, found.fit.state)), WitnessConflict(())
+    held = None if walls.course is None else walls.about(walls.course, found.chain.normals.active)
+    if held is not None and not walls.alone:
+        found = without_astray(found, held, model, walls)
+    chain, fit = found.chain, found.fit
+    curve, marked = _Curve(chain, fit.state), walls.among(partial(_marked, chain, fit))
+    found = with_broken_walls(found, marked.jumps(curve))
+    if held is None:
+        return found, none
+    conflict = none if walls.alone else WitnessConflict(marked.stretches(curve))
+    if walls.alone:
+        silent = chain.unsoftened.softened(np.zeros(len(fit.weight)))
+        chain = chain.with_normals(replace(silent, present=np.zeros(len(fit.weight), bool)))
+    for _ in range(_WALL_ROUNDS):
+        chain = chain.with_held(held)
+        fit, eaves = settled_offset(chain, fit, model, fit.weight / fit.noise_factor)
+        walls = walls.with_eaves(eaves)
+        held = walls.about(_Curve(chain, fit.state), chain.normals.active)
+        if held is None:
+            break
+    tests = step_tests(chain, model, fit, 1.0)
+    return replace(found, chain=chain, fit=fit, hidden=hidden_steps(tests, chain, MOST_SPAN)), conflict
+
+
+def _marked(chain: NodeChain, fit: Fit, path_parameter: np.ndarray) -> np.ndarray:
+    """Mask (n,) of path parameters that markings hold: elsewhere walls contradict nothing but the drift's model."""
+    return evidence_spans(chain.normals, fit.weight, path_parameter) <= MOST_SPAN
 
 
 def _adjusted_again(chain: NodeChain, fit: Fit, allowed: np.ndarray, points: Evaluate | None, model: PoseErrorModel,
@@ -269,7 +350,7 @@ def _only_own_mode_fits(windows: WindowResults, value: np.ndarray, covariance: n
 
 
 def _result(windows: WindowResults, found: Disagreements, at_patches: np.ndarray, doubtful: np.ndarray,
-            settings: CorrectionSettings) -> Correction:
+            settings: CorrectionSettings, conflict: WitnessConflict) -> Correction:
     """The correction at the patches with its quality."""
     chain, fit, n = found.chain, found.fit, len(windows)
     normals = chain.normals
@@ -287,20 +368,27 @@ def _result(windows: WindowResults, found: Disagreements, at_patches: np.ndarray
     covariance[:, :2, :2] *= hidden_factor(found.hidden, at_patches)[:, None, None]
     beside, variance = either_side(found.steps, chain.nodes, at_patches)
     covariance[:, :2, :2] += variance
+    against, either = conflict.at(windows.chainage)
+    covariance[:, :2, :2] += either
     support = np.where(chain.fast_near(at_patches, _ON_STEP), _STEP_SUPPORT, settings.support_length)
-    by_own_windows = own_sigma(normals, fit.weight / fit.noise_factor, at_patches, support)
+    by_paint = own_information(normals, fit.weight / fit.noise_factor, at_patches, support)
+    by_walls = chain.held.plan_information(at_patches, support) if chain.held else np.zeros_like(by_paint)
+    by_own_windows = plan_sigma_of(by_paint + by_walls)
     status, reason = patch_statuses(by_own_windows, weight, plan_sigma(covariance), doubtful, settings.registered_sigma,
                                     settings.trusted_sigma)
     wide = evidence_spans(normals, fit.weight, at_patches) > MOST_SPAN
+    wide &= plan_sigma_of(by_walls) > settings.registered_sigma  # walls alone may fix the place
     status, reason = _bridged(status, reason, wide, say("no markings just before or after the patch"))
     if normals.met is not None:
         few = normals.met[piece] < LEAST_MET
         status, reason = _bridged(status, reason, few, say("few of the markings here are in the reference"))
     status, reason = _bridged(status, reason, opposed, say("the window here contradicts the correction"))
     status, reason = with_disagreements(status, reason, found, at_patches, beside)
+    status, reason = with_conflict(status, reason, against)
     return Correction(windows.time, windows.chainage, value, covariance, status, reason, weight, residual,
                       normals.three_d, fit.drift_factor, fit.noise_factor, fit.heading_factor, chain.nodes, fit.state,
-                      normals.active, settings.time_weight)
+                      normals.active, settings.time_weight,
+                      walls=wall_shares(by_paint, by_walls) if chain.held else None)
 
 
 def _bridged(status: np.ndarray, reason: np.ndarray, mask: np.ndarray, why: str) -> tuple[np.ndarray, np.ndarray]:

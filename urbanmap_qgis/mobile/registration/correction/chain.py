@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from copy import copy
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from ...trajectory import Trajectory
 from ..matching.block_chain import ChainSolution, solve_chain
 from .error_model import PoseErrorModel
 from .gauss_markov import jump_steps, stop_steps
+from .held_observations import HeldObservations
 from .normal_equations import NormalEquations
 
 _SINGULAR = 1e-6  # ratio of information below which a direction is not observed
@@ -40,6 +41,8 @@ class NodeChain:
     def __init__(self, normals: NormalEquations, nodes: np.ndarray, trajectory: Trajectory, path_parameter: np.ndarray,
                  fast: np.ndarray):
         self.nodes, self.fast = nodes, fast
+        self.held: HeldObservations | None = None
+        self._held_sums: tuple[np.ndarray, np.ndarray, np.ndarray] | None = None
         rising = np.concatenate([[True], np.diff(path_parameter) > 0])
         time = np.interp(nodes, path_parameter[rising], trajectory.time[rising])
         self.stopped, self.jump = stop_steps(trajectory, time), jump_steps(trajectory, time)
@@ -73,6 +76,14 @@ class NodeChain:
         other._start(self.unsoftened)
         return other
 
+    def with_held(self, held: HeldObservations | None) -> NodeChain:
+        """The same with other observations beside its evidence that no weighing of it touches; None for none."""
+        other = copy(self)
+        other.held = held
+        other._held_sums = None if held is None else held.on_nodes(*self._next_node(held.path_parameter),
+                                                                   len(self.nodes))
+        return other
+
     def hardened(self) -> NodeChain:
         """The same with all the information of pieces where the error changes fast, so that chains can be compared."""
         other = copy(self)
@@ -83,6 +94,10 @@ class NodeChain:
         """Number of the nearest node of each reading, and how far ahead of it the reading is, m."""
         node = np.searchsorted(0.5 * (self.nodes[1:] + self.nodes[:-1]), path_parameter)
         return node, path_parameter - self.nodes[node]
+
+    def marked(self, weight: np.ndarray) -> np.ndarray:
+        """(k,) bool, nodes with evidence of some weight (n,) next to them."""
+        return np.bincount(self.node, self.normals.present * weight, len(self.nodes)) > _NO_WEIGHT
 
     def solve(self, model: PoseErrorModel, weight: np.ndarray):
         """Most likely states (k, d, 2), their covariances, and the log-likelihood of the model."""
@@ -104,8 +119,31 @@ class NodeChain:
         right[filled] = np.add.reduceat(gradient[:, :, None] * steps[:, None], first, axis=0)
         products = weighted[:, :, None, :, None] * (steps[:, :, None] * steps[:, None])[:, None, :, None]
         diagonal[filled] += np.add.reduceat(products, first, axis=0)
+        if self._held_sums is not None:
+            diagonal, right = diagonal + self._held_sums[0], right + self._held_sums[1]
         return solve_chain(diagonal.reshape(k, 2 * d, 2 * d), prior.ahead.reshape(k - 1, 2 * d, 2 * d),
                            right.reshape(k, 2 * d)), right, prior
+
+    def offset_of_held(self, model: PoseErrorModel, weight: np.ndarray,
+                       state: np.ndarray) -> tuple[float, float, np.ndarray]:
+        """The most likely offset of the held observations, its standard deviation, m, and how it moves the states.
+
+        Parameters
+        ----------
+        state : (k, d, 2) as solved with the offset that the observations have; they follow by (k, d, 2) a metre.
+        """
+        held, (mean, sigma) = self.held, self.held.offset_prior
+        information, _, pull = self._held_sums
+        bare = copy(self)
+        bare.normals = replace(self.normals, gradient=np.zeros_like(self.normals.gradient),
+                               place=np.zeros_like(self.normals.place))
+        bare._held_sums = information, -pull, pull
+        response = bare._solved(model, weight)[0].state.reshape(pull.shape)
+        node, ahead = self._next_node(held.path_parameter)
+        value = state[node, :, 0] + ahead[:, None] * state[node, :, 1]
+        lean = float((held.weight * held.residual(value)).sum()) + (held.offset - mean) / sigma**2
+        precision = float(held.weight.sum()) + 1.0 / sigma**2 + float((pull * response).sum())
+        return held.offset - lean / precision, precision**-0.5, response
 
     def disturbances(self, model: PoseErrorModel, weight: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """How each step of the chain pulls at the model: (k - 1, p), with covariances (k - 1, p, p) where it holds.

@@ -204,6 +204,10 @@ class Disagreements:
     changed: list[tuple[NodeStep, NodeStep]]
     hidden: list[tuple[float, float, NodeStep]]
 
+    def hides(self, step: NodeStep) -> bool:
+        """Whether a step is believed to hide where no markings are; walls there change from building to building."""
+        return step.square > (MOST_SHARP if self.chain.held is None else _PROVEN) ** 2
+
     def within_changed(self, at: np.ndarray) -> np.ndarray:
         """Mask (n,) of path parameters on changed markings."""
         return _between(self.changed, self.chain.nodes, at)
@@ -215,7 +219,7 @@ class Disagreements:
             *((step, DISAGREEMENT) for step in self.steps), *((step, CHANGED) for pair in self.changed
                                                               for step in pair))]
         places += [(0.5 * (begin + end), step, HIDDEN) for begin, end, step in self.hidden
-                   if step.square > MOST_SHARP**2]
+                   if self.hides(step)]
         places.sort(key=lambda item: item[0])
         chainage, time = chainage_of(np.array([item[0] for item in places]))
         return tuple(CorrectionStep(float(way), float(at), *step.change.tolist(), step.sigma, kind)
@@ -321,7 +325,7 @@ def with_disagreements(status: np.ndarray, reason: np.ndarray, found: Disagreeme
         status[mask & (status == REGISTERED)] = BRIDGED
         reason[mask] = why
     for begin, end, step in found.hidden:
-        if step.square > MOST_SHARP**2:
+        if found.hides(step):
             inside = (at > begin) & (at < end)
             status[inside], reason[inside] = DISTRUSTED, say("a step of the error hides here, where no markings are")
     return status, reason

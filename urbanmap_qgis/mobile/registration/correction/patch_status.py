@@ -94,16 +94,18 @@ def evidence_spans(normals: NormalEquations, weight: np.ndarray, path_parameter:
     return np.maximum(after - before, 0.0)
 
 
-def own_sigma(normals: NormalEquations, weight: np.ndarray, path_parameter: np.ndarray,
-              extent: float | np.ndarray) -> np.ndarray:
-    """(n,) m: worst standard deviation in plan by the observations within `extent` of path parameters (n,).
-
-    Infinite where there is none.
-    """
+def own_information(normals: NormalEquations, weight: np.ndarray, path_parameter: np.ndarray,
+                    extent: float | np.ndarray) -> np.ndarray:
+    """(n, 2, 2) what the observations within `extent` m of path parameters (n,) know of the place in plan."""
     running = np.concatenate([np.zeros((1, 2, 2)),
                               np.cumsum(normals.information[:, :2, :2] * weight[:, None, None], axis=0)])
     low, high = (np.searchsorted(normals.path_parameter, path_parameter + side) for side in (-extent, extent))
-    least = np.linalg.eigvalsh(running[high] - running[low])[:, 0]
+    return running[high] - running[low]
+
+
+def plan_sigma_of(information: np.ndarray) -> np.ndarray:
+    """(n,) m, worst standard deviation in plan by information (n, 2, 2); infinite where a direction has none."""
+    least = np.linalg.eigvalsh(information)[:, 0]
     return np.where(least > 1e-3, 1.0 / np.sqrt(np.maximum(least, 1e-3)), np.inf)
 
 

@@ -7,7 +7,7 @@ say is summed about the piece. Repeated with the adjustment, this is Gauss and N
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -122,6 +122,20 @@ class PointObservations:
         return NormalEquations(tuple(active), self.path_parameter, place, gradient[:, active] * believed[:, None],
                         information * believed[:, None, None], (share[:, 0] > 0) & (believed > 0),
                         self.settings.three_d, _share_met(share, _MET_PIECES))
+
+    def placed(self, curve: Callable[[np.ndarray], np.ndarray]) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
+        """The points as a curve places them, section by section: (m, 2) m, whether on a marking, number of the piece.
+        """
+        count = len(self.path_parameter)
+        for first in range(0, count, _SECTION_PATCHES):
+            part = self.points.of_patches(first * LIMITS.fine, (first + _SECTION_PATCHES) * LIMITS.fine - 1)
+            if len(part):
+                moved = self._transformed(part, curve(part.path_parameter))
+                place = moved.place[:, :2]
+                field = MarkingField.of(self.reference.coverage(*(place.min(axis=0) - LIMITS.around),
+                                                                *(place.max(axis=0) + LIMITS.around)), 0.0,
+                                        self.settings.background)
+                yield place, field_terms(field, *place.T).on_marking, moved.piece
 
     def _transformed(self, points: PatchPoints, correction: np.ndarray) -> _Moved:
         """Points moved by corrections (m, 6)."""

@@ -1,0 +1,177 @@
+"""What a second witness beside the markings, the walls, says of a correction, and what follows where they disagree."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Protocol
+
+import numpy as np
+
+from ....wording import mark, say
+from .chain import NodeChain
+from .disagreements import CorrectionStep, Disagreements, NodeStep
+from .error_model import PoseErrorModel
+from .held_observations import HeldObservations
+from .patch_status import BRIDGED, REGISTERED
+from .robust_fit import Fit
+
+AGAINST_WALLS = mark("markings and walls disagree")
+"""Kind of a step: where a stretch begins in which the markings lie elsewhere than the walls want them."""
+
+
+@dataclass(frozen=True)
+class SecondWitnessLimits:
+    """Limits of second witness, each with its unit."""
+
+    same: float = 25.0  # m of path within which a broken wall and a step of the markings are one
+    # Standard deviations and m from which markings count as led astray; standard deviations within which others
+    # agree with the walls, and how many nodes must.
+    astray: float = 5.0
+    most_moved: float = 1.0
+    agreeing: float = 3.0
+    agreeing_nodes: int = 10
+    reach: float = 30.0  # m of path beyond a stretch that are told with it: walls and markings are seen so far ahead
+
+
+LIMITS = SecondWitnessLimits()
+
+
+class Jump(Protocol):
+    """A place where a correction breaks walls: change (2,) m, covariance (2, 2), chi square."""
+
+    path_parameter: float
+    change: np.ndarray
+    covariance: np.ndarray
+    square: float
+
+
+class Stretch(Protocol):
+    """A stretch of chainage, m, whose markings lie by `change` (2,) m off where the walls want them; (2, 2)."""
+
+    begin: float
+    end: float
+    change: np.ndarray
+    covariance: np.ndarray
+
+
+class Alone(Protocol):
+    """The correction by the witness alone: (k, 2) m, (k, 2, 2)."""
+
+    place: np.ndarray
+    covariance: np.ndarray
+
+
+class Witness(Protocol):
+    """Walls, as the adjustment sees them."""
+
+    alone: bool
+    course: Callable | None
+
+    def among(self, spans: Callable[[np.ndarray], np.ndarray]) -> Witness: ...
+
+    def jumps(self, curve: Callable) -> Sequence[Jump]: ...
+
+    def about(self, curve: Callable, active: tuple[int, ...]) -> HeldObservations | None: ...
+
+    def fitted(self, chain: NodeChain, model: PoseErrorModel, curve: Callable) -> Witness: ...
+
+    def with_eaves(self, eaves: float) -> Witness: ...
+
+    def stretches(self, curve: Callable) -> Sequence[Stretch]: ...
+
+    def by_walls(self, chain: NodeChain, model: PoseErrorModel) -> Alone: ...
+
+
+def with_broken_walls(found: Disagreements, jumps: Sequence[Jump]) -> Disagreements:
+    """With a step at each place where the correction breaks walls: the reference has one, the drive has none.
+
+    Steps that the markings told themselves stay as they are.
+    """
+    nodes, steps = found.chain.nodes, list(found.steps)
+    known = [nodes[step.node] for step in (*steps, *(step for pair in found.changed for step in pair))]
+    for jump in jumps:
+        if all(abs(jump.path_parameter - place) > LIMITS.same for place in known):
+            node = int(np.clip(np.searchsorted(nodes, jump.path_parameter) - 1, 0, len(nodes) - 2))
+            steps.append(NodeStep(node, jump.change, jump.covariance, jump.square))
+    return replace(found, steps=sorted(steps, key=lambda step: step.node))
+
+
+def settled_offset(chain: NodeChain, fit: Fit, model: PoseErrorModel, weight: np.ndarray) -> tuple[Fit, float]:
+    """The fit with what the chain holds, at the most likely offset of it, and that offset, m.
+
+    `weight` : (n,) of the markings' evidence.
+    """
+    state, covariance, _ = chain.solve(model, weight)
+    offset, sigma, response = chain.offset_of_held(model, weight, state)
+    flat = response.reshape(len(response), -1)
+    return replace(fit, state=state + response * (offset - chain.held.offset),
+                   covariance=covariance + sigma**2 * flat[:, :, None] * flat[:, None, :]), offset
+
+
+@dataclass(frozen=True)
+class WitnessConflict:
+    """Stretches of the path where markings and walls disagree."""
+
+    stretches: Sequence[Stretch]
+
+    def at(self, chainage: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Mask (n,) of chainages in conflict, and the variance (n, 2, 2) m2 that it adds: either may be right."""
+        against, variance = np.zeros(len(chainage), bool), np.zeros((len(chainage), 2, 2))
+        for item in self.stretches:
+            inside = (chainage >= item.begin - LIMITS.reach) & (chainage <= item.end + LIMITS.reach)
+            variance[inside & ~against] = np.outer(item.change, item.change) + item.covariance
+            against |= inside
+        return against, variance
+
+    def listed(self, chainage: np.ndarray, time: np.ndarray) -> list[CorrectionStep]:
+        """One step for each stretch, where it begins; by the patches' chainages and times (n,)."""
+        made = []
+        for item in self.stretches:
+            size = float(np.hypot(*item.change))
+            sigma = float(np.sqrt(item.change @ item.covariance @ item.change)) / max(size, 1e-9)
+            begin = max(item.begin, float(chainage[0]))
+            made.append(CorrectionStep(begin, float(np.interp(begin, chainage, time)), *(-item.change).tolist(), sigma,
+                                       AGAINST_WALLS))
+        return made
+
+
+def without_astray(found: Disagreements, held: HeldObservations, model: PoseErrorModel,
+                   witness: Witness) -> Disagreements:
+    """What was found without those markings that led it away from the walls by more than paint is ever moved.
+
+    The walls decide where markings elsewhere agree with them: a slip by a dash, or chance where markings are bare, is
+    no error of outlines. The steps into and out of it are none of the reference.
+    """
+    chain, fit = found.chain, found.fit
+    alone = witness.by_walls(chain.with_held(held), model)
+    change = alone.place - fit.state[:, :2, 0]
+    spread = alone.covariance + fit.covariance[:, (0, 2)][:, :, (0, 2)]
+    square = np.einsum("ki,kij,kj->k", change, np.linalg.inv(spread), change)
+    marked, apart = chain.marked(fit.weight), square > LIMITS.agreeing**2
+    away = marked & (square > LIMITS.astray**2) & (np.hypot(*change.T) > LIMITS.most_moved)
+    if not away.any() or np.count_nonzero(marked & ~apart) < LIMITS.agreeing_nodes:
+        return found
+    run = np.cumsum(np.concatenate([[0], np.abs(np.diff(apart.astype(int)))]))
+    astray = apart & np.isin(run, run[away])
+    places = chain.nodes[astray]
+    steps = [step for step in found.steps if np.abs(places - chain.nodes[step.node]).min() > LIMITS.same]
+    near = np.abs(places[None] - 0.5 * (chain.nodes[1:] + chain.nodes[:-1])[:, None]).min(axis=1) <= LIMITS.same
+    chain, weight = chain.with_fast(np.where(near, 0.0, chain.fast)), np.where(astray[chain.node], 0.0, fit.weight)
+    state, covariance, _ = chain.solve(model, weight / fit.noise_factor)
+    return replace(found, chain=chain, steps=steps,
+                   fit=replace(fit, state=state, covariance=covariance, weight=weight))
+
+
+def with_conflict(status: np.ndarray, reason: np.ndarray, against: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Statuses and reasons (n,) of patches: none is registered where markings and walls disagree."""
+    status, reason = status.copy(), reason.copy()
+    status[against & (status == REGISTERED)] = BRIDGED
+    reason[against] = say("markings and walls disagree here")
+    return status, reason
+
+
+def wall_shares(by_paint: np.ndarray, by_walls: np.ndarray) -> np.ndarray:
+    """(n,) 0 to 1, share of the walls in what both know of a place in plan, information (n, 2, 2) each."""
+    paint, walls = (np.einsum("nii->n", part) for part in (by_paint, by_walls))
+    return walls / np.maximum(paint + walls, 1e-9)

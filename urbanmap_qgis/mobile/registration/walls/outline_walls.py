@@ -1,0 +1,101 @@
+"""Outlines of buildings as walls, and which of a survey's facades belong to which of them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+
+from .facade_planes import FacadePlanes
+
+
+@dataclass(frozen=True)
+class OutlineWallsLimits:
+    """Limits of outline walls, each with its unit."""
+
+    shortest: float = 1.5  # m: shorter edges are niches and pillars
+    before: float = 0.9  # m outside the outline, at most, that a facade of it stands
+    behind: float = 1.7  # m inside of it: eaves, and what survey and outline are off by
+    beyond: float = 0.3  # m past an edge's ends
+    facing: float = 0.985  # cosine of the largest angle between a plane and its edge: 10 degrees
+
+
+LIMITS = OutlineWallsLimits()
+
+
+@dataclass(frozen=True)
+class WallEdges:
+    """Straight edges of buildings' outlines.
+
+    Attributes
+    ----------
+    ends : (k, 2, 2) m.
+    outward : (k, 2) unit vectors.
+    """
+
+    ends: np.ndarray
+    outward: np.ndarray
+
+    def __len__(self) -> int:
+        return len(self.ends)
+
+    @classmethod
+    def of(cls, ends: np.ndarray, outward: np.ndarray) -> WallEdges:
+        """Those of edges (m, 2, 2) with their outward directions (m, 2) that are long enough to be walls."""
+        long = np.hypot(*(ends[:, 1] - ends[:, 0]).T) >= LIMITS.shortest
+        return cls(ends[long], outward[long])
+
+    @classmethod
+    def joined(cls, parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> WallEdges:
+        """Those of several buildings: ends (m, 2, 2) and outward directions (m, 2) of each."""
+        return cls.of(*(np.concatenate(columns) for columns in zip(*parts)))
+
+    def matched(self, place: np.ndarray, normal: np.ndarray, eaves: float) -> tuple[np.ndarray, np.ndarray]:
+        """Number of each plane's edge, -1 for none, and how far outside of it the plane lies, m.
+
+        Parameters
+        ----------
+        place, normal : (n, 2) m, and unit vectors outwards.
+        eaves : m, by which facades usually stand inside the outlines; of several edges the one that fits it is taken.
+        """
+        edge, outside = np.full(len(place), -1), np.zeros(len(place))
+        if not len(self) or not len(place):
+            return edge, outside
+        plane, near = shapely.STRtree(shapely.linestrings(self.ends)).query(
+            shapely.points(place), predicate="dwithin", distance=LIMITS.behind)
+        begin, along = self.ends[near, 0], self.ends[near, 1] - self.ends[near, 0]
+        length = np.hypot(*along.T)
+        from_begin = place[plane] - begin
+        way = (from_begin * along).sum(axis=1) / length
+        off = (from_begin * self.outward[near]).sum(axis=1)
+        good = ((normal[plane] * self.outward[near]).sum(axis=1) >= LIMITS.facing) & (off <= LIMITS.before)
+        good &= (off >= -LIMITS.behind) & (way >= -LIMITS.beyond) & (way <= length + LIMITS.beyond)
+        plane, near, off = plane[good], near[good], off[good]
+        order = np.argsort(-np.abs(off + eaves), kind="stable")  # the best last
+        edge[plane[order]], outside[plane[order]] = near[order], off[order]
+        return edge, outside
+
+
+@dataclass(frozen=True)
+class MatchedWalls:
+    """Planes that belong to edges.
+
+    Attributes
+    ----------
+    planes : n of them. edge : (n,) number of the edge. outward : (n, 2). outside : (n,) m outside of the edge.
+    """
+
+    planes: FacadePlanes
+    edge: np.ndarray
+    outward: np.ndarray
+    outside: np.ndarray
+
+    def by_wall(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Number of each plane's wall (n,), from 0; of each wall, the planes (w,) and their median place (w,), m."""
+        _, wall = np.unique(self.edge, return_inverse=True)
+        count = np.bincount(wall)
+        order = np.lexsort((self.outside, wall))
+        ends = np.cumsum(count)
+        return wall, count, self.outside[order][(2 * ends - count) // 2]

@@ -1,0 +1,173 @@
+"""What walls say of a correction: where it breaks them, and where the outlines want them.
+
+Eaves, balconies and what an outline is off by stand between a facade and its outline: how far facades stand inside the
+outlines in the mean is one unknown of the whole drive, and how much single walls differ from it is found from the walls
+alone. All planes of a wall share its difference, so that a wall counts as one observation however many planes it has.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..correction.chain import NodeChain, smooth_between
+from ..correction.error_model import PoseErrorModel
+from ..correction.held_observations import HeldObservations
+from .facade_planes import FacadePlanes
+from .outline_walls import MatchedWalls, WallEdges
+from .straightness import WallJump, own_walls, wall_jumps
+from .stretches import ShiftedStretch, WallReadings, shifted_stretches
+
+Curve = Callable[[np.ndarray], np.ndarray]
+"""Corrections (m, 6) at path parameters (m,)."""
+
+
+@dataclass(frozen=True)
+class WitnessLimits:
+    """Limits of witness, each with its unit."""
+
+    eaves: tuple[float, float] = (0.3, 0.3)  # m, mean and standard deviation of what is expected, 0 to 1 m
+    possible: tuple[float, float] = (-0.5, 1.2)  # m, of eaves
+    differ: tuple[float, float, float] = (0.05, 0.3, 0.6)  # m, by which single walls differ: least, at first, most
+    floor: float = 0.03  # m, of any wall: structure of facades, roll and pitch
+    soft: float = 2.5  # standard deviations from which a wall loses weight
+    fewest: int = 6  # planes of a wall
+    walls: int = 4  # from which their differences can be told
+    rounds: int = 10  # at most, until the walls' own course moves by less than `settled` m
+    settled: float = 0.02
+    robust: float = 1.4826
+    freedom: float = 1.25  # by which walls differ more than from a course that follows them
+
+
+LIMITS = WitnessLimits()
+
+
+@dataclass(frozen=True)
+class WallsAlone:
+    """The correction by walls alone at the nodes: (k, 2) m in plan with covariances (k, 2, 2)."""
+
+    place: np.ndarray
+    covariance: np.ndarray
+
+
+@dataclass(frozen=True)
+class WallWitness:
+    """The facades of a survey and the outlines that they may belong to.
+
+    Attributes
+    ----------
+    planes : in the order driven.
+    edges : None where no outlines are given: then walls say only whether they stay straight.
+    alone : whether markings give the start only, and walls the correction.
+    eaves : m, by which facades stand inside the outlines in the mean, as taken at last.
+    differ : m, standard deviation of single walls about it.
+    course : the correction by the walls alone, once it is fitted.
+    """
+
+    planes: FacadePlanes
+    edges: WallEdges | None = None
+    alone: bool = False
+    eaves: float = LIMITS.eaves[0]
+    differ: float = LIMITS.differ[1]
+    course: Curve | None = None
+
+    def among(self, marked: Callable[[np.ndarray], np.ndarray]) -> WallWitness:
+        """With the planes alone that were seen where a mask of path parameters (n,) is true."""
+        return replace(self, planes=self.planes.select(marked(self.planes.path_parameter)))
+
+    def jumps(self, curve: Curve) -> list[WallJump]:
+        """Places where a curve breaks the walls."""
+        place = self.planes.moved(curve)
+        wall = own_walls(place, self.planes.normal, self.planes.place[:, 2])
+        return wall_jumps(self.planes.chainage, self.planes.path_parameter, place, self.planes.normal, wall)
+
+    def matched(self, curve: Curve) -> MatchedWalls:
+        """The planes that belong to outlines, as a curve places them."""
+        edge, outside = self.edges.matched(self.planes.moved(curve), self.planes.normal, self.eaves)
+        known = edge >= 0
+        count = np.bincount(edge[known], minlength=len(self.edges))
+        known[known] = count[edge[known]] >= LIMITS.fewest
+        return MatchedWalls(self.planes.select(known), edge[known], self.edges.outward[edge[known]], outside[known])
+
+    def about(self, curve: Curve, active: tuple[int, ...]) -> HeldObservations | None:
+        """The walls' observations about a curve; None where no facade belongs to an outline."""
+        if self.edges is None or not len((found := self.matched(curve)).planes):
+            return None
+        wall, count, middle = found.by_wall()
+        sigma2 = self.differ**2 + LIMITS.floor**2
+        weight = 1.0 / (sigma2 * count * (1.0 + (middle + self.eaves) ** 2 / (LIMITS.soft**2 * sigma2)) ** 2)
+        rate = found.planes.rates(found.outward)[:, list(active)]
+        value = curve(found.planes.path_parameter)[:, list(active)]
+        target = (rate * value).sum(axis=1) - found.outside - self.eaves
+        return HeldObservations(found.planes.path_parameter, rate, target, weight[wall], self.eaves, LIMITS.eaves)
+
+    def fitted(self, chain: NodeChain, model: PoseErrorModel, curve: Curve) -> WallWitness:
+        """With eaves and differences as the walls alone tell them, and the course that they want, from a curve on.
+
+        Walls are matched anew about their own course until it stays: markings may have led the curve metres away.
+        """
+        witness, none, last = self, np.zeros(len(chain.normals.present)), None
+        for _ in range(LIMITS.rounds):
+            held = witness.about(curve, chain.normals.active)
+            if held is None:
+                return witness
+            alone = chain.with_held(held)
+            state = alone.solve(model, none)[0]
+            eaves, _, response = alone.offset_of_held(model, none, state)
+            state = state + response * (eaves - held.offset)
+            curve = node_curve(chain, state)
+            witness = replace(witness.with_eaves(eaves), course=curve)
+            witness = replace(witness, differ=witness._differences(curve))
+            if last is not None and np.abs(state - last)[:, :2, 0].max() < LIMITS.settled:
+                break
+            last = state
+        return witness
+
+    def _differences(self, curve: Curve) -> float:
+        """m, standard deviation of single walls about the mean eaves; as before where walls are few."""
+        _, _, middle = self.matched(curve).by_wall()
+        if len(middle) < LIMITS.walls:
+            return self.differ
+        spread = LIMITS.freedom * LIMITS.robust * float(np.median(np.abs(middle - np.median(middle))))
+        return float(np.clip(spread, LIMITS.differ[0], LIMITS.differ[2]))
+
+    def with_eaves(self, eaves: float) -> WallWitness:
+        """With other eaves."""
+        return replace(self, eaves=float(np.clip(eaves, *LIMITS.possible)))
+
+    def stretches(self, curve: Curve) -> list[ShiftedStretch]:
+        """Stretches whose outlines want a curve elsewhere."""
+        found = self.matched(curve)
+        wall, count, middle = found.by_wall()
+        if not len(count):
+            return []
+        chainage = np.bincount(wall, found.planes.chainage) / count
+        outward = np.column_stack([np.bincount(wall, axis) / count for axis in found.outward.T])
+        order = np.argsort(chainage, kind="stable")
+        sigma = np.full(len(count), np.hypot(self.differ, LIMITS.floor))
+        return shifted_stretches(WallReadings(chainage[order], outward[order], middle[order], sigma), LIMITS.eaves)
+
+    def by_walls(self, chain: NodeChain, model: PoseErrorModel) -> WallsAlone:
+        """The correction that the walls held by a chain give without any markings."""
+        none = np.zeros(len(chain.normals.present))
+        state, spread, _ = chain.solve(model, none)
+        offset, sigma, response = chain.offset_of_held(model, none, state)
+        state = state + response * (offset - chain.held.offset)
+        plan = response[:, :2, 0]
+        return WallsAlone(state[:, :2, 0], in_plan(spread) + sigma**2 * plan[:, :, None] * plan[:, None, :])
+
+
+def in_plan(covariance: np.ndarray) -> np.ndarray:
+    """(k, 2, 2) of the errors east and north, of nodes' covariances (k, 2 d, 2 d)."""
+    return covariance[:, (0, 2)][:, :, (0, 2)]
+
+
+def node_curve(chain: NodeChain, state: np.ndarray) -> Curve:
+    """The correction along the path by the nodes' states (k, d, 2)."""
+    def curve(path_parameter: np.ndarray) -> np.ndarray:
+        correction = np.zeros((len(path_parameter), 6))
+        correction[:, chain.normals.active] = smooth_between(chain.nodes, state, path_parameter)
+        return correction
+    return curve
