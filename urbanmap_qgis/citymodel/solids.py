@@ -68,12 +68,15 @@ def most_detailed(item: CityObject) -> tuple[CityShape, ...]:
 
 
 def solid_rows(buildings: Iterable[CityObject]) -> list[tuple[CityObject, tuple[CityShape, ...]]]:
-    """Buildings with their most detailed solids: one without has those of its parts, else its parts have own rows."""
+    """Buildings with their most detailed solids: one without has those of its parts, else its parts have own rows.
+
+    A building whose parts are of a higher level of detail has no solid here: its own is a block about the parts.
+    """
     rows: list[tuple[CityObject, tuple[CityShape, ...]]] = []
     for building in buildings:
         detailed = most_detailed(building)
         of_parts = [(part, most_detailed(part)) for part in building.parts]
-        if detailed:
+        if detailed and detailed[0].lod[:1] >= max((solids[0].lod[:1] for _, solids in of_parts if solids), default=""):
             rows += [(building, detailed), *of_parts]
         else:
             rows.append((building, tuple(shape for _, solids in of_parts for shape in solids)))
@@ -89,7 +92,7 @@ def solid_faces(solids: Sequence[CityShape]) -> shapely.MultiPolygon | None:
 
 def outer_shells(building: CityObject) -> list[tuple[CitySurface, ...]]:
     """Outer shells of the most detailed solids of a building and its parts."""
-    return [shape.shells[0] for item in building.objects() for shape in most_detailed(item)]
+    return [shape.shells[0] for _, solids in solid_rows([building]) for shape in solids]
 
 
 def whole_metres(shells: Sequence[Sequence[CitySurface]]) -> tuple[float, float, float]:

@@ -17,6 +17,9 @@ from .feature_walk import CityPolygon, CityThing
 _SEMI_MAJOR, _SQUARED_ECCENTRICITY = 6378137.0, 0.0066943800229
 """GRS 80, the ellipsoid of JGD2011."""
 
+FARTHEST = 1e20
+"""A coordinate (degrees or m) is smaller, or the products by which areas and lengths are told overflow."""
+
 THINNEST = 1e-4
 """A ring whose area is less than this width (m) along its longest side has none: nine decimals of a degree."""
 
@@ -32,7 +35,7 @@ class BlockShapes:
     start : (R + 1,) begin of each ring.
     polygon : (R,) number of each ring's polygon.
     outer : (R,) whether it is the outer one.
-    unreadable : polygons with coordinates that are no numbers or not three a place; they have no rings here.
+    unreadable : polygons with coordinates that are no numbers, beyond all, or not three a place; without rings here.
     """
 
     def __init__(self, things: Sequence[CityThing], geographic: bool):
@@ -41,8 +44,8 @@ class BlockShapes:
         self.number: dict[int, int] = {}
         values: list[float] = []
         counts, polygon, outer, thing = [], [], [], []
-        for k, held in enumerate(things):
-            for one in held.polygons:
+        for k, city_thing in enumerate(things):
+            for one in city_thing.polygons:
                 rings = _numbers(one)
                 if rings is None:
                     self.unreadable.append(one)
@@ -154,15 +157,15 @@ class BlockShapes:
     def ring_lines(self) -> np.ndarray:
         """Rings (R,) as closed lines in the plane of their polygons; None where they have too few places."""
         lines = np.full(len(self.polygon), None, object)
-        kept = np.flatnonzero(self.whole)
-        if len(kept):
+        whole_rings = np.flatnonzero(self.whole)
+        if len(whole_rings):
             places = self.whole[self.ring_of_place]
             number = np.full(len(self.polygon), -1)
-            number[kept] = np.arange(len(kept))
+            number[whole_rings] = np.arange(len(whole_rings))
             flat = self.flat.copy()
             last = self.start[1:][self.closed] - 1
             flat[last] = flat[self.start[:-1][self.closed]]
-            lines[kept] = shapely.linearrings(flat[places], indices=number[self.ring_of_place[places]])
+            lines[whole_rings] = shapely.linearrings(flat[places], indices=number[self.ring_of_place[places]])
         return lines
 
     def place(self, polygon: int) -> tuple[float, float]:
@@ -172,13 +175,14 @@ class BlockShapes:
 
 
 def _numbers(polygon: CityPolygon) -> list[list[float]] | None:
-    """The coordinates of all rings, three a place; None where they are not that."""
+    """The coordinates of all rings, three a place; None where they are not that, or beyond `FARTHEST`."""
     try:
         rings = [list(map(float, text.split())) for text in polygon.rings]
     except ValueError:
         return None
     fit = rings and all(ring and len(ring) % 3 == 0 for ring in rings)
-    return rings if fit and all(map(np.isfinite, (sum(ring) for ring in rings))) else None
+    near = fit and all(np.isfinite(sum(ring)) and min(ring) > -FARTHEST and max(ring) < FARTHEST for ring in rings)
+    return rings if near else None
 
 
 def _in_plane(places: np.ndarray, normal: np.ndarray) -> np.ndarray:

@@ -146,7 +146,7 @@ class CityBlock:
 def blocks_of(file: CheckedFile, progress: Progress = SILENT) -> Iterator[CityBlock]:
     """The city objects of a file in blocks; fills what its head says, and `broken` where it cannot be read on."""
     things: list[CityThing] = []
-    held = 0
+    size = 0
     try:
         for root, member in root_children(file.source, say("a city model"), _LARGEST_OBJECT, progress):
             if not file.root_name:
@@ -157,10 +157,10 @@ def blocks_of(file: CheckedFile, progress: Progress = SILENT) -> Iterator[CityBl
             elif name in ("cityObjectMember", "featureMember"):
                 for element in member:
                     things.append(walk(element))
-                    held += 1 + len(things[-1].polygons)
-            if held > _BLOCK:
+                    size += 1 + len(things[-1].polygons)
+            if size > _BLOCK:
                 yield CityBlock(file, things)
-                things, held = [], 0
+                things, size = [], 0
     except InputError as error:
         file.broken = str(error)
     if things:

@@ -16,13 +16,13 @@ import numpy as np
 from ...io.files.rule_table import SEVERITIES, CheckRule
 from ...io.official.gsi_sources import PathLike, Wanted, list_sources
 from ...progress import SILENT, Progress
-from . import feature_rules, file_rules, geometry_rules, survey_rules
+from . import feature_rules, file_rules, geometry_rules, interior_rules, survey_rules
 from .checked_file import CheckedFile, CityBlock, blocks_of
 from .city_rule_table import CITY_RULES, Violation
 from .city_survey import CitySurvey, NamedFeature, named
 from .solid_rules import SolidCheck, solid_violations
 
-ROOMS = (file_rules, feature_rules, geometry_rules, survey_rules)
+ROOMS = (file_rules, feature_rules, geometry_rules, interior_rules, survey_rules)
 """Modules whose rules are checked."""
 
 SOLID_RULES = ("L14.closed", "L14.boundary")
@@ -108,7 +108,7 @@ def check_city(path: PathLike | Sequence[PathLike], check_solid: SolidCheck, exc
     InputError : nothing is there to read, or an excluded code is the begin of none.
     """
     rules = CITY_RULES.chosen(excluded)
-    made = CityInspection(checked=tuple(rules))
+    inspection = CityInspection(checked=tuple(rules))
     with ExitStack() as stack:
         sources = list_sources(path, stack, ANY_CITYGML).sources
         survey = CitySurvey()
@@ -116,31 +116,31 @@ def check_city(path: PathLike | Sequence[PathLike], check_solid: SolidCheck, exc
         folders = [re.split(r"[/\\]", source.name)[:-1] for source in sources]
         shared = next((k for k, steps in enumerate(zip(*folders)) if len(set(steps)) > 1), min(map(len, folders)))
         for number, source in enumerate(sources):
-            own = re.split(r"[/\\]", source.name)[shared:]
-            file = CheckedFile(source, number, _is_delivery(source.path), "/".join(own))
+            parts = re.split(r"[/\\]", source.name)[shared:]
+            file = CheckedFile(source, number, _is_delivery(source.path), "/".join(parts))
             part = progress.part(0.95 * done / total, 0.95 * (done + source.size) / total)
-            made.faults += _faults_of_file(file, survey, rules, check_solid, made, part)
+            inspection.faults += _faults_of_file(file, survey, rules, check_solid, inspection, part)
             survey.read.append(file)
             done += source.size
-            made.files.append(file.path)
-            made.counts[file.path], made.sizes[file.path] = file.counts, source.size
+            inspection.files.append(file.path)
+            inspection.counts[file.path], inspection.sizes[file.path] = file.counts, source.size
             if not file.geographic:
-                made.geographic, made.plane = False, file.system
+                inspection.geographic, inspection.plane = False, file.system
         for code, rule in _of(rules, "data set"):
             progress.check()
-            made.faults += [_fault(rule, one, feature.file, feature)
+            inspection.faults += [_fault(rule, one, feature.file, feature)
                             for feature, one in CITY_RULES.functions[code](survey, rule)]
-    made.faults.sort(key=lambda fault: SEVERITIES.index(fault.severity))
-    return made
+    inspection.faults.sort(key=lambda fault: SEVERITIES.index(fault.severity))
+    return inspection
 
 
 def _faults_of_file(file: CheckedFile, survey: CitySurvey, rules: Mapping[str, CheckRule], check_solid: SolidCheck,
-                    made: CityInspection, progress: Progress) -> Iterator[CityFault]:
+                    inspection: CityInspection, progress: Progress) -> Iterator[CityFault]:
     """Faults of a file; its head is judged when all of it was read."""
     blockwise = [*_of(rules, "feature"), *_of(rules, "geometry")]
     for block in blocks_of(file, progress):
         progress.check()
-        made.objects += len(block.things)
+        inspection.objects += len(block.things)
         survey.add(block)
         yield from _faults_of_block(block, blockwise, check_solid)
     for code, rule in _of(rules, "file"):

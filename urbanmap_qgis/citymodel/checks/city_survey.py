@@ -70,14 +70,14 @@ class CitySurvey:
         counts = Counter(block.file.counts)
         for thing in block.things:
             counts.update(feature.type for feature in thing.features)
-            own = {identifier: tag for identifier, tag, _ in thing.ids}
+            tag_of_id = {identifier: tag for identifier, tag, _ in thing.ids}
             for identifier, tag, _ in thing.ids:
                 self.ids.append(id_number(identifier))
                 self.tags.append(self.kinds.setdefault(tag, len(self.kinds)))
                 self.files.append(block.file.number)
             for link in thing.references:
                 target = link.target[1:] if link.target.startswith("#") else None
-                if target is None or target not in own or wrong_target(link, own[target]):
+                if target is None or target not in tag_of_id or wrong_target(link, tag_of_id[target]):
                     self.links.append((named(block.file, link.feature), _bare(link)))
             self._add_building_ids(block.file, thing.features)
         block.file.counts = dict(counts)
@@ -153,7 +153,7 @@ def _outline(block: CityBlock, feature: NamedFeature, numbers: list[int], lowest
     if lowest:
         lying &= np.array([one.min() for one in heights]) <= low + 0.5
         lying &= shapes.normals[numbers_of, 2] < 0 if (shapes.normals[numbers_of[lying], 2] < 0).any() else True
-    plans = [_ring_plan(block, k) for k, kept in zip(numbers, lying) if kept]
+    plans = [_ring_plan(block, k) for k, flat in zip(numbers, lying) if flat]
     plans = [plan for plan in plans if plan is not None]
     if not plans:
         return None

@@ -30,7 +30,6 @@ USABLE = {
     "bldg:IntBuildingInstallation": {4: ("lod4Geometry",)}, "bldg:BuildingFurniture": {4: ("lod4Geometry",)}}
 """Geometries that a feature may have, by its level of detail (specification, table 4-27)."""
 
-_QUALITY = re.compile(r"\w*[dD]ataQualityAttribute\Z")
 _PUBLIC = "000"
 _NUMBERS = {"measuredHeight": float, "storeysAboveGround": int, "storeysBelowGround": int, "totalFloorArea": float,
             "buildingFootprintArea": float, "buildingRoofEdgeArea": float, "buildingHeight": float,
@@ -103,9 +102,10 @@ def _levels(block: CityBlock) -> Iterator[tuple[CityFeature, Element | None, set
         if top.type.partition(":")[2] == "CityObjectGroup":
             continue
         parts = [one for one in thing.features if one.type == "bldg:BuildingPart" and _quality(one) is not None]
-        own = {level for one in thing.features for level in one.lods if not any(_within(one, part) for part in parts)}
-        if own or _quality(top) is not None:
-            yield top, _quality(top), own
+        levels = {level for one in thing.features for level in one.lods
+                  if not any(_within(one, part) for part in parts)}
+        if levels or _quality(top) is not None:
+            yield top, _quality(top), levels
         for part in parts:
             yield part, _quality(part), {level for one in thing.features if _within(one, part) for level in one.lods}
 

@@ -11,13 +11,9 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from xml.etree.ElementTree import Element  # nosec B405 # elements alone, no parser
 
-from ..citygml.value_reader import XLINK_HREF
+from ..citygml.schema import CITYGML_SPACE, GML, XLINK_HREF, module_of
 
-_GML_ID = "{http://www.opengis.net/gml}id"
-_MODULES = {"building": "bldg", "transportation": "tran", "cityfurniture": "frn", "vegetation": "veg",
-            "landuse": "luse", "relief": "dem", "bridge": "brid", "tunnel": "tun", "waterbody": "wtr",
-            "generics": "gen", "cityobjectgroup": "grp", "appearance": "app"}
-_CORE = "http://www.opengis.net/citygml/"
+_GML_ID = f"{{{GML}}}id"
 _LOD = re.compile(r"lod([0-4])")
 _RINGED = {"Polygon", "Triangle", "Rectangle"}
 _LINES = {"LineString"}
@@ -31,10 +27,10 @@ _MEMBERS = {"surfaceMember", "baseSurface", "exterior", "interior", "surfaceMemb
 def tag_name(tag: str) -> tuple[str, str]:
     """The usual prefix ("bldg", "tran", "gml", "uro"; "" where none is known) and local name of a tag."""
     space, _, name = tag[1:].rpartition("}") if tag.startswith("{") else ("", "", tag)
-    if space.startswith("http://www.opengis.net/gml"):
+    if space.startswith(GML):
         return "gml", name
-    if space.startswith(_CORE):
-        return _MODULES.get(space[len(_CORE):].partition("/")[0], "core"), name
+    if space.startswith(CITYGML_SPACE):
+        return module_of(space) or "core", name
     found = re.search(r"/(uro|urf|urc)/", f"{space}/")
     return (found.group(1) if found else "", name)
 

@@ -37,12 +37,12 @@ def _outside(block: CityBlock, rule: CheckRule) -> Iterator[Violation]:
     slack = _ROUNDING if block.file.geographic else 1e-3
     shapes = block.shapes
     off = ((shapes.raw < low - slack) | (shapes.raw > high + slack)).any(axis=1)
-    told = set()
+    reported = set()
     for place in np.flatnonzero(off):
         polygon = shapes.polygons[shapes.polygon[shapes.ring_of_place[place]]]
         key = (id(polygon.feature), polygon.name)
-        if key not in told:
-            told.add(key)
+        if key not in reported:
+            reported.add(key)
             yield violation(polygon.feature, polygon.lod, tuple(shapes.raw[place, :2]), name=polygon.name)
     for line in (line for thing in block.things for line in thing.lines):
         places = _places(line.text)
@@ -56,11 +56,11 @@ def _off_the_earth(block: CityBlock, rule: CheckRule) -> Iterator[Violation]:
         return
     shapes = block.shapes
     low, high = np.array([_LATITUDES, _LONGITUDES, _HEIGHTS]).T
-    told = set()
+    reported = set()
     for place in np.flatnonzero(((shapes.raw < low) | (shapes.raw > high)).any(axis=1)):
         polygon = shapes.polygons[shapes.polygon[shapes.ring_of_place[place]]]
-        if id(polygon) not in told:
-            told.add(id(polygon))
+        if id(polygon) not in reported:
+            reported.add(id(polygon))
             yield violation(polygon.feature, polygon.lod, where=" ".join(map(repr, shapes.raw[place].tolist())))
 
 
@@ -107,16 +107,16 @@ def _faulty_rings(block: CityBlock) -> dict[int, tuple[str, str]]:
     if not len(shapes.polygon):
         return found
     simple = np.ones(len(shapes.polygon), bool)
-    there = ~shapely.is_missing(shapes.ring_lines)
-    simple[there] = shapely.is_simple(shapes.ring_lines[there])
+    present = ~shapely.is_missing(shapes.ring_lines)
+    simple[present] = shapely.is_simple(shapes.ring_lines[present])
     for ring in np.flatnonzero(~shapes.closed | ~shapes.whole | ~simple | shapes.thin):
         if not shapes.whole[ring] or (shapes.thin[ring] and simple[ring]):
-            told = "has no area", "面積をもちません（縮退しています）"
+            fault = "has no area", "面積をもちません（縮退しています）"
         elif not simple[ring]:
-            told = "crosses or touches itself", "自己交差又は自己接触しています"
+            fault = "crosses or touches itself", "自己交差又は自己接触しています"
         else:
-            told = "does not end where it begins", "閉じていません（始終点が一致しません）"
-        found.setdefault(int(shapes.polygon[ring]), told)
+            fault = "does not end where it begins", "閉じていません（始終点が一致しません）"
+        found.setdefault(int(shapes.polygon[ring]), fault)
     return found
 
 
@@ -169,9 +169,9 @@ def _faulty_holes(block: CityBlock) -> dict[int, tuple[str, str]]:
     for number in np.unique(shapes.polygon[~shapes.outer]).tolist() if len(shapes.polygon) else ():
         lines = shapes.ring_lines[np.flatnonzero(shapes.polygon == number)]
         if not any(line is None for line in lines):
-            told = _hole_fault(lines[0], lines[1:])
-            if told:
-                found[number] = told
+            fault = _hole_fault(lines[0], lines[1:])
+            if fault:
+                found[number] = fault
     return found
 
 

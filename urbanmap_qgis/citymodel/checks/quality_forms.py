@@ -122,8 +122,8 @@ def _verdict(code: str, faults: int, found: CityInspection) -> str:
     if not rules.keys() <= set(found.checked):
         return say("left out")
     package = next((f"{name}:" for name in PACKAGES if f"-{name}-" in code), "")
-    there = any(kind.startswith(package) for counts in found.counts.values() for kind in counts)
-    if not there and "file" not in rules.values():
+    has_package = any(kind.startswith(package) for counts in found.counts.values() for kind in counts)
+    if not has_package and "file" not in rules.values():
         return say("nothing to check")
     return say("met in part") if code in NOT_CHECKED else say("met")
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import shapely
 
+from ...geometry.tolerances import ROUNDING
 from ...io.files.rule_table import CheckRule
 from .checked_file import CityBlock
 from .city_rule_table import Violation, city_rule, violation
@@ -18,7 +19,7 @@ from .geometry_rules import NEAREST, PLANE
 OUTER_SURFACES = ("bldg:RoofSurface", "bldg:WallSurface", "bldg:GroundSurface", "bldg:OuterFloorSurface",
                   "bldg:OuterCeilingSurface", "bldg:ClosureSurface")
 INNER_SURFACES = ("bldg:CeilingSurface", "bldg:InteriorWallSurface", "bldg:FloorSurface", "bldg:ClosureSurface")
-_OPENINGS = ("bldg:Door", "bldg:Window")
+OPENINGS = ("bldg:Door", "bldg:Window")
 
 SolidCheck = Callable[..., Any]
 """Function from a body (vertices, faces) to its problems, such as that of the building models (val3dity's codes)."""
@@ -50,11 +51,13 @@ class _FacedBody:
     faces: tuple[tuple[tuple[int, ...], ...], ...]
 
 
-def _polygon_numbers(thing: CityThing) -> dict[str, int]:
+def polygon_numbers(thing: CityThing) -> dict[str, int]:
+    """Numbers of the polygons of a city object in its list, by their ids."""
     return {polygon.id: number for number, polygon in enumerate(thing.polygons) if polygon.id}
 
 
-def _members(thing: CityThing, body: CityBody, by_id: dict[str, int], deep: int = 0) -> list[tuple[int, bool]] | None:
+def member_polygons(thing: CityThing, body: CityBody, by_id: dict[str, int],
+                    deep: int = 0) -> list[tuple[int, bool]] | None:
     """Polygons of a body, in the thing's list, with whether they are turned over; None where one is not there."""
     found: list[tuple[int, bool]] = []
     for member, flipped in body.members:
@@ -64,7 +67,7 @@ def _members(thing: CityThing, body: CityBody, by_id: dict[str, int], deep: int 
             found.append((by_id[member], flipped))
         else:
             other = next((one for one in thing.bodies if one.id == member and one is not body), None)
-            inner = _members(thing, other, by_id, deep + 1) if other is not None and deep < 4 else None
+            inner = member_polygons(thing, other, by_id, deep + 1) if other is not None and deep < 4 else None
             if not inner:
                 return None
             found += [(number, flipped != turned) for number, turned in inner]
@@ -80,8 +83,8 @@ def _bodies(block: CityBlock, *kinds: str) -> list[_Faces]:
         for body in thing.bodies:
             if body.kind not in kinds:
                 continue
-            by_id = _polygon_numbers(thing) if by_id is None else by_id
-            members = _members(thing, body, by_id)
+            by_id = polygon_numbers(thing) if by_id is None else by_id
+            members = member_polygons(thing, body, by_id)
             numbers = [shapes.number.get(id(thing.polygons[number])) for number, _ in members or ()]
             if numbers and None not in numbers:
                 found.append(_Faces(thing, body, np.array(numbers, int),
@@ -143,7 +146,7 @@ def _plain_prism(block: CityBlock, faces: _Faces) -> bool:
     """Whether a closed body is one polygon pulled up: two heights, one bottom, one top, upright walls."""
     shapes = block.shapes
     upright = np.abs(shapes.normals[faces.polygons, 2])
-    if not ((upright < 1e-6) | (upright > 1.0 - 1e-9)).all() or (upright > 0.5).sum() != 2:
+    if not ((upright < 1e-6) | (upright > 1.0 - ROUNDING)).all() or (upright > 0.5).sum() != 2:
         return False
     first = shapes.start[shapes.outer_ring[faces.polygons]]
     last = shapes.start[np.append(shapes.outer_ring[1:], len(shapes.polygon))[faces.polygons]]
@@ -180,7 +183,7 @@ def _faced(block: CityBlock, faces: _Faces) -> _FacedBody:
     """A body as the check of solids takes it."""
     shapes = block.shapes
     ends = np.append(shapes.outer_ring[1:], len(shapes.polygon))
-    vertices, made = [], []
+    vertices, face_loops = [], []
     for polygon, turned in zip(faces.polygons, faces.flipped):
         loops = []
         for ring in range(shapes.outer_ring[polygon], ends[polygon]):
@@ -189,10 +192,11 @@ def _faced(block: CityBlock, faces: _Faces) -> _FacedBody:
             numbers = range(len(vertices), len(vertices) + len(places))
             vertices += list(places)
             loops.append(tuple(reversed(numbers)) if turned else tuple(numbers))
-        made.append(tuple(loops))
+        face_loops.append(tuple(loops))
     corners, number = np.unique(np.array(vertices), axis=0, return_inverse=True)
     number = number.ravel()
-    return _FacedBody(corners, tuple(tuple(tuple(int(number[k]) for k in loop) for loop in face) for face in made))
+    return _FacedBody(corners, tuple(tuple(tuple(int(number[k]) for k in loop) for loop in face)
+                                     for face in face_loops))
 
 
 @city_rule("L16")
@@ -240,19 +244,19 @@ def _parts_apart(block: CityBlock, rule: CheckRule) -> Iterator[Violation]:
         parts = [one for one in thing.features if one.type == "bldg:BuildingPart"]
         if len(parts) < 2:
             continue
-        by_id = _polygon_numbers(thing)
+        by_id = polygon_numbers(thing)
         for level in (2, 3, 4):
-            boxes = [_extent(block, thing, body, by_id) for body in thing.bodies
+            boxes = [extent_of(block, thing, body, by_id) for body in thing.bodies
                      if body.kind == "Solid" and body.lod == level and body.feature in parts]
             known = [box for box in boxes if box is not None]
             if len(known) > 1 and not _connected(known):
                 yield violation(thing.features[0], level)
 
 
-def _extent(block: CityBlock, thing: CityThing, body: CityBody, by_id: dict[str, int],
-            ) -> tuple[shapely.Geometry, float, float] | None:
+def extent_of(block: CityBlock, thing: CityThing, body: CityBody, by_id: dict[str, int],
+              ) -> tuple[shapely.Geometry, float, float] | None:
     """Plan of a solid and its lowest and highest place, m; None where a polygon is not there."""
-    numbers = [block.shapes.number.get(id(thing.polygons[k])) for k, _ in _members(thing, body, by_id) or ()]
+    numbers = [block.shapes.number.get(id(thing.polygons[k])) for k, _ in member_polygons(thing, body, by_id) or ()]
     if not numbers or None in numbers:
         return None
     shapes = block.shapes
@@ -281,14 +285,14 @@ def _opening_outside(block: CityBlock, rule: CheckRule) -> Iterator[Violation]:
     owners: dict[tuple[int, int], list[int]] = {}
     for number, polygon in enumerate(shapes.polygons):
         owners.setdefault((id(polygon.feature), polygon.lod or 0), []).append(number)
-    for feature in block.features(*_OPENINGS):
+    for feature in block.features(*OPENINGS):
         for level in sorted(feature.lods):
-            own, around = owners.get((id(feature), level)), owners.get((id(feature.parent), level))
-            if own and around and not _covered(block, own, around):
-                yield violation(feature, level, shapes.place(own[0]))
+            inner, around = owners.get((id(feature), level)), owners.get((id(feature.parent), level))
+            if inner and around and not _covered(block, inner, around):
+                yield violation(feature, level, shapes.place(inner[0]))
 
 
-def _covered(block: CityBlock, own: list[int], around: list[int]) -> bool:
+def _covered(block: CityBlock, inner: list[int], around: list[int]) -> bool:
     """Whether polygons, seen along the normal of those around them, lie within their outer rings."""
     shapes = block.shapes
     normal = shapes.normals[around[0]]
@@ -301,31 +305,32 @@ def _covered(block: CityBlock, own: list[int], around: list[int]) -> bool:
         return shapely.make_valid(shapely.Polygon(shapes.metres[shapes.start[ring]:shapes.start[ring + 1]] @ axes))
 
     wall = shapely.union_all([seen(number) for number in around])
-    return bool(shapely.covers(shapely.buffer(wall, PLANE), shapely.union_all([seen(number) for number in own])))
+    return bool(shapely.covers(shapely.buffer(wall, PLANE), shapely.union_all([seen(number) for number in inner])))
 
 
-def _boundary_ids(thing: CityThing, holder: CityFeature, surfaces: tuple[str, ...], level: int) -> set[str]:
+def boundary_ids(thing: CityThing, holder: CityFeature, surfaces: tuple[str, ...], level: int) -> set[str]:
     """Ids of the polygons of a level in the boundary surfaces of a feature and of its installations, with openings."""
-    def held(feature: CityFeature) -> bool:
+    def is_below(feature: CityFeature) -> bool:
         above = feature.parent
-        if feature.type in _OPENINGS:
-            return above is not None and held(above)
+        if feature.type in OPENINGS:
+            return above is not None and is_below(above)
         return feature.type in surfaces and above is not None and (above is holder or (
             above.type.endswith("BuildingInstallation") and above.parent is holder))
 
-    return {polygon.id for polygon in thing.polygons if polygon.lod == level and polygon.id and held(polygon.feature)}
+    return {polygon.id for polygon in thing.polygons if polygon.lod == level and polygon.id
+            and is_below(polygon.feature)}
 
 
 def _foreign_faces(block: CityBlock, types: tuple[str, ...], names: tuple[str, ...], surfaces: tuple[str, ...],
                    ) -> Iterator[Violation]:
     """Solids with a face that is none of the boundary surfaces' polygons."""
     for thing in block.things:
-        by_id = _polygon_numbers(thing)
+        by_id = polygon_numbers(thing)
         for body in thing.bodies:
             if body.kind not in ("Solid",) or body.name not in names or body.feature.type not in types:
                 continue
-            members = _members(thing, body, by_id) or []
-            known = _boundary_ids(thing, body.feature, surfaces, body.lod or 0)
+            members = member_polygons(thing, body, by_id) or []
+            known = boundary_ids(thing, body.feature, surfaces, body.lod or 0)
             for number, _ in members:
                 if thing.polygons[number].id not in known:
                     yield violation(body.feature, body.lod, level=body.lod)
@@ -358,7 +363,8 @@ def _area_not_referred(block: CityBlock, rule: CheckRule) -> Iterator[Violation]
             if feature.type not in ("tran:TrafficArea", "tran:AuxiliaryTrafficArea"):
                 continue
             for level in sorted(feature.lods & {2, 3}):
-                own = [polygon for polygon in thing.polygons if polygon.feature is feature and polygon.lod == level]
-                named = {one.id for one in (*own, *(body for body in thing.bodies if body.feature is feature))}
-                if own and not named & referred:
+                polygons = [polygon for polygon in thing.polygons
+                            if polygon.feature is feature and polygon.lod == level]
+                named = {one.id for one in (*polygons, *(body for body in thing.bodies if body.feature is feature))}
+                if polygons and not named & referred:
                     yield violation(road, level, level=level, area=feature.id)

@@ -137,12 +137,12 @@ def _roads_overlap(survey: CitySurvey, rule: CheckRule) -> Iterator[SurveyViolat
 @city_rule("L-tran-02")
 def _areas_overlap(survey: CitySurvey, rule: CheckRule) -> Iterator[SurveyViolation]:
     for level, areas in sorted(survey.areas.items()):
-        told: dict[int, tuple[PlanOutline, PlanOutline]] = {}
+        pairs: dict[int, tuple[PlanOutline, PlanOutline]] = {}
         for one, other in _crossing(areas):
             if frozenset((one.feature.function, other.feature.function)) not in _MAY_HOLD:
-                told.setdefault(id(one), (one, other))
-                told.setdefault(id(other), (other, one))
-        for one, other in told.values():
+                pairs.setdefault(id(one), (one, other))
+                pairs.setdefault(id(other), (other, one))
+        for one, other in pairs.values():
             yield _told(one.feature, level, level=level, other=other.feature.id)
 
 
@@ -185,11 +185,11 @@ def _other(feature: CityFeature, mesh: str, area: float) -> Violation:
 def _shares(block: CityBlock, thing: int, digits: int) -> dict[str, float]:
     """Area in plan (m2) of a city object in each mesh, by its lowest level of detail."""
     shapes = block.shapes
-    own = np.flatnonzero(shapes.thing == thing)
-    level = shapes.lods[own][shapes.lods[own] >= 0].min(initial=9)
-    kept = own[(shapes.lods[own] == level) & (np.abs(shapes.normals[own, 2]) > 0.1)]
+    polygons = np.flatnonzero(shapes.thing == thing)
+    level = shapes.lods[polygons][shapes.lods[polygons] >= 0].min(initial=9)
+    upward = polygons[(shapes.lods[polygons] == level) & (np.abs(shapes.normals[polygons, 2]) > 0.1)]
     plans = [shapely.Polygon(shapes.raw[slice(*shapes.start[[ring, ring + 1]]), 1::-1])
-             for ring in shapes.outer_ring[kept] if shapes.whole[ring]]
+             for ring in shapes.outer_ring[upward] if shapes.whole[ring]]
     if not plans:
         return {}
     plan = shapely.union_all(shapely.make_valid(np.array(plans, object)))

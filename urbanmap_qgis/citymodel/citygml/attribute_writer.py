@@ -9,7 +9,6 @@ import math
 import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from datetime import date
 from typing import Any
 from xml.sax.saxutils import escape, quoteattr  # nosec B406 # writes, reads nothing
@@ -18,29 +17,8 @@ import numpy as np
 
 from ..model import AttributeGroup, CodeValue, Measure
 from .iur import PREFIX, IurTable
+from .schema import BUILDING_FIELDS, FEATURE_FIELDS, GENERIC_NAMES, GENERIC_SET
 
-
-@dataclass(frozen=True)
-class BuildingField:
-    """An attribute of the building module: kinds of values that it takes, their form, and the unit of a bare number."""
-
-    takes: tuple[type, ...]
-    form: str = ""
-    unit: str = ""
-
-
-_CODE, _YEAR = BuildingField((str, int, CodeValue)), BuildingField((str, int), r"-?\d{4,}")
-_COUNT, _HEIGHTS = BuildingField((str, int), r"\d+"), BuildingField((Measure,))
-BUILDING_FIELDS = {
-    "class": _CODE, "function": _CODE, "usage": _CODE, "yearOfConstruction": _YEAR, "yearOfDemolition": _YEAR,
-    "roofType": _CODE, "measuredHeight": BuildingField((Measure, int, float), unit="m"),
-    "storeysAboveGround": _COUNT, "storeysBelowGround": _COUNT,
-    "storeyHeightsAboveGround": _HEIGHTS, "storeyHeightsBelowGround": _HEIGHTS}
-"""Attributes of bldg:_AbstractBuilding in the schema's order."""
-
-_FEATURE_ORDER = ("gml:description", "gml:name", "core:creationDate", "core:terminationDate")
-_FEATURE_NAMES = {"description": "gml:description", "name": "gml:name", "creationDate": "core:creationDate",
-                  "terminationDate": "core:terminationDate"}
 _NOT_IN_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]")
 _GENERIC = "gen:"
 
@@ -54,16 +32,16 @@ def split_attributes(attributes: Mapping[str, Any], table: IurTable, homeless: C
     """The XML of what comes before the geometry (features' and generic attributes), of the building's own attributes,
     and of extensions, which come last. `homeless` counts extensions that `table` has no place for, which become
     generic attributes."""
-    feature: dict[str, list[str]] = {name: [] for name in _FEATURE_ORDER}
+    feature: dict[str, list[str]] = {name: [] for name in FEATURE_FIELDS.values()}
     building: dict[str, list[str]] = {name: [] for name in BUILDING_FIELDS}
     generic, extension = [], []
     for name, value in attributes.items():
         for item in value if isinstance(value, (list, tuple)) else (value,):
-            place = _FEATURE_NAMES.get(name)
+            place = FEATURE_FIELDS.get(name)
             if item is None or item == "" or (isinstance(item, float) and not math.isfinite(item)):
                 continue
             if place and _fits_feature(place, item) and not (place != "gml:name" and feature[place]):
-                feature[place].append(f"<{place}{_code_space(item)}>{_feature_text(item)}</{place}>")
+                feature[place].append(f"<{place}{_code_space(item)}>{_plain_text(item)}</{place}>")
             elif name in building and _building_element(name, item):
                 building[name].append(_building_element(name, item))
             elif name.startswith(PREFIX):
@@ -75,7 +53,7 @@ def split_attributes(attributes: Mapping[str, Any], table: IurTable, homeless: C
                     extension.append(_extension(fitted[0], fitted[1][0]))
             else:
                 generic.append(generic_attribute(name.removeprefix(_GENERIC), item))
-    return ("".join(text for name in _FEATURE_ORDER for text in feature[name]) + "".join(generic),
+    return ("".join(text for name in FEATURE_FIELDS.values() for text in feature[name]) + "".join(generic),
             "".join(text for name in BUILDING_FIELDS for text in building[name]), "".join(extension))
 
 
@@ -88,35 +66,30 @@ def generic_attribute(name: str, value: Any) -> str:
         values = value.values if isinstance(value, AttributeGroup) else value
         inner = "".join(generic_attribute(key.removeprefix(_GENERIC), item) for key, value in values.items()
                         for item in (value if isinstance(value, (list, tuple)) else (value,)) if item is not None)
-        return f"<gen:genericAttributeSet{named}>{inner}</gen:genericAttributeSet>"
+        return f"<gen:{GENERIC_SET}{named}>{inner}</gen:{GENERIC_SET}>"
+    kind = GENERIC_NAMES[next((known for known in GENERIC_NAMES if isinstance(value, known)
+                               and not isinstance(value, bool)), str)]
+    unit = f" uom={quoteattr(value.unit)}" if isinstance(value, Measure) else ""
+    return f"<gen:{kind}{named}><gen:value{unit}>{_plain_text(value)}</gen:value></gen:{kind}>"
+
+
+def _plain_text(value: Any) -> str:
+    """A value as the text of an element that has no place for its list of codes; dates without a time of day."""
     if isinstance(value, Measure):
-        return (f"<gen:measureAttribute{named}><gen:value uom={quoteattr(value.unit)}>{_number(value.value)}"
-                "</gen:value></gen:measureAttribute>")
-    kind = "stringAttribute"
-    if isinstance(value, int) and not isinstance(value, bool):
-        kind = "intAttribute"
-    elif isinstance(value, float):
-        kind = "doubleAttribute"
-    elif isinstance(value, date):
-        kind, value = "dateAttribute", value.isoformat()[:10]
-    elif isinstance(value, CodeValue):
-        value = value.value
-    elif isinstance(value, bool):
-        value = str(value).lower()
-    text = _number(value) if isinstance(value, (int, float)) else xml_text(value)
-    return f"<gen:{kind}{named}><gen:value>{text}</gen:value></gen:{kind}>"
+        return _number(value.value)
+    if isinstance(value, date):
+        return value.isoformat()[:10]
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, (int, float)):
+        return _number(value)
+    return xml_text(value.value if isinstance(value, CodeValue) else value)
 
 
 def _fits_feature(place: str, value: Any) -> bool:
     if place.startswith("core:"):
         return isinstance(value, date) or bool(re.fullmatch(r"\d{4}-\d\d-\d\d", str(value)))
     return isinstance(value, (str, CodeValue))
-
-
-def _feature_text(value: Any) -> str:
-    if isinstance(value, date):
-        return value.isoformat()[:10]
-    return xml_text(value.value if isinstance(value, CodeValue) else value)
 
 
 def _code_space(value: Any) -> str:

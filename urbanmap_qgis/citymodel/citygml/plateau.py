@@ -135,8 +135,8 @@ def _under_own_id(item: CityObject, city_code: str) -> CityObject:
     attribute source_id."""
     if _OWN_ID.fullmatch(item.id):
         return item
-    made = uuid5(NAMESPACE_URL, f"urn:urbanmap:{city_code}:{item.id}")
-    return replace(item, id=f"bldg_{made}", attributes={"source_id": item.id, **item.attributes})
+    uuid = uuid5(NAMESPACE_URL, f"urn:urbanmap:{city_code}:{item.id}")
+    return replace(item, id=f"bldg_{uuid}", attributes={"source_id": item.id, **item.attributes})
 
 
 def _with_id(attributes: dict[str, Any], number: int, city_code: str, part: int = 0) -> dict[str, Any]:

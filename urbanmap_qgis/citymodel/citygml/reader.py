@@ -24,9 +24,10 @@ from ...io.official.gsi_sources import PathLike, Wanted, XmlSource, list_sources
 from ...io.official.xml_stream import root_children
 from ...progress import SILENT, Progress
 from ...wording import say
-from ..model import BUILDING, BUILDING_PART, CityModel, CityObject, CityReference
+from ..model import CityModel, CityObject, CityReference
 from ..named_reference import NamedReference, named_reference
 from ..reading_notes import ReadingNotes
+from .schema import BOUNDARY_PROPERTY, CITYGML_SPACE, EXTENSIONS, MEMBERS, OBJECTS, PART_PROPERTY
 from .shape_reader import GmlTextures, ShapeReader
 from .value_reader import add_value, extension_value, generic_value, id_of, leaf_value, split_tag
 
@@ -35,9 +36,8 @@ LARGEST_BUILDING = 2**28
 _OTHER_THEME = re.compile(r"^[0-9]{6,10}_(?!bldg_)[a-z]{3,5}_", re.IGNORECASE)
 CITYGML = Wanted("city models (CityGML)", "give the files of the buildings (udx/bldg of PLATEAU)",
                  lambda name: bool(_OTHER_THEME.match(name)), (".gml", ".citygml"))
-_OBJECTS = {"Building": BUILDING, "BuildingPart": BUILDING_PART}
 _LARGEST_LIST = 100_000
-_VERSION_3 = "{http://www.opengis.net/citygml/3."
+_VERSION_3 = f"{{{CITYGML_SPACE}3."
 
 
 @dataclass
@@ -189,11 +189,11 @@ def _buildings_of(source: XmlSource, reference: NamedReference, notes: ReadingNo
     covered = {polygon: names.get(image, image) for polygon, image in textures.images.items()}
     file = _File(source, reference, notes, GmlTextures(covered, textures.places))
     for _, member in root_children(source, MAKER, LARGEST_BUILDING, progress):
-        if split_tag(member.tag)[1] not in ("cityObjectMember", "featureMember", "featureMembers"):
+        if split_tag(member.tag)[1] not in MEMBERS:
             continue
         for element in member:
             prefix, name = split_tag(element.tag)
-            if prefix == "bldg" and name in _OBJECTS:
+            if prefix == "bldg" and name in OBJECTS:
                 yield _object(element, file)
             else:
                 notes.others[name] += 1
@@ -209,11 +209,11 @@ def _object(element: Element, file: _File) -> CityObject:
         prefix, name = split_tag(child.tag)
         if prefix == "gen":
             add_value(attributes, f"gen:{child.get('name') or ''}", generic_value(child, file.meaning))
-        elif prefix in ("uro", "urf"):
+        elif prefix in EXTENSIONS:
             add_value(attributes, f"{prefix}:{name}", extension_value(child, file.meaning))
-        elif name == "consistsOfBuildingPart":
+        elif name == PART_PROPERTY:
             parts += [_object(part, file) for part in child]
-        elif name == "boundedBy" or (prefix == "bldg" and name.startswith("lod")):
+        elif name == BOUNDARY_PROPERTY or (prefix == "bldg" and name.startswith("lod")):
             continue
         elif prefix in ("gml", "core", "bldg") and not len(child):
             add_value(attributes, name, leaf_value(child, file.meaning))
@@ -221,7 +221,7 @@ def _object(element: Element, file: _File) -> CityObject:
             reader.unread[name] += 1
     shapes = reader.shapes(element)
     file.notes.unread.update(reader.unread)
-    return CityObject(id_of(element), attributes, tuple(shapes), _OBJECTS[split_tag(element.tag)[1]], tuple(parts),
+    return CityObject(id_of(element), attributes, tuple(shapes), OBJECTS[split_tag(element.tag)[1]], tuple(parts),
                       tuple(dict.fromkeys(reader.problems)))
 
 

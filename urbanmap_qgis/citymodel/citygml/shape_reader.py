@@ -14,12 +14,12 @@ import numpy as np
 
 from ...geometry.solid import FaceTexture
 from ...wording import say
-from ..model import FOOTPRINT, MULTI_SURFACE, ROOF_EDGE, SOLID, SURFACE_KINDS, CityShape, CitySurface
+from ..model import MULTI_SURFACE, SOLID, SURFACE_KINDS, CityShape, CitySurface
 from ..objects import unmatched_edges
-from .value_reader import XLINK_HREF, Meaning, generic_value, id_of, leaf_value, split_tag
+from .schema import BOUNDARY_PROPERTY, GEOMETRY, XLINK_HREF
+from .value_reader import Meaning, generic_value, id_of, leaf_value, split_tag
 
 _DEEPEST = 24
-_OUTLINES = {"lod0FootPrint": FOOTPRINT, "lod0RoofEdge": ROOF_EDGE}
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ class ShapeReader:
         """All shapes of an object, semantic surfaces where a boundary says what they are."""
         known: dict[str, CitySurface] = {}
         boundaries: dict[str, list[CitySurface]] = {}
-        for bounded in _children(element, "bldg", "boundedBy"):
+        for bounded in _children(element, "bldg", BOUNDARY_PROPERTY):
             for surface in bounded:
                 self._boundary(surface, known, boundaries)
         shapes: list[CityShape] = []
@@ -63,14 +63,13 @@ class ShapeReader:
             prefix, name = split_tag(child.tag)
             if prefix != "bldg" or not name.startswith("lod"):
                 continue
-            if name in _OUTLINES:
-                shapes += self._loose(child, "0", _OUTLINES[name], known)
-            elif name.endswith("Solid"):
-                shapes += self._solids(child, name[3], known, used)
-            elif name.endswith("MultiSurface"):
-                shapes += self._loose(child, name[3], MULTI_SURFACE, known)
-            else:
+            found = GEOMETRY.get(name)
+            if found is None:
                 self.unread[name] += 1
+            elif found.kind == SOLID:
+                shapes += self._solids(child, found.lod, known, used)
+            else:
+                shapes += self._loose(child, found.lod, found.kind, known)
         for level, surfaces in boundaries.items():
             rest = tuple(surface for surface in surfaces if id(surface) not in used)
             if rest:
@@ -91,10 +90,10 @@ class ShapeReader:
                 attributes[child.get("name") or ""] = generic_value(child, self.meaning)
             elif prefix == "gml" and name in ("name", "description"):
                 attributes[name] = leaf_value(child, self.meaning)
-            elif prefix == "bldg" and name.endswith("MultiSurface"):
+            elif prefix == "bldg" and name in GEOMETRY and GEOMETRY[name].kind == MULTI_SURFACE:
                 for surface in self._surfaces(child, known):
                     boundary = replace(surface, kind=kind, attributes=attributes, group=group)
-                    boundaries.setdefault(name[3], []).append(boundary)
+                    boundaries.setdefault(GEOMETRY[name].lod, []).append(boundary)
                     if boundary.id:
                         known[boundary.id] = boundary
             else:

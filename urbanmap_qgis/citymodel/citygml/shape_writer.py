@@ -12,12 +12,13 @@ import numpy as np
 
 from ..model import FOOTPRINT, MULTI_SURFACE, ROOF_EDGE, SOLID, CityObject, CityShape, CitySurface
 from .attribute_writer import generic_attribute
+from .schema import BOUNDARY_PROPERTY, GEOMETRY, GEOMETRY_NAMES, LAST_BEFORE_BOUNDARIES
 
 Places = Callable[[np.ndarray], list[str]]
 """Function from corners (n, 3) to a text of three numbers each."""
 
-_ORDER = ("lod0FootPrint", "lod0RoofEdge", "lod1Solid", "lod1MultiSurface", "lod2Solid", "lod2MultiSurface",
-          "boundedBy", "lod3Solid", "lod3MultiSurface", "lod4Solid", "lod4MultiSurface")
+_ORDER = tuple(entry for name in GEOMETRY for entry in (
+    (name, BOUNDARY_PROPERTY) if name == LAST_BEFORE_BOUNDARIES else (name,)))
 
 
 @dataclass
@@ -70,7 +71,8 @@ class _ShapeWriter:
         self._count = 0
 
     def add(self, level: str, shapes: list[CityShape], elements: dict[str, list[str]]) -> None:
-        for kind, name in ((FOOTPRINT, "lod0FootPrint"), (ROOF_EDGE, "lod0RoofEdge")):
+        for kind in (FOOTPRINT, ROOF_EDGE):
+            name = GEOMETRY_NAMES["0", kind]
             surfaces = [surface for shape in shapes if shape.kind == kind for surface in shape.surfaces]
             if level == "0" and surfaces:
                 elements[name].append(f"<bldg:{name}>{self._multi_surface(surfaces)}</bldg:{name}>")
@@ -81,7 +83,7 @@ class _ShapeWriter:
         solids = [shape for shape in shapes if shape.kind == SOLID]
         loose = [surface for shape in shapes if shape.kind == MULTI_SURFACE for surface in shape.surfaces]
         if solids:
-            name = f"lod{level}Solid"
+            name = GEOMETRY_NAMES[level, SOLID]
             inner = [self._solid(shape, groups if semantic else None) for shape in solids]
             one = inner[0] if len(inner) == 1 else (
                 "<gml:CompositeSolid>" + "".join(f"<gml:solidMember>{text}</gml:solidMember>" for text in inner)
@@ -92,9 +94,9 @@ class _ShapeWriter:
             if semantic and surface.kind:
                 self._bound(surface, groups)
         if plain:
-            name = f"lod{level}MultiSurface"
+            name = GEOMETRY_NAMES[level, MULTI_SURFACE]
             elements[name].append(f"<bldg:{name}>{self._multi_surface(plain)}</bldg:{name}>")
-        elements["boundedBy"] += [self._boundary(group, members, level) for group, members in groups.items()]
+        elements[BOUNDARY_PROPERTY] += [self._boundary(group, members, level) for group, members in groups.items()]
 
     def _multi_surface(self, surfaces: Sequence[CitySurface]) -> str:
         members = "".join(f"<gml:surfaceMember>{self._polygon(surface)}</gml:surfaceMember>" for surface in surfaces)
@@ -127,9 +129,10 @@ class _ShapeWriter:
                              if value is not None)
         polygons = "".join(f"<gml:surfaceMember>{self._polygon(surface, identifier)}</gml:surfaceMember>"
                            for surface, identifier in members)
-        return (f'<bldg:boundedBy><bldg:{first.kind} gml:id="{group}">{attributes}<bldg:lod{level}MultiSurface>'
-                f"<gml:MultiSurface>{polygons}</gml:MultiSurface></bldg:lod{level}MultiSurface></bldg:{first.kind}>"
-                "</bldg:boundedBy>")
+        name = GEOMETRY_NAMES[level, MULTI_SURFACE]
+        return (f'<bldg:{BOUNDARY_PROPERTY}><bldg:{first.kind} gml:id="{group}">{attributes}<bldg:{name}>'
+                f"<gml:MultiSurface>{polygons}</gml:MultiSurface></bldg:{name}></bldg:{first.kind}>"
+                f"</bldg:{BOUNDARY_PROPERTY}>")
 
     def _polygon(self, surface: CitySurface, identifier: str = "") -> str:
         identifier = identifier or surface.id or (self._next() if surface.texture else "")

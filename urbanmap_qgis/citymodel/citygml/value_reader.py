@@ -8,38 +8,30 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from datetime import date
+from functools import lru_cache
 from typing import Any
 from xml.etree.ElementTree import Element  # nosec B405 # elements alone, no parser
 
 from ..model import AttributeGroup, CodeValue, Measure
-
-CORE = "http://www.opengis.net/citygml/"
-GML = "http://www.opengis.net/gml"
-GML_3_2 = "http://www.opengis.net/gml/3.2"
-XLINK_HREF = "{http://www.w3.org/1999/xlink}href"
+from .schema import EXTENSIONS, GENERIC_FIELDS, GENERIC_SET, GML, GML_3_2, module_of
 
 Meaning = Callable[[str, str], str]
 """Function from the name of a list of codes and a code to what the list says; empty where it is not known."""
 
-_PREFIXES = (("building", "bldg"), ("generics", "gen"), ("appearance", "app"), ("", "core"))
+_KNOWN = ("core", "bldg", "gen", "app", *EXTENSIONS)
 _INTEGER = re.compile(r"-?(0|[1-9]\d{0,17})\Z")
 _NUMBER = re.compile(r"-?\d+(\.\d+)?([eE][-+]?\d+)?\Z")
 _DATE = re.compile(r"(\d{4})-(\d\d)-(\d\d)\Z")
 
 
+@lru_cache(maxsize=4096)
 def split_tag(tag: str) -> tuple[str, str]:
     """Prefix ("bldg", "gen", "core", "gml", "uro", "urf", else "other") and local name of a tag."""
     space, _, name = tag[1:].rpartition("}") if tag.startswith("{") else ("", "", tag)
     if space in (GML, GML_3_2):
         return "gml", name
-    if space.startswith(CORE):
-        module = space[len(CORE):]
-        known = (prefix for word, prefix in _PREFIXES if module.startswith(f"{word}/" if word else ("1", "2", "3")))
-        return next(known, "other"), name
-    for prefix in ("uro", "urf"):
-        if f"/{prefix}/" in f"{space}/":
-            return prefix, name
-    return "other", name
+    prefix = module_of(space) or next((known for known in EXTENSIONS if f"/{known}/" in f"{space}/"), "")
+    return prefix if prefix in _KNOWN else "other", name
 
 
 def id_of(element: Element) -> str:
@@ -87,28 +79,46 @@ def group_values(element: Element, meaning: Meaning) -> dict[str, Any]:
 
 def generic_value(element: Element, meaning: Meaning) -> Any:
     """Value of an attribute of the generics module, by its kind."""
-    kind = split_tag(element.tag)[1]
-    if kind == "genericAttributeSet":
+    name = split_tag(element.tag)[1]
+    if name == GENERIC_SET:
         values: dict[str, Any] = {}
         for child in element:
             add_value(values, child.get("name") or "", generic_value(child, meaning))
-        return AttributeGroup("gen:genericAttributeSet", values)
+        return AttributeGroup(f"gen:{GENERIC_SET}", values)
     inner = next(iter(element), None)
     text = ((inner.text if inner is not None else "") or "").strip()
-    number = plain_number(text)
-    if kind == "measureAttribute" and number is not None:
-        return Measure(number, inner.get("uom") or "")
-    if kind == "intAttribute" and isinstance(number, int):
-        return number
-    if kind == "doubleAttribute" and number is not None:
-        return float(number)
+    value = _GENERIC_VALUES[GENERIC_FIELDS.get(name, str)](text, "" if inner is None else inner.get("uom") or "")
+    return text if value is None else value
+
+
+def _plain_date(text: str) -> date | None:
+    """A text as a date; None where it is none."""
     parts = _DATE.match(text)
-    if kind == "dateAttribute" and parts:
-        try:
-            return date(*map(int, parts.groups()))
-        except ValueError:
-            return text
-    return text
+    try:
+        return date(*map(int, parts.groups())) if parts else None
+    except ValueError:
+        return None
+
+
+def _whole(text: str) -> int | None:
+    number = plain_number(text)
+    return number if isinstance(number, int) else None
+
+
+def _with_unit(text: str, unit: str) -> Measure | None:
+    number = plain_number(text)
+    return None if number is None else Measure(number, unit)
+
+
+def _decimal(text: str) -> float | None:
+    number = plain_number(text)
+    return None if number is None else float(number)
+
+
+_GENERIC_VALUES: dict[type, Callable[[str, str], Any]] = {
+    str: lambda text, unit: text, int: lambda text, unit: _whole(text), float: lambda text, unit: _decimal(text),
+    date: lambda text, unit: _plain_date(text), Measure: _with_unit}
+"""How a text and its unit become a value of a type; None where they are none, which leaves the text."""
 
 
 def add_value(values: dict[str, Any], name: str, value: Any) -> None:

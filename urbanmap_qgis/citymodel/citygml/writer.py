@@ -29,14 +29,14 @@ from ..reference import GEOGRAPHIC, GEOGRAPHIC_2011, GEOGRAPHIC_2024, JGD2024, P
 from .attribute_writer import generic_attribute, split_attributes, xml_text
 from .codelists import write_codelists
 from .iur import VERSIONS, IurTable, iur_table
+from .schema import GML, PART_PROPERTY, XLINK, namespace_of
 from .shape_writer import object_geometry
+from .whole_block import with_whole_block
 
 WRITTEN_BY = "<!-- Written by UrbanMap -->"
 THEME = "rgbTexture"
 _NAMESPACES = {
-    "core": "http://www.opengis.net/citygml/2.0", "bldg": "http://www.opengis.net/citygml/building/2.0",
-    "gen": "http://www.opengis.net/citygml/generics/2.0", "app": "http://www.opengis.net/citygml/appearance/2.0",
-    "gml": "http://www.opengis.net/gml", "xlink": "http://www.w3.org/1999/xlink",
+    **{prefix: namespace_of(prefix) for prefix in ("core", "bldg", "gen", "app")}, "gml": GML, "xlink": XLINK,
     "xAL": "urn:oasis:names:tc:ciq:xsdschema:xAL:2.0",
     "xsi": "http://www.w3.org/2001/XMLSchema-instance"}
 _SCHEMAS = " ".join(f"{uri} http://schemas.opengis.net/{place}" for uri, place in (
@@ -111,9 +111,13 @@ def write_citygml(folder: str | os.PathLike, model: CityModel, progress: Progres
                               strerror=error.strerror)) from error
     files: dict[str, _GmlFile] = {}
     names = _Names(iur_table(version))
+    left_out = 0
     with tempfile.TemporaryDirectory(prefix="urbanmap-") as scratch:
         for building in unique_objects(model.buildings):
             progress.check()
+            if plateau:
+                building, lost = with_whole_block(building)
+                left_out += lost
             bounds = _bounds(building)
             name = "buildings" if not plateau else "" if bounds is None else _mesh_file(bounds, frame)
             if not name:
@@ -125,6 +129,9 @@ def write_citygml(folder: str | os.PathLike, model: CityModel, progress: Progres
             copy_images(place, file.images, model.images)
     if plateau:
         write_codelists(target / "codelists", version, lists)
+    if left_out:
+        progress.warn(say("{count} buildings have parts that lie apart and no LOD1: it is one solid for the whole "
+                          "building, and parts have none.", count=left_out))
     if names.homeless:
         progress.warn(say("{count} attributes have no place in i-UR {version} and are written as generic ones "
                           "({names}).", count=sum(names.homeless.values()), version=version,
@@ -230,8 +237,8 @@ def _object(item: CityObject, names: _Names, places, textures: dict[str, list]) 
         before += generic_attribute("source_id", item.id)
     if item.problems:
         before += generic_attribute("problems", "; ".join(item.problems))
-    parts = "".join(f"<bldg:consistsOfBuildingPart>{_object(part, names, places, textures)}"
-                    "</bldg:consistsOfBuildingPart>" for part in item.parts)
+    parts = "".join(f"<bldg:{PART_PROPERTY}>{_object(part, names, places, textures)}</bldg:{PART_PROPERTY}>"
+                    for part in item.parts)
     return f'<bldg:{item.type} gml:id="{identifier}">{before}{inside}{geometry.xml}{parts}{after}</bldg:{item.type}>'
 
 
@@ -264,8 +271,8 @@ def _write_file(path: Path, file: _GmlFile, frame: _Frame, model: CityModel, ext
     """Put head, members and textures together."""
     spaces = " ".join(f'xmlns:{prefix}="{uri}"' for prefix, uri in {**_NAMESPACES, "uro": extension}.items())
     if frame.epsg in (GEOGRAPHIC_2011, GEOGRAPHIC_2024):
-        own = f"{extension} ../../schemas/iur/uro/{extension.rpartition('/')[2]}/urbanObject.xsd"
-        spaces += f' xsi:schemaLocation="{own} {_SCHEMAS}"'
+        extension_schema = f"{extension} ../../schemas/iur/uro/{extension.rpartition('/')[2]}/urbanObject.xsd"
+        spaces += f' xsi:schemaLocation="{extension_schema} {_SCHEMAS}"'
     title = f"<gml:name>{xml_text(model.title)}</gml:name>" if model.title else ""
     envelope = ""
     if np.isfinite(file.low).all():

@@ -8,8 +8,7 @@ from typing import IO, Any
 
 import numpy as np
 
-UNITS = 10_000
-"""Vertices are whole numbers of 1/10000 m."""
+from ...geometry.tolerances import UNITS
 
 _REMEMBERED = 250_000
 """Vertices kept at hand to be shared; files of fewer vertices share all of theirs."""

@@ -13,6 +13,7 @@ from typing import IO, Any
 import numpy as np
 
 from ...errors import InputError
+from ...geometry.tolerances import UNITS
 from ...io.files.atomic import written_beside
 from ...progress import SILENT, Progress
 from ...wording import say
@@ -31,7 +32,7 @@ from ..model import (
 from ..objects import unique_objects
 from ..plain_values import plain_attributes
 from ..reference import compound_epsg
-from .vertices import UNITS, VertexList, json_text, write_end
+from .vertices import VertexList, json_text, write_end
 
 THEME = "facades"
 """Name of the textures' theme."""

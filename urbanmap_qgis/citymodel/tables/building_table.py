@@ -16,6 +16,7 @@ import numpy as np
 import shapely
 
 from ...geometry.solid import GROUND, OUTER_WALL, ROOF
+from ...geometry.tolerances import LEAST_FACE
 from ...wording import say
 from ..model import (
     FOOTPRINT,
@@ -31,7 +32,6 @@ from ..plain_values import plain_attributes
 from ..solids import TYPES
 
 _UPRIGHT = 0.05  # of the unit normal's height: within 3 degrees of upright
-_LEAST_PLAN = 1e-4  # m2
 _LONGEST_NAME = 60
 LONGEST_BUILDING = 10_000.0
 """No building is so long or high, m; the longest are about two kilometres."""
@@ -121,15 +121,15 @@ def _row(building: CityObject) -> BuildingRow:
 
 def _impossible(height: Any, rings: list[np.ndarray]) -> list[str]:
     """What no building can have: a measured height that is no number, corners farther apart than one is long."""
-    told = []
+    reasons = []
     if height is not None and not isinstance(height, (int, float)):
-        told.append(say("its measured height “{text}” is no number", text=str(height)[:40]))
+        reasons.append(say("its measured height “{text}” is no number", text=str(height)[:40]))
     corners = np.vstack(rings) if rings else np.zeros((1, 3))
     extent = np.ptp(corners, axis=0).max()
     if not extent <= LONGEST_BUILDING:
-        told.append(say("its corners lie {extent} km apart, so that a coordinate is wrong",
+        reasons.append(say("its corners lie {extent} km apart, so that a coordinate is wrong",
                         extent=f"{extent / 1000.0:.0f}" if np.isfinite(extent) else "?"))
-    return told
+    return reasons
 
 
 def best_model(building: CityObject) -> list[CityShape]:
@@ -182,13 +182,13 @@ def _outline(shapes: list[CityShape], faces: np.ndarray) -> shapely.Geometry | N
 
 def _plan(polygons: np.ndarray) -> shapely.Geometry | None:
     """Polygons in plan as one; None where they have no area."""
-    valid = shapely.make_valid(polygons[shapely.area(polygons) > _LEAST_PLAN])
+    valid = shapely.make_valid(polygons[shapely.area(polygons) > LEAST_FACE])
     if not len(valid):
         return None
     # On a lattice of a millimetre no hair lines are left between faces.
     joined = shapely.union_all(valid, grid_size=0.001)
     parts = shapely.get_parts(shapely.get_parts(joined))
-    parts = parts[(shapely.get_type_id(parts) == 3) & (shapely.area(parts) > _LEAST_PLAN)]
+    parts = parts[(shapely.get_type_id(parts) == 3) & (shapely.area(parts) > LEAST_FACE)]
     return shapely.multipolygons(parts) if len(parts) else None
 
 

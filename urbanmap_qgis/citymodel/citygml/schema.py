@@ -1,0 +1,111 @@
+"""What of CityGML its reader, writer and checks know, as tables: modules, geometry, attributes and their values.
+
+A change of the schema is a change of these tables; the elements of i-UR, one table a version, are in `iur`.
+
+Source: OGC 12-019 (CityGML 2.0), OGC 08-007r1 (CityGML 1.0), OGC 03-105r1 (GML 3.1.1).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from datetime import date
+from types import MappingProxyType
+
+from ..model import BUILDING, BUILDING_PART, FOOTPRINT, MULTI_SURFACE, ROOF_EDGE, SOLID, CodeValue, Measure
+
+CITYGML_SPACE = "http://www.opengis.net/citygml/"
+GML = "http://www.opengis.net/gml"
+GML_3_2 = "http://www.opengis.net/gml/3.2"
+XLINK = "http://www.w3.org/1999/xlink"
+XLINK_HREF = f"{{{XLINK}}}href"
+
+WRITTEN_VERSION = "2.0"
+
+MODULES: Mapping[str, str] = MappingProxyType({
+    "building": "bldg", "transportation": "tran", "cityfurniture": "frn", "vegetation": "veg", "landuse": "luse",
+    "relief": "dem", "bridge": "brid", "tunnel": "tun", "waterbody": "wtr", "generics": "gen",
+    "cityobjectgroup": "grp", "appearance": "app"})
+"""Usual prefixes by the modules' words in their namespaces, which go on with the version; the core has no word."""
+
+EXTENSIONS = ("uro", "urf")
+"""Prefixes of i-UR, which stand in its namespaces of any version."""
+
+MEMBERS = frozenset({"cityObjectMember", "featureMember", "featureMembers"})
+"""Properties of a city model that hold its objects."""
+
+OBJECTS: Mapping[str, str] = MappingProxyType({"Building": BUILDING, "BuildingPart": BUILDING_PART})
+"""Kinds of objects of the record by the elements of the building module."""
+
+PART_PROPERTY, BOUNDARY_PROPERTY = "consistsOfBuildingPart", "boundedBy"
+
+
+@dataclass(frozen=True)
+class GeometryProperty:
+    """A property of a building or a boundary surface that holds geometry: its level of detail, the kind of shape."""
+
+    name: str
+    lod: str
+    kind: str
+
+
+_SHAPES = (("Solid", SOLID), ("MultiSurface", MULTI_SURFACE))
+GEOMETRY: Mapping[str, GeometryProperty] = MappingProxyType({item.name: item for item in (
+    GeometryProperty("lod0FootPrint", "0", FOOTPRINT), GeometryProperty("lod0RoofEdge", "0", ROOF_EDGE),
+    *(GeometryProperty(f"lod{lod}{ending}", lod, kind) for lod in "01234" for ending, kind in _SHAPES))})
+"""In the schema's order. Of level 0 solids and surfaces, too, are read where files have them, though not written."""
+
+GEOMETRY_NAMES: Mapping[tuple[str, str], str] = MappingProxyType(
+    {(item.lod, item.kind): item.name for item in GEOMETRY.values()})
+"""Properties by level of detail and kind of shape."""
+
+LAST_BEFORE_BOUNDARIES = GEOMETRY_NAMES["2", MULTI_SURFACE]
+"""The property behind which the schema has the boundary surfaces."""
+
+FEATURE_FIELDS: Mapping[str, str] = MappingProxyType({
+    "description": "gml:description", "name": "gml:name", "creationDate": "core:creationDate",
+    "terminationDate": "core:terminationDate"})
+"""Attributes that every object has, in the schema's order: elements by the record's names."""
+
+
+@dataclass(frozen=True)
+class BuildingField:
+    """An attribute of the building module: kinds of values that it takes, their form, and the unit of a bare number."""
+
+    takes: tuple[type, ...]
+    form: str = ""
+    unit: str = ""
+
+
+_CODE, _YEAR = BuildingField((str, int, CodeValue)), BuildingField((str, int), r"-?\d{4,}")
+_COUNT, _HEIGHTS = BuildingField((str, int), r"\d+"), BuildingField((Measure,))
+BUILDING_FIELDS: Mapping[str, BuildingField] = MappingProxyType({
+    "class": _CODE, "function": _CODE, "usage": _CODE, "yearOfConstruction": _YEAR, "yearOfDemolition": _YEAR,
+    "roofType": _CODE, "measuredHeight": BuildingField((Measure, int, float), unit="m"),
+    "storeysAboveGround": _COUNT, "storeysBelowGround": _COUNT,
+    "storeyHeightsAboveGround": _HEIGHTS, "storeyHeightsBelowGround": _HEIGHTS})
+"""Attributes of bldg:_AbstractBuilding in the schema's order."""
+
+GENERIC_SET = "genericAttributeSet"
+GENERIC_FIELDS: Mapping[str, type] = MappingProxyType({
+    "stringAttribute": str, "intAttribute": int, "doubleAttribute": float, "dateAttribute": date,
+    "uriAttribute": str, "measureAttribute": Measure})
+"""Types of the values of generic attributes, by their elements."""
+
+GENERIC_NAMES: Mapping[type, str] = MappingProxyType(
+    {kind: name for name, kind in GENERIC_FIELDS.items() if name != "uriAttribute"})
+"""The element that a value of a type is written as."""
+
+
+def namespace_of(prefix: str) -> str:
+    """Namespace of a module of CityGML, in the version that is written."""
+    word = next((word for word, known in MODULES.items() if known == prefix), "")
+    return f"{CITYGML_SPACE}{word}/{WRITTEN_VERSION}" if word else f"{CITYGML_SPACE}{WRITTEN_VERSION}"
+
+
+def module_of(namespace: str) -> str | None:
+    """Prefix of a module of CityGML by its namespace of any version, "core" for the core; None for any other."""
+    if not namespace.startswith(CITYGML_SPACE):
+        return None
+    word = namespace[len(CITYGML_SPACE):].partition("/")[0]
+    return MODULES.get(word) or ("core" if word.startswith(("1", "2", "3")) else None)
