@@ -54,7 +54,8 @@ class RoofPolygons(UrbanMapAlgorithm):
         import numpy as np
         import shapely
 
-        from ...urbanmap_qgis.buildings.polygon_stage import PolygonParameters, cloud_roof_polygons
+        from ...urbanmap_qgis.buildings.polygon_stage import cloud_roof_polygons
+        from ...urbanmap_qgis.buildings.roof_polygons.polygon_rows import PolygonParameters
 
         progress = self.progress(feedback)
         table = self.read_polygons(parameters, "FOOTPRINTS", context, progress)

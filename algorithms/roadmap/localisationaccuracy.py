@@ -128,7 +128,7 @@ class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgo
 
     def read_map(self, parameters, context, progress):
         """The core's map, the places, and the CRS of both."""
-        from ...urbanmap_qgis.localisation.accuracy_map import LocalisationMap
+        from ...urbanmap_qgis.localisation.accuracy_records import LocalisationMap
 
         buildings = self.read_walls(parameters, context, progress.part(0.0, 0.5))
         markings = self.read_markings(parameters, context, progress.part(0.5, 0.8))

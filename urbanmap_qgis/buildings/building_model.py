@@ -29,8 +29,8 @@ from .outlines.footprint import has_curved_walls
 from .planes.level_alternative import broad_area
 from .planes.plane_solids import checked_sloped_solids
 from .planes.roof_type import roof_type
-from .polygon_stage import LEVELS_BETTER
 from .quality import ModelFit, height_differences, model_fit, surface_distances, unexplained_points
+from .roof_polygons.polygon_rows import LEVELS_BETTER
 from .solids.plan_partition import partition_plan
 from .solids.solid import building_solids
 from .solids.validity import check_solid

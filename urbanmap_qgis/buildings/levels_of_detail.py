@@ -14,6 +14,7 @@ import numpy as np
 import shapely
 
 from ..geometry.solid import GROUND, ROOF, Solid, surfaces
+from ..geometry.tolerances import MILLIMETRE, ROUNDING
 from ..geometry.triangulation import triangulate_face
 from .solids.plan_partition import Cell, partition_plan
 from .solids.solid import building_solids
@@ -21,10 +22,6 @@ from .solids.validity import check_solid
 
 BLOCK_SHARE = 0.5
 """Share of the roof's plan area that lies below the height of a block: the median, as Japan's LOD1 has it."""
-
-_TINY = 1e-12
-_NODE = 1e-3
-"""Corners of roofs nearer than this (m) are one."""
 
 
 def roof_triangles(solids: Sequence[Solid]) -> np.ndarray:
@@ -60,7 +57,7 @@ def _quantile(z: np.ndarray, weight: np.ndarray, levels: np.ndarray, share: floa
         return float(levels[0])
     while low < high:  # the first corner's height up to which the share lies
         middle = (low + high) // 2
-        low, high = (low, middle) if below(levels[middle]) >= min(share, 1.0) - _TINY else (middle + 1, high)
+        low, high = (low, middle) if below(levels[middle]) >= min(share, 1.0) - ROUNDING else (middle + 1, high)
     if low == 0:
         return float(levels[0])
     start, length = float(levels[low - 1]), float(levels[low] - levels[low - 1])
@@ -120,7 +117,7 @@ def stepped_solids(solid: Solid) -> tuple[Solid, ...]:
 
     A solid of level roofs is its own level 1.3. Empty where no valid solid comes of it.
     """
-    if all(np.ptp(solid.vertices[list(face[0]), 2]) < _NODE for face, kind in zip(solid.faces, solid.surface_type)
+    if all(np.ptp(solid.vertices[list(face[0]), 2]) < MILLIMETRE for face, kind in zip(solid.faces, solid.surface_type)
            if kind == ROOF):
         return (solid,)
     return _raised(solid, [(step.plan, number, step.height) for number, step in enumerate(roof_steps(solid))])

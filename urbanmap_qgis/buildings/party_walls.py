@@ -8,12 +8,12 @@ import numpy as np
 import shapely
 
 from ..geometry.solid import OUTER_WALL, Solid
+from ..geometry.tolerances import SAME_PLACE
 
 REACH = 0.15
 """Distance (m) across up to which walls of two buildings stand against each other."""
 
 PARALLEL = np.cos(np.radians(5.0))
-_SHORT = 1e-6
 
 
 def party_wall_areas(buildings: Sequence[Sequence[Solid]]) -> np.ndarray:
@@ -47,7 +47,7 @@ def _walls(buildings: Sequence[Sequence[Solid]]) -> tuple[np.ndarray, np.ndarray
                     continue
                 corners = solid.vertices[list(face[0])]
                 start, end = _run(corners)
-                if np.linalg.norm(end - start) > _SHORT:
+                if np.linalg.norm(end - start) > SAME_PLACE:
                     owner.append(number)
                     ends.append((start, end))
                     shapes.append(corners)

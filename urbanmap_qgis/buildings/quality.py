@@ -8,6 +8,7 @@ import numpy as np
 import shapely
 
 from ..execution import checkpoint
+from ..geometry.tolerances import LEAST_SQUARE, SAME_PLACE
 
 
 @dataclass(frozen=True)
@@ -16,8 +17,6 @@ class BuildingsQualityLimits:
 
     best_share: float = 0.95  # Share of the points, those that fit best, that the trimmed RMSE is taken over.
     explained: float = 0.5  # Distance (m) to the nearest surface of the model up to which it explains a point.
-    # Distance (m) by which the search for near surfaces goes too far, so that no rounding leaves one out.
-    rounding: float = 1e-6
     # Distance (m) of a point that no roof took from a wall up to which it is a point of that wall: outlines are
     # rough.
     wall_point: float = 1.0
@@ -146,7 +145,7 @@ def surface_distances(x: np.ndarray, y: np.ndarray, z: np.ndarray, cells: list[R
         nearest[rows] = np.minimum(nearest[rows], _roof_distances(x[rows], y[rows], z[rows], cell, at_place=True))
     for cell, rows in zip(cells, below):
         checkpoint()
-        near = _within_reach(x, y, z, cell, nearest + LIMITS.rounding)
+        near = _within_reach(x, y, z, cell, nearest + SAME_PLACE)
         near[rows] = False
         near = np.flatnonzero(near)
         if len(near):
@@ -193,7 +192,7 @@ def _edge_distances(points: np.ndarray, cell: RoofCell) -> np.ndarray:
             from_start = points - start
             # Summed by hand: a matrix product's last digit depends on where the arrays lie in memory.
             run = from_start[:, 0] * along[0] + from_start[:, 1] * along[1] + from_start[:, 2] * along[2]
-            share = np.clip(run / max(along[0] ** 2 + along[1] ** 2 + along[2] ** 2, 1e-12), 0.0, 1.0)
+            share = np.clip(run / max(along[0] ** 2 + along[1] ** 2 + along[2] ** 2, LEAST_SQUARE), 0.0, 1.0)
             nearest = np.minimum(nearest, np.linalg.norm(from_start - share[:, None] * along, axis=1))
     return nearest
 
@@ -203,7 +202,7 @@ def _wall_distances(x: np.ndarray, y: np.ndarray, z: np.ndarray, walls: np.ndarr
     left out, and infinity stands where all are."""
     if walls.shape[1] == 6:
         walls = walls[:, [0, 1, 2, 3, 4, 4, 5, 5]]
-    reach, nearest = limit + LIMITS.rounding, np.full(len(x), np.inf)
+    reach, nearest = limit + SAME_PLACE, np.full(len(x), np.inf)
     least, most = np.minimum(walls[:, [0, 1, 4]], walls[:, [2, 3, 5]]), np.maximum(walls[:, [0, 1, 6]],
                                                                                   walls[:, [2, 3, 7]])
     near = np.ones((len(x), len(walls)), bool)

@@ -14,6 +14,7 @@ import shapely
 from ..errors import InsufficientDataError
 from ..geometry.grid import Grid
 from ..geometry.sampling import sample
+from ..geometry.tolerances import LEAST_DIVISOR
 from ..io.points.point_buckets import stable_order
 from ..io.points.pointcloud import PointLayout
 from ..progress import SILENT, Progress
@@ -154,7 +155,7 @@ def segment_tile(tile: Tile, progress: Progress = SILENT) -> tuple[np.ndarray, S
 def _open_shares(given: np.ndarray, outlines: np.ndarray) -> np.ndarray:
     """Share (n,) of each given outline that was cut out as open ground."""
     before, after = shapely.area(given), shapely.area(outlines)
-    return np.where(before > 0, np.clip(1.0 - after / np.maximum(before, 1e-9), 0.0, 1.0), 0.0)
+    return np.where(before > 0, np.clip(1.0 - after / np.maximum(before, LEAST_DIVISOR), 0.0, 1.0), 0.0)
 
 
 def _segment_as_paper(tile: Tile, x: np.ndarray, y: np.ndarray, ground: tuple[Grid, np.ndarray] | None
@@ -264,7 +265,7 @@ def _count_points(table: SegmentedBuildings, assignment: Assignment, outlines: n
     count = len(outlines)
     table.points[:] = np.bincount(assignment.owner[assignment.owner >= 0], minlength=count)
     inside = np.bincount(assignment.owner[assignment.primary], minlength=count)
-    table.density[:] = inside / np.maximum(shapely.area(outlines), 1e-9)
+    table.density[:] = inside / np.maximum(shapely.area(outlines), LEAST_DIVISOR)
     if ground is not None:
         table.ground[:] = outline_ground(outlines, *ground)
     table.status[:] = np.where(table.points >= LIMITS.min_roof_points, "ok",

@@ -9,10 +9,8 @@ import numpy as np
 import shapely
 
 from ..errors import InputError, InsufficientDataError
+from ..geometry.tolerances import LEAST_FACE
 from ..wording import say
-
-_LEAST_FACE = 1e-4
-"""A face whose plan is smaller than this (m2) is upright."""
 
 _SEAM = 0.001
 """Faces are joined on a lattice of this step, m, so that no hair lines are left between them."""
@@ -70,7 +68,7 @@ def _plan(geometry: shapely.Geometry) -> shapely.Geometry | None:
     """What a geometry covers in plan."""
     parts = shapely.get_parts(shapely.get_parts(shapely.force_2d(geometry)))
     parts = parts[(shapely.get_type_id(parts) == 3)]
-    parts = parts[shapely.area(parts) > _LEAST_FACE]
+    parts = parts[shapely.area(parts) > LEAST_FACE]
     if not len(parts):
         return None
     bad = ~shapely.is_valid(parts)

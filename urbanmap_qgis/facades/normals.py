@@ -80,7 +80,7 @@ def _voxels(points: np.ndarray, size: float) -> NormalVoxels:
     low = points.min(axis=0)
     index = np.floor((points - low) / size).astype(np.int64) + 1
     shape = index.max(axis=0) + 2
-    codes, of_point, count = _numbered((index[:, 0] * shape[1] + index[:, 1]) * shape[2] + index[:, 2],
+    codes, of_point, count = numbered_cells((index[:, 0] * shape[1] + index[:, 1]) * shape[2] + index[:, 2],
                                        int(shape.prod()))
     local = points - low
     # Sums about the voxel's corner, so that squares stay small.
@@ -98,7 +98,7 @@ def _voxels(points: np.ndarray, size: float) -> NormalVoxels:
                         support)
 
 
-def _numbered(code: np.ndarray, most: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def numbered_cells(code: np.ndarray, most: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Different codes (v,) ascending, the place among them of each (n,), and how often they come (v,)."""
     if most > LIMITS.dense * len(code):
         codes, place, count = np.unique(code, return_inverse=True, return_counts=True)

@@ -9,13 +9,16 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 import shapely
 from scipy import ndimage
 
 from ..errors import InputError
 from ..geometry.alpha_shape import alpha_shape, signed_area
+from ..io.points.point_buckets import stable_order
 from ..wording import say
+from .normals import numbered_cells
 from .plane_fit import WallPlane, component
 
 
@@ -24,6 +27,12 @@ class WallContoursLimits:
     """Limits of wall contours, each with its unit."""
 
     thin: float = 0.12  # One point in each square of this side (m) is enough for a hull.
+    # Squares across alpha: a circle as wide as alpha holds at least one of them whole (the square root of 2 and more).
+    across: float = 1.45
+    deep: int = 3  # Squares on each side that such a circle through a point reaches.
+    # Likewise small squares across a circle that holds one whole of each four, and on each side that it reaches.
+    small_across: float = 2.5
+    small_deep: int = 5
     cell: float = 0.25  # Cells on which shares are counted, m.
     spacings: float = 3.0
     min_alpha: float = 0.35
@@ -119,7 +128,8 @@ def wall_contours(plane: WallPlane, points: np.ndarray,
                   settings: ContourSettings = ContourSettings()) -> list[Contour]:
     """Contours of a wall's points (n, 3), the largest first; empty where none is large enough."""
     flat = in_plane(plane, points)
-    hull = alpha_polygon(_thinned(flat), settings.alpha or contour_alpha(flat))
+    alpha = settings.alpha or contour_alpha(flat)
+    hull = alpha_polygon(*_thinned(flat, alpha), alpha)
     contours = []
     for joined, measured in _joined(shapely.get_parts(hull), settings.max_gap):
         if measured.area < settings.min_area:
@@ -157,29 +167,64 @@ def _joined(pieces: np.ndarray, max_gap: float) -> list[tuple[shapely.Polygon, s
     return contours
 
 
-def _thinned(flat: np.ndarray) -> np.ndarray:
-    """One point of each small square; well within the wall one of each four."""
+def _thinned(flat: np.ndarray, alpha: float) -> tuple[np.ndarray, np.ndarray]:
+    """One point of each small square, well within the wall one of each four: those that the alpha shape needs, and
+    those too deep within for it.
+    """
     place = np.floor((flat - flat.min(axis=0)) / LIMITS.thin).astype(np.int64)
     height = int(place[:, 1].max()) + 1
-    code, first = np.unique(place[:, 0] * height + place[:, 1], return_index=True)
-    row, column = code // height, code % height
-    filled = np.zeros((int(row.max()) + 1, height), bool)
-    filled[row, column] = True
-    within = ndimage.binary_erosion(filled, np.ones((5, 5)))[row, column]
-    return flat[first[~within | ((row % 2 == 0) & (column % 2 == 0))]]
+    code = place[:, 0] * height + place[:, 1]
+    first = _first_of_each(code)
+    row, column = code[first] // height, code[first] % height
+    chosen = np.flatnonzero(~_surrounded(row, column, 2) | ((row % 2 == 0) & (column % 2 == 0)))
+    points = flat[first[chosen]]
+    deep = _deep(points, alpha)
+    if alpha >= LIMITS.small_across * LIMITS.thin:
+        deep |= _surrounded(row, column, LIMITS.small_deep)[chosen]
+    return points[~deep], points[deep]
+
+
+def _deep(points: np.ndarray, alpha: float) -> np.ndarray:
+    """Points (n,) all of whose Delaunay triangles have a circumradius below `alpha`, m, as far as that is easily told.
+
+    A wider circle through such a point would hold a whole square of those round it, and in each of them is a point.
+    """
+    if alpha < LIMITS.thin:  # no squares smaller than those of the points
+        return np.zeros(len(points), bool)
+    place = np.floor((points - points.min(axis=0)) / (alpha / LIMITS.across)).astype(np.int64)
+    return _surrounded(*place.T, LIMITS.deep)
+
+
+def _first_of_each(code: np.ndarray) -> np.ndarray:
+    """Indices of the first of each different whole number (n,), the numbers ascending."""
+    order = stable_order(code)
+    code = code[order]
+    return order[np.flatnonzero(np.append(True, code[1:] != code[:-1]))]
+
+
+def _surrounded(row: np.ndarray, column: np.ndarray, cells: int) -> np.ndarray:
+    """Which squares (n,) have so many others on every side."""
+    filled = np.zeros((int(row.max()) + 1, int(column.max()) + 1), np.uint8)
+    filled[row, column] = 1
+    square = np.ones((2 * cells + 1, 2 * cells + 1), np.uint8)
+    return cv2.erode(filled, square, borderType=cv2.BORDER_CONSTANT, borderValue=0)[row, column] > 0
 
 
 def contour_alpha(flat: np.ndarray) -> float:
     """Three times the spacing of points (n, 2) where they are thin: the sparsest tenth of the filled half metres."""
     place = np.floor((flat - flat.min(axis=0)) / 0.5).astype(np.int64)
-    _, count = np.unique(place[:, 0] * (int(place[:, 1].max()) + 1) + place[:, 1], return_counts=True)
+    height = int(place[:, 1].max()) + 1
+    *_, count = numbered_cells(place[:, 0] * height + place[:, 1], (int(place[:, 0].max()) + 1) * height)
     spacing = 0.5 / math.sqrt(float(np.quantile(count, 0.2)))
     return float(np.clip(LIMITS.spacings * spacing, LIMITS.min_alpha, LIMITS.max_alpha))
 
 
-def alpha_polygon(flat: np.ndarray, alpha: float) -> shapely.Geometry:
-    """Polygons that points (n, 2) cover: Delaunay triangles with a circumradius below `alpha`, joined, simplified."""
-    rings = alpha_shape(flat, alpha)
+def alpha_polygon(flat: np.ndarray, left_out: np.ndarray, alpha: float) -> shapely.Geometry:
+    """Polygons that points (n, 2) cover: their alpha shape, its rings joined and simplified.
+
+    `left_out` (m, 2) : further points deep within, see `alpha_shape`.
+    """
+    rings = alpha_shape(flat, alpha, left_out)
     outer, holes = [], []
     for ring in rings:
         xy = flat[ring]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from scipy.spatial import Delaunay, QhullError
+from scipy.spatial import Delaunay, QhullError, cKDTree
 
 from ..errors import InputError
 from ..wording import say
@@ -22,13 +22,16 @@ def default_alpha(density: float) -> float:
     return ALPHA_SPACINGS / math.sqrt(density)
 
 
-def alpha_shape(xy: np.ndarray, alpha: float) -> list[np.ndarray]:
+def alpha_shape(xy: np.ndarray, alpha: float, left_out: np.ndarray | None = None) -> list[np.ndarray]:
     """Boundary rings of the alpha shape: Delaunay triangles with a circumradius below `alpha`.
 
     Parameters
     ----------
     xy : (n, 2) coordinates in metres.
     alpha : metres.
+    left_out : (m, 2) points well within the shape, round which all triangles would be small enough; they are not
+        triangulated. What they leave is filled with triangles whose circles hold one of them, and only with these:
+        all these count, and the rings are those of all points together.
 
     Returns
     -------
@@ -43,13 +46,17 @@ def alpha_shape(xy: np.ndarray, alpha: float) -> list[np.ndarray]:
         raise InputError(say("Alpha must be above zero metres."))
     if len(xy) < 3:
         return []
-    local = xy - xy.mean(axis=0)
+    middle = xy.mean(axis=0)
+    local = xy - middle
     try:
-        triangles = Delaunay(local).simplices
+        net = Delaunay(local)
     except QhullError:  # all points on one line: no triangle, so no area
         return []
-    triangles = _small_triangles(local, triangles, alpha)
-    start, end = _boundary_edges(triangles, len(local))
+    within = _small_triangles(local, net.simplices, alpha)
+    if left_out is not None and len(left_out):
+        large = np.flatnonzero(~within)
+        within[large] = _circles_hold(local, net.simplices[large], left_out - middle)
+    start, end = _boundary_edges(local, net, within)
     rings = _trace(local, start, end)
     areas = [signed_area(local[ring]) for ring in rings]
     order = sorted(range(len(rings)), key=lambda i: (-areas[i], int(rings[i][0])))
@@ -63,24 +70,38 @@ def signed_area(ring: np.ndarray) -> float:
 
 
 def _small_triangles(xy: np.ndarray, triangles: np.ndarray, alpha: float) -> np.ndarray:
-    """Triangles with circumradius < alpha, turned counterclockwise."""
+    """Which triangles (t,) have a circumradius < alpha."""
     a, b, c = xy[triangles[:, 0]], xy[triangles[:, 1]], xy[triangles[:, 2]]
     u, v = b - a, c - a
     twice_area = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
     sides = np.hypot(*u.T) * np.hypot(*v.T) * np.hypot(*(c - b).T)
-    keep = sides < 2.0 * alpha * np.abs(twice_area)  # R = abc / (4 area)
-    triangles = triangles[keep].astype(np.int64)
-    clockwise = twice_area[keep] < 0
-    triangles[clockwise] = triangles[clockwise][:, [0, 2, 1]]
-    return triangles
+    return sides < 2.0 * alpha * np.abs(twice_area)  # R = abc / (4 area)
 
 
-def _boundary_edges(triangles: np.ndarray, n: int) -> tuple[np.ndarray, np.ndarray]:
-    """Directed edges (start, end) that belong to one triangle only, the triangle on their left."""
-    start = triangles.ravel()
-    end = np.roll(triangles, -1, axis=1).ravel()
-    lone = ~np.isin(start * n + end, end * n + start)
-    start, end = start[lone], end[lone]
+def _circles_hold(xy: np.ndarray, triangles: np.ndarray, points: np.ndarray) -> np.ndarray:
+    """Which triangles (t,) have one of the points (m, 2) in their circumcircle."""
+    a = xy[triangles[:, 0]]
+    u, v = xy[triangles[:, 1]] - a, xy[triangles[:, 2]] - a
+    uu, vv = (u * u).sum(axis=1), (v * v).sum(axis=1)
+    twice = 2.0 * (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        away = np.column_stack([v[:, 1] * uu - u[:, 1] * vv, u[:, 0] * vv - v[:, 0] * uu]) / twice[:, None]
+    hold = np.isfinite(away).all(axis=1)  # three points on a line have no circle
+    nearest = cKDTree(points).query((a + away)[hold])[0]
+    hold[hold] = nearest < np.hypot(*away[hold].T)
+    return hold
+
+
+def _boundary_edges(xy: np.ndarray, net: Delaunay, within: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Directed edges (start, end) between the triangles `within` and the others, the former on their left."""
+    inside = np.append(within, False)  # -1, no neighbour, looks up the last
+    triangle, corner = np.nonzero(within[:, None] & ~inside[net.neighbors])  # the neighbour opposite of each corner
+    corners = net.simplices[triangle].astype(np.int64)
+    row = np.arange(len(triangle))
+    opposite, start, end = (corners[row, (corner + turn) % 3] for turn in range(3))
+    u, v = xy[start] - xy[opposite], xy[end] - xy[opposite]
+    clockwise = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0] < 0
+    start[clockwise], end[clockwise] = end[clockwise], start[clockwise]
     order = np.lexsort((end, start))
     return start[order], end[order]
 

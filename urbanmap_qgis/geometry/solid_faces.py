@@ -8,9 +8,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from .solid import GROUND, OUTER_WALL, ROOF, Face, Solid
-
-MILLIMETRE = 1e-3
-"""Corners of faces that lie closer together than this are one vertex, m."""
+from .tolerances import MILLIMETRE
 
 _UPRIGHT = 0.1
 """Faces whose normal's vertical part is smaller are walls."""

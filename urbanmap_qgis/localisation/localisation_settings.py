@@ -6,9 +6,6 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-SCANNER_KINDS = ("2D", "multi-layer")
-MATCHERS = ("NDT", "ICP")
-
 
 @dataclass(frozen=True)
 class VehicleScanner:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 import shapely
 
+from ..geometry.tolerances import LEAST_DIVISOR
 from .map_records import DrivenPath, VectorMap
 
 FILLS = {"lane": "#f5e9b8", "virtual": "#f6cfcf"}
@@ -76,7 +77,7 @@ def _lanes(built: VectorMap, window: shapely.Polygon, path) -> list[str]:
         line = shapely.LineString(built.lanes[number].centre[:, :2])
         tip, tail = (shapely.get_coordinates(line.interpolate(min(line.length / 2.0 + step, line.length)))[0]
                      for step in (1.2, -1.2))
-        course = (tip - tail) / max(np.linalg.norm(tip - tail), 1e-9)
+        course = (tip - tail) / max(np.linalg.norm(tip - tail), LEAST_DIVISOR)
         across = 0.7 * np.array([-course[1], course[0]])
         parts.append(f'<path d="{path(np.array([tip, tail + across, tail - across]), True)}" fill="#c23b22"/>')
     return parts

@@ -12,8 +12,8 @@ import numpy as np
 import shapely
 
 from ...geometry.solid import GROUND, Solid
+from ...geometry.tolerances import GRID, LEAST_DIVISOR, UNITS
 from ..solids.sloped_solid import SlopedCell, sloped_solids
-from .layered_solid import GRID
 from .model_parts import ModelParts
 
 MARGIN = 0.2
@@ -23,8 +23,6 @@ LEAST_SHARE = 0.5
 """Share of the wanted height below which no cut is made: too little of the walls would be measured."""
 
 _LEVEL = 0.005
-_UNITS = 10_000
-
 
 def cut_height(parts: ModelParts, wanted: float) -> float | None:
     """Height of the cut (m, absolute): `wanted`, or lower where a roof reaches below; None where none can be made.
@@ -66,7 +64,7 @@ def with_sloped_top(lower: Sequence[Solid], cells: Sequence[SlopedCell], cut: fl
     lower : their roofs above the cut are level and stand for the sloped ones.
     cells : the sloped roofs over the cut; corners on the grid.
     """
-    nodes = np.unique(np.concatenate([solid.vertices[solid.vertices[:, 2] > cut - 0.5 / _UNITS, :2]
+    nodes = np.unique(np.concatenate([solid.vertices[solid.vertices[:, 2] > cut - 0.5 / UNITS, :2]
                                       for solid in lower]).round(4), axis=0)
     upper = sloped_solids([SlopedCell(_with_nodes(cell.polygon, nodes), cell.roof_id, cell.plane, cell.origin)
                            for cell in cells], cut)
@@ -86,8 +84,9 @@ def _with_nodes(polygon: shapely.Polygon, nodes: np.ndarray) -> shapely.Polygon:
         vertices = [xy[0]]
         for start, end in zip(xy[:-1], xy[1:]):
             length = float(np.hypot(*(end - start)))
-            along = (nodes - start) @ (end - start) / max(length, 1e-9)
-            away = np.abs((nodes - start) @ np.array([start[1] - end[1], end[0] - start[0]])) / max(length, 1e-9)
+            unit = (end - start) / max(length, LEAST_DIVISOR)
+            along = (nodes - start) @ unit
+            away = np.abs((nodes - start) @ np.array([-unit[1], unit[0]]))
             on = np.flatnonzero((away < GRID) & (along > GRID / 2) & (along < length - GRID / 2))
             vertices += [*nodes[on[np.argsort(along[on])]], end]
         return np.array(vertices)
@@ -97,13 +96,13 @@ def _with_nodes(polygon: shapely.Polygon, nodes: np.ndarray) -> shapely.Polygon:
 
 def _rings(vertices: np.ndarray, face: Sequence[Sequence[int]]) -> list[list[tuple[int, int, int]]]:
     """Rings of a face as places on a lattice of 0.1 mm."""
-    whole = np.rint(vertices * _UNITS).astype(np.int64)
+    whole = np.rint(vertices * UNITS).astype(np.int64)
     return [list(map(tuple, whole[list(ring)].tolist())) for ring in face]
 
 
 def _below(solid: Solid, cut: float) -> list[tuple]:
     """Faces of a solid of layers up to the cut, walls that go on above it ended there."""
-    limit = round(cut * _UNITS)
+    limit = round(cut * UNITS)
     lower = []
     for face, kind, roof in zip(solid.faces, solid.surface_type, solid.roof_id):
         rings = _rings(solid.vertices, face)
@@ -143,6 +142,6 @@ def _joined(faces: list[tuple]) -> tuple[Solid, ...]:
         index: dict[tuple[int, int, int], int] = {}
         shells = tuple(tuple(tuple(index.setdefault(node, len(index)) for node in ring) for ring in rings)
                        for rings, _, _ in members_of)
-        solids.append(Solid(np.array(list(index), float) / _UNITS, shells, tuple(kind for _, kind, _ in members_of),
+        solids.append(Solid(np.array(list(index), float) / UNITS, shells, tuple(kind for _, kind, _ in members_of),
                             tuple(roof for _, _, roof in members_of)))
     return tuple(solids)

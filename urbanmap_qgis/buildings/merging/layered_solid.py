@@ -16,14 +16,9 @@ from scipy.sparse.csgraph import connected_components
 
 from ...errors import InputError
 from ...geometry.solid import GROUND, INNER_WALL, OUTER_WALL, OVERHANG, ROOF, Face, Solid
+from ...geometry.tolerances import GRID, UNITS
 from ...wording import say
 from ..solids.half_edges import HalfEdges, half_edges, trace_rings, whole_metre_origin
-
-GRID = 0.01
-"""Nodes lie on multiples of this, m."""
-
-_UNITS = 10_000
-"""Heights are whole tenths of a millimetre."""
 
 Interval = tuple[int, int]
 
@@ -53,7 +48,7 @@ def layered_solids(prisms: Sequence[Prism], lift: float = 0.0) -> tuple[Solid, .
     heights = np.array([(prism.bottom, prism.top) for prism in prisms], float).reshape(-1, 2)
     if not np.isfinite(heights).all():
         raise InputError(say("A part of the model has no height: give finite heights."))
-    levels = np.rint(heights * _UNITS).astype(np.int64)
+    levels = np.rint(heights * UNITS).astype(np.int64)
     plans = np.array([prism.plan for prism in prisms], object)
     if not len(plans):
         raise InputError(say("The model has no parts."))
@@ -78,7 +73,7 @@ def layered_solids(prisms: Sequence[Prism], lift: float = 0.0) -> tuple[Solid, .
     edges.origin = origin
     intervals = [merged_intervals(filled[f]) for f in filled_faces]
     if lift:
-        base, up = min(layers[0][0] for layers in intervals), round(lift * _UNITS)
+        base, up = min(layers[0][0] for layers in intervals), round(lift * UNITS)
         intervals = [[(bottom + up if base < bottom < top - up else bottom, top) for bottom, top in layers]
                      for layers in intervals]
     return _Builder(edges, intervals, [roof_of[f] for f in filled_faces]).solids()
@@ -158,7 +153,7 @@ class _Builder:
         nodes, levels = zip(*index)
         vertices = np.empty((len(nodes), 3))
         vertices[:, :2] = self.edges.coordinates(nodes)
-        vertices[:, 2] = np.array(levels) / _UNITS
+        vertices[:, 2] = np.array(levels) / UNITS
         return Solid(vertices, tuple(faces), tuple(types), tuple(ids))
 
     def _levels(self, layers: dict[int, list[Interval]]):

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from ...geometry.tolerances import LEAST_FACE
 from ...wording import say
 from ..solids.plan_partition import Cell
 
@@ -17,7 +18,6 @@ class ModelPartsLimits:
     """Limits of model parts, each with its unit."""
 
     level: float = 0.005  # A face whose heights differ by less than this (m) is level.
-    upright_area: float = 1e-4
     sloped_area: float = 0.05
     off_plane: float = 0.02  # A sloped face bends by no more than this (m).
 
@@ -66,7 +66,7 @@ def model_parts(faces: Sequence[shapely.Polygon]) -> ModelParts:
     origin = shapely.get_coordinates(faces[0])[0]
     for face, z in zip(faces, z_faces):
         plan = shapely.force_2d(face)
-        if plan.area < LIMITS.upright_area:
+        if plan.area < LEAST_FACE:
             continue
         level = np.ptp(z) <= LIMITS.level
         if level and z.mean() - base < LIMITS.level:

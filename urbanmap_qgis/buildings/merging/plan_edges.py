@@ -10,10 +10,10 @@ import numpy as np
 import shapely
 
 from ...geometry.alpha_shape import signed_area
+from ...geometry.tolerances import GRID, LEAST_DIVISOR
 from ..solids.half_edges import HalfEdges, half_edges, trace_rings, whole_metre_origin
 from ..solids.plan_partition import Cell
 
-GRID = 0.01
 _STRAIGHT = 0.03
 """Nodes this near to the line between an edge's ends (m) lie on the edge."""
 
@@ -51,7 +51,7 @@ class OuterEdge:
 
     @property
     def line(self) -> Line:
-        return Line(self.ends[0], (self.ends[1] - self.ends[0]) / max(self.length, 1e-12))
+        return Line(self.ends[0], (self.ends[1] - self.ends[0]) / max(self.length, LEAST_DIVISOR))
 
 
 class PlanEdges:
@@ -211,8 +211,8 @@ def _corners(xy: np.ndarray) -> list[int]:
         chord = following - xy[anchor % n]
         length = np.hypot(*chord)
         away = between - xy[anchor % n]
-        off = np.abs(away[:, 0] * chord[1] - away[:, 1] * chord[0]) / max(length, 1e-9)
-        along = away @ chord / max(length, 1e-9)
+        off = np.abs(away[:, 0] * chord[1] - away[:, 1] * chord[0]) / max(length, LEAST_DIVISOR)
+        along = away @ chord / max(length, LEAST_DIVISOR)
         if length < 1e-9 or off.max() > _STRAIGHT or (along > length + 1e-6).any() or (np.diff(along) < -1e-6).any():
             corners.append(step % n)
             anchor = step

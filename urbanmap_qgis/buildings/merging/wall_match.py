@@ -10,6 +10,7 @@ import numpy as np
 import shapely
 
 from ...errors import InputError
+from ...geometry.tolerances import LEAST_DIVISOR
 from ...wording import mark, say
 from .plan_edges import Line, OuterEdge
 
@@ -193,7 +194,7 @@ class WallsAlong:
     def area_along(self) -> float:
         """Area of the walls before the edge, m2."""
         length = self.wall.right - self.wall.left
-        return self.wall.area * min(float(np.diff(self.spans, axis=1).sum()) / max(length, 1e-9), 1.0)
+        return self.wall.area * min(float(np.diff(self.spans, axis=1).sum()) / max(length, LEAST_DIVISOR), 1.0)
 
 
 def walls_along(edge: OuterEdge, walls: WallIndex, base: float, top: float, settings: MergeSettings

@@ -8,9 +8,10 @@ import numpy as np
 import shapely
 
 from ...geometry.solid import GROUND, INNER_WALL, OUTER_WALL, ROOF, Solid
+from ...geometry.tolerances import UNITS
 from ...geometry.triangulation import triangulate_face
 from ..solids.half_edges import trace_rings
-from .node_heights import UNITS, Heights
+from .node_heights import Heights
 from .surface_plan import SurfacePlan
 from .tin import Tin
 

@@ -13,11 +13,12 @@ from ...io.points.point_buckets import PointBuckets
 from ...io.points.pointcloud import PointCloud, iter_chunks, valid_points
 from ...progress import SILENT, Progress
 from ...wording import say
+from ..outlines.evidence import BUILDING_CLASS
 from ..outlines.footprint import Footprints
 from ..point_assignment import PlanIndex
 
 RECORD = np.dtype([("x", "f8"), ("y", "f8"), ("z", "f8"), ("class", "u1")])
-BUILDING_CLASS, GROUND_CLASS = 6, 2
+GROUND_CLASS = 2
 _OTHERS = (2, 3, 4, 5, 9, 17)
 """Classes that are no building: ground, vegetation, water, bridge."""
 

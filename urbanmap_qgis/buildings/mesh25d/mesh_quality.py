@@ -9,6 +9,7 @@ import shapely
 from scipy.spatial import cKDTree
 
 from ...geometry.solid import INNER_WALL, OUTER_WALL, ROOF, Solid
+from ...geometry.tolerances import LEAST_SQUARE
 
 _BESIDE, _ABOVE = 0.3, 0.6
 
@@ -78,7 +79,7 @@ def roof_distance(mesh: Solid, points: np.ndarray) -> np.ndarray:
     normal = np.cross(b - a, c - a)
     length = np.linalg.norm(normal, axis=1)
     keep = normal[:, 2] > 1e-9
-    across = np.abs(((points[point] - a) * normal).sum(axis=1)) / np.maximum(length, 1e-12)
+    across = np.abs(((points[point] - a) * normal).sum(axis=1)) / np.maximum(length, LEAST_SQUARE)
     np.minimum.at(result, point[keep], across[keep])
     return result
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
+from ...geometry.tolerances import UNITS
 from ..solids.half_edges import OUTSIDE, HalfEdges
 from .surface_plan import SurfacePlan
 
@@ -23,9 +24,6 @@ class NodeHeightsLimits:
 
 
 LIMITS = NodeHeightsLimits()
-
-UNITS = 10_000
-"""Heights at nodes are whole tenths of a millimetre."""
 
 Heights = dict[tuple[int, int], int]
 """Height of each surface at each node of its border: (surface, node) -> units."""

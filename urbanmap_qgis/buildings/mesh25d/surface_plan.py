@@ -8,11 +8,11 @@ import numpy as np
 import shapely
 
 from ...errors import InsufficientDataError
+from ...geometry.tolerances import GRID
 from ...wording import say
 from ..solids.half_edges import HalfEdges, half_edges, trace_rings, whole_metre_origin
 from .height_grid import HeightGrid
 
-GRID = 0.01
 _MIN_FACE = 0.3
 """Pieces of plan smaller than this (m2) go to the neighbour with the longest common edge."""
 

@@ -16,6 +16,7 @@ from scipy.sparse.csgraph import connected_components
 
 from ...errors import InputError
 from ...geometry.grid import Grid
+from ...geometry.tolerances import LEAST_DIVISOR
 from ...progress import SILENT, Progress
 from ...wording import say
 from .displacement_adjust import adjust_to_walls, wall_snap_candidates
@@ -195,7 +196,7 @@ def _placed(polygons: np.ndarray, pairs: np.ndarray, sums: np.ndarray, measured:
         shifts = np.where(covered_by_others(network, again, area)[:, None], separated, again)
     shifts = separate_overlapping(network, drop_insignificant_shifts(network, shifts), area, cover, max_shift)
     shifts = np.where(seen[:, None], shifts, network.common)
-    shifts = np.round(shifts * np.minimum(1, max_shift / np.maximum(np.hypot(*shifts.T), 1e-9))[:, None], 3)
+    shifts = np.round(shifts * np.minimum(1, max_shift / np.maximum(np.hypot(*shifts.T), LEAST_DIVISOR))[:, None], 3)
     scores = np.clip(network.cover(np.stack((np.zeros_like(shifts), shifts), axis=1)) / area[:, None], -1, 1)
     # What an outline covers wrongly even at its best place, as a strip along its boundary: it has another shape.
     strip = area * (1 - scores[:, 1]) / network.perimeter

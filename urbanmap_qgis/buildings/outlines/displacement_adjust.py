@@ -8,6 +8,7 @@ import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.linalg import spsolve
 
+from ...geometry.tolerances import LEAST_DIVISOR
 from .displacement_search import OutlineNetwork
 
 
@@ -50,7 +51,7 @@ def adjust_to_walls(network: OutlineNetwork, shifts: np.ndarray) -> np.ndarray:
         np.add.at(right, i, -weight[:, None] * misfit)
         step = spsolve(normal, right.ravel()).reshape(n, 2)
         length = np.hypot(*step.T)
-        shifts = shifts + step * np.minimum(1, LIMITS.longest_step / np.maximum(length, 1e-9))[:, None]
+        shifts = shifts + step * np.minimum(1, LIMITS.longest_step / np.maximum(length, LEAST_DIVISOR))[:, None]
     return shifts
 
 

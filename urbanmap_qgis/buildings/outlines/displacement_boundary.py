@@ -12,6 +12,7 @@ import numpy as np
 import shapely
 
 from ...geometry.grid import Grid
+from ...geometry.tolerances import ROUNDING, SAME_PLACE
 
 FINE_PIECE, COARSE_PIECE = 0.1, 0.25  # m, longest piece of boundary taken as lying in one row of cells
 LOOKUPS = 2_000_000  # raster lookups that are added up together: bounds the memory
@@ -50,7 +51,7 @@ def edges_of(polygons: np.ndarray) -> Edges:
     points, ring = shapely.get_coordinates(rings, return_index=True)
     same = ring[1:] == ring[:-1]
     start, end, ring = points[:-1][same], points[1:][same], ring[:-1][same]
-    longer = np.hypot(*(end - start).T) > 1e-6
+    longer = np.hypot(*(end - start).T) > SAME_PLACE
     return Edges(of_ring[ring[longer]], start[longer], end[longer])
 
 
@@ -70,7 +71,7 @@ def pieces_of(edges: Edges, longest: float = FINE_PIECE) -> Pieces:
     """The edges cut to pieces of at most `longest` m."""
     vector = edges.end - edges.start
     # The hair keeps rounding in the last digit from cutting one piece more.
-    count = np.maximum(np.ceil(np.hypot(*vector.T) / longest - 1e-9), 1).astype(np.int64)
+    count = np.maximum(np.ceil(np.hypot(*vector.T) / longest - ROUNDING), 1).astype(np.int64)
     of = np.repeat(np.arange(len(count)), count)
     position = (np.arange(len(of)) - np.repeat(np.cumsum(count) - count, count) + 0.5) / count[of]
     middle = edges.start[of] + position[:, None] * vector[of]

@@ -14,6 +14,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from ...geometry.grid import Grid
+from ...geometry.tolerances import ROUNDING
 from .displacement_boundary import Edges, Pieces, sums_inside
 from .displacement_pairs import MASK_CELL, SharedWalls, meeting_tables
 
@@ -121,9 +122,9 @@ class OutlineNetwork:
 
 def shift_lattice(step: float, reach: float) -> np.ndarray:
     """Whole numbers (k, 2) of steps whose length is at most `reach` m."""
-    q = int(np.floor(reach / step + 1e-9))
+    q = int(np.floor(reach / step + ROUNDING))
     square = _square(q)
-    return square[np.hypot(*square.T) * step <= reach + 1e-9]
+    return square[np.hypot(*square.T) * step <= reach + ROUNDING]
 
 
 def _square(q: int) -> np.ndarray:

@@ -13,6 +13,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import breadth_first_order, maximum_flow
 
 from ...execution import checkpoint
+from ...geometry.tolerances import LEAST_SQUARE
 
 _LARGEST = 2_000_000
 """Sum of the capacities at one node: whole numbers that 32 bits hold with room for their sums."""
@@ -143,7 +144,7 @@ def _cut(n: int, keep: np.ndarray, take: np.ndarray, one: np.ndarray, two: np.nd
     start = np.concatenate([np.full(n, source), nodes, one])
     end = np.concatenate([nodes, np.full(n, sink), two])
     weight = np.concatenate([take, keep, capacity])
-    scale = _LARGEST / max(float(weight.max(initial=0.0)), 1e-12)
+    scale = _LARGEST / max(float(weight.max(initial=0.0)), LEAST_SQUARE)
     whole = np.minimum(np.rint(weight * scale), _LARGEST).astype(np.int32)
     graph = coo_matrix((whole, (start, end)), shape=(n + 2, n + 2)).tocsr()
     graph.sum_duplicates()

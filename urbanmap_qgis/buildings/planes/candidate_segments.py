@@ -21,7 +21,6 @@ class CandidateSegmentsLimits:
     least_bend: float = 0.07
     least_length: float = 1.0  # Metres of common border that make a segment.
     extension: float = 6.0  # Metres by which segments are drawn on beyond the place where one of their two planes ends.
-    join: float = 10.0  # Metres between two segments on one line up to which they are made one.
     # Parallel lines nearer than this (m) are one; the intersection of planes stays, else the stronger one.
     merge: float = 0.3
     most_walls: int = 12
@@ -120,7 +119,6 @@ class _Segments:
         start, end = np.where(turned > 0, along[0], -along[1]), np.where(turned > 0, along[1], -along[0])
         on = np.abs(line[0] * rows[:, 1] - line[1] * rows[:, 0]) < PARALLEL
         on &= np.abs(rows[:, :2] @ middle - rows[:, 2]) < LIMITS.merge
-        on &= (start < rows[:, 4] + LIMITS.join) & (end > rows[:, 3] - LIMITS.join)
         if on.any():
             place = int(np.argmax(on))
             self.rows[place, 3:] = min(rows[place, 3], start[place]), max(rows[place, 4], end[place])

@@ -7,10 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from ...geometry.tolerances import UNITS
 from ..solids.half_edges import HalfEdges, half_edges, trace_rings
-
-UNITS = 10_000
-"""Nodes lie on whole tenths of a millimetre."""
 
 
 @dataclass(frozen=True)

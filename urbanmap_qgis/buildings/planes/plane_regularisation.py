@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...geometry.tolerances import LEAST_DIVISOR
 from .plane_moments import solve
 
 
@@ -94,7 +95,7 @@ def _along(m: np.ndarray, direction: np.ndarray, slope: float | None = None) -> 
         xx, xy, yy = m[4] / n - mean[0]**2, m[5] / n - mean[0] * mean[1], m[6] / n - mean[1]**2
         xz, yz = m[7] / n - mean[0] * mean[2], m[8] / n - mean[1] * mean[2]
         u, v = direction
-        slope = (u * xz + v * yz) / max(u * u * xx + 2 * u * v * xy + v * v * yy, 1e-9)
+        slope = (u * xz + v * yz) / max(u * u * xx + 2 * u * v * xy + v * v * yy, LEAST_DIVISOR)
     gradient = np.asarray(direction) * slope
     return np.array([*gradient, mean[2] - gradient @ mean[:2]])
 

@@ -7,6 +7,7 @@ import shapely
 
 from ...errors import InputError
 from ...geometry.solid import Solid
+from ...geometry.tolerances import SAME_PLACE
 from ...wording import say
 from ..solids.plan_partition import partition_plan
 from ..solids.sloped_solid import SlopedCell, sloped_solids
@@ -54,7 +55,7 @@ def _checked(cells: list[SlopedCell], base: float) -> tuple[tuple[Solid, ...], l
 def polygon_plane(polygon: shapely.Polygon, origin: np.ndarray) -> tuple[float, float, float]:
     """Plane a, b, c of z = a x + b y + c, x and y from `origin`, that fits a polygon's corners best."""
     corners = shapely.get_coordinates(polygon, include_z=True)[:-1]
-    if np.ptp(corners[:, 2]) < 1e-6:
+    if np.ptp(corners[:, 2]) < SAME_PLACE:
         return 0.0, 0.0, float(corners[0, 2])
     middle = corners.mean(axis=0)
     away = corners - middle

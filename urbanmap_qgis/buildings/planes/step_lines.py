@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from ...execution import checkpoint
+from ...geometry.tolerances import LEAST_SQUARE
 from ..polygons.partition_lines import LabelBoundaries
 from ..polygons.regularisation import main_directions
 
@@ -37,7 +38,7 @@ def building_directions(edges: np.ndarray, planes: np.ndarray) -> np.ndarray:
     angle = np.radians(main_directions(edges))
     level = np.column_stack([np.cos(angle), np.sin(angle)])
     sloped = planes[np.hypot(planes[:, 0], planes[:, 1]) > 0.15, :2]
-    sloped = sloped / np.maximum(np.hypot(sloped[:, 0], sloped[:, 1]), 1e-12)[:, None]
+    sloped = sloped / np.maximum(np.hypot(sloped[:, 0], sloped[:, 1]), LEAST_SQUARE)[:, None]
     distinct: list[np.ndarray] = []
     for direction in np.concatenate([level, sloped]):
         for turned in (direction, np.array([-direction[1], direction[0]])):

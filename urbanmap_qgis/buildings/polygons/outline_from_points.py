@@ -11,6 +11,7 @@ from scipy.spatial import cKDTree
 
 from ...errors import InputError, InsufficientDataError
 from ...geometry.alpha_shape import alpha_shape, default_alpha
+from ...geometry.tolerances import SAME_PLACE
 from ...wording import say
 from .radius_outliers import default_radius, remove_radius_outliers
 from .regularisation import RegularisationParameters, regularise_ring
@@ -137,8 +138,8 @@ def _with_party_walls(outline: shapely.Geometry, neighbours: list[shapely.Geomet
     closed = shapely.union(outline, beside).buffer(0.5 * distance, join_style="mitre")
     closed = closed.buffer(-0.5 * distance, join_style="mitre")
     gap = shapely.difference(shapely.difference(closed, beside), outline)
-    near = [part for part in shapely.get_parts(gap) if part.area > 0 and part.distance(beside) < 1e-6
-            and part.distance(outline) < 1e-6]
+    near = [part for part in shapely.get_parts(gap) if part.area > 0 and part.distance(beside) < SAME_PLACE
+            and part.distance(outline) < SAME_PLACE]
     joined = shapely.difference(shapely.union_all([outline, *near]), beside)
     # slivers thinner than the tolerance on the far side of a neighbour vanish by opening
     core = joined.buffer(-0.25 * distance, join_style="mitre")

@@ -128,11 +128,11 @@ class RegionGraph:
             if self.area[keep] < smallest:
                 heapq.heappush(queue, (self.area[keep], keep))
 
-    def merge_to_tolerance(self, rmse: float, smallest: float, distinct_step: float) -> None:
+    def merge_to_tolerance(self, rmse: float, distinct_step: float) -> None:
         """Join neighbours, cheapest first, as long as the root mean square error stays below `rmse` m.
 
-        Two regions of at least `smallest` cells each that are apart by a step of `distinct_step` m or more are
-        never joined: a set-back or a plant room is a roof of its own however little it weighs in the mean.
+        Two regions that are apart by a step of `distinct_step` m or more are never joined: a set-back or a plant room
+        is a roof of its own however little it weighs in the mean. Small ones are joined before.
         """
         queue = [(self.cost(a, b), a, b) for a in self.regions() for b in self.neighbours[a] if a < b]
         heapq.heapify(queue)
@@ -145,7 +145,7 @@ class RegionGraph:
             if error + cost > budget:
                 break
             step = min(self.step(a, b), abs(self.mean(a) - self.mean(b)))
-            if min(self.area[a], self.area[b]) >= smallest and step >= distinct_step:
+            if step >= distinct_step:
                 continue
             error += cost
             self.merge(a, b)

@@ -161,7 +161,7 @@ def _join(labels: np.ndarray, height: np.ndarray, peaks: HeightPeaks, smallest: 
     graph = RegionGraph(labels, height)
     graph.absorb_small(smallest, parameters.distinct_step)
     if parameters.height_rmse is not None:
-        graph.merge_to_tolerance(parameters.height_rmse, smallest, parameters.distinct_step)
+        graph.merge_to_tolerance(parameters.height_rmse, parameters.distinct_step)
     return graph.lookup()[labels]
 
 

@@ -12,6 +12,7 @@ from scipy import ndimage
 
 from ...errors import InputError
 from ...geometry.grid import Grid
+from ...geometry.tolerances import SIGMA_OF_MAD
 from ...wording import say
 from .roof_levels import MAX_PARAPET_WIDTH, RoofLevels, RoofParameters, roof_levels
 from .roof_surface import RoofSurface, roof_surface, sorted_within
@@ -221,7 +222,7 @@ def _height_ranges(plan: RoofLevels) -> tuple[np.ndarray, np.ndarray]:
     k = int(plan.labels.max(initial=0))
     distance = np.abs(height - _group_medians(label, height, k)[label])
     # Walls and clutter among the cells must not widen the range: nothing beyond three standard deviations counts.
-    limit = np.maximum(3 * 1.4826 * _group_medians(label, distance, k), LIMITS.height_tolerance)
+    limit = np.maximum(3 * SIGMA_OF_MAD * _group_medians(label, distance, k), LIMITS.height_tolerance)
     typical = distance <= limit[label]
     low, high = np.full(k + 1, -LIMITS.nowhere), np.full(k + 1, LIMITS.nowhere)
     np.minimum.at(low, label[typical], height[typical] - LIMITS.height_tolerance)

@@ -10,6 +10,7 @@ import numpy as np
 import shapely
 
 from ...geometry.grid import Grid
+from ...geometry.tolerances import ROUNDING
 from ...io.points.point_buckets import stable_order
 
 
@@ -75,7 +76,7 @@ class RoofSurface:
 def roof_cell_size(density: float, width: float, depth: float) -> float:
     """Cell size in m, a multiple of 0.1, for `density` points/m2 and a building of width x depth m."""
     size = min(max(math.sqrt(LIMITS.points_per_cell / density), LIMITS.min_cell), LIMITS.max_cell)
-    return math.ceil(10 * max(size, math.sqrt(width * depth / LIMITS.max_cells)) - 1e-9) / 10
+    return math.ceil(10 * max(size, math.sqrt(width * depth / LIMITS.max_cells)) - ROUNDING) / 10
 
 
 def roof_surface(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely.Geometry,

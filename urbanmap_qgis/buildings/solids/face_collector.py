@@ -9,11 +9,9 @@ import shapely
 
 from ...errors import InputError
 from ...geometry.solid import GROUND, Face
+from ...geometry.tolerances import UNITS
 from ...wording import say
 from .half_edges import HalfEdges, half_edges, trace_rings, whole_metre_origin
-
-UNITS = 10_000
-"""Lattice units a metre: coordinates are exact to 0.1 mm."""
 
 
 def edges_of_cells(cells: Sequence, base_height: float) -> HalfEdges | None:

@@ -12,9 +12,7 @@ import numpy as np
 import shapely
 
 from ...execution import checkpoint
-
-TOUCH = 1e-6
-"""An edge nearer to a face than this (m) touches it."""
+from ...geometry.tolerances import SAME_PLACE
 
 _PAIRS_AT_ONCE = 2_000_000
 
@@ -38,8 +36,8 @@ def crossing_pairs(points: np.ndarray, edges: np.ndarray, owners: np.ndarray, ve
         a, b = edges[edge].T
         a_shared, b_shared = (_among(v * len(polygons) + face, member) for v in (a, b))
         side_a, side_b = (np.einsum("ij,ij->i", points[v] - centre[face], normal[face]) for v in (a, b))
-        side_a[a_shared | (np.abs(side_a) <= TOUCH)] = 0.0
-        side_b[b_shared | (np.abs(side_b) <= TOUCH)] = 0.0
+        side_a[a_shared | (np.abs(side_a) <= SAME_PLACE)] = 0.0
+        side_b[b_shared | (np.abs(side_b) <= SAME_PLACE)] = 0.0
         flat = (side_a == 0) & (side_b == 0)
         pierces = (side_a * side_b < 0) | ((side_a == 0) & ~a_shared & ~flat) | ((side_b == 0) & ~b_shared & ~flat)
         hit = np.zeros(len(edge), dtype=bool)
@@ -55,8 +53,8 @@ def _near_pairs(points, edges, owners, vertex, face_of) -> Iterator[tuple[np.nda
     """Blocks of (edge, face) whose boxes touch, without the faces that an edge bounds."""
     starts = np.flatnonzero(np.append(True, face_of[1:] != face_of[:-1]))
     corners = points[vertex]
-    face_low = np.minimum.reduceat(corners, starts) - TOUCH
-    face_high = np.maximum.reduceat(corners, starts) + TOUCH
+    face_low = np.minimum.reduceat(corners, starts) - SAME_PLACE
+    face_high = np.maximum.reduceat(corners, starts) + SAME_PLACE
     ends = points[edges]
     edge_low, edge_high = ends.min(axis=1), ends.max(axis=1)
     block = max(1, _PAIRS_AT_ONCE // len(face_low))
@@ -91,7 +89,7 @@ def _pierced(a, b, side_a, side_b, polygons, axis) -> np.ndarray:
     if len(a) == 0:
         return np.zeros(0, dtype=bool)
     place = a + (side_a / (side_a - side_b))[:, None] * (b - a)
-    return shapely.dwithin(shapely.points(_seen_along(place, axis)), polygons, TOUCH)
+    return shapely.dwithin(shapely.points(_seen_along(place, axis)), polygons, SAME_PLACE)
 
 
 def _run_through(a, b, joined, polygons, axis) -> np.ndarray:

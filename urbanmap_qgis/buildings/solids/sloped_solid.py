@@ -10,8 +10,9 @@ import numpy as np
 import shapely
 
 from ...geometry.solid import INNER_WALL, OUTER_WALL, ROOF, Solid
+from ...geometry.tolerances import UNITS
 from ...geometry.triangulation import triangulate_face
-from .face_collector import UNITS, FaceCollector, edges_of_cells
+from .face_collector import FaceCollector, edges_of_cells
 from .half_edges import HalfEdges, connected_cells
 from .manifold import Height, cut_corners
 

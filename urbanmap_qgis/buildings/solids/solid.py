@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Hashable, Sequence
 
 from ...geometry.solid import INNER_WALL, OUTER_WALL, ROOF, Solid
-from .face_collector import UNITS, FaceCollector, edges_of_cells
+from ...geometry.tolerances import UNITS
+from .face_collector import FaceCollector, edges_of_cells
 from .half_edges import HalfEdges, connected_cells
 from .manifold import PlanRepair, repair_plan
 from .plan_partition import Cell

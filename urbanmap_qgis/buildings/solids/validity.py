@@ -19,6 +19,7 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from ...errors import InputError
+from ...geometry.tolerances import SAME_PLACE
 from ...wording import say
 from .self_intersection import crossing_pairs
 
@@ -42,9 +43,6 @@ NAMES = {
     307: "POLYGON_WRONG_ORIENTATION",
     405: "WRONG_ORIENTATION_SHELL",
 }
-
-_FLAT = 1e-6
-"""A face whose points all lie this near to its plane (m) needs no look at its folds."""
 
 
 class FacedBody(Protocol):
@@ -220,7 +218,7 @@ def _polygon_problems(mesh: _Mesh, planarity: float, normals: float) -> list[Pro
         corner = corners[mesh.face_of[corners] == face][0]
         problems.append(mesh.problem(203, corner, say("Face {face} has a point {off:.4f} m off its plane.", face=face,
                                                       off=abs(off[corner]))))
-    uneven = np.setdiff1d(mesh.face_of[np.abs(off) > _FLAT], folded)
+    uneven = np.setdiff1d(mesh.face_of[np.abs(off) > SAME_PLACE], folded)
     if not problems:
         problems.extend(_folds(mesh, uneven, normals))
     return problems

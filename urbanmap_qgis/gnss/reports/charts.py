@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import shapely
 
+from ...geometry.tolerances import LEAST_FACE
 from ...wording import say
 from ..rays.reflections import LOS, REFLECTED, SignalPaths
 from ..rays.wall_faces import WallPieces
@@ -91,7 +92,7 @@ def wall_map(shapes: np.ndarray, before: WallPieces, after: WallPieces, walls: W
 
 def _outline(shape: shapely.Geometry, place) -> str:
     flat = shapely.get_parts(shapely.force_2d(shape))
-    rings = [ring for part in flat[shapely.area(flat) > 1e-4] for ring in (part.exterior, *part.interiors)]
+    rings = [ring for part in flat[shapely.area(flat) > LEAST_FACE] for ring in (part.exterior, *part.interiors)]
     path = "".join("M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in place(shapely.get_coordinates(ring))) + "Z"
                    for ring in rings)
     return f'<path d="{path}" fill="#e4e4e4" fill-rule="evenodd" stroke="#bbb" stroke-width="0.5"/>'

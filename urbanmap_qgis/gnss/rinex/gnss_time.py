@@ -6,9 +6,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from ...mobile.gps_time import WEEK
 from ...wording import say
 
-WEEK = 604800.0
 DAY = 86400.0
 UNIX_START = 315964800.0
 """The start of GPS time in seconds of Unix time."""

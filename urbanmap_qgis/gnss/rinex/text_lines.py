@@ -94,42 +94,44 @@ def read_bytes(path: str | os.PathLike) -> tuple[bytes, tuple[str, ...]]:
 
 def _unpacked(data: bytes, name: str) -> tuple[bytes, bool]:
     """Content of gzip data of one or more members, and whether it ended as it should."""
-    parts, total = [], 0
+    parts: list[bytes] = []
     while data[:2] == _MAGIC_GZIP:
         stream = zlib.decompressobj(31)
         try:
-            for first in range(0, len(data), _PIECE):
-                parts.append(stream.decompress(data[first:first + _PIECE], _LARGEST))
-                total += len(parts[-1])
-                if total >= _LARGEST:
-                    raise _too_large(name)
-                if stream.eof:
-                    break
+            last = _decompressed(stream, data, name, parts)
         except zlib.error as error:
             if not any(parts):
                 raise InputError(say("{name} is not a sound gzip file: fetch it again.", name=name)) from error
             return b"".join(parts), False
         if not stream.eof:
             return b"".join(parts), False
-        data = stream.unused_data + data[first + _PIECE:]
+        data = stream.unused_data + data[last + _PIECE:]
     return b"".join(parts), True
 
 
 def _unpacked_bzip(data: bytes, name: str) -> tuple[bytes, bool]:
     """Content of bzip2 data, and whether it ended as it should."""
-    parts, total, stream = [], 0, bz2.BZ2Decompressor()
+    parts: list[bytes] = []
+    stream = bz2.BZ2Decompressor()
     try:
-        for first in range(0, len(data), _PIECE):
-            parts.append(stream.decompress(data[first:first + _PIECE], _LARGEST))
-            total += len(parts[-1])
-            if total >= _LARGEST:
-                raise _too_large(name)
-            if stream.eof:
-                return b"".join(parts), True
+        _decompressed(stream, data, name, parts)
     except OSError as error:
         if not any(parts):
             raise InputError(say("{name} is not a sound bzip2 file: fetch it again.", name=name)) from error
-    return b"".join(parts), False
+    return b"".join(parts), stream.eof
+
+
+def _decompressed(stream, data: bytes, name: str, parts: list[bytes]) -> int:
+    """Put what a stream makes of data, up to its end, behind `parts`; where in the data the last piece begins."""
+    first, total = 0, sum(map(len, parts))
+    for first in range(0, len(data), _PIECE):
+        parts.append(stream.decompress(data[first:first + _PIECE], _LARGEST))
+        total += len(parts[-1])
+        if total >= _LARGEST:
+            raise _too_large(name)
+        if stream.eof:
+            break
+    return first
 
 
 def _too_large(name: str) -> InputError:

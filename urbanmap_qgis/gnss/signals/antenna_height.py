@@ -12,6 +12,7 @@ import numpy as np
 from scipy import sparse
 
 from ...errors import InsufficientDataError
+from ...geometry.tolerances import SIGMA_OF_MAD
 from ...wording import say
 from .tables import Signals
 
@@ -21,7 +22,6 @@ class AntennaHeightLimits:
     """Limits of antenna height, each with its unit."""
 
     tukey: float = 4.7
-    mad: float = 1.4826
     block: float = 60.0
     low_loss: float = 7.0
     fading: float = 4.0
@@ -84,7 +84,7 @@ def strong_scatter(signals: Signals) -> float:
     left = left - grouped_median(left, epoch, epochs)[epoch]
     # One of three signals or more is the median itself.
     left = left[(np.bincount(epoch, minlength=epochs)[epoch] > 3) & (left != 0)]
-    return float(LIMITS.mad * np.median(np.abs(left))) if len(left) >= 50 else float("nan")
+    return float(SIGMA_OF_MAD * np.median(np.abs(left))) if len(left) >= 50 else float("nan")
 
 
 def estimate_height(signals: Signals, line_of_sight: np.ndarray | None = None) -> tuple[float, float]:

@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ...errors import InputError, InsufficientDataError
+from ...mobile.gps_time import WEEK
 from ...mobile.trajectory import Trajectory, body_to_map, gaps
 from ...progress import SILENT, Progress
 from ...wording import say
@@ -27,7 +28,7 @@ from ..orbits.ephemeris import (
     read_navigation,
     sagnac_corrected,
 )
-from ..rinex.gnss_time import STANDARD_OFFSET, UNIX_START, WEEK, leap_seconds, span_text, spans_text
+from ..rinex.gnss_time import STANDARD_OFFSET, UNIX_START, leap_seconds, span_text, spans_text
 from ..rinex.observation_file import Observations, read_observations
 from .antenna_height import estimate_height, grouped_median, strong_scatter, strong_signals
 from .atmosphere import ionosphere, nearest_model, troposphere

@@ -16,6 +16,7 @@ import shapely
 from scipy.spatial import cKDTree
 
 from ...buildings.solids.validity import check_solid
+from ...geometry.tolerances import LEAST_DIVISOR, LEAST_FACE
 from ...progress import SILENT, Progress
 from ..rays.wall_faces import WallPieces, is_solid
 
@@ -100,7 +101,7 @@ def moved_walls(walls: WallPieces, net: PlanNet, displacement: np.ndarray) -> Wa
     start, end = walls.start + displacement[net.start], walls.end + displacement[net.end]
     edge = end - start
     length = np.hypot(edge[:, 0], edge[:, 1])
-    normal = np.column_stack([edge[:, 1], -edge[:, 0]]) / np.maximum(length, 1e-9)[:, None]
+    normal = np.column_stack([edge[:, 1], -edge[:, 0]]) / np.maximum(length, LEAST_DIVISOR)[:, None]
     normal = np.where((length > 1e-3)[:, None], normal, walls.normal)
     offset = np.einsum("ij,ij->i", normal, (start + end) / 2)
     return WallPieces(start, end, walls.low, walls.top, normal, offset, walls.building, walls.wall)
@@ -274,7 +275,7 @@ def _plan(shape: shapely.Geometry | None) -> shapely.Geometry | None:
     if shape is None or shape.is_empty:
         return None
     flat = shapely.get_parts(shapely.force_2d(shape))
-    flat = flat[shapely.area(flat) > 1e-4]
+    flat = flat[shapely.area(flat) > LEAST_FACE]
     return shapely.union_all(shapely.make_valid(flat))
 
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...geometry.tolerances import LEAST_DIVISOR, SIGMA_OF_MAD
 from ...progress import SILENT, Progress
 from ..signals.tables import Signals
 
@@ -146,7 +147,7 @@ def _robust(scaled: np.ndarray, redescending: bool) -> np.ndarray:
     """Weights by normalised residuals: Huber's to begin with, then Geman and McClure's, which forget outliers."""
     if redescending:
         return (1.0 + (scaled / LIMITS.forget) ** 2) ** -2.0
-    return np.minimum(1.0, LIMITS.huber / np.maximum(scaled, 1e-9))
+    return np.minimum(1.0, LIMITS.huber / np.maximum(scaled, LEAST_DIVISOR))
 
 
 def _scatter(normalised: np.ndarray, freedom: int) -> float:
@@ -154,7 +155,7 @@ def _scatter(normalised: np.ndarray, freedom: int) -> float:
     if freedom < 5:
         return 1.0
     inflation = np.sqrt(len(normalised) / freedom)
-    return float(max(1.4826 * np.median(np.abs(normalised)) * inflation, 0.3))
+    return float(max(SIGMA_OF_MAD * np.median(np.abs(normalised)) * inflation, 0.3))
 
 
 def _lasting(error: np.ndarray, variance: np.ndarray, heard: np.ndarray) -> float:

@@ -81,11 +81,11 @@ def covariances_of_parts(evidence: Evidence, masks: Iterable[np.ndarray], count:
     noise = _products(evidence.row, (evidence.weight * evidence.noise) ** 2)
     groups = [_Groups.of(evidence, error) for error in evidence.shared]
     for mask in masks:
-        kept = mask.astype(float)
-        h = _sums(evidence.of, gained, kept, count) + prior
-        middle = _sums(evidence.of, noise, kept, count) + prior
+        weight = mask.astype(float)
+        h = _sums(evidence.of, gained, weight, count) + prior
+        middle = _sums(evidence.of, noise, weight, count) + prior
         for group in groups:
-            middle += group.summed(kept, count)
+            middle += group.summed(weight, count)
         inverse = np.linalg.inv(h)
         yield inverse @ middle @ inverse
 
@@ -95,11 +95,11 @@ def _products(row: np.ndarray, weight: np.ndarray) -> list[tuple[int, int, np.nd
     return [(i, j, weight * row[:, i] * row[:, j]) for i in range(3) for j in range(i, 3)]
 
 
-def _sums(of: np.ndarray, products: list[tuple[int, int, np.ndarray]], kept: np.ndarray, count: int) -> np.ndarray:
+def _sums(of: np.ndarray, products: list[tuple[int, int, np.ndarray]], weight: np.ndarray, count: int) -> np.ndarray:
     """(count, 3, 3) sums of products by place; `kept` (m,) is 1 or 0."""
     total = np.empty((count, 3, 3))
     for i, j, product in products:
-        total[:, i, j] = total[:, j, i] = np.bincount(of, product * kept, count)
+        total[:, i, j] = total[:, j, i] = np.bincount(of, product * weight, count)
     return total
 
 
@@ -133,10 +133,10 @@ class _Groups:
         parts = np.stack([scaled * evidence.row[rows, axis] for axis in range(3)])
         return cls(rows, number.ravel(), parts, key // width, error.sigma[rows[first]] ** 2)
 
-    def summed(self, kept: np.ndarray, count: int) -> np.ndarray:
+    def summed(self, weight: np.ndarray, count: int) -> np.ndarray:
         """(count, 3, 3) sum of s^2 b b^T at each place."""
-        kept = kept[self.rows]
-        b = np.column_stack([np.bincount(self.number, part * kept, len(self.place)) for part in self.parts])
+        weight = weight[self.rows]
+        b = np.column_stack([np.bincount(self.number, part * weight, len(self.place)) for part in self.parts])
         return _summed(self.place, b, self.variance, count)
 
 

@@ -9,6 +9,7 @@ import numpy as np
 import shapely
 from scipy.spatial import cKDTree
 
+from ...geometry.tolerances import LEAST_DIVISOR
 from ..localisation_settings import LocalisationSettings
 from ..walls.wall_scan import WallScan
 from .information import Evidence, SharedError, surface_rows
@@ -134,7 +135,7 @@ def _line_edges(line: shapely.LineString) -> np.ndarray:
     if line.length <= LIMITS.dash:
         for end, before in ((points[0], points[1]), (points[-1], points[-2])):
             along = end - before
-            across = np.array([-along[1], along[0]]) / max(np.hypot(*along), 1e-9) * 0.075
+            across = np.array([-along[1], along[0]]) / max(np.hypot(*along), LEAST_DIVISOR) * 0.075
             edges.append(np.array([[*(end - across), *(end + across), 1.0]]))
     return np.concatenate(edges)
 

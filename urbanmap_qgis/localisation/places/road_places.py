@@ -10,6 +10,7 @@ import shapely
 
 from ...errors import InputError
 from ...geometry.grid import Grid
+from ...geometry.tolerances import SAME_PLACE
 from ...wording import say
 
 MOST_PLACES = 2_000_000
@@ -119,7 +120,7 @@ def _on_path(points: np.ndarray, spacing: float, street: int, tunnel: bool, begi
     """Places on one path (m, 2 or 3) at the middles of equal steps of about `spacing` m."""
     edge = np.diff(points[:, :2], axis=0)
     length = np.hypot(edge[:, 0], edge[:, 1])
-    distinct = length > 1e-6
+    distinct = length > SAME_PLACE
     nodes = points[np.concatenate([[True], distinct])]
     way = np.concatenate([[0.0], np.cumsum(length[distinct])])
     total = way[-1]

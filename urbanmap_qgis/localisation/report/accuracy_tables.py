@@ -7,7 +7,7 @@ import numpy as np
 from ...geometry.grid import Grid
 from ...gnss.orbits.ephemeris import Navigation
 from ...io.raster import RasterSampler
-from ..accuracy_map import SOURCES, AccuracyMap
+from ..accuracy_records import SOURCES, AccuracyMap
 from ..places.place_status import GOOD, NONE, POOR, USABLE
 from ..places.road_places import RoadPlaces
 

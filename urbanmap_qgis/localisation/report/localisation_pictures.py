@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...wording import say
-from ..accuracy_map import AccuracyMap, LocalisationMap
+from ..accuracy_records import AccuracyMap, LocalisationMap
 from ..places.place_status import GOOD, NONE, POOR, USABLE
 
 COLOUR_OF_CLASS = {GOOD: "#1a9850", USABLE: "#e0b03a", POOR: "#d73027", NONE: "#8c8c8c"}

@@ -9,7 +9,7 @@ import numpy as np
 
 from ...io.pages.report import BAD, GOOD, LOOK, Report
 from ...wording import say
-from ..accuracy_map import SOURCES, AccuracyMap, LocalisationMap
+from ..accuracy_records import SOURCES, AccuracyMap, LocalisationMap
 from ..places.place_status import NONE
 from ..simulation.prediction_check import PredictionCheck
 from .accuracy_tables import lengths_by_class

@@ -10,10 +10,12 @@ from scipy.stats import rankdata
 from ...gnss.rays.tracing import WallObstacles
 from ...gnss.rays.wall_faces import WallPieces
 from ...progress import SILENT, Progress
-from ..accuracy_map import APART, AccuracyMap, field_of_walls
+from ..accuracy_map import APART
+from ..accuracy_records import AccuracyMap
 from ..ellipses import along_and_across
 from ..localisation_settings import LocalisationSettings
 from ..map_aliases import EVIDENCE_OF_CELL, STEP, alias_modes
+from ..prepared_map import field_of_walls
 from ..walls.wall_map import WallMap
 from .simulated_matches import MatchingMap, match_error, plan_matching_map, space_matching_map
 from .simulated_scans import displaced, simulated_scans

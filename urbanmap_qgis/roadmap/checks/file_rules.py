@@ -8,6 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 import shapely
 
+from ...geometry.tolerances import LEAST_DIVISOR
 from ..formats.lanelet_tags import (
     AUTOWARE_RULES,
     FASTEST,
@@ -87,7 +88,7 @@ def _local_against_geographic(inspected: MapInspection, rule: MapRule) -> Iterat
     for _ in range(20):
         middle, goal = np.average(one, weights=weight), np.average(other, weights=weight)
         turn = (weight * np.conj(one - middle) * (other - goal)).sum() / max(
-            (weight * np.abs(one - middle) ** 2).sum(), 1e-9)
+            (weight * np.abs(one - middle) ** 2).sum(), LEAST_DIVISOR)
         off = np.abs(goal + turn * (one - middle) - other)
         weight = 1.0 / np.maximum(off, 0.1)
     numbers = list(inspected.row)

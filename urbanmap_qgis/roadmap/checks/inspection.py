@@ -12,6 +12,7 @@ import numpy as np
 import pyproj
 import shapely
 
+from ...geometry.tolerances import LEAST_DIVISOR
 from ...io.osm import OsmFile, OsmRelation
 from ..formats.lanelet_tags import VEHICLE_SUBTYPES
 
@@ -252,7 +253,7 @@ class MapInspection:
             same = other.begin == lane.begin and not together
             if other.number in linked or other.subtype not in VEHICLE_SUBTYPES or same:
                 continue
-            share = area.intersection(self.valid_areas[other.number]).area / max(area.area, 1e-9)
+            share = area.intersection(self.valid_areas[other.number]).area / max(area.area, LEAST_DIVISOR)
             if share > 1e-4:
                 found[other.number] = share
         return found

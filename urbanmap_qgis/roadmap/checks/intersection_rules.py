@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 import shapely
 
+from ...geometry.tolerances import LEAST_DIVISOR
 from ..formats.lanelet_tags import as_number
 from .inspection import CheckedLane, CheckedRule, MapInspection
 from .rule_table import Broken, MapRule, broken, rule
@@ -178,7 +179,7 @@ def _conflicting(inspected: MapInspection, lane: CheckedLane) -> dict[int, float
     found = {}
     for number, share in inspected.conflicts(lane, together=_group(inspected, lane) == VIRTUAL).items():
         areas = [inspected.valid_areas[one].area for one in (lane.number, number)]
-        found[number] = max(share, share * areas[0] / max(areas[1], 1e-9))
+        found[number] = max(share, share * areas[0] / max(areas[1], LEAST_DIVISOR))
     return found
 
 
@@ -231,7 +232,7 @@ def _referrer_not_first(inspected: MapInspection, rule: MapRule) -> Iterator[Bro
 def _heading(inspected: MapInspection, lane: CheckedLane) -> np.ndarray:
     """Unit direction (2,) in which a lanelet begins."""
     step = np.diff(inspected.places(lane.left[:2])[:, :2], axis=0)[0]
-    return step / max(np.linalg.norm(step), 1e-9)
+    return step / max(np.linalg.norm(step), LEAST_DIVISOR)
 
 
 def _turns_across(inspected: MapInspection, lane: CheckedLane, other: CheckedLane) -> bool:

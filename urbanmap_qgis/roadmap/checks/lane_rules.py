@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from ...geometry.tolerances import LEAST_DIVISOR, LEAST_SQUARE
 from ..formats.lanelet_tags import FASTEST, as_number, speed_kmh
 from .inspection import CheckedLane, MapInspection
 from .rule_table import Broken, MapRule, broken, rule
@@ -138,7 +139,7 @@ def _centre_line_height(inspected: MapInspection, rule: MapRule) -> Iterator[Bro
         for node, place in zip(nodes, inspected.places(nodes)):
             sides = [_nearest_on(side, place[:2]) for side in (left, right)]
             reach = [np.linalg.norm(side[:2] - place[:2]) for side in sides]
-            height = (sides[0][2] * reach[1] + sides[1][2] * reach[0]) / max(sum(reach), 1e-9)
+            height = (sides[0][2] * reach[1] + sides[1][2] * reach[0]) / max(sum(reach), LEAST_DIVISOR)
             off += [node] if abs(height - place[2]) > LIMITS.in_height else []
         if off:
             yield broken("way", way, points=", ".join(map(str, off)))
@@ -147,7 +148,8 @@ def _centre_line_height(inspected: MapInspection, rule: MapRule) -> Iterator[Bro
 def _nearest_on(path: np.ndarray, place: np.ndarray) -> np.ndarray:
     """The point (3,) of a path nearest to a place in plan."""
     step = np.diff(path[:, :2], axis=0)
-    share = np.clip(((place - path[:-1, :2]) * step).sum(axis=1) / np.maximum((step ** 2).sum(axis=1), 1e-12), 0, 1)
+    squares = np.maximum((step ** 2).sum(axis=1), LEAST_SQUARE)
+    share = np.clip(((place - path[:-1, :2]) * step).sum(axis=1) / squares, 0, 1)
     points = path[:-1] + share[:, None] * np.diff(path, axis=0)
     return points[np.argmin(np.linalg.norm(points[:, :2] - place, axis=1))]
 

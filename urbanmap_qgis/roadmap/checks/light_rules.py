@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from ...geometry.tolerances import LEAST_DIVISOR
 from ..formats.lanelet_tags import as_number
 from .inspection import CheckedLane, CheckedRule, MapInspection
 from .rule_table import Broken, MapRule, broken, rule
@@ -212,7 +213,7 @@ def _starting_line(inspected: MapInspection, lane: CheckedLane, stop: tuple[int,
 
 
 def _cosine(one: np.ndarray, other: np.ndarray) -> float:
-    return float(one @ other / max(np.linalg.norm(one) * np.linalg.norm(other), 1e-9))
+    return float(one @ other / max(np.linalg.norm(one) * np.linalg.norm(other), LEAST_DIVISOR))
 
 
 @rule("TrafficLight.CorrectFacing-001")

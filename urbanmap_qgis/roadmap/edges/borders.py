@@ -8,6 +8,7 @@ import numpy as np
 import shapely
 from scipy.spatial import cKDTree
 
+from ...geometry.tolerances import SIGMA_OF_MAD
 from ...wording import say
 from .courses import STATION
 from .edge_points import EdgeTile
@@ -98,7 +99,7 @@ def _measure(stations: Stations, row: int, across: np.ndarray, points: np.ndarra
     beyond = np.polyfit(a[rough], z[rough], 1)
     noise = max(float(np.std(z[smooth] - np.polyval(line, a[smooth]))), LIMITS.noise)
     # Of neighbours: a step makes a few of their differences large, grass all.
-    scatter = 1.4826 * float(np.median(np.abs(np.diff(z[rough])))) / np.sqrt(2.0)
+    scatter = SIGMA_OF_MAD * float(np.median(np.abs(np.diff(z[rough])))) / np.sqrt(2.0)
     if scatter < max(LIMITS.rough, RATIO * noise) or np.std(z[rough] - np.polyval(beyond, a[rough])) > LIMITS.roughest:
         return
     before = 0.5 * ((z - np.polyval(line, a)) / noise)**2 + np.log(noise)

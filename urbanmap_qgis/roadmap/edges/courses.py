@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
+from ...geometry.tolerances import LEAST_DIVISOR, SAME_PLACE
 from .edge_records import Course, EdgeCandidates
 
 STATION = 0.5
@@ -139,7 +140,7 @@ def _course(stations: list[tuple[np.ndarray, bool]], normal: np.ndarray, first: 
     seen = np.array([seen for _, seen in stations])
     way = np.gradient(_smoothed(place), axis=0)
     across = np.column_stack([-way[:, 1], way[:, 0]])
-    across /= np.maximum(np.hypot(*across.T), 1e-9)[:, None]
+    across /= np.maximum(np.hypot(*across.T), LEAST_DIVISOR)[:, None]
     return Course(place, across * (1.0 if across[first] @ normal >= 0 else -1.0), seen)
 
 
@@ -190,7 +191,7 @@ def _links(courses: list[Course]) -> Iterator[tuple[float, int, bool, int, bool]
         out, into = _outward(courses[a], a_end), -_outward(courses[b], b_end)
         normals = _end_normal(courses[a], a_end) @ _end_normal(courses[b], b_end)
         bend, share = (_CURVE, _CURVE_SHARE) if length <= _SHORT else (_BEND, _BESIDE_SHARE)
-        if length < 1e-6 or out @ into < bend or normals < bend or gap @ out < -STATION:
+        if length < SAME_PLACE or out @ into < bend or normals < bend or gap @ out < -STATION:
             continue
         beside = max(abs(gap[0] * way[1] - gap[1] * way[0]) for way in (out, into))
         if beside <= _BESIDE + share * length:
@@ -221,8 +222,9 @@ def _bridged(one: Course, other: Course) -> Course:
     leaving, arriving = length * _outward(one, True), -length * _outward(other, False)
     bend = share * (1 - share) * ((1 - share) * (leaving - gap) - share * (arriving - gap))
     normal = (1 - share) * one.normal[-1] + share * other.normal[0]
+    normal /= np.maximum(np.hypot(*normal.T), LEAST_DIVISOR)[:, None]
     return Course(np.concatenate([one.place, one.place[-1] + share * gap + bend, other.place]),
-                  np.concatenate([one.normal, normal / np.maximum(np.hypot(*normal.T), 1e-9)[:, None], other.normal]),
+                  np.concatenate([one.normal, normal, other.normal]),
                   np.concatenate([one.seen, np.zeros(number, bool), other.seen]))
 
 

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...geometry.tolerances import SIGMA_OF_MAD
+
 HALF_LENGTH = 0.4
 """m along the edge to either side of a station whose points belong to its profile."""
 
@@ -128,7 +130,7 @@ def _line(a: np.ndarray, z: np.ndarray, side: int) -> _Line | None:
         spread = float(((a[keep] - mean_a)**2).sum()) + (0.01 / LIMITS.slope_sigma)**2
         slope = float(((a[keep] - mean_a) * (z[keep] - mean_z)).sum() / spread)
         off = z - mean_z - slope * (a - mean_a)
-        noise = max(1.4826 * float(np.median(np.abs(off[keep]))), LIMITS.noise)
+        noise = max(SIGMA_OF_MAD * float(np.median(np.abs(off[keep]))), LIMITS.noise)
         line = _Line(float(mean_z), slope, float(mean_a), noise, int(np.count_nonzero(keep)), spread,
                      float(np.sort(np.abs(a[keep]))[LIMITS.fewest // 2]))
         inliers = np.abs(off) < 3.0 * noise
@@ -159,7 +161,7 @@ def _face(a: np.ndarray, z: np.ndarray, low: _Line, high: _Line) -> Profile | No
 
 def _on_face(a: np.ndarray, up: np.ndarray, step: float, low: _Line, high: _Line, number: int) -> Profile:
     """The face as a line a = edge + lean * up, `up` (n,) counted from the middle of the step."""
-    keep = np.abs(a - np.median(a)) < max(0.05, 3.0 * 1.4826 * float(np.median(np.abs(a - np.median(a)))))
+    keep = np.abs(a - np.median(a)) < max(0.05, 3.0 * SIGMA_OF_MAD * float(np.median(np.abs(a - np.median(a)))))
     a, up = a[keep], up[keep]
     spread = float(((up - up.mean())**2).sum()) + (LIMITS.noise / LIMITS.face_lean)**2
     lean = float(np.clip(((up - up.mean()) * (a - a.mean())).sum() / spread, 0.0, 3.0))

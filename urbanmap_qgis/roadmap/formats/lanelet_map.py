@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ...geometry.tolerances import LEAST_DIVISOR
 from ...io.osm import OsmFile, OsmNode, OsmRelation, OsmWay
 from ..map_records import Bound, MapLane, VectorMap
 from .lanelet_tags import defaults
@@ -204,7 +205,7 @@ def _stops_before(built: VectorMap, crosswalk: int) -> dict[int | None, list[int
             continue
         ahead = lane.centre[1:, :2] - lane.centre[:-1, :2]
         course = ahead[np.argmin(np.linalg.norm(lane.centre[:-1, :2] - middle, axis=1))]
-        course = course / max(np.linalg.norm(course), 1e-9)
+        course = course / max(np.linalg.norm(course), LEAST_DIVISOR)
         near = []
         for other in built.lanes:
             for stop in other.stop_lines if other is lane or number in other.successors else ():

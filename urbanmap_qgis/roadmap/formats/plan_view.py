@@ -8,6 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from ...geometry.tolerances import LEAST_DIVISOR, SAME_PLACE
+
 SAME_HEADING = 0.001
 """A stretch is a line where it leaves and enters within this angle of its chord, rad."""
 
@@ -85,7 +87,7 @@ def fit_plan_view(points: np.ndarray, tolerance: float = 0.02,
     """
     points = np.asarray(points, float)[:, :2]
     steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
-    points = points[np.concatenate([[True], steps > 1e-6])]
+    points = points[np.concatenate([[True], steps > SAME_PLACE])]
     tangents, at = _tangents(points), _chainage(points)
     for tip, given in zip((0, -1), ends):
         if given is not None and given @ tangents[tip] > OBLIQUE:
@@ -165,7 +167,7 @@ def _tangents(points: np.ndarray) -> np.ndarray:
     if len(points) == 2:
         return np.vstack([unit, unit])
     inner = (unit[:-1] * length[1:] + unit[1:] * length[:-1]) / (length[1:] + length[:-1])
-    inner /= np.maximum(np.linalg.norm(inner, axis=1, keepdims=True), 1e-9)
+    inner /= np.maximum(np.linalg.norm(inner, axis=1, keepdims=True), LEAST_DIVISOR)
     ends = [2.0 * (unit[k] @ inner[k]) * unit[k] - inner[k] for k in (0, -1)]
     return np.vstack([ends[0], inner, ends[1]])
 

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 import numpy as np
 import shapely
 
+from ...geometry.tolerances import LEAST_DIVISOR
 from ..map_records import Intersection, VectorMap
 
 AROUND = 25.0
@@ -148,4 +149,4 @@ def _yields(built: VectorMap, lanes: list[int]) -> dict[int, list[int]]:
 def _heading(centre: np.ndarray) -> np.ndarray:
     """Unit direction (2,) in which a lane begins."""
     step = centre[1, :2] - centre[0, :2]
-    return step / max(np.linalg.norm(step), 1e-9)
+    return step / max(np.linalg.norm(step), LEAST_DIVISOR)

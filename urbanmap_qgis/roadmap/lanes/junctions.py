@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from ...geometry.tolerances import LEAST_DIVISOR
 from ...wording import say
 from ..map_records import Bound, DrivenPath, Finding, MapLane, VectorMap
 from .lane_assembly import centre_line
@@ -186,7 +187,7 @@ def _about_curve(built: VectorMap, one: int, other: int) -> list[np.ndarray]:
               + (3 * p ** 2 - 2 * p ** 3) * end[0, :2] + (p ** 3 - p ** 2) * enter)
     slope = ((6 * p ** 2 - 6 * p) * (begin[-1, :2] - end[0, :2]) + (3 * p ** 2 - 4 * p + 1) * leave
              + (3 * p ** 2 - 2 * p) * enter)
-    slope /= np.maximum(np.linalg.norm(slope, axis=1, keepdims=True), 1e-9)
+    slope /= np.maximum(np.linalg.norm(slope, axis=1, keepdims=True), LEAST_DIVISOR)
     normal = np.column_stack([-slope[:, 1], slope[:, 0]])
     sides = []
     for side in ("left", "right"):
@@ -229,7 +230,7 @@ def _between(first: np.ndarray, last: np.ndarray, path: np.ndarray, before: np.n
     middle = _smooth(middle)
     tangent = np.gradient(middle, axis=0)
     tangent[0], tangent[-1] = before[-1, :2] - before[-2, :2], after[1, :2] - after[0, :2]
-    tangent /= np.maximum(np.linalg.norm(tangent, axis=1, keepdims=True), 1e-9)
+    tangent /= np.maximum(np.linalg.norm(tangent, axis=1, keepdims=True), LEAST_DIVISOR)
     normal = np.column_stack([-tangent[:, 1], tangent[:, 0]])
     offsets = np.array([(first[:2] - begin[:2]) @ normal[0], (last[:2] - end[:2]) @ normal[-1]])
     along = np.array([(first[:2] - begin[:2]) @ tangent[0], (last[:2] - end[:2]) @ tangent[-1]])
@@ -250,7 +251,7 @@ def _smooth(points: np.ndarray) -> np.ndarray:
 
 def _unit(vector: np.ndarray) -> np.ndarray:
     plan = np.asarray(vector, float)[:2]
-    return plan / max(np.linalg.norm(plan), 1e-9)
+    return plan / max(np.linalg.norm(plan), LEAST_DIVISOR)
 
 
 def _turn(before: np.ndarray, after: np.ndarray) -> str:

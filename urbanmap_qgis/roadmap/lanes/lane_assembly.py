@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 import shapely
 
+from ...geometry.tolerances import LEAST_DIVISOR, SAME_PLACE
 from ...wording import say
 from ..map_records import Bound, Finding, MapLane, MapLine, VectorMap
 from .lane_strips import Strip, strip_middle
@@ -120,7 +121,7 @@ def centre_line(left: np.ndarray, right: np.ndarray) -> np.ndarray:
 
 def _shares(path: np.ndarray) -> np.ndarray:
     steps = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(path[:, :2], axis=0), axis=1))])
-    return steps / max(steps[-1], 1e-9)
+    return steps / max(steps[-1], LEAST_DIVISOR)
 
 
 def _at_shares(path: np.ndarray, shares: np.ndarray) -> np.ndarray:
@@ -135,7 +136,7 @@ def _relate(built: VectorMap, section: RoadSection, strips: Sequence[Strip], lan
         for other_number, other_lane in lane_of_strip.items():
             other = strips[other_number]
             if (other.right, other.left) == (strip.right, strip.left) and other.sign == strip.sign and \
-                    abs((other.start - strip.end) if strip.sign > 0 else (other.end - strip.start)) < 1e-6:
+                    abs((other.start - strip.end) if strip.sign > 0 else (other.end - strip.start)) < SAME_PLACE:
                 built.lanes[lane].successors.append(other_lane)
             if other.start != strip.start or (strip.left not in (other.right,) and strip.right not in (other.left,)):
                 continue

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ...geometry.tolerances import LEAST_DIVISOR
 from ...wording import mark, say
 from ..map_records import DrivenPath, Finding, MapArea, MapSettings
 from .road_sections import STEP, BoundTrack, RoadSection
@@ -199,7 +200,7 @@ def add_drives(strips: Sequence[Strip], section: RoadSection, drives: Sequence[D
         _, along = section.axis.frame(chainage)
         step = np.gradient(xy, axis=0)
         length = np.linalg.norm(step, axis=1)
-        cosine = np.where(length > 0, (step * along).sum(axis=1) / np.maximum(length, 1e-9), 0.0)
+        cosine = np.where(length > 0, (step * along).sum(axis=1) / np.maximum(length, LEAST_DIVISOR), 0.0)
         for strip in strips:
             inside = (chainage >= strip.start) & (chainage <= strip.end) & (np.abs(cosine) > np.cos(DRIVE_ANGLE))
             right, left = section.tracks[strip.right], section.tracks[strip.left]

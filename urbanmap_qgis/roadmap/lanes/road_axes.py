@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from ...geometry.tolerances import LEAST_DIVISOR
 from ..map_records import MapLane, VectorMap
 from .lane_strips import ALONG_AXIS, Strip, strip_middle
 from .road_sections import RoadSection
@@ -130,7 +131,7 @@ def _course(plan: shapely.LineString, place: shapely.Point) -> np.ndarray:
     """Unit direction of a line where it is nearest to a place."""
     at = plan.project(place)
     ends = [shapely.get_coordinates(plan.interpolate(min(max(at + step, 0.0), plan.length)))[0] for step in (-1.0, 1.0)]
-    return (ends[1] - ends[0]) / max(np.linalg.norm(ends[1] - ends[0]), 1e-9)
+    return (ends[1] - ends[0]) / max(np.linalg.norm(ends[1] - ends[0]), LEAST_DIVISOR)
 
 
 def _give(group: Sequence[Strip], sign: int) -> None:

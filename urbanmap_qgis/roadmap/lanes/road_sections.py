@@ -10,6 +10,7 @@ import shapely
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
+from ...geometry.tolerances import LEAST_DIVISOR
 from ..map_records import MapLine, MapSettings
 from .winding_roads import unwound_roads
 
@@ -106,7 +107,7 @@ class Axis:
         ahead = shapely.get_coordinates(shapely.line_interpolate_point(self.line, at + 0.5))
         behind = shapely.get_coordinates(shapely.line_interpolate_point(self.line, np.maximum(at - 0.5, 0.0)))
         chord = ahead - behind
-        return foot, chord / np.maximum(np.linalg.norm(chord, axis=1, keepdims=True), 1e-9)
+        return foot, chord / np.maximum(np.linalg.norm(chord, axis=1, keepdims=True), LEAST_DIVISOR)
 
 
 @dataclass
@@ -195,7 +196,7 @@ def _turn(plan: shapely.LineString, other: shapely.LineString, at: np.ndarray, f
         ends = [shapely.get_coordinates(shapely.line_interpolate_point(line, np.clip(where + step, 0, line.length)))
                 for step in (-0.5, 0.5)]
         chord = ends[1] - ends[0]
-        directions.append(chord / np.maximum(np.linalg.norm(chord, axis=1, keepdims=True), 1e-9))
+        directions.append(chord / np.maximum(np.linalg.norm(chord, axis=1, keepdims=True), LEAST_DIVISOR))
     return np.arcsin(np.clip(np.abs(directions[0][:, 0] * directions[1][:, 1]
                                     - directions[0][:, 1] * directions[1][:, 0]), 0.0, 1.0))
 

@@ -8,6 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from ...geometry.tolerances import LEAST_DIVISOR
+
 
 @dataclass(frozen=True)
 class CrosswalkExtentLimits:
@@ -172,6 +174,6 @@ def _edge(profile: np.ndarray, steps: np.ndarray, inside: np.ndarray) -> tuple[f
     for tip, step in ((at[0], -1), (at[-1], 1)):
         share = 0.0
         for k in (tip, tip + step):
-            share += float(np.clip(profile[k] / max(usual, 1e-9), 0.0, 1.0)) if 0 <= k < len(profile) else 0.0
+            share += float(np.clip(profile[k] / max(usual, LEAST_DIVISOR), 0.0, 1.0)) if 0 <= k < len(profile) else 0.0
         ends.append(steps[tip] + step * LIMITS.slice * (share - 0.5))
     return float(ends[0]), float(ends[1])

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...geometry.tolerances import LEAST_DIVISOR
 from .dash_pattern import Section
 
 
@@ -70,7 +71,7 @@ def _in_step(runs: np.ndarray, period: float, dash: float) -> np.ndarray:
 def _share(runs: np.ndarray, members: np.ndarray) -> float:
     """Share of the paint that lies in the runs held."""
     length = runs[:, 1] - runs[:, 0]
-    return float(length[members].sum() / max(length.sum(), 1e-9))
+    return float(length[members].sum() / max(length.sum(), LEAST_DIVISOR))
 
 
 def _resolved(sections: Sequence[Section], patterns: Sequence[tuple[float, float]]) -> list[Section]:
@@ -115,5 +116,5 @@ def _section(runs: np.ndarray, pattern: tuple[float, float] | None) -> Section:
     length = runs[-1, 1] - runs[0, 0]
     if pattern is None:
         return Section(runs[0, 0], runs[-1, 1], "solid", runs, np.nan, np.nan,
-                       float((runs[:, 1] - runs[:, 0]).sum() / max(length, 1e-9)))
+                       float((runs[:, 1] - runs[:, 0]).sum() / max(length, LEAST_DIVISOR)))
     return Section(runs[0, 0], runs[-1, 1], "dashed", runs, *pattern, np.nan)

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...geometry.tolerances import LEAST_DIVISOR
+
 
 @dataclass(frozen=True)
 class DashPatternLimits:
@@ -137,7 +139,7 @@ def _section(runs: np.ndarray, usual: tuple[float, float] | None = None) -> Sect
 
 def _solid(runs: np.ndarray) -> Section:
     length = runs[-1, 1] - runs[0, 0]
-    share = float((runs[:, 1] - runs[:, 0]).sum() / max(length, 1e-9))
+    share = float((runs[:, 1] - runs[:, 0]).sum() / max(length, LEAST_DIVISOR))
     return Section(runs[0, 0], runs[-1, 1], "solid", runs, np.nan, np.nan, share)
 
 

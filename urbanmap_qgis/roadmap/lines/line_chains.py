@@ -10,6 +10,7 @@ import numpy as np
 import shapely
 from scipy.spatial import cKDTree
 
+from ...geometry.tolerances import LEAST_DIVISOR
 from .strokes import Stroke
 
 
@@ -163,7 +164,7 @@ def _joined(chains: list[StrokeChain], links: list[tuple[int, int]]) -> list[Str
         after = second.axis[::-1] if other % 2 else second.axis
         after_numbers = second.strokes[::-1] if other % 2 else second.strokes
         painted = first.painted + second.painted
-        width = (first.painted * first.width + second.painted * second.width) / max(painted, 1e-9)
+        width = (first.painted * first.width + second.painted * second.width) / max(painted, LEAST_DIVISOR)
         joined.append(StrokeChain(np.vstack([axis, after]), [*numbers, *after_numbers], painted, width))
         gone |= {one // 2, other // 2}
     return [chain for k, chain in enumerate(chains) if k not in gone] + joined

@@ -9,6 +9,8 @@ import shapely
 from scipy.linalg import solveh_banded
 from scipy.ndimage import uniform_filter1d
 
+from ...geometry.tolerances import LEAST_DIVISOR, SIGMA_OF_MAD
+
 STATION = 0.1
 """Distance of the cross-sections, m."""
 
@@ -99,7 +101,7 @@ def _without_kinks(place: np.ndarray) -> np.ndarray:
 def _normals(place: np.ndarray) -> np.ndarray:
     """Unit vectors (n, 2) to the left of a path."""
     tangent = np.gradient(place, axis=0)
-    tangent /= np.maximum(np.linalg.norm(tangent, axis=1, keepdims=True), 1e-12)
+    tangent /= np.maximum(np.linalg.norm(tangent, axis=1, keepdims=True), LEAST_DIVISOR)
     return np.column_stack([-tangent[:, 1], tangent[:, 0]])
 
 
@@ -133,8 +135,8 @@ def _smoothed(offset: np.ndarray, good: np.ndarray) -> tuple[np.ndarray, float]:
         matrix[2] += weight + 1e-6
         smooth = solveh_banded(matrix, weight * offset)
         deviation = np.abs(offset - smooth)
-        spread = max(1.4826 * float(np.median(deviation[good])), 0.004)
-        weight = good * np.minimum(1.0, 2.0 * spread / np.maximum(deviation, 1e-9))
+        spread = max(SIGMA_OF_MAD * float(np.median(deviation[good])), 0.004)
+        weight = good * np.minimum(1.0, 2.0 * spread / np.maximum(deviation, LEAST_DIVISOR))
     return smooth, spread
 
 

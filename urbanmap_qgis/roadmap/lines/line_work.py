@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 import shapely
 
+from ...geometry.tolerances import LEAST_DIVISOR
 from ...progress import SILENT, Progress
 from .crosswalks import Crosswalk, find_crosswalks
 from .dash_consensus import with_common_patterns
@@ -298,7 +299,7 @@ def _piece(line: _Line, section: Section, start: float, end: float, kind: str, c
     plan = polyline(course)
     # The fit shortens a ragged chain: what was counted by stations is told in metres along the line.
     along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(course, axis=0), axis=1))])
-    along *= shapely.LineString(plan).length / max(along[-1], 1e-9)
+    along *= shapely.LineString(plan).length / max(along[-1], LEAST_DIVISOR)
     within = np.interp(np.clip(section.dashes, start, end), np.concatenate([[start], at[inner], [end]]), along)
     painted = float((within[:, 1] - within[:, 0]).sum())
     missing, placed = along[-1] - painted, ()
@@ -311,7 +312,7 @@ def _piece(line: _Line, section: Section, start: float, end: float, kind: str, c
     sigma = float(np.hypot(line.fit.sigma[inner].mean() if inner.any() else line.fit.residual, settings.source_sigma))
     points = np.column_stack([plan, np.full(len(plan), np.nan)])
     return RoadLine(points, kind, line.fit.width, colour, sigma, within, section.period, section.dash, missing, number,
-                    confidence=painted / max(painted + missing, 1e-9), placed=placed)
+                    confidence=painted / max(painted + missing, LEAST_DIVISOR), placed=placed)
 
 
 def _colour(chain: StrokeChain, strokes: Sequence[Stroke], colours: Sequence[str]) -> str:

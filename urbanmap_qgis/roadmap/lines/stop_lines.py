@@ -10,6 +10,7 @@ import shapely
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
+from ...geometry.tolerances import LEAST_DIVISOR
 from .crosswalks import Crosswalk
 from .line_chains import StrokeChain
 from .line_fit import FittedLine
@@ -54,7 +55,7 @@ def stop_line_confidence(chain: StrokeChain, lines: Sequence[tuple[StrokeChain, 
     if crossed:
         return 0.0
     evidence = at_end + beside
-    painted = min(chain.painted / max(chain.length, 1e-9), 1.0)
+    painted = min(chain.painted / max(chain.length, LEAST_DIVISOR), 1.0)
     return painted * (0.0, LIMITS.one_evidence, 1.0)[evidence]
 
 
@@ -100,7 +101,7 @@ def _one_bar(one: StrokeChain, other: StrokeChain) -> StrokeChain | None:
     axis = np.vstack([one.axis, after] if place.mean() > 0 else [after, one.axis])
     painted = one.painted + other.painted
     return StrokeChain(axis[[0, -1]], [*one.strokes, *other.strokes], painted,
-                       (one.painted * one.width + other.painted * other.width) / max(painted, 1e-9))
+                       (one.painted * one.width + other.painted * other.width) / max(painted, LEAST_DIVISOR))
 
 
 def _at_end(chain: StrokeChain, lines: Sequence[tuple[StrokeChain, FittedLine]]) -> tuple[bool, bool]:
@@ -142,4 +143,4 @@ def _beside(chain: StrokeChain, row: Crosswalk) -> bool:
 
 def _course(axis: np.ndarray) -> np.ndarray:
     chord = axis[-1] - axis[0]
-    return chord / max(float(np.linalg.norm(chord)), 1e-9)
+    return chord / max(float(np.linalg.norm(chord)), LEAST_DIVISOR)

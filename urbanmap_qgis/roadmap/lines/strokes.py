@@ -9,6 +9,8 @@ import numpy as np
 import shapely
 from scipy.spatial import QhullError, Voronoi
 
+from ...geometry.tolerances import LEAST_DIVISOR, SAME_PLACE
+
 BOUNDARY_STEP = 0.06
 """Distance of the boundary points whose Voronoi edges make the medial axis, m: half a pixel of the images used."""
 
@@ -49,7 +51,7 @@ class Stroke:
     def direction(self) -> np.ndarray:
         """Unit vector (2,) from the first tip to the last."""
         chord = self.axis[-1] - self.axis[0]
-        return chord / max(np.linalg.norm(chord), 1e-12)
+        return chord / max(np.linalg.norm(chord), LEAST_DIVISOR)
 
 
 def polygon_strokes(polygon: shapely.Polygon, number: int = 0) -> list[Stroke]:
@@ -178,9 +180,9 @@ def _to_boundary(axis: np.ndarray, polygon: shapely.Polygon, width: float) -> np
     """The axis prolonged at both tips to where the paint ends; the medial axis stops half a width before."""
     ends = []
     for tip, before in ((axis[0], axis[1]), (axis[-1], axis[-2])):
-        along = (tip - before) / max(np.linalg.norm(tip - before), 1e-12)
+        along = (tip - before) / max(np.linalg.norm(tip - before), LEAST_DIVISOR)
         inside = shapely.LineString([tip, tip + along * width]).intersection(polygon)
-        parts = [part for part in shapely.get_parts(inside) if part.distance(shapely.Point(tip)) < 1e-6]
+        parts = [part for part in shapely.get_parts(inside) if part.distance(shapely.Point(tip)) < SAME_PLACE]
         reach = max((part.length for part in parts if part.geom_type == "LineString"), default=0.0)
         ends.append(tip + along * min(reach, 0.75 * width))
     return np.vstack([ends[0], axis, ends[1]])

@@ -1,0 +1,93 @@
+"""Where kerbs, upright faces and borders without a step run along a surveyed road, before they are measured."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...errors import InsufficientDataError
+from ...geometry.tolerances import LEAST_DIVISOR
+from ...progress import Progress
+from ...wording import say
+from .borders import border_candidates
+from .courses import find_courses, lengthened, linked
+from .edge_points import EdgePoints, EdgeTile
+from .edge_records import Course, EdgeCandidates, EdgeSettings, joined_candidates
+from .ground_profile import Heights, above_ground, near_ground
+from .height_steps import step_candidates
+from .uprights import upright_candidates
+
+_SPARSE = 8.0  # points a square metre of tiles at the path below which no edge can be told
+
+
+@dataclass(frozen=True)
+class EdgeCourses:
+    """Courses of kerbs, of upright faces (rails and walls) and of verges, the borders without a step."""
+
+    kerbs: list[Course]
+    faces: list[Course]
+    verges: list[Course]
+
+
+def edge_courses(survey: EdgePoints, settings: EdgeSettings, ground: Heights | None, progress: Progress
+                 ) -> EdgeCourses:
+    """Find the courses within the width of the path.
+
+    Parameters
+    ----------
+    ground : heights (m) of the ground at places of the survey; None where it is found among the points.
+
+    Raises
+    ------
+    InsufficientDataError : too few points to tell edges.
+    """
+    return EdgeCourses(*(_courses(found) for found in _candidates(survey, settings, ground, progress)))
+
+
+def _candidates(survey: EdgePoints, settings: EdgeSettings, ground: Heights | None, progress: Progress
+                ) -> tuple[EdgeCandidates, ...]:
+    """Candidates of steps, of upright faces and of borders without a step within the width of the path."""
+    steps, uprights, borders, density = [], [], [], []
+    for tile in survey.tiles(progress):
+        height = above_ground(tile.points, ground)
+        low = near_ground(tile.points, height)
+        steps.append(_beside(step_candidates(tile, low, settings), survey))
+        uprights.append(_beside(upright_candidates(tile, height, survey.path_tree), survey))
+        borders.append(_beside(border_candidates(tile, low, survey.path_tree), survey))
+        density += _densities(tile, low, survey)
+    if not density or np.median(density) < _SPARSE:
+        found = float(np.median(density)) if density else 0.0
+        raise InsufficientDataError(say("There are {found:.1f} ground points a square metre beside the path: edges "
+                                        "need {sparse:.0f} or more; give the whole survey, not a thinned one.",
+                                        found=found, sparse=_SPARSE))
+    return tuple(joined_candidates(parts) for parts in (steps, uprights, borders))
+
+
+def _densities(tile: EdgeTile, low: np.ndarray, survey: EdgePoints) -> list[int]:
+    """Ground points within a square metre at each fourth place of the path in a tile, or beside it if more are there.
+
+    Scanners on the roof of a car do not see the ground right below.
+    """
+    in_tile = tile.owns(survey.path)
+    if not in_tile.any():
+        return []
+    way = np.gradient(survey.path, axis=0)[in_tile][::4]
+    across = np.column_stack([-way[:, 1], way[:, 0]]) / np.maximum(np.hypot(*way.T), LEAST_DIVISOR)[:, None]
+    x, y = tile.points["x"][low], tile.points["y"][low]
+    return [max(int(np.count_nonzero((np.abs(x - place[0]) < 0.5) & (np.abs(y - place[1]) < 0.5)))
+                for place in at + np.array([[-3.5], [0.0], [3.5]]) * normal)
+            for at, normal in zip(survey.path[in_tile][::4], across)]
+
+
+def _beside(candidates: EdgeCandidates, survey: EdgePoints) -> EdgeCandidates:
+    """Those within the width of the path."""
+    if not len(candidates):
+        return candidates
+    near = survey.within(candidates.place)
+    return EdgeCandidates(candidates.place[near], candidates.normal[near], candidates.height[near],
+                          candidates.score[near])
+
+
+def _courses(candidates: EdgeCandidates) -> list[Course]:
+    return [lengthened(course) for course in linked(find_courses(candidates))]
