@@ -216,6 +216,7 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
             staging.publish()
             self.judge(results, feedback)
             results = destinations.results_outside(results, staging)
+            shown_results.name_layers(self, results, context)
             shown_results.show_files(self, results, context, feedback)
         except UrbanMapError as error:
             if final_text(str(error)) == str(error):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from urbanmap_qgis.buildings.polygon_stage import PolygonParameters
+from urbanmap_qgis.buildings.roof_polygons.polygon_rows import PolygonParameters
 from urbanmap_qgis.buildings.roofs.roof_levels import RoofParameters
 from urbanmap_qgis.buildings.segmentation import SegmentationParameters
 

@@ -128,6 +128,21 @@ def test_the_papers_method_moves_each_patch_by_its_window(run, small_city, marki
     assert np.array_equal(before, after) != heights
 
 
+@pytest.mark.paper("J 3.2.4, input")
+def test_the_papers_method_takes_the_papers_markings_of_a_survey(run, small_city, tmp_path):
+    calibration = str(small_city / "mms/calibration.json")
+    markings = run("urbanmap:roadmarkingsfrommms", given(
+        small_city, POINTS=[survey(small_city)], CALIBRATION=calibration, METHOD="paper",
+        OUTPUT=str(tmp_path / "paper.laz"), OUTPUT_CURVE=None))["OUTPUT"]
+    places = []
+    for points in (markings, survey(small_city)):
+        result = run(ALGORITHM, given(small_city, POINTS=[points], CALIBRATION=calibration, METHOD="paper",
+                                      MARKINGS=reference(small_city), OUTPUT=str(tmp_path / "new.csv"),
+                                      OUTPUT_REPORT=None))
+        places.append(columns(result["OUTPUT"], ("x", "y")))
+    assert np.allclose(*places, atol=1e-3)
+
+
 @pytest.mark.parametrize(("change", "words"), [
     ({"MARKINGS": "far"}, "reference markings lie .* from the path of the survey"),
     ({"GROUND": "elsewhere"}, "ground elevation lies .* from the path of the survey"),
@@ -221,3 +236,30 @@ def test_survey_of_which_nothing_is_registered_is_no_result(run, small_city, mar
     with pytest.raises(QgsProcessingException, match="could be registered|no reference marking"):
         run(ALGORITHM, given(small_city, POINTS=[markings], MARKINGS=layer, OUTPUT=str(tmp_path / "new.csv")))
     assert not (tmp_path / "new.csv").exists()
+
+
+def test_walls_are_a_second_witness(run, small_city, markings, read_layer, tmp_path):
+    result = run(ALGORITHM, given(
+        small_city, POINTS=[markings], SURVEY=[survey(small_city)], MARKINGS=reference(small_city),
+        BUILDINGS=str(small_city / "footprints/gsi_buildings.gpkg"), GROUND=str(small_city / "truth/ground.tif"),
+        OUTPUT=str(tmp_path / "new.csv"), OUTPUT_PATCHES=str(tmp_path / "patches.gpkg"), OUTPUT_REPORT=None))
+    true, got = (columns(path, ("x", "y")) for path in (small_city / "truth/survey_01_trajectory.csv",
+                                                        result["OUTPUT"]))
+    assert np.hypot(*(got - true).T).mean() < 0.06 and result["REGISTERED_SHARE"] > 0.7
+    shares = np.array([[row.attributes[name] for name in ("paint", "walls")]
+                       for row in read_layer(result["OUTPUT_PATCHES"])])
+    assert shares.sum(axis=1) == pytest.approx(1.0) and (shares[:, 1] > 0).mean() > 0.8
+    assert np.median(shares[:, 1]) < 0.5  # rough outlines know less than paint does
+
+
+@pytest.mark.parametrize(("change", "words"), [
+    ({"FEATURES": "walls"}, "walls alone need buildings"),
+    ({"FEATURES": "all", "METHOD": "paper"}, "the paper's method knows no walls"),
+    ({"FEATURES": "all"}, "shows no facade"),  # the markings alone
+])
+def test_walls_that_cannot_be_used(run, small_city, markings, tmp_path, change, words):
+    from qgis.core import QgsProcessingException
+
+    with pytest.raises(QgsProcessingException, match=words):
+        run(ALGORITHM, given(small_city, POINTS=[markings], MARKINGS=reference(small_city), **change,
+                             OUTPUT=str(tmp_path / "new.csv"), OUTPUT_PATCHES=None, OUTPUT_REPORT=None))

@@ -153,3 +153,18 @@ def test_reports_are_offered_under_names_of_their_own(run, context, window, plug
         "OUTPUT": "TEMPORARY_OUTPUT", "OUTPUT_REPORT": "TEMPORARY_OUTPUT"}, context)
     assert offered == [("Check accuracy at control points: Report", result["OUTPUT_REPORT"])]
     assert Path(result["OUTPUT_REPORT"]).name == "checkaccuracy_report.html" and Path(result["OUTPUT_REPORT"]).is_file()
+
+
+def test_layers_of_models_have_the_names_of_outputs(qgis_app, context, shown, tmp_path):
+    """QGIS 3.22 gives the layers of a model's steps the key of the output for a name."""
+    from qgis.core import QgsApplication, QgsProcessingContext, QgsProject
+
+    algorithm = QgsApplication.processingRegistry().createAlgorithmById("urbanmap:buildingmodels")
+    places = [str(tmp_path / f"{number}.gpkg") for number in range(3)]
+    for place, name in zip(places, ("OUTPUT", "My models")):
+        context.addLayerToLoadOnCompletion(place, QgsProcessingContext.LayerDetails(
+            name, QgsProject.instance(), "OUTPUT"))
+    for place in places:  # the last is not loaded
+        shown.name_layers(algorithm, {"OUTPUT": place, "BUILDINGS": 3}, context)
+    names = {place: details.name for place, details in context.layersToLoadOnCompletion().items()}
+    assert names == dict(zip(places, ("Building models", "My models")))

@@ -205,6 +205,27 @@ def unticked() -> dict:
     return {"missing": guide.missing.text(), "run": guide.steps.run.isEnabled(), "left_out": len(guide.job.left_out)}
 
 
+def used() -> dict:
+    """A survey's cloud said to be airborne in the drop-down below the table, and left to the program again."""
+    guide = plugin().guide
+    tree, box = guide.files.tree, guide.files.use
+    before = box.isEnabled()
+    tree.clearSelection()
+    row, = [item for item in guide.files._rows() if item.text(0) == "survey_01.laz"]
+    row.setSelected(True)
+    settle()
+    offered, played = [box.itemText(number) for number in range(box.count())], row.text(1)
+    picture("use")
+
+    def choose(use: str) -> list:
+        box.setCurrentIndex(box.findData(use))
+        box.activated.emit(box.currentIndex())
+        settle()
+        return [row.text(1), dict(guide.job.used_as), guide.missing.text(), guide.steps.run.isEnabled()]
+
+    return {"before": before, "offered": offered, "played": played, "said": choose("als"), "again": choose("")}
+
+
 def imported() -> dict:
     """A table of another program made into a trajectory, its way of reading kept by name and chosen again."""
     guide = plugin().guide
@@ -241,6 +262,39 @@ def imported() -> dict:
             "head": (CITY / "out.csv").read_text(encoding="utf-8").splitlines()[0]}
 
 
+def placed() -> dict:
+    """A table in latitude and longitude: the job's system is offered, heights are asked for, where it lies is shown."""
+    from pyproj import Transformer
+
+    guide = plugin().guide
+    table, back = CITY / "degrees.txt", Transformer.from_crs(6677, 6668, always_xy=True)
+    lines = (CITY / "mms/survey_01_trajectory.csv").read_text(encoding="utf-8").splitlines()[1:400]
+    rows = [line.split(",")[:7] for line in lines]
+    for row in rows:
+        longitude, latitude = back.transform(float(row[1]), float(row[2]))
+        row[1:3] = [f"{latitude:.9f}", f"{longitude:.9f}"]
+    table.write_text("\n".join(["time,lat,lon,height,roll,pitch,heading", *map(",".join, rows)]), encoding="utf-8")
+    guide.import_table()
+    dialog = guide.importing
+    dialog.open_file(str(table))
+    settle(0.2)
+    offered, place = dialog.crs.crs().authid(), dialog.placed.text()
+    if TASK["pictures"]:
+        settle(0.5)
+        dialog.grab().save(str(Path(TASK["pictures"]) / "import_degrees.png"))
+    shown = [widget.isVisible() for widget in (dialog.crs, dialog.north, dialog.heights, dialog.geoid)]
+    refused = [dialog.write(str(CITY / "laid.csv")), dialog.told.text()]
+    dialog.heights.setCurrentIndex(dialog.heights.findData("ellipsoidal"))
+    settle(0.1)
+    shown.append(dialog.geoid.isVisible())
+    written = dialog.write(str(CITY / "laid.csv"))
+    dialog.close()
+    first = (CITY / "laid.csv").read_text(encoding="utf-8").splitlines()[1].split(",")[1:4]
+    off = [float(value) - float(true) for value, true in zip(first, lines[0].split(",")[1:4])]
+    return {"offered": offered, "place": place, "shown": shown, "refused": refused, "written": written,
+            "told": dialog.told.text(), "off": off}
+
+
 def unloaded() -> dict:
     """The plugin taken away with the dock open, files just recognised and not yet shown, and loaded again."""
     from qgis import utils
@@ -260,7 +314,7 @@ def unloaded() -> dict:
 
 
 RAISED: list[str] = []
-STEPS = (opened, dropped, planned, ran, reopened, tuned, cancelled, unticked, imported, unloaded)
+STEPS = (opened, dropped, planned, ran, reopened, tuned, cancelled, unticked, used, imported, placed, unloaded)
 
 
 def travel() -> None:

@@ -161,6 +161,7 @@ def test_models_open_as_copies_in_the_modeller_and_run_with_files_preset(step):
         assert copy["steps"] >= 2
     assert told["run"]["succeeded"], told["run"]["log"][-3000:]
     assert [layer["size"] > 0 and layer["at_home"] for layer in told["run"]["layers"]] == [True]
+    assert [layer["name"] for layer in told["run"]["layers"]] == ["Building models"]
     assert told["entries"] == [["urbanmap:buildingsfromals_model", "Open a copy in the modeller…"]]
 
 

@@ -69,7 +69,8 @@ def test_run_loads_results_with_style_and_verdict(told):
     assert state == "done" and "buildings" in verdict and found["moves"] > 2 and found["report"]
     (name, size, renderer), = found["layers"]
     assert name == "Building models" and size > 5 and renderer == "categorizedSymbol"
-    assert "1 of 1: Buildings from ALS" in found["told"][0] and found["told"][1:] == ["All steps are done.", verdict]
+    assert "1 of 1: Buildings from ALS" in found["told"][0] and found["told"][1:] == [
+        f"All steps are done.\n{verdict}"] * 2
 
 
 def test_opened_again_nothing_is_done_anew(told):
@@ -96,6 +97,17 @@ def test_what_is_unticked_is_missing(told):
     assert "Airborne laser points" in found["missing"] and not found["run"] and found["left_out"] == 2
 
 
+def test_a_file_is_used_as_the_user_says(told):
+    found = told("used")
+    assert not found["before"] and found["offered"] == ["as recognised", "Airborne laser points", "Mobile survey"]
+    assert found["played"] == "Mobile survey 1"
+    played, kept, missing, can_run = found["said"]
+    assert played == "Airborne laser points" and list(kept.values()) == ["als"] and can_run
+    assert missing.startswith("Nothing is missing.") and [Path(source).name for source in kept] == ["survey_01.laz"]
+    played, kept, missing, can_run = found["again"]
+    assert played == "Mobile survey 1" and kept == {} and "Airborne laser points" in missing and not can_run
+
+
 def test_table_of_another_program_is_imported(told):
     found = told("imported")
     encoding, delimiter, skip, columns = found["guessed"]
@@ -103,6 +115,15 @@ def test_table_of_another_program_is_imported(told):
     assert not found["refused"][0] and "No column is chosen for heading" in found["refused"][1]
     assert found["written"] and found["given"] == 1 and found["head"] == "time,x,y,z,roll,pitch,heading"
     assert len(found["kept"]) == 7
+
+
+def test_table_in_degrees_is_laid_into_the_system_of_the_job(told):
+    found = told("placed")
+    assert found["offered"] == "EPSG:6677" and "m east" in found["place"]
+    assert found["shown"] == [True, True, True, False, True]
+    assert not found["refused"][0] and "what the heights count from" in found["refused"][1]
+    assert found["written"] and "above the ellipsoid" in found["told"]
+    assert max(map(abs, found["off"])) < 0.001
 
 
 def test_plugin_goes_with_the_dock_open(told):

@@ -68,6 +68,11 @@ def system_name(wkt: str) -> str:
     return f"EPSG:{code} {plan.name}" if code else plan.name
 
 
+def is_geographic(wkt: str) -> bool:
+    """Whether a system (WKT) counts in degrees; none does not."""
+    return bool(wkt) and _crs(wkt).is_geographic
+
+
 def _crs(wkt: str) -> CRS:
     return CRS.from_wkt(wkt)
 

@@ -43,8 +43,13 @@ _MISSING = {
     ROAD_SPACE: mark("This version has no algorithm for it."),
 }
 
+_POINTS_CRS = mark("CRS of the point clouds")
+
 Value = object
-"""A parameter: a plain value, {"input": role}, {"step": id, "output": name}, or a list of these."""
+"""A parameter: a plain value, {"input": role}, {"step": id, "output": name}, `WANTED`, or a list of these."""
+
+WANTED = {"wanted": True}
+"""Of a result that an algorithm makes only when it is asked for: to be made, at its place among the results."""
 
 
 @dataclass(frozen=True)
@@ -110,11 +115,12 @@ class _Planning:
         self.plan.missing.append(known(_MISSING[role]))
 
     def add(self, identifier: str, algorithm: str, **parameters: Value) -> None:
-        kept = {name: value for name, value in parameters.items() if value not in (None, [])}
-        self.plan.steps.append(PlannedStep(identifier, algorithm, kept))
+        set_values = {name: value for name, value in parameters.items() if value not in (None, [])}
+        self.plan.steps.append(PlannedStep(identifier, algorithm, set_values))
 
     def footprints(self, needed: bool) -> Value | None:
         if self.has(roles.FOOTPRINTS):
+            self.require_plane(roles.FOOTPRINTS)
             return _given(roles.FOOTPRINTS)
         if self.has(roles.GSI_FOOTPRINTS):
             if "outlines" not in self.made:
@@ -133,18 +139,41 @@ class _Planning:
 
     def _given_reference(self) -> dict[str, Value]:
         polygons = _given(roles.MARKING_POLYGONS) if self.has(roles.MARKING_POLYGONS) else None
+        if polygons is not None:
+            self.require_plane(roles.MARKING_POLYGONS)
         mask = _given(roles.MASK) if self.has(roles.MASK) else polygons
         if mask is None:
             return {}
         self.plan.notes.append(say("The markings given are the reference; leave them out to make it from the images."))
-        ground = _given(roles.GROUND) if self.has(roles.GROUND) else self._ground_from_als()
-        return {"mask": mask, "polygons": polygons, "ground": ground, "image": None}
+        return {"mask": mask, "polygons": polygons, "ground": self._ground(), "image": None}
 
-    def _ground_from_als(self) -> Value | None:
-        if not self.has(roles.ALS):
+    def _ground(self) -> Value | None:
+        """Heights of the ground: given, of the airborne points, or of the official elevation model."""
+        if self.has(roles.GROUND):
+            return _given(roles.GROUND)
+        if self.has(roles.ALS):
+            self.add("surface", "surfacefromals", POINTS=_given(roles.ALS), POINTS_CRS=self.crs_for(roles.ALS))
+            return _result("surface", "OUTPUT_GROUND")
+        if self.has(roles.GSI_GROUND):
+            self.add("elevation", "loadgsidem", INPUT=_given(roles.GSI_GROUND), CRS=self.crs or None)
+            return _result("elevation")
+        return None
+
+    def require_plane(self, role: str) -> None:
+        """Say what to do with a layer that counts in degrees."""
+        if role in self.parts.in_degrees:
+            self.plan.missing.append(say(
+                "{part} count in degrees: open the layer in QGIS, save it with “Export” in {crs}, and add that file.",
+                part=roles.use_name(role), crs=self.crs or say("the plane reference system of the points")))
+
+    def crs_for(self, role: str) -> Value | None:
+        """The common system for clouds that state none; None where all do, or no file says one."""
+        if role not in self.parts.unplaced:
             return None
-        self.add("surface", "surfacefromals", POINTS=_given(roles.ALS))
-        return _result("surface", "OUTPUT_GROUND")
+        if not self.crs:
+            self.plan.notes.append(say("No file states the reference system of the points: say it in the settings of "
+                                       "the step (“{label}”).", label=known(_POINTS_CRS)))
+        return self.crs or None
 
     def _made_reference(self) -> dict[str, Value]:
         if (self.has(roles.FRAMES) and self.has(roles.EXTERIOR_ROLE)) or not self.has(roles.ORTHOPHOTO_ROLE):
@@ -153,13 +182,14 @@ class _Planning:
                     self.lacks(role)
             footprints = self.footprints(False)
             self.add("reference", "aerialmarkings", FRAMES=_given(roles.FRAMES), CAMERA=_given(roles.CAMERA_ROLE),
-                     EXTERIOR=_given(roles.EXTERIOR_ROLE), ALS=_given(roles.ALS), FOOTPRINTS=footprints)
+                     EXTERIOR=_given(roles.EXTERIOR_ROLE), ALS=_given(roles.ALS), FOOTPRINTS=footprints,
+                     POINTS_CRS=self.crs_for(roles.ALS), OUTPUT_REPORT=WANTED)
             return {"mask": _result("reference"), "polygons": _result("reference", "OUTPUT_POLYGONS"),
                     "ground": _result("reference", "OUTPUT_GROUND"),
                     "image": _result("reference", "OUTPUT_ORTHOPHOTO")}
-        ground = _given(roles.GROUND) if self.has(roles.GROUND) else self._ground_from_als()
+        ground = self._ground()
         self.add("reference", "roadmarkingsfromorthophoto", INPUT=_given(roles.ORTHOPHOTO_ROLE),
-                 BUILDINGS=self.footprints(False), GROUND=ground)
+                 BUILDINGS=self.footprints(False), GROUND=ground, OUTPUT_REPORT=WANTED)
         return {"mask": _result("reference"), "polygons": _result("reference", "OUTPUT_POLYGONS"), "ground": ground,
                 "image": _given(roles.ORTHOPHOTO_ROLE)}
 
@@ -182,11 +212,17 @@ class _Planning:
         self.add(f"survey_{number}", "georeferencemms", POINTS=_given(f"survey_{number}"),
                  TRAJECTORY=_given(f"trajectory_{number}"), CALIBRATION=optional("calibration"),
                  MARKINGS=reference["mask"], GROUND=reference["ground"], IMAGE=reference["image"],
-                 IMAGES=optional("poses"))
+                 IMAGES=optional("poses"), OUTPUT_IMAGES=WANTED if optional("poses") else None,
+                 POINTS_CRS=self.crs_for(f"survey_{number}"))
         if self.has(f"control_{number}"):
             self.add(f"accuracy_{number}", "checkaccuracy", CONTROL=_given(f"control_{number}"),
                      TRAJECTORY=_given(f"trajectory_{number}"),
                      CORRECTED=_result(f"survey_{number}", "OUTPUT_TRAJECTORY"), CRS=self.crs or None)
+            self.add(f"acceptance_{number}", "acceptance", INPUT=_result(f"accuracy_{number}"),
+                     PATCHES=_result(f"survey_{number}", "OUTPUT_PATCHES"))
+        elif self.parts.surveys:
+            self.plan.notes.append(say("Survey {number}: no control points measured in its times are given, so that "
+                                       "its accuracy is not checked independently.", number=number))
         return _result(f"survey_{number}")
 
     def buildings(self) -> Value:
@@ -201,8 +237,9 @@ class _Planning:
     def walls(self) -> None:
         models = self.buildings()
         surveys = [_result(step) for step in self.surveys()]
-        self.add("walls", "wallsfrommms", POINTS=surveys, BUILDINGS=models)
-        self.add("merged", "mergebuildingmodels", MODELS=models, WALLS=_result("walls"))
+        self.add("walls", "wallsfrommms", POINTS=surveys, BUILDINGS=models, GROUND=self.reference()["ground"])
+        self.add("merged", "mergebuildingmodels", MODELS=models, WALLS=_result("walls"), OUTPUT_REPORT=WANTED,
+                 OUTPUT_CITYJSON=WANTED)
 
     def lanes(self) -> None:
         drives = [_result(step, "OUTPUT_TRAJECTORY") for step in self.surveys()]
@@ -210,7 +247,8 @@ class _Planning:
         if reference["polygons"] is None:
             self.plan.missing.append(say("Markings as polygons are missing: a mask alone makes no lane map; leave it "
                                          "out to make both from the images."))
-        self.add("lanes", "lanemap", MARKINGS=reference["polygons"], GROUND=reference["ground"], TRAJECTORY=drives)
+        self.add("lanes", "lanemap", MARKINGS=reference["polygons"], GROUND=reference["ground"], TRAJECTORY=drives,
+                 OUTPUT_LANELET2=WANTED, OUTPUT_OPENDRIVE=WANTED, OUTPUT_REPORT=WANTED)
 
     def accuracy(self) -> None:
         buildings = self.buildings()

@@ -57,6 +57,7 @@ class FileFacts:
     doubt : why the kind may be another one, "" where the content says it.
     notes : sentences on what is odd but does not keep it from being used.
     problem : why it cannot be used, a sentence; "" for a sound file.
+    use : what the user says that it is used as, a key of `roles.USES`; "" where he left it to the program.
     """
 
     path: Path
@@ -71,6 +72,7 @@ class FileFacts:
     doubt: str = ""
     notes: tuple[str, ...] = ()
     problem: str = ""
+    use: str = ""
 
     @property
     def usable(self) -> bool:

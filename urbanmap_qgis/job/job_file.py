@@ -16,7 +16,7 @@ from ..errors import InputError
 from ..io.files.atomic import written_beside
 from ..io.files.guard import read_json, reading_part, reads
 from ..wording import say
-from .chain_plan import PlannedStep
+from .chain_plan import WANTED, PlannedStep
 from .recognition.json_facts import JOB_MARK
 
 VERSION = 1
@@ -30,6 +30,7 @@ class JobStep:
     Attributes
     ----------
     id, algorithm, parameters : as planned; what the user set is among the parameters.
+    own : names of the parameters that the user set, which a later plan leaves.
     state : `PLANNED`, `DONE` or `FAILED`.
     signature : of parameters and input files at the time it was done.
     outputs : results by name: paths, numbers, texts.
@@ -42,6 +43,7 @@ class JobStep:
     id: str
     algorithm: str
     parameters: Mapping[str, object] = field(default_factory=dict)
+    own: tuple[str, ...] = ()
     state: str = PLANNED
     signature: str = ""
     outputs: Mapping[str, object] = field(default_factory=dict)
@@ -63,6 +65,10 @@ class JobRecord:
     """Files and folders that the user gave, from which the inputs were recognised."""
     left_out: tuple[str, ...] = ()
     """Sources among them that are not to be used."""
+    used_as: Mapping[str, str] = field(default_factory=dict)
+    """What the user says that a source is used as, a key of `roles.USES`."""
+    aside: tuple[JobStep, ...] = ()
+    """Steps that were done for another wish or with other files; one that is planned again is as it was."""
 
     def with_step(self, step: JobStep) -> JobRecord:
         """The job with the step of the same id replaced."""
@@ -98,15 +104,29 @@ class JobRecord:
 def planned_job(wish: str, inputs: Mapping[str, tuple[str, ...]], steps: Iterable[PlannedStep | JobStep],
                 given: tuple[str, ...] = (), before: JobRecord | None = None) -> JobRecord:
     """A job of planned steps, none of them run; one that `before` has too keeps its state, results and settings."""
-    old = {item.id: item for item in before.steps} if before else {}
-    made = []
+    old = {(item.id, item.algorithm): item for item in (*before.aside, *before.steps)} if before else {}
+    planned = []
     for step in steps:
-        known = old.get(step.id)
-        if known is not None and known.algorithm == step.algorithm:
-            made.append(replace(known, parameters={**known.parameters, **step.parameters}))
-        else:
-            made.append(JobStep(step.id, step.algorithm, step.parameters))
-    return JobRecord(wish, dict(inputs), tuple(made), given, before.left_out if before else ())
+        known = old.pop((step.id, step.algorithm), None)
+        if known is None:
+            planned.append(JobStep(step.id, step.algorithm, step.parameters))
+            continue
+        planned.append(replace(known, parameters={**_settings(known), **step.parameters,
+                                               **{name: known.parameters[name] for name in known.own}}))
+    aside = tuple(item for item in old.values() if item.state == DONE or item.own)
+    job = JobRecord(wish, dict(inputs), tuple(planned), given, aside=aside)
+    return replace(job, left_out=before.left_out, used_as=before.used_as) if before else job
+
+
+def _settings(step: JobStep) -> dict[str, object]:
+    """Parameters of a step that name no input and no other step: those the next plan sets anew, or not."""
+    return {name: value for name, value in step.parameters.items() if value != WANTED and not _refers(value)}
+
+
+def _refers(value: object) -> bool:
+    if isinstance(value, (list, tuple)):
+        return any(_refers(item) for item in value)
+    return isinstance(value, Mapping) and ("input" in value or "step" in value)
 
 
 def write_job(path: str | os.PathLike, job: JobRecord) -> None:
@@ -117,19 +137,21 @@ def write_job(path: str | os.PathLike, job: JobRecord) -> None:
     OutputError : it cannot be written there.
     """
     folder = Path(path).resolve().parent
-    steps = []
-    for step in job.steps:
-        stored = asdict(step)
-        for name in ("parameters", "outputs"):
-            stored[name] = _stored(stored[name], folder)
-        stored["files"] = {_relative(file, folder): facts for file, facts in step.files.items()}
-        steps.append(stored)
     content = {JOB_MARK: VERSION, "wish": job.wish, "given": [_relative(item, folder) for item in job.given],
                "left_out": [_relative(item, folder) for item in job.left_out],
+               "used_as": {_relative(item, folder): use for item, use in job.used_as.items()},
                "inputs": {role: [_relative(item, folder) for item in sources] for role, sources in job.inputs.items()},
-               "steps": steps}
+               "steps": [_step_content(step, folder) for step in job.steps],
+               "aside": [_step_content(step, folder) for step in job.aside]}
     with written_beside(path) as temporary:
         temporary.write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+
+
+def _step_content(step: JobStep, folder: Path) -> dict[str, object]:
+    stored = {**asdict(step), "own": list(step.own)}
+    for name in ("parameters", "outputs"):
+        stored[name] = _stored(stored[name], folder)
+    return {**stored, "files": {_relative(file, folder): facts for file, facts in step.files.items()}}
 
 
 @reads("a job")
@@ -146,16 +168,13 @@ def read_job(path: str | os.PathLike) -> JobRecord:
         raise InputError(say("{name} is no UrbanMap job: choose a file that the dock has saved.", name=name))
     if content[JOB_MARK] > VERSION:
         raise InputError(say("{name} was written by a later version of UrbanMap: update the plugin.", name=name))
-    fields = set(JobStep.__dataclass_fields__)
-    steps = []
     with reading_part(path, "steps"):
-        listed = list(content["steps"])
-    for number, stored in enumerate(listed, 1):
+        listed, aside = list(content["steps"]), list(content.get("aside", ()))
+    steps = []
+    for number, stored in enumerate([*listed, *aside], 1):
         with reading_part(path, say("step {number}", number=number)):
-            step = JobStep(**{key: value for key, value in stored.items() if key in fields})
-            steps.append(replace(step, parameters=_opened(step.parameters, folder),
-                                 outputs=_opened(step.outputs, folder),
-                                 files={_absolute(file, folder): facts for file, facts in step.files.items()}))
+            steps.append(_read_step(stored, folder))
+    steps, aside = steps[:len(listed)], steps[len(listed):]
     twice = [step.id for number, step in enumerate(steps) if step.id in [item.id for item in steps[:number]]]
     if twice:
         raise InputError(say("{name} has the step “{step}” twice: give each its own name.", name=name, step=twice[0]))
@@ -164,7 +183,16 @@ def read_job(path: str | os.PathLike) -> JobRecord:
                   for role, sources in content["inputs"].items()}
         given, left_out = (tuple(_absolute(item, folder) for item in content.get(key, ()))
                            for key in ("given", "left_out"))
-    return JobRecord(str(content.get("wish", "")), inputs, tuple(steps), given, left_out)
+        used_as = {_absolute(item, folder): str(use) for item, use in content.get("used_as", {}).items()}
+    return JobRecord(str(content.get("wish", "")), inputs, tuple(steps), given, left_out, used_as, tuple(aside))
+
+
+def _read_step(stored: Mapping[str, object], folder: Path) -> JobStep:
+    fields = set(JobStep.__dataclass_fields__)
+    step = JobStep(**{key: value for key, value in stored.items() if key in fields})
+    return replace(step, parameters=_opened(step.parameters, folder), outputs=_opened(step.outputs, folder),
+                   own=tuple(name for name in step.own if name in step.parameters),
+                   files={_absolute(file, folder): facts for file, facts in step.files.items()})
 
 
 _PATH = "path"

@@ -114,11 +114,11 @@ def is_up_to_date(job: JobRecord, step: JobStep) -> bool:
 def done_step(step: JobStep, parameters: Mapping[str, object], results: Mapping[str, object],
               seconds: float) -> JobStep:
     """A step after it has run well: results, states of the files and the verdict of its report."""
-    kept = {name: value for name, value in results.items() if isinstance(value, (str, int, float, bool))}
-    files = {path: file_state_of(path) for value in kept.values() for path in _paths(value)}
-    grade, verdict = next((found for name, value in kept.items() if name.endswith("REPORT")
+    outputs = {name: value for name, value in results.items() if isinstance(value, (str, int, float, bool))}
+    files = {path: file_state_of(path) for value in outputs.values() for path in _paths(value)}
+    grade, verdict = next((found for name, value in outputs.items() if name.endswith("REPORT")
                            and (found := verdict_of(str(value)))[0]), ("", ""))
-    return replace(step, state=DONE, signature=step_signature(step.algorithm, parameters), outputs=kept, files=files,
+    return replace(step, state=DONE, signature=step_signature(step.algorithm, parameters), outputs=outputs, files=files,
                    grade=grade, verdict=verdict, message="", seconds=round(seconds, 1))
 
 
@@ -150,7 +150,9 @@ def time_remaining(steps: Sequence[JobStep], done_seconds: float, fraction: floa
 
     Parameters
     ----------
-    steps : the step at work first, then those that wait. done_seconds : since it began. fraction : of it, 0 to 1.
+    steps : the step at work first, then those that wait.
+    done_seconds : since the step at work began.
+    fraction : of it that is done, 0 to 1.
 
     Returns
     -------
@@ -158,9 +160,9 @@ def time_remaining(steps: Sequence[JobStep], done_seconds: float, fraction: floa
     """
     waiting = [step.seconds for step in steps[1:]]
     if fraction >= 0.05:
-        own = done_seconds * (1.0 - fraction) / fraction
+        seconds = done_seconds * (1.0 - fraction) / fraction
     elif steps and steps[0].seconds:
-        own = max(steps[0].seconds - done_seconds, 0.0)
+        seconds = max(steps[0].seconds - done_seconds, 0.0)
     else:
         return None
-    return None if not all(waiting) and waiting else own + sum(waiting)
+    return None if not all(waiting) and waiting else seconds + sum(waiting)

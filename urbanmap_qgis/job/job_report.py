@@ -10,6 +10,7 @@ from ..io.pages.report import BAD, GOOD, LOOK, Report
 from ..wording import known, mark, say
 from .chain_plan import WISHES, wish_name
 from .job_file import DONE, FAILED, PLANNED, JobRecord
+from .roles import use_name
 
 STATE_NAMES = {PLANNED: mark("to run"), DONE: mark("done"), FAILED: mark("failed")}
 """English name of each state."""
@@ -30,8 +31,9 @@ def write_job_report(path: str | os.PathLike, job: JobRecord, titles: Mapping[st
                [(step.id, titles.get(step.algorithm, step.algorithm), state_name(step.state), step.seconds or "",
                  step.verdict or step.message) for step in job.steps])
     page.section(say("Inputs"))
-    page.table([say("Part"), say("Files")], [(role, ", ".join(Path(item.partition("|")[0]).name for item in sources))
-                                             for role, sources in job.inputs.items()])
+    page.table([say("Part"), say("Files")], [
+        (use_name(role), ", ".join(Path(item.partition("|")[0]).name for item in sources))
+        for role, sources in job.inputs.items()])
     page.section(say("Results"))
     page.table([say("Step"), say("Files")], [(step.id, ", ".join(Path(item).name for item in step.files))
                                              for step in job.steps if step.files])
@@ -47,9 +49,9 @@ def _verdict(job: JobRecord) -> tuple[str, str]:
     if waiting:
         return LOOK, say("{waiting} of {count} steps have not run yet.", waiting=waiting, count=len(job.steps))
     for grade in (BAD, LOOK):
-        told = [step for step in job.steps if step.grade == grade]
-        if told:
-            return grade, say("{step}: {verdict}", step=told[0].id, verdict=told[0].verdict)
+        of_grade = [step for step in job.steps if step.grade == grade]
+        if of_grade:
+            return grade, say("{step}: {verdict}", step=of_grade[0].id, verdict=of_grade[0].verdict)
     if not any(step.grade for step in job.steps):
         return LOOK, say("All steps are done; none of them judges its result: look at the layers.")
     return GOOD, say("All steps are done, and no report finds fault.")

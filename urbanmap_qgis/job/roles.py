@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
-from ..wording import say
-from .agreement import times_overlap
+from ..wording import known, mark, say
+from .agreement import is_geographic, times_overlap
 from .file_facts import (
+    AREAS,
+    BUILDING_MODELS,
     CALIBRATION,
     CAMERA,
     CONTROL,
@@ -25,6 +27,8 @@ from .file_facts import (
     ORTHOPHOTO,
     OUTLINES,
     POINTS,
+    RASTER,
+    ROOFS,
     TRAJECTORY,
     FileFacts,
     kind_name,
@@ -33,12 +37,36 @@ from .file_facts import (
 ALS, FOOTPRINTS, GSI_FOOTPRINTS, FRAMES = "als", "footprints", "gsi_footprints", "frames"
 CAMERA_ROLE, EXTERIOR_ROLE, ORTHOPHOTO_ROLE = "camera", "exterior", "orthophoto"
 MASK, MARKING_POLYGONS, GROUND, GSI_GROUND = "marking_mask", "markings", "ground", "gsi_ground"
-NAVIGATION_ROLE, OBSERVATIONS_ROLE = "navigation", "observations"
+NAVIGATION_ROLE, OBSERVATIONS_ROLE, SURVEY = "navigation", "observations", "survey"
 
 _SINGLE = ((FOOTPRINTS, OUTLINES), (GSI_FOOTPRINTS, GSI_OUTLINES), (CAMERA_ROLE, CAMERA), (EXTERIOR_ROLE, EXTERIOR),
            (ORTHOPHOTO_ROLE, ORTHOPHOTO), (MASK, MARKING_MASK), (MARKING_POLYGONS, MARKINGS), (GROUND, ELEVATION),
            (GSI_GROUND, GSI_DEM))
 _SEVERAL = ((FRAMES, FRAME), (NAVIGATION_ROLE, NAVIGATION), (OBSERVATIONS_ROLE, OBSERVATIONS))
+
+USES = {
+    ALS: mark("Airborne laser points"), SURVEY: mark("Mobile survey"), FOOTPRINTS: mark("Building outlines"),
+    GSI_FOOTPRINTS: mark("Building outlines (GSI)"), FRAMES: mark("Aerial frames"), CAMERA_ROLE: mark("Camera"),
+    EXTERIOR_ROLE: mark("Exterior orientation"), ORTHOPHOTO_ROLE: mark("Orthophoto"), MASK: mark("Marking mask"),
+    MARKING_POLYGONS: mark("Road markings"), GROUND: mark("Ground elevation"),
+    GSI_GROUND: mark("Elevation model (GSI)"), NAVIGATION_ROLE: mark("GNSS navigation"),
+    OBSERVATIONS_ROLE: mark("GNSS observations"), "trajectory": mark("Trajectory"), "poses": mark("Image poses"),
+    "calibration": mark("Calibration"), "control": mark("Control points")}
+"""What a file can be used as, with its English name; of a survey's files without its number."""
+
+_KIND_OF_USE = {ALS: POINTS, SURVEY: POINTS, "trajectory": TRAJECTORY, "poses": IMAGE_POSES,
+                "calibration": CALIBRATION, "control": CONTROL,
+                **dict((*_SINGLE, *_SEVERAL))}
+_PLANES = (FOOTPRINTS, MARKING_POLYGONS)
+_IMAGES = (ORTHOPHOTO_ROLE, FRAMES, MASK, GROUND)
+_FITTING = {POINTS: (ALS, SURVEY), **dict.fromkeys((OUTLINES, MARKINGS, AREAS, ROOFS, BUILDING_MODELS), _PLANES),
+            **dict.fromkeys((ORTHOPHOTO, FRAME, MARKING_MASK, ELEVATION, RASTER), _IMAGES),
+            TRAJECTORY: ("trajectory", "poses"), IMAGE_POSES: ("poses", "trajectory")}
+"""Uses that a file of a kind can be put to; of other kinds only their own."""
+
+_RIVALS = ((GSI_FOOTPRINTS, FOOTPRINTS), (ORTHOPHOTO_ROLE, FRAMES), (GSI_GROUND, GROUND))
+"""Parts of which the second is taken where both are there, unless the user names the first."""
+
 _TRUTH = {"truth", "ground_truth", "groundtruth"}
 """Folders of what results are checked against: only control points are taken from them."""
 
@@ -53,37 +81,83 @@ class Parts:
         survey_1, trajectory_1, calibration_1, poses_1, control_1.
     surveys : numbers of the surveys.
     notes : sentences on what was taken of several.
+    unplaced : roles of point clouds of which one states no reference system.
+    in_degrees : roles of outlines and markings that count in degrees, which chains do not take.
     """
 
     inputs: Mapping[str, tuple[str, ...]]
     surveys: tuple[int, ...] = ()
     notes: tuple[str, ...] = field(default_factory=tuple)
+    unplaced: frozenset[str] = frozenset()
+    in_degrees: frozenset[str] = frozenset()
+
+
+def uses_of(item: FileFacts) -> tuple[str, ...]:
+    """What a file can be used as, keys of `USES`; () where it is of no use, or damaged."""
+    if item.problem:
+        return ()
+    uses = tuple(use for use, kind in _KIND_OF_USE.items() if kind == item.kind)
+    return _FITTING.get(item.kind, uses)
+
+
+def use_name(role: str) -> str:
+    """Name of a part in the user's language, with the number of its survey where it has one."""
+    word, _, number = role.rpartition("_")
+    if role in USES or not number.isdigit():
+        return known(USES[role]) if role in USES else role
+    return f"{known(USES.get(word, word))} {number}"
+
+
+def put_to_use(facts: Sequence[FileFacts], used_as: Mapping[str, str]) -> list[FileFacts]:
+    """The files as the user says that they are used; what does not fit a file (any more) is left as recognised.
+
+    Parameters
+    ----------
+    used_as : keys of `USES` by source.
+    """
+    used = []
+    for item in facts:
+        use = used_as.get(item.source, "")
+        if use in uses_of(item):
+            item = replace(item, kind=_KIND_OF_USE[use], use=use, doubt="")
+        used.append(item)
+    return used
 
 
 def parts_of(facts: Sequence[FileFacts]) -> Parts:
-    """The parts that recognised files play, each in a way that can be changed by leaving files out."""
-    sound = [item for item in facts if item.usable and (item.kind == CONTROL or not _is_truth(item))]
+    """The parts that recognised files play; what the user says that a file is used as goes before all else."""
+    sound = [item for item in facts if item.usable and (item.use or item.kind == CONTROL or not _is_truth(item))]
+    sound.sort(key=lambda item: not item.use)
     inputs: dict[str, tuple[str, ...]] = {}
     notes: list[str] = []
     clouds, twins = _without_twins([item for item in sound if item.kind == POINTS])
     notes += twins
     surveys = _surveys(clouds, sound, inputs, notes)
     driven = {source for role, sources in inputs.items() if role.startswith("survey_") for source in sources}
-    flown = tuple(item.source for item in clouds if item.source not in driven)
+    flown = tuple(item.source for item in clouds if item.source not in driven and item.use != SURVEY)
     if flown:
         inputs[ALS] = flown
     for role, kind in _SINGLE:
-        found = sorted((item for item in sound if item.kind == kind), key=lambda item: bool(item.doubt))
+        found = sorted((item for item in sound if item.kind == kind), key=lambda item: (
+            not item.use, is_geographic(item.crs_wkt), bool(item.doubt)))
         if found:
             inputs[role] = (found[0].source,)
-        if len(found) > 1:
-            notes.append(say("{kind}: {count} files could be taken ({names}); the first is, untick it to take another.",
-                             kind=kind_name(kind), count=len(found), names=_names(found)))
+        if len(found) > 1 and not found[0].use:
+            notes.append(say("{kind}: {count} files could be taken ({names}); the first is. Say of another one that it "
+                             "is used as that, or untick the first.", kind=kind_name(kind), count=len(found),
+                             names=_names(found)))
     for role, kind in _SEVERAL:
         found = [item for item in sound if item.kind == kind]
         if found:
             inputs[role] = tuple(item.source for item in found)
-    return Parts(inputs, surveys, tuple(notes))
+    for use, other in _RIVALS:
+        if any(item.use == use for item in sound) and not any(item.use == other for item in sound):
+            inputs.pop(other, None)
+    without = {item.source for item in clouds if not item.crs_wkt}
+    polar = {item.source for item in sound if item.kind in (OUTLINES, MARKINGS) and is_geographic(item.crs_wkt)}
+    return Parts(inputs, surveys, tuple(notes), *(
+        frozenset(role for role, sources in inputs.items() if named.intersection(sources))
+        for named in (without, polar)))
 
 
 def _is_truth(item: FileFacts) -> bool:
@@ -113,8 +187,7 @@ def _surveys(clouds: Sequence[FileFacts], facts: Sequence[FileFacts], inputs: di
     drives = [item for item in facts if item.kind == TRAJECTORY and item.times]
     of_drive: dict[str, list[FileFacts]] = {}
     for cloud in clouds:
-        fitting = [drive for drive in drives if cloud.times and times_overlap(cloud.times, drive.times)
-                   and _near(cloud, drive)]
+        fitting = _drives_of(cloud, drives, notes)
         if fitting:
             drive = nearest(cloud, fitting)
             of_drive.setdefault(drive.source, []).append(cloud)
@@ -122,17 +195,35 @@ def _surveys(clouds: Sequence[FileFacts], facts: Sequence[FileFacts], inputs: di
                 notes.append(say("{count} trajectories cover the times of {name}: {drive}, which lies nearest to it, "
                                  "is taken.", count=len(fitting), name=cloud.label, drive=drive.label))
     by_source = {drive.source: drive for drive in drives}
-    for number, (source, own) in enumerate(sorted(of_drive.items()), 1):
+    for number, (source, items) in enumerate(sorted(of_drive.items()), 1):
         drive = by_source[source]
-        inputs[f"survey_{number}"] = tuple(item.source for item in own)
+        inputs[f"survey_{number}"] = tuple(item.source for item in items)
         inputs[f"trajectory_{number}"] = (source,)
         for role, kind, timed in (("calibration", CALIBRATION, False), ("poses", IMAGE_POSES, True),
                                   ("control", CONTROL, True)):
             fitting = [item for item in facts if item.kind == kind
                        and (not timed or (item.times and times_overlap(item.times, drive.times)))]
             if fitting:
-                inputs[f"{role}_{number}"] = (nearest(drive, fitting).source,)
+                inputs[f"{role}_{number}"] = (nearest(drive, _chosen(fitting)).source,)
     return tuple(range(1, len(of_drive) + 1))
+
+
+def _chosen(items: Sequence[FileFacts]) -> Sequence[FileFacts]:
+    """Those that the user has put to use; all where he has none."""
+    return [item for item in items if item.use] or items
+
+
+def _drives_of(cloud: FileFacts, drives: Sequence[FileFacts], notes: list[str]) -> Sequence[FileFacts]:
+    """Trajectories that may be those of a cloud: none of one that the user says is airborne."""
+    if cloud.use == ALS:
+        return []
+    fitting = [drive for drive in drives if cloud.times and times_overlap(cloud.times, drive.times)
+               and _near(cloud, drive)]
+    if fitting or cloud.use != SURVEY:
+        return _chosen(fitting)
+    notes.append(say("{name} is used as a mobile survey, but no trajectory covers its times: add that of the same "
+                     "drive.", name=cloud.label))
+    return []
 
 
 def _near(cloud: FileFacts, drive: FileFacts) -> bool:

@@ -10,24 +10,28 @@ import csv
 import io
 import json
 import os
+import re
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
 
+from ..aerial.frames.camera import ExteriorOrientation
 from ..aerial.frames.exterior_files import COLUMNS as EXTERIOR_COLUMNS
 from ..aerial.frames.exterior_files import EXTERIOR, read_exterior
 from ..errors import InputError
+from ..io.conversion.geoid import read_geoid
 from ..io.files.atomic import written_beside
 from ..io.files.columns import aliases_of
 from ..io.files.guard import read_json, reads
-from ..io.files.named_table import DELIMITERS, WRITTEN_NUMBER, meanings
+from ..io.files.named_table import DELIMITERS, WRITTEN_NUMBER, meanings, plain_name
 from ..mobile.trajectory_files import COLUMNS as TRAJECTORY_COLUMNS
 from ..mobile.trajectory_files import TRAJECTORY, read_trajectory, write_trajectory
 from ..mobile.trajectory_reading import ANGLES, TrajectoryReading
 from ..wording import say
+from .table_places import LATITUDE, LONGITUDE, POLAR, POLAR_ALIASES, degrees_of, placed_in, suggested_crs
 
 TARGETS = {"trajectory": TRAJECTORY_COLUMNS, "exterior": EXTERIOR_COLUMNS}
 """What a table is made into, with the columns that it needs."""
@@ -40,8 +44,16 @@ ANGLE_WAYS = {"trajectory": ANGLES, "exterior": tuple(f"{unit} {order}" for orde
                                                       for unit in ("degrees", "gon", "radians"))}
 """Ways in which angles are counted, the first the project's own; of frames with the order of the rotations."""
 
-_ALIASES = {"trajectory": aliases_of(TRAJECTORY), "exterior": aliases_of(EXTERIOR)}
+HEIGHTS = ("", "ellipsoidal", "sea level")
+"""What heights count from; "": not said."""
+
+NORTHS = ("true", "grid")
+"""From which north headings and kappas count where places are latitudes and longitudes."""
+
+_ALIASES = {"trajectory": {**aliases_of(TRAJECTORY), **POLAR_ALIASES},
+            "exterior": {**aliases_of(EXTERIOR), **POLAR_ALIASES}}
 _MOST_BEFORE = 200
+_ELLIPSOIDAL, _SEA_LEVEL = re.compile(r"ell|hae|楕円体"), re.compile(r"ortho|msl|geoid|標高")
 
 
 @dataclass(frozen=True)
@@ -54,7 +66,14 @@ class TableImport:
     encoding, delimiter : of the file; a blank stands for any number of them.
     skip : lines before the one with the names.
     columns : number of the file's column, from 0, by the name needed.
-    angles : one of `ANGLE_WAYS` of the target. length : a key of `LENGTHS`.
+        Places as latitude and longitude have the columns of `POLAR` in place of x and y.
+    angles : one of `ANGLE_WAYS` of the target.
+    length : a key of `LENGTHS`.
+    crs : plane system (a code) into which latitudes and longitudes go; "" that of their place (`suggested_crs`).
+    heights : one of `HEIGHTS`.
+    geoid : file of a geoid model by which ellipsoidal heights become those above sea
+        level; "" leaves them as they are.
+    north : one of `NORTHS`.
     """
 
     target: str
@@ -64,6 +83,21 @@ class TableImport:
     columns: Mapping[str, int] = field(default_factory=dict)
     angles: str = ""
     length: str = "m"
+    crs: str = ""
+    heights: str = ""
+    geoid: str = ""
+    north: str = NORTHS[0]
+
+    @property
+    def polar(self) -> bool:
+        """Whether places are latitudes and longitudes."""
+        return not {"x", "y"} <= set(self.columns) and bool(set(self.columns) & {"latitude", "longitude"})
+
+    @property
+    def needed(self) -> tuple[str, ...]:
+        """Columns that must be chosen."""
+        places = {"x": "longitude", "y": "latitude"} if self.polar else {}
+        return tuple(places.get(name, name) for name in TARGETS[self.target])
 
 
 @reads("a table")
@@ -82,9 +116,21 @@ def split_table(path: str | os.PathLike, how: TableImport,
                              skip=how.skip))
     cells = [line.split() for line in lines] if how.delimiter == " " else \
         list(csv.reader(lines, delimiter=how.delimiter, skipinitialspace=True))
+    cells[0] = _each_named(cells[0], max(map(len, cells[1:4]), default=0))
     if any(WRITTEN_NUMBER.match(cell.strip()) for cell in cells[0]):
         return [str(number) for number in range(1, len(cells[0]) + 1)], cells
     return [cell.strip() for cell in cells[0]], cells[1:]
+
+
+def _each_named(names: list[str], width: int) -> list[str]:
+    """Names with minutes and seconds behind latitude and longitude, where rows have just so many values more."""
+    polar = [POLAR_ALIASES.get(plain_name(name), plain_name(name)) for name in names]
+    if width != len(names) + 4 or polar.count("latitude") != 1 or polar.count("longitude") != 1:
+        return names
+    columns = []
+    for name, meant in zip(names, polar):
+        columns += [name, f"{meant}_minutes", f"{meant}_seconds"] if meant in ("latitude", "longitude") else [name]
+    return columns
 
 
 def guessed_import(path: str | os.PathLike, target: str) -> TableImport:
@@ -93,15 +139,56 @@ def guessed_import(path: str | os.PathLike, target: str) -> TableImport:
     encoding = next((name for name in ENCODINGS if _decodes(data, name)), ENCODINGS[0])
     best = TableImport(target, encoding, angles=ANGLE_WAYS[target][0])
     lines = [line for line in data.decode(encoding, "replace").splitlines() if line.strip()][:_MOST_BEFORE]
-    for skip, line in enumerate(lines):
+    for skip in range(len(lines)):
         for delimiter in DELIMITERS:
-            cells = line.split() if delimiter == " " else next(csv.reader([line], delimiter=delimiter), [])
-            known = meanings([cell.strip() for cell in cells], TARGETS[target], _ALIASES[target])
-            names = [cell.strip() for cell in cells]
+            rows = [row.split() if delimiter == " " else next(csv.reader([row], delimiter=delimiter), [])
+                    for row in lines[skip:skip + 4]]
+            names = [cell.strip() for cell in _each_named(rows[0], max(map(len, rows[1:]), default=0))]
+            known = meanings(names, (*TARGETS[target], *POLAR), _ALIASES[target])
             found = {meant: names.index(key) for key, meant in known.items()}
             if len(found) > len(best.columns):
-                best = TableImport(target, encoding, delimiter, skip, found, ANGLE_WAYS[target][0])
-    return best
+                best = TableImport(target, encoding, delimiter, skip, found, ANGLE_WAYS[target][0],
+                                   heights=_heights_in(names[found["z"]]) if "z" in found else "")
+    return _with_one_place(best)
+
+
+def _heights_in(name: str) -> str:
+    """What heights count from by the name of their column."""
+    plain = plain_name(name)
+    return HEIGHTS[1] if _ELLIPSOIDAL.search(plain) else HEIGHTS[2] if _SEA_LEVEL.search(plain) else ""
+
+
+def _with_one_place(how: TableImport) -> TableImport:
+    """Map coordinates where a table has them, else latitudes and longitudes."""
+    left = POLAR if {"x", "y"} <= set(how.columns) else ("x", "y") if how.polar else ()
+    return replace(how, columns={name: column for name, column in how.columns.items() if name not in left})
+
+
+def table_place(path: str | os.PathLike, how: TableImport) -> tuple[str, float, float] | None:
+    """The plane system into which the first latitude and longitude go, and x and y (m) there; None for a table without.
+
+    Raises
+    ------
+    InputError : no row holds them, or the system does not fit.
+    """
+    if not how.polar or not {"latitude", "longitude"} <= set(how.columns):
+        return None
+    for row in split_table(path, how, _MOST_BEFORE)[1]:
+        found = _polar_of(row, how.columns)
+        if None not in found:
+            crs = how.crs or suggested_crs(*found)
+            x, y, _ = placed_in(crs, *(np.array([value]) for value in found))
+            return crs, float(x[0]), float(y[0])
+    raise InputError(say("{name} has no latitude and longitude in the columns chosen: choose other columns.",
+                         name=Path(path).name))
+
+
+def _polar_of(row: Sequence[str], columns: Mapping[str, int]) -> tuple[float | None, float | None]:
+    """Longitude and latitude of a row, degrees; None where it has none."""
+    longitude, latitude = (
+        degrees_of([row[columns[name]] for name in names if name in columns and columns[name] < len(row)])
+        for names in (LONGITUDE, LATITUDE))
+    return longitude, latitude
 
 
 def _decodes(data: bytes, encoding: str) -> bool:
@@ -121,19 +208,29 @@ def import_table(path: str | os.PathLike, how: TableImport, output: str | os.Pat
     ------
     InputError : a column is not chosen, a value is no number, or the readers refuse what comes out.
     """
-    missing = [name for name in TARGETS[how.target] if name not in how.columns]
+    missing = [name for name in how.needed if name not in how.columns]
     if missing:
         raise InputError(say("No column is chosen for {missing}: choose one.", missing=", ".join(missing)))
-    _, rows = split_table(path, how)
+    if how.polar and not how.heights:
+        raise InputError(say("Say what the heights count from: the ellipsoid, as GNSS measures them, or sea level."))
+    name = Path(path).name
+    rows = _chosen_values(split_table(path, how)[1], how, name)
+    turn, notes = _placed_values(rows, how, name)
     with tempfile.TemporaryDirectory() as folder:
         plain = Path(folder) / f"{Path(path).stem}.csv"
-        plain.write_text(_plain_text(rows, how, Path(path).name), encoding="utf-8")
+        plain.write_text(_plain_text(rows, how), encoding="utf-8")
         if how.target == "trajectory":
             file = read_trajectory(plain, reading=TrajectoryReading(how.angles))
             write_trajectory(output, replace(file, reading=TrajectoryReading()), file.trajectory)
-            return file.notes
+            return (*notes, *file.notes)
         unit, order = how.angles.split(" ")
-        poses = read_exterior(plain, unit, order)
+        poses = [replace(pose, kappa=(pose.kappa + float(more) + 180.0) % 360.0 - 180.0)
+                 for pose, more in zip(read_exterior(plain, unit, order), turn)]
+    _write_exterior(output, poses)
+    return tuple(notes)
+
+
+def _write_exterior(output: str | os.PathLike, poses: Sequence[ExteriorOrientation]) -> None:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(EXTERIOR_COLUMNS)
@@ -141,32 +238,90 @@ def import_table(path: str | os.PathLike, how: TableImport, output: str | os.Pat
                       *(f"{value:.6f}" for value in (pose.omega, pose.phi, pose.kappa))] for pose in poses)
     with written_beside(output) as temporary:
         temporary.write_text(text.getvalue(), encoding="utf-8")
-    return ()
 
 
-def _plain_text(rows: list[list[str]], how: TableImport, name: str) -> str:
-    """The chosen columns as a table with the project's names, lengths in metres; a line of units is passed over."""
-    numeric = [key for key in TARGETS[how.target] if key != "image"]
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(TARGETS[how.target])
-    begun = False
+def _chosen_values(rows: list[list[str]], how: TableImport, name: str) -> list[dict[str, str]]:
+    """The cells of the chosen columns by name, lengths in metres; a line of units is passed over."""
+    numeric = [key for key in how.needed if key not in ("image", *POLAR)]
+    chosen: list[dict[str, str]] = []
     for number, row in enumerate(rows, how.skip + 2):
         if max(how.columns.values()) >= len(row):
             raise InputError(say("{name}: row {number} has {count} values, fewer than the columns chosen: the "
                                  "delimiter may be another one, or the file is cut off.", name=name, number=number,
                                  count=len(row)))
         values = {key: row[column].strip() for key, column in how.columns.items()}
-        if not begun and not all(WRITTEN_NUMBER.match(values[key]) for key in numeric):
+        polar = _polar_of(row, how.columns) if how.polar else ()
+        if not chosen and (None in polar or not all(WRITTEN_NUMBER.match(values[key]) for key in numeric)):
             continue  # a line of units, or a rule under the names
-        begun = True
-        for key in ("x", "y", "z"):
+        if None in polar:
+            raise InputError(say("{name}: row {number} has no latitude and longitude: correct or remove it.",
+                                 name=name, number=number))
+        values.update(zip(("x", "y"), map(repr, polar)))
+        for key in ("z",) if polar else ("x", "y", "z"):
             if how.length != "m" and WRITTEN_NUMBER.match(values[key]):
                 values[key] = repr(float(np.float64(values[key]) * LENGTHS[how.length]))
-        writer.writerow([values[key] for key in TARGETS[how.target]])
-    if not begun:
+        chosen.append(values)
+    if not chosen:
         raise InputError(say("{name} has no row with numbers in the columns chosen: choose other columns, or another "
                              "delimiter.", name=name))
+    return chosen
+
+
+def _placed_values(rows: list[dict[str, str]], how: TableImport, name: str) -> tuple[np.ndarray, list[str]]:
+    """Lay latitudes and longitudes in `rows` into the plane system, in place.
+
+    Returns
+    -------
+    By how many degrees (n,) kappas count on (headings are turned here), and notes on what was done.
+    """
+    if not how.polar:
+        return np.zeros(len(rows)), []
+    longitude, latitude = (np.array([float(values[key]) for values in rows]) for key in ("x", "y"))
+    crs = how.crs or suggested_crs(float(np.median(longitude)), float(np.median(latitude)))
+    x, y, convergence = placed_in(crs, longitude, latitude)
+    for values, *place in zip(rows, x.tolist(), y.tolist()):
+        values.update(zip(("x", "y"), map(repr, place)))
+    notes = [say("{name}: latitudes and longitudes were laid into {crs}.", name=name, crs=crs)]
+    if how.heights == "ellipsoidal":
+        notes.append(_lowered(rows, how, longitude, latitude, name))
+    turn = convergence if how.north == "true" else np.zeros(len(rows))
+    if how.target == "trajectory":
+        _turned(rows, how, turn)
+    return turn, notes
+
+
+def _lowered(rows: list[dict[str, str]], how: TableImport, longitude: np.ndarray, latitude: np.ndarray,
+             name: str) -> str:
+    """Lower ellipsoidal heights in `rows` by the geoid model where one is given; a sentence on the heights."""
+    if not how.geoid:
+        return say("{name}: heights stay above the ellipsoid: points and reference must have such heights too; "
+                   "otherwise give a geoid model.", name=name)
+    geoid = read_geoid(how.geoid)
+    above = geoid.interpolate(longitude, latitude)
+    for number, (values, more) in enumerate(zip(rows, above.tolist()), 1):
+        if not WRITTEN_NUMBER.match(values["z"]):
+            raise InputError(say("{name}: the height of line {number} of the values is no number: correct or remove "
+                                 "it.", name=name, number=number))
+        values["z"] = repr(float(values["z"]) - more)
+    return say("{name}: ellipsoidal heights were lowered by {min:.3f} to {max:.3f} m to heights above the geoid "
+               "({geoid}).", name=name, min=above.min(), max=above.max(), geoid=geoid.name)
+
+
+def _turned(rows: list[dict[str, str]], how: TableImport, turn: np.ndarray) -> None:
+    """Let headings in `rows` count from grid north, in the file's own way of counting; `turn` (n,) in degrees."""
+    steps = np.radians(turn) if how.angles.startswith("radians") else turn
+    sign = 1.0 if how.angles.endswith("from_east") else -1.0
+    for values, step in zip(rows, steps.tolist()):
+        if WRITTEN_NUMBER.match(values["heading"]):  # the reader tells which is no number
+            values["heading"] = repr(float(values["heading"]) + sign * step)
+
+
+def _plain_text(rows: list[dict[str, str]], how: TableImport) -> str:
+    """A table with the project's names."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(TARGETS[how.target])
+    writer.writerows([values[key] for key in TARGETS[how.target]] for values in rows)
     return text.getvalue()
 
 
@@ -185,9 +340,9 @@ def remembered_imports(path: str | os.PathLike) -> dict[str, TableImport]:
 
 def remember_import(path: str | os.PathLike, name: str, how: TableImport) -> None:
     """Keep a way of reading under a name, beside those kept before."""
-    kept = {**remembered_imports(path), name: how}
+    imports = {**remembered_imports(path), name: how}
     Path(path).parent.mkdir(parents=True, exist_ok=True)
     with written_beside(path) as temporary:
-        temporary.write_text(json.dumps({key: asdict(value) for key, value in kept.items()}, indent=1,
+        temporary.write_text(json.dumps({key: asdict(value) for key, value in imports.items()}, indent=1,
                                         ensure_ascii=False), encoding="utf-8")
 

@@ -7,6 +7,7 @@ from ....urbanmap_qgis.wording import mark
 CHOICE_WORDS = {
     "2D": mark("one layer (2D)"),
     "aerialmarkings": mark("Road markings from aerial frames"),
+    "all": mark("all: markings and walls"),
     "auto": mark("from the drives"),
     "automatic": mark("automatic"),
     "autoware": mark("with Autoware's extension"),
@@ -47,6 +48,7 @@ CHOICE_WORDS = {
     "not stated": mark("not stated"),
     "one": mark("one colour"),
     "orthorectifyframes": mark("Orthorectify frames"),
+    "paint": mark("road markings alone"),
     "paper": mark("as in the paper"),
     "papers": mark("R_omega R_phi R_kappa, as in the papers"),
     "partition": mark("partition of the outline"),
@@ -63,6 +65,7 @@ CHOICE_WORDS = {
     "roadmarkingsfrommms": mark("Road markings of a mobile survey"),
     "roadmarkingsfromorthophoto": mark("Road markings from orthophoto"),
     "robust": mark("median"),
+    "roof edges": mark("roof edges"),
     "sheet1000": mark("map sheet of level 1000"),
     "sheet2500": mark("map sheet of level 2500"),
     "sheet500": mark("map sheet of level 500"),
@@ -72,6 +75,7 @@ CHOICE_WORDS = {
     "survey": mark("mobile survey"),
     "usual": mark("R_kappa R_phi R_omega, as bundle adjustments write"),
     "vote": mark("majority vote"),
+    "walls": mark("walls"),
     "wallsfrommms": mark("Walls from a mobile survey"),
 }
 """By value. Values that are not here are shown as they are: numbers, names of systems and formats."""

@@ -122,7 +122,8 @@ class GuideDock(QDockWidget):
         head = tr("Missing:") if plan.missing else tr("Nothing is missing.")
         self.missing.setText("\n".join([head, *told]))
         made = planned_job(wish, parts.inputs, plan.steps, tuple(self.files.given), self.job)
-        self._keep(refreshed_job(replace(made, left_out=tuple(sorted(self.files.left_out)))))
+        self._keep(refreshed_job(replace(made, left_out=tuple(sorted(self.files.left_out)),
+                                         used_as=dict(self.files.used_as))))
         self.steps.told.clear()
         self.steps.show_job(self.job)
         self.steps.run.setEnabled(not plan.missing)
@@ -145,7 +146,8 @@ class GuideDock(QDockWidget):
         from ....urbanmap_qgis.job.job_progress import refreshed_job
 
         step = self.job.step(identifier)
-        self._keep(refreshed_job(self.job.with_step(replace(step, parameters={**step.parameters, **values}))))
+        changed = replace(step, parameters={**step.parameters, **values}, own=tuple(sorted({*step.own, *values})))
+        self._keep(refreshed_job(self.job.with_step(changed)))
         self.steps.show_job(self.job)
 
     def _take_results(self, identifier: str, results: dict) -> None:
@@ -196,13 +198,16 @@ class GuideDock(QDockWidget):
         self.wish.setCurrentIndex(max(self.wish.findData(job.wish), 0))
         self._loading = False
         self.place.setText(tr("Job: {0}").format(self.path))
-        self.files.set_given(job.given, job.left_out)
+        self.files.set_given(job.given, job.left_out, job.used_as)
         self.steps.show_job(job)
         self.pages.setCurrentIndex(1)
 
     def import_table(self) -> None:
         """Let the user import a trajectory or exterior orientation of another program, and take what comes out."""
-        self.importing = ImportDialog(self)
+        from ....urbanmap_qgis.job.agreement import common_system
+
+        used = self.files.used()
+        self.importing = ImportDialog(self, crs_text(common_system(used)) if used else "")
         self.importing.imported.connect(lambda path: self.files.add([path]))
         self.importing.show()
 

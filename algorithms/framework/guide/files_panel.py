@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from datetime import datetime, timedelta
 from pathlib import Path
 
@@ -10,9 +10,11 @@ from qgis.PyQt.QtCore import Qt, pyqtSignal
 from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
+    QComboBox,
     QFileDialog,
     QHBoxLayout,
     QLabel,
+    QMenu,
     QProgressBar,
     QPushButton,
     QTreeWidget,
@@ -32,6 +34,8 @@ _MANY = 6
 """Groups of more files stay folded."""
 _WIDEST = 230
 """Pixels of a column at first."""
+_NOT_NEEDED = "–"
+"""In the place of the part of a file that is ticked and plays none."""
 _BAD, _DOUBT = "#c0273a", "#a86400"
 
 
@@ -53,8 +57,10 @@ class FilesTree(QTreeWidget):
 
     def __init__(self, parent=None):
         super().__init__(parent)
-        self.setHeaderLabels([tr("File"), tr("Reference system"), tr("Heights"), tr("Times"), tr("Remarks")])
-        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setHeaderLabels([tr("File"), tr("Used as"), tr("Reference system"), tr("Heights"), tr("Times"),
+                              tr("Remarks")])
+        self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.setAcceptDrops(True)
         self.setMinimumHeight(200)
 
@@ -79,16 +85,21 @@ class FilesPanel(QWidget):
         super().__init__(parent)
         self.given: list[str] = []
         self.left_out: set[str] = set()
+        self.used_as: dict[str, str] = {}
         self.findings = Findings((), ())
         self.tree, self.map = FilesTree(), ExtentMap()
         self.hint = QLabel(tr("Drop files and folders here."))
         self.fit = QLabel()
+        self.use = QComboBox()
         self.bar = QProgressBar()
         self.recognition = Recognition(self)
         self._lay_out()
         self.tree.dropped.connect(self.add)
         self.tree.itemChanged.connect(self._ticked)
         self.tree.currentItemChanged.connect(self._chosen)
+        self.tree.itemSelectionChanged.connect(self._offer_uses)
+        self.tree.customContextMenuRequested.connect(self._open_menu)
+        self.use.activated.connect(lambda row: self.put_to_use(self.use.itemData(row)))
         self.recognition.found.connect(self._show)
         self.recognition.moved.connect(lambda share: self.bar.setValue(int(100 * share)))
 
@@ -107,16 +118,25 @@ class FilesPanel(QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addLayout(row)
-        for widget, share in ((self.hint, 0), (self.bar, 0), (self.tree, 2), (self.map, 1), (self.fit, 0)):
+        for widget, share in ((self.hint, 0), (self.bar, 0), (self.tree, 2)):
             layout.addWidget(widget, share)
+        uses = QHBoxLayout()
+        uses.addWidget(QLabel(tr("Use the chosen file as")))
+        uses.addWidget(self.use, 1)
+        layout.addLayout(uses)
+        layout.addWidget(self.map, 1)
+        layout.addWidget(self.fit)
+        self._offer_uses()
 
     def add(self, paths: Sequence[str]) -> None:
         """Take more files and folders."""
-        self.set_given([*self.given, *paths], self.left_out)
+        self.set_given([*self.given, *paths], self.left_out, self.used_as)
 
-    def set_given(self, paths: Sequence[str], left_out: Sequence[str] = ()) -> None:
+    def set_given(self, paths: Sequence[str], left_out: Sequence[str] = (),
+                  used_as: Mapping[str, str] | None = None) -> None:
         """Take these instead of those before."""
         self.given, self.left_out = list(dict.fromkeys(str(path) for path in paths if path)), set(left_out)
+        self.used_as = dict(used_as or {})
         self.bar.setValue(0)
         self.bar.setVisible(bool(self.given))
         self.recognition.start(self.given)
@@ -126,8 +146,57 @@ class FilesPanel(QWidget):
         self.set_given([])
 
     def used(self) -> list:
-        """The core's records of the files that have a tick."""
-        return [item for item in self.findings.facts if item.usable and item.source not in self.left_out]
+        """The core's records of the files that have a tick, as the user puts them to use."""
+        from ....urbanmap_qgis.job.roles import put_to_use
+
+        return [item for item in put_to_use(self.findings.facts, self.used_as)
+                if item.usable and item.source not in self.left_out]
+
+    def put_to_use(self, use: str) -> None:
+        """Say what the chosen files are used as; "" leaves it to the program."""
+        from ....urbanmap_qgis.job.roles import uses_of
+
+        for item in self._chosen_facts():
+            if use and use in uses_of(item):
+                self.used_as[item.source] = use
+                self.left_out.discard(item.source)
+            else:
+                self.used_as.pop(item.source, None)
+        self._show_ticks()
+        self._tell()
+        self._offer_uses()
+        self.changed.emit()
+
+    def _chosen_facts(self) -> list:
+        chosen = {row.data(0, _FACTS) for row in self.tree.selectedItems()}
+        return [item for item in self.findings.facts if item.source in chosen]
+
+    def _uses_offered(self) -> list[tuple[str, str]]:
+        """Name and key of each use that fits all chosen files, first that it is left to the program."""
+        from ....urbanmap_qgis.job.roles import use_name, uses_of
+
+        chosen = [uses_of(item) for item in self._chosen_facts()]
+        fitting = [use for use in (chosen[0] if chosen else ()) if all(use in uses for uses in chosen)]
+        return [(tr("as recognised"), ""), *((use_name(use), use) for use in fitting)] if fitting else []
+
+    def _offer_uses(self) -> None:
+        self.use.clear()
+        offered = self._uses_offered() if self.tree.selectedItems() else []
+        for label, use in offered:
+            self.use.addItem(label, use)
+        self.use.setEnabled(bool(offered))
+        said = {self.used_as.get(item.source, "") for item in self._chosen_facts()} if offered else set()
+        if len(said) == 1:
+            self.use.setCurrentIndex(max(self.use.findData(said.pop()), 0))
+
+    def _open_menu(self, place) -> None:
+        """The same uses as a menu at the row."""
+        menu = QMenu(self.tree)
+        for label, use in self._uses_offered():
+            action = menu.addAction(label if not use else tr("Use as: {0}").format(label))
+            action.triggered.connect(lambda _checked=False, use=use: self.put_to_use(use))
+        if menu.actions():
+            menu.exec(self.tree.viewport().mapToGlobal(place))
 
     def _browse_files(self) -> None:
         files, _ = QFileDialog.getOpenFileNames(self, tr("Add files…"), self._folder())
@@ -160,13 +229,17 @@ class FilesPanel(QWidget):
                 self._add_row(head, item)
             head.setExpanded(bool(members[0].problem) or (members[0].usable and len(members) <= _MANY))
         self.tree.blockSignals(False)
+        self._show_ticks()
+        self._tell()
+        self._offer_uses()
         for column in range(self.tree.columnCount()):
             self.tree.resizeColumnToContents(column)
             self.tree.setColumnWidth(column, min(self.tree.columnWidth(column), _WIDEST))
         usable = sum(item.usable for item in findings.facts)
-        self.hint.setText(tr("{0} of {1} files and layers can be used. Untick what is not to be used.").format(
+        self.hint.setText(tr(
+            "{0} of {1} files and layers can be used. Untick what is not to be used; where a file is used as something "
+            "else than it is, choose it and say so below the table.").format(
             usable, len(findings.facts)) if findings.facts else tr("Drop files and folders here."))
-        self._tell()
         self.changed.emit()
 
     def _add_row(self, head: QTreeWidgetItem, item) -> None:
@@ -176,18 +249,52 @@ class FilesPanel(QWidget):
         remarks = item.problem or "; ".join(part for part in parts if part)
         system = system_name(item.crs_wkt)
         code = system.split(" ")[0] if system.startswith("EPSG:") else system
-        row = QTreeWidgetItem(head, [item.label, code, "" if item.heights == "unknown" else item.heights,
+        row = QTreeWidgetItem(head, [item.label, "", code, "" if item.heights == "unknown" else item.heights,
                                      span_text(item.times), remarks])
         row.setData(0, _FACTS, item.source)
-        for column in range(5):
+        for column in range(6):
             row.setToolTip(column, "\n".join(part for part in (str(item.path), system, remarks) if part))
         if item.problem:
-            row.setForeground(4, QColor(_BAD))
+            row.setForeground(5, QColor(_BAD))
         elif item.doubt:
-            row.setForeground(4, QColor(_DOUBT))
-        if item.usable:
-            off = item.source in self.left_out
-            row.setCheckState(0, Qt.CheckState.Unchecked if off else Qt.CheckState.Checked)
+            row.setForeground(5, QColor(_DOUBT))
+
+    def _rows(self) -> Iterator[QTreeWidgetItem]:
+        for number in range(self.tree.topLevelItemCount()):
+            head = self.tree.topLevelItem(number)
+            yield from (head.child(place) for place in range(head.childCount()))
+
+    def _show_ticks(self) -> None:
+        """A tick box at each file of a use, ticked where it is used."""
+        from ....urbanmap_qgis.job.roles import put_to_use
+
+        usable = {item.source for item in put_to_use(self.findings.facts, self.used_as) if item.usable}
+        self.tree.blockSignals(True)
+        for row in self._rows():
+            source = row.data(0, _FACTS)
+            if source in usable:
+                row.setCheckState(0, Qt.CheckState.Unchecked if source in self.left_out else Qt.CheckState.Checked)
+            else:
+                row.setData(0, Qt.ItemDataRole.CheckStateRole, None)
+        self.tree.blockSignals(False)
+
+    def _show_parts(self, used: Sequence) -> None:
+        """Beside each file the part that it plays."""
+        from ....urbanmap_qgis.job.roles import parts_of, use_name
+
+        kept, played = {item.source for item in used}, {}
+        for role, sources in parts_of(used).inputs.items():
+            for source in sources:
+                played.setdefault(source, []).append(use_name(role))
+        self.tree.blockSignals(True)
+        for row in self._rows():
+            source = row.data(0, _FACTS)
+            unused = _NOT_NEEDED if source in kept else ""
+            row.setText(1, ", ".join(played.get(source, ())) or unused)
+            font = row.font(1)
+            font.setBold(source in self.used_as)
+            row.setFont(1, font)
+        self.tree.blockSignals(False)
 
     def _ticked(self, row: QTreeWidgetItem, _column: int) -> None:
         source = row.data(0, _FACTS)
@@ -209,6 +316,7 @@ class FilesPanel(QWidget):
 
         used = self.used()
         kept = {item.source for item in used}
+        self._show_parts(used)
         self.map.show_boxes([(item.label, item.kind, extent) for item, extent in
                              zip(self.findings.facts, self.findings.extents) if extent and item.source in kept])
         told = disagreements(used)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from qgis.core import QgsApplication
+from qgis.core import QgsApplication, QgsCoordinateReferenceSystem
+from qgis.gui import QgsFileWidget, QgsProjectionSelectionWidget
 from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtWidgets import (
     QComboBox,
@@ -28,6 +29,9 @@ from ....urbanmap_qgis.wording import mark
 from ..declaring.parameters import tr
 
 _ROWS = 12
+_HEIGHTS = (mark("Choose…"), mark("the ellipsoid, as GNSS measures"), mark("sea level (the geoid)"))
+_NORTHS = (mark("true north"), mark("grid north"))
+_GEOIDS = mark("Geoid models (*.tif *.gtx *.asc *.isg *.txt *.ver);;All files (*)")
 _DELIMITERS = ((",", ","), (";", ";"), ("\t", mark("Tab")), (" ", mark("Space")))
 
 
@@ -37,23 +41,32 @@ def imports_file() -> Path:
 
 
 class ImportDialog(QDialog):
-    """Makes a table into a trajectory or an exterior orientation; `imported` comes with the file written."""
+    """Makes a table into a trajectory or an exterior orientation; `imported` comes with the file written.
+
+    `crs` is the job's plane system (a code), offered for latitudes and longitudes; "" offers that of their place.
+    """
 
     imported = pyqtSignal(str)
 
-    def __init__(self, parent=None):
+    def __init__(self, parent=None, crs: str = ""):
         super().__init__(parent)
-        from ....urbanmap_qgis.job.table_import import ENCODINGS, LENGTHS
+        from ....urbanmap_qgis.job.table_import import ENCODINGS, HEIGHTS, LENGTHS, NORTHS
 
         self.setWindowTitle(tr("Import a trajectory or exterior orientation"))
         self.path, self.target, self.kept = QLineEdit(), QComboBox(), QComboBox()
         self.encoding, self.delimiter, self.skip = QComboBox(), QComboBox(), QSpinBox()
         self.angles, self.length, self.name = QComboBox(), QComboBox(), QLineEdit()
         self.table, self.told = QTableWidget(), QLabel()
+        self.crs, self.heights, self.north = QgsProjectionSelectionWidget(), QComboBox(), QComboBox()
+        self.geoid, self.placed = QgsFileWidget(), QLabel()
+        self._job_crs = crs
         for word, label in (("trajectory", tr("Trajectory")), ("exterior", tr("Exterior orientation"))):
             self.target.addItem(label, word)
         self.encoding.addItems(ENCODINGS)
         self.length.addItems(LENGTHS)
+        for words, box, names in ((HEIGHTS, self.heights, _HEIGHTS), (NORTHS, self.north, _NORTHS)):
+            for word, label in zip(words, names):
+                box.addItem(tr(label), word)
         for sign, label in _DELIMITERS:
             self.delimiter.addItem(tr(label) if len(label) > 1 else label, sign)
         self.skip.setMaximum(1000)
@@ -67,6 +80,8 @@ class ImportDialog(QDialog):
         for box in (self.encoding, self.delimiter):
             box.currentIndexChanged.connect(lambda _row: self.preview({}))
         self.skip.valueChanged.connect(lambda _value: self.preview({}))
+        self.crs.crsChanged.connect(lambda _crs: self._show_place())
+        self.heights.currentIndexChanged.connect(lambda _row: self._show_place())
 
     def _lay_out(self) -> None:
         browse = QPushButton("…")
@@ -76,11 +91,16 @@ class ImportDialog(QDialog):
         line.setContentsMargins(0, 0, 0, 0)
         line.addWidget(self.path, 1)
         line.addWidget(browse)
-        form = QFormLayout()
+        self.placed.setWordWrap(True)
+        self.geoid.setFilter(tr(_GEOIDS))
+        self.geoid.lineEdit().setPlaceholderText(tr("none: heights stay above the ellipsoid"))
+        form = self.form = QFormLayout()
         for label, widget in ((tr("File"), row), (tr("Make it a"), self.target), (tr("Read as"), self.kept),
                               (tr("Encoding"), self.encoding), (tr("Delimiter"), self.delimiter),
                               (tr("Lines before the names"), self.skip), (tr("Unit of lengths"), self.length),
-                              (tr("Angles"), self.angles), (tr("Keep this way of reading as"), self.name)):
+                              (tr("Angles"), self.angles), (tr("Plane reference system"), self.crs),
+                              (tr("Angles count from"), self.north), (tr("Heights count from"), self.heights),
+                              (tr("Geoid model"), self.geoid), (tr("Keep this way of reading as"), self.name)):
             form.addRow(label, widget)
         self.name.setPlaceholderText(tr("not kept"))
         self.told.setWordWrap(True)
@@ -91,9 +111,10 @@ class ImportDialog(QDialog):
         layout.addLayout(form)
         layout.addWidget(QLabel(tr("Choose above each column what it is.")))
         layout.addWidget(self.table, 1)
+        layout.addWidget(self.placed)
         layout.addWidget(self.told)
         layout.addWidget(buttons)
-        self.resize(760, 640)
+        self.resize(760, 740)
 
     def open_file(self, path: str) -> None:
         """Take a file and guess how it is read."""
@@ -117,6 +138,10 @@ class ImportDialog(QDialog):
         self.skip.setValue(how.skip)
         self.length.setCurrentText(how.length)
         self.angles.setCurrentIndex(max(self.angles.findData(how.angles), 0))
+        self.crs.setCrs(QgsCoordinateReferenceSystem(how.crs or self._job_crs))
+        self.heights.setCurrentIndex(max(self.heights.findData(how.heights), 0))
+        self.north.setCurrentIndex(max(self.north.findData(how.north), 0))
+        self.geoid.setFilePath(how.geoid)
         self._busy = False
         self.preview(how.columns)
 
@@ -127,12 +152,16 @@ class ImportDialog(QDialog):
         boxes = [self.table.cellWidget(0, column) for column in range(self.table.columnCount())]
         columns = {box.currentData(): column for column, box in enumerate(boxes) if box is not None
                    and box.currentData()}
+        crs = self.crs.crs()
         return TableImport(self.target.currentData(), self.encoding.currentText(), self.delimiter.currentData(),
-                           self.skip.value(), columns, self.angles.currentData(), self.length.currentText())
+                           self.skip.value(), columns, self.angles.currentData(), self.length.currentText(),
+                           (crs.authid() or crs.toWkt()) if crs.isValid() else "", self.heights.currentData(),
+                           self.geoid.filePath(), self.north.currentData())
 
     def preview(self, columns) -> None:
         """Show the first rows, above each column what it is taken for."""
         from ....urbanmap_qgis.job.table_import import TARGETS, split_table
+        from ....urbanmap_qgis.job.table_places import POLAR
 
         if self._busy or not Path(self.path.text()).is_file():
             return
@@ -151,13 +180,41 @@ class ImportDialog(QDialog):
         for column in range(len(names)):
             box = QComboBox()
             box.addItem("–", "")
-            for needed in TARGETS[self.target.currentData()]:
+            for needed in (*TARGETS[self.target.currentData()], *POLAR):
                 box.addItem(needed, needed)
             box.setCurrentIndex(max(box.findData(meant.get(column, "")), 0))
+            box.currentIndexChanged.connect(lambda _row: self._show_place())
             self.table.setCellWidget(0, column, box)
             for number, cells in enumerate(rows, 1):
                 self.table.setItem(number, column, QTableWidgetItem(cells[column] if column < len(cells) else ""))
         self.table.resizeColumnsToContents()
+        self._show_place()
+
+    def _show_place(self) -> None:
+        """Where the first latitude and longitude come to lie, with the fields that only such tables need."""
+        from ....urbanmap_qgis.job.table_import import table_place
+
+        if self._busy or not Path(self.path.text()).is_file():
+            return
+        how = self.way()
+        for widget, needed in ((self.crs, how.polar), (self.north, how.polar), (self.heights, how.polar),
+                               (self.geoid, how.polar and how.heights == "ellipsoidal")):
+            widget.setVisible(needed)
+            self.form.labelForField(widget).setVisible(needed)
+        try:
+            place = table_place(self.path.text(), how)
+        except UrbanMapError as error:
+            self.placed.setText(str(error))
+            return
+        self.placed.clear()
+        if place is None:
+            return
+        crs, x, y = place
+        if not how.crs:  # offered by its place; the user can choose another one
+            self.crs.setCrs(QgsCoordinateReferenceSystem(crs))
+            return
+        self.placed.setText(tr("First place in {0}: {1:.3f} m east, {2:.3f} m north.").format(
+            QgsCoordinateReferenceSystem(crs).description() or crs, x, y))
 
     def write(self, output: str) -> bool:
         """Write the file, and keep the way of reading where it has a name; whether it went well."""

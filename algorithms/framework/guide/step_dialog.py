@@ -4,7 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingException, QgsProject
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsProcessing,
+    QgsProcessingException,
+    QgsProcessingOutputLayerDefinition,
+    QgsProject,
+)
 from qgis.PyQt.QtCore import QEvent, QObject, pyqtSignal
 
 from ..jobs.job_steps import algorithm_of, prefilled_parameters
@@ -32,7 +38,7 @@ class StepDialog(QObject):
         return False
 
     def values(self) -> dict:
-        """Parameters that the user has set in the window, without places of results; {} where they are not whole."""
+        """Parameters that the user has set in the window; {} where they are not whole."""
         read = getattr(self.window, "createProcessingParameters", None) or self.window.getParameterValues
         try:
             found = read()
@@ -61,13 +67,28 @@ def changed_values(step, before: Mapping, found: Mapping) -> dict:
     made = {}
     for definition in algorithm.parameterDefinitions():
         name = definition.name()
+        if definition.isDestination():
+            made.update(_changed_place(name, before.get(name), found.get(name)))
+            continue
         value = plain_value(found.get(name))
-        if definition.isDestination() or value is None:
+        if value is None:
             continue
         was = before.get(name, definition.defaultValue())
         if (value or was) and value != was and [value] != was:
             made[name] = value
     return made
+
+
+def _changed_place(name: str, before: str | None, found) -> dict:
+    """Where a result goes, if that was changed: at its place among the results, or at a place of the user's own."""
+    from ....urbanmap_qgis.job.chain_plan import WANTED
+
+    place = found.sink.staticValue() if isinstance(found, QgsProcessingOutputLayerDefinition) else found
+    if not isinstance(place, str) or not place or place == before:
+        return {}
+    if place == QgsProcessing.TEMPORARY_OUTPUT:
+        return {} if before else {name: WANTED}
+    return {name: place}
 
 
 def plain_value(value):

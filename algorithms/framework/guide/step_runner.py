@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from pathlib import Path
 
 from qgis.core import (
     QgsApplication,
+    QgsLayerTreeLayer,
     QgsProcessingAlgRunnerTask,
     QgsProcessingContext,
     QgsProcessingFeedback,
     QgsProcessingOutputLayerDefinition,
     QgsProject,
+    QgsRasterLayer,
 )
-from qgis.PyQt.QtCore import QObject, pyqtSignal
+from qgis.PyQt.QtCore import QObject, QTimer, pyqtSignal
 
 from ....urbanmap_qgis.errors import InputError
 from ..declaring.parameters import tr
@@ -31,6 +33,30 @@ class StepFeedback(QgsProcessingFeedback):
     def reportError(self, error, fatalError=False):
         self.errors.append(error)
         super().reportError(error, fatalError)
+
+
+def arrange_layers(layers: Collection[str], note: str) -> None:
+    """Put layers that were just loaded, by their ids, in order: images below all else, rasters of heights below these.
+
+    `note` : is set behind their names, "" for none.
+    """
+    root = QgsProject.instance().layerTreeRoot()
+    for identity in layers:
+        layer, node = QgsProject.instance().mapLayer(identity), root.findLayer(identity)
+        if note:
+            layer.setName(f"{layer.name()} ({note})")
+        if node is None:
+            continue
+        parent, heights = node.parent(), _is_raster(node) and layer.bandCount() == 1
+        others = [row for row, child in enumerate(parent.children()) if _is_raster(child) and child != node]
+        if not _is_raster(node) and (not others or parent.children().index(node) < others[0]):
+            continue
+        parent.insertChildNode(others[0] if others and not heights else -1, node.clone())
+        parent.removeChildNode(node)
+
+
+def _is_raster(node) -> bool:
+    return isinstance(node, QgsLayerTreeLayer) and isinstance(node.layer(), QgsRasterLayer)
 
 
 class StepRunner(QObject):
@@ -113,9 +139,17 @@ class StepRunner(QObject):
         if not sound:
             raise InputError(message)
         self._feedback.progressChanged.connect(self._progress)
+        if self._algorithm.flags() & self._algorithm.Flag.FlagNoThreading:  # QGIS's printing works in this thread alone
+            QTimer.singleShot(0, self._run_here)
+            return
         self._task = QgsProcessingAlgRunnerTask(self._algorithm, self._given, self._context, self._feedback)
         self._task.executed.connect(self._executed)
         QgsApplication.taskManager().addTask(self._task)
+
+    def _run_here(self) -> None:
+        """Run the step in the window's own thread."""
+        results, succeeded = self._algorithm.run(self._given, self._context, self._feedback)
+        self._executed(succeeded, results)
 
     def _progress(self, percent: float) -> None:
         self.fraction = percent / 100.0
@@ -137,7 +171,10 @@ class StepRunner(QObject):
             self.job = self.job.with_step(failed_step(step, message, seconds))
             self._end(self._failure(step, message))
             return
+        before = set(QgsProject.instance().mapLayers())
         handleAlgorithmResults(self._algorithm, self._context, self._feedback, parameters=self._given)
+        alike = sum(other.algorithm == step.algorithm for other in self.job.steps) > 1
+        arrange_layers(set(QgsProject.instance().mapLayers()) - before, step.id if alike else "")
         self.job = self.job.with_step(done_step(step, self._asked, results, seconds))
         self._next()
 

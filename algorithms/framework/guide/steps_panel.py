@@ -21,6 +21,8 @@ from .step_runner import StepRunner
 
 _STEP = Qt.ItemDataRole.UserRole
 _COLOURS = {"good": "#1a7d3c", "look": "#a86400", "bad": "#c0273a", "failed": "#c0273a", "done": "#1a7d3c"}
+_ORDER = ("failed", "bad", "look", "good", "done")
+"""States and grades, what is to be looked at first in front."""
 _TICK = 1000  # ms between looks at the time that is left
 
 
@@ -64,10 +66,10 @@ class StepsPanel(QWidget):
         row.addStretch(1)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self.tree)
-        layout.addLayout(row)
+        layout.addLayout(row)  # above the list: seen in a low window too
         layout.addWidget(self.bar)
         layout.addWidget(self.told)
+        layout.addWidget(self.tree)
 
     def show_job(self, job) -> None:
         """Show the steps of a job as they are."""
@@ -144,8 +146,20 @@ class StepsPanel(QWidget):
         self.told.setText(words if left is None else tr("{0}, about {1} left").format(words, duration_text(left)))
 
     def _ended(self, sentence: str) -> None:
-        self.told.setText(sentence)
+        """Say how the run ended, and what the step found that is chosen, or else is to be looked at first."""
+        if not self.chosen() and self.job is not None:
+            self._choose_worst()
+        row = self.tree.currentItem()
+        found = row.text(2) if row is not None else ""
+        self.told.setText(sentence if not found or found in sentence else f"{sentence}\n{found}")
         self._enable()
+
+    def _choose_worst(self) -> None:
+        """Choose the step whose state or verdict is the worst, so that its report can be opened at once."""
+        grades = [_ORDER.index(grade) if (grade := step.grade or step.state) in _ORDER else len(_ORDER)
+                  for step in self.job.steps]
+        if grades:
+            self.tree.setCurrentItem(self.tree.topLevelItem(grades.index(min(grades))))
 
 
 def duration_text(seconds: float) -> str:

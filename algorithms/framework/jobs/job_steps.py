@@ -52,11 +52,12 @@ def filled_parameters(job, step, folder: Path) -> dict:
     ------
     InputError : something is missing that it needs, or several files are given where it takes one.
     """
+    from ....urbanmap_qgis.job.chain_plan import WANTED
     from ....urbanmap_qgis.job.job_progress import resolved_parameters
 
     algorithm = algorithm_of(step.algorithm)
     values = resolved_parameters(job, step)
-    made = {name: _fitting(algorithm, name, value) for name, value in values.items()}
+    made = {name: _fitting(algorithm, name, value) for name, value in values.items() if value != WANTED}
     for name, place in _places(algorithm, job, step, folder):
         made.setdefault(name, str(place))
     return made
@@ -100,8 +101,11 @@ def _flat(values: list) -> Iterator:
 
 
 def _places(algorithm: QgsProcessingAlgorithm, job, step, folder: Path) -> Iterator[tuple[str, Path]]:
-    """Each result that is made by default, that must be named or that a later step takes, and its place."""
+    """Each result that is made by default, that must be named, is asked for or taken later, and its place."""
+    from ....urbanmap_qgis.job.chain_plan import WANTED
+
     taken = set(_taken(step.id, [other.parameters for other in job.steps]))
+    taken |= {name for name, value in step.parameters.items() if value == WANTED}
     for definition in algorithm.destinationParameterDefinitions():
         optional = bool(definition.flags() & definition.Flag.FlagOptional)
         wanted = not optional or definition.createByDefault() or definition.name() in taken

@@ -46,6 +46,17 @@ def show_layer(context: QgsProcessingContext, path: Path, title: str, style: str
         give_saved_style(context, path)
 
 
+def name_layers(algorithm, results: Mapping, context: QgsProcessingContext) -> None:
+    """Let layers that QGIS loads have the names of their outputs: in models QGIS 3.22 calls them “OUTPUT”."""
+    for definition in algorithm.destinationParameterDefinitions():
+        place = results.get(definition.name())
+        if not isinstance(place, str) or not context.willLoadLayerOnCompletion(place):
+            continue
+        details = context.layerToLoadOnCompletionDetails(place)
+        if details.name == definition.name():
+            details.name = definition.description()
+
+
 def can_show_points(path: Path) -> bool:
     """Whether this QGIS has a reader of such point clouds; builds of Debian have none."""
     readers = QgsProviderRegistry.instance().providerList()

@@ -8,8 +8,12 @@ from qgis.PyQt.QtWidgets import QDialog, QDialogButtonBox, QLabel, QPlainTextEdi
 
 from ....urbanmap_qgis.dependencies import find_missing, install, install_command, shown_command
 from ....urbanmap_qgis.errors import UrbanMapError
+from ....urbanmap_qgis.wording import say
 from ..declaring.parameters import tr
 from .dependencies import profile_packages
+
+_TOLD = 3
+"""Packages that the line above the map names."""
 
 
 class PackagesBar:
@@ -24,8 +28,10 @@ class PackagesBar:
         settings = QgsSettings()
         if not names or settings.value(cls.SETTING, "") == " ".join(names):
             return False
-        line = iface.messageBar().createMessage("UrbanMap", tr("Python packages missing: {0}.").format(
-            ", ".join(names)))
+        # The line above the map holds no more; the window behind the button names all.
+        told = ", ".join(names) if len(names) <= _TOLD else say(
+            "{names} and {count} more", names=", ".join(names[:_TOLD]), count=len(names) - _TOLD)
+        line = iface.messageBar().createMessage("UrbanMap", tr("Python packages missing: {0}.").format(told))
         button = QPushButton(tr("Install…"), line)
         button.clicked.connect(lambda: (iface.messageBar().popWidget(line), install_packages()))
         line.layout().addWidget(button)

@@ -96,7 +96,7 @@ def meanings(keys: Iterable[str], needed: Iterable[str], aliases: Mapping[str, s
 
 
 def named_rows(text: str, needed: Sequence[str], aliases: Mapping[str, str], name: str,
-               told: Collection[str] = ()) -> tuple[tuple[str, ...], list[list[str]], str]:
+               stated_units: Collection[str] = ()) -> tuple[tuple[str, ...], list[list[str]], str]:
     """Names of the columns, rows and delimiter of the names in a table with the columns `needed`.
 
     Names may stand behind a "#", further lines of that kind are passed over; rows may have another delimiter. Where
@@ -119,7 +119,8 @@ def named_rows(text: str, needed: Sequence[str], aliases: Mapping[str, str], nam
     while units < min(len(rows), 3) and not any(_is_number(cell) for cell in rows[units]):
         units += 1
     units = units if units < len(rows) else 0
-    _check_units([*header, *(cell for line in lines[at + 1:at + 1 + units] for cell in line.split())], name, told)
+    cells = (cell for line in lines[at + 1:at + 1 + units] for cell in line.split())
+    _check_units([*header, *cells], name, stated_units)
     return header, rows[units:], delimiter
 
 
@@ -161,12 +162,12 @@ def _is_number(cell: str) -> bool:
     return True
 
 
-def _check_units(cells: Iterable[str], name: str, told: Collection[str]) -> None:
+def _check_units(cells: Iterable[str], name: str, stated_units: Collection[str]) -> None:
     """Refuse units in brackets, or alone in a cell, that are others than the ones read."""
     for cell in cells:
         text = unicodedata.normalize("NFKC", cell)
         for part in [*(found.group()[1:-1] for found in _BRACKETS.finditer(text)), text]:
             other = _OTHER_UNITS.get(re.sub(r"[\s\-_.,()]+", "", part).lower())
-            if other and other not in told:
+            if other and other not in stated_units:
                 raise InputError(say("{name} states the unit {unit}: metres, seconds and decimal degrees are read; "
                                      "export it in these.", name=name, unit=part.strip(" ,()")))

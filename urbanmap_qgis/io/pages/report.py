@@ -69,6 +69,13 @@ figcaption { font-size: .9em; color: #555; }
   div.wide { overflow: visible; }
   h2 { break-after: avoid; }
   figure, tr, p { break-inside: avoid; }
+  table { font-size: 8pt; margin: .4em 0; }
+  th, td { padding: .12em .6em; }
+  thead { display: table-header-group; }
+  h2 { margin-top: 1em; }
+  figure { margin: .4em 0; }
+  figure svg { max-height: 110mm; }
+  figure.half { width: 49%; vertical-align: top; }
   figure.switch img { display: block; margin-bottom: .5em; }
   figure.switch label { display: none; }
   p.verdict, p.warning, th { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
@@ -199,14 +206,14 @@ class Report:
         top = float(upper if upper is not None else finite.max())
         low = min(0.0, float(finite.min()))
         counts, edges = np.histogram(np.minimum(finite, top), bins=bins, range=(low, max(top, low + 1e-9)))
-        self.figure(bars(counts, edges, label), caption)
+        self.figure(bars(counts, edges, label), caption, half=True)
 
-    def figure(self, svg: str, caption: str) -> None:
-        """Add a picture given as SVG; it shrinks with the page."""
+    def figure(self, svg: str, caption: str, half: bool = False) -> None:
+        """Add a picture given as SVG; it shrinks with the page. `half`: two of them stand side by side in print."""
         svg = _SIZE.sub(r'<svg\1viewBox="0 0 \2 \3" width="\2" height="\3"', svg, count=1)
         size = _WIDTH.search(svg)
-        broad = ' class="broad"' if size and int(size[1]) > _BROAD else ""
-        self._parts.append(f"<figure{broad}>{svg}<figcaption>{html.escape(known(caption))}</figcaption></figure>")
+        kind = ' class="broad"' if size and int(size[1]) > _BROAD else ' class="half"' if half else ""
+        self._parts.append(f"<figure{kind}>{svg}<figcaption>{html.escape(known(caption))}</figcaption></figure>")
 
     def picture(self, path: str | os.PathLike, caption: str) -> None:
         """Add a picture from a PNG or JPEG file; the page holds the picture itself.

@@ -40,11 +40,12 @@ class ShadedInterval:
 def profile(x: np.ndarray, series: Sequence[Series], x_label: str, y_label: str,
             band: tuple[np.ndarray, np.ndarray] | None = None, intervals: Sequence[ShadedInterval] = (),
             width: int = 900, height: int = 240) -> str:
-    """An SVG chart of curves over x (n,), with a shaded band (low, high) and intervals behind them."""
+    """An SVG chart of curves over x (n,), with intervals behind them and a shaded band: a curve and its sigma."""
     left, right, top, bottom = _MARGIN
     x = np.asarray(x, float)
     x_low, x_high = float(x.min()), max(float(x.max()), float(x.min()) + 1e-9)
-    y_low, y_high = _limits([item.values for item in series] + list(band or ()))
+    edges = [] if band is None else [band[0] - band[1], band[0] + band[1]]
+    y_low, y_high = _limits([item.values for item in series] + edges)
 
     def to_picture(x_values, y_values):
         return (left + (np.asarray(x_values) - x_low) / (x_high - x_low) * (width - left - right),
@@ -52,8 +53,8 @@ def profile(x: np.ndarray, series: Sequence[Series], x_label: str, y_label: str,
 
     parts = [_shaded_interval(item, to_picture, (x_low, x_high), (y_low, y_high)) for item in intervals]
     keep = _thinned(len(x))
-    if band is not None:
-        parts.append(_band(x[keep], band[0][keep], band[1][keep], to_picture))
+    if edges:
+        parts.append(_band(x[keep], edges[0][keep], edges[1][keep], to_picture))
     parts += [_curve(x, item, to_picture, keep) for item in series]
     parts.append(_axes(to_picture, (x_low, x_high), (y_low, y_high), width, height, x_label, y_label))
     parts.append(_legend(series, intervals, height))

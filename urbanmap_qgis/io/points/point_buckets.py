@@ -95,14 +95,14 @@ class PointBuckets:
 
     def read(self, key: int) -> np.ndarray:
         """All records of a bucket, in the order in which they came; empty if there are none."""
-        stored, held = self._path(key), self._pieces.get(key, [])
+        stored, waiting = self._path(key), self._pieces.get(key, [])
         on_disk = stored.stat().st_size // self.dtype.itemsize if stored and stored.exists() else 0
-        records = np.empty(on_disk + sum(map(len, held)), dtype=self.dtype)
+        records = np.empty(on_disk + sum(map(len, waiting)), dtype=self.dtype)
         if on_disk:
             with stored.open("rb", buffering=0) as stream:
                 fill_from(stream, memoryview(records[:on_disk].view(np.uint8)))
         place = on_disk
-        for piece in held:
+        for piece in waiting:
             records[place:place + len(piece)] = piece
             place += len(piece)
         return records

@@ -51,7 +51,10 @@ class LayerSample:
 
     Attributes
     ----------
-    names : of file and layer. fields : of the table. type_name : of the geometry. shapes : some features.
+    names : of file and layer.
+    fields : of the table.
+    type_name : of the geometry.
+    shapes : of some features.
     """
 
     names: tuple[str, ...]

@@ -128,12 +128,12 @@ def _sample(path: Path, head: bytes, folder: Path) -> Path:
     if size <= WHOLE_BYTES:
         return path
     place = folder / path.name
-    with path.open("rb") as stream, place.open("wb") as made:
-        made.write(head[:head.rfind(b"\n") + 1])
+    with path.open("rb") as stream, place.open("wb") as sample:
+        sample.write(head[:head.rfind(b"\n") + 1])
         for share in np.linspace(0.0, 1.0, _BLOCKS)[1:]:
             stream.seek(max(int(share * (size - _BLOCK_BYTES)), len(head)))
             block = stream.read(_BLOCK_BYTES)
-            made.write(block[block.find(b"\n") + 1:block.rfind(b"\n") + 1])
+            sample.write(block[block.find(b"\n") + 1:block.rfind(b"\n") + 1])
     return place
 
 

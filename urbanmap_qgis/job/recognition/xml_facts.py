@@ -13,6 +13,7 @@ from ...io.osm import read_osm
 from ...io.reference.height_systems import heights_of
 from ...wording import say
 from ..file_facts import CITY_MODEL, GSI_DEM, GSI_OTHER, GSI_OUTLINES, LANE_MAP, OTHER, FileFacts
+from .kml_facts import kml_facts, kmz_facts, whole_kml
 
 _ROOT = re.compile(rb"<(?![?!])([\w.-]+:)?([\w.-]+)[\s/>]")
 _SYSTEMS = {b"jgd2000.bl": 4612, b"jgd2011.bl": 6668, b"jgd2024.bl": 6668}
@@ -53,6 +54,8 @@ def _of_root(path: Path, root: bytes, head: bytes) -> FileFacts:
         return FileFacts(path, LANE_MAP, detail="OpenDRIVE")
     if root == b"osm":
         return _lanelet(path)
+    if root == b"kml":
+        return kml_facts(path, whole_kml(path))
     return FileFacts(path, OTHER, detail=root.decode("ascii", "replace"))
 
 
@@ -129,6 +132,9 @@ def zip_facts(path: Path, _head: bytes) -> list[FileFacts]:
     try:
         with zipfile.ZipFile(path) as archive:
             names = sorted(info.filename for info in archive.infolist() if not info.is_dir())
+            places = list(kmz_facts(path, archive, names))
+            if places:
+                return places
             for name in names:
                 if name.lower().endswith((".xml", ".gml")):
                     with archive.open(name) as stream:

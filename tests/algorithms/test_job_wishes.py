@@ -1,0 +1,41 @@
+"""Every wish of the dock planned from the sample city's folder and run to its end, one after the other in one job."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+RESULTS = {
+    "survey": {"reference_report.html", "survey_1.laz", "survey_1_trajectory.csv", "survey_1_images.csv",
+               "accuracy_1.gpkg", "acceptance_1_report.html"},
+    "lanemap": {"lanes_lanelet2.osm", "lanes_opendrive.xodr", "lanes_report.html", "lanes_lanes.gpkg"},
+    "walls": {"buildings.gpkg", "walls.gpkg", "merged.gpkg", "merged_cityjson.city.json", "merged_report.html"},
+    "accuracymap": {"localisation.gpkg", "localisation_report.html"},
+    "reference": {"reference.tif", "reference_polygons.gpkg"}, "buildings": {"buildings_report.html"}}
+"""Files among the results of each wish, in the order in which they are wished for."""
+
+KEPT = {"lanemap": 4, "walls": 4, "accuracymap": 6, "reference": 1, "buildings": 1}
+"""Steps that a wish finds done by those before it."""
+
+
+@pytest.mark.slow
+def test_every_wish_runs_to_its_end(run, plugin, small_city, tmp_path):
+    recognise, roles, chains, files = (plugin(f"urbanmap_qgis.job.{name}") for name in (
+        "recognition.contents", "roles", "chain_plan", "job_file"))
+    # One survey of the two: the second would only take as long once more.
+    facts = [item for item in recognise.recognise_files([small_city]) if not item.path.name.startswith("survey_02")]
+    parts, place, job = roles.parts_of(facts), tmp_path / "job.urbanmap.json", None
+    assert set(RESULTS) | {chains.ROAD_SPACE} == set(chains.WISHES)
+    for wish, expected in RESULTS.items():
+        plan = chains.plan_chain(wish, parts, "EPSG:6677")
+        assert plan.steps and not plan.missing
+        job = files.planned_job(wish, parts.inputs, plan.steps, before=job)
+        files.write_job(place, job)
+        done = run("urbanmap:runjob", {"JOB": str(place)})
+        job = files.read_job(place)
+        assert {step.state for step in job.steps} == {"done"} and done["STEPS_KEPT"] == KEPT.get(wish, 0), wish
+        assert expected <= {path.name for path in Path(done["RESULTS"]).iterdir()}, wish
+        reported = [step for step in job.steps if any(name.endswith("REPORT") for name in step.outputs)]
+        assert reported and all(step.verdict and step.grade in ("good", "look") for step in reported), wish
+    assert job.aside and not any(path.name.startswith(".") for path in Path(done["RESULTS"]).iterdir())
