@@ -25,6 +25,7 @@ sys.path.insert(0, str(ROOT))
 
 from scripts.bench_faults import fault_tables  # noqa: E402
 from scripts.bench_goals import goals_table  # noqa: E402
+from scripts.bench_images import image_kinds_table  # noqa: E402
 from scripts.bench_large import large_roofs_table  # noqa: E402
 from scripts.bench_sloped import sloped_table  # noqa: E402
 from scripts.bench_stages import stage_tables  # noqa: E402
@@ -36,7 +37,8 @@ from urbanmap_qgis.buildings.model_stage import build_models  # noqa: E402
 from urbanmap_qgis.buildings.model_surfaces import roof_cells, wall_rectangles  # noqa: E402
 from urbanmap_qgis.buildings.outlines.footprint import Footprints, clean_footprints  # noqa: E402
 from urbanmap_qgis.buildings.planes.plane_detection import LEVELS, PLANES, PlaneParameters  # noqa: E402
-from urbanmap_qgis.buildings.polygon_stage import PolygonParameters, cloud_roof_polygons  # noqa: E402
+from urbanmap_qgis.buildings.polygon_stage import cloud_roof_polygons  # noqa: E402
+from urbanmap_qgis.buildings.roof_polygons.polygon_rows import PolygonParameters  # noqa: E402
 from urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs  # noqa: E402
 from urbanmap_qgis.buildings.roofs.roof_levels import RoofParameters  # noqa: E402
 from urbanmap_qgis.buildings.segmentation import SegmentationParameters, segment_buildings  # noqa: E402
@@ -237,6 +239,7 @@ def main() -> int:
         print("\nThe real data are not beside the checkout: models are not scored.")
     street_tables(DATA.parent / "city", reference)
     fault_tables()
+    image_kinds_table()
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
     print(f"\nPeak memory of this process: {peak:.0f} MB")
     return 0

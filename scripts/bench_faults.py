@@ -27,7 +27,8 @@ from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.io.raster import read_raster, write_raster
 from urbanmap_qgis.mobile.calibration import read_calibration
 from urbanmap_qgis.mobile.ground import classify_ground_files
-from urbanmap_qgis.mobile.markings.marking_stage import Extraction, extract_markings
+from urbanmap_qgis.mobile.markings.extraction import Extraction
+from urbanmap_qgis.mobile.markings.marking_stage import extract_markings
 from urbanmap_qgis.mobile.registration.correction.patch_status import DISTRUSTED, REGISTERED
 from urbanmap_qgis.mobile.registration.records import RegistrationSettings
 from urbanmap_qgis.mobile.registration.start.reference import Reference

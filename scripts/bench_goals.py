@@ -31,7 +31,8 @@ from scripts.bench_stages import DATA, cost, reading_cost, run_cost, start_row  
 from scripts.bench_street import city  # noqa: E402
 from scripts.bench_table import print_table  # noqa: E402
 from urbanmap_qgis.gnss.rays.wall_faces import building_walls  # noqa: E402
-from urbanmap_qgis.localisation.accuracy_map import LocalisationMap, accuracy_map  # noqa: E402
+from urbanmap_qgis.localisation.accuracy_map import accuracy_map  # noqa: E402
+from urbanmap_qgis.localisation.accuracy_records import LocalisationMap  # noqa: E402
 from urbanmap_qgis.localisation.localisation_settings import LocalisationSettings, VehicleScanner  # noqa: E402
 from urbanmap_qgis.localisation.places.road_places import places_on_roads  # noqa: E402
 from urbanmap_qgis.localisation.walls.wall_map import WallMap, wall_sigmas  # noqa: E402

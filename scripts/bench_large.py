@@ -13,7 +13,8 @@ from scripts.bench_table import print_table
 from urbanmap_qgis.buildings.building_model import FitPoints, RoofInput, model_building
 from urbanmap_qgis.buildings.planes.plane_detection import PLANES, PlaneParameters
 from urbanmap_qgis.buildings.planes.plane_segmentation import segment_planes
-from urbanmap_qgis.buildings.polygon_stage import PolygonParameters, RoofPolygons, roof_polygons_of
+from urbanmap_qgis.buildings.roof_polygons.building_polygons import roof_polygons_of
+from urbanmap_qgis.buildings.roof_polygons.polygon_rows import PolygonParameters, RoofedBuilding
 
 SEED = 2029
 GROUND = 2.0
@@ -56,8 +57,7 @@ def _row(shape: Callable, area: float, density: float) -> tuple:
     start = time.process_time()
     found = segment_planes(*points.T, outline, GROUND, density, PlaneParameters(), 2.0)
     roof = found.roof_of_point.astype(np.int64)
-    table = RoofPolygons()
-    roof_polygons_of(table, 1, outline, [], tuple(points.T), roof, PolygonParameters(roofs=PLANES))
+    table = roof_polygons_of(RoofedBuilding(1, outline, points, roof), PolygonParameters(roofs=PLANES))
     roofs = RoofInput(np.array(table.polygon, object), np.array(table.building_id), np.array(table.roof_id),
                       np.array(table.height), np.array(table.status, object))
     model = model_building(1, outline, "", roofs, GROUND, FitPoints(points, roof), True)

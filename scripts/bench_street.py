@@ -22,7 +22,7 @@ from scripts.demo.checks import read_layer
 from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.mobile.apply_correction import apply_correction
 from urbanmap_qgis.mobile.calibration import read_calibration
-from urbanmap_qgis.mobile.markings.marking_stage import ExtractionSettings
+from urbanmap_qgis.mobile.markings.extraction import ExtractionSettings
 from urbanmap_qgis.mobile.markings.records import MarkingPoints
 from urbanmap_qgis.mobile.registration.records import RegistrationSettings
 from urbanmap_qgis.mobile.registration.register import register_windows

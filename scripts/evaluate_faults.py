@@ -25,12 +25,13 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from urbanmap_qgis.errors import UrbanMapError
 from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.mobile.calibration import read_calibration
-from urbanmap_qgis.mobile.markings.marking_stage import ExtractionSettings
+from urbanmap_qgis.mobile.markings.extraction import ExtractionSettings
 from urbanmap_qgis.mobile.markings.records import MarkingPoints
 from urbanmap_qgis.mobile.registration.correction.patch_status import DISTRUSTED, REGISTERED
 from urbanmap_qgis.mobile.registration.records import RegistrationSettings
 from urbanmap_qgis.mobile.registration.stage import RegistrationRun, register_markings, survey_markings
 from urbanmap_qgis.mobile.registration.start.reference import Reference
+from urbanmap_qgis.mobile.registration.walls.witness import WallWitness
 from urbanmap_qgis.mobile.trajectory import Trajectory, interpolate, move_points, path_chainage
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 
@@ -137,12 +138,18 @@ class Outcome:
         return np.hypot(self.error[:, 0], self.error[:, 1])
 
 
-def run(survey: DrivenSurvey, fault: Fault, reference: Reference, settings: RegistrationSettings) -> Outcome | str:
-    """The survey with the fault, registered; or why it was refused."""
+def run(survey: DrivenSurvey, fault: Fault, reference: Reference, settings: RegistrationSettings,
+        walls: WallWitness | None = None) -> Outcome | str:
+    """The survey with the fault, registered, also by its walls where they are given; or why it was refused."""
     wrong = faulty(survey, fault)
+    if walls is not None:
+        planes = walls.planes
+        time_seen = np.interp(planes.chainage, path_chainage(survey.reported), survey.reported.time)
+        place = move_points(planes.place, time_seen, survey.reported, wrong.reported)
+        walls = replace(walls, planes=replace(planes, place=place))
     begin = time.process_time()
     try:
-        made = register_markings(wrong.markings, wrong.reported, reference, RegistrationRun(settings))
+        made = register_markings(wrong.markings, wrong.reported, reference, RegistrationRun(settings), walls=walls)
     except UrbanMapError as error:
         return str(error)
     correction = made.correction

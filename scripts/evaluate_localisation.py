@@ -23,7 +23,8 @@ import shapely
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from urbanmap_qgis.gnss.rays.wall_faces import building_walls
-from urbanmap_qgis.localisation.accuracy_map import LocalisationMap, accuracy_map
+from urbanmap_qgis.localisation.accuracy_map import accuracy_map
+from urbanmap_qgis.localisation.accuracy_records import LocalisationMap
 from urbanmap_qgis.localisation.localisation_settings import LocalisationSettings, VehicleScanner
 from urbanmap_qgis.localisation.places.road_places import joined_places, places_on_drive, places_on_roads
 from urbanmap_qgis.localisation.simulation.prediction_check import check_prediction

@@ -2,7 +2,7 @@
 """What registration makes of a wrong reference: road re-marked after the flight, a frame off, stretches without paint.
 
     python scripts/evaluate_reference_faults.py --city FOLDER GROUND [--city ...] [--cases remarked,frame] \\
-        [--survey survey_01] [--cache FOLDER] --output table.md
+        [--buildings map] [--survey survey_01] [--cache FOLDER] --output table.md
 
 FOLDER is a sample city, GROUND the raster of “Surface and ground from ALS”. The reference is made of the true markings,
 each 1.5 cm off and every twentieth left out, then wronged; the corrected trajectory is compared with the true one at
@@ -15,6 +15,7 @@ import argparse
 import contextlib
 import sqlite3
 import sys
+import time
 from collections.abc import Callable
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
@@ -25,10 +26,14 @@ from evaluate_faults import DrivenSurvey, Fault, Outcome, constant_fault, percen
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
+from urbanmap_qgis.facades.building_plans import building_plans, outline_edges
 from urbanmap_qgis.mobile.markings.records import MarkingPoints
 from urbanmap_qgis.mobile.registration.correction.patch_status import DISTRUSTED, REGISTERED
 from urbanmap_qgis.mobile.registration.records import RegistrationSettings
+from urbanmap_qgis.mobile.registration.stage import RegistrationRun, walls_of
 from urbanmap_qgis.mobile.registration.start.reference import Reference
+from urbanmap_qgis.mobile.registration.walls.outline_walls import WallEdges
+from urbanmap_qgis.mobile.registration.walls.witness import WallWitness
 from urbanmap_qgis.mobile.trajectory import Trajectory, interpolate, path_chainage
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 
@@ -37,6 +42,9 @@ WRONG = 0.1
 
 PLACE_SIGMA, LEFT_OUT = 0.015, 0.05
 """m, of each marking of the reference, and share of them that it has not."""
+
+EAVES, OUTLINE_SIGMA = (0.3, 0.9), 0.05
+"""m that roof edges stand out before the facades, and that an outline of them is off."""
 
 REACH = 15.0
 """m to either side of the path: what belongs to a stretch of it."""
@@ -187,11 +195,12 @@ CASES: dict[str, list[tuple[str, Callable[[Scene], Scene], Fault]]] = {
     "none": [("no fault", unchanged, NONE)],
     "remarked": [("100 m re-marked 0.5 m aside", remarked(100, 0.0, 0.5), NONE),
                  ("40 m re-marked 0.5 m aside", remarked(40, 0.0, 0.5), NONE),
-                 ("100 m re-marked 1 m along", remarked(100, 1.0, 0.0), NONE),
-                 ("60 % repainted by one shift", repainted(0.6, 0.5), NONE)],
+                 ("100 m re-marked 1 m along", remarked(100, 1.0, 0.0), NONE)],
+    "repainted": [("60 % repainted by one shift", repainted(0.6, 0.5), NONE)],
     "frame": [("65 % of the reference 0.36 m off", frame_off(0.36), NONE),
-              ("65 % of the reference 0.12 m off", frame_off(0.12), NONE),
-              ("half of the reference 0.36 m off", frame_off(0.36, 0.5), NONE)],
+              ("65 % of the reference 0.12 m off", frame_off(0.12), NONE)],
+    "half": [("half of the reference 0.36 m off", frame_off(0.36, 0.5), NONE)],
+    "long": [("300 m bare", bare(300), NONE)],
     "bare": [("85 m bare", bare(85), NONE), ("85 m bare, step of 1 m", bare(85), middle_step(1.0)),
              ("85 m bare, step of 2 m at its side", bare(85), middle_step(2.0, 25.0))],
     "thin": [("lines alone, 0.3 m off", only(LINES, 0.3), NONE), ("lines alone, right", only(LINES, 0.0), NONE),
@@ -253,13 +262,51 @@ def cached_survey(city: Path, name: str, cache: Path | None) -> DrivenSurvey:
     return DrivenSurvey(name, markings, reported, true)
 
 
-def evaluate(city: Path, ground: Path, name: str, cases: list[str], cache: Path | None) -> tuple[list, list]:
+def read_layer(path: Path, table: str) -> np.ndarray:
+    """Polygons (n,) of a layer of a GeoPackage, without z."""
+    with contextlib.closing(sqlite3.connect(path)) as database:
+        blobs = [blob for blob, in database.execute(f'SELECT geom FROM "{table}"')]  # nosec B608 # a name of ours
+    skipped = {0: 8, 1: 40, 2: 56, 3: 56, 4: 72}
+    return shapely.force_2d(shapely.from_wkb([blob[skipped[blob[3] >> 1 & 7]:] for blob in blobs]))
+
+
+def buildings_of(city: Path, kind: str) -> np.ndarray:
+    """Outlines of a city's buildings: "map" as an official map has them; "roofs" true ones grown by unlike eaves."""
+    if kind == "map":
+        return read_layer(city / "footprints" / "gsi_buildings.gpkg", "BldA")
+    plans = read_layer(city / "truth" / "footprints.gpkg", "wall_footprints")
+    rng = np.random.default_rng(7)
+    eaves, off = rng.uniform(*EAVES, len(plans)), rng.normal(0.0, OUTLINE_SIGMA, (len(plans), 2))
+    grown = shapely.buffer(plans, eaves, join_style="mitre")
+    return np.array([shapely.transform(plan, lambda place, by=by: place + by) for plan, by in zip(grown, off)],
+                    dtype=object)
+
+
+def walls_near(city: Path, survey: DrivenSurvey, kind: str) -> WallWitness | None:
+    """The survey's facades, with a city's outlines or (kind "own") without; None of kind "none"."""
+    if kind == "none":
+        return None
+    edges = None
+    if kind != "own":
+        plans = buildings_of(city, kind)
+        plans = building_plans(plans, np.arange(len(plans))).plan
+        edges = WallEdges.joined([outline_edges(plan) for plan in plans if plan is not None])
+    begin = time.process_time()
+    walls = walls_of([city / "mms" / f"{survey.name}.laz"], survey.reported, RegistrationRun(), edges)
+    spent = (time.process_time() - begin) / path_chainage(survey.reported)[-1]
+    print(f"{len(walls.planes)} planes of facades, {1000 * spent:.1f} ms of CPU a metre", flush=True)
+    return walls
+
+
+def evaluate(city: Path, ground: Path, name: str, cases: list[str], cache: Path | None,
+             buildings: str = "none") -> tuple[list, list]:
     """Rows of both tables."""
     scene, rows, sigmas = Scene(cached_survey(city, name, cache), read_marks(city)), [], []
+    walls = walls_near(city, scene.survey, buildings)
     for title, change, fault in [item for kind in cases for item in CASES[kind]]:
         wrong = change(scene)
         made = run(wrong.survey, fault, Reference.from_polygons(wrong.marks.polygons, ground),
-                   RegistrationSettings(three_d=True))
+                   RegistrationSettings(three_d=True), walls)
         for found, row in zip((rows, sigmas), rows_of(title, f"{city.name} {name}", made)):
             found.append(row)
         print("\n".join([*table(HEADER, rows[-1:])[2:3], *table(SIGMA_HEADER, sigmas[-1:])[2:3]]), flush=True)
@@ -272,12 +319,14 @@ def main() -> int:
     parser.add_argument("--city", nargs=2, type=Path, action="append", required=True, metavar=("FOLDER", "GROUND"))
     parser.add_argument("--cases", default=",".join(CASES))
     parser.add_argument("--survey", default="survey_01")
+    parser.add_argument("--buildings", choices=("none", "own", "map", "roofs"), default="none",
+                        help="walls as a second witness: straight by themselves (own), official outlines, roof edges")
     parser.add_argument("--cache", type=Path, help="folder that keeps extracted markings")
     parser.add_argument("--output", type=Path, help="Markdown file")
     given = parser.parse_args()
     rows, sigmas = [], []
     for folder, ground in given.city:
-        more = evaluate(folder, ground, given.survey, given.cases.split(","), given.cache)
+        more = evaluate(folder, ground, given.survey, given.cases.split(","), given.cache, given.buildings)
         rows, sigmas = rows + more[0], sigmas + more[1]
     lines = table(HEADER, rows) + table(SIGMA_HEADER, sigmas)
     print("\n".join(lines))

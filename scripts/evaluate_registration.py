@@ -35,7 +35,7 @@ from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.mobile.calibration import read_calibration
 from urbanmap_qgis.mobile.control import ControlPoints, accuracy, in_survey_time, read_control, residuals
 from urbanmap_qgis.mobile.landmark_update import update_by_landmarks
-from urbanmap_qgis.mobile.markings.marking_stage import ExtractionSettings
+from urbanmap_qgis.mobile.markings.extraction import ExtractionSettings
 from urbanmap_qgis.mobile.markings.records import MarkingPoints
 from urbanmap_qgis.mobile.pose_correction import correction_between
 from urbanmap_qgis.mobile.registration.correction.patchwise import correct_patchwise

@@ -151,6 +151,19 @@ def written(text: Callable[[], str]) -> Callable[[Path, Path], Path]:
     return make
 
 
+def kml(path: Path, city: Path) -> Path:
+    """A building's outline, a path and a place."""
+    ring = "139.70,35.60,0 139.7002,35.60,0 139.7002,35.6002,0 139.70,35.6002,0 139.70,35.60,0"
+    path.write_text(
+        '<?xml version="1.0" encoding="UTF-8"?>\n<kml xmlns="http://www.opengis.net/kml/2.2"><Document>\n'
+        "<Placemark><name>house</name><Polygon><outerBoundaryIs><LinearRing><coordinates>"
+        f"{ring}</coordinates></LinearRing></outerBoundaryIs></Polygon></Placemark>\n"
+        "<Placemark><LineString><coordinates>139.70,35.60 139.71,35.61</coordinates></LineString></Placemark>\n"
+        "<Placemark><Point><coordinates>139.70,35.60</coordinates></Point></Placemark>\n</Document></kml>\n",
+        encoding="utf-8")
+    return path
+
+
 def zipped(name: str, make: Callable[[Path, Path], Path], within: str = "") -> Callable[[Path, Path], Path]:
     """A zip that holds a sound file under a name; `within` : name of a zip in the zip that holds it."""
 

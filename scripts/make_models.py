@@ -97,7 +97,8 @@ AERIAL_MARKINGS = (
 GEOREFERENCE_MMS = (
     Step("roadmarkingsfrommms", "1. Takes the points on road markings out of the survey by their intensity."),
     Step("registermms", "2. Lays them on the reference markings: the corrected trajectory, and how sure it is.",
-         made={"POINTS": ("roadmarkingsfrommms", "OUTPUT")}, named={"OUTPUT": "OUTPUT_TRAJECTORY"},
+         made={"POINTS": ("roadmarkingsfrommms", "OUTPUT")},
+         named={"OUTPUT": "OUTPUT_TRAJECTORY", "SURVEY": "POINTS"},
          outputs={"OUTPUT": "Corrected trajectory", "OUTPUT_PATCHES": "Patches", "OUTPUT_STEPS": "Disagreements",
                   "OUTPUT_REPORT": "Report"}),
     Step("applytrajectory", "3. Moves the survey's points and images with the corrected trajectory.",

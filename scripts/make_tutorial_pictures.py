@@ -282,8 +282,11 @@ def draw_windows(names: list[str], folder: Path, language: str) -> None:
                  URBANMAP_ROOT=str(ROOT))
 
 
-def open_desktop(script: Path, folder: Path, profile: Path, **variables: str) -> None:
-    """Start QGIS's desktop on a virtual screen, in an environment with these variables, and let it run a script."""
+def open_desktop(script: Path, folder: Path, profile: Path, longest: float = 600.0, **variables: str) -> None:
+    """Start QGIS's desktop on a virtual screen, in an environment with these variables, and let it run a script.
+
+    It may take `longest` seconds.
+    """
     kept = {key: value for key, value in os.environ.items()
             if not key.startswith(("QGIS_", "PYTHON", "QT_", "DISPLAY"))}
     environment = {
@@ -297,7 +300,7 @@ def open_desktop(script: Path, folder: Path, profile: Path, **variables: str) ->
         sys.exit("QGIS's desktop and xvfb are needed: apt install qgis xvfb libgl1-mesa-dri")
     subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1400x900x24", program, "--nologo", "--noversioncheck",
                     "--profiles-path", str(profile / "config"), "--code", str(script)],
-                   cwd=folder, env=environment, check=True, timeout=600)
+                   cwd=folder, env=environment, check=True, timeout=longest)
 
 
 def _output(*command: str, **changes: str) -> str:

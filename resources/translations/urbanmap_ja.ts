@@ -1424,6 +1424,38 @@
         <translation>車両の位置です。CSV time,x,y,z,roll,pitch,heading（GPS秒、m、度。精度が分かる場合はsd_roll,sd_pitch,sd_headingも）、Applanix SBET（smrmsgファイルを同じ場所に置く）、またはこれらのフィールドを持つ点レイヤを指定します。</translation>
     </message>
     <message>
+        <source>Outlines, or models with their heights (MultiPolygonZ of “Building models” or “Load city model”), whose walls are a second witness beside the markings. How far facades stand inside them is found.</source>
+        <translation>外形線、または高さ付きのモデル（「建物モデル」や「都市モデルの読み込み」の MultiPolygonZ）。その壁面を標示と並ぶ第二の根拠とします。壁面が外形線よりどれだけ内側にあるかは推定します。</translation>
+    </message>
+    <message>
+        <source>Features</source>
+        <translation>地物</translation>
+    </message>
+    <message>
+        <source>road markings alone</source>
+        <translation>路面標示のみ</translation>
+    </message>
+    <message>
+        <source>walls</source>
+        <translation>壁面</translation>
+    </message>
+    <message>
+        <source>all: markings and walls</source>
+        <translation>すべて（標示と壁面）</translation>
+    </message>
+    <message>
+        <source>What the survey is laid by. Automatic: paint, and walls where buildings are given. Paint: the markings alone. Walls: the markings give the start only. All: both; without buildings walls say only where the correction breaks them. (automatic, paint, walls, all)</source>
+        <translation>位置合わせに使う地物。automatic：標示、建物が指定されていれば壁面も。paint：標示だけ。walls：標示は初期値だけに使う。all：両方。建物がなければ、壁面は補正によって折れる場所だけを示します。(automatic, paint, walls, all)</translation>
+    </message>
+    <message>
+        <source>Survey with its facades</source>
+        <translation>壁面を含む計測点群</translation>
+    </message>
+    <message>
+        <source>All points of the survey, where “Point clouds” holds its markings alone.</source>
+        <translation>「点群」が標示だけのとき、計測の全点。</translation>
+    </message>
+    <message>
         <source>Heights of the ground in metres, in the height system of the survey. With it the correction is in space.</source>
         <translation>計測データと同じ高さの基準での地表の標高（m）です。指定すると3次元で補正します。</translation>
     </message>
@@ -1504,8 +1536,8 @@
         <translation>標準の方法</translation>
     </message>
     <message>
-        <source>Full, or as in the paper to the letter: windows as rigid bodies, each started from the one before, and each patch moved by the matrix of its own window; no model of the drift, no weights, no bridging. In plan as in 3.2.4, with ground heights as in chapter 4. (full, paper)</source>
-        <translation>full：全機能を使います。paper：論文どおりで、ウィンドウを剛体とし、それぞれ直前のウィンドウの結果から始め、各パッチを自身のウィンドウの行列で動かします。ドリフトのモデル、重み、補間はありません。平面では3.2.4節、地表の標高がある場合は4章によります。（full, paper）</translation>
+        <source>Full, or as in the paper to the letter: windows as rigid bodies, each started from the one before, and each patch moved by the matrix of its own window; no model of the drift, no weights, no bridging. In plan as in 3.2.4, with ground heights as in chapter 4. The markings of a whole survey are found by the paper's threshold. (full, paper)</source>
+        <translation>full：全機能を使います。paper：論文どおりで、ウィンドウを剛体とし、それぞれ直前のウィンドウの結果から始め、各パッチを自身のウィンドウの行列で動かします。ドリフトのモデル、重み、補間はありません。平面では3.2.4節、地表の標高がある場合は4章によります。計測点群をそのまま入力した場合、標示は論文のしきい値で抽出します。（full, paper）</translation>
     </message>
     <message>
         <source>Accuracy of the reference</source>
@@ -1552,16 +1584,16 @@
         <translation>パッチ</translation>
     </message>
     <message>
-        <source>One point a patch at its corrected place, with correction (m, degrees), standard deviations, window, score, status and its reason.</source>
-        <translation>パッチごとに、補正後の位置に1点です。補正量（m、度）、標準偏差、ウィンドウ、スコア、状態とその理由を持ちます。</translation>
+        <source>One point a patch at its corrected place, with correction (m, degrees), standard deviations, window, score, status and its reason; with walls the share of each witness (paint, walls).</source>
+        <translation>パッチごとに、補正後の位置に1点です。補正量（m、度）、標準偏差、ウィンドウ、スコア、状態とその理由を持ちます。壁面を使うときは、それぞれの根拠の割合（paint、walls）も持ちます。</translation>
     </message>
     <message>
         <source>Disagreements</source>
         <translation>不一致箇所</translation>
     </message>
     <message>
-        <source>One point a place where reference and survey disagree: edges of markings that changed after the flight, a reference that jumps, steps hidden where there are no markings; with size (m), direction (degrees from north) and standard deviation.</source>
-        <translation>基準と計測が一致しない箇所ごとに1点：撮影後に変化した標示の端、基準の段差、標示のない区間に隠れた段差。大きさ（m）、方向（北からの度）、標準偏差付き。</translation>
+        <source>One point a place where reference and survey disagree: edges of markings that changed after the flight, a reference that jumps, steps hidden where there are no markings, stretches where walls want the survey elsewhere than the markings; with size (m), direction (degrees from north) and standard deviation.</source>
+        <translation>基準と計測が一致しない箇所ごとに1点：撮影後に変化した標示の端、基準の段差、標示のない区間に隠れた段差、壁面の示す位置が標示と異なる区間。大きさ（m）、方向（北からの度）、標準偏差付き。</translation>
     </message>
     <message>
         <source>Correction and its uncertainty along the path, pictures before and after, what to distrust.</source>
@@ -4716,6 +4748,34 @@
         <translation>建物ごとにすべての面をもつMultiPolygonZです。点検測量する辺をここから抽出します。</translation>
     </message>
     <message>
+        <source>Laser points of the edges</source>
+        <translation>辺を確かめるレーザ点群</translation>
+    </message>
+    <message>
+        <source>LAS, LAZ or COPC files in the CRS of the models, in which edges of the building models are looked for; not together with check points.</source>
+        <translation>モデルと同じ座標参照系の LAS、LAZ、COPC ファイル。建物モデルの辺をこの中で探します。検証点と同時には使えません。</translation>
+    </message>
+    <message>
+        <source>Edges shown by</source>
+        <translation>辺の現れ方</translation>
+    </message>
+    <message>
+        <source>roof edges</source>
+        <translation>屋根の縁</translation>
+    </message>
+    <message>
+        <source>roof edges: where the roof's points end, of airborne points, with heights; walls: faces of walls, of points from the street, without heights. (roof edges, walls)</source>
+        <translation>roof edges：屋根の縁：屋根の点が終わる位置（航空レーザ、標高あり）。walls：壁面の位置（道路からの点群、標高なし）。（roof edges, walls）</translation>
+    </message>
+    <message>
+        <source>Points of another, more accurate survey</source>
+        <translation>別の、より精度の高い測量の点群</translation>
+    </message>
+    <message>
+        <source>The laser points are of another survey than the models and more accurate: only then are the models judged.</source>
+        <translation>レーザ点群がモデルの作成に使ったものとは別の測量で、より精度が高い場合に選びます。そのときだけモデルを判定します。</translation>
+    </message>
+    <message>
         <source>Product</source>
         <translation>成果の種類</translation>
     </message>
@@ -4860,8 +4920,8 @@
         <translation>全点</translation>
     </message>
     <message>
-        <source>Every check point with its errors.</source>
-        <translation>すべての検証点とその較差です。</translation>
+        <source>Every check point, or every drawn edge, with its errors.</source>
+        <translation>すべての検証点、または抽出したすべての辺とその較差。</translation>
     </message>
     <message>
         <source>Layout of the PDF</source>
@@ -5248,14 +5308,20 @@
         <translation> 既定値: {0}。</translation>
     </message>
     <message>
+        <source>no</source>
+        <translation>いいえ</translation>
+    </message>
+    <message>
         <source>Judges a survey or building models by check points, in the form of the tables of quality control of Japan's public surveys: figures in plan and in height apart, the limits of the map level, passed or failed for each criterion, a map of the errors, all points.
 Check points must have been measured independently; those that the product was adjusted to are left out where a column “role” names them. Where there are too few points nothing is accepted.
 The standard deviation is that about a mean of 0. With few points it says little: the report gives the value that it is below with a confidence of 95 %.
-Building models without check points yet: their edges are drawn at random, 21 of each quarter regional mesh, into a table in which the survey fills in what it measured. That table is then given as check points.</source>
+Building models without check points yet: their edges are drawn at random, 21 of each quarter regional mesh, into a table in which the survey fills in what it measured. That table is then given as check points.
+Building models with laser points instead: 84 edges of each mesh are looked for in the points, and the models judged by those that the points show. If the models were made from the same points, that checks the modelling and not the accuracy, and nothing is judged.</source>
         <translation>計測成果または建物モデルを検証点により判定し、公共測量の精度管理表の形式で示します：水平位置と標高それぞれの値、地図情報レベルの制限値、項目ごとの合否、較差の分布図、全点の一覧。
 検証点は独立に測量した点とします。role列で調整に用いたとされた点は除外します。点数が足りない場合は合格としません。
 標準偏差は母平均を0とした値です。点数が少ない場合は、95 %の信頼度で標準偏差の上限となる値も示します。
-検証点のまだない建物モデルでは、4分の1地域メッシュごとに21辺を無作為に抽出し、点検測量の結果を記入する表を作ります。記入した表を検証点として指定します。</translation>
+検証点のまだない建物モデルでは、4分の1地域メッシュごとに21辺を無作為に抽出し、点検測量の結果を記入する表を作ります。記入した表を検証点として指定します。
+検証点の代わりにレーザ点群を使う場合：メッシュごとに 84 辺を点群の中で探し、点群に現れた辺で建物モデルを判定します。モデルが同じ点群から作られている場合はモデリングの点検であって精度の点検ではなく、判定はしません。</translation>
     </message>
     <message>
         <source>Input</source>
@@ -5537,9 +5603,11 @@ What the drives do not determine keeps its value and is called so: heights of le
     </message>
     <message>
         <source>Measures how far a mobile survey is off at control points, as it was reported and, where a corrected trajectory is given, as that places it.
-The numbers are of the corrected survey where one is given, otherwise of the survey as it is.</source>
+The numbers are of the corrected survey where one is given, otherwise of the survey as it is.
+A column “role” (check, adjusted) tells points apart: those that the survey was adjusted to are left out.</source>
         <translation>MMS計測の検証点でのずれを、補正前について、また補正軌跡を指定した場合は補正後についても求めます。
-数値は、補正軌跡を指定した場合は補正後の計測、それ以外は元の計測のものです。</translation>
+数値は、補正軌跡を指定した場合は補正後の計測、それ以外は元の計測のものです。
+列「role」（check＝検証点、adjusted＝調整点）で点を区別し、調整点は除きます。</translation>
     </message>
     <message>
         <source>Javanmardi 2018, 3.3.5</source>
@@ -5660,10 +5728,6 @@ Errors hinder a reader or change the map's sense: repeated ids, references to wh
     <message>
         <source>標高改定</source>
         <translation>標高改定</translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation>いいえ</translation>
     </message>
     <message>
         <source>Takes heights of point clouds, a raster or a layer from one height system into another, with a grid that you give: GSI's corrections between JGD2011 and JGD2024, or a geoid model.
@@ -6292,10 +6356,10 @@ With a ground raster the heights then follow the ground along the course, at the
     <message>
         <source>Finds how the trajectory of a mobile survey is off, by laying its road markings on those of an aerial reference, and corrects it.
 The driven path is cut into short patches; each is registered with a window of patches round it that is as long as its markings need. The windows' results become one smooth correction over the path: stretches that contradict the rest lose their weight, gaps are bridged with growing uncertainty, and each patch says how its correction was found and how sure it is.
-With ground heights (a raster, or polygons with heights) the correction is in space; without them heights, roll and pitch stay as they are. Apply the result with “Apply corrected trajectory”.</source>
+With ground heights (a raster, or polygons with heights) the correction is in space; without them heights, roll and pitch stay as they are. With outlines or models of buildings the facades that the survey saw are a second witness beside the markings: they hold the survey where there is no paint, and where both disagree nothing is called registered. Apply the result with “Apply corrected trajectory”.</source>
         <translation>MMS計測の路面標示を空中写真の基準の路面標示に重ねて、MMS計測の軌跡のずれを求め、補正します。
 走行経路を短いパッチに分け、各パッチを、路面標示が必要とするだけの長さをもつ前後のパッチのウィンドウで位置合わせします。ウィンドウの結果は、経路に沿った1つの滑らかな補正にまとめます。ほかと矛盾する区間は重みを失い、すき間は不確かさを増しながら補間します。各パッチには、補正の求め方とその確かさを示します。
-地表の標高（ラスタ、または高さをもつポリゴン）を与えると3次元で補正します。与えない場合、高さ・ロール・ピッチはそのままです。結果は「補正軌跡の適用」で適用してください。</translation>
+地表の標高（ラスタ、または高さをもつポリゴン）を与えると3次元で補正します。与えない場合、高さ・ロール・ピッチはそのままです。建物の外形線またはモデルを与えると、計測された壁面が標示と並ぶ第二の根拠になります。標示のない区間でも位置を保ち、両者が一致しない所は位置合わせ済みとしません。結果は「補正軌跡の適用」で適用してください。</translation>
     </message>
     <message>
         <source>Javanmardi 2018, 3.2.4 and 4</source>
@@ -6307,7 +6371,7 @@ With ground heights (a raster, or polygons with heights) the correction is in sp
     </message>
     <message>
         <source>edge</source>
-        <translation>端</translation>
+        <translation>辺</translation>
     </message>
     <message>
         <source>border</source>
@@ -6333,7 +6397,7 @@ Objects of “Objects from images” and walls of “Walls from a mobile survey�
     </message>
     <message>
         <source>paint</source>
-        <translation>標示塗料</translation>
+        <translation>標示</translation>
     </message>
     <message>
         <source>reflectance</source>
@@ -6604,10 +6668,6 @@ Noise (classes 7 and 18), withheld points and points alone in space are left out
         <translation>建物</translation>
     </message>
     <message>
-        <source>walls</source>
-        <translation>壁面</translation>
-    </message>
-    <message>
         <source>rectification</source>
         <translation>補正</translation>
     </message>
@@ -6832,12 +6892,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name}の判定はできません：両端を計測した辺が{edges}辺{unit}で、{needed}辺必要です。</translation>
     </message>
     <message>
-        <source>{name} has no field {field}: choose the field that names the units of inspection.</source>
-        <translation>{name}にフィールド{field}がありません。検査単位の名前を示すフィールドを選択してください。</translation>
-    </message>
-    <message>
         <source>{name} holds no check point: give points that were measured independently and to which the product was not adjusted.</source>
         <translation>{name}に検証点がありません。独立に測量し、成果の調整に用いていない点を指定してください。</translation>
+    </message>
+    <message>
+        <source>{name} has no field {field}: choose the field that names the units of inspection.</source>
+        <translation>{name}にフィールド{field}がありません。検査単位の名前を示すフィールドを選択してください。</translation>
     </message>
     <message>
         <source>{name} has no column {missing}: give the residuals of “Check accuracy at control points”, or a table with x, y, z (true) and x_product, y_product, z_product.</source>
@@ -6868,8 +6928,148 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>水平位置</translation>
     </message>
     <message>
+        <source>too few points there</source>
+        <translation>点が少ない</translation>
+    </message>
+    <message>
+        <source>nothing lower beside it: another building, a tree, or no points</source>
+        <translation>隣に低いところがない（隣の建物、樹木、点なし）</translation>
+    </message>
+    <message>
+        <source>points, but no edge within the window</source>
+        <translation>点はあるが範囲内に辺がない</translation>
+    </message>
+    <message>
+        <source>not shown sharply enough for this limit</source>
+        <translation>この制限値に対して位置が不明瞭</translation>
+    </message>
+    <message>
         <source>No building has an edge of {length:g} m with heights: give models, not outlines.</source>
         <translation>高さをもつ {length:g} m 以上の辺のある建物がありません。外周線ではなく建物モデルを指定してください。</translation>
+    </message>
+    <message>
+        <source>Acceptance: edges of buildings against laser points</source>
+        <translation>精度管理：建物の辺とレーザ点群の比較</translation>
+    </message>
+    <message>
+        <source>This is a check of the modelling, not of accuracy: the points are not said to be of another, more accurate survey. What models and points have in common is not seen.</source>
+        <translation>これはモデリングの点検であり、精度の点検ではありません。点群が別の、より精度の高い測量であるとは指定されていません。モデルと点群に共通する誤差は現れません。</translation>
+    </message>
+    <message>
+        <source>The points were said to be of another, more accurate survey than the models. Neither their dates nor their names prove that: models that were made from these points would agree with them whatever the points' own errors.</source>
+        <translation>点群はモデルとは別の、より精度の高い測量であると指定されました。日付や名称ではそれを証明できません。この点群から作られたモデルは、点群自体の誤差にかかわらず点群と一致します。</translation>
+    </message>
+    <message>
+        <source>Places of edges are found in the points by themselves: the model says only where to look, and how the roof slopes. They show an edge across itself, not along; the standard deviation in plan is put together from edges of different directions, about a mean of 0.</source>
+        <translation>辺の位置は点群だけから求めます。モデルは探す場所と屋根の傾きを示すだけです。点群から分かるのは辺に直角な方向の位置だけで、水平位置の標準偏差は方向の異なる辺を合わせて、平均 0 のまわりで求めます。</translation>
+    </message>
+    <message>
+        <source>edges</source>
+        <translation>辺数</translation>
+    </message>
+    <message>
+        <source>edges shown by the points</source>
+        <translation>点群に現れた辺</translation>
+    </message>
+    <message>
+        <source>all models east (m)</source>
+        <translation>全体のずれ 東 (m)</translation>
+    </message>
+    <message>
+        <source>all models north (m)</source>
+        <translation>全体のずれ 北 (m)</translation>
+    </message>
+    <message>
+        <source>all models up (m)</source>
+        <translation>全体のずれ 上 (m)</translation>
+    </message>
+    <message>
+        <source>outward, mean (m)</source>
+        <translation>外向き 平均 (m)</translation>
+    </message>
+    <message>
+        <source>across, maximum (m)</source>
+        <translation>辺に直角 最大 (m)</translation>
+    </message>
+    <message>
+        <source>sigma of the points' edges (m)</source>
+        <translation>点群の辺の標準偏差 (m)</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>辺</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>建物</translation>
+    </message>
+    <message>
+        <source>outward (m)</source>
+        <translation>外向き (m)</translation>
+    </message>
+    <message>
+        <source>sigma (m)</source>
+        <translation>標準偏差 (m)</translation>
+    </message>
+    <message>
+        <source>sigma of the height (m)</source>
+        <translation>高さの標準偏差 (m)</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>除外の理由</translation>
+    </message>
+    <message>
+        <source>Accepted for {name}: {count} edges keep every limit, also with a confidence of 95 %.</source>
+        <translation>{name}：合格。{count} 辺がすべての制限値を満たし、信頼度 95 % でも満たします。</translation>
+    </message>
+    <message>
+        <source>Not judged for {name}: nearly all edges{unit} run one way, and nothing is known along them.</source>
+        <translation>{name}：判定していません。ほとんどの辺{unit}が同じ方向で、その方向の位置が分かりません。</translation>
+    </message>
+    <message>
+        <source>Not judged for {name}: at {absent} edges{unit} there are points, but no edge within reach of the model's. Look at them: what is left out could be the worst.</source>
+        <translation>{name}：判定していません。{absent} 辺{unit}では点群があるのに、モデルの辺の近くに辺がありません。確認してください。除外した辺が最も悪い可能性があります。</translation>
+    </message>
+    <message>
+        <source>Not judged for {name}: {component} is shown at {edges} edges{unit}, and {needed} are needed.</source>
+        <translation>{name}：判定していません。{component}が分かる辺は {edges} 辺{unit}で、{needed} 辺が必要です。</translation>
+    </message>
+    <message>
+        <source>Each unit needs {needed} edges. Those that the points do not show are left out. Points without an edge near that of the model speak against it: where they are more than a tenth of those that the points cover, nothing is accepted.</source>
+        <translation>検査単位ごとに {needed} 辺が必要です。点群に現れない辺は除きます。点群があるのにモデルの近くに辺がない場合はモデルの誤りが疑われ、点群のある辺の 1 割を超えるときは判定しません。</translation>
+    </message>
+    <message>
+        <source>Errors across the edges, outward</source>
+        <translation>辺に直角な方向の較差（外向き）</translation>
+    </message>
+    <message>
+        <source>Errors across the edges, drawn larger than the map; red: above the limit. Arrows that all point one way are an error that the whole product shares.</source>
+        <translation>辺に直角な方向の較差（地図より拡大）。赤：制限値を超えるもの。矢印がすべて同じ向きなら、成果全体に共通する誤差です。</translation>
+    </message>
+    <message>
+        <source>Nothing was judged, as no limit was given: the figures of {count} edges are below.</source>
+        <translation>制限値がないため判定していません。{count} 辺の値を下に示します。</translation>
+    </message>
+    <message>
+        <source>Not judged: the points are not said to be independent of the models. {count} of {all} drawn edges were compared; the figures below are a check of the modelling.</source>
+        <translation>判定していません。点群がモデルから独立しているとは指定されていません。抽出した {all} 辺のうち {count} 辺を比べました。下の値はモデリングの点検です。</translation>
+    </message>
+    <message>
+        <source>Accepted for {name}: {count} edges keep every limit. They are too few, or the figure too close, to show it with a confidence of 95 %.</source>
+        <translation>{name}：合格。{count} 辺がすべての制限値を満たします。ただし、辺が少ないか値が制限値に近く、信頼度 95 % では示せません。</translation>
+    </message>
+    <message>
+        <source>across the edges</source>
+        <translation>辺に直角</translation>
+    </message>
+    <message>
+        <source>plan</source>
+        <translation>水平位置</translation>
+    </message>
+    <message>
+        <source>Errors across the edges</source>
+        <translation>辺に直角な方向の較差</translation>
     </message>
     <message>
         <source>{path} holds no camera: it must be a JSON object with focal_length_mm and so on.</source>
@@ -7020,6 +7220,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path} をラスタとして読み込めません。ファイルを確認してください。</translation>
     </message>
     <message>
+        <source>{polygons_count} markings were found. </source>
+        <translation>{polygons_count} 個の路面標示が見つかりました。 </translation>
+    </message>
+    <message>
         <source>No two frames share enough markings to be compared: a wrong orientation would not show.</source>
         <translation>比較に十分な路面標示を共有する空中写真の組がありません。標定要素に誤りがあっても現れません。</translation>
     </message>
@@ -7028,24 +7232,16 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{pixel:.2f} mの画素では車線の線が1画素より細く、多くが検出されません。</translation>
     </message>
     <message>
-        <source>No roads were given: edges of flat roofs, kerbs, rims of vehicles, reeds at water and lines of car parks may be among the markings; cut by their confidence, or give roads.</source>
-        <translation>道路が指定されていません。陸屋根の縁、縁石、車両の縁、水辺の葦、駐車場の線が路面標示に含まれている可能性があります。信頼度で絞り込むか、道路を指定してください。</translation>
-    </message>
-    <message>
-        <source>Smooth ground has a texture of {texture:.1f} grey values in this image, as in hard light or after sharpening: paint is missed and other things are taken for paint more often than in soft light. Look at the markings over the image, or give roads.</source>
-        <translation>この画像では平滑な地面のテクスチャが{texture:.1f}階調あり、強い日差しや鮮鋭化処理の影響とみられます。柔らかい光の画像に比べ、標示の見落としや誤検出が増えます。画像に重ねて標示を確認するか、道路を指定してください。</translation>
-    </message>
-    <message>
         <source>{alone:.0%} of the ground in the image is seen by one frame only: vehicles stay there, and hide markings.</source>
         <translation>画像内の地表の {alone:.0%} は1枚の写真にしか写っていません。車両が残り、路面標示を隠しています。</translation>
     </message>
     <message>
-        <source>{mean:.0%} of the markings hardly stand out from the road: worn paint, shadow edges or paving.</source>
-        <translation>路面標示の {mean:.0%} は路面とほとんど区別できません。標示の摩耗、影の縁、または舗装です。</translation>
+        <source>No roads were given: edges of flat roofs, kerbs, rims of vehicles, reeds at water and lines of car parks may be among the markings; cut by their confidence, or give roads.</source>
+        <translation>道路が指定されていません。陸屋根の縁、縁石、車両の縁、水辺の葦、駐車場の線が路面標示に含まれている可能性があります。信頼度で絞り込むか、道路を指定してください。</translation>
     </message>
     <message>
-        <source>No marking was found: check the roads, the contrast and whether the image shows any.</source>
-        <translation>路面標示が見つかりませんでした。道路、コントラスト、および画像に路面標示が写っているかを確認してください。</translation>
+        <source>{mean:.0%} of the markings hardly stand out from the road: worn paint, shadow edges or paving.</source>
+        <translation>路面標示の {mean:.0%} は路面とほとんど区別できません。標示の摩耗、影の縁、または舗装です。</translation>
     </message>
     <message>
         <source>no data (buildings, hidden ground, beyond the frames)</source>
@@ -7064,10 +7260,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>写真3枚以上</translation>
     </message>
     <message>
-        <source>{polygons_count} markings were found. </source>
-        <translation>{polygons_count} 個の路面標示が見つかりました。 </translation>
-    </message>
-    <message>
         <source>{first} and {second} lie {east:.2f} m apart on the road markings: markings in their overlap are uncertain by as much. Check the orientation.</source>
         <translation>{first} と {second} は路面標示上で {east:.2f} m ずれています。重複部の路面標示は同じだけ不確かです。標定要素を確認してください。</translation>
     </message>
@@ -7080,12 +7272,64 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>先に確認すべき点が {doubts_count} 件あります。</translation>
     </message>
     <message>
+        <source>Nothing stands out; check some markings against the picture all the same.</source>
+        <translation>特に問題は見られません。それでも、いくつかの標示を画像と照合してください。</translation>
+    </message>
+    <message>
         <source>The part with most markings, enlarged</source>
         <translation>路面標示が最も多い部分の拡大</translation>
     </message>
     <message>
-        <source>Levels are seven numbers, low, high, middle and the road's texture, warmth, green and brightness, the second above the first: give those, or none.</source>
-        <translation>レベルは、下限、上限、中央値と、道路のテクスチャ、暖色度、緑色度、明るさの七つの数値で、二番目は一番目より大きくなければなりません。その値を入力するか、空欄にしてください。</translation>
+        <source>No marking was found: check the roads, the contrast and whether the image shows any.</source>
+        <translation>路面標示が見つかりませんでした。道路、コントラスト、および画像に路面標示が写っているかを確認してください。</translation>
+    </message>
+    <message>
+        <source>{unsure:.0%} of what is bright and narrow was left out, because the ground beside it is not smooth and grey as a road is: look for paint without an outline, or give roads.</source>
+        <translation>明るく細いもののうち {unsure:.0%} は、隣の地面が道路のように滑らかな灰色でないため除かれました。輪郭のない標示がないか確認するか、道路を指定してください。</translation>
+    </message>
+    <message>
+        <source>Markings cannot be told in this image: {share:.0%} of what is bright and narrow was left out, because the ground beside it is not smooth and grey as a road is. Do not use the result. Check the pixel size, the order of the colours, light, noise and focus; or give roads.</source>
+        <translation>この画像では標示を見分けられません。明るく細いもののうち {share:.0%} は、隣の地面が道路のように滑らかな灰色でないため除かれました。結果は使わないでください。画素の大きさ、色の順序、明るさ、ノイズ、ピントを確認するか、道路を指定してください。</translation>
+    </message>
+    <message>
+        <source>Markings cannot be told in this image: {full:.0%} of it are over-exposed. Do not use the result.</source>
+        <translation>この画像では標示を見分けられません。画像の {full:.0%} が露出過多です。結果は使わないでください。</translation>
+    </message>
+    <message>
+        <source>{full:.0%} of the image are over-exposed: paint on light ground is missed there.</source>
+        <translation>画像の {full:.0%} が露出過多です。そこでは明るい地面の上の標示が見落とされます。</translation>
+    </message>
+    <message>
+        <source>{empty:.0%} of the image are black without being marked as no data: state the no-data value, so that they do not count as ground.</source>
+        <translation>画像の {empty:.0%} が黒いままで、データなしとされていません。地面と見なされないように、データなしの値を設定してください。</translation>
+    </message>
+    <message>
+        <source>The image has no colours: earth, roofs and dry grass cannot be told from roads by their colour, and more of them is taken for paint. Give roads.</source>
+        <translation>画像に色がありません。土、屋根、枯れ草を色で道路と区別できず、標示と見なされるものが増えます。道路を指定してください。</translation>
+    </message>
+    <message>
+        <source>{colder:.0%} of what looks like paint is bluer than the road beside it and was left out: the order of the colours may be wrong (blue for red), or the image has a warm cast.</source>
+        <translation>標示に見えるもののうち {colder:.0%} は、隣の道路より青いため除かれました。色の順序が誤っている（赤と青の入れ替わり）か、画像が暖色に偏っている可能性があります。</translation>
+    </message>
+    <message>
+        <source>Lines are {width:.2f} m wide (median): lane lines have 0.1 to 0.3 m. The pixel size may be wrong, or the image out of focus.</source>
+        <translation>線の幅は {width:.2f} m（中央値）です。車線の線は 0.1～0.3 m です。画素の大きさが誤っているか、ピントが合っていない可能性があります。</translation>
+    </message>
+    <message>
+        <source>Few markings are sure: three quarters have a confidence below {sure:.2f}. Look at them over the image.</source>
+        <translation>確かな標示がわずかです。四分の三は信頼度が {sure:.2f} 未満です。画像に重ねて確認してください。</translation>
+    </message>
+    <message>
+        <source>Half of the markings hardly stand out from the ground: worn paint, joints of paving, or an image that is dim or out of focus.</source>
+        <translation>標示の半分は地面とほとんど差がありません。摩耗した標示、舗装の目地、または暗い画像やピントの合わない画像です。</translation>
+    </message>
+    <message>
+        <source>Smooth ground has a texture of {texture:.1f} grey values in this image, as noise or sharpening make it: more paint is missed, and more else found.</source>
+        <translation>この画像では、滑らかな地面の粗さが {texture:.1f} 階調あります。ノイズや鮮鋭化によるものです。標示の見落としも、標示以外の検出も増えます。</translation>
+    </message>
+    <message>
+        <source>Levels are seven numbers, low, high, middle and the road's texture, warmth, green and brightness, the second above the first, and where the image has a cast fifteen of that: give those, or none.</source>
+        <translation>レベルは七つの数です（下限、上限、中央値、道路の粗さ、暖かさ、緑、明るさ。二つ目は一つ目より大きい値）。画像に色かぶりがあれば、その十五の数が続きます。それらを指定するか、何も指定しないでください。</translation>
     </message>
     <message>
         <source>{first} and {second} lie {unexplained:.2f} m apart on the road markings {value}(east {east:.2f}, north {north:.2f}, sigma {unexplained_2:.2f}; {patches} places): check their orientation and the ground.</source>
@@ -8026,6 +8270,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>it refers to the surface {reference}, which it does not have</source>
         <translation>存在しない面 {reference} を参照しています</translation>
+    </message>
+    <message>
+        <source>{count} buildings have parts that lie apart and no LOD1: it is one solid for the whole building, and parts have none.</source>
+        <translation>{count} 棟は部分が離れているため LOD1 がありません。LOD1 は建築物全体で一つの立体とし、建築物部分はもちません。</translation>
     </message>
     <message>
         <source>{count} attributes have no place in i-UR {version} and are written as generic ones ({names}).</source>
@@ -9696,8 +9944,24 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>指定した路面標示を基準にします。画像から作成する場合は、それを外してください。</translation>
     </message>
     <message>
+        <source>{part} count in degrees: open the layer in QGIS, save it with “Export” in {crs}, and add that file.</source>
+        <translation>{part}が度単位です。QGISでレイヤを開き、「エクスポート」で {crs} に保存して、そのファイルを追加してください。</translation>
+    </message>
+    <message>
+        <source>No file states the reference system of the points: say it in the settings of the step (“{label}”).</source>
+        <translation>点群の座標参照系がどのファイルにも書かれていません。ステップの設定（「{label}」）で指定してください。</translation>
+    </message>
+    <message>
         <source>Markings as polygons are missing: a mask alone makes no lane map; leave it out to make both from the images.</source>
         <translation>路面標示のポリゴンがありません。マスクだけでは車線地図を作成できません。マスクを外すと、両方を画像から作成します。</translation>
+    </message>
+    <message>
+        <source>Survey {number}: no control points measured in its times are given, so that its accuracy is not checked independently.</source>
+        <translation>計測{number}：計測時間内の検証点がないため、精度を独立に点検できません。</translation>
+    </message>
+    <message>
+        <source>the plane reference system of the points</source>
+        <translation>点群の平面座標系</translation>
     </message>
     <message>
         <source>Points as text</source>
@@ -9908,6 +10172,42 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>スキャナ{scanners}台、カメラ{cameras}台</translation>
     </message>
     <message>
+        <source>{name} counts in degrees: open it in QGIS, save it with “Export” in the plane reference system of the points, and add that file.</source>
+        <translation>{name} は度単位です。QGISで開き、「エクスポート」で点群と同じ平面座標系に保存して、そのファイルを追加してください。</translation>
+    </message>
+    <message>
+        <source>{name} holds a path without roll, pitch and heading, which is no trajectory: export the trajectory from the navigation software as text or SBET.</source>
+        <translation>{name} はロール、ピッチ、ヘディングのない経路で、走行軌跡ではありません。航法解析ソフトウェアから軌跡をテキストまたはSBETで書き出してください。</translation>
+    </message>
+    <message>
+        <source>{name} holds places without the times at which the survey passed them: write control points as a table with id, x, y, z, time, x_mms, y_mms, z_mms.</source>
+        <translation>{name} の位置には計測車が通過した時刻がありません。基準点は列 id、x、y、z、time、x_mms、y_mms、z_mms の表にしてください。</translation>
+    </message>
+    <message>
+        <source>{name} holds areas that look like no buildings: where they are, say that they are used as building outlines.</source>
+        <translation>{name} の範囲は建物らしくありません。建物の場合は、用途を建物外周に指定してください。</translation>
+    </message>
+    <message>
+        <source>{name} has coordinates that are no longitude and latitude: KML counts in degrees, longitude first; export it again.</source>
+        <translation>{name} の座標は経度・緯度ではありません。KMLは度単位で経度が先です。出力し直してください。</translation>
+    </message>
+    <message>
+        <source>{name} has coordinates that are no numbers: it is damaged; save it again.</source>
+        <translation>{name} の座標に数値でないものがあります。壊れています。保存し直してください。</translation>
+    </message>
+    <message>
+        <source>{name} is cut off: its end is missing; copy or download it again.</source>
+        <translation>{name}は途中で切れています（終わりがありません）。コピーまたはダウンロードし直してください。</translation>
+    </message>
+    <message>
+        <source>{name} holds links or pictures only: open it in the program that it comes from and save the places themselves.</source>
+        <translation>{name} にはリンクか画像しかありません。作成したソフトウェアで開き、位置そのものを保存してください。</translation>
+    </message>
+    <message>
+        <source>{name} holds no feature: choose another file.</source>
+        <translation>{name}に地物がありません。別のファイルを選んでください。</translation>
+    </message>
+    <message>
         <source>told by the size of its polygons (median {area:.1f} m²), not by a name</source>
         <translation>名前ではなくポリゴンの大きさ（中央値 {area:.1f} m²）から判定</translation>
     </message>
@@ -9942,10 +10242,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{name} holds points as text: convert them to LAS or LAZ to use them.</source>
         <translation>{name}はテキスト形式の点群です。使うにはLASまたはLAZに変換してください。</translation>
-    </message>
-    <message>
-        <source>{name} holds no feature: choose another file.</source>
-        <translation>{name}に地物がありません。別のファイルを選んでください。</translation>
     </message>
     <message>
         <source>{name} holds no layer: export it again.</source>
@@ -9984,10 +10280,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name}はXMLではありません。破損しています。コピーまたはダウンロードし直してください。</translation>
     </message>
     <message>
-        <source>{name} is cut off: its end is missing; copy or download it again.</source>
-        <translation>{name}は途中で切れています（終わりがありません）。コピーまたはダウンロードし直してください。</translation>
-    </message>
-    <message>
         <source>{name} is not a sound zip file: fetch it again.</source>
         <translation>{name}は正しいzipファイルではありません。取得し直してください。</translation>
     </message>
@@ -10004,8 +10296,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>中のファイル名から判定</translation>
     </message>
     <message>
-        <source>{kind}: {count} files could be taken ({names}); the first is, untick it to take another.</source>
-        <translation>{kind}：候補が{count}ファイルあります（{names}）。最初のものを使います。ほかを使う場合はチェックを外してください。</translation>
+        <source>{name} is used as a mobile survey, but no trajectory covers its times: add that of the same drive.</source>
+        <translation>{name} をMMS計測として使いますが、その時刻の走行軌跡がありません。同じ走行の軌跡を追加してください。</translation>
+    </message>
+    <message>
+        <source>{kind}: {count} files could be taken ({names}); the first is. Say of another one that it is used as that, or untick the first.</source>
+        <translation>{kind}：{count}個のファイルが候補です（{names}）。最初のものを使います。別のものを使うときは、その用途を指定するか、最初のもののチェックを外してください。</translation>
     </message>
     <message>
         <source>{one} and {other} hold the same points: only the first is taken.</source>
@@ -10016,12 +10312,32 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name}の時刻を含む走行軌跡が{count}個あります。最も近い場所にある{drive}を使います。</translation>
     </message>
     <message>
+        <source>{name}: ellipsoidal heights were lowered by {min:.3f} to {max:.3f} m to heights above the geoid ({geoid}).</source>
+        <translation>{name}：楕円体高を {min:.3f}～{max:.3f} m 下げてジオイドからの高さにしました（{geoid}）。</translation>
+    </message>
+    <message>
+        <source>{name} has no latitude and longitude in the columns chosen: choose other columns.</source>
+        <translation>{name}：選んだ列に緯度・経度がありません。別の列を選んでください。</translation>
+    </message>
+    <message>
+        <source>{name}: latitudes and longitudes were laid into {crs}.</source>
+        <translation>{name}：緯度・経度を {crs} に投影しました。</translation>
+    </message>
+    <message>
+        <source>{name}: heights stay above the ellipsoid: points and reference must have such heights too; otherwise give a geoid model.</source>
+        <translation>{name}：高さは楕円体高のままです。点群と基準も楕円体高でなければなりません。そうでない場合はジオイドモデルを指定してください。</translation>
+    </message>
+    <message>
         <source>{name} has no more than {skip} lines: leave fewer out.</source>
         <translation>{name}は{skip}行以下です。飛ばす行を減らしてください。</translation>
     </message>
     <message>
         <source>No column is chosen for {missing}: choose one.</source>
         <translation>{missing}の列が選ばれていません。選んでください。</translation>
+    </message>
+    <message>
+        <source>Say what the heights count from: the ellipsoid, as GNSS measures them, or sea level.</source>
+        <translation>高さの基準を指定してください。楕円体（GNSSの測定値のまま）か、標高です。</translation>
     </message>
     <message>
         <source>{name} has no row with numbers in the columns chosen: choose other columns, or another delimiter.</source>
@@ -10032,8 +10348,32 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name}：{number}行目の値は{count}個で、選んだ列より少なくなっています。区切り文字が違うか、ファイルが途中で切れています。</translation>
     </message>
     <message>
+        <source>{name}: row {number} has no latitude and longitude: correct or remove it.</source>
+        <translation>{name}：{number}行目に緯度・経度がありません。修正するか削除してください。</translation>
+    </message>
+    <message>
+        <source>{name}: the height of line {number} of the values is no number: correct or remove it.</source>
+        <translation>{name}：値の{number}行目の高さが数値ではありません。修正するか削除してください。</translation>
+    </message>
+    <message>
         <source>{name} holds no ways of reading tables: delete it.</source>
         <translation>{name}に表の読み込み方の記録がありません。削除してください。</translation>
+    </message>
+    <message>
+        <source>The places do not lie in {crs}: choose the system of the survey, or swap latitude and longitude.</source>
+        <translation>位置が {crs} の範囲にありません。計測の座標系を選ぶか、緯度と経度を入れ替えてください。</translation>
+    </message>
+    <message>
+        <source>{crs} is no system of plane coordinates in metres: choose one, such as the zone of the Japan Plane Rectangular CS.</source>
+        <translation>{crs} はメートル単位の平面座標系ではありません。平面直角座標系の系などを選んでください。</translation>
+    </message>
+    <message>
+        <source>A latitude is beyond 90°, or a longitude beyond 360°: choose other columns.</source>
+        <translation>緯度が90°、または経度が360°を超えています。別の列を選んでください。</translation>
+    </message>
+    <message>
+        <source>{crs} is no reference system: choose one.</source>
+        <translation>{crs} は座標参照系ではありません。座標参照系を選んでください。</translation>
     </message>
     <message>
         <source>markings</source>
@@ -10748,6 +11088,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>組{some}のタイポイントは軌跡の欠測区間にあるため除外しました。</translation>
     </message>
     <message>
+        <source>The intensity of asphalt over range cannot be told in {paths} ({reason}): give a longer stretch of road.</source>
+        <translation>{paths}では、距離に対するアスファルトの反射強度を決定できません（{reason}）。より長い道路区間を指定してください。</translation>
+    </message>
+    <message>
+        <source>The lasers of scanner {number} are told apart by {told_by}: asphalt scatters by {after:.0f} % instead of {before:.0f} %.</source>
+        <translation>スキャナ {number} のレーザを{told_by}で区別しました。アスファルトのばらつきは {before:.0f} % から {after:.0f} % になりました。</translation>
+    </message>
+    <message>
         <source>{points_count:,} marking points on {marked_share:.0f} % of the path. </source>
         <translation>路面標示点 {points_count:,} 点、走行経路の {marked_share:.0f} %。 </translation>
     </message>
@@ -10792,6 +11140,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>反射強度</translation>
     </message>
     <message>
+        <source>The largest range must be greater than 0.</source>
+        <translation>最大距離は0より大きくしてください。</translation>
+    </message>
+    <message>
         <source>too few ground points with intensity at different ranges</source>
         <translation>反射強度を持つ地表面点が、異なる距離で十分にありません</translation>
     </message>
@@ -10820,24 +11172,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>路面標示を検出しています。</translation>
     </message>
     <message>
-        <source>The largest range must be greater than 0.</source>
-        <translation>最大距離は0より大きくしてください。</translation>
-    </message>
-    <message>
         <source>Finding the ground.</source>
         <translation>地表面を抽出しています。</translation>
     </message>
     <message>
         <source>Taking the points of ground classes.</source>
         <translation>地表面クラスの点を取得しています。</translation>
-    </message>
-    <message>
-        <source>The intensity of asphalt over range cannot be told in {paths} ({reason}): give a longer stretch of road.</source>
-        <translation>{paths}では、距離に対するアスファルトの反射強度を決定できません（{reason}）。より長い道路区間を指定してください。</translation>
-    </message>
-    <message>
-        <source>The lasers of scanner {number} are told apart by {told_by}: asphalt scatters by {after:.0f} % instead of {before:.0f} %.</source>
-        <translation>スキャナ {number} のレーザを{told_by}で区別しました。アスファルトのばらつきは {before:.0f} % から {after:.0f} % になりました。</translation>
     </message>
     <message>
         <source>The block of the paper's threshold must be {pixel:g} m or larger, and c above 0.</source>
@@ -10928,6 +11268,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>標示のないこの区間に誤差の段差が隠れている</translation>
     </message>
     <message>
+        <source>part of the markings lies elsewhere</source>
+        <translation>標示の一部が別の位置</translation>
+    </message>
+    <message>
+        <source>a good part of the markings lies elsewhere by one shift</source>
+        <translation>標示のかなりの部分が同じずれだけ別の位置にあります</translation>
+    </message>
+    <message>
         <source>the markings do not fix the position well</source>
         <translation>路面標示から位置がよく決まりません</translation>
     </message>
@@ -10950,6 +11298,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>No window of the survey could be registered to the reference markings: check that both show the same streets in the same coordinate system, and that the survey has intensities that show paint.</source>
         <translation>計測データのどのウィンドウも、基準の路面標示に位置合わせできませんでした。両方が同じ道路を同じ座標系で示しているか、計測データの反射強度に標示が表れているか確認してください。</translation>
+    </message>
+    <message>
+        <source>markings and walls disagree</source>
+        <translation>標示と壁面の不一致</translation>
+    </message>
+    <message>
+        <source>markings and walls disagree here</source>
+        <translation>ここでは標示と壁面が一致しません</translation>
     </message>
     <message>
         <source>Matrix is not positive definite</source>
@@ -11092,6 +11448,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>計測データのどの部分も基準の路面標示に位置合わせできなかったため、結果はありません。両方が同じ道路を示しているか、および最大誤差を確認してください。</translation>
     </message>
     <message>
+        <source>The survey shows no facade near the vehicle: give all its points, not the markings alone, or register it by its markings.</source>
+        <translation>計測点群の車両付近に壁面がありません。標示だけでなく全点を指定するか、標示だけで位置合わせしてください。</translation>
+    </message>
+    <message>
         <source>No road marking was found in the survey: check its intensities with “Road markings of a mobile survey”.</source>
         <translation>計測データに路面標示が見つかりません。「MMS計測の路面標示」で反射強度を確認してください。</translation>
     </message>
@@ -11232,10 +11592,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name}に数値でない標準偏差があります（{error}）。修正してください。</translation>
     </message>
     <message>
-        <source>{name}: ellipsoidal heights were lowered by {min:.3f} to {max:.3f} m to heights above the geoid ({geoid}).</source>
-        <translation>{name}：楕円体高を {min:.3f}～{max:.3f} m 下げてジオイドからの高さにしました（{geoid}）。</translation>
-    </message>
-    <message>
         <source>{name} has no column {missing}: a trajectory needs {columns}.</source>
         <translation>{name}に列{missing}がありません。軌跡には{columns}が必要です。</translation>
     </message>
@@ -11344,6 +11700,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>乗用車と同じ長さと高さです</translation>
     </message>
     <message>
+        <source>There are {found:.1f} ground points a square metre beside the path: edges need {sparse:.0f} or more; give the whole survey, not a thinned one.</source>
+        <translation>軌跡の脇の地表面点は1 m²あたり{found:.1f}点です。道路端の抽出には{sparse:.0f}点以上が必要です。間引いていない全計測データを指定してください。</translation>
+    </message>
+    <message>
         <source>No point of {paths} was measured beside the path at the height of its road: give points and trajectory of one drive, in one coordinate and height system.</source>
         <translation>{paths}には、軌跡の脇で路面の高さに計測された点がありません。同じ座標参照系・高さの基準の、同一走行の点群と軌跡を指定してください。</translation>
     </message>
@@ -11354,10 +11714,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>doubtful</source>
         <translation>不確か</translation>
-    </message>
-    <message>
-        <source>There are {found:.1f} ground points a square metre beside the path: edges need {sparse:.0f} or more; give the whole survey, not a thinned one.</source>
-        <translation>軌跡の脇の地表面点は1 m²あたり{found:.1f}点です。道路端の抽出には{sparse:.0f}点以上が必要です。間引いていない全計測データを指定してください。</translation>
     </message>
     <message>
         <source>something taller stands right behind it: it may be a row of vehicles</source>
@@ -12052,6 +12408,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{0}はこの報告書のレイアウトではありません。プラグインのレイアウトの複製を変更し、アイテムのID（{1}）は残してください。</translation>
     </message>
     <message>
+        <source>Laser points are compared with edges of building models: give these too.</source>
+        <translation>レーザ点群は建物モデルの辺と比べます。建物モデルも指定してください。</translation>
+    </message>
+    <message>
+        <source>Give check points or laser points, not both: each is a report of its own.</source>
+        <translation>検証点かレーザ点群のどちらか一方を指定してください。報告書は別々になります。</translation>
+    </message>
+    <message>
         <source>{0}: {1} does not exist; check its name.</source>
         <translation>{0}: {1}がありません。名前を確認してください。</translation>
     </message>
@@ -12184,6 +12548,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>フォルダを追加…</translation>
     </message>
     <message>
+        <source>Used as</source>
+        <translation>用途</translation>
+    </message>
+    <message>
         <source>Reference system</source>
         <translation>座標系</translation>
     </message>
@@ -12200,20 +12568,52 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>クリア</translation>
     </message>
     <message>
+        <source>Use the chosen file as</source>
+        <translation>選択したファイルの用途</translation>
+    </message>
+    <message>
         <source>Cannot be used</source>
         <translation>使用不可</translation>
+    </message>
+    <message>
+        <source>as recognised</source>
+        <translation>判別のとおり</translation>
     </message>
     <message>
         <source>As far as the files say, all fits together.</source>
         <translation>ファイルから分かる範囲では、すべて整合しています。</translation>
     </message>
     <message>
-        <source>{0} of {1} files and layers can be used. Untick what is not to be used.</source>
-        <translation>{1}個のファイルとレイヤのうち{0}個を使えます。使わないものはチェックを外してください。</translation>
+        <source>{0} of {1} files and layers can be used. Untick what is not to be used; where a file is used as something else than it is, choose it and say so below the table.</source>
+        <translation>{1}個のファイルとレイヤのうち{0}個を使えます。使わないものはチェックを外してください。判別と違う用途に使うときは、選択して表の下で指定してください。</translation>
     </message>
     <message>
         <source>Does not fit together:</source>
         <translation>整合しないもの：</translation>
+    </message>
+    <message>
+        <source>Use as: {0}</source>
+        <translation>用途：{0}</translation>
+    </message>
+    <message>
+        <source>Geoid models (*.tif *.gtx *.asc *.isg *.txt *.ver);;All files (*)</source>
+        <translation>ジオイドモデル (*.tif *.gtx *.asc *.isg *.txt *.ver);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>the ellipsoid, as GNSS measures</source>
+        <translation>楕円体（GNSSの測定値のまま）</translation>
+    </message>
+    <message>
+        <source>sea level (the geoid)</source>
+        <translation>標高（ジオイド）</translation>
+    </message>
+    <message>
+        <source>true north</source>
+        <translation>真北</translation>
+    </message>
+    <message>
+        <source>grid north</source>
+        <translation>座標北</translation>
     </message>
     <message>
         <source>Tab</source>
@@ -12226,6 +12626,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Import a trajectory or exterior orientation</source>
         <translation>走行軌跡または外部標定要素の取り込み</translation>
+    </message>
+    <message>
+        <source>none: heights stay above the ellipsoid</source>
+        <translation>なし（楕円体高のまま）</translation>
     </message>
     <message>
         <source>not kept</source>
@@ -12264,12 +12668,28 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>角度</translation>
     </message>
     <message>
+        <source>Plane reference system</source>
+        <translation>平面座標系</translation>
+    </message>
+    <message>
+        <source>Angles count from</source>
+        <translation>方位角の基準</translation>
+    </message>
+    <message>
+        <source>Heights count from</source>
+        <translation>高さの基準</translation>
+    </message>
+    <message>
         <source>Keep this way of reading as</source>
         <translation>この読み込み方の保存名</translation>
     </message>
     <message>
         <source>Choose above each column what it is.</source>
         <translation>各列の上で内容を選んでください。</translation>
+    </message>
+    <message>
+        <source>First place in {0}: {1:.3f} m east, {2:.3f} m north.</source>
+        <translation>{0} での最初の位置：東 {1:.3f} m、北 {2:.3f} m。</translation>
     </message>
     <message>
         <source>Written: {0}</source>
@@ -13864,6 +14284,18 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{0}: {1}はラスタでもポリゴンレイヤでもありません。別のものを選択してください。</translation>
     </message>
     <message>
+        <source>The paper's method knows no walls: the buildings are not used.</source>
+        <translation>論文の方法は壁面を使いません。建物は使われません。</translation>
+    </message>
+    <message>
+        <source>{0}: the paper's method knows no walls; choose paint, or the full method.</source>
+        <translation>{0}：論文の方法は壁面を使いません。paint を選ぶか、full の方法にしてください。</translation>
+    </message>
+    <message>
+        <source>{0}: walls alone need buildings; give outlines or models of them.</source>
+        <translation>{0}：壁面だけで位置合わせするには建物が必要です。外形線またはモデルを指定してください。</translation>
+    </message>
+    <message>
         <source>Guide</source>
         <translation>ガイド</translation>
     </message>
@@ -14216,6 +14648,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>較差の分布</translation>
     </message>
     <message>
+        <source>All drawn edges</source>
+        <translation>抽出したすべての辺</translation>
+    </message>
+    <message>
+        <source>Edges in the points</source>
+        <translation>点群に現れた辺の数</translation>
+    </message>
+    <message>
         <source>Road markings from the air</source>
         <translation>空中写真からの路面標示</translation>
     </message>
@@ -14276,6 +14716,26 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>明るさ（階調値）</translation>
     </message>
     <message>
+        <source>What was taken and rejected</source>
+        <translation>採用したものと除いたもの</translation>
+    </message>
+    <message>
+        <source>Bright and narrow (share of the image)</source>
+        <translation>明るく細いもの（画像に占める割合）</translation>
+    </message>
+    <message>
+        <source>of these taken for paint</source>
+        <translation>うち標示としたもの</translation>
+    </message>
+    <message>
+        <source>of these left out by the ground beside them</source>
+        <translation>うち隣の地面により除いたもの</translation>
+    </message>
+    <message>
+        <source>Smooth grey share of the ground</source>
+        <translation>地面のうち滑らかな灰色の割合</translation>
+    </message>
+    <message>
         <source>Shifts between overlapping frames</source>
         <translation>重複する空中写真間のずれ</translation>
     </message>
@@ -14292,10 +14752,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>2枚目</translation>
     </message>
     <message>
-        <source>sigma (m)</source>
-        <translation>標準偏差（m）</translation>
-    </message>
-    <message>
         <source>places</source>
         <translation>箇所数</translation>
     </message>
@@ -14310,10 +14766,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Pictures</source>
         <translation>写真</translation>
-    </message>
-    <message>
-        <source>Nothing stands out; check some markings against the picture all the same.</source>
-        <translation>特に問題は見られません。それでも、いくつかの標示を画像と照合してください。</translation>
     </message>
     <message>
         <source>What to distrust</source>
@@ -14922,10 +15374,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The drives agree with each other, but nothing fixes their place: give control points or reference markings, or use the result only for comparing drives.</source>
         <translation>走行どうしは整合していますが、位置を固定するものがありません。基準点または基準となる路面標示を指定するか、結果を走行間の比較にのみ使用してください。</translation>
-    </message>
-    <message>
-        <source>plan</source>
-        <translation>平面</translation>
     </message>
     <message>
         <source>placed</source>

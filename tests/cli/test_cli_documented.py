@@ -22,7 +22,7 @@ FILES = {
     "frames": "aerial", "camera.json": "aerial/camera.json", "exterior.csv": "aerial/exterior.csv",
     "survey.laz": "mms/survey_01.laz", "trajectory.csv": "mms/survey_01_trajectory.csv",
     "calibration.json": "mms/calibration.json", "markings.gpkg": "truth/markings.gpkg", "lines": "lines",
-    "day.nav": "gnss/satellites.nav",
+    "day.nav": "gnss/satellites.nav", "second_flight.laz": "als/als.laz",
 }
 
 

@@ -31,6 +31,7 @@ angle = st.floats(-180, 180)
 tilt = st.floats(-80, 80)
 
 
+@pytest.mark.paper("J 3.2.1.1, eq. 1 to 3")
 def test_vertical_camera_by_hand():
     """1000 m up, 1 pixel is 0.1 m: 30 m east and 20 m north are 300 pixels right and 200 up of the principal point."""
     pose = ExteriorOrientation("a", 5000.0, -7000.0, 1000.0, 0.0, 0.0, 0.0)
@@ -44,6 +45,7 @@ def test_height_leans_outwards():
     assert (column - 505) == pytest.approx([300, 300 * 1000 / 900])
 
 
+@pytest.mark.paper("J 3.2.1.1, eq. 1 to 3")
 def test_heading_and_tilts_turn_the_way_of_the_paper():
     """Kappa turns the camera counterclockwise; positive omega looks north of the nadir, positive phi west."""
     north = np.array([0.0, 100.0, 0.0])

@@ -44,6 +44,7 @@ def street(rows=384, columns=512):
     return np.clip(np.moveaxis(image + rng.normal(0, 3, image.shape), 2, 0), 0, 255).astype(np.uint8)
 
 
+@pytest.mark.paper("J 3.2.2")
 @pytest.mark.parametrize("tile", [150, 2048])
 def test_markings_are_the_plain_adaptive_threshold(tmp_path, tile):
     bands = street()
@@ -95,6 +96,7 @@ def town(folder):
     return x, y, z, folder / "surface.tif", folder / "ground.tif"
 
 
+@pytest.mark.paper("J 3.2.1.1, POM")
 def test_occlusion_map_fills_the_triangles_off_the_ground(tmp_path):
     x, y, z, surface, ground = town(tmp_path)
     with NormalisedSurface(surface, ground) as heights:
@@ -114,6 +116,7 @@ def test_occlusion_map_fills_the_triangles_off_the_ground(tmp_path):
     assert expected.sum() > 300 and (found != expected).sum() <= 2  # centres on a side
 
 
+@pytest.mark.paper("J 3.2.1.2")
 def test_frames_are_masked_and_the_darkest_is_taken(tmp_path):
     """Two frames of one brightness each: the darker wins where its map does not mask it."""
     x, y, _, surface, ground = town(tmp_path)

@@ -45,6 +45,7 @@ def test_two_roofs_that_touch_in_one_point_stay_two_rings():
     assert sum(map(len, rings)) == len(np.concatenate(rings))
 
 
+@pytest.mark.paper("J 5.3.3, 2")
 def test_area_equals_the_small_triangles_for_random_points():
     from scipy.spatial import Delaunay
     xy = np.random.default_rng(4).uniform(0, 20, (800, 2))

@@ -14,7 +14,8 @@ from urbanmap_qgis.buildings.model_status import BLOCK, GROUND_UNKNOWN, NOT_MODE
 from urbanmap_qgis.buildings.model_surfaces import roof_cells
 from urbanmap_qgis.buildings.model_table import COLUMNS, model_columns, write_model_report
 from urbanmap_qgis.buildings.outlines.footprint import Footprints, clean_footprints
-from urbanmap_qgis.buildings.polygon_stage import BLOCK_STATUS, PolygonParameters, cloud_roof_polygons
+from urbanmap_qgis.buildings.polygon_stage import cloud_roof_polygons
+from urbanmap_qgis.buildings.roof_polygons.polygon_rows import PolygonParameters
 from urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs
 from urbanmap_qgis.buildings.segmentation import SegmentationParameters, segment_buildings
 from urbanmap_qgis.buildings.solids.validity import check_solid
@@ -181,7 +182,7 @@ def test_few_points_without_a_roof_become_a_plain_block(tmp_path, make_cloud):
     path = make_cloud(tmp_path / "p.laz", [1.0, 2.0], [1.0, 2.0], [5.0, 5.4],
                       extra={"building_id": 1, "roof_id": 0})
     drawn = cloud_roof_polygons(open_cloud([path]), clean_footprints(np.array([shapely.box(0, 0, 4, 4)], object)))
-    assert drawn.status == [BLOCK_STATUS] and drawn.roof_id == [0] and drawn.height == [pytest.approx(5.2)]
+    assert drawn.status == [BLOCK] and drawn.roof_id == [0] and drawn.height == [pytest.approx(5.2)]
 
 
 def test_roofs_of_other_outlines_are_refused(footprints):

@@ -19,7 +19,8 @@ from urbanmap_qgis.buildings.model_stage import build_models
 from urbanmap_qgis.buildings.model_table import model_columns, write_model_report
 from urbanmap_qgis.buildings.outlines.footprint import Footprints, clean_footprints
 from urbanmap_qgis.buildings.planes.plane_detection import PlaneParameters
-from urbanmap_qgis.buildings.polygon_stage import PolygonParameters, cloud_roof_polygons
+from urbanmap_qgis.buildings.polygon_stage import cloud_roof_polygons
+from urbanmap_qgis.buildings.roof_polygons.polygon_rows import PolygonParameters
 from urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs
 from urbanmap_qgis.buildings.roofs.roof_levels import RoofParameters
 from urbanmap_qgis.buildings.segmentation import SegmentationParameters, segment_buildings

@@ -183,6 +183,13 @@ def test_places_off_the_earth_and_outside_of_the_envelope(tmp_path):
     assert {"L06", "L06.earth"} <= set(rules_of(path))
 
 
+@pytest.mark.parametrize("height", ["1e308", "-1e250"])
+def test_places_whose_products_overflow_are_told_as_unreadable(tmp_path, height):
+    far = OUTLINE.replace(place(1, 1, 0), f"35.655 139.7 {height}")
+    path = written(tmp_path, building(geometry=lod0(far), about=quality("0")))
+    assert rules_of(path) == ["L02.coordinates"]
+
+
 def test_solid_turned_inside_out_is_told(tmp_path):
     inside_out = [polygon(*reversed(corners)) for corners in (
         ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)), ((0, 0, 9), (0, 1, 9), (1, 1, 9), (1, 0, 9)),

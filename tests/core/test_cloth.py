@@ -52,6 +52,7 @@ def errors(x, y, z, truth, **parameters):
     (slope_of(10), BLOCKS, 0.001), (slope_of(20), BLOCKS, 0.01), (slope_of(20), [(30, 30, 130, 130, 30.0)], 0.01),
     (hills, BLOCKS, 0.005),
 ], ids=["town", "hall of 100 m", "hall at the border", "10 degrees", "20 degrees", "hall on 20 degrees", "hills"])
+@pytest.mark.paper("J 3.2.3.1")
 def test_ground_of_towns(ground, roofs, missed):
     type_one, type_two = errors(*town(ground, roofs))
     assert type_one <= missed and type_two <= 0.0005

@@ -35,6 +35,7 @@ def points_of(trajectory, times, error):
     return ControlPoints(tuple(map(str, range(len(times)))), true, np.asarray(times, float), true + error)
 
 
+@pytest.mark.paper("J 3.3.5, eq. 12")
 def test_figures_of_known_errors():
     errors = np.array([[3.0, 4.0, 0.0], [0.0, 0.0, 2.0], [0.0, 1.0, np.nan]])
     figures = accuracy(errors)
@@ -94,6 +95,7 @@ def test_time_of_the_week_is_matched():
     assert np.allclose(in_survey_time(later, reported)[0].time, control.time)
 
 
+@pytest.mark.paper("J 3.1, 3.3.5, landmark update")
 def test_landmark_updating_is_exact_at_landmarks_linear_between_and_rigid_outside():
     reported = straight()
     error = np.array([[1.0, -0.5, 0.4], [2.0, 0.5, 0.2]])

@@ -47,6 +47,7 @@ def without_disc(points):
     return points[np.hypot(points[:, 0] - 30, points[:, 1] - 30) > 14]
 
 
+@pytest.mark.paper("J 3.2.1.1, DSM")
 @pytest.mark.parametrize("points", [scattered(20_000), without_disc(scattered(15_000, 2)),
                                     scattered(3_000, 3) + np.array([84_900.0, 447_500.0]), scattered(30, 4)],
                          ids=["dense", "hole", "large coordinates", "few"])

@@ -26,6 +26,7 @@ def test_a_drive_without_faults_has_no_steps(seed):
     assert made.steps == () and (made.status == REGISTERED).mean() > 0.9
 
 
+@pytest.mark.paper("J 6.2, features")
 def test_markings_that_changed_between_the_flight_and_the_drive():
     drive = shifted(simulate(1, crossings=25.0, turn=None), 100.0, 200.0, (0.3, 0.4))
     made = adjust_correction(drive.windows, drive.reported)

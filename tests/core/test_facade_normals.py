@@ -21,6 +21,7 @@ def wall(rng, n, azimuth, lean=0.0, noise=0.01):
     return points + rng.normal(0, noise, (n, 1)) * normal, normal
 
 
+@pytest.mark.paper("J 5.7, normals")
 @pytest.mark.parametrize(("azimuth", "lean"), [(0, 0), (37, 0), (200, 8), (271, -12)])
 def test_normals_of_walls(azimuth, lean):
     rng = np.random.default_rng(azimuth)
@@ -50,6 +51,7 @@ def test_voxels_hold_their_points():
     assert [voxels.thickness[at], voxels.extent[at]] == pytest.approx(values[:2].tolist(), rel=1e-6)
 
 
+@pytest.mark.paper("J 5.7, normals")
 def test_roofs_ground_and_foliage_are_no_walls():
     rng = np.random.default_rng(4)
     flat = np.column_stack([rng.uniform(0, 10, (5000, 2)), 3 + rng.normal(0, 0.01, 5000)])
@@ -65,6 +67,7 @@ def test_voxels_grow_where_points_are_thin():
     assert voxel_normals(thin).upright.mean() > 0.8
 
 
+@pytest.mark.paper("J 5.7, outliers")
 def test_outliers_are_lonely_points():
     rng = np.random.default_rng(7)
     places = np.concatenate([rng.uniform(0, 5, (2000, 3)) * (1, 1, 0.01), [[2, 2, 3.0], [9, 9, 9.0]]])

@@ -99,6 +99,7 @@ def place_errors(image):
     return (told_right - right)[inner], (told_high - high[:, None])[inner]
 
 
+@pytest.mark.paper("Z 4.2, textures")
 def test_a_wall_comes_back_undistorted_from_a_shaking_camera(tmp_path):
     trajectory = drive()
     source = strip_source(0, "strip.png", photographed(tmp_path, trajectory), trajectory)

@@ -73,6 +73,7 @@ def by_the_paper(trajectory, scanner, time, angle, distance):
     return np.array(points)
 
 
+@pytest.mark.paper("Z 2.2, eq. 1, 4 to 7")
 @pytest.mark.parametrize("scanner", BOTH.scanners)
 def test_our_axes_and_the_paper_s_give_the_same_point(scanner):
     rng = np.random.default_rng(0)

@@ -84,6 +84,7 @@ def test_inside_a_building_is_told_from_outside():
     assert not obstacles.inside(above).any()
 
 
+@pytest.mark.paper("J 5.6")
 def test_reflection_obeys_the_mirror_and_the_excess_is_the_longer_way():
     rng = np.random.default_rng(2)
     walls = town(rng, 30, 200.0)

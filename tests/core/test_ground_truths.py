@@ -14,6 +14,7 @@ def pairs(shift, turn, place=PLACE, seen=SEEN):
     return place, place + seen, place + np.array(shift) + rotated_vectors(seen, turn)
 
 
+@pytest.mark.paper("Z 3.2, eq. 11 to 17")
 @pytest.mark.parametrize("turn", [0.01, -0.01, 0.3, -2.0])
 def test_two_pairs_give_shift_and_turn_with_its_sign(turn):
     """Eq. 15's arc cosine would give the same for both signs."""
@@ -24,6 +25,7 @@ def test_two_pairs_give_shift_and_turn_with_its_sign(turn):
     np.testing.assert_allclose(drift.residuals, 0, atol=1e-10)
 
 
+@pytest.mark.paper("Z 3.2, eq. 11 to 17")
 def test_equations_15_to_17_as_printed_where_the_turn_is_positive():
     """Eq. 16 and 17 with the places in the vehicle's axes, kappa_1 = 0.4."""
     place, measured, reference = pairs([1.5, -0.7], 0.02)

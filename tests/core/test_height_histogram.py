@@ -14,10 +14,12 @@ def level(height, n, spread=0.0):
     return height + np.linspace(-spread, spread, n)
 
 
+@pytest.mark.paper("J 5.3.2, alpha", "J 5.4.2")
 def test_alpha_of_the_paper():
     assert minimum_points(50.0, 7.0) == 350.0
 
 
+@pytest.mark.paper("J 5.3.2, histogram")
 def test_bins_are_half_a_metre_wide_and_overlap_by_eighty_percent():
     centre, count = height_histogram(np.array([10.0]))
     np.testing.assert_allclose(np.diff(centre), 0.1)
@@ -50,11 +52,13 @@ def test_every_level_of_alpha_points_is_a_roof():
     assert peaks.lower[0] == -np.inf and peaks.upper[-1] == np.inf
 
 
+@pytest.mark.paper("J 5.3.2, alpha")
 def test_exactly_alpha_points_are_enough():
     assert len(height_peaks(level(12.0, 350), alpha=350)) == 1
     assert len(height_peaks(level(12.0, 349), alpha=350)) == 0
 
 
+@pytest.mark.paper("J 5.3.2, beta")
 def test_maxima_join_where_the_minimum_between_is_more_than_beta():
     # Roof, hits on the inner side of the parapet, parapet: 400, 60 and 400 points.
     z = np.concatenate([level(20.0, 400, 0.05), level(20.5, 60, 0.01), level(21.0, 400, 0.05)])

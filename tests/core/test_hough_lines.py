@@ -23,6 +23,7 @@ RECTANGLE = shapely.box(0, 0, 12, 7)
 ELL = shapely.Polygon([(0, 0), (20, 0), (20, 8), (8, 8), (8, 18), (0, 18)])
 
 
+@pytest.mark.paper("J 5.3.3, 3")
 @pytest.mark.parametrize(("polygon", "edges"), [(RECTANGLE, 4), (ELL, 6)])
 def test_every_edge_once_and_corners_shared_by_two(polygon, edges):
     xy = boundary(polygon)
@@ -52,6 +53,7 @@ def test_noise_and_rotation_keep_the_edges(angle, seed):
         assert np.abs(direction).max() > np.cos(np.radians(1.5))
 
 
+@pytest.mark.paper("J 5.3.3, 3")
 def test_short_sequences_across_a_line_are_not_edges():
     # a comb: the teeth's tips lie on one line, but no five of them are consecutive
     x = np.arange(0, 20, 0.5)

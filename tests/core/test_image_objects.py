@@ -58,6 +58,7 @@ def wall(rng):
                    spacing=0.15)
 
 
+@pytest.mark.paper("J 6.2, objects", "Z 4.2, objects")
 @pytest.mark.parametrize("turn", [0.0, 25.0, -35.0])
 def test_a_board_before_a_wall_has_its_place_size_and_orientation(source, turn):
     rng = np.random.default_rng(0)

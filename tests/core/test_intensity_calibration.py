@@ -48,6 +48,7 @@ ASPHALT = ((1.0, 1.0, 1.0),)
 STREET = ((1.0, 0.85, 0.3), (3.5, 0.1, 0.1), (2.0, 0.05, 0.6))
 
 
+@pytest.mark.paper("J 3.2.3.2, eq. 4")
 @pytest.mark.parametrize("law", [power, floored, lambda r: 900.0 + 0 * r])
 @pytest.mark.parametrize("shares", [ASPHALT, STREET])
 def test_known_law_is_found(law, shares):
@@ -97,6 +98,7 @@ def test_r2_is_where_paint_is_lost_in_the_scatter():
     assert curve.r2 == pytest.approx((1.5 * 2e6 / 240) ** (1 / 3.5), abs=2.5)
 
 
+@pytest.mark.paper("J 3.2.3.2, eq. 4")
 def test_equation_4():
     curve = fit_curve(drawn(floored, shares=STREET))
     r = np.array([6.0, 10.0, 15.0, curve.r2 - 0.1, curve.r2 + 0.1])

@@ -27,7 +27,7 @@ from urbanmap_qgis.job.job_progress import (
 )
 from urbanmap_qgis.job.job_report import write_job_report
 from urbanmap_qgis.job.recognition.contents import recognise_files
-from urbanmap_qgis.job.roles import Parts, parts_of
+from urbanmap_qgis.job.roles import Parts, parts_of, put_to_use, use_name, uses_of
 
 TOKYO, OSAKA = epsg_wkt(6677), epsg_wkt(6674)
 
@@ -100,12 +100,13 @@ def test_parts_of_the_sample_city(city_parts):
     assert any("hold the same points" in note for note in city_parts.notes)
 
 
+SURVEYED = ("georeferencemms", "checkaccuracy", "acceptance")
 ALGORITHMS = {
     "reference": ["aerialmarkings"], "buildings": ["buildingsfromals"],
-    "survey": ["aerialmarkings", "georeferencemms", "checkaccuracy", "georeferencemms", "checkaccuracy"],
-    "walls": ["buildingsfromals", "aerialmarkings", "georeferencemms", "checkaccuracy", "georeferencemms",
-              "checkaccuracy", "wallsfrommms", "mergebuildingmodels"],
-    "lanemap": ["aerialmarkings", "georeferencemms", "checkaccuracy", "georeferencemms", "checkaccuracy", "lanemap"]}
+    "survey": ["aerialmarkings", *SURVEYED, *SURVEYED],
+    "walls": ["buildingsfromals", "aerialmarkings", *SURVEYED, *SURVEYED, "wallsfrommms", "mergebuildingmodels"],
+    "lanemap": ["aerialmarkings", *SURVEYED, *SURVEYED, "lanemap"],
+    "accuracymap": ["buildingsfromals", "aerialmarkings", *SURVEYED, *SURVEYED, "lanemap", "localisationaccuracy"]}
 
 
 @pytest.mark.parametrize("wish", ALGORITHMS)
@@ -137,8 +138,76 @@ def test_given_markings_and_official_outlines_change_the_chain():
     assert [step.algorithm for step in plan_chain("buildings", parts, "EPSG:6677").steps] == [
         "loadgsibuildings", "buildingsfromals"]
     survey = plan_chain("survey", parts)
-    assert [step.algorithm for step in survey.steps] == ["surfacefromals", "georeferencemms"] and len(survey.notes) == 2
+    assert [step.algorithm for step in survey.steps] == ["surfacefromals", "georeferencemms"] and len(survey.notes) == 3
+    official = plan_chain("survey", replace(parts, inputs={**{role: given for role, given in parts.inputs.items()
+                                                              if role != "als"}, "gsi_ground": ("/d.xml",)}))
+    assert [step.algorithm for step in official.steps] == ["loadgsidem", "georeferencemms"]
     assert any("polygons are missing" in sentence for sentence in plan_chain("lanemap", parts).missing)
+
+
+def test_clouds_without_a_system_get_the_common_one_or_a_note():
+    parts = Parts({"als": ("/a.laz",), "marking_mask": ("/m.tif",), "survey_1": ("/s.laz",),
+                   "trajectory_1": ("/t.csv",)}, (1,), unplaced=frozenset({"survey_1"}))
+    given = {step.id: step.parameters.get("POINTS_CRS") for step in plan_chain("survey", parts, "EPSG:6677").steps}
+    assert given == {"surface": None, "survey_1": "EPSG:6677"}
+    assert any("No file states the reference system" in note for note in plan_chain("survey", parts).notes)
+
+
+@pytest.fixture(scope="module")
+def city_facts(small_city):
+    return recognise_files([small_city])
+
+
+def source_of(facts, name):
+    item, = [item for item in facts if item.path.name == name and "truth" not in item.path.parts]
+    return item.source
+
+
+def test_files_are_used_as_the_user_says(city_facts, city_parts):
+    survey, second = (source_of(city_facts, f"survey_0{number}.laz") for number in (1, 2))
+    classified = source_of(city_facts, "als_classified.laz")
+    official, = city_parts.inputs["gsi_footprints"]
+    said = {survey: "als", classified: "als", official: "gsi_footprints", second: "frames"}
+    parts = parts_of(put_to_use(city_facts, said))
+    assert set(parts.inputs["als"]) == {survey, classified} and parts.inputs["survey_1"] == (second,)
+    assert parts.surveys == (1,) and "footprints" not in parts.inputs  # “frames” does not fit a cloud
+    steps = [step.algorithm for step in plan_chain("buildings", parts, "EPSG:6677").steps]
+    assert steps == ["loadgsibuildings", "buildingsfromals"]
+    photo = source_of(city_facts, "ortho.tif")
+    parts = parts_of(put_to_use(city_facts, {photo: "orthophoto"}))
+    assert [step.algorithm for step in plan_chain("reference", parts).steps] == [
+        "surfacefromals", "roadmarkingsfromorthophoto"]
+    parts = parts_of(put_to_use(city_facts, {source_of(city_facts, "als.laz"): "survey"}))
+    assert any("no trajectory covers its times" in note for note in parts.notes) and "als" not in parts.inputs
+
+
+def test_what_is_against_its_name_and_in_truth_is_used_when_said(tmp_path):
+    areas = facts("plan.gpkg", "areas")
+    assert not areas.usable and "footprints" not in parts_of([areas]).inputs
+    assert uses_of(areas) == ("footprints", "markings") and uses_of(facts("x.txt", "other")) == ()
+    assert parts_of(put_to_use([areas], {areas.source: "footprints"})).inputs == {"footprints": (areas.source,)}
+    true = replace(facts("truth/b.gpkg", "outlines"), path=Path("/data/truth/b.gpkg"))
+    both = [facts("a.gpkg", "outlines"), true]
+    assert parts_of(both).inputs["footprints"] == ("/data/a.gpkg",)
+    chosen = parts_of(put_to_use(both, {true.source: "footprints"}))
+    assert chosen.inputs["footprints"] == (true.source,) and not chosen.notes
+    assert uses_of(replace(areas, problem="It is damaged.")) == ()
+
+
+def test_outlines_in_degrees_are_told_to_be_exported():
+    polar = facts("o.kml", "outlines", crs=epsg_wkt(4326), extent=(139.0, 35.0, 139.1, 35.1))
+    cloud = facts("a.laz", "points")
+    plan = plan_chain("buildings", parts_of([cloud, polar]), "EPSG:6677")
+    assert plan.missing == ["Building outlines count in degrees: open the layer in QGIS, save it with “Export” in "
+                            "EPSG:6677, and add that file."]
+    assert not plan_chain("buildings", parts_of([cloud, polar, facts("o.gpkg", "outlines")])).missing
+    marks = facts("m.kml", "markings", crs=epsg_wkt(4326))
+    assert any("Road markings count in degrees" in text for text in plan_chain("survey", parts_of([marks])).missing)
+
+
+def test_parts_have_names():
+    assert use_name("survey_2") == "Mobile survey 2" and use_name("gsi_ground") == "Elevation model (GSI)"
+    assert use_name("something") == "something"
 
 
 STEPS = [PlannedStep("one", "surfacefromals", {"POINTS": {"input": "als"}, "RESOLUTION": 2.0}),
@@ -213,6 +282,35 @@ def test_a_new_plan_keeps_settings_and_states(job, tmp_path):
     assert again.step("one").state == DONE and again.step("two").parameters["ROOFS"] == "level"
     other = planned_job("buildings", done.inputs, [replace(STEPS[0], algorithm="mesh25d")], before=tuned)
     assert other.step("one").state == PLANNED
+
+
+def test_another_wish_and_back_leaves_what_was_done(job, tmp_path):
+    done = finished(job, tmp_path)
+    other = planned_job("lanemap", done.inputs, STEPS[1:], before=done)
+    assert [step.id for step in other.steps] == ["two"] and [step.id for step in other.aside] == ["one"]
+    write_job(tmp_path / "j.json", other)
+    back = planned_job("buildings", done.inputs, STEPS, before=read_job(tmp_path / "j.json"))
+    assert back.step("one") == done.step("one") and not back.aside
+    assert refreshed_job(back).step("one").state == DONE
+
+
+def test_a_new_plan_drops_what_it_does_not_name_any_more(job):
+    """A file that is left out is no input of a step any more; what the user set himself stays."""
+    bare = replace(STEPS[1], parameters={"POINTS": [{"input": "als"}], "OUTPUT_REPORT": {"wanted": True}})
+    assert "GROUND" not in planned_job("x", job.inputs, [bare], before=job).step("two").parameters
+    own = job.with_step(replace(job.step("two"), parameters={**job.step("two").parameters, "POINTS": "/my.laz"},
+                                own=("POINTS",)))
+    kept = planned_job("x", job.inputs, [bare], before=own).step("two").parameters
+    assert kept == {"POINTS": "/my.laz", "OUTPUT_REPORT": {"wanted": True}}
+
+
+def test_uses_are_kept_in_the_file(job, tmp_path):
+    source = job.inputs["als"][0]
+    write_job(tmp_path / "j.json", replace(job, used_as={source: "survey"}, left_out=(source,)))
+    assert json.loads((tmp_path / "j.json").read_text(encoding="utf-8"))["used_as"] == {"a.laz": "survey"}
+    assert read_job(tmp_path / "j.json").used_as == {source: "survey"}
+    again = planned_job("x", job.inputs, STEPS, before=read_job(tmp_path / "j.json"))
+    assert again.used_as == {source: "survey"} and again.left_out == (source,)
 
 
 @pytest.mark.parametrize(("text", "says"), [

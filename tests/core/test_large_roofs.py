@@ -10,13 +10,16 @@ import numpy as np
 import pytest
 import shapely
 
-from urbanmap_qgis.buildings import model_stage, polygon_stage
+from urbanmap_qgis.buildings import model_stage
 from urbanmap_qgis.buildings.building_model import FitPoints, RoofInput, model_building
 from urbanmap_qgis.buildings.model_status import NOT_MODELLED, SIMPLIFIED
 from urbanmap_qgis.buildings.planes import plan_faces as faces_module
 from urbanmap_qgis.buildings.planes.plan_faces import plan_faces
-from urbanmap_qgis.buildings.polygon_stage import PLANES, PolygonParameters, RoofPolygons
+from urbanmap_qgis.buildings.planes.plane_detection import PLANES
 from urbanmap_qgis.buildings.polygons.piece_labels import without_small_parts
+from urbanmap_qgis.buildings.roof_polygons import plane_roofs
+from urbanmap_qgis.buildings.roof_polygons.building_polygons import roof_polygons_of
+from urbanmap_qgis.buildings.roof_polygons.polygon_rows import PolygonParameters, RoofedBuilding
 from urbanmap_qgis.errors import Cancelled, InsufficientDataError
 from urbanmap_qgis.execution import checkpoint, in_order
 
@@ -79,9 +82,8 @@ def divided(monkeypatch, error):
     def fails(*_arguments):
         raise error
 
-    monkeypatch.setattr(polygon_stage, "partition_planes", fails)
-    table = RoofPolygons()
-    polygon_stage.roof_polygons_of(table, 1, outline, [], tuple(points.T), roof, PolygonParameters(roofs=PLANES))
+    monkeypatch.setattr(plane_roofs, "partition_planes", fails)
+    table = roof_polygons_of(RoofedBuilding(1, outline, points, roof), PolygonParameters(roofs=PLANES))
     return outline, points, roof, table
 
 

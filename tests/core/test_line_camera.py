@@ -34,6 +34,7 @@ def rotation(trajectory, time):
     return TO_MAP @ Rotation.from_euler("ZYX", np.column_stack(angles), degrees=True).as_matrix()
 
 
+@pytest.mark.paper("Z 2.1, eq. 2, 3")
 def test_rows_and_angles_follow_the_fish_eye_of_equation_2():
     rows = np.array([0.0, 100.5, 319.5, 639.0])
     angles = CAMERA.angles(rows)
@@ -44,6 +45,7 @@ def test_rows_and_angles_follow_the_fish_eye_of_equation_2():
     assert LineCamera(MOUNT, 640, 270.0, 319.5, 50).sees(np.array([49.0, 49.6, 589.6])).tolist() == [False, True, False]
 
 
+@pytest.mark.paper("Z 2.1, eq. 2, 3")
 def test_rays_equal_equation_3_in_our_axes_and_in_the_paper_s():
     """Z: (0, -cos w, sin w) in axes x, y, z of the camera that are our y, -x and z; HISS is x forward, y left, z up."""
     trajectory, image = course(turn=80.0), strip()

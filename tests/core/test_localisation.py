@@ -7,7 +7,8 @@ import pytest
 import shapely
 
 from urbanmap_qgis.gnss.rays.wall_faces import building_walls
-from urbanmap_qgis.localisation.accuracy_map import LocalisationMap, accuracy_map
+from urbanmap_qgis.localisation.accuracy_map import accuracy_map
+from urbanmap_qgis.localisation.accuracy_records import LocalisationMap
 from urbanmap_qgis.localisation.ellipses import along_and_across, plan_ellipses
 from urbanmap_qgis.localisation.evidence.information import Evidence, SharedError, covariance, fused, surface_rows
 from urbanmap_qgis.localisation.evidence.marking_map import marking_map
@@ -50,6 +51,7 @@ def predicted(walls, places, settings=None, **others):
     return accuracy_map(LocalisationMap(walls, **others), places, settings or LocalisationSettings())
 
 
+@pytest.mark.paper("J 6.2, localisation")
 def test_covariance_is_that_of_drawn_displacements():
     rng = np.random.default_rng(3)
     angle = rng.uniform(0, 2 * np.pi, 60)

@@ -8,9 +8,11 @@ import shapely
 
 from urbanmap_qgis.gnss.rays.tracing import WallObstacles
 from urbanmap_qgis.gnss.rays.wall_faces import building_walls
-from urbanmap_qgis.localisation.accuracy_map import LocalisationMap, accuracy_map, field_of_walls
+from urbanmap_qgis.localisation.accuracy_map import accuracy_map
+from urbanmap_qgis.localisation.accuracy_records import LocalisationMap
 from urbanmap_qgis.localisation.localisation_settings import LocalisationSettings, VehicleScanner
 from urbanmap_qgis.localisation.places.road_places import places_on_roads
+from urbanmap_qgis.localisation.prepared_map import field_of_walls
 from urbanmap_qgis.localisation.report.localisation_report import stretches, write_localisation_report
 from urbanmap_qgis.localisation.simulation.prediction_check import check_prediction, compared, rank_agreement
 from urbanmap_qgis.localisation.simulation.simulated_matches import match_error, plan_matching_map, space_matching_map

@@ -18,6 +18,7 @@ from urbanmap_qgis.aerial.markings.marking_report import (
     PairShift,
     frame_count_shares,
     quality_warnings,
+    standing_notes,
     write_marking_report,
 )
 
@@ -50,13 +51,21 @@ def test_nothing_to_doubt(found):
 @pytest.mark.parametrize(("change", "words"), [
     ({"pairs": [PairShift("a.tif", "b.tif", 0.3, -0.4, 0.01, 9, True)]}, "a.tif and b.tif lie 0.50 m apart"),
     ({"pairs": []}, "a wrong orientation would not show"),
-    ({"roads": False}, "No roads were given"),
     ({"views": [0.5, 0.25, 0.15, 0.1]}, "50% of the ground in the image is seen by one frame only"),
-    ({"contrast": 70.0}, "100% of the markings hardly stand out"),
 ])
 def test_each_doubt_is_told(found, change, words):
     [doubt] = quality_warnings(found, replace(SURE, **change))
     assert words in doubt
+
+
+@pytest.mark.parametrize(("change", "words"), [
+    ({"roads": False}, "No roads were given"),
+    ({"contrast": 70.0}, "100% of the markings hardly stand out"),
+])
+def test_what_holds_of_any_image_is_a_note(found, change, words):
+    assert standing_notes(found, SURE) == []
+    [note] = standing_notes(found, replace(SURE, **change))
+    assert words in note
 
 
 def test_coarse_pixels_are_told(found):

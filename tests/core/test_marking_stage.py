@@ -14,7 +14,9 @@ from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.mobile.calibration import Calibration, MountedScanner
 from urbanmap_qgis.mobile.markings import marking_stage, survey_points
 from urbanmap_qgis.mobile.markings.curve_report import doubts, facts_of, write_curve_report
-from urbanmap_qgis.mobile.markings.marking_stage import ExtractionSettings, extract_markings, markings_to_file
+from urbanmap_qgis.mobile.markings.extraction import ExtractionSettings
+from urbanmap_qgis.mobile.markings.marking_stage import extract_markings
+from urbanmap_qgis.mobile.markings.markings_file import markings_to_file
 from urbanmap_qgis.mobile.trajectory import Trajectory
 from urbanmap_qgis.progress import Progress
 

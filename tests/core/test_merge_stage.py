@@ -72,6 +72,7 @@ def states(building):
     return sorted(edge.match.status for edge in building.edges)
 
 
+@pytest.mark.paper("J 5.7, combination")
 def test_a_wall_below_the_height_moves_and_the_model_above_stays():
     building = one([model((box(0, 0, 20, 10), 40.0))], [wall((0, -0.4), (20, -0.4))])
     assert building.status == MERGED and states(building) == ["moved", *["not seen"] * 3]

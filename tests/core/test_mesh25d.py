@@ -58,6 +58,7 @@ SHAPES = {
 }
 
 
+@pytest.mark.paper("J 5.7, mesh")
 @pytest.mark.parametrize("name", SHAPES)
 def test_known_shapes(name):
     plan, height, volume = SHAPES[name]

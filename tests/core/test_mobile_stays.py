@@ -18,7 +18,8 @@ from urbanmap_qgis.mobile.control import accuracy, in_survey_time, read_control,
 from urbanmap_qgis.mobile.ground import classify_ground_files
 from urbanmap_qgis.mobile.landmark_update import update_by_landmarks
 from urbanmap_qgis.mobile.markings.curve_report import doubts, facts_of, write_curve_report
-from urbanmap_qgis.mobile.markings.marking_stage import ExtractionSettings, markings_to_file
+from urbanmap_qgis.mobile.markings.extraction import ExtractionSettings
+from urbanmap_qgis.mobile.markings.markings_file import markings_to_file
 from urbanmap_qgis.mobile.pose_correction import correction_between
 from urbanmap_qgis.mobile.registration.correction.adjustment import CorrectionSettings
 from urbanmap_qgis.mobile.registration.records import RegistrationSettings

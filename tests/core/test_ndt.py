@@ -20,6 +20,7 @@ def blobs(dimensions, seed=3):
     return np.concatenate([c + rng.normal(0, 0.25, (60, dimensions)) * ([1, 0.4, 0.2][:dimensions]) for c in centres])
 
 
+@pytest.mark.paper("J 3.2.4.1, eq. 5, 6")
 @pytest.mark.parametrize("dimensions", [2, 3])
 def test_a_cell_holds_mean_and_covariance_of_its_points(dimensions):
     points = blobs(dimensions) + 1000.0
@@ -47,6 +48,7 @@ def test_no_points_at_all():
     assert len(ndt) == 0 and terms.value[0] == 0 and not terms.gradient.any()
 
 
+@pytest.mark.paper("J 3.2.4.3, eq. 7, 10, 11")
 @pytest.mark.parametrize(("share", "cell", "dimensions"), [(0.3, 1.0, 2), (0.55, 2.0, 3)])
 def test_mixture_meets_the_log_likelihood_where_magnusson_fits_it(share, cell, dimensions):
     mixture = Mixture.of(share, cell, dimensions)
@@ -113,6 +115,7 @@ def test_derivatives_of_a_movement_equal_differences(dimensions):
     assert np.allclose(found.hessian, hessian, rtol=2e-2, atol=np.abs(hessian).max() * 2e-3)
 
 
+@pytest.mark.paper("J 3.2.4.3, eq. 12")
 @pytest.mark.parametrize("dimensions", [2, 3])
 def test_a_known_movement_is_found(dimensions):
     places = blobs(dimensions)

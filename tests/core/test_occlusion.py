@@ -172,6 +172,7 @@ def test_distortion_moves_the_mask(tmp_path):
         assert first == pytest.approx(449.5 + 250 * factor, abs=1)
 
 
+@pytest.mark.paper("J 3.2.1.1, boundary map")
 def test_outlines_add_low_buildings_and_fill_gaps(tmp_path):
     z = with_box(3.0)
     z[:, 310:314] = 0.0

@@ -71,6 +71,7 @@ def test_lines_without_heights_are_refused():
     assert edge_segments([]).shape == (0, 2, 3)
 
 
+@pytest.mark.paper("Z 4.1")
 def test_edges_lie_where_the_formula_puts_them_and_hidden_ones_are_missing(source):
     model = box()
     drawn = visible_edges(source, edge_samples(edge_segments([model])), 60.0, roof_heights([model]))

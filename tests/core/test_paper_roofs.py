@@ -5,7 +5,8 @@ import pytest
 import shapely
 
 from urbanmap_qgis.buildings.outlines.footprint import clean_footprints
-from urbanmap_qgis.buildings.polygon_stage import PolygonParameters, cloud_roof_polygons
+from urbanmap_qgis.buildings.polygon_stage import cloud_roof_polygons
+from urbanmap_qgis.buildings.roof_polygons.polygon_rows import PolygonParameters
 from urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs
 from urbanmap_qgis.buildings.roofs.paper_roofs import paper_roofs
 from urbanmap_qgis.buildings.roofs.roof_levels import RoofParameters
@@ -43,6 +44,7 @@ def brute_force_roofs(z, alpha, beta):
     return roofs
 
 
+@pytest.mark.paper("J 5.3.2, histogram", "J 5.3.2, alpha", "J 5.3.2, beta")
 @pytest.mark.parametrize("seed", range(8))
 def test_as_many_roofs_as_the_brute_force_histogram_has(seed):
     rng = np.random.default_rng(seed)
@@ -82,6 +84,7 @@ def test_points_beside_the_outline_belong_to_the_roof_but_not_to_the_histogram()
     assert not found.roof_of_point[len(roof) + len(eave):].any()
 
 
+@pytest.mark.paper("J 5.3.1", "J 5.3.4")
 def test_the_whole_chain_takes_all_points_and_leaves_small_buildings_out(tmp_path, make_cloud):
     outlines = clean_footprints(np.array([shapely.box(0, 0, 20, 20), shapely.box(20.5, 0, 40, 20),
                                           shapely.box(60, 0, 68, 5)], object))

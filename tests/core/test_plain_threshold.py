@@ -17,6 +17,7 @@ def road():
     return at, np.where(paint, 3.5, 1.0) * rng.lognormal(0, 0.1, len(at)), paint
 
 
+@pytest.mark.paper("J 3.2.3.3")
 def test_the_threshold_is_opencvs_of_21_pixels_and_c_17(road):
     at, brightness, paint = road
     answer = plain_marking_points(*at.T, brightness, 4.0)
@@ -41,6 +42,7 @@ def test_a_cut_of_the_road_changes_nothing_inside(road):
             == whole[at[:, 0] < -6990]).all()
 
 
+@pytest.mark.paper("J 3.3.3, Table 3-2")
 def test_the_block_is_21_pixels_and_nonsense_is_refused():
     assert PlainThreshold().block_pixels == 21 and PlainThreshold(1.2).block_pixels % 2 == 1
     for bad in ({"block_size": 0.1}, {"c": 0.0}):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from urbanmap_qgis.facades import plane_fit
 from urbanmap_qgis.facades.plane_fit import pass_numbers, robust_plane
 
 SIDE = np.array([0.0, -1.0, 0.0])
@@ -85,3 +86,20 @@ def test_pass_numbers_follow_time_not_order():
 
 def test_too_few_points_give_no_plane():
     assert robust_plane(np.zeros((9, 3)), np.zeros(9), SIDE) is None
+
+
+@pytest.mark.parametrize("upright", [True, False])
+@pytest.mark.parametrize("count", [12, 4096, 4097, 20_001])
+def test_columns_of_points_give_the_plane_of_their_rows_bit_by_bit(upright, count, monkeypatch):
+    points, weights = points_of(np.random.default_rng(8), count), np.random.default_rng(9).random(count)
+    columns = plane_fit._plane_of_columns(np.ascontiguousarray(points.T), weights, upright)
+    monkeypatch.setattr(plane_fit, "LIMITS", plane_fit.PlaneFitLimits(few=10**9))
+    rows = plane_fit.least_squares_plane(points, weights, upright)
+    assert all(np.array_equal(one, two) for one, two in zip(rows, columns))
+
+
+@pytest.mark.parametrize("count", [1, 2, 9, 10, 2001, 2002])
+def test_a_median_from_a_guess_is_the_median(count):
+    values = np.round(np.random.default_rng(count).normal(0, 1, count), 2)  # with equal ones
+    for guess, reach in ((0.0, 0.5), (0.0, 0.01), (3.0, 0.1), (0.0, 9.0), (0.0, np.inf), (np.inf, np.inf)):
+        assert plane_fit.median_near(values, guess, reach) == np.median(values)

@@ -7,6 +7,7 @@ from urbanmap_qgis.buildings.polygons.radius_outliers import EXPECTED_NEIGHBOURS
 from urbanmap_qgis.errors import InputError
 
 
+@pytest.mark.paper("J 5.3.3, 1")
 def test_counts_agree_with_all_pairs():
     xy = np.random.default_rng(1).uniform(0, 10, (300, 2))
     near = np.hypot(*(xy[:, None] - xy[None]).transpose(2, 0, 1)) <= 0.7

@@ -52,7 +52,7 @@ REAL = {
     "city/truth/occlusion/frame_*.tif": "frame_mask", "city/truth/occlusion/ortho*.tif": "raster",
     "city/truth/ground.tif": "elevation", "city/truth/vehicles.gpkg": "areas", "city/truth/visible_count.tif": "raster",
     "gnss/**/*.obs": "observations", "gnss/**/*.20?": "navigation", "gnss/**/*.19?": "navigation",
-    "gnss/**/trajectory.csv": "trajectory", "gnss/**/groundTruth*.csv": "table", "gnss/**/*.kml": "other",
+    "gnss/**/trajectory.csv": "trajectory", "gnss/**/groundTruth*.csv": "table", "gnss/**/*.kml": "lines",
     "gnss/**/buildings.gpkg": "outlines", "gsi/*.xml": "gsi_outlines", "gsi/*.geojson": "outlines",
     "mobile/**/trajectory.csv": "trajectory", "mobile/**/*_trajectory.csv": "trajectory", "mobile/**/*.laz": "points",
     "mobile/**/calibration.json": "calibration", "mobile/**/ground.tif": "elevation", "mobile/**/*.feather": "other",
@@ -253,3 +253,53 @@ def test_folders_leave_out_what_belongs_to_other_files(tmp_path):
 
 def test_missing_files_get_a_sentence(tmp_path):
     assert "does not exist" in recognise_file(tmp_path / "nothing.laz")[0].problem
+
+
+def kml(*placemarks, head=""):
+    return (f'<?xml version="1.0" encoding="UTF-8"?>\n<kml xmlns="http://www.opengis.net/kml/2.2" '
+            f'xmlns:gx="http://www.google.com/kml/ext/2.2"><Document>{head}{"".join(placemarks)}</Document></kml>\n')
+
+
+HOUSE = ("<Placemark><Polygon><outerBoundaryIs><LinearRing><coordinates>139.70,35.60,0 139.7002,35.60,0 "
+         "139.7002,35.6002,0 139.70,35.6002,0 139.70,35.60,0</coordinates></LinearRing></outerBoundaryIs></Polygon>"
+         "</Placemark>")
+PATH = "<Placemark><LineString><coordinates>\n139.70,35.60,5\n139.71,35.61,5\n</coordinates></LineString></Placemark>"
+TRACK = "<Placemark><gx:Track><when>2026-01-01T00:00:00Z</when><gx:coord>139.7 35.6 5</gx:coord></gx:Track></Placemark>"
+PLACE = "<Placemark><name>T1</name><Point><coordinates>139.72,35.62</coordinates></Point></Placemark>"
+
+
+@pytest.mark.parametrize(("text", "kind", "says", "extent"), [
+    (kml(HOUSE, PLACE, head="<name>buildings</name>"), "outlines", "plane reference system",
+     (139.7, 35.6, 139.72, 35.62)),
+    (kml(HOUSE), "outlines", "plane reference system", (139.7, 35.6, 139.7002, 35.6002)),
+    (kml(PATH, TRACK), "lines", "no trajectory", (139.7, 35.6, 139.71, 35.61)),
+    (kml(PLACE), "places", "write control points as a table", (139.72, 35.62, 139.72, 35.62))])
+@pytest.mark.parametrize("packed", [False, True])
+def test_kml_and_kmz_say_what_they_are_and_what_to_do(tmp_path, text, kind, says, extent, packed):
+    path = tmp_path / ("a.kmz" if packed else "a.kml")
+    if packed:
+        with zipfile.ZipFile(path, "w") as archive:
+            archive.writestr("doc.kml", text)
+            archive.writestr("files/icon.png", b"")
+    else:
+        path.write_text(text, encoding="utf-8")
+    found, = recognise_file(path)
+    assert (found.kind, found.problem) == (kind, "") and found.extent == pytest.approx(extent)
+    assert "WGS 84" in found.crs_wkt and says in found.notes[0] and found.detail.startswith("KMZ" if packed else "KML")
+
+
+@pytest.mark.parametrize(("text", "says"), [
+    (kml(), "holds no feature"), (kml("<NetworkLink><Link/></NetworkLink>"), "holds links or pictures only"),
+    (kml(PLACE.replace("35.62", "3562")), "no longitude and latitude"),
+    (kml(PLACE.replace("35.62", "north")), "no numbers"), (kml(PLACE.replace(",35.62", "")), "no longitude"),
+    (kml(PLACE)[:-20], "is cut off")])
+@pytest.mark.parametrize("packed", [False, True])
+def test_kml_of_no_use_gets_a_sentence(tmp_path, text, says, packed):
+    path = tmp_path / ("a.kmz" if packed else "a.kml")
+    if packed:
+        with zipfile.ZipFile(path, "w") as archive:
+            archive.writestr("doc.kml", text)
+    else:
+        path.write_text(text, encoding="utf-8")
+    found, = recognise_file(path)
+    assert says in found.problem and not found.usable

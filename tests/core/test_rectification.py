@@ -107,6 +107,7 @@ def true():
     return drive()
 
 
+@pytest.mark.paper("Z 4.1")
 @pytest.mark.parametrize(("kind", "seed", "limit"), [
     (wandering, 0, 0.3), (wandering, 1, 0.3), (wandering, 2, 0.3), (dead_reckoning, 0, 0.05),
     (dead_reckoning, 1, 0.05)])
@@ -196,6 +197,7 @@ def by_the_papers_box(trajectory, ties):
     return np.array([t[:2, 2] for t in course]), np.array([np.degrees(np.arctan2(t[1, 0], t[0, 0])) for t in course])
 
 
+@pytest.mark.paper("Z 3.1, algorithm", "Z 3.2, eq. 11 to 17")
 def test_paper_is_the_algorithm_box_to_the_letter():
     true = drive(1200, 400.0, 120.0)
     origin = np.array([-7000.0, -34000.0, 0.0])
@@ -208,6 +210,7 @@ def test_paper_is_the_algorithm_box_to_the_letter():
     np.testing.assert_allclose((90.0 - made.trajectory.angles[:, 2] - kappa + 180) % 360 - 180, 0, atol=1e-4)
 
 
+@pytest.mark.paper("Z 3.2, heights")
 def test_paper_takes_sets_of_two_as_they_are(true):
     reported = wandering(true, 0)
     ties = tie_sets(true, reported)

@@ -287,6 +287,7 @@ def level_ground(folder):
     return folder / "ground.tif"
 
 
+@pytest.mark.paper("J 4.1")
 def test_in_space(street, tmp_path):
     true, reported, markings, reference = in_space(street, tmp_path, 0.9)
     result = register_windows(markings, reported, reference, RegistrationSettings(three_d=True))
@@ -389,6 +390,7 @@ def plain_cost(points, reference, centre, settings):
     return cost, d1
 
 
+@pytest.mark.paper("J 3.2.4.3, subsampling", "J 3.2.4.1, eq. 5, 6", "J 3.2.4.3, eq. 7, 10, 11", "J 3.2.4.3, eq. 12")
 @pytest.mark.slow
 def test_the_first_window_of_the_letter_is_the_papers_formula(short_street):
     _, reported, paint, markings = short_street
@@ -410,6 +412,7 @@ def test_the_first_window_of_the_letter_is_the_papers_formula(short_street):
     assert cost(letter) < 1.5 * cost(np.zeros(3)) < 0
 
 
+@pytest.mark.paper("J 3.2.4.3, eq. 8, 9", "J 4.2")
 @pytest.mark.slow
 @pytest.mark.parametrize("three_d", [False, True])
 def test_the_letter_moves_each_patch_by_one_matrix(short_street, tmp_path, three_d):
@@ -443,6 +446,7 @@ def test_the_letter_moves_each_patch_by_one_matrix(short_street, tmp_path, three
         assert np.abs(windows.correction[:, 3:5]).max() > 0
 
 
+@pytest.mark.paper("J 3.2.4.3, eq. 8, 9")
 def test_the_letter_carries_the_matrix_over_windows_without_markings(short_street):
     _, reported, paint, markings = short_street
     along = (np.column_stack([markings.x, markings.y]) - ORIGIN) @ (along_street(1.0, 0.0) - ORIGIN)

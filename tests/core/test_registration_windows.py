@@ -58,6 +58,7 @@ def brute_window(x, y, patch, patches, settings, number, extend_at_end):
     return first, last, features
 
 
+@pytest.mark.paper("J 3.2.4.2")
 @pytest.mark.parametrize("extend_at_end", [True, False])
 def test_windows_grow_as_the_paper_says(extend_at_end):
     rng = np.random.default_rng(2)

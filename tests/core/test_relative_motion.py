@@ -53,6 +53,7 @@ def paper(t, s, e, true_e, rounds=30):
     return np.array(chain)
 
 
+@pytest.mark.paper("Z 3.1, eq. 8, 9")
 def test_iteration_is_the_paper_s_and_the_closed_form_its_limit():
     trajectory = course(25)
     end = trajectory.place[24, :2] + [1.2, -0.8]

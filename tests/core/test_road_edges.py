@@ -28,7 +28,9 @@ def across(edge, angle):
 
 @pytest.mark.parametrize("angle", [0.0, 25.0, 77.0, 200.0])
 def test_a_kerb_lies_where_it_is_whatever_its_direction(tmp_path, angle):
-    kerb, = edges_of(tmp_path, Street(), angle).edges
+    found = edges_of(tmp_path, Street(), angle)
+    kerb, = found.edges
+    assert found.path_length > 57.0
     assert (kerb.kind, kerb.status) == ("kerb", "measured") and kerb.length > 57.0
     assert np.abs(across(kerb, angle) - KERB_AT).max() < 0.02
     assert kerb.height == pytest.approx(0.12, abs=0.005)

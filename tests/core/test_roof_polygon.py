@@ -16,6 +16,7 @@ def line(boundary, first, last, point, direction):
     return BoundaryLine(np.array(point, float), np.array(direction, float), first, last, last - first + 1)
 
 
+@pytest.mark.paper("J 5.3.3, 4")
 def test_shared_corners_are_taken_as_they_are():
     boundary = np.array([[0, 0], [10, 0], [10, 6], [0, 6]], float)
     lines = [line(boundary, 0, 1, [5, 0], [1, 0]), line(boundary, 2, 3, [5, 6], [-1, 0]),
@@ -23,6 +24,7 @@ def test_shared_corners_are_taken_as_they_are():
     assert roof_polygon(lines, boundary).equals(shapely.box(0, 0, 10, 6))
 
 
+@pytest.mark.paper("J 5.3.3, 4")
 def test_unmatched_ends_become_perpendicular_images():
     # Figure 5-5: the corner at (10, 0) has no common point; the other three have
     boundary = np.array([[0, 0.0], [9, 0.2], [9.8, 1], [10, 6], [0, 6]])
@@ -30,6 +32,30 @@ def test_unmatched_ends_become_perpendicular_images():
              line(boundary, 3, 4, [0, 6], [-1, 0]), line(boundary, 4, 0, [0, 0], [0, -1])]
     expected = shapely.Polygon([(0, 0), (9, 0), (10, 1), (10, 6), (0, 6)])
     assert roof_polygon(lines, boundary).equals(expected)
+
+
+def printed_steps(lines, boundary):
+    """J 5.3.3, step 4 as printed: begins with the first point of the first edge, the last edge adds nothing."""
+    ring, current, left = [boundary[lines[0].first]], lines[0], lines[1:]
+    while left:
+        following = min(left, key=lambda edge: np.hypot(*(boundary[edge.first] - boundary[current.last])))
+        if following.first == current.last:
+            ring.append(boundary[current.last])
+        else:
+            ring += [current.project(boundary[current.last]), following.project(boundary[following.first])]
+        left = [edge for edge in left if edge is not following]
+        current = following
+    return shapely.Polygon(ring)
+
+
+@pytest.mark.paper("J 5.3.3, 4")
+def test_the_last_corner_is_drawn_as_the_others():
+    # A corner cut between the last and the first edge, which the printed steps would draw as a long diagonal.
+    boundary = np.array([[1, 0], [10, 0], [10, 10], [0, 10], [0, 1.0]])
+    lines = [line(boundary, 0, 1, [5, 0], [1, 0]), line(boundary, 1, 2, [10, 5], [0, 1]),
+             line(boundary, 2, 3, [5, 10], [-1, 0]), line(boundary, 3, 4, [0, 5], [0, -1])]
+    assert roof_polygon(lines, boundary).area == pytest.approx(99.5)
+    assert printed_steps(lines, boundary).area == pytest.approx(95.0)
 
 
 def test_needs_three_edges():

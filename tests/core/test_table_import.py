@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from pyproj import Proj, Transformer
 
 from urbanmap_qgis.aerial.frames.camera import angles_from_usual_order
 from urbanmap_qgis.aerial.frames.exterior_files import read_exterior
@@ -17,7 +18,9 @@ from urbanmap_qgis.job.table_import import (
     remember_import,
     remembered_imports,
     split_table,
+    table_place,
 )
+from urbanmap_qgis.job.table_places import degrees_of, suggested_crs
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 
 PREAMBLE = "経路の解析結果\n作成: 測量 太郎\n"
@@ -114,3 +117,142 @@ def test_ways_are_kept_by_name(tmp_path):
     path.write_text("[1]", encoding="utf-8")
     with pytest.raises(InputError, match="delete it"):
         remembered_imports(path)
+
+
+def polar_rows(count=40):
+    """Driving to grid east in zone IX at 10 m/s, with the heading from true north."""
+    plan = Transformer.from_crs(6677, 6668, always_xy=True)
+    for number in range(count):
+        longitude, latitude = plan.transform(-6000.0 + number, -34000.0)
+        turn = float(Proj("EPSG:6677").get_factors(longitude, latitude).meridian_convergence)
+        yield 100.0 + 0.1 * number, latitude, longitude, 45.0, 0.0, 0.0, 90.0 + turn
+
+
+def sexagesimal(value):
+    return int(value), int(value * 60 % 60), value * 3600 % 60
+
+
+POLAR_NAMES = "TIME,LATITUDE,LONGITUDE,ELLIPSOID HEIGHT,ROLL,PITCH,HEADING"
+POSPAC = ["POSPac MMS export", "Datum: JGD2011", POLAR_NAMES, "(sec),(deg),(deg),(m),(deg),(deg),(deg)"]
+
+
+def test_degrees_go_into_the_zone_of_their_place_and_headings_to_grid_north(tmp_path):
+    lines = [*POSPAC, *(",".join(f"{value:.9f}" for value in row) for row in polar_rows())]
+    (tmp_path / "t.txt").write_text("\n".join(lines), encoding="utf-8")
+    how = guessed_import(tmp_path / "t.txt", "trajectory")
+    assert how.polar and how.heights == "ellipsoidal" and how.skip == 2
+    crs, x, y = table_place(tmp_path / "t.txt", how)
+    assert crs == "EPSG:6677" and (x, y) == pytest.approx((-6000.0, -34000.0), abs=1e-3)
+    notes = import_table(tmp_path / "t.txt", how, tmp_path / "out.csv")
+    assert any("EPSG:6677" in note for note in notes) and any("above the ellipsoid" in note for note in notes)
+    made = read_trajectory(tmp_path / "out.csv").trajectory
+    assert made.place[[0, -1]].tolist() == [pytest.approx((-6000.0, -34000.0, 45.0), abs=1e-3),
+                                            pytest.approx((-5961.0, -34000.0, 45.0), abs=1e-3)]
+    assert made.angles[:, 2] == pytest.approx(90.0, abs=1e-5)
+    import_table(tmp_path / "t.txt", replace(how, north="grid"), tmp_path / "grid.csv")
+    assert read_trajectory(tmp_path / "grid.csv").trajectory.angles[0, 2] == pytest.approx(89.9614, abs=1e-3)
+
+
+def test_angles_from_east_in_radians_turn_the_other_way(tmp_path):
+    rows = [(*row[:6], np.radians(90.0 - row[6])) for row in polar_rows()]
+    lines = [POLAR_NAMES, *(",".join(f"{value:.9f}" for value in row) for row in rows)]
+    (tmp_path / "t.csv").write_text("\n".join(lines), encoding="utf-8")
+    how = replace(guessed_import(tmp_path / "t.csv", "trajectory"), angles="radians_from_east")
+    import_table(tmp_path / "t.csv", how, tmp_path / "out.csv")
+    assert read_trajectory(tmp_path / "out.csv").trajectory.angles[:, 2] == pytest.approx(90.0, abs=1e-4)
+
+
+def test_degrees_minutes_and_seconds_in_columns_of_their_own(tmp_path):
+    """As Inertial Explorer writes them: one name over three columns between blanks."""
+    lines = ["Project: 測量", "GPSTime Latitude Longitude H-Ell Roll Pitch Heading",
+             "(sec) (deg min sec) (deg min sec) (m) (deg) (deg) (deg)".replace("deg min sec", "D M S")]
+    for time, latitude, longitude, *rest in polar_rows():
+        (d, m, s), (e, n, t) = sexagesimal(latitude), sexagesimal(longitude)
+        lines.append(f"{time:.3f} {d} {m} {s:.6f} {e} {n} {t:.6f} " + " ".join(f"{value:.5f}" for value in rest))
+    (tmp_path / "ie.txt").write_text("\n".join(lines), encoding="utf-8")
+    how = guessed_import(tmp_path / "ie.txt", "trajectory")
+    assert how.columns == {"time": 0, "latitude": 1, "latitude_minutes": 2, "latitude_seconds": 3, "longitude": 4,
+                           "longitude_minutes": 5, "longitude_seconds": 6, "z": 7, "roll": 8, "pitch": 9, "heading": 10}
+    assert len(split_table(tmp_path / "ie.txt", how, 4)[0]) == 11 and how.heights == "ellipsoidal"
+    import_table(tmp_path / "ie.txt", how, tmp_path / "out.csv")
+    made = read_trajectory(tmp_path / "out.csv").trajectory
+    assert made.place[5, :2] == pytest.approx((-5995.0, -34000.0), abs=1e-3)
+
+
+def test_heights_are_asked_for_and_lowered_by_a_geoid(tmp_path):
+    lines = [POLAR_NAMES.replace("ELLIPSOID ", ""), *(",".join(map(repr, row)) for row in polar_rows())]
+    (tmp_path / "t.csv").write_text("\n".join(lines), encoding="utf-8")
+    how = guessed_import(tmp_path / "t.csv", "trajectory")
+    assert how.heights == ""
+    with pytest.raises(InputError, match="what the heights count from"):
+        import_table(tmp_path / "t.csv", how, tmp_path / "out.csv")
+    isg = ("model name : local\nunits : meters\nlat min = 35.0\nlat max = 36.0\nlon min = 139.0\nlon max = 140.0\n"
+           "delta lat = 1.0\ndelta lon = 1.0\nnrows = 2\nncols = 2\nnodata = -9999\nISG format = 1.0\n"
+           "end_of_head ====\n36.5 36.5\n36.5 36.5\n")
+    (tmp_path / "g.isg").write_text(isg, encoding="utf-8")
+    notes = import_table(tmp_path / "t.csv", replace(how, heights="ellipsoidal", geoid=str(tmp_path / "g.isg")),
+                         tmp_path / "out.csv")
+    assert read_trajectory(tmp_path / "out.csv").trajectory.place[:, 2] == pytest.approx(8.5, abs=1e-3)
+    assert any("lowered by 36.500" in note for note in notes)
+    notes = import_table(tmp_path / "t.csv", replace(how, heights="sea level"), tmp_path / "out.csv")
+    assert len(notes) == 1 and read_trajectory(tmp_path / "out.csv").trajectory.place[0, 2] == pytest.approx(45.0)
+
+
+def test_frames_in_degrees_turn_their_kappa(tmp_path):
+    (_, latitude, longitude, *_), *_ = polar_rows()
+    turn = float(Proj("EPSG:6677").get_factors(longitude, latitude).meridian_convergence)
+    lines = ["Label,Longitude,Latitude,Altitude,Omega,Phi,Kappa", f"a.tif,{longitude:.9f},{latitude:.9f},700,1,2,170"]
+    (tmp_path / "e.csv").write_text("\n".join(lines), encoding="utf-8")
+    how = replace(guessed_import(tmp_path / "e.csv", "exterior"), heights="sea level")
+    import_table(tmp_path / "e.csv", how, tmp_path / "out.csv")
+    pose, = read_exterior(tmp_path / "out.csv")
+    assert (pose.x, pose.y, pose.z) == pytest.approx((-6000.0, -34000.0, 700.0), abs=1e-3)
+    assert (pose.omega, pose.phi, pose.kappa) == pytest.approx((1.0, 2.0, 170.0 + turn), abs=1e-5)
+
+
+def test_map_coordinates_go_before_degrees(tmp_path):
+    (tmp_path / "t.csv").write_text("time,easting,northing,latitude,longitude,z,roll,pitch,heading\n"
+                                    "1,2,3,4,5,6,7,8,9\n", encoding="utf-8")
+    how = guessed_import(tmp_path / "t.csv", "trajectory")
+    assert not how.polar and how.columns["x"] == 1 and table_place(tmp_path / "t.csv", how) is None
+
+
+@pytest.mark.parametrize(("cells", "degrees"), [
+    (["35.5"], 35.5), (["-0.25"], -0.25), (["3.55e+01"], 35.5), (["35 30 36"], 35.51), (["35°30'36.0\"N"], 35.51),
+    (["139-30-36"], 139.51), (["35:30.6"], 35.51), (["-0 30 00"], -0.5), (["S 35 30 36"], -35.51),
+    (["北緯35度30分36秒"], 35.51), (["35", "30", "36"], 35.51), (["-35", "30", "36"], -35.51), (["35d30m36"], 35.51),
+    (["35 60 00"], None), (["north"], None), ([""], None), (["1 2 3 4"], None)])
+def test_angles_as_they_are_written(cells, degrees):
+    found = degrees_of(cells)
+    assert found is None if degrees is None else found == pytest.approx(degrees)
+
+
+@pytest.mark.parametrize(("name", "longitude", "latitude", "crs"), [
+    ("Tokyo", 139.7, 35.7, 6677), ("Naha", 127.7, 26.2, 6683), ("Tsushima", 129.3, 34.3, 6669),
+    ("Wakkanai", 141.7, 45.4, 6680), ("Seoul", 127.0, 37.5, 32652), ("Busan", 129.05, 35.15, 32652),
+    ("Taipei", 121.5, 25.0, 32651), ("Berlin", 13.4, 52.5, 32633), ("Sydney", 151.2, -33.9, 32756),
+    ("Vladivostok", 131.9, 43.1, 32652), ("Shanghai", 121.5, 31.2, 32651)])
+def test_a_place_gets_its_zone(name, longitude, latitude, crs):
+    assert suggested_crs(longitude, latitude) == f"EPSG:{crs}", name
+
+
+@pytest.mark.parametrize(("change", "says"), [
+    ({"crs": "EPSG:4326"}, "no system of plane coordinates"), ({"crs": "nowhere"}, "is no reference system"),
+    ({"crs": "EPSG:2263"}, "in metres"), ({"columns": {"latitude": 0, "longitude": 1}}, "beyond 90"),
+    ({"columns": {"latitude": 1}}, "No column is chosen for time, longitude")])
+def test_wrong_places_get_a_sentence(tmp_path, change, says):
+    lines = [POLAR_NAMES, *(",".join(map(repr, row)) for row in polar_rows())]
+    (tmp_path / "t.csv").write_text("\n".join(lines), encoding="utf-8")
+    how = guessed_import(tmp_path / "t.csv", "trajectory")
+    columns = {**how.columns, **change.get("columns", {})} if len(change.get("columns", ())) > 1 else change.get(
+        "columns", how.columns)
+    with pytest.raises(InputError, match=says):
+        import_table(tmp_path / "t.csv", replace(how, **{**change, "columns": columns}), tmp_path / "out.csv")
+
+
+def test_a_row_without_a_place_is_named(tmp_path):
+    lines = [POLAR_NAMES, *(",".join(map(repr, row)) for row in polar_rows())]
+    lines[4] = "100.3,none,139.7,45,0,0,90"
+    (tmp_path / "t.csv").write_text("\n".join(lines), encoding="utf-8")
+    with pytest.raises(InputError, match="row 5 has no latitude and longitude"):
+        import_table(tmp_path / "t.csv", guessed_import(tmp_path / "t.csv", "trajectory"), tmp_path / "out.csv")

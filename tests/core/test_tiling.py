@@ -196,8 +196,10 @@ def record_text(**changes):
     record_text(outputs=None), record_text(outputs={"output.gpkg": "5"}), record_text(outputs={"../x": 5}),
     record_text(checksums="gone"), record_text(checksums={"output.gpkg": 5}),
     record_text(checksums={"output.gpkg": "0"}),
-    record_text(figures=[1]), record_text(figures={"a": "b"}), record_text(seconds="long"), record_text(memory=None),
-    record_text(status=["done"]), record_text(reason=None), record_text(name="0_0"), record_text(more=1)])
+    record_text(figures=[1]), record_text(figures={"a": "b"}),
+    record_text(figures={"a": float("-inf")}), record_text(cpu=float("nan")), record_text(seconds="long"),
+    record_text(memory=None), record_text(status=["done"]), record_text(reason=None), record_text(name="0_0"),
+    record_text(more=1)])
 def test_a_record_that_is_damaged_is_a_tile_not_done(tmp_path, text):
     tile = TileGrid(50.0, 0.0).tile(1, -2)
     done_tile(tmp_path, tile)

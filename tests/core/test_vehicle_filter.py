@@ -48,6 +48,7 @@ def test_three_orthophotos_on_one_grid(tmp_path, dark):
     assert np.abs(values - truth).max() < 2 and made.pixels_shared == 120 * 150
 
 
+@pytest.mark.paper("J 3.2.1.2")
 def test_darkest_is_the_papers(tmp_path):
     paths = [write(tmp_path / f"{k}.tif", vehicle=(6 + 7 * k, -10, 250)) for k in range(2)]
     filter_vehicles(paths, tmp_path / "out.tif", PixelSelection("darkest"))

@@ -51,6 +51,7 @@ def survey():
             Trajectory(epochs, true, level))
 
 
+@pytest.mark.paper("J 3.3.5, virtual control points")
 def test_errors_at_virtual_points_are_those_of_the_survey(survey):
     markings, reported, true = survey
     reference = Reference.from_polygons(polygons())

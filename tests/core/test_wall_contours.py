@@ -7,8 +7,10 @@ import pytest
 import shapely
 
 from urbanmap_qgis.errors import InputError
+from urbanmap_qgis.facades import wall_contours as wall_contours_module
 from urbanmap_qgis.facades.plane_fit import WallPlane
 from urbanmap_qgis.facades.wall_contours import ContourSettings, in_plane, on_map, wall_contours, wall_coverage
+from urbanmap_qgis.geometry.alpha_shape import alpha_shape
 
 NAN = float("nan")
 
@@ -32,6 +34,7 @@ def wall_with(rng, holes, n=12_000):
     return flat
 
 
+@pytest.mark.paper("J 5.7, contours")
 @pytest.mark.parametrize(("azimuth", "lean"), [(0, 0), (133, 0), (250, 6)])
 def test_contours_lie_on_the_plane_and_keep_openings(azimuth, lean):
     plane = plane_towards(azimuth, lean)
@@ -118,3 +121,21 @@ def test_plane_coordinates_are_lengths():
 def test_bad_settings():
     with pytest.raises(InputError):
         ContourSettings(min_area=0)
+
+
+@pytest.mark.parametrize("alpha", [0.35, 0.6, 1.2])
+@pytest.mark.parametrize("count", [60_000, 2_500])
+@pytest.mark.parametrize("seed", range(3))
+def test_points_deep_within_a_wall_need_no_triangles(seed, count, alpha):
+    rng = np.random.default_rng(seed)
+    flat = rng.uniform(0, [14.0, 9.0], (count, 2))
+    for low in rng.uniform(0, [12.0, 7.0], (5, 2)):  # windows, and a strip where points are thin
+        flat = flat[~((flat > low) & (flat < low + rng.uniform(0.2, 2.0, 2))).all(axis=1)]
+    flat = flat[(flat[:, 0] > 2.0) | (rng.random(len(flat)) < 0.01)]
+    kept, deep = wall_contours_module._thinned(flat, alpha)
+    together, none = wall_contours_module._thinned(flat, 0.1)
+    assert not len(none) and len(together) == len(kept) + len(deep)
+    rings = [[points[ring].tolist() for ring in alpha_shape(points, alpha, left)]
+             for points, left in ((together, None), (kept, deep))]
+    assert rings[0] and rings[0] == rings[1]
+    assert len(deep) > 100 or count == 2_500

@@ -34,6 +34,7 @@ def azimuths(segments):
     return [round(np.degrees(np.arctan2(*segment.plane.normal[:2])) % 360.0) for segment in segments]
 
 
+@pytest.mark.paper("J 5.7, segments")
 def test_walls_of_a_recess_are_parted():
     """A front with a bay 0.8 m deep: planes 0.8 m apart, and of its narrow cheeks at least one."""
     rng = np.random.default_rng(1)

@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import shapely
 
+from ..geometry.tolerances import LEAST_SQUARE, ROUNDING
 from .tile_grid import GridTile
 
 WHOLE, JOINED, CUT = "", "joined", "cut"
@@ -44,7 +45,7 @@ def cut_at_tile(polygons: Sequence[shapely.Geometry | None], tile: GridTile
     parts, rows = shapely.get_parts(cut, return_index=True)
     keep = (shapely.get_type_id(parts) == shapely.GeometryType.POLYGON) & (shapely.area(parts) > 0)
     parts, rows = parts[keep], rows[keep]
-    return parts, rows, shapely.area(parts) / np.maximum(shapely.area(given[rows]), 1e-12)
+    return parts, rows, shapely.area(parts) / np.maximum(shapely.area(given[rows]), LEAST_SQUARE)
 
 
 def at_edge(pieces: np.ndarray, tile: GridTile) -> np.ndarray:
@@ -58,7 +59,7 @@ def share_of_fields(columns: Mapping[str, Sequence], rows: np.ndarray, shares: n
     for name, column in columns.items():
         picked = [column[row] for row in rows]
         if name in SUMMED:
-            picked = [value if value is None or share > 1 - 1e-9 else value * share
+            picked = [value if value is None or share > 1 - ROUNDING else value * share
                       for value, share in zip(picked, shares)]
         shared[name] = picked
     return shared

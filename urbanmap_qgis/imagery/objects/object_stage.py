@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from ...geometry.tolerances import SIGMA_OF_MAD
 from ...io.points.pointcloud import PointCloud, iter_chunks, valid_points
 from ...progress import SILENT, Progress
 from ...wording import say
@@ -179,7 +180,7 @@ def _sampled(outline: ImageOutline, pixels: np.ndarray,
         first = near[points.distance[near] <= points.distance[near].min() + 0.3][:_NEAREST]
         along = (points.place[first] - origin[number]) @ direction[number]
         places[number] = origin[number] + np.median(along) * direction[number]
-        spread[number] = 1.4826 * np.median(np.abs(along - np.median(along)))
+        spread[number] = SIGMA_OF_MAD * np.median(np.abs(along - np.median(along)))
         used += len(first)
     return places, spread, used
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...geometry.tolerances import LEAST_DIVISOR, SIGMA_OF_MAD
 from .outline_points import OutlinePoints
 
 
@@ -73,7 +74,7 @@ def surface_plane(points: OutlinePoints, camera: np.ndarray) -> SurfacePlane:
         off = place - middle
         spread, axes = np.linalg.eigh((weight[:, None] * off).T @ off / weight.sum())
         residual = off @ axes[:, 0]
-        scale = max(1.4826 * np.median(np.abs(residual)), 0.005)
+        scale = max(SIGMA_OF_MAD * np.median(np.abs(residual)), 0.005)
         share = np.clip(residual / (4.0 * scale), -1.0, 1.0)
         weight = np.maximum((1.0 - share**2) ** 2, 1e-12)
     used = np.abs(residual) < 4.0 * scale
@@ -82,7 +83,7 @@ def surface_plane(points: OutlinePoints, camera: np.ndarray) -> SurfacePlane:
     normal = axes[:, 0]
     if not flat:
         towards = (camera - middle) * [1.0, 1.0, 0.0]
-        normal = towards / max(np.linalg.norm(towards), 1e-9)
+        normal = towards / max(np.linalg.norm(towards), LEAST_DIVISOR)
         middle = np.median(place, axis=0)
         rmse = float(np.std((place - middle) @ normal))
         used = np.ones(len(place), bool)

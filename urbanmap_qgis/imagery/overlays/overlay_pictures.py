@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
+from ...geometry.tolerances import LEAST_DIVISOR
 from ..views.views import Source
 from .overlay_layers import DrawnEdges, DrawnPoints
 
@@ -55,7 +56,7 @@ class PointColours:
             table = np.full((256, 3), LIMITS.other_class, np.uint8)
             table[list(CLASS_COLOURS)] = list(CLASS_COLOURS.values())
             return table[np.clip(values, 0, 255).astype(int)]
-        share = np.clip((values - self.low) / max(self.high - self.low, 1e-9), 0.0, 1.0)
+        share = np.clip((values - self.low) / max(self.high - self.low, LEAST_DIVISOR), 0.0, 1.0)
         ramp = cv2.COLORMAP_TURBO if self.kind == "height" else cv2.COLORMAP_BONE
         return cv2.applyColorMap((255 * share).astype(np.uint8).reshape(-1, 1), ramp).reshape(-1, 3)[:, ::-1]
 

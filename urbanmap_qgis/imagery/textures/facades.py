@@ -10,6 +10,7 @@ import shapely
 
 from ...geometry.solid import OUTER_WALL, Solid
 from ...geometry.solid_faces import face_normal
+from ...geometry.tolerances import LEAST_DIVISOR
 
 _MIN_SIDE = 0.3
 """Upright faces narrower or lower than this (m) are reveals and steps, and get no texture."""
@@ -61,7 +62,7 @@ def _facade(solid: Solid, number: int, face: int) -> Facade:
     """The frame of a face: `along` is level, `up` as steep as the face."""
     rings = solid.faces[face]
     normal = face_normal(solid.vertices, rings)
-    along = np.array([-normal[1], normal[0], 0.0]) / max(np.hypot(normal[0], normal[1]), 1e-12)
+    along = np.array([-normal[1], normal[0], 0.0]) / max(np.hypot(normal[0], normal[1]), LEAST_DIVISOR)
     up = np.cross(normal, along)
     start = solid.vertices[rings[0][0]]
     flat = [np.column_stack([(solid.vertices[list(ring)] - start) @ axis for axis in (along, up)]) for ring in rings]

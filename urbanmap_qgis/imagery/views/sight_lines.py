@@ -6,6 +6,8 @@ from collections.abc import Callable
 
 import numpy as np
 
+from ...geometry.tolerances import LEAST_DIVISOR
+
 BEFORE_CAMERA = 1.0
 """The last part of a line, m, is not tested."""
 
@@ -14,7 +16,7 @@ def sight_lines(places: np.ndarray, cameras: np.ndarray) -> tuple[np.ndarray, np
     """Unit directions (n, 3) and lengths (n,), m, of the lines from places (n, 3) to cameras (n, 3)."""
     vector = cameras - places
     length = np.linalg.norm(vector, axis=1)
-    return vector / np.maximum(length, 1e-9)[:, None], length
+    return vector / np.maximum(length, LEAST_DIVISOR)[:, None], length
 
 
 def blocked_lines(places: np.ndarray, lines: tuple[np.ndarray, np.ndarray], start: np.ndarray, top: float, step: float,
