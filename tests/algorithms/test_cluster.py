@@ -82,16 +82,34 @@ def test_workers_with_other_sources_are_refused(plugin):
 
     class Stale:
         @staticmethod
-        def upload_file(path):
-            with zipfile.ZipFile(path) as archive:
-                assert any(name.endswith("urbanmap_qgis/sources_mark.txt") for name in archive.namelist())
-
-        @staticmethod
         def run(_function):
             return {"tcp://elsewhere:1": "an older mark"}
 
     with pytest.raises(errors.InputError, match="restart the workers"):
-        cluster._send_core(Stale)
+        cluster._compare_sources(Stale)
+
+
+def test_the_core_is_sent_once_with_its_mark(plugin, serve, monkeypatch):
+    """A second run at the same time leaves the zip that workers import from as it is."""
+    from distributed import Client
+
+    cluster, packed = plugin("algorithms.framework.running.cluster"), []
+    pack = cluster._pack_core
+
+    def noted(archive, mark):
+        pack(archive, mark)
+        with zipfile.ZipFile(archive) as sent:
+            name, = [name for name in sent.namelist() if name.endswith("urbanmap_qgis/sources_mark.txt")]
+            packed.append((sent.read(name).decode(), mark))
+
+    monkeypatch.setattr(cluster, "_pack_core", noted)
+    address = serve(1)
+    with Client(address, set_as_default=False) as first, Client(address, set_as_default=False) as second:
+        cluster._send_core(first)
+        cluster._send_core(second)
+        cluster._compare_sources(second)
+    (written, mark), = packed
+    assert written == mark
 
 
 def test_folders_that_workers_do_not_see_are_refused(plugin, serve, monkeypatch):

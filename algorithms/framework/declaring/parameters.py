@@ -60,20 +60,20 @@ _POINT_FILES = "Point clouds (*.las *.laz *.LAS *.LAZ)"
 _IMAGE_FILES = "Images (*.tif *.tiff *.jpg *.jpeg *.png *.TIF *.TIFF *.JPG *.JPEG *.PNG)"
 
 FILES_FILTERS = {
-    "POINTS": _POINT_FILES, "POINTS_BEFORE": _POINT_FILES, "ALS": _POINT_FILES,
     "FRAMES": _IMAGE_FILES, "IMAGES": _IMAGE_FILES, "MASKS": _IMAGE_FILES,
     "SCANS": "Range scans (*.csv *.csv.gz *.parquet *.las *.laz)",
     "NAVIGATION": "Navigation and orbits (*.nav *.rnx *.sp3 *.SP3 *.??n *.??N *.??p *.??P *.gz *.Z *.bz2)",
     "OBSERVATIONS": "Observations (*.obs *.rnx *.crx *.??o *.??O *.??d *.??D *.gz *.Z *.bz2)",
     "TRAJECTORY": "Trajectory (*.csv *.txt *.out *.sbet *.gpkg *.shp *.geojson)",
 }
-"""Which files dialogs show first, by parameters of several files."""
+"""Which files dialogs show first, by parameters of several files that are no point clouds."""
 
 
 def with_files_widget(definition, layers: bool) -> None:
     """Let dialogs show our own field for a parameter of several files; `layers`: with those of point cloud layers."""
     if definition.type() == "multilayer" and definition.layerType() == QgsProcessing.SourceType.TypeFile:
-        shown = [FILES_FILTERS[definition.name()]] if definition.name() in FILES_FILTERS else []
+        filter = FILES_FILTERS.get(definition.name(), _POINT_FILES if layers else "")
+        shown = [filter] if filter else []
         definition.setMetadata({"widget_wrapper": {"class": FILES_WIDGET}, "urbanmap_layers": layers,
                                 "urbanmap_filter": ";;".join(tr(text) for text in (*shown, "All files (*)"))})
 

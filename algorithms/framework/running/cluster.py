@@ -45,6 +45,7 @@ class _Cluster:
         client = _client(self.address)
         try:
             _send_core(client)
+            _compare_sources(client)
             _compare_versions(client)
             _compare_storage(client, self.folders)
         except BaseException:
@@ -156,22 +157,48 @@ def _client(address: str):
 
 
 def _send_core(client) -> None:
-    """Send the core as a zip, under the names by which it is imported here, and see that it is what workers import."""
-    mark, parts = sources_mark(), PLUGIN.split(".")
-    with tempfile.TemporaryDirectory(prefix="urbanmap-") as folder:
-        archive = Path(folder) / f"urbanmap_core_{mark}.zip"
-        core = "/".join([*parts, "urbanmap_qgis"])
-        with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as target:
-            for number in range(len(parts)):
-                target.writestr("/".join([*parts[:number + 1], "__init__.py"]), "")
-            for name, path in packed_sources().items():
-                target.write(path, f"{core}/{name}")
-            target.writestr(f"{core}/{MARK_FILE}", mark)
-        client.upload_file(str(archive))
+    """Send the core as a zip, under the names by which it is imported here.
+
+    Runs that come to a cluster at the same time wait for each other, and only the first sends: a zip that is written
+    again while a worker imports from it cannot be read.
+    """
+    from distributed import Lock
+
+    mark = sources_mark()
+    name = f"urbanmap_core_{mark}.zip"
+    with client.as_current(), Lock(name):
+        if not _is_sent(client, name):
+            with tempfile.TemporaryDirectory(prefix="urbanmap-") as folder:
+                archive = Path(folder) / name
+                _pack_core(archive, mark)
+                client.upload_file(str(archive))
+
+
+def _compare_sources(client) -> None:
     for worker, found in client.run(sources_mark).items():
-        if found != mark:
+        if found != sources_mark():
             raise InputError(tr("The worker {0} has another version of UrbanMap loaded; restart the workers.").format(
                 worker))
+
+
+def _is_sent(client, name: str) -> bool:
+    """Whether every worker has the file of this name."""
+    folders = {worker: known["local_directory"]
+               for worker, known in client.scheduler_info(n_workers=-1)["workers"].items()}
+    return all(client.run(os.path.exists, os.path.join(folder, name), workers=[worker])[worker]
+               for worker, folder in folders.items())
+
+
+def _pack_core(archive: Path, mark: str) -> None:
+    """Write the zip of the core's sources with their mark."""
+    parts = PLUGIN.split(".")
+    core = "/".join([*parts, "urbanmap_qgis"])
+    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as target:
+        for number in range(len(parts)):
+            target.writestr("/".join([*parts[:number + 1], "__init__.py"]), "")
+        for name, path in packed_sources().items():
+            target.write(path, f"{core}/{name}")
+        target.writestr(f"{core}/{MARK_FILE}", mark)
 
 
 def _compare_versions(client) -> None:
