@@ -29,10 +29,11 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from urbanmap_qgis.facades.building_plans import building_plans, outline_edges
 from urbanmap_qgis.mobile.markings.records import MarkingPoints
 from urbanmap_qgis.mobile.registration.correction.patch_status import DISTRUSTED, REGISTERED
+from urbanmap_qgis.mobile.registration.correction.settings import CorrectionSettings
 from urbanmap_qgis.mobile.registration.records import RegistrationSettings
-from urbanmap_qgis.mobile.registration.stage import RegistrationRun, walls_of
 from urbanmap_qgis.mobile.registration.start.reference import Reference
 from urbanmap_qgis.mobile.registration.walls.outline_walls import WallEdges
+from urbanmap_qgis.mobile.registration.walls.survey_walls import walls_of
 from urbanmap_qgis.mobile.registration.walls.witness import WallWitness
 from urbanmap_qgis.mobile.trajectory import Trajectory, interpolate, path_chainage
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
@@ -292,7 +293,7 @@ def walls_near(city: Path, survey: DrivenSurvey, kind: str) -> WallWitness | Non
         plans = building_plans(plans, np.arange(len(plans))).plan
         edges = WallEdges.joined([outline_edges(plan) for plan in plans if plan is not None])
     begin = time.process_time()
-    walls = walls_of([city / "mms" / f"{survey.name}.laz"], survey.reported, RegistrationRun(), edges)
+    walls = walls_of([city / "mms" / f"{survey.name}.laz"], survey.reported, CorrectionSettings().time_weight, edges)
     spent = (time.process_time() - begin) / path_chainage(survey.reported)[-1]
     print(f"{len(walls.planes)} planes of facades, {1000 * spent:.1f} ms of CPU a metre", flush=True)
     return walls

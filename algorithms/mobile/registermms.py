@@ -191,7 +191,7 @@ class RegisterMms(UrbanMapAlgorithm):
     def _write_patches(self, parameters, context, made, crs, progress):
         import shapely
 
-        from ...urbanmap_qgis.mobile.registration.stage import patch_table
+        from ...urbanmap_qgis.mobile.registration.registered_survey import patch_table
 
         columns, places = patch_table(made)
         kinds = {"patch": "int", "features": "int", "points": "int", "status": "text", "reason": "text"}
@@ -203,7 +203,7 @@ class RegisterMms(UrbanMapAlgorithm):
     def _write_steps(self, parameters, context, made, crs, progress):
         import shapely
 
-        from ...urbanmap_qgis.mobile.registration.stage import step_table
+        from ...urbanmap_qgis.mobile.registration.registered_survey import step_table
 
         columns, places = step_table(made)
         fields = make_fields(*((name, "text" if name == "kind" else "real") for name in columns))

@@ -24,7 +24,7 @@ def add_walls(algorithm) -> None:
 
 def read_walls(algorithm, parameters, context, survey, run, progress):
     """The core's `WallWitness` of the survey (files, CRS, trajectory), None where paint alone is asked for."""
-    from ...urbanmap_qgis.mobile.registration.stage import walls_of
+    from ...urbanmap_qgis.mobile.registration.walls.survey_walls import walls_of
 
     features = algorithm.parameterAsString(parameters, "FEATURES", context)
     buildings = parameters.get("BUILDINGS") is not None
@@ -42,7 +42,7 @@ def read_walls(algorithm, parameters, context, survey, run, progress):
     paths, crs, trajectory = survey
     edges = _edges(algorithm, parameters, context, crs, progress) if buildings else None
     files = algorithm.point_files(parameters, "SURVEY", context) or paths
-    return walls_of(files, trajectory, run, edges, features == "walls", progress)
+    return walls_of(files, trajectory, run.correction.time_weight, edges, features == "walls", progress)
 
 
 def _edges(algorithm, parameters, context, crs, progress):

@@ -23,15 +23,11 @@ from urbanmap_qgis.mobile.markings.markings_file import markings_to_file
 from urbanmap_qgis.mobile.pose_correction import correction_between
 from urbanmap_qgis.mobile.registration.correction.adjustment import CorrectionSettings
 from urbanmap_qgis.mobile.registration.records import RegistrationSettings
+from urbanmap_qgis.mobile.registration.registered_survey import patch_table, unregistered_sections
 from urbanmap_qgis.mobile.registration.report import write_registration_report
-from urbanmap_qgis.mobile.registration.stage import (
-    RegistrationRun,
-    patch_table,
-    register_markings,
-    survey_markings,
-    unregistered_sections,
-)
+from urbanmap_qgis.mobile.registration.stage import RegistrationRun, register_markings
 from urbanmap_qgis.mobile.registration.start.reference import Reference
+from urbanmap_qgis.mobile.registration.survey_markings import survey_markings
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 
 

@@ -16,8 +16,9 @@ from ..apply_correction import survey_time_shift
 from ..calibration import Calibration
 from ..control import ControlPoints
 from ..registration.correction.gauss_markov import jump_steps, path_parameters_of, stop_steps
-from ..registration.stage import RegistrationRun, survey_markings
+from ..registration.stage import RegistrationRun
 from ..registration.start.reference import Reference
+from ..registration.survey_markings import survey_markings
 from ..trajectory import Trajectory, interpolate
 from .network import (
     CONTROL,

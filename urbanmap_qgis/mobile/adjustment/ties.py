@@ -20,7 +20,8 @@ from ..markings.records import MarkingPoints
 from ..passes import BlockPositions
 from ..registration.correction.gauss_markov import path_parameters_of
 from ..registration.correction.patch_status import REGISTERED
-from ..registration.stage import RegisteredSurvey, RegistrationRun, register_markings
+from ..registration.registered_survey import RegisteredSurvey
+from ..registration.stage import RegistrationRun, register_markings
 from ..registration.start.reference import Reference
 from ..trajectory import Trajectory, interpolate
 from .network import NONE, REFERENCE, RELATIVE_KINDS, TIE, NetworkObservations

@@ -15,7 +15,7 @@ from ...io.raster import RasterSampler
 from ...wording import known, mark, say
 from ..pose_correction import correction_between
 from .correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED, STATUS_NAMES
-from .stage import RegisteredSurvey, middle_and_largest, unregistered_sections
+from .registered_survey import RegisteredSurvey, middle_and_largest, unregistered_sections
 from .start.reference import Reference
 
 _SIDE = 24.0  # m of road that a picture shows

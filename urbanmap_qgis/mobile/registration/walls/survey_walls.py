@@ -1,0 +1,37 @@
+"""The facades of a survey's files as a second witness beside its markings."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+
+from ....errors import InsufficientDataError
+from ....progress import SILENT, Progress
+from ....wording import say
+from ...trajectory import Trajectory
+from ..correction.gauss_markov import path_parameters_of
+from .facade_planes import facade_planes
+from .outline_walls import WallEdges
+from .witness import WallWitness
+
+
+def walls_of(paths: Sequence[str | os.PathLike], trajectory: Trajectory, time_weight: float,
+             edges: WallEdges | None = None, alone: bool = False, progress: Progress = SILENT) -> WallWitness:
+    """The facades of a survey as a second witness beside its markings.
+
+    Parameters
+    ----------
+    time_weight : of the path parameter, see `path_parameters_of`, m/s.
+    edges : of buildings; without them walls say only whether they stay straight.
+    alone : the markings give the start only, the walls the correction.
+
+    Raises
+    ------
+    InsufficientDataError : the survey shows no facade.
+    """
+    along = path_parameters_of(trajectory, time_weight)
+    planes = facade_planes(paths, trajectory, along, progress)
+    if not len(planes):
+        raise InsufficientDataError(say("The survey shows no facade near the vehicle: give all its points, not the "
+                                        "markings alone, or register it by its markings."))
+    return WallWitness(planes, edges, alone)
