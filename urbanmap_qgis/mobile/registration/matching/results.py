@@ -19,6 +19,7 @@ from ..records import (
     WindowResults,
 )
 from ..start.correlation_start import CELL, BestPath, alternative_spread, peaks
+from ..start.initial_shifts import InitialShifts, path_margins
 from ..start.patches import Patches
 from .ndt_match import rotation_matrix
 from .windows import Windows
@@ -35,37 +36,9 @@ class MatchingResultsLimits:
     largest_sigma: float = 0.10  # m in plan
     proof: float = 3.0  # log-likelihood
     apart: int = 3  # cells (0.6 m): positions nearer are one
-    other: int = 4  # cells: a path this far off goes through another position
 
 
 LIMITS = MatchingResultsLimits()
-
-
-@dataclass(frozen=True)
-class InitialShifts:
-    """The start along the path.
-
-    Attributes
-    ----------
-    block : patches of a block.
-    shift : (b, 2) m, east and north, where each block starts from.
-    scores : (b, s, s) of all shifts about the best path's shift.
-    deficit : (b, s, s) see `BestPath`.
-    best : (b, 2) cells, shift of the best path.
-    score : of the whole of it, log-likelihood.
-    """
-
-    block: int
-    shift: np.ndarray
-    scores: np.ndarray
-    deficit: np.ndarray
-    best: np.ndarray
-    score: float
-
-    def shift_at(self, patch: np.ndarray) -> np.ndarray:
-        """(k, 2) m, linear between the blocks' middles."""
-        middle = (np.arange(len(self.shift)) + 0.5) * self.block - 0.5
-        return np.column_stack([np.interp(patch, middle, self.shift[:, axis]) for axis in (0, 1)])
 
 
 @dataclass(frozen=True)
@@ -110,22 +83,6 @@ def alternative_positions(start: InitialShifts, windows: Windows, patches: int) 
             ratio[patch] = heights[0] / peak[patch]
     margin = path_margins(start)[np.arange(patches) // start.block]
     return AlternativePositions(ratio, margin, offsets, scores, peak)
-
-
-def path_margins(start: InitialShifts) -> np.ndarray:
-    """(b,) by how much the best path beats the best one through another position at the block."""
-    size = start.deficit.shape[1]
-    offset = np.arange(size) - size // 2
-    margin = np.full(len(start.deficit), np.inf)
-    for block, (east, north) in enumerate(start.best):
-        gain = start.deficit[block].max() - start.deficit[block]
-        far = np.maximum(np.abs(offset - north)[:, None], np.abs(offset - east)) >= LIMITS.other
-        alternatives, heights = peaks(np.pad(gain, 1), 0, 12)
-        row, column = alternatives[:, 1] + (size + 2) // 2 - 1, alternatives[:, 0] + (size + 2) // 2 - 1
-        other = far[row, column]
-        if other.any():
-            margin[block] = start.deficit[block].max() - heights[other].max()
-    return margin
 
 
 def assemble(patches: Patches, windows: Windows, start: InitialShifts, parts: Sequence, settings: RegistrationSettings

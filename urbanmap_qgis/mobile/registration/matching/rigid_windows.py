@@ -11,12 +11,13 @@ from ....progress import Progress
 from ...markings.records import MarkingPoints
 from ..records import AMBIGUOUS, REGISTERED, WEAK, RegistrationSettings, WindowResults
 from ..start.correlation_start import CELL, OBSERVATION_AREA
+from ..start.initial_shifts import InitialShifts
 from ..start.patches import Patches
 from ..start.reference import Reference, require_same_datum
 from .ndt_map import NdtMap, build_ndt
 from .ndt_match import Match, Mixture, RigidMotion, match_points
 from .path_section import AdjustedSection
-from .results import InitialShifts, angle_changes, assemble
+from .results import angle_changes, assemble
 from .windows import Windows
 
 _TILE = 400  # patches that share normal distributions
