@@ -446,6 +446,18 @@ def test_the_letter_moves_each_patch_by_one_matrix(short_street, tmp_path, three
         assert np.abs(windows.correction[:, 3:5]).max() > 0
 
 
+@pytest.mark.slow
+def test_the_letter_takes_a_survey_over_a_metre_off_in_height(short_street, tmp_path):
+    _, reported, paint, markings = short_street
+    reference = Reference.from_polygons(paint, level_ground(tmp_path))
+    run = RegistrationRun(RegistrationSettings.paper(three_d=True))
+    right = register_markings(markings, reported, reference, run)
+    low = replace(reported, place=reported.place - [0.0, 0.0, 1.25])
+    found = register_markings(replace(markings, z=markings.z - 1.25), low, reference, run)
+    assert found.trajectory.place[:, 2] == pytest.approx(right.trajectory.place[:, 2], abs=0.01)
+    assert np.array_equal(found.windows.status, right.windows.status)
+
+
 @pytest.mark.paper("J 3.2.4.3, eq. 8, 9")
 def test_the_letter_carries_the_matrix_over_windows_without_markings(short_street):
     _, reported, paint, markings = short_street

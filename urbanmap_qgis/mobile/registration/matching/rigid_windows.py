@@ -93,7 +93,10 @@ def _tile(first: int, last: int, points: _Sorted, patches: Patches, windows: Win
                            settings.subsampling)
         size[row] = len(window)
         centre = patches.place[patch, :dimensions]
-        pose = _carried(motion, centre, start.shift_at(np.array([patch]))[0])
+        if motion is None:
+            above = _height_start(part, reference) if settings.three_d else 0.0
+            motion = RigidMotion.identity(centre, np.r_[start.shift_at(np.array([patch]))[0], above][:dimensions])
+        pose = _carried(motion, centre)
         if len(window) and on_markings is not None:
             match = _match(window, pose, maps, settings)
             pose, converged[row] = match.pose, match.converged
@@ -108,10 +111,20 @@ def _tile(first: int, last: int, points: _Sorted, patches: Patches, windows: Win
                            score, overlap, size, converged), motion
 
 
-def _carried(motion: RigidMotion | None, centre: np.ndarray, shift: np.ndarray) -> RigidMotion:
+def _height_start(points: np.ndarray, reference: Reference) -> float:
+    """How far the ground lies above points (m, 3), m, median: where the first window starts from in height.
+
+    The paper takes the reported height; a survey over half a cell (1 m) off would see no distribution from there.
+    """
+    if not len(points):
+        return 0.0
+    (x_min, y_min), (x_max, y_max) = points[:, :2].min(axis=0) - _AROUND, points[:, :2].max(axis=0) + _AROUND
+    off = reference.ground_part(x_min, y_min, x_max, y_max).interpolate(points[:, 0], points[:, 1]) - points[:, 2]
+    return float(np.median(off[np.isfinite(off)])) if np.isfinite(off).any() else 0.0
+
+
+def _carried(motion: RigidMotion, centre: np.ndarray) -> RigidMotion:
     """The motion of the window before (J: M of patch i - 1), about another centre."""
-    if motion is None:
-        return RigidMotion.identity(centre, np.r_[shift, np.zeros(len(centre) - 2)])
     return RigidMotion(centre, motion.transform(centre[None])[0] - centre, motion.rotation)
 
 
