@@ -248,6 +248,15 @@ class Way:
             subprocess.run(["pdftoppm", "-r", "60", "-png", str(place), str(self.folder / "12_page")], check=True)
         return {"bytes": place.stat().st_size, "kept": list(guide.job.step("acceptance_1").own)}
 
+    def lane_map(self) -> dict:
+        return self._wish("lanemap", "13_lane_map")
+
+    def walls(self) -> dict:
+        return self._wish("walls", "14_walls")
+
+    def accuracy_map(self) -> dict:
+        return self._wish("accuracymap", "15_accuracy_map")
+
     def once_more(self) -> dict:
         """The plugin put over itself with the dock open; the job opened again is done."""
         import pyplugin_installer
@@ -261,13 +270,13 @@ class Way:
         guide.open_job(path)
         wait_until(lambda: guide.files.findings.facts and not guide.files.recognition.busy(), "not recognised")
         settle(0.5)
-        self.picture("13_opened_again")
+        self.picture("16_opened_again")
         states = {step.id: step.state for step in guide.job.steps}
         assert set(states.values()) == {"done"} and self.state() == before, (states, before, self.state())
         return {"steps": states, "opened": path, **before}
 
     STEPS = ("install_zip", "update_plugin", "sample_city", "dropped", "buildings", "again", "survey", "back",
-             "printed", "once_more")
+             "printed", "lane_map", "walls", "accuracy_map", "once_more")
 
     def travel(self) -> None:
         """Do the steps, write the report, end QGIS."""

@@ -6,6 +6,7 @@ from __future__ import annotations
 import os
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from functools import partial
 
 import numpy as np
 
@@ -19,13 +20,19 @@ from .edge_sampling import EDGES_OF_UNIT, SampledEdges
 from .error_figures import ErrorFigures, point_figures, signed_figures
 from .job import Job
 from .map_levels import Limits
-from .pdf_content import PdfContent, criterion_row, histogram_of, metres
+from .pdf_content import Drawing, PdfContent, criterion_row, histogram_of, metres
 
 FIGURES_HEAD = (mark("Component"), mark("points"), mark("mean (m)"), mark("RMSE (m)"), mark("standard deviation (m)"),
                 mark("maximum (m)"))
 
 CRITERIA_HEAD = (mark("Component"), mark("points"), mark("standard deviation (m)"), mark("limit (m)"),
                  mark("upper bound, 95 % (m)"), mark("outcome"))
+
+
+DRAWN_TITLE = mark("Acceptance: edges of buildings to be surveyed")
+DRAWN_HEAD = (mark("Unit"), mark("edges drawn"), mark("edges there are"), mark("edges needed"))
+FIELD_HEAD = (mark("point"), mark("unit"), "x (m)", "y (m)", "z (m)", mark("x measured (m)"), mark("y measured (m)"),
+              mark("z measured (m)"), mark("Remarks"))
 
 
 def write_acceptance_report(path: str | os.PathLike, points: CheckPoints, found: Sequence[Criterion], limits: Limits,
@@ -105,21 +112,45 @@ def _edges(report: Report, found: Sequence[Criterion]) -> None:
 
 def write_sampling_report(path: str | os.PathLike, drawn: SampledEdges, job: Job) -> None:
     """Write the report of a run that only drew edges (HTML): nothing is judged."""
-    report = Report("Acceptance: edges of buildings to be surveyed")
-    report.verdict(LOOK, say("Nothing was checked: {count} edges were drawn. Survey both ends of each, fill x, y, z "
-                             "into the table of edges and give that as check points.", count=len(drawn)))
+    report = Report(DRAWN_TITLE)
+    report.verdict(LOOK, _not_yet(drawn))
     report.facts(job.rows())
     report.section("Sampled edges of buildings")
-    number = Counter(drawn.unit)
-    report.table((mark("Unit"), mark("edges drawn"), mark("edges there are"), mark("edges needed")),
-                 [(unit, number[unit], count, EDGES_OF_UNIT) for unit, count in drawn.available.items()])
+    report.table(DRAWN_HEAD, _drawn_rows(drawn))
     if min(drawn.available.values()) < EDGES_OF_UNIT:
         report.warning("Units with fewer edges than needed cannot be judged by themselves: choose others, or larger "
                        "ones.")
-    middle = drawn.ends[:, :, :2].mean(axis=1)
-    report.figure(vector_map(middle, np.zeros_like(middle), [str(k + 1) for k in range(len(drawn))]),
-                  "Where the drawn edges lie, with their numbers.")
+    report.figure(_drawn_map(drawn)(560, 420), "Where the drawn edges lie, with their numbers.")
     report.write(path)
+
+
+def sampling_pdf_content(drawn: SampledEdges) -> PdfContent:
+    """What the PDF shows of a run that only drew edges: a sheet for the field, with room for what is measured."""
+    points = [[f"{number}{letter}", unit, *map(metres, map(float, point)), "", "", "", ""]
+              for number, (unit, ends) in enumerate(zip(drawn.unit, drawn.ends), 1)
+              for letter, point in zip("ab", ends)]
+    return PdfContent(
+        {"title": known(DRAWN_TITLE), "verdict": _not_yet(drawn), "figures_title": "",
+         "points_title": say("Ends of the edges, with room for what is measured")},
+        {"criteria": [list(map(known, DRAWN_HEAD)), *(list(map(str, row)) for row in _drawn_rows(drawn))],
+         "figures": [], "points": [list(map(known, FIELD_HEAD)), *points]},
+        {"map": _drawn_map(drawn), "histogram_plan": None, "histogram_height": None})
+
+
+def _not_yet(drawn: SampledEdges) -> str:
+    return say("Nothing was checked: {count} edges were drawn. Survey both ends of each, fill x, y, z "
+               "into the table of edges and give that as check points.", count=len(drawn))
+
+
+def _drawn_rows(drawn: SampledEdges) -> list[tuple[str, int, int, int]]:
+    """Of each unit: its name, edges drawn, those there are, those needed."""
+    number = Counter(drawn.unit)
+    return [(unit, number[unit], count, EDGES_OF_UNIT) for unit, count in drawn.available.items()]
+
+
+def _drawn_map(drawn: SampledEdges) -> Drawing:
+    middle = drawn.ends[:, :, :2].mean(axis=1)
+    return partial(vector_map, middle, np.zeros_like(middle), [str(k + 1) for k in range(len(drawn))], None)
 
 
 def _figures(report: Report, points: CheckPoints) -> None:
@@ -148,19 +179,23 @@ def _registration(report: Report, registration: Mapping[str, np.ndarray]) -> Non
     if not registration:
         return
     report.section("Registration")
-    rows = [(known(name), signed_figures(values)) for name, values in registration.items()]
     report.table((mark("Figure"), "patches", "mean (m)", "standard deviation (m)", "maximum (m)"), [
         (name, item.count, Fixed.of(item.mean, 3), Fixed.of(item.std, 3), Fixed.of(item.maximum, 3))
-        for name, item in rows])
+        for name, item in _registration_rows(registration)])
+
+
+def _registration_rows(registration: Mapping[str, np.ndarray]) -> list[tuple[str, ErrorFigures]]:
+    return [(known(name), signed_figures(values)) for name, values in registration.items()]
 
 
 def _map(report: Report, points: CheckPoints, limits: Limits) -> None:
     """Vectors of errors in plan."""
     drawing = error_map(points, limits)
-    if drawing:
+    if drawing is not None:
         report.section("Where the errors lie")
-        report.figure(drawing, say("Errors in plan, drawn larger than the map; red: above the limit. Arrows that all "
-                                   "point one way are an error that the whole product shares."))
+        report.figure(drawing(560, 420), say(
+            "Errors in plan, drawn larger than the map; red: above the limit. Arrows that all point one way are an "
+            "error that the whole product shares."))
 
 
 def _spread(report: Report, points: CheckPoints) -> None:
@@ -169,10 +204,11 @@ def _spread(report: Report, points: CheckPoints) -> None:
     report.histogram(points.errors[:, 2], "m", say("Errors in height"))
 
 
-def pdf_content(points: CheckPoints, found: Sequence[Criterion], limits: Limits, level: int | None) -> PdfContent:
+def pdf_content(points: CheckPoints, found: Sequence[Criterion], limits: Limits, level: int | None,
+                registration: Mapping[str, np.ndarray] | None = None) -> PdfContent:
     """What the PDF shows of check points; parameters as of `write_acceptance_report`."""
     figures = [[name, str(one.count), *map(metres, (one.mean, one.rmse, one.std, one.maximum))]
-               for name, one in figure_rows(points)]
+               for name, one in (*figure_rows(points), *_registration_rows(registration or {}))]
     every = [[*row[:2], *map(metres, row[2:])] for row in point_rows(points)]
     return PdfContent(
         {"title": known("Acceptance: errors at check points"), "verdict": verdict(points, found, level)[1],
@@ -182,20 +218,20 @@ def pdf_content(points: CheckPoints, found: Sequence[Criterion], limits: Limits,
         drawings(points, limits))
 
 
-def drawings(points: CheckPoints, limits: Limits) -> dict[str, str]:
-    """SVG of the map and of the histograms by the ids of their places in the layout; "" where there is nothing."""
+def drawings(points: CheckPoints, limits: Limits) -> dict[str, Drawing | None]:
+    """The map and the histograms by the ids of their places in the layout; None where there is nothing."""
     plan, height = np.hypot(*points.errors[:, :2].T), points.errors[:, 2]
     return {"map": error_map(points, limits), "histogram_plan": histogram_of(plan, say("Errors in plan")),
             "histogram_height": histogram_of(height, say("Errors in height"))}
 
 
-def error_map(points: CheckPoints, limits: Limits) -> str:
-    """SVG map of the errors in plan; empty where no point's place is known."""
+def error_map(points: CheckPoints, limits: Limits) -> Drawing | None:
+    """Map of the errors in plan; None where no point's place is known."""
     placed = np.isfinite(points.true[:, :2]).all(axis=1)
     if not placed.any():
-        return ""
+        return None
     names = [points.id[k] for k in np.flatnonzero(placed)]
-    return vector_map(points.true[placed, :2], points.errors[placed, :2], names, limits.plan)
+    return partial(vector_map, points.true[placed, :2], points.errors[placed, :2], names, limits.plan)
 
 
 def _all_points(report: Report, points: CheckPoints) -> None:

@@ -19,6 +19,7 @@ from ..geometry.mesh_code import COLUMNS as COLUMNS_A_DEGREE
 from ..geometry.mesh_code import ROWS, WEST, regional_mesh_code, third_mesh_code
 from ..geometry.tolerances import LEAST_FACE
 from ..io.files.excel_table import write_excel_table
+from ..io.reference.plan_part import plan_part
 from ..wording import say
 
 EDGES_OF_UNIT, POINTS_OF_EDGE = 21, 2
@@ -89,7 +90,7 @@ def quarter_meshes(models: Sequence[shapely.Geometry | None], crs_wkt: str) -> l
     Japan."""
     from pyproj import CRS, Transformer
 
-    plan = CRS.from_user_input(crs_wkt).to_2d()
+    plan = plan_part(CRS.from_user_input(crs_wkt))
     middles = [shapely.Point(0, 0) if model is None or model.is_empty else shapely.centroid(shapely.envelope(model))
                for model in models]
     longitude, latitude = Transformer.from_crs(plan, plan.geodetic_crs, always_xy=True).transform(

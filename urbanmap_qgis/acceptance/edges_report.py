@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -26,7 +27,7 @@ from .edge_sampling import EDGES_OF_UNIT
 from .error_figures import signed_figures
 from .job import Job
 from .map_levels import Limits
-from .pdf_content import PdfContent, criterion_row, histogram_of, metres
+from .pdf_content import Drawing, PdfContent, criterion_row, histogram_of, metres
 
 TITLE = mark("Acceptance: edges of buildings against laser points")
 
@@ -148,19 +149,19 @@ def _pictures(report: Report, edges: ComparedEdges, limits: Limits) -> None:
     if np.isfinite(edges.up).any():
         report.histogram(edges.up[edges.shown], "m", say("Errors in height"))
     report.section("Where the errors lie")
-    report.figure(_map(edges, limits),
+    report.figure(_map(edges, limits)(560, 420),
                   say("Errors across the edges, drawn larger than the map; red: above the limit. Arrows that all "
                       "point one way are an error that the whole product shares."))
 
 
-def _map(edges: ComparedEdges, limits: Limits) -> str:
-    """SVG map of the residuals; "" where no edge is shown."""
+def _map(edges: ComparedEdges, limits: Limits) -> Drawing | None:
+    """Map of the residuals; None where no edge is shown."""
     use = edges.shown
     if not use.any():
-        return ""
+        return None
     middle = edges.drawn.ends[use].mean(axis=1)[:, :2]
-    return vector_map(middle, edges.across[use, None] * edges.normal[use],
-                      [str(row + 1) for row in np.flatnonzero(use)], limits.plan)
+    return partial(vector_map, middle, edges.across[use, None] * edges.normal[use],
+                   [str(row + 1) for row in np.flatnonzero(use)], limits.plan)
 
 
 def edges_pdf_content(edges: ComparedEdges, found: Sequence[Criterion], limits: Limits, level: int | None,

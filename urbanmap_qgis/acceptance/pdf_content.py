@@ -3,14 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
 from ..io.pages.svg import bars
 from ..wording import known
 from .criteria import OUTCOMES, Criterion
+
+PIXELS = 4.0
+"""Of a drawing, in a millimetre of the page: letters of 11 pixels are then as large as those of the tables."""
+
+Drawing = Callable[[int, int], str]
+"""A drawing (SVG) by its width and height, pixels: it takes the shape of the room that the page has for it."""
 
 
 @dataclass(frozen=True)
@@ -21,12 +28,12 @@ class PdfContent:
     ----------
     labels : texts.
     tables : rows of texts, the head first.
-    drawings : SVG; "" where there is nothing.
+    drawings : None where there is nothing to draw.
     """
 
     labels: Mapping[str, str]
     tables: Mapping[str, list[list[str]]]
-    drawings: Mapping[str, str]
+    drawings: Mapping[str, Drawing | None]
 
 
 def metres(value: float) -> str:
@@ -40,11 +47,11 @@ def criterion_row(item: Criterion) -> list[str]:
             metres(item.figures.rmse), metres(item.limit), metres(item.figures.bound), known(OUTCOMES[item.outcome])]
 
 
-def histogram_of(values: np.ndarray, words: str) -> str:
-    """SVG of how errors (n,) m are spread; "" where none is known."""
+def histogram_of(values: np.ndarray, words: str) -> Drawing | None:
+    """How errors (n,) m are spread; None where none is known."""
     finite = values[np.isfinite(values)]
     if not len(finite):
-        return ""
+        return None
     low, high = min(0.0, float(finite.min())), float(finite.max())
     counts, edges = np.histogram(finite, bins=16, range=(low, max(high, low + 1e-3)))
-    return bars(counts, edges, f"{words} (m)")
+    return partial(bars, counts, edges, f"{words} (m)")

@@ -14,6 +14,7 @@ from ..aerial.frames.exterior_files import read_exterior
 from ..errors import InputError, UrbanMapError
 from ..io.reference.crs_text import same_horizontal
 from ..io.reference.height_systems import refuse_other_heights
+from ..io.reference.plan_part import plan_part
 from ..mobile.gps_time import shift_between
 from ..wording import say
 from .file_facts import (
@@ -63,7 +64,7 @@ def system_name(wkt: str) -> str:
     if not wkt:
         return ""
     crs = _crs(wkt)
-    plan = crs.sub_crs_list[0] if crs.is_compound else crs
+    plan = plan_part(crs)
     code = plan.to_epsg(min_confidence=70)
     return f"EPSG:{code} {plan.name}" if code else plan.name
 
@@ -108,7 +109,7 @@ def extent_in_degrees(item: FileFacts, assumed: str = "") -> Extent | None:
         crs = _crs(wkt)
         if crs.is_geographic:
             return item.extent if abs(y_max) <= 90.0 and abs(x_max) <= 360.0 else None
-        plan = crs.sub_crs_list[0] if crs.is_compound else crs
+        plan = plan_part(crs)
         x = np.array([x_min, x_min, x_max, x_max])
         y = np.array([y_min, y_max, y_min, y_max])
         east, north = Transformer.from_crs(plan, plan.geodetic_crs, always_xy=True).transform(x, y)

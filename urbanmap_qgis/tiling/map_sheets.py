@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ..errors import InputError
+from ..io.reference.plan_part import plan_part
 from ..wording import say
 from .tile_grid import Bounds, GridTile, TileGrid
 
@@ -49,7 +50,7 @@ def plane_system(crs_wkt: str) -> int:
         raise InputError(say("The data states no coordinate reference system, which map sheets need: give it "
                              "(POINTS_CRS), or choose squares."))
     crs = CRS.from_wkt(crs_wkt)
-    plan = crs.sub_crs_list[0] if crs.is_compound else crs
+    plan = plan_part(crs)
     given = {item.name: item.value for item in plan.coordinate_operation.params} if plan.coordinate_operation else {}
     place = [given.get(f"{name} of natural origin", 0.0) for name in ("Latitude", "Longitude")]
     scale = given.get("Scale factor at natural origin", 0.0)

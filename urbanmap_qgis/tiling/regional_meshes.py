@@ -11,6 +11,7 @@ import shapely
 
 from ..errors import InputError
 from ..geometry.mesh_code import COLUMNS, ROWS, WEST, regional_mesh_code
+from ..io.reference.plan_part import plan_part
 from ..wording import say
 from .tile_grid import MAX_TILES, Bounds, GridTile, TileGrid
 
@@ -27,7 +28,7 @@ def _transformers(crs_wkt: str):
     from pyproj import CRS, Transformer
 
     crs = CRS.from_wkt(crs_wkt)
-    plan = crs.sub_crs_list[0] if crs.is_compound else crs
+    plan = plan_part(crs)
     return (Transformer.from_crs(plan, plan.geodetic_crs, always_xy=True),
             Transformer.from_crs(plan.geodetic_crs, plan, always_xy=True))
 

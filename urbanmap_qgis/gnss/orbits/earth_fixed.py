@@ -9,6 +9,7 @@ from pyproj import CRS, Transformer
 from pyproj.exceptions import CRSError
 
 from ...errors import InputError
+from ...io.reference.plan_part import plan_part
 from ...wording import say
 
 SPEED_OF_LIGHT = 299792458.0  # m/s
@@ -66,8 +67,7 @@ class MapFrame:
         except CRSError as error:
             raise InputError(say("The CRS of the map is not known: give the data a projected CRS in "
                                  "metres.")) from error
-        if crs.is_compound:
-            crs = crs.sub_crs_list[0]
+        crs = plan_part(crs)
         if not crs.is_projected or abs(crs.axis_info[0].unit_conversion_factor - 1.0) > 1e-9:
             raise InputError(say("{crs} is not a projected CRS in metres: reproject the data.", crs=crs.name))
         self.geoid_separation = float(geoid_separation)

@@ -16,9 +16,9 @@ RAMP = ("#1a9850", "#91cf60", "#fee08b", "#fc8d59", "#d73027")
 UNKNOWN = "#bbbbbb"
 
 
-def bars(counts: np.ndarray, edges: np.ndarray, label: str) -> str:
-    """An SVG bar chart with a labelled axis."""
-    width, height, left, bottom = 460, 200, 46, 40
+def bars(counts: np.ndarray, edges: np.ndarray, label: str, width: int = 460, height: int = 200) -> str:
+    """An SVG bar chart with a labelled axis, `width` by `height` pixels."""
+    left, bottom = 46, 40
     plot_width, plot_height = width - left - 10, height - bottom - 12
     tallest = max(int(counts.max()), 1)
     step = plot_width / len(counts)

@@ -24,6 +24,7 @@ def vector_map(places: np.ndarray, vectors: np.ndarray, names: Sequence[str], li
     vectors : (n, 2) m.
     names : (n,) written beside the points where there is room.
     limit : vectors longer than this, m, are red; None: all alike.
+    width, height : of the drawing, pixels; the map is as large as it can be in it.
     """
     lowest, highest = places.min(axis=0), places.max(axis=0)
     margin = _LONGEST + 14

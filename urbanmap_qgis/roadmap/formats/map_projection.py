@@ -10,6 +10,7 @@ import pyproj
 
 from ...errors import InputError
 from ...io.files.atomic import written_beside
+from ...io.reference.plan_part import plan_part
 from ...wording import say
 
 PROJECTORS = ("TransverseMercator", "MGRS")
@@ -55,7 +56,7 @@ def map_coordinates(xy: np.ndarray, crs_wkt: str, projector: str = "TransverseMe
     """
     try:
         crs = pyproj.CRS.from_wkt(crs_wkt)
-        back = pyproj.Transformer.from_crs(crs.to_2d(), "EPSG:4326", always_xy=True)
+        back = pyproj.Transformer.from_crs(plan_part(crs), "EPSG:4326", always_xy=True)
     except pyproj.exceptions.ProjError as error:
         raise InputError(say("The lines' CRS cannot be brought to latitude and longitude, which a Lanelet2 file "
                              "needs: assign a projected CRS known to PROJ.")) from error

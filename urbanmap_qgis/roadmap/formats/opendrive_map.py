@@ -13,6 +13,7 @@ import shapely
 
 from ...errors import InputError
 from ...io.files.atomic import written_beside
+from ...io.reference.plan_part import plan_part
 from ...wording import say
 from ..map_records import Bound, MapArea, VectorMap
 from .opendrive_tags import COLOURS, DriveNode
@@ -88,14 +89,21 @@ def write_opendrive(path: str | os.PathLike, tree: ET.ElementTree) -> None:
         tree.write(temporary, encoding="utf-8", xml_declaration=True)
 
 
+def _proj_string(crs_wkt: str) -> str:
+    """A CRS as a PROJ string, which holds less: the format asks for it; "" where it cannot be written as one."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        try:
+            return plan_part(pyproj.CRS.from_wkt(crs_wkt)).to_proj4()
+        except pyproj.exceptions.ProjError:  # older ones give ""
+            return ""
+
+
 def _add_header(root: DriveNode, crs_wkt: str, origin: np.ndarray, local: np.ndarray) -> None:
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", UserWarning)  # a PROJ string holds less: the format asks for it
-            reference = pyproj.CRS.from_wkt(crs_wkt).to_2d().to_proj4()
-    except pyproj.exceptions.ProjError as error:
+    reference = _proj_string(crs_wkt)
+    if not reference:
         raise InputError(say("The lines' CRS cannot be written as a PROJ string, which OpenDRIVE needs: assign a "
-                             "projected CRS known to PROJ.")) from error
+                             "projected CRS known to PROJ."))
     low, high = local.min(axis=0), local.max(axis=0)
     header = root.add("header", north=high[1], south=low[1],
                       east=high[0], west=low[0])
