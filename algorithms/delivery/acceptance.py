@@ -120,7 +120,7 @@ class Acceptance(EdgeRuns, UrbanMapAlgorithm):
             return self.compare_with_points(parameters, context, models, progress)
         drawn = self.drawn_edges(models)
         if not parameters.get("INPUT"):
-            return self.only_drawn(parameters, context, drawn)
+            return self.only_drawn(parameters, context, drawn, models)
         table = self.read_vector(parameters, "INPUT", context, progress.part(0.0, 0.2))
         points = self._points(parameters, context, table)
         limits, level = self._limits(parameters, context)
@@ -136,7 +136,7 @@ class Acceptance(EdgeRuns, UrbanMapAlgorithm):
         if rows:
             write_points_csv(rows, points)
             results["OUTPUT_CSV"] = str(rows)
-        results.update(self.write_pdf(parameters, context, pdf_content(points, found, limits, level), job))
+        results.update(self.write_pdf(parameters, context, pdf_content(points, found, limits, level, patches), job))
         figures = point_figures(points.errors)
         numbers = {"POINTS": len(points), "RMSE_PLAN": figures.plan.rmse, "RMSE_HEIGHT": figures.height.rmse,
                    "MEAN_PLAN": figures.plan.mean, "MAX_PLAN": figures.plan.maximum,

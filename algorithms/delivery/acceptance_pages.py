@@ -27,6 +27,7 @@ from ..framework.declaring.parameters import tr
 
 LAYOUT = Path(__file__).resolve().parents[2] / "resources" / "layouts" / "acceptance.qpt"
 LINE, LETTER = 0.345, 0.21  # height of a line and mean width of a letter, mm a point of the letters' size
+BOLD = 1.1  # times as wide
 SPARE = 5.0  # mm
 LEAST = 40.0  # mm that a picture keeps
 LEAST_MAP = 70.0  # mm that a map needs below a table
@@ -61,7 +62,12 @@ def write_acceptance_pdf(path: Path, content, job, template: Path | None = None)
     project.layoutManager().addLayout(layout)  # owned by the project, which ends it before itself
     _load(layout, template or LAYOUT)
     _fill_labels(layout, content.labels)
-    _fill_tables(layout, {"job": [[known(name), value] for name, value in job.rows().items()], **content.tables})
+    tables = {"job": [[known(name), value] for name, value in job.rows().items()], **content.tables}
+    long = [name for name in tables if _goes_on(layout, name)]
+    for name in [*(name for name in tables if name not in long), *long]:
+        if name in long:
+            _put_map_to_the_figures(layout, content.drawings)
+        _fill_table(layout, name, tables[name])
     with TemporaryDirectory() as folder:
         _fill_pictures(layout, content.drawings, Path(folder))
         result = QgsLayoutExporter(layout).exportToPdf(str(path), QgsLayoutExporter.PdfExportSettings())
@@ -88,43 +94,94 @@ def _load(layout, template: Path) -> None:
 
 
 def _fill_labels(layout, labels: Mapping[str, str]) -> None:
+    """Put the texts into their labels; one that needs more lines than it has room for moves what stands below."""
     for name, text in labels.items():
         item = layout.itemById(name)
-        if item is not None and hasattr(item, "setText"):
-            item.setText(text)
-
-
-def _fill_tables(layout, tables: Mapping[str, list[list[str]]]) -> None:
-    """Put the rows into the tables, each as high as it needs, and move what stands below."""
-    for name, rows in tables.items():
-        frame = layout.itemById(name)
-        table = frame.multiFrame() if frame is not None and hasattr(frame, "multiFrame") else None
-        if table is None or not hasattr(table, "setTableContents"):
+        if item is None or not hasattr(item, "setText"):
             continue
-        goes_on = table.resizeMode() == table.ExtendToNextPage
-        table.setResizeMode(table.UseExistingFrames)
-        table.setTableContents([[QgsTableCell(text) for text in row] for row in rows])
-        needed = _height(table, rows) + (0.0 if goes_on else SPARE)  # a row without room would not be drawn
-        size, place, page = frame.sizeWithUnits(), frame.pagePos(), frame.page()
-        room = layout.pageCollection().page(page).pageSize().height() - place.y() - place.x()
-        lower = place.y() + size.height()
-        frame.attemptResize(QgsLayoutSize(size.width(), min(needed, room)))
-        if goes_on:
-            _put_map_behind(layout, table, frame, lower, _go_on(layout, table, frame, needed - room))
-        else:
-            _move_below(layout, page, lower, min(needed, room) - size.height())
+        item.setText(text)
+        size, letters = item.sizeWithUnits(), item.font().pointSizeF()
+        more = _lines(text, size.width(), LETTER * BOLD * letters) * LINE * letters + 1.0 - size.height()
+        if more > 0.0:
+            lower = item.pagePos().y() + size.height()
+            item.attemptResize(QgsLayoutSize(size.width(), size.height() + more))
+            _move_below(layout, item.page(), lower, more)
 
 
-def _go_on(layout, table, first, rest: float) -> float:
-    """More pages for the `rest` of a table, mm, each with the first one's margin above and below; how far down the last
-    of them the table reaches, mm.
+def _table(layout, name: str):
+    """The table of an id and its first frame; None for both where the layout has none."""
+    frame = layout.itemById(name)
+    table = frame.multiFrame() if frame is not None and hasattr(frame, "multiFrame") else None
+    return (table, frame) if hasattr(table, "setTableContents") else (None, None)
+
+
+def _goes_on(layout, name: str) -> bool:
+    """Whether a table may go on over pages."""
+    table, _ = _table(layout, name)
+    return table is not None and table.resizeMode() == table.ExtendToNextPage
+
+
+def _fill_table(layout, name: str, rows: list[list[str]]) -> None:
+    """Put rows into a table, which is made as high as it needs, and move what stands below."""
+    table, frame = _table(layout, name)
+    if table is None:
+        return
+    goes_on = _goes_on(layout, name)
+    table.setResizeMode(table.UseExistingFrames)
+    frame.setVisibility(bool(rows))
+    head = 0.0
+    if goes_on and rows:
+        head = _height(table, rows[:1])
+        _repeat_head(table)
+    table.setTableContents([[QgsTableCell(text) for text in row] for row in rows])
+    needed = _height(table, rows) + (0.0 if goes_on or not rows else SPARE)  # a row without room would not be drawn
+    size, place, page = frame.sizeWithUnits(), frame.pagePos(), frame.page()
+    room = layout.pageCollection().page(page).pageSize().height() - place.y() - place.x()
+    lower = place.y() + size.height()
+    frame.attemptResize(QgsLayoutSize(size.width(), min(needed, room)))
+    if goes_on:
+        _put_map_behind(layout, table, frame, lower, _go_on(layout, table, frame, needed - room, head))
+    else:
+        _move_below(layout, page, lower, min(needed, room) - size.height())
+
+
+def _repeat_head(table) -> None:
+    """Let the first row be the head of every page; a template that has a head of its own keeps its letters."""
+    if not table.includeTableHeader():
+        letters = table.contentTextFormat()
+        font = letters.font()
+        font.setBold(True)
+        letters.setFont(font)
+        table.setHeaderTextFormat(letters)
+        table.setIncludeTableHeader(True)
+    table.setHeaderMode(table.AllFrames)
+
+
+def _put_map_to_the_figures(layout, drawings: Mapping) -> None:
+    """Where nothing is known of how errors are spread, let the map take the place of the histograms."""
+    item, places = layout.itemById("map"), [layout.itemById(name) for name in ("histogram_plan", "histogram_height")]
+    if item is None or not drawings.get("map") or any(map(drawings.get, ("histogram_plan", "histogram_height"))):
+        return
+    places = [one for one in places if one is not None]
+    if not places:
+        return
+    page = places[0].page()
+    bottom = layout.pageCollection().page(page).pageSize().height() - places[0].pagePos().x()
+    top = min(one.pagePos().y() for one in places)
+    item.attemptMove(QgsLayoutPoint(item.pagePos().x(), top), True, False, page)
+    item.attemptResize(QgsLayoutSize(item.sizeWithUnits().width(), bottom - top))
+
+
+def _go_on(layout, table, first, rest: float, head: float) -> float:
+    """More pages for the `rest` of a table, mm, each with the first one's margin above and below and the head, `head`
+    mm high; how far down the last of them the table reaches, mm.
 
     (By itself QGIS lets a table go on at the very edge of the page.)
     """
     like, left, width = layout.pageCollection().page(first.page()), first.pagePos().x(), first.sizeWithUnits().width()
     height = like.pageSize().height() - 2 * left
     # A row that would be cut goes to the next page.
-    used = height - LINE * table.contentTextFormat().size() - 2 * table.cellMargin()
+    used = height - head - LINE * table.contentTextFormat().size() - 2 * table.cellMargin()
     for _ in range(math.ceil(max(rest, 0.0) / used)):
         page = QgsLayoutItemPage(layout)
         page.attemptResize(like.sizeWithUnits())
@@ -134,7 +191,7 @@ def _go_on(layout, table, first, rest: float) -> float:
         frame.attemptResize(QgsLayoutSize(width, height))
         table.addFrame(frame)
         rest -= used
-    return left + rest + used if rest <= 0.0 and table.frameCount() > 1 else (
+    return left + head + rest + used if rest <= 0.0 and table.frameCount() > 1 else (
         first.pagePos().y() + first.sizeWithUnits().height())
 
 
@@ -189,14 +246,18 @@ def _move_below(layout, page: int, lower: float, by: float) -> None:
             item.attemptResize(QgsLayoutSize(size.width(), max(size.height() - by, LEAST / 2)))
 
 
-def _fill_pictures(layout, drawings: Mapping[str, str], folder: Path) -> None:
-    """Show drawings (SVG by id); an item without one goes."""
-    for name, svg in drawings.items():
+def _fill_pictures(layout, drawings: Mapping, folder: Path) -> None:
+    """Show drawings by id, each in the shape of its item; an item without one goes."""
+    from ...urbanmap_qgis.acceptance.pdf_content import PIXELS
+
+    for name, drawing in drawings.items():
         item = layout.itemById(name)
         if item is None or not hasattr(item, "setPicturePath"):
             continue
-        if not svg:
+        if drawing is None:
             layout.removeLayoutItem(item)
             continue
+        size = item.sizeWithUnits()
+        svg = drawing(width=round(PIXELS * size.width()), height=round(PIXELS * size.height()))
         (folder / f"{name}.svg").write_text(svg, encoding="utf-8")
         item.setPicturePath(str(folder / f"{name}.svg"))

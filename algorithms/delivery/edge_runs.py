@@ -9,7 +9,7 @@ class EdgeRuns:
     """What “Acceptance report” does with building models."""
 
     def check_edge_inputs(self, parameters) -> None:
-        """Refuse laser points without models, or beside check points.
+        """Refuse laser points without models, or beside check points, and results that the run would not have.
 
         Raises
         ------
@@ -21,6 +21,15 @@ class EdgeRuns:
             raise InputError(tr("Laser points are compared with edges of building models: give these too."))
         if parameters.get("POINTS") and parameters.get("INPUT"):
             raise InputError(tr("Give check points or laser points, not both: each is a report of its own."))
+        if parameters.get("OUTPUT_EDGES") and not parameters.get("BUILDINGS"):
+            raise InputError(tr("Edges to be surveyed are drawn from building models: give these too, or leave the "
+                                "table of edges out."))
+        if parameters.get("OUTPUT_CSV") and not parameters.get("INPUT") and not parameters.get("POINTS"):
+            raise InputError(tr("Without check points there are no errors to list: leave “All points” out; the drawn "
+                                "edges are written as “Edges to be surveyed”."))
+        if parameters.get("PATCHES") and not parameters.get("INPUT"):
+            raise InputError(tr("Patches of a registration stand in a report on check points: give these too, or "
+                                "leave the patches out."))
 
     def drawn_edges(self, models, count: int | None = None):
         """Edges of the building models, `count` of each unit if not as many as a survey needs; None where no models
@@ -44,15 +53,17 @@ class EdgeRuns:
         write_edges_csv(path, drawn)
         return {"OUTPUT_EDGES": str(path)}
 
-    def only_drawn(self, parameters, context, drawn) -> dict:
+    def only_drawn(self, parameters, context, drawn, models) -> dict:
         """Results where there are no check points yet: nothing is judged."""
-        from ...urbanmap_qgis.acceptance.acceptance_report import write_sampling_report
+        from ...urbanmap_qgis.acceptance.acceptance_report import sampling_pdf_content, write_sampling_report
         from ...urbanmap_qgis.acceptance.criteria import NOT_CHECKED
 
-        results = {"OUTCOME": NOT_CHECKED, **self.write_edges(parameters, context, drawn)}
+        job = self._job(parameters, context, models)
+        results = {"OUTCOME": NOT_CHECKED, **self.write_edges(parameters, context, drawn),
+                   **self.write_pdf(parameters, context, sampling_pdf_content(drawn), job)}
         report = self.output_path(parameters, "OUTPUT_REPORT", context)
         if report:
-            write_sampling_report(report, drawn, self._job(parameters, context, None))
+            write_sampling_report(report, drawn, job)
             results["OUTPUT_REPORT"] = str(report)
         return results
 

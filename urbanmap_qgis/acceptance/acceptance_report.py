@@ -120,7 +120,7 @@ def write_sampling_report(path: str | os.PathLike, drawn: SampledEdges, job: Job
     if min(drawn.available.values()) < EDGES_OF_UNIT:
         report.warning("Units with fewer edges than needed cannot be judged by themselves: choose others, or larger "
                        "ones.")
-    report.figure(_drawn_map(drawn)(560, 420), "Where the drawn edges lie, with their numbers.")
+    report.figure(_drawn_map(drawn)(), "Where the drawn edges lie, with their numbers.")
     report.write(path)
 
 
@@ -193,7 +193,7 @@ def _map(report: Report, points: CheckPoints, limits: Limits) -> None:
     drawing = error_map(points, limits)
     if drawing is not None:
         report.section("Where the errors lie")
-        report.figure(drawing(560, 420), say(
+        report.figure(drawing(), say(
             "Errors in plan, drawn larger than the map; red: above the limit. Arrows that all point one way are an "
             "error that the whole product shares."))
 

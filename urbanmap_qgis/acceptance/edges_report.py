@@ -149,7 +149,7 @@ def _pictures(report: Report, edges: ComparedEdges, limits: Limits) -> None:
     if np.isfinite(edges.up).any():
         report.histogram(edges.up[edges.shown], "m", say("Errors in height"))
     report.section("Where the errors lie")
-    report.figure(_map(edges, limits)(560, 420),
+    report.figure(_map(edges, limits)(),
                   say("Errors across the edges, drawn larger than the map; red: above the limit. Arrows that all "
                       "point one way are an error that the whole product shares."))
 

@@ -16,8 +16,9 @@ from .criteria import OUTCOMES, Criterion
 PIXELS = 4.0
 """Of a drawing, in a millimetre of the page: letters of 11 pixels are then as large as those of the tables."""
 
-Drawing = Callable[[int, int], str]
-"""A drawing (SVG) by its width and height, pixels: it takes the shape of the room that the page has for it."""
+Drawing = Callable[..., str]
+"""A drawing (SVG) by its `width` and `height`, pixels (both may be left out): it takes the shape of the room that the
+page has for it."""
 
 
 @dataclass(frozen=True)
