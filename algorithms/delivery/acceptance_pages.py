@@ -15,10 +15,14 @@ from qgis.core import (
     QgsLayoutItemPage,
     QgsLayoutPoint,
     QgsLayoutSize,
+    QgsLayoutTableColumn,
+    QgsLayoutUtils,
     QgsPrintLayout,
     QgsProject,
     QgsReadWriteContext,
+    QgsRenderContext,
     QgsTableCell,
+    QgsTextRenderer,
 )
 from qgis.PyQt.QtXml import QDomDocument
 
@@ -30,7 +34,7 @@ LINE, LETTER = 0.345, 0.21  # height of a line and mean width of a letter, mm a 
 BOLD = 1.1  # times as wide
 SPARE = 5.0  # mm
 LEAST = 40.0  # mm that a picture keeps
-LEAST_MAP = 70.0  # mm that a map needs below a table
+LEAST_MAP, LEAST_PAGE = 70.0, 110.0  # mm that a map needs below a table, and has on a page of its own
 
 _OF_THE_MOMENT = (
     (re.compile(rb"(/(?:CreationDate|ModDate) \(D:\d{8})\d{6}"), rb"\g<1>000000"),
@@ -67,10 +71,12 @@ def write_acceptance_pdf(path: Path, content, job, template: Path | None = None)
     for name in [*(name for name in tables if name not in long), *long]:
         if name in long:
             _put_map_to_the_figures(layout, content.drawings)
-        _fill_table(layout, name, tables[name])
+        _fill_table(layout, name, tables[name], content.map_shape)
     with TemporaryDirectory() as folder:
         _fill_pictures(layout, content.drawings, Path(folder))
-        result = QgsLayoutExporter(layout).exportToPdf(str(path), QgsLayoutExporter.PdfExportSettings())
+        settings = QgsLayoutExporter.PdfExportSettings()
+        settings.textRenderFormat = QgsRenderContext.TextFormatAlwaysText  # it can be searched
+        result = QgsLayoutExporter(layout).exportToPdf(str(path), settings)
     if result != QgsLayoutExporter.ExportResult.Success:
         raise OutputError(say("{path} cannot be printed: choose another output.", path=path.name))
     data = path.read_bytes()
@@ -121,32 +127,34 @@ def _goes_on(layout, name: str) -> bool:
     return table is not None and table.resizeMode() == table.ExtendToNextPage
 
 
-def _fill_table(layout, name: str, rows: list[list[str]]) -> None:
-    """Put rows into a table, which is made as high as it needs, and move what stands below."""
+def _fill_table(layout, name: str, rows: list[list[str]], map_shape: float) -> None:
+    """Put rows into a table, which is made as high as it needs, and move what stands below; a map below is as high as
+    its shape (height by width) asks for."""
     table, frame = _table(layout, name)
     if table is None:
         return
     goes_on = _goes_on(layout, name)
     table.setResizeMode(table.UseExistingFrames)
     frame.setVisibility(bool(rows))
-    head = 0.0
+    if rows and len(rows[0]) < len(table.columnWidths()):
+        table.setColumnWidths([sum(table.columnWidths()) / len(rows[0])] * len(rows[0]))
+    heights = _row_heights(layout, table, rows)
     if goes_on and rows:
-        head = _height(table, rows[:1])
-        _repeat_head(table)
-    table.setTableContents([[QgsTableCell(text) for text in row] for row in rows])
-    needed = _height(table, rows) + (0.0 if goes_on or not rows else SPARE)  # a row without room would not be drawn
+        _repeat_head(table, rows[0])
+    table.setTableContents([[QgsTableCell(text) for text in row] for row in (rows[1:] if goes_on else rows)])
     size, place, page = frame.sizeWithUnits(), frame.pagePos(), frame.page()
-    room = layout.pageCollection().page(page).pageSize().height() - place.y() - place.x()
     lower = place.y() + size.height()
-    frame.attemptResize(QgsLayoutSize(size.width(), min(needed, room)))
     if goes_on:
-        _put_map_behind(layout, table, frame, lower, _go_on(layout, table, frame, needed - room, head))
-    else:
-        _move_below(layout, page, lower, min(needed, room) - size.height())
+        _put_map_behind(layout, table, frame, lower, _go_on(layout, table, frame, heights), map_shape)
+        return
+    room = layout.pageCollection().page(page).pageSize().height() - place.y() - place.x()
+    needed = sum(heights) + (SPARE if rows else 0.0)  # a row without room would not be drawn
+    frame.attemptResize(QgsLayoutSize(size.width(), min(needed, room)))
+    _move_below(layout, page, lower, min(needed, room) - size.height())
 
 
-def _repeat_head(table) -> None:
-    """Let the first row be the head of every page; a template that has a head of its own keeps its letters."""
+def _repeat_head(table, words: Sequence[str]) -> None:
+    """Give every page of a table the same head; a template that has one of its own keeps its letters."""
     if not table.includeTableHeader():
         letters = table.contentTextFormat()
         font = letters.font()
@@ -154,6 +162,7 @@ def _repeat_head(table) -> None:
         letters.setFont(font)
         table.setHeaderTextFormat(letters)
         table.setIncludeTableHeader(True)
+    table.setHeaders([QgsLayoutTableColumn(text) for text in words])
     table.setHeaderMode(table.AllFrames)
 
 
@@ -172,33 +181,36 @@ def _put_map_to_the_figures(layout, drawings: Mapping) -> None:
     item.attemptResize(QgsLayoutSize(item.sizeWithUnits().width(), bottom - top))
 
 
-def _go_on(layout, table, first, rest: float, head: float) -> float:
-    """More pages for the `rest` of a table, mm, each with the first one's margin above and below and the head, `head`
-    mm high; how far down the last of them the table reaches, mm.
+def _go_on(layout, table, first, heights: Sequence[float]) -> float:
+    """Share the rows of a table (`heights` in mm, the head's first) among its frame and as many more pages as it needs,
+    each with the first one's margin and the head; how far down the last of them the table reaches, mm.
 
     (By itself QGIS lets a table go on at the very edge of the page.)
     """
-    like, left, width = layout.pageCollection().page(first.page()), first.pagePos().x(), first.sizeWithUnits().width()
-    height = like.pageSize().height() - 2 * left
-    # A row that would be cut goes to the next page.
-    used = height - head - LINE * table.contentTextFormat().size() - 2 * table.cellMargin()
-    for _ in range(math.ceil(max(rest, 0.0) / used)):
-        page = QgsLayoutItemPage(layout)
-        page.attemptResize(like.sizeWithUnits())
-        layout.pageCollection().addPage(page)
-        frame = QgsLayoutFrame(layout, table)
-        frame.attemptMove(QgsLayoutPoint(left, left), True, False, layout.pageCollection().pageCount() - 1)
-        frame.attemptResize(QgsLayoutSize(width, height))
-        table.addFrame(frame)
-        rest -= used
-    return left + head + rest + used if rest <= 0.0 and table.frameCount() > 1 else (
-        first.pagePos().y() + first.sizeWithUnits().height())
+    pages = layout.pageCollection()
+    like, left, width = pages.page(first.page()), first.pagePos().x(), first.sizeWithUnits().width()
+    bottom = like.pageSize().height() - left
+    frame, top, reached = first, first.pagePos().y(), first.pagePos().y() + sum(heights[:1])
+    for row, height in enumerate(heights[1:]):
+        if row and reached + height > bottom:
+            frame.attemptResize(QgsLayoutSize(width, reached - top + heights[0] / 2))
+            page = QgsLayoutItemPage(layout)
+            page.attemptResize(like.sizeWithUnits())
+            pages.addPage(page)
+            frame, top, reached = QgsLayoutFrame(layout, table), left, left + heights[0]
+            frame.attemptMove(QgsLayoutPoint(left, top), True, False, pages.pageCount() - 1)
+            table.addFrame(frame)
+        reached += height
+    # Half a row more than they need: none is left out for a tenth of a millimetre, and no other has room.
+    frame.attemptResize(QgsLayoutSize(width, reached - top + sum(heights[:1]) / 2))
+    return reached
 
 
-def _put_map_behind(layout, table, first, lower: float, reached: float) -> None:
-    """Let a map that stands below a table in the template fill the page on which the table ends, or one of its own.
+def _put_map_behind(layout, table, first, lower: float, reached: float, shape: float) -> None:
+    """Put a map that stands below a table in the template onto the page on which the table ends, or one of its own.
 
-    `lower`: where the table ended in the template; `reached`: where it ends now, mm.
+    `lower`: where the table ended in the template; `reached`: where it ends now, mm. The map is as high as its `shape`
+    asks for, if there is room for that.
     """
     item = layout.itemById("map")
     if item is None or item.page() != first.page() or item.pagePos().y() < lower - 0.5:
@@ -206,22 +218,35 @@ def _put_map_behind(layout, table, first, lower: float, reached: float) -> None:
     pages, left = layout.pageCollection(), first.pagePos().x()
     page = table.frame(table.frameCount() - 1).page()
     size, bottom = item.sizeWithUnits(), pages.page(page).pageSize().height() - left
-    top = reached + SPARE
+    top, wanted = reached + SPARE, max(shape * size.width(), LEAST_MAP)
     if bottom - top < LEAST_MAP:
         added = QgsLayoutItemPage(layout)
         added.attemptResize(pages.page(page).sizeWithUnits())
         pages.addPage(added)
-        page, top = pages.pageCount() - 1, left
+        page, top, wanted = pages.pageCount() - 1, left, max(wanted, LEAST_PAGE)
     item.attemptMove(QgsLayoutPoint(item.pagePos().x(), top), True, False, page)
-    item.attemptResize(QgsLayoutSize(size.width(), bottom - top))
+    item.attemptResize(QgsLayoutSize(size.width(), min(bottom - top, wanted)))
 
 
-def _height(table, rows: Sequence[Sequence[str]]) -> float:
-    """About how high a table is with these rows, mm."""
-    letters = table.contentTextFormat().size()
-    margin, widths = table.cellMargin(), table.columnWidths()
-    return sum(max(_lines(text, width, LETTER * letters) for text, width in zip(row, widths)) * LINE * letters
-               + 2 * margin for row in rows)
+def _row_heights(layout, table, rows: Sequence[Sequence[str]]) -> list[float]:
+    """How high each row of a table is, mm."""
+    context = QgsLayoutUtils.createRenderContextForLayout(layout, None)
+    letters, unit = table.contentTextFormat(), context.scaleFactor()
+    line = LINE * letters.size()
+    room = [width * unit for width in table.columnWidths()]
+
+    def lines(text: str, width: float) -> int:
+        """Lines of a text, broken between words as QGIS does."""
+        count, filled = 1, ""
+        for word in text.split(" "):
+            longer = f"{filled} {word}" if filled else word
+            if filled and QgsTextRenderer.textWidth(context, letters, [longer]) > width:
+                count, filled = count + 1, word
+            else:
+                filled = longer
+        return count
+
+    return [max(map(lines, row, room)) * line + 2 * table.cellMargin() + table.gridStrokeWidth() for row in rows]
 
 
 def _lines(text: str, width: float, letter: float) -> int:

@@ -45,7 +45,7 @@ class ReportLinks(QObject):
             return
         self._take_away()
         bar = self.iface.messageBar()
-        line = bar.createMessage("UrbanMap", title)
+        line = bar.createMessage("UrbanMap", title.removesuffix(f": {tr('Report')}"))  # the button says so
         line.setObjectName(SETTING)
         button = QPushButton(tr("Open report"), line)
         button.clicked.connect(lambda: open_report(path))

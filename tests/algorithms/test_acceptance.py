@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import shutil
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -33,11 +35,23 @@ def test_points_within_the_limits_are_accepted(run, checks, tmp_path):
     assert len((tmp_path / "all.csv").read_text(encoding="utf-8-sig").splitlines()) == 6
 
 
-def test_many_points_go_on_over_pages(run, tmp_path):
-    rows = ["id,x,y,z,x_product,y_product,z_product", *(f"{k},{k},{k},1,{k},{k},1" for k in range(150))]
+def pages(path) -> list[str]:
+    """The text of each page of a PDF."""
+    if shutil.which("pdftotext") is None:
+        pytest.skip("pdftotext, which reads the pages, is not installed (poppler-utils)")
+    told = subprocess.run(["pdftotext", "-layout", str(path), "-"], capture_output=True, check=True)
+    return told.stdout.decode("utf-8").split("\f")[:-1]
+
+
+@pytest.mark.parametrize(("count", "sheets"), [(10, 2), (60, 3), (200, 5)])
+def test_points_go_on_over_pages_with_their_head(run, tmp_path, count, sheets):
+    rows = ["id,x,y,z,x_product,y_product,z_product", *(f"P{k},{k},{k},1,{k},{k},1" for k in range(count))]
     (tmp_path / "many.csv").write_text("\n".join(rows), encoding="utf-8")
     run("urbanmap:acceptance", {"INPUT": str(tmp_path / "many.csv"), "OUTPUT_PDF": str(tmp_path / "many.pdf")})
-    assert (tmp_path / "many.pdf").read_bytes().count(b"/Type /Page\n") >= 4
+    assert (tmp_path / "many.pdf").read_bytes().count(b"/Type /Page\n") == sheets
+    texts = pages(tmp_path / "many.pdf")
+    assert all(f"P{k} " in "".join(texts) for k in range(count))
+    assert all("north (m)" in text for text in texts[1:])
 
 
 def test_an_office_prints_on_its_own_layout(run, checks, tmp_path):
@@ -71,7 +85,22 @@ def test_given_limits_must_be_given(run, checks):
         run("urbanmap:acceptance", {"INPUT": checks, "MAP_LEVEL": "given"})
 
 
+def test_edges_are_drawn_from_models_only(run, checks, tmp_path):
+    with pytest.raises(Exception, match="drawn from building models: give these too"):
+        run("urbanmap:acceptance", {"INPUT": checks, "OUTPUT_EDGES": str(tmp_path / "edges.csv")})
+
+
+def test_registration_stands_in_the_pdf(run, checks, tmp_path):
+    rows = ["correction,sigma,residual", *["0.111,0.02,0.03"] * 2]
+    (tmp_path / "patches.csv").write_text("\n".join(rows), encoding="utf-8")
+    run("urbanmap:acceptance", {"INPUT": checks, "PATCHES": str(tmp_path / "patches.csv"),
+                                "OUTPUT_PDF": str(tmp_path / "a.pdf")})
+    assert "0.111" in pages(tmp_path / "a.pdf")[0]
+
+
 def test_patches_must_be_those_of_a_registration(run, checks):
+    with pytest.raises(Exception, match="stand in a report on check points"):
+        run("urbanmap:acceptance", {"BUILDINGS": checks, "PATCHES": checks})
     with pytest.raises(Exception, match="has no field correction, sigma, residual"):
         run("urbanmap:acceptance", {"INPUT": checks, "PATCHES": checks})
 
@@ -82,12 +111,17 @@ def test_edges_are_drawn_where_there_are_no_check_points(run, small_city, tmp_pa
                                             "OUTPUT_MODELS": str(tmp_path / "models.gpkg")})["OUTPUT_MODELS"]
     result = run("urbanmap:acceptance", {"BUILDINGS": models, "PRODUCT": "buildings", "AREA": "第3工区",
                                          "OUTPUT_EDGES": str(tmp_path / "edges.csv"),
+                                         "OUTPUT_PDF": str(tmp_path / "edges.pdf"),
                                          "OUTPUT_REPORT": str(tmp_path / "edges.html")})
     assert result["OUTCOME"] == "not checked" and "POINTS" not in result
     rows = (tmp_path / "edges.csv").read_text(encoding="utf-8-sig").splitlines()
     assert len(rows) > 40 and all(row.endswith(",,") for row in rows[1:])
     page = (tmp_path / "edges.html").read_text(encoding="utf-8")
     assert "Nothing was checked" in page and "第3工区" in page and "Accepted" not in page
+    pdf = (tmp_path / "edges.pdf").read_bytes()
+    assert pdf.startswith(b"%PDF") and pdf.count(b"/Type /Page\n") >= 2
+    with pytest.raises(Exception, match="no errors to list: leave “All points” out"):
+        run("urbanmap:acceptance", {"BUILDINGS": models, "OUTPUT_CSV": str(tmp_path / "all.csv")})
     # The table that nobody filled in is no check either.
     with pytest.raises(Exception, match="no check point"):
         run("urbanmap:acceptance", {"INPUT": str(tmp_path / "edges.csv"), "PRODUCT": "buildings"})

@@ -44,5 +44,20 @@ def test_rasters_go_below_and_names_tell_surveys_apart(project, plugin, small_ci
     project.addMapLayer(below, False)
     project.layerTreeRoot().addLayer(below)  # QGIS 3.40 adds it below the layer that is chosen, here below the ground
     arrange({below.id()}, "")
-    assert order(project)[2:] == ["Residuals", "Orthophoto", "Image before", "Ground (survey_1)"]
+    assert order(project) == ["Residuals", "Patches (survey_1)", "Drawn before", "Orthophoto", "Image before",
+                              "Ground (survey_1)"]
     assert len(project.mapLayers()) == 6
+
+
+def test_points_go_above_lines_above_areas(project, plugin):
+    from qgis.core import QgsVectorLayer
+
+    arrange = plugin("algorithms.framework.guide.step_runner").arrange_layers
+    ids = {}
+    for kind, name in (("LineString", "Before"), ("Point", "Findings"), ("LineString", "Bounds"), ("Polygon", "Lanes"),
+                       ("LineString", "Centres"), ("Polygon", "Areas")):
+        layer = QgsVectorLayer(f"{kind}?crs=EPSG:6677", name, "memory")
+        project.addMapLayer(layer)  # each above the one before
+        ids[name] = layer.id()
+    arrange({layer for name, layer in ids.items() if name != "Before"}, "")
+    assert order(project) == ["Findings", "Centres", "Bounds", "Areas", "Lanes", "Before"]

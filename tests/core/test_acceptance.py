@@ -146,4 +146,4 @@ def test_report_and_table_hold_every_point(tmp_path):
 
 def test_points_without_a_place_have_no_map():
     columns = {"id": ["a"], **{f"{axis}_after": [0.1] for axis in ("east", "north", "up")}}
-    assert error_map(check_points_from_columns(columns), Limits(0.2, None)) == ""
+    assert error_map(check_points_from_columns(columns), Limits(0.2, None)) is None

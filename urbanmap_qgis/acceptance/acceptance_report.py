@@ -12,7 +12,7 @@ import numpy as np
 
 from ..io.files.excel_table import write_excel_table
 from ..io.pages.report import BAD, GOOD, LOOK, Fixed, Report
-from ..io.pages.svg_vectors import vector_map
+from ..io.pages.svg_vectors import vector_map, vector_map_shape
 from ..wording import known, mark, say
 from .check_points import CheckPoints
 from .criteria import FAILED, OUTCOMES, PASSED, Criterion, outcome
@@ -31,8 +31,8 @@ CRITERIA_HEAD = (mark("Component"), mark("points"), mark("standard deviation (m)
 
 DRAWN_TITLE = mark("Acceptance: edges of buildings to be surveyed")
 DRAWN_HEAD = (mark("Unit"), mark("edges drawn"), mark("edges there are"), mark("edges needed"))
-FIELD_HEAD = (mark("point"), mark("unit"), "x (m)", "y (m)", "z (m)", mark("x measured (m)"), mark("y measured (m)"),
-              mark("z measured (m)"), mark("Remarks"))
+FIELD_HEAD = (mark("point"), mark("unit"), "x (m)", "y (m)", "z (m)", mark("measured x (m)"), mark("measured y (m)"),
+              mark("measured z (m)"), mark("Remarks"))
 
 
 def write_acceptance_report(path: str | os.PathLike, points: CheckPoints, found: Sequence[Criterion], limits: Limits,
@@ -134,7 +134,8 @@ def sampling_pdf_content(drawn: SampledEdges) -> PdfContent:
          "points_title": say("Ends of the edges, with room for what is measured")},
         {"criteria": [list(map(known, DRAWN_HEAD)), *(list(map(str, row)) for row in _drawn_rows(drawn))],
          "figures": [], "points": [list(map(known, FIELD_HEAD)), *points]},
-        {"map": _drawn_map(drawn), "histogram_plan": None, "histogram_height": None})
+        {"map": _drawn_map(drawn), "histogram_plan": None, "histogram_height": None},
+        vector_map_shape(drawn.ends.reshape(-1, 3)[:, :2]))
 
 
 def _not_yet(drawn: SampledEdges) -> str:
@@ -215,7 +216,7 @@ def pdf_content(points: CheckPoints, found: Sequence[Criterion], limits: Limits,
          "figures_title": known("Figures"), "points_title": known("All check points")},
         {"criteria": [list(map(known, CRITERIA_HEAD)), *map(criterion_row, found)],
          "figures": [list(map(known, FIGURES_HEAD)), *figures], "points": [list(map(known, point_head())), *every]},
-        drawings(points, limits))
+        drawings(points, limits), vector_map_shape(points.true[:, :2]))
 
 
 def drawings(points: CheckPoints, limits: Limits) -> dict[str, Drawing | None]:

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..io.files.excel_table import write_excel_table
 from ..io.pages.report import BAD, GOOD, LOOK, Fixed, Report
-from ..io.pages.svg_vectors import vector_map
+from ..io.pages.svg_vectors import vector_map, vector_map_shape
 from ..wording import known, mark, say
 from .acceptance_report import FIGURES_HEAD
 from .criteria import FAILED, OUTCOMES, PASSED, Criterion, outcome
@@ -30,6 +30,7 @@ from .map_levels import Limits
 from .pdf_content import Drawing, PdfContent, criterion_row, histogram_of, metres
 
 TITLE = mark("Acceptance: edges of buildings against laser points")
+POINTS_TITLE = mark("All edges shown by the points")
 
 COLUMNS = ("id", "building", "unit", "x", "y", "z", "across", "east", "north", "up", "sigma", "sigma_up", "points",
            "left_out")
@@ -177,14 +178,15 @@ def edges_pdf_content(edges: ComparedEdges, found: Sequence[Criterion], limits: 
     return PdfContent(
         {"title": known(TITLE), "verdict": " ".join((edges_verdict(edges, found, level)[1],
                                                      known(_INDEPENDENT if independent else _NOT_INDEPENDENT))),
-         "figures_title": known("Figures"), "points_title": known("All edges shown by the points")},
+         "figures_title": known("Figures"), "points_title": known(POINTS_TITLE)},
         {"criteria": [list(map(known, HEAD)), *map(criterion_row, found)],
          "figures": [list(map(known, FIGURES_HEAD)),
                      *([name, str(one.count), *map(metres, (one.mean, one.rmse, one.std, one.maximum))]
                        for name, one in figures)],
          "points": [list(map(known, head)), *rows]},
         {"map": _map(edges, limits), "histogram_plan": histogram_of(edges.across, say("Errors across the edges")),
-         "histogram_height": histogram_of(edges.up, say("Errors in height"))})
+         "histogram_height": histogram_of(edges.up, say("Errors in height"))},
+        vector_map_shape(edges.drawn.ends[edges.shown].reshape(-1, 3)[:, :2]))
 
 
 def write_compared_csv(path: str | os.PathLike, edges: ComparedEdges) -> None:

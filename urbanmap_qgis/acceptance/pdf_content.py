@@ -30,11 +30,13 @@ class PdfContent:
     labels : texts.
     tables : rows of texts, the head first.
     drawings : None where there is nothing to draw.
+    map_shape : height by width of the map that leaves no empty bands.
     """
 
     labels: Mapping[str, str]
     tables: Mapping[str, list[list[str]]]
     drawings: Mapping[str, Drawing | None]
+    map_shape: float
 
 
 def metres(value: float) -> str:

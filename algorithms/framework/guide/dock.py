@@ -132,6 +132,7 @@ class GuideDock(QDockWidget):
         """Run what is not done, one step after the other."""
         if self.path is None:
             self.path = default_place(self.files.given)
+        self.steps.tree.setCurrentItem(None)  # what comes out is chosen
         self.runner.start(self.job, [step.id for step in self.job.steps], results_folder(self.path))
 
     def open_step(self, identifier: str) -> None:

@@ -15,6 +15,8 @@ from qgis.core import (
     QgsProcessingOutputLayerDefinition,
     QgsProject,
     QgsRasterLayer,
+    QgsVectorLayer,
+    QgsWkbTypes,
 )
 from qgis.PyQt.QtCore import QObject, QTimer, pyqtSignal
 
@@ -36,23 +38,35 @@ class StepFeedback(QgsProcessingFeedback):
 
 
 def arrange_layers(layers: Collection[str], note: str) -> None:
-    """Put layers that were just loaded, by their ids, in order: images below all else, rasters of heights below these.
+    """Put layers that were just loaded, by their ids, in order: points above lines above areas, all of them above what
+    was there before; images below all else, rasters of heights below these.
 
     `note` : is set behind their names, "" for none.
     """
     root = QgsProject.instance().layerTreeRoot()
-    for identity in layers:
-        layer, node = QgsProject.instance().mapLayer(identity), root.findLayer(identity)
+    loaded = [node for node in root.findLayers() if node.layerId() in layers]
+    drawn = sorted((node for node in loaded if not _is_raster(node)), key=_depth, reverse=True)
+    for node in loaded:
         if note:
-            layer.setName(f"{layer.name()} ({note})")
-        if node is None:
-            continue
-        parent, heights = node.parent(), _is_raster(node) and layer.bandCount() == 1
-        others = [row for row, child in enumerate(parent.children()) if _is_raster(child) and child != node]
-        if not _is_raster(node) and (not others or parent.children().index(node) < others[0]):
-            continue
-        parent.insertChildNode(others[0] if others and not heights else -1, node.clone())
+            node.layer().setName(f"{node.layer().name()} ({note})")
+        parent = node.parent()
+        if _is_raster(node):
+            others = [row for row, child in enumerate(parent.children()) if _is_raster(child) and child != node]
+            heights = node.layer().bandCount() == 1
+            parent.insertChildNode(others[0] if others and not heights else -1, node.clone())
+            parent.removeChildNode(node)
+    for node in drawn:
+        parent = node.parent()
+        parent.insertChildNode(0, node.clone())
         parent.removeChildNode(node)
+
+
+def _depth(node) -> tuple[int, int]:
+    """How far down a layer goes that is no raster: its kind, and its place in the tree now."""
+    kinds = (QgsWkbTypes.GeometryType.PointGeometry, QgsWkbTypes.GeometryType.LineGeometry,
+             QgsWkbTypes.GeometryType.PolygonGeometry)
+    kind = node.layer().geometryType() if isinstance(node.layer(), QgsVectorLayer) else None
+    return kinds.index(kind) if kind in kinds else len(kinds), node.parent().children().index(node)
 
 
 def _is_raster(node) -> bool:

@@ -21,8 +21,8 @@ from .step_runner import StepRunner
 
 _STEP = Qt.ItemDataRole.UserRole
 _COLOURS = {"good": "#1a7d3c", "look": "#a86400", "bad": "#c0273a", "failed": "#c0273a", "done": "#1a7d3c"}
-_ORDER = ("failed", "bad", "look", "good", "done")
-"""States and grades, what is to be looked at first in front."""
+_BAD = {"failed", "bad"}
+"""States and grades of what is to be looked at before all else."""
 _TICK = 1000  # ms between looks at the time that is left
 
 
@@ -146,20 +146,21 @@ class StepsPanel(QWidget):
         self.told.setText(words if left is None else tr("{0}, about {1} left").format(words, duration_text(left)))
 
     def _ended(self, sentence: str) -> None:
-        """Say how the run ended, and what the step found that is chosen, or else is to be looked at first."""
+        """Say how the run ended, and what the step found that is chosen, or else what came out."""
         if not self.chosen() and self.job is not None:
-            self._choose_worst()
+            self._choose_outcome()
         row = self.tree.currentItem()
         found = row.text(2) if row is not None else ""
         self.told.setText(sentence if not found or found in sentence else f"{sentence}\n{found}")
         self._enable()
 
-    def _choose_worst(self) -> None:
-        """Choose the step whose state or verdict is the worst, so that its report can be opened at once."""
-        grades = [_ORDER.index(grade) if (grade := step.grade or step.state) in _ORDER else len(_ORDER)
-                  for step in self.job.steps]
-        if grades:
-            self.tree.setCurrentItem(self.tree.topLevelItem(grades.index(min(grades))))
+    def _choose_outcome(self) -> None:
+        """Choose the first step that failed or found its result bad, else the last that says something: that is what
+        was wished for. Its report can be opened at once."""
+        bad = [row for row, step in enumerate(self.job.steps) if _BAD & {step.state, step.grade}]
+        told = [row for row, step in enumerate(self.job.steps) if step.verdict]
+        if bad or told:
+            self.tree.setCurrentItem(self.tree.topLevelItem(bad[0] if bad else told[-1]))
 
 
 def duration_text(seconds: float) -> str:

@@ -11,6 +11,7 @@ from ...wording import say
 from .svg import scale_bar
 
 _LONGEST = 60.0  # pixels of the vector that the scale is chosen by
+_MARGIN, _SCALES = _LONGEST + 14, 30  # pixels around the points, and for the scale bars below
 _GOOD, _BAD = "#2f6f8f", "#d7263d"
 
 
@@ -27,23 +28,51 @@ def vector_map(places: np.ndarray, vectors: np.ndarray, names: Sequence[str], li
     width, height : of the drawing, pixels; the map is as large as it can be in it.
     """
     lowest, highest = places.min(axis=0), places.max(axis=0)
-    margin = _LONGEST + 14
-    room = np.array([width - 2 * margin, height - 2 * margin - 30])
+    room = np.array([width - 2 * _MARGIN, height - 2 * _MARGIN - _SCALES])
     scale = float((room / np.maximum(highest - lowest, 1.0)).min())
     middle = (lowest + highest) / 2
-    pixels = (places - middle) * (scale, -scale) + (width / 2, height / 2 - 15)
+    pixels = (places - middle) * (scale, -scale) + (width / 2, (height - _SCALES) / 2)
     lengths = np.hypot(*vectors.T)
     typical = float(np.quantile(lengths, 0.9)) or 0.01
     magnified = _LONGEST / 1.5 / max(typical, 1e-6)
-    parts = [_arrow(start, vector * (magnified, -magnified), _BAD if limit is not None and length > limit else _GOOD)
+    parts = _coordinate_lines(middle, scale, width, height)
+    parts += [_arrow(start, vector * (magnified, -magnified), _BAD if limit is not None and length > limit else _GOOD)
              for start, vector, length in zip(pixels, vectors, lengths)]
     parts += [f'<text x="{x + 5:.1f}" y="{y - 5:.1f}" fill="#444">{html.escape(name)}</text>'
               for (x, y), name in zip(pixels[_with_room(pixels)], np.array(names)[_with_room(pixels)])]
     parts.append(scale_bar(scale, width, height - 12))
-    parts.append(_vector_scale(typical, magnified, height - 12))
+    if lengths.any():
+        parts.append(_vector_scale(typical, magnified, height - 12))
     return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" role="img" '
             f'font-family="sans-serif" font-size="11"><rect width="{width}" height="{height}" fill="#fbfbf9" '
             f'stroke="#ccc"/>{"".join(parts)}</svg>')
+
+
+def vector_map_shape(places: np.ndarray, width: int = 720) -> float:
+    """Height by width of a map of places (n, 2), m, that is `width` pixels wide and leaves no empty bands; 0.75 where
+    none is known."""
+    known = places[np.isfinite(places).all(axis=1)]
+    if not len(known):
+        return 0.75
+    east, north = np.maximum(known.max(axis=0) - known.min(axis=0), 1.0)
+    return float(((width - 2 * _MARGIN) * north / east + 2 * _MARGIN + _SCALES) / width)
+
+
+def _coordinate_lines(middle: np.ndarray, scale: float, width: int, height: int) -> list[str]:
+    """Lines of round coordinates, about 150 pixels apart, with their values at the upper and the left edge."""
+    step = 10.0 ** np.floor(np.log10(150 / scale))
+    step *= max(factor for factor in (1, 2, 5) if factor * step <= 150 / scale)
+    below = height - _SCALES
+    parts = []
+    for axis, (size, half) in enumerate(((width, width / 2), (below, below / 2))):
+        first = np.ceil((middle[axis] - half / scale) / step)
+        for value in (first + np.arange(int(size / (step * scale)) + 1)) * step:
+            at = half + (value - middle[axis]) * scale * (1 if axis == 0 else -1)
+            line = f"M{at:.1f} 1V{below}" if axis == 0 else f"M1 {at:.1f}H{width - 1}"
+            place = f'x="{at + 3:.1f}" y="11"' if axis == 0 else f'x="3" y="{at - 3:.1f}"'
+            if 45 < at < size - 30:
+                parts.append(f'<path d="{line}" stroke="#ddd"/><text {place} fill="#999">{value:.10g}</text>')
+    return parts
 
 
 def _arrow(start: np.ndarray, vector: np.ndarray, colour: str) -> str:
