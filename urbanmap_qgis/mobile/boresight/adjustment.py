@@ -73,23 +73,22 @@ class BoresightSettings:
 
 @dataclass(frozen=True)
 class PatchPoses:
-    """Where the vehicle was when planes were measured.
+    """How the vehicle stood when planes were measured, in the mean of each plane's points.
 
     Attributes
     ----------
-    scanner, survey_pass : (n,) numbers.
+    scanner : (n,) number.
     node : (n,) number of the pass's node, counted over all passes.
-    place : (n, 3) m of the body.
-    rotation : (n, 3, 3), body to map.
-    ray : (n, 3) m from the scanner, in the body.
+    rotation : (n, 3, 3), R from body to map.
+    from_body, from_scanner : (n, 3, 3), R [b]x and R [v]x, m, of the vectors b from the body and v from the scanner to
+        the points, in the body's axes.
     """
 
     scanner: np.ndarray
-    survey_pass: np.ndarray
     node: np.ndarray
-    place: np.ndarray
     rotation: np.ndarray
-    ray: np.ndarray
+    from_body: np.ndarray
+    from_scanner: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -124,7 +123,7 @@ def adjust_boresights(patches: PlanePatches, poses: PatchPoses, node_pass: np.nd
     """
     state = np.zeros(_SIZE * (scanners + len(node_pass)))
     prior = _prior(node_pass, scanners, settings)
-    jacobian = _displacements(patches, poses, scanners, len(node_pass))
+    jacobian = _displacements(poses, scanners, len(node_pass))
     for gate in LIMITS.gates:
         moved = patches.centroid + (jacobian @ state).reshape(-1, 3)
         first, second = _pairs(patches, moved, gate)
@@ -187,13 +186,12 @@ def _prior(node_pass: np.ndarray, scanners: int, settings: BoresightSettings) ->
                       shape=(size, size)).tocsc()
 
 
-def _displacements(patches: PlanePatches, poses: PatchPoses, scanners: int, nodes: int) -> csc_matrix:
+def _displacements(poses: PatchPoses, scanners: int, nodes: int) -> csc_matrix:
     """Matrix (3 n, parameters): how the centroids move with each parameter, m and radians."""
-    n = len(patches)
-    from_scanner = np.concatenate([poses.rotation, -poses.rotation @ _skew(poses.ray)], axis=2)  # R, -R [v]x
+    n = len(poses.node)
+    from_scanner = np.concatenate([poses.rotation, -poses.from_scanner], axis=2)
     # The place is off in the map, the attitude in the body: a misaligned inertial unit turns with the vehicle.
-    body = np.einsum("nji,nj->ni", poses.rotation, patches.centroid - poses.place)
-    from_node = np.concatenate([np.broadcast_to(np.eye(3), (n, 3, 3)), -poses.rotation @ _skew(body)], axis=2)
+    from_node = np.concatenate([np.broadcast_to(np.eye(3), (n, 3, 3)), -poses.from_body], axis=2)
     row = np.broadcast_to(3 * np.arange(n)[:, None, None] + np.arange(3)[:, None], (n, 3, _SIZE))
     parts = []
     for number, block in ((poses.scanner, from_scanner), (scanners + poses.node, from_node)):
@@ -203,7 +201,7 @@ def _displacements(patches: PlanePatches, poses: PatchPoses, scanners: int, node
     return (parts[0] + parts[1]).tocsr()
 
 
-def _skew(vectors: np.ndarray) -> np.ndarray:
+def skew(vectors: np.ndarray) -> np.ndarray:
     """(n, 3, 3) matrices that take a vector w to v x w."""
     x, y, z = vectors.T
     zero = np.zeros(len(vectors))

@@ -35,6 +35,7 @@ class PlanePatches:
     time : (n,) s, mean of its points.
     centroid, normal : (n, 3) m.
     sigma : (n,) m, of the plane's place along its normal.
+    means : (n, k) of what was collected with its points.
     """
 
     group: np.ndarray
@@ -42,6 +43,7 @@ class PlanePatches:
     centroid: np.ndarray
     normal: np.ndarray
     sigma: np.ndarray
+    means: np.ndarray
 
     def __len__(self) -> int:
         return len(self.group)
@@ -65,8 +67,8 @@ class PatchSearch:
         self._sums: list[np.ndarray] = []
         self._held = 0
 
-    def add(self, points: np.ndarray, time: np.ndarray, group: np.ndarray) -> None:
-        """Take points (n, 3) m, their times (n,) s and groups (n,)."""
+    def add(self, points: np.ndarray, time: np.ndarray, group: np.ndarray, values: np.ndarray | None = None) -> None:
+        """Take points (n, 3) m, their times (n,) s and groups (n,), and values (n, k) whose means are wanted."""
         if not len(points):
             return
         cell = np.floor((points - self._origin) / VOXEL).astype(np.int64)
@@ -78,8 +80,9 @@ class PatchSearch:
         names, number = np.unique(key, return_inverse=True)
         x, y, z = local.T
         columns = (np.ones(len(x)), x, y, z, x * x, x * y, x * z, y * y, y * z, z * z, time - time[0])
-        sums = np.column_stack([np.bincount(number, values, len(names)) for values in columns])
-        sums[:, -1] += sums[:, 0] * time[0]
+        columns += tuple(values.T) if values is not None else ()
+        sums = np.column_stack([np.bincount(number, column, len(names)) for column in columns])
+        sums[:, 10] += sums[:, 0] * time[0]
         self._keys.append(names)
         self._sums.append(sums)
         self._held += len(names)
@@ -97,7 +100,7 @@ class PatchSearch:
     def patches(self) -> PlanePatches:
         """The planes of all cells that are plane enough."""
         if not self._keys:
-            return PlanePatches(np.zeros(0, int), np.zeros(0), np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0))
+            return PlanePatches(np.zeros(0, int), np.zeros(0), *np.zeros((2, 0, 3)), np.zeros(0), np.zeros((0, 0)))
         self._merge()
         keys, sums = self._keys[0], self._sums[0]
         enough = sums[:, 0] >= LIMITS.fewest
@@ -111,7 +114,8 @@ class PatchSearch:
         cell, group = _unpacked(keys)
         centre = self._origin + (cell + 0.5) * VOXEL
         sigma = np.sqrt(np.maximum(values[:, 0], 1e-6) / count)
-        return PlanePatches(group, sums[:, 10] / count, centre + mean, vectors[:, :, 0], sigma).select(plane)
+        return PlanePatches(group, sums[:, 10] / count, centre + mean, vectors[:, :, 0], sigma,
+                            sums[:, 11:] / count[:, None]).select(plane)
 
 
 def _unpacked(keys: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

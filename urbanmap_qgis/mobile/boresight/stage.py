@@ -19,12 +19,14 @@ from ..apply_correction import survey_time_shift
 from ..calibration import Calibration, scanner_of
 from ..passes import BlockPositions
 from ..trajectory import Trajectory, attitude_angles, interpolate, path_chainage, rotations
-from .adjustment import PARAMETERS, Boresights, BoresightSettings, PatchPoses, adjust_boresights
+from .adjustment import PARAMETERS, Boresights, BoresightSettings, PatchPoses, adjust_boresights, skew
 from .plane_patches import PatchSearch, PlanePatches
 
 _MAX_RANGE = 40.0  # m; beyond it scan lines lie too far apart for planes
 _GROUPS = 1 << 8  # scanners, and passes, that are told apart
 _FEWEST_PAIRS = 200
+_TIGHT = 0.1  # of the largest distance of passes, and of their walk
+_AS_GOOD = 1.25  # times the planes' distances, and fewer pairs, with which tight courses fit as well as loose ones
 
 _BODY = np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, -1.0]])
 """Forward, right, down as north, east, down: takes body rotations to the map's order of axes and back."""
@@ -81,7 +83,7 @@ def calibrate_scanners(clouds: Sequence[Sequence[str | os.PathLike]], trajectori
     progress.message(say("{patches_count:,} planes in {first_pass} passes.", patches_count=len(patches),
                          first_pass=first_pass))
     poses, node_pass = _poses(patches, trajectories, passes, calibration, settings)
-    found = adjust_boresights(patches, poses, node_pass, len(calibration.scanners), settings)
+    found = _adjusted(patches, poses, node_pass, len(calibration.scanners), settings)
     if found.pairs < _FEWEST_PAIRS:
         raise InsufficientDataError(say("Only {pairs} planes were seen by two scanners or in two passes: drive a "
                                         "street with walls in both directions.", pairs=found.pairs))
@@ -91,6 +93,21 @@ def calibrate_scanners(clouds: Sequence[Sequence[str | os.PathLike]], trajectori
                              apart=found.place_rms))
     _tell(found, progress)
     return CalibratedScanners(_corrected(calibration, found), found, first_pass)
+
+
+def _adjusted(patches: PlanePatches, poses: PatchPoses, node_pass: np.ndarray, scanners: int,
+              settings: BoresightSettings) -> Boresights:
+    """The adjustment; with courses held tightly where they seem far apart and yet need not be.
+
+    A boresight of some tenths of a degree moves planes like a course that is off, and loose courses soak it up.
+    """
+    found = adjust_boresights(patches, poses, node_pass, scanners, settings)
+    if not found.place_rms > settings.max_apart:
+        return found
+    tight = replace(settings, place=_TIGHT * settings.max_apart, place_walk=_TIGHT * settings.place_walk)
+    held = adjust_boresights(patches, poses, node_pass, scanners, tight)
+    alike = held.pairs >= found.pairs / _AS_GOOD and held.rms_after <= _AS_GOOD * found.rms_after
+    return held if alike and held.place_rms <= settings.max_apart else found
 
 
 def _passes(trajectory: Trajectory):
@@ -115,17 +132,25 @@ def _collect(search: PatchSearch, paths: Sequence[str | os.PathLike], trajectory
         usable = trajectory.within(time) & np.isfinite(points).all(axis=1)
         place = interpolate(trajectory, time[usable]).place
         usable[usable] = np.linalg.norm(points[usable] - place, axis=1) <= _MAX_RANGE
+        pose = interpolate(trajectory, time[usable])
         group = (first_pass + passes.of(time[usable])) * _GROUPS + scanner[usable]
-        search.add(points[usable], time[usable], group)
+        search.add(points[usable], time[usable], group, _turned(rotations(pose.angles), points[usable] - pose.place))
+
+
+def _turned(rotation: np.ndarray, from_body: np.ndarray) -> np.ndarray:
+    """(n, 18): rotations R (n, 3, 3) body to map, and R [b]x of the vectors R b = `from_body` (n, 3), m, in rows.
+
+    A plane that was looked at twice, before a turn and after it, moves by the means of both, not as one look between.
+    """
+    body = np.einsum("nji,nj->ni", rotation, from_body)
+    return np.concatenate([rotation.reshape(-1, 9), (rotation @ skew(body)).reshape(-1, 9)], axis=1)
 
 
 def _poses(patches: PlanePatches, trajectories: Sequence[Trajectory], passes: Sequence, calibration: Calibration,
            settings: BoresightSettings) -> tuple[PatchPoses, np.ndarray]:
     """Poses of the vehicle at the planes' times, and the pass (k,) of each node."""
-    n = len(patches)
     scanner, survey_pass = patches.group % _GROUPS, patches.group // _GROUPS
-    place, rotation, node = np.zeros((n, 3)), np.zeros((n, 3, 3)), np.zeros(n, int)
-    node_pass, first_pass = [], 0
+    node, node_pass, first_pass = np.zeros(len(patches), int), [], 0
     for trajectory, part in zip(trajectories, passes):
         chainage = path_chainage(trajectory)
         for number in range(part.count):
@@ -135,12 +160,10 @@ def _poses(patches: PlanePatches, trajectories: Sequence[Trajectory], passes: Se
             piece = np.floor((at - low) / settings.node_length).astype(int)
             node[of_pass] = len(node_pass) + piece
             node_pass += [first_pass + number] * (int(piece.max(initial=-1)) + 1)
-            pose = interpolate(trajectory, patches.time[of_pass])
-            place[of_pass], rotation[of_pass] = pose.place, rotations(pose.angles)
         first_pass += part.count
     arm = np.array([item.lever_arm for item in calibration.scanners])[scanner]
-    ray = np.einsum("nji,nj->ni", rotation, patches.centroid - place) - arm
-    return PatchPoses(scanner, survey_pass, node, place, rotation, ray), np.array(node_pass, int)
+    rotation, body = np.moveaxis(patches.means.reshape(-1, 2, 3, 3), 1, 0)
+    return PatchPoses(scanner, node, rotation, body, body - rotation @ skew(arm)), np.array(node_pass, int)
 
 
 def _corrected(calibration: Calibration, found: Boresights) -> Calibration:
