@@ -1,4 +1,4 @@
-"""Tables of what i-UR lets a building say, one a version, from its XML schemas; and its lists of codes.
+"""Tables of what i-UR lets a building or a road say, one a version, from its XML schemas; and its lists of codes.
 
 Run: `python scripts/make_iur_tables.py SCHEMAS [SPECIFICATION]`. SCHEMAS is the folder with `<version>/urbanObject.xsd`
 of each version, SPECIFICATION the text of PLATEAU's standard product specification, in which the lists of codes stand.
@@ -15,7 +15,9 @@ from xml.etree import ElementTree as Xml
 ROOT = Path(__file__).resolve().parents[1]
 PLACE = ROOT / "urbanmap_qgis" / "citymodel" / "citygml"
 VERSIONS = ("2.0", "3.1", "3.2")
-HOOK = "bldg:_GenericApplicationPropertyOfAbstractBuilding"
+HOOKS = {"Building": ("bldg:_GenericApplicationPropertyOfAbstractBuilding",),
+         "Road": ("tran:_GenericApplicationPropertyOfTransportationComplex", "tran:_GenericApplicationPropertyOfRoad")}
+"""Properties that elements of i-UR stand in for, by the objects that have them."""
 XS = "{http://www.w3.org/2001/XMLSchema}"
 HEADER = ("owner", "name", "kind", "least", "most", "choice", "older")
 
@@ -23,6 +25,10 @@ KINDS = {"gml:CodeType": "code", "xs:string": "text", "xs:anyURI": "text", "xs:i
          "xs:nonNegativeInteger": "whole", "xs:positiveInteger": "whole", "xs:double": "number", "xs:decimal": "number",
          "gml:MeasureType": "measure", "gml:LengthType": "measure", "gml:VolumeType": "measure",
          "gml:AreaType": "measure", "xs:date": "date", "xs:gYear": "year", "xs:boolean": "truth"}
+
+LISTS = "DataQuality|PublicSurvey|Building_lodType"
+ROAD_LISTS = "TransportationComplex_class|Road_|RoadStructureAttribute"
+"""Begins of the names of the lists of quality attributes, and of roads."""
 
 OLDER = {"bldgDataQualityAttribute": "buildingDataQualityAttribute",
          "bldgDisasterRiskAttribute": "buildingDisasterRiskAttribute",
@@ -78,13 +84,14 @@ class Schema:
                         choice.get(item, "")) for item in found.iter(f"{XS}element") if item.get("name")]
 
     def rows(self) -> list[tuple[str, ...]]:
-        """Rows of the table: what a building has, then each data type that this leads to."""
+        """Rows of the table: what buildings and roads have, then each data type that this leads to."""
         made, waiting, seen = [], [], set()
-        for name, item in self.elements.items():
-            if item.get("substitutionGroup") == HOOK:
-                kind = self.kind(item.get("type"))
-                made.append(("Building", name, kind, "0", "unbounded", ""))
-                waiting += kind.split("|") if kind else []
+        for owner, hook in ((owner, hook) for owner, hooks in HOOKS.items() for hook in hooks):
+            for name, item in self.elements.items():
+                if item.get("substitutionGroup") == hook:
+                    kind = self.kind(item.get("type"))
+                    made.append((owner, name, kind, "0", "unbounded", ""))
+                    waiting += kind.split("|") if kind else []
         while waiting:
             name = waiting.pop(0)
             if name in seen or name in KINDS.values() or name not in self.elements:
@@ -103,17 +110,17 @@ def write_table(schemas: Path, version: str) -> None:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(HEADER)
         for row in Schema(schemas / version / "urbanObject.xsd").rows():
-            name = row[1] if row[0] == "Building" else row[0]
+            name = row[1] if row[0] in HOOKS else row[0]
             writer.writerow((*row, "" if old else OLDER.get(name, "")))
 
 
-def write_codes(specification: Path) -> None:
-    """The lists of codes of quality attributes, as the specification has them."""
+def write_codes(specification: Path, place: Path = PLACE / "codelists.csv", lists: str = LISTS) -> None:
+    """The lists of codes whose names begin so, as the specification has them."""
     text = specification.read_text(encoding="utf-8")
-    with open(PLACE / "codelists.csv", "w", encoding="utf-8", newline="") as file:
+    with open(place, "w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(("list", "code", "meaning"))
-        head = r"^\| ファイル名 \| ((?:DataQuality|PublicSurvey|Building_lodType)\w*)\.xml \|\n"
+        head = rf"^\| ファイル名 \| ((?:{lists})\w*)\.xml \|\n"
         for name, body in re.findall(rf"{head}(.*?)\n\n", text, re.MULTILINE | re.DOTALL):
             # The heading calls it geometrySrcDesc, the attributes that use it publicSurveySrcDesc.
             listed = name.replace("PublicSurveyDataQualityAttribute_geometrySrcDesc",
@@ -127,3 +134,4 @@ if __name__ == "__main__":
         write_table(Path(sys.argv[1]), each)
     if len(sys.argv) > 2:
         write_codes(Path(sys.argv[2]))
+        write_codes(Path(sys.argv[2]), PLACE / "codelists_tran.csv", ROAD_LISTS)

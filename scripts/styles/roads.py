@@ -87,6 +87,34 @@ def map_findings(layer) -> None:
     layer.setMapTipTemplate("[% \"kind\" %]<br>[% \"text\" %]")
 
 
+def road_surfaces(layer) -> None:
+    """Road surfaces by kind, those to be looked at with a red edge."""
+    colours = {"road": "#e3e3e3", "junction": "#f6c48f", "bridge": "#a9cbe6", "tunnel": "#c3b3d9"}
+    layer.setRenderer(QgsCategorizedSymbolRenderer("\"kind\" || if(\"status\" = 'made', '', ', to look at')", [
+        QgsRendererCategory(kind + more, fill(colour, edge, width), kind + more)
+        for more, edge, width in (("", "#333333", 0.26), (", to look at", "#d7263d", 0.8))
+        for kind, colour in colours.items()]))
+    layer.setMapTipTemplate("[% \"kind\" %] [% \"road_id\" %], [% round(\"area\", 1) %] m², mean width "
+                            "[% round(\"width\", 2) %] m<br>[% \"status\" %] [% \"finding\" %]")
+
+
+def road_axes(layer) -> None:
+    """Middle lines of roads, thin through junctions."""
+    kinds = {"road": 0.5, "bridge": 0.5, "tunnel": 0.5, "junction": 0.25}
+    layer.setRenderer(QgsCategorizedSymbolRenderer("kind", [
+        QgsRendererCategory(kind, line_symbol("#2b4c7e", width, "dash"), kind) for kind, width in kinds.items()]))
+
+
+def road_findings(layer) -> None:
+    """Points by what is to be looked at."""
+    kinds = {"arm not cut": "#d7263d", "junctions not parted": "#e09a2b", "edge not closed": "#4a8fe7",
+             "sides contradict": "#8a6bb0", "surface repaired": "#b8b03a"}
+    layer.setRenderer(QgsCategorizedSymbolRenderer("kind", [
+        QgsRendererCategory(kind, marker(colour, 2.4), kind) for kind, colour in kinds.items()]
+        + [QgsRendererCategory("", marker("#d7263d", 2.4), "others")]))
+    layer.setMapTipTemplate("[% \"kind\" %]<br>[% \"text\" %]")
+
+
 def map_faults(layer) -> None:
     """Points by severity."""
     colours = {"error": "#d7263d", "warning": "#e09a2b", "info": "#4a8fe7"}
@@ -127,6 +155,9 @@ FIELDS = {
     lane_centres: ("LineStringZ", "lane_id:integer kind:string width:double"),
     lane_bounds: ("LineStringZ", "bound_id:integer class:string"),
     road_edges: ("LineStringZ", "kind:string height:double sigma:double sigma_z:double status:string"),
+    road_surfaces: ("Polygon", "road_id:integer kind:string width:double area:double status:string finding:string"),
+    road_axes: ("LineString", "road_id:integer kind:string width:double length:double"),
+    road_findings: ("Point", "kind:string text:string"),
     map_findings: ("Point", "kind:string text:string"),
     map_faults: ("Point", "rule:string severity:string text:string element:string"),
     marking_areas: ("MultiPolygonZ", "class:string score:double heading:double"),

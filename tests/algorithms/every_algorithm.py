@@ -58,6 +58,7 @@ RECIPES: dict[str, dict] = {
     "markinglines": {"MARKINGS": MAP["MARKINGS"], "GROUND": HEIGHTS["GROUND"]},
     "roadedges": {**DRIVE, "WALLS": "wallsfrommms:OUTPUT"},
     "vectormap": {"LINES": "markinglines:OUTPUT", "TRAJECTORY": [DRIVE["TRAJECTORY"]]},
+    "roadmodel": {"ROADS": "vectormap:OUTPUT_LANES", "DATA_DATE": "2026-04-01"},
     "lanemap": {"MARKINGS": MAP["MARKINGS"], "GROUND": HEIGHTS["GROUND"], **TRUTH},
     "checkvectormap": {"INPUT": "vectormap:OUTPUT_LANELET2"},
     "localisationaccuracy": {"BUILDINGS": SKY["BUILDINGS"], "MARKINGS": MAP["MARKINGS"],

@@ -15,7 +15,7 @@ import numpy as np
 
 from ..geometry.solid import FaceTexture
 
-BUILDING, BUILDING_PART = "Building", "BuildingPart"
+BUILDING, BUILDING_PART, ROAD = "Building", "BuildingPart", "Road"
 
 ROOF_SURFACE, WALL_SURFACE, GROUND_SURFACE = "RoofSurface", "WallSurface", "GroundSurface"
 CEILING_SURFACE, FLOOR_SURFACE, CLOSURE_SURFACE = "OuterCeilingSurface", "OuterFloorSurface", "ClosureSurface"
@@ -99,16 +99,17 @@ class CityShape:
 
 @dataclass(frozen=True, eq=False)
 class CityObject:
-    """A building, or a part of one that stands alone.
+    """A building, a part of one that stands alone, or a road.
 
     Attributes
     ----------
     id : its own id; unique in the model.
     attributes : by name, in order. Values: number, text, bool, None, `datetime.date`, `CodeValue`, `Measure`,
-        `AttributeGroup`, or a list of these. Names of CityGML's building module stand alone ("measuredHeight"), those
+        `AttributeGroup`, or a list of these. Names of CityGML's building and transportation
+        modules stand alone ("measuredHeight", "function"), those
         of generic attributes and of extensions carry "gen:" and "uro:".
     shapes : all levels of detail side by side; several solids of one level are one geometry.
-    type : `BUILDING` or `BUILDING_PART`.
+    type : `BUILDING`, `BUILDING_PART` or `ROAD`.
     parts : parts that stand alone, of a building only.
     problems : what a reader found wrong with the object, in words.
     """

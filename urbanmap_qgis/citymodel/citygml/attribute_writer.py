@@ -15,9 +15,9 @@ from xml.sax.saxutils import escape, quoteattr  # nosec B406 # writes, reads not
 
 import numpy as np
 
-from ..model import AttributeGroup, CodeValue, Measure
+from ..model import BUILDING, AttributeGroup, CodeValue, Measure
 from .iur import PREFIX, IurTable
-from .schema import BUILDING_FIELDS, FEATURE_FIELDS, GENERIC_NAMES, GENERIC_SET
+from .schema import FEATURE_FIELDS, FIELDS, GENERIC_NAMES, GENERIC_SET, THEMES
 
 _NOT_IN_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]")
 _GENERIC = "gen:"
@@ -28,12 +28,14 @@ def xml_text(value: object) -> str:
     return escape(_NOT_IN_XML.sub("", str(value)))
 
 
-def split_attributes(attributes: Mapping[str, Any], table: IurTable, homeless: Counter) -> tuple[str, str, str]:
-    """The XML of what comes before the geometry (features' and generic attributes), of the building's own attributes,
-    and of extensions, which come last. `homeless` counts extensions that `table` has no place for, which become
+def split_attributes(attributes: Mapping[str, Any], table: IurTable, homeless: Counter,
+                     kind: str = BUILDING) -> tuple[str, str, str]:
+    """The XML of what comes before the geometry (features' and generic attributes), of the module's own attributes,
+    and of extensions, which come last. `kind` is that of the object. `homeless` counts extensions that `table`
+    has no place for, which become
     generic attributes."""
     feature: dict[str, list[str]] = {name: [] for name in FEATURE_FIELDS.values()}
-    building: dict[str, list[str]] = {name: [] for name in BUILDING_FIELDS}
+    own: dict[str, list[str]] = {name: [] for name in FIELDS[kind]}
     generic, extension = [], []
     for name, value in attributes.items():
         for item in value if isinstance(value, (list, tuple)) else (value,):
@@ -42,10 +44,10 @@ def split_attributes(attributes: Mapping[str, Any], table: IurTable, homeless: C
                 continue
             if place and _fits_feature(place, item) and not (place != "gml:name" and feature[place]):
                 feature[place].append(f"<{place}{_code_space(item)}>{_plain_text(item)}</{place}>")
-            elif name in building and _building_element(name, item):
-                building[name].append(_building_element(name, item))
+            elif name in own and _own_element(kind, name, item):
+                own[name].append(_own_element(kind, name, item))
             elif name.startswith(PREFIX):
-                fitted = table.fitted(name, item)
+                fitted = table.fitted(name, item, kind)
                 if fitted is None:
                     homeless[name] += 1
                     generic.append(generic_attribute(name.removeprefix(PREFIX), item))
@@ -54,7 +56,7 @@ def split_attributes(attributes: Mapping[str, Any], table: IurTable, homeless: C
             else:
                 generic.append(generic_attribute(name.removeprefix(_GENERIC), item))
     return ("".join(text for name in FEATURE_FIELDS.values() for text in feature[name]) + "".join(generic),
-            "".join(text for name in BUILDING_FIELDS for text in building[name]), "".join(extension))
+            "".join(text for texts in own.values() for text in texts), "".join(extension))
 
 
 def generic_attribute(name: str, value: Any) -> str:
@@ -96,15 +98,15 @@ def _code_space(value: Any) -> str:
     return f" codeSpace={quoteattr(value.space)}" if isinstance(value, CodeValue) and value.space else ""
 
 
-def _building_element(name: str, value: Any) -> str:
-    """An attribute of the building module, empty where its value is not of the attribute's type."""
-    field = BUILDING_FIELDS[name]
+def _own_element(kind: str, name: str, value: Any) -> str:
+    """An attribute of the module of an object's kind, empty where its value is not of the attribute's type."""
+    field = FIELDS[kind][name]
     if isinstance(value, np.generic):
         value = value.item()
     if not isinstance(value, field.takes) or (field.form and not re.fullmatch(field.form, str(value))):
         return ""
-    return _element(f"bldg:{name}", Measure(value, field.unit) if field.unit and not isinstance(value, Measure)
-                    else value)
+    plain = field.unit and not isinstance(value, Measure)
+    return _element(f"{THEMES[kind]}:{name}", Measure(value, field.unit) if plain else value)
 
 
 def _extension(name: str, value: Any) -> str:

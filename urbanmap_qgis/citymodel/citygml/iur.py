@@ -1,4 +1,4 @@
-"""What i-UR lets a building say: tables of elements, types and numbers, one a version, and values fitted to them.
+"""What i-UR lets a building or a road say: tables of elements, types and numbers, one a version, values fitted.
 
 Source: the XML schemas of i-UR 2.0, 3.1 and 3.2 (Cabinet Office, Regional Revitalization), from which
 `scripts/make_iur_tables.py` makes the tables.
@@ -16,13 +16,13 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from ..model import AttributeGroup, CodeValue, Measure
+from ..model import BUILDING, BUILDING_PART, ROAD, AttributeGroup, CodeValue, Measure
 
 VERSIONS = ("3.2", "3.1", "2.0")
 """Versions that can be written, the one in force first."""
 
 PREFIX = "uro:"
-_BUILDING = "Building"
+_OWNERS = {BUILDING: "Building", BUILDING_PART: "Building", ROAD: "Road"}
 _NAMESPACE = "https://www.geospatial.jp/iur/uro/"
 _MANY = "unbounded"
 _TYPES: dict[str, tuple[type, ...]] = {
@@ -33,7 +33,7 @@ _FORMS = {"date": r"\d{4}-\d\d-\d\d", "year": r"-?\d{4,}", "truth": "true|false|
 
 @dataclass(frozen=True)
 class IurField:
-    """One element of a building or a data type.
+    """One element of a building, a road or a data type.
 
     Attributes
     ----------
@@ -51,7 +51,7 @@ class IurField:
 
 @dataclass(frozen=True)
 class IurTable:
-    """One version: the fields of a building and of each data type, in the schema's order.
+    """One version: the fields of a building, of a road and of each data type, in the schema's order.
 
     Attributes
     ----------
@@ -67,8 +67,8 @@ class IurTable:
         """Namespace of the version's elements."""
         return _NAMESPACE + self.version
 
-    def fitted(self, name: str, value: Any) -> tuple[str, Any] | None:
-        """An attribute of a building under the name of this version, its values in the schema's order.
+    def fitted(self, name: str, value: Any, kind: str = BUILDING) -> tuple[str, Any] | None:
+        """An attribute of an object under the name of this version, its values in the schema's order.
 
         None where the version has no such attribute, or it lacks values that the version asks for.
 
@@ -76,9 +76,10 @@ class IurTable:
         ----------
         name : with its prefix, of any version.
         value : a group, a simple value or a list of these.
+        kind : of the object.
         """
         wanted = self._today(name.removeprefix(PREFIX))
-        field = next((item for item in self.fields[_BUILDING] if self._today(item.name) == wanted), None)
+        field = next((item for item in self.fields.get(_OWNERS[kind], ()) if self._today(item.name) == wanted), None)
         values = None if field is None else self._values(field, value)
         return None if not values else (PREFIX + field.name, values)
 
@@ -131,7 +132,7 @@ def iur_table(version: str) -> IurTable:
         if row["name"]:
             most = None if row["most"] == _MANY else int(row["most"])
             of_owner.append(IurField(row["name"], row["kind"], int(row["least"]), most, row["choice"]))
-    older = {row["older"]: row["name"] if row["owner"] == _BUILDING else row["owner"]
+    older = {row["older"]: row["name"] if row["owner"] in _OWNERS.values() else row["owner"]
              for row in _rows(f"iur_{VERSIONS[0]}.csv") if row["older"]}
     return IurTable(version, {owner: tuple(items) for owner, items in fields.items()}, older)
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from datetime import date
 from types import MappingProxyType
 
-from ..model import BUILDING, BUILDING_PART, FOOTPRINT, MULTI_SURFACE, ROOF_EDGE, SOLID, CodeValue, Measure
+from ..model import BUILDING, BUILDING_PART, FOOTPRINT, MULTI_SURFACE, ROAD, ROOF_EDGE, SOLID, CodeValue, Measure
 
 CITYGML_SPACE = "http://www.opengis.net/citygml/"
 GML = "http://www.opengis.net/gml"
@@ -36,6 +36,12 @@ MEMBERS = frozenset({"cityObjectMember", "featureMember", "featureMembers"})
 
 OBJECTS: Mapping[str, str] = MappingProxyType({"Building": BUILDING, "BuildingPart": BUILDING_PART})
 """Kinds of objects of the record by the elements of the building module."""
+
+ROADS: Mapping[str, str] = MappingProxyType({"Road": ROAD})
+"""Kinds of objects of the record by the elements of the transportation module."""
+
+THEMES: Mapping[str, str] = MappingProxyType({BUILDING: "bldg", BUILDING_PART: "bldg", ROAD: "tran"})
+"""Prefixes of the modules by the kinds of objects, which are their folders, too, in PLATEAU's data."""
 
 PART_PROPERTY, BOUNDARY_PROPERTY = "consistsOfBuildingPart", "boundedBy"
 
@@ -85,6 +91,13 @@ BUILDING_FIELDS: Mapping[str, BuildingField] = MappingProxyType({
     "storeysAboveGround": _COUNT, "storeysBelowGround": _COUNT,
     "storeyHeightsAboveGround": _HEIGHTS, "storeyHeightsBelowGround": _HEIGHTS})
 """Attributes of bldg:_AbstractBuilding in the schema's order."""
+
+ROAD_FIELDS: Mapping[str, BuildingField] = MappingProxyType({"class": _CODE, "function": _CODE, "usage": _CODE})
+"""Attributes of tran:TransportationComplex in the schema's order."""
+
+FIELDS: Mapping[str, Mapping[str, BuildingField]] = MappingProxyType(
+    {BUILDING: BUILDING_FIELDS, BUILDING_PART: BUILDING_FIELDS, ROAD: ROAD_FIELDS})
+"""Attributes of its module that an object has, by its kind."""
 
 GENERIC_SET = "genericAttributeSet"
 GENERIC_FIELDS: Mapping[str, type] = MappingProxyType({

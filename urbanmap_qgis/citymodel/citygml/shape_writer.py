@@ -12,7 +12,7 @@ import numpy as np
 
 from ..model import FOOTPRINT, MULTI_SURFACE, ROOF_EDGE, SOLID, CityObject, CityShape, CitySurface
 from .attribute_writer import generic_attribute
-from .schema import BOUNDARY_PROPERTY, GEOMETRY, GEOMETRY_NAMES, LAST_BEFORE_BOUNDARIES
+from .schema import BOUNDARY_PROPERTY, GEOMETRY, GEOMETRY_NAMES, LAST_BEFORE_BOUNDARIES, THEMES
 
 Places = Callable[[np.ndarray], list[str]]
 """Function from corners (n, 3) to a text of three numbers each."""
@@ -41,7 +41,7 @@ def object_geometry(item: CityObject, identifier: str, places: Places) -> Object
     Of several shapes of one level (1.2 and 1.3) the plainer one is written, where there is a level 2, else the more
     detailed one. `identifier` starts the ids of polygons that have none.
     """
-    writer = _ShapeWriter(identifier, places)
+    writer = _ShapeWriter(identifier, places, THEMES[item.type])
     elements: dict[str, list[str]] = {name: [] for name in _ORDER}
     for level, shapes in _chosen(item.shapes).items():
         writer.add(level, shapes, elements)
@@ -65,8 +65,8 @@ def _chosen(shapes: Sequence[CityShape]) -> dict[str, list[CityShape]]:
 class _ShapeWriter:
     """Writes shapes of one object; polygons get ids where something refers to them."""
 
-    def __init__(self, identifier: str, places: Places):
-        self.identifier, self.places = identifier, places
+    def __init__(self, identifier: str, places: Places, module: str):
+        self.identifier, self.places, self.module = identifier, places, module
         self.made = ObjectGeometry()
         self._count = 0
 
@@ -95,7 +95,7 @@ class _ShapeWriter:
                 self._bound(surface, groups)
         if plain:
             name = GEOMETRY_NAMES[level, MULTI_SURFACE]
-            elements[name].append(f"<bldg:{name}>{self._multi_surface(plain)}</bldg:{name}>")
+            elements[name].append(f"<{self.module}:{name}>{self._multi_surface(plain)}</{self.module}:{name}>")
         elements[BOUNDARY_PROPERTY] += [self._boundary(group, members, level) for group, members in groups.items()]
 
     def _multi_surface(self, surfaces: Sequence[CitySurface]) -> str:

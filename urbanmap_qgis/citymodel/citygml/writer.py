@@ -1,7 +1,7 @@
 """A city model as CityGML 2.0: in Japan a folder as PLATEAU lays it out, elsewhere one file.
 
-Source: OGC 12-019 (CityGML 2.0); the standard product specification of 3D city models (Project PLATEAU): folder
-udx/bldg, a file a third mesh, latitude, longitude and height, textures in a folder beside.
+Source: OGC 12-019 (CityGML 2.0); the standard product specification of 3D city models (Project PLATEAU): folders
+udx/bldg and udx/tran, a file a third mesh, latitude, longitude and height, textures in a folder beside.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from ..reference import GEOGRAPHIC, GEOGRAPHIC_2011, GEOGRAPHIC_2024, JGD2024, P
 from .attribute_writer import generic_attribute, split_attributes, xml_text
 from .codelists import write_codelists
 from .iur import VERSIONS, IurTable, iur_table
-from .schema import GML, PART_PROPERTY, XLINK, namespace_of
+from .schema import GML, PART_PROPERTY, THEMES, XLINK, namespace_of
 from .shape_writer import object_geometry
 from .whole_block import with_whole_block
 
@@ -45,6 +45,13 @@ _SCHEMAS = " ".join(f"{uri} http://schemas.opengis.net/{place}" for uri, place i
     (_NAMESPACES["gen"], "citygml/generics/2.0/generics.xsd"),
     (_NAMESPACES["app"], "citygml/appearance/2.0/appearance.xsd"), (_NAMESPACES["gml"], "gml/3.1.1/base/gml.xsd")))
 """Where schemas are, as files of the specification's data say it (7.2.4.1: those of i-UR go along)."""
+_ROAD_SPACE = {"tran": namespace_of("tran")}
+_ROAD_SCHEMA = f' {_ROAD_SPACE["tran"]} http://schemas.opengis.net/citygml/transportation/2.0/transportation.xsd'
+"""What files of roads say besides."""
+
+_PLAIN_NAMES = {"bldg": "buildings", "tran": "roads"}
+"""Names of files outside of Japan by module."""
+
 _NAME = re.compile(r"[^\W\d][\w.\-]*\Z")
 _OTHER = re.compile(r"[^\w.\-]")
 
@@ -62,10 +69,11 @@ class _Frame:
 
 @dataclass
 class _GmlFile:
-    """One file that grows building by building: its members and textures wait in scratch files."""
+    """One file of a module that grows object by object: its members and textures wait in scratch files."""
 
     name: str
     folder: Path
+    module: str = "bldg"
     count: int = 0
     low: np.ndarray = field(default_factory=lambda: np.full(3, np.inf))
     high: np.ndarray = field(default_factory=lambda: np.full(3, -np.inf))
@@ -103,12 +111,6 @@ def write_citygml(folder: str | os.PathLike, model: CityModel, progress: Progres
     """
     target, frame = Path(folder), _frame(model.reference)
     plateau = frame.epsg in (GEOGRAPHIC_2011, GEOGRAPHIC_2024)
-    place = target / "udx" / "bldg" if plateau else target
-    try:
-        place.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise OutputError(say("The folder {target} cannot be made ({strerror}): choose another output.", target=target,
-                              strerror=error.strerror)) from error
     files: dict[str, _GmlFile] = {}
     names = _Names(iur_table(version))
     left_out = 0
@@ -119,12 +121,16 @@ def write_citygml(folder: str | os.PathLike, model: CityModel, progress: Progres
                 building, lost = with_whole_block(building)
                 left_out += lost
             bounds = _bounds(building)
-            name = "buildings" if not plateau else "" if bounds is None else _mesh_file(bounds, frame)
+            module = THEMES[building.type]
+            name = _PLAIN_NAMES[module] if not plateau else "" if bounds is None else _mesh_file(bounds, frame, module)
             if not name:
                 continue
-            file = files.setdefault(name, _GmlFile(name, Path(scratch)))
+            file = files.setdefault(name, _GmlFile(name, Path(scratch), module))
             _add_building(file, building, frame, names, bounds)
+        if not files:
+            _made_folder(target, "bldg", plateau)
         for file in files.values():
+            place = _made_folder(target, file.module, plateau)
             _write_file(place / f"{file.name}.gml", file, frame, model, names.table.namespace)
             copy_images(place, file.images, model.images)
     if plateau:
@@ -137,6 +143,17 @@ def write_citygml(folder: str | os.PathLike, model: CityModel, progress: Progres
                           "({names}).", count=sum(names.homeless.values()), version=version,
                           names=", ".join(sorted(names.homeless)[:3])))
     return {f"{name}.gml": file.count for name, file in files.items()}
+
+
+def _made_folder(target: Path, module: str, plateau: bool) -> Path:
+    """The folder of a module's files, which is there then."""
+    place = target / "udx" / module if plateau else target
+    try:
+        place.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise OutputError(say("The folder {target} cannot be made ({strerror}): choose another output.", target=target,
+                              strerror=error.strerror)) from error
+    return place
 
 
 def gml_folder_trouble(folder: str | os.PathLike) -> str:
@@ -177,10 +194,10 @@ def _bounds(building: CityObject) -> np.ndarray | None:
     return np.array([corners.min(axis=0), corners.max(axis=0)])
 
 
-def _mesh_file(bounds: np.ndarray, frame: _Frame) -> str:
-    """Name of the file of the mesh in which a building's middle lies."""
+def _mesh_file(bounds: np.ndarray, frame: _Frame, module: str) -> str:
+    """Name of the file of the mesh in which an object's middle lies."""
     latitude, longitude, _ = frame.places(bounds.mean(axis=0)[None])[0]
-    return f"{third_mesh_code(float(longitude), float(latitude))}_bldg_{frame.epsg}_op"
+    return f"{third_mesh_code(float(longitude), float(latitude))}_{module}_{frame.epsg}_op"
 
 
 class _Names:
@@ -191,8 +208,8 @@ class _Names:
         self.taken: set[str] = set()
         self.homeless: Counter = Counter()
 
-    def of(self, identifier: str) -> str:
-        name = identifier if _NAME.match(identifier) else "bldg_" + _OTHER.sub("_", identifier)
+    def of(self, identifier: str, module: str) -> str:
+        name = identifier if _NAME.match(identifier) else f"{module}_" + _OTHER.sub("_", identifier)
         plain, number = name, 1
         while name in self.taken:
             number += 1
@@ -227,19 +244,21 @@ def _add_building(file: _GmlFile, building: CityObject, frame: _Frame, names: _N
 
 
 def _object(item: CityObject, names: _Names, places, textures: dict[str, list]) -> str:
-    """A building or a part as XML; what its textures cover is added to `textures`."""
-    identifier = names.of(item.id)
+    """A building, a part or a road as XML; what its textures cover is added to `textures`."""
+    module = THEMES[item.type]
+    identifier = names.of(item.id, module)
     geometry = object_geometry(item, identifier, places)
     for image, targets in geometry.textured.items():
         textures.setdefault(image, []).extend(targets)
-    before, inside, after = split_attributes(item.attributes, names.table, names.homeless)
+    before, inside, after = split_attributes(item.attributes, names.table, names.homeless, item.type)
     if identifier != item.id:
         before += generic_attribute("source_id", item.id)
     if item.problems:
         before += generic_attribute("problems", "; ".join(item.problems))
     parts = "".join(f"<bldg:{PART_PROPERTY}>{_object(part, names, places, textures)}</bldg:{PART_PROPERTY}>"
                     for part in item.parts)
-    return f'<bldg:{item.type} gml:id="{identifier}">{before}{inside}{geometry.xml}{parts}{after}</bldg:{item.type}>'
+    tag = f"{module}:{item.type}"
+    return f'<{tag} gml:id="{identifier}">{before}{inside}{geometry.xml}{parts}{after}</{tag}>'
 
 
 def _image_name(file: _GmlFile, image: str) -> str:
@@ -269,10 +288,12 @@ def _texture(name: str, targets: list) -> str:
 
 def _write_file(path: Path, file: _GmlFile, frame: _Frame, model: CityModel, extension: str) -> None:
     """Put head, members and textures together."""
-    spaces = " ".join(f'xmlns:{prefix}="{uri}"' for prefix, uri in {**_NAMESPACES, "uro": extension}.items())
+    roads = file.module == "tran"
+    more = _ROAD_SPACE if roads else {}
+    spaces = " ".join(f'xmlns:{prefix}="{uri}"' for prefix, uri in {**_NAMESPACES, **more, "uro": extension}.items())
     if frame.epsg in (GEOGRAPHIC_2011, GEOGRAPHIC_2024):
         extension_schema = f"{extension} ../../schemas/iur/uro/{extension.rpartition('/')[2]}/urbanObject.xsd"
-        spaces += f' xsi:schemaLocation="{extension_schema} {_SCHEMAS}"'
+        spaces += f' xsi:schemaLocation="{extension_schema} {_SCHEMAS}{_ROAD_SCHEMA if roads else ""}"'
     title = f"<gml:name>{xml_text(model.title)}</gml:name>" if model.title else ""
     envelope = ""
     if np.isfinite(file.low).all():

@@ -1,0 +1,63 @@
+"""The report on a road model: verdict, figures, pictures and findings with their places."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from ..framework.declaring.parameters import tr
+
+PICTURES = 24
+FINDINGS_SHOWN = 300
+
+
+def write_road_report(path, built) -> None:
+    """Write the report on a road model."""
+    from ...urbanmap_qgis.io.pages.report import BAD, GOOD, LOOK, Report
+
+    report = Report(tr("Road model"))
+    if not built.pieces:
+        report.verdict(BAD, tr("No surface was made."))
+    else:
+        doubtful = sum(piece.status != "made" for piece in built.pieces)
+        report.verdict(LOOK if built.findings else GOOD, tr(
+            "{0} surfaces, {1} of them junctions; {2} surfaces are to be looked at, and {3} findings are listed "
+            "below.").format(len(built.pieces), built.count("junction"), doubtful, len(built.findings)))
+    _table(report, built)
+    _pictures(report, built)
+    _findings(report, built)
+    report.write(path)
+
+
+def _table(report, built) -> None:
+    report.section(tr("Surfaces by kind"))
+    areas = Counter()
+    for piece in built.pieces:
+        areas[piece.kind] += piece.polygon.area
+    report.table((tr("Kind"), tr("Number"), tr("Area (m²)")),
+                 [(tr(kind), built.count(kind), f"{area:.1f}") for kind, area in sorted(areas.items())])
+
+
+def _pictures(report, built) -> None:
+    from ...urbanmap_qgis.roadspace.road_pictures import doubtful_extents, model_extent, road_picture
+
+    if not built.pieces:
+        return
+    report.section(tr("Map"))
+    report.figure(road_picture(built, model_extent(built)), tr(
+        "Roads grey, junctions orange, bridges blue, tunnels violet; middle lines dashed, findings numbered."))
+    extents = doubtful_extents(built)[:PICTURES]
+    if extents:
+        report.section(tr("Surfaces to look at"))
+    for number, extent in enumerate(extents, 1):
+        report.figure(road_picture(built, extent), tr("Surface {0}, about {1:.0f}, {2:.0f}.").format(
+            number, (extent[0] + extent[2]) / 2, (extent[1] + extent[3]) / 2))
+
+
+def _findings(report, built) -> None:
+    report.section(tr("Findings"))
+    report.table((tr("No."), tr("Kind"), tr("What"), "x", "y"),
+                 [(number, tr(one.kind), one.text, f"{one.x:.1f}", f"{one.y:.1f}")
+                  for number, one in enumerate(built.findings[:FINDINGS_SHOWN], 1)])
+    if len(built.findings) > FINDINGS_SHOWN:
+        report.paragraph(tr("The first {0} of {1} are shown; the layer holds all.").format(
+            FINDINGS_SHOWN, len(built.findings)))

@@ -1,0 +1,68 @@
+"""urbanmap:roadmodel through Processing."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+ALGORITHM = "urbanmap:roadmodel"
+EAST_WEST = [[-60, -3], [60, -3], [60, 3], [-60, 3]]
+NORTH = [[-2, 3], [2, 3], [2, 60], [-2, 60]]
+BRIDGE = [[20, -5], [32, -5], [32, 5], [20, 5]]
+X, Y = -5000.0, -35000.0
+
+
+def layer(path, rings, crs="EPSG:6677", kind="Polygon"):
+    """A GeoJSON file of shapes about a place in Tokyo."""
+    places = [[[x + X, y + Y] for x, y in ring] for ring in rings]
+    shapes = [{"type": "Feature", "properties": {}, "geometry": {
+        "type": kind, "coordinates": [[*ring, ring[0]]] if kind == "Polygon" else ring}} for ring in places]
+    text = {"type": "FeatureCollection", "features": shapes,
+            "crs": {"type": "name", "properties": {"name": f"urn:ogc:def:crs:EPSG::{crs.partition(':')[2]}"}}}
+    path.write_text(json.dumps(text), encoding="utf-8")
+    return str(path)
+
+
+def test_surfaces_lines_citygml_and_report(run, read_layer, tmp_path):
+    results = run(ALGORITHM, {
+        "ROADS": layer(tmp_path / "roads.geojson", [EAST_WEST, NORTH]),
+        "BRIDGES": layer(tmp_path / "bridges.geojson", [BRIDGE]), "FUNCTION": "4", "DATA_DATE": "2026-04-01",
+        "OUTPUT": str(tmp_path / "surfaces.gpkg"), "OUTPUT_AXES": str(tmp_path / "axes.gpkg"),
+        "OUTPUT_FINDINGS": str(tmp_path / "findings.gpkg"), "OUTPUT_CITYGML": str(tmp_path / "city"),
+        "OUTPUT_REPORT": str(tmp_path / "report.html")})
+    assert (results["SURFACES"], results["JUNCTIONS"], results["FINDINGS"]) == (6, 1, 0)
+    rows = [row.attributes for row in read_layer(results["OUTPUT"])]
+    assert sorted(row["kind"] for row in rows) == ["bridge", "junction", "road", "road", "road", "road"]
+    assert {row["function"] for row in rows} == {"4"} and {row["source"] for row in rows} == {"official"}
+    assert sum(row["area"] for row in rows) == pytest.approx(720 + 228)
+    assert {row.attributes["road_id"] for row in read_layer(results["OUTPUT_AXES"])} == set(range(1, 7))
+    files = list((tmp_path / "city" / "udx" / "tran").iterdir())
+    assert len(files) == 1 and "tran:Road" in files[0].read_text(encoding="utf-8")
+    assert "6 surfaces" in (tmp_path / "report.html").read_text(encoding="utf-8")
+    checked = run("urbanmap:checkcitymodel", {"INPUT_FOLDER": str(tmp_path / "city"), "OUTPUT": "memory:"})
+    assert (checked["OBJECTS"], checked["ERRORS"], checked["WARNINGS"]) == (6, 0, 0)
+
+
+def test_what_cannot_be_used_is_refused_in_one_sentence(run, tmp_path):
+    roads = layer(tmp_path / "roads.geojson", [EAST_WEST, NORTH])
+    with pytest.raises(Exception, match="degrees"):
+        run(ALGORITHM, {"ROADS": layer(tmp_path / "degrees.geojson", [EAST_WEST], "EPSG:6668"), "OUTPUT": "memory:"})
+    with pytest.raises(Exception, match="no polygons or lines"):
+        run(ALGORITHM, {"ROADS": layer(tmp_path / "points.geojson", [[[0, 0], [9, 9]]], kind="MultiPoint"),
+                        "OUTPUT": "memory:"})
+    with pytest.raises(Exception, match="77 is no code"):
+        run(ALGORITHM, {"ROADS": roads, "FUNCTION": "77", "OUTPUT": "memory:"})
+    with pytest.raises(Exception, match="is no day"):
+        run(ALGORITHM, {"ROADS": roads, "DATA_DATE": "April", "OUTPUT": "memory:"})
+    other = layer(tmp_path / "bridges.geojson", [BRIDGE], "EPSG:6676")
+    with pytest.raises(Exception, match="Bridges"):
+        run(ALGORITHM, {"ROADS": roads, "BRIDGES": other, "OUTPUT": "memory:"})
+
+
+def test_edges_that_do_not_close_are_findings(run, read_layer, tmp_path):
+    lines = [[[-60, -3], [60, -3]], [[60, 3], [-60, 3]], [[200, 0], [300, 0]]]
+    results = run(ALGORITHM, {"ROADS": layer(tmp_path / "edges.geojson", lines, kind="LineString"),
+                              "OUTPUT": "memory:", "OUTPUT_FINDINGS": str(tmp_path / "findings.gpkg")})
+    assert results["SURFACES"] == 1 and results["FINDINGS"] == 2
+    assert {row.attributes["kind"] for row in read_layer(results["OUTPUT_FINDINGS"])} == {"edge not closed"}

@@ -1,0 +1,1 @@
+"""Road space: the surfaces of roads and junctions as models of cities hold them."""
