@@ -58,6 +58,7 @@ from .second_witness import (
     without_astray,
 )
 from .settings import CorrectionSettings
+from .shown_accuracy import with_shown_pitch
 
 Evaluate = Callable[[Callable[[np.ndarray], np.ndarray], float], NormalEquations]
 """Normal equations about a correction curve (corrections (m, 6) at path parameters (m,)), the reference blurred by so
@@ -190,16 +191,13 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
                    partial(_adjusted_again, points=points, model=model, settings=settings),
                    partial(_likelihood, model=model, settings=settings), MOST_SPAN)
     found, conflict = _heard(walls, found, model) if walls is not None else (found, WitnessConflict(()))
-    chain, fit = found.chain, found.fit
-    least = _MIN_OF_WINDOWS if points is None else _MIN_REPORTED
-    noise = np.where(chain.fast_near(chain.normals.path_parameter, _AROUND_STEP), max(fit.found_noise, 1.0),
-                     max(fit.found_noise, least))
-    quiet = (chain.solve(model, fit.weight / noise)[1] if chain.held is None
-             else settled_offset(chain, fit, model, fit.weight / noise)[0].covariance)
-    fit = replace(fit, covariance=_scaled_in_plan(chain, fit.covariance, quiet))
-    correction = _result(windows, replace(found, fit=fit), at_patches, doubtful, settings, conflict)
-    along = partial(_along, trajectory, path_parameter)
-    steps = (*found.listed(along), *conflict.listed(windows.chainage, windows.time))
+    found = replace(found, fit=_with_plan_noise(found.chain, found.fit, model, points is not None))
+    chain = found.chain
+    correction = _result(windows, found, at_patches, doubtful, settings, conflict)
+    if correction.three_d:
+        correction = _with_shown_pitch(correction, _angle_sigma(trajectory, path_parameter, at_patches, settings))
+    steps = (*found.listed(partial(_along, trajectory, path_parameter)),
+             *conflict.listed(windows.chainage, windows.time))
     correction = replace(correction, steps=tuple(sorted(steps, key=lambda step: step.place)))
     # Walls hold the survey where few markings let the start wander off.
     return _distrusted(correction, trajectory, windows.beyond and chain.held is None, settings)
@@ -273,6 +271,16 @@ def _at_pieces(chain: NodeChain, allowed: np.ndarray) -> np.ndarray:
 def _along(trajectory: Trajectory, path_parameter: np.ndarray, at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Chainages, m, and times, s, at path parameters (n,)."""
     return (np.interp(at, path_parameter, path_chainage(trajectory)), np.interp(at, path_parameter, trajectory.time))
+
+
+def _with_plan_noise(chain: NodeChain, fit: Fit, model: PoseErrorModel, on_points: bool) -> Fit:
+    """The fit with covariances in plan by the noise that the blocks' contradictions show."""
+    least = _MIN_REPORTED if on_points else _MIN_OF_WINDOWS
+    noise = np.where(chain.fast_near(chain.normals.path_parameter, _AROUND_STEP), max(fit.found_noise, 1.0),
+                     max(fit.found_noise, least))
+    quiet = (chain.solve(model, fit.weight / noise)[1] if chain.held is None
+             else settled_offset(chain, fit, model, fit.weight / noise)[0].covariance)
+    return replace(fit, covariance=_scaled_in_plan(chain, fit.covariance, quiet))
 
 
 def _scaled_in_plan(chain: NodeChain, covariance: np.ndarray, found: np.ndarray) -> np.ndarray:
@@ -395,6 +403,12 @@ def _bridged(status: np.ndarray, reason: np.ndarray, mask: np.ndarray, why: str)
     """Statuses and reasons with registered patches of a mask (n,) bridged."""
     changed = mask & (status == REGISTERED)
     return np.where(changed, BRIDGED, status).astype(np.int8), np.where(changed, why, reason)
+
+
+def _with_shown_pitch(correction: Correction, stated: np.ndarray) -> Correction:
+    """The correction with a pitch as accurate as roll and heading show it, of those `stated` (n, 3), degrees."""
+    return replace(correction, covariance=with_shown_pitch(correction.value, correction.covariance, stated,
+                                                           correction.heading_factor))
 
 
 def _distrusted(correction: Correction, trajectory: Trajectory, beyond: bool,
