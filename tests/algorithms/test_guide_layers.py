@@ -61,3 +61,22 @@ def test_points_go_above_lines_above_areas(project, plugin):
         ids[name] = layer.id()
     arrange({layer for name, layer in ids.items() if name != "Before"}, "")
     assert order(project) == ["Findings", "Centres", "Bounds", "Areas", "Lanes", "Before"]
+
+
+def test_what_adds_to_a_result_goes_above_it_in_whatever_order_they_load(project, plugin, tmp_path):
+    from qgis.core import QgsVectorFileWriter, QgsVectorLayer
+
+    arrange = plugin("algorithms.framework.guide.step_runner").arrange_layers
+    files = [str(tmp_path / name) for name in ("merged.gpkg", "walls.gpkg")]
+    for place in files:
+        empty = QgsVectorLayer("Polygon?crs=EPSG:6677", "made", "memory")
+        options = QgsVectorFileWriter.SaveVectorOptions()
+        QgsVectorFileWriter.writeAsVectorFormatV3(empty, place, project.transformContext(), options)
+    for order_of_loading in (files, files[::-1]):
+        ids = set()
+        for place in order_of_loading:
+            layer = QgsVectorLayer(place, place.rpartition("/")[2], "ogr")
+            project.addMapLayer(layer)
+            ids.add(layer.id())
+        arrange(ids, "", files)
+        assert order(project)[:2] == ["walls.gpkg", "merged.gpkg"]

@@ -72,12 +72,14 @@ class Way:
 
     def show_dock(self) -> None:
         from qgis.PyQt.QtCore import Qt
+        from qgis.PyQt.QtWidgets import QDockWidget
         from qgis.utils import iface
 
         window = iface.mainWindow()
         window.showNormal()
         window.resize(1380, 860)
-        window.resizeDocks([self.plugin.guide], [620], Qt.Orientation.Horizontal)
+        window.resizeDocks([self.plugin.guide, window.findChild(QDockWidget, "Layers")], [620, 250],
+                           Qt.Orientation.Horizontal)
         settle(0.5)
 
     def state(self) -> dict:

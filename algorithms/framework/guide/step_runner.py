@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Collection, Sequence
+from functools import partial
 from pathlib import Path
 
 from qgis.core import (
@@ -37,15 +38,17 @@ class StepFeedback(QgsProcessingFeedback):
         super().reportError(error, fatalError)
 
 
-def arrange_layers(layers: Collection[str], note: str) -> None:
+def arrange_layers(layers: Collection[str], note: str, files: Sequence[str] = ()) -> None:
     """Put layers that were just loaded, by their ids, in order: points above lines above areas, all of them above what
     was there before; images below all else, rasters of heights below these.
 
     `note` : is set behind their names, "" for none.
+    `files` : of the step's results, as it declares them; of one kind the later ones, which add to the first, go above.
+    (In which order layers are loaded differs among releases of QGIS.)
     """
     root = QgsProject.instance().layerTreeRoot()
     loaded = [node for node in root.findLayers() if node.layerId() in layers]
-    drawn = sorted((node for node in loaded if not _is_raster(node)), key=_depth, reverse=True)
+    drawn = sorted((node for node in loaded if not _is_raster(node)), key=partial(_depth, files=files), reverse=True)
     for node in loaded:
         if note:
             node.layer().setName(f"{node.layer().name()} ({note})")
@@ -61,12 +64,14 @@ def arrange_layers(layers: Collection[str], note: str) -> None:
         parent.removeChildNode(node)
 
 
-def _depth(node) -> tuple[int, int]:
-    """How far down a layer goes that is no raster: its kind, and its place in the tree now."""
+def _depth(node, files: Sequence[str]) -> tuple[int, int, int]:
+    """How far down a layer goes that is no raster: its kind, its file's place, and its own in the tree now."""
     kinds = (QgsWkbTypes.GeometryType.PointGeometry, QgsWkbTypes.GeometryType.LineGeometry,
              QgsWkbTypes.GeometryType.PolygonGeometry)
     kind = node.layer().geometryType() if isinstance(node.layer(), QgsVectorLayer) else None
-    return kinds.index(kind) if kind in kinds else len(kinds), node.parent().children().index(node)
+    file = node.layer().source().partition("|")[0]
+    return (kinds.index(kind) if kind in kinds else len(kinds), -files.index(file) if file in files else 0,
+            node.parent().children().index(node))
 
 
 def _is_raster(node) -> bool:
@@ -188,7 +193,8 @@ class StepRunner(QObject):
         before = set(QgsProject.instance().mapLayers())
         handleAlgorithmResults(self._algorithm, self._context, self._feedback, parameters=self._given)
         alike = sum(other.algorithm == step.algorithm for other in self.job.steps) > 1
-        arrange_layers(set(QgsProject.instance().mapLayers()) - before, step.id if alike else "")
+        files = [str(results.get(one.name())) for one in self._algorithm.destinationParameterDefinitions()]
+        arrange_layers(set(QgsProject.instance().mapLayers()) - before, step.id if alike else "", files)
         self.job = self.job.with_step(done_step(step, self._asked, results, seconds))
         self._next()
 

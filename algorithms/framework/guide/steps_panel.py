@@ -76,7 +76,7 @@ class StepsPanel(QWidget):
         from ....urbanmap_qgis.job.job_report import state_name
 
         self.job = job
-        chosen = self.chosen()
+        chosen, at_work = self.chosen(), None
         self.tree.clear()
         steps = job.steps if job else ()
         for number, step in enumerate(steps, 1):
@@ -94,8 +94,12 @@ class StepsPanel(QWidget):
                 row.setForeground(2, QColor(_COLOURS.get(step.grade or step.state, "#5b6b75")))
             if step.id == chosen:
                 self.tree.setCurrentItem(row)
+            if step.id == self.runner.current:
+                at_work = row
         for column in (0, 1):
             self.tree.resizeColumnToContents(column)
+        if at_work is not None:
+            self.tree.scrollToItem(at_work)
         self._enable()
         self._tell_time()
 

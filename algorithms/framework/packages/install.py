@@ -12,7 +12,7 @@ from ....urbanmap_qgis.wording import say
 from ..declaring.parameters import tr
 from .dependencies import profile_packages
 
-_TOLD = 3
+_TOLD = 1
 """Packages that the line above the map names."""
 
 
