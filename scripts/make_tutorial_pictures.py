@@ -4,9 +4,10 @@
     .venv/bin/python scripts/make_tutorial_pictures.py [NAME.jpg ...] [--folder build/tutorials] [--to FOLDER]
 
 First the commands of the tutorials run as they stand there (those whose results are in the folder already are left
-out), then QGIS's desktop is started on a virtual screen, where the dialogs are filled in with the same commands. Needs
-QGIS, `xvfb` with Mesa's software renderer, and Chromium for the reports (Debian: apt install xvfb libgl1-mesa-dri
-chromium); the windows in Japanese also QGIS's translations and a Japanese font (fonts-ipaexfont or fonts-noto-cjk).
+out; for pictures in Japanese once more in that language, in the folder's `ja`), then QGIS's desktop is started on a
+virtual screen, where the dialogs are filled in with the same commands. Needs QGIS, `xvfb` with Mesa's software
+renderer, and Chromium for the reports (Debian: apt install xvfb libgl1-mesa-dri chromium); the pictures in Japanese
+also QGIS's translations and a Japanese font (fonts-ipaexfont or fonts-noto-cjk).
 Inside QGIS this same script runs again.
 """
 
@@ -19,7 +20,7 @@ import shlex
 import shutil
 import subprocess
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 INSIDE = os.environ.get("URBANMAP_TUTORIAL")
@@ -29,8 +30,12 @@ LARGEST = 118_000
 """Bytes of a picture."""
 ALGORITHM_ID = 258
 """Role under which QGIS's toolbox holds an algorithm's id (QgsProcessingToolboxModel.RoleAlgorithmId)."""
-WINDOW, DIALOG, REPORT = (1280, 800), (900, 640), (1000, 760)
+WINDOW, DIALOG, REPORT, TABLE = (1280, 800), (900, 640), (1000, 760), (1100, 420)
 """Width and height in pixels."""
+SMALLER = {"ja": 0.8}
+"""Pictures in other languages are smaller by this factor, as the zip for QGIS holds them all."""
+LOCALES = {"en": "C.UTF-8", "ja": "ja_JP.UTF-8"}
+"""Language of the commands, as the environment says it."""
 
 
 @dataclass(frozen=True)
@@ -65,6 +70,7 @@ class Page:
     """The beginning of a report, as a browser shows it."""
 
     file: str
+    language: str = "en"
 
 
 @dataclass(frozen=True)
@@ -91,10 +97,16 @@ PICTURES = {
     "survey_report.jpg": Page("survey.html"),
     "survey_accuracy.jpg": Page("accuracy.html"),
     "lanemap_dialog.jpg": Dialog("../README", "lanemap"),
-    "toolbox_ja.jpg": Toolbox(language="ja"),
-    "survey_dialog_ja.jpg": Dialog("tutorial_survey", "georeferencemms", language="ja"),
-    "lanemap_map.jpg": Map((("bounds.gpkg", "Bounds"), ("lanes.gpkg", "Lanes"), *GROUND), 450),
+    "lanemap_map.jpg": Map((("bounds.gpkg", "Bounds of lanes"), ("lanes.gpkg", "Lanes"), *GROUND), 450),
 }
+PICTURES |= {name.replace(".", "_ja."): replace(kind, language="ja") for name, kind in PICTURES.items()
+             if not isinstance(kind, Models)}
+
+
+def size_of(size: tuple[int, int], language: str) -> tuple[int, int]:
+    """Width and height of a picture in a language, pixels."""
+    factor = SMALLER.get(language, 1.0)
+    return round(size[0] * factor), round(size[1] * factor)
 
 
 def commands_of(page: str) -> list[str]:
@@ -130,26 +142,26 @@ def settle(seconds: float = 1.0) -> None:
     loop.exec_() if hasattr(loop, "exec_") else loop.exec()
 
 
-def prepared_window(*docks: str):
+def prepared_window(language: str, *docks: str):
     """QGIS's main window with these panels and an empty project."""
     from qgis.PyQt.QtWidgets import QDockWidget
     from qgis.utils import iface
 
     window = iface.mainWindow()
     window.showNormal()
-    window.resize(*WINDOW)
+    window.resize(*size_of(WINDOW, language))
     for dock in window.findChildren(QDockWidget):
         dock.setVisible(dock.objectName() in docks)
     iface.newProject()
     return window
 
 
-def draw_toolbox(target: Path) -> None:
+def draw_toolbox(kind: Toolbox, target: Path) -> None:
     """The toolbox opened at the plugin's groups."""
     from qgis.PyQt.QtCore import Qt
     from qgis.PyQt.QtWidgets import QDockWidget, QTreeView
 
-    window = prepared_window("Layers", "ProcessingToolbox")
+    window = prepared_window(kind.language, "Layers", "ProcessingToolbox")
     dock = window.findChild(QDockWidget, "ProcessingToolbox")
     window.resizeDocks([dock], [420], Qt.Orientation.Horizontal)
     tree = max(dock.findChildren(QTreeView), key=lambda view: view.model().rowCount() if view.model() else 0)
@@ -176,7 +188,7 @@ def draw_dialog(dialog: Dialog, target: Path) -> None:
     iface.newProject()
     command = dialog_command(dialog)
     window = processing.createAlgorithmDialog(f"urbanmap:{dialog.algorithm}", parameters_of(command))
-    window.resize(*DIALOG)
+    window.resize(*size_of(DIALOG, dialog.language))
     window.show()
     settle()
     window.grab().save(str(target))
@@ -186,11 +198,13 @@ def draw_dialog(dialog: Dialog, target: Path) -> None:
 def draw_map(kind: Map, target: Path) -> None:
     """The main window, or the topmost layer's table."""
     from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
+    from qgis.PyQt.QtCore import QCoreApplication
     from qgis.utils import iface
 
-    window = prepared_window("Layers")
+    window = prepared_window(kind.language, "Layers")
     project = QgsProject.instance()
-    for file, title in reversed(kind.layers):
+    for file, words in reversed(kind.layers):
+        title = QCoreApplication.translate("UrbanMap", words)
         layer = QgsRasterLayer(file, title) if file.endswith(".tif") else QgsVectorLayer(file, title, "ogr")
         if not layer.isValid():
             raise SystemExit(f"{file} cannot be opened.")
@@ -199,13 +213,13 @@ def draw_map(kind: Map, target: Path) -> None:
     project.setCrs(layer.crs())
     settle(2.0)
     canvas.setCenter(layer.extent().center())
-    canvas.zoomScale(kind.scale)
+    canvas.zoomScale(kind.scale / SMALLER.get(kind.language, 1.0))
     canvas.refresh()
     settle()
     canvas.waitWhileRendering()
     if kind.table:
         window = iface.showAttributeTable(layer)
-        window.resize(1100, 420)
+        window.resize(*size_of(TABLE, kind.language))
         window.show()
     settle(2.0)
     window.grab().save(str(target))
@@ -223,7 +237,7 @@ def draw_inside() -> None:
         for name in INSIDE.split():
             kind, target = PICTURES[name], Path(f"pictures/{name}").with_suffix(".png").resolve()
             if isinstance(kind, Toolbox):
-                draw_toolbox(target)
+                draw_toolbox(kind, target)
             elif isinstance(kind, Dialog):
                 draw_dialog(kind, target)
             else:
@@ -238,8 +252,10 @@ def draw_inside() -> None:
 # --- outside ---------------------------------------------------------------------------------------------------------
 
 
-def run_commands(folder: Path) -> None:
+def run_commands(folder: Path, language: str) -> None:
     """Run the tutorials' commands whose results are not there yet."""
+    environment = {key: value for key, value in os.environ.items() if key not in ("LC_ALL", "LANGUAGE", "LC_MESSAGES")}
+    environment["LANG"] = LOCALES[language]
     (folder / "pictures").mkdir(parents=True, exist_ok=True)
     if not (folder / "scripts").exists():
         (folder / "scripts").symlink_to(ROOT / "scripts")
@@ -250,7 +266,7 @@ def run_commands(folder: Path) -> None:
             if command in done or all((folder / output).exists() for output in outputs):
                 continue
             print(command, flush=True)
-            subprocess.run(["sh", "-c", command], cwd=folder, check=True, stdin=subprocess.DEVNULL,
+            subprocess.run(["sh", "-c", command], cwd=folder, env=environment, check=True, stdin=subprocess.DEVNULL,
                            stdout=subprocess.DEVNULL)
             done.add(command)
 
@@ -314,7 +330,8 @@ def draw_report(kind: Page, folder: Path, target: Path) -> None:
     if program is None:
         sys.exit("Chromium is needed for the pictures of reports: apt install chromium")
     subprocess.run([program, "--headless=new", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
-                    f"--window-size={REPORT[0]},{REPORT[1]}", f"--screenshot={target}", (folder / kind.file).as_uri()],
+                    "--window-size={},{}".format(*size_of(REPORT, kind.language)), f"--screenshot={target}",
+                    (folder / kind.file).as_uri()],
                    check=True, capture_output=True, timeout=120)
 
 
@@ -350,20 +367,29 @@ def main() -> None:
     names, folder = options.names or list(PICTURES), options.folder.resolve()
     if unknown := [name for name in names if name not in PICTURES]:
         sys.exit(f"There is no picture {unknown[0]}; there are: {', '.join(PICTURES)}")
-    windows = [name for name in names if isinstance(PICTURES[name], (Toolbox, Dialog, Map))]
-    if any(not isinstance(PICTURES[name], (Toolbox, Dialog)) for name in names):
-        run_commands(folder)
-    (folder / "pictures").mkdir(parents=True, exist_ok=True)
     options.to.mkdir(parents=True, exist_ok=True)
-    for language in sorted({PICTURES[name].language for name in windows}):
-        draw_windows([name for name in windows if PICTURES[name].language == language], folder, language)
-    for name in names:
-        drawn, kind = (folder / "pictures" / name).with_suffix(".png"), PICTURES[name]
+    for language in LOCALES:
+        chosen = {name: PICTURES[name] for name in names if getattr(PICTURES[name], "language", "en") == language}
+        if chosen:
+            make_pictures(chosen, folder if language == "en" else folder / language, options.to, language)
+
+
+def make_pictures(chosen: dict[str, Toolbox | Dialog | Map | Page | Models], folder: Path, to: Path,
+                  language: str) -> None:
+    """Make the pictures of one language."""
+    if not all(isinstance(kind, (Toolbox, Dialog)) for kind in chosen.values()):
+        run_commands(folder, language)
+    (folder / "pictures").mkdir(parents=True, exist_ok=True)
+    windows = [name for name, kind in chosen.items() if isinstance(kind, (Toolbox, Dialog, Map))]
+    if windows:
+        draw_windows(windows, folder, language)
+    for name, kind in chosen.items():
+        drawn = (folder / "pictures" / name).with_suffix(".png")
         if isinstance(kind, Page):
             draw_report(kind, folder, drawn)
         elif isinstance(kind, Models):
             draw_models(kind, folder, drawn)
-        save_small(drawn, options.to / name)
+        save_small(drawn, to / name)
 
 
 if INSIDE:

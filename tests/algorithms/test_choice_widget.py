@@ -70,3 +70,20 @@ def test_algorithms_that_are_chosen_have_their_names(qgis_app, plugin):
     for value in QgsApplication.processingRegistry().algorithmById("urbanmap:tiledrun").parameterDefinition(
             "ALGORITHM").options():
         assert words[value] == QgsApplication.processingRegistry().algorithmById(f"urbanmap:{value}").displayName()
+
+
+def test_labels_say_in_qgis_s_own_words_what_is_optional(qgis_app):
+    from qgis.core import QgsApplication
+    from qgis.PyQt.QtCore import QTranslator
+
+    translator = QTranslator()
+    if not translator.load("qgis_ja", QgsApplication.i18nPath()):
+        pytest.skip("QGIS's translations are not installed")
+    definition = QgsApplication.processingRegistry().algorithmById("urbanmap:acceptance").parameterDefinition("POINTS")
+    QgsApplication.installTranslator(translator)
+    try:
+        wrapper = wrapper_of(definition)
+        label = wrapper.createLabel()
+        assert label.text().endswith("[オプション]")
+    finally:
+        QgsApplication.removeTranslator(translator)

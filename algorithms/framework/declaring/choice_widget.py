@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from processing.gui.wrappers import WidgetWrapper
 from qgis.PyQt.QtWidgets import QComboBox
 
-from .field_of_dialog import FieldOfDialog
+from .field_of_dialog import FieldOfDialog, FieldWrapper
 
 
-class _ChoiceWrapper(WidgetWrapper):
+class _ChoiceWrapper(FieldWrapper):
     """Stands between a dialog of Processing and the field."""
 
     def createWidget(self):

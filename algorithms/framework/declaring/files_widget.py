@@ -9,7 +9,6 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-from processing.gui.wrappers import WidgetWrapper
 from qgis.core import QgsProject
 from qgis.PyQt.QtCore import QSettings, Qt, QUrl, pyqtSignal
 from qgis.PyQt.QtWidgets import (
@@ -27,13 +26,13 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from .destinations import file_of_layer
-from .field_of_dialog import FieldOfDialog
+from .field_of_dialog import FieldOfDialog, FieldWrapper
 from .parameters import tr
 
 _LAST_FOLDER = "urbanmap/last_folder"
 
 
-class _FilesWrapper(WidgetWrapper):
+class _FilesWrapper(FieldWrapper):
     """Stands between a dialog of Processing and the field."""
 
     def createWidget(self):
