@@ -51,9 +51,10 @@ class GeoreferenceMms(UrbanMapAlgorithm):
         check_points_output(self, parameters, context)
 
     def compute(self, parameters, context, feedback):
+        from ...urbanmap_qgis.io.files.read_once import read_once
         from ...urbanmap_qgis.io.points.decoded_points import decoded_once
 
-        with decoded_once():
+        with decoded_once(), read_once():
             return self._run_stages(parameters, context, feedback)
 
     def _run_stages(self, parameters, context, feedback):

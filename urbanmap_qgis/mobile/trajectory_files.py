@@ -17,6 +17,8 @@ from ..io.files.atomic import written_beside
 from ..io.files.columns import aliases_of, names_of
 from ..io.files.guard import first_not_finite, read_text, reads
 from ..io.files.named_table import known_columns, meanings, named_rows, number_table
+from ..io.files.read_once import once
+from ..io.points.decoded_points import file_state
 from ..io.points.pointcloud import plan_crs
 from ..wording import say
 from .survey_columns import TRAJECTORY
@@ -86,6 +88,12 @@ def read_trajectory(path: str | os.PathLike, crs_wkt: str | None = None,
     path = Path(path)
     if path.suffix.lower() in SBET_SUFFIXES:
         return _read_sbet(path, crs_wkt, reading)
+    if reading.geoid is not None or not path.is_file():
+        return _read_csv(path, crs_wkt, reading)
+    return once((file_state(path), crs_wkt, reading), lambda: _read_csv(path, crs_wkt, reading))
+
+
+def _read_csv(path: Path, crs_wkt: str | None, reading: TrajectoryReading) -> TrajectoryFile:
     text = read_text(path, "a trajectory (CSV)")
     header, rows, delimiter = named_rows(text, COLUMNS, _ALIASES, path.name,
                                          ("radians",) if reading.angles.startswith("radians") else ())

@@ -34,7 +34,6 @@ class GeoreferencingLimits:
     max_gap: float = 1.0  # s: between epochs farther apart nothing is placed.
     scale: float = 0.001
     min_rows_for_radians: int = 1000
-    shown: int = 20
 
 
 LIMITS = GeoreferencingLimits()
