@@ -32,6 +32,7 @@ from ..terrain.surface_files import metric_crs_wkt
 from ..terrain.tiles import ClothPart, TilePoints, Tiling, layer_of_tile, lowest_heights_of_tile, point_margin
 from ..wording import say
 from .markings.survey_points import MIN_GROUND_SHARE
+from .packed_points import PackedPoints
 from .passes import BlockPositions, SurveyPasses
 
 GROUND, UNASSIGNED = 2, 1
@@ -41,10 +42,9 @@ UNDECIDED = (0, UNASSIGNED, GROUND)
 _MOST_NODES = 100_000_000
 _TILE = 64.0
 _TILE_POINTS = 2_000_000
-_BUCKET_MEMORY = 60_000_000
+_BUCKET_MEMORY = 120_000_000
 _HELD_MEMORY = 120_000_000
 _CHUNK = 250_000
-_RECORD = np.dtype([("x", "<f8"), ("y", "<f8"), ("z", "<f8"), ("t", "<f8")])
 
 
 @dataclass(frozen=True)
@@ -115,8 +115,10 @@ def classify_ground_files(paths: Sequence[str | os.PathLike], output: str | os.P
     cloud = open_cloud(paths, crs_wkt)
     wkt = metric_crs_wkt(cloud)
     with decoded_once():
-        with PointBuckets(_RECORD, _BUCKET_MEMORY) as buckets, PointBuckets(_RECORD, _BUCKET_MEMORY) as smaller:
-            survey = _Survey(cloud, settings, buckets, smaller, executor)
+        packing = PackedPoints(cloud.headers)
+        with (PointBuckets(packing.dtype, _BUCKET_MEMORY) as buckets,
+              PointBuckets(packing.dtype, _BUCKET_MEMORY) as smaller):
+            survey = _Survey(cloud, settings, packing, buckets, smaller, executor)
             survey.read(progress.part(0.0, 0.35))
             grounds = survey.grounds(progress.part(0.35, 0.65))
         ground = _write(cloud, output, survey.passes, grounds, settings, min_ground_share, progress.part(0.65, 1.0))
@@ -126,10 +128,10 @@ def classify_ground_files(paths: Sequence[str | os.PathLike], output: str | os.P
 class _Survey:
     """The points of a survey in tiles, on their way to the cloths of its passes."""
 
-    def __init__(self, cloud: PointCloud, settings: ClothSettings, buckets: PointBuckets, smaller: PointBuckets,
-                 executor: Executor | None):
+    def __init__(self, cloud: PointCloud, settings: ClothSettings, packing: PackedPoints, buckets: PointBuckets,
+                 smaller: PointBuckets, executor: Executor | None):
         self.cloud, self.settings, self.buckets, self.executor = cloud, settings, buckets, executor
-        self.smaller = smaller
+        self.packing, self.smaller = packing, smaller
         self.tiling = Tiling(settings.resolution, max(int(np.ceil(_TILE / settings.resolution)), 16))
         self.keys: list[int] = []
         self.passes = SurveyPasses(np.empty(0))
@@ -140,18 +142,17 @@ class _Survey:
         timed = self.cloud.has_dimension("gps_time")
         positions, counts = BlockPositions(), Counter()
         for chunk in iter_chunks(self.cloud, progress, _CHUNK):
-            records = np.zeros(len(chunk), dtype=_RECORD)
-            for name in "xyz":
-                records[name] = chunk[name]
-            records["t"] = chunk["gps_time"] if timed else 0.0
-            usable = valid_points(chunk) & plausible(records["x"], records["y"], records["z"])
-            records = records if usable.all() else records[usable]
+            x, y, z = (np.asarray(chunk[name]) for name in "xyz")
+            time = np.asarray(chunk["gps_time"]) if timed else np.zeros(len(chunk))
+            usable = valid_points(chunk) & plausible(x, y, z)
+            records = self.packing.packed(chunk, time)
+            if not usable.all():
+                records, x, y, time = (values[usable] for values in (records, x, y, time))
             if not len(records):
                 continue
             self.usable += len(records)
-            positions.add(records["x"], records["y"], records["t"])
-            tile = self.tiling.keys(records["x"], records["y"])
-            counts.update(self.buckets.add(tile, records))
+            positions.add(x, y, time)
+            counts.update(self.buckets.add(self.tiling.keys(x, y), records))
         if not counts:
             raise InsufficientDataError(say("{paths} holds no usable points: all are noise, withheld or have no "
                                             "valid height.", paths=self.cloud.paths[0].name))
@@ -170,7 +171,7 @@ class _Survey:
             whole = self.buckets.pop(key)
             for start in range(0, len(whole), _CHUNK):
                 records = whole[start:start + _CHUNK].copy()  # a part of the whole would keep all of it in memory
-                tile = self.tiling.keys(records["x"], records["y"])
+                tile = self.tiling.keys(self.packing.column(records, "x"), self.packing.column(records, "y"))
                 keys.update(self.smaller.add(tile, records))
         self.keys, self.buckets = sorted(keys), self.smaller
 
@@ -189,10 +190,10 @@ class _Survey:
         found: list[dict[int, tuple]] = [{} for _ in range(self.passes.count)]
         for step, key in enumerate(self.keys):
             records = self.buckets.read(key)
-            pass_number = self.passes.of(records["t"])
+            pass_number = self.packing.passes(records, self.passes)
             for number in np.flatnonzero(np.bincount(pass_number)).tolist():
                 mine = slice(None) if self.passes.count == 1 else np.flatnonzero(pass_number == number)
-                x, y = (records[name][mine] for name in "xy")
+                x, y = (self.packing.column(records, name, mine) for name in "xy")
                 found[number][key] = (len(x), x.min(), y.min(), x.max(), y.max())
             progress.step((step + 1) / len(self.keys))
         return found
@@ -242,9 +243,9 @@ class _Survey:
         """Coordinates of the points of a tile that were measured in a pass, a column each."""
         records = self.buckets.read(key)
         if self.passes.count == 1:
-            return {name: np.ascontiguousarray(records[name]) for name in "xyz"}
-        rows = np.flatnonzero(self.passes.of(records["t"]) == pass_number)
-        return {name: records[name][rows] for name in "xyz"}
+            return {name: self.packing.column(records, name) for name in "xyz"}
+        rows = np.flatnonzero(self.packing.passes(records, self.passes) == pass_number)
+        return {name: self.packing.column(records, name, rows) for name in "xyz"}
 
 
 class _HeldTiles:
