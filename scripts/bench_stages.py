@@ -51,21 +51,35 @@ class Work:
                    if not name.startswith("OUTPUT") and isinstance(value, Path))
 
 
+_MEASURE = """
+import os, subprocess, sys
+process = subprocess.Popen(sys.argv[2:])
+_, status, usage = os.wait4(process.pid, 0)
+figures = usage.ru_utime + usage.ru_stime, usage.ru_maxrss, os.waitstatus_to_exitcode(status)
+os.write(int(sys.argv[1]), " ".join(map(repr, figures)).encode())
+"""
+"""A process begins with the greatest memory of the one that starts it: this one is small, `make bench` is not."""
+
+
 def cost(command: list[object], environment: dict[str, str] | None = None) -> tuple[float, float]:
-    """CPU seconds and greatest memory (MB) of a program and what it starts.
+    """CPU seconds and greatest memory (MB, that of this process is not in it) of a program and what it starts.
 
     Raises
     ------
     SystemExit : the program fails.
     """
-    process = subprocess.Popen([str(part) for part in command], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                               stderr=subprocess.STDOUT, env=environment)
-    told = process.stdout.read().decode(errors="replace")
-    _, status, usage = os.wait4(process.pid, 0)
-    process.returncode = os.waitstatus_to_exitcode(status)
-    if process.returncode:
-        raise SystemExit(f"{' '.join(map(str, command[:3]))} ended with {process.returncode}:\n{told[-2000:]}")
-    return usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
+    result, told_to = os.pipe()
+    with open(result, encoding="ascii") as figures:
+        with subprocess.Popen([sys.executable, "-I", "-S", "-c", _MEASURE, str(told_to), *map(str, command)],
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              env=environment, pass_fds=(told_to,)) as process:
+            os.close(told_to)
+            told = process.stdout.read().decode(errors="replace")
+        measured = figures.read().split()
+    if not measured or int(measured[2]):
+        ended = measured[2] if measured else process.returncode
+        raise SystemExit(f"{' '.join(map(str, command[:3]))} ended with {ended}:\n{told[-2000:]}")
+    return float(measured[0]), float(measured[1]) / 1024
 
 
 def run_cost(algorithm: str, parameters: dict[str, object]) -> tuple[float, float]:

@@ -183,6 +183,10 @@ def test_only_a_whole_tile_of_the_same_settings_is_kept(tmp_path):
     assert kept_record(tmp_path, tile, "s") is None
     (tile_folder(tmp_path, tile) / "tile.json").write_text("{", encoding="utf-8")
     assert kept_record(tmp_path, tile, "s") is None
+    done_tile(tmp_path, tile)
+    path = tile_folder(tmp_path, tile) / "tile.json"
+    path.write_text(path.read_text(encoding="utf-8").replace('"seconds": 0.0', '"seconds": ' + "9" * 400))
+    assert "999" in path.read_text(encoding="utf-8") and kept_record(tmp_path, tile, "s") is None
 
 
 def record_text(**changes):

@@ -216,10 +216,19 @@ def _changes(*columns: np.ndarray) -> np.ndarray:
 
 def _lowest(table: np.ndarray) -> np.ndarray:
     """Of rows (key, key, key, z) those with the lowest z of each key, sorted."""
-    table = table[np.lexsort(table.T[::-1])]
-    first = np.ones(len(table), bool)
-    first[1:] = (table[1:, :3] != table[:-1, :3]).any(axis=1)
-    return table[first]
+    if not len(table):
+        return table
+    code, size = np.zeros(len(table), np.int64), 1
+    for column in table[:, 2::-1].T:  # the first counts most
+        number = (column - column.min()).astype(np.int64)
+        code += number * size
+        size *= int(number.max()) + 1
+    if size >= 2**63:
+        table = table[np.lexsort(table.T[::-1])]
+        return table[_changes(*table[:, :3].T)]
+    order = np.argsort(code, kind="stable")
+    starts = np.flatnonzero(_changes(code[order]))
+    return np.column_stack([table[order[starts], :3], np.minimum.reduceat(table[order, 3], starts)])
 
 
 def ground_plane(xy: np.ndarray, z: np.ndarray) -> np.ndarray:

@@ -15,6 +15,7 @@ import numpy as np
 from scipy import ndimage
 
 from ..errors import InputError
+from ..io.points.point_buckets import stable_order
 from ..progress import SILENT, Progress
 from ..wording import say
 from .normals import NormalVoxels, voxel_normals
@@ -201,9 +202,9 @@ def _grow(seed: int, mean: np.ndarray, normal: np.ndarray, weight: np.ndarray, f
     place, facings = mean[candidates], normal[candidates]
     away = np.linalg.norm(place - mean[seed], axis=1)
     for radius in (*_GROWTH, np.inf):
-        near = (np.abs(component(place - centre, facing)) < settings.tolerance) & (away < radius)
-        near &= np.abs(component(facings, facing)) > _SEED_COSINE
-        near = candidates[near]
+        near = np.flatnonzero(away < radius)
+        near = near[np.abs(component(place[near] - centre, facing)) < settings.tolerance]
+        near = candidates[near[np.abs(component(facings[near], facing)) > _SEED_COSINE]]
         if len(near) < 3:
             return None
         mask, members = _connected(seed, near, mean, facing, settings.max_gap, voxel)
@@ -280,8 +281,8 @@ def _claim(points: np.ndarray, voxels: NormalVoxels, grown: list, settings: Plan
     """Number of the plane that each point lies on, (n,), -1 for none: the nearest of those that cover its place."""
     owner = np.full(len(points), -1, np.int32)
     best = np.full(len(points), LIMITS.point_tolerance)
-    order = np.argsort(voxels.of_point, kind="stable")
-    starts = np.concatenate([[0], np.cumsum(voxels.count)])
+    order = stable_order(voxels.of_point)
+    starts = np.cumsum(voxels.count) - voxels.count
     for number, (centre, normal, mask) in enumerate(grown):
         distance = LIMITS.point_tolerance + voxels.size
         near = np.flatnonzero(np.abs(component(voxels.mean - centre, normal)) < distance)
@@ -289,7 +290,8 @@ def _claim(points: np.ndarray, voxels: NormalVoxels, grown: list, settings: Plan
         near = near[grownmask.holds(voxels.mean[near])]
         if not len(near):
             continue
-        members = np.concatenate([order[starts[voxel]:starts[voxel + 1]] for voxel in near])
+        count = voxels.count[near]
+        members = order[np.repeat(starts[near] - np.cumsum(count) + count, count) + np.arange(count.sum())]
         distance = np.abs(component(points[members] - centre, normal))
         closer = distance < best[members]
         members, distance = members[closer], distance[closer]
