@@ -41,6 +41,7 @@ from urbanmap_qgis.buildings.polygon_stage import cloud_roof_polygons  # noqa: E
 from urbanmap_qgis.buildings.roof_polygons.polygon_rows import PolygonParameters  # noqa: E402
 from urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs  # noqa: E402
 from urbanmap_qgis.buildings.roofs.roof_levels import RoofParameters  # noqa: E402
+from urbanmap_qgis.buildings.seen.cloud_cover import CloudCover  # noqa: E402
 from urbanmap_qgis.buildings.segmentation import SegmentationParameters, segment_buildings  # noqa: E402
 from urbanmap_qgis.io.points.pointcloud import open_cloud, read_all  # noqa: E402
 from urbanmap_qgis.terrain.cloth import classify_ground  # noqa: E402
@@ -104,7 +105,8 @@ def chain(points: Path, outlines: np.ndarray, base: np.ndarray | None = None,
         table = RoofInput(np.array(drawn.polygon, object), np.array(drawn.building_id), np.array(drawn.roof_id),
                           np.array(drawn.height), np.array(drawn.status, object))
         models = timed("building models", lambda: build_models(
-            placed, table, found.ground if base is None else base, open_cloud([roofs]), roof_shape=shape))
+            placed, table, found.ground if base is None else base, open_cloud([roofs]), roof_shape=shape,
+            cover=CloudCover(found.cloud_density, found.beyond)))
     return Run(models, seconds)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from contextlib import ExitStack
 from dataclasses import replace
+from itertools import chain
 
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import CITYJSON_FILTER, HTML_FILTER, OBJ_FILTER, tr
@@ -48,12 +49,13 @@ class BuildingModels(UrbanMapAlgorithm):
         self.add_layer_output("OUTPUT", "Building models", "MultiPolygonZ, one feature a building with all faces of "
                               "its solids; status, reason, roofs, base, height (m), area (m2), volume (m3), points, "
                               "density (points a m2), rmse_z, rmse_z95, median_dz, rmse_3d, p95 (m), coverage, "
-                              "unseen (shares), lod, roof_type, not_explained (share of the points that can be roof "
-                              "and lie far from the model), quality (0 to 1), roof_min, roof_50, roof_70, roof_max (m "
-                              "above the ground), volume_lod12, volume_lod13, volume_lod22 (m3), area_roof_flat, "
-                              "area_roof_sloped (m2), storeys_estimated.")
+                              "unseen, beyond (shares), lod, roof_type, not_explained (share of the points that can be "
+                              "roof and lie far from the model), quality (0 to 1), roof_min, roof_50, roof_70, "
+                              "roof_max (m above the ground), volume_lod12, volume_lod13, volume_lod22 (m3), "
+                              "area_roof_flat, area_roof_sloped (m2), storeys_estimated.")
         self.add_layer_output("OUTPUT_SURFACES", "Surfaces", "MultiPolygonZ, one feature a surface, with building_id, "
-                              "roof_id and surface_type: roof, outer wall, inner wall, ground.", optional=True)
+                              "roof_id and surface_type: roof, outer wall, inner wall, ground; of roofs seen (share "
+                              "that the points have seen) and sigma (expected error of its height, m).", optional=True)
         self.add_file_output("OUTPUT_CITYJSON", "CityJSON", "CityJSON 2.0 file with outlines and solids at the levels "
                              "of detail 0, 1.2, 1.3 and 2.2, surface types, the fields of the outlines and the figures "
                              "of each building.", CITYJSON_FILTER, optional=True)
@@ -72,6 +74,7 @@ class BuildingModels(UrbanMapAlgorithm):
         from ...urbanmap_qgis.buildings.model_stage import build_models
         from ...urbanmap_qgis.buildings.model_status import GROUND_UNKNOWN, OK
         from ...urbanmap_qgis.buildings.model_table import model_columns
+        from ...urbanmap_qgis.buildings.seen.cloud_cover import CloudCover
         from ...urbanmap_qgis.citymodel.obj import write_obj
 
         progress = self.progress(feedback)
@@ -85,7 +88,8 @@ class BuildingModels(UrbanMapAlgorithm):
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
             models = build_models(footprints, self._roofs(roof_table), base, cloud, executor, progress.part(0.0, 0.85),
                                   self.parameterAsString(parameters, "ROOF_SHAPE", context),
-                                  numbers(buildings, "open_share"))
+                                  numbers(buildings, "open_share"),
+                                  CloudCover.of(*(numbers(buildings, name) for name in ("cloud_density", "beyond"))))
         columns = model_columns(models)
         modelled = sum(bool(model.solids) for model in models)
         if modelled < len(models):
@@ -159,19 +163,16 @@ class BuildingModels(UrbanMapAlgorithm):
 
     def _write_layers(self, parameters, context, table, models, columns, progress):
         """The layer of buildings and, where wanted, that of surfaces."""
-        from ...urbanmap_qgis.buildings.model_table import COLUMNS
+        from ...urbanmap_qgis.buildings.model_table import COLUMNS, SURFACE_COLUMNS, surface_columns
         from ...urbanmap_qgis.geometry.solid import multipolygon, surfaces
 
         results = {}
         if parameters.get("OUTPUT_SURFACES"):
-            faces = [(model.building_id, *face) for model in models for solid in model.solids
-                     for face in zip(solid.roof_id, solid.surface_type, surfaces(solid))]
-            names = ("building_id", "roof_id", "surface_type")
+            faces = [surfaces(solid) for model in models for solid in model.solids]
             results["OUTPUT_SURFACES"] = self.write_layer(
                 parameters, "OUTPUT_SURFACES", context,
-                make_fields(("building_id", "int"), ("roof_id", "int"), ("surface_type", "text")),
-                {name: [face[place] for face in faces] for place, name in enumerate(names)}, table.crs,
-                [face[3] for face in faces], "PolygonZ", "building_surfaces", progress, building_names(table))
+                make_fields(*SURFACE_COLUMNS), surface_columns(models), table.crs, [*chain.from_iterable(faces)],
+                "PolygonZ", "building_surfaces", progress, building_names(table))
         shapes = [multipolygon(model.solids) if model.solids else None for model in models]
         # Once the surfaces are in their place the rest follows, cancelled or not: no mixture of old and new results.
         last = replace(progress, cancelled=lambda: False) if results else progress

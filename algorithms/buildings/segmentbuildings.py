@@ -49,8 +49,9 @@ class SegmentBuildings(UrbanMapAlgorithm):
                                "building_id, building after building; all other attributes are kept.")
         self.add_layer_output("OUTPUT_BUILDINGS", "Buildings", "The outlines at their found places, with "
                               "building_id, points, density (points a m2), ground (m), shift_x, shift_y, "
-                              "shift_sigma (m), shift_status, status and open_share (share of the outline cut "
-                              "out as open ground).")
+                              "shift_sigma (m), shift_status, status, open_share (share of the outline cut out "
+                              "as open ground), cloud_density (points a m2 of the cloud round it) and beyond "
+                              "(share of the outline beyond the cloud's edge).")
         self.add_number_output("BUILDINGS", "Buildings", "Number of outlines.")
         self.add_number_output("WITHOUT_POINTS", "Buildings without points", "Outlines with too few points for a "
                                "model.")
@@ -90,13 +91,15 @@ class SegmentBuildings(UrbanMapAlgorithm):
     def _write(self, parameters, context, table, footprints, buildings, progress):
         fields = make_fields((BUILDING_ID, "int"), ("points", "int"), ("density", "real"), ("ground", "real"),
                              ("shift_x", "real"), ("shift_y", "real"), ("shift_sigma", "real"),
-                             ("shift_status", "text"), ("status", "text"), ("open_share", "real"), (NOTE, "text"),
+                             ("shift_status", "text"), ("status", "text"), ("open_share", "real"),
+                             ("cloud_density", "real"), ("beyond", "real"), (NOTE, "text"),
                              base=table.fields)
         columns = {**table.columns, BUILDING_ID: footprints.ids, "points": buildings.points,
                    "density": buildings.density, "ground": buildings.ground, "shift_x": buildings.shift_x,
                    "shift_y": buildings.shift_y, "shift_sigma": buildings.shift_sigma,
                    "shift_status": buildings.shift_status, "status": buildings.status,
-                   "open_share": buildings.open_share,
+                   "open_share": buildings.open_share, "cloud_density": buildings.cloud_density,
+                   "beyond": buildings.beyond,
                    NOTE: [_note(*row) for row in zip(footprints.notes, footprints.usable, buildings.points)]}
         return self.write_layer(parameters, "OUTPUT_BUILDINGS", context, fields, columns, table.crs,
                                 buildings.outlines, "MultiPolygon", "segmented_buildings", progress,

@@ -18,6 +18,7 @@ MODEL_STATUS = {
     "small": ("small", "#d9d2e9"),
     "few points": ("few points", "#c9b8d8"),
     "partly unseen": ("part of the plan without points", "#b3b8c4"),
+    "cloud's edge": ("the cloud ends in it", "#7f8fb0"),
     "partly modelled": ("part of the outline without model", "#9aa5b8"),
     "ground unknown": ("ground assumed", "#8fc1d9"),
     "low": ("low", "#6fb7a8"),
@@ -112,7 +113,9 @@ def building_surfaces(layer) -> None:
     colours = {value: colour for value, (_, colour) in SURFACES.items()}
     layer.setRenderer3D(renderer_3d(colours, "surface_type", SURFACES["outer wall"][1]))
     layer.setMapTipTemplate("Building [% \"building_id\" %], [% \"surface_type\" %][% if(\"surface_type\" = 'ground', "
-                            "'', format(' of roof %1', \"roof_id\")) %]")
+                            "'', format(' of roof %1', \"roof_id\")) %][% if(\"seen\" is null, '', "
+                            "format(', %1 percent seen, expected error %2 m', round(100 * \"seen\"), "
+                            "round(\"sigma\", 2))) %]")
 
 
 WALL_STATUS = {
@@ -258,7 +261,8 @@ FIELDS = {
                     "rmse:double coverage:double"),
     building_models: ("MultiPolygonZ", "building_id:integer status:string reason:string roofs:integer height:double "
                       "area:double volume:double rmse_z95:double density:double"),
-    building_surfaces: ("PolygonZ", "building_id:integer roof_id:integer surface_type:string"),
+    building_surfaces: ("PolygonZ", "building_id:integer roof_id:integer surface_type:string seen:double "
+                        "sigma:double"),
     facade_walls: ("PolygonZ", "building_id:integer wall_id:integer status:string note:string area:double "
                    "azimuth:double points:integer rmse:double sigma:double coverage:double hidden:double"),
     facades: ("PolygonZ", "building_id:integer facade:integer area:double seen:double detail:double images:string "

@@ -23,6 +23,7 @@ from urbanmap_qgis.buildings.polygon_stage import cloud_roof_polygons
 from urbanmap_qgis.buildings.roof_polygons.polygon_rows import PolygonParameters
 from urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs
 from urbanmap_qgis.buildings.roofs.roof_levels import RoofParameters
+from urbanmap_qgis.buildings.seen.cloud_cover import CloudCover
 from urbanmap_qgis.buildings.segmentation import SegmentationParameters, segment_buildings
 from urbanmap_qgis.citymodel.obj import write_obj
 from urbanmap_qgis.citymodel.solids import solid_object
@@ -55,7 +56,8 @@ def chain(request, small_city, outlines, tmp_path_factory):
     drawn = cloud_roof_polygons(open_cloud([folder / "r.laz"]), placed, PolygonParameters(roofs=request.param))
     table = RoofInput(np.array(drawn.polygon, object), np.array(drawn.building_id), np.array(drawn.roof_id),
                       np.array(drawn.height), np.array(drawn.status, object))
-    models = build_models(placed, table, found.ground, open_cloud([folder / "r.laz"]))
+    models = build_models(placed, table, found.ground, open_cloud([folder / "r.laz"]),
+                          cover=CloudCover(found.cloud_density, found.beyond))
     return request.param, folder, found, roofs, drawn, models, placed
 
 

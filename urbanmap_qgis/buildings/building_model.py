@@ -10,13 +10,15 @@ import shapely
 
 from ..errors import InsufficientDataError
 from ..geometry.grid import Grid
-from ..geometry.solid import Solid
+from ..geometry.solid import ROOF, Solid
 from ..wording import say
 from .model_status import (
     BLOCK,
     GROUND_UNKNOWN,
     LOST_AREA,
     LOST_ROOFS,
+    MAX_UNSEEN,
+    MAX_UNSEEN_EXACT,
     NOT_MODELLED,
     OK,
     SIMPLIFIED,
@@ -31,6 +33,7 @@ from .planes.plane_solids import checked_sloped_solids
 from .planes.roof_type import roof_type
 from .quality import ModelFit, height_differences, model_fit, surface_distances, unexplained_points
 from .roof_polygons.polygon_rows import LEVELS_BETTER
+from .seen.seen_roofs import SeenRoofs, seen_roofs
 from .solids.plan_partition import partition_plan
 from .solids.solid import building_solids
 from .solids.validity import check_solid
@@ -45,6 +48,9 @@ MIN_CELLS = 10
 
 MOST_FIT_POINTS = 50_000
 """Points of one building that the figures of fit are taken from; of more a regular choice."""
+
+UNKNOWN_COVER = (math.nan, math.nan)
+"""Density of the cloud about a building, and share of its outline beyond the cloud's edge, where neither is known."""
 
 KNOWN, FROM_NEIGHBOURS, ASSUMED = "", "taken from its neighbours", f"assumed {STOREY} m under its lowest roof"
 """Where a base height comes from."""
@@ -75,8 +81,12 @@ class BuildingModel:
     fit : figures of fit to the points; None where no points were given.
     base_source : where the base comes from: `KNOWN`, `FROM_NEIGHBOURS` or `ASSUMED`.
     quality : 0 to 1, see `model_status.quality`.
+    beyond : share of the outline beyond the cloud's edge, NaN where it is not known.
+    seen : what the points have seen of its roofs, in the order of the solids' roof faces; None where no points were
+        given or the density of the cloud is not known.
     density : roof points a m2 of the plan, NaN where no points were given.
-    unseen : share of the plan without roof points, NaN where no points were given.
+    unseen : share of the plan without roof points, NaN where no points were given; where the density of the cloud is
+        known, the share farther than two of its spacings from every roof point.
     lod : level of detail, "2.2" with roofs on their planes, "1.3" with level ones.
     roof_type : what the roof is, a word of `roof_type`; empty without a model.
     """
@@ -94,6 +104,8 @@ class BuildingModel:
     roof_type: str = ""
     quality: float = float("nan")
     base_source: str = KNOWN
+    beyond: float = float("nan")
+    seen: SeenRoofs | None = None
 
 
 @dataclass(frozen=True)
@@ -106,10 +118,11 @@ class FitPoints:
 
 def model_building(number: int, outline: shapely.Geometry | None, note: str, roofs: RoofInput, base: float,
                    points: FitPoints | None = None, sloped: bool = False, source: str = KNOWN,
-                   open_share: float = 0.0) -> BuildingModel:
+                   open_share: float = 0.0, cover: tuple[float, float] = UNKNOWN_COVER) -> BuildingModel:
     """The model of one building from its roofs, sloped or level, with its figures of fit to `points`.
 
-    `source` : where the base height comes from; without a base it is assumed.
+    `source` : where the base height comes from; without a base it is assumed. `cover` : density of the cloud about the
+    building, points a m2, and share of the outline beyond the cloud's edge, NaN where not known.
     """
     if not len(roofs.height):
         return unmodelled(number, base, note or say("no roof was found in its points"))
@@ -129,8 +142,22 @@ def model_building(number: int, outline: shapely.Geometry | None, note: str, roo
     faces = ModelSurfaces.of(solids)
     model = replace(model, roof_type=roof_type(faces.cells))
     if points is not None:
-        model = _measured(model, points, faces)
+        model = _measured(model, points, faces, *cover)
     return _judged(model, outline, _lost_roofs(points, roofs, faces), open_share, faces.ground_area)
+
+
+def roof_remarks(model: BuildingModel) -> list[list[dict[str, float]]]:
+    """What is said of each face of each solid: of roofs `seen` (share) and `sigma` (m), where they are known."""
+    if model.seen is None:
+        return [[{} for _ in solid.faces] for solid in model.solids]
+    figures = iter(zip(model.seen.seen.tolist(), model.seen.sigma.tolist()))
+    return [[_roof_remark(*next(figures)) if kind == ROOF else {} for kind in solid.surface_type]
+            for solid in model.solids]
+
+
+def _roof_remark(seen: float, sigma: float) -> dict[str, float]:
+    """Rounded figures of one roof, those that are known."""
+    return {name: round(value, 2) for name, value in (("seen", seen), ("sigma", sigma)) if math.isfinite(value)}
 
 
 def unmodelled(number: int, base: float, reason: str) -> BuildingModel:
@@ -184,9 +211,11 @@ def _judged(model: BuildingModel, outline: shapely.Geometry | None, lost: bool,
     facts = ModelFacts(top - model.base, area, official,
                        fit.points if fit else math.nan, fit.not_explained if fit else math.nan, model.unseen,
                        fit.rmse_z95 if fit else math.nan,
-                       lost, outline is not None and has_curved_walls(outline))
+                       lost, outline is not None and has_curved_walls(outline), model.beyond,
+                       MAX_UNSEEN if model.seen is None else MAX_UNSEEN_EXACT)
     status, reason = judge(model.status, model.reason, facts)
-    figure = quality(status, fit.rmse_z, fit.rmse_z95, fit.not_explained, model.unseen) if fit else math.nan
+    doubt = math.nan if model.seen is None else model.seen.doubt
+    figure = quality(status, fit.rmse_z, fit.rmse_z95, fit.not_explained, model.unseen, doubt) if fit else math.nan
     return replace(model, status=status, reason=reason, quality=figure)
 
 
@@ -233,8 +262,9 @@ def _lost_roofs(points: FitPoints | None, roofs: RoofInput, faces: ModelSurfaces
     return any(broad_area(missed[number == one], density) >= LOST_AREA for one in np.unique(number))
 
 
-def _measured(model: BuildingModel, points: FitPoints, faces: ModelSurfaces) -> BuildingModel:
-    """The model with its figures of fit."""
+def _measured(model: BuildingModel, points: FitPoints, faces: ModelSurfaces, cloud_density: float,
+              beyond: float) -> BuildingModel:
+    """The model with its figures of fit, and of what was seen of it."""
     on_roof = points.roof > 0
     step = -(-len(points.xyz) // MOST_FIT_POINTS)
     fit = model_fit(*np.ascontiguousarray(points.xyz[::step].T), faces.cells, faces.walls, on_roof[::step])
@@ -242,7 +272,11 @@ def _measured(model: BuildingModel, points: FitPoints, faces: ModelSurfaces) -> 
     plan = shapely.union_all([cell.polygon for cell in faces.cells])
     roof = points.xyz[on_roof]
     density = len(roof) / plan.area
-    return replace(model, fit=fit, density=density, unseen=unseen_share(plan, roof, density))
+    model = replace(model, fit=fit, density=density, beyond=beyond)
+    if not cloud_density > 0:
+        return replace(model, unseen=unseen_share(plan, roof, density))
+    seen = seen_roofs(faces.cells, roof, cloud_density, model.base)
+    return replace(model, unseen=seen.unseen, seen=seen)
 
 
 def unseen_share(plan: shapely.Geometry, points: np.ndarray, density: float) -> float:

@@ -15,7 +15,7 @@ from ..citymodel.cityjson.textured_faces import TexturedFaces
 from ..citymodel.model import CityObject
 from ..geometry.solid import Solid
 from ..progress import SILENT, Progress
-from .building_model import BuildingModel
+from .building_model import BuildingModel, roof_remarks
 from .city_objects import BuildingSource, building_source, city_objects
 from .model_figures import ModelFigures
 
@@ -110,7 +110,8 @@ def objects_of_models(models: Sequence[BuildingModel], columns: Mapping[str, Seq
     name_of : id of a building by its number.
     """
     sources = [BuildingSource(name_of(model.building_id), {name: values[row] for name, values in columns.items()
-                                                           if name != "building_id"}, model.solids, model.lod)
+                                                           if name != "building_id"}, model.solids, model.lod,
+                              remarks=roof_remarks(model))
                for row, model in enumerate(models)]
     return (item for item, _ in city_objects(sources, walls=False))
 

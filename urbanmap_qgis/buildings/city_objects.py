@@ -45,6 +45,7 @@ class BuildingSource:
     solids : its most detailed solids; empty where it has no model.
     lod : level of detail of the solids, "2.2" or "1.3".
     textures : for each solid one entry a face, or empty.
+    remarks : for each solid further attributes of each face, or empty.
     problems : of each solid, what keeps it from being closed and valid, empty for none; may be left out.
     """
 
@@ -54,6 +55,7 @@ class BuildingSource:
     lod: str = "2.2"
     textures: Sequence[Sequence[FaceTexture | None]] = ()
     problems: Sequence[str] = ()
+    remarks: Sequence[Sequence[Mapping[str, Any]]] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,7 +86,9 @@ def _city_object(building: BuildingSource, party_area: float) -> tuple[CityObjec
     figures = model_figures(building.solids, building.lod.startswith("2"), party_area)
     attributes = {**building.attributes, **_figure_attributes(figures)}
     textures = building.textures or [()] * len(levels)
-    parts = [_shapes(level, building.lod, problem, faces) for level, problem, faces in zip(levels, problems, textures)]
+    remarks = building.remarks or [()] * len(levels)
+    parts = [_shapes(level, building.lod, problem, solid_surfaces(level.detailed, faces, said))
+             for level, problem, faces, said in zip(levels, problems, textures, remarks)]
     found = tuple(dict.fromkeys(problem for problem in problems if problem))
     item = CityObject(building.id, attributes, _outlines(building.solids, figures), problems=found)
     return in_parts(item, parts), figures
@@ -103,14 +107,14 @@ def _levels(solid: Solid, problem: str) -> _Levels:
     return _Levels(solid, block_solid(solid), stepped_solids(solid))
 
 
-def _shapes(level: _Levels, lod: str, problem: str, textures: Sequence[FaceTexture | None]) -> tuple[CityShape, ...]:
+def _shapes(level: _Levels, lod: str, problem: str, detailed: tuple[CitySurface, ...]) -> tuple[CityShape, ...]:
     """Shapes of one part, from coarse to detailed."""
     if problem:
-        return (CityShape(lod, MULTI_SURFACE, (solid_surfaces(level.detailed, textures),)),)
+        return (CityShape(lod, MULTI_SURFACE, (detailed,)),)
     shapes = [CityShape("1.2", SOLID, (solid_surfaces(one),)) for one in level.block]
     if lod != "1.3":
         shapes += [CityShape("1.3", SOLID, (solid_surfaces(one),)) for one in level.stepped]
-    return (*shapes, CityShape(lod, SOLID, (solid_surfaces(level.detailed, textures),)))
+    return (*shapes, CityShape(lod, SOLID, (detailed,)))
 
 
 def _outlines(solids: Sequence[Solid], figures: ModelFigures) -> tuple[CityShape, ...]:

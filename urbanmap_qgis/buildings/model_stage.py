@@ -29,6 +29,7 @@ from .outlines.evidence import BUILDING_CLASS
 from .outlines.footprint import Footprints
 from .planes.plane_detection import LEVELS, PLANES
 from .planes.plane_solids import is_sloped
+from .seen.cloud_cover import CloudCover
 
 NEIGHBOUR_RANGE, NEIGHBOURS = 100.0, 5
 """Distance (m) within which, and number of nearest outlines from which, an unknown ground height is taken."""
@@ -46,12 +47,14 @@ class ModelPiece:
     sloped: bool
     source: np.ndarray
     open_share: np.ndarray
+    cover: CloudCover
     points: list[FitPoints] | None = field(default=None)
 
 
 def build_models(footprints: Footprints, roofs: RoofInput, base: np.ndarray, cloud: PointCloud | None = None,
                  executor: Executor | None = None, progress: Progress = SILENT,
-                 roof_shape: str = LEVELS, open_share: np.ndarray | None = None) -> list[BuildingModel]:
+                 roof_shape: str = LEVELS, open_share: np.ndarray | None = None,
+                 cover: CloudCover | None = None) -> list[BuildingModel]:
     """A model, or the reason why there is none, for every footprint, in their order.
 
     Parameters
@@ -60,6 +63,7 @@ def build_models(footprints: Footprints, roofs: RoofInput, base: np.ndarray, clo
     base : (n,) ground height of each building, m, NaN where unknown.
     cloud : points with `building_id` and `roof_id`, for the figures of fit.
     open_share : (n,) share of each official outline that was cut out before, see `segmentation`.
+    cover : the cloud about each outline, see `segmentation`; without it density is told by the building's own points.
     roof_shape : `PLANES`: roofs as their polygons' z has them (LoD2.2, where any is sloped); `LEVELS`: all at their one
         height (LoD1.3).
 
@@ -74,7 +78,8 @@ def build_models(footprints: Footprints, roofs: RoofInput, base: np.ndarray, clo
     base, source = bases_with_neighbours(footprints, base)
     sloped = roof_shape == PLANES and any(is_sloped(polygon) for polygon in roofs.polygon)
     shares = np.zeros(len(footprints)) if open_share is None else np.nan_to_num(open_share)
-    pieces = _pieces(footprints, roofs, base, source, shares, cloud, sloped, progress)
+    cover = cover or CloudCover(*np.full((2, len(footprints)), np.nan))
+    pieces = _pieces(footprints, roofs, base, source, shares, cover, cloud, sloped, progress)
     for rows, built in in_order(_model_piece, pieces, executor, progress.check):
         for row, model in zip(rows, built):
             models[row] = model
@@ -100,7 +105,7 @@ def bases_with_neighbours(footprints: Footprints, base: np.ndarray) -> tuple[np.
 
 
 def _pieces(footprints: Footprints, roofs: RoofInput, base: np.ndarray, source: np.ndarray, open_share: np.ndarray,
-            cloud: PointCloud | None, sloped: bool, progress: Progress):
+            cover: CloudCover, cloud: PointCloud | None, sloped: bool, progress: Progress):
     """Blocks of buildings, with their points where a cloud is given."""
     order = np.argsort(roofs.building_id, kind="stable")
     sorted_ids = roofs.building_id[order]
@@ -113,7 +118,7 @@ def _pieces(footprints: Footprints, roofs: RoofInput, base: np.ndarray, source: 
     for rows, points in _blocks(footprints, base, cloud, progress.part(0.0, 0.3)):
         yield rows, ModelPiece(footprints.ids[rows], footprints.polygons[rows], footprints.notes[rows], base[rows],
                                [roofs_of(int(number)) for number in footprints.ids[rows]], sloped, source[rows],
-                               open_share[rows], points)
+                               open_share[rows], CloudCover(cover.density[rows], cover.beyond[rows]), points)
         done += len(rows)
         progress.part(0.3, 1.0).step(done / len(footprints))
 
@@ -153,7 +158,8 @@ def _model_piece(piece: tuple[np.ndarray, ModelPiece]) -> tuple[np.ndarray, list
         base = float(block.base[place])
         try:
             models.append(model_building(number, block.outlines[place], block.notes[place], block.roofs[place], base,
-                                         points, block.sloped, block.source[place], float(block.open_share[place])))
+                                         points, block.sloped, block.source[place], float(block.open_share[place]),
+                                         (float(block.cover.density[place]), float(block.cover.beyond[place]))))
         except Cancelled:
             raise
         except Exception as error:  # one building's trouble is not the others'

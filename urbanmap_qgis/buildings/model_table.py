@@ -12,19 +12,24 @@ from ..geometry.solid import volume
 from ..io.pages.report import BAD, GOOD, LOOK, Report
 from ..io.pages.svg import plan_map
 from ..wording import mark, say
-from .building_model import BuildingModel
+from .building_model import BuildingModel, roof_remarks
 from .model_figures import OWN_FIGURES, figure_columns, model_figures
-from .model_status import MAX_UNSEEN, NOT_MODELLED, STATUSES, counts
+from .model_status import NOT_MODELLED, STATUSES, counts
 from .model_surfaces import ground_area
 
 COLUMNS: tuple[tuple[str, str], ...] = (
     ("building_id", "int"), ("status", "text"), ("reason", "text"), ("roofs", "int"), ("base", "real"),
     ("height", "real"), ("area", "real"), ("volume", "real"), ("points", "int"), ("density", "real"),
     ("rmse_z", "real"), ("rmse_z95", "real"), ("median_dz", "real"), ("rmse_3d", "real"), ("p95", "real"),
-    ("coverage", "real"), ("unseen", "real"), ("lod", "text"), ("roof_type", "text"),
+    ("coverage", "real"), ("unseen", "real"), ("beyond", "real"), ("lod", "text"), ("roof_type", "text"),
     ("not_explained", "real"), ("quality", "real"), *OWN_FIGURES,
 )
 """Names and kinds of the columns, in order."""
+
+SURFACE_COLUMNS = (("building_id", "int"), ("roof_id", "int"), ("surface_type", "text"), ("seen", "real"),
+                   ("sigma", "real"))
+"""Names and kinds of the columns of the faces: of roofs the share that the points have seen, and the expected error of
+the height, m."""
 
 WORST = 10
 """Buildings that the report lists as the worst."""
@@ -34,8 +39,8 @@ def model_columns(models: Sequence[BuildingModel]) -> dict[str, list]:
     """Columns of `COLUMNS`, one entry a model; NaN where a figure is not known.
 
     base: height of the ground face; height: highest roof above it; area and volume of the solids; the rest is
-    `quality.ModelFit`, density (points a m2), unseen (share of the plan without points), `model_status.quality` and
-    `model_figures.OWN_FIGURES`.
+    `quality.ModelFit`, density (points a m2), unseen (share of the plan without points), beyond (share of the
+    outline beyond the cloud's edge), `model_status.quality` and `model_figures.OWN_FIGURES`.
     """
     rows = [_row(model) for model in models]
     figures = figure_columns([model_figures(model.solids, model.lod.startswith("2")) for model in models], OWN_FIGURES)
@@ -51,11 +56,20 @@ def _row(model: BuildingModel) -> dict:
         "base": model.base, "height": top - model.base, "area": ground_area(model.solids) if model.solids else nan,
         "volume": sum(volume(solid) for solid in model.solids) if model.solids else nan,
         "points": fit.points if fit else 0, "density": model.density, "unseen": model.unseen,
+        "beyond": model.beyond,
         "lod": model.lod if model.solids else "", "roof_type": model.roof_type,
         "quality": model.quality,
         **{name: getattr(fit, name) if fit else nan
            for name in ("rmse_z", "rmse_z95", "median_dz", "rmse_3d", "p95", "coverage", "not_explained")},
     }
+
+
+def surface_columns(models: Sequence[BuildingModel]) -> dict[str, list]:
+    """Columns of `SURFACE_COLUMNS`, one entry a face, solid after solid; None where a figure is not known."""
+    rows = [(model.building_id, roof, kind, said.get("seen"), said.get("sigma")) for model in models
+            for solid, remarks in zip(model.solids, roof_remarks(model))
+            for roof, kind, said in zip(solid.roof_id, solid.surface_type, remarks)]
+    return {name: [row[place] for row in rows] for place, (name, _) in enumerate(SURFACE_COLUMNS)}
 
 
 def write_model_report(path: str | os.PathLike, columns: Mapping[str, Sequence],
@@ -139,8 +153,9 @@ def _why(columns: Mapping[str, Sequence], row: int) -> str:
     causes = [columns["reason"][row]] if columns["reason"][row] else []
     unseen, density = columns["unseen"][row], columns["density"][row]
     coverage, rmse = columns["coverage"][row], columns["rmse_z95"][row]
-    if MAX_UNSEEN >= unseen > 0.2:
-        causes.append(say("{unseen:.0f} % of its plan has no roof points", unseen=100 * unseen))
+    empty = say("{unseen:.0f} % of its plan has no roof points", unseen=100 * unseen)
+    if unseen > 0.2 and not any(empty in cause for cause in causes):
+        causes.append(empty)
     if density < 2.0:
         causes.append(say("only {density:.1f} points a m²", density=density))
     if coverage < 0.9:

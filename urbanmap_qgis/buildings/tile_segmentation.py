@@ -27,6 +27,7 @@ from .outlines.displacement import estimate_displacements, shifted_outlines
 from .outlines.evidence import BUILDING_CLASS, EvidenceAccumulator, evidence_cell
 from .outlines.footprint import Footprints
 from .point_assignment import Assignment, assign_points, points_in_expanded
+from .seen.cloud_cover import cloud_cover
 from .unclassified_roofs import unclassified_roof_points
 
 
@@ -82,6 +83,8 @@ class SegmentedBuildings:
     density : (n,) points inside the outline a m2.
     ground : (n,) lowest ground height along the outline, m; NaN where it is not known.
     open_share : (n,) share of the outline that was cut out as open ground (courtyards).
+    cloud_density : (n,) pulses a m2 of the cloud round the outline; NaN where it was not looked for.
+    beyond : (n,) share of the outline beyond the cloud's edge.
     shift_x, shift_y, shift_sigma : (n,) displacement that was applied and its standard deviation, m.
     status : (n,) words: "ok", or what is missing.
     """
@@ -96,6 +99,8 @@ class SegmentedBuildings:
     shift_status: np.ndarray
     status: np.ndarray
     open_share: np.ndarray
+    cloud_density: np.ndarray
+    beyond: np.ndarray
 
     @classmethod
     def empty(cls, footprints: Footprints) -> SegmentedBuildings:
@@ -104,7 +109,7 @@ class SegmentedBuildings:
         return cls(footprints.polygons.copy(), np.zeros(count, np.int64), np.zeros(count),
                    np.full(count, np.nan), np.zeros(count), np.zeros(count), np.full(count, np.nan),
                    np.full(count, "not observable", object), np.full(count, "no points", object),
-                   np.zeros(count))
+                   np.zeros(count), np.full(count, np.nan), np.full(count, np.nan))
 
     def put(self, rows: np.ndarray, part: SegmentedBuildings) -> None:
         """Fill in the rows that a tile has worked out."""
@@ -148,6 +153,9 @@ def segment_tile(tile: Tile, progress: Progress = SILENT) -> tuple[np.ndarray, S
     records["building_id"] = tile.footprints.ids[assignment.owner[order]]
     _count_points(table, assignment, outlines, ground)
     table.open_share[:] = _open_shares(tile.footprints.polygons, outlines)
+    last = np.asarray(points.return_number) >= np.asarray(points.number_of_returns)
+    cover = cloud_cover(x, y, last, outlines, tile.density)
+    table.cloud_density[:], table.beyond[:] = cover.density, cover.beyond
     mine = SegmentedBuildings(*(getattr(table, name)[tile.inside] for name in table.__dataclass_fields__))
     return tile.rows[tile.inside], mine, records
 

@@ -113,8 +113,9 @@ def indexed_shell(shell: Sequence[CitySurface]) -> tuple[np.ndarray, list[Face]]
     return corners[first[order]], faces
 
 
-def solid_surfaces(solid: Solid, textures: Sequence[FaceTexture | None] = ()) -> tuple[CitySurface, ...]:
-    """Faces of a solid with their meaning: kind, slope and azimuth (degrees), area (m2), roof_id."""
+def solid_surfaces(solid: Solid, textures: Sequence[FaceTexture | None] = (),
+                   remarks: Sequence[Mapping[str, Any]] = ()) -> tuple[CitySurface, ...]:
+    """Faces of a solid with their meaning: kind, slope and azimuth (degrees), area (m2), roof_id, and `remarks`."""
     surfaces = []
     for number, (face, kind, roof_id) in enumerate(zip(solid.faces, solid.surface_type, solid.roof_id)):
         rings = tuple(solid.vertices[list(ring)] for ring in face)
@@ -126,6 +127,8 @@ def solid_surfaces(solid: Solid, textures: Sequence[FaceTexture | None] = ()) ->
             attributes |= {"azimuth": _azimuth(normal), "wall": _SIDES[kind]}
         if roof_id is not None:
             attributes["roof_id"] = roof_id
+        if remarks:
+            attributes |= remarks[number]
         surfaces.append(CitySurface(rings, KINDS[kind], attributes, texture=textures[number] if textures else None))
     return tuple(surfaces)
 

@@ -1,0 +1,121 @@
+"""What the cloud is like about each outline: its density, told by what stands round it, and where it ends.
+
+A building whose points are missing in part tells nothing of the density of its cloud; ground and roofs round it do.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from scipy.ndimage import distance_transform_edt
+from scipy.stats import trim_mean
+
+from ...geometry.grid import Grid
+
+
+@dataclass(frozen=True)
+class CloudCoverLimits:
+    """Limits of cloud cover, each with its unit."""
+
+    points_per_cell: float = 8.0  # Pulses a cell on average.
+    least_cell: float = 1.0  # Least side (m) of a cell.
+    reach: float = 20.0  # Distance (m) beyond an outline within which the density is told.
+    least_cells: int = 12  # Cells with points from which a density is told; from fewer that of all round is taken.
+    # Width (m) of a gap in the cloud up to which it is not the cloud's edge: streets of clouds of buildings alone,
+    # a shadow, a canal.
+    gap: float = 40.0
+    trimmed: float = 0.25  # Share of the fullest and of the emptiest cells that a density leaves out.
+
+
+LIMITS = CloudCoverLimits()
+
+
+@dataclass(frozen=True)
+class CloudCover:
+    """The cloud about each of n outlines.
+
+    Attributes
+    ----------
+    density : (n,) pulses a m2 within `LIMITS.reach` of the outline, its own points left out; NaN where there are none.
+    beyond : (n,) share of the outline that lies beyond the cloud's edge; NaN where it is not known.
+    """
+
+    density: np.ndarray
+    beyond: np.ndarray
+
+    @classmethod
+    def of(cls, density: np.ndarray | None, beyond: np.ndarray | None) -> CloudCover | None:
+        """Of the columns of a layer; None where it lacks one."""
+        return None if density is None or beyond is None else cls(density, beyond)
+
+    @classmethod
+    def unknown(cls, count: int) -> CloudCover:
+        """Of `count` outlines nothing is known."""
+        return cls(np.full(count, np.nan), np.full(count, np.nan))
+
+
+def cloud_cover(x: np.ndarray, y: np.ndarray, last: np.ndarray, outlines: np.ndarray, density: float) -> CloudCover:
+    """The cloud about outlines.
+
+    Parameters
+    ----------
+    x, y : (n,) all points round the outlines, m, of any class.
+    last : (n,) whether the point is the last of its pulse.
+    outlines : (k,) Polygon or MultiPolygon; may be missing.
+    density : points a m2 of the whole cloud, from which the cells are made.
+    """
+    found = CloudCover.unknown(len(outlines))
+    known = np.flatnonzero(~shapely.is_missing(outlines))
+    if not len(x) or not len(known):
+        return found
+    cell = max(math.sqrt(LIMITS.points_per_cell / density), LIMITS.least_cell)
+    margin = LIMITS.reach + LIMITS.gap
+    bounds = shapely.total_bounds(outlines[known])
+    grid = Grid.covering(*(bounds[:2] - margin), *(bounds[2:] + margin), cell)
+    count, hit = _counts(grid, x[last], y[last]), _counts(grid, x, y) > 0
+    ended = _ended(hit, cell)
+    everywhere = _density(count[hit], cell)
+    for row in known:
+        found.density[row], found.beyond[row] = _of_outline(outlines[row], grid, count, ended, everywhere)
+    return found
+
+
+def _of_outline(outline: shapely.Geometry, grid: Grid, count: np.ndarray, ended: np.ndarray,
+                everywhere: float) -> tuple[float, float]:
+    """Density about an outline, and its share beyond the cloud's edge."""
+    west, south, east, north = outline.bounds
+    reach = LIMITS.reach
+    rows, columns, part = grid.window(west - reach, south - reach, east + reach, north + reach)
+    x, y = np.meshgrid(*part.centres())
+    shapely.prepare(outline)
+    own = shapely.contains_xy(outline, x, y)
+    near = distance_transform_edt(~own) * grid.cell if own.any() else np.zeros(own.shape)
+    # A cell's breadth is left out as well: its cells are the building's in part.
+    around = count[rows, columns][(near > grid.cell) & (near <= reach)] if own.any() else count[rows, columns].ravel()
+    beyond = float(ended[rows, columns][own].mean()) if own.any() else 0.0
+    return _density(around, grid.cell, everywhere), beyond
+
+
+def _density(count: np.ndarray, cell: float, otherwise: float = float("nan")) -> float:
+    """Mean pulses a m2 of the middle half of the cells that have any, or `otherwise` where they are few."""
+    count = count[count > 0]
+    return float(trim_mean(count, LIMITS.trimmed)) / cell**2 if len(count) >= LIMITS.least_cells else otherwise
+
+
+def _counts(grid: Grid, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """Points in each cell."""
+    row, column, inside = grid.cells(x, y)
+    flat = row[inside] * grid.columns + column[inside]
+    return np.bincount(flat, minlength=grid.rows * grid.columns).reshape(grid.shape)
+
+
+def _ended(hit: np.ndarray, cell: float) -> np.ndarray:
+    """Cells beyond the cloud's edge: those that closing the gaps between the cells with points does not reach."""
+    if not hit.any():
+        return np.ones(hit.shape, bool)
+    half = 0.5 * LIMITS.gap
+    far = distance_transform_edt(~hit) * cell > half
+    return distance_transform_edt(~far) * cell <= half if far.any() else np.zeros(hit.shape, bool)
