@@ -26,15 +26,19 @@ class JunctionLimits:
     turn : an edge that leaves the direction of the road's other edge by more is one of a cut-off, degrees.
     cut_off : longest edge of a cut-off, in widths of the wider arm.
     reach : farthest place of a corner from the foot of the node on the boundary, in distances of that foot.
+    bend : least turn at the end of a cut-off, degrees.
     skew : a cut from contact to contact leaves the road's cross direction by less, degrees; else it runs across the
         road from the farther contact.
+    apart : cuts of neighbouring junctions nearer to each other overlap, in widths of the road.
     """
 
     corner: float = 35.0
-    turn: float = 15.0
+    turn: float = 18.0
+    bend: float = 8.0
     cut_off: float = 1.5
-    skew: float = 45.0
-    reach: float = 1.0
+    skew: float = 50.0
+    apart: float = 0.1
+    reach: float = 0.8
 
 
 LIMITS = JunctionLimits()
@@ -91,7 +95,7 @@ def junctions_of(skeleton: Skeleton, limits: JunctionLimits = LIMITS) -> list[Ju
     known: dict[frozenset[int], Junction] = {}
     while True:
         known = {key: known.get(key) or _junction(skeleton, key, limits) for key in map(frozenset, groups)}
-        merged = _overlapping(skeleton, list(known.values()))
+        merged = _overlapping(skeleton, list(known.values()), limits)
         if not merged:
             return list(known.values())
         groups = _joined(groups, merged)
@@ -207,13 +211,15 @@ def _flare_end(ring: Ring, points: list[tuple[float, float]], opposite: shapely.
     """
     places = [points[0][0], *(place for place, turn in points[1:] if abs(turn) > np.radians(1.0))]
     apart = shapely.distance(shapely.points(np.array([ring.at(place) for place in places])), opposite)
+    turns = [0.0, *(turn for _, turn in points[1:] if abs(turn) > np.radians(1.0))]
     found = 0
     for number in range(1, len(places)):
         edge = abs(places[number] - places[number - 1])
         taper = (apart[number - 1] - apart[number]) / edge
         if taper < np.sin(np.radians(limits.turn)) or edge > longest:
             break
-        found = number
+        if turns[number] < -np.radians(limits.bend):
+            found = number
     return places[found]
 
 
@@ -292,7 +298,7 @@ def _skew(arm: Arm, cut: Cut) -> float:
     return float(np.degrees(np.arcsin(min(sine, 1.0))))
 
 
-def _overlapping(skeleton: Skeleton, found: list[Junction]) -> list[tuple[int, int]]:
+def _overlapping(skeleton: Skeleton, found: list[Junction], limits: JunctionLimits) -> list[tuple[int, int]]:
     """Pairs of nodes of junctions whose cuts of the road between them pass each other."""
     cuts = {cut.arm: (cut, junction) for junction in found for cut in junction.cuts}
     pairs = []
@@ -301,6 +307,7 @@ def _overlapping(skeleton: Skeleton, found: list[Junction]) -> list[tuple[int, i
         if one is None or other is None or one[1] is other[1]:
             continue
         lines = [shapely.linestrings([cut.left, cut.right]) for cut, _ in (one, other)]
-        if one[0].place + other[0].place >= branch.length or shapely.intersects(*lines):
+        near = limits.apart * min(line.length for line in lines)
+        if one[0].place + other[0].place >= branch.length or shapely.distance(*lines) <= near:
             pairs.append((branch.start, branch.end))
     return pairs

@@ -30,7 +30,7 @@ class AxisLimits:
     points_a_width: float = 8.0
     longest_step: float = 0.5
     shortest_step: float = 0.25
-    depth: float = 2.5
+    depth: float = 2.2
 
 
 LIMITS = AxisLimits()

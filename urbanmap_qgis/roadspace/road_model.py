@@ -66,10 +66,12 @@ def build_road_model(surface: RoadSurface, structures: Structures | None = None,
 def _add_surface(built: _Built, polygon: shapely.Polygon, bridge, tunnel, limits: JunctionLimits) -> None:
     skeleton = skeleton_of(_smooth(polygon))
     built_up = shapely.union(bridge, tunnel)
-    found = junctions_of(skeleton, limits)
-    cuts = [np.vstack([cut.left, cut.right]) for junction in found for cut in junction.cuts]
-    cuts = [line for line in cuts if not shapely.contains(built_up, shapely.linestrings(line))]
+    found = junctions_of(_without_ends_on(skeleton, built_up), limits)
+    every = [np.vstack([cut.left, cut.right]) for junction in found for cut in junction.cuts]
+    cuts = [line for line in every if not _mostly_on(line, built_up)]
     pieces = cut_surface(polygon, cuts)
+    if len(cuts) < len(every):
+        pieces = [part for piece in pieces for part in cut_surface(piece, _structure_lines(piece, built_up))]
     nodes = shapely.points(np.array([node for junction in found for node in junction.places]).reshape(-1, 2))
     owner = [junction for junction in found for _ in junction.places]
     first = len(built.pieces)
@@ -82,6 +84,29 @@ def _add_surface(built: _Built, polygon: shapely.Polygon, bridge, tunnel, limits
             built.pieces += [RoadPiece(part, _kind(part, bridge, tunnel), np.nan)
                              for part in cut_surface(piece, _structure_lines(piece, built_up))]
     _add_axes(built, skeleton, first)
+
+
+def _without_ends_on(skeleton: Skeleton, built_up) -> Skeleton:
+    """A skeleton without the loose ends that are bridges or tunnels alone: with them no road meets another."""
+    if built_up.is_empty:
+        return skeleton
+    left_out = set()
+    for number, branch in enumerate(skeleton.branches):
+        for end, way in ((branch.start, branch.turned()), (branch.end, branch)):
+            if len(skeleton.nodes[end]) == 1:
+                away = np.hypot(*(way.points - way.points[0]).T) > way.clearance[0]
+                line = shapely.linestrings(way.points[away]) if away.sum() > 1 else None
+                if line is not None and shapely.intersects(line, built_up) and (
+                        shapely.length(shapely.difference(line, built_up)) < way.clearance[away].mean()):
+                    left_out.add(number)
+    nodes = {node: [number for number in numbers if number not in left_out] for node, numbers in skeleton.nodes.items()}
+    return Skeleton(skeleton.rings, skeleton.branches, nodes)
+
+
+def _mostly_on(line: np.ndarray, shape) -> bool:
+    """Whether more than half of a line (n, 2) lies on a shape."""
+    line = shapely.linestrings(line)
+    return shapely.length(shapely.intersection(line, shape)) > 0.5 * line.length
 
 
 def _smooth(polygon: shapely.Polygon) -> shapely.Polygon:
