@@ -123,6 +123,16 @@ def map_faults(layer) -> None:
     layer.setMapTipTemplate("[% \"rule\" %], [% \"element\" %]<br>[% \"text\" %]")
 
 
+def map_changes(layer) -> None:
+    """Changes between two maps by kind."""
+    colours = {"moved": "#e09a2b", "added": "#1a9850", "removed": "#d7263d", "repainted": "#4a6fd7"}
+    layer.setRenderer(QgsCategorizedSymbolRenderer("kind", [
+        QgsRendererCategory(kind, line_symbol(colour, 0.9), kind) for kind, colour in colours.items()]))
+    layer.setMapTipTemplate(
+        "<b>[% \"element\" %] [% \"kind\" %]</b><br>[% \"before\" %] → [% \"after\" %]<br>shift "
+        "[% round(\"shift\", 3) %] m, [% round(\"significance\", 1) %] sigma")
+
+
 def marking_mask(layer) -> None:
     """Markings in one strong colour, the rest transparent, to be laid over the orthophoto."""
     entry = QgsPalettedRasterRenderer.Class
@@ -160,6 +170,8 @@ FIELDS = {
     road_findings: ("Point", "kind:string text:string"),
     map_findings: ("Point", "kind:string text:string"),
     map_faults: ("Point", "rule:string severity:string text:string element:string"),
+    map_changes: ("LineString", "kind:string element:string before:string after:string shift:double "
+                  "significance:double"),
     marking_areas: ("MultiPolygonZ", "class:string score:double heading:double"),
     road_markings: ("Polygon", "area:double length:double width:double contrast:double colour:string"),
 }

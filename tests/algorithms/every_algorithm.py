@@ -61,6 +61,7 @@ RECIPES: dict[str, dict] = {
     "roadmodel": {"ROADS": "vectormap:OUTPUT_LANES", "DATA_DATE": "2026-04-01"},
     "lanemap": {"MARKINGS": MAP["MARKINGS"], "GROUND": HEIGHTS["GROUND"], **TRUTH},
     "checkvectormap": {"INPUT": "vectormap:OUTPUT_LANELET2"},
+    "comparemaps": {"OLD": "lanemap:OUTPUT_LANELET2", "NEW": None, "NEW_LINES": "vectormap:OUTPUT_BOUNDS"},
     "localisationaccuracy": {"BUILDINGS": SKY["BUILDINGS"], "MARKINGS": MAP["MARKINGS"],
                              "NAVIGATION": SKY["NAVIGATION"], "TRAJECTORY": [TRUTH["TRAJECTORY"][0]], "SPACING": 10},
     "convertheights": {"POINTS": ["city:als/als.laz"], "SOURCE_HEIGHTS": "JGD2011", "TARGET_HEIGHTS": "JGD2024",

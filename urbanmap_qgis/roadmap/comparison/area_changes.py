@@ -1,0 +1,144 @@
+"""Changes of stop lines, crosswalks and symbols: each is one thing, matched with one of the other map."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+
+from ..lines.symbols import UNKNOWN_ARROW
+from .comparison_records import ADDED, MOVED, REMOVED, REPAINTED, ComparisonSettings, MapChange, MapNoise
+from .cross_sections import PARALLEL
+from .difference_noise import BOTH, difference_sigma
+from .line_changes import LIMITS as LINE_LIMITS
+from .map_elements import CROSSWALK, STOP_LINE, SYMBOL, MapElement
+
+
+@dataclass(frozen=True)
+class AreaChangesLimits:
+    """Limits of changes of stop lines, crosswalks and symbols, each with its unit."""
+
+    reach_stop: float = 5.0  # Farthest match of stop lines, m.
+    reach_crosswalk: float = 5.0  # Of crosswalks, m.
+    reach_symbol: float = 3.0  # Of symbols, m.
+
+
+LIMITS = AreaChangesLimits()
+REACH = {STOP_LINE: LIMITS.reach_stop, CROSSWALK: LIMITS.reach_crosswalk, SYMBOL: LIMITS.reach_symbol}
+
+
+@dataclass(frozen=True)
+class ElementFrames:
+    """Where elements lie: middles (n, 2), m, and the directions (n, 2) along them.
+
+    Along is the direction of traffic: across a stop line, the heading of a symbol or crosswalk, else the shorter side
+    of the outline.
+    """
+
+    middles: np.ndarray
+    along: np.ndarray
+
+
+def element_frames(elements: Sequence[MapElement]) -> ElementFrames:
+    """Middles and directions of stop lines, crosswalks and symbols."""
+    middles, along = np.empty((len(elements), 2)), np.empty((len(elements), 2))
+    for number, one in enumerate(elements):
+        if one.element == STOP_LINE:
+            middles[number] = shapely.get_coordinates(shapely.line_interpolate_point(one.plan, one.plan.length / 2))[0]
+            side = one.points[-1] - one.points[0]
+            course = np.array([-side[1], side[0]])
+        else:
+            outline = shapely.polygons(one.points)
+            middles[number] = shapely.get_coordinates(shapely.centroid(outline))[0]
+            course = one.heading if np.isfinite(one.heading).all() else _shorter_side(outline)
+        along[number] = course / max(np.linalg.norm(course), np.finfo(float).tiny)
+    return ElementFrames(middles, along)
+
+
+def _shorter_side(outline: shapely.Geometry) -> np.ndarray:
+    sides = np.diff(shapely.get_coordinates(shapely.minimum_rotated_rectangle(outline))[:3], axis=0)
+    return sides[int(np.argmin(np.linalg.norm(sides, axis=1)))]
+
+
+def element_pairs(old: ElementFrames, new: ElementFrames, reach: float) -> np.ndarray:
+    """Pairs (n, 2) of elements, nearest first, each once, whose directions are about the same or opposite."""
+    if not len(old.middles) or not len(new.middles):
+        return np.empty((0, 2), int)
+    points = shapely.points(new.middles)
+    a, b = shapely.STRtree(points).query(shapely.points(old.middles), predicate="dwithin", distance=reach)
+    keep = np.abs((old.along[a] * new.along[b]).sum(axis=1)) >= PARALLEL
+    a, b = a[keep], b[keep]
+    taken: tuple[set[int], set[int]] = (set(), set())
+    pairs = []
+    for k in np.argsort(np.linalg.norm(old.middles[a] - new.middles[b], axis=1), kind="stable"):
+        if a[k] not in taken[0] and b[k] not in taken[1]:
+            taken[0].add(int(a[k]))
+            taken[1].add(int(b[k]))
+            pairs.append((a[k], b[k]))
+    return np.array(pairs, int).reshape(-1, 2)
+
+
+def pair_differences(old: ElementFrames, new: ElementFrames, pairs: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Shifts (n, 2) of pairs along and across (to the left), and their axes (n, 2, 2), m."""
+    along = old.along[pairs[:, 0]]
+    axes = np.stack([along, np.column_stack([-along[:, 1], along[:, 0]])], axis=1)
+    return np.einsum("nij,nj->ni", axes, new.middles[pairs[:, 1]] - old.middles[pairs[:, 0]]), axes
+
+
+def paired_changes(old: Sequence[MapElement], new: Sequence[MapElement], pairs: np.ndarray, differences: np.ndarray,
+                   axes: np.ndarray, noises: tuple[MapNoise, MapNoise], settings: ComparisonSettings,
+                   offset: np.ndarray) -> list[MapChange]:
+    """Elements of both maps that moved or were painted anew; `noises` are those along and across."""
+    made = []
+    for (a, b), shift, frame in zip(pairs, differences, axes):
+        before, after = old[a], new[b]
+        places = after.points + offset
+        ids = {"old_id": before.identifier, "new_id": after.identifier}
+        kinds = {before.kind, after.kind}
+        if len(kinds) == 2 and UNKNOWN_ARROW not in kinds:
+            made.append(MapChange(REPAINTED, before.element, before.words, after.words, places, **ids))
+        # A stop line's sigma is that across the bar; how far it reaches to the sides is known from the rest alone.
+        stated = [(before.sigma, after.sigma)] * 2
+        if before.element == STOP_LINE:
+            stated[1] = (np.nan, np.nan)
+        sigmas = np.array([float(difference_sigma(noise, *one)) for noise, one in zip(noises, stated)])
+        limits = np.array([noise.limit for noise in noises])
+        ratio = float(np.sqrt(np.sum((shift / sigmas / limits) ** 2))) / BOTH
+        if ratio > 1.0 and np.hypot(*shift) > settings.least_shift:
+            east, north = shift @ frame
+            sigma = float(np.sqrt(np.sum((shift * sigmas) ** 2)) / np.hypot(*shift))
+            made.append(MapChange(MOVED, before.element, before.words, after.words, places, np.nan, float(east),
+                                  float(north), *map(float, shift), sigma, float(np.max(np.abs(shift) / sigmas)),
+                                  **ids))
+    return made
+
+
+def single_changes(kind: str, elements: Sequence[MapElement], frames: ElementFrames, paired: np.ndarray,
+                   other_lines: Sequence[MapElement], area: shapely.Geometry | None,
+                   offset: np.ndarray) -> list[MapChange]:
+    """Elements (`ADDED` or `REMOVED`) without a partner, where the other map shows a road."""
+    assert kind in (ADDED, REMOVED)
+    alone = np.setdiff1d(np.arange(len(elements)), paired)
+    shown = _shown(frames.middles[alone], other_lines, area)
+    made = []
+    for number in alone[shown]:
+        one = elements[number]
+        names = ("", one.words) if kind == ADDED else (one.words, "")
+        ids = {"new_id" if kind == ADDED else "old_id": one.identifier}
+        made.append(MapChange(kind, one.element, *names, one.points + (offset if kind == ADDED else 0.0), **ids))
+    return made
+
+
+def _shown(places: np.ndarray, lines: Sequence[MapElement], area: shapely.Geometry | None) -> np.ndarray:
+    """Mask of places (n, 2) beside lines of a map, or in the area that both show."""
+    if area is not None:
+        return shapely.contains_xy(area, *places.T)
+    shown = np.zeros(len(places), bool)
+    if len(lines) and len(places):
+        shapes, points = np.array([line.plan for line in lines], object), shapely.points(places)
+        place, line = shapely.STRtree(shapes).query(points, predicate="dwithin", distance=LINE_LIMITS.cover)
+        at = shapely.line_locate_point(shapes[line], points[place])
+        shown[place[(at > 0) & (at < shapely.length(shapes[line]))]] = True
+    return shown
