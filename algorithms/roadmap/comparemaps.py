@@ -5,7 +5,6 @@ from __future__ import annotations
 from qgis.core import QgsProcessing
 
 from ...urbanmap_qgis.errors import InputError
-from ...urbanmap_qgis.wording import mark
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
 from ..framework.layers.crs import crs_from
@@ -17,10 +16,8 @@ FIELDS = (("kind", "text"), ("element", "text"), ("before", "text"), ("after", "
           ("shift", "real"), ("azimuth", "real"), ("along", "real"), ("across", "real"), ("sigma", "real"),
           ("significance", "real"), ("old_id", "text"), ("new_id", "text"))
 SIDES = ("OLD", "NEW")
-INPUTS = (("OLD", mark("Old map: Lanelet2 file"), mark("Old map: lines"), mark("Old map: areas"),
-           mark("Sigma of the old map")),
-          ("NEW", mark("New map: Lanelet2 file"), mark("New map: lines"), mark("New map: areas"),
-           mark("Sigma of the new map")))
+INPUTS = (("OLD", "Old map: Lanelet2 file", "Old map: lines", "Old map: areas", "Sigma of the old map"),
+          ("NEW", "New map: Lanelet2 file", "New map: lines", "New map: areas", "Sigma of the new map"))
 
 
 class CompareMaps(UrbanMapAlgorithm):

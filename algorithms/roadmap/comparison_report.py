@@ -2,16 +2,9 @@
 
 from __future__ import annotations
 
-from ...urbanmap_qgis.wording import mark
 from ..framework.declaring.parameters import tr
 
 CHANGES_SHOWN = 300
-
-SOURCES = {"stated": mark("stated by both maps"), "given": mark("given"),
-           "estimated": mark("estimated from what did not change"),
-           "all elements": mark("too few of the kind: taken from all stop lines, crosswalks and symbols, or from "
-                                "lines"),
-           "unknown": mark("not known: too few lines, and no map states it; no shift is told")}
 
 
 def write_comparison_report(stage, parameters, context, found, maps, settings) -> dict[str, str]:
@@ -29,6 +22,14 @@ def write_comparison_report(stage, parameters, context, found, maps, settings) -
     _list(report, found)
     report.write(path)
     return {"OUTPUT_REPORT": str(path)}
+
+
+def _sources() -> dict[str, str]:
+    """What a sigma comes from, in words."""
+    return {"stated": tr("stated by both maps"), "given": tr("given"),
+            "estimated": tr("estimated from what did not change"),
+            "all elements": tr("too few of the kind: taken from all stop lines, crosswalks and symbols, or from lines"),
+            "unknown": tr("not known: too few lines, and no map states it; no shift is told")}
 
 
 def _verdict(report, found) -> None:
@@ -67,11 +68,12 @@ def _tables(report, found) -> None:
     rows = [(tr(kind), tr(element), *rest) for kind, element, *rest in change_summary(found)]
     report.table((tr("Kind"), tr("Element"), tr("Number"), tr("Length (m)"), tr("Median shift (m)")), rows)
     report.section(tr("Sigma of places"))
+    sources = _sources()
     report.paragraph(tr("A shift is told where it exceeds the limit, in sigmas of both maps together: 3, more where "
                         "sigma was estimated from few. Sigmas that the maps state are multiplied by the factor."))
     report.table((tr("Element"), tr("From"), tr("Old map (m)"), tr("New map (m)"), tr("Factor"), tr("Limit (sigmas)"),
                   tr("Compared")),
-                 [(", ".join(tr(word) for word in name.split(", ")), tr(SOURCES[one.source]), one.old, one.new,
+                 [(", ".join(tr(word) for word in name.split(", ")), sources[one.source], one.old, one.new,
                    one.factor, one.limit, one.count) for name, one in found.noises.items()])
 
 
