@@ -253,18 +253,25 @@ def _mean_with(values: np.ndarray, weight: np.ndarray, share: np.ndarray, pixel:
 
 def colours_of(bands: np.ndarray, weight: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray]:
     """Warmth (red - blue) and green (less the mean of red and blue) as shares of the brightness, over 3 x 3 pixels
-    (5 x 5 of those with a weight), because JPEG spreads colours; (rows, columns) float32 each."""
-    red, green, blue = (band.astype(np.float32) for band in bands[:3])
+    (5 x 5 of those with a weight, 0 or 1), because JPEG spreads colours; (rows, columns) float32 each."""
     if weight is None:
-        red, green, blue = (cv2.blur(band, (3, 3), borderType=cv2.BORDER_REPLICATE) for band in (red, green, blue))
-    else:
-        share = cv2.blur(weight, (5, 5), borderType=cv2.BORDER_REPLICATE)
-        np.maximum(share, np.float32(1e-3), out=share)
-        for colour in (red, green, blue):
-            colour *= weight
-        red, green, blue = (cv2.blur(band, (5, 5), borderType=cv2.BORDER_REPLICATE) for band in (red, green, blue))
-        for colour in (red, green, blue):
-            colour /= share
+        return _shares(*(mean_over(band, 3) for band in bands[:3]))
+    share = np.maximum(mean_over(weight, 5), np.float32(1e-3))
+    weight = weight.astype(bands.dtype)
+    colours = [mean_over(band * weight, 5) for band in bands[:3]]
+    for colour in colours:
+        colour /= share
+    return _shares(*colours)
+
+
+def mean_over(band: np.ndarray, side: int) -> np.ndarray:
+    """Mean of a band over so many pixels each way, (rows, columns) float32."""
+    band = band if band.dtype == np.uint8 else band.astype(np.float32)
+    return cv2.boxFilter(band, cv2.CV_32F, (side, side), borderType=cv2.BORDER_REPLICATE)
+
+
+def _shares(red: np.ndarray, green: np.ndarray, blue: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Warmth and green of colours, which are used up."""
     brightness = red + green
     brightness += blue
     brightness /= 3
@@ -325,7 +332,8 @@ def _confidence_at(rows: np.ndarray, columns: np.ndarray, core: np.ndarray, band
     """Confidence (n,) of bright pixels at rows and columns of a strip, but for their colour, and by that."""
     confidence = settings.faint + (1 - settings.faint) * _ramp(relief, settings.contrast)
     if ground.shades is not None:
-        warmth = colours_of(bands)[0][rows, columns]
+        inside = rows * bands.shape[2] + columns
+        warmth = _shares(*(mean_over(band, 3).take(inside) for band in bands[:3]))[0]
         blue = np.minimum(_ramp(relief, settings.blue_contrast), _ramp(-warmth, settings.blue))
         warmer = warmth - _warmth_of_ground(ground, rows, columns, pixel)
         colour = np.maximum(_ramp(warmer, settings.warmer), blue)

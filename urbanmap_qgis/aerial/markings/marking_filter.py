@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 import cv2
 import numpy as np
 
+from .disc_opening import disc_opened
 from .image_strips import STRIP, flat_places, grown, row_strips, within
 from .marking_confidence import GROUND_REACH, ConfidenceSettings, along_strokes, ground_beside, marking_confidence
 from .marking_evidence import SearchTally, evidence_of_pieces
@@ -220,8 +221,7 @@ def _opened_coarsely(image: np.ndarray, disc_pixel: float) -> tuple[int, np.ndar
     for strip, wide, inner in row_strips(len(image), step, -(-STRIP // step) * step):
         lowest = cv2.erode(image[wide], square, anchor=(0, 0), borderType=cv2.BORDER_REPLICATE)[inner]
         small[strip.start // step:-(-strip.stop // step)] = lowest[::step, ::step]
-    return step, cv2.morphologyEx(small, cv2.MORPH_OPEN, disc_kernel(disc_pixel / step, 1.0),
-                                  borderType=cv2.BORDER_REPLICATE)
+    return step, disc_opened(small, disc_kernel(disc_pixel / step, 1.0))
 
 
 def coarse_step(disc_pixel: float) -> int:

@@ -16,8 +16,9 @@ import numpy as np
 from ...errors import InputError
 from ...wording import say
 from .colour_cast import ColourCast
-from .image_strips import grown, row_strips, within
-from .marking_confidence import clear_of_paint, colours_of, texture
+from .disc_opening import disc_opened
+from .image_strips import flat_places, grown, row_strips, within
+from .marking_confidence import clear_of_paint, colours_of, mean_over, texture
 from .marking_evidence import SearchTally
 from .marking_filter import Candidates, Cleaned, CleanSettings, disc_kernel, remove_non_markings
 from .road_model import RoadModel
@@ -207,7 +208,7 @@ def find_markings(bands: np.ndarray, seen: np.ndarray, roads: np.ndarray | None,
     image, threshold, core = _bright(bands, seen, pixel, levels, settings)
     core &= allowed
     width = settings.cleaning.max_width if settings.cleaning else CleanSettings().max_width
-    road = _without_narrow(image, disc_kernel(width, pixel))
+    road = disc_opened(image, disc_kernel(width, pixel))
     if not settings.cleaning:
         unknown = np.full(core.shape, np.nan, np.float32)
         return _refined(core, image, road, bands, allowed, pixel, unknown).part(wanted)
@@ -251,14 +252,6 @@ def _bright(bands: np.ndarray, seen: np.ndarray, pixel: float, levels: LevelAdju
         mean += share
         np.greater(image[lines], mean, out=bright[lines])
     return image, threshold, bright
-
-
-def _without_narrow(image: np.ndarray, disc: np.ndarray) -> np.ndarray:
-    """The image without what is narrower than a disc and brighter than its surroundings (opening)."""
-    road = np.empty_like(image)
-    for strip, wide, inner in row_strips(len(image), len(disc) - 1):
-        road[strip] = cv2.morphologyEx(image[wide], cv2.MORPH_OPEN, disc, borderType=cv2.BORDER_REPLICATE)[inner]
-    return road
 
 
 def ground_figures(bands: np.ndarray, seen: np.ndarray, pixel: float, levels: LevelAdjustment,
@@ -359,12 +352,10 @@ def _leave_out_green(core: np.ndarray, bands: np.ndarray) -> None:
     if len(bands) < 3:
         return
     for strip, wide, inner in row_strips(len(core), 1):
-        red, green, blue = (cv2.blur(bands[band, wide].astype(np.float32), (3, 3),
-                                     borderType=cv2.BORDER_REPLICATE)[inner] for band in (0, 1, 2))
-        leaves = green > blue
-        red *= LIMITS.greenness
-        leaves &= green > red
-        core[strip] &= ~leaves
+        inside = flat_places(core, (strip, slice(0, core.shape[1])))
+        above = inside - wide.start * core.shape[1]
+        red, green, blue = (mean_over(bands[band, wide], 3).take(above) for band in (0, 1, 2))
+        core.ravel()[inside] = (green <= blue) | (green <= red * np.float32(LIMITS.greenness))
 
 
 def _refined(core: np.ndarray, image: np.ndarray, road: np.ndarray, bands: np.ndarray, allowed: np.ndarray,

@@ -51,12 +51,13 @@ def sampled_levels(scene: PieceReader, settings: MarkingSettings, progress: Prog
     levels = _levels_of(samples, settings)
     if levels is None or settings.cleaning is None:
         return levels
-    cast = _cast(scene, samples, levels, settings)
+    ground = _ground_of(scene, samples, levels, settings)
+    cast = _cast(scene, samples, ground)
     if cast is not None:
         samples = [replace(one, bands=scene.balanced(one.bands, *one.place, cast)) for one in samples]
         levels = _levels_of(samples, settings)
-    road = road_model_of(ground_figures(one.bands, one.seen, scene.pixel, levels, settings) for one in samples)
-    return replace(levels, road=road, cast=cast)
+        ground = _ground_of(scene, samples, levels, settings)
+    return replace(levels, road=road_model_of(ground), cast=cast)
 
 
 @dataclass(frozen=True)
@@ -78,17 +79,21 @@ def _levels_of(samples: Sequence[_Sample], settings: MarkingSettings) -> LevelAd
     return level_adjustment_of(values, 0.0) if settings.paper else level_adjustment_of(values)
 
 
-def _cast(scene: PieceReader, samples: Sequence[_Sample], levels: LevelAdjustment,
-          settings: MarkingSettings) -> ColourCast | None:
+def _ground_of(scene: PieceReader, samples: Sequence[_Sample], levels: LevelAdjustment,
+               settings: MarkingSettings) -> list[np.ndarray]:
+    """Figures of the clear ground of each sample, see `ground_figures`."""
+    return [ground_figures(one.bands, one.seen, scene.pixel, levels, settings) for one in samples]
+
+
+def _cast(scene: PieceReader, samples: Sequence[_Sample], ground: Sequence[np.ndarray]) -> ColourCast | None:
     """The cast of colour that varies over the samples' ground; None where there is none."""
     if len(samples[0].bands) < 3 or len(samples) < _FOR_CAST:
         return None
-    ground = []
-    for one in samples:
-        rows = ground_figures(one.bands, one.seen, scene.pixel, levels, settings)
+    placed = []
+    for one, figures in zip(samples, ground):
         x, y = (float(values.mean()) for values in scene.places(*one.place))
-        ground.append(np.column_stack((rows, np.broadcast_to((x, y), (len(rows), 2))))[::_EACH])
-    rows = np.concatenate(ground)
+        placed.append(np.column_stack((figures, np.broadcast_to((x, y), (len(figures), 2))))[::_EACH])
+    rows = np.concatenate(placed)
     lit = lit_and_grey(rows)
     if not lit.any():
         return None

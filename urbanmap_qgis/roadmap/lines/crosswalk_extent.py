@@ -135,9 +135,12 @@ def _fill(row: BarRow, places: np.ndarray, steps: np.ndarray, slope: float, shif
     p = p + d
     a = a + slope * p
     xy = p[..., None] * row.normal + a[..., None] * row.direction
-    points = shapely.points(xy.reshape(-1, 2))
+    points = xy.reshape(-1, 2)
+    point, polygon = paint.query(shapely.points(points))
+    near = paint.geometries[polygon]
+    shapely.prepare(near)
     hit = np.zeros(len(points), bool)
-    hit[np.unique(paint.query(points, predicate="intersects")[0])] = True
+    hit[point[shapely.intersects_xy(near, points[point, 0], points[point, 1])]] = True
     return hit.reshape(p.shape).mean(axis=2)
 
 

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import heapq
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import chain
 
 import numpy as np
 import shapely
 from scipy.spatial import QhullError, Voronoi
 
-from ...geometry.tolerances import LEAST_DIVISOR, SAME_PLACE
+from ...geometry.tolerances import LEAST_DIVISOR
 
 BOUNDARY_STEP = 0.06
 """Distance of the boundary points whose Voronoi edges make the medial axis, m: half a pixel of the images used."""
@@ -106,34 +108,81 @@ def _axis_paths(polygon: shapely.Polygon) -> list[np.ndarray]:
     except QhullError:
         return []
     nodes = voronoi.vertices + origin
-    ridges = np.array(voronoi.ridge_vertices, np.int64).reshape(-1, 2)
+    ridges = np.fromiter(chain.from_iterable(voronoi.ridge_vertices), np.int64).reshape(-1, 2)
     ridges = ridges[ridges[:, 0] >= 0]
+    shapely.prepare(polygon)
     within = shapely.contains_xy(polygon, nodes[:, 0], nodes[:, 1])
     ridges = ridges[within[ridges].all(axis=1)]
-    reach = shapely.distance(shapely.points(nodes[within]), polygon.boundary)
+    ends = np.flatnonzero(~np.isin(np.bincount(ridges.ravel(), minlength=len(nodes)), (0, 2)))
     radius = np.zeros(len(nodes))
-    radius[within] = reach
+    radius[ends] = shapely.distance(shapely.points(nodes[ends]), polygon.boundary)
     return [nodes[path] for path in _pruned_paths(ridges, nodes, radius)]
 
 
 def _pruned_paths(edges: np.ndarray, nodes: np.ndarray, radius: np.ndarray) -> list[list[int]]:
-    """Paths of node numbers in a graph, after spurs hardly longer than the paint's half width were taken off."""
+    """Paths of node numbers in a graph, after spurs hardly longer than the paint's half width were taken off;
+    `radius` (n,) is that half width at tips and forks."""
     near: dict[int, set[int]] = {}
     for a, b in edges.tolist():
         near.setdefault(a, set()).add(b)
         near.setdefault(b, set()).add(a)
-    while True:
-        paths = _paths(near)
-        spurs = [path for path in paths if (len(near[path[0]]) == 1) != (len(near[path[-1]]) == 1)
-                 and _length(nodes[path]) < 1.6 * max(radius[path[0]], radius[path[-1]]) + 0.1]
-        if not spurs:
-            return [path for path in paths if _length(nodes[path]) > 0.1]
-        spur = min(spurs, key=lambda path: _length(nodes[path]))
-        path = spur if len(near[spur[0]]) == 1 else spur[::-1]
+    _SpurPruning(near, nodes, radius).run()
+    near = {node: others for node, others in near.items() if others}
+    return [path for path in _paths(near) if _length(nodes[path]) > 0.1]
+
+
+class _SpurPruning:
+    """Takes spurs off a graph, the shortest first. Each joins two other paths at most: all others stay known."""
+
+    def __init__(self, near: dict[int, set[int]], nodes: np.ndarray, radius: np.ndarray):
+        self._near, self._nodes, self._radius = near, nodes, radius
+        self._rank = {node: place for place, node in enumerate(near)}
+        self._paths: list[list[int]] = []
+        self._at: dict[int, set[int]] = {}  # numbers of the paths at each tip or fork
+        self._spurs: list[tuple[float, int, int, int]] = []  # length, what decides between equal ones, number
+        for path in _paths(near):
+            self._add(path)
+
+    def run(self) -> None:
+        """Take them off the graph."""
+        while self._spurs:
+            number = heapq.heappop(self._spurs)[-1]
+            if number in self._at[self._paths[number][0]]:  # else it has become part of another one
+                self._take_off(number)
+
+    def _add(self, path: list[int]) -> None:
+        """Know a path, and whether it is a spur."""
+        if self._rank[path[-1]] < self._rank[path[0]]:
+            path = path[::-1]
+        number, ends = len(self._paths), (path[0], path[-1])
+        self._paths.append(path)
+        for end in ends:
+            self._at.setdefault(end, set()).add(number)
+        if (len(self._near[path[0]]) == 1) == (len(self._near[path[-1]]) == 1):
+            return
+        length = _length(self._nodes[path])
+        if length < 1.6 * max(self._radius[end] for end in ends) + 0.1:
+            turn = list(self._near[path[0]]).index(path[1])
+            heapq.heappush(self._spurs, (length, self._rank[path[0]], turn, number))
+
+    def _take_off(self, number: int) -> None:
+        """Take a spur off; where its fork is none any more, its other two paths become one."""
+        path = self._paths[number]
         for a, b in zip(path[:-1], path[1:]):
-            near[a].discard(b)
-            near[b].discard(a)
-        near = {node: others for node, others in near.items() if others}
+            self._near[a].discard(b)
+            self._near[b].discard(a)
+        for end in (path[0], path[-1]):
+            self._at[end].discard(number)
+        fork = path[-1] if self._near[path[-1]] else path[0]
+        if len(self._near[fork]) != 2:
+            return
+        others = [self._paths[other] for other in self._at[fork]]
+        for other in tuple(self._at[fork]):
+            for end in (self._paths[other][0], self._paths[other][-1]):
+                self._at[end].discard(other)
+        if len(others) == 2:  # one that comes back to the fork is a ring now
+            one, other = others
+            self._add((one if one[-1] == fork else one[::-1]) + (other if other[0] == fork else other[::-1])[1:])
 
 
 def _paths(near: dict[int, set[int]]) -> list[list[int]]:
@@ -178,11 +227,23 @@ def _cut_at_corners(path: np.ndarray) -> list[np.ndarray]:
 
 def _to_boundary(axis: np.ndarray, polygon: shapely.Polygon, width: float) -> np.ndarray:
     """The axis prolonged at both tips to where the paint ends; the medial axis stops half a width before."""
+    rings = [shapely.get_coordinates(ring) for ring in (polygon.exterior, *polygon.interiors)]
+    start, end = (np.concatenate([ring[part] for ring in rings]) for part in (np.s_[:-1], np.s_[1:]))
     ends = []
     for tip, before in ((axis[0], axis[1]), (axis[-1], axis[-2])):
         along = (tip - before) / max(np.linalg.norm(tip - before), LEAST_DIVISOR)
-        inside = shapely.LineString([tip, tip + along * width]).intersection(polygon)
-        parts = [part for part in shapely.get_parts(inside) if part.distance(shapely.Point(tip)) < SAME_PLACE]
-        reach = max((part.length for part in parts if part.geom_type == "LineString"), default=0.0)
+        reach = _to_edges(tip, along, start, end) if shapely.contains_xy(polygon, *tip) else 0.0
         ends.append(tip + along * min(reach, 0.75 * width))
     return np.vstack([ends[0], axis, ends[1]])
+
+
+def _to_edges(place: np.ndarray, along: np.ndarray, start: np.ndarray, end: np.ndarray) -> float:
+    """How far it is from a place (2,) in a direction to the first of straight edges (n, 2), infinite where none is in
+    the way."""
+    across = np.array([-along[1], along[0]])
+    side, other = (start - place) @ across, (end - place) @ across
+    met = (side > 0) != (other > 0)
+    start, end, side, other = start[met], end[met], side[met], other[met]
+    first = (start - place) @ along
+    distance = first + side / (side - other) * ((end - start) @ along)
+    return float(distance[distance >= 0].min(initial=np.inf))

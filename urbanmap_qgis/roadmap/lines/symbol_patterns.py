@@ -175,24 +175,26 @@ def matches(paint: list[shapely.Geometry], least_complete: float) -> list[Patter
     least_complete : places where less of the pattern is painted do not count, 0 to 1.
     """
     bank = _bank()
-    cells = raster(paint)
-    spectrum = scipy.fft.rfft2(cells)
-    precise, at_all, complete = (_correlation(spectrum, one) for one in (bank.grown, bank.around, bank.pattern))
+    spectrum = scipy.fft.rfft2(raster(paint))
+    complete = _correlation(spectrum, bank.pattern)
     complete /= bank.area[:, None, None]
+    np.clip(complete, 0.0, 1.0, out=complete)
+    painted = np.flatnonzero(complete.max(axis=(1, 2)) >= least_complete)  # mostly few
+    complete = complete[painted]
+    precise, at_all = (_correlation(spectrum, one[painted]) for one in (bank.grown, bank.around))
     precise /= np.maximum(at_all, 1.0, out=at_all)
-    for share in (complete, precise):
-        np.clip(share, 0.0, 1.0, out=share)
+    np.clip(precise, 0.0, 1.0, out=precise)
     score = np.where(complete >= least_complete, 2 * complete * precise / np.maximum(complete + precise, 1e-6), 0.0)
-    best = score.reshape(len(score), -1).argmax(axis=1)
+    best = score.reshape(len(score), ROWS * COLUMNS).argmax(axis=1)
     found: dict[tuple[str, bool], tuple[float, int, int, int]] = {}
-    for number, flat in enumerate(best):
+    for place, flat in enumerate(best):
         row, column = np.unravel_index(flat, score.shape[1:])
-        value = float(score[number, row, column])
+        value, number = float(score[place, row, column]), int(painted[place])
         key = bank.kinds[number], bool(bank.backwards[number])
         if value > 0.0 and (key not in found or value > found[key][0]):
-            found[key] = value, number, int(row), int(column)
-    return sorted((_match(bank, *place, float(complete[place[1:]]), float(precise[place[1:]]))
-                   for place in found.values()), key=lambda match: -match.score)
+            found[key] = value, place, int(row), int(column)
+    return sorted((_match(bank, value, int(painted[at[0]]), *at[1:], float(complete[at]), float(precise[at]))
+                   for value, at in ((one[0], one[1:]) for one in found.values())), key=lambda match: -match.score)
 
 
 def _match(bank: _Bank, score: float, number: int, row: int, column: int, complete: float,
