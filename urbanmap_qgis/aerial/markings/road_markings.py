@@ -351,7 +351,7 @@ def _leave_out_green(core: np.ndarray, bands: np.ndarray) -> None:
     because JPEG spreads colours."""
     if len(bands) < 3:
         return
-    for strip, wide, inner in row_strips(len(core), 1):
+    for strip, wide, _ in row_strips(len(core), 1):
         inside = flat_places(core, (strip, slice(0, core.shape[1])))
         above = inside - wide.start * core.shape[1]
         red, green, blue = (mean_over(bands[band, wide], 3).take(above) for band in (0, 1, 2))
