@@ -9,13 +9,15 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import chain
 
 import numpy as np
 import shapely
 
+from ..geometry.kept_answers import Kept
 from ..geometry.solid import GROUND, ROOF, Solid, surfaces
 from ..geometry.tolerances import MILLIMETRE, ROUNDING
-from ..geometry.triangulation import triangulate_face
+from ..geometry.triangulation import Triangle, triangulate_face
 from .solids.plan_partition import Cell, partition_plan
 from .solids.solid import building_solids
 from .solids.validity import check_solid
@@ -24,11 +26,18 @@ BLOCK_SHARE = 0.5
 """Share of the roof's plan area that lies below the height of a block: the median, as Japan's LOD1 has it."""
 
 
+@Kept
+def _triangles_of_roofs(solid: Solid) -> dict[int, list[Triangle]]:
+    """Triangles of vertices by the number of their roof face."""
+    return {number: triangulate_face(solid.vertices, face)
+            for number, (face, kind) in enumerate(zip(solid.faces, solid.surface_type)) if kind == ROOF}
+
+
 def roof_triangles(solids: Sequence[Solid]) -> np.ndarray:
     """Corners (t, 3, 3) of triangles that cover all roofs of solids, m."""
-    found = [solid.vertices[list(triangle)] for solid in solids for face, kind in zip(solid.faces, solid.surface_type)
-             if kind == ROOF for triangle in triangulate_face(solid.vertices, face)]
-    return np.array(found).reshape(-1, 3, 3)
+    found = [solid.vertices[np.array([*chain.from_iterable(_triangles_of_roofs(solid).values())], int).reshape(-1, 3)]
+             for solid in solids]
+    return np.concatenate(found) if found else np.empty((0, 3, 3))
 
 
 def height_quantiles(triangles: np.ndarray, shares: Sequence[float]) -> np.ndarray:
@@ -42,7 +51,6 @@ def height_quantiles(triangles: np.ndarray, shares: Sequence[float]) -> np.ndarr
     triangles, area = triangles[area > 0], area[area > 0]
     if not len(area):
         return np.full(len(shares), np.nan)
-    z = np.sort(triangles[:, :, 2], axis=1)
     z, levels = np.sort(triangles[:, :, 2], axis=1), np.unique(triangles[:, :, 2])
     return np.array([_quantile(z, area / area.sum(), levels, float(share)) for share in shares])
 
@@ -86,11 +94,13 @@ class RoofStep:
     height: float
 
 
+@Kept
 def block_height(solid: Solid) -> float:
     """Median height of the roofs of a solid over their plan, m."""
     return float(height_quantiles(roof_triangles([solid]), [BLOCK_SHARE])[0])
 
 
+@Kept
 def roof_steps(solid: Solid) -> list[RoofStep]:
     """The roofs of a solid between its steps."""
     faces = [face for face, kind in enumerate(solid.surface_type) if kind == ROOF]
@@ -99,8 +109,7 @@ def roof_steps(solid: Solid) -> list[RoofStep]:
     steps = []
     for number in range(max(group, default=-1) + 1):
         rows = [row for row, its in enumerate(group) if its == number]
-        triangles = np.array([solid.vertices[list(triangle)] for row in rows
-                              for triangle in triangulate_face(solid.vertices, solid.faces[faces[row]])])
+        triangles = solid.vertices[[triangle for row in rows for triangle in _triangles_of_roofs(solid)[faces[row]]]]
         height = float(height_quantiles(triangles, [BLOCK_SHARE])[0])
         steps.append(RoofStep(plans[rows[0]] if len(rows) == 1 else shapely.union_all(plans[rows]), height))
     return steps

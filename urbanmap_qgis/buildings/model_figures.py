@@ -8,6 +8,7 @@ from dataclasses import asdict, dataclass
 import numpy as np
 import shapely
 
+from ..geometry.kept_answers import Kept
 from ..geometry.solid import GROUND, INNER_WALL, OUTER_WALL, OVERHANG, ROOF, Solid, surfaces, volume
 from ..geometry.solid_faces import area_vector
 from .levels_of_detail import block_height, height_quantiles, roof_steps, roof_triangles
@@ -100,26 +101,26 @@ def _base(solid: Solid) -> float:
 
 
 def _ground_area(solid: Solid) -> float:
-    return sum(surface_area(solid.vertices, face) for face, kind in zip(solid.faces, solid.surface_type)
+    return sum(float(np.linalg.norm(vector)) for vector, kind in zip(_area_vectors(solid), solid.surface_type)
                if kind == GROUND)
+
+
+@Kept
+def _area_vectors(solid: Solid) -> list[np.ndarray]:
+    """`area_vector` of each face."""
+    return [area_vector(solid.vertices, face) for face in solid.faces]
 
 
 def _areas(solids: Sequence[Solid]) -> dict[str, float]:
     """Area of the faces of each type in space, m2; roofs also as "flat" and "sloped"."""
     areas = dict.fromkeys((GROUND, ROOF, OUTER_WALL, INNER_WALL, OVERHANG, "flat", "sloped"), 0.0)
     for solid in solids:
-        for face, kind in zip(solid.faces, solid.surface_type):
-            vector = area_vector(solid.vertices, face)
+        for vector, kind in zip(_area_vectors(solid), solid.surface_type):
             area = float(np.linalg.norm(vector))
             areas[kind] += area
             if kind == ROOF:
                 areas["flat" if vector[2] >= area * _FLAT_COSINE else "sloped"] += area
     return areas
-
-
-def surface_area(vertices: np.ndarray, face: Sequence[Sequence[int]]) -> float:
-    """Area in space of a plane face with holes, m2."""
-    return float(np.linalg.norm(area_vector(vertices, face)))
 
 
 def roof_outline(solids: Sequence[Solid]) -> shapely.Geometry:

@@ -8,6 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from .kept_answers import Kept
+from .ring_products import cross_with_next
+
 ROOF, OUTER_WALL, INNER_WALL, GROUND = "roof", "outer wall", "inner wall", "ground"
 OVERHANG = "overhang"
 """Underside of a part that stands out over what is below it; only models joined with measured walls have any."""
@@ -74,6 +77,7 @@ def multipolygon(solids: Sequence[Solid]) -> shapely.MultiPolygon:
     return shapely.MultiPolygon([polygon for solid in solids for polygon in surfaces(solid)])
 
 
+@Kept
 def volume(solid: Solid) -> float:
     """Volume of a closed solid, m3, by the divergence theorem over its faces."""
     points = solid.vertices - solid.vertices.min(axis=0)
@@ -81,5 +85,5 @@ def volume(solid: Solid) -> float:
     for face in solid.faces:
         for ring in face:
             corners = points[list(ring)]
-            total += float(np.cross(corners, np.roll(corners, -1, axis=0)).sum(axis=0) @ corners[0])
+            total += float(cross_with_next(corners).sum(axis=0) @ corners[0])
     return total / 6.0

@@ -7,6 +7,7 @@ import shapely
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
+from .ring_products import cross_with_next
 from .solid import GROUND, OUTER_WALL, ROOF, Face, Solid
 from .tolerances import MILLIMETRE
 
@@ -37,7 +38,7 @@ def solids_of(faces: shapely.Geometry) -> list[Solid]:
 def face_normal(vertices: np.ndarray, face: Face) -> np.ndarray:
     """Unit normal (3,) of a face by its outer ring (Newell); zeros where it has no area."""
     ring = vertices[list(face[0])] - vertices[face[0][0]]
-    normal = np.cross(ring, np.roll(ring, -1, axis=0)).sum(axis=0)
+    normal = cross_with_next(ring).sum(axis=0)
     length = np.linalg.norm(normal)
     return normal / length if length > 0 else normal
 
@@ -47,7 +48,7 @@ def area_vector(vertices: np.ndarray, face: Face) -> np.ndarray:
     total = np.zeros(3)
     for ring in face:
         x, y, z = (vertices[list(ring)] - vertices[face[0][0]]).T
-        x_next, y_next, z_next = (np.append(values[1:], values[0]) for values in (x, y, z))
+        x_next, y_next, z_next = (values[[*range(1, len(values)), 0]] for values in (x, y, z))
         total += (y @ z_next - z @ y_next, z @ x_next - x @ z_next, x @ y_next - y @ x_next)
     return total / 2.0
 

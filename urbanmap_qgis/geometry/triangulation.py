@@ -7,6 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 import shapely
 
+from .ring_products import cross_with_next
+
 Triangle = tuple[int, int, int]
 
 
@@ -23,7 +25,7 @@ def triangulate_face(vertices: np.ndarray, face: Sequence[Sequence[int]]) -> lis
     points = np.asarray(vertices)[[vertex for ring in face for vertex in ring]]
     points = points - points.min(axis=0)
     outer = points[:len(face[0])]
-    normal = np.cross(outer, np.roll(outer, -1, axis=0)).sum(axis=0)
+    normal = cross_with_next(outer).sum(axis=0)
     axis = int(np.abs(normal).argmax())
     flat = points[:, [(axis + 1) % 3, (axis + 2) % 3]] * (1.0, np.sign(normal[axis]))
     names = [vertex for ring in face for vertex in ring]
