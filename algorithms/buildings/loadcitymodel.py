@@ -13,6 +13,8 @@ from ..framework.layers.layers import make_fields, own_fields
 
 COLUMNS = (("building_id", "text"), ("lod", "text"), ("ground", "real"), ("top", "real"), ("height", "real"),
            ("parts", "int"), ("note", "text"), ("attributes", "text"))
+ROADS = (("road_id", "text"), ("lod", "text"), ("class", "text"), ("function", "text"), ("usage", "text"),
+         ("section", "text"), ("width", "real"), ("note", "text"), ("attributes", "text"))
 SURFACES = (("building_id", "text"), ("roof_id", "int"), ("surface_type", "text"))
 
 
@@ -24,7 +26,8 @@ class LoadCityModel(UrbanMapAlgorithm):
     HELP = (
         "Loads buildings of city models as outlines with heights and all attributes, and their solids and surfaces, "
         "for the other steps.\n"
-        "CityGML as PLATEAU has it (.gml, .zip or its folder; files of roads and the like are passed over), CityJSON "
+        "CityGML as PLATEAU has it (.gml, .zip or its folder; roads where “Roads” is asked for, files of other things "
+        "are passed over), CityJSON "
         "and CityJSONSeq are read, levels of detail 0 to 2. Codes get their meaning where the lists are beside the "
         "files. A building whose id is not its own, whose solid is not closed or whose parts cannot be read keeps its "
         "row; the field “note” says why. Nothing is read from the network."
@@ -60,6 +63,11 @@ class LoadCityModel(UrbanMapAlgorithm):
         self.add_layer_output(
             "OUTPUT_SURFACES", "Surfaces", "PolygonZ, one feature a face, with building_id, roof_id and surface_type: "
             "roof, outer wall, inner wall, ground, overhang.", optional=True)
+        self.add_layer_output(
+            "OUTPUT_ROADS", "Roads",
+            "MultiPolygon surfaces of the roads (tran:Road) of CityGML, of their plainest level of detail: road_id, "
+            "lod, class, function, usage, section (code of the kind of section), width (m), note, attributes (all, as "
+            "JSON).", optional=True)
         self.add_number_output("BUILDINGS", "Number of buildings", "Number of buildings written.")
         self.add_number_output("PROBLEMS", "Buildings with a note", "Buildings in which something is wrong.")
         self.add_text_output("HEIGHTS", "Height system", "As the model says it: unknown, JGD2011, JGD2024, ...")
@@ -78,6 +86,7 @@ class LoadCityModel(UrbanMapAlgorithm):
         from ...urbanmap_qgis.citymodel.city_sources import open_city_model, placed_model
         from ...urbanmap_qgis.citymodel.reading_notes import ReadingNotes
         from ...urbanmap_qgis.citymodel.tables.building_table import TableNotes, building_rows
+        from ...urbanmap_qgis.citymodel.tables.road_table import RoadTable
         from ...urbanmap_qgis.citymodel.tables.table_store import TableStore
 
         progress = self.progress(feedback)
@@ -85,21 +94,29 @@ class LoadCityModel(UrbanMapAlgorithm):
         wanted = self.parameterAsCrs(parameters, "CRS", context)
         with ExitStack() as stack:
             model = open_city_model(self._paths(parameters, context), stack, reading,
-                                    self._given(parameters, context), progress.part(0.0, 0.6))
+                                    self._given(parameters, context), progress.part(0.0, 0.6),
+                                    bool(parameters.get("OUTPUT_ROADS")))
             wkt, buildings, places = placed_model(model, wkt_of(wanted) or None, sentences)
             self.require_projected("CRS", wkt)
             store = stack.enter_context(TableStore(bool(parameters.get("OUTPUT_MODELS")),
                                                    bool(parameters.get("OUTPUT_SURFACES"))))
-            for row in building_rows(buildings, places, counts):
+            roads = RoadTable(places)
+            for row in building_rows(roads.without_roads(buildings), places, counts):
                 store.add(row)
             for sentence in sentences + reading.sentences():
                 progress.warn(sentence)
+            if roads.outlines and not counts.buildings:
+                progress.warn(tr("The files hold roads and no building: the layer of buildings is empty."))
             if counts.with_problems:
                 progress.warn(tr("{0} of {1} buildings have something wrong; the field “note” says what.").format(
                     counts.with_problems, counts.buildings))
             progress.message(tr("{0} buildings in {1}, heights: {2}").format(
                 counts.buildings, crs_name(wkt), tr(model.reference.heights)))
             results = self._write(parameters, context, store, wkt, progress)
+        if parameters.get("OUTPUT_ROADS"):
+            results["OUTPUT_ROADS"] = self.write_layer(
+                parameters, "OUTPUT_ROADS", context, make_fields(*ROADS), roads.columns, wkt, roads.outlines,
+                "MultiPolygon", "loaded_roads")
         return {**results, "BUILDINGS": counts.buildings, "PROBLEMS": counts.with_problems,
                 "HEIGHTS": model.reference.heights}
 
@@ -119,7 +136,8 @@ class LoadCityModel(UrbanMapAlgorithm):
                 parameters, "OUTPUT_MODELS", context, fields, columns, wkt, store.models, "MultiPolygonZ",
                 "loaded_models", progress.part(0.8, 0.9))
         results["OUTPUT"] = self.write_layer(
-            parameters, "OUTPUT", context, fields, store.columns, wkt, store.outlines, "MultiPolygon",
+            parameters, "OUTPUT", context, fields, store.columns or {name: [] for name, _ in COLUMNS}, wkt,
+            store.outlines, "MultiPolygon",
             "loaded_buildings", progress.part(0.9, 1.0))
         return results
 

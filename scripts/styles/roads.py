@@ -98,6 +98,16 @@ def road_surfaces(layer) -> None:
                             "[% round(\"width\", 2) %] m<br>[% \"status\" %] [% \"finding\" %]")
 
 
+def loaded_roads(layer) -> None:
+    """Roads of a city model by the code of their kind of section."""
+    kinds = {"1": ("#e3e3e3", "ordinary section"), "2": ("#a9cbe6", "viaduct"), "3": ("#a9cbe6", "bridge"),
+             "4": ("#f6c48f", "junction"), "5": ("#c3b3d9", "underpass"), "6": ("#c3b3d9", "tunnel"),
+             "": ("#f2efe6", "others")}
+    layer.setRenderer(QgsCategorizedSymbolRenderer("section", [
+        QgsRendererCategory(code, fill(colour), name) for code, (colour, name) in kinds.items()]))
+    layer.setMapTipTemplate("[% \"road_id\" %]<br>function [% \"function\" %], section [% \"section\" %]")
+
+
 def road_axes(layer) -> None:
     """Middle lines of roads, thin through junctions."""
     kinds = {"road": 0.5, "bridge": 0.5, "tunnel": 0.5, "junction": 0.25}
@@ -166,6 +176,7 @@ FIELDS = {
     lane_bounds: ("LineStringZ", "bound_id:integer class:string"),
     road_edges: ("LineStringZ", "kind:string height:double sigma:double sigma_z:double status:string"),
     road_surfaces: ("Polygon", "road_id:integer kind:string width:double area:double status:string finding:string"),
+    loaded_roads: ("MultiPolygon", "road_id:string section:string function:string width:double"),
     road_axes: ("LineString", "road_id:integer kind:string width:double length:double"),
     road_findings: ("Point", "kind:string text:string"),
     map_findings: ("Point", "kind:string text:string"),

@@ -167,3 +167,31 @@ def test_paths_that_climb_out_of_a_zip_are_not_followed(run, read_layer, tmp_pat
     result = run(ALGORITHM, {"INPUT": str(tmp_path / "city.zip"), "OUTPUT": str(tmp_path / "b.gpkg")})
     assert {item.attributes["usage"] for item in read_layer(result["OUTPUT"])} == {"411"}
     assert not list(tmp_path.parent.rglob("climbing.gml"))
+
+
+ROAD = ('<core:cityObjectMember><tran:Road xmlns:tran="http://www.opengis.net/citygml/transportation/2.0" '
+        'gml:id="{name}">'
+        '<tran:class codeSpace="../../codelists/TransportationComplex_class.xml">1040</tran:class>'
+        '<tran:function codeSpace="../../codelists/Road_function.xml">4</tran:function>'
+        "<tran:lod1MultiSurface><gml:MultiSurface>{surface}</gml:MultiSurface></tran:lod1MultiSurface>"
+        "<uro:roadStructureAttribute><uro:RoadStructureAttribute>"
+        '<uro:width uom="m">5.5</uro:width><uro:sectionType codeSpace="x.xml">4</uro:sectionType>'
+        "</uro:RoadStructureAttribute></uro:roadStructureAttribute></tran:Road></core:cityObjectMember>")
+
+
+def road(name="tran_1"):
+    corners = [(SOUTH, WEST, 0), (SOUTH, WEST + SIDE, 0), (SOUTH + SIDE, WEST + SIDE, 0), (SOUTH + SIDE, WEST, 0)]
+    return ROAD.format(name=name, surface=polygon(corners))
+
+
+@pytest.mark.parametrize("others", ["", building("b1")])
+def test_roads_are_loaded_where_they_are_asked_for(run, read_layer, tmp_path, others):
+    path = tmp_path / "53394611_tran_6697_op.gml"
+    path.write_text(HEAD.format(srs=SRS) + others + road() + "</core:CityModel>", encoding="utf-8")
+    results = run(ALGORITHM, {"INPUT_FOLDER": str(tmp_path), "OUTPUT": str(tmp_path / "buildings.gpkg"),
+                              "OUTPUT_ROADS": str(tmp_path / "roads.gpkg")})
+    row, = read_layer(results["OUTPUT_ROADS"])
+    assert {name: row.attributes[name] for name in ("road_id", "lod", "class", "function", "section", "width")} == {
+        "road_id": "tran_1", "lod": "1", "class": "1040", "function": "4", "section": "4", "width": 5.5}
+    assert row.geometry.area() == pytest.approx(100.4, rel=0.01)
+    assert results["BUILDINGS"] == len(read_layer(results["OUTPUT"])) == bool(others)

@@ -28,10 +28,11 @@ _JAPAN = (122.0, 20.0, 154.0, 46.0)
 
 
 def open_city_model(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: ReadingNotes,
-                    given: CityReference | None = None, progress: Progress = SILENT) -> CityModel:
+                    given: CityReference | None = None, progress: Progress = SILENT, roads: bool = False) -> CityModel:
     """Open city models: CityGML (.gml, .zip), CityJSON (.json), CityJSONSeq (.jsonl), or folders of them.
 
-    The buildings are read while they are walked through, once; `stack` must stay open until then.
+    The buildings are read while they are walked through, once; `stack` must stay open until then. `roads` of CityGML
+    come among them where they are asked for.
 
     Raises
     ------
@@ -43,7 +44,7 @@ def open_city_model(path: PathLike | Sequence[PathLike], stack: ExitStack, notes
               and not (item.is_dir() and _json_files(item) and not _gml_there(item))]
     models = [open_cityjson(file, notes, given, progress) for file in texts]
     if others:
-        models.insert(0, open_citygml(others, stack, notes, given, progress))
+        models.insert(0, open_citygml(others, stack, notes, given, progress, roads))
     if any(model.reference != models[0].reference for model in models):
         raise InputError(say("The city models are in different reference systems: load them in separate runs."))
     images = models[0].images if len(models) == 1 else {}

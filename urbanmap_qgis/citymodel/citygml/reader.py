@@ -27,7 +27,7 @@ from ...wording import say
 from ..model import CityModel, CityObject, CityReference
 from ..named_reference import NamedReference, named_reference
 from ..reading_notes import ReadingNotes
-from .schema import BOUNDARY_PROPERTY, CITYGML_SPACE, EXTENSIONS, MEMBERS, OBJECTS, PART_PROPERTY
+from .schema import BOUNDARY_PROPERTY, CITYGML_SPACE, EXTENSIONS, MEMBERS, OBJECTS, PART_PROPERTY, ROAD_PARTS, ROADS
 from .shape_reader import GmlTextures, ShapeReader
 from .value_reader import add_value, extension_value, generic_value, id_of, leaf_value, split_tag
 
@@ -36,6 +36,9 @@ LARGEST_BUILDING = 2**28
 _OTHER_THEME = re.compile(r"^[0-9]{6,10}_(?!bldg_)[a-z]{3,5}_", re.IGNORECASE)
 CITYGML = Wanted("city models (CityGML)", "give the files of the buildings (udx/bldg of PLATEAU)",
                  lambda name: bool(_OTHER_THEME.match(name)), (".gml", ".citygml"))
+_NO_ROADS = re.compile(r"^[0-9]{6,10}_(?!bldg_|tran_)[a-z]{3,5}_", re.IGNORECASE)
+WITH_ROADS = replace(CITYGML, advice="give the files of the buildings or roads (udx/bldg, udx/tran of PLATEAU)",
+                     other=lambda name: bool(_NO_ROADS.match(name)))
 _LARGEST_LIST = 100_000
 _VERSION_3 = f"{{{CITYGML_SPACE}3."
 
@@ -66,7 +69,7 @@ class _File:
 
 
 def open_citygml(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: ReadingNotes,
-                 given: CityReference | None = None, progress: Progress = SILENT) -> CityModel:
+                 given: CityReference | None = None, progress: Progress = SILENT, roads: bool = False) -> CityModel:
     """Open CityGML files: a .gml, a .zip or a folder of them.
 
     The buildings are read while they are walked through, once; `stack` must stay open until then.
@@ -75,13 +78,14 @@ def open_citygml(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: R
     ----------
     notes : filled while the buildings are walked through.
     given : reference of files that name none.
+    roads : whether roads come among the buildings, too; else they are passed over.
 
     Raises
     ------
     InputError : nothing is there to read, or the first file names no known reference system. While the buildings are
         walked through, too: a file is damaged, or in another reference system than the first.
     """
-    listing = list_sources(path, stack, CITYGML)
+    listing = list_sources(path, stack, WITH_ROADS if roads else CITYGML)
     sources = listing.sources
     reference = _reference_of(sources[0], given)
     images = _Images({}, _unpacking(stack))
@@ -97,7 +101,7 @@ def open_citygml(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: R
                 raise InputError(say("{source} is in another reference system than {sources}: load them in separate "
                                      "runs.", source=source.name, sources=sources[0].name))
             part = progress.part(done / total, (done + source.size) / total)
-            for building in _buildings_of(source, of_file, notes, images, part):
+            for building in _buildings_of(source, of_file, notes, images, part, roads):
                 yield _once(building, seen, notes)
             done += source.size
             notes.files.append(source.name)
@@ -177,7 +181,7 @@ def _reference_of(source: XmlSource, given: CityReference | None) -> NamedRefere
 
 
 def _buildings_of(source: XmlSource, reference: NamedReference, notes: ReadingNotes, images: _Images,
-                  progress: Progress) -> Iterator[CityObject]:
+                  progress: Progress, roads: bool = False) -> Iterator[CityObject]:
     textures = _textures(source)
     names = {}
     for image in sorted(set(textures.images.values())):
@@ -193,18 +197,18 @@ def _buildings_of(source: XmlSource, reference: NamedReference, notes: ReadingNo
             continue
         for element in member:
             prefix, name = split_tag(element.tag)
-            if prefix == "bldg" and name in OBJECTS:
+            if (prefix == "bldg" and name in OBJECTS) or (roads and prefix == "tran" and name in ROADS):
                 yield _object(element, file)
             else:
                 notes.others[name] += 1
 
 
 def _object(element: Element, file: _File) -> CityObject:
-    """A building or a part with its attributes, shapes and parts."""
+    """A building, a part or a road with its attributes, shapes and parts."""
     reader = ShapeReader(file.reference.swapped, file.textures, file.meaning,
                          9 if file.reference.reference.geographic else 3)
     attributes: dict = {}
-    parts = []
+    parts, areas = [], []
     for child in element:
         prefix, name = split_tag(child.tag)
         if prefix == "gen":
@@ -213,15 +217,18 @@ def _object(element: Element, file: _File) -> CityObject:
             add_value(attributes, f"{prefix}:{name}", extension_value(child, file.meaning))
         elif name == PART_PROPERTY:
             parts += [_object(part, file) for part in child]
-        elif name == BOUNDARY_PROPERTY or (prefix == "bldg" and name.startswith("lod")):
+        elif name == BOUNDARY_PROPERTY or (prefix in ("bldg", "tran") and name.startswith("lod")):
             continue
-        elif prefix in ("gml", "core", "bldg") and not len(child):
+        elif prefix in ("gml", "core", "bldg", "tran") and not len(child):
             add_value(attributes, name, leaf_value(child, file.meaning))
+        elif prefix == "tran" and name in ROAD_PARTS:
+            areas += list(child)
         elif prefix != "app":
             reader.unread[name] += 1
-    shapes = reader.shapes(element)
+    shapes = [shape for holder in (element, *areas) for shape in reader.shapes(holder)]
     file.notes.unread.update(reader.unread)
-    return CityObject(id_of(element), attributes, tuple(shapes), OBJECTS[split_tag(element.tag)[1]], tuple(parts),
+    kind = {**OBJECTS, **ROADS}[split_tag(element.tag)[1]]
+    return CityObject(id_of(element), attributes, tuple(shapes), kind, tuple(parts),
                       tuple(dict.fromkeys(reader.problems)))
 
 

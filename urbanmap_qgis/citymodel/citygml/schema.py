@@ -40,6 +40,9 @@ OBJECTS: Mapping[str, str] = MappingProxyType({"Building": BUILDING, "BuildingPa
 ROADS: Mapping[str, str] = MappingProxyType({"Road": ROAD})
 """Kinds of objects of the record by the elements of the transportation module."""
 
+ROAD_PARTS = frozenset({"trafficArea", "auxiliaryTrafficArea"})
+"""Properties of a road that hold its areas."""
+
 THEMES: Mapping[str, str] = MappingProxyType({BUILDING: "bldg", BUILDING_PART: "bldg", ROAD: "tran"})
 """Prefixes of the modules by the kinds of objects, which are their folders, too, in PLATEAU's data."""
 

@@ -61,7 +61,7 @@ class ShapeReader:
         used: set[int] = set()
         for child in element:
             prefix, name = split_tag(child.tag)
-            if prefix != "bldg" or not name.startswith("lod"):
+            if prefix not in ("bldg", "tran") or not name.startswith("lod"):
                 continue
             found = GEOMETRY.get(name)
             if found is None:

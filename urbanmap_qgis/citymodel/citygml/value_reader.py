@@ -18,7 +18,7 @@ from .schema import EXTENSIONS, GENERIC_FIELDS, GENERIC_SET, GML, GML_3_2, modul
 Meaning = Callable[[str, str], str]
 """Function from the name of a list of codes and a code to what the list says; empty where it is not known."""
 
-_KNOWN = ("core", "bldg", "gen", "app", *EXTENSIONS)
+_KNOWN = ("core", "bldg", "tran", "gen", "app", *EXTENSIONS)
 _INTEGER = re.compile(r"-?(0|[1-9]\d{0,17})\Z")
 _NUMBER = re.compile(r"-?\d+(\.\d+)?([eE][-+]?\d+)?\Z")
 _DATE = re.compile(r"(\d{4})-(\d\d)-(\d\d)\Z")
