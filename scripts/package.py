@@ -23,7 +23,7 @@ READMES = ("README.md", "README.ja.md")
 FILES = ("metadata.txt", "__init__.py", "LICENSE", *READMES, "CHANGELOG.md")
 FOLDERS = ("algorithms", "urbanmap_qgis", "resources")
 PICTURES = (".jpg", ".png")
-WINDOWS, PHOTOGRAPHS = 20, 40  # least quality of WebP at which the text of windows is read; of pictures without text
+WINDOWS, PHOTOGRAPHS = 20, 25  # least quality of WebP at which the text of windows is read; of pictures without text
 ICON_STYLES_FILES = ("brands.min.css", "fontawesome.min.css", "solid.min.css", "v4-font-face.min.css")
 ICON_STYLES = re.compile(r'<link href="[^"]*css/(?:brands|fontawesome|solid|v4-font-face)\.min\.css" rel="stylesheet">')
 TO_REFERENCE = re.compile(r'<a [^>]*href="(?:\.\./)*api/[^"]*"[^>]*>(.*?)</a>', re.DOTALL)
