@@ -1,6 +1,7 @@
 """Errors at check points against the limits of a map level."""
 
 import csv
+import re
 
 import numpy as np
 import pytest
@@ -11,7 +12,9 @@ from urbanmap_qgis.acceptance.criteria import FAILED, HEIGHT, NOT_CHECKED, PASSE
 from urbanmap_qgis.acceptance.error_figures import point_figures, signed_figures
 from urbanmap_qgis.acceptance.job import Job
 from urbanmap_qgis.acceptance.map_levels import MAP_LEVELS, Limits
+from urbanmap_qgis.acceptance.pdf_content import metres
 from urbanmap_qgis.errors import InputError
+from urbanmap_qgis.io.pages.svg_vectors import vector_map, vector_map_shape
 
 
 def table(errors, **more):
@@ -147,3 +150,19 @@ def test_report_and_table_hold_every_point(tmp_path):
 def test_points_without_a_place_have_no_map():
     columns = {"id": ["a"], **{f"{axis}_after": [0.1] for axis in ("east", "north", "up")}}
     assert error_map(check_points_from_columns(columns), Limits(0.2, None)) is None
+
+
+def test_lengths_of_the_pdf_have_no_negative_zero():
+    assert [metres(value) for value in (-0.0004, 0.0, -0.0006, float("nan"))] == ["0.000", "0.000", "-0.001", "–"]
+
+
+def test_a_map_has_the_shape_of_its_points():
+    wide, tall = np.array([[0.0, 0.0], [300.0, 60.0]]), np.array([[0.0, 0.0], [100.0, 300.0]])
+    assert vector_map_shape(wide) < 0.5 < 2.0 < vector_map_shape(tall)
+    assert vector_map_shape(np.full((2, 2), np.nan)) == 0.75
+    for places in (wide, tall):
+        height = round(720 * vector_map_shape(places))
+        drawing = vector_map(places, np.zeros((2, 2)), ["a", "b"], width=720, height=height)
+        found = np.array(re.findall(r'<circle cx="(\S+)" cy="(\S+)"', drawing), float)
+        # The points reach from one margin to the other both ways.
+        assert np.allclose(np.ptp(found, axis=0), [720 - 148, height - 148 - 30], atol=2.0)

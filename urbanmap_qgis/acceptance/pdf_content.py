@@ -41,7 +41,7 @@ class PdfContent:
 
 def metres(value: float) -> str:
     """A length in a table, m; a dash where it is not known."""
-    return f"{value:.3f}" if math.isfinite(value) else "–"
+    return f"{round(value, 3) + 0.0:.3f}" if math.isfinite(value) else "–"
 
 
 def criterion_row(item: Criterion) -> list[str]:
