@@ -8,7 +8,7 @@ more arms, with and without corner cut-offs; junctions that overlap are one), an
 from __future__ import annotations
 
 from collections import defaultdict
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 import shapely
@@ -23,6 +23,7 @@ class JunctionLimits:
     Attributes
     ----------
     corner : least turn from one arm's edge to the next arm's edge at which their edges touch, degrees.
+    faint : least turn at which an arm is cut that has no corner otherwise, degrees.
     turn : an edge that leaves the direction of the road's other edge by more is one of a cut-off, degrees.
     cut_off : longest edge of a cut-off, in widths of the wider arm.
     reach : farthest place of a corner from the foot of the node on the boundary, in distances of that foot.
@@ -33,6 +34,7 @@ class JunctionLimits:
     """
 
     corner: float = 35.0
+    faint: float = 12.0
     turn: float = 18.0
     bend: float = 8.0
     cut_off: float = 1.5
@@ -137,6 +139,9 @@ def _junction(skeleton: Skeleton, nodes: frozenset[int], limits: JunctionLimits)
         corners.append(arm.branch.points[0])
     result = Junction(nodes, np.mean(corners, axis=0), np.unique(corners, axis=0), arms)
     contacts = _contacts(skeleton.rings, arms, limits)
+    if (None, None) in contacts.values():  # every arm is cut: where no corner is clear, a faint one is
+        faint = _contacts(skeleton.rings, arms, replace(limits, corner=limits.faint))
+        contacts = {key: faint[key] if found == (None, None) else found for key, found in contacts.items()}
     for arm in arms:
         cut = _cut(skeleton.rings, arm, *contacts[arm.key], len(arms), limits)
         if cut is None:

@@ -6,6 +6,7 @@ from ....urbanmap_qgis.wording import mark
 
 CHOICE_WORDS = {
     "2D": mark("one layer (2D)"),
+    "GSI fundamental data": mark("Fundamental Geospatial Data of the GSI"),
     "aerialmarkings": mark("Road markings from aerial frames"),
     "all": mark("all: markings and walls"),
     "auto": mark("from the drives"),
@@ -20,6 +21,7 @@ CHOICE_WORDS = {
     "darkest": mark("darkest image"),
     "degrees": mark("degrees"),
     "degrees_from_east": mark("degrees, headings counter-clockwise from east"),
+    "digital topographic map": mark("digital topographic map"),
     "drift": mark("best estimate of the drift"),
     "elevated road": mark("elevated road"),
     "few markings": mark("few road markings"),
@@ -48,6 +50,7 @@ CHOICE_WORDS = {
     "not stated": mark("not stated"),
     "one": mark("one colour"),
     "orthorectifyframes": mark("Orthorectify frames"),
+    "other data": mark("other data"),
     "paint": mark("road markings alone"),
     "paper": mark("as in the paper"),
     "papers": mark("R_omega R_phi R_kappa, as in the papers"),
