@@ -23,7 +23,6 @@ INPUTS = (("OLD", "Old map: Lanelet2 file", "Old map: lines", "Old map: areas", 
 class CompareMaps(UrbanMapAlgorithm):
     ID = "comparemaps"
     NAME = "Compare lane maps"
-    SOURCE = "Javanmardi 2018, 6.2"
     KEYWORDS = ("lane", "HD map", "vector map", "Lanelet2", "change detection", "difference", "update", "road")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj")
     HELP = (

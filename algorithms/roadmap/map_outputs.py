@@ -14,7 +14,7 @@ BOUND_FIELDS = (("bound_id", "int"), ("class", "text"), ("colour", "text"), ("wi
                 ("double", "bool"), ("unseen", "real"), ("lanes", "int"))
 
 
-def write_map_layers(stage, parameters, context, built, crs) -> dict[str, str | None]:
+def write_map_layers(stage, parameters, context, built, crs, ids=()) -> dict[str, str | None]:
     """Write lanes, centre lines, bounds and findings as layers; their places by output."""
     import shapely
 
@@ -33,7 +33,7 @@ def write_map_layers(stage, parameters, context, built, crs) -> dict[str, str | 
         [shapely.linestrings(lane.centre if high else lane.centre[:, :2]) for lane in built.lanes],
         f"LineString{suffix}", style="lane_centres")
     results["OUTPUT_BOUNDS"] = stage.write_layer(
-        parameters, "OUTPUT_BOUNDS", context, make_fields(*BOUND_FIELDS), bound_columns(built), crs,
+        parameters, "OUTPUT_BOUNDS", context, make_fields(*BOUND_FIELDS), bound_columns(built, ids), crs,
         [shapely.linestrings(built.bound_points(bound)[:, :3 if high else 2]) for bound in built.bounds],
         f"LineString{suffix}", style="lane_bounds")
     results["OUTPUT_FINDINGS"] = stage.write_layer(

@@ -41,7 +41,8 @@ class VectorMap(UrbanMapAlgorithm):
 
     def declare(self):
         self.add_vector("LINES", "Marking lines", "Lines of “Lines from road markings” (fields class, colour, width, "
-                        "sigma, chain, partner; class alone is enough), in a projected CRS in metres.",
+                        "sigma, chain, partner; class alone is enough), in a projected CRS in metres; or bounds of "
+                        "an earlier run that were edited by hand, whose ids are kept.",
                         source_type=QgsProcessing.SourceType.TypeVectorLine)
         self.add_polygons("AREAS", "Marking areas", "Crosswalks and arrows of “Lines from road markings” (fields "
                           "class, heading).", optional=True)
@@ -106,6 +107,7 @@ class VectorMap(UrbanMapAlgorithm):
         check_drives(self, parameters, context)
 
     def compute(self, parameters, context, feedback):
+        from ...urbanmap_qgis.roadmap.bound_ids import bound_ids
         from ...urbanmap_qgis.roadmap.map_records import MapSettings
         from ...urbanmap_qgis.roadmap.vector_map import build_vector_map
 
@@ -124,7 +126,7 @@ class VectorMap(UrbanMapAlgorithm):
         built = build_vector_map(lines, self._areas(parameters, context, table), drives, settings,
                                  progress.part(0.1, 0.8), self._axes(parameters, context, table))
         self._tell(built, drives, progress)
-        results = write_map_layers(self, parameters, context, built, table.crs)
+        results = write_map_layers(self, parameters, context, built, table.crs, bound_ids(built, lines))
         results |= write_map_files(self, parameters, context, built, table.crs_wkt,
                                    self._limit(parameters, context), progress)
         results |= write_map_report(self, parameters, context, built, drives)

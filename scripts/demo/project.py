@@ -275,6 +275,7 @@ def main() -> None:
     (outlines, _), (surfaces, _), _, (models, _) = groups["Buildings"][1:]
     project.setCrs(models.crs())
     project.setTitle("UrbanMap demo")
+    project.setTopologicalEditing(True)  # what shares nodes goes on sharing them when it is edited by hand
     project.writeProject.connect(lambda document: add_views(document, [outlines, surfaces], foot_of(models)))
     path = folder / "urbanmap.qgz"
     if not project.write(str(path)):

@@ -68,3 +68,31 @@ def test_lines_without_class_are_refused(run, polygon_layer, tmp_path):
 def test_missing_trajectory_is_refused_before_the_run(run, lines, tmp_path):
     with pytest.raises(Exception, match="does not exist"):
         run(ALGORITHM, {"LINES": lines, "TRAJECTORY": [str(tmp_path / "none.csv")], **outputs(tmp_path)})
+
+
+def test_bounds_edited_by_hand_keep_their_ids_and_shared_nodes(run, read_layer, lines, drive, polygon_layer, tmp_path):
+    first = run(ALGORITHM, {"LINES": lines, "TRAJECTORY": [drive], **outputs(tmp_path)})
+    rows = list(read_layer(first["OUTPUT_BOUNDS"]))
+    assert sorted(row.attributes["bound_id"] for row in rows) == [0, 1, 2]
+    # The dashed one is moved by 0.2 m; ids are others now, and the order is turned round.
+    shapes = [shapely.from_wkt(row.wkt.replace("LineStringZ", "LINESTRING Z")) for row in rows][::-1]
+    names = [41 + row.attributes["bound_id"] for row in rows][::-1]
+    kinds = [row.attributes["class"] for row in rows][::-1]
+    moved = [shapely.transform(shape, lambda xyz: xyz + np.array([0.0, 0.2, 0.0]), include_z=True) if kind == "dashed" else shape
+             for shape, kind in zip(shapes, kinds)]
+    edited = polygon_layer([shape.wkt for shape in moved], "EPSG:6677", {"bound_id": names, "class": kinds},
+                           kind="LineStringZ")
+    (tmp_path / "second").mkdir()
+    second = run(ALGORITHM, {"LINES": edited, "TRAJECTORY": [drive], **outputs(tmp_path / "second")})
+    found = {row.attributes["bound_id"]: row for row in read_layer(second["OUTPUT_BOUNDS"])}
+    assert sorted(found) == [41, 42, 43] and second["LANES"] == 2
+    for name, kind, shape in zip(names, kinds, moved):
+        row = found[name]
+        there = shapely.from_wkt(row.wkt.replace("LineStringZ", "LINESTRING Z"))
+        assert row.attributes["class"] == kind and shapely.hausdorff_distance(there, shape) < 0.05
+    # Both lanes have the nodes of the bound between them.
+    lanes = [shapely.from_wkt(row.wkt) for row in read_layer(second["OUTPUT_LANES"])]
+    between = shapely.get_coordinates(shapely.from_wkt(found[names[kinds.index("dashed")]].wkt.replace(
+        "LineStringZ", "LINESTRING Z")))
+    assert all({tuple(place) for place in between} <= {tuple(place) for place in shapely.get_coordinates(lane)}
+               for lane in lanes)

@@ -21,6 +21,7 @@ class MapLine:
     width, sigma : m.
     chain : number of the continuous line.
     partner : of the other line of a double line, or -1.
+    identifier : of the bound that it was in an earlier map, or -1.
     """
 
     points: np.ndarray
@@ -30,6 +31,7 @@ class MapLine:
     sigma: float = np.nan
     chain: int = -1
     partner: int = -1
+    identifier: int = -1
 
 
 @dataclass(frozen=True)
@@ -236,8 +238,14 @@ def lines_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[str
             kind = "road border" if kind_field is None else str(columns[kind_field][row])
             chain = int(value("chain", row, -1)) if kind_field is not None else -1
             lines.append(MapLine(points, kind, str(value("colour", row, "")), float(value("width", row, 0.15)),
-                                 float(value("sigma", row, np.nan)), chain, int(value("partner", row, -1))))
+                                 float(value("sigma", row, np.nan)), chain, int(value("partner", row, -1)),
+                                 _bound_id(value("bound_id", row, -1)) if kind_field is not None else -1))
     return lines
+
+
+def _bound_id(cell: object) -> int:
+    """An id as “Lane map” gives it; -1 for what others keep in a field of that name."""
+    return int(cell) if isinstance(cell, (int, np.integer)) and not isinstance(cell, bool) else -1
 
 
 def areas_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[str, Sequence]) -> list[MapArea]:

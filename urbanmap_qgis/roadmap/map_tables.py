@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Sequence
 
 import shapely
 
@@ -27,11 +28,11 @@ def lane_columns(built: VectorMap) -> dict[str, list]:
             "speed_limit": [lane.speed_limit for lane in lanes]}
 
 
-def bound_columns(built: VectorMap) -> dict[str, list]:
-    """Columns of the bounds' layer, one value a bound."""
+def bound_columns(built: VectorMap, ids: Sequence[int] = ()) -> dict[str, list]:
+    """Columns of the bounds' layer, one value a bound; without `ids` they are counted from 0."""
     bounds = built.bounds
     used = Counter(number for lane in built.lanes for number in (lane.left, lane.right))
-    return {"bound_id": list(range(len(bounds))), "class": [bound.kind for bound in bounds],
+    return {"bound_id": list(ids or range(len(bounds))), "class": [bound.kind for bound in bounds],
             "colour": [bound.colour or None for bound in bounds], "width": [bound.width for bound in bounds],
             "sigma": [bound.sigma for bound in bounds], "double": [bound.double for bound in bounds],
             "unseen": [bound.unseen for bound in bounds], "lanes": [used[number] for number in range(len(bounds))]}

@@ -31,12 +31,13 @@ REACH = {STOP_LINE: LIMITS.reach_stop, CROSSWALK: LIMITS.reach_crosswalk, SYMBOL
 
 @dataclass(frozen=True)
 class ElementFrames:
-    """Where elements lie: middles (n, 2), m, and the directions (n, 2) along them.
+    """Where elements lie: points (each (k, 2)) and middles (n, 2), m, and the directions (n, 2) along them.
 
     Along is the direction of traffic: across a stop line, the heading of a symbol or crosswalk, else the shorter side
     of the outline.
     """
 
+    points: list[np.ndarray]
     middles: np.ndarray
     along: np.ndarray
 
@@ -54,7 +55,7 @@ def element_frames(elements: Sequence[MapElement]) -> ElementFrames:
             middles[number] = shapely.get_coordinates(shapely.centroid(outline))[0]
             course = one.heading if np.isfinite(one.heading).all() else _shorter_side(outline)
         along[number] = course / max(np.linalg.norm(course), np.finfo(float).tiny)
-    return ElementFrames(middles, along)
+    return ElementFrames([one.points for one in elements], middles, along)
 
 
 def _shorter_side(outline: shapely.Geometry) -> np.ndarray:
@@ -81,10 +82,20 @@ def element_pairs(old: ElementFrames, new: ElementFrames, reach: float) -> np.nd
 
 
 def pair_differences(old: ElementFrames, new: ElementFrames, pairs: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Shifts (n, 2) of pairs along and across (to the left), and their axes (n, 2, 2), m."""
+    """Shifts (n, 2) of pairs along and across (to the left), and their axes (n, 2, 2), m.
+
+    A shift is what both ends of an element have in common: one that reaches farther on one side, or was seen in part,
+    has not moved.
+    """
     along = old.along[pairs[:, 0]]
     axes = np.stack([along, np.column_stack([-along[:, 1], along[:, 0]])], axis=1)
-    return np.einsum("nij,nj->ni", axes, new.middles[pairs[:, 1]] - old.middles[pairs[:, 0]]), axes
+    shifts = np.zeros((len(pairs), 2))
+    for number, (a, b) in enumerate(pairs):
+        before, after = old.points[a] @ axes[number].T, new.points[b] @ axes[number].T
+        ends = np.stack([after.min(axis=0) - before.min(axis=0), after.max(axis=0) - before.max(axis=0)])
+        together = np.sign(ends[0]) == np.sign(ends[1])
+        shifts[number] = np.where(together, np.sign(ends[0]) * np.abs(ends).min(axis=0), 0.0)
+    return shifts, axes
 
 
 def paired_changes(old: Sequence[MapElement], new: Sequence[MapElement], pairs: np.ndarray, differences: np.ndarray,
