@@ -78,8 +78,8 @@ def test_bounds_edited_by_hand_keep_their_ids_and_shared_nodes(run, read_layer, 
     shapes = [shapely.from_wkt(row.wkt.replace("LineStringZ", "LINESTRING Z")) for row in rows][::-1]
     names = [41 + row.attributes["bound_id"] for row in rows][::-1]
     kinds = [row.attributes["class"] for row in rows][::-1]
-    moved = [shapely.transform(shape, lambda xyz: xyz + np.array([0.0, 0.2, 0.0]), include_z=True) if kind == "dashed" else shape
-             for shape, kind in zip(shapes, kinds)]
+    moved = [shapely.transform(shape, lambda xyz: xyz + np.array([0.0, 0.2, 0.0]), include_z=True)
+             if kind == "dashed" else shape for shape, kind in zip(shapes, kinds)]
     edited = polygon_layer([shape.wkt for shape in moved], "EPSG:6677", {"bound_id": names, "class": kinds},
                            kind="LineStringZ")
     (tmp_path / "second").mkdir()
