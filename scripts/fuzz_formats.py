@@ -315,6 +315,7 @@ FORMATS: dict[str, tuple[str, Callable, Callable]] = {
     "camera": ("a.json", sound.copied("aerial/camera.json"), _of("aerial.frames.camera", "read_camera")),
     "exterior orientation": ("a.csv", sound.copied("aerial/exterior.csv"),
                              _of("aerial.frames.exterior_files", "read_exterior")),
+    "image points": ("a.csv", sound.image_points, _of("aerial.orientation.image_points", "read_image_points")),
     "CityJSON": ("a.city.json", sound.copied("models/buildings.city.json"),
                  _of("citymodel.cityjson.reader", "read_cityjson")),
     "GSI XML": ("FG-GML-533946-BldA-20240401-0001.xml", sound.gsi, _buildings),

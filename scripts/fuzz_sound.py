@@ -137,6 +137,17 @@ def geoid(path: Path, city: Path) -> Path:
     return path
 
 
+def image_points(path: Path, city: Path) -> Path:
+    """Points measured in frames: with coordinates, to check, and to tie frames."""
+    rows = ["point,image,column,row,x,y,z,role"]
+    for number in range(40):
+        place = f"{-6950.0 + number},{-34100.0 - number},{30 + 0.1 * number}" if number % 4 else ",,"
+        role = "check" if number % 8 == 1 else ""
+        rows += [f"P{number},frame_0{frame}.tif,{20 * number + frame},{30 * number},{place},{role}" for frame in (1, 2)]
+    path.write_text("\n".join(rows) + "\n", encoding="utf-8")
+    return path
+
+
 def poses(path: Path, city: Path) -> Path:
     return head("mms/survey_01_images.csv", 60)(path, city)
 

@@ -35,6 +35,7 @@ RECIPES: dict[str, dict] = {
     "samplecity": {"SIZE": 60, "SCENE": "canyon"},
     "surfacefromals": {"POINTS": ["city:als/als.laz"], "RESOLUTION": 1.0},
     "occlusionmap": {"FRAME": "city:aerial/frame_01.tif", **CAMERA, **HEIGHTS},
+    "adjustframes": {**CAMERA, "CONTROL": "made:image_points.csv", "CRS": "EPSG:6677"},
     "orthorectifyframes": {**FRAMES, **HEIGHTS, **OUTLINES, "RESOLUTION": 0.25},
     "filtervehicles": {"ORTHOPHOTOS": ["orthorectifyframes:OUTPUT", "city:aerial/ortho.tif"]},
     "roadmarkingsfromorthophoto": {"INPUT": "orthorectifyframes:OUTPUT", "BUILDINGS": OUTLINES["FOOTPRINTS"]},
@@ -129,6 +130,30 @@ def prepare(city: Path, folder: Path) -> None:
     (folder / "FG-GML-5339-46-11-DEM5A-20161001.xml").write_text(text, encoding="utf-8")
     write_geopackage(folder / "drawn.gpkg", [Layer("drawn", drawn, {"class": ["paint"] * len(drawn)})])
     write_surface_job(city, folder)
+    write_image_points(city, folder / "image_points.csv")
+
+
+def write_image_points(city: Path, path: Path, step: float = 30.0) -> None:
+    """Places of the ground every so many metres as the city's frames see them, the last column as tie points."""
+    import numpy as np
+
+    from urbanmap_qgis.aerial.frames.camera import project_places, read_camera
+    from urbanmap_qgis.aerial.frames.exterior_files import read_exterior
+    from urbanmap_qgis.io.raster import RasterSampler
+
+    camera = read_camera(city / "aerial/camera.json")
+    rows = ["point,image,column,row,x,y,z"]
+    with RasterSampler(city / "truth/ground.tif") as ground:
+        x_min, y_min, x_max, y_max = ground.grid.bounds
+        x, y = (axis.ravel() for axis in np.meshgrid(np.arange(x_min + 10, x_max, step),
+                                                     np.arange(y_min + 10, y_max, step)))
+        z = ground.sample(x, y)
+    for pose in read_exterior(city / "aerial/exterior.csv"):
+        column, row, _ = project_places(camera, pose, x, y, z)
+        inside = (column > 0) & (column < camera.width - 1) & (row > 0) & (row < camera.height - 1) & np.isfinite(z)
+        rows += [f"{n},{pose.image},{column[n]:.2f},{row[n]:.2f},{x[n]:.3f},{y[n]:.3f},{z[n]:.3f}"
+                 for n in np.flatnonzero(inside)]
+    path.write_text("\n".join(rows) + "\n", encoding="utf-8")
 
 
 def write_surface_job(city: Path, folder: Path) -> None:

@@ -22,7 +22,7 @@ CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes"
             "buildingmodels", "wallsfrommms", "mergebuildingmodels", "mesh25d", "exportcitymodel", "checkcitymodel",
             "buildingsfromals", "tiledrun", "runjob",
             "satellitevisibility", "gnssreflections", "adjustwalls", "markinglines", "vectormap", "checkvectormap",
-            "comparemaps", "lanemap", "roadedges", "localisationaccuracy", "acceptance", "roadmodel")
+            "comparemaps", "lanemap", "roadedges", "localisationaccuracy", "acceptance", "roadmodel", "adjustframes")
 
 LIST_WITHOUT_PACKAGES = """
 import sys

@@ -1,0 +1,126 @@
+"""urbanmap:adjustframes."""
+
+from __future__ import annotations
+
+import numpy as np
+from qgis.core import QgsProcessing
+
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.declaring.parameters import HTML_FILTER, tr
+from ..framework.layers.layers import make_fields
+from .orthorectifyframes import ANGLE_ORDERS, ANGLE_UNITS
+
+FIELDS = (("id", "text"), ("role", "text"), ("frames", "int"), ("plan_before", "real"), ("plan_after", "real"),
+          ("east_before", "real"), ("north_before", "real"), ("east_after", "real"), ("north_after", "real"),
+          ("east_left_out", "real"), ("north_left_out", "real"))
+
+
+class AdjustFrames(UrbanMapAlgorithm):
+    ID = "adjustframes"
+    NAME = "Adjust frames to control points"
+    SOURCE = "Javanmardi 2018, 6.1 (calibration of the aerial data with few ground control points); bundle adjustment"
+    KEYWORDS = ("aerial", "frames", "control points", "bundle adjustment", "exterior orientation", "calibration")
+    REQUIRES = ("numpy", "scipy")
+    HELP = (
+        "Corrects the exterior orientation of aerial frames by few control points whose places in the frames were "
+        "measured. All frames share a shift and a tilt, each has errors of its own; how much they share is found from "
+        "the points. Points without coordinates tie frames to each other.\n"
+        "Each control point is left out once and predicted by the others: that figure, or check points, tells what the "
+        "orientation is worth away from the points. Points that contradict the others, too few of them, and points "
+        "that lie close together are told.\n"
+        "Give the corrected orientation to “Orthorectify frames” or “Road markings from aerial frames”."
+    )
+
+    def declare(self):
+        self.add_file("CAMERA", "Camera", "JSON file of the camera: focal_length_mm, pixel_pitch_mm, image_width, "
+                      "image_height, principal_point_mm, distortion.", "Camera (*.json)")
+        self.add_file("EXTERIOR", "Exterior orientation", "CSV file image,x,y,z,omega,phi,kappa (metres, degrees), or "
+                      "what Metashape (Omega Phi Kappa) or Pix4D wrote, whose order of angles is known.",
+                      "Exterior orientation (*.csv *.txt)")
+        self.add_file("CONTROL", "Points in the frames", "CSV file point,image,column,row,x,y,z: a row for each frame "
+                      "in which a point was measured, pixels from the centre of the upper left one, coordinates in "
+                      "metres, none for tie points; role: control or check.", "Points in frames (*.csv *.txt)")
+        self.add_distance("POSITION_SIGMA", "Accuracy of the projection centres", "Standard deviation of each frame's "
+                          "own error in metres; what all frames share may be ten times as large.", 0.3, 0.001, 100.0)
+        self.add_number("ANGLE_SIGMA", "Accuracy of the angles", "The same of the angles.", 0.05, 0.0001, 10.0,
+                        "degrees")
+        self.add_number("PIXEL_SIGMA", "Accuracy of the measured places", "Standard deviation of a point's place in a "
+                        "frame.", 0.5, 0.01, 20.0, "pixels", advanced=True)
+        self.add_distance("CONTROL_SIGMA", "Accuracy of the control points", "Standard deviation of their coordinates "
+                          "in metres.", 0.02, 0.0001, 10.0, advanced=True)
+        self.add_choice("ANGLE_ORDER", "Order of the angles", "Papers: R_omega R_phi R_kappa. Usual: R_kappa R_phi "
+                        "R_omega, as most bundle adjustments write.", ANGLE_ORDERS, "papers", advanced=True)
+        self.add_choice("ANGLE_UNIT", "Unit of the angles", "Automatic: degrees, and an error where they look "
+                        "otherwise.", ANGLE_UNITS, "automatic", advanced=True)
+        self.add_crs("CRS", "Coordinate system", "Of the points and the orientation, for the layer of residuals.",
+                     optional=True, advanced=True)
+        self.add_file_output("OUTPUT", "Corrected exterior orientation", "As the input, in degrees and the papers' "
+                             "order of angles, with standard deviations.", "Exterior orientation (*.csv)")
+        self.add_layer_output("OUTPUT_POINTS", "Residuals", "Control and check points with their errors on the ground, "
+                              "as given, after, and left out.", optional=True,
+                              source_type=QgsProcessing.SourceType.TypeVectorPoint, by_default=True)
+        self.add_file_output("OUTPUT_REPORT", "Report", "Errors at the points and accuracy of the frames.",
+                             HTML_FILTER, optional=True, by_default=True)
+        self.add_number_output("POINTS", "Control points", "Number of control points.")
+        self.add_number_output("RMS_BEFORE", "RMS before", "RMS error of the control points in plan, as given.", "m")
+        self.add_number_output("RMS_AFTER", "RMS after", "The same after the adjustment.", "m")
+        self.add_number_output("RMS_LEFT_OUT", "RMS left out", "The same, each point left out in turn.", "m")
+        self.add_number_output("RMS_CHECK", "RMS of check points", "RMS error of the check points in plan, after.", "m")
+        self.add_number_output("WRONG", "Contradicting points", "Control points that contradict the others.")
+
+    def compute(self, parameters, context, feedback):
+        from ...urbanmap_qgis.aerial.frames.camera import read_camera
+        from ...urbanmap_qgis.aerial.frames.exterior_files import read_exterior
+        from ...urbanmap_qgis.aerial.orientation.bundle import BundleSettings
+        from ...urbanmap_qgis.aerial.orientation.image_points import read_image_points
+        from ...urbanmap_qgis.aerial.orientation.stage import control_frames, write_exterior
+
+        progress = self.progress(feedback)
+        camera = read_camera(self.input_path(parameters, "CAMERA", context))
+        poses = read_exterior(self.input_path(parameters, "EXTERIOR", context),
+                              self.parameterAsString(parameters, "ANGLE_UNIT", context),
+                              self.parameterAsString(parameters, "ANGLE_ORDER", context))
+        points = read_image_points(self.input_path(parameters, "CONTROL", context))
+        position, angle, pixel, control = (self.parameterAsDouble(parameters, f"{name}_SIGMA", context)
+                                           for name in ("POSITION", "ANGLE", "PIXEL", "CONTROL"))
+        made = control_frames(camera, poses, points,
+                              BundleSettings(position, angle, pixel=pixel, control=control), progress.part(0.0, 0.95))
+        for sentence in made.findings:
+            progress.warn(sentence)
+        output = self.output_path(parameters, "OUTPUT", context)
+        write_exterior(output, made.adjusted)
+        return {"OUTPUT": str(output), **self._figures(made, progress), **self._tell(parameters, context, made)}
+
+    def _figures(self, made, progress) -> dict:
+        points = made.points
+        results = {"POINTS": int(points.control.sum()), "RMS_BEFORE": made.rms(points.control, before=True),
+                   "RMS_AFTER": made.rms(points.control), "WRONG": int(made.wrong.sum())}
+        progress.message(tr("{0} control points: {1:.3f} m off in plan as given, {2:.3f} m after (RMS).").format(
+            results["POINTS"], results["RMS_BEFORE"], results["RMS_AFTER"]))
+        held, checks = made.left_out_rms(), points.known & points.check
+        if np.isfinite(held):
+            results["RMS_LEFT_OUT"] = held
+            progress.message(tr("Each control point left out in turn: {0:.3f} m.").format(held))
+        if checks.any():
+            results["RMS_CHECK"] = made.rms(checks)
+        return results
+
+    def _tell(self, parameters, context, made) -> dict:
+        """Write the layer of residuals and the report."""
+        import shapely
+
+        from ...urbanmap_qgis.aerial.orientation.report import write_control_report
+        from ...urbanmap_qgis.aerial.orientation.stage import residual_columns
+
+        results, columns = {}, residual_columns(made)
+        places = shapely.points(made.points.place[made.points.known])
+        layer = self.write_layer(parameters, "OUTPUT_POINTS", context, make_fields(*FIELDS), columns,
+                                 self.parameterAsCrs(parameters, "CRS", context), places, "PointZ",
+                                 style="control_residuals")
+        if layer:
+            results["OUTPUT_POINTS"] = layer
+        report = self.output_path(parameters, "OUTPUT_REPORT", context)
+        if report:
+            write_control_report(report, made)
+            results["OUTPUT_REPORT"] = str(report)
+        return results

@@ -1,0 +1,298 @@
+"""Exterior orientations adjusted to control points in one bundle, with what was measured of them as prior knowledge.
+
+Each frame has six corrections of its own, all frames share six more (a datum's shift, a misaligned camera); control and
+tie points are unknowns too, control points with their accuracy. With few points the shared part is found and what each
+frame is off by stays as the navigation left it; points in a frame, and ties to its neighbours, find its own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.sparse import coo_matrix, csc_matrix, diags
+from scipy.sparse.linalg import splu
+
+from ...errors import InputError, InsufficientDataError
+from ...wording import say
+from ..frames.camera import ExteriorOrientation, FrameCamera, frame_rays, project_places
+from .image_points import ImagePoints
+
+POSE = ("x", "y", "z", "omega", "phi", "kappa")
+_SIX = len(POSE)
+_STEP = np.array([1e-3, 1e-3, 1e-3, 1e-5, 1e-5, 1e-5])  # m, degrees, of the derivatives
+
+
+@dataclass(frozen=True)
+class BundleLimits:
+    """Limits of the bundle, each with its unit."""
+
+    rounds: int = 20
+    enough: float = 1e-3  # of a pixel, that the observations still move
+    gross: float = 3.0  # standard deviations from which an observation loses its weight
+    tie_sigma: float = 1e4  # m, of the place of a tie point
+    fewest: int = 2  # frames that see a tie point
+    wrong: float = 0.2  # weight below which a control point's observations contradict the others
+
+
+LIMITS = BundleLimits()
+
+
+@dataclass(frozen=True)
+class BundleSettings:
+    """What is known before.
+
+    Attributes
+    ----------
+    position, angle : m and degrees, standard deviations of each frame's own errors.
+    shared : times these, of the errors that all frames share.
+    own : times these that are tried; how much of their errors the frames share is found from the points.
+    pixel : of a measured point, pixels.
+    control : m, of a control point.
+    """
+
+    position: float = 0.3
+    angle: float = 0.05
+    shared: float = 10.0
+    own: tuple[float, ...] = (1.0, 0.2, 0.04)
+    pixel: float = 0.5
+    control: float = 0.02
+
+    def __post_init__(self) -> None:
+        if not all(np.isfinite(value) and value > 0 for value in (*self.own, self.position, self.angle, self.shared,
+                                                                  self.pixel, self.control)):
+            raise InputError(say("The standard deviations of frames, pixels and control points must be above 0."))
+
+
+@dataclass(frozen=True)
+class AdjustedFrames:
+    """What came out.
+
+    Attributes
+    ----------
+    poses : corrected orientations, in the order given.
+    sigma : (frames, 6) standard deviations, m and degrees.
+    residual : (n, 2) pixels, measured less computed, of each observation; of check points with their given place.
+    weight : (n,) 0 to 1; NaN of check points.
+    apart : (n, 2) m east and north from a known point to where its pixel comes to lie at its height; NaN of ties.
+    noise : standard deviation of the observations, times that assumed.
+    """
+
+    poses: tuple[ExteriorOrientation, ...]
+    sigma: np.ndarray
+    residual: np.ndarray
+    weight: np.ndarray
+    apart: np.ndarray
+    noise: float
+
+
+def adjust_frames(camera: FrameCamera, poses: Sequence[ExteriorOrientation], points: ImagePoints,
+                  settings: BundleSettings | None = None) -> AdjustedFrames:
+    """Adjust the frames' exterior orientations to control points.
+
+    Raises
+    ------
+    InputError : points were measured in an image without orientation, outside it, or behind its camera.
+    InsufficientDataError : no control point is in any frame.
+    """
+    settings = settings or BundleSettings()
+    frame = _frames_of(camera, poses, points)
+    if not points.control[points.point].any():
+        raise InsufficientDataError(say("No control point is in any frame: give points with x, y, z and their places "
+                                        "in the images."))
+    start, used = _start(camera, poses, points, frame), _used(points)
+    problem = _Problem(camera, tuple(poses), points, frame, start, used, settings)
+    best = max((_solved(problem, own) for own in settings.own), key=lambda solution: solution.likelihood)
+    adjusted = _corrected(poses, best.state)
+    computed, _ = _linearised(problem, best.state)
+    given = _projected(camera, adjusted, frame, points.place[points.point])
+    computed = np.where(points.check[points.point][:, None], given, computed)
+    return AdjustedFrames(adjusted, _sigma(best.factors, len(poses), len(best.state)), points.pixel - computed,
+                          np.where(used, best.weight, np.nan), _apart(camera, adjusted, points, frame), best.noise)
+
+
+@dataclass(frozen=True)
+class _Problem:
+    """What is adjusted: see `adjust_frames`; `frame` (n,) of each observation, `start` (k, 3) m, `used` (n,) bool."""
+
+    camera: FrameCamera
+    poses: tuple[ExteriorOrientation, ...]
+    points: ImagePoints
+    frame: np.ndarray
+    start: np.ndarray
+    used: np.ndarray
+    settings: BundleSettings
+
+
+@dataclass(frozen=True)
+class _Solution:
+    """State (unknowns,), factors of its normal matrix, weights (n,), noise, and log-likelihood of the prior."""
+
+    state: np.ndarray
+    factors: object
+    weight: np.ndarray
+    noise: float
+    likelihood: float
+
+
+def _solved(problem: _Problem, own: float) -> _Solution:
+    """Gauss and Newton's method with weights by the misfits, for frames whose own errors are `own` times as large."""
+    settings = problem.settings
+    prior = _prior(len(problem.poses), problem.points, settings, own)
+    state = np.zeros(len(prior))
+    for _ in range(LIMITS.rounds):
+        computed, jacobian = _linearised(problem, state)
+        misfit = problem.points.pixel - computed
+        noise, weight = _reweighted(misfit, problem.used, settings.pixel)
+        scaled = np.repeat(weight / (noise * settings.pixel) ** 2, 2)
+        normal = (jacobian.T @ jacobian.multiply(scaled[:, None]) + diags(prior)).tocsc()
+        factors = splu(normal, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
+        step = factors.solve(jacobian.T @ (scaled * misfit.ravel()) - prior * state)
+        state = state + step
+        if np.abs((jacobian @ step).reshape(-1, 2)[problem.used]).max() < LIMITS.enough:
+            break
+    size = np.hypot(*misfit.T)[problem.used] / (noise * settings.pixel)
+    cost = float(np.sum(LIMITS.gross**2 * size**2 / (LIMITS.gross**2 + size**2)) + state @ (prior * state))
+    volume = float(np.log(np.abs(factors.U.diagonal())).sum() - np.log(prior).sum())
+    noisy = 4.0 * problem.used.sum() * np.log(noise)
+    return _Solution(state, factors, weight, noise, -0.5 * (cost + volume + noisy))
+
+
+def without_point(points: ImagePoints, number: int) -> ImagePoints:
+    """The same with one control point as a check point."""
+    check = points.check.copy()
+    check[number] = True
+    return replace(points, check=check)
+
+
+def contradicting(points: ImagePoints, adjusted: AdjustedFrames) -> np.ndarray:
+    """(k,) bool, control points whose observations contradict all others."""
+    heard = np.isfinite(adjusted.weight)
+    count = np.maximum(np.bincount(points.point, heard, len(points.points)), 1)
+    mean = np.bincount(points.point, np.where(heard, adjusted.weight, 0.0), len(points.points)) / count
+    return points.control & (mean < LIMITS.wrong)
+
+
+def _frames_of(camera: FrameCamera, poses: Sequence[ExteriorOrientation], points: ImagePoints) -> np.ndarray:
+    """(n,) number of the pose of each observation."""
+    number = {pose.image: place for place, pose in enumerate(poses)}
+    for image in points.images:
+        if image not in number:
+            raise InputError(say("Points were measured in {image}, which the exterior orientation does not name.",
+                                 image=image))
+    outside = ((points.pixel < -0.5) | (points.pixel > np.array([camera.width, camera.height]) - 0.5)).any(axis=1)
+    if outside.any():
+        first = int(outside.argmax())
+        raise InputError(say("The point {point} lies outside {image}: columns and rows are counted in pixels from the "
+                             "upper left.", point=points.points[points.point[first]],
+                             image=points.images[points.image[first]]))
+    return np.array([number[image] for image in points.images])[points.image]
+
+
+def _used(points: ImagePoints) -> np.ndarray:
+    """(n,) bool, observations that say something: of control points, and of ties in several frames."""
+    seen = np.bincount(points.point, minlength=len(points.points))
+    ties = ~points.known & (seen >= LIMITS.fewest)
+    return (points.control | ties)[points.point]
+
+
+def _start(camera: FrameCamera, poses: Sequence[ExteriorOrientation], points: ImagePoints,
+           frame: np.ndarray) -> np.ndarray:
+    """(k, 3) m: known places, and where the rays of tie points come nearest to each other."""
+    place = points.place.copy()
+    centre = np.array([pose.centre for pose in poses])[frame]
+    ray = np.stack([frame_rays(camera, poses[number], *pixel) for number, pixel in zip(frame, points.pixel)])
+    across = np.eye(3) - ray[:, :, None] * ray[:, None, :]
+    level = float(np.nanmean(place[:, 2]))
+    for number in np.flatnonzero(~points.known):
+        rows = points.point == number
+        if rows.sum() >= LIMITS.fewest:
+            place[number] = np.linalg.lstsq(across[rows].sum(axis=0),
+                                            np.einsum("nij,nj->i", across[rows], centre[rows]), rcond=None)[0]
+        else:
+            along = (level - centre[rows][0, 2]) / ray[rows][0, 2]
+            place[number] = centre[rows][0] + along * ray[rows][0]
+    return place
+
+
+def _prior(frames: int, points: ImagePoints, settings: BundleSettings, own: float) -> np.ndarray:
+    """Weights of all unknowns: shared, frame by frame (`own` times as large as stated), point by point."""
+    stated = np.repeat([settings.position, settings.angle], 3)
+    place = np.where(points.control, settings.control, LIMITS.tie_sigma)
+    return np.concatenate([settings.shared * stated, np.tile(own * stated, frames), np.repeat(place, 3)]) ** -2.0
+
+
+def _corrected(poses: Sequence[ExteriorOrientation], state: np.ndarray) -> tuple[ExteriorOrientation, ...]:
+    """The poses with the shared and their own corrections."""
+    change = state[:_SIX] + state[_SIX:_SIX * (1 + len(poses))].reshape(-1, _SIX)
+    return tuple(replace(pose, **{name: getattr(pose, name) + float(value) for name, value in zip(POSE, row)})
+                 for pose, row in zip(poses, change))
+
+
+def _projected(camera: FrameCamera, poses: Sequence[ExteriorOrientation], frame: np.ndarray,
+               place: np.ndarray) -> np.ndarray:
+    """(n, 2) pixels of places (n, 3), each in its frame; NaN behind the camera."""
+    pixel = np.full((len(frame), 2), np.nan)
+    for number in np.unique(frame):
+        rows = frame == number
+        column, row, _ = project_places(camera, poses[number], *place[rows].T)
+        pixel[rows] = np.column_stack([column, row])
+    return pixel
+
+
+def _linearised(problem: _Problem, state: np.ndarray) -> tuple[np.ndarray, csc_matrix]:
+    """Pixels (n, 2) and their derivatives (2 n, unknowns)."""
+    camera, poses, points, frame = problem.camera, problem.poses, problem.points, problem.frame
+    frames, n = len(poses), len(frame)
+    place = problem.start + state[_SIX * (1 + frames):].reshape(-1, 3)
+    now = _corrected(poses, state)
+    computed = _projected(camera, now, frame, place[points.point])
+    if not np.isfinite(computed).all():
+        lost = int(np.flatnonzero(~np.isfinite(computed).all(axis=1))[0])
+        raise InputError(say("The point {point} lies behind the camera of {image}: check the exterior orientation and "
+                             "the coordinates.", point=points.points[points.point[lost]],
+                             image=points.images[points.image[lost]]))
+    slopes = np.empty((n, 2, _SIX + 3))
+    for k, name in enumerate(POSE):
+        moved = [replace(pose, **{name: getattr(pose, name) + _STEP[k]}) for pose in now]
+        slopes[:, :, k] = (_projected(camera, moved, frame, place[points.point]) - computed) / _STEP[k]
+    for axis in range(3):
+        shifted = place[points.point] + _STEP[0] * np.eye(3)[axis]
+        slopes[:, :, _SIX + axis] = (_projected(camera, now, frame, shifted) - computed) / _STEP[0]
+    six = np.arange(_SIX)
+    column = np.concatenate([np.broadcast_to(six, (n, _SIX)), _SIX * (1 + frame)[:, None] + six,
+                             _SIX * (1 + frames) + 3 * points.point[:, None] + np.arange(3)], axis=1)
+    values = np.concatenate([slopes[:, :, :_SIX], slopes], axis=2)
+    row = np.broadcast_to(np.arange(2 * n).reshape(n, 2, 1), values.shape)
+    return computed, coo_matrix((values.ravel(), (row.ravel(), np.repeat(column[:, None], 2, axis=1).ravel())),
+                                shape=(2 * n, len(state))).tocsc()
+
+
+def _reweighted(misfit: np.ndarray, used: np.ndarray, pixel: float) -> tuple[float, np.ndarray]:
+    """Noise, times that assumed, and weights (n,): what contradicts the rest loses its own."""
+    size = np.hypot(*misfit.T) / pixel
+    noise = max(1.0, float(np.median(size[used])) / 1.1774)  # the median of a Rayleigh distribution
+    return noise, used / (1.0 + (size / (noise * LIMITS.gross)) ** 2) ** 2
+
+
+def _sigma(factors, frames: int, size: int) -> np.ndarray:
+    """(frames, 6) standard deviations of the shared and own corrections together, m and degrees."""
+    sigma = np.empty((frames, _SIX))
+    for number in range(frames):
+        pick = np.zeros((size, _SIX))
+        pick[np.arange(_SIX), np.arange(_SIX)] = 1.0
+        pick[_SIX * (1 + number) + np.arange(_SIX), np.arange(_SIX)] = 1.0
+        sigma[number] = np.sqrt(np.einsum("ji,ji->i", pick, factors.solve(pick)))
+    return sigma
+
+
+def _apart(camera: FrameCamera, poses: Sequence[ExteriorOrientation], points: ImagePoints,
+           frame: np.ndarray) -> np.ndarray:
+    """(n, 2) m, from known points to where their pixels lie at their heights."""
+    apart = np.full((len(frame), 2), np.nan)
+    for row in np.flatnonzero(points.known[points.point]):
+        pose, place = poses[frame[row]], points.place[points.point[row]]
+        ray = frame_rays(camera, pose, *points.pixel[row])
+        apart[row] = (pose.centre + (place[2] - pose.z) / ray[2] * ray)[:2] - place[:2]
+    return apart

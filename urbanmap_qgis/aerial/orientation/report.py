@@ -1,0 +1,46 @@
+"""The report of frames adjusted to control points."""
+
+from __future__ import annotations
+
+import os
+
+import numpy as np
+
+from ...io.pages.report import GOOD, LOOK, Report
+from ...wording import say
+from .bundle import POSE
+from .stage import FrameControl, residual_columns
+
+_SHOWN = ("id", "role", "frames", "east_before", "north_before", "east_after", "north_after", "east_left_out",
+          "north_left_out")
+
+
+def write_control_report(path: str | os.PathLike, made: FrameControl) -> None:
+    """Write the report (HTML)."""
+    report, points = Report("Frames adjusted to control points"), made.points
+    held, checks = made.left_out_rms(), points.known & points.check
+    text = say("{frames} frames lie {before:.3f} m off at {count} control points as given and {after:.3f} m after "
+               "(RMS in plan).", frames=len(made.adjusted.poses), before=made.rms(points.control, before=True),
+               count=int(points.control.sum()), after=made.rms(points.control))
+    if np.isfinite(held):
+        text += " " + say("Each control point left out in turn lies {held:.3f} m off.", held=held)
+    if checks.any():
+        text += " " + say("Check points lie {off:.3f} m off.", off=made.rms(checks))
+    report.verdict(LOOK if made.findings else GOOD, text)
+    for sentence in made.findings:
+        report.paragraph(sentence)
+    report.section("Points")
+    report.table(("Point", "role", "frames", "before east (m)", "before north (m)", "after east (m)", "after north (m)",
+                  "left out east (m)", "left out north (m)"), _rows(made))
+    report.section("Corrections of the frames")
+    report.table(("Frame", *POSE), [(pose.image, *(float(value) for value in sigma))
+                                    for pose, sigma in zip(made.adjusted.poses, made.adjusted.sigma)])
+    report.paragraph("Standard deviations after the adjustment, metres and degrees. A point's error is how far from it "
+                     "its pixel comes to lie on the ground, at the point's height.")
+    report.write(path)
+
+
+def _rows(made: FrameControl) -> list[tuple]:
+    columns = residual_columns(made)
+    columns["role"] = [say(role) for role in columns["role"]]
+    return list(zip(*(columns[name] for name in _SHOWN)))
