@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-import numpy as np
+import math
+
 from qgis.core import QgsProcessing
 
 from ..framework.base import UrbanMapAlgorithm
@@ -98,7 +99,7 @@ class AdjustFrames(UrbanMapAlgorithm):
         progress.message(tr("{0} control points: {1:.3f} m off in plan as given, {2:.3f} m after (RMS).").format(
             results["POINTS"], results["RMS_BEFORE"], results["RMS_AFTER"]))
         held, checks = made.left_out_rms(), points.known & points.check
-        if np.isfinite(held):
+        if math.isfinite(held):
             results["RMS_LEFT_OUT"] = held
             progress.message(tr("Each control point left out in turn: {0:.3f} m.").format(held))
         if checks.any():

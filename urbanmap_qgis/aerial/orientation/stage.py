@@ -11,7 +11,7 @@ import numpy as np
 
 from ...io.files.atomic import written_beside
 from ...progress import SILENT, Progress
-from ...wording import say
+from ...wording import mark, say
 from ..frames.camera import ExteriorOrientation, FrameCamera
 from .bundle import POSE, AdjustedFrames, BundleSettings, adjust_frames, contradicting, without_point
 from .image_points import ImagePoints
@@ -84,7 +84,7 @@ def residual_columns(made: FrameControl) -> dict[str, list]:
     """Columns of the layer of residuals, a row for each point with coordinates; m, east and north."""
     points, known = made.points, np.flatnonzero(made.points.known)
     before, after = (mean_of_points(points, apart)[known] for apart in (made.before, made.adjusted.apart))
-    role = np.where(points.check, "check", np.where(made.wrong, "wrong", "control"))[known]
+    role = np.where(points.check, mark("check"), np.where(made.wrong, mark("wrong"), mark("control")))[known]
     seen = np.bincount(points.point, minlength=len(points.points))[known]
     columns = {"id": [points.points[number] for number in known], "role": role.tolist(), "frames": seen.tolist(),
                "plan_before": np.hypot(*before.T).tolist(), "plan_after": np.hypot(*after.T).tolist()}
