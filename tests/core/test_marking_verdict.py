@@ -72,6 +72,13 @@ def test_each_sign_of_the_result(found, change, words):
     assert len(made.reasons) == 1 and words in made.reasons[0]
 
 
+@pytest.mark.parametrize("level, grade", [(None, GOOD), (1.2, GOOD), (1.3, LOOK)])
+def test_ground_may_be_too_light_for_paint(found, level, grade):
+    made = marking_verdict(replace(found, paint_level=level), 17.0)
+    assert made.grade == grade
+    assert grade == GOOD or "so light" in made.reasons[0]
+
+
 def test_no_marking_is_no_result(found):
     made = marking_verdict(replace(found, polygons=marks(0)), 17.0)
     assert made.grade == BAD and "No marking was found" in made.reasons[0]

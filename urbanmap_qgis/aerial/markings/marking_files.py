@@ -91,6 +91,8 @@ class MarkingResult:
     marked_area : m2 of paint in the mask.
     road : the image's own road; None where it was not looked at.
     evidence : what was taken and rejected; None as well.
+    paint_level : brightness that new paint has on ground as light as the median, as a share of the highest number that
+        the image can hold; None as well.
     """
 
     polygons: MarkingPolygons
@@ -99,6 +101,7 @@ class MarkingResult:
     marked_area: float
     road: RoadModel | None = None
     evidence: SearchTally | None = None
+    paint_level: float | None = None
 
 
 class _OrthophotoReader:
@@ -264,7 +267,9 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
             with written_beside(output) as temporary, rasterio.open(temporary, "w", **profile) as target:
                 found = _found_in_tiles(given, scene, levels, settings, tile, progress.part(0.1, 1.0), executor)
                 result = _gathered(found, scene, settings, target, metres_per_unit)
-                return replace(result, road=levels.road if levels and settings.cleaning else None)
+                if levels is None or not settings.cleaning:
+                    return result
+                return replace(result, road=levels.road, paint_level=levels.high / float(scene.top))
         except RasterioError as error:
             raise OutputError(say("{output} cannot be written ({error}): choose another output.",
                                   output=Path(output).name, error=error)) from error

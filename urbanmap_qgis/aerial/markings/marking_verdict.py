@@ -31,6 +31,8 @@ class VerdictLimits:
     full: tuple[float, float] = (0.1, 0.4)  # of the image
     empty: float = 0.02  # of the image
     colourless: float = 0.99  # of the image
+    # Times the highest number that the image can hold, that new paint would have on its median ground.
+    paint_level: float = 1.25
     colder: float = 0.25  # of what but for its colour is paint
     # m, median width of lines longer than `line` and narrower than `stroke`, weighted by length
     wide: float = 0.38
@@ -56,7 +58,7 @@ def marking_verdict(found: MarkingResult, contrast: float) -> Verdict:
     """Verdict on markings found with a contrast asked for, grey values."""
     evidence = found.evidence or SearchTally()
     lost = [*_lost(evidence), *_nothing(found)]
-    look = [*_light(evidence), *_rejected(evidence, bool(lost)), *_result(found, contrast)]
+    look = [*_light(evidence), *_light_ground(found), *_rejected(evidence, bool(lost)), *_result(found, contrast)]
     return Verdict(BAD if lost else LOOK if look else GOOD, (*lost, *look))
 
 
@@ -113,6 +115,14 @@ def _light(evidence: SearchTally) -> list[str]:
                            "the order of the colours may be wrong (blue for red), or the image has a warm cast.",
                            colder=colder))
     return reasons
+
+
+def _light_ground(found: MarkingResult) -> list[str]:
+    """Whether the ground is so light that paint cannot stand out from it as it does from asphalt."""
+    if found.paint_level is None or found.paint_level <= LIMITS.paint_level:
+        return []
+    return [say("Half of the image is so light that paint can hardly be lighter than it: snow, concrete or too much "
+                "light. Paint on such ground is missed.")]
 
 
 def _rejected(evidence: SearchTally, lost: bool) -> list[str]:
