@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 
 import pytest
 
@@ -66,3 +67,26 @@ def test_edges_that_do_not_close_are_findings(run, read_layer, tmp_path):
                               "OUTPUT": "memory:", "OUTPUT_FINDINGS": str(tmp_path / "findings.gpkg")})
     assert results["SURFACES"] == 1 and results["FINDINGS"] == 2
     assert {row.attributes["kind"] for row in read_layer(results["OUTPUT_FINDINGS"])} == {"edge not closed"}
+
+
+def test_roads_that_operators_cut_are_cut_anew(run, read_layer, real_data, tmp_path):
+    files = [real_data / "roads" / f"394271{number}2_tran_6697_op.gml" for number in (6, 7)]
+    if not all(file.exists() for file in files):
+        pytest.skip("the roads are not there")
+    for file in files:
+        shutil.copy(file, tmp_path)
+    loaded = run("urbanmap:loadcitymodel", {"INPUT_FOLDER": str(tmp_path), "OUTPUT": "memory:",
+                                            "OUTPUT_ROADS": str(tmp_path / "roads.gpkg")})
+    rows = read_layer(loaded["OUTPUT_ROADS"])
+    junctions = sum(row.attributes["section"] == "4" for row in rows)
+    assert (len(rows), junctions, loaded["BUILDINGS"]) == (206, 63, 0)
+    bridges = f"{loaded['OUTPUT_ROADS']}|layername=roads|subset=section = '3'"
+    made = run(ALGORITHM, {"ROADS": loaded["OUTPUT_ROADS"], "BRIDGES": bridges, "DATA_DATE": "2026-04-01",
+                           "OUTPUT": str(tmp_path / "surfaces.gpkg"), "OUTPUT_CITYGML": str(tmp_path / "city")})
+    assert made["SURFACES"] == pytest.approx(206, rel=0.05) and made["JUNCTIONS"] == pytest.approx(63, rel=0.1)
+    surfaces = read_layer(made["OUTPUT"])
+    assert sum(row.attributes["kind"] == "bridge" for row in surfaces) == 15
+    assert sum(row.geometry.area() for row in surfaces) == pytest.approx(sum(row.geometry.area() for row in rows),
+                                                                        rel=1e-5)
+    checked = run("urbanmap:checkcitymodel", {"INPUT_FOLDER": str(tmp_path / "city"), "OUTPUT": "memory:"})
+    assert (checked["OBJECTS"], checked["ERRORS"], checked["WARNINGS"]) == (made["SURFACES"], 0, 0)
