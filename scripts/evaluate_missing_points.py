@@ -57,6 +57,7 @@ class Scene:
     outlines : (k,) polygons.
     truth : (m, 3) points of roofs.
     owner : (n,) row of the outline that a point is in or `REACH` near to, -1 for none.
+    base : (k,) height of the ground, m, where the cloud has none.
     """
 
     path: Path
@@ -65,9 +66,11 @@ class Scene:
     outlines: np.ndarray
     truth: np.ndarray
     owner: np.ndarray
+    base: np.ndarray | None = None
 
     @classmethod
-    def read(cls, path: Path, outlines: np.ndarray, classified: Path | None = None) -> Scene:
+    def read(cls, path: Path, outlines: np.ndarray, classified: Path | None = None,
+             base: np.ndarray | None = None) -> Scene:
         """A cloud, and one of the same points with classes, where it has none."""
         cloud, classes = laspy.read(path), laspy.read(classified or path)
         xyz = np.column_stack([cloud.x, cloud.y, cloud.z])
@@ -77,7 +80,7 @@ class Scene:
         for reach in (REACH, 0.0):
             for row, outline in enumerate(shapely.buffer(outlines, reach)):
                 owner[index.inside(outline)] = row
-        return cls(path, xyz, np.asarray(cloud.classification), outlines, true, owner)
+        return cls(path, xyz, np.asarray(cloud.classification), outlines, true, owner, base)
 
 
 @dataclass(frozen=True)
@@ -185,7 +188,7 @@ def chain_of(scene: Scene, kept: np.ndarray):
         cloud = laspy.read(scene.path)
         cloud.points = cloud.points[kept]
         cloud.write(path)
-        return chain(path, scene.outlines, sloped=True)
+        return chain(path, scene.outlines, scene.base, sloped=True)
 
 
 def figures(found: list[Outcome]) -> tuple:
@@ -200,7 +203,7 @@ def figures(found: list[Outcome]) -> tuple:
 
 def whole(scene: Scene) -> list[Outcome]:
     """Models of the complete cloud."""
-    run = chain(scene.path, scene.outlines, sloped=True)
+    run = chain(scene.path, scene.outlines, scene.base, sloped=True)
     scores = score(run, scene.outlines, scene.truth)
     return [Outcome("complete", row, model, one.rmse_z95) for row, (model, one) in enumerate(zip(run.models, scores))]
 
@@ -213,9 +216,9 @@ def _delft(cloud: str) -> Scene:
 
 def _cell(name: str, first: int) -> Scene:
     """The outlines of a cell that are nearest to its south-west corner; their points are those of buildings alone."""
-    outlines, _ = outlines_of(DATA / "delft_cells" / f"outlines_{name}.gpkg", "z_base")
-    order = np.argsort(shapely.bounds(outlines)[:, :2].sum(axis=1), kind="stable")
-    return Scene.read(DATA / "delft_cells" / f"points_{name}.laz", outlines[order[:first]])
+    outlines, base = outlines_of(DATA / "delft_cells" / f"outlines_{name}.gpkg", "z_base")
+    rows = np.argsort(shapely.bounds(outlines)[:, :2].sum(axis=1), kind="stable")[:first]
+    return Scene.read(DATA / "delft_cells" / f"points_{name}.laz", outlines[rows], base=np.array(base, float)[rows])
 
 
 def main() -> int:
