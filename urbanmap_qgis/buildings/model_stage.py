@@ -47,8 +47,8 @@ class ModelPiece:
     sloped: bool
     source: np.ndarray
     open_share: np.ndarray
-    cover: CloudCover
     points: list[FitPoints] | None = field(default=None)
+    cover: CloudCover | None = None
 
 
 def build_models(footprints: Footprints, roofs: RoofInput, base: np.ndarray, cloud: PointCloud | None = None,
@@ -78,7 +78,6 @@ def build_models(footprints: Footprints, roofs: RoofInput, base: np.ndarray, clo
     base, source = bases_with_neighbours(footprints, base)
     sloped = roof_shape == PLANES and any(is_sloped(polygon) for polygon in roofs.polygon)
     shares = np.zeros(len(footprints)) if open_share is None else np.nan_to_num(open_share)
-    cover = cover or CloudCover(*np.full((2, len(footprints)), np.nan))
     pieces = _pieces(footprints, roofs, base, source, shares, cover, cloud, sloped, progress)
     for rows, built in in_order(_model_piece, pieces, executor, progress.check):
         for row, model in zip(rows, built):
@@ -105,7 +104,7 @@ def bases_with_neighbours(footprints: Footprints, base: np.ndarray) -> tuple[np.
 
 
 def _pieces(footprints: Footprints, roofs: RoofInput, base: np.ndarray, source: np.ndarray, open_share: np.ndarray,
-            cover: CloudCover, cloud: PointCloud | None, sloped: bool, progress: Progress):
+            cover: CloudCover | None, cloud: PointCloud | None, sloped: bool, progress: Progress):
     """Blocks of buildings, with their points where a cloud is given."""
     order = np.argsort(roofs.building_id, kind="stable")
     sorted_ids = roofs.building_id[order]
@@ -118,7 +117,7 @@ def _pieces(footprints: Footprints, roofs: RoofInput, base: np.ndarray, source: 
     for rows, points in _blocks(footprints, base, cloud, progress.part(0.0, 0.3)):
         yield rows, ModelPiece(footprints.ids[rows], footprints.polygons[rows], footprints.notes[rows], base[rows],
                                [roofs_of(int(number)) for number in footprints.ids[rows]], sloped, source[rows],
-                               open_share[rows], CloudCover(cover.density[rows], cover.beyond[rows]), points)
+                               open_share[rows], points, None if cover is None else cover.select(rows))
         done += len(rows)
         progress.part(0.3, 1.0).step(done / len(footprints))
 
@@ -159,7 +158,7 @@ def _model_piece(piece: tuple[np.ndarray, ModelPiece]) -> tuple[np.ndarray, list
         try:
             models.append(model_building(number, block.outlines[place], block.notes[place], block.roofs[place], base,
                                          points, block.sloped, block.source[place], float(block.open_share[place]),
-                                         (float(block.cover.density[place]), float(block.cover.beyond[place]))))
+                                         *([] if block.cover is None else [block.cover.at(place)])))
         except Cancelled:
             raise
         except Exception as error:  # one building's trouble is not the others'

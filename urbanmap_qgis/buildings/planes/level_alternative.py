@@ -12,11 +12,11 @@ import shapely
 from ...geometry.grid import Grid
 from ..roofs.roof_segmentation import segment_roofs
 
-SUSPECT = 0.6
+SUSPECT = 0.25
 """A building whose plane model misses its points by more than this (root mean square of the best 95 %, m) is looked
 at again."""
 
-BETTER = 0.9
+BETTER = 0.96
 """Level roofs are taken where their misfit is below this share of the planes'."""
 
 

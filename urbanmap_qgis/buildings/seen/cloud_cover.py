@@ -51,6 +51,14 @@ class CloudCover:
         """Of the columns of a layer; None where it lacks one."""
         return None if density is None or beyond is None else cls(density, beyond)
 
+    def select(self, rows: np.ndarray) -> CloudCover:
+        """That of some of the outlines."""
+        return CloudCover(self.density[rows], self.beyond[rows])
+
+    def at(self, row: int) -> tuple[float, float]:
+        """Density and share of one outline."""
+        return float(self.density[row]), float(self.beyond[row])
+
     @classmethod
     def unknown(cls, count: int) -> CloudCover:
         """Of `count` outlines nothing is known."""

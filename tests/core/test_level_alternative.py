@@ -1,0 +1,38 @@
+"""Level roofs in place of planes, where they are nearer to all points."""
+
+import numpy as np
+import pytest
+import shapely
+
+from urbanmap_qgis.buildings.planes.level_alternative import SUSPECT, roof_misfit
+from urbanmap_qgis.buildings.planes.plane_detection import PLANES
+from urbanmap_qgis.buildings.planes.plane_partition import partition_planes
+from urbanmap_qgis.buildings.roof_polygons.building_polygons import roof_polygons_of
+from urbanmap_qgis.buildings.roof_polygons.polygon_rows import LEVELS_BETTER, PolygonParameters, RoofedBuilding
+
+PLAN = shapely.box(0, 0, 12, 8)
+
+
+def points_of(height):
+    xy = np.random.default_rng(5).uniform([0, 0], [12, 8], (768, 2))
+    return np.column_stack([xy, height(*xy.T)])
+
+
+def drawn(points, roof):
+    return roof_polygons_of(RoofedBuilding(1, PLAN, points, roof), PolygonParameters(roofs=PLANES))
+
+
+def test_two_terraces_taken_for_one_slope_become_two_levels():
+    points = points_of(lambda x, y: np.where(x < 6, 8.0, 9.6))
+    one = np.ones(len(points), int)
+    assert SUSPECT < roof_misfit(partition_planes(PLAN, points, one).polygons, points) < 0.6
+    table = drawn(points, one)
+    assert all(LEVELS_BETTER in str(words) for words in table.status)
+    assert sorted(table.height) == pytest.approx([8.0, 9.6], abs=0.01)
+
+
+def test_a_gable_stays_one():
+    points = points_of(lambda x, y: 8.0 - 0.7 * np.abs(y - 4))
+    table = drawn(points, np.where(points[:, 1] < 4, 1, 2))
+    assert len(table.polygon) == 2 and not any(LEVELS_BETTER in str(words) for words in table.status)
+    assert roof_misfit(table.polygon, points) < 0.05
