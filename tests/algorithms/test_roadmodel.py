@@ -61,6 +61,20 @@ def test_what_cannot_be_used_is_refused_in_one_sentence(run, tmp_path):
         run(ALGORITHM, {"ROADS": roads, "BRIDGES": other, "OUTPUT": "memory:"})
 
 
+RDEDG = """<?xml version="1.0" encoding="UTF-8"?>
+<Dataset xmlns:gml="http://www.opengis.net/gml/3.2" xmlns="http://fgd.gsi.go.jp/spec/2008/FGD_GMLSchema" gml:id="D">
+<RdEdg gml:id="K1"><fid>1</fid><orgGILvl>2500</orgGILvl><loc><gml:Curve gml:id="K1-g" srsName="fguuid:jgd2011.bl">
+<gml:segments><gml:LineStringSegment><gml:posList>35.69 139.76 35.691 139.761</gml:posList></gml:LineStringSegment>
+</gml:segments></gml:Curve></loc><type>x</type></RdEdg></Dataset>"""
+
+
+def test_edges_of_the_gsi_in_degrees_are_to_be_reprojected(run, tmp_path):
+    path = tmp_path / "FG-GML-533946-RdEdg-20240401-0001.xml"
+    path.write_text(RDEDG, encoding="utf-8")
+    with pytest.raises(Exception, match="degrees in .*reproject"):
+        run(ALGORITHM, {"ROADS": str(path), "OUTPUT": "memory:"})
+
+
 def test_edges_that_do_not_close_are_findings(run, read_layer, tmp_path):
     lines = [[[-60, -3], [60, -3]], [[60, 3], [-60, 3]], [[200, 0], [300, 0]]]
     results = run(ALGORITHM, {"ROADS": layer(tmp_path / "edges.geojson", lines, kind="LineString"),
