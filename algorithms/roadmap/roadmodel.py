@@ -45,9 +45,9 @@ class RoadModel(UrbanMapAlgorithm):
                           "are cut there.", optional=True)
         self.add_polygons("TUNNELS", "Tunnels", "Outlines of tunnels, in the CRS of the roads: surfaces are cut "
                           "there.", optional=True)
-        self.add_text("FUNCTION", "Code of the roads' function", "Of PLATEAU's list Road_function, for all roads: 1 "
-                      "national expressway, 2 national road, 3 prefectural road, 4 municipal road, 9000 not "
-                      "surveyed, 9020 unknown.", "9000")
+        self.add_text("FUNCTION", "Code of the roads' function", "Of PLATEAU's list Road_function, for roads "
+                      "that have no field function with one: 1 national expressway, 2 national road, 3 prefectural "
+                      "road, 4 municipal road, 9000 not surveyed, 9020 unknown.", "9000")
         self.add_choice("MATERIAL", "Material of the edges", "What the edges are from, for the quality attributes of "
                         "CityGML.", MATERIALS, "other data")
         self.add_choice("MAP_LEVEL", "Map level of the edges", "Of the map that the edges are from, for the quality "
@@ -81,7 +81,8 @@ class RoadModel(UrbanMapAlgorithm):
         self._day(parameters, context)
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.roadspace.road_model import Structures, build_road_model
+        from ...urbanmap_qgis.roadspace.road_city import known_functions
+        from ...urbanmap_qgis.roadspace.road_model import Structures, build_road_model, with_functions
         from ...urbanmap_qgis.roadspace.road_surface import surface_of
 
         progress = self.progress(feedback)
@@ -89,6 +90,7 @@ class RoadModel(UrbanMapAlgorithm):
         structures = Structures(*(self._outlines(parameters, name, context, table) for name in ("BRIDGES", "TUNNELS")))
         surface = surface_of(table.geometries)
         built = build_road_model(surface, structures, progress=progress.part(0.1, 0.8))
+        built = with_functions(built, table.geometries, known_functions(table.columns.get("function", ())))
         self._tell(built, progress)
         results = self._write_layers(parameters, context, built, table.crs)
         folder = self.output_path(parameters, "OUTPUT_CITYGML", context)

@@ -99,6 +99,7 @@ def test_roads_that_operators_cut_are_cut_anew(run, read_layer, real_data, tmp_p
                            "OUTPUT": str(tmp_path / "surfaces.gpkg"), "OUTPUT_CITYGML": str(tmp_path / "city")})
     assert made["SURFACES"] == pytest.approx(206, rel=0.05) and made["JUNCTIONS"] == pytest.approx(63, rel=0.1)
     surfaces = read_layer(made["OUTPUT"])
+    assert {row.attributes["function"] for row in surfaces} == {row.attributes["function"] for row in rows}
     assert sum(row.attributes["kind"] == "bridge" for row in surfaces) == 15
     assert sum(row.geometry.area() for row in surfaces) == pytest.approx(sum(row.geometry.area() for row in rows),
                                                                         rel=1e-5)

@@ -8,7 +8,7 @@ import shapely
 from shapely.affinity import rotate
 
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.roadspace.road_model import Structures, build_road_model
+from urbanmap_qgis.roadspace.road_model import Structures, build_road_model, with_functions
 from urbanmap_qgis.roadspace.road_surface import surface_of
 
 FAR = 60.0
@@ -188,3 +188,10 @@ def test_what_is_wrong_with_the_edges_is_told():
         surface_of([None, shapely.Point(1, 2)])
     with pytest.raises(InputError, match="no numbers"):
         surface_of([shapely.Polygon([(0, 0), (10, np.nan), (10, 10)])])
+
+
+def test_functions_are_those_of_the_surfaces_that_cover_most():
+    surfaces = [EAST_WEST, shapely.box(-2, -FAR, 2, -3), shapely.Point(0, 0)]
+    built = with_functions(model(*surfaces[:2]), surfaces, ["3", "4", "2"])
+    assert sorted(piece.function for piece in built.pieces) == ["3", "3", "3", "4"]
+    assert {piece.function for piece in with_functions(built, surfaces, [None, "", "2"]).pieces} == {"3", "4"}

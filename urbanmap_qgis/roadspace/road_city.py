@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import csv
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from datetime import date
 from functools import cache
@@ -94,6 +94,11 @@ def check_function(code: str) -> None:
     if code not in road_lists()["Road_function"]:
         raise InputError(say("{code} is no code of a road's function: give one of {codes}.", code=code,
                              codes=", ".join(road_lists()["Road_function"])))
+
+
+def known_functions(values: Iterable[Any]) -> list[str]:
+    """Values of a field as codes of `Road_function`; empty where they are none."""
+    return [str(value) if str(value) in road_lists()["Road_function"] else "" for value in values]
 
 
 def write_road_citygml(folder: str | os.PathLike, model: RoadSurfaceModel, crs_wkt: str,

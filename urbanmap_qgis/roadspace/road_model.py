@@ -6,8 +6,9 @@ junctions, where bridges and tunnels begin and end, and where accuracy changes),
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 import shapely
@@ -31,6 +32,31 @@ class Structures:
 
     bridges: Sequence[shapely.Geometry] = ()
     tunnels: Sequence[shapely.Geometry] = ()
+
+
+def with_functions(model: RoadSurfaceModel, surfaces: Sequence[shapely.Geometry | None],
+                   codes: Sequence[str | None]) -> RoadSurfaceModel:
+    """A model whose pieces have the code of `Road_function` of the given surface that covers most of them.
+
+    Parameters
+    ----------
+    surfaces : polygons that the model was made of, m; others are passed over.
+    codes : one for each; those that are None or empty are passed over.
+    """
+    known = [(shape, code) for shape, code in zip(surfaces, codes)
+             if code and shape is not None and shape.geom_type in ("Polygon", "MultiPolygon")]
+    if not known:
+        return model
+    shapes = [shape if shape.is_valid else shapely.make_valid(shape) for shape, _ in known]
+    tree = shapely.STRtree(shapes)
+    pieces = []
+    for piece in model.pieces:
+        covered: dict[str, float] = defaultdict(float)
+        for number in tree.query(piece.polygon).tolist():
+            covered[known[number][1]] += shapely.area(shapely.intersection(piece.polygon, shapes[number]))
+        most = max(covered, key=lambda code: covered[code], default="")
+        pieces.append(replace(piece, function=most if most and covered[most] > 0 else ""))
+    return replace(model, pieces=tuple(pieces))
 
 
 @dataclass(eq=False)
@@ -163,5 +189,4 @@ def _add_axes(built: _Built, skeleton: Skeleton, first: int) -> None:
     for number, length in enumerate(lengths):
         if length > 0 and new[number].kind != JUNCTION:
             piece = new[number]
-            built.pieces[first + number] = RoadPiece(piece.polygon, piece.kind, piece.polygon.area / length, piece.arms,
-                                                     piece.source, piece.status, piece.finding, piece.function)
+            built.pieces[first + number] = replace(piece, width=piece.polygon.area / length)
