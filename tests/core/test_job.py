@@ -7,6 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+import shapely
 
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.io.conversion.reprojection import epsg_wkt
@@ -129,7 +130,21 @@ def test_what_is_missing_is_said_with_where_to_get_it():
     assert any("trajectory" in sentence for sentence in plan_chain("survey", nothing).missing)
     for wish in WISHES:
         assert plan_chain(wish, nothing).missing, wish
-    assert "roadmodel" not in wishes({"lanemap"}) and "roadmodel" in wishes({"roadspace"})
+    assert "roadmodel" not in wishes({"lanemap"}) and "roadmodel" in wishes({"roadmodel"})
+
+
+def test_roads_are_told_by_their_name_and_used_when_said():
+    from urbanmap_qgis.job.recognition.layer_kind import LayerSample, kind_of_layer
+
+    line, area = shapely.LineString([(0, 0), (50, 0)]), shapely.box(0, 0, 50, 6)
+    assert kind_of_layer(LayerSample(("a.gpkg", "RdEdg"), ("fid",), "LineString", [line]), False)[0] == "roads"
+    assert kind_of_layer(LayerSample(("a.gpkg", "道路構成線"), (), "Polygon", [area]), False)[0] == "roads"
+    assert kind_of_layer(LayerSample(("a.gpkg", "road_edges"), (), "LineString", [line]), False)[0] == "lines"
+    for kind in ("lines", "areas", "roads"):
+        assert "roads" in uses_of(facts("r.gpkg", kind))
+    used = put_to_use([facts("r.gpkg", "lines")], {facts("r.gpkg", "lines").source: "roads"})
+    plan = plan_chain("roadmodel", parts_of(used))
+    assert [step.algorithm for step in plan.steps] == ["roadmodel"] and not plan.missing
 
 
 def test_given_markings_and_official_outlines_change_the_chain():
@@ -184,7 +199,7 @@ def test_files_are_used_as_the_user_says(city_facts, city_parts):
 def test_what_is_against_its_name_and_in_truth_is_used_when_said(tmp_path):
     areas = facts("plan.gpkg", "areas")
     assert not areas.usable and "footprints" not in parts_of([areas]).inputs
-    assert uses_of(areas) == ("footprints", "markings") and uses_of(facts("x.txt", "other")) == ()
+    assert uses_of(areas) == ("footprints", "markings", "roads") and uses_of(facts("x.txt", "other")) == ()
     assert parts_of(put_to_use([areas], {areas.source: "footprints"})).inputs == {"footprints": (areas.source,)}
     true = replace(facts("truth/b.gpkg", "outlines"), path=Path("/data/truth/b.gpkg"))
     both = [facts("a.gpkg", "outlines"), true]

@@ -20,7 +20,7 @@ WISHES = {
 }
 """What can be wished for, with its English name."""
 
-_NEEDS = {ROAD_SPACE: "roadspace"}
+_NEEDS = {ROAD_SPACE: "roadmodel"}
 """Algorithm without which a wish cannot be had."""
 
 _MISSING = {
@@ -40,7 +40,9 @@ _MISSING = {
                         "vehicle; without it intensities are not made even over ranges."),
     roles.NAVIGATION_ROLE: mark("No GNSS navigation file: accuracy is predicted from walls and markings alone; data "
                                 "centres of the IGS and GSI's GEONET have them by day."),
-    ROAD_SPACE: mark("This version has no algorithm for it."),
+    roles.ROADS_ROLE: mark("Edges or surfaces of roads are missing: give lines along both edges (in Japan RdEdg of "
+                           "GSI's Fundamental Geospatial Data, opened in QGIS and saved in a projected system), or "
+                           "the surfaces of an older road model."),
 }
 
 _POINTS_CRS = mark("CRS of the point clouds")
@@ -261,9 +263,10 @@ class _Planning:
                  NAVIGATION=_given(roles.NAVIGATION_ROLE) if self.has(roles.NAVIGATION_ROLE) else None)
 
     def road_space(self) -> None:
-        surveys, reference = self.surveys(), self.reference()
-        self.add("roadspace", "roadspace", POINTS=[_result(step) for step in surveys], MARKINGS=reference["polygons"],
-                 TRAJECTORY=[_result(step, "OUTPUT_TRAJECTORY") for step in surveys])
+        if not self.has(roles.ROADS_ROLE):
+            self.lacks(roles.ROADS_ROLE)
+        self.require_plane(roles.ROADS_ROLE)
+        self.add("roads", "roadmodel", ROADS=_given(roles.ROADS_ROLE), OUTPUT_CITYGML=WANTED, OUTPUT_REPORT=WANTED)
 
 
 _WORK: dict[str, Callable[[_Planning], object]] = {

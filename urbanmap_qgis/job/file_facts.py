@@ -14,7 +14,7 @@ CAMERA, CALIBRATION, EXTERIOR = "camera", "calibration", "exterior"
 TRAJECTORY, IMAGE_POSES, CONTROL, TIE_POINTS, IMAGE_TIMES = "trajectory", "poses", "control", "ties", "image_times"
 OUTLINES, GSI_OUTLINES, GSI_DEM, GSI_OTHER = "outlines", "gsi_outlines", "gsi_dem", "gsi_other"
 MARKINGS, BUILDING_MODELS, CITY_MODEL, ROOFS = "markings", "building_models", "city_model", "roofs"
-LANE_MAP, AREAS, LINES, PLACES = "lane_map", "areas", "lines", "places"
+LANE_MAP, ROADS, AREAS, LINES, PLACES = "lane_map", "roads", "areas", "lines", "places"
 OBSERVATIONS, NAVIGATION, ORBITS = "observations", "navigation", "orbits"
 JOB, TABLE, MESH, TEXTURE, REPORT, OTHER = "job", "table", "mesh", "texture", "report", "other"
 
@@ -28,7 +28,8 @@ KIND_NAMES = {
     OUTLINES: mark("Building outlines"), GSI_OUTLINES: mark("Building outlines (GSI)"),
     GSI_DEM: mark("Elevation model (GSI)"), GSI_OTHER: mark("Other objects (GSI)"),
     MARKINGS: mark("Road markings"), BUILDING_MODELS: mark("Building models"), CITY_MODEL: mark("City model"),
-    ROOFS: mark("Roof polygons"), LANE_MAP: mark("Lane map"), AREAS: mark("Areas of another kind"),
+    ROOFS: mark("Roof polygons"), LANE_MAP: mark("Lane map"),
+    ROADS: mark("Road edges or surfaces"), AREAS: mark("Areas of another kind"),
     LINES: mark("Lines"), PLACES: mark("Points of a layer"), OBSERVATIONS: mark("GNSS observations"),
     NAVIGATION: mark("GNSS navigation"), ORBITS: mark("GNSS orbits"), JOB: mark("UrbanMap job"),
     TABLE: mark("Table of another kind"), MESH: mark("Mesh"), TEXTURE: mark("Texture of a model"),

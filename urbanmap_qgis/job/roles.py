@@ -20,6 +20,7 @@ from .file_facts import (
     GSI_DEM,
     GSI_OUTLINES,
     IMAGE_POSES,
+    LINES,
     MARKING_MASK,
     MARKINGS,
     NAVIGATION,
@@ -28,6 +29,7 @@ from .file_facts import (
     OUTLINES,
     POINTS,
     RASTER,
+    ROADS,
     ROOFS,
     TRAJECTORY,
     FileFacts,
@@ -37,11 +39,11 @@ from .file_facts import (
 ALS, FOOTPRINTS, GSI_FOOTPRINTS, FRAMES = "als", "footprints", "gsi_footprints", "frames"
 CAMERA_ROLE, EXTERIOR_ROLE, ORTHOPHOTO_ROLE = "camera", "exterior", "orthophoto"
 MASK, MARKING_POLYGONS, GROUND, GSI_GROUND = "marking_mask", "markings", "ground", "gsi_ground"
-NAVIGATION_ROLE, OBSERVATIONS_ROLE, SURVEY = "navigation", "observations", "survey"
+NAVIGATION_ROLE, OBSERVATIONS_ROLE, SURVEY, ROADS_ROLE = "navigation", "observations", "survey", "roads"
 
 _SINGLE = ((FOOTPRINTS, OUTLINES), (GSI_FOOTPRINTS, GSI_OUTLINES), (CAMERA_ROLE, CAMERA), (EXTERIOR_ROLE, EXTERIOR),
            (ORTHOPHOTO_ROLE, ORTHOPHOTO), (MASK, MARKING_MASK), (MARKING_POLYGONS, MARKINGS), (GROUND, ELEVATION),
-           (GSI_GROUND, GSI_DEM))
+           (GSI_GROUND, GSI_DEM), (ROADS_ROLE, ROADS))
 _SEVERAL = ((FRAMES, FRAME), (NAVIGATION_ROLE, NAVIGATION), (OBSERVATIONS_ROLE, OBSERVATIONS))
 
 USES = {
@@ -51,16 +53,18 @@ USES = {
     MARKING_POLYGONS: mark("Road markings"), GROUND: mark("Ground elevation"),
     GSI_GROUND: mark("Elevation model (GSI)"), NAVIGATION_ROLE: mark("GNSS navigation"),
     OBSERVATIONS_ROLE: mark("GNSS observations"), "trajectory": mark("Trajectory"), "poses": mark("Image poses"),
-    "calibration": mark("Calibration"), "control": mark("Control points")}
+    "calibration": mark("Calibration"), "control": mark("Control points"),
+    ROADS_ROLE: mark("Road edges or surfaces")}
 """What a file can be used as, with its English name; of a survey's files without its number."""
 
 _KIND_OF_USE = {ALS: POINTS, SURVEY: POINTS, "trajectory": TRAJECTORY, "poses": IMAGE_POSES,
                 "calibration": CALIBRATION, "control": CONTROL,
                 **dict((*_SINGLE, *_SEVERAL))}
-_PLANES = (FOOTPRINTS, MARKING_POLYGONS)
+_PLANES = (FOOTPRINTS, MARKING_POLYGONS, ROADS_ROLE)
 _IMAGES = (ORTHOPHOTO_ROLE, FRAMES, MASK, GROUND)
 _FITTING = {POINTS: (ALS, SURVEY), **dict.fromkeys((OUTLINES, MARKINGS, AREAS, ROOFS, BUILDING_MODELS), _PLANES),
             **dict.fromkeys((ORTHOPHOTO, FRAME, MARKING_MASK, ELEVATION, RASTER), _IMAGES),
+            **dict.fromkeys((LINES, ROADS), (ROADS_ROLE,)),
             TRAJECTORY: ("trajectory", "poses"), IMAGE_POSES: ("poses", "trajectory")}
 """Uses that a file of a kind can be put to; of other kinds only their own."""
 

@@ -19,6 +19,7 @@ from ..file_facts import (
     MARKINGS,
     OUTLINES,
     PLACES,
+    ROADS,
     ROOFS,
     TIE_POINTS,
     TRAJECTORY,
@@ -29,6 +30,7 @@ _WORDS = (
     (MARKINGS, re.compile(r"marking|paint|dashes|crosswalk|crossing|zebra|標示|白線|区画線|横断歩道")),
     (OUTLINES, re.compile(r"build|bldg|^bld|footprint|outline|^pand$|lokaalid|identificatie|^bag$|maison|batiment|"
                           r"gebouw|建物|建築|presence")),
+    (ROADS, re.compile(r"rd_?edg|rd_?compt|road_?surfaces?|道路縁|道路構成線|道路面")),
     (AREAS, re.compile(r"road|drivable|vehicle|areas?$|landuse|parcel|道路|筆界|用途|occlusion")),
 )
 """What words in names of layers and fields say, the first that is there."""
@@ -73,12 +75,15 @@ def kind_of_layer(sample: LayerSample, degrees: bool) -> tuple[str, str]:
             return TIE_POINTS, ""
         return next(((kind, "") for kind, names in _OWN_FIELDS if names <= fields), (PLACES, ""))
     if not types <= {"Polygon", "Polyhedralsurface", "PolyhedralSurface", "GeometryCollection", "Geometry", "Patch"}:
-        return LINES, ""
+        return (ROADS if types <= {"LineString", "Linestring"} and _said(_words(sample)) == ROADS else LINES), ""
     if _has_walls(sample.shapes):
         return BUILDING_MODELS, ""
-    words = {unicodedata.normalize("NFKC", name).lower() for name in (*sample.names[1:], *sample.fields)}
-    said = _said(words) or _said({sample.names[0].lower()})
+    said = _said(_words(sample)) or _said({sample.names[0].lower()})
     return (said, "") if said else _by_size(sample.shapes, degrees)
+
+
+def _words(sample: LayerSample) -> set[str]:
+    return {unicodedata.normalize("NFKC", name).lower() for name in (*sample.names[1:], *sample.fields)}
 
 
 def _said(words: set[str]) -> str:
