@@ -185,7 +185,7 @@ def _add_axes(built: _Built, skeleton: Skeleton, first: int) -> None:
         for part in shapely.get_parts(shapely.line_merge(shapely.intersection(lines[line], new[number].polygon))):
             if part.geom_type == "LineString" and part.length > 0:
                 lengths[number] += part.length
-                built.axes.append(AxisPiece(shapely.get_coordinates(part), first + number, np.nan))
+                built.axes.append(AxisPiece(shapely.get_coordinates(part), first + number))
     for number, length in enumerate(lengths):
         if length > 0 and new[number].kind != JUNCTION:
             piece = new[number]

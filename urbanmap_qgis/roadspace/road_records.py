@@ -46,7 +46,6 @@ class AxisPiece:
 
     points: np.ndarray
     piece: int
-    width: float
 
 
 @dataclass(frozen=True)
