@@ -313,3 +313,19 @@ def test_maps_that_cannot_be_compared(old, new, words):
 
 def test_every_kind_of_change_is_named():
     assert CHANGES == (MOVED, ADDED, REMOVED, REPAINTED)
+
+
+def test_outlines_that_scatter_at_each_corner_have_not_moved():
+    random = np.random.default_rng(2)
+    def scattered(elements):
+        return [replace(one, points=one.points + random.normal(0.0, 0.05, one.points.shape), sigma=np.nan)
+                if one.element in (CROSSWALK, SYMBOL) else one for one in elements]
+    for _ in range(10):
+        assert not compare_maps(scattered(town()), scattered(town())).of(MOVED)
+
+
+def test_a_symbol_whose_kind_and_heading_are_unknown_is_matched_and_not_repainted():
+    new = [replace(one, kind="arrow, kind unknown", heading=np.full(2, np.nan)) if one.element == SYMBOL else one
+           for one in town()]
+    found = compare_maps(town(), new)
+    assert not found.changes and found.counts[SYMBOL] == 12

@@ -33,18 +33,20 @@ REACH = {STOP_LINE: LIMITS.reach_stop, CROSSWALK: LIMITS.reach_crosswalk, SYMBOL
 class ElementFrames:
     """Where elements lie: points (each (k, 2)) and middles (n, 2), m, and the directions (n, 2) along them.
 
-    Along is the direction of traffic: across a stop line, the heading of a symbol or crosswalk, else the shorter side
-    of the outline.
+    Along is the direction of traffic: across a stop line, the heading of a symbol or crosswalk. Where that is not
+    known (`known`) it is taken from the outline: a symbol's longer side, a crosswalk's shorter one.
     """
 
     points: list[np.ndarray]
     middles: np.ndarray
     along: np.ndarray
+    known: np.ndarray
 
 
 def element_frames(elements: Sequence[MapElement]) -> ElementFrames:
     """Middles and directions of stop lines, crosswalks and symbols."""
     middles, along = np.empty((len(elements), 2)), np.empty((len(elements), 2))
+    known = np.array([one.element == STOP_LINE or bool(np.isfinite(one.heading).all()) for one in elements], bool)
     for number, one in enumerate(elements):
         if one.element == STOP_LINE:
             middles[number] = shapely.get_coordinates(shapely.line_interpolate_point(one.plan, one.plan.length / 2))[0]
@@ -53,23 +55,23 @@ def element_frames(elements: Sequence[MapElement]) -> ElementFrames:
         else:
             outline = shapely.polygons(one.points)
             middles[number] = shapely.get_coordinates(shapely.centroid(outline))[0]
-            course = one.heading if np.isfinite(one.heading).all() else _shorter_side(outline)
+            course = one.heading if known[number] else _side(outline, longer=one.element == SYMBOL)
         along[number] = course / max(np.linalg.norm(course), np.finfo(float).tiny)
-    return ElementFrames([one.points for one in elements], middles, along)
+    return ElementFrames([one.points for one in elements], middles, along, known)
 
 
-def _shorter_side(outline: shapely.Geometry) -> np.ndarray:
+def _side(outline: shapely.Geometry, longer: bool) -> np.ndarray:
     sides = np.diff(shapely.get_coordinates(shapely.minimum_rotated_rectangle(outline))[:3], axis=0)
-    return sides[int(np.argmin(np.linalg.norm(sides, axis=1)))]
+    return sides[int(np.argsort(np.linalg.norm(sides, axis=1))[-1 if longer else 0])]
 
 
 def element_pairs(old: ElementFrames, new: ElementFrames, reach: float) -> np.ndarray:
-    """Pairs (n, 2) of elements, nearest first, each once, whose directions are about the same or opposite."""
+    """Pairs (n, 2) of elements, nearest first, each once; directions, where known, are about the same or opposite."""
     if not len(old.middles) or not len(new.middles):
         return np.empty((0, 2), int)
     points = shapely.points(new.middles)
     a, b = shapely.STRtree(points).query(shapely.points(old.middles), predicate="dwithin", distance=reach)
-    keep = np.abs((old.along[a] * new.along[b]).sum(axis=1)) >= PARALLEL
+    keep = (np.abs((old.along[a] * new.along[b]).sum(axis=1)) >= PARALLEL) | ~old.known[a] | ~new.known[b]
     a, b = a[keep], b[keep]
     taken: tuple[set[int], set[int]] = (set(), set())
     pairs = []
@@ -81,29 +83,45 @@ def element_pairs(old: ElementFrames, new: ElementFrames, reach: float) -> np.nd
     return np.array(pairs, int).reshape(-1, 2)
 
 
-def pair_differences(old: ElementFrames, new: ElementFrames, pairs: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Shifts (n, 2) of pairs along and across (to the left), and their axes (n, 2, 2), m.
+@dataclass(frozen=True)
+class PairDifferences:
+    """Differences of matched elements along and across (to the left), m.
 
-    A shift is what both ends of an element have in common: one that reaches farther on one side, or was seen in part,
-    has not moved.
+    Attributes
+    ----------
+    pairs : (n, 2) numbers of the elements.
+    axes : (n, 2, 2) directions along and across.
+    shifts : (n, 2) what both ends of an element have in common: one that reaches farther on one side, or was seen in
+        part, has not moved.
+    middles : (n, 2) of the middles between both ends: how well such differences are known.
     """
+
+    pairs: np.ndarray
+    axes: np.ndarray
+    shifts: np.ndarray
+    middles: np.ndarray
+
+
+def pair_differences(old: ElementFrames, new: ElementFrames, pairs: np.ndarray) -> PairDifferences:
+    """Differences of pairs of elements."""
     along = old.along[pairs[:, 0]]
     axes = np.stack([along, np.column_stack([-along[:, 1], along[:, 0]])], axis=1)
-    shifts = np.zeros((len(pairs), 2))
+    shifts, middles = np.zeros((len(pairs), 2)), np.zeros((len(pairs), 2))
     for number, (a, b) in enumerate(pairs):
         before, after = old.points[a] @ axes[number].T, new.points[b] @ axes[number].T
         ends = np.stack([after.min(axis=0) - before.min(axis=0), after.max(axis=0) - before.max(axis=0)])
         together = np.sign(ends[0]) == np.sign(ends[1])
         shifts[number] = np.where(together, np.sign(ends[0]) * np.abs(ends).min(axis=0), 0.0)
-    return shifts, axes
+        middles[number] = ends.mean(axis=0)
+    return PairDifferences(pairs, axes, shifts, middles)
 
 
-def paired_changes(old: Sequence[MapElement], new: Sequence[MapElement], pairs: np.ndarray, differences: np.ndarray,
-                   axes: np.ndarray, noises: tuple[MapNoise, MapNoise], settings: ComparisonSettings,
+def paired_changes(old: Sequence[MapElement], new: Sequence[MapElement], found: PairDifferences,
+                   noises: tuple[MapNoise, MapNoise], settings: ComparisonSettings,
                    offset: np.ndarray) -> list[MapChange]:
     """Elements of both maps that moved or were painted anew; `noises` are those along and across."""
     made = []
-    for (a, b), shift, frame in zip(pairs, differences, axes):
+    for (a, b), shift, frame in zip(found.pairs, found.shifts, found.axes):
         before, after = old[a], new[b]
         places = after.points + offset
         ids = {"old_id": before.identifier, "new_id": after.identifier}

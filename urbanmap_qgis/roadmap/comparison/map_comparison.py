@@ -12,7 +12,15 @@ from scipy.spatial import cKDTree
 from ...errors import InputError
 from ...progress import SILENT, Progress
 from ...wording import say
-from .area_changes import REACH, element_frames, element_pairs, pair_differences, paired_changes, single_changes
+from .area_changes import (
+    REACH,
+    PairDifferences,
+    element_frames,
+    element_pairs,
+    pair_differences,
+    paired_changes,
+    single_changes,
+)
 from .comparison_records import (
     ADDED,
     OFFSET,
@@ -111,10 +119,10 @@ def _offset(old, new, samples: LineSamples, new_lines, settings: ComparisonSetti
         _, line, count = np.unique(pairs, axis=0, return_inverse=True, return_counts=True)
         rows, values, single = [normals], [across + normals @ estimate], 0
         for element in REACH:
-            differences, axes, _ = _thing_differences(element, old, shifted)
+            things = _thing_differences(element, old, shifted)
             kept = 1 if element == STOP_LINE else 2
-            rows.append(axes[:, :kept].reshape(-1, 2))
-            values.append(differences[:, :kept].reshape(-1) + rows[-1] @ estimate)
+            rows.append(things.axes[:, :kept].reshape(-1, 2))
+            values.append(things.middles[:, :kept].reshape(-1) + rows[-1] @ estimate)
             single += len(values[-1])
         share = np.r_[1.0 / count[line.reshape(-1)], np.ones(single)]
         found = robust_offset(np.vstack(rows), np.concatenate(values), share, _independent(pairs) + single)
@@ -128,12 +136,11 @@ def _independent(pairs: np.ndarray) -> float:
     return max(float(len(np.unique(pairs, axis=0))), len(pairs) / PER_LINE)
 
 
-def _thing_differences(element: str, old, new) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Shifts (n, 2) along and across, axes (n, 2, 2) and pairs (n, 2) of elements of a kind."""
+def _thing_differences(element: str, old, new) -> PairDifferences:
+    """Differences of elements of a kind."""
     before, after = ([one for one in elements if one.element == element] for elements in (old, new))
     frames = element_frames(before), element_frames(after)
-    pairs = element_pairs(*frames, REACH[element])
-    return *pair_differences(*frames, pairs), pairs
+    return pair_differences(*frames, element_pairs(*frames, REACH[element]))
 
 
 def _noises(old, new, samples: LineSamples, matches: LineMatches, old_lines, lines, bend: np.ndarray,
@@ -146,7 +153,8 @@ def _noises(old, new, samples: LineSamples, matches: LineMatches, old_lines, lin
     noises = {LINE: noise or MapNoise(np.nan, np.nan, 1.0, SIGMAS, len(across), "unknown")}
     pooled, own = [], {}
     for element in REACH:
-        differences, _, pairs = _thing_differences(element, old, new)
+        things = _thing_differences(element, old, new)
+        differences, pairs = things.middles, things.pairs
         sigmas = [np.array([one.sigma for one in part if one.element == element])[pairs[:, k]]
                   for k, part in enumerate((old, new))]
         pooled.append(differences.reshape(-1))
@@ -175,8 +183,9 @@ def _thing_changes(element: str, old, new, lines, noises, settings: ComparisonSe
                    taken: np.ndarray) -> tuple[list[MapChange], int]:
     """Changes of stop lines, crosswalks or symbols, and how many are in both maps."""
     before, after = ([one for one in elements if one.element == element] for elements in (old, new))
-    differences, axes, pairs = _thing_differences(element, old, new)
-    made = paired_changes(before, after, pairs, differences, axes,
+    things = _thing_differences(element, old, new)
+    pairs = things.pairs
+    made = paired_changes(before, after, things,
                           (noises[f"{element}, along"], noises[f"{element}, across"]), settings, taken)
     made += single_changes(ADDED, after, element_frames(after), pairs[:, 1], lines[0], area, taken)
     made += single_changes(REMOVED, before, element_frames(before), pairs[:, 0], lines[1], area, taken)
