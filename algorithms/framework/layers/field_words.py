@@ -125,6 +125,17 @@ _WORDS = {
     "up_after": FieldWords(mark("error up, after (m)"), 3),
     "plan_after": FieldWords(mark("error in plan, after (m)"), 3),
     "space_after": FieldWords(mark("error in space, after (m)"), 3),
+    "east_left_out": FieldWords(mark("error east, left out (m)"), 3),
+    "north_left_out": FieldWords(mark("error north, left out (m)"), 3),
+    "frames": FieldWords(mark("frames that see it")),
+    "role": FieldWords(mark("role")),
+    # Roads.
+    "road_id": FieldWords(mark("number of the road surface")),
+    "function": FieldWords(mark("function (code)")),
+    "usage": FieldWords(mark("usage (code)")),
+    "section": FieldWords(mark("kind of section (code)")),
+    "arms": FieldWords(mark("roads that meet")),
+    "finding": FieldWords(mark("finding")),
     # Buildings.
     "roofs": FieldWords(mark("roofs")),
     "parts": FieldWords(mark("parts")),
