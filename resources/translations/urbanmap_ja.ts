@@ -156,6 +156,202 @@
         <translation>MMS点</translation>
     </message>
     <message>
+        <source>Camera (*.json)</source>
+        <translation>カメラ (*.json)</translation>
+    </message>
+    <message>
+        <source>JSON file of the camera: focal_length_mm, pixel_pitch_mm, image_width, image_height, principal_point_mm, distortion.</source>
+        <translation>カメラのJSONファイルです：focal_length_mm, pixel_pitch_mm, image_width, image_height, principal_point_mm, distortion。</translation>
+    </message>
+    <message>
+        <source>Exterior orientation (*.csv *.txt)</source>
+        <translation>外部標定要素 (*.csv *.txt)</translation>
+    </message>
+    <message>
+        <source>CSV file image,x,y,z,omega,phi,kappa (metres, degrees), or what Metashape (Omega Phi Kappa) or Pix4D wrote, whose order of angles is known.</source>
+        <translation>CSV ファイル image,x,y,z,omega,phi,kappa（メートル、度）、または Metashape（Omega Phi Kappa）か Pix4D が出力したファイル（角の順序は自動で判別）。</translation>
+    </message>
+    <message>
+        <source>Points in the frames</source>
+        <translation>写真上の点</translation>
+    </message>
+    <message>
+        <source>Points in frames (*.csv *.txt)</source>
+        <translation>写真上の点 (*.csv *.txt)</translation>
+    </message>
+    <message>
+        <source>CSV file point,image,column,row,x,y,z: a row for each frame in which a point was measured, pixels from the centre of the upper left one, coordinates in metres, none for tie points; role: control or check.</source>
+        <translation>CSV ファイル point,image,column,row,x,y,z。点を測った写真ごとに1行とし、画素は左上の画素の中心から数え、座標はメートル、タイポイントには座標を書きません。role は control（標定点）または check（検証点）です。</translation>
+    </message>
+    <message>
+        <source>Accuracy of the projection centres</source>
+        <translation>投影中心の精度</translation>
+    </message>
+    <message>
+        <source>Standard deviation of each frame's own error in metres; what all frames share may be ten times as large.</source>
+        <translation>写真ごとの誤差の標準偏差（m）。全写真に共通の誤差はその10倍まで見込みます。</translation>
+    </message>
+    <message>
+        <source>Accuracy of the angles</source>
+        <translation>角度の精度</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>度</translation>
+    </message>
+    <message>
+        <source>The same of the angles.</source>
+        <translation>角度についての同じ値。</translation>
+    </message>
+    <message>
+        <source>Accuracy of the measured places</source>
+        <translation>画像座標の精度</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>画素</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a point's place in a frame.</source>
+        <translation>写真上の点の位置の標準偏差。</translation>
+    </message>
+    <message>
+        <source>Accuracy of the control points</source>
+        <translation>標定点の精度</translation>
+    </message>
+    <message>
+        <source>Standard deviation of their coordinates in metres.</source>
+        <translation>座標の標準偏差（m）。</translation>
+    </message>
+    <message>
+        <source>Order of the angles</source>
+        <translation>角度の順序</translation>
+    </message>
+    <message>
+        <source>R_omega R_phi R_kappa, as in the papers</source>
+        <translation>R_omega R_phi R_kappa（論文の順序）</translation>
+    </message>
+    <message>
+        <source>R_kappa R_phi R_omega, as bundle adjustments write</source>
+        <translation>R_kappa R_phi R_omega（バンドル調整で一般的な順序）</translation>
+    </message>
+    <message>
+        <source>Papers: R_omega R_phi R_kappa. Usual: R_kappa R_phi R_omega, as most bundle adjustments write. (papers, usual)</source>
+        <translation>papers：R_omega R_phi R_kappa。usual：多くのバンドル調整と同じR_kappa R_phi R_omega。（papers, usual）</translation>
+    </message>
+    <message>
+        <source>Unit of the angles</source>
+        <translation>角度の単位</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>自動</translation>
+    </message>
+    <message>
+        <source>gon</source>
+        <translation>ゴン</translation>
+    </message>
+    <message>
+        <source>radians</source>
+        <translation>ラジアン</translation>
+    </message>
+    <message>
+        <source>Automatic: degrees, and an error where they look otherwise. (automatic, degrees, gon, radians)</source>
+        <translation>automatic：度とみなし、そうでないと見られる場合はエラーとします。（automatic, degrees, gon, radians）</translation>
+    </message>
+    <message>
+        <source>Coordinate system</source>
+        <translation>座標系</translation>
+    </message>
+    <message>
+        <source>Of the points and the orientation, for the layer of residuals.</source>
+        <translation>点と外部標定要素の座標系。残差のレイヤに使います。</translation>
+    </message>
+    <message>
+        <source>Corrected exterior orientation</source>
+        <translation>補正した外部標定要素</translation>
+    </message>
+    <message>
+        <source>Exterior orientation (*.csv)</source>
+        <translation>外部標定要素 (*.csv)</translation>
+    </message>
+    <message>
+        <source>As the input, in degrees and the papers' order of angles, with standard deviations.</source>
+        <translation>入力と同じ形式で、角度は度、論文の回転順とし、標準偏差を添えます。</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>残差</translation>
+    </message>
+    <message>
+        <source>Control and check points with their errors on the ground, as given, after, and left out.</source>
+        <translation>標定点と検証点。地上での誤差を、入力のまま、調整後、その点を除いた場合について示します。</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>報告書</translation>
+    </message>
+    <message>
+        <source>HTML report (*.html)</source>
+        <translation>HTML報告書 (*.html)</translation>
+    </message>
+    <message>
+        <source>Errors at the points and accuracy of the frames.</source>
+        <translation>各点の誤差と写真の精度。</translation>
+    </message>
+    <message>
+        <source>Number of control points.</source>
+        <translation>標定点の数。</translation>
+    </message>
+    <message>
+        <source>Control points</source>
+        <translation>基準点（調整点・検証点）</translation>
+    </message>
+    <message>
+        <source>RMS error of the control points in plan, as given.</source>
+        <translation>入力のままでの標定点の水平誤差の二乗平均平方根。</translation>
+    </message>
+    <message>
+        <source>RMS before</source>
+        <translation>補正前のRMS</translation>
+    </message>
+    <message>
+        <source>The same after the adjustment.</source>
+        <translation>調整後の同じ値。</translation>
+    </message>
+    <message>
+        <source>RMS after</source>
+        <translation>補正後のRMS</translation>
+    </message>
+    <message>
+        <source>The same, each point left out in turn.</source>
+        <translation>点を1つずつ除いた場合の同じ値。</translation>
+    </message>
+    <message>
+        <source>RMS left out</source>
+        <translation>除いた点の RMS</translation>
+    </message>
+    <message>
+        <source>RMS error of the check points in plan, after.</source>
+        <translation>調整後の検証点の水平誤差の二乗平均平方根。</translation>
+    </message>
+    <message>
+        <source>RMS of check points</source>
+        <translation>検証点の RMS</translation>
+    </message>
+    <message>
+        <source>Control points that contradict the others.</source>
+        <translation>ほかの点と矛盾する標定点の数。</translation>
+    </message>
+    <message>
+        <source>Contradicting points</source>
+        <translation>矛盾する点</translation>
+    </message>
+    <message>
+        <source>Adjust frames to control points</source>
+        <translation>標定点による写真の調整</translation>
+    </message>
+    <message>
         <source>Orthophotos</source>
         <translation>オルソ画像</translation>
     </message>
@@ -248,10 +444,6 @@
         <translation>画像ファイルです。TIFFまたはJPEG、8または16ビットです。</translation>
     </message>
     <message>
-        <source>Camera (*.json)</source>
-        <translation>カメラ (*.json)</translation>
-    </message>
-    <message>
         <source>JSON with focal_length_mm, pixel_pitch_mm, image_width, image_height, principal_point_mm and distortion, if there is any.</source>
         <translation>focal_length_mm、pixel_pitch_mm、image_width、image_height、principal_point_mmと、歪みがあればdistortionを持つJSONです。</translation>
     </message>
@@ -332,40 +524,8 @@
         <translation>refined：上の設定に従います。paper：しきい値を超える表層の三角形をそのまま使い、低い部分、急な壁、セル境界の壁は無効です。（refined, paper）</translation>
     </message>
     <message>
-        <source>Unit of the angles</source>
-        <translation>角度の単位</translation>
-    </message>
-    <message>
-        <source>automatic</source>
-        <translation>自動</translation>
-    </message>
-    <message>
-        <source>degrees</source>
-        <translation>度</translation>
-    </message>
-    <message>
-        <source>gon</source>
-        <translation>ゴン</translation>
-    </message>
-    <message>
-        <source>radians</source>
-        <translation>ラジアン</translation>
-    </message>
-    <message>
         <source>Automatic takes degrees and stops where the angles look like gon or radians. (automatic, degrees, gon, radians)</source>
         <translation>automaticは度とみなし、角度がゴンまたはラジアンらしい場合は停止します。（automatic, degrees, gon, radians）</translation>
-    </message>
-    <message>
-        <source>Order of the angles</source>
-        <translation>角度の順序</translation>
-    </message>
-    <message>
-        <source>R_omega R_phi R_kappa, as in the papers</source>
-        <translation>R_omega R_phi R_kappa（論文の順序）</translation>
-    </message>
-    <message>
-        <source>R_kappa R_phi R_omega, as bundle adjustments write</source>
-        <translation>R_kappa R_phi R_omega（バンドル調整で一般的な順序）</translation>
     </message>
     <message>
         <source>R_omega R_phi R_kappa as in the papers, or the usual R_kappa R_phi R_omega of most bundle adjustments. (papers, usual)</source>
@@ -426,18 +586,6 @@
     <message>
         <source>All files (*)</source>
         <translation>すべてのファイル (*)</translation>
-    </message>
-    <message>
-        <source>JSON file of the camera: focal_length_mm, pixel_pitch_mm, image_width, image_height, principal_point_mm, distortion.</source>
-        <translation>カメラのJSONファイルです：focal_length_mm, pixel_pitch_mm, image_width, image_height, principal_point_mm, distortion。</translation>
-    </message>
-    <message>
-        <source>Exterior orientation (*.csv *.txt)</source>
-        <translation>外部標定要素 (*.csv *.txt)</translation>
-    </message>
-    <message>
-        <source>CSV file image,x,y,z,omega,phi,kappa (metres, degrees), or what Metashape (Omega Phi Kappa) or Pix4D wrote, whose order of angles is known.</source>
-        <translation>CSV ファイル image,x,y,z,omega,phi,kappa（メートル、度）、または Metashape（Omega Phi Kappa）か Pix4D が出力したファイル（角の順序は自動で判別）。</translation>
     </message>
     <message>
         <source>Heights of the bare ground in metres; the mosaic has its coordinate system.</source>
@@ -510,14 +658,6 @@
     <message>
         <source>What stands higher than this above the ground, in metres, hides ground; vehicles should not.</source>
         <translation>地表からこの高さ（m）を超える物が地表を隠します。車両は含めないようにしてください。</translation>
-    </message>
-    <message>
-        <source>Papers: R_omega R_phi R_kappa. Usual: R_kappa R_phi R_omega, as most bundle adjustments write. (papers, usual)</source>
-        <translation>papers：R_omega R_phi R_kappa。usual：多くのバンドル調整と同じR_kappa R_phi R_omega。（papers, usual）</translation>
-    </message>
-    <message>
-        <source>Automatic: degrees, and an error where they look otherwise. (automatic, degrees, gon, radians)</source>
-        <translation>automatic：度とみなし、そうでないと見られる場合はエラーとします。（automatic, degrees, gon, radians）</translation>
     </message>
     <message>
         <source>Mosaic of the frames; 0 where there is no data.</source>
@@ -694,14 +834,6 @@
     <message>
         <source>Outlines of the markings, with area (m2), length and width of the stroke (m), mean contrast (grey values), colour and confidence (0 to 1).</source>
         <translation>路面標示の輪郭です。面積（m2）、線の長さと幅（m）、平均コントラスト（階調値）、色、信頼度（0～1）を持ちます。</translation>
-    </message>
-    <message>
-        <source>Report</source>
-        <translation>報告書</translation>
-    </message>
-    <message>
-        <source>HTML report (*.html)</source>
-        <translation>HTML報告書 (*.html)</translation>
     </message>
     <message>
         <source>HTML report: numbers and areas, shifts between frames, coverage, pictures of the markings over the orthophoto, and what to distrust.</source>
@@ -962,10 +1094,6 @@
     <message>
         <source>JSON file of the scanners' (and cameras') lever arms and angles on the vehicle.</source>
         <translation>車両上のスキャナ（およびカメラ）のレバーアームと取付角のJSONファイルです。</translation>
-    </message>
-    <message>
-        <source>Control points</source>
-        <translation>基準点（調整点・検証点）</translation>
     </message>
     <message>
         <source>CSV or layer with the columns id,x,y,z (where a point truly lies, metres) and time,x_mms,y_mms,z_mms (when the survey measured it, GPS seconds, and where it lies in the survey). Heights may be missing.</source>
@@ -1256,16 +1384,8 @@
         <translation>補正前の平面間の距離です（軌跡は補正済み）。</translation>
     </message>
     <message>
-        <source>RMS before</source>
-        <translation>補正前のRMS</translation>
-    </message>
-    <message>
         <source>Distance between planes after.</source>
         <translation>補正後の平面間の距離です。</translation>
-    </message>
-    <message>
-        <source>RMS after</source>
-        <translation>補正後のRMS</translation>
     </message>
     <message>
         <source>Number of values that are determined.</source>
@@ -1282,10 +1402,6 @@
     <message>
         <source>The same after a correction. Without it the survey is measured as it is.</source>
         <translation>補正後の同じ軌跡です。指定しない場合は、計測データをそのまま評価します。</translation>
-    </message>
-    <message>
-        <source>Residuals</source>
-        <translation>残差</translation>
     </message>
     <message>
         <source>One point at each control point, with the error before and after (m, east, north, up, in plan and in space).</source>
@@ -2428,16 +2544,16 @@
         <translation>報告書に設定とともに表示する文章です（業務名など）。</translation>
     </message>
     <message>
-        <source>MultiPolygonZ, one feature a building with all faces of its solids; status, reason, roofs, base, height (m), area (m2), volume (m3), points, density (points a m2), rmse_z, rmse_z95, median_dz, rmse_3d, p95 (m), coverage, unseen (shares), lod, roof_type, not_explained (share of the points that can be roof and lie far from the model), quality (0 to 1), roof_min, roof_50, roof_70, roof_max (m above the ground), volume_lod12, volume_lod13, volume_lod22 (m3), area_roof_flat, area_roof_sloped (m2), storeys_estimated.</source>
-        <translation>建物ごとに1地物で、立体のすべての面を持つMultiPolygonZです：status、reason、roofs、base、height（m）、area（m2）、volume（m3）、points、density（点/m2）、rmse_z、rmse_z95、median_dz、rmse_3d、p95（m）、coverage、unseen（割合）、lod、roof_type、not_explained（屋根でありうる点のうちモデルから遠いものの割合）、quality（0～1）、roof_min、roof_50、roof_70、roof_max（地表からのm）、volume_lod12、volume_lod13、volume_lod22（m3）、area_roof_flat、area_roof_sloped（m2）、storeys_estimated。</translation>
+        <source>MultiPolygonZ, one feature a building with all faces of its solids; status, reason, roofs, base, height (m), area (m2), volume (m3), points, density (points a m2), rmse_z, rmse_z95, median_dz, rmse_3d, p95 (m), coverage, unseen, beyond (shares), lod, roof_type, not_explained (share of the points that can be roof and lie far from the model), quality (0 to 1), roof_min, roof_50, roof_70, roof_max (m above the ground), volume_lod12, volume_lod13, volume_lod22 (m3), area_roof_flat, area_roof_sloped (m2), storeys_estimated.</source>
+        <translation>建物ごとに1地物で、立体のすべての面を持つMultiPolygonZです：status、reason、roofs、base、height（m）、area（m2）、volume（m3）、points、density（点/m2）、rmse_z、rmse_z95、median_dz、rmse_3d、p95（m）、coverage、unseen、beyond（割合）、lod、roof_type、not_explained（屋根でありうる点のうちモデルから遠いものの割合）、quality（0～1）、roof_min、roof_50、roof_70、roof_max（地表からのm）、volume_lod12、volume_lod13、volume_lod22（m3）、area_roof_flat、area_roof_sloped（m2）、storeys_estimated。</translation>
     </message>
     <message>
         <source>Surfaces</source>
-        <translation>面</translation>
+        <translation>面の数</translation>
     </message>
     <message>
-        <source>MultiPolygonZ, one feature a surface, with building_id, roof_id and surface_type: roof, outer wall, inner wall, ground.</source>
-        <translation>面ごとに1地物のMultiPolygonZです。building_id、roof_id、surface_type（roof 屋根、outer wall 外壁、inner wall 内壁、ground 地面）を持ちます。</translation>
+        <source>MultiPolygonZ, one feature a surface, with building_id, roof_id and surface_type: roof, outer wall, inner wall, ground; of roofs seen (share that the points have seen) and sigma (expected error of its height, m).</source>
+        <translation>1地物が1面のMultiPolygonZです：building_id、roof_id、surface_type（roof、outer wall、inner wall、ground）。屋根にはseen（点が捉えた割合）とsigma（高さの予想誤差、m）があります。</translation>
     </message>
     <message>
         <source>CityJSON</source>
@@ -2749,7 +2865,7 @@
     </message>
     <message>
         <source>Date of the data</source>
-        <translation>データの日付</translation>
+        <translation>データの作成日</translation>
     </message>
     <message>
         <source>Day on which the buildings were measured, such as 2026-04-01.</source>
@@ -2842,6 +2958,10 @@
     <message>
         <source>PolygonZ, one feature a face, with building_id, roof_id and surface_type: roof, outer wall, inner wall, ground, overhang.</source>
         <translation>面ごとに1地物のPolygonZです。building_id、roof_id、surface_type（roof 屋根、outer wall 外壁、inner wall 内壁、ground 地面、overhang 張り出し）を持ちます。</translation>
+    </message>
+    <message>
+        <source>MultiPolygon surfaces of the roads (tran:Road) of CityGML, of their plainest level of detail: road_id, lod, class, function, usage, section (code of the kind of section), width (m), note, attributes (all, as JSON).</source>
+        <translation>CityGML の道路（tran:Road）の、最も簡略な LOD の面（MultiPolygon）：road_id、lod、class、function、usage、section（道路構造の種別のコード）、width（m）、note、attributes（全属性、JSON）。</translation>
     </message>
     <message>
         <source>Number of buildings written.</source>
@@ -3288,8 +3408,8 @@
         <translation>属性building_idを付けた建物の点群（建物順）。その他の属性はすべて保持されます。</translation>
     </message>
     <message>
-        <source>The outlines at their found places, with building_id, points, density (points a m2), ground (m), shift_x, shift_y, shift_sigma (m), shift_status, status and open_share (share of the outline cut out as open ground).</source>
-        <translation>位置合わせ後の外周線: building_id、points、density（点/m2）、ground（m）、shift_x、shift_y、shift_sigma（m）、shift_status、status、open_share（空地として切り取った外周線内の割合）。</translation>
+        <source>The outlines at their found places, with building_id, points, density (points a m2), ground (m), shift_x, shift_y, shift_sigma (m), shift_status, status, open_share (share of the outline cut out as open ground), cloud_density (points a m2 of the cloud round it) and beyond (share of the outline beyond the cloud's edge).</source>
+        <translation>位置合わせ後の外周線: building_id、points、density（点/m2）、ground（m）、shift_x、shift_y、shift_sigma（m）、shift_status、status、open_share（空地として切り取った外周線内の割合）、cloud_density（周囲の点群の密度、点/m2）、beyond（外周線内のうち点群の端の外にある割合）。</translation>
     </message>
     <message>
         <source>Outlines with too few points for a model.</source>
@@ -3932,6 +4052,154 @@
         <translation>車線地図の検査</translation>
     </message>
     <message>
+        <source>Old map: Lanelet2 file</source>
+        <translation>旧地図：Lanelet2 ファイル</translation>
+    </message>
+    <message>
+        <source>OSM file; or give lines.</source>
+        <translation>OSM ファイル。または線を与えます。</translation>
+    </message>
+    <message>
+        <source>Old map: lines</source>
+        <translation>旧地図：線</translation>
+    </message>
+    <message>
+        <source>Lines with the field class, in place of a Lanelet2 file: marking lines or bounds of lanes; colour, sigma and double are used where they are there.</source>
+        <translation>Lanelet2 ファイルの代わりに使う、属性 class のある線（標示の線または車線の境界線）。colour、sigma、double があれば使います。</translation>
+    </message>
+    <message>
+        <source>Old map: areas</source>
+        <translation>旧地図：面</translation>
+    </message>
+    <message>
+        <source>Crosswalks and symbols of the map that is given as lines, with the field class.</source>
+        <translation>線で与えた地図の横断歩道と記号（属性 class が必要）。</translation>
+    </message>
+    <message>
+        <source>New map: Lanelet2 file</source>
+        <translation>新地図：Lanelet2 ファイル</translation>
+    </message>
+    <message>
+        <source>New map: lines</source>
+        <translation>新地図：線</translation>
+    </message>
+    <message>
+        <source>New map: areas</source>
+        <translation>新地図：面</translation>
+    </message>
+    <message>
+        <source>Area of both maps</source>
+        <translation>両方の地図の範囲</translation>
+    </message>
+    <message>
+        <source>What both maps show: within it everything counts, also roads that only one of them has; outside of it nothing is added or removed.</source>
+        <translation>両方の地図が載せる範囲。その中では一方にしかない道路もすべて対象とし、外では追加・撤去としません。</translation>
+    </message>
+    <message>
+        <source>Longest shift of a line</source>
+        <translation>線の最大移動量</translation>
+    </message>
+    <message>
+        <source>A line farther off is another one: the old one was removed, the new one added.</source>
+        <translation>これより離れた線は別の線とみなし、旧の撤去と新の追加とします。</translation>
+    </message>
+    <message>
+        <source>Shortest change of a line</source>
+        <translation>線の変化の最短長</translation>
+    </message>
+    <message>
+        <source>Shorter stretches of lines are not told.</source>
+        <translation>これより短い区間は示しません。</translation>
+    </message>
+    <message>
+        <source>Smallest shift</source>
+        <translation>最小移動量</translation>
+    </message>
+    <message>
+        <source>Smaller shifts are not told, also where they are significant.</source>
+        <translation>これより小さい移動は、有意でも示しません。</translation>
+    </message>
+    <message>
+        <source>Sigma of the old map</source>
+        <translation>旧地図の標準偏差</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the places of elements that state none; left empty, it is estimated.</source>
+        <translation>標準偏差のない要素の位置の標準偏差。空欄なら推定します。</translation>
+    </message>
+    <message>
+        <source>Sigma of the new map</source>
+        <translation>新地図の標準偏差</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>変化</translation>
+    </message>
+    <message>
+        <source>Lines and outlines: kind (moved, added, removed, repainted, or offset of the whole map, without geometry), element, before and after (class and colour), length, shift, azimuth, along and across (m; across is to the left of the old element), sigma, significance (shift over sigma), ids in both maps.</source>
+        <translation>線と輪郭。kind（moved 移動、added 追加、removed 撤去、repainted 塗り替え、offset 地図全体のずれ（形状なし））、element、before と after（種別と色）、length、shift、azimuth、along と across（m。across は旧要素の左方向）、sigma、significance（移動量÷標準偏差）、両方の地図の id。</translation>
+    </message>
+    <message>
+        <source>HTML report: verdict, offset, table by kind and length, sigmas, map and list of the changes.</source>
+        <translation>HTML 報告書：判定、全体のずれ、種類と長さの表、標準偏差、地図、変化の一覧。</translation>
+    </message>
+    <message>
+        <source>Number of such changes.</source>
+        <translation>その変化の数。</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>移動</translation>
+    </message>
+    <message>
+        <source>Added</source>
+        <translation>追加</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>撤去</translation>
+    </message>
+    <message>
+        <source>Repainted</source>
+        <translation>塗り替え</translation>
+    </message>
+    <message>
+        <source>Of the new map against the old one; 0 where it is not significant.</source>
+        <translation>旧地図に対する新地図のずれ。有意でなければ 0。</translation>
+    </message>
+    <message>
+        <source>Offset to the east</source>
+        <translation>東方向のずれ</translation>
+    </message>
+    <message>
+        <source>The same to the north.</source>
+        <translation>同じく北方向。</translation>
+    </message>
+    <message>
+        <source>Offset to the north</source>
+        <translation>北方向のずれ</translation>
+    </message>
+    <message>
+        <source>Of the old map's lines that are as they were.</source>
+        <translation>旧地図の線のうち変わっていないもの。</translation>
+    </message>
+    <message>
+        <source>Same length</source>
+        <translation>変化のない長さ</translation>
+    </message>
+    <message>
+        <source>Of the old map's lines where the new map shows the road.</source>
+        <translation>旧地図の線のうち、新地図に道路が載っているもの。</translation>
+    </message>
+    <message>
+        <source>Compared length</source>
+        <translation>比較した長さ</translation>
+    </message>
+    <message>
+        <source>Compare lane maps</source>
+        <translation>車線地図の新旧比較</translation>
+    </message>
+    <message>
         <source>Building models (MultiPolygonZ, such as those of “Building models”) or outlines with heights, in a projected CRS in metres. Leave them out to ask for markings alone.</source>
         <translation>建物モデル（「建物モデル」によるMultiPolygonZなど）、または高さをもつ外周線。メートル単位の投影座標系とします。路面標示だけで評価する場合は指定しません。</translation>
     </message>
@@ -4536,8 +4804,128 @@
         <translation>計測された縁石の横断方向の標準偏差の中央値。縁石がない場合は値なし。</translation>
     </message>
     <message>
-        <source>Lines of “Lines from road markings” (fields class, colour, width, sigma, chain, partner; class alone is enough), in a projected CRS in metres.</source>
-        <translation>「路面標示からの線」の線（フィールドclass、colour、width、sigma、chain、partner。classだけでも可）。メートル単位の投影座標系とします。</translation>
+        <source>Edges or surfaces of roads</source>
+        <translation>道路縁または道路面</translation>
+    </message>
+    <message>
+        <source>Polygons of roads, which are dissolved, or lines along both edges of roads, such as the GSI's road edges (RdEdg), in a projected CRS in metres.</source>
+        <translation>道路のポリゴン（統合して使用）、または基盤地図情報の道路縁（RdEdg）のような道路両側の縁の線。単位がメートルの投影座標系であること。</translation>
+    </message>
+    <message>
+        <source>Bridges</source>
+        <translation>橋梁</translation>
+    </message>
+    <message>
+        <source>Outlines of bridges and viaducts, in the CRS of the roads: surfaces are cut there.</source>
+        <translation>橋梁・高架橋の外周。座標参照系は道路と同じものとします。ここで面を区切ります。</translation>
+    </message>
+    <message>
+        <source>Tunnels</source>
+        <translation>トンネル</translation>
+    </message>
+    <message>
+        <source>Outlines of tunnels, in the CRS of the roads: surfaces are cut there.</source>
+        <translation>トンネルの外周。座標参照系は道路と同じものとします。ここで面を区切ります。</translation>
+    </message>
+    <message>
+        <source>Code of the roads' function</source>
+        <translation>道路の機能のコード</translation>
+    </message>
+    <message>
+        <source>Of PLATEAU's list Road_function, for roads that have no field function with one: 1 national expressway, 2 national road, 3 prefectural road, 4 municipal road, 9000 not surveyed, 9020 unknown.</source>
+        <translation>PLATEAU のコードリスト Road_function のコードで、フィールド function にコードのない道路に付けます。1 高速自動車国道、2 一般国道、3 都道府県道、4 市町村道、9000 未調査、9020 不明。</translation>
+    </message>
+    <message>
+        <source>Material of the edges</source>
+        <translation>道路縁の原典資料</translation>
+    </message>
+    <message>
+        <source>Fundamental Geospatial Data of the GSI</source>
+        <translation>基盤地図情報</translation>
+    </message>
+    <message>
+        <source>digital topographic map</source>
+        <translation>数値地形図データ</translation>
+    </message>
+    <message>
+        <source>other data</source>
+        <translation>その他のデータ</translation>
+    </message>
+    <message>
+        <source>What the edges are from, for the quality attributes of CityGML. (GSI fundamental data, digital topographic map, other data)</source>
+        <translation>道路縁の出典。CityGML の品質属性に書きます。（GSI fundamental data、digital topographic map、other data）</translation>
+    </message>
+    <message>
+        <source>Map level of the edges</source>
+        <translation>道路縁の地図情報レベル</translation>
+    </message>
+    <message>
+        <source>Of the map that the edges are from, for the quality attributes of CityGML. (none, 500, 1000, 2500, 5000)</source>
+        <translation>道路縁の元になった地図の情報レベル。CityGML の品質属性に書きます。（none、500、1000、2500、5000）</translation>
+    </message>
+    <message>
+        <source>Day on which the model was made, such as 2026-04-01; CityGML has it as creationDate, which PLATEAU asks for.</source>
+        <translation>モデルの作成日（例：2026-04-01）。CityGML では PLATEAU が必須とする creationDate になります。</translation>
+    </message>
+    <message>
+        <source>Road surfaces</source>
+        <translation>道路面</translation>
+    </message>
+    <message>
+        <source>Polygons: road_id, kind (road, junction, bridge, tunnel), function (code), width (mean, m), arms (roads that meet, of a junction), area (m²), source (official), status (made, to look at), finding.</source>
+        <translation>ポリゴン：road_id、kind（road 道路、junction 交差部、bridge 橋梁、tunnel トンネル）、function（コード）、width（平均幅員、m）、arms（交差部に接続する道路の数）、area（m²）、source（official）、status（made 作成、to look at 要確認）、finding（指摘）。</translation>
+    </message>
+    <message>
+        <source>Middle lines of roads</source>
+        <translation>道路中心線</translation>
+    </message>
+    <message>
+        <source>Lines equally far from both edges: road_id of their surface, kind, width and length (m).</source>
+        <translation>左右の道路縁から等距離の線：属する面の road_id、kind、width と length（m）。</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>指摘事項</translation>
+    </message>
+    <message>
+        <source>Points: kind and a sentence on what to look at.</source>
+        <translation>点：種類と、確認する内容の文。</translation>
+    </message>
+    <message>
+        <source>CityGML folder</source>
+        <translation>CityGML のフォルダ</translation>
+    </message>
+    <message>
+        <source>CityGML 2.0 with i-UR 3.2 as PLATEAU lays it out: udx/tran by third meshes, with the lists of codes.</source>
+        <translation>PLATEAU の構成による CityGML 2.0（i-UR 3.2）：3次メッシュごとの udx/tran とコードリスト。</translation>
+    </message>
+    <message>
+        <source>HTML report: verdict, figures, a map, pictures of the junctions to look at, findings.</source>
+        <translation>HTML の報告書：判定、数値、全体図、要確認箇所の図、指摘事項。</translation>
+    </message>
+    <message>
+        <source>Number of surfaces.</source>
+        <translation>面の数。</translation>
+    </message>
+    <message>
+        <source>Number of junctions.</source>
+        <translation>交差部の数。</translation>
+    </message>
+    <message>
+        <source>Junctions</source>
+        <translation>交差部の数</translation>
+    </message>
+    <message>
+        <source>Number of findings.</source>
+        <translation>指摘事項の数。</translation>
+    </message>
+    <message>
+        <source>Road model</source>
+        <translation>道路モデル</translation>
+    </message>
+    <message>
+        <source>Lines of “Lines from road markings” (fields class, colour, width, sigma, chain, partner; class alone is enough), in a projected CRS in metres; or bounds of an earlier run that were edited by hand, whose ids are kept.</source>
+        <translation>「路面標示から線」の線（属性 class、colour、width、sigma、chain、partner。class だけでも可）。メートル単位の投影座標系。または、以前の実行で作り、手作業で編集した境界線（id は保たれます）。</translation>
     </message>
     <message>
         <source>Crosswalks and arrows of “Lines from road markings” (fields class, heading).</source>
@@ -4704,10 +5092,6 @@
         <translation>ASAM OpenDRIVE 1.7形式の道路、交差点、路面標示、停止線、横断歩道。座標は座標参照系の値からヘッダのオフセットを引いたものです。</translation>
     </message>
     <message>
-        <source>Findings</source>
-        <translation>指摘事項</translation>
-    </message>
-    <message>
         <source>Points: kind and a sentence on what is missing or contradicts.</source>
         <translation>点: 種類と、不足または矛盾を説明する文。</translation>
     </message>
@@ -4726,10 +5110,6 @@
     <message>
         <source>Length of lanes</source>
         <translation>車線の延長</translation>
-    </message>
-    <message>
-        <source>Number of findings.</source>
-        <translation>指摘事項の件数です。</translation>
     </message>
     <message>
         <source>Lane map</source>
@@ -5248,6 +5628,14 @@
         <translation>航空レーザ点群と概略の外周線から、閉じた3次元建物モデルまでを一度に作成します: 建物の抽出、屋根の分割、屋根ポリゴン、建物モデル。&lt;/p&gt;&lt;p&gt;「航空レーザ点群からの建物」と同じ一連の処理をモデルとしたものです。メニュー「プラグイン &gt; UrbanMap &gt; 処理の流れをモデルデザイナーで開く」で複製を開き、各段階を確認し変更できます。</translation>
     </message>
     <message>
+        <source>MultiPolygonZ, one feature a building with all faces of its solids; status, reason, roofs, base, height (m), area (m2), volume (m3), points, density (points a m2), rmse_z, rmse_z95, median_dz, rmse_3d, p95 (m), coverage, unseen (shares), lod, roof_type, not_explained (share of the points that can be roof and lie far from the model), quality (0 to 1), roof_min, roof_50, roof_70, roof_max (m above the ground), volume_lod12, volume_lod13, volume_lod22 (m3), area_roof_flat, area_roof_sloped (m2), storeys_estimated.</source>
+        <translation>建物ごとに1地物で、立体のすべての面を持つMultiPolygonZです：status、reason、roofs、base、height（m）、area（m2）、volume（m3）、points、density（点/m2）、rmse_z、rmse_z95、median_dz、rmse_3d、p95（m）、coverage、unseen（割合）、lod、roof_type、not_explained（屋根でありうる点のうちモデルから遠いものの割合）、quality（0～1）、roof_min、roof_50、roof_70、roof_max（地表からのm）、volume_lod12、volume_lod13、volume_lod22（m3）、area_roof_flat、area_roof_sloped（m2）、storeys_estimated。</translation>
+    </message>
+    <message>
+        <source>MultiPolygonZ, one feature a surface, with building_id, roof_id and surface_type: roof, outer wall, inner wall, ground.</source>
+        <translation>面ごとに1地物のMultiPolygonZです。building_id、roof_id、surface_type（roof 屋根、outer wall 外壁、inner wall 内壁、ground 地面）を持ちます。</translation>
+    </message>
+    <message>
         <source>Buildings from ALS (model)</source>
         <translation>航空レーザ点群からの建物（モデル）</translation>
     </message>
@@ -5332,6 +5720,46 @@ Building models with laser points instead: 84 edges of each mesh are looked for 
         <translation>出力</translation>
     </message>
     <message>
+        <source>Aerial reference</source>
+        <translation>空中写真の基準</translation>
+    </message>
+    <message>
+        <source>aerial</source>
+        <translation>空中写真</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>写真</translation>
+    </message>
+    <message>
+        <source>control points</source>
+        <translation>標定点</translation>
+    </message>
+    <message>
+        <source>bundle adjustment</source>
+        <translation>バンドル調整</translation>
+    </message>
+    <message>
+        <source>exterior orientation</source>
+        <translation>外部標定</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>校正</translation>
+    </message>
+    <message>
+        <source>Corrects the exterior orientation of aerial frames by few control points whose places in the frames were measured. All frames share a shift and a tilt, each has errors of its own; how much they share is found from the points. Points without coordinates tie frames to each other.
+Each control point is left out once and predicted by the others: that figure, or check points, tells what the orientation is worth away from the points. Points that contradict the others, too few of them, and points that lie close together are told.
+Give the corrected orientation to “Orthorectify frames” or “Road markings from aerial frames”.</source>
+        <translation>写真上の位置を測った少数の標定点により、空中写真の外部標定要素を補正します。全写真に共通のずれと傾きがあり、写真ごとにも誤差があります。共通の割合は点から求めます。座標のない点は写真どうしを結びます。
+各標定点は1回ずつ除き、残りの点から予測します。この値、または検証点の誤差が、点から離れた場所での精度を示します。ほかと矛盾する点、点の不足、点の偏りは知らせます。
+補正した外部標定要素は「空中写真のオルソ化」または「空中写真からの道路標示」に渡してください。</translation>
+    </message>
+    <message>
+        <source>Javanmardi 2018, 6.1 (calibration of the aerial data with few ground control points); bundle adjustment</source>
+        <translation>Javanmardi 2018, 6.1（少数の地上標定点による空中データの調整）、バンドル調整</translation>
+    </message>
+    <message>
         <source>Mobile mapping</source>
         <translation>MMS計測</translation>
     </message>
@@ -5357,7 +5785,7 @@ Building models with laser points instead: 84 edges of each mesh are looked for 
     </message>
     <message>
         <source>control</source>
-        <translation>基準点</translation>
+        <translation>標定点</translation>
     </message>
     <message>
         <source>trajectory</source>
@@ -5438,14 +5866,6 @@ Give as many passes as there are: with one or two nothing is moved, about ten ar
     <message>
         <source>marking</source>
         <translation>路面標示</translation>
-    </message>
-    <message>
-        <source>aerial</source>
-        <translation>空中写真</translation>
-    </message>
-    <message>
-        <source>frames</source>
-        <translation>写真</translation>
     </message>
     <message>
         <source>orthophoto</source>
@@ -5562,10 +5982,6 @@ The same chain is there as a model that can be changed in the modeller.</source>
         <translation>Javanmardi 2018、5章</translation>
     </message>
     <message>
-        <source>calibration</source>
-        <translation>校正</translation>
-    </message>
-    <message>
         <source>boresight</source>
         <translation>ボアサイト</translation>
     </message>
@@ -5627,7 +6043,7 @@ A column “role” (check, adjusted) tells points apart: those that the survey 
     </message>
     <message>
         <source>check</source>
-        <translation>検査</translation>
+        <translation>検証点</translation>
     </message>
     <message>
         <source>i-UR</source>
@@ -5688,6 +6104,26 @@ Code lists are those beside the files (../../codelists); where the data set brin
 Errors hinder a reader or change the map's sense: repeated ids, references to what is not in the file, coordinates that are none, lanelets without one left and one right bound, bounds that cross, regulatory elements that the library cannot make, stop lines, crosswalks and areas that no rule refers to. Warnings: missing tags, values that are not known, points that fall together, odd widths, lanelets without a next and a previous one. Infos: ends of the map, elements that need Autoware's extension.</source>
         <translation>任意の Lanelet2 ファイル（OSM）を、ほかのファイルを要しない Lanelet2 と Autoware の検証規則（コードと重大度も同じ）および独自の規則で検査し、違反とその位置を示します。規則の一覧は説明書の「Rules of lane maps」にあります。
 エラーは読み込みを妨げるか地図の意味を変えるものです：id の重複、ファイルにないものへの参照、座標として誤った値、左右の境界が1本ずつない lanelet、交わる境界、Lanelet2 が作れない regulatory element、どの規則からも参照されない停止線・横断歩道・領域。警告：タグの欠け、知られていない値、重なる点、不自然な幅、前後につながらない lanelet。情報：地図の端、Autoware の拡張が必要な要素。</translation>
+    </message>
+    <message>
+        <source>change detection</source>
+        <translation>変化抽出</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>差分</translation>
+    </message>
+    <message>
+        <source>update</source>
+        <translation>更新</translation>
+    </message>
+    <message>
+        <source>Compares a lane map with an older or foreign one: lines, stop lines, crosswalks and symbols that moved, were added, removed or painted otherwise, with places, shifts and how significant they are. Each map is a Lanelet2 file or layers: lines of “Lines from road markings” or bounds of “Lane map”, and areas.
+An offset of the whole map is found first and told once; elements are compared without it. A shift is told where it exceeds three times its sigma, which is that of both maps together; sigma of elements that state none is found from what did not change, and sigmas that are too small for what did not change are enlarged. Nothing is added or removed where the other map has no line of about the same course within 15 m: there it shows no road, unless an area is given that both show.
+How lines are cut, sampled and directed does not matter. Of a line only shifts to its side are seen. Two maps from line layers, or two from bounds, agree best: a double line is two lines in the first and one in the second.</source>
+        <translation>車線地図を、古い地図や他社の地図と比べます。区画線、停止線、横断歩道、記号の移動・追加・撤去・塗り替えを、位置、移動量、有意性とともに示します。それぞれの地図は Lanelet2 ファイル、またはレイヤ（「路面標示から線」の線、「車線地図」の境界線、および面）で与えます。
+まず地図全体のずれを求めて一度だけ示し、要素はそれを除いて比べます。移動は、両方の地図を合わせた標準偏差の 3 倍を超えたときだけ示します。標準偏差のない要素には、変化していない要素から推定した値を使い、変化していない要素のばらつきに比べて小さすぎる標準偏差は大きくします。相手の地図に 15 m 以内でほぼ同じ向きの線がないところは道路が載っていないとみなし、追加・撤去としません（両方の地図が載せる範囲を与えた場合を除く）。
+線の切れ方、点の間隔、向きは影響しません。線については横方向の移動だけが分かります。線どうし、境界線どうしの比較が最もよく合います（二重線は前者では 2 本、後者では 1 本）。</translation>
     </message>
     <message>
         <source>Convert heights</source>
@@ -5800,10 +6236,6 @@ Trajectory, points and building models must fit together: correct the survey fir
     <message>
         <source>Zhao and Shibasaki, 2.2 and 4.2</source>
         <translation>Zhao・Shibasaki、2.2、4.2</translation>
-    </message>
-    <message>
-        <source>Aerial reference</source>
-        <translation>空中写真の基準</translation>
     </message>
     <message>
         <source>vehicles</source>
@@ -5983,9 +6415,9 @@ Markings and ground are what “Road markings from aerial frames” makes; traje
     </message>
     <message>
         <source>Loads buildings of city models as outlines with heights and all attributes, and their solids and surfaces, for the other steps.
-CityGML as PLATEAU has it (.gml, .zip or its folder; files of roads and the like are passed over), CityJSON and CityJSONSeq are read, levels of detail 0 to 2. Codes get their meaning where the lists are beside the files. A building whose id is not its own, whose solid is not closed or whose parts cannot be read keeps its row; the field “note” says why. Nothing is read from the network.</source>
-        <translation>都市モデルの建物を、高さとすべての属性をもつ外周線として、また立体と面として読み込み、ほかの処理で使えるようにします。
-PLATEAUのCityGML（.gml、.zip、またはそのフォルダ。道路などのファイルは読み飛ばします）、CityJSON、CityJSONSeqを、詳細度0～2で読み込みます。コードは、コードリストがファイルのそばにあれば意味に置き換えます。idが重複する建物、立体が閉じていない建物、一部が読めない建物も行を保ち、フィールド「note」に理由を示します。ネットワークからは何も読み込みません。</translation>
+CityGML as PLATEAU has it (.gml, .zip or its folder; roads where “Roads” is asked for, files of other things are passed over), CityJSON and CityJSONSeq are read, levels of detail 0 to 2. Codes get their meaning where the lists are beside the files. A building whose id is not its own, whose solid is not closed or whose parts cannot be read keeps its row; the field “note” says why. Nothing is read from the network.</source>
+        <translation>3D都市モデルの建物を、高さと全属性を持つ外周線、立体、面として読み込み、ほかの処理で使えるようにします。
+PLATEAU の CityGML（.gml、.zip、そのフォルダ。「道路」を指定したときは道路も読み、その他のファイルは読み飛ばします）、CityJSON、CityJSONSeq の LOD0〜2 を読みます。コードリストがファイルのそばにあれば、コードに意味が付きます。ID が重複する建物、立体が閉じていない建物、読めない部分のある建物も行は残り、フィールド「note」に理由が入ります。ネットワークからは何も読みません。</translation>
     </message>
     <message>
         <source>OGC 12-019 (CityGML 2.0), CityJSON 2.0.1</source>
@@ -6444,6 +6876,38 @@ Any orthophoto of 0.5 m or finer will do, in grey or in red, green and blue, 8 o
         <translation>Javanmardi 2018、3.2.2、4.1</translation>
     </message>
     <message>
+        <source>tran</source>
+        <translation>tran</translation>
+    </message>
+    <message>
+        <source>junction</source>
+        <translation>交差部</translation>
+    </message>
+    <message>
+        <source>intersection</source>
+        <translation>交差点</translation>
+    </message>
+    <message>
+        <source>corner cut-off</source>
+        <translation>隅切り</translation>
+    </message>
+    <message>
+        <source>road edge</source>
+        <translation>道路縁</translation>
+    </message>
+    <message>
+        <source>Makes the road surfaces of PLATEAU's LOD1 from edges or surfaces of roads alone: cut at junctions, bridges and tunnels, with middle lines, findings and a CityGML file.
+Surfaces are dissolved and cut anew; lines along both edges are closed to surfaces, where two ends lie across a road from each other. A junction is where three or more roads meet. Its arms are cut as the working procedure says: at the ends of the corner cut-offs, else at the corners; with four or more arms from contact to contact, with three across the road at the outermost contact. Junctions that overlap are one.
+Surfaces share their edges to the bit. Heights are 0, as the specification asks of LOD1. What is doubtful is a finding with its place: arms without a corner, edges that do not close, surfaces that cross themselves.</source>
+        <translation>道路縁または道路面だけから、PLATEAU の道路モデル LOD1 の面を作成します。交差部、橋梁、トンネルで区切り、中心線、指摘事項、CityGML ファイルも出力します。
+面は一度統合してから区切り直します。道路両側の縁の線は、道路を挟んで向かい合う端点どうしを結んで面にします。三つ以上の道路が出会うところが交差部です。接続する道路は標準作業手順書のとおり、隅切りの端、隅切りがなければ道路角で区切ります。四差路以上では接点どうしを結び、三差路では最も外側の接点から横断方向に区切ります。重なる交差部は一つにします。
+隣り合う面は辺の座標を完全に共有します。高さは LOD1 の規定どおり 0 です。道路角のない接続、閉じない縁、自己交差する面など疑わしい箇所は、位置を付けて指摘事項にします。</translation>
+    </message>
+    <message>
+        <source>Project PLATEAU, standard product specification of 3D city models 5.0, 4.3, and its working procedure, annex D</source>
+        <translation>Project PLATEAU 3D都市モデル標準製品仕様書 5.0 4.3、および標準作業手順書 附属書D</translation>
+    </message>
+    <message>
         <source>roof</source>
         <translation>屋根</translation>
     </message>
@@ -6740,6 +7204,10 @@ Each wall says how well its points fit, how well its place is known, how much of
 各壁面には、点の適合度、位置の確かさ、計測された割合、樹木や車両などに隠れている可能性のある割合を示します。精度は計測データ内での壁面の精度であり、計測データ自体の位置の精度は含みません。</translation>
     </message>
     <message>
+        <source>Acceptance: edges of buildings to be surveyed</source>
+        <translation>精度管理：点検測量する建物の辺</translation>
+    </message>
+    <message>
         <source>Component</source>
         <translation>成分</translation>
     </message>
@@ -6772,6 +7240,46 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>判定</translation>
     </message>
     <message>
+        <source>Unit</source>
+        <translation>検査単位</translation>
+    </message>
+    <message>
+        <source>edges drawn</source>
+        <translation>抽出した辺の数</translation>
+    </message>
+    <message>
+        <source>edges there are</source>
+        <translation>全辺数</translation>
+    </message>
+    <message>
+        <source>edges needed</source>
+        <translation>必要な辺の数</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>点名</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>検査単位</translation>
+    </message>
+    <message>
+        <source>measured x (m)</source>
+        <translation>測定 x (m)</translation>
+    </message>
+    <message>
+        <source>measured y (m)</source>
+        <translation>測定 y (m)</translation>
+    </message>
+    <message>
+        <source>measured z (m)</source>
+        <translation>測定 z (m)</translation>
+    </message>
+    <message>
+        <source>Nothing was checked: {count} edges were drawn. Survey both ends of each, fill x, y, z into the table of edges and give that as check points.</source>
+        <translation>まだ検証していません：{count}辺を抽出しました。各辺の両端を点検測量し、x、y、zを辺の表に記入して、検証点として指定してください。</translation>
+    </message>
+    <message>
         <source>map level {level}</source>
         <translation>地図情報レベル{level}</translation>
     </message>
@@ -6784,24 +7292,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>合格（{name}）：検証点 {count} 点がすべての制限値を満たします。ただし、点数が少ないか値が制限値に近いため、95 %の信頼度では示せません。</translation>
     </message>
     <message>
-        <source>Nothing was checked: {count} edges were drawn. Survey both ends of each, fill x, y, z into the table of edges and give that as check points.</source>
-        <translation>まだ検証していません：{count}辺を抽出しました。各辺の両端を点検測量し、x、y、zを辺の表に記入して、検証点として指定してください。</translation>
-    </message>
-    <message>
         <source>Errors in plan</source>
         <translation>水平位置の較差</translation>
     </message>
     <message>
         <source>Errors in height</source>
         <translation>標高の較差</translation>
-    </message>
-    <message>
-        <source>point</source>
-        <translation>点名</translation>
-    </message>
-    <message>
-        <source>unit</source>
-        <translation>検査単位</translation>
     </message>
     <message>
         <source>east (m)</source>
@@ -6844,24 +7340,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>判定</translation>
     </message>
     <message>
-        <source>Unit</source>
-        <translation>検査単位</translation>
-    </message>
-    <message>
         <source>edges with both ends measured</source>
         <translation>両端を計測した辺の数</translation>
     </message>
     <message>
-        <source>edges needed</source>
-        <translation>必要な辺の数</translation>
-    </message>
-    <message>
-        <source>edges drawn</source>
-        <translation>抽出した辺の数</translation>
-    </message>
-    <message>
-        <source>edges there are</source>
-        <translation>全辺数</translation>
+        <source>Ends of the edges, with room for what is measured</source>
+        <translation>辺の端点（測定値の記入欄）</translation>
     </message>
     <message>
         <source>Left out, as the product was adjusted to them: {count} points.</source>
@@ -6950,6 +7434,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Acceptance: edges of buildings against laser points</source>
         <translation>精度管理：建物の辺とレーザ点群の比較</translation>
+    </message>
+    <message>
+        <source>All edges shown by the points</source>
+        <translation>点群で確認できた辺の一覧</translation>
     </message>
     <message>
         <source>This is a check of the modelling, not of accuracy: the points are not said to be of another, more accurate survey. What models and points have in common is not seen.</source>
@@ -7284,6 +7772,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>路面標示が見つかりませんでした。道路、コントラスト、および画像に路面標示が写っているかを確認してください。</translation>
     </message>
     <message>
+        <source>Half of the image is so light that paint can hardly be lighter than it: snow, concrete or too much light. Paint on such ground is missed.</source>
+        <translation>画像の半分が非常に明るく（積雪、コンクリート、露出過多）、塗装がそれより明るく写る余地がほとんどありません。そのような場所の標示は抽出漏れになります。</translation>
+    </message>
+    <message>
         <source>{unsure:.0%} of what is bright and narrow was left out, because the ground beside it is not smooth and grey as a road is: look for paint without an outline, or give roads.</source>
         <translation>明るく細いもののうち {unsure:.0%} は、隣の地面が道路のように滑らかな灰色でないため除かれました。輪郭のない標示がないか確認するか、道路を指定してください。</translation>
     </message>
@@ -7330,6 +7822,86 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Levels are seven numbers, low, high, middle and the road's texture, warmth, green and brightness, the second above the first, and where the image has a cast fifteen of that: give those, or none.</source>
         <translation>レベルは七つの数です（下限、上限、中央値、道路の粗さ、暖かさ、緑、明るさ。二つ目は一つ目より大きい値）。画像に色かぶりがあれば、その十五の数が続きます。それらを指定するか、何も指定しないでください。</translation>
+    </message>
+    <message>
+        <source>No control point is in any frame: give points with x, y, z and their places in the images.</source>
+        <translation>どの写真にも標定点がありません。x、y、z と画像上の位置のある点を指定してください。</translation>
+    </message>
+    <message>
+        <source>The point {point} lies outside {image}: columns and rows are counted in pixels from the upper left.</source>
+        <translation>点 {point} が {image} の外にあります。列と行は左上からの画素数です。</translation>
+    </message>
+    <message>
+        <source>The point {point} lies behind the camera of {image}: check the exterior orientation and the coordinates.</source>
+        <translation>点 {point} が {image} のカメラの後ろにあります。外部標定要素と座標を確かめてください。</translation>
+    </message>
+    <message>
+        <source>The standard deviations of frames, pixels and control points must be above 0.</source>
+        <translation>写真、画素、標定点の標準偏差は 0 より大きくしてください。</translation>
+    </message>
+    <message>
+        <source>Points were measured in {image}, which the exterior orientation does not name.</source>
+        <translation>点を測った {image} が外部標定要素にありません。</translation>
+    </message>
+    <message>
+        <source>{name} has no column {missing}: points in images need {columns}; x, y, z where their coordinates are known.</source>
+        <translation>{name} に列 {missing} がありません。写真上の点には {columns} が必要で、座標の分かる点には x, y, z も要ります。</translation>
+    </message>
+    <message>
+        <source>{name} holds no point in an image.</source>
+        <translation>{name} に写真上の点がありません。</translation>
+    </message>
+    <message>
+        <source>{name}: the point {point} is twice in {image}; keep one row.</source>
+        <translation>{name}：点 {point} が {image} に2回あります。1行だけ残してください。</translation>
+    </message>
+    <message>
+        <source>{name}: the point {point} has some of x, y and z only; give all three or none.</source>
+        <translation>{name}：点 {point} に x、y、z の一部しかありません。すべて書くか、すべて空にしてください。</translation>
+    </message>
+    <message>
+        <source>{name}: the point {point} has two places; keep one.</source>
+        <translation>{name}：点 {point} に2つの座標があります。1つだけ残してください。</translation>
+    </message>
+    <message>
+        <source>{name} has no number for {column} in row {row}: correct or remove it.</source>
+        <translation>{name} の {row} 行目の {column} が数値ではありません。直すか削除してください。</translation>
+    </message>
+    <message>
+        <source>{name}: the role “{text}” is not known; write control or check.</source>
+        <translation>{name}：役割「{text}」は使えません。control または check と書いてください。</translation>
+    </message>
+    <message>
+        <source>{frames} frames lie {before:.3f} m off at {count} control points as given and {after:.3f} m after (RMS in plan).</source>
+        <translation>写真 {frames} 枚は、標定点 {count} 点で入力のまま {before:.3f} m、調整後 {after:.3f} m ずれています（水平の RMS）。</translation>
+    </message>
+    <message>
+        <source>Each control point left out in turn lies {held:.3f} m off.</source>
+        <translation>標定点を1つずつ除くと、その点は {held:.3f} m ずれます。</translation>
+    </message>
+    <message>
+        <source>Check points lie {off:.3f} m off.</source>
+        <translation>検証点は {off:.3f} m ずれています。</translation>
+    </message>
+    <message>
+        <source>{count} control points tell a shift of the block, not how it is tilted: measure three or more, far from each other.</source>
+        <translation>標定点 {count} 点では全体のずれは分かりますが、傾きは分かりません。離れた3点以上を測ってください。</translation>
+    </message>
+    <message>
+        <source>Points that contradict the others, and were not followed: {names}.</source>
+        <translation>ほかと矛盾するため使わなかった点：{names}。</translation>
+    </message>
+    <message>
+        <source>{count} frames see no control point and follow the others: {names}.</source>
+        <translation>標定点の写らない写真 {count} 枚は、ほかの写真に従います：{names}。</translation>
+    </message>
+    <message>
+        <source>wrong</source>
+        <translation>矛盾</translation>
+    </message>
+    <message>
+        <source>The control points lie close together: away from them the frames may be tilted.</source>
+        <translation>標定点が狭い範囲に集まっています。離れた場所では写真が傾いているおそれがあります。</translation>
     </message>
     <message>
         <source>{first} and {second} lie {unexplained:.2f} m apart on the road markings {value}(east {east:.2f}, north {north:.2f}, sigma {unexplained_2:.2f}; {patches} places): check their orientation and the ground.</source>
@@ -7690,6 +8262,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{area:.0f} % of its outline has no model</source>
         <translation>外周線の {area:.0f} % にモデルがありません</translation>
+    </message>
+    <message>
+        <source>the point cloud ends in it: {beyond:.0f} % of its outline lies beyond</source>
+        <translation>点群が建物の途中で終わっています。外周線内の {beyond:.0f} % がその外にあります</translation>
     </message>
     <message>
         <source>{unseen:.0f} % of its plan has no roof points</source>
@@ -8129,7 +8705,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Number</source>
-        <translation>件数</translation>
+        <translation>数</translation>
     </message>
     <message>
         <source>Requirement</source>
@@ -9900,10 +10476,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>自己位置推定精度の地図</translation>
     </message>
     <message>
-        <source>Road model</source>
-        <translation>道路モデル</translation>
-    </message>
-    <message>
         <source>Airborne laser points (LAS, LAZ) are missing: the surveying authority of the area has them; in Japan those of GSI and of the prefectures are at the G-Spatial Information Centre.</source>
         <translation>航空レーザ点群（LAS、LAZ）がありません。その地域の測量機関が提供しています。日本では国土地理院や都道府県のものがG空間情報センターにあります。</translation>
     </message>
@@ -9936,8 +10508,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>GNSS航法ファイルがないため、壁面と路面標示だけから精度を予測します。航法ファイルはIGSのデータセンターや国土地理院のGEONETから日ごとに取得できます。</translation>
     </message>
     <message>
-        <source>This version has no algorithm for it.</source>
-        <translation>このバージョンには対応するアルゴリズムがありません。</translation>
+        <source>Edges or surfaces of roads are missing: give lines along both edges (in Japan RdEdg of GSI's Fundamental Geospatial Data, opened in QGIS and saved in a projected system), or the surfaces of an older road model.</source>
+        <translation>道路縁または道路面がありません。道路の両側の線（日本では基盤地図情報の道路縁 RdEdg を QGIS で開き、投影座標系で保存したもの）か、以前の道路モデルの面を指定してください。</translation>
     </message>
     <message>
         <source>The markings given are the reference; leave them out to make it from the images.</source>
@@ -10006,6 +10578,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Other objects (GSI)</source>
         <translation>その他の地物（国土地理院）</translation>
+    </message>
+    <message>
+        <source>Road edges or surfaces</source>
+        <translation>道路縁または道路面</translation>
     </message>
     <message>
         <source>Areas of another kind</source>
@@ -11336,10 +11912,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>軌跡の時間内に計測された路面標示点がありません。両方が同じ計測のものか確認してください。</translation>
     </message>
     <message>
-        <source>There is no reference marking near the survey: check the CRS of both and that the reference covers the drive.</source>
-        <translation>計測データの近くに基準の路面標示がありません。両方のCRSと、基準データが走行範囲を覆っているか確認してください。</translation>
-    </message>
-    <message>
         <source>{registered:.0f} % of the path is registered. The standard deviation in plan over the whole path is {sigma:.1f} cm (median).</source>
         <translation>経路の {registered:.0f} % が位置合わせ済みです。全経路の平面位置の標準偏差は {sigma:.1f} cm（中央値）です。</translation>
     </message>
@@ -11428,10 +12000,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{markings_count:,} 点の路面標示点を位置合わせしています。</translation>
     </message>
     <message>
-        <source>Taking road markings out of the survey.</source>
-        <translation>計測データから路面標示を抽出しています。</translation>
-    </message>
-    <message>
         <source>standard deviation in plan over the whole path {sigma:.1f} cm (median)</source>
         <translation>全経路の平面位置の標準偏差 {sigma:.1f} cm（中央値）</translation>
     </message>
@@ -11446,18 +12014,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>No part of the survey could be registered to the reference markings, so that there is no result: check that both show the same roads, and the maximum error.</source>
         <translation>計測データのどの部分も基準の路面標示に位置合わせできなかったため、結果はありません。両方が同じ道路を示しているか、および最大誤差を確認してください。</translation>
-    </message>
-    <message>
-        <source>The survey shows no facade near the vehicle: give all its points, not the markings alone, or register it by its markings.</source>
-        <translation>計測点群の車両付近に壁面がありません。標示だけでなく全点を指定するか、標示だけで位置合わせしてください。</translation>
-    </message>
-    <message>
-        <source>No road marking was found in the survey: check its intensities with “Road markings of a mobile survey”.</source>
-        <translation>計測データに路面標示が見つかりません。「MMS計測の路面標示」で反射強度を確認してください。</translation>
-    </message>
-    <message>
-        <source>The attribute {weight} of {paths} holds values below 0: give markings as “Road markings of a mobile survey” writes them, or the survey itself.</source>
-        <translation>{paths}の属性{weight}に0未満の値があります。「MMS計測の路面標示」が出力した路面標示か、計測データ自体を指定してください。</translation>
     </message>
     <message>
         <source>The reported heading contradicts the markings by {correction:.1f} degrees (median), much more than its accuracy: it was corrected; check the calibration and the trajectory.</source>
@@ -11512,12 +12068,32 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>上</translation>
     </message>
     <message>
+        <source>There is no reference marking near the survey: check the CRS of both and that the reference covers the drive.</source>
+        <translation>計測データの近くに基準の路面標示がありません。両方のCRSと、基準データが走行範囲を覆っているか確認してください。</translation>
+    </message>
+    <message>
+        <source>Taking road markings out of the survey.</source>
+        <translation>計測データから路面標示を抽出しています。</translation>
+    </message>
+    <message>
+        <source>No road marking was found in the survey: check its intensities with “Road markings of a mobile survey”.</source>
+        <translation>計測データに路面標示が見つかりません。「MMS計測の路面標示」で反射強度を確認してください。</translation>
+    </message>
+    <message>
+        <source>The attribute {weight} of {paths} holds values below 0: give markings as “Road markings of a mobile survey” writes them, or the survey itself.</source>
+        <translation>{paths}の属性{weight}に0未満の値があります。「MMS計測の路面標示」が出力した路面標示か、計測データ自体を指定してください。</translation>
+    </message>
+    <message>
         <source>There is no bar among the markings of the survey or of the reference, whose corners could be control points.</source>
         <translation>計測データまたは基準の路面標示に、角を仮想検証点にできる帯状の標示がありません。</translation>
     </message>
     <message>
         <source>No corner of a marking in the survey lies near one of the reference.</source>
         <translation>計測データの路面標示の角で、基準の路面標示の角に近いものがありません。</translation>
+    </message>
+    <message>
+        <source>The survey shows no facade near the vehicle: give all its points, not the markings alone, or register it by its markings.</source>
+        <translation>計測点群の車両付近に壁面がありません。標示だけでなく全点を指定するか、標示だけで位置合わせしてください。</translation>
     </message>
     <message>
         <source>give both of one survey, in one coordinate reference system</source>
@@ -11680,6 +12256,58 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name}：方位が進行方向から {off:.0f}° ずれています（中央値）。車体のx軸が前方を向かない場合は校正値も同じでなければなりません。そうでなければ方位が誤っています。</translation>
     </message>
     <message>
+        <source>offset</source>
+        <translation>全体のずれ</translation>
+    </message>
+    <message>
+        <source>added</source>
+        <translation>追加</translation>
+    </message>
+    <message>
+        <source>removed</source>
+        <translation>撤去</translation>
+    </message>
+    <message>
+        <source>repainted</source>
+        <translation>塗り替え</translation>
+    </message>
+    <message>
+        <source>The old map has no lines to compare.</source>
+        <translation>旧地図に比べる線がありません。</translation>
+    </message>
+    <message>
+        <source>The new map has no lines to compare.</source>
+        <translation>新地図に比べる線がありません。</translation>
+    </message>
+    <message>
+        <source>The maps do not overlap: the old one lies within {old}, the new one within {new} (x and y from, x and y to, m). Check that both are of one place and in one coordinate reference system.</source>
+        <translation>地図が重なりません。旧地図は {old}、新地図は {new} にあります（x・y の最小、x・y の最大、m）。同じ場所で、同じ座標参照系の地図か確認してください。</translation>
+    </message>
+    <message>
+        <source>Give a map with marking lines, road borders or other bounds on the ground; virtual ones are not compared.</source>
+        <translation>標示の線、道路縁など地上の境界線のある地図を与えてください。仮想の境界線は比べません。</translation>
+    </message>
+    <message>
+        <source>symbol</source>
+        <translation>記号</translation>
+    </message>
+    <message>
+        <source>double {kind}</source>
+        <translation>二重 {kind}</translation>
+    </message>
+    <message>
+        <source>One of the maps has only local coordinates (local_x, local_y), the other latitudes and longitudes: give both in one kind.</source>
+        <translation>一方の地図はローカル座標（local_x, local_y）だけ、他方は緯度・経度です。同じ種類の座標で与えてください。</translation>
+    </message>
+    <message>
+        <source>The Lanelet2 file has only local coordinates (local_x, local_y): it can be compared with another such file, but not with layers or with latitudes and longitudes.</source>
+        <translation>この Lanelet2 ファイルにはローカル座標（local_x, local_y）しかありません。同じ種類のファイルとは比べられますが、レイヤや緯度・経度の地図とは比べられません。</translation>
+    </message>
+    <message>
+        <source>Places of the Lanelet2 file lie outside of the CRS of the comparison: check whether both maps are of one place.</source>
+        <translation>Lanelet2 ファイルの位置が、比較の座標参照系の範囲外です。同じ場所の地図か確認してください。</translation>
+    </message>
+    <message>
         <source>its face is not seen: it lies between the last points before and the first behind</source>
         <translation>面が見えません：手前の最後の点と奥の最初の点の間にあります</translation>
     </message>
@@ -11822,6 +12450,42 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>No node has a height; give the marking lines a ground.</source>
         <translation>高さのある点が一つもありません。区画線に地盤を指定してください。</translation>
+    </message>
+    <message>
+        <source>{code} is no code of a road's function: give one of {codes}.</source>
+        <translation>{code} は道路の機能のコードではありません。{codes} のいずれかを指定してください。</translation>
+    </message>
+    <message>
+        <source>{uncut} of {arms} roads that meet here have no corner at which to cut: cut them by hand.</source>
+        <translation>ここで接続する道路 {arms} 本のうち {uncut} 本に、区切るための道路角がありません。手作業で区切ってください。</translation>
+    </message>
+    <message>
+        <source>Two junctions that could not be parted: look whether they are one.</source>
+        <translation>二つの交差部を分けられませんでした。一つの交差部かどうか確認してください。</translation>
+    </message>
+    <message>
+        <source>The layer holds no polygons or lines: give surfaces of roads, or lines along both of their edges.</source>
+        <translation>レイヤにポリゴンも線もありません。道路面、または道路両側の縁の線を指定してください。</translation>
+    </message>
+    <message>
+        <source>A road has a corner whose coordinates are no numbers: repair the layer first.</source>
+        <translation>座標が数値でない頂点を持つ道路があります。先にレイヤを修正してください。</translation>
+    </message>
+    <message>
+        <source>The lines enclose no surface: give the lines along both edges of the roads, joined at their ends, or surfaces.</source>
+        <translation>線が面を囲んでいません。端点のつながった道路両側の縁の線、または道路面を指定してください。</translation>
+    </message>
+    <message>
+        <source>An edge ends here without another end within {distance:.0f} m to be joined to: the road is left out, or its edge goes on in a file that was not given.</source>
+        <translation>道路縁がここで終わり、{distance:.0f} m 以内に結べる端点がありません。この道路は面にならないか、縁の続きが指定されていないファイルにあります。</translation>
+    </message>
+    <message>
+        <source>A surface crosses itself and was repaired: compare it with its source.</source>
+        <translation>面が自己交差していたため修正しました。元のデータと比べて確認してください。</translation>
+    </message>
+    <message>
+        <source>The edges around this face do not tell on which of their sides the road lies: an edge is missing, or a line is none of an edge.</source>
+        <translation>この区画の周囲の縁からは、どちら側が道路か決まりません。道路縁が欠けているか、道路縁でない線が含まれています。</translation>
     </message>
     <message>
         <source>Frame {number} of {exposures_count}</source>
@@ -12120,6 +12784,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>データは{size:g} mのタイルで{count:,}枚になります。タイルを大きくするか、座標を確認してください。</translation>
     </message>
     <message>
+        <source>{0} control points: {1:.3f} m off in plan as given, {2:.3f} m after (RMS).</source>
+        <translation>標定点 {0} 点：水平のずれは入力のまま {1:.3f} m、調整後 {2:.3f} m（RMS）。</translation>
+    </message>
+    <message>
+        <source>Each control point left out in turn: {0:.3f} m.</source>
+        <translation>標定点を1つずつ除いた場合：{0:.3f} m。</translation>
+    </message>
+    <message>
         <source>{0}: no raster can be opened; check the files.</source>
         <translation>{0}: ラスタを開けません。ファイルを確認してください。</translation>
     </message>
@@ -12213,7 +12885,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{0}: {1} is no day; give it as 2026-04-01.</source>
-        <translation>{0}: {1}は日付ではありません。2026-04-01の形式で指定してください。</translation>
+        <translation>{0}：{1} は日付ではありません。2026-04-01 のように指定してください。</translation>
     </message>
     <message>
         <source>Give point clouds, a raster or a layer, one of them, and the output of that kind.</source>
@@ -12286,6 +12958,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>No file was given: choose a city model (.gml, .json, .jsonl, .zip) or a folder.</source>
         <translation>ファイルが指定されていません。都市モデル（.gml, .json, .jsonl, .zip）またはフォルダを選択してください。</translation>
+    </message>
+    <message>
+        <source>The files hold roads and no building: the layer of buildings is empty.</source>
+        <translation>ファイルには道路だけがあり、建物がありません。建物のレイヤは空です。</translation>
     </message>
     <message>
         <source>{0} buildings in {1}, heights: {2}</source>
@@ -12414,6 +13090,18 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Give check points or laser points, not both: each is a report of its own.</source>
         <translation>検証点かレーザ点群のどちらか一方を指定してください。報告書は別々になります。</translation>
+    </message>
+    <message>
+        <source>Edges to be surveyed are drawn from building models: give these too, or leave the table of edges out.</source>
+        <translation>点検測量する辺は建物モデルから抽出します。建物モデルも指定するか、辺の表の出力を外してください。</translation>
+    </message>
+    <message>
+        <source>Without check points there are no errors to list: leave “All points” out; the drawn edges are written as “Edges to be surveyed”.</source>
+        <translation>検証点がないため、一覧にする較差がありません。「全点」の出力を外してください。抽出した辺は「点検測量する辺」に出力します。</translation>
+    </message>
+    <message>
+        <source>Patches of a registration stand in a report on check points: give these too, or leave the patches out.</source>
+        <translation>位置合わせのパッチは検証点の報告書に載せるものです。検証点も指定するか、パッチを外してください。</translation>
     </message>
     <message>
         <source>{0}: {1} does not exist; check its name.</source>
@@ -12729,7 +13417,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{0} of {1}: {2}</source>
-        <translation>{1}のうち{0}：{2}</translation>
+        <translation>{0}/{1}：{2}</translation>
     </message>
     <message>
         <source>{0} s</source>
@@ -13116,6 +13804,46 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>三次元誤差、補正後 (m)</translation>
     </message>
     <message>
+        <source>error east, left out (m)</source>
+        <translation>東の誤差、除外時 (m)</translation>
+    </message>
+    <message>
+        <source>error north, left out (m)</source>
+        <translation>北の誤差、除外時 (m)</translation>
+    </message>
+    <message>
+        <source>frames that see it</source>
+        <translation>写っている写真の数</translation>
+    </message>
+    <message>
+        <source>role</source>
+        <translation>役割</translation>
+    </message>
+    <message>
+        <source>number of the road surface</source>
+        <translation>道路面の番号</translation>
+    </message>
+    <message>
+        <source>function (code)</source>
+        <translation>機能（コード）</translation>
+    </message>
+    <message>
+        <source>usage (code)</source>
+        <translation>用途（コード）</translation>
+    </message>
+    <message>
+        <source>kind of section (code)</source>
+        <translation>区間の種別（コード）</translation>
+    </message>
+    <message>
+        <source>roads that meet</source>
+        <translation>交わる道路の数</translation>
+    </message>
+    <message>
+        <source>finding</source>
+        <translation>指摘</translation>
+    </message>
+    <message>
         <source>parts</source>
         <translation>部分</translation>
     </message>
@@ -13246,6 +13974,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>status of the shift</source>
         <translation>ずれの状態</translation>
+    </message>
+    <message>
+        <source>points a m² of the cloud round it</source>
+        <translation>周囲の点群の密度（点/m²）</translation>
+    </message>
+    <message>
+        <source>beyond the cloud's edge, 0 to 1</source>
+        <translation>点群の端の外の割合、0～1</translation>
     </message>
     <message>
         <source>open ground, 0 to 1</source>
@@ -13676,6 +14412,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>進行方向</translation>
     </message>
     <message>
+        <source>expected error of the height (m)</source>
+        <translation>高さの予想誤差（m）</translation>
+    </message>
+    <message>
         <source>not seen, nothing in front, 0 to 1</source>
         <translation>手前に何もないのに見えない割合、0～1</translation>
     </message>
@@ -13797,7 +14537,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>shift (m)</source>
-        <translation>ずれ (m)</translation>
+        <translation>移動量 (m)</translation>
     </message>
     <message>
         <source>standard deviation of one place (m)</source>
@@ -13870,6 +14610,38 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>source of the rule</source>
         <translation>規則の出典</translation>
+    </message>
+    <message>
+        <source>element of the map</source>
+        <translation>地図の要素</translation>
+    </message>
+    <message>
+        <source>in the old map</source>
+        <translation>旧地図での種別</translation>
+    </message>
+    <message>
+        <source>in the new map</source>
+        <translation>新地図での種別</translation>
+    </message>
+    <message>
+        <source>shift along (m)</source>
+        <translation>縦方向の移動量 (m)</translation>
+    </message>
+    <message>
+        <source>shift to the left (m)</source>
+        <translation>左方向の移動量 (m)</translation>
+    </message>
+    <message>
+        <source>shift over sigma</source>
+        <translation>移動量÷標準偏差</translation>
+    </message>
+    <message>
+        <source>id in the old map</source>
+        <translation>旧地図の id</translation>
+    </message>
+    <message>
+        <source>id in the new map</source>
+        <translation>新地図の id</translation>
     </message>
     <message>
         <source>requirement</source>
@@ -14372,6 +15144,218 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{0}件のうち最初の500件を表示しています。レイヤにはすべて含まれます。</translation>
     </message>
     <message>
+        <source>old map</source>
+        <translation>旧地図</translation>
+    </message>
+    <message>
+        <source>new map</source>
+        <translation>新地図</translation>
+    </message>
+    <message>
+        <source>{0} has no field class; give marking lines or bounds of lanes.</source>
+        <translation>{0} に属性 class がありません。標示の線または車線の境界線を与えてください。</translation>
+    </message>
+    <message>
+        <source>{0} has no field class; give the areas of “Lines from road markings”.</source>
+        <translation>{0} に属性 class がありません。「路面標示から線」の面を与えてください。</translation>
+    </message>
+    <message>
+        <source>{0}: an area goes with maps of which one is given as lines.</source>
+        <translation>{0}：範囲は、少なくとも一方の地図を線で与えたときに使えます。</translation>
+    </message>
+    <message>
+        <source>Give the {0} either as Lanelet2 file or as lines.</source>
+        <translation>{0}を Lanelet2 ファイルまたは線のどちらか一方で与えてください。</translation>
+    </message>
+    <message>
+        <source>{0}: areas go with a map that is given as lines.</source>
+        <translation>{0}：面は、線で与えた地図とともに使います。</translation>
+    </message>
+    <message>
+        <source>stated by both maps</source>
+        <translation>両方の地図に記載</translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation>指定</translation>
+    </message>
+    <message>
+        <source>estimated from what did not change</source>
+        <translation>変化のない要素から推定</translation>
+    </message>
+    <message>
+        <source>too few of the kind: taken from all stop lines, crosswalks and symbols, or from lines</source>
+        <translation>この種類は数が足りないため、すべての停止線・横断歩道・記号、または線から推定</translation>
+    </message>
+    <message>
+        <source>not known: too few lines, and no map states it; no shift is told</source>
+        <translation>不明：線が少なく、地図にも記載がないため、移動は判定しない</translation>
+    </message>
+    <message>
+        <source>Offset to the east (m)</source>
+        <translation>東方向のずれ (m)</translation>
+    </message>
+    <message>
+        <source>Its sigma (m)</source>
+        <translation>その標準偏差 (m)</translation>
+    </message>
+    <message>
+        <source>Offset to the north (m)</source>
+        <translation>北方向のずれ (m)</translation>
+    </message>
+    <message>
+        <source>Sigma of that (m)</source>
+        <translation>その標準偏差 (m)</translation>
+    </message>
+    <message>
+        <source>Offset significant</source>
+        <translation>ずれは有意か</translation>
+    </message>
+    <message>
+        <source>Compared lines of the old map (m)</source>
+        <translation>比較した旧地図の線 (m)</translation>
+    </message>
+    <message>
+        <source>Of it as they were (m)</source>
+        <translation>うち変化なし (m)</translation>
+    </message>
+    <message>
+        <source>Lines of the old map where the new one shows no road, not judged (m)</source>
+        <translation>新地図に道路が載っていない旧地図の線（判定せず） (m)</translation>
+    </message>
+    <message>
+        <source>Lines of the new map where the old one shows no road, not judged (m)</source>
+        <translation>旧地図に道路が載っていない新地図の線（判定せず） (m)</translation>
+    </message>
+    <message>
+        <source>Changes by kind</source>
+        <translation>種類ごとの変化</translation>
+    </message>
+    <message>
+        <source>Sigma of places</source>
+        <translation>位置の標準偏差</translation>
+    </message>
+    <message>
+        <source>A shift is told where it exceeds the limit, in sigmas of both maps together: 3, more where sigma was estimated from few. Sigmas that the maps state are multiplied by the factor.</source>
+        <translation>移動は、両方の地図を合わせた標準偏差の限界倍を超えたときに示します（3 倍。少数から推定したときはそれ以上）。地図に記載の標準偏差には係数を掛けます。</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>地図</translation>
+    </message>
+    <message>
+        <source>The old map pale, the new one dark; moved orange, added green, removed red, repainted blue, with the numbers of the list.</source>
+        <translation>旧地図は淡色、新地図は濃色。移動は橙、追加は緑、撤去は赤、塗り替えは青。番号は一覧のもの。</translation>
+    </message>
+    <message>
+        <source>List of changes</source>
+        <translation>変化の一覧</translation>
+    </message>
+    <message>
+        <source>{0:.1%} of {1:.0f} m of lines are the same within three sigma; {2} changes are listed below.</source>
+        <translation>線 {1:.0f} m の {0:.1%} は標準偏差の 3 倍以内で同じです。{2} 件の変化を下に示します。</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>種類</translation>
+    </message>
+    <message>
+        <source>Length (m)</source>
+        <translation>長さ (m)</translation>
+    </message>
+    <message>
+        <source>Median shift (m)</source>
+        <translation>移動量の中央値 (m)</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>出典</translation>
+    </message>
+    <message>
+        <source>Old map (m)</source>
+        <translation>旧地図 (m)</translation>
+    </message>
+    <message>
+        <source>New map (m)</source>
+        <translation>新地図 (m)</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>係数</translation>
+    </message>
+    <message>
+        <source>Limit (sigmas)</source>
+        <translation>限界（標準偏差の倍数）</translation>
+    </message>
+    <message>
+        <source>Compared</source>
+        <translation>比較数</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>番号</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>変化前</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>変化後</translation>
+    </message>
+    <message>
+        <source>Shift (m)</source>
+        <translation>移動量 (m)</translation>
+    </message>
+    <message>
+        <source>Along (m)</source>
+        <translation>縦方向 (m)</translation>
+    </message>
+    <message>
+        <source>Across (m)</source>
+        <translation>横方向 (m)</translation>
+    </message>
+    <message>
+        <source>Sigma (m)</source>
+        <translation>標準偏差 (m)</translation>
+    </message>
+    <message>
+        <source>Shift over sigma</source>
+        <translation>移動量÷標準偏差</translation>
+    </message>
+    <message>
+        <source>Old id</source>
+        <translation>旧 id</translation>
+    </message>
+    <message>
+        <source>New id</source>
+        <translation>新 id</translation>
+    </message>
+    <message>
+        <source>whole map</source>
+        <translation>地図全体</translation>
+    </message>
+    <message>
+        <source>The whole new map lies {0:+.3f} m to the east and {1:+.3f} m to the north of the old one, which was taken off first: look which of them is right.</source>
+        <translation>新地図は全体として旧地図から東へ {0:+.3f} m、北へ {1:+.3f} m ずれています。比較の前に除きました。どちらが正しいか確認してください。</translation>
+    </message>
+    <message>
+        <source>What did not change scatters {0:.1f} times as much as the maps' sigmas say: they were multiplied by it. Look whether one of the maps is placed worse than it states.</source>
+        <translation>変化のない要素のばらつきは、地図に記載の標準偏差の {0:.1f} 倍です。標準偏差にこれを掛けました。どちらかの地図の位置が記載より悪くないか確認してください。</translation>
+    </message>
+    <message>
+        <source>In both maps: {0}</source>
+        <translation>両方の地図にある：{0}</translation>
+    </message>
+    <message>
+        <source>Place {0}, about {1:.0f}, {2:.0f}.</source>
+        <translation>場所 {0}（{1:.0f}, {2:.0f} 付近）。</translation>
+    </message>
+    <message>
+        <source>The first {0} of {1} are shown; the layer holds all.</source>
+        <translation>{1} 件のうち最初の {0} 件を示します。全件はレイヤにあります。</translation>
+    </message>
+    <message>
         <source>{0}: no building has a height; give solids or outlines with heights.</source>
         <translation>{0}: 高さを持つ建物がありません。立体または高さ付きの外周線を指定してください。</translation>
     </message>
@@ -14432,10 +15416,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>うち車線内の割合</translation>
     </message>
     <message>
-        <source>Map</source>
-        <translation>地図</translation>
-    </message>
-    <message>
         <source>Lanes pale, ways through junctions red, arrows with the traffic; drives dotted, findings numbered. Look for arrows against the traffic, and for strips of road without a lane.</source>
         <translation>車線は淡色、交差点内の通行路は赤、矢印は通行方向。走行は点線、指摘は番号付きです。逆向きの矢印と、車線のない道路部分を探してください。</translation>
     </message>
@@ -14454,18 +15434,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>not shown by drives; left assumed</source>
         <translation>走行なし（左側通行と仮定）</translation>
-    </message>
-    <message>
-        <source>Junctions</source>
-        <translation>交差点</translation>
-    </message>
-    <message>
-        <source>Kind</source>
-        <translation>種別</translation>
-    </message>
-    <message>
-        <source>No.</source>
-        <translation>番号</translation>
     </message>
     <message>
         <source>no lane made</source>
@@ -14496,10 +15464,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>交差点 {0}、およそ {1:.0f}、{2:.0f}：通行できる経路はすべて赤で描かれているはずです。</translation>
     </message>
     <message>
-        <source>The first {0} of {1} are shown; the layer holds all.</source>
-        <translation>{1}件のうち最初の{0}件を表示しています。レイヤにはすべて含まれます。</translation>
-    </message>
-    <message>
         <source>{0} lanes of {1:.0f} m together, and {2} ways through junctions that were driven.</source>
         <translation>車線{0}本（延長{1:.0f} m）、走行された交差点内の経路{2}本。</translation>
     </message>
@@ -14524,6 +15488,34 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>ポリゴン{0}件から線が見つかりませんでした。メートル単位の路面標示であることを確認し、短い線の場合は最小線長を小さくしてください。</translation>
     </message>
     <message>
+        <source>Surfaces by kind</source>
+        <translation>種類別の面</translation>
+    </message>
+    <message>
+        <source>Roads grey, junctions orange, bridges blue, tunnels violet; middle lines dashed, findings numbered.</source>
+        <translation>灰色は道路、橙は交差部、青は橋梁、紫はトンネル。破線は中心線、番号は指摘事項。</translation>
+    </message>
+    <message>
+        <source>No surface was made.</source>
+        <translation>面は作成されませんでした。</translation>
+    </message>
+    <message>
+        <source>Area (m²)</source>
+        <translation>面積 (m²)</translation>
+    </message>
+    <message>
+        <source>Surfaces to look at</source>
+        <translation>要確認の面</translation>
+    </message>
+    <message>
+        <source>{0} surfaces, {1} of them junctions; {2} surfaces are to be looked at, and {3} findings are listed below.</source>
+        <translation>面 {0} 個、うち交差部 {1} 個。要確認の面は {2} 個で、指摘事項 {3} 件を下に示します。</translation>
+    </message>
+    <message>
+        <source>Surface {0}, about {1:.0f}, {2:.0f}.</source>
+        <translation>面 {0}（{1:.0f}, {2:.0f} 付近）</translation>
+    </message>
+    <message>
         <source>{0} is given but {1} is not: name the GeoPackage that it is to go into.</source>
         <translation>{0}が指定されていますが、{1}がありません。書き込み先のGeoPackageを指定してください。</translation>
     </message>
@@ -14534,6 +15526,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>No kerb was found along {0:.0f} m of path: the road has none, or the points are too sparse or too noisy to show steps of a few centimetres.</source>
         <translation>軌跡{0:.0f} mに沿って縁石が見つかりませんでした。道路に縁石がないか、点が疎またはノイズが大きく、数cmの段差を判別できません。</translation>
+    </message>
+    <message>
+        <source>{0} is not given: CityGML then has no creationDate, which PLATEAU asks for.</source>
+        <translation>{0}が指定されていません。CityGML に PLATEAU が必須とする creationDate が入りません。</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0}：{1}</translation>
     </message>
     <message>
         <source>Without trajectories only arrows and stop lines tell directions: most strips stay findings, and nothing connects lanes through junctions.</source>
@@ -14592,10 +15592,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>全{0}タイルが空です。入力が同じ場所にあるか確認してください。</translation>
     </message>
     <message>
-        <source>{0}: {1}</source>
-        <translation>{0}: {1}</translation>
-    </message>
-    <message>
         <source>Tile {0} failed: {1}</source>
         <translation>タイル{0}が失敗しました: {1}</translation>
     </message>
@@ -14614,10 +15610,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Edges were drawn at random in each unit, and both ends of each surveyed. An edge with one end counts among the points, but not among the edges.</source>
         <translation>辺は検査単位ごとに無作為に抽出し、その両端を点検測量したものです。一端だけの辺は、点の数には入りますが辺の数には入りません。</translation>
-    </message>
-    <message>
-        <source>Acceptance: edges of buildings to be surveyed</source>
-        <translation>精度管理：点検測量する建物の辺</translation>
     </message>
     <message>
         <source>Where the drawn edges lie, with their numbers.</source>
@@ -14800,6 +15792,46 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>信頼度別の標示</translation>
     </message>
     <message>
+        <source>Point</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>before east (m)</source>
+        <translation>調整前 東 (m)</translation>
+    </message>
+    <message>
+        <source>before north (m)</source>
+        <translation>調整前 北 (m)</translation>
+    </message>
+    <message>
+        <source>after east (m)</source>
+        <translation>調整後 東 (m)</translation>
+    </message>
+    <message>
+        <source>after north (m)</source>
+        <translation>調整後 北 (m)</translation>
+    </message>
+    <message>
+        <source>left out east (m)</source>
+        <translation>除外時 東 (m)</translation>
+    </message>
+    <message>
+        <source>left out north (m)</source>
+        <translation>除外時 北 (m)</translation>
+    </message>
+    <message>
+        <source>Corrections of the frames</source>
+        <translation>写真の補正</translation>
+    </message>
+    <message>
+        <source>Standard deviations after the adjustment, metres and degrees. A point's error is how far from it its pixel comes to lie on the ground, at the point's height.</source>
+        <translation>調整後の標準偏差（m、度）。点の誤差は、その画素を点の高さの地上に写した位置と点との隔たりです。</translation>
+    </message>
+    <message>
+        <source>Frames adjusted to control points</source>
+        <translation>標定点による写真の調整</translation>
+    </message>
+    <message>
         <source>Merged building models</source>
         <translation>統合した建物モデル</translation>
     </message>
@@ -14850,6 +15882,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>a large part of the outline has no model</source>
         <translation>外周線の大部分にモデルがありません</translation>
+    </message>
+    <message>
+        <source>the point cloud ends in the building: what lies beyond is not seen</source>
+        <translation>点群が建物の途中で終わっています。その先は計測されていません</translation>
     </message>
     <message>
         <source>a large part of the plan has no roof points</source>
@@ -15932,6 +16968,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>平面の一部に点なし</translation>
     </message>
     <message>
+        <source>the cloud ends in it</source>
+        <translation>点群が途中で終わる</translation>
+    </message>
+    <message>
         <source>part of the outline without model</source>
         <translation>外周線の一部にモデルなし</translation>
     </message>
@@ -16088,6 +17128,30 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>備考あり</translation>
     </message>
     <message>
+        <source>ordinary section</source>
+        <translation>一般区間</translation>
+    </message>
+    <message>
+        <source>viaduct</source>
+        <translation>高架</translation>
+    </message>
+    <message>
+        <source>bridge</source>
+        <translation>橋梁</translation>
+    </message>
+    <message>
+        <source>underpass</source>
+        <translation>アンダーパス</translation>
+    </message>
+    <message>
+        <source>tunnel</source>
+        <translation>トンネル</translation>
+    </message>
+    <message>
+        <source>others</source>
+        <translation>その他</translation>
+    </message>
+    <message>
         <source>nothing can be said</source>
         <translation>判定不可</translation>
     </message>
@@ -16146,10 +17210,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>no height</source>
         <translation>高さなし</translation>
-    </message>
-    <message>
-        <source>others</source>
-        <translation>その他</translation>
     </message>
     <message>
         <source>diamond</source>
@@ -16300,12 +17360,48 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>壁面（不確実）</translation>
     </message>
     <message>
+        <source>arm not cut</source>
+        <translation>区切れない接続道路</translation>
+    </message>
+    <message>
+        <source>junctions not parted</source>
+        <translation>分けられない交差部</translation>
+    </message>
+    <message>
+        <source>edge not closed</source>
+        <translation>閉じない道路縁</translation>
+    </message>
+    <message>
+        <source>sides contradict</source>
+        <translation>道路側の矛盾</translation>
+    </message>
+    <message>
+        <source>surface repaired</source>
+        <translation>修正した面</translation>
+    </message>
+    <message>
         <source>white</source>
         <translation>白</translation>
     </message>
     <message>
         <source>yellow</source>
         <translation>黄</translation>
+    </message>
+    <message>
+        <source>road, to look at</source>
+        <translation>道路、要確認</translation>
+    </message>
+    <message>
+        <source>junction, to look at</source>
+        <translation>交差部、要確認</translation>
+    </message>
+    <message>
+        <source>bridge, to look at</source>
+        <translation>橋、要確認</translation>
+    </message>
+    <message>
+        <source>tunnel, to look at</source>
+        <translation>トンネル、要確認</translation>
     </message>
     <message>
         <source>lowest roofs</source>
