@@ -22,7 +22,7 @@ AXIS_FIELDS = (("road_id", "int"), ("kind", "text"), ("width", "real"), ("length
 class RoadModel(UrbanMapAlgorithm):
     ID = "roadmodel"
     NAME = "Road model"
-    KEYWORDS = ("road", "PLATEAU", "CityGML", "LOD1", "tran", "junction", "intersection", "corner cut-off", "road edge")
+    KEYWORDS = ("road", "PLATEAU", "CityGML", "LOD1", "junction", "intersection", "corner cut-off", "road edge")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj")
     SOURCE = ("Project PLATEAU, standard product specification of 3D city models 5.0, 4.3, and its working procedure, "
               "annex D")

@@ -5628,14 +5628,6 @@
         <translation>航空レーザ点群と概略の外周線から、閉じた3次元建物モデルまでを一度に作成します: 建物の抽出、屋根の分割、屋根ポリゴン、建物モデル。&lt;/p&gt;&lt;p&gt;「航空レーザ点群からの建物」と同じ一連の処理をモデルとしたものです。メニュー「プラグイン &gt; UrbanMap &gt; 処理の流れをモデルデザイナーで開く」で複製を開き、各段階を確認し変更できます。</translation>
     </message>
     <message>
-        <source>MultiPolygonZ, one feature a building with all faces of its solids; status, reason, roofs, base, height (m), area (m2), volume (m3), points, density (points a m2), rmse_z, rmse_z95, median_dz, rmse_3d, p95 (m), coverage, unseen (shares), lod, roof_type, not_explained (share of the points that can be roof and lie far from the model), quality (0 to 1), roof_min, roof_50, roof_70, roof_max (m above the ground), volume_lod12, volume_lod13, volume_lod22 (m3), area_roof_flat, area_roof_sloped (m2), storeys_estimated.</source>
-        <translation>建物ごとに1地物で、立体のすべての面を持つMultiPolygonZです：status、reason、roofs、base、height（m）、area（m2）、volume（m3）、points、density（点/m2）、rmse_z、rmse_z95、median_dz、rmse_3d、p95（m）、coverage、unseen（割合）、lod、roof_type、not_explained（屋根でありうる点のうちモデルから遠いものの割合）、quality（0～1）、roof_min、roof_50、roof_70、roof_max（地表からのm）、volume_lod12、volume_lod13、volume_lod22（m3）、area_roof_flat、area_roof_sloped（m2）、storeys_estimated。</translation>
-    </message>
-    <message>
-        <source>MultiPolygonZ, one feature a surface, with building_id, roof_id and surface_type: roof, outer wall, inner wall, ground.</source>
-        <translation>面ごとに1地物のMultiPolygonZです。building_id、roof_id、surface_type（roof 屋根、outer wall 外壁、inner wall 内壁、ground 地面）を持ちます。</translation>
-    </message>
-    <message>
         <source>Buildings from ALS (model)</source>
         <translation>航空レーザ点群からの建物（モデル）</translation>
     </message>
@@ -6874,10 +6866,6 @@ Any orthophoto of 0.5 m or finer will do, in grey or in red, green and blue, 8 o
     <message>
         <source>Javanmardi 2018, 3.2.2 and 4.1</source>
         <translation>Javanmardi 2018、3.2.2、4.1</translation>
-    </message>
-    <message>
-        <source>tran</source>
-        <translation>tran</translation>
     </message>
     <message>
         <source>junction</source>
