@@ -24,8 +24,8 @@ NAMES = set("""
 
 FORMATS = set("""
     CityGML CityJSON CityJSONSeq GeoParquet GeoPackage GeoTIFF Parquet Lanelet lanelet lanelets OpenDRIVE glTF
-    Wavefront Tiles LoD lod BldA BldL RdEdg RdCompt MultiPolygonZ PolygonZ LineStringZ PointZ zip gzip bzip Hatanaka Dataset
-    gml txt pdf
+    Wavefront Tiles LoD lod BldA BldL RdEdg RdCompt MultiPolygonZ PolygonZ LineStringZ PointZ zip gzip bzip Hatanaka
+    Dataset gml txt pdf
 """.split())  # noqa: SIM905
 """Formats, kinds of files and their parts; those in capital letters only need no entry."""
 

@@ -9,7 +9,7 @@ import numpy as np
 import shapely
 
 from ..lines.symbols import UNKNOWN_ARROW
-from .comparison_records import ADDED, MOVED, REMOVED, REPAINTED, ComparisonSettings, MapChange, MapNoise
+from .comparison_records import ADDED, MOVED, REPAINTED, ComparisonSettings, MapChange, MapNoise
 from .cross_sections import PARALLEL
 from .difference_noise import BOTH, difference_sigma
 from .line_changes import LIMITS as LINE_LIMITS
@@ -148,7 +148,6 @@ def single_changes(kind: str, elements: Sequence[MapElement], frames: ElementFra
                    other_lines: Sequence[MapElement], area: shapely.Geometry | None,
                    offset: np.ndarray) -> list[MapChange]:
     """Elements (`ADDED` or `REMOVED`) without a partner, where the other map shows a road."""
-    assert kind in (ADDED, REMOVED)
     alone = np.setdiff1d(np.arange(len(elements)), paired)
     shown = _shown(frames.middles[alone], other_lines, area)
     made = []

@@ -9,7 +9,7 @@ import numpy as np
 import shapely
 from scipy.ndimage import median_filter
 
-from .comparison_records import ADDED, MOVED, REMOVED, REPAINTED, ComparisonSettings, MapChange, MapNoise
+from .comparison_records import ADDED, MOVED, REPAINTED, ComparisonSettings, MapChange, MapNoise
 from .cross_sections import STEP, LineMatches, LineSamples, crossings
 from .difference_noise import difference_sigma
 from .map_elements import LINE, MapElement
