@@ -6,6 +6,7 @@ import os
 import sqlite3
 import subprocess
 import sys
+import threading
 from pathlib import Path
 
 import numpy as np
@@ -316,6 +317,35 @@ def test_leftovers_of_a_killed_run_go_and_those_of_others_stay(plugin, tmp_path)
         assert len(list(tmp_path.glob(".urbanmap-*"))) == 2  # the other run's and this one's
     runs[1].communicate(b"")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_run_that_is_starting_is_no_leftover(plugin, tmp_path):
+    """Between its folder and its lock another run may look at it: the folder stays, and the lock is waited for."""
+    staging = plugin("urbanmap_qgis.io.files.staging")
+    scratch = tmp_path / ".urbanmap-01234567"
+    scratch.mkdir()
+    with (scratch / "lock").open("w") as lock:
+        staging.clear_leftovers(tmp_path)
+        assert scratch.is_dir()
+        with (scratch / "lock").open("r+") as looked:
+            staging.take_lock(looked)
+            threading.Timer(0.3, looked.close).start()
+            staging._take_own_lock(lock)
+        (scratch / "new").mkdir()
+        staging.clear_leftovers(tmp_path)
+        assert scratch.is_dir()
+    staging.clear_leftovers(tmp_path)
+    assert not scratch.exists()
+
+
+def test_a_killed_start_goes_after_a_while(plugin, tmp_path):
+    staging = plugin("urbanmap_qgis.io.files.staging")
+    scratch = tmp_path / ".urbanmap-01234567"
+    scratch.mkdir()
+    (scratch / "lock").touch()
+    os.utime(scratch, (0.0, 0.0))
+    staging.clear_leftovers(tmp_path)
+    assert not scratch.exists()
 
 
 @pytest.mark.parametrize("count", [1, 2])

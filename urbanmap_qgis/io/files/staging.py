@@ -7,6 +7,7 @@ import os
 import shutil
 import sqlite3
 import sys
+import time
 import unicodedata
 import uuid
 from contextlib import closing
@@ -18,6 +19,7 @@ from ...wording import say
 
 PREFIX = ".urbanmap-"
 _FILES, _EARLIER, _LOCK = "new", "earlier", "lock"
+_STARTING, _LOOKS = 20.0, 200  # s that a run may take from its folder to its lock; how often it tries
 
 DATABASES = (".gpkg", ".sqlite", ".db")
 """Endings of SQLite databases."""
@@ -96,8 +98,8 @@ class Staging:
         self._scratch[folder] = scratch
         lock = (scratch / _LOCK).open("w")
         self._locks.append(lock)
-        take_lock(lock)
-        (scratch / _FILES).mkdir()
+        _take_own_lock(lock)
+        (scratch / _FILES).mkdir()  # from now on a lock that can be taken is a killed run's
         _SCRATCH[str(scratch / _FILES)] = str(folder)
 
     def outside(self, text: str) -> str:
@@ -177,9 +179,24 @@ def clear_leftovers(folder: str | os.PathLike) -> None:
         try:
             with (scratch / _LOCK).open("r+") as lock:
                 take_lock(lock)
+                starting = not (scratch / _FILES).is_dir() and time.time() - scratch.stat().st_mtime < _STARTING
         except OSError:  # no scratch folder of ours, or its run goes on
             continue
+        if starting:  # its run is about to take the lock
+            continue
         shutil.rmtree(scratch, ignore_errors=True)
+
+
+def _take_own_lock(lock) -> None:
+    """Lock a run's own file, which another run may hold for the moment that it takes to look whether it is left."""
+    for left in reversed(range(_LOOKS)):
+        try:
+            take_lock(lock)
+            break
+        except OSError:
+            if not left:
+                raise
+            time.sleep(_STARTING / _LOOKS)
 
 
 def take_lock(lock) -> None:
