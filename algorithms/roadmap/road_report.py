@@ -54,6 +54,8 @@ def _pictures(report, built) -> None:
 
 
 def _findings(report, built) -> None:
+    if not built.findings:
+        return
     report.section(tr("Findings"))
     report.table((tr("No."), tr("Kind"), tr("What"), "x", "y"),
                  [(number, tr(one.kind), one.text, f"{one.x:.1f}", f"{one.y:.1f}")
