@@ -77,6 +77,8 @@ class AdjustedFrames:
     weight : (n,) 0 to 1; NaN of check points.
     apart : (n, 2) m east and north from a known point to where its pixel comes to lie at its height; NaN of ties.
     noise : standard deviation of the observations, times that assumed.
+    own : how much of the stated size the frames' own errors have, found from the points.
+    state : (unknowns,) shared, frame by frame, point by point.
     """
 
     poses: tuple[ExteriorOrientation, ...]
@@ -85,6 +87,8 @@ class AdjustedFrames:
     weight: np.ndarray
     apart: np.ndarray
     noise: float
+    own: float
+    state: np.ndarray
 
 
 def adjust_frames(camera: FrameCamera, poses: Sequence[ExteriorOrientation], points: ImagePoints,
@@ -96,20 +100,29 @@ def adjust_frames(camera: FrameCamera, poses: Sequence[ExteriorOrientation], poi
     InputError : points were measured in an image without orientation, outside it, or behind its camera.
     InsufficientDataError : no control point is in any frame.
     """
-    settings = settings or BundleSettings()
-    frame = _frames_of(camera, poses, points)
-    if not points.control[points.point].any():
-        raise InsufficientDataError(say("No control point is in any frame: give points with x, y, z and their places "
-                                        "in the images."))
-    start, used = _start(camera, poses, points, frame), _used(points)
-    problem = _Problem(camera, tuple(poses), points, frame, start, used, settings)
-    best = max((_solved(problem, own) for own in settings.own), key=lambda solution: solution.likelihood)
-    adjusted = _corrected(poses, best.state)
+    problem = _problem_of(camera, poses, points, settings or BundleSettings())
+    nothing = np.zeros(_SIX * (1 + len(poses)) + 3 * len(points.points))
+    best = max((_solved(problem, own, nothing) for own in problem.settings.own), key=lambda found: found.likelihood)
+    adjusted, frame = _corrected(poses, best.state), problem.frame
     computed, _ = _linearised(problem, best.state)
     given = _projected(camera, adjusted, frame, points.place[points.point])
     computed = np.where(points.check[points.point][:, None], given, computed)
+    known = points.known[points.point]
+    apart = np.full((len(frame), 2), np.nan)
+    apart[known] = _apart(camera, adjusted, points, frame, known)
     return AdjustedFrames(adjusted, _sigma(best.factors, len(poses), len(best.state)), points.pixel - computed,
-                          np.where(used, best.weight, np.nan), _apart(camera, adjusted, points, frame), best.noise)
+                          np.where(problem.used, best.weight, np.nan), apart, best.noise, best.own, best.state)
+
+
+def left_out_error(camera: FrameCamera, poses: Sequence[ExteriorOrientation], points: ImagePoints,
+                   adjusted: AdjustedFrames, number: int, settings: BundleSettings) -> np.ndarray:
+    """(2,) m east and north, mean over its frames, by which a control point is off that only the others place."""
+    check = points.check.copy()
+    check[number] = True
+    points = replace(points, check=check)
+    problem = _problem_of(camera, poses, points, settings)
+    found = _corrected(poses, _solved(problem, adjusted.own, adjusted.state).state)
+    return _apart(camera, found, points, problem.frame, points.point == number).mean(axis=0)
 
 
 @dataclass(frozen=True)
@@ -134,13 +147,25 @@ class _Solution:
     weight: np.ndarray
     noise: float
     likelihood: float
+    own: float
 
 
-def _solved(problem: _Problem, own: float) -> _Solution:
-    """Gauss and Newton's method with weights by the misfits, for frames whose own errors are `own` times as large."""
+def _problem_of(camera: FrameCamera, poses: Sequence[ExteriorOrientation], points: ImagePoints,
+                settings: BundleSettings) -> _Problem:
+    frame = _frames_of(camera, poses, points)
+    if not points.control[points.point].any():
+        raise InsufficientDataError(say("No control point is in any frame: give points with x, y, z and their places "
+                                        "in the images."))
+    return _Problem(camera, tuple(poses), points, frame, _start(camera, poses, points, frame), _used(points), settings)
+
+
+def _solved(problem: _Problem, own: float, state: np.ndarray) -> _Solution:
+    """Gauss and Newton's method with weights by the misfits, for frames whose own errors are `own` times as large.
+
+    `state` (unknowns,) is where it begins.
+    """
     settings = problem.settings
     prior = _prior(len(problem.poses), problem.points, settings, own)
-    state = np.zeros(len(prior))
     for _ in range(LIMITS.rounds):
         computed, jacobian = _linearised(problem, state)
         misfit = problem.points.pixel - computed
@@ -156,14 +181,7 @@ def _solved(problem: _Problem, own: float) -> _Solution:
     cost = float(np.sum(LIMITS.gross**2 * size**2 / (LIMITS.gross**2 + size**2)) + state @ (prior * state))
     volume = float(np.log(np.abs(factors.U.diagonal())).sum() - np.log(prior).sum())
     noisy = 4.0 * problem.used.sum() * np.log(noise)
-    return _Solution(state, factors, weight, noise, -0.5 * (cost + volume + noisy))
-
-
-def without_point(points: ImagePoints, number: int) -> ImagePoints:
-    """The same with one control point as a check point."""
-    check = points.check.copy()
-    check[number] = True
-    return replace(points, check=check)
+    return _Solution(state, factors, weight, noise, -0.5 * (cost + volume + noisy), own)
 
 
 def contradicting(points: ImagePoints, adjusted: AdjustedFrames) -> np.ndarray:
@@ -202,7 +220,9 @@ def _start(camera: FrameCamera, poses: Sequence[ExteriorOrientation], points: Im
     """(k, 3) m: known places, and where the rays of tie points come nearest to each other."""
     place = points.place.copy()
     centre = np.array([pose.centre for pose in poses])[frame]
-    ray = np.stack([frame_rays(camera, poses[number], *pixel) for number, pixel in zip(frame, points.pixel)])
+    ray = np.empty((len(frame), 3))
+    for number in np.unique(frame):
+        ray[frame == number] = frame_rays(camera, poses[number], *points.pixel[frame == number].T)
     across = np.eye(3) - ray[:, :, None] * ray[:, None, :]
     level = float(np.nanmean(place[:, 2]))
     for number in np.flatnonzero(~points.known):
@@ -287,12 +307,14 @@ def _sigma(factors, frames: int, size: int) -> np.ndarray:
     return sigma
 
 
-def _apart(camera: FrameCamera, poses: Sequence[ExteriorOrientation], points: ImagePoints,
-           frame: np.ndarray) -> np.ndarray:
-    """(n, 2) m, from known points to where their pixels lie at their heights."""
-    apart = np.full((len(frame), 2), np.nan)
-    for row in np.flatnonzero(points.known[points.point]):
-        pose, place = poses[frame[row]], points.place[points.point[row]]
-        ray = frame_rays(camera, pose, *points.pixel[row])
-        apart[row] = (pose.centre + (place[2] - pose.z) / ray[2] * ray)[:2] - place[:2]
+def _apart(camera: FrameCamera, poses: Sequence[ExteriorOrientation], points: ImagePoints, frame: np.ndarray,
+           which: np.ndarray) -> np.ndarray:
+    """(m, 2) m, from known points to where their pixels lie at their heights, of some observations (n,) bool."""
+    rows = np.flatnonzero(which)
+    place, apart = points.place[points.point[rows]], np.empty((len(rows), 2))
+    for number in np.unique(frame[rows]):
+        of_frame, pose = frame[rows] == number, poses[number]
+        ray = frame_rays(camera, pose, *points.pixel[rows[of_frame]].T)
+        along = (place[of_frame, 2] - pose.z) / ray[:, 2]
+        apart[of_frame] = (pose.centre + along[:, None] * ray)[:, :2] - place[of_frame, :2]
     return apart

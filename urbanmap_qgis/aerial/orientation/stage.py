@@ -13,7 +13,7 @@ from ...io.files.atomic import written_beside
 from ...progress import SILENT, Progress
 from ...wording import mark, say
 from ..frames.camera import ExteriorOrientation, FrameCamera
-from .bundle import POSE, AdjustedFrames, BundleSettings, adjust_frames, contradicting, without_point
+from .bundle import POSE, AdjustedFrames, BundleSettings, adjust_frames, contradicting, left_out_error
 from .image_points import ImagePoints
 
 _FEW = 3  # control points: fewer do not tell a shift from a tilt
@@ -68,8 +68,7 @@ def control_frames(camera: FrameCamera, poses: Sequence[ExteriorOrientation], po
     tried = np.flatnonzero(points.control)[:_MOST_LEFT_OUT]
     for count, number in enumerate(tried if points.control.sum() > 1 else ()):
         progress.step(count / len(tried))
-        apart = adjust_frames(camera, poses, without_point(points, number), settings).apart
-        left_out[number] = apart[points.point == number].mean(axis=0)
+        left_out[number] = left_out_error(camera, poses, points, adjusted, number, settings)
     before = adjust_frames(camera, poses, points, _held(settings)).apart
     return FrameControl(points, before, adjusted, left_out, wrong, _findings(poses, points, wrong))
 
