@@ -14384,6 +14384,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>直交方向の標準偏差 (m)</translation>
     </message>
     <message>
+        <source>where the edges are from</source>
+        <translation>道路縁の出典</translation>
+    </message>
+    <message>
         <source>height above the road (m)</source>
         <translation>路面からの高さ (m)</translation>
     </message>

@@ -54,6 +54,10 @@ def folder(small_city, tmp_path_factory):
     for name, place in FILES.items():
         (made / name).symlink_to(small_city / place)
     (made / "scripts").symlink_to(ROOT / "scripts")
+    shutil.copy(small_city / "truth/areas.gpkg", made / "roads.gpkg")
+    with closing(sqlite3.connect(made / "roads.gpkg")) as roads:
+        roads.execute("DELETE FROM areas WHERE kind != 'carriageway'")
+        roads.commit()
     return made
 
 

@@ -41,7 +41,7 @@ def test_delft_is_modelled_whole_and_valid(delft, cloud, rmse_z95, flat):
 def test_displaced_outlines_are_brought_back(delft, cloud, outlines, iou):
     _, reached = figures(delft, cloud, outlines)
     # A model of a displaced outline may say that it does not explain the points beside it.
-    assert reached["iou"] >= iou and reached["modelled"] == "92/92" and reached["ok"] >= 82
+    assert reached["iou"] >= iou and reached["modelled"] == "92/92" and reached["ok"] >= 76
 
 
 def test_a_cell_of_delft_without_ground_points():

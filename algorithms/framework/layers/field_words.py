@@ -295,6 +295,7 @@ _OF_STYLE: dict[tuple[str, str], FieldWords] = {
     ("lane_bounds", "sigma"): FieldWords(mark("standard deviation across (m)"), 3),
     ("marking_lines", "sigma"): FieldWords(mark("standard deviation across (m)"), 3),
     ("road_edges", "sigma"): FieldWords(mark("standard deviation across (m)"), 3),
+    ("road_surfaces", "source"): FieldWords(mark("where the edges are from")),
     ("road_edges", "height"): FieldWords(mark("height above the road (m)"), 3),
     ("road_markings", "area"): FieldWords(mark("area (m²)"), 2),
     ("road_markings", "width"): FieldWords(mark("width of the stroke (m)"), 3),
