@@ -29,7 +29,7 @@ class BundleLimits:
     """Limits of the bundle, each with its unit."""
 
     rounds: int = 20
-    enough: float = 1e-3  # of a pixel, that the observations still move
+    enough: float = 0.01  # of a pixel, that the observations still move
     gross: float = 3.0  # standard deviations from which an observation loses its weight
     tie_sigma: float = 1e4  # m, of the place of a tie point
     fewest: int = 2  # frames that see a tie point
@@ -224,15 +224,16 @@ def _start(camera: FrameCamera, poses: Sequence[ExteriorOrientation], points: Im
     for number in np.unique(frame):
         ray[frame == number] = frame_rays(camera, poses[number], *points.pixel[frame == number].T)
     across = np.eye(3) - ray[:, :, None] * ray[:, None, :]
-    level = float(np.nanmean(place[:, 2]))
-    for number in np.flatnonzero(~points.known):
-        rows = points.point == number
-        if rows.sum() >= LIMITS.fewest:
-            place[number] = np.linalg.lstsq(across[rows].sum(axis=0),
-                                            np.einsum("nij,nj->i", across[rows], centre[rows]), rcond=None)[0]
-        else:
-            along = (level - centre[rows][0, 2]) / ray[rows][0, 2]
-            place[number] = centre[rows][0] + along * ray[rows][0]
+    normal, right = np.zeros((len(place), 3, 3)), np.zeros((len(place), 3))
+    np.add.at(normal, points.point, across)
+    np.add.at(right, points.point, np.einsum("nij,nj->ni", across, centre))
+    meeting = np.einsum("kij,kj->ki", np.linalg.pinv(normal, hermitian=True), right)
+    down = (float(np.nanmean(place[:, 2])) - centre[:, 2]) / ray[:, 2]
+    alone = np.empty_like(place)
+    alone[points.point] = centre + down[:, None] * ray
+    several = np.bincount(points.point, minlength=len(place)) >= LIMITS.fewest
+    found = np.where(several[:, None], meeting, alone)
+    place[~points.known] = found[~points.known]
     return place
 
 
