@@ -21,7 +21,8 @@ FILES = ("test_opendrive", "test_roadmap_lanes", "test_tile_codes", "test_edge",
 def test_the_core_runs_on_the_pyproj_that_qgis_brings():
     files = [str(path) for name in FILES for path in (ROOT / "tests/core").glob(f"{name}*.py")]
     data = str(Path(sys.base_prefix) / "share" / "proj")  # which that pyproj looks for beside the Python it came with
+    environment = {**os.environ, "PYTHONPATH": str(SYSTEM), "PROJ_DATA": data, "PROJ_LIB": data}
     told = subprocess.run(
         [sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", "-m", "not slow", *files], cwd=ROOT,
-        env={**os.environ, "PYTHONPATH": str(SYSTEM), "PROJ_DATA": data, "PROJ_LIB": data}, capture_output=True, text=True, check=False)
+        env=environment, capture_output=True, text=True, check=False)
     assert told.returncode == 0, told.stdout[-3000:]
