@@ -9,7 +9,8 @@ from qgis.core import QgsProcessing
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
 from ..framework.layers.layers import make_fields
-from .orthorectifyframes import ANGLE_ORDERS, ANGLE_UNITS
+from .frame_inputs import read_camera_and_poses
+from .orthorectifyframes import OrthorectifyFrames
 
 FIELDS = (("id", "text"), ("role", "text"), ("frames", "int"), ("plan_before", "real"), ("plan_after", "real"),
           ("east_before", "real"), ("north_before", "real"), ("east_after", "real"), ("north_after", "real"),
@@ -33,11 +34,7 @@ class AdjustFrames(UrbanMapAlgorithm):
     )
 
     def declare(self):
-        self.add_file("CAMERA", "Camera", "JSON file of the camera: focal_length_mm, pixel_pitch_mm, image_width, "
-                      "image_height, principal_point_mm, distortion.", "Camera (*.json)")
-        self.add_file("EXTERIOR", "Exterior orientation", "CSV file image,x,y,z,omega,phi,kappa (metres, degrees), or "
-                      "what Metashape (Omega Phi Kappa) or Pix4D wrote, whose order of angles is known.",
-                      "Exterior orientation (*.csv *.txt)")
+        self.add_from(OrthorectifyFrames, "CAMERA", "EXTERIOR")
         self.add_file("CONTROL", "Points in the frames", "CSV file point,image,column,row,x,y,z: a row for each frame "
                       "in which a point was measured, pixels from the centre of the upper left one, coordinates in "
                       "metres, none for tie points; role: control or check.", "Points in frames (*.csv *.txt)")
@@ -49,10 +46,7 @@ class AdjustFrames(UrbanMapAlgorithm):
                         "frame.", 0.5, 0.01, 20.0, "pixels", advanced=True)
         self.add_distance("CONTROL_SIGMA", "Accuracy of the control points", "Standard deviation of their coordinates "
                           "in metres.", 0.02, 0.0001, 10.0, advanced=True)
-        self.add_choice("ANGLE_ORDER", "Order of the angles", "Papers: R_omega R_phi R_kappa. Usual: R_kappa R_phi "
-                        "R_omega, as most bundle adjustments write.", ANGLE_ORDERS, "papers", advanced=True)
-        self.add_choice("ANGLE_UNIT", "Unit of the angles", "Automatic: degrees, and an error where they look "
-                        "otherwise.", ANGLE_UNITS, "automatic", advanced=True)
+        self.add_from(OrthorectifyFrames, "ANGLE_ORDER", "ANGLE_UNIT")
         self.add_crs("CRS", "Coordinate system", "Of the points and the orientation, for the layer of residuals.",
                      optional=True, advanced=True)
         self.add_file_output("OUTPUT", "Corrected exterior orientation", "As the input, in degrees and the papers' "
@@ -63,24 +57,20 @@ class AdjustFrames(UrbanMapAlgorithm):
         self.add_file_output("OUTPUT_REPORT", "Report", "Errors at the points and accuracy of the frames.",
                              HTML_FILTER, optional=True, by_default=True)
         self.add_number_output("POINTS", "Control points", "Number of control points.")
-        self.add_number_output("RMS_BEFORE", "RMS before", "RMS error of the control points in plan, as given.", "m")
+        self.add_number_output("RMS_BEFORE", "RMS before", "RMS error of the control points that do not "
+                               "contradict the others, in plan, as given.", "m")
         self.add_number_output("RMS_AFTER", "RMS after", "The same after the adjustment.", "m")
         self.add_number_output("RMS_LEFT_OUT", "RMS left out", "The same, each point left out in turn.", "m")
         self.add_number_output("RMS_CHECK", "RMS of check points", "RMS error of the check points in plan, after.", "m")
         self.add_number_output("WRONG", "Contradicting points", "Control points that contradict the others.")
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.aerial.frames.camera import read_camera
-        from ...urbanmap_qgis.aerial.frames.exterior_files import read_exterior
         from ...urbanmap_qgis.aerial.orientation.bundle import BundleSettings
         from ...urbanmap_qgis.aerial.orientation.image_points import read_image_points
         from ...urbanmap_qgis.aerial.orientation.stage import control_frames, write_exterior
 
         progress = self.progress(feedback)
-        camera = read_camera(self.input_path(parameters, "CAMERA", context))
-        poses = read_exterior(self.input_path(parameters, "EXTERIOR", context),
-                              self.parameterAsString(parameters, "ANGLE_UNIT", context),
-                              self.parameterAsString(parameters, "ANGLE_ORDER", context))
+        camera, poses = read_camera_and_poses(self, parameters, context)
         points = read_image_points(self.input_path(parameters, "CONTROL", context))
         position, angle, pixel, control = (self.parameterAsDouble(parameters, f"{name}_SIGMA", context)
                                            for name in ("POSITION", "ANGLE", "PIXEL", "CONTROL"))
@@ -94,10 +84,10 @@ class AdjustFrames(UrbanMapAlgorithm):
 
     def _figures(self, made, progress) -> dict:
         points = made.points
-        results = {"POINTS": int(points.control.sum()), "RMS_BEFORE": made.rms(points.control, before=True),
-                   "RMS_AFTER": made.rms(points.control), "WRONG": int(made.wrong.sum())}
+        results = {"POINTS": int(points.control.sum()), "RMS_BEFORE": made.rms(made.followed, before=True),
+                   "RMS_AFTER": made.rms(made.followed), "WRONG": int(made.wrong.sum())}
         progress.message(tr("{0} control points: {1:.3f} m off in plan as given, {2:.3f} m after (RMS).").format(
-            results["POINTS"], results["RMS_BEFORE"], results["RMS_AFTER"]))
+            int(made.followed.sum()), results["RMS_BEFORE"], results["RMS_AFTER"]))
         held, checks = made.left_out_rms(), points.known & points.check
         if math.isfinite(held):
             results["RMS_LEFT_OUT"] = held

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
+from .frame_inputs import ANGLE_ORDERS, ANGLE_UNITS, read_camera_and_poses
 
-ANGLE_UNITS = ("automatic", "degrees", "gon", "radians")
-ANGLE_ORDERS = ("papers", "usual")
 METHODS = ("refined", "paper")
 
 
@@ -66,16 +65,11 @@ class OcclusionMap(UrbanMapAlgorithm):
                                "surface shows nothing that stands.")
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.aerial.frames.camera import read_camera
-        from ...urbanmap_qgis.aerial.frames.exterior_files import read_exterior
         from ...urbanmap_qgis.aerial.frames.frame_images import FrameImage, find_frames
         from ...urbanmap_qgis.aerial.frames.occlusion import OcclusionSettings, occlusion_map
 
         progress = self.progress(feedback)
-        camera = read_camera(self.input_path(parameters, "CAMERA", context))
-        poses = read_exterior(self.input_path(parameters, "EXTERIOR", context),
-                              self.parameterAsString(parameters, "ANGLE_UNIT", context),
-                              self.parameterAsString(parameters, "ANGLE_ORDER", context))
+        camera, poses = read_camera_and_poses(self, parameters, context)
         frame = find_frames([self.input_path(parameters, "FRAME", context)], poses)[0]
         with FrameImage(frame.path, camera):
             progress.message(tr("{0}: {1} x {2} pixels").format(frame.path.name, camera.width, camera.height))

@@ -10,12 +10,11 @@ from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from ..framework.running.workers import workers
+from .frame_inputs import ANGLE_ORDERS, ANGLE_UNITS, read_camera_and_poses
 from .frame_shifts import FrameShiftsOutput
 
 METHODS = ("vote", "darkest", "paper")
 OCCLUSION = ("ground", "frame")
-ANGLE_ORDERS = ("papers", "usual")
-ANGLE_UNITS = ("automatic", "degrees", "gon", "radians")
 
 
 class OrthorectifyFrames(FrameShiftsOutput, UrbanMapAlgorithm):
@@ -85,18 +84,13 @@ class OrthorectifyFrames(FrameShiftsOutput, UrbanMapAlgorithm):
         self.add_shifts_output()
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.aerial.frames.camera import read_camera
-        from ...urbanmap_qgis.aerial.frames.exterior_files import read_exterior
         from ...urbanmap_qgis.aerial.frames.frame_images import find_frames
         from ...urbanmap_qgis.aerial.orthophotos.mosaic import MosaicFiles
         from ...urbanmap_qgis.aerial.orthophotos.orthorectification import ElevationInputs, orthorectify
         from ...urbanmap_qgis.io.raster import RasterSampler
 
         progress = self.progress(feedback)
-        camera = read_camera(self.input_path(parameters, "CAMERA", context))
-        poses = read_exterior(self.input_path(parameters, "EXTERIOR", context),
-                              self.parameterAsString(parameters, "ANGLE_UNIT", context),
-                              self.parameterAsString(parameters, "ANGLE_ORDER", context))
+        camera, poses = read_camera_and_poses(self, parameters, context)
         frames = find_frames(self.parameterAsFileList(parameters, "FRAMES", context), poses)
         ground = self.raster_path(parameters, "GROUND", context)
         surface = self.raster_path(parameters, "DSM", context)

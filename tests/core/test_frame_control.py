@@ -9,6 +9,7 @@ import pytest
 
 from urbanmap_qgis.aerial.frames.camera import ExteriorOrientation, FrameCamera, project_places
 from urbanmap_qgis.aerial.frames.exterior_files import read_exterior
+from urbanmap_qgis.aerial.orientation.bundle import errors_on_ground
 from urbanmap_qgis.aerial.orientation.image_points import ImagePoints, read_image_points
 from urbanmap_qgis.aerial.orientation.report import write_control_report
 from urbanmap_qgis.aerial.orientation.stage import control_frames, write_exterior
@@ -108,6 +109,10 @@ def test_a_wrong_point_is_told_and_not_followed():
     made = control_frames(CAMERA, given, points)
     assert made.wrong.tolist() == [number == 3 for number in range(9)]
     assert "P3" in " ".join(made.findings)
+    assert made.followed.tolist() == [number != 3 for number in range(9)]
+    others = made.rms(np.arange(9) != 3, before=True), made.rms(np.arange(9) != 3)
+    assert (made.rms(made.followed, before=True), made.rms(made.followed)) == others and others[1] < 0.05
+    assert made.rms(points.control) > 0.5
     assert np.sqrt((errors(made.adjusted.poses, places(60, 1)) ** 2).mean()) < 0.05
 
 
@@ -124,6 +129,33 @@ def test_exact_orientations_stay():
     for pose, true in zip(made.adjusted.poses, TRUE):
         assert pose.centre == pytest.approx(true.centre, abs=1e-4)
         assert (pose.omega, pose.phi, pose.kappa) == pytest.approx((true.omega, true.phi, true.kappa), abs=1e-5)
+
+
+def test_errors_on_the_ground_are_those_of_the_orientation():
+    """A frame 1.5 m too far east and 0.5 m too far south puts its pixels there, at any height; ties have none."""
+    shifted = [replace(pose, x=pose.x + 1.5, y=pose.y - 0.5) for pose in TRUE]
+    points = seen(places(8, 4), noise=0.0, known=np.arange(8) < 5)
+    found, known = errors_on_ground(CAMERA, shifted, points), points.known[points.point]
+    assert found[known] == pytest.approx(np.broadcast_to([1.5, -0.5], found[known].shape), abs=1e-6)
+    assert np.isnan(found[~known]).all()
+    assert control_frames(CAMERA, shifted, points).before[known] == pytest.approx(found[known], abs=0)
+
+
+def test_corrections_are_corrected_less_given():
+    given = off(3)
+    adjusted = control_frames(CAMERA, given, seen(places(8, 4))).adjusted
+    for pose, before, row in zip(adjusted.poses, given, adjusted.correction):
+        names = ("x", "y", "z", "omega", "phi", "kappa")
+        assert row == pytest.approx([getattr(pose, name) - getattr(before, name) for name in names], abs=1e-9)
+
+
+def test_control_points_that_all_contradict_the_ties_are_refused():
+    place = places(60, 3)
+    points = seen(place, known=np.arange(60) < 5)
+    rng = np.random.default_rng(0)
+    moved = np.where(points.known[:, None], place + rng.choice([-80.0, 80.0], (60, 3)), np.nan)
+    with pytest.raises(InsufficientDataError, match="All control points contradict"):
+        control_frames(CAMERA, TRUE, replace(points, place=moved))
 
 
 def test_check_points_only_check():
@@ -155,7 +187,8 @@ def test_files_go_in_and_out(tmp_path):
     assert [pose.image for pose in again] == [pose.image for pose in TRUE]
     assert again[2].centre == pytest.approx(made.adjusted.poses[2].centre, abs=1e-4)
     write_control_report(tmp_path / "report.html", made)
-    assert "P3" in (tmp_path / "report.html").read_text(encoding="utf-8")
+    text = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert "P3" in text and text.index("Corrections of the frames") < text.index("Accuracy of the frames")
 
 
 @pytest.mark.parametrize("row, message", [

@@ -90,6 +90,11 @@ class AdjustedFrames:
     own: float
     state: np.ndarray
 
+    @property
+    def correction(self) -> np.ndarray:
+        """(frames, 6) corrections, shared and own together, m and degrees."""
+        return _corrections(self.state, len(self.poses))
+
 
 def adjust_frames(camera: FrameCamera, poses: Sequence[ExteriorOrientation], points: ImagePoints,
                   settings: BundleSettings | None = None) -> AdjustedFrames:
@@ -107,11 +112,19 @@ def adjust_frames(camera: FrameCamera, poses: Sequence[ExteriorOrientation], poi
     computed, _ = _linearised(problem, best.state)
     given = _projected(camera, adjusted, frame, points.place[points.point])
     computed = np.where(points.check[points.point][:, None], given, computed)
-    known = points.known[points.point]
-    apart = np.full((len(frame), 2), np.nan)
-    apart[known] = _apart(camera, adjusted, points, frame, known)
+    apart = _errors_on_ground(camera, adjusted, points, frame)
     return AdjustedFrames(adjusted, _sigma(best.factors, len(poses), len(best.state)), points.pixel - computed,
                           np.where(problem.used, best.weight, np.nan), apart, best.noise, best.own, best.state)
+
+
+def errors_on_ground(camera: FrameCamera, poses: Sequence[ExteriorOrientation], points: ImagePoints) -> np.ndarray:
+    """(n, 2) m east and north from a known point to where its pixel comes to lie at its height; NaN of ties.
+
+    Raises
+    ------
+    InputError : points were measured in an image without orientation, or outside it.
+    """
+    return _errors_on_ground(camera, poses, points, _frames_of(camera, poses, points))
 
 
 def left_out_error(camera: FrameCamera, poses: Sequence[ExteriorOrientation], points: ImagePoints,
@@ -246,9 +259,14 @@ def _prior(frames: int, points: ImagePoints, settings: BundleSettings, own: floa
 
 def _corrected(poses: Sequence[ExteriorOrientation], state: np.ndarray) -> tuple[ExteriorOrientation, ...]:
     """The poses with the shared and their own corrections."""
-    change = state[:_SIX] + state[_SIX:_SIX * (1 + len(poses))].reshape(-1, _SIX)
+    change = _corrections(state, len(poses))
     return tuple(replace(pose, **{name: getattr(pose, name) + float(value) for name, value in zip(POSE, row)})
                  for pose, row in zip(poses, change))
+
+
+def _corrections(state: np.ndarray, frames: int) -> np.ndarray:
+    """(frames, 6) shared and own corrections together, m and degrees."""
+    return state[:_SIX] + state[_SIX:_SIX * (1 + frames)].reshape(-1, _SIX)
 
 
 def _projected(camera: FrameCamera, poses: Sequence[ExteriorOrientation], frame: np.ndarray,
@@ -306,6 +324,15 @@ def _sigma(factors, frames: int, size: int) -> np.ndarray:
         pick[_SIX * (1 + number) + np.arange(_SIX), np.arange(_SIX)] = 1.0
         sigma[number] = np.sqrt(np.einsum("ji,ji->i", pick, factors.solve(pick)))
     return sigma
+
+
+def _errors_on_ground(camera: FrameCamera, poses: Sequence[ExteriorOrientation], points: ImagePoints,
+                      frame: np.ndarray) -> np.ndarray:
+    """(n, 2) m, see `errors_on_ground`, with the pose `frame` (n,) of each observation."""
+    known = points.known[points.point]
+    apart = np.full((len(frame), 2), np.nan)
+    apart[known] = _apart(camera, poses, points, frame, known)
+    return apart
 
 
 def _apart(camera: FrameCamera, poses: Sequence[ExteriorOrientation], points: ImagePoints, frame: np.ndarray,

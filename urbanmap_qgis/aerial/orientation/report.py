@@ -8,7 +8,7 @@ import numpy as np
 
 from ...io.pages.report import GOOD, LOOK, Report
 from ...wording import say
-from .bundle import POSE
+from .bundle import POSE, AdjustedFrames
 from .stage import FrameControl, residual_columns
 
 _SHOWN = ("id", "role", "frames", "east_before", "north_before", "east_after", "north_after", "east_left_out",
@@ -20,8 +20,8 @@ def write_control_report(path: str | os.PathLike, made: FrameControl) -> None:
     report, points = Report("Frames adjusted to control points"), made.points
     held, checks = made.left_out_rms(), points.known & points.check
     text = say("{frames} frames lie {before:.3f} m off at {count} control points as given and {after:.3f} m after "
-               "(RMS in plan).", frames=len(made.adjusted.poses), before=made.rms(points.control, before=True),
-               count=int(points.control.sum()), after=made.rms(points.control))
+               "(RMS in plan).", frames=len(made.adjusted.poses), before=made.rms(made.followed, before=True),
+               count=int(made.followed.sum()), after=made.rms(made.followed))
     if np.isfinite(held):
         text += " " + say("Each control point left out in turn lies {held:.3f} m off.", held=held)
     if checks.any():
@@ -33,11 +33,18 @@ def write_control_report(path: str | os.PathLike, made: FrameControl) -> None:
     report.table(("Point", "role", "frames", "before east (m)", "before north (m)", "after east (m)", "after north (m)",
                   "left out east (m)", "left out north (m)"), _rows(made))
     report.section("Corrections of the frames")
-    report.table(("Frame", *POSE), [(pose.image, *(float(value) for value in sigma))
-                                    for pose, sigma in zip(made.adjusted.poses, made.adjusted.sigma)])
+    report.table(("Frame", *POSE), _of_frames(made.adjusted, made.adjusted.correction))
+    report.paragraph("Corrected less given, metres and degrees.")
+    report.section("Accuracy of the frames")
+    report.table(("Frame", *POSE), _of_frames(made.adjusted, made.adjusted.sigma))
     report.paragraph("Standard deviations after the adjustment, metres and degrees. A point's error is how far from it "
                      "its pixel comes to lie on the ground, at the point's height.")
     report.write(path)
+
+
+def _of_frames(adjusted: AdjustedFrames, values: np.ndarray) -> list[tuple]:
+    """Rows of image and its six values (frames, 6)."""
+    return [(pose.image, *map(float, row)) for pose, row in zip(adjusted.poses, values)]
 
 
 def _rows(made: FrameControl) -> list[tuple]:

@@ -5,15 +5,24 @@ from __future__ import annotations
 import csv
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
+from ...errors import InsufficientDataError
 from ...io.files.atomic import written_beside
 from ...progress import SILENT, Progress
 from ...wording import mark, say
 from ..frames.camera import ExteriorOrientation, FrameCamera
-from .bundle import POSE, AdjustedFrames, BundleSettings, adjust_frames, contradicting, left_out_error
+from .bundle import (
+    POSE,
+    AdjustedFrames,
+    BundleSettings,
+    adjust_frames,
+    contradicting,
+    errors_on_ground,
+    left_out_error,
+)
 from .image_points import ImagePoints
 
 _FEW = 3  # control points: fewer do not tell a shift from a tilt
@@ -28,7 +37,8 @@ class FrameControl:
     Attributes
     ----------
     points : what was measured.
-    before, adjusted : with the orientations as given, and corrected.
+    before : (n, 2) m east and north, see `errors_on_ground`, with the orientations as given.
+    adjusted : the orientations corrected.
     left_out : (k, 2) m east and north, mean over its frames, of each control point while the others alone were used;
         NaN where it was not tried.
     wrong : (k,) bool, control points that contradict the others.
@@ -41,6 +51,11 @@ class FrameControl:
     left_out: np.ndarray
     wrong: np.ndarray
     findings: tuple[str, ...]
+
+    @property
+    def followed(self) -> np.ndarray:
+        """(k,) bool, control points that do not contradict the others."""
+        return self.points.control & ~self.wrong
 
     def rms(self, which: np.ndarray, before: bool = False) -> float:
         """RMS in plan, m, of some points (k,) bool, each the mean of its frames; NaN where there is none."""
@@ -59,18 +74,21 @@ def control_frames(camera: FrameCamera, poses: Sequence[ExteriorOrientation], po
     Raises
     ------
     InputError : see `adjust_frames`.
-    InsufficientDataError : no control point is in any frame.
+    InsufficientDataError : no control point is in any frame, or all contradict the frames.
     """
     settings = settings or BundleSettings()
     adjusted = adjust_frames(camera, poses, points, settings)
     wrong = contradicting(points, adjusted)
+    if not (points.control & ~wrong).any():
+        raise InsufficientDataError(say("All control points contradict the frames: check the coordinate system, the "
+                                        "order of the angles and the points' names."))
     left_out = np.full((len(points.points), 2), np.nan)
     tried = np.flatnonzero(points.control)[:_MOST_LEFT_OUT]
     for count, number in enumerate(tried if points.control.sum() > 1 else ()):
         progress.step(count / len(tried))
         left_out[number] = left_out_error(camera, poses, points, adjusted, number, settings)
-    before = adjust_frames(camera, poses, points, _held(settings)).apart
-    return FrameControl(points, before, adjusted, left_out, wrong, _findings(poses, points, wrong))
+    return FrameControl(points, errors_on_ground(camera, poses, points), adjusted, left_out, wrong,
+                        _findings(poses, points, wrong))
 
 
 def mean_of_points(points: ImagePoints, apart: np.ndarray) -> np.ndarray:
@@ -102,11 +120,6 @@ def write_exterior(path: str | os.PathLike, adjusted: AdjustedFrames) -> None:
             writer.writerow([pose.image, *(f"{value:.4f}" for value in values[:3]),
                              *(f"{value:.6f}" for value in values[3:]), *(f"{value:.4f}" for value in sigma[:3]),
                              *(f"{value:.6f}" for value in sigma[3:])])
-
-
-def _held(settings: BundleSettings) -> BundleSettings:
-    """Settings under which the orientations stay as they are."""
-    return replace(settings, position=1e-9, angle=1e-9, shared=1.0, own=(1.0,))
 
 
 def _rms(apart: np.ndarray) -> float:

@@ -82,7 +82,7 @@ def _local_against_geographic(inspected: MapInspection, rule: MapRule) -> Iterat
     if len(both) < 5:
         return
     if np.ptp(inspected.projected[both], axis=0).max() < 1e-3:
-        return  # placeholders for degrees, as Autoware's maps in local coordinates may have them
+        return  # all nodes at one place in degrees, as Autoware's maps in local coordinates may have them
     one, other = (values[both] @ [1, 1j] for values in (inspected.projected, inspected.local))
     weight = np.ones(len(both))
     for _ in range(20):
