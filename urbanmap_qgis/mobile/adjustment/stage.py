@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -19,7 +19,7 @@ from ..registration.correction.gauss_markov import jump_steps, path_parameters_o
 from ..registration.stage import RegistrationRun
 from ..registration.start.reference import Reference
 from ..registration.survey_markings import survey_markings
-from ..trajectory import Trajectory, interpolate
+from ..trajectory import Trajectory, interpolate, path_chainage
 from .network import (
     CONTROL,
     KINDS,
@@ -33,6 +33,7 @@ from .network import (
     plan_residuals,
 )
 from .planes import plane_ties, planes_of
+from .reference_steps import ReferenceStep, reference_steps, undisputed
 from .steps import away_from_steps, observed_steps
 from .ties import Drive, pairs_of, reference_observations, tie_drives
 
@@ -115,6 +116,7 @@ class AdjustedSurvey:
     observations, network : of the adjustment.
     place : (n, 3) m, where each observation lies after it.
     relative : whether no drive is tied to control or reference.
+    reference_steps : of the reference markings, as several drives show them; observations of doubt are left out.
     """
 
     drives: tuple[AdjustedDrive, ...]
@@ -122,6 +124,7 @@ class AdjustedSurvey:
     network: Network
     place: np.ndarray
     relative: bool
+    reference_steps: tuple[ReferenceStep, ...] = ()
 
     def median_sigma(self) -> float:
         """Median standard deviation in plan over all drives, m."""
@@ -217,7 +220,34 @@ def adjust_surveys(clouds: Sequence[Sequence[str | os.PathLike]], trajectories: 
     if not len(observations):
         raise InsufficientDataError(say("The drives share no markings and planes, and no control point or reference "
                                         "marking fits them: nothing can be adjusted."))
-    return _adjusted(drives, observations, run, progress)
+    observations, steps = _without_reference_steps(drives, observations, run, progress)
+    return replace(_adjusted(drives, observations, run, progress), reference_steps=steps)
+
+
+def _without_reference_steps(drives: Sequence[Drive], observations: NetworkObservations, run: AdjustmentRun,
+                             progress: Progress) -> tuple[NetworkObservations, tuple[ReferenceStep, ...]]:
+    """The observations without those by a reference that steps where no drive does, and these steps.
+
+    Raises
+    ------
+    InsufficientDataError : no other observation is left.
+    """
+    chainage, other_chainage = np.zeros((2, len(observations)))
+    for number, drive in enumerate(drives):
+        parameter, way = _path_parameters(drive.trajectory, run), path_chainage(drive.trajectory)
+        for of, at, found in ((observations.drive, observations.parameter, chainage),
+                              (observations.other, observations.other_parameter, other_chainage)):
+            found[of == number] = np.interp(at[of == number], parameter, way)
+    steps = tuple(reference_steps(observations, chainage, other_chainage))
+    for step in steps:
+        progress.warn(say("The reference steps by {size:.2f} m at {chainage:.0f} m of {drive}, where the drives do "
+                          "not: nobody can say which side of it is right, so that reference markings beside it are "
+                          "left out.", size=step.size, chainage=step.chainage, drive=drives[step.drive].name))
+    left = observations.select(undisputed(observations, chainage, steps))
+    if not len(left):
+        raise InsufficientDataError(say("The reference steps where the drives do not, and nothing else ties them: "
+                                        "nothing can be adjusted."))
+    return left, steps
 
 
 def _plane_observations(clouds: Sequence[Sequence[str | os.PathLike]], drives: Sequence[Drive],
