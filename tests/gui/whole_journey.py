@@ -259,6 +259,34 @@ class Way:
     def accuracy_map(self) -> dict:
         return self._wish("accuracymap", "15_accuracy_map")
 
+    def road_model(self) -> dict:
+        """The surface of a crossing, in a file that no name tells, said to be roads below the table of files."""
+        from qgis.core import QgsFeature, QgsGeometry, QgsVectorFileWriter, QgsVectorLayer
+
+        layer = QgsVectorLayer("Polygon?crs=EPSG:6677", "surfaces", "memory")
+        crossing = QgsFeature()
+        crossing.setGeometry(QgsGeometry.fromWkt("POLYGON((0 40,47 40,47 0,53 0,53 40,100 40,100 46,53 46,53 90,47 90,"
+                                                 "47 46,0 46,0 40))"))
+        layer.dataProvider().addFeature(crossing)
+        place = self.folder / "測量 成果" / "交差点 面.gpkg"
+        place.parent.mkdir()
+        QgsVectorFileWriter.writeAsVectorFormat(layer, str(place), "UTF-8", layer.crs(), "GPKG")
+        guide = self.plugin.guide
+        guide.pages.setCurrentIndex(0)
+        guide.files.add([str(place)])
+        wait_until(lambda: not guide.files.recognition.busy()
+                   and any(item.path.name == place.name for item in guide.files.findings.facts), "not recognised")
+        row = next(row for row in guide.files._rows() if row.text(0).startswith("交差点 面"))
+        guide.files.tree.clearSelection()
+        guide.files.tree.setCurrentItem(row)
+        row.setSelected(True)
+        settle()
+        guide.files.use.setCurrentIndex(guide.files.use.findData("roads"))
+        guide.files.use.activated.emit(guide.files.use.currentIndex())
+        settle()
+        self.picture("16_roads_said")
+        return {"played": row.text(1), **self._wish("roadmodel", "17_road_model")}
+
     def once_more(self) -> dict:
         """The plugin put over itself with the dock open; the job opened again is done."""
         import pyplugin_installer
@@ -272,13 +300,13 @@ class Way:
         guide.open_job(path)
         wait_until(lambda: guide.files.findings.facts and not guide.files.recognition.busy(), "not recognised")
         settle(0.5)
-        self.picture("16_opened_again")
+        self.picture("18_opened_again")
         states = {step.id: step.state for step in guide.job.steps}
         assert set(states.values()) == {"done"} and self.state() == before, (states, before, self.state())
         return {"steps": states, "opened": path, **before}
 
     STEPS = ("install_zip", "update_plugin", "sample_city", "dropped", "buildings", "again", "survey", "back",
-             "printed", "lane_map", "walls", "accuracy_map", "once_more")
+             "printed", "lane_map", "walls", "accuracy_map", "road_model", "once_more")
 
     def travel(self) -> None:
         """Do the steps, write the report, end QGIS."""

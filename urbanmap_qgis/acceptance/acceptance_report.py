@@ -49,7 +49,7 @@ def write_acceptance_report(path: str | os.PathLike, points: CheckPoints, found:
     """
     report = Report("Acceptance: errors at check points")
     report.verdict(*verdict(points, found, level))
-    report.facts(job.rows())
+    report.facts(job.rows(), form=True)
     _criteria(report, found, level)
     _figures(report, points)
     _spread(report, points)
@@ -114,7 +114,7 @@ def write_sampling_report(path: str | os.PathLike, drawn: SampledEdges, job: Job
     """Write the report of a run that only drew edges (HTML): nothing is judged."""
     report = Report(DRAWN_TITLE)
     report.verdict(LOOK, _not_yet(drawn))
-    report.facts(job.rows())
+    report.facts(job.rows(), form=True)
     report.section("Sampled edges of buildings")
     report.table(DRAWN_HEAD, _drawn_rows(drawn))
     if min(drawn.available.values()) < EDGES_OF_UNIT:
@@ -193,10 +193,9 @@ def _map(report: Report, points: CheckPoints, limits: Limits) -> None:
     """Vectors of errors in plan."""
     drawing = error_map(points, limits)
     if drawing is not None:
-        report.section("Where the errors lie")
-        report.figure(drawing(), say(
+        report.planned_figure("Where the errors lie", drawing, say(
             "Errors in plan, drawn larger than the map; red: above the limit. Arrows that all point one way are an "
-            "error that the whole product shares."))
+            "error that the whole product shares."), vector_map_shape(points.true[:, :2]))
 
 
 def _spread(report: Report, points: CheckPoints) -> None:

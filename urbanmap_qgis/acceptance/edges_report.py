@@ -59,7 +59,7 @@ def write_edges_report(path: str | os.PathLike, edges: ComparedEdges, found: Seq
     """Write the report (HTML); `found` are the criteria of `edges`."""
     report = Report(TITLE)
     report.verdict(*edges_verdict(edges, found, level))
-    report.facts(job.rows())
+    report.facts(job.rows(), form=True)
     report.paragraph(_INDEPENDENT if independent else _NOT_INDEPENDENT)
     report.section(say("Criteria of map level {level}", level=level) if level else say("Criteria"))
     report.table((mark("Unit"), *HEAD), [(
@@ -149,10 +149,9 @@ def _pictures(report: Report, edges: ComparedEdges, limits: Limits) -> None:
     report.histogram(edges.across[edges.shown], "m", say("Errors across the edges, outward"))
     if np.isfinite(edges.up).any():
         report.histogram(edges.up[edges.shown], "m", say("Errors in height"))
-    report.section("Where the errors lie")
-    report.figure(_map(edges, limits)(),
-                  say("Errors across the edges, drawn larger than the map; red: above the limit. Arrows that all "
-                      "point one way are an error that the whole product shares."))
+    report.planned_figure("Where the errors lie", _map(edges, limits), say(
+        "Errors across the edges, drawn larger than the map; red: above the limit. Arrows that all point one way are "
+        "an error that the whole product shares."), vector_map_shape(_places(edges)))
 
 
 def _map(edges: ComparedEdges, limits: Limits) -> Drawing | None:
@@ -186,7 +185,12 @@ def edges_pdf_content(edges: ComparedEdges, found: Sequence[Criterion], limits: 
          "points": [list(map(known, head)), *rows]},
         {"map": _map(edges, limits), "histogram_plan": histogram_of(edges.across, say("Errors across the edges")),
          "histogram_height": histogram_of(edges.up, say("Errors in height"))},
-        vector_map_shape(edges.drawn.ends[edges.shown].reshape(-1, 3)[:, :2]))
+        vector_map_shape(_places(edges)))
+
+
+def _places(edges: ComparedEdges) -> np.ndarray:
+    """Ends (n, 2) of the edges that are shown, m."""
+    return edges.drawn.ends[edges.shown].reshape(-1, 3)[:, :2]
 
 
 def write_compared_csv(path: str | os.PathLike, edges: ComparedEdges) -> None:
