@@ -9,8 +9,9 @@ import pytest
 from tests.city_models import town
 from urbanmap_qgis.citymodel.citygml.attribute_writer import split_attributes
 from urbanmap_qgis.citymodel.citygml.codelists import lists_of, write_codelists
-from urbanmap_qgis.citymodel.citygml.iur import VERSIONS, iur_table
+from urbanmap_qgis.citymodel.citygml.iur import VERSIONS, iur_table, kinds_of
 from urbanmap_qgis.citymodel.citygml.plateau import PlateauDelivery, with_plateau_attributes
+from urbanmap_qgis.citymodel.citygml.value_reader import extension_value
 from urbanmap_qgis.citymodel.model import AttributeGroup, CodeValue, Measure
 
 LISTS = "../../codelists/"
@@ -138,3 +139,60 @@ def _codes(values):
                 yield item
             elif isinstance(item, AttributeGroup):
                 yield from _codes(item.values)
+
+
+
+def read_group(version, type_name, *values):
+    """A data type as the reader makes it of XML, as an attribute of its own name; `values` are names and texts."""
+    inner = "".join(f"<{name}>{text}</{name}>" for name, text in values)
+    return extension_value(ElementTree.fromstring(
+        f'<a xmlns="https://www.geospatial.jp/iur/uro/{version}"><{type_name}>{inner}</{type_name}></a>'), _no_meaning)
+
+
+def _no_meaning(space, code):
+    return ""
+
+
+@pytest.mark.parametrize("name, text, value", [
+    ("realEstateIDOfBuilding", "1234567890123", "1234567890123"), ("realEstateIDOfLand", "0120", "0120"),
+    ("numberOfRealEstateIDOfLand", "007", 7), ("matchingScore", "three", "three"), ("matchingScore", "5", 5)])
+def test_values_are_of_the_types_of_the_schema(name, text, value):
+    found = read_group("3.2", "RealEstateIDAttribute", (name, text)).values[f"uro:{name}"]
+    assert found == value and type(found) is type(value)
+
+
+@pytest.mark.parametrize("name, text, value", [
+    ("floorAreaRate", "1.50", 1.5), ("floorAreaRate", "2", 2), ("floorAreaRate", "+.5e1", 5.0),
+    ("floorAreaRate", "NaN", "NaN"), ("floorAreaRate", "1e999", "1e999"), ("reference", "12", "12"),
+    ("surveyYear", "2024", 2024), ("surveyYear", "0985", "0985"), ("notInTheSchema", "3", 3),
+    ("landUseType", "211", "211")])
+def test_numbers_come_as_numbers_and_texts_as_texts(name, text, value):
+    found = read_group("3.1", "BuildingDetailAttribute", (name, text)).values[f"uro:{name}"]
+    assert found == value and type(found) is type(value)
+
+
+@pytest.mark.parametrize("name, text, value", [
+    ("availability", "true", True), ("availability", "1", True), ("availability", "0", False),
+    ("availability", "false", False), ("availability", "yes", "yes"),
+    ("inauguralDate", "2024-02-29", date(2024, 2, 29)), ("inauguralDate", "2024-02-30", "2024-02-30")])
+def test_truths_and_dates(name, text, value):
+    found = read_group("3.2", "LargeCustomerFacilityAttribute", (name, text)).values[f"uro:{name}"]
+    assert found == value and type(found) is type(value)
+
+
+def test_what_was_read_can_be_written_in_the_same_words():
+    """Numbers with an ending 0 and truths written as digits were refused by the table, and left as generic texts."""
+    made = read_group("3.2", "BuildingDetailAttribute", ("floorAreaRate", "1.50"), ("surveyYear", "2024"))
+    assert made.values == {"uro:floorAreaRate": 1.5, "uro:surveyYear": 2024}
+    assert iur_table("3.2").fitted("uro:buildingDetailAttribute", made) is not None
+    truth = read_group("3.2", "LargeCustomerFacilityAttribute", ("name", "12"), ("availability", "1"),
+                       ("surveyYear", "2024"))
+    _, _, written = split_attributes({"uro:largeCustomerFacilityAttribute": truth}, iur_table("3.2"), Counter())
+    assert "<uro:name>12</uro:name>" in written and "<uro:availability>true</uro:availability>" in written
+
+
+def test_types_of_a_version_without_a_table_are_as_they_look():
+    assert kinds_of("{https://www.geospatial.jp/iur/uro/1.5}BuildingDetailAttribute") == {}
+    assert kinds_of("BuildingDetailAttribute") == {}
+    assert read_group("1.5", "RealEstateIDAttribute", ("realEstateIDOfBuilding", "12")).values == {
+        "uro:realEstateIDOfBuilding": 12}

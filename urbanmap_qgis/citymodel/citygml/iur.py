@@ -138,6 +138,20 @@ def iur_table(version: str) -> IurTable:
 
 
 @cache
+def kinds_of(tag: str) -> Mapping[str, str]:
+    """Kinds of the values of a data type by their tags; empty where no table has the type.
+
+    Parameters
+    ----------
+    tag : of the data type, "{namespace}name": the namespace tells the version.
+    """
+    space, _, name = tag.removeprefix("{").rpartition("}")
+    version = space.removeprefix(_NAMESPACE)
+    fields = iur_table(version).fields.get(name, ()) if version in VERSIONS else ()
+    return {f"{{{space}}}{field.name}": field.kind for field in fields}
+
+
+@cache
 def code_lists() -> Mapping[str, Mapping[str, str]]:
     """Codes and their meaning by list, as the standard product specification 5.0 has them."""
     lists: dict[str, dict[str, str]] = {}

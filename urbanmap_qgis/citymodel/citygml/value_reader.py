@@ -5,6 +5,7 @@ Source: OGC 12-019 (CityGML 2.0); i-UR (uro) by its schema.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable
 from datetime import date
@@ -13,6 +14,7 @@ from typing import Any
 from xml.etree.ElementTree import Element  # nosec B405 # elements alone, no parser
 
 from ..model import AttributeGroup, CodeValue, Measure
+from .iur import kinds_of
 from .schema import EXTENSIONS, GENERIC_FIELDS, GENERIC_SET, GML, GML_3_2, module_of
 
 Meaning = Callable[[str, str], str]
@@ -21,6 +23,8 @@ Meaning = Callable[[str, str], str]
 _KNOWN = ("core", "bldg", "tran", "gen", "app", *EXTENSIONS)
 _INTEGER = re.compile(r"-?(0|[1-9]\d{0,17})\Z")
 _NUMBER = re.compile(r"-?\d+(\.\d+)?([eE][-+]?\d+)?\Z")
+_WHOLE = re.compile(r"[-+]?\d{1,18}\Z")
+_DECIMAL = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?\Z")
 _DATE = re.compile(r"(\d{4})-(\d\d)-(\d\d)\Z")
 
 
@@ -60,10 +64,24 @@ def plain_number(text: str) -> int | float | None:
     return float(text) if _NUMBER.match(text) else None
 
 
-def extension_value(element: Element, meaning: Meaning) -> Any:
-    """Value of an attribute of an extension: of a simple one its leaf, else the objects in it with their values."""
-    if not len(element):
+def typed_value(element: Element, kind: str, meaning: Meaning) -> Any:
+    """Value of an element without children, of the type that i-UR's table gives it; its text where it is not of it.
+
+    What states a list of codes or a unit is a code or a measure, and what has no kind is what its text looks like: see
+    `leaf_value`.
+    """
+    read = _TYPED_VALUES.get(kind)
+    if read is None or element.get("codeSpace") is not None or element.get("uom") is not None:
         return leaf_value(element, meaning)
+    text = (element.text or "").strip()
+    value = read(text)
+    return text if value is None else value
+
+
+def extension_value(element: Element, meaning: Meaning, kind: str = "") -> Any:
+    """Value of an attribute of an extension: of a simple one by its kind, else the objects in it with their values."""
+    if not len(element):
+        return typed_value(element, kind, meaning)
     groups = [AttributeGroup(_qualified(child), group_values(child, meaning)) if len(child)
               else AttributeGroup(_qualified(child), {}) for child in element]
     return groups[0] if len(groups) == 1 else groups
@@ -72,8 +90,9 @@ def extension_value(element: Element, meaning: Meaning) -> Any:
 def group_values(element: Element, meaning: Meaning) -> dict[str, Any]:
     """Values of an object of an extension by name; several of one name are a list."""
     values: dict[str, Any] = {}
+    kinds = kinds_of(element.tag)
     for child in element:
-        add_value(values, _qualified(child), extension_value(child, meaning))
+        add_value(values, _qualified(child), extension_value(child, meaning, kinds.get(child.tag, "")))
     return values
 
 
@@ -114,6 +133,20 @@ def _decimal(text: str) -> float | None:
     number = plain_number(text)
     return None if number is None else float(number)
 
+
+def _double(text: str) -> int | float | None:
+    """A number as XML schema writes doubles, a whole one without a point as such; None where it is none or endless."""
+    whole = plain_number(text)
+    if isinstance(whole, int):
+        return whole
+    number = float(text) if _DECIMAL.match(text) else math.nan
+    return number if math.isfinite(number) else None
+
+
+_TYPED_VALUES: dict[str, Callable[[str], Any]] = {
+    "text": str, "code": str, "whole": lambda text: int(text) if _WHOLE.match(text) else None, "number": _double,
+    "date": _plain_date, "truth": {"true": True, "1": True, "false": False, "0": False}.get}
+"""How a text becomes a value of a kind of i-UR's tables; None where it is none. Years and measures are as they look."""
 
 _GENERIC_VALUES: dict[type, Callable[[str, str], Any]] = {
     str: lambda text, unit: text, int: lambda text, unit: _whole(text), float: lambda text, unit: _decimal(text),
