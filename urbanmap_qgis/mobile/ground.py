@@ -14,12 +14,11 @@ import numpy as np
 from ..errors import InputError, InsufficientDataError
 from ..execution import in_order
 from ..geometry.grid import Grid
+from ..io.points.class_layers import class_writer, layers_can_stay
 from ..io.points.decoded_points import decoded_once
 from ..io.points.point_buckets import PointBuckets
 from ..io.points.pointcloud import (
     PointCloud,
-    PointLayout,
-    cloud_writer,
     iter_chunks,
     of_classes,
     open_cloud,
@@ -114,11 +113,12 @@ def classify_ground_files(paths: Sequence[str | os.PathLike], output: str | os.P
     """
     cloud = open_cloud(paths, crs_wkt)
     wkt = metric_crs_wkt(cloud)
-    with decoded_once():
+    copied = layers_can_stay(cloud, output)
+    with decoded_once(shape_and_time=copied):
         packing = PackedPoints(cloud.headers)
         with (PointBuckets(packing.dtype, _BUCKET_MEMORY) as buckets,
               PointBuckets(packing.dtype, _BUCKET_MEMORY) as smaller):
-            survey = _Survey(cloud, settings, packing, buckets, smaller, executor)
+            survey = _Survey(cloud, settings, packing, buckets, smaller, executor, copied)
             survey.read(progress.part(0.0, 0.35))
             grounds = survey.grounds(progress.part(0.35, 0.65))
         ground = _write(cloud, output, survey.passes, grounds, settings, min_ground_share, progress.part(0.65, 1.0))
@@ -129,7 +129,8 @@ class _Survey:
     """The points of a survey in tiles, on their way to the cloths of its passes."""
 
     def __init__(self, cloud: PointCloud, settings: ClothSettings, packing: PackedPoints, buckets: PointBuckets,
-                 smaller: PointBuckets, executor: Executor | None):
+                 smaller: PointBuckets, executor: Executor | None, copied: bool):
+        self.copied = copied
         self.cloud, self.settings, self.buckets, self.executor = cloud, settings, buckets, executor
         self.packing, self.smaller = packing, smaller
         self.tiling = Tiling(settings.resolution, max(int(np.ceil(_TILE / settings.resolution)), 16))
@@ -141,7 +142,7 @@ class _Survey:
         """Sort the points into tiles and find the passes."""
         timed = self.cloud.has_dimension("gps_time")
         positions, counts = BlockPositions(), Counter()
-        for chunk in iter_chunks(self.cloud, progress, _CHUNK):
+        for chunk in iter_chunks(self.cloud, progress, _CHUNK, shape_only=self.copied, timed=self.copied):
             x, y, z = (np.asarray(chunk[name]) for name in "xyz")
             time = np.asarray(chunk["gps_time"]) if timed else np.zeros(len(chunk))
             usable = valid_points(chunk) & plausible(x, y, z)
@@ -293,19 +294,16 @@ def _put(layers: list[np.ndarray], part: ClothPart) -> None:
 def _write(cloud: PointCloud, output: str | os.PathLike, passes: SurveyPasses, grounds: list[PassGround | None],
            settings: ClothSettings, min_share: float, progress: Progress) -> int:
     """Write all points with their new classes; the number of ground points."""
-    layout = PointLayout(cloud)
     total = candidates = 0
-    with cloud_writer(output, layout) as writer:
-        for chunk in iter_chunks(cloud, progress, _CHUNK):
+    copied = layers_can_stay(cloud, output)
+    with class_writer(output, cloud) as writer:
+        for chunk in iter_chunks(cloud, progress, _CHUNK, shape_only=copied, timed=copied):
             ground = _ground_of(chunk, passes, grounds, settings.threshold)
             total += int(np.count_nonzero(ground))
             classes = np.asarray(chunk.classification)
             undecided = of_classes(chunk, UNDECIDED)
             candidates += int(np.count_nonzero(undecided & valid_points(chunk)))
-            records = layout.adapt(chunk, np.ones(len(chunk), dtype=bool))
-            view = layout.view(records)
-            view.classification = np.where(undecided, np.where(ground, GROUND, UNASSIGNED), classes)
-            writer.write(view.array)
+            writer.write(chunk, np.where(undecided, np.where(ground, GROUND, UNASSIGNED), classes))
         _check_share(total, candidates, min_share)
     return total
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import laspy
+import lazrs
 import numpy as np
 from lazrs import LazrsError
 from pyproj import CRS
@@ -34,6 +35,7 @@ NOISE_CLASSES = (7, 18)
 _SHAPE = (laspy.DecompressionSelection.base() | laspy.DecompressionSelection.Z
           | laspy.DecompressionSelection.CLASSIFICATION | laspy.DecompressionSelection.FLAGS
           | laspy.DecompressionSelection.ALL_EXTRA_BYTES)
+_SHAPE_AND_TIME = _SHAPE | laspy.DecompressionSelection.GPS_TIME
 
 _READ_ERRORS = (laspy.errors.LaspyException, LazrsError, OSError, ValueError, EOFError, RuntimeError)
 
@@ -195,14 +197,23 @@ def _chunks(path: Path, header: laspy.LasHeader, chunk_points: int,
             layers: laspy.DecompressionSelection) -> Iterator[laspy.ScaleAwarePointRecord]:
     """The points of one file, from where `decoded_points.decoded_once` holds them if it does."""
     holder = decoded_points() if header.are_points_compressed else None
-    decoded = holder.chunks(path, header, chunk_points) if holder else None
+    held = _SHAPE_AND_TIME if holder and holder.shape_and_time else laspy.DecompressionSelection.all()
+    decoded = holder.chunks(path, header, chunk_points) if holder and layers | held == held else None
     if decoded is not None:
         yield from decoded
         return
     with decoding(path), laspy.open(path, decompression_selection=layers) as reader:
         chunks = reader.chunk_iterator(chunk_points)
-        whole = layers == laspy.DecompressionSelection.all()
-        yield from holder.remember(path, header, chunks) if holder and whole else chunks
+        yield from holder.remember(path, header, chunks) if holder and layers == held else chunks
+
+
+def can_be_entered(header: laspy.LasHeader) -> bool:
+    """Whether the points of a file can be read from any place on.
+
+    Where LAZ chunks differ in their number of points, as in COPC, lazrs goes to a wrong place without a word.
+    """
+    laszip = header.vlrs.get("LasZipVlr") if header.are_points_compressed else []
+    return not any(lazrs.LazVlr(record.record_data).uses_variable_size_chunks() for record in laszip)
 
 
 def valid_points(points: laspy.ScaleAwarePointRecord) -> np.ndarray:

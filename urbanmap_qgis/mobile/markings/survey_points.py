@@ -12,7 +12,7 @@ import numpy as np
 from ...errors import InputError, InsufficientDataError
 from ...io.points.decoded_points import FileState, file_state
 from ...io.points.point_buckets import PointBuckets
-from ...io.points.pointcloud import PointCloud, iter_chunks, valid_points
+from ...io.points.pointcloud import PointCloud, can_be_entered, iter_chunks, valid_points
 from ...progress import SILENT, Progress
 from ...terrain.surface import GROUND_CLASSES
 from ...wording import say
@@ -245,8 +245,7 @@ def sampled_span(cloud: PointCloud) -> tuple[float, float]:
     ------
     InputError : the points carry no gps_time.
     """
-    if not cloud.has_dimension("gps_time") or any(vlr.user_id == "copc" for header in cloud.headers
-                                                  for vlr in header.vlrs):
+    if not cloud.has_dimension("gps_time") or not all(map(can_be_entered, cloud.headers)):
         return time_range(cloud)
     try:
         span = _sampled(tuple(file_state(path) for path, header in zip(cloud.paths, cloud.headers)
