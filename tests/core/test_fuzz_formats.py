@@ -34,7 +34,7 @@ NOT_OF_USERS = {
     "io/points/point_buckets.py:PointBuckets.read": "written by the run",
     "mobile/boresight/stage.py:write_calibration": "read before by read_calibration, which refuses what is damaged",
     "sources.py:sources_mark": "sources of the program",
-    "terrain/surface_files.py:_Canvas._blank": "written by the run",
+    "terrain/surface_canvas.py:Canvas._blank": "written by the run",
     "tiling/journal.py:_to_disk": "written by the run",
     "tiling/mosaic_tiles.py:_extent": "result of a tile, whose checksum was compared",
     "tiling/mosaic_tiles.py:_write_core": "result of a tile, whose checksum was compared",
