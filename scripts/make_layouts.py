@@ -37,16 +37,16 @@ MARGIN = 0.8  # mm in the cells of tables
 TITLE, TEXT, SMALL = 15, 10, 8  # points
 
 LABELS = (("title", 0, 15, 10, TITLE), ("verdict", 0, 26, 14, TEXT), ("figures_title", 0, 150, 6, TEXT),
-          ("points_title", 1, 15, 6, TEXT))
+          ("points_title", 1, 120, 6, TEXT))
 """Id, page, distance from its top and height (mm), size of the letters (points)."""
 
 TABLES = (("job", 0, 42, 80, (60.0, 120.0)), ("criteria", 0, 126, 20, (44.0, 20.0, 34.0, 24.0, 32.0, 26.0)),
           ("figures", 0, 158, 30, (50.0, 20.0, 25.0, 25.0, 35.0, 25.0)),
-          ("points", 1, 23, 150, (21.0, 21.0, 24.0, 26.0, 20.0, 17.0, 17.0, 17.0, 17.0)))
+          ("points", 1, 128, 150, (21.0, 21.0, 24.0, 26.0, 20.0, 17.0, 17.0, 17.0, 17.0)))
 """Id, page, distance from its top, height, widths of the columns (mm)."""
 
 PICTURES = (("histogram_plan", 0, LEFT, 192, WIDTH, 46), ("histogram_height", 0, LEFT, 240, WIDTH, 46),
-            ("map", 1, LEFT, 180, WIDTH, 100))
+            ("map", 1, LEFT, 15, WIDTH, 100))
 """Id, page, left and upper edge, width and height (mm)."""
 
 

@@ -20,9 +20,11 @@ from qgis.PyQt.QtXml import QDomDocument
 
 from ...urbanmap_qgis.errors import InputError, OutputError
 from ..framework.declaring.parameters import tr
-from .page_tables import LINE, fill_table, may_go_on, move_below, text_lines
+from .page_tables import LINE, fill_table, may_go_on, move_below, move_up_into, put_behind, room_below, text_lines
 
 LAYOUT = Path(__file__).resolve().parents[2] / "resources" / "layouts" / "acceptance.qpt"
+HISTOGRAMS = ("histogram_plan", "histogram_height")
+HISTOGRAM = 70.0  # mm that one needs to go behind a table
 LETTER = 0.23  # mean width of a bold letter, mm a point of its size
 
 _OF_THE_MOMENT = (
@@ -56,11 +58,12 @@ def write_acceptance_pdf(path: Path, content, job, template: Path | None = None)
     _load(layout, template or LAYOUT)
     _fill_labels(layout, content.labels)
     tables = {"job": [[known(name), value] for name, value in job.rows().items()], **content.tables}
+    shape = content.map_shape if content.drawings.get("map") else 0.0
     long = [name for name in tables if may_go_on(layout, name)]
     for name in [*(name for name in tables if name not in long), *long]:
-        if name in long:
-            _put_map_to_the_figures(layout, content.drawings)
-        fill_table(layout, name, tables[name], content.map_shape)
+        behind = _put_map_to_the_figures(layout, name, tables[name], content) if name in long else []
+        fill_table(layout, name, tables[name], shape)
+        put_behind(layout, name, behind)
     with TemporaryDirectory() as folder:
         _fill_pictures(layout, content.drawings, Path(folder))
         settings = QgsLayoutExporter.PdfExportSettings()
@@ -103,19 +106,23 @@ def _fill_labels(layout, labels: Mapping[str, str]) -> None:
             move_below(layout, item.page(), lower, more)
 
 
-def _put_map_to_the_figures(layout, drawings: Mapping) -> None:
-    """Where nothing is known of how errors are spread, let the map take the place of the histograms."""
-    item, places = layout.itemById("map"), [layout.itemById(name) for name in ("histogram_plan", "histogram_height")]
-    if item is None or not drawings.get("map") or any(map(drawings.get, ("histogram_plan", "histogram_height"))):
-        return
+def _put_map_to_the_figures(layout, name: str, rows: list[list[str]], content) -> list:
+    """Let the map take the place of the histograms where there are none, or where a wide map and a short table would
+    leave half of their page empty; the histograms that go behind the table instead."""
+    item, places = layout.itemById("map"), [layout.itemById(one) for one in HISTOGRAMS]
     places = [one for one in places if one is not None]
-    if not places:
-        return
-    page = places[0].page()
+    if item is None or not content.drawings.get("map") or not places:
+        return []
+    page, drawn = places[0].page(), [one for one in places if content.drawings.get(one.id())]
     bottom = layout.pageCollection().page(page).pageSize().height() - places[0].pagePos().x()
-    top = min(one.pagePos().y() for one in places)
+    top, width = min(one.pagePos().y() for one in places), item.sizeWithUnits().width()
+    if drawn and not (0 < content.map_shape * width < bottom - top and page != item.page()
+                      and room_below(layout, name, rows) > HISTOGRAM * len(drawn)):
+        return []
+    move_up_into(layout, item)
     item.attemptMove(QgsLayoutPoint(item.pagePos().x(), top), True, False, page)
-    item.attemptResize(QgsLayoutSize(item.sizeWithUnits().width(), bottom - top))
+    item.attemptResize(QgsLayoutSize(width, bottom - top))
+    return drawn
 
 
 def _fill_pictures(layout, drawings: Mapping, folder: Path) -> None:

@@ -20,12 +20,13 @@ from qgis.core import (
 LINE = 0.345  # height of a line, mm a point of the letters' size
 SPARE = 5.0  # mm
 LEAST = 40.0  # mm that a picture keeps
+HIGHEST = 100.0  # mm of a histogram behind a table
 LEAST_MAP, LEAST_PAGE = 70.0, 110.0  # mm that a map needs below a table, and has on a page of its own
 
 
 def fill_table(layout, name: str, rows: list[list[str]], map_shape: float) -> None:
-    """Put rows into a table, which is made as high as it needs, and move what stands below; a map below is as high as
-    its shape (height by width) asks for."""
+    """Put rows into a table, which is made as high as it needs, and move what stands below; a map beside it on its page
+    is about as high as its `map_shape` (height by width) asks for, 0 if there is none."""
     table, frame = _table(layout, name)
     if table is None:
         return
@@ -41,6 +42,8 @@ def fill_table(layout, name: str, rows: list[list[str]], map_shape: float) -> No
     size, place, page = frame.sizeWithUnits(), frame.pagePos(), frame.page()
     lower = place.y() + size.height()
     if goes_on:
+        _fit_map_above(layout, frame, heights, map_shape)
+        lower += frame.pagePos().y() - place.y()
         _put_map_behind(layout, table, frame, lower, _go_on(layout, table, frame, heights), map_shape)
         return
     room = layout.pageCollection().page(page).pageSize().height() - place.y() - place.x()
@@ -98,6 +101,57 @@ def _go_on(layout, table, first, heights: Sequence[float]) -> float:
     # Half a row more than they need: none is left out for a tenth of a millimetre, and no other has room.
     frame.attemptResize(QgsLayoutSize(width, reached - top + sum(heights[:1]) / 2))
     return reached
+
+
+def _fit_map_above(layout, first, heights: Sequence[float], shape: float) -> None:
+    """Give a map that stands above a table the height at which table and map fill their pages best, and move the table
+    with its title; without a map (`shape` 0) these take its place."""
+    from ...urbanmap_qgis.io.pages.print_plan import PrintedBlock, page_map, place_picture
+
+    item = layout.itemById("map")
+    if item is None or item.page() != first.page() or item.pagePos().y() > first.pagePos().y():
+        return
+    size, top = item.sizeWithUnits(), item.pagePos().y()
+    if not shape:
+        move_up_into(layout, item)
+        return
+    page = layout.pageCollection().page(first.page()).pageSize().height() - first.pagePos().x() - top
+    gap = PrintedBlock((first.pagePos().y() - top - size.height(),))
+    table = PrintedBlock((sum(heights[:2]), *heights[2:]), head=sum(heights[:1]))
+    _, height = place_picture([table], [0], page_map([gap], shape, size.width()), page - sum(heights[:1]) / 2)
+    move_below(layout, first.page(), top + size.height(), height - size.height())
+    item.attemptResize(QgsLayoutSize(size.width(), height))
+
+
+def move_up_into(layout, item) -> None:
+    """Move what stands below an item into its place."""
+    top, bottom = item.pagePos().y(), item.pagePos().y() + item.sizeWithUnits().height()
+    below = [other.pagePos().y() for other in layout.items() if hasattr(other, "pagePos")
+             and hasattr(other, "attemptMove") and other.page() == item.page() and other.pagePos().y() >= bottom - 0.5]
+    if below:
+        move_below(layout, item.page(), bottom, top - min(below))
+
+
+def room_below(layout, name: str, rows: list[list[str]]) -> float:
+    """What a table with these rows, its title above it, would leave free at the top of a page of its own, mm; negative
+    where it needs more."""
+    table, frame = _table(layout, name)
+    page = layout.pageCollection().page(frame.page()).pageSize().height() - 2 * frame.pagePos().x()
+    return page - sum(_row_heights(layout, table, rows)) - 3 * SPARE
+
+
+def put_behind(layout, name: str, items: Sequence) -> None:
+    """Put pictures below each other behind the end of a table, as high as there is room, in the order given."""
+    table, first = _table(layout, name)
+    if not items or table is None:
+        return
+    frame = table.frame(table.frameCount() - 1)
+    top = frame.pagePos().y() + frame.sizeWithUnits().height() + SPARE
+    bottom = layout.pageCollection().page(frame.page()).pageSize().height() - first.pagePos().x()
+    height = min((bottom - top) / len(items), HIGHEST) - SPARE
+    for number, item in enumerate(items):
+        item.attemptMove(QgsLayoutPoint(item.pagePos().x(), top + number * (height + SPARE)), True, False, frame.page())
+        item.attemptResize(QgsLayoutSize(item.sizeWithUnits().width(), height))
 
 
 def _put_map_behind(layout, table, first, lower: float, reached: float, shape: float) -> None:

@@ -17,15 +17,18 @@ from urbanmap_qgis.io.pages.print_plan import (
     Picture,
     PrintedBlock,
     fill_pages,
+    page_map,
     place_picture,
     table_block,
     text_lines,
 )
 from urbanmap_qgis.io.pages.report import RunFacts, run_told
 
-CASES = [(3, (900, 120)), (3, (120, 900)), (10, (400, 400)), (10, (900, 120)), (25, (900, 120)), (25, (120, 900)),
-         (60, (900, 120)), (60, (400, 400)), (200, (900, 120)), (200, (120, 900))]
-"""Number of check points, and east and north extent of their area, m."""
+WIDE, TALL, SQUARE = (900, 120), (120, 900), (400, 400)
+"""East and north extent of areas, m."""
+CASES = [(3, WIDE, 2), (3, TALL, 2), (10, SQUARE, 2), (10, WIDE, 2), (25, WIDE, 2), (25, TALL, 3), (60, WIDE, 3),
+         (60, SQUARE, 3), (200, WIDE, 6), (200, TALL, 6)]
+"""Number of check points, their area, and pages."""
 
 
 def test_blocks_run_down_the_pages():
@@ -64,6 +67,12 @@ def test_long_texts_take_lines_and_japanese_is_wide():
     assert high > 2 * low
 
 
+def test_a_map_is_high_enough_for_its_points():
+    wide, square = (page_map([PrintedBlock((0.0,))], shape, 180.0) for shape in (0.35, 1.0))
+    assert wide.least < square.least and (wide.wished, square.wished) == (pytest.approx(63.0), 180.0)
+    assert wide.most > wide.wished and square.most == square.wished
+
+
 def report_of(path, count, area):
     """The report of `count` check points in an area."""
     draws = np.random.default_rng(count)
@@ -94,8 +103,8 @@ def shares_filled(pdf) -> list[float]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("count", "area"), CASES)
-def test_no_page_that_a_browser_prints_is_half_empty(tmp_path, count, area):
+@pytest.mark.parametrize(("count", "area", "pages"), CASES)
+def test_no_page_that_a_browser_prints_is_half_empty(tmp_path, count, area, pages):
     browser = shutil.which("chromium")
     if not browser or not shutil.which("pdftoppm"):
         pytest.skip("chromium and pdftoppm (poppler-utils), which print and measure pages, are not installed")
@@ -104,5 +113,5 @@ def test_no_page_that_a_browser_prints_is_half_empty(tmp_path, count, area):
                     f"--user-data-dir={tmp_path / 'profile'}", f"--print-to-pdf={tmp_path / 'a.pdf'}",
                     str(tmp_path / "a.html")], capture_output=True, check=True, timeout=120)
     shares = shares_filled(tmp_path / "a.pdf")
-    assert len(shares) == {3: 2, 10: 2, 25: 2, 60: 3, 200: 6}[count]
+    assert len(shares) == pages
     assert all(share > 0.75 for share in shares[:-1]) and shares[-1] > 0.4, shares

@@ -261,12 +261,15 @@ class Way:
 
     def road_model(self) -> dict:
         """The surface of a crossing, in a file that no name tells, said to be roads below the table of files."""
-        from qgis.core import QgsFeature, QgsGeometry, QgsVectorFileWriter, QgsVectorLayer
+        from qgis.core import QgsFeature, QgsGeometry, QgsRasterLayer, QgsVectorFileWriter, QgsVectorLayer
 
         layer = QgsVectorLayer("Polygon?crs=EPSG:6677", "surfaces", "memory")
-        crossing = QgsFeature()
-        crossing.setGeometry(QgsGeometry.fromWkt("POLYGON((0 40,47 40,47 0,53 0,53 40,100 40,100 46,53 46,53 90,47 90,"
-                                                 "47 46,0 46,0 40))"))
+        crossing, middle = QgsFeature(), QgsRasterLayer(str(self.city / "aerial" / "ortho.tif")).extent().center()
+        shape = QgsGeometry.fromWkt("POLYGON((-47 -3,-4 -3,-4 -47,4 -47,4 -3,47 -3,47 3,4 3,4 47,-4 47,-4 3,-47 3,"
+                                    "-47 -3))")
+        shape.rotate(-13.0, QgsGeometry.fromWkt("POINT(0 0)").asPoint())
+        shape.translate(middle.x(), middle.y())
+        crossing.setGeometry(shape)
         layer.dataProvider().addFeature(crossing)
         place = self.folder / "測量 成果" / "交差点 面.gpkg"
         place.parent.mkdir()

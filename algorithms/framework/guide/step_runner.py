@@ -38,6 +38,15 @@ class StepFeedback(QgsProcessingFeedback):
         super().reportError(error, fatalError)
 
 
+def name_by_outputs(context: QgsProcessingContext) -> None:
+    """Let the layers that a run loads have the names of its outputs, in the user's language, where QGIS would call them
+    after their files."""
+    loaded = context.layersToLoadOnCompletion()
+    for details in loaded.values():
+        details.forceName = True
+    context.setLayersToLoadOnCompletion(loaded)
+
+
 def arrange_layers(layers: Collection[str], note: str, files: Sequence[str] = ()) -> None:
     """Put layers that were just loaded, by their ids, in order: points above lines above areas, all of them above what
     was there before; images below all else, rasters of heights below these.
@@ -191,6 +200,7 @@ class StepRunner(QObject):
             self._end(self._failure(step, message))
             return
         before = set(QgsProject.instance().mapLayers())
+        name_by_outputs(self._context)
         handleAlgorithmResults(self._algorithm, self._context, self._feedback, parameters=self._given)
         alike = sum(other.algorithm == step.algorithm for other in self.job.steps) > 1
         files = [str(results.get(one.name())) for one in self._algorithm.destinationParameterDefinitions()]

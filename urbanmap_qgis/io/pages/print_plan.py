@@ -25,6 +25,11 @@ TEXT, HEADING, VERDICT, CELL, CAPTION = 10.0, 12.0, 11.0, 8.0, 9.0
 CELL_ROOM = 1.2 * CELL * POINT
 """Empty at both sides of a cell together, mm."""
 
+LOWEST, LEGIBLE, TALLEST = 58.0, 85.0, 190.0
+"""Heights of maps, mm: the least of all, what one of an area as high as wide has at least, the most of all."""
+FLATTEST = 0.6
+"""Height by width to which a map may grow beyond its shape."""
+
 _SPARE = 5.0
 """Left free on a page, mm, as lines that a browser breaks cannot be foreseen to the millimetre."""
 _STEP = 2.0
@@ -139,8 +144,16 @@ def fill_pages(blocks: Sequence[PrintedBlock], page: float = PAGE_HEIGHT) -> Fil
     return Filling(pages, empty, reached)
 
 
-def place_picture(blocks: Sequence[PrintedBlock], places: Sequence[int], picture: Picture) -> tuple[int, float]:
-    """Where among blocks a picture goes (before the block of that number), and its height, mm.
+def page_map(frame: Sequence[PrintedBlock], shape: float, width: float = PAGE_WIDTH) -> Picture:
+    """A map that is `width` mm wide and looks best at a `shape` (height by width): not so low that its points run into
+    each other, and higher than its shape asks for only as far as that fills a page."""
+    wished = min(max(shape * width, LOWEST), TALLEST)
+    return Picture(tuple(frame), min(max(0.5 * wished, LOWEST), LEGIBLE), max(wished, FLATTEST * width), wished)
+
+
+def place_picture(blocks: Sequence[PrintedBlock], places: Sequence[int], picture: Picture,
+                  page: float = PAGE_HEIGHT - _SPARE) -> tuple[int, float]:
+    """Where among blocks a picture goes (before the block of that number), and its height, mm, on pages of a height.
 
     Fewest pages first, then the least of them empty (a last page filled by half is full enough), then the first of the
     places, then the height nearest to the one wished for.
@@ -151,13 +164,13 @@ def place_picture(blocks: Sequence[PrintedBlock], places: Sequence[int], picture
     def cost(place: int, height: float) -> tuple:
         *before, frame = picture.frame
         whole = replace(frame, pieces=(frame.pieces[0] + height,))
-        filling = fill_pages([*blocks[:place], *before, whole, *blocks[place:]], PAGE_HEIGHT - _SPARE)
-        return *unfilled(filling), places.index(place), abs(height - picture.wished)
+        filling = fill_pages([*blocks[:place], *before, whole, *blocks[place:]], page)
+        return *unfilled(filling, page), places.index(place), abs(height - picture.wished)
 
     return min(((place, height) for place in places for height in heights), key=lambda tried: cost(*tried))
 
 
-def unfilled(filling: Filling) -> tuple[int, int]:
+def unfilled(filling: Filling, page: float = PAGE_HEIGHT) -> tuple[int, int]:
     """Pages, and what of them is empty beyond a half-filled last one in steps of 10 mm: the less the better."""
-    last = max(0.0, 0.5 * PAGE_HEIGHT - filling.last) if filling.pages > 1 else 0.0
+    last = max(0.0, 0.5 * page - filling.last) if filling.pages > 1 else 0.0
     return filling.pages, round((filling.empty + last) / 10.0)

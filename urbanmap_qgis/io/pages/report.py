@@ -26,10 +26,10 @@ from ..files.atomic import written_beside
 from .print_plan import (
     PAGE_WIDTH,
     VERDICT,
-    Picture,
     PrintedBlock,
     figure_block,
     heading_block,
+    page_map,
     paragraph_block,
     place_picture,
     table_block,
@@ -115,8 +115,6 @@ Cell = object
 
 _PIXELS = 4.0
 """Of a drawing whose height in print is planned, in a millimetre of the page."""
-_TALLEST, _LOWEST = 190.0, 58.0
-"""Of such a drawing, mm."""
 _TITLE = 16.0
 """Size of the letters of a page's title in print, points."""
 _PICTURE = 114.0
@@ -300,8 +298,7 @@ class Report:
         top += [paragraph_block(self._verdict_text, VERDICT, around=8.0)] if self._verdict_text else []
         blocks = [part.block() for part in self._parts]
         heading, frame = heading_block(asked.heading), figure_block(0.0, asked.caption)
-        wished = min(max(asked.shape * PAGE_WIDTH, _LOWEST), _TALLEST)
-        picture = Picture((heading, frame), _LOWEST, max(wished, 0.6 * PAGE_WIDTH), wished)
+        picture = page_map((heading, frame), asked.shape)
         place, height = place_picture([*top, *blocks], [len(top) + first, len(top) + second], picture)
         svg = asked.drawing(width=round(_PIXELS * PAGE_WIDTH), height=round(_PIXELS * height))
         svg = _SIZE.sub(r'<svg\1viewBox="0 0 \2 \3" width="\2" height="\3"', svg, count=1)
