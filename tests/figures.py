@@ -25,6 +25,7 @@ import shapely
 FOLDER = Path(__file__).resolve().parent / "core" / "figures"
 QUANTILES = (0.01, 0.1, 0.25, 0.5, 0.75, 0.9, 0.99)
 NUMBER = re.compile(r"-?\d+\.?\d*(?:[eEdD][-+]?\d+)?")
+STYLE = re.compile(r"<style.*?</style>", re.DOTALL)  # how a page looks is no result
 TOLERANCE = 2e-4  # of the spread (of the size where there is none): what other releases of numpy may change
 COLUMNS = 16  # arrays of no more columns (coordinates, tables) are taken column by column
 ENVELOPES = (0, 32, 48, 48, 64)  # bytes of a GeoPackage geometry's envelope, by its code
@@ -76,7 +77,7 @@ def arrays(result, place: str = ""):
     if isinstance(result, Path):
         yield from arrays_of_path(result, place)
     elif isinstance(result, str):
-        yield place, [float(number.lower().replace("d", "e")) for number in NUMBER.findall(result)]
+        yield place, [float(number.lower().replace("d", "e")) for number in NUMBER.findall(STYLE.sub("", result))]
     elif isinstance(result, Mapping):
         for key in result:
             yield from arrays(result[key], f"{place}/{key}")
