@@ -225,7 +225,7 @@ def _rms(path: Path):
 
     from urbanmap_qgis.mobile.trajectory_accuracy import sigma_of_rms_file
 
-    return sigma_of_rms_file(path, np.arange(500) * 0.1)
+    return np.hstack(sigma_of_rms_file(path, np.arange(500) * 0.1))
 
 
 def _check_points(path: Path):

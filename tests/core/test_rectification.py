@@ -334,6 +334,58 @@ def test_a_set_at_another_building_is_found_by_its_neighbours():
     assert kept.sets[5].status == SUSPECT and kept.sets[5].after < 1.0
 
 
+@pytest.mark.parametrize(("kind", "count", "wrong"), [(wandering, 5, 2), (wandering, 8, 4), (dead_reckoning, 5, 1)])
+def test_a_whole_set_off_by_5_m_among_few_is_named(kind, count, wrong):
+    """Few sets: a wrong one makes a drift look possible that would explain it; the others alone do not."""
+    true = drive(6000, 2000.0, 400.0, 3)
+    reported = kind(true, 3)
+    told, progress = warned()
+    ties = changed(tie_sets(true, reported, count), [2 * wrong, 2 * wrong + 1], [4.0, 3.0])
+    made = rectify(reported, ties, None, None, progress)
+    assert made.sets[wrong].status in (SUSPECT, BLUNDER) and any(f"Set {wrong + 1} lies" in text for text in told)
+    assert all(item.status in (USED, POSITION_ONLY) for k, item in enumerate(made.sets) if k != wrong)
+    told.clear()
+    rectify(reported, tie_sets(true, reported, count), None, None, progress)
+    assert not any("lies" in text for text in told)
+
+
+def outages(true, seed, growth=0.08):
+    """Decimetres that wander, but for six outages of 30 to 90 s in which the position drifts; the accuracy stated is
+    three times too small."""
+    rng = np.random.default_rng(seed)
+    time, step = true.time - true.time[0], float(np.diff(true.time)[0])
+    places = gaussian_filter1d(rng.normal(size=(len(true), 2)), 30.0 / step, axis=0)
+    places *= 0.1 / places.std()
+    stated, missing = np.full(len(true), 0.03), np.zeros(len(true), bool)
+    for start, length in zip(np.linspace(50, time[-1] - 160, 6), rng.uniform(30, 90, 6)):
+        rows, after = (time > start) & (time < start + length), time >= start + length
+        drift = np.cumsum(rng.normal(0, growth * np.sqrt(step), (rows.sum(), 2)), axis=0)
+        fading = np.exp(-(time[after] - start - length) / 5.0)
+        places[rows] += drift
+        places[after] += drift[-1] * fading[:, None]
+        stated[rows] += 0.3 * growth * np.sqrt(time[rows] - start)
+        stated[after] += 0.3 * growth * np.sqrt(length) * fading
+        missing |= rows
+    place = true.place + np.column_stack([places, np.zeros(len(true))])
+    return Trajectory(true.time, place, true.angles, place_sigma=np.column_stack([stated, stated])), missing
+
+
+@pytest.mark.slow
+def test_outages_carry_the_drift_where_the_navigation_tells_of_them():
+    true = drive(6000, 5000.0, 1200.0)
+    within = {True: [], False: []}
+    for seed in (0, 1, 2):
+        reported, missing = outages(true, seed)
+        ties = tie_sets(true, reported, count=18, seed=seed)
+        for stated in (True, False):
+            given = reported if stated else Trajectory(reported.time, reported.place, reported.angles)
+            made = rectify(given, ties)
+            off = np.abs(made.trajectory.place - true.place)[missing, :2] / made.plan_sigma[missing, None]
+            within[stated].append((off < 2.0).mean())
+            assert made.drift.pace.is_stated == stated
+    assert np.mean(within[True]) > 0.9 > np.mean(within[False])
+
+
 def test_two_sets_that_contradict_each_other_are_told():
     true, reported, _ = short()
     time, body = np.array([1200.0, 1201, 1201.5, 1202.5]), [[0, -9, 0], [5, 9, 0]] * 2

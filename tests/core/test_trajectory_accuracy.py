@@ -54,8 +54,25 @@ def test_rms_file_is_found_by_name(tmp_path):
 
 def test_rms_file_is_in_minutes_of_arc_and_between_its_records(tmp_path):
     np.array([[0.0, *[1.0] * 6, 0.6, 1.2, 3.0], [10.0, *[1.0] * 6, 1.2, 1.2, 6.0]]).tofile(tmp_path / "r.out")
-    made = sigma_of_rms_file(tmp_path / "r.out", np.array([0.0, 5.0]))
+    made, places = sigma_of_rms_file(tmp_path / "r.out", np.array([0.0, 5.0]))
     np.testing.assert_allclose(made, [[0.01, 0.02, 0.05], [0.015, 0.02, 0.075]])
+    np.testing.assert_allclose(places, np.ones((2, 2)))
+
+
+@pytest.mark.parametrize("header", ["sd_x,sd_y", "SDEast,SDNorth", "sd_north,sd_east"])
+def test_accuracy_of_places_by_columns(tmp_path, header):
+    read = read_trajectory(table(tmp_path / "a.csv", (0.03, 0.04), header))
+    wanted = [0.04, 0.03] if header.startswith("sd_north") else [0.03, 0.04]
+    np.testing.assert_allclose(read.trajectory.place_sigma, np.tile(wanted, (4, 1)))
+    assert read.trajectory.angle_sigma is None and "0.04 m (median)" in read.applied
+
+
+@pytest.mark.parametrize(("header", "sigma", "sentence"), [
+    ("sd_x,other", (0.03, 0.03), "accuracy of sd_x alone"), ("sd_x,sd_y", (0.03, 0.0), "not above 0 m"),
+    ("sd_x,sd_y", (0.03, "good"), "is no number")])
+def test_wrong_accuracies_of_places_are_refused(tmp_path, header, sigma, sentence):
+    with pytest.raises(InputError, match=sentence):
+        read_trajectory(table(tmp_path / "a.csv", sigma, header))
 
 
 def test_rms_file_of_another_survey_or_cut_off_is_refused(tmp_path):

@@ -28,12 +28,15 @@ class Trajectory:
     angles : (n, 3) roll, pitch and heading, degrees, without jumps of a full turn.
     angle_sigma : (n, 3) degrees, standard deviations of the angles as the navigation states them; None where it does
         not. Trajectories made from this one do not carry them.
+    place_sigma : (n, 2) m, standard deviations of easting and northing as the navigation states them, likewise: between
+        tall buildings they are far too small, but tell where GNSS was missing.
     """
 
     time: np.ndarray
     place: np.ndarray
     angles: np.ndarray
     angle_sigma: np.ndarray | None = None
+    place_sigma: np.ndarray | None = None
 
     def __len__(self) -> int:
         return len(self.time)

@@ -1,7 +1,8 @@
-"""How accurate a navigation says its angles are: columns of a table, or the RMS file beside an Applanix SBET.
+"""How accurate a navigation says its angles and places are: columns of a table, or the RMS file of an Applanix SBET.
 
-Stated accuracies of places are not used: between tall buildings, where reflected signals draw the solution away, they
-are far too small. Those of angles come from the inertial unit and hold.
+Stated accuracies of places are far too small between tall buildings, where reflected signals draw the solution away:
+only how they differ from epoch to epoch is used (`lines/drift_adjustment.py`). Those of angles come from the inertial
+unit and hold.
 """
 
 from __future__ import annotations
@@ -17,6 +18,10 @@ from ..wording import say
 SIGMA_COLUMNS = ("sd_roll", "sd_pitch", "sd_heading")
 """Columns with the standard deviations of the angles, in the unit of the angles; upper or lower case."""
 
+PLACE_COLUMNS = (("sd_x", "sd_e", "sd_east", "sdeast"), ("sd_y", "sd_n", "sd_north", "sdnorth"))
+"""Names of the columns with the standard deviations of easting and northing, m; upper or lower case."""
+
+_LEAST_PLACE = 0.001  # m: what is stated below is taken as this
 _LEAST = 0.001  # degrees: what is stated below is taken as this
 _RMS = np.dtype([(name, "<f8") for name in ("time", "north", "east", "down", "velocity_north", "velocity_east",
                                            "velocity_down", "roll", "pitch", "heading")])
@@ -48,6 +53,28 @@ def sigma_of_columns(columns: Mapping[str, Sequence], counted: str, name: str) -
     return _checked(np.degrees(sigma) if counted.startswith("radians") else sigma, name)
 
 
+def place_sigma_of_columns(columns: Mapping[str, Sequence], name: str) -> np.ndarray | None:
+    """(n, 2) m, standard deviations of easting and northing by `PLACE_COLUMNS`; None without these columns.
+
+    Raises
+    ------
+    InputError : one of the two is missing, or a value is no number greater than 0.
+    """
+    known = {key.strip().lower(): key for key in columns}
+    found = [next((known[other] for other in names if other in known), None) for names in PLACE_COLUMNS]
+    if found == [None, None]:
+        return None
+    if None in found:
+        raise InputError(say("{name} states the accuracy of {there} alone: give those of easting and northing "
+                             "(sd_x, sd_y), or none.", name=name, there=found[0] or found[1]))
+    try:
+        sigma = np.array([np.asarray(columns[column], float) for column in found]).T
+    except (TypeError, ValueError) as error:
+        raise InputError(say("{name} holds a standard deviation that is no number ({error}): correct it.", name=name,
+                             error=error)) from error
+    return _checked_places(sigma, name)
+
+
 def rms_file_of(path: Path) -> Path | None:
     """The RMS file of an SBET: `smrmsg_NAME.out` beside `sbet_NAME.out`, or `NAME_smrmsg.out`; None without one."""
     stem, suffix = path.stem, path.suffix
@@ -58,8 +85,10 @@ def rms_file_of(path: Path) -> Path | None:
     return next((other for other in sorted(path.parent.iterdir()) if other.name.lower() in wanted), None)
 
 
-def sigma_of_rms_file(path: Path, time: np.ndarray) -> np.ndarray:
-    """(n, 3) degrees at times (n,) from an Applanix RMS file: records of ten doubles, angles in minutes of arc.
+def sigma_of_rms_file(path: Path, time: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Standard deviations at times (n,) from an Applanix RMS file: (n, 3) degrees of angles, (n, 2) m of east, north.
+
+    Records of ten doubles, angles in minutes of arc.
 
     Raises
     ------
@@ -78,9 +107,9 @@ def sigma_of_rms_file(path: Path, time: np.ndarray) -> np.ndarray:
                              "{time_2:.1f} s, the trajectory's from {time_3:.1f} to {time_4:.1f} s; give that of the "
                              "same solution, or put it elsewhere.", path=path.name, time=records["time"][0],
                              time_2=records["time"][-1], time_3=time[0], time_4=time[-1]))
-    sigma = np.column_stack([np.interp(time, records["time"], records[angle]) for angle in ("roll", "pitch",
-                                                                                            "heading")])
-    return _checked(sigma / _MINUTES, path.name)
+    angles, places = (np.column_stack([np.interp(time, records["time"], records[name]) for name in names])
+                      for names in (("roll", "pitch", "heading"), ("east", "north")))
+    return _checked(angles / _MINUTES, path.name), _checked_places(places, path.name)
 
 
 def _checked(sigma: np.ndarray, name: str) -> np.ndarray:
@@ -88,6 +117,20 @@ def _checked(sigma: np.ndarray, name: str) -> np.ndarray:
         raise InputError(say("{name} holds a standard deviation of an angle that is not above 0 and below 90 "
                              "degrees: correct or remove it.", name=name))
     return np.maximum(sigma, _LEAST)
+
+
+def _checked_places(sigma: np.ndarray, name: str) -> np.ndarray:
+    if not np.isfinite(sigma).all() or (sigma <= 0).any():
+        raise InputError(say("{name} holds a standard deviation of a place that is not above 0 m: correct or remove "
+                             "it.", name=name))
+    return np.maximum(sigma, _LEAST_PLACE)
+
+
+def stated_place_accuracy(sigma: np.ndarray, name: str) -> str:
+    """A sentence on what is stated of places."""
+    plan = np.sqrt((sigma**2).mean(axis=1))
+    return say("{name} states the accuracy of its places: {usual:.2f} m (median), at most {most:.2f} m.", name=name,
+               usual=float(np.median(plan)), most=float(plan.max()))
 
 
 def stated_accuracy(sigma: np.ndarray, name: str) -> str:

@@ -23,7 +23,14 @@ from ..io.points.pointcloud import plan_crs
 from ..wording import say
 from .survey_columns import TRAJECTORY
 from .trajectory import Trajectory, gaps, jumps, unwrapped
-from .trajectory_accuracy import rms_file_of, sigma_of_columns, sigma_of_rms_file, stated_accuracy
+from .trajectory_accuracy import (
+    place_sigma_of_columns,
+    rms_file_of,
+    sigma_of_columns,
+    sigma_of_rms_file,
+    stated_accuracy,
+    stated_place_accuracy,
+)
 from .trajectory_glitches import require_drivable
 from .trajectory_reading import USUAL, TrajectoryReading, from_file_angles, judged_headings, to_file_angles
 
@@ -73,7 +80,7 @@ def read_trajectory(path: str | os.PathLike, crs_wkt: str | None = None,
                     reading: TrajectoryReading = USUAL) -> TrajectoryFile:
     """Read a trajectory: CSV with `time,x,y,z,roll,pitch,heading`, or Applanix SBET (`.out`, `.sbet`).
 
-    Where it states the accuracy of its angles (see `trajectory_accuracy`), the trajectory carries it.
+    Where it states the accuracy of its angles or places (see `trajectory_accuracy`), the trajectory carries it.
 
     Parameters
     ----------
@@ -144,14 +151,17 @@ def trajectory_from_columns(columns: Mapping[str, Sequence], name: str = "The tr
                          "they are.", name=name))
     require_drivable(table, order, name, "row", 2)
     trajectory = _checked(table[order], name, notes, others, reading)
-    sigma = sigma_of_columns(others, reading.angles, name)
-    return trajectory if sigma is None else _with_sigma(trajectory, sigma, name)
+    return _with_sigma(trajectory, sigma_of_columns(others, reading.angles, name),
+                       place_sigma_of_columns(others, name), name)
 
 
-def _with_sigma(file: TrajectoryFile, sigma: np.ndarray, name: str) -> TrajectoryFile:
-    """The same with standard deviations (n, 3) of the angles, degrees, which `name` states."""
-    return replace(file, trajectory=replace(file.trajectory, angle_sigma=sigma),
-                   applied=" ".join(part for part in (file.applied, stated_accuracy(sigma, name)) if part))
+def _with_sigma(file: TrajectoryFile, angles: np.ndarray | None, places: np.ndarray | None,
+                name: str) -> TrajectoryFile:
+    """The same with standard deviations of the angles (n, 3), degrees, and of places (n, 2), m, which `name` states."""
+    told = [file.applied, "" if angles is None else stated_accuracy(angles, name),
+            "" if places is None else stated_place_accuracy(places, name)]
+    return replace(file, trajectory=replace(file.trajectory, angle_sigma=angles, place_sigma=places),
+                   applied=" ".join(part for part in told if part))
 
 
 def _order(table: np.ndarray, name: str) -> tuple[np.ndarray, list[str]]:
@@ -229,7 +239,7 @@ def _read_sbet(path: Path, crs_wkt: str | None, reading: TrajectoryReading) -> T
     beside = rms_file_of(path)
     if beside is None:
         return file
-    return _with_sigma(file, sigma_of_rms_file(beside, file.trajectory.time), beside.name)
+    return _with_sigma(file, *sigma_of_rms_file(beside, file.trajectory.time), beside.name)
 
 
 def _heights(records: np.ndarray, reading: TrajectoryReading, name: str) -> tuple[np.ndarray, str]:

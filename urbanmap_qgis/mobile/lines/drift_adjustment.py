@@ -6,6 +6,10 @@ error of heading also rotates the course driven since: the walk is then coupled,
 the course as Z's relative motions do. Which of the two the navigation does, the coefficients of the random walk and the
 sigma of the tie points are what makes the tie points most likely.
 
+Where the navigation states how good its places are, errors may walk faster where it states more: in outages of GNSS
+(`WalkPace.power`), or come back to nought after them (`WalkPace.memory`); within the seconds of a set they may walk
+slower, as filtered solutions do (`WalkPace.smoothing`). The tie points tell which.
+
 With the observation equations of Z (eq. 14, for every pair at its own time) this is one least squares problem with a
 banded matrix. Against the paper's method (relative_motion.py): a pair need not share its time with the other of its
 set, a heading that is weakly known borrows from its neighbours, and every epoch has its sigma, which grows between sets
@@ -41,6 +45,11 @@ class DriftAdjustmentLimits:
     band: int = 5
     coupling_evidence: float = 20.0
     min_share: float = 1e-9
+    least_odds: float = 1e-6
+    least_pace: float = 1e-4  # of an even walk
+    stated_doubt: float = 5.0  # logarithm of the odds that sets must show against the accuracy that is stated
+    memories: tuple[float, ...] = 0.0, 20.0, 100.0  # s
+    smoothings: tuple[float, ...] = 0.0, 5.0  # s
     # Errors that nothing was seen of walk this many times as fast as expected: so that most navigations do not
     # faster.
     unseen: float = 2.0
@@ -72,6 +81,29 @@ class RandomWalk:
 
 
 @dataclass(frozen=True)
+class WalkPace:
+    """How the variance that a walk adds is spread over time.
+
+    Attributes
+    ----------
+    power : it grows as this power of the standard deviation that the navigation states; 0: evenly.
+    memory : s; positions keep what they are off by for this time only (times the accuracy stated, a first-order
+        Gauss-Markov process); 0: for ever, a walk.
+    smoothing : s; from the first to the last pair of a set, T seconds, errors walk as much as a walk whose velocity is
+        correlated over this time: T - smoothing (1 - exp(-T / smoothing)) instead of T.
+    """
+
+    power: float = 0.0
+    memory: float = 0.0
+    smoothing: float = 0.0
+
+    @property
+    def is_stated(self) -> bool:
+        """Whether the accuracy that the navigation states has a part in it."""
+        return self.power > 0.0
+
+
+@dataclass(frozen=True)
 class TiePairs:
     """Pairs as observations, (n,) in the order of time: seen (n, 2) p - o, true (n, 2) p' - o, time, number of the
     set."""
@@ -94,6 +126,8 @@ class RandomWalkDrift:
     gain : (k - 1, 3, 3) G with covariance of node k and k + 1 = -G covariance[k + 1].
     walk : what was found or taken.
     first, last : times of the first and the last tie point.
+    growth : (k - 1, 3) s: the variances that the walk adds from a node to the next are its squares times these.
+    pace : what these come from.
     alternatives : probability and drift of every walk that the tie points leave possible, with covariances that hold
         what is not known of its coefficients; empty for one of them.
     """
@@ -105,6 +139,8 @@ class RandomWalkDrift:
     walk: RandomWalk
     first: float
     last: float
+    growth: np.ndarray
+    pace: WalkPace = WalkPace()
     alternatives: tuple[tuple[float, RandomWalkDrift], ...] = ()
 
     def interpolate(self, time: np.ndarray) -> np.ndarray:
@@ -118,8 +154,8 @@ class RandomWalkDrift:
         length = (self.time[before + 1] - self.time[before])[:, None]
         u = np.clip((time - self.time[before])[:, None] / length, 0.0, 1.0)
         with_next = -np.einsum("kij,kji->ki", self.gain, self.covariance[1:])[before]
-        bridge = length * u * (1 - u) * np.array([self.walk.position_walk, self.walk.position_walk,
-                                                  self.walk.heading_walk]) ** 2
+        bridge = self.growth[before] * u * (1 - u) * np.array([self.walk.position_walk, self.walk.position_walk,
+                                                               self.walk.heading_walk]) ** 2
         return (1 - u) ** 2 * at_node[before] + u**2 * at_node[before + 1] + 2 * u * (1 - u) * with_next + bridge
 
     def total_variances(self, time: np.ndarray) -> np.ndarray:
@@ -157,23 +193,70 @@ def fit_drift(pairs: TiePairs, trajectory: Trajectory, walk: RandomWalk, fixed_s
     """The most likely drift of pairs; what `walk` says is expected, and its sigma of tie points kept if fixed.
 
     Its `alternatives` tell what the tie points leave open: how fast errors walk, where few or near sets hardly say it,
-    and whether errors of heading rotate the course.
+    whether errors of heading rotate the course, and the pace of the walk.
     """
     system = _System(pairs, trajectory)
     start = np.zeros((len(system.time), 3))
-    system.linearise(start)
-    found = [_most_likely(system, replace(walk, coupled=coupled), fixed_sigma) for coupled in (False, True)]
-    # Without clear evidence errors are not carried along the course driven: that would bend it.
-    chosen = int(found[1][1] > found[0][1] + LIMITS.coupling_evidence)
-    odds = np.exp(np.clip([likelihood - found[chosen][1] for _, likelihood, _ in found], -50.0, 50.0))
-    alternatives = []
-    for weight, (mode, _, spread) in zip(odds / odds.sum(), found):
-        position, heading = (_scale_factor(size) for size in spread)
-        wide = replace(mode, position_walk=mode.position_walk * position, heading_walk=mode.heading_walk * heading)
-        model = _model(system, mode, start)
-        covariance, gain = system.covariances(wide)
-        alternatives.append((float(weight), replace(model, covariance=covariance, gain=gain, walk=wide)))
-    return replace(_model(system, found[chosen][0], start), alternatives=tuple(alternatives))
+    found = []
+    for pace in _paces(trajectory):
+        system.take_pace(pace)
+        system.linearise(start)
+        found += [(pace, *_most_likely(system, replace(walk, coupled=coupled), fixed_sigma))
+                  for coupled in ((False,) if pace.memory else (False, True))]
+    evidence = np.array([likelihood for _, _, likelihood, _ in found])
+    if trajectory.place_sigma is not None:
+        evidence -= LIMITS.stated_doubt * np.array([not pace.is_stated for pace, *_ in found])
+    chosen = _chosen(evidence, np.array([mode.coupled for _, mode, _, _ in found]))
+    odds = np.exp(np.clip(evidence - evidence[chosen], -50.0, 50.0))
+    odds /= odds.sum()
+    alternatives = [(float(odds[k]), _widened(system, *found[k], start))
+                    for k in np.flatnonzero(odds > LIMITS.least_odds)]
+    system.take_pace(found[chosen][0])
+    return replace(_model(system, found[chosen][1], start), alternatives=tuple(alternatives))
+
+
+def _paces(trajectory: Trajectory) -> list[WalkPace]:
+    """What the tie points choose from: an even walk; where the navigation states its accuracy, walks that follow it."""
+    spread = [WalkPace()]
+    if trajectory.place_sigma is not None:
+        spread += [WalkPace(2.0, memory) for memory in LIMITS.memories]
+    return [replace(pace, smoothing=smoothing) for pace in spread for smoothing in LIMITS.smoothings]
+
+
+def _chosen(evidence: np.ndarray, coupled: np.ndarray) -> int:
+    """Which of the walks is taken, by the logarithms of how likely they are (n,).
+
+    Without clear evidence errors are not carried along the course driven: that would bend it.
+    """
+    apart = np.where(coupled, -np.inf, evidence)
+    best = int(np.argmax(evidence))
+    return best if evidence[best] > apart.max() + LIMITS.coupling_evidence else int(np.argmax(apart))
+
+
+def _widened(system: _System, pace: WalkPace, mode: RandomWalk, likelihood: float, spread: np.ndarray,
+             start: np.ndarray) -> RandomWalkDrift:
+    """The drift of a walk, its covariances with what is not known of its coefficients (`spread`, of logarithms)."""
+    position, heading = (_scale_factor(size) for size in spread)
+    wide = replace(mode, position_walk=mode.position_walk * position, heading_walk=mode.heading_walk * heading)
+    system.take_pace(pace)
+    model = _model(system, mode, start)
+    covariance, gain = system.covariances(wide)
+    return replace(model, covariance=covariance, gain=gain, walk=wide)
+
+
+def _stated_growth(trajectory: Trajectory, power: float) -> np.ndarray:
+    """(n,) s, growing from 0 to the trajectory's duration: as time does where the accuracy stated is even."""
+    since = trajectory.time - trajectory.time[0]
+    if power == 0.0:
+        return since
+    stated = np.sqrt((trajectory.place_sigma**2).mean(axis=1)) ** power
+    growth = _integral(since, stated)
+    return growth * (since[-1] / growth[-1])
+
+
+def _integral(time: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """(n,) of values (n,) from the first time on, by trapezia."""
+    return np.concatenate([[0.0], np.cumsum(0.5 * (values[1:] + values[:-1]) * np.diff(time))])
 
 
 def _model(system: _System, walk: RandomWalk, start: np.ndarray) -> RandomWalkDrift:
@@ -184,7 +267,8 @@ def _model(system: _System, walk: RandomWalk, start: np.ndarray) -> RandomWalkDr
         system.linearise(value)
     covariance, gain = system.covariances(walk)
     time = system.pairs.time
-    return RandomWalkDrift(system.time, value, covariance, gain, walk, float(time[0]), float(time[-1]))
+    return RandomWalkDrift(system.time, value, covariance, gain, walk, float(time[0]), float(time[-1]), system.growth,
+                           system.pace)
 
 
 def _scale_factor(spread: float) -> float:
@@ -227,8 +311,11 @@ def leave_one_out_misfits(pairs: TiePairs, model: RandomWalkDrift) -> tuple[np.n
 
 
 def misfit_of_excluded(others: TiePairs, model: RandomWalkDrift) -> tuple[float, float]:
-    """How far pairs that had no part in a model lie from where it puts them, m, and in sigmas of that."""
-    drift, variance = model.interpolate(others.time), model.variances(others.time)
+    """How far pairs that had no part in a model lie from where it puts them, m, and in sigmas of that.
+
+    What is not known of the walk is in the sigmas.
+    """
+    drift, variance = model.interpolate(others.time), model.total_variances(others.time)
     misfit = np.hypot(*(others.true - drift[:, :2] - rotated_vectors(others.seen, drift[:, 2])).mean(axis=0))
     lever = np.hypot(*others.seen.mean(axis=0))
     spread = variance[:, :2].sum(axis=1).mean() + lever**2 * variance[:, 2].mean()
@@ -246,8 +333,45 @@ class _System:
                                               pairs.time]))
         self.node = np.searchsorted(self.time, pairs.time)
         self.step = np.maximum(np.diff(self.time), LIMITS.min_step)
+        self.trajectory = trajectory
+        self.take_pace(WalkPace())
         place = [np.interp(self.time, trajectory.time, axis) for axis in trajectory.place[:, :2].T]
         self.course = np.diff(np.column_stack(place), axis=0)
+
+    def take_pace(self, pace: WalkPace) -> None:
+        """Take how the variance of the walk is spread over the steps between the nodes."""
+        self.pace = pace
+        since = np.interp(self.time, self.trajectory.time, _stated_growth(self.trajectory, pace.power))
+        growth, self.carried, self.start = np.diff(since), np.ones(len(self.step)), np.inf
+        if pace.memory:
+            growth, self.carried, self.start = self._with_memory(pace.memory)
+        growth = np.maximum(growth, LIMITS.least_pace * self.step)
+        slower = np.ones(len(self.step))
+        for first, last in self._set_spans() if pace.smoothing else ():
+            span = max(self.time[last] - self.time[first], LIMITS.min_step)
+            slower[first:last] = 1.0 + np.expm1(-span / pace.smoothing) * pace.smoothing / span
+        self.growth = slower[:, None] * np.column_stack([growth, growth, self.step])
+
+    def _with_memory(self, memory: float) -> tuple[np.ndarray, np.ndarray, float]:
+        """Growth (k - 1,) of the variance, s, what is carried on to the next node (k - 1,), and the start's growth.
+
+        Errors are the accuracy stated times a first-order Gauss-Markov process.
+        """
+        stated = np.sqrt((self.trajectory.place_sigma**2).mean(axis=1))
+        usual = np.sqrt(_integral(self.trajectory.time, stated**2)[-1] / self.trajectory.duration)
+        at_node = np.interp(self.time, self.trajectory.time, stated) / usual
+        carried = at_node[1:] / at_node[:-1] * np.exp(-self.step / memory)
+        growth = -0.5 * memory * np.expm1(-2.0 * self.step / memory) * at_node[1:] ** 2
+        return growth, carried, 0.5 * memory * float(at_node[0]) ** 2
+
+    def _set_spans(self) -> list[tuple[int, int]]:
+        """First and last node of each set of more than one time."""
+        spans = []
+        for number in np.unique(self.pairs.sets):
+            nodes = self.node[self.pairs.sets == number]
+            if nodes.max() > nodes.min():
+                spans.append((int(nodes.min()), int(nodes.max())))
+        return spans
 
     def linearise(self, value: np.ndarray) -> None:
         """Take the drift (k, 3) about which the rotation is linear."""
@@ -268,23 +392,25 @@ class _System:
     def prior(self, walk: RandomWalk) -> tuple[np.ndarray, float]:
         """Banded information of the walk and the logarithm of its determinant.
 
-        From a node x to the next y the walk is y - F x, F = [[1, 0, -dn], [0, 1, de], [0, 0, 1]] with the course step
-        (de, dn) where it is coupled, and weights w: F'wF, -F'w and w are added.
+        From a node x to the next y the walk is y - F x, F = [[a, 0, -dn], [0, a, de], [0, 0, 1]] with the course step
+        (de, dn) where it is coupled, what is carried on a (1 for a walk), and weights w: F'wF, -F'w and w are added.
         """
-        start = np.array([LIMITS.start_sigma, LIMITS.start_sigma, walk.heading_sigma]) ** -2.0
-        weight = np.array([walk.position_walk, walk.position_walk, walk.heading_walk]) ** -2.0 / self.step[:, None]
+        first = min(LIMITS.start_sigma, walk.position_walk * np.sqrt(self.start))
+        start = np.array([first, first, walk.heading_sigma]) ** -2.0
+        weight = np.array([walk.position_walk, walk.position_walk, walk.heading_walk]) ** -2.0 / self.growth
         across = np.column_stack([-self.course[:, 1], self.course[:, 0]]) * float(walk.coupled)
         diagonal = np.zeros((len(self.time), 3))
         diagonal[0] += start
-        diagonal[:-1] += weight
+        carry = np.column_stack([self.carried, self.carried, np.ones(len(self.carried))])
+        diagonal[:-1] += carry**2 * weight
         diagonal[:-1, 2] += (across**2 * weight[:, :2]).sum(axis=1)
         diagonal[1:] += weight
         band = np.zeros_like(self.normal)
         band[LIMITS.band] = diagonal.ravel()
-        band[LIMITS.band - 3, 3:] = -weight.ravel()
+        band[LIMITS.band - 3, 3:] = -(carry * weight).ravel()
         for axis in (0, 1):
             carried = across[:, axis] * weight[:, axis]
-            band[LIMITS.band - 2 + axis, 2:-1:3] += carried
+            band[LIMITS.band - 2 + axis, 2:-1:3] += self.carried * carried
             band[LIMITS.band - 1 - axis, 3 + axis::3] -= carried
         return band, float(np.log(start).sum() + np.log(weight).sum())
 

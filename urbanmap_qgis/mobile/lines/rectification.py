@@ -48,14 +48,15 @@ class RectificationLimits:
     """Limits of rectification, each with its unit."""
 
     contradiction: float = 5.0  # sigmas of the misfit within a set
-    suspect: float = 4.0  # times the usual misfit against the other sets, and sigmas of it
+    suspect: float = 3.5  # sigmas of what the other sets alone say
     blunder: float = 8.0  # sigmas
-    min_median: float = 0.1
+    sets_tried: int = 3  # of those that stand out most, how many are left out in turn
     min_suspect: float = 0.1  # m
     # m, m/s
     jump: float = 1.0
     max_drift_rate: float = 0.5
-    min_sets_to_compare: int = 5
+    min_sets_to_compare: int = 4
+    min_sets_to_leave_out: int = 5
     min_sets_for_sigma: int = 4
     short_share: float = 0.5
 
@@ -327,28 +328,45 @@ def _model(trajectory: Trajectory, ties: TiePoints, number: np.ndarray, place: n
     model = fit_drift(pairs, trajectory, start, fixed)
     examined = np.zeros(len(names), bool)
     # At most a quarter of the sets can be blunders: more would be a drift that jumps.
-    for _ in range(len(names) // 4 if len(sets) >= LIMITS.min_sets_to_compare else 0):
-        sigmas = leave_one_out_misfits(pairs, model)[1]
-        worst = int(np.argmax(np.where(examined[sets], 0.0, sigmas)))
-        if sigmas[worst] <= LIMITS.suspect * max(float(np.median(sigmas)), LIMITS.min_median):
+    for _ in range(max(1, len(names) // 4) if len(sets) >= LIMITS.min_sets_to_compare else 0):
+        found = _worst_set(trajectory, ties, number, place, keep, examined, model, start, fixed, progress)
+        if found is None:
             break
-        name, suspect = names[sets[worst]], number == sets[worst]
-        examined[sets[worst]] = True
-        # A blunder widens what is held possible; what the other sets alone hold possible decides.
-        others, left = _pairs(ties, number, place, keep & ~suspect)
-        without = fit_drift(others, trajectory, start, fixed)
-        away, sigmas_off = misfit_of_excluded(_pairs(ties, number, place, keep & suspect)[0], without)
-        progress.check()
-        if sigmas_off > LIMITS.blunder and away > LIMITS.min_suspect and not settings.keep_blunders:
+        worst, away, sigmas_off, without = found
+        examined[worst], name, suspect = True, names[worst], number == worst
+        if (sigmas_off > LIMITS.blunder and len(sets) >= LIMITS.min_sets_to_leave_out and not settings.keep_blunders):
             progress.warn(say("Set {name} lies {away:.2f} m from where the other sets put it and is left out: check "
                               "that survey and reference show the same place.", name=name, away=away))
-            status[sets[worst]], keep[suspect] = BLUNDER, False
-            pairs, sets, model = others, left, without
-        elif sigmas_off > LIMITS.suspect and away > LIMITS.min_suspect:
+            status[worst], keep[suspect] = BLUNDER, False
+            sets, model = np.setdiff1d(sets, worst), without
+        else:
             progress.warn(say("Set {name} lies {away:.2f} m from where the other sets put it: check that survey and "
                               "reference show the same place.", name=name, away=away))
-            status[sets[worst]] = SUSPECT
+            status[worst] = SUSPECT
     return model
+
+
+def _worst_set(trajectory: Trajectory, ties: TiePoints, number: np.ndarray, place: np.ndarray, keep: np.ndarray,
+               examined: np.ndarray, model: RandomWalkDrift, start: RandomWalk, fixed: bool,
+               progress: Progress) -> tuple[int, float, float, RandomWalkDrift] | None:
+    """The set that lies farthest from where the others alone put it: its number, m, sigmas, and their drift; None where
+    none lies farther than `LIMITS.suspect`.
+
+    A wrong set widens what is held possible, and draws its neighbours along: hence a drift of its own without each.
+    """
+    pairs, sets = _pairs(ties, number, place, keep)
+    shown = np.where(examined[sets], 0.0, leave_one_out_misfits(pairs, model)[1])
+    worst = None
+    for k in sets[np.argsort(-shown)[:LIMITS.sets_tried]]:
+        progress.check()
+        if examined[k]:
+            continue
+        others, _ = _pairs(ties, number, place, keep & (number != k))
+        without = fit_drift(others, trajectory, start, fixed)
+        away, sigmas_off = misfit_of_excluded(_pairs(ties, number, place, keep & (number == k))[0], without)
+        if away > LIMITS.min_suspect and sigmas_off > (worst[2] if worst else LIMITS.suspect):
+            worst = int(k), away, sigmas_off, without
+    return worst
 
 
 def _warn_of_jumps(ties: TiePoints, number: np.ndarray, keep: np.ndarray, status: np.ndarray, names: list[str],

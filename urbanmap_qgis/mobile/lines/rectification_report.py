@@ -104,6 +104,7 @@ def _facts(before: Trajectory, rectified: Rectified) -> dict[str, object]:
         mark("maximum of all epochs, m"): figures["MAX_SIGMA"],
         mark("Share of the epochs before the first or after the last set"): figures["HELD_SHARE"],
         mark("Errors of heading rotate the course (dead reckoning)"): walk.coupled,
+        mark("Drift follows the accuracy that the navigation states"): rectified.drift.pace.is_stated,
         mark("Random walk of the position, m per root second"): walk.position_walk,
         mark("of the heading, ° per root second"): float(np.degrees(walk.heading_walk)),
         mark("Sigma of a tie point's coordinate, m"): walk.sigma,
