@@ -54,6 +54,8 @@ def test_curves_hang_together(tmp_path):
     told = [[rule for rule in rules_of(with_curve(tmp_path, curve(first, other))) if rule != "C04"]
             for other in (second, away)]
     assert told == [[], ["L17"]]
+    bent = line((0, 0, 0), (0, 0.5, 0), (0, 1, 0))  # its end meets the next line's begin, the corner before does not
+    assert [rule for rule in rules_of(with_curve(tmp_path, curve(bent, second))) if rule != "C04"] == []
 
 
 def triangle(*corners, closed: bool = True) -> str:

@@ -16,7 +16,17 @@ from urbanmap_qgis.acceptance.edge_comparison import (
     plan_figures,
     shared_shift,
 )
-from urbanmap_qgis.acceptance.edge_measurement import ABSENT, FEW, OPEN, ROOFS, SHOWN, VAGUE, WALLS
+from urbanmap_qgis.acceptance.edge_measurement import (
+    ABSENT,
+    FEW,
+    OPEN,
+    ROOFS,
+    SHOWN,
+    VAGUE,
+    WALLS,
+    PointsAboutEdge,
+    roof_edge,
+)
 from urbanmap_qgis.acceptance.edge_points import EdgeFrame, ModelSurface
 from urbanmap_qgis.acceptance.edge_sampling import draw_edges
 from urbanmap_qgis.acceptance.edges_report import (
@@ -196,6 +206,22 @@ def test_report_and_table_tell_every_edge_and_what_they_rest_on(town, clouds, tm
     assert len(rows) == len(edges)
     assert float(rows[0]["across"]) == pytest.approx(edges.across[0], abs=1e-4)
     assert all((row["across"] == "") == (row["left_out"] != "") for row in rows)
+
+
+def window(outward_to, lower_at):
+    """A flat roof 6 m high whose points go on to so far outward of the model's edge, and points on the ground."""
+    steps = np.arange(0.05, 8.0, 0.1)
+    along, outward = (values.ravel() for values in np.meshgrid(steps, np.arange(-3.0, outward_to, 0.1)))
+    low = np.array([[x, place] for x in steps for place in lower_at])
+    above = np.concatenate([np.zeros(len(along)), np.full(len(low), -6.0)])
+    return PointsAboutEdge(np.concatenate([along, low[:, 0]]), np.concatenate([outward, low[:, 1]]), 6.0 + above, above,
+                           reach=1.0, length=8.0, roof=6.0)
+
+
+@pytest.mark.parametrize("lower_at, reason", [((1.5, 1.6, 1.7), ABSENT), ((0.2, 0.3, 0.4, 0.5), OPEN)])
+def test_roofs_that_go_on_beyond_the_window_speak_against_the_model_only_where_they_end(lower_at, reason):
+    """Beyond the window lower points show that the roof ends there; lower points only before its end do not."""
+    assert roof_edge(window(1.45 if reason == ABSENT else 3.0, lower_at)).reason == reason
 
 
 def test_without_limits_nothing_is_judged(town, clouds):

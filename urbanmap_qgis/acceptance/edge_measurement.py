@@ -142,7 +142,8 @@ def roof_edge(points: PointsAboutEdge, limits: MeasurementLimits = LIMITS) -> Me
     inside = points.outward[on_roof & (points.outward <= 0.5 * points.reach)]
     place, sigma = _end_by_sections(places, upper, points, _independence(inside), limits)
     beside = np.count_nonzero(below & (points.outward > place))
-    if place > points.reach - 0.1 * points.reach:
+    # An end so near to the window's that the points cannot tell it from one beyond is none that was found.
+    if place > points.reach - max(0.1 * points.reach, 2.0 * sigma):
         return MeasuredEdge(points=count, reason=OPEN if beside < limits.least_lower else ABSENT)
     if beside < limits.least_lower:
         return MeasuredEdge(points=count, reason=OPEN)
