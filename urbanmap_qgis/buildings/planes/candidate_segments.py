@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import cv2
 import numpy as np
 import shapely
 
-from ..polygons.partition_lines import LabelBoundaries, edge_rows, inward_walls, label_boundaries
+from ..polygons.partition_lines import LabelBoundaries, edge_rows, inward_walls, label_boundaries, main_axes
 from .label_raster import LabelRaster
 from .step_lines import building_directions, cracks_by_pair, step_lines
 
@@ -24,6 +25,7 @@ class CandidateSegmentsLimits:
     # Parallel lines nearer than this (m) are one; the intersection of planes stays, else the stronger one.
     merge: float = 0.3
     most_walls: int = 12
+    overhang: float = 1.0  # Metres by which the sides of a patch's rectangle are drawn on.
 
 
 LIMITS = CandidateSegmentsLimits()
@@ -32,13 +34,14 @@ PARALLEL = np.sin(np.radians(5.0))
 
 
 def candidate_segments(raster: LabelRaster, planes: np.ndarray, outline: shapely.Geometry, points: np.ndarray,
-                       label: np.ndarray) -> np.ndarray:
+                       label: np.ndarray, enclosed: Sequence[int] = ()) -> np.ndarray:
     """Segments (m, 2, 2) in plan, m, coordinates as the raster's.
 
     Parameters
     ----------
     planes : (k, 3) a, b, c of z = a x + b y + c.
     points, label : (n, 3) and (n,), to place steps exactly.
+    enclosed : planes of small patches, which get a rectangle each.
     """
     cracks = label_boundaries(raster.label, raster.x, raster.y)
     reach = 1.5 * raster.cell + 0.2
@@ -48,6 +51,8 @@ def candidate_segments(raster: LabelRaster, planes: np.ndarray, outline: shapely
     normals = building_directions(edge_rows(outline)[:, 2:], planes)
     for line, along, pair in step_lines(rest, normals, raster.cell, LIMITS.least_length, points[:, :2], label):
         drawn.add(line, drawn.reach(line, along, pair))
+    for line, along in _rectangles(raster, main_axes(outline) if len(enclosed) else np.zeros((0, 2)), enclosed):
+        drawn.add(line, along)
     bounds = outline.bounds
     whole = float(np.hypot(bounds[2] - bounds[0], bounds[3] - bounds[1])) + 1.0
     for line in inward_walls(outline, LIMITS.least_length)[:LIMITS.most_walls]:
@@ -86,6 +91,19 @@ def _intersections(drawn: _Segments, cracks: LabelBoundaries, planes: np.ndarray
         along = cracks.xy[near] @ np.array([-line[1], line[0]])
         drawn.add(line, drawn.reach(line, (float(along.min()), float(along.max())), (one, two)))
     return explained
+
+
+def _rectangles(raster: LabelRaster, axes: np.ndarray, enclosed: Sequence[int]) -> Iterator[tuple[tuple, list[float]]]:
+    """Sides of the rectangle about the cells of each plane of `enclosed`, along the axes (2, 2), with their ends."""
+    for plane in enclosed:
+        row, column = np.nonzero(raster.label == plane)
+        ends = np.column_stack([raster.x[column], raster.y[row]]) @ axes.T
+        low, high = ends.min(axis=0) - raster.cell / 2, ends.max(axis=0) + raster.cell / 2
+        # Along (-ny, nx): the second axis runs so for the first, the first the other way for the second.
+        for offset in (low[0], high[0]):
+            yield (*axes[0], offset), [low[1] - LIMITS.overhang, high[1] + LIMITS.overhang]
+        for offset in (low[1], high[1]):
+            yield (*axes[1], offset), [-high[0] - LIMITS.overhang, -low[0] + LIMITS.overhang]
 
 
 def _around(line: tuple, bounds: tuple, reach: float) -> list[float]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -15,6 +16,7 @@ from ..polygons.plan_arrangement import dissolve
 from ..polygons.regularisation import main_directions
 from .candidate_segments import candidate_segments
 from .label_raster import LabelRaster, label_raster
+from .low_patches import low_patches
 from .plan_faces import SMOOTHNESS, PlanFaces, label_faces, plan_faces, seen_heights
 from .plan_nodes import meeting_polygons
 from .plane_moments import moments
@@ -30,6 +32,9 @@ class PlanePartitionLimits:
     # the side of a parapet, which lie in a strip along it.
     strip_width: float = 0.5
     strip_slope: float = 0.1
+    # A smaller piece stays where its neighbours would miss its points by so much more (m3).
+    strong: float = 1.0
+    patch_rounds: int = 2  # Times that low patches are looked for.
     # Points of one building that lines are placed and planes are chosen by; of more a regular choice is taken.
     most_points: int = 100_000
 
@@ -86,7 +91,8 @@ def partition_planes(outline: shapely.Geometry, points: np.ndarray, roof: np.nda
     raster, planes, capped = _with_caps(raster, planes, points, of_point)
     numbers = np.concatenate([numbers, numbers[capped]])
     step = -(-len(points) // LIMITS.most_points)
-    polygons, labels = _divided(local, raster, planes, points[::step], of_point[::step])
+    polygons, labels, planes, number = _divided(local, raster, planes, points[::step], of_point[::step])
+    numbers = numbers[number]
     lifted = meeting_polygons(polygons, planes[labels])
     shift = np.array([*origin, 0.0])
     moved = tuple(shapely.set_coordinates(polygon, shapely.get_coordinates(polygon, include_z=True) + shift)
@@ -137,17 +143,33 @@ def _with_caps(raster: LabelRaster, planes: np.ndarray, points: np.ndarray,
 
 
 def _divided(outline: shapely.Geometry, raster: LabelRaster, planes: np.ndarray, points: np.ndarray,
-             label: np.ndarray) -> tuple[list[shapely.Polygon], np.ndarray]:
-    """Polygons that fill the outline, and the plane of each."""
-    if len(planes) == 1:
-        parts = list(shapely.get_parts(outline))
-        return parts, np.zeros(len(parts), np.int64)
-    faces = plan_faces(outline, candidate_segments(raster, planes, outline, points, label))
-    chosen, cost = label_faces(faces, raster, planes, points, label)
+             label: np.ndarray) -> tuple[list[shapely.Polygon], np.ndarray, np.ndarray, np.ndarray]:
+    """Polygons that fill the outline, the plane of each, all planes with patches, and the plane each is or was."""
+    faces, chosen, cost = _labelled(outline, raster, planes, points, label)
+    count = len(planes)
+    number = np.arange(count)
+    for _ in range(LIMITS.patch_rounds):
+        found = low_patches(raster, planes, points, label, faces.polygons, chosen, count)
+        if found is None:
+            break
+        raster, planes, label = found.raster, found.planes, found.label
+        number = np.concatenate([number, number[found.taken_from]])
+        faces, chosen, cost = _labelled(outline, raster, planes, points, label, range(count, len(planes)))
     chosen = without_steep_slivers(chosen, cost, faces, planes)
     chosen = without_small_parts(chosen, cost, faces.pairs, faces.length * SMOOTHNESS, shapely.area(faces.polygons),
-                                 LIMITS.least_area)
-    return dissolve(faces.polygons, chosen, outline)
+                                 LIMITS.least_area, LIMITS.strong)
+    return *dissolve(faces.polygons, chosen, outline), planes, number
+
+
+def _labelled(outline: shapely.Geometry, raster: LabelRaster, planes: np.ndarray, points: np.ndarray,
+              label: np.ndarray, patches: Sequence[int] = ()) -> tuple[PlanFaces, np.ndarray, np.ndarray]:
+    """Faces of an outline, the plane of each, and the cost of every plane in it."""
+    if len(planes) == 1:
+        parts = shapely.get_parts(outline)
+        whole = PlanFaces(parts, np.zeros((0, 2), np.int64), np.zeros(0), np.zeros((0, 2, 2)))
+        return whole, np.zeros(len(parts), np.int64), np.zeros((len(parts), 1))
+    faces = plan_faces(outline, candidate_segments(raster, planes, outline, points, label, patches))
+    return faces, *label_faces(faces, raster, planes, points, label)
 
 
 def without_steep_slivers(chosen: np.ndarray, cost: np.ndarray, faces: PlanFaces, planes: np.ndarray) -> np.ndarray:

@@ -82,6 +82,9 @@ def is_coverage(polygons: np.ndarray) -> bool:
     if (count > 2).any():
         return False
     outer = np.hypot(*(high - low)[first[count == 1]].T).sum()
-    whole = shapely.union_all(flat)
+    try:
+        whole = shapely.union_all(flat)
+    except shapely.errors.GEOSException:
+        return False  # edges that cross each other: no plan of polygons beside each other
     return bool(abs(shapely.length(shapely.boundary(whole)) - outer) < _SAME
                 and abs(shapely.area(flat).sum() - whole.area) < _SAME)

@@ -55,10 +55,11 @@ def _smooth(cost: np.ndarray, pairs: np.ndarray, worth: np.ndarray) -> np.ndarra
 
 
 def without_small_parts(chosen: np.ndarray, cost: np.ndarray, pairs: np.ndarray, worth: np.ndarray, area: np.ndarray,
-                        min_roof_area: float) -> np.ndarray:
+                        min_roof_area: float, strong: float = np.inf) -> np.ndarray:
     """Label (n,) of each piece with no connected part smaller than `min_roof_area` (m2), the smallest joined first.
 
-    A part joins the neighbouring label that costs least, or stays where it has no neighbour.
+    A part joins the neighbouring label that costs least; it stays where it has no neighbour, and where that would cost
+    more than `strong` beside its own label.
 
     Parameters
     ----------
@@ -74,6 +75,8 @@ def without_small_parts(chosen: np.ndarray, cost: np.ndarray, pairs: np.ndarray,
         size, part = heapq.heappop(small)
         if part not in parts.around or parts.area[part] != size or not parts.around[part]:
             continue  # joined since, or alone: a part of the outline of its own
+        if parts.loss(part) > strong:
+            continue  # small, but plainly seen
         joined = parts.join_best(part)
         if parts.area[joined] < min_roof_area:
             heapq.heappush(small, (float(parts.area[joined]), joined))
@@ -102,13 +105,21 @@ class _Parts:
                 self.around[one][two] = self.around[one].get(two, 0.0) + value
                 self.around[two][one] = self.around[two].get(one, 0.0) + value
 
-    def join_best(self, part: int) -> int:
-        """Give a part to the neighbouring label that costs least; the part that it then belongs to."""
+    def _best(self, part: int) -> int:
+        """The neighbouring label that costs least."""
         contact: dict[int, float] = {}
         for other, value in self.around[part].items():
             label = int(self.label[other])
             contact[label] = contact.get(label, 0.0) + value
-        best = min(sorted(contact), key=lambda label: self.cost[part, label] - contact[label])
+        return min(sorted(contact), key=lambda label: self.cost[part, label] - contact[label])
+
+    def loss(self, part: int) -> float:
+        """What a part costs more with the best of the neighbouring labels than with its own."""
+        return float(self.cost[part, self._best(part)] - self.cost[part, self.label[part]])
+
+    def join_best(self, part: int) -> int:
+        """Give a part to the neighbouring label that costs least; the part that it then belongs to."""
+        best = self._best(part)
         self.label[part] = best
         for other in [other for other in self.around[part] if self.label[other] == best]:
             part = self._unite(part, other)

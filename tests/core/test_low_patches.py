@@ -1,0 +1,100 @@
+"""Roofs that are not drawn on over lower places: patches, costs of corners, small pieces that are plainly seen."""
+
+import numpy as np
+import pytest
+import shapely
+from scipy.spatial import cKDTree
+
+from urbanmap_qgis.buildings.planes.high_corners import high_corner_costs, highest_near
+from urbanmap_qgis.buildings.planes.low_patches import low_patches
+from urbanmap_qgis.buildings.planes.plane_partition import partition_planes
+from urbanmap_qgis.buildings.planes.plane_solids import checked_sloped_solids
+from urbanmap_qgis.buildings.polygons.piece_labels import without_small_parts
+
+ROOF, LOW = 8.0, 3.0
+HOUSE = shapely.box(0, 0, 10, 8)
+ANNEX = shapely.box(-4, 0, 0, 8)
+
+
+def house(seed, low, lost=0):
+    """Points (n, 3) of a level roof with a lower place, and the roof of each: `lost` is the low place's number."""
+    rng = np.random.default_rng(seed)
+    xy = rng.uniform((0, 0), (10, 8), (800, 2))
+    within = shapely.contains_xy(low, *xy.T)
+    z = np.where(within, LOW, ROOF) + rng.normal(0, 0.02, len(xy))
+    return np.column_stack([xy, z]), np.where(within, lost, 1)
+
+
+def heights_over(points, polygons):
+    """Greatest height of a corner over the highest point within 1 m of it, m."""
+    corners = shapely.get_coordinates(polygons, include_z=True)
+    near = cKDTree(points[:, :2]).query_ball_point(corners[:, :2], 1.0)
+    return max(corner[2] - points[rows, 2].max() for corner, rows in zip(corners, near) if rows)
+
+
+@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("low", [shapely.box(8, 0, 10, 2), shapely.box(0, 6.2, 10, 8), shapely.box(3.5, 2.5, 6.5, 5.5)])
+def test_no_roof_is_drawn_over_a_low_place_of_points_without_a_plane(seed, low):
+    points, roof = house(seed, low)
+    annex, _ = house(seed + 100, shapely.Polygon())
+    annex[:, 0], annex[:, 2] = annex[:, 0] * 0.4 - 4.0, annex[:, 2] - ROOF + LOW - 0.3
+    whole = shapely.union_all([HOUSE, ANNEX])
+    points, roof = np.concatenate([points, annex]), np.concatenate([roof, np.full(len(annex), 2)])
+    made = partition_planes(whole, points, roof)
+    assert heights_over(points, list(made.polygons)) < 0.5
+    lowest = [polygon for polygon in made.polygons if polygon.representative_point().x > 0
+              and shapely.get_coordinates(polygon, include_z=True)[0, 2] < 4]
+    assert shapely.area(lowest).sum() == pytest.approx(low.area, rel=0.35)
+    assert shapely.union_all(lowest).intersection(low).area > 0.7 * low.area
+    assert shapely.area(made.polygons).sum() == pytest.approx(whole.area)
+    assert set(made.roof_numbers.tolist()) == {1, 2}
+    solids, problems = checked_sloped_solids(whole, np.array(made.polygons, object), made.roof_numbers, 0.0)
+    assert solids and not problems
+
+
+def test_a_house_without_a_low_place_has_no_patch():
+    points, roof = house(3, shapely.Polygon())
+    made = partition_planes(HOUSE, points, roof)
+    assert len(made.polygons) == 1 and made.status == "one plane"
+    assert made.polygons[0].equals(HOUSE)
+
+
+def test_points_below_all_roofs_and_small_steps_make_no_patch():
+    points, roof = house(4, shapely.box(8, 0, 10, 2))
+    assert len(partition_planes(HOUSE, points, roof).polygons) == 1
+    points[roof == 0, 2] = ROOF - 0.3
+    assert len(partition_planes(HOUSE, points, roof).polygons) == 1
+
+
+def test_the_highest_point_near():
+    points = np.array([[0.0, 0, 5], [0.9, 0, 7], [3, 0, 9]])
+    found = highest_near(np.array([[0.0, 0], [2.1, 0], [9, 9]]), points, 0.3)
+    assert found.tolist() == [7.0, 9.0, np.inf]
+    assert highest_near(np.array([[0.0, 0]]), points, 1.6).tolist() == [9.0]
+
+
+def test_corners_too_high_cost_by_height_and_area():
+    squares = np.array([shapely.box(0, 0, 1, 1), shapely.box(1, 0, 3, 2)], object)
+    points = np.array([[x, y, 4.0] for x in (0.1, 0.9, 1.1, 2, 2.9) for y in (0.1, 0.9, 1.9)])
+    planes = np.array([[0, 0, 4.0], [0, 0, 5.4], [0, 0, 99.0]])
+    near = np.array([[True, True, True], [True, True, False]])
+    costs = high_corner_costs(squares, planes, near, points, 0.3)
+    assert costs == pytest.approx(np.array([[0, 2.0, 6.0], [0, 4.0, 0]]))
+
+
+@pytest.mark.parametrize("strong, expected", [(np.inf, [0, 0, 0]), (5.0, [0, 0, 0]), (3.0, [0, 1, 0])])
+def test_a_small_part_stays_where_joining_costs_much(strong, expected):
+    cost = np.array([[0.0, 9.0], [4.5, 0.5], [0.0, 9.0]])
+    pairs, worth = np.array([[0, 1], [1, 2]]), np.ones(2)
+    found = without_small_parts(np.array([0, 1, 0]), cost, pairs, worth, np.array([5.0, 1.0, 5.0]), 2.0, strong)
+    assert found.tolist() == expected
+
+
+def test_patches_need_points_near():
+    from urbanmap_qgis.buildings.planes.label_raster import label_raster
+
+    points, roof = house(5, shapely.box(8, 0, 10, 2))
+    roofs = points[roof == 1]
+    raster = label_raster(roofs, np.zeros(len(roofs), int), HOUSE, 10.0)
+    planes, whole = np.array([[0, 0, ROOF]]), np.array([HOUSE], object)
+    assert low_patches(raster, planes, roofs, np.zeros(len(roofs), int), whole, np.array([0]), 1) is None

@@ -1,0 +1,147 @@
+"""Low places of a building that no plane explains and that its planes would be drawn on over: level patches."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import cv2
+import numpy as np
+import shapely
+from scipy import ndimage
+from scipy.spatial import cKDTree
+
+from .high_corners import LIMITS as HIGH
+from .high_corners import high_corners
+from .label_raster import LabelRaster
+
+
+@dataclass(frozen=True)
+class LowPatchLimits:
+    """Limits of low patches, each with its unit."""
+
+    least_area: float = 1.0  # Area (m2) of a patch.
+    below: float = 0.5  # Points so far (m) under the lowest roof point are no roof.
+    near: float = 0.5  # A point within this height (m) of a patch belongs to it.
+
+
+LIMITS = LowPatchLimits()
+
+
+@dataclass(frozen=True)
+class LowPatches:
+    """What a plan is divided by, with patches added.
+
+    Attributes
+    ----------
+    raster : their cells have their numbers.
+    planes : (k, 3), the patches last.
+    label : (n,) plane of each point, -1 for none.
+    taken_from : (p,) the plane that stood over each patch.
+    """
+
+    raster: LabelRaster
+    planes: np.ndarray
+    label: np.ndarray
+    taken_from: np.ndarray
+
+
+@dataclass(frozen=True)
+class _Cells:
+    """The points (n,) on a raster: row and column of each, which lie on it, and the highest of each cell, -inf for
+    none."""
+
+    row: np.ndarray
+    column: np.ndarray
+    on: np.ndarray
+    top: np.ndarray
+
+    @classmethod
+    def of(cls, raster: LabelRaster, points: np.ndarray) -> _Cells:
+        column = np.searchsorted(raster.x + raster.cell / 2, points[:, 0])
+        row = np.searchsorted(-raster.y + raster.cell / 2, -points[:, 1])
+        on = (column < len(raster.x)) & (row < len(raster.y))
+        top = np.full(raster.label.shape, -np.inf)
+        np.maximum.at(top, (row[on], column[on]), points[on, 2])
+        return cls(row, column, on, top)
+
+    def members(self, mask: np.ndarray) -> np.ndarray:
+        """Mask (n,) of the points in the cells of a mask."""
+        inside = np.zeros(len(self.on), bool)
+        inside[self.on] = mask[self.row[self.on], self.column[self.on]]
+        return inside
+
+
+def low_patches(raster: LabelRaster, planes: np.ndarray, points: np.ndarray, label: np.ndarray,
+                polygons: np.ndarray, chosen: np.ndarray, count: int) -> LowPatches | None:
+    """Level patches where a divided plan stands higher than any point near it; None where there are none.
+
+    Parameters
+    ----------
+    points, label : (n, 3) m, and (n,) plane of each, -1 for none.
+    polygons, chosen : (f,) the division, and the plane of each polygon.
+    count : number of the planes that are no patches; no patch is made on another.
+    """
+    shown = _shown(raster, polygons, chosen)
+    x, y = np.meshgrid(raster.x, raster.y)
+    a, b, c = np.moveaxis(planes[shown], -1, 0)
+    height = a * x + b * y + c
+    high = _high_cells(raster, height, high_corners(polygons, planes[chosen], points, raster.cell))
+    if not high.any() or not (label >= 0).any():
+        return None
+    cells = _Cells.of(raster, points)
+    floor = points[label >= 0, 2].min() - LIMITS.below
+    labels, of_point, level, taken_from = raster.label.copy(), label.copy(), [], []
+    for place, patch in _places(raster, high, height, cells.top, count):
+        if place < floor:
+            continue
+        number = len(planes) + len(level)
+        labels[patch] = number
+        of_point[cells.members(patch) & (np.abs(points[:, 2] - place) < LIMITS.near)] = number
+        level.append((0.0, 0.0, place))
+        taken_from.append(int(np.bincount(shown[patch]).argmax()))
+    if not level:
+        return None
+    return LowPatches(replace(raster, label=labels), np.concatenate([planes, np.array(level)]), of_point,
+                      np.array(taken_from))
+
+
+def _high_cells(raster: LabelRaster, height: np.ndarray, corners: np.ndarray) -> np.ndarray:
+    """Mask of the cells whose roof, at `height`, is higher than any point near, or that lie at such corners (c, 2)."""
+    high = raster.inside & np.isfinite(raster.ceiling) & (height > raster.ceiling + HIGH.clearance)
+    if len(corners):
+        row, column = np.nonzero(raster.inside)
+        away = cKDTree(corners).query(np.column_stack([raster.x[column], raster.y[row]]))[0]
+        high[row, column] |= away < raster.cell
+    return high
+
+
+def _places(raster: LabelRaster, high: np.ndarray, height: np.ndarray, top: np.ndarray,
+            count: int) -> list[tuple[float, np.ndarray]]:
+    """Height (m) and cells of each connected low place that has one of the cells `high`.
+
+    `top` : height of the highest point of each cell, -inf for none; a cell without points is as low as the nearest that
+    has any. Cells of planes from `count` on are left out.
+    """
+    nearest = ndimage.distance_transform_edt(~np.isfinite(top), return_distances=False, return_indices=True)
+    filled = top[tuple(nearest)]
+    reach = max(round(HIGH.reach / raster.cell), 1)
+    window = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * reach + 1, 2 * reach + 1))
+    about = cv2.dilate(high.astype(np.uint8), window) > 0
+    part, _ = ndimage.label(about & raster.inside & (raster.label < count) & (filled < height - HIGH.clearance))
+    found = []
+    for number in np.unique(part[high & (part > 0)]):
+        patch = part == number
+        if np.count_nonzero(patch) * raster.cell**2 >= LIMITS.least_area:
+            own = patch & np.isfinite(top)
+            found.append((float(np.median(filled[own if own.any() else patch])), patch))
+    return found
+
+
+def _shown(raster: LabelRaster, polygons: np.ndarray, chosen: np.ndarray) -> np.ndarray:
+    """Plane (rows, columns) of the polygon at each cell; where there is none, the raster's own."""
+    shown = np.maximum(raster.label, 0)
+    row, column = np.nonzero(raster.inside)
+    place, polygon = shapely.STRtree(polygons).query(shapely.points(raster.x[column], raster.y[row]),
+                                                     predicate="intersects")
+    shown[row[place], column[place]] = chosen[polygon]
+    return shown
