@@ -59,6 +59,17 @@ def test_buildings_over_tiles_are_those_of_one_run(run, town, read_layer, tmp_pa
     assert sentence in report and "tiles are done" in report and sentence in " ".join(run.feedback.infos)
 
 
+@pytest.mark.skipif(not Path("/proc/self/fd").is_dir(), reason="this system does not list a process's open files")
+def test_no_layer_of_a_tile_stays_open(run, town, tmp_path):
+    """Thousands of tiles come to an end neither by open files nor by the memory that QGIS keeps for each."""
+    run_tiles(run, town, tmp_path, WORKERS=1)
+    assert len(list((tmp_path / "run").rglob("*.gpkg"))) > 6
+    gone = " (deleted)"
+    still = {str(Path(link).readlink()).removesuffix(gone) for link in Path("/proc/self/fd").iterdir()
+             if link.is_symlink()}
+    assert not [name for name in still if name.startswith(str(tmp_path / "run"))]
+
+
 def test_a_later_run_does_only_what_is_missing(run, town, read_layer, tmp_path):
     first = run_tiles(run, town, tmp_path)
     merged = tmp_path / "run" / "merged" / "output.gpkg"

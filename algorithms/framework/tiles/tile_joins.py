@@ -11,7 +11,7 @@ from qgis.core import QgsProcessingContext, QgsProcessingFeatureSource, QgsVecto
 from ....urbanmap_qgis.tiling.tile_grid import GridTile
 from ..layers import layers
 from ..layers.styles import save_style_text, saved_style
-from .tile_layers import TILE_FIELD, layer_file
+from .tile_layers import TILE_FIELD, layer_file, open_layer
 
 SEAM, EDGE = "seam", "edge"
 """The field that tells pieces at an edge, and what it says in the layer of one tile."""
@@ -19,8 +19,8 @@ SEAM, EDGE = "seam", "edge"
 
 def read_layer(path: Path) -> layers.VectorTable:
     """The only layer of a GeoPackage in memory."""
-    layer = QgsVectorLayer(str(path), path.stem, "ogr")
-    return layers.read_source(QgsProcessingFeatureSource(layer, QgsProcessingContext()), path.name)
+    with open_layer(path) as layer:
+        return layers.read_source(QgsProcessingFeatureSource(layer, QgsProcessingContext()), path.name)
 
 
 def cut_features(path: Path, tile: GridTile) -> None:

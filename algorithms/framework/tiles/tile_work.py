@@ -18,7 +18,6 @@ from qgis.core import (
     QgsProcessingException,
     QgsProcessingFeedback,
     QgsRectangle,
-    QgsVectorLayer,
 )
 
 from ....urbanmap_qgis.errors import SYSTEM_TROUBLES, Cancelled, OutputError, UrbanMapError, system_sentence
@@ -38,7 +37,7 @@ from ..layers.layers import make_fields, own_fields, without_times
 from ..layers.outlines import BUILDING_ID, NUMBER
 from ..running.cluster import require_cluster
 from .tile_joins import cut_features
-from .tile_layers import LAYER_SUFFIX, TILE_FIELD, layer_file
+from .tile_layers import LAYER_SUFFIX, TILE_FIELD, layer_file, layers_closed, open_layer
 from .tiled_algorithms import CUTTABLE
 
 if TYPE_CHECKING:
@@ -129,6 +128,7 @@ def _end_where_hopeless(job: TileJob, error: Exception, cancelled: Callable[[], 
 def _make(job: TileJob, folder: Path, cancelled: Callable[[], bool]) -> dict[str, float]:
     """Cut the inputs, run the algorithm, keep the tile's own results; the numbers that it gave."""
     import processing
+    from processing.tools import dataobjects
 
     from ....urbanmap_qgis.tiling.mosaic_tiles import write_tile_raster
 
@@ -142,8 +142,10 @@ def _make(job: TileJob, folder: Path, cancelled: Callable[[], bool]) -> dict[str
         if not write_tile_raster(path, job.tile.outer, parameters[name]):
             raise EmptyTile(tr("{0} does not reach this tile.").format(path.name))
     parameters.update({name: str(folder / file) for name, file in job.outputs.items()})
-    results = processing.run(f"urbanmap:{job.algorithm}", parameters, feedback=TileFeedback(cancelled),
-                             is_child_algorithm=True)
+    feedback = TileFeedback(cancelled)
+    with layers_closed(dataobjects.createContext(feedback)) as context:
+        results = processing.run(f"urbanmap:{job.algorithm}", parameters, feedback=feedback, context=context,
+                                 is_child_algorithm=True)
     if cancelled():
         raise Cancelled()
     for name, file in job.outputs.items():
@@ -185,18 +187,18 @@ def cut_layer(source: Path, tile: GridTile, target: Path) -> dict[str, int]:
 
     No file is written where no feature meets the tile.
     """
-    layer = QgsVectorLayer(str(source), source.stem, "ogr")
-    names = layer.fields().names()
-    found = layer.getFeatures(QgsFeatureRequest().setFilterRect(QgsRectangle(*tile.outer)))
-    near = sorted(found, key=lambda feature: feature.id())  # they come as the spatial index was built
-    if not near:
-        return {}
-    own = {}
-    if BUILDING_ID in names:
-        number = NUMBER if NUMBER in names else BUILDING_ID
-        own = {str(feature[BUILDING_ID]): int(feature[number]) for feature in near if _is_own(tile, feature)}
-    with layer_file(target, layer.fields(), layer.wkbType(), layer.crs()) as add:
-        add(near)
+    with open_layer(source) as layer:
+        names = layer.fields().names()
+        found = layer.getFeatures(QgsFeatureRequest().setFilterRect(QgsRectangle(*tile.outer)))
+        near = sorted(found, key=lambda feature: feature.id())  # they come as the spatial index was built
+        if not near:
+            return {}
+        own = {}
+        if BUILDING_ID in names:
+            number = NUMBER if NUMBER in names else BUILDING_ID
+            own = {str(feature[BUILDING_ID]): int(feature[number]) for feature in near if _is_own(tile, feature)}
+        with layer_file(target, layer.fields(), layer.wkbType(), layer.crs()) as add:
+            add(near)
     return own
 
 
@@ -227,20 +229,20 @@ def keep_own_features(path: Path, tile: GridTile, own: Mapping[str, int] | None)
 
     A feature with a `building_id` goes by it where the tile has own buildings, any other by the middle of its box.
     """
-    layer = QgsVectorLayer(str(path), path.stem, "ogr")
-    by_id = own is not None and layer.fields().lookupField(BUILDING_ID) >= 0
-    others, rest = [], []
-    for feature in layer.getFeatures():
-        if str(feature[BUILDING_ID]) in own if by_id else not feature.hasGeometry() or _is_own(tile, feature):
-            rest.append(feature.id())
-        else:
-            others.append(feature.id())
-    data = layer.dataProvider()
-    data.addAttributes([own_fields(make_fields((TILE_FIELD, "text")))[1][0]])
-    data.deleteFeatures(others)
-    layer.updateFields()
-    place = layer.fields().lookupField(TILE_FIELD)
-    data.changeAttributeValues({number: {place: tile.name} for number in rest})
+    with open_layer(path) as layer:
+        by_id = own is not None and layer.fields().lookupField(BUILDING_ID) >= 0
+        others, rest = [], []
+        for feature in layer.getFeatures():
+            if str(feature[BUILDING_ID]) in own if by_id else not feature.hasGeometry() or _is_own(tile, feature):
+                rest.append(feature.id())
+            else:
+                others.append(feature.id())
+        data = layer.dataProvider()
+        data.addAttributes([own_fields(make_fields((TILE_FIELD, "text")))[1][0]])
+        data.deleteFeatures(others)
+        layer.updateFields()
+        place = layer.fields().lookupField(TILE_FIELD)
+        data.changeAttributeValues({number: {place: tile.name} for number in rest})
     del data, layer
     with closing(sqlite3.connect(path, isolation_level=None)) as database:
         database.execute("PRAGMA synchronous = OFF")  # a published tile is on the disk

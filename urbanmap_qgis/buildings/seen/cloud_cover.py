@@ -11,7 +11,6 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 from scipy.ndimage import distance_transform_edt
-from scipy.stats import trim_mean
 
 from ...geometry.grid import Grid
 
@@ -110,7 +109,10 @@ def _of_outline(outline: shapely.Geometry, grid: Grid, count: np.ndarray, ended:
 def _density(count: np.ndarray, cell: float, otherwise: float = float("nan")) -> float:
     """Mean pulses a m2 of the middle half of the cells that have any, or `otherwise` where they are few."""
     count = count[count > 0]
-    return float(trim_mean(count, LIMITS.trimmed)) / cell**2 if len(count) >= LIMITS.least_cells else otherwise
+    if len(count) < LIMITS.least_cells:
+        return otherwise
+    out = int(LIMITS.trimmed * len(count))  # at each end
+    return float(np.sort(count)[out:len(count) - out].mean()) / cell**2
 
 
 def _counts(grid: Grid, x: np.ndarray, y: np.ndarray) -> np.ndarray:
