@@ -101,6 +101,13 @@ def test_parts_are_joined_across_seams():
         assert cut.polygons[0].symmetric_difference(whole.polygons[0]).area < 0.02 * ring.area
 
 
+def test_a_marking_inside_one_tile_is_found_once():
+    dashes = [turned_box(109.6, y, 3.0, 0.45, 0) for y in (197.0, 190.4, 183.5)]
+    whole, cut = (found_in(drawn(dashes), tile) for tile in (None, 54))
+    assert len(whole) == len(cut) == 3
+    assert np.sort(cut.area) == pytest.approx(np.sort(whole.area), rel=1e-6)
+
+
 def test_markings_at_the_images_edge_are_closed():
     field = np.full((20, 20), -1, np.float32)
     field[:3, :] = field[:, 17:] = 1

@@ -6,6 +6,7 @@ import shapely
 
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.samplecity.scene.ground import KERB_HEIGHT, Surface
+from urbanmap_qgis.samplecity.scene.markings import _approach
 from urbanmap_qgis.samplecity.scene.model import AERIAL, GROUND, FaceKind, Material
 from urbanmap_qgis.samplecity.scene.world import SCENES, make_scene
 from urbanmap_qgis.samplecity.truth.lines import true_lines
@@ -94,6 +95,18 @@ def test_markings_lie_on_the_carriageway_and_paint_is_found_there(canyon):
     inside = shapely.contains_xy(stop.plan, x, y)
     painted = canyon.ground_material(x[inside], y[inside], GROUND) == Material.PAINT_WHITE
     assert painted.mean() == pytest.approx(1 - stop.wear, abs=0.15)
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_stop_lines_reach_from_the_middle_line_to_the_edge_of_the_side_that_comes(canyon, sign):
+    """Traffic towards the crossing drives in -sign of u on the side v = -sign, and stops 9 m from the kerb line."""
+    for street in canyon.ground.streets:
+        painted = _approach(street, 100.0, sign, np.random.default_rng(0))
+        stop, = (item for item in painted if item.kind == "stop")
+        edge = street.lanes * street.lane_width
+        u, v = (sorted(values) for values in ((100.0 + 9.0 * sign, 100.0 + 8.55 * sign),
+                                              (street.at - 0.15 * sign, street.at - (edge - 0.15) * sign)))
+        assert stop.plan.bounds == pytest.approx((u[0], v[0], u[1], v[1]))
 
 
 def test_traffic_keeps_left_and_survey_lanes_are_free(canyon):

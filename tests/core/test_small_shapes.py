@@ -124,6 +124,13 @@ def test_the_band_of_a_chart_lies_a_sigma_to_either_side_of_its_curve():
     assert slope > 0 and lower[:, 1] - upper[:, 1] == pytest.approx(slope * 1.0, abs=0.2)
 
 
+def test_values_fill_the_height_of_a_chart():
+    """From 0 at the foot to the largest, above which a twentieth of the height is left; 12 px above, 40 px below."""
+    page = profile(np.array([0.0, 1.0]), [Series("a", np.array([0.0, 2.0]), dots=True)], "s", "m", height=240)
+    foot, top = (float(place) for place in re.findall(r'<circle cx="[^"]*" cy="([^"]*)"', page))
+    assert foot == pytest.approx(200.0, abs=0.1) and top == pytest.approx(200.0 - 188.0 / 1.05, abs=0.1)
+
+
 def test_a_sequence_may_have_buildings_in_its_first_line(tmp_path):
     write_solids(tmp_path / "a.city.json", houses())
     text = (tmp_path / "a.city.json").read_text(encoding="utf-8").replace("\n", "")

@@ -144,9 +144,6 @@ def is_ellipsoidal(node: WktNode) -> bool:
     part = horizontal_part(node)
     if part is None or vertical_part(node) is not None:
         return False
-    if any(isinstance(item.values[0], str) and item.values[0].lower() == "ellipsoidal" and 3 in item.values
-           for item in part.children("CS") if item.values):
-        return True
     axes = [str(item.values[1]).lower() for item in part.children("AXIS") if len(item.values) > 1]
     return "up" in axes
 
