@@ -251,7 +251,8 @@ def main() -> None:
     lines_done = time.process_time()
     drives = [DrivenPath(read_trajectory(path).trajectory.place)
               for path in sorted((city / "truth").glob("survey_*_trajectory.csv"))]
-    lines = [MapLine(line.points, line.kind, line.colour, line.width, line.sigma, line.chain, line.partner)
+    lines = [MapLine(line.points, line.kind, line.colour, line.width, line.sigma, line.chain, line.partner,
+                     confidence=line.confidence)
              for line in work.lines]
     built = build_vector_map(lines, [MapArea(area.polygon, area.kind, area.heading) for area in work.areas], drives)
     done = time.process_time()

@@ -34,7 +34,8 @@ class VectorMap(UrbanMapAlgorithm):
         "arrow or a stop line shows its direction, or a lane across a dashed line or across a yellow or double centre "
         "line does. Nothing else becomes a lane: strips without evidence, open ends, bounds that were not seen and "
         "ways that were driven outside all lanes are findings with a place.\n"
-        "Through junctions a virtual lane is made where a drive shows it. Traffic keeps to the side that the drives "
+        "Through junctions a virtual lane is made where a drive shows it, and for movements that arrows, ends of "
+        "lanes and the rule of the road allow; its evidence tells which. Traffic keeps to the side that the drives "
         "show, unless it is given. Trajectories must be corrected ones: an error of a metre puts a drive into the "
         "wrong lane."
     )
@@ -65,6 +66,9 @@ class VectorMap(UrbanMapAlgorithm):
                           advanced=True)
         self.add_distance("BRIDGE", "Longest unseen bound", "A bound is drawn through gaps of its line up to this "
                           "length, which are told.", 30.0, 0.0, 500.0, advanced=True)
+        self.add_boolean("INFER_WAYS", "Ways that no drive shows", "Make virtual lanes through junctions also for the "
+                         "movements that arrows, or else the rule of the road, allow; their evidence says so. Without "
+                         "it only driven ways are made.", True, advanced=True)
         self.add_number("SPEED_LIMIT", "Speed limit", "Of lanes for which road axes tell none; left empty, they have "
                         "none.", None, 1.0, 200.0, unit="km/h", optional=True)
         self.add_choice("DIALECT", "Dialect of Lanelet2", "Of stop lines and crosswalks in the Lanelet2 file. lanelet2:"
@@ -122,7 +126,8 @@ class VectorMap(UrbanMapAlgorithm):
         settings = MapSettings(self.parameterAsDouble(parameters, "MIN_WIDTH", context),
                                self.parameterAsDouble(parameters, "MAX_WIDTH", context),
                                traffic=self.parameterAsString(parameters, "TRAFFIC", context),
-                               bridge=self.parameterAsDouble(parameters, "BRIDGE", context))
+                               bridge=self.parameterAsDouble(parameters, "BRIDGE", context),
+                               infer_ways=self.parameterAsBool(parameters, "INFER_WAYS", context))
         built = build_vector_map(lines, self._areas(parameters, context, table), drives, settings,
                                  progress.part(0.1, 0.8), self._axes(parameters, context, table))
         self._tell(built, drives, progress)
@@ -172,7 +177,7 @@ class VectorMap(UrbanMapAlgorithm):
             progress.message(f"{tr(kind)}: {count}")
         if not drives:
             progress.warn(tr("Without trajectories only arrows and stop lines tell directions: most strips stay "
-                             "findings, and nothing connects lanes through junctions."))
+                             "findings, and ways through junctions are inferred."))
         if drives and not any(lane.kind == "lane" for lane in built.lanes):
             progress.warn(tr("No lane was made: the drives run beside all lines; check that both are of one place, in "
                              "one CRS, and that the trajectories are corrected."))

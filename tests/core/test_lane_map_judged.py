@@ -77,7 +77,7 @@ def test_every_node_has_a_height_and_every_turn_an_area(lanelet2_file, built):
     assert all("lane_change" in way.tags for way in elements.ways.values()
                if way.tags["type"] in ("line_thin", "line_thick", "virtual", "road_border"))
     turning = [one for one in elements.relations.values() if "turn_direction" in one.tags]
-    assert len(turning) == 2
+    assert len(turning) == 4  # two driven ways, and those of the two inner lanes
     for one in turning:
         area = elements.ways[int(one.tags["intersection_area"])]
         assert area.tags == {"type": "intersection_area", "area": "yes"} and len(set(area.nodes)) >= 4

@@ -28,14 +28,17 @@ def is_sound(built):
     return not [fault for fault in check_map(elements) if fault.severity == "error"]
 
 
-def test_without_drives_paint_alone_tells_and_nothing_leads_through_junctions():
+def test_without_drives_paint_alone_tells_and_ways_through_junctions_are_inferred():
     lines = [*roads.avenue(0, 60), *roads.avenue(90, 150), roads.stop(60.3, 0.1, 6.9)]
     built = build_vector_map(lines, [roads.arrow(30, 5.2), roads.arrow(30, -5.2, back=True)],
                              settings=MapSettings(traffic="left"))
-    assert "no drive" in kinds(built) and not [lane for lane in built.lanes if lane.kind == "virtual"]
+    assert "no drive" in kinds(built)
+    assert all(lane.evidence.startswith("inferred") for lane in built.lanes if lane.kind == "virtual")
     assert {roads.course(built.lanes[roads.lane_at(built, 30, y)]) for y in (5.2, 1.7)} == {1.0}
     assert {roads.course(built.lanes[roads.lane_at(built, 30, y)]) for y in (-5.2, -1.7)} == {-1.0}
-    assert not [lane for lane in built.lanes if lane.centre[:, :2].mean(axis=0)[0] > roads.place([(80, 0)])[0, 0]]
+    far = [lane for lane in built.lanes if lane.centre[:, :2].mean(axis=0)[0] > roads.place([(80, 0)])[0, 0]]
+    assert {lane.evidence for lane in far} <= {"beyond the junction", "beside a dashed line", "across the centre line"}
+    assert {roads.course(built.lanes[roads.lane_at(built, 120, y)]) for y in (5.2, 1.7)} == {1.0}
 
 
 def test_drives_of_another_place_change_nothing():

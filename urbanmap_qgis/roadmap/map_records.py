@@ -22,6 +22,7 @@ class MapLine:
     chain : number of the continuous line.
     partner : of the other line of a double line, or -1.
     identifier : of the bound that it was in an earlier map, or -1.
+    confidence : share of the paint that should be there and is seen, 0 to 1.
     """
 
     points: np.ndarray
@@ -32,6 +33,7 @@ class MapLine:
     chain: int = -1
     partner: int = -1
     identifier: int = -1
+    confidence: float = 1.0
 
 
 @dataclass(frozen=True)
@@ -207,6 +209,7 @@ class MapSettings:
     traffic : "left", "right" or "auto" (what the drives show).
     bridge : a bound may be unseen for so long, m; it is drawn through and told.
     height_gap : lines whose heights differ by more do not belong together, m.
+    infer_ways : ways through junctions that no drive shows are made from arrows, lane ends and the rule of the road.
     """
 
     min_width: float = 2.2
@@ -215,6 +218,7 @@ class MapSettings:
     traffic: str = "auto"
     bridge: float = 30.0
     height_gap: float = 2.5
+    infer_ways: bool = True
 
 
 def lines_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[str, Sequence],
@@ -239,7 +243,8 @@ def lines_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[str
             chain = int(value("chain", row, -1)) if kind_field is not None else -1
             lines.append(MapLine(points, kind, str(value("colour", row, "")), float(value("width", row, 0.15)),
                                  float(value("sigma", row, np.nan)), chain, int(value("partner", row, -1)),
-                                 _bound_id(value("bound_id", row, -1)) if kind_field is not None else -1))
+                                 _bound_id(value("bound_id", row, -1)) if kind_field is not None else -1,
+                                 float(value("confidence", row, 1.0))))
     return lines
 
 

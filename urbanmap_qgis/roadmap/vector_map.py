@@ -9,6 +9,7 @@ import shapely
 
 from ..progress import SILENT, Progress
 from ..wording import say
+from .lanes.beyond_junctions import directions_beyond
 from .lanes.bound_continuation import continued
 from .lanes.intersections import add_intersections
 from .lanes.junctions import connect_by_drives
@@ -22,15 +23,19 @@ from .lanes.lane_strips import (
     settle_directions,
     spread_directions,
 )
+from .lanes.movements import add_movements
 from .lanes.narrow_places import narrow_places
 from .lanes.road_axes import RoadAxis, add_axes, add_speed_limits
-from .lanes.road_sections import road_sections
+from .lanes.road_sections import RoadSection, road_sections
 from .map_cleaning import clean_map
 from .map_records import DrivenPath, Finding, MapArea, MapLine, MapSettings, VectorMap
 from .node_heights import fill_heights
 
 STOP_REACH = 5.0
 """A lane ends at a stop line so near, m."""
+
+PASSED = 12.0
+"""A stop line has a crosswalk so near, or lines that end in half of that, m."""
 
 BOUNDS = ("solid", "dashed", "road border")
 
@@ -49,13 +54,9 @@ def build_vector_map(lines: Sequence[MapLine], areas: Sequence[MapArea] = (), dr
     stops = [line.points for line in lines if line.kind == "stop line"]
     crosswalks = [area for area in areas if area.kind == "crosswalk"]
     arrows = [area for area in areas if area.kind.startswith("arrow")]
-    barriers = [area.polygon for area in crosswalks]
-    sections = road_sections([line for line in lines if line.kind in BOUNDS], barriers, settings)
-    progress.step(0.4)
+    progress.step(0.1)
     worked = []
-    for section in sections:
-        section.tracks = continued(section.tracks, section.axis, barriers, settings)
-        near = [stop for stop in stops if _belongs(section, stop)]
+    for section, near in prepared_sections(lines, areas, settings):
         strips = lane_strips(section, near, settings)
         add_drives(strips, section, drives, settings)
         built.findings += narrow_places(section, drives, settings)
@@ -70,10 +71,16 @@ def build_vector_map(lines: Sequence[MapLine], areas: Sequence[MapArea] = (), dr
         built.findings += spread_directions(strips, section, built.left_hand is not False)
         add_axes(strips, section, axes, built.left_hand)
         built.findings += spread_directions(strips, section, built.left_hand is not False)
+    if directions_beyond([(section, strips) for section, strips, _ in worked]):
+        for section, strips, _ in worked:
+            built.findings += spread_directions(strips, section, built.left_hand is not False)
+    for section, strips, _ in worked:
         add_section(built, section, strips)
     if not drives:
         built.findings.append(_without_drives(lines))
     connect_by_drives(built, drives)
+    if settings.infer_ways:
+        add_movements(built, stops, crosswalks)
     clean_map(built)
     add_intersections(built)
     add_speed_limits(built, axes)
@@ -82,6 +89,30 @@ def build_vector_map(lines: Sequence[MapLine], areas: Sequence[MapArea] = (), dr
     _tell_heights(built, fill_heights(built))
     progress.step(1.0)
     return built
+
+
+def prepared_sections(lines: Sequence[MapLine], areas: Sequence[MapArea],
+                      settings: MapSettings) -> list[tuple[RoadSection, list[np.ndarray]]]:
+    """Road sections whose bounds are drawn on as far as anything shows them, each with the stop lines (n, 3) in it."""
+    stops = [line.points for line in lines if line.kind == "stop line"]
+    barriers = [area.polygon for area in areas if area.kind == "crosswalk"]
+    prepared = []
+    for section in road_sections([line for line in lines if line.kind in BOUNDS], barriers, settings):
+        section.tracks = continued(section.tracks, section.axis, barriers, settings)
+        near = [stop for stop in stops if _belongs(section, stop) and not _is_passed(section, stop, barriers)]
+        prepared.append((section, near))
+    return prepared
+
+
+def _is_passed(section: RoadSection, stop: np.ndarray, crosswalks: Sequence[shapely.Geometry]) -> bool:
+    """Whether two lines or more run on beside a stop line, far from any crosswalk: there it is a part of a symbol."""
+    line = shapely.LineString(stop[:, :2])
+    if any(line.distance(area) < PASSED for area in crosswalks):
+        return False
+    at = float(section.axis.chainage(stop[:, :2]).mean())
+    seen = [any(start < at - PASSED / 2.0 and end > at + PASSED / 2.0 for start, end, line in track.pieces if line)
+            for track in section.tracks]
+    return sum(seen) >= 2 and sum(seen) > 0.5 * sum(track.start < at < track.end for track in section.tracks)
 
 
 def _belongs(section, stop: np.ndarray) -> bool:
@@ -104,8 +135,8 @@ def _rule_of_the_road(worked, settings: MapSettings) -> bool | None:
 
 def _without_drives(lines: Sequence[MapLine]) -> Finding:
     x, y = lines[0].points[0, :2] if len(lines) else (np.nan, np.nan)
-    return Finding("no drive", say("No trajectory was given: only arrows and stop lines tell directions, and nothing "
-                                   "connects lanes through junctions."), float(x), float(y))
+    return Finding("no drive", say("No trajectory was given: only arrows and stop lines tell directions, and ways "
+                                   "through junctions are inferred."), float(x), float(y))
 
 
 def _refer(built: VectorMap, stops: Sequence[np.ndarray], crosswalks: Sequence[MapArea]) -> None:

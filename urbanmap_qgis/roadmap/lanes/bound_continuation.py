@@ -18,6 +18,8 @@ class BoundContinuationLimits:
 
     # A bound is continued where it is seen over so many metres, and beside its neighbour over so many.
     least_seen: float = 8.0
+    # The same for a bound between two others, which a lane's width on both sides shows to be one.
+    least_seen_between: float = 5.0
     parallel: float = 0.10  # Its distance to the neighbour varies by no more there (standard deviation), m.
     # The same for a bound with none beyond it, which may be no road's: kerbs and paving are yellow lines too.
     outermost: float = 0.5
@@ -55,11 +57,12 @@ def _beyond(track: BoundTrack, others: Sequence[BoundTrack], axis: Axis, ahead: 
             settings: MapSettings) -> tuple[np.ndarray, np.ndarray, np.ndarray] | None:
     """Points (n, 3), chainages and offsets (n,) by which a track goes on at one of its ends; None where it does not."""
     end, seen = track.end if ahead else track.start, track.seen
+    least = LIMITS.least_seen_between if _is_between(track, others, settings) else LIMITS.least_seen
     best = None
     for other in others:
         reach = (other.end - end) if ahead else (end - other.start)
         at = np.arange(max(track.start, other.start), min(track.end, other.end), STEP / 2.0)
-        if reach < STEP or len(at) * STEP / 2.0 < LIMITS.least_seen or seen < LIMITS.least_seen:
+        if reach < STEP or len(at) * STEP / 2.0 < least or seen < least:
             continue
         separation = track.interpolate(at) - other.interpolate(at)
         wide = abs(float(np.median(separation)))
@@ -91,6 +94,14 @@ def _beyond(track: BoundTrack, others: Sequence[BoundTrack], axis: Axis, ahead: 
     height = np.interp(chainage, other.chainage, other.points[:, 2])
     height += track.points[-1 if ahead else 0, 2] - np.interp(end, other.chainage, other.points[:, 2])
     return np.column_stack([plan, height])[:free], chainage[:free], offset[:free]
+
+
+def _is_between(track: BoundTrack, others: Sequence[BoundTrack], settings: MapSettings) -> bool:
+    """Whether a track has another one at a lane's width on both of its sides."""
+    middle = (track.start + track.end) / 2.0
+    apart = [float(other.interpolate(np.array([middle]))[0] - np.interp(middle, track.chainage, track.offset))
+             for other in others]
+    return all(any(settings.min_width <= side * one <= settings.max_width for one in apart) for side in (1.0, -1.0))
 
 
 def _free(chainage: np.ndarray, offset: np.ndarray, plan: np.ndarray, others: Sequence[BoundTrack],

@@ -122,9 +122,9 @@ def _add_virtual(built: VectorMap, one: int, other: int, path: np.ndarray) -> No
     for side in ("left", "right"):
         first, last = built.coordinates(one, side)[-1], built.coordinates(other, side)[0]
         sides.append(_between(first, last, path, built.lanes[one].centre, built.lanes[other].centre))
-    if _append(built, one, other, sides, "drive"):
+    if append_way(built, one, other, sides, "drive"):
         return
-    if _append(built, one, other, _about_curve(built, one, other), "drive, by width"):
+    if append_way(built, one, other, about_curve(built, one, other), "drive, by width"):
         built.findings.append(Finding("way drawn by width", say("A drive leads from one lane to another here, but "
                                                                 "bounds along it would cross; they are drawn at a "
                                                                 "lane's width about a smooth curve."),
@@ -135,8 +135,8 @@ def _add_virtual(built: VectorMap, one: int, other: int, path: np.ndarray) -> No
                                                        "no virtual lane was made."), float(x), float(y)))
 
 
-def _append(built: VectorMap, one: int, other: int, sides: Sequence[np.ndarray], evidence: str) -> bool:
-    """Add a virtual lane with given inner points of its left and right bound; False where they would cross."""
+def append_way(built: VectorMap, one: int, other: int, sides: Sequence[np.ndarray], evidence: str) -> bool:
+    """Add a virtual lane with given inner points (n, 3) of its left and right bound; False where they would cross."""
     ends = _end_nodes(built, one), _begin_nodes(built, other)
     before = len(built.nodes), len(built.bounds), len(built.lanes)
     bounds = [_virtual_bound(built, ends[0][k], ends[1][k], points) for k, points in enumerate(sides)]
@@ -177,7 +177,7 @@ def _is_smooth(built: VectorMap, one: int, other: int, bounds: Sequence[int]) ->
     return True
 
 
-def _about_curve(built: VectorMap, one: int, other: int) -> list[np.ndarray]:
+def about_curve(built: VectorMap, one: int, other: int) -> list[np.ndarray]:
     """Inner points of bounds about the cubic from the end of a lane to the begin of another, in their directions."""
     begin, end = built.lanes[one].centre, built.lanes[other].centre
     chord = float(np.linalg.norm((end[0] - begin[-1])[:2]))

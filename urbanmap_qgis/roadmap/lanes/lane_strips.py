@@ -30,8 +30,8 @@ class LaneStripsLimits:
     away: float = 6.0
     # The outermost bound of a lane that only a dashed line tells of is seen along such a share of that line.
     mostly_seen: float = 0.5
-    # Where no drive shows it, arrows and stop lines tell a direction only between bounds so long, m: not in car
-    # parks.
+    # Where no drive shows it, arrows tell a direction only between bounds so long, m: not in car parks, which have no
+    # stop lines across a part of the road.
     least_undriven: float = 25.0
     # A drive shows a strip's direction where it runs in it for so long, m (or half of a shorter strip).
     least_drive: float = 5.0
@@ -41,7 +41,8 @@ LIMITS = LaneStripsLimits()
 
 BESIDE, ACROSS = mark("beside a dashed line"), mark("across the centre line")
 ALONG_AXIS = mark("road axis")
-INFERRED = (BESIDE, ACROSS, ALONG_AXIS)
+BEYOND = mark("beyond the junction")
+INFERRED = (BESIDE, ACROSS, ALONG_AXIS, BEYOND)
 DRIVEN, PAINTED = mark("drive"), mark("arrow or stop line")
 
 DRIVE_ANGLE = np.radians(25.0)
@@ -60,7 +61,10 @@ class Strip:
     driven : length of the drives in it along and against the axis, m.
     sign : 1 along the axis, -1 against it, 0 where unknown.
     source : what the direction comes from.
-    contradicted : its own evidence contradicts itself; no neighbour settles that.
+    stopped : a stop line at its end tells of its direction.
+    parted : numbers of its tracks at which that stop line ends: beyond them traffic does not come towards it.
+    contradicted : its own evidence contradicts itself; only a driven neighbour that agrees with most of it settles
+        that.
     arrows : kinds of the arrows in it.
     """
 
@@ -75,6 +79,8 @@ class Strip:
     driven: tuple[float, float] = (0.0, 0.0)
     sign: int = 0
     source: str = ""
+    stopped: bool = False
+    parted: set[int] = field(default_factory=set)
     contradicted: bool = False
     arrows: list[str] = field(default_factory=list)
 
@@ -115,10 +121,10 @@ def _adjacent(offset: np.ndarray, tracks: Sequence[BoundTrack],
               settings: MapSettings) -> dict[tuple[int, int], np.ndarray]:
     """For each pair (right, left) of neighbouring tracks at lane width, the mask of stations (n,) where they are so.
 
-    A short track between two others that leaves no lane on either side (an arrow, a scar) is passed over, and so is
-    one that leaves a lane on one side only within what is no more than one lane.
+    A track with less paint between two others that leaves no lane on either side (an arrow, a scar) is passed over,
+    and so is one that leaves a lane on one side only within what is no more than one lane.
     """
-    length = np.array([track.end - track.start for track in tracks])
+    length = np.array([track.painted for track in tracks])
     found: dict[tuple[int, int], np.ndarray] = {}
     for station in range(offset.shape[1]):
         present = [int(k) for k in np.argsort(offset[:, station]) if np.isfinite(offset[k, station])]
@@ -154,13 +160,13 @@ def _spans(mask: np.ndarray) -> np.ndarray:
 
 def _cuts(runs, section: RoadSection, stops: Sequence[np.ndarray], settings: MapSettings) -> np.ndarray:
     """Chainages of the section's cross-sections: ends of lanes, stop lines, changes between solid and dashed."""
-    ends = np.array(sorted(edge for _, *span in runs for edge in span))
+    begins, ends = (np.array(sorted(run[side] for run in runs)) for side in (1, 2))
     used = {k for pair, *_ in runs for k in pair}
     changes = [piece[0] for k in used for piece in _changes(section.tracks[k], settings)]
-    low, high = ends[0], ends[-1]
-    groups = np.split(ends, np.flatnonzero(np.diff(ends) > SNAP) + 1)
-    cuts = [float(np.median(group)) for group in groups]
-    cuts[0], cuts[-1] = _outer(runs, groups[0], 1), _outer(runs, groups[-1], 2)
+    low, high = begins[0], ends[-1]
+    groups = [np.split(edges, np.flatnonzero(np.diff(edges) > SNAP) + 1) for edges in (begins, ends)]
+    cuts = _without_near([float(np.median(group)) for side in groups for group in side], settings.min_length)
+    cuts[0], cuts[-1] = _outer(runs, groups[0][0], 1), _outer(runs, groups[1][-1], 2)
     at_stops = [float(section.axis.chainage(stop[:, :2]).mean()) for stop in stops]
     for stop in at_stops:
         near = int(np.argmin(np.abs(np.array(cuts) - stop)))
@@ -174,6 +180,18 @@ def _cuts(runs, section: RoadSection, stops: Sequence[np.ndarray], settings: Map
     cuts = np.unique(cuts)
     keep = np.concatenate([[True], np.diff(cuts) >= settings.min_length])
     return cuts[keep]
+
+
+def _without_near(cuts: Sequence[float], apart: float) -> list[float]:
+    """Chainages in their order, those that lie nearer to each other than `apart` replaced by their mean.
+
+    The first and the last stay two: a section has two ends.
+    """
+    kept = sorted(cuts)
+    while len(kept) > 2 and np.diff(kept).min() < apart:
+        k = int(np.argmin(np.diff(kept)))
+        kept[k:k + 2] = [(kept[k] + kept[k + 1]) / 2.0]
+    return kept
 
 
 def _outer(runs, group: np.ndarray, side: int) -> float:
@@ -247,6 +265,9 @@ def add_stops(strips: Sequence[Strip], section: RoadSection, stops: Sequence[np.
             at_end = abs(strip.end - level) < abs(strip.start - level)
             strip.forward += 10.0 * at_end
             strip.backward += 10.0 * (not at_end)
+            strip.stopped = True
+            strip.parted |= {track for track, end in ((strip.right, low), (strip.left, high))
+                             if abs(end - _offset(section, track, level)) < LIMITS.at_line}
             away = _across_solid(section, strip, others, (low, high), at_end == left_hand)
             if left_hand is not None and away is not None:
                 away.forward += LIMITS.away * (not at_end)
@@ -270,14 +291,24 @@ def _whole_stops(section: RoadSection, stops: Sequence[np.ndarray]) -> list[tupl
 
 def _across_solid(section: RoadSection, strip: Strip, others: Sequence[Strip], reach: tuple[float, float],
                   to_right: bool) -> Strip | None:
-    """The strip to the right or left of one, across a solid line at which a stop line (two offsets) ends."""
+    """The strip to the right or left of one, across a solid line at which a stop line (two offsets) ends.
+
+    Across a dashed one too where the road has no other strips: it is the line in the middle.
+    """
     track = section.tracks[strip.right if to_right else strip.left]
     beside = [one for one in others if one.start == strip.start
               and (one.left == strip.right if to_right else one.right == strip.left)]
     kinds = _kinds(track, strip.start, strip.end)
     at = np.interp((strip.start + strip.end) / 2.0, track.chainage, track.offset)
     ends = abs(reach[0 if to_right else 1] - at) < LIMITS.at_line
-    return beside[0] if beside and ends and set(kinds) == {"solid"} else None
+    row = [one for one in others if one.start == strip.start]
+    parts = set(kinds) == {"solid"} or len(row) == 1
+    return beside[0] if beside and ends and parts else None
+
+
+def _offset(section: RoadSection, track: int, chainage: float) -> float:
+    """Offset of a track at a chainage, held beyond its ends, m."""
+    return float(np.interp(chainage, section.tracks[track].chainage, section.tracks[track].offset))
 
 
 def _middle(section: RoadSection, strip: Strip, chainage: float) -> float:
@@ -310,11 +341,24 @@ def spread_directions(strips: Sequence[Strip], section: RoadSection, left_hand: 
     while changed:
         changed = False
         for strip in strips:
-            if strip.sign == 0 and not strip.contradicted:
+            if strip.sign == 0:
                 sign, source = _from_neighbours(strip, strips, section, left_hand)
-                if sign:
+                if sign and (not strip.contradicted or _is_settled(strip, sign, strips)):
                     strip.sign, strip.source, changed = sign, source, True
     return _against_the_rule(strips, section, left_hand)
+
+
+def _is_settled(strip: Strip, sign: int, strips: Sequence[Strip]) -> bool:
+    """Whether a direction from the neighbours settles a strip whose paint contradicts itself.
+
+    It does where most of the paint agrees with it, a neighbour was driven and the strip itself was not.
+    """
+    members = [one for one in strips if (one.right, one.left) == (strip.right, strip.left)]
+    if any(max(one.driven) > 0 for one in members):
+        return False
+    beside = any(one.source == DRIVEN and one.start == strip.start and (one.right == strip.left
+                                                                        or one.left == strip.right) for one in strips)
+    return beside and sign * sum(one.forward - one.backward for one in members) > 0
 
 
 def _against_the_rule(strips: Sequence[Strip], section: RoadSection, left_hand: bool) -> list[Finding]:
@@ -354,7 +398,8 @@ def _own_direction(members: Sequence[Strip]) -> tuple[int, str, str]:
     if contradicts:
         return 0, "", say("Drives, arrows or stop lines contradict each other about the direction here.")
     if max(forward, backward) >= min(LIMITS.least_drive,
-                                     length / 2.0) and (max(ways) > 0 or length > LIMITS.least_undriven):
+                                     length / 2.0) and (
+            max(ways) > 0 or length > LIMITS.least_undriven or any(one.stopped for one in members)):
         return 1 if forward > backward else -1, DRIVEN if max(ways) > 0 else PAINTED, ""
     return 0, "", ""
 
@@ -373,12 +418,14 @@ def _from_neighbours(strip: Strip, strips: Sequence[Strip], section: RoadSection
             continue
         line = section.tracks[shared]
         kinds = _kinds(line, strip.start, strip.end)
-        if (max(kinds, key=kinds.get) == "dashed" and _colour(line) != "yellow" and not line.double
+        pairs = (strip.right, strip.left), (other.right, other.left)
+        parted = any(shared in one.parted for one in strips if (one.right, one.left) in pairs)
+        if (max(kinds, key=kinds.get) == "dashed" and not parted and colour_of(line) != "yellow" and not line.double
                 and _is_bounded(strip, shared, section)):
             return other.sign, BESIDE
         # With traffic on the left, what lies to the right of a lane is the other direction.
         to_right = (shared == strip.left) == (other.sign > 0)
-        if (_colour(line) == "yellow" or line.double) and to_right == left_hand:
+        if (colour_of(line) == "yellow" or line.double) and to_right == left_hand:
             return -other.sign, ACROSS
     return 0, ""
 
@@ -404,7 +451,7 @@ def _kinds(track: BoundTrack, start: float, end: float) -> dict[str, float]:
     return found or {track.nearest_line((start + end) / 2.0).kind: 0.0}
 
 
-def _colour(track: BoundTrack) -> str:
+def colour_of(track: BoundTrack) -> str:
     """The colour of most of a track."""
     found: dict[str, float] = {}
     for first, last, line in track.pieces:

@@ -21,6 +21,9 @@ PARALLEL = np.radians(15.0)
 LEAST_BESIDE = 4.0
 """Lines run beside each other over so many metres at least."""
 
+SAME = 0.15
+"""Lines beside each other no farther apart are one bound of which each shows a part, m: double lines are farther."""
+
 JOIN = 0.35
 """Ends of lines so near to each other's prolongation are one bound, m."""
 
@@ -55,6 +58,11 @@ class BoundTrack:
     def seen(self) -> float:
         """Length of its lines, m."""
         return sum(end - start for start, end, line in self.pieces if line is not None)
+
+    @property
+    def painted(self) -> float:
+        """Length of its lines less what their paint lacks, m."""
+        return sum((end - start) * line.confidence for start, end, line in self.pieces if line is not None)
 
     def interpolate(self, chainage: np.ndarray) -> np.ndarray:
         """Offsets at chainages (m,); NaN beyond the ends."""
@@ -139,7 +147,7 @@ def road_sections(lines: Sequence[MapLine], barriers: Sequence[shapely.Geometry]
             axis = Axis(_coarse(points))
             tracks = [track for track in (_track(chain, axis) for chain in members) if track is not None]
             if tracks:
-                sections.append(RoadSection(axis, _without_doubles(_joined(tracks, barriers, settings))))
+                sections.append(RoadSection(axis, _without_doubles(_joined(_united(tracks), barriers, settings))))
     return sections
 
 
@@ -236,6 +244,33 @@ def _dense(points: np.ndarray) -> np.ndarray:
     return np.column_stack([np.interp(where, at, column) for column in points.T])
 
 
+def _united(tracks: list[BoundTrack]) -> list[BoundTrack]:
+    """Tracks that run within `SAME` of each other made one: the longer one, and what the other has beyond its ends."""
+    united: list[BoundTrack] = []
+    for track in sorted(tracks, key=lambda one: one.start - one.end):
+        for number, longer in enumerate(united):
+            at = np.arange(max(track.start, longer.start), min(track.end, longer.end), STEP)
+            if len(at) * STEP >= LEAST_BESIDE and \
+                    np.abs(track.interpolate(at) - longer.interpolate(at)).max() <= SAME:
+                united[number] = _with_ends(longer, track)
+                break
+        else:
+            united.append(track)
+    return united
+
+
+def _with_ends(track: BoundTrack, other: BoundTrack) -> BoundTrack:
+    """A track with what another one in its course has before its begin and behind its end."""
+    before, after = other.chainage < track.start - 1e-4, other.chainage > track.end + 1e-4
+    parts = [(other, before), (track, np.ones(len(track.chainage), bool)), (other, after)]
+    pieces = [(start, min(end, track.start), line) for start, end, line in other.pieces if start < track.start]
+    pieces += track.pieces
+    pieces += [(max(start, track.end), end, line) for start, end, line in other.pieces if end > track.end]
+    return BoundTrack(np.vstack([one.points[rows] for one, rows in parts]),
+                      np.concatenate([one.chainage[rows] for one, rows in parts]),
+                      np.concatenate([one.offset[rows] for one, rows in parts]), pieces)
+
+
 def _joined(tracks: list[BoundTrack], barriers: Sequence[shapely.Geometry], settings: MapSettings) -> list[BoundTrack]:
     """Tracks that continue each other joined; where nothing was seen between them, a piece without a line."""
     tracks = sorted(tracks, key=lambda track: track.start)
@@ -261,9 +296,13 @@ def _joined(tracks: list[BoundTrack], barriers: Sequence[shapely.Geometry], sett
 
 
 def _lateral(one: BoundTrack, other: BoundTrack) -> float:
-    """Distance across between the prolongations of two tracks in the middle of the gap between them, m."""
+    """Distance across between the prolongations of two tracks in the middle of the gap between them, m.
+
+    Straight on, or at the same distance to the road's axis: what is nearer, for short tracks end in no sure direction.
+    """
     middle = (one.end + other.start) / 2.0
-    return float(np.linalg.norm((one.point(middle) - other.point(middle))[:2]))
+    straight = float(np.linalg.norm((one.point(middle) - other.point(middle))[:2]))
+    return min(straight, abs(float(one.offset[-1] - other.offset[0])))
 
 
 def _concatenated(one: BoundTrack, other: BoundTrack) -> BoundTrack:

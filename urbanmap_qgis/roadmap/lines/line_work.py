@@ -15,6 +15,7 @@ from .dash_consensus import with_common_patterns
 from .dash_pattern import Section, line_sections, painted_intervals, with_worn_ends
 from .line_chains import StrokeChain, link_strokes
 from .line_fit import STATION, FittedLine, fit_centre_line, polyline
+from .short_lines import supported_chains
 from .stop_lines import CROSSES, joined_bars, stop_line_confidence
 from .strokes import Stroke, all_strokes
 from .symbols import find_symbols
@@ -168,6 +169,7 @@ def line_work(polygons: Sequence[shapely.Polygon], colours: Sequence[str], setti
     stops, sure = _stop_lines(bars, lines, crosswalks, paint)
     of_stops = {n for line in stops for n in line.chain.strokes}
     lines = _without_crossing([line for line in lines if not of_stops.issuperset(line.chain.strokes)])
+    lines += _short_lines(chains, lines, of_stops, paint, settings)
     common = with_common_patterns([line.sections for line in lines])
     lines = [replace(line, sections=sections) for line, sections in zip(lines, common)]
     pieces = _sections_of(lines, strokes, colours, settings)
@@ -238,6 +240,15 @@ def _stop_lines(bars: Sequence[StrokeChain], lines: Sequence[_Line], crosswalks:
             stops.append(_Line(chain, fit, [_bar(fit)]))
             sure.append(confidence)
     return stops, sure
+
+
+def _short_lines(chains: Sequence[StrokeChain], lines: Sequence[_Line], of_stops: set[int], paint: shapely.STRtree,
+                 settings: LineSettings) -> list[_Line]:
+    """Lines too short by themselves where the sure ones (`lines`) show them to be some."""
+    used = of_stops | {n for line in lines for n in line.chain.strokes}
+    free = [chain for chain in chains if chain.width < settings.stop_width and used.isdisjoint(chain.strokes)]
+    found = supported_chains(free, [line.fit.axis for line in lines], [line.fit.width for line in lines])
+    return [line for line in (_fitted(chain, paint) for chain in found) if line is not None]
 
 
 def _without_crossing(lines: Sequence[_Line]) -> list[_Line]:
