@@ -94,6 +94,23 @@ def test_points_go_where_the_poses_put_them_and_nothing_else_changes(survey, tmp
     assert np.array_equal(after.header.offsets, before.header.offsets)
 
 
+def test_records_named_in_japanese_are_kept(survey, tmp_path):
+    path, reported = survey
+    name = "測量".encode("shift_jis")
+    content = path.read_bytes()
+    for old in (b"notes", b"more"):  # of a record and of an extended one
+        assert content.count(old) == 1
+        content = content.replace(old, name.ljust(len(old), b"\0") if len(old) > len(name) else name)
+    path.write_bytes(content)
+    apply_correction([path], reported, corrected(reported), tmp_path / "out.laz")
+    before, after = (laspy.open(one) for one in (path, tmp_path / "out.laz"))
+    with before, after:
+        assert [record.description for record in before.header.vlrs if record.user_id == "survey_co"] == [name]
+        for records in ("vlrs", "evlrs"):
+            assert [record.description for record in getattr(after.header, records) if record.user_id == "survey_co"] \
+                == [name]
+
+
 def test_same_trajectory_moves_nothing(survey, tmp_path):
     path, reported = survey
     moved = apply_correction([path], reported, reported, tmp_path / "out.laz")

@@ -131,6 +131,20 @@ def test_where_layers_cannot_stay_all_is_packed(tmp_path, make_cloud, case):
     assert np.array_equal(after.intensity, np.concatenate([laspy.read(path).intensity for path in paths]))
 
 
+@pytest.mark.parametrize("output", ["made.laz", "made.las"])
+def test_a_record_named_in_japanese_is_kept(tmp_path, make_cloud, output):
+    rng = np.random.default_rng(5)
+    path = make_cloud(tmp_path / "all.laz", *places(rng), classification=1)
+    content, name = path.read_bytes(), "座標系".encode("shift_jis")
+    place = content.index(b"LASF_Projection") + 20  # behind user, number and length of the record
+    path.write_bytes(content[:place] + name.ljust(32, b"\0") + content[place + 32:])
+    cloud = open_cloud([path])
+    given_classes(cloud, tmp_path / output, np.full(N, 2, np.uint8), N, shape_only=output.endswith("z"))
+    with laspy.open(tmp_path / output) as reader:
+        assert name in [record.description for record in reader.header.vlrs]
+        assert reader.header.parse_crs() == cloud.headers[0].parse_crs()
+
+
 def test_points_that_were_not_given_leave_no_file(tmp_path, make_cloud):
     rng = np.random.default_rng(4)
     cloud = open_cloud([make_cloud(tmp_path / "all.laz", *places(rng), classification=1)])

@@ -7,13 +7,14 @@ import os
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import BinaryIO
 
 import laspy
 import numpy as np
 
 from ..errors import InputError, InsufficientDataError
 from ..io.files.atomic import written_beside
-from ..io.points.pointcloud import PointCloud, PointLayout, iter_chunks, open_cloud
+from ..io.points.pointcloud import NAMES_NOT_ASCII, PointCloud, PointLayout, iter_chunks, open_cloud
 from ..progress import SILENT, Progress
 from ..wording import say
 from .gps_time import time_shift
@@ -79,7 +80,8 @@ def apply_correction(paths: Sequence[str | os.PathLike], reported: Trajectory, c
     statistics = _Statistics()
     with written_beside(output) as temporary:
         compress = Path(output).suffix.lower() == ".laz"
-        with laspy.open(temporary, mode="w", header=writing.header, do_compress=compress) as writer:
+        with laspy.open(temporary, mode="w", header=writing.header, do_compress=compress,
+                        encoding_errors=NAMES_NOT_ASCII) as writer:
             for chunk in iter_chunks(cloud, progress, _CHUNK):
                 writer.write_points(writing.transformed(chunk, np.asarray(chunk.gps_time) + shift, outside, statistics))
             _write_evlrs(writer, _evlrs(cloud))
@@ -223,11 +225,18 @@ def _evlrs(cloud: PointCloud) -> list:
     return found
 
 
+class _ExtendedRecords(laspy.vlrs.vlrlist.VLRList):
+    """Extended records whose names need not be ASCII: laspy's writer does not hand on how such are written."""
+
+    def write_to(self, stream: BinaryIO, as_extended: bool = True, encoding_errors: str = NAMES_NOT_ASCII) -> None:
+        super().write_to(stream, as_extended, encoding_errors)
+
+
 def _write_evlrs(writer: laspy.LasWriter, records: list) -> None:
     """Append extended records; the header is told where waveforms begin."""
     if not records:
         return
-    extended = laspy.vlrs.vlrlist.VLRList()
+    extended = _ExtendedRecords()
     extended.extend(records)
     writer.write_evlrs(extended)
     place = writer.header.start_of_first_evlr

@@ -23,7 +23,7 @@ import numpy as np
 from laspy.vlrs.known import LasZipVlr
 
 from ..files.atomic import written_beside
-from .pointcloud import CloudWriter, PointCloud, PointLayout, cloud_writer
+from .pointcloud import NAMES_NOT_ASCII, CloudWriter, PointCloud, PointLayout, cloud_writer
 
 _CLASS_LAYER, _CLASS_PLACE = 2, 16
 """Place of the classes among a chunk's layers (behind x and y, and z), and of the class in a record, bytes."""
@@ -164,7 +164,7 @@ class _CopiedLayers:
         self._header.partial_reset()
         self._header.are_points_compressed = True
         self._header.vlrs.append(LasZipVlr(self._laszip.record_data()))
-        self._header.write_to(file)
+        self._header.write_to(file, encoding_errors=NAMES_NOT_ASCII)
         self._file.write(struct.pack("<q", -1))  # the place of the chunk table, when it is known
         self._table: list[tuple[int, int]] = []
         self._waiting = np.zeros(0, _point_layout())
@@ -204,7 +204,7 @@ class _CopiedLayers:
         self._file.seek(start)
         self._file.write(struct.pack("<q", end))
         self._file.seek(0)
-        self._header.write_to(self._file, ensure_same_size=True)
+        self._header.write_to(self._file, ensure_same_size=True, encoding_errors=NAMES_NOT_ASCII)
 
 
 def _point_layout() -> np.dtype:

@@ -29,6 +29,9 @@ from .las_check import check_las, decoding
 CHUNK_POINTS = 1_000_000
 """Points held in memory at a time while reading."""
 
+NAMES_NOT_ASCII = "replace"
+"""What laspy does with names that are not ASCII, as programs in Japan write them: it writes them as it read them."""
+
 NOISE_CLASSES = (7, 18)
 """LAS classes of low and high noise."""
 
@@ -317,7 +320,8 @@ def cloud_writer(path: str | os.PathLike, layout: PointLayout) -> Iterator[Cloud
         raise InputError(say("{path} must end in .laz or .las.", path=Path(path).name))
     compress = Path(path).suffix.lower() == ".laz"
     with (written_beside(path) as temporary,
-          laspy.open(temporary, mode="w", header=layout.header, do_compress=compress) as writer):
+          laspy.open(temporary, mode="w", header=layout.header, do_compress=compress,
+                     encoding_errors=NAMES_NOT_ASCII) as writer):
         yield CloudWriter(writer, layout)
 
 
