@@ -258,6 +258,11 @@ def test_file_comes_back_as_it_was_also_when_moved(job, tmp_path):
     again = read_job(moved / "j.urbanmap.json")
     assert again.inputs["als"] == (str(moved / "a.laz"),)
     assert again.step("one").outputs["OUTPUT"] == str(moved / "s.tif")
+    assert refreshed_job(again).step("one").state == DONE
+    (moved / "b").mkdir()
+    (moved / "b" / "a.laz").write_bytes(b"points")  # another file of the same name
+    other = again.with_inputs({"als": (str(moved / "b" / "a.laz"),)})
+    assert refreshed_job(other).step("one").state == PLANNED
     moved.rename(tmp_path)
 
 

@@ -18,6 +18,8 @@ from ..errors import InputError
 from ..wording import say
 from .job_file import DONE, FAILED, PLANNED, JobRecord, JobStep
 
+_HEAD_OF_SQLITE, _ENDS = 100, 8_000_000
+"""Bytes."""
 _VERDICT = re.compile(r'<p class="verdict (\w+)">(.*?)</p>', re.DOTALL)
 _HEAD = 200_000
 """Characters of a report in which its verdict stands."""
@@ -55,11 +57,34 @@ def _resolved(job: JobRecord, step: JobStep, value: object) -> object:
 
 
 def step_signature(algorithm: str, parameters: Mapping[str, object]) -> str:
-    """A text that is the same as long as the parameters and the files that they name are."""
-    files = sorted({path for value in parameters.values() for path in _paths(value)})
-    text = json.dumps([algorithm, parameters, [[path, file_state_of(path)] for path in files]], sort_keys=True,
-                      default=str)
+    """A text that is the same as long as the parameters and the files that they name are, wherever these lie: a job
+    that has moved with its data is as it was."""
+    named = {name: _without_folders(value) for name, value in parameters.items()}
+    text = json.dumps([algorithm, named], sort_keys=True, default=str)
     return hashlib.sha256(text.encode()).hexdigest()
+
+
+def _without_folders(value: object) -> object:
+    """A value of a parameter with each file in it as its name and state."""
+    if isinstance(value, (list, tuple)):
+        return [_without_folders(item) for item in value]
+    path = next(_paths(value), None)
+    if path is None:
+        return value
+    return [os.path.basename(path) + str(value)[len(path):], file_state_of(path), _digest(path)]
+
+
+def _digest(path: str) -> str:
+    """Of the content of a GeoPackage, whose own record of changes may be the same in two files of one name; "" for
+    other files. Its head is left out, as QGIS changes it when it only opens the file; of a large one the ends count."""
+    if os.path.isdir(path) or not _changes(path):
+        return ""
+    with open(path, "rb") as file:
+        file.seek(_HEAD_OF_SQLITE)
+        found = hashlib.sha256(file.read(_ENDS))
+        file.seek(max(os.path.getsize(path) - _ENDS, _HEAD_OF_SQLITE))
+        found.update(file.read(_ENDS))
+    return found.hexdigest()
 
 
 def _paths(value: object) -> Iterator[str]:

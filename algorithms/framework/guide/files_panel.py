@@ -63,6 +63,8 @@ class FilesTree(QTreeWidget):
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.setAcceptDrops(True)
         self.setMinimumHeight(200)
+        for column in range(self.columnCount()):
+            self.resizeColumnToContents(column)
 
     def dragEnterEvent(self, event):
         if any(url.isLocalFile() for url in event.mimeData().urls()):

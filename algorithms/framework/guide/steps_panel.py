@@ -26,6 +26,11 @@ _BAD = {"failed", "bad"}
 _TICK = 1000  # ms between looks at the time that is left
 
 
+def told_of(step) -> str:
+    """What a step found or why it failed; nothing where it is to run anew, as that would be of an earlier run."""
+    return "" if step.state == "planned" else step.verdict or step.message
+
+
 class StepsPanel(QWidget):
     """Shows a job's steps and runs them; `wanted` comes with the id of a step whose dialog is to open."""
 
@@ -84,7 +89,7 @@ class StepsPanel(QWidget):
             if sum(other.algorithm == step.algorithm for other in steps) > 1:
                 title = f"{title} ({step.id})"
             state = tr("running") if step.id == self.runner.current else state_name(step.state)
-            text = step.verdict or step.message
+            text = told_of(step)
             row = QTreeWidgetItem(self.tree, [f"{number}. {title}", state, text])
             row.setData(0, _STEP, step.id)
             row.setToolTip(0, step.id)
@@ -162,7 +167,7 @@ class StepsPanel(QWidget):
         """Choose the first step that failed or found its result bad, else the last that says something: that is what
         was wished for. Its report can be opened at once."""
         bad = [row for row, step in enumerate(self.job.steps) if _BAD & {step.state, step.grade}]
-        told = [row for row, step in enumerate(self.job.steps) if step.verdict]
+        told = [row for row, step in enumerate(self.job.steps) if told_of(step)]
         if bad or told:
             self.tree.setCurrentItem(self.tree.topLevelItem(bad[0] if bad else told[-1]))
 

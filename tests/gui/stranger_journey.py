@@ -1,0 +1,249 @@
+"""Runs inside QGIS's desktop (`qgis --code`): what a stranger does with the dock, noted for the tests.
+
+URBANMAP_STRANGER names a JSON file: "city" (folder with blanks and Japanese letters), "moved" (where it goes later),
+"report" (file to write after each step), "helpers" (the script whose small helpers are used).
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import os
+import shutil
+import sys
+import traceback
+from pathlib import Path
+
+TASK = json.loads(Path(os.environ["URBANMAP_STRANGER"]).read_text(encoding="utf-8"))
+CITY, MOVED = Path(TASK["city"]), Path(TASK["moved"])
+SPEC = importlib.util.spec_from_file_location("urbanmap_way", TASK["helpers"])
+WAY = importlib.util.module_from_spec(SPEC)
+sys.modules[SPEC.name] = WAY
+SPEC.loader.exec_module(WAY)
+settle, wait_until = WAY.settle, WAY.wait_until
+
+
+def plugin():
+    from qgis import utils
+
+    return utils.plugins["urbanmap_qgis"]
+
+
+def docks() -> list[bool]:
+    """Whether each dock of the plugin in the window is seen."""
+    from qgis.PyQt.QtWidgets import QDockWidget
+    from qgis.utils import iface
+
+    found = [dock for dock in iface.mainWindow().findChildren(QDockWidget) if dock.objectName() == "UrbanMapGuide"]
+    return [dock.isVisible() for dock in found]
+
+
+def states() -> dict:
+    return {step.id: step.state for step in plugin().guide.job.steps}
+
+
+def layers() -> list:
+    """Name, number of features, file and reference system of the vector layers."""
+    from qgis.core import QgsProject
+
+    return sorted([layer.name(), layer.featureCount(), layer.source().partition("|")[0], layer.crs().authid()]
+                  for layer in QgsProject.instance().mapLayers().values())
+
+
+def recognised(guide) -> None:
+    wait_until(lambda: guide.files.findings.facts and not guide.files.recognition.busy(), "files were not recognised")
+
+
+def wish(word: str) -> None:
+    box = plugin().guide.wish
+    box.setCurrentIndex(box.findData(word))
+    settle()
+
+
+def run() -> str:
+    """Press Run and wait; what is told at the end."""
+    guide = plugin().guide
+    guide.steps.run.click()
+    wait_until(lambda: not guide.runner.busy(), "the run did not end")
+    settle(0.3)
+    return guide.steps.told.text()
+
+
+def set_in_dialog(step: str, values: dict) -> None:
+    """Change settings in a step's own dialog and close it."""
+    guide = plugin().guide
+    guide.open_step(step)
+    settle(0.5)
+    guide.dialog.window.setParameters({**guide.dialog.before, **values})
+    guide.dialog.window.close()
+    settle(0.2)
+
+
+def twice() -> dict:
+    """The dock opened, closed and opened again, by its button."""
+    action, seen = plugin().guide_action, []
+    for _ in range(4):
+        action.trigger()
+        settle(0.3)
+        seen.append(docks())
+    action.setChecked(True)
+    action.setChecked(True)
+    settle(0.3)
+    return {"seen": [*seen, docks()]}
+
+
+def bare() -> dict:
+    """No reference system of the project, a folder with blanks and Japanese letters: buildings, loaded."""
+    from qgis.core import QgsCoordinateReferenceSystem, QgsProject
+
+    QgsProject.instance().setCrs(QgsCoordinateReferenceSystem())
+    guide = plugin().guide
+    guide.files.add([str(CITY)])
+    recognised(guide)
+    wish("buildings")
+    told = run()
+    return {"told": told, "states": states(), "layers": layers(), "job": str(guide.path),
+            "crs": QgsProject.instance().crs().authid()}
+
+
+def over_itself() -> dict:
+    """Once more into the files that are loaded, with another setting."""
+    set_in_dialog("buildings", {"MIN_ROOF_AREA": 30.0})
+    between = states()
+    told = run()
+    return {"between": between, "told": told, "states": states(), "layers": layers()}
+
+
+def by_relative_paths() -> dict:
+    """Files named from the folder that QGIS works in, as somebody types them."""
+    import processing
+
+    os.chdir(CITY)
+    done = processing.run("urbanmap:segmentbuildings", {
+        "POINTS": ["als/als.laz"], "FOOTPRINTS": "footprints/gsi_buildings.gpkg", "OUTPUT": "結果 1.laz",
+        "OUTPUT_BUILDINGS": "./結果 1.gpkg"})
+    found = sorted(str(path.relative_to(CITY)) for path in CITY.rglob("結果*"))
+    for path in found:
+        (CITY / path).unlink()
+    os.chdir("/")
+    return {"outputs": {name: str(value) for name, value in done.items()}, "found": found}
+
+
+def stopped_and_resumed() -> dict:
+    """Stopped in the middle, and run again."""
+    guide, moves = plugin().guide, []
+    set_in_dialog("buildings", {"MIN_ROOF_AREA": 20.0})
+    guide.runner.moved.connect(moves.append)
+    guide.steps.run.click()
+    wait_until(lambda: moves or not guide.runner.busy(), "no progress")
+    guide.steps.stop.click()
+    wait_until(lambda: not guide.runner.busy(), "it did not stop")
+    stopped, told = states(), guide.steps.told.text()
+    hidden = [path.name for path in CITY.rglob(".*")]
+    return {"stopped": stopped, "told": told, "hidden": hidden, "again": run(), "states": states()}
+
+
+def moved_with_its_data() -> dict:
+    """The folder with job, data and results put elsewhere, and the job opened there."""
+    from qgis.core import QgsProject
+
+    guide = plugin().guide
+    name = guide.path.name
+    guide.new_job()
+    QgsProject.instance().removeAllMapLayers()
+    wait_until(lambda: not guide.files.recognition.busy(), "files were not cleared")
+    MOVED.parent.mkdir()
+    shutil.move(CITY, MOVED)
+    guide.open_job(str(MOVED / name))
+    recognised(guide)
+    settle(0.5)
+    opened = states()
+    told = run()
+    inputs = [source for sources in guide.job.inputs.values() for source in sources]
+    outputs = [str(value) for value in guide.job.step("buildings").outputs.values() if "/" in str(value)]
+    return {"opened": opened, "told": told, "states": states(),
+            "elsewhere": [path for path in (*inputs, *outputs) if not path.startswith(str(MOVED))],
+            "there": all(Path(path).exists() for path in outputs), "outputs": len(outputs)}
+
+
+def updated_while_running() -> dict:
+    """The plugin loaded anew while a step is at work; the job opened again and run to its end."""
+    from qgis import utils
+
+    guide, moves = plugin().guide, []
+    path = str(guide.path)
+    set_in_dialog("buildings", {"MIN_ROOF_AREA": 40.0})
+    guide.runner.moved.connect(moves.append)
+    guide.steps.run.click()
+    wait_until(lambda: moves or not guide.runner.busy(), "no progress")
+    busy = guide.runner.busy()
+    utils.reloadPlugin("urbanmap_qgis")
+    settle(3.0)
+    plugin().guide_action.setChecked(True)
+    guide = plugin().guide
+    guide.open_job(path)
+    recognised(guide)
+    settle(0.5)
+    opened = states()
+    return {"busy": busy, "docks": docks(), "opened": opened, "told": run(), "states": states()}
+
+
+def closed_while_running() -> dict:
+    """QGIS left by its own entry while a step is at work: it asks, and is told to end the step; then left once more."""
+    from qgis.core import QgsProject
+    from qgis.PyQt.QtCore import QTimer
+    from qgis.PyQt.QtWidgets import QApplication, QMessageBox
+    from qgis.utils import iface
+
+    guide, moves, asked = plugin().guide, [], []
+    set_in_dialog("buildings", {"MIN_ROOF_AREA": 50.0})
+    guide.runner.moved.connect(moves.append)
+    guide.steps.run.click()
+    wait_until(lambda: moves or not guide.runner.busy(), "no progress")
+    busy = guide.runner.busy()
+
+    def answer() -> None:
+        box = QApplication.activeModalWidget()
+        if isinstance(box, QMessageBox):
+            asked.append(box.text())
+            box.button(QMessageBox.StandardButton.Yes).click()
+        else:
+            QTimer.singleShot(200, answer)
+
+    QTimer.singleShot(200, answer)
+    QgsProject.instance().setDirty(False)
+    iface.actionExit().trigger()
+    wait_until(lambda: not guide.runner.busy(), "the step did not end")
+    QgsProject.instance().removeAllMapLayers()  # those in the folder for temporary files are asked about
+    QgsProject.instance().setDirty(False)
+    QTimer.singleShot(1000, iface.actionExit().trigger)
+    return {"busy": busy, "asked": asked, "states": states(), "told": guide.steps.told.text()}
+
+
+RAISED: list[str] = []
+STEPS = (twice, bare, over_itself, by_relative_paths, stopped_and_resumed, moved_with_its_data, updated_while_running,
+         closed_while_running)
+
+
+def travel() -> None:
+    """Do the steps and write the report; the last one ends QGIS."""
+    from qgis import utils
+
+    report = {}
+    settle(1.0)
+    # QGIS would wait in a window for somebody to read it.
+    utils.showException = lambda *told, **_named: RAISED.append("".join(traceback.format_exception(*told[:3])))
+    for step in STEPS:
+        try:
+            report[step.__name__] = step()
+        except BaseException:
+            report[step.__name__] = {"error": traceback.format_exc()}
+        report["raised"] = RAISED
+        Path(TASK["report"]).write_text(json.dumps(report, default=str), encoding="utf-8")
+        if "error" in report[step.__name__]:
+            os._exit(3)  # QGIS would ask about the unsaved project
+
+
+from qgis.PyQt.QtCore import QTimer  # noqa: E402
+
+QTimer.singleShot(500, lambda: travel())
