@@ -24,7 +24,9 @@ from ..io.points.pointcloud import PointCloud, PointLayout, cloud_writer, iter_c
 from ..progress import SILENT, Progress
 from ..wording import say
 from .outlines.footprint import Footprints
-from .tile_segmentation import BUFFER, SegmentationParameters, SegmentedBuildings, Tile, segment_tile
+from .outlines.segmented_buildings import SegmentationParameters, SegmentedBuildings
+from .outlines.tile_ground import BUFFER
+from .tile_segmentation import Tile, segment_tile
 
 TILE_POINTS = 3_000_000
 """Points worked on together; the side of the tiles follows from the cloud's density."""
