@@ -147,6 +147,19 @@ def test_a_leaning_face_parts_foot_and_top(lean):
     assert fit.height == pytest.approx(0.12, abs=0.004) and fit.sigma < 0.005
 
 
+@pytest.mark.parametrize("slope", [-0.2, -0.1, 0.1, 0.2])
+def test_a_kerb_beside_a_sloping_gutter_stays_where_it_is(slope):
+    """A kerb of 15 cm at 0, the road falls or rises towards it; the face's foot and top lie there."""
+    rng = np.random.default_rng(1)
+    a = np.concatenate([np.arange(-1.2, -0.005, 0.01), np.arange(0.005, 1.2, 0.01)])
+    face = np.linspace(0.01, 0.14, 8)
+    z = np.append(np.where(a < 0, slope * a, 0.15 + 0.02 * a), face)
+    a = np.append(a, np.zeros(8))
+    fit = fit_edge_profile(a + rng.normal(0, 0.002, len(a)), z + rng.normal(0, 0.002, len(z)))
+    assert (fit.foot, fit.top) == pytest.approx((0.0, 0.0), abs=0.004) and fit.sigma < 0.004
+    assert (fit.z_foot, fit.z_top) == pytest.approx((0.0, 0.15), abs=0.005)
+
+
 def test_a_profile_needs_both_sides():
     a = np.linspace(-1.0, -0.05, 100)
     assert fit_edge_profile(a, np.zeros(100)) is None
