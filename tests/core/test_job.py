@@ -13,7 +13,7 @@ from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.io.conversion.reprojection import epsg_wkt
 from urbanmap_qgis.io.pages.report import LOOK, Report
 from urbanmap_qgis.job.agreement import common_system, disagreements, extent_in_degrees
-from urbanmap_qgis.job.chain_plan import WISHES, PlannedStep, plan_chain, wishes
+from urbanmap_qgis.job.chain_plan import WISHES, PlannedStep, plan_chain, roles_taken, wishes
 from urbanmap_qgis.job.file_facts import FileFacts
 from urbanmap_qgis.job.job_file import DONE, FAILED, PLANNED, JobStep, planned_job, read_job, write_job
 from urbanmap_qgis.job.job_progress import (
@@ -99,6 +99,9 @@ def test_parts_of_the_sample_city(city_parts):
     assert "mms" in city_parts.inputs["calibration_1"][0] and "truth" not in city_parts.inputs["trajectory_1"][0]
     assert "markings" not in inputs and "ground" not in inputs  # those of the folder truth are to check against
     assert any("hold the same points" in note for note in city_parts.notes)
+    assert "2 files could be taken" in city_parts.choices["footprints"]
+    assert "footprints" in roles_taken(plan_chain("buildings", city_parts).steps)
+    assert roles_taken(plan_chain("reference", city_parts).steps) >= {"frames", "als"}
 
 
 SURVEYED = ("georeferencemms", "checkaccuracy", "acceptance")
@@ -205,7 +208,7 @@ def test_what_is_against_its_name_and_in_truth_is_used_when_said(tmp_path):
     both = [facts("a.gpkg", "outlines"), true]
     assert parts_of(both).inputs["footprints"] == ("/data/a.gpkg",)
     chosen = parts_of(put_to_use(both, {true.source: "footprints"}))
-    assert chosen.inputs["footprints"] == (true.source,) and not chosen.notes
+    assert chosen.inputs["footprints"] == (true.source,) and not chosen.choices
     assert uses_of(replace(areas, problem="It is damaged.")) == ()
 
 

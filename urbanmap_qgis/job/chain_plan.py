@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container
+from collections.abc import Callable, Container, Iterable, Mapping
 from dataclasses import dataclass, field
 
 from ..wording import known, mark, say
@@ -80,6 +80,16 @@ def wishes(available: Container[str]) -> list[str]:
 def wish_name(wish: str) -> str:
     """Name of a wish in the user's language."""
     return known(WISHES[wish])
+
+
+def roles_taken(steps: Iterable[PlannedStep]) -> set[str]:
+    """Roles of the inputs that steps take."""
+    def of(value: object) -> set[str]:
+        if isinstance(value, (list, tuple)):
+            return set().union(*map(of, value))
+        return {str(value["input"])} if isinstance(value, Mapping) and "input" in value else set()
+
+    return set().union(*(of(value) for step in steps for value in step.parameters.values()))
 
 
 def plan_chain(wish: str, parts: Parts, crs: str = "") -> ChainPlan:

@@ -84,7 +84,8 @@ class Parts:
     inputs : sources (paths, with the layer where there are several) by role. A survey's roles end in its number:
         survey_1, trajectory_1, calibration_1, poses_1, control_1.
     surveys : numbers of the surveys.
-    notes : sentences on what was taken of several.
+    notes : sentences on what was taken of several point clouds and trajectories.
+    choices : a sentence by role where the first of several other files was taken.
     unplaced : roles of point clouds of which one states no reference system.
     in_degrees : roles of outlines and markings that count in degrees, which chains do not take.
     """
@@ -94,6 +95,7 @@ class Parts:
     notes: tuple[str, ...] = field(default_factory=tuple)
     unplaced: frozenset[str] = frozenset()
     in_degrees: frozenset[str] = frozenset()
+    choices: Mapping[str, str] = field(default_factory=dict)
 
 
 def uses_of(item: FileFacts) -> tuple[str, ...]:
@@ -133,7 +135,7 @@ def parts_of(facts: Sequence[FileFacts]) -> Parts:
     sound = [item for item in facts if item.usable and (item.use or item.kind == CONTROL or not _is_truth(item))]
     sound.sort(key=lambda item: not item.use)
     inputs: dict[str, tuple[str, ...]] = {}
-    notes: list[str] = []
+    notes, choices = [], {}
     clouds, twins = _without_twins([item for item in sound if item.kind == POINTS])
     notes += twins
     surveys = _surveys(clouds, sound, inputs, notes)
@@ -147,9 +149,9 @@ def parts_of(facts: Sequence[FileFacts]) -> Parts:
         if found:
             inputs[role] = (found[0].source,)
         if len(found) > 1 and not found[0].use:
-            notes.append(say("{kind}: {count} files could be taken ({names}); the first is. Say of another one that it "
-                             "is used as that, or untick the first.", kind=kind_name(kind), count=len(found),
-                             names=_names(found)))
+            choices[role] = say(
+                "{kind}: {count} files could be taken ({names}); the first is. Say of another one that it is used as "
+                "that, or untick the first.", kind=kind_name(kind), count=len(found), names=_names(found))
     for role, kind in _SEVERAL:
         found = [item for item in sound if item.kind == kind]
         if found:
@@ -161,7 +163,7 @@ def parts_of(facts: Sequence[FileFacts]) -> Parts:
     polar = {item.source for item in sound if item.kind in (OUTLINES, MARKINGS) and is_geographic(item.crs_wkt)}
     return Parts(inputs, surveys, tuple(notes), *(
         frozenset(role for role, sources in inputs.items() if named.intersection(sources))
-        for named in (without, polar)))
+        for named in (without, polar)), choices=choices)
 
 
 def _is_truth(item: FileFacts) -> bool:

@@ -104,7 +104,7 @@ class GuideDock(QDockWidget):
     def plan(self, *_ignored) -> None:
         """Plan the chain anew from the files that are used and the wish; settings and states of steps stay."""
         from ....urbanmap_qgis.job.agreement import common_system
-        from ....urbanmap_qgis.job.chain_plan import plan_chain
+        from ....urbanmap_qgis.job.chain_plan import plan_chain, roles_taken
         from ....urbanmap_qgis.job.job_file import planned_job
         from ....urbanmap_qgis.job.job_progress import refreshed_job
         from ....urbanmap_qgis.job.roles import parts_of
@@ -117,8 +117,10 @@ class GuideDock(QDockWidget):
             return
         parts = parts_of(used)
         plan = plan_chain(wish, parts, crs_text(common_system(used)))
+        taken = roles_taken(plan.steps)
+        chosen = [sentence for role, sentence in parts.choices.items() if role in taken]
         told = [*(f"• {sentence}" for sentence in plan.missing),
-                *(f"◦ {sentence}" for sentence in (*parts.notes, *plan.notes))]
+                *(f"◦ {sentence}" for sentence in (*parts.notes, *chosen, *plan.notes))]
         head = tr("Missing:") if plan.missing else tr("Nothing is missing.")
         self.missing.setText("\n".join([head, *told]))
         made = planned_job(wish, parts.inputs, plan.steps, tuple(self.files.given), self.job)
