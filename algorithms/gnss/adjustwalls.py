@@ -23,8 +23,9 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
         "The code measurement of a signal that a wall has reflected is too long by twice the distance to the wall "
         "times a cosine. Only signals that are blocked for sure and that exactly one wall can have reflected are "
         "used; those of a satellite within half a minute count as one. A wall is adjusted if there are enough of them, "
-        "of several satellites and passes, with one answer. All other walls stay where they are, with the reason. "
-        "Buildings stay closed: neighbouring edges follow.\n"
+        "of several satellites and passes, with one answer. Where they tell enough without deciding it is “likely”: "
+        "moved too, with a larger standard deviation. All other walls stay where they are, with the reason. Buildings "
+        "stay closed: neighbouring edges follow.\n"
         "Give as many passes as there are: with one or two nothing is moved, about ten are needed for a wall."
     )
 
@@ -33,17 +34,20 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
         self.add_number("MIN_PASSES", "Minimum number of passes", "Walls seen in fewer observation files stay.", 3, 1,
                         100, integer=True, advanced=True)
         self.add_number("MIN_VOTES", "Minimum number of observations", "Walls with fewer independent observations "
-                        "stay.", 8, 1, 10000, integer=True, advanced=True)
-        self.add_number("MIN_SATELLITES", "Minimum number of satellites", "Walls seen by fewer satellites stay.", 4, 1,
-                        100, integer=True, advanced=True)
-        self.add_distance("MAX_SIGMA", "Maximum sigma", "Walls whose offset has a larger standard deviation stay.",
-                          0.35, 0.05, 5.0, advanced=True)
+                        "are not adjusted, at most likely.", 8, 1, 10000, integer=True, advanced=True)
+        self.add_number("MIN_SATELLITES", "Minimum number of satellites", "Walls seen by fewer satellites are not "
+                        "adjusted, at most likely.", 4, 1, 100, integer=True, advanced=True)
+        self.add_distance("MAX_SIGMA", "Maximum sigma", "Walls whose offset has a larger standard deviation are "
+                          "not adjusted, at most likely.", 0.35, 0.05, 5.0, advanced=True)
+        self.add_distance("LIKELY_SIGMA", "Maximum sigma of likely walls", "Walls that are not adjusted are likely, "
+                          "and moved, up to this standard deviation; 0: they stay.", 0.5, 0.0, 5.0, advanced=True)
         self.add_distance("PRIOR_SIGMA", "Expected offset", "How far walls are off before anything is measured "
                           "(standard deviation).", 1.0, 0.05, 5.0, advanced=True)
         self.add_layer_output("OUTPUT", "Adjusted buildings", "The buildings with their fields, and walls_adjusted "
                               "(number of walls moved by their own observations) and walls_moved_by (m, largest).")
         self.add_layer_output("OUTPUT_WALLS", "Walls", "LineStringZ where each wall now stands: building, edge, status "
-                              "(adjusted, not observable, held), reason, offset and sigma (m, outwards), applied (m "
+                              "(adjusted, likely, not observable, held), reason why it is not adjusted, offset and "
+                              "sigma (m, outwards), applied (m "
                               "moved), observations, signals, satellites, passes, on_time (share of the observations "
                               "that are neither NLOS-delayed nor outliers), distance (m to the nearest antenna), "
                               "length, low, top (m).",
@@ -52,7 +56,9 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
         self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: sky plot, residuals by class against prediction, "
                              "walls before and after, what to distrust.", HTML_FILTER, optional=True, by_default=True)
         self.add_number_output("WALLS", "Walls", "Number of walls.")
-        self.add_number_output("ADJUSTED", "Adjusted", "Walls that were moved by their own observations.")
+        self.add_number_output("ADJUSTED", "Adjusted", "Walls whose own observations decide where they stand.")
+        self.add_number_output("LIKELY", "Likely", "Walls that were moved by observations that are few or contradict "
+                               "each other.")
         self.add_number_output("OBSERVATIONS_USED", "Observations used", "Independent observations of all walls.")
         self.add_number_output("PASSES", "Passes", "Observation files with usable signals.")
         self.add_number_output("MEDIAN_SIGMA", "Median sigma", "Of the offsets of the adjusted walls.", "m")
@@ -65,7 +71,7 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
         import numpy as np
 
         from ...urbanmap_qgis.gnss.reports.report import write_adjustment_report
-        from ...urbanmap_qgis.gnss.walls.adjustment import ADJUSTED, adjust_walls
+        from ...urbanmap_qgis.gnss.walls.adjustment import ADJUSTED, LIKELY, adjust_walls
         from ...urbanmap_qgis.gnss.walls.columns import (
             WALL_COLUMNS,
             adjusted_wall_columns,
@@ -80,8 +86,10 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
         made = adjust_walls(table.geometries, buildings.building, signals, buildings.top, buildings.base,
                             self._settings(parameters, context), progress.part(0.3, 0.95))
         adjusted = made.walls.status == ADJUSTED
-        progress.message(tr("{0} of {1} walls were adjusted.").format(int(adjusted.sum()), len(adjusted)))
-        if not adjusted.any():
+        likely = int((made.walls.status == LIKELY).sum())
+        progress.message(tr("{0} of {1} walls were adjusted, {2} more are likely.").format(
+            int(adjusted.sum()), len(adjusted), likely))
+        if not made.walls.is_moved.any():
             progress.warn(tr("No wall was moved: the observations do not decide; the field “reason” of the walls tells "
                              "why."))
         report = self.output_path(parameters, "OUTPUT_REPORT", context)
@@ -102,7 +110,7 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
         sizes = np.abs(made.walls.offset[adjusted])
         return {"OUTPUT": layer, **({"OUTPUT_WALLS": walls} if walls else {}),
                 **({"OUTPUT_REPORT": str(report)} if report else {}), "WALLS": len(adjusted),
-                "ADJUSTED": int(adjusted.sum()), "OBSERVATIONS_USED": len(made.observations),
+                "ADJUSTED": int(adjusted.sum()), "LIKELY": likely, "OBSERVATIONS_USED": len(made.observations),
                 "PASSES": len(np.unique(signals.epochs.source[signals.epoch])),
                 "MEDIAN_SIGMA": float(np.median(made.walls.sigma[adjusted])) if adjusted.any() else None,
                 "MEDIAN_OFFSET": float(np.median(sizes)) if adjusted.any() else None}
@@ -117,6 +125,7 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
             min_satellites=self.parameterAsInt(parameters, "MIN_SATELLITES", context),
             min_passes=self.parameterAsInt(parameters, "MIN_PASSES", context),
             max_sigma=self.parameterAsDouble(parameters, "MAX_SIGMA", context),
+            likely_sigma=self.parameterAsDouble(parameters, "LIKELY_SIGMA", context),
             trace=self.trace_settings(parameters, context))
 
 

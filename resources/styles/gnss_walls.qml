@@ -3,7 +3,7 @@
   <renderer-3d type="rulebased" layer="">
     <vector-layer-3d-tiling zoom-levels-count="3" show-bounding-boxes="0"/>
     <rules key="{2d93260b-0762-4696-a4d9-5d6a3daa27d0}">
-      <rule key="{2bf109d4-3bcb-462f-b469-5cfc90e87265}" description="adjusted inwards" filter="&quot;status&quot; = 'adjusted' AND &quot;offset&quot; &lt; 0">
+      <rule key="{2bf109d4-3bcb-462f-b469-5cfc90e87265}" description="adjusted inwards" filter="&quot;status&quot; IN ('adjusted', 'likely') AND &quot;offset&quot; &lt; 0">
         <symbol type="line" material_type="phong">
           <data alt-clamping="absolute" width="4" alt-binding="centroid" extrusion-height="0" height="0" simple-lines="1"/>
           <material ambient="33,102,172,255" specular="255,255,255,255" diffuse="33,102,172,255" shininess="0">
@@ -17,7 +17,7 @@
           </material>
         </symbol>
       </rule>
-      <rule key="{e4f45a96-4e7d-49e3-9789-c1b6287bd0e2}" description="adjusted outwards" filter="&quot;status&quot; = 'adjusted' AND &quot;offset&quot; >= 0">
+      <rule key="{e4f45a96-4e7d-49e3-9789-c1b6287bd0e2}" description="adjusted outwards" filter="&quot;status&quot; IN ('adjusted', 'likely') AND &quot;offset&quot; >= 0">
         <symbol type="line" material_type="phong">
           <data alt-clamping="absolute" width="4" alt-binding="centroid" extrusion-height="0" height="0" simple-lines="1"/>
           <material ambient="178,24,43,255" specular="255,255,255,255" diffuse="178,24,43,255" shininess="0">
@@ -77,8 +77,8 @@
   </renderer-3d>
   <renderer-v2 type="RuleRenderer" forceraster="0" enableorderby="0" symbollevels="0" referencescale="-1">
     <rules key="{c4b91e0f-0de7-4d1c-8c36-64cadf2eb7da}">
-      <rule label="adjusted inwards" key="{bf0171b8-9258-498b-a94d-e0d7599de957}" symbol="0" filter="&quot;status&quot; = 'adjusted' AND &quot;offset&quot; &lt; 0"/>
-      <rule label="adjusted outwards" key="{1acba1b9-efaa-4523-afc1-d54d3a1dd484}" symbol="1" filter="&quot;status&quot; = 'adjusted' AND &quot;offset&quot; >= 0"/>
+      <rule label="adjusted inwards" key="{bf0171b8-9258-498b-a94d-e0d7599de957}" symbol="0" filter="&quot;status&quot; IN ('adjusted', 'likely') AND &quot;offset&quot; &lt; 0"/>
+      <rule label="adjusted outwards" key="{1acba1b9-efaa-4523-afc1-d54d3a1dd484}" symbol="1" filter="&quot;status&quot; IN ('adjusted', 'likely') AND &quot;offset&quot; >= 0"/>
       <rule label="held: the building would not stay valid" key="{66245c47-da25-4cd7-b999-6c34a3919bde}" symbol="2" filter="&quot;status&quot; = 'held'"/>
       <rule label="observed, not decided" key="{44d83dd2-32ef-4078-9710-cb107b5f68c0}" symbol="3" filter="&quot;status&quot; = 'not observable' AND &quot;observations&quot; > 0"/>
       <rule label="not observable" key="{3ef99fd0-fe85-44c4-b97a-af0f60249ce0}" symbol="4" filter="&quot;status&quot; = 'not observable' AND &quot;observations&quot; = 0"/>
@@ -458,7 +458,7 @@
   </renderer-v2>
   <labeling type="simple">
     <settings calloutType="simple">
-      <text-style legendString="Aa" fieldName="CASE WHEN &quot;status&quot; = 'adjusted' THEN format_number(100 * &quot;offset&quot;, 0) || ' ± ' || format_number(100 * &quot;sigma&quot;, 0) || ' cm' END" fontKerning="1" allowHtml="0" multilineHeight="1" fontSize="7" textOpacity="1" useSubstitutions="0" fontUnderline="0" previewBkgrdColor="255,255,255,255" isExpression="1" fontLetterSpacing="0" fontWordSpacing="0" textOrientation="horizontal" fontWeight="50" textColor="0,0,0,255" capitalization="0" fontItalic="0" blendMode="0" fontSizeUnit="Point" fontSizeMapUnitScale="3x:0,0,0,0,0,0" fontStrikeout="0">
+      <text-style legendString="Aa" fieldName="CASE WHEN &quot;status&quot; IN ('adjusted', 'likely') THEN format_number(100 * &quot;offset&quot;, 0) || ' ± ' || format_number(100 * &quot;sigma&quot;, 0) || ' cm' END" fontKerning="1" allowHtml="0" multilineHeight="1" fontSize="7" textOpacity="1" useSubstitutions="0" fontUnderline="0" previewBkgrdColor="255,255,255,255" isExpression="1" fontLetterSpacing="0" fontWordSpacing="0" textOrientation="horizontal" fontWeight="50" textColor="0,0,0,255" capitalization="0" fontItalic="0" blendMode="0" fontSizeUnit="Point" fontSizeMapUnitScale="3x:0,0,0,0,0,0" fontStrikeout="0">
         <families/>
         <text-buffer bufferColor="255,255,255,255" bufferSizeMapUnitScale="3x:0,0,0,0,0,0" bufferNoFill="1" bufferBlendMode="0" bufferSize="0.80000000000000004" bufferJoinStyle="128" bufferOpacity="1" bufferDraw="1" bufferSizeUnits="MM"/>
         <text-mask maskJoinStyle="128" maskedSymbolLayers="" maskOpacity="1" maskEnabled="0" maskSizeMapUnitScale="3x:0,0,0,0,0,0" maskType="0" maskSize="1.5" maskSizeUnits="MM"/>

@@ -10,7 +10,7 @@ from ...wording import say
 from ..rays.reflections import LOS, REFLECTED, SignalPaths
 from ..rays.wall_faces import WallPieces
 from ..signals.tables import Signals
-from ..walls.adjustment import ADJUSTED, WallResult
+from ..walls.adjustment import WallResult
 
 _MOST = 4000
 """Points drawn at most."""
@@ -67,18 +67,18 @@ def wall_map(shapes: np.ndarray, before: WallPieces, after: WallPieces, walls: W
         return np.column_stack([(xy[:, 0] - x_min) * scale, (y_max - xy[:, 1]) * scale])
 
     parts = [_outline(shape, to_picture) for shape in shapes if shape is not None]
-    adjusted = walls.status == ADJUSTED
+    moved = walls.is_moved
     for piece in np.flatnonzero(shown[before.wall]):
         wall = before.wall[piece]
         old = np.stack([before.start[piece], before.end[piece]])
-        if not adjusted[wall]:
+        if not moved[wall]:
             parts.append(_stroke(to_picture(old), _ORANGE, 2.0))
             continue
         new = old + 3.0 * (np.stack([after.start[piece], after.end[piece]]) - old)
         parts.append(_stroke(to_picture(old), "#333", 1.0, "4 3"))
         parts.append(_stroke(to_picture(new), _RED if walls.offset[wall] > 0 else _BLUE, 2.5))
     table = walls.table
-    for wall in np.flatnonzero(adjusted):
+    for wall in np.flatnonzero(moved):
         at = (table.start[wall] + table.end[wall]) / 2 + table.normal[wall] * (14.0 / scale + 3.0)
         x, y = to_picture(at[None])[0]
         parts.append(f'<text x="{x:.0f}" y="{y + 4:.0f}" text-anchor="middle" stroke="#fff" stroke-width="3" '

@@ -16,7 +16,7 @@ from ...wording import mark, say
 from ..rays.ray_lines import RayStatistics, ray_statistics
 from ..rays.reflections import LOS, NLOS, REFLECTED, SignalPaths
 from ..signals.tables import SYSTEM_NAMES, Signals
-from ..walls.adjustment import ADJUSTED, HELD, Adjustment
+from ..walls.adjustment import ADJUSTED, HELD, LIKELY, NOT_OBSERVABLE, Adjustment
 from .charts import scatter, sky_plot, wall_map
 
 _NAMES = {LOS: mark("in line of sight"), NLOS: mark("blocked, no single wall reflects it"),
@@ -56,23 +56,26 @@ def write_adjustment_report(path: str | os.PathLike, signals: Signals, adjustmen
     """
     report = Report("Walls adjusted by GNSS")
     walls = adjustment.walls
-    adjusted = walls.status == ADJUSTED
-    if adjusted.any():
+    adjusted, likely = walls.status == ADJUSTED, walls.status == LIKELY
+    if walls.is_moved.any():
         report.verdict(GOOD if adjusted.all() else LOOK,
                        say("{sum} of {adjusted_count} walls are adjusted, with a median standard deviation of "
-                           "{median:.2f} m. The others stay where they were: nothing is known of them.",
+                           "{median:.2f} m, {likely} more are likely ({likely_median:.2f} m). The others stay where "
+                           "they were: nothing is known of them.",
                            sum=int(adjusted.sum()), adjusted_count=len(adjusted),
-                           median=_median(walls.sigma[adjusted])))
+                           median=_median(walls.sigma[adjusted]), likely=int(likely.sum()),
+                           likely_median=_median(walls.sigma[likely])))
     else:
         report.verdict(BAD, "No wall was moved: the observations do not decide. The table below tells why; more "
                        "drives along the walls help.")
-    report.facts({"Walls": len(adjusted), "Adjusted": int(adjusted.sum()),
+    report.facts({"Walls": len(adjusted), "Adjusted": int(adjusted.sum()), "Likely": int(likely.sum()),
                   "Held back to keep buildings valid": int(np.sum(walls.status == HELD)),
-                  "Not observable": int(np.sum(walls.status != ADJUSTED) - np.sum(walls.status == HELD)),
+                  "Not observable": int(np.sum(walls.status == NOT_OBSERVABLE)),
                   "Passes": len(adjustment.clocks), "Independent observations": len(adjustment.observations),
                   "Signals in them": int(adjustment.used.sum()),
                   "Median sigma of adjusted walls, m": _median(walls.sigma[adjusted]),
                   "Median size of their offsets, m": _median(np.abs(walls.offset[adjusted])),
+                  "Median sigma of likely walls, m": _median(walls.sigma[likely]),
                   "Iterations until nothing changed": adjustment.iterations})
     _reasons(report, adjustment)
     _plan(report, adjustment, shapes)
@@ -88,14 +91,15 @@ def write_adjustment_report(path: str | os.PathLike, signals: Signals, adjustmen
 def _plan(report: Report, adjustment: Adjustment, shapes: np.ndarray) -> None:
     report.section("Walls before and after")
     svg = wall_map(shapes, adjustment.before, adjustment.after, adjustment.walls)
-    report.figure(svg, "Buildings as given (grey). Adjusted walls: where they stood (dashed) and where they stand now, "
-                       "blue inwards, red outwards; the label is the offset in cm. Orange: observed, but not decided.")
+    report.figure(svg, "Buildings as given (grey). Adjusted and likely walls: where they stood (dashed) and where they "
+                       "stand now, blue inwards, red outwards; the label is the offset in cm. Orange: observed, but "
+                       "not decided.")
 
 
 def _reasons(report: Report, adjustment: Adjustment) -> None:
     walls = adjustment.walls
     report.section("Walls that stay where they are")
-    left = walls.status != ADJUSTED
+    left = ~walls.is_moved
     counted = Counter(_kind_of(reason) for reason in walls.reason[left])
     report.table(["reason", "walls"], counted.most_common())
     report.paragraph("A wall that is not observable may stand where the model has it or a metre off: nothing is known "
@@ -106,7 +110,8 @@ def _wall_table(report: Report, adjustment: Adjustment, names: np.ndarray) -> No
     walls, table = adjustment.walls, adjustment.walls.table
     report.section("Walls with observations")
     seen = np.flatnonzero(walls.observations > 0)
-    order = seen[np.lexsort((walls.sigma[seen], walls.status[seen] != ADJUSTED))]
+    rank = 2 * ~walls.is_moved[seen] + (walls.status[seen] == LIKELY)
+    order = seen[np.lexsort((walls.sigma[seen], rank))]
     rows = [[str(names[table.building[w]]), int(table.edge[w]), walls.status[w], float(walls.offset[w]),
              float(walls.sigma[w]), float(walls.applied[w]), int(walls.observations[w]), int(walls.satellites[w]),
              int(walls.passes[w]), percent(float(walls.inlier_share[w])), walls.reason[w]] for w in order[:_ROWS]]

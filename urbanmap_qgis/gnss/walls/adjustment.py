@@ -3,8 +3,9 @@
 Signals are traced among the models; those that are blocked for sure and that exactly one wall can have reflected are
 observations on the offset of that wall. The offsets of all walls are estimated together with the errors that
 observations share. A wall is adjusted only if the observations decide: enough of them, of several satellites and
-passes, a small sigma, one answer, the same from any half of the passes. The buildings are moved, the signals traced
-again, until the observations stay the same.
+passes, a small sigma, one answer, the same from any half of the passes. What they tell without deciding still moves it
+where it takes away most of the prior's variance: such a wall is "likely", its sigma larger. The buildings are moved,
+the signals traced again, until the observations stay the same.
 """
 
 from __future__ import annotations
@@ -29,9 +30,22 @@ from .receiver_clock import PassClock
 from .residuals import corrected_residuals, line_of_sight_clocks
 from .signal_strength import attenuation
 
-ADJUSTED, NOT_OBSERVABLE, HELD = mark("adjusted"), mark("not observable"), mark("held")
-"""Moved by its observations; left because the observations do not decide; decided, but the building would not stay
-valid."""
+ADJUSTED, LIKELY, NOT_OBSERVABLE, HELD = mark("adjusted"), mark("likely"), mark("not observable"), mark("held")
+"""Moved by its observations; moved though they are few or contradict each other, with the larger sigma that they leave;
+left because the observations tell too little; to be moved, but the building would not stay valid."""
+
+@dataclass(frozen=True)
+class AdjustmentLimits:
+    """Limits of the decision on a wall."""
+
+    rival: float = 0.05  # probability of another offset
+    inlier_share: float = 0.6
+    halves: float = 3.0  # sigmas between the offsets of the halves of the passes
+    likely_inliers: float = 3.0
+    likely_satellites: int = 2
+
+
+LIMITS = AdjustmentLimits()
 
 UNWEAKENED = 3.0
 """Signals weaker by less than this are no reflections, dB."""
@@ -45,8 +59,10 @@ class AdjustmentSettings:
     ----------
     prior_sigma : how far walls are off before anything is measured (standard deviation, m).
     block : signals of a satellite within this many seconds are one observation.
-    min_observations, min_satellites, min_passes : a wall with fewer is left where it is. A pass is an observation file.
-    max_sigma : a wall whose offset has a larger sigma is left where it is, m.
+    min_observations, min_satellites : a wall with fewer is not adjusted.
+    min_passes : a wall with fewer is left where it is. A pass is an observation file.
+    max_sigma : a wall whose offset has a larger sigma is not adjusted, m.
+    likely_sigma : a wall that is not adjusted is likely up to this sigma, m; 0: none is.
     max_offset : an offset beyond this is not believed, m.
     max_iterations : how often buildings are moved and signals traced again, at most.
     trace : how signals are traced.
@@ -58,6 +74,7 @@ class AdjustmentSettings:
     min_satellites: int = 4
     min_passes: int = 3
     max_sigma: float = 0.35
+    likely_sigma: float = 0.5
     max_offset: float = 3.0
     max_iterations: int = 4
     trace: TraceSettings = field(default_factory=TraceSettings)
@@ -66,6 +83,8 @@ class AdjustmentSettings:
         if min(self.prior_sigma, self.block, self.max_sigma, self.max_offset) <= 0 or self.max_iterations < 1:
             raise InputError(say("Prior, block length, maximum sigma, maximum offset and iterations must be greater "
                                  "than 0."))
+        if self.likely_sigma < 0:
+            raise InputError(say("The sigma of likely walls must not be less than 0."))
         if min(self.min_observations, self.min_satellites, self.min_passes) < 1:
             raise InputError(say("The minimum numbers of observations, satellites and passes must be at least 1."))
 
@@ -80,8 +99,8 @@ class WallResult:
     offset, sigma : (k,) outwards, m, as the observations say, whether they decide or not; NaN without observations.
     observations, signals, satellites, passes : (k,) behind it.
     inlier_share : (k,) share of the observations that are neither NLOS-delayed nor outliers; NaN without observations.
-    status : (k,) ADJUSTED, NOT_OBSERVABLE or HELD.
-    reason : (k,) why not, empty if adjusted.
+    status : (k,) ADJUSTED, LIKELY, NOT_OBSERVABLE or HELD.
+    reason : (k,) why not adjusted, empty if it is.
     applied : (k,) how far the wall has moved outwards, m: by its own observations, or because its line or corners
         moved.
     distance : (k,) minimum distance of an antenna in front of it, m; NaN if none was.
@@ -99,6 +118,11 @@ class WallResult:
     reason: np.ndarray
     applied: np.ndarray
     distance: np.ndarray
+
+    @property
+    def is_moved(self) -> np.ndarray:
+        """(k,) walls that their own observations move: adjusted or likely."""
+        return (self.status == ADJUSTED) | (self.status == LIKELY)
 
 
 @dataclass(frozen=True)
@@ -167,7 +191,7 @@ def adjust_walls(shapes: Sequence[shapely.Geometry | None], building: np.ndarray
         part = progress.part(0.95 * number / settings.max_iterations, 0.95 * (number + 1) / settings.max_iterations)
         one = _iterate(walls, signals, outwards, settings, part.part(0.0, 0.8))
         result = _judged(result, before, one, settings, part)
-        weight = np.where(result.status == ADJUSTED, result.sigma ** -2.0, 0.0)
+        weight = np.where(result.is_moved, result.sigma ** -2.0, 0.0)
         wanted = np.where(weight > 0, result.offset, 0.0)
         current, displacement, immovable = move_buildings(shapes, row, before, net, wanted, np.nan_to_num(weight),
                                                           part.part(0.8, 1.0))
@@ -259,8 +283,25 @@ def _judged(result: WallResult, walls: WallPieces, one: _Iteration, settings: Ad
         for k, wall in enumerate(found.wall):
             reason[wall] = _reason_against(k, wall, found, numbers, inlier_share, observations, halves, settings)
     status = np.where(reason == "", ADJUSTED, NOT_OBSERVABLE).astype(object)
+    if found is not None:
+        likely = found.wall[_are_likely(found, inliers, numbers, halves, settings)]
+        status[likely[reason[likely] != ""]] = LIKELY
     return replace(result, offset=offset, sigma=sigma, inlier_share=inlier_share, status=status, reason=reason,
                    **numbers)
+
+
+def _are_likely(found: Offsets, inliers: np.ndarray, numbers: dict, halves: np.ndarray,
+                settings: AdjustmentSettings) -> np.ndarray:
+    """(k,) walls of `found` of which the observations tell enough to move them, though they may not decide.
+
+    `inliers` (walls,) observations that are expected to be neither NLOS-delayed nor outliers: these count, however many
+    others there are.
+    """
+    wall = found.wall
+    return ((found.sigma <= settings.likely_sigma) & (found.rival <= LIMITS.rival) & (halves <= LIMITS.halves)
+            & (np.abs(found.offset) <= settings.max_offset) & (inliers[wall] >= LIMITS.likely_inliers)
+            & (numbers["satellites"][wall] >= LIMITS.likely_satellites)
+            & (numbers["passes"][wall] >= settings.min_passes))
 
 
 def _reason_against(k: int, wall: int, found: Offsets, numbers: dict, inlier_share: np.ndarray,
@@ -277,11 +318,11 @@ def _reason_against(k: int, wall: int, found: Offsets, numbers: dict, inlier_sha
                    min_satellites=settings.min_satellites)
     if passes < settings.min_passes:
         return say("too few passes ({passes} of {min_passes})", passes=passes, min_passes=settings.min_passes)
-    if found.rival[k] > 0.05:
+    if found.rival[k] > LIMITS.rival:
         return say("contradicting observations: two offsets are possible")
-    if inlier_share[wall] < 0.6:
+    if inlier_share[wall] < LIMITS.inlier_share:
         return say("contradicting observations: most are NLOS-delayed or outliers")
-    if halves[k] > 3.0:
+    if halves[k] > LIMITS.halves:
         return say("contradicting observations: the passes do not agree")
     if found.sigma[k] > settings.max_sigma:
         flat = np.median(observations.cosine[observations.wall == wall]) < 0.25

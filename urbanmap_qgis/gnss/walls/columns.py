@@ -7,7 +7,7 @@ import shapely
 
 from ..rays.wall_faces import wall_table
 from ..signals.tables import Signals
-from .adjustment import ADJUSTED, Adjustment
+from .adjustment import Adjustment
 
 WALL_COLUMNS = (("building", "text"), ("edge", "int"), ("status", "text"), ("reason", "text"), ("offset", "real"),
                 ("sigma", "real"), ("applied", "real"), ("observations", "int"), ("signals", "int"),
@@ -36,9 +36,9 @@ def wall_lines(adjustment: Adjustment, signals: Signals) -> np.ndarray:
 
 
 def building_columns(adjustment: Adjustment, building: np.ndarray) -> dict[str, np.ndarray]:
-    """(n,) for each feature: adjusted walls of its building, and how far the max_range of its walls has moved, m."""
+    """(n,) for each feature: adjusted and likely walls of its building, and how far its walls have moved at most, m."""
     wall_building, rows = adjustment.walls.table.building, np.unique(building, return_inverse=True)
-    adjusted = np.bincount(wall_building, adjustment.walls.status == ADJUSTED, len(rows[0])).astype(np.int64)
+    adjusted = np.bincount(wall_building, adjustment.walls.is_moved, len(rows[0])).astype(np.int64)
     moved = np.zeros(len(rows[0]))
     np.maximum.at(moved, wall_building, np.abs(adjustment.walls.applied))
     row = rows[1].ravel()

@@ -27,6 +27,7 @@ class OffsetPosteriorLimits:
     # What no number of observations makes smaller, m: facades are not planes, and antennas are not where the
     # trajectory says.
     facade: float = 0.1
+    antenna: float = 0.3  # What the trajectory of a pass may be off by before a wall, m; passes are off apart.
     usual: float = 5.0  # Observations that the scatter of all observations counts for in that of one wall.
 
 
@@ -258,8 +259,14 @@ class _System:
         shared = np.maximum(np.diag(covariance) - separate, 0.0)
         inlier = model.shares(error, self.observations.variance)[0]
         widened = spread * self._scatter(error, inlier, model)
-        return Offsets(self.walls, mean, np.sqrt(widened + shared + LIMITS.facade**2), np.sqrt(widened),
+        limit = LIMITS.facade**2 + LIMITS.antenna**2 / self._passes()
+        return Offsets(self.walls, mean, np.sqrt(widened + shared + limit), np.sqrt(widened),
                        _rival(density), inlier, error, model)
+
+    def _passes(self) -> np.ndarray:
+        """(k,) passes that have observations of each wall."""
+        pairs = np.unique(np.column_stack([self.wall, self.observations.source]), axis=0)
+        return np.bincount(pairs[:, 0], minlength=len(self.walls))
 
     def _scatter(self, error: np.ndarray, inlier: np.ndarray, model: ErrorModel) -> np.ndarray:
         """(k,) factor on the variance of walls whose observations scatter more than the model of all observations
