@@ -95,6 +95,18 @@ def test_a_roof_that_falls_below_the_height_lowers_the_cut():
     assert kept.status == NOT_MERGED and "sloped" in kept.reason
 
 
+@pytest.mark.parametrize("rise, merged", [(0.02, True), (0.5, False)])
+def test_a_low_roof_of_some_centimetres_of_fall_counts_as_level(rise, merged):
+    cells = [cell(0, 0, 0, 20, 10, 40.0), cell(1, 20, 0, 8, 10, 6.0, (rise / 8, 0.0))]
+    cells[1] = SlopedCell(cells[1].polygon, 1, (rise / 8, 0.0, BASE + 6.0 - 20 * rise / 8), (X0, Y0))
+    model = multipolygon(sloped_solids(cells, BASE))
+    out, = merge_models([1], [model], [wall((0, -0.4), (28, -0.4), high=5.0)], MergeSettings())
+    assert (out.status == MERGED) == merged
+    if merged:
+        assert out.valid and out.volume - out.volume_before == pytest.approx(
+            20 * 0.4 * 20 + 8 * 0.4 * 6.02 + 80 * 0.01, abs=0.3)
+
+
 def test_cut_towers_are_valid_for_the_outside_judge(tmp_path):
     if not VAL3DITY.exists() or shutil.which("ldd") is None:
         pytest.skip("val3dity is not beside the checkout")

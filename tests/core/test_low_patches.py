@@ -98,3 +98,21 @@ def test_patches_need_points_near():
     raster = label_raster(roofs, np.zeros(len(roofs), int), HOUSE, 10.0)
     planes, whole = np.array([[0, 0, ROOF]]), np.array([HOUSE], object)
     assert low_patches(raster, planes, roofs, np.zeros(len(roofs), int), whole, np.array([0]), 1) is None
+
+
+def test_lines_are_drawn_on_less_far_where_they_would_cut_very_many_faces(monkeypatch):
+    from urbanmap_qgis.buildings.planes import candidate_segments as module
+    from urbanmap_qgis.buildings.planes.label_raster import label_raster
+
+    rng = np.random.default_rng(7)
+    xy = rng.uniform(0, 40, (8000, 2))
+    label = ((xy[:, 0] // 10) * 4 + xy[:, 1] // 10).astype(int)
+    points = np.column_stack([xy, 5.0 + label % 7])
+    outline, planes = shapely.box(0, 0, 40, 40), np.column_stack([np.zeros((16, 2)), 5.0 + np.arange(16) % 7])
+    raster = label_raster(points, label, outline, 5.0)
+    usual = module.candidate_segments(raster, planes, outline, points, label)
+    monkeypatch.setattr(module, "LIMITS", module.CandidateSegmentsLimits(many_faces=20.0))
+    short = module.candidate_segments(raster, planes, outline, points, label)
+    assert len(short) == len(usual)
+    length = np.hypot(*(usual[:, 1] - usual[:, 0]).T) - np.hypot(*(short[:, 1] - short[:, 0]).T)
+    assert length == pytest.approx(np.full(len(usual), 9.0))

@@ -22,7 +22,8 @@ MARGIN = 0.2
 LEAST_SHARE = 0.5
 """Share of the wanted height below which no cut is made: too little of the walls would be measured."""
 
-_LEVEL = 0.005
+LEVEL = 0.03
+"""A roof below the cut that rises by no more than this (m) is taken as level, at its highest place."""
 
 def cut_height(parts: ModelParts, wanted: float) -> float | None:
     """Height of the cut (m, absolute): `wanted`, or lower where a roof reaches below; None where none can be made.
@@ -37,7 +38,7 @@ def cut_height(parts: ModelParts, wanted: float) -> float | None:
         if lower == cut:
             break
         cut = lower
-    sloped_below = any(parts.cells[number].height - low[number] > _LEVEL for number in range(len(low))
+    sloped_below = any(parts.cells[number].height - low[number] > LEVEL for number in range(len(low))
                        if number not in tall)
     if not tall or sloped_below or cut - parts.base < LEAST_SHARE * (wanted - parts.base):
         return None

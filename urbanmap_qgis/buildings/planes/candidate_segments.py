@@ -11,6 +11,7 @@ import shapely
 
 from ..polygons.partition_lines import LabelBoundaries, edge_rows, inward_walls, label_boundaries, main_axes
 from .label_raster import LabelRaster
+from .plan_faces import expected_faces
 from .step_lines import building_directions, cracks_by_pair, step_lines
 
 
@@ -21,7 +22,10 @@ class CandidateSegmentsLimits:
     # Difference of two planes' slopes below which they have no useful intersection (about 4 degrees).
     least_bend: float = 0.07
     least_length: float = 1.0  # Metres of common border that make a segment.
-    extension: float = 6.0  # Metres by which segments are drawn on beyond the place where one of their two planes ends.
+    # Metres by which segments are drawn on beyond the place where one of their two planes ends: the first of these that
+    # cuts no more than about `many_faces` faces, or the last.
+    extensions: tuple[float, ...] = 6.0, 3.0, 1.5
+    many_faces: float = 8_000.0
     # Parallel lines nearer than this (m) are one; the intersection of planes stays, else the stronger one.
     merge: float = 0.3
     most_walls: int = 12
@@ -50,14 +54,19 @@ def candidate_segments(raster: LabelRaster, planes: np.ndarray, outline: shapely
     rest = LabelBoundaries(cracks.xy[~explained], cracks.left[~explained], cracks.right[~explained])
     normals = building_directions(edge_rows(outline)[:, 2:], planes)
     for line, along, pair in step_lines(rest, normals, raster.cell, LIMITS.least_length, points[:, :2], label):
-        drawn.add(line, drawn.reach(line, along, pair))
+        drawn.add(line, drawn.reach(line, along, pair), True)
     for line, along in _rectangles(raster, main_axes(outline) if len(enclosed) else np.zeros((0, 2)), enclosed):
         drawn.add(line, along)
     bounds = outline.bounds
     whole = float(np.hypot(bounds[2] - bounds[0], bounds[3] - bounds[1])) + 1.0
     for line in inward_walls(outline, LIMITS.least_length)[:LIMITS.most_walls]:
         drawn.add(line, _around(line, bounds, whole))
-    return drawn.ends()
+    segments = drawn.ends(LIMITS.extensions[0])
+    for extension in LIMITS.extensions[1:]:
+        if expected_faces(outline, segments) <= LIMITS.many_faces:
+            break
+        segments = drawn.ends(extension)
+    return segments
 
 
 def _plane_corners(raster: LabelRaster, count: int) -> list[np.ndarray]:
@@ -89,7 +98,7 @@ def _intersections(drawn: _Segments, cracks: LabelBoundaries, planes: np.ndarray
             continue
         explained[near] = True
         along = cracks.xy[near] @ np.array([-line[1], line[0]])
-        drawn.add(line, drawn.reach(line, (float(along.min()), float(along.max())), (one, two)))
+        drawn.add(line, drawn.reach(line, (float(along.min()), float(along.max())), (one, two)), True)
     return explained
 
 
@@ -114,22 +123,23 @@ def _around(line: tuple, bounds: tuple, reach: float) -> list[float]:
 
 
 class _Segments:
-    """Lines (nx, ny, offset) with the first and last place along (-ny, nx), no two of them on each other."""
+    """Lines (nx, ny, offset) with the first and last place along (-ny, nx), and whether they are to be drawn on; no two
+    of them on each other."""
 
     def __init__(self, corners: list[np.ndarray]):
         self.corners = corners
-        self.rows = np.zeros((64, 5))
+        self.rows = np.zeros((64, 6))
         self.count = 0
 
     def reach(self, line: tuple, along: tuple[float, float], pair: tuple[int, int]) -> list[float]:
-        """Places where a line ends that was seen between two places: where one of its two planes does."""
+        """Places where a line ends that was seen between two places, not drawn on: where one of its two planes does."""
         direction = np.array([-line[1], line[0]])
         spans = [self.corners[plane] @ direction for plane in pair if len(self.corners[plane])]
         low = max((float(span.min()) for span in spans), default=along[0])
         high = min((float(span.max()) for span in spans), default=along[1])
-        return [min(along[0], low) - LIMITS.extension, max(along[1], high) + LIMITS.extension]
+        return [min(along[0], low), max(along[1], high)]
 
-    def add(self, line: tuple, along: list[float]) -> None:
+    def add(self, line: tuple, along: list[float], drawn_on: bool = False) -> None:
         """Add a line, or lengthen the one that it lies on."""
         rows = self.rows[:self.count]
         turned = rows[:, 0] * line[0] + rows[:, 1] * line[1]
@@ -139,16 +149,18 @@ class _Segments:
         on &= np.abs(rows[:, :2] @ middle - rows[:, 2]) < LIMITS.merge
         if on.any():
             place = int(np.argmax(on))
-            self.rows[place, 3:] = min(rows[place, 3], start[place]), max(rows[place, 4], end[place])
+            self.rows[place, 3:] = (min(rows[place, 3], start[place]), max(rows[place, 4], end[place]),
+                                    max(rows[place, 5], drawn_on))
             return
         if self.count == len(self.rows):
             self.rows = np.concatenate([self.rows, np.zeros_like(self.rows)])
-        self.rows[self.count] = *line, *along
+        self.rows[self.count] = *line, *along, drawn_on
         self.count += 1
 
-    def ends(self) -> np.ndarray:
-        """Ends (m, 2, 2) of the segments."""
-        normal, offset, along = np.split(self.rows[:self.count], [2, 3], axis=1)
+    def ends(self, extension: float) -> np.ndarray:
+        """Ends (m, 2, 2) of the segments, drawn on by `extension` (m) at both where they are to be."""
+        normal, offset, along, drawn_on = np.split(self.rows[:self.count], [2, 3, 5], axis=1)
+        along = along + drawn_on * np.array([-extension, extension])
         direction = np.column_stack([-normal[:, 1], normal[:, 0]])
         foot = normal * offset
         return np.stack([foot + direction * along[:, :1], foot + direction * along[:, 1:]], axis=1)

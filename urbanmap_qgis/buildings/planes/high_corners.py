@@ -23,6 +23,9 @@ class HighCornerLimits:
 
 LIMITS = HighCornerLimits()
 
+_AT_ONCE = 100_000
+"""Planes over polygons that are looked at at once."""
+
 
 def highest_near(xy: np.ndarray, points: np.ndarray, spacing: float) -> np.ndarray:
     """Height (k,) of the highest of the points (n, 3) near each place (k, 2), m; inf where there is none.
@@ -63,10 +66,18 @@ def high_corner_costs(polygons: np.ndarray, planes: np.ndarray, near: np.ndarray
     node, corner = np.unique(xy, axis=0, return_inverse=True)
     ceiling = highest_near(node, points, spacing)[corner.ravel()]
     costs = np.zeros(near.shape)
-    weight = LIMITS.weight * np.clip(shapely.area(polygons), *LIMITS.area)
-    for plane in np.flatnonzero(near.any(axis=0)):
-        asked = near[polygon, plane]
-        height = xy[asked] @ planes[plane, :2] + planes[plane, 2]
-        over = np.clip(height - ceiling[asked] - LIMITS.clearance, 0.0, LIMITS.most)
-        np.maximum.at(costs[:, plane], polygon[asked], over)
-    return costs * weight[:, None]
+    corners = np.bincount(polygon, minlength=len(polygons))
+    first = np.cumsum(corners) - corners
+    asked = np.flatnonzero(near)
+    for part in np.array_split(asked, len(asked) // _AT_ONCE + 1):
+        face, plane = np.divmod(part, near.shape[1])
+        times = corners[face]
+        if not len(part):
+            continue
+        starts = np.cumsum(times) - times
+        at = np.arange(times.sum()) + np.repeat(first[face] - starts, times)
+        a, b, c = planes[np.repeat(plane, times)].T
+        height = xy[at, 0] * a + xy[at, 1] * b + c
+        over = np.clip(height - ceiling[at] - LIMITS.clearance, 0.0, LIMITS.most)
+        costs.ravel()[part] = np.maximum.reduceat(over, starts)
+    return costs * (LIMITS.weight * np.clip(shapely.area(polygons), *LIMITS.area))[:, None]

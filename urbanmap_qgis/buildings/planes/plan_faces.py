@@ -61,9 +61,7 @@ def plan_faces(outline: shapely.Geometry, segments: np.ndarray) -> PlanFaces:
     ------
     InsufficientDataError : the segments would cut more than about `MOST_FACES` faces.
     """
-    # Lines of a total length l meet about l2 / (pi area) times, and so many faces they make.
-    total = float(np.hypot(*(segments[:, 1] - segments[:, 0]).T).sum())
-    expected = len(segments) + total**2 / (np.pi * max(outline.envelope.area, 1e-9))
+    expected = expected_faces(outline, segments)
     if expected > MOST_FACES:
         raise InsufficientDataError(say("its points lie on so many planes that they would cut its plan into about "
                                         "{faces:.0f} faces, more than {most}", faces=expected, most=MOST_FACES))
@@ -74,6 +72,13 @@ def plan_faces(outline: shapely.Geometry, segments: np.ndarray) -> PlanFaces:
     pieces = pieces[shapely.contains_xy(outline, inside[:, 0], inside[:, 1])]
     pairs, ends = common_borders(pieces)
     return PlanFaces(pieces, pairs, np.hypot(*(ends[:, 1] - ends[:, 0]).T), ends)
+
+
+def expected_faces(outline: shapely.Geometry, segments: np.ndarray) -> float:
+    """About how many faces segments (m, 2, 2) cut an outline into."""
+    # Lines of a total length l meet about l2 / (pi area) times, and so many faces they make.
+    total = float(np.hypot(*(segments[:, 1] - segments[:, 0]).T).sum())
+    return len(segments) + total**2 / (np.pi * max(outline.envelope.area, 1e-9))
 
 
 @dataclass(frozen=True)

@@ -34,7 +34,9 @@ class PlanePartitionLimits:
     strip_slope: float = 0.1
     # A smaller piece stays where its neighbours would miss its points by so much more (m3).
     strong: float = 1.0
-    patch_rounds: int = 2  # Times that low patches are looked for.
+    # Times that low patches are looked for, and faces of a plan above which none are: it would be divided anew.
+    patch_rounds: int = 2
+    patch_faces: int = 10_000
     # Points of one building that lines are placed and planes are chosen by; of more a regular choice is taken.
     most_points: int = 100_000
 
@@ -149,7 +151,8 @@ def _divided(outline: shapely.Geometry, raster: LabelRaster, planes: np.ndarray,
     count = len(planes)
     number = np.arange(count)
     for _ in range(LIMITS.patch_rounds):
-        found = low_patches(raster, planes, points, label, faces.polygons, chosen, count)
+        found = low_patches(raster, planes, points, label, faces.polygons, chosen, count) \
+            if len(faces.polygons) <= LIMITS.patch_faces else None
         if found is None:
             break
         raster, planes, label = found.raster, found.planes, found.label
@@ -186,7 +189,7 @@ def without_steep_slivers(chosen: np.ndarray, cost: np.ndarray, faces: PlanFaces
     for number, group in enumerate(members):
         if not steep[chosen[group[0]]]:
             continue
-        whole = shapely.union_all(faces.polygons[group])
+        whole = shapely.coverage_union_all(faces.polygons[group])
         if not shapely.is_empty(shapely.buffer(whole, -LIMITS.strip_width / 2)):
             continue
         touching = graph[group].indices
