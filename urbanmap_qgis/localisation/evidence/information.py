@@ -20,6 +20,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.sparse import csr_matrix
 
 
 @dataclass(frozen=True)
@@ -77,30 +78,30 @@ def covariance(evidence: Evidence, count: int, prior: np.ndarray) -> np.ndarray:
 def covariances_of_parts(evidence: Evidence, masks: Iterable[np.ndarray], count: int,
                          prior: np.ndarray) -> Iterator[np.ndarray]:
     """`covariance` of the rows of each mask (m,) bool; to the last digit, as a row left out adds nothing."""
-    gained = _products(evidence.row, evidence.weight)
-    noise = _products(evidence.row, (evidence.weight * evidence.noise) ** 2)
+    both = np.column_stack([_products(evidence.row, evidence.weight),
+                            _products(evidence.row, (evidence.weight * evidence.noise) ** 2)])
+    order = np.argsort(evidence.of, kind="stable")
+    starts = np.searchsorted(evidence.of[order], np.arange(count + 1))
     groups = [_Groups.of(evidence, error) for error in evidence.shared]
     for mask in masks:
         weight = mask.astype(float)
-        h = _sums(evidence.of, gained, weight, count) + prior
-        middle = _sums(evidence.of, noise, weight, count) + prior
+        # Row by row in their order: the sums that numpy's bincount gives, of all columns at once.
+        sums = csr_matrix((weight[order], order, starts), (count, len(order))) @ both
+        h, middle = _symmetric(sums[:, :6]) + prior, _symmetric(sums[:, 6:]) + prior
         for group in groups:
             middle += group.summed(weight, count)
         inverse = np.linalg.inv(h)
         yield inverse @ middle @ inverse
 
 
-def _products(row: np.ndarray, weight: np.ndarray) -> list[tuple[int, int, np.ndarray]]:
-    """Each element on and above the diagonal of u a a^T, with its place."""
-    return [(i, j, weight * row[:, i] * row[:, j]) for i in range(3) for j in range(i, 3)]
+def _products(row: np.ndarray, weight: np.ndarray) -> np.ndarray:
+    """Elements on and above the diagonal of u a a^T, (m, 6)."""
+    return np.column_stack([weight * row[:, i] * row[:, j] for i in range(3) for j in range(i, 3)])
 
 
-def _sums(of: np.ndarray, products: list[tuple[int, int, np.ndarray]], weight: np.ndarray, count: int) -> np.ndarray:
-    """(count, 3, 3) sums of products by place; `kept` (m,) is 1 or 0."""
-    total = np.empty((count, 3, 3))
-    for i, j, product in products:
-        total[:, i, j] = total[:, j, i] = np.bincount(of, product * weight, count)
-    return total
+def _symmetric(elements: np.ndarray) -> np.ndarray:
+    """(n, 3, 3) matrices of the elements (n, 6) on and above their diagonals."""
+    return np.take(elements, [0, 1, 2, 1, 3, 4, 2, 4, 5], axis=1).reshape(-1, 3, 3)
 
 
 @dataclass(frozen=True)
