@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.errors import InsufficientDataError
-from urbanmap_qgis.mobile.markings.intensity_calibration import RangeHistogram, calibrated, fit_curve
+from urbanmap_qgis.mobile.markings.intensity_calibration import LIMITS, RangeHistogram, calibrated, fit_curve
 
 
 def drawn(law, seed=1, points=200_000, near=5.0, far=25.0, scatter=0.1, shares=((1.0, 0.0, 1.0),), steps=None):
@@ -125,3 +125,13 @@ def test_refusals():
     noise.add(rng.uniform(5, 25, 20_000), np.exp(rng.uniform(0, 10, 20_000)))
     with pytest.raises(InsufficientDataError):
         fit_curve(noise)
+
+
+def test_levels_stand_for_the_intensities_counted_in_them():
+    """The logarithm of an intensity lies within half a level of the value that its level stands for."""
+    for intensity in np.geomspace(1.0, 60_000.0, 60):
+        histogram = RangeHistogram(40.0)
+        histogram.add(np.array([5.0]), np.array([intensity]))
+        level = int(histogram.counts.sum(axis=0).argmax())
+        assert histogram.counts.sum() == 1
+        assert histogram.level_values()[level] == pytest.approx(np.log(intensity), abs=0.5001 * LIMITS.level)

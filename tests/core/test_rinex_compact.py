@@ -11,7 +11,7 @@ import pytest
 
 from tests.core.test_rinex_observations import epoch_2, epoch_3, field, header_2, header_3
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.gnss.rinex.compact import plain_rinex
+from urbanmap_qgis.gnss.rinex.compact import _plain_epoch, plain_rinex
 from urbanmap_qgis.gnss.rinex.observation_file import read_observations
 
 TYPES = {"G": ["C1C", "L1C", "S1C"], "C": ["C2I", "S2I"]}
@@ -117,3 +117,12 @@ def test_damaged_files_are_told_in_a_sentence(change, said):
     text = EXAMPLE.format(header=header_3({"G": ["C1C", "L1C", "S1C"]}))
     with pytest.raises(InputError, match=said):
         plain_rinex(change(text).encode("ascii"), "a.crx")
+
+
+@pytest.mark.parametrize("clock", ["", "0.123456789"])
+def test_the_clock_of_an_epoch_stands_once_however_many_satellites_there_are(clock):
+    """RINEX 2: 12 satellites a line from column 33; the receiver's clock in columns 69 to 80 of the first alone."""
+    names = [f"G{number:02d}" for number in range(1, 15)]
+    first, second = _plain_epoch(" 26 11 23 12  0  0.0000000  0 14", clock, names, [], 2)
+    assert first[32:68] == "".join(names[:12]) and first[68:].strip() == clock
+    assert second == " " * 32 + "G13G14"
