@@ -102,6 +102,12 @@ class RegisterMms(UrbanMapAlgorithm):
                               "markings; with size (m), direction (degrees from north) and "
                               "standard deviation.", optional=True,
                               source_type=QgsProcessing.SourceType.TypeVectorPoint)
+        self.add_layer_output("OUTPUT_AREAS", "Areas of disagreement", "One polygon a stretch of road in which "
+                              "reference and survey disagree, as wide as its markings: markings that changed after "
+                              "the flight, the road about a step of which nobody can say the right side, stretches "
+                              "where a step hides or walls want the survey elsewhere; with chainages (m), size (m), "
+                              "direction (degrees from north) and standard deviation.", optional=True,
+                              source_type=QgsProcessing.SourceType.TypeVectorPolygon)
         self.add_file_output("OUTPUT_REPORT", "Report", "Correction and its uncertainty along the path, pictures "
                              "before and after, what to distrust.", HTML_FILTER, optional=True, by_default=True)
         self.add_number_output("WAY", "Path length", "Length of the driven path.", "m")
@@ -120,8 +126,8 @@ class RegisterMms(UrbanMapAlgorithm):
 
         progress = self.progress(feedback)
         paths, crs, trajectory, reference = read_survey_and_reference(self, parameters, context, progress)
-        calibration = self.input_path(parameters, "CALIBRATION", context)
-        calibration = read_calibration(calibration) if calibration else None
+        file = self.input_path(parameters, "CALIBRATION", context)
+        calibration = read_calibration(file) if file else None
         run = self._run(parameters, context, reference)
         walls = read_walls(self, parameters, context, (paths, crs, trajectory.trajectory), run, progress.part(0.0, 0.2))
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
@@ -129,12 +135,11 @@ class RegisterMms(UrbanMapAlgorithm):
                                    progress.part(0.2 if walls else 0.0, 0.95), executor, walls)
         results = {**self._figures(made), "OUTPUT": self.write_trajectory(
             parameters, "OUTPUT", context, trajectory, made.trajectory, crs)}
-        results.update(self._write_patches(parameters, context, made, crs, progress))
-        results.update(self._write_steps(parameters, context, made, crs, progress))
+        for write in (self._write_patches, self._write_disagreements):
+            results.update(write(parameters, context, made, crs, progress))
         report = self.output_path(parameters, "OUTPUT_REPORT", context)
         if report:
-            write_registration_report(report, made, reference,
-                                      self.raster_path(parameters, "IMAGE", context))
+            write_registration_report(report, made, reference, self.raster_path(parameters, "IMAGE", context))
             results["OUTPUT_REPORT"] = str(report)
         return results
 
@@ -200,13 +205,16 @@ class RegisterMms(UrbanMapAlgorithm):
                                  "PointZ", style="mms_patches", progress=progress)
         return {"OUTPUT_PATCHES": layer} if layer else {}
 
-    def _write_steps(self, parameters, context, made, crs, progress):
+    def _write_disagreements(self, parameters, context, made, crs, progress):
         import shapely
 
+        from ...urbanmap_qgis.mobile.registration.disagreement_areas import area_table
         from ...urbanmap_qgis.mobile.registration.registered_survey import step_table
 
-        columns, places = step_table(made)
-        fields = make_fields(*((name, "text" if name == "kind" else "real") for name in columns))
-        layer = self.write_layer(parameters, "OUTPUT_STEPS", context, fields, columns, crs, shapely.points(places),
-                                 "PointZ", style="mms_steps", progress=progress)
-        return {"OUTPUT_STEPS": layer} if layer else {}
+        (steps, places), (areas, roads), results = step_table(made), area_table(made), {}
+        for name, columns, at, kind, style in (("OUTPUT_STEPS", steps, shapely.points(places), "PointZ", "mms_steps"),
+                                               ("OUTPUT_AREAS", areas, roads, "Polygon", "mms_areas")):
+            fields = make_fields(*((column, "text" if column == "kind" else "real") for column in columns))
+            results[name] = self.write_layer(parameters, name, context, fields, columns, crs, at, kind,
+                                             style=style, progress=progress)
+        return {name: layer for name, layer in results.items() if layer}

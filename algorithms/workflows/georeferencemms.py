@@ -43,7 +43,7 @@ class GeoreferenceMms(UrbanMapAlgorithm):
         self.add_from(RegisterMms, "POINTS_CRS")
         self.add_from(ApplyTrajectory, "OUTPUT", label="Georeferenced survey")
         self.add_from(RegisterMms, OUTPUT_TRAJECTORY="OUTPUT")
-        self.add_from(RegisterMms, "OUTPUT_PATCHES", "OUTPUT_STEPS", "OUTPUT_REPORT")
+        self.add_from(RegisterMms, "OUTPUT_PATCHES", "OUTPUT_STEPS", "OUTPUT_AREAS", "OUTPUT_REPORT")
         self.add_from(ApplyTrajectory, "OUTPUT_IMAGES")
         self.add_from(RegisterMms, *FIGURES)
 
@@ -71,12 +71,13 @@ class GeoreferenceMms(UrbanMapAlgorithm):
         registered = run("registermms", **pick("TRAJECTORY", "MARKINGS", "GROUND", "IMAGE", "PATCH_LENGTH",
                                                "WINDOW_PATCHES", "MAX_WINDOW_PATCHES", "FEATURE_COUNT", "SEARCH",
                                                *ACCURACIES, *READING, "WORKERS", "METHOD", "BUILDINGS", "FEATURES",
-                                               "OUTPUT_PATCHES", "OUTPUT_STEPS", "OUTPUT_REPORT"),
+                                               "OUTPUT_PATCHES", "OUTPUT_STEPS", "OUTPUT_AREAS",
+                                               "OUTPUT_REPORT"),
                          POINTS=[markings["OUTPUT"]], SURVEY=points,
                          OUTPUT=self.parameterAsFileOutput(parameters, "OUTPUT_TRAJECTORY", context))
         moved = run("applytrajectory", **pick("TRAJECTORY", *READING, "IMAGES", "OUTPUT", "OUTPUT_IMAGES"),
                     POINTS=points, CORRECTED=registered["OUTPUT"])
-        results = {name: registered[name] for name in (*FIGURES, "OUTPUT_PATCHES", "OUTPUT_STEPS", "OUTPUT_REPORT")
-                   if name in registered}
+        results = {name: registered[name] for name in (*FIGURES, "OUTPUT_PATCHES", "OUTPUT_STEPS", "OUTPUT_AREAS",
+                                                       "OUTPUT_REPORT") if name in registered}
         results.update({name: moved[name] for name in ("OUTPUT", "OUTPUT_IMAGES") if name in moved})
         return {**results, "OUTPUT_TRAJECTORY": registered["OUTPUT"]}

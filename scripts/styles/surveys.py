@@ -53,6 +53,17 @@ def mms_patches(layer) -> None:
         "σ [% round(\"sigma\", 3) %] m in plan, window [% round(\"window\", 1) %] m")
 
 
+def mms_areas(layer) -> None:
+    """Road on which reference and survey disagree, by kind; what lies below shows through."""
+    entries = [("changed markings", "\"kind\" = 'changed markings'", fill("215,48,39,70", "#d73027", 0.46)),
+               ("hidden step", "\"kind\" = 'hidden step'", fill("77,77,77,60", "#4d4d4d", 0.46, "dash")),
+               ("reference and survey disagree", "ELSE", fill("123,50,148,60", "#7b3294", 0.46))]
+    rules(layer, entries)
+    layer.setMapTipTemplate("<b>[% round(\"begin\", 1) %] to [% round(\"end\", 1) %] m: [% \"kind\" %]</b><br>"
+                            "[% round(\"size\", 3) %] m towards [% round(\"direction\") %]°, "
+                            "σ [% round(\"sigma\", 3) %] m")
+
+
 def mms_steps(layer) -> None:
     """Places where reference and survey disagree, with arrows 20 times the step."""
     line = 'make_line($geometry, translate($geometry, 20 * "east", 20 * "north"))'
@@ -145,6 +156,7 @@ FIELDS = {
                         "north_before:double north_after:double"),
     mms_steps: ("PointZ", "way:double time:double kind:string size:double direction:double east:double north:double "
                 "sigma:double"),
+    mms_areas: ("Polygon", "begin:double end:double kind:string size:double direction:double sigma:double"),
     mms_patches: ("PointZ", "status:string reason:string way:double sigma:double east:double north:double up:double "
                   "window:double"),
     adjustment_ties: ("PointZ", "kind:string drive:string other:string plan:double east:double north:double up:double "

@@ -263,3 +263,15 @@ def test_walls_that_cannot_be_used(run, small_city, markings, tmp_path, change, 
     with pytest.raises(QgsProcessingException, match=words):
         run(ALGORITHM, given(small_city, POINTS=[markings], MARKINGS=reference(small_city), **change,
                              OUTPUT=str(tmp_path / "new.csv"), OUTPUT_PATCHES=None, OUTPUT_REPORT=None))
+
+
+def test_where_nothing_disagrees_the_layers_of_it_are_empty(run, small_city, markings, tmp_path):
+    from qgis.core import QgsVectorLayer
+
+    result = run(ALGORITHM, given(
+        small_city, POINTS=[markings], MARKINGS=reference(small_city), OUTPUT=str(tmp_path / "new.csv"),
+        OUTPUT_STEPS=str(tmp_path / "steps.gpkg"), OUTPUT_AREAS=str(tmp_path / "areas.gpkg"), OUTPUT_PATCHES=None,
+        OUTPUT_REPORT=None))
+    layers = [QgsVectorLayer(result[name], "", "ogr") for name in ("OUTPUT_STEPS", "OUTPUT_AREAS")]
+    assert all(layer.isValid() and layer.featureCount() == 0 for layer in layers)
+    assert [field.name() for field in layers[1].fields()][1:] == ["begin", "end", "kind", "size", "direction", "sigma"]

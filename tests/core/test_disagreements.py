@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -51,6 +53,14 @@ def test_a_reference_that_jumps_and_stays(size):
     assert (off < 3 * sigma).mean() > 0.98  # either side may be the wrong one
 
 
+def slipping(drive, begin, length, change):
+    """The reported trajectory of a drive whose correction changes by (2,) m over some path, which it slipped by."""
+    reported = drive.reported
+    way = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(drive.true.place[:, :2], axis=0).T))])
+    share = np.clip((way - begin) / length, 0.0, 1.0)[:, None]
+    return replace(reported, place=reported.place - share * np.array([*change, 0.0]))
+
+
 def test_a_fix_of_the_trajectory_is_no_disagreement():
     drive = simulate(3, crossings=25.0, turn=None)
     ramp = np.clip((drive.windows.chainage - 240.0) / 20.0, 0.0, 1.0)[:, None] * np.array([1.2, 0.5, 0, 0, 0, 0])
@@ -58,17 +68,25 @@ def test_a_fix_of_the_trajectory_is_no_disagreement():
     for name in ("linearised", "correction"):
         getattr(windows, name)[:] += ramp
     windows.modes[:, 0] += ramp[:, :2]
-    made = adjust_correction(windows, drive.reported)
+    made = adjust_correction(windows, slipping(drive, 240.0, 20.0, (1.2, 0.5)))
     assert not [step for step in made.steps if step.kind != HIDDEN]
     assert (made.status == REGISTERED).mean() > 0.8
 
 
 def test_a_step_that_hides_where_there_are_no_markings():
     drive = shifted(simulate(4, crossings=25.0, turn=None, gaps=((200.0, 285.0),)), 285.0, 600.0, (1.2, -0.9))
-    made = adjust_correction(drive.windows, drive.reported)
+    made = adjust_correction(drive.windows, slipping(drive, 230.0, 20.0, (1.2, -0.9)))
     assert [step.kind for step in made.steps] == [HIDDEN]
     inside = (drive.windows.chainage > 202) & (drive.windows.chainage < 283)
     assert (made.status[inside] == DISTRUSTED).all()
     assert (made.status[~inside] == REGISTERED).mean() > 0.85
     calm = simulate(4, crossings=25.0, turn=None, gaps=((200.0, 285.0),))
     assert adjust_correction(calm.windows, calm.reported).steps == ()
+
+
+def test_a_hidden_step_that_the_drive_did_not_slip_by_is_the_references():
+    drive = shifted(simulate(4, crossings=25.0, turn=None, gaps=((200.0, 285.0),)), 285.0, 600.0, (1.2, -0.9))
+    made = adjust_correction(drive.windows, drive.reported)
+    assert sorted({step.kind for step in made.steps}) == sorted({HIDDEN, DISAGREEMENT})
+    assert not (made.status == REGISTERED).any()
+    assert (plan_error(drive, made) < 3 * made.plan_sigma()).mean() > 0.98

@@ -8,6 +8,7 @@ import pytest
 from urbanmap_qgis.mobile.registration.correction.error_steps import window_steps
 from urbanmap_qgis.mobile.registration.correction.patch_status import contradicted, opposing_spread
 from urbanmap_qgis.mobile.registration.start.fast_drift import fast_drift_rate
+from urbanmap_qgis.mobile.trajectory import Trajectory
 
 CHAINAGE = np.arange(0.0, 300.0, 0.5)
 
@@ -40,14 +41,48 @@ class _Windows:
         self.chainage, self.usable, self.margin = CHAINAGE, np.ones(n, bool), np.full(n, margin)
         self.linearised = np.column_stack([shift, np.zeros((n, 4))])
         self.information = np.broadcast_to(np.eye(6), (n, 6, 6))
+        self.time = 0.1 * CHAINAGE  # 10 m/s
+
+
+def driven(shift):
+    """The trajectory as reported with an error, eastwards at 10 m/s."""
+    place = np.column_stack([CHAINAGE - shift[:, 0], -shift[:, 1], 0.0 * CHAINAGE])
+    return Trajectory(0.1 * CHAINAGE, place, np.tile([0.0, 0.0, 90.0], (len(CHAINAGE), 1)))
 
 
 def test_steps_of_the_windows_and_none_of_doubtful_ones():
     nodes, shift = np.arange(0.0, 300.0, 2.0), error_of([(140.0, 160.0, 2.0)])
-    steps = window_steps(_Windows(shift), nodes, 3.0)
+    steps = window_steps(_Windows(shift), nodes, 3.0, driven(shift))[0]
     inside = (nodes[1:] > 140) & (nodes[:-1] < 160)
     assert steps[inside].sum() == pytest.approx(2.0 * np.hypot(1, 0.5), rel=0.25)
-    assert not window_steps(_Windows(shift, margin=1.0), nodes, 3.0).any()
+    assert not window_steps(_Windows(shift, margin=1.0), nodes, 3.0, driven(shift))[0].any()
+
+
+def test_a_step_in_height_is_told_apart_from_one_in_plan():
+    nodes, drift = np.arange(0.0, 300.0, 2.0), error_of([])
+    windows = _Windows(drift)
+    windows.linearised[:, 2] = 0.001 * CHAINAGE + 0.5 * np.clip((CHAINAGE - 140.0) / 20.0, 0.0, 1.0)
+    plan, up = window_steps(windows, nodes, 3.0, driven(drift))
+    inside = (nodes[1:] > 140) & (nodes[:-1] < 160)
+    assert not plan.any() and not up[np.abs(nodes[:-1] - 150.0) > 25.0].any()
+    assert up[inside].sum() == pytest.approx(0.52 * np.sqrt(2.0), rel=0.25)  # nodes of 2 m, changes alike over 4 m
+    windows.linearised[:, 2] = np.nan  # in plan alone
+    assert not np.any(window_steps(windows, nodes, 3.0, driven(drift))[1])
+
+
+def test_what_the_trajectory_wanders_while_the_vehicle_stands_is_no_step():
+    shift = error_of([(150.0, 150.5, 0.8)])
+    moving = driven(shift)
+    waits = np.searchsorted(CHAINAGE, 150.5)  # between two epochs it stands for a minute
+    place = moving.place.copy()
+    place[waits:, 0] -= 0.5  # the vehicle does not drive in it
+    moving = Trajectory(moving.time, place, moving.angles)
+    time = moving.time + 60.0 * (np.arange(len(CHAINAGE)) >= waits)
+    windows, trajectory = _Windows(shift), Trajectory(time, moving.place, moving.angles)
+    windows.time = time
+    nodes = np.arange(0.0, 300.0, 2.0)
+    assert window_steps(windows, nodes, 3.0, moving)[0].any()
+    assert not window_steps(windows, nodes, 3.0, trajectory)[0].any()
 
 
 def test_contradicted_windows():

@@ -166,6 +166,7 @@ class WindowResults:
     three_d : whether height, roll and pitch were estimated.
     search : m, largest error east or north that was looked for.
     beyond : whether the best path of the start runs along the edge of it, so that the survey may lie farther off.
+    spread : (n, 2, 2) m2, how far the place may be off as others fit nearly as well; None where it is not known.
     """
 
     time: np.ndarray
@@ -192,6 +193,7 @@ class WindowResults:
     three_d: bool
     search: float = np.inf
     beyond: bool = False
+    spread: np.ndarray | None = None
 
     def __len__(self) -> int:
         return len(self.time)

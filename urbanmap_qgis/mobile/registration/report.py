@@ -15,6 +15,7 @@ from ...io.raster import RasterSampler
 from ...wording import known, mark, say
 from ..pose_correction import correction_between
 from .correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED, STATUS_NAMES
+from .disagreement_areas import area_table
 from .registered_survey import RegisteredSurvey, middle_and_largest, unregistered_sections
 from .start.reference import Reference
 
@@ -158,6 +159,11 @@ def _steps(report: Report, survey: RegisteredSurvey) -> None:
     report.table(("At (m)", "time (s)", "kind", "size (m)", "towards (degrees)", "sigma (m)"),
                  [(round(item.place, 1), Fixed.of(item.time), say(item.kind), round(item.size, 3),
                    round(item.direction), round(item.sigma, 3)) for item in steps])
+    areas, _ = area_table(survey)
+    report.paragraph(say("The road that this concerns, as the layer of areas has it:"))
+    report.table(("From (m)", "to (m)", "kind", "size (m)"),
+                 [(round(begin, 1), round(end, 1), say(kind), round(size, 3)) for begin, end, kind, size in
+                  zip(*(areas[name] for name in ("begin", "end", "kind", "size")))])
 
 
 def _before_and_after(report: Report, survey: RegisteredSurvey, reference: Reference,

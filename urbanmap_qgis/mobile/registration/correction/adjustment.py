@@ -26,7 +26,6 @@ from .disagreements import (
     hidden_factor,
     hidden_steps,
     settle,
-    step_tests,
     with_disagreements,
 )
 from .error_model import PoseErrorModel
@@ -55,10 +54,13 @@ from .second_witness import (
     wall_shares,
     with_broken_walls,
     with_conflict,
+    with_free_gaps,
     without_astray,
 )
 from .settings import CorrectionSettings
 from .shown_accuracy import with_shown_pitch
+from .side_slip import SideSlip, with_denied_gaps
+from .slip_steps import with_slip_steps
 
 Evaluate = Callable[[Callable[[np.ndarray], np.ndarray], float], NormalEquations]
 """Normal equations about a correction curve (corrections (m, 6) at path parameters (m,)), the reference blurred by so
@@ -169,7 +171,8 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
     at_patches, nodes = normals.path_parameter, nodes_along(path_parameter, settings.node_length)
     model = settings.error_model(_angle_sigma(trajectory, path_parameter, nodes, settings))
     chain = NodeChain(normals, nodes, trajectory, path_parameter,
-                   window_steps(windows, np.interp(nodes, at_patches, windows.chainage), settings.min_margin))
+                   *window_steps(windows, np.interp(nodes, at_patches, windows.chainage), settings.min_margin,
+                                 trajectory))
     sure = windows.margin >= settings.min_margin
     allowed = np.where(sure, 1.0, 0.0) if (sure & normals.present).any() else np.ones(len(windows))
     fit = robust_fit(chain, model, allowed, settings, progress.part(0.0, 0.4))
@@ -187,10 +190,12 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
         at_nodes = np.interp(chain.nodes, at_patches, allowed)
         chain, fit = _onto_points(points, chain, fit, model, at_nodes, settings, progress.part(0.5, 1.0))
     model = model.scaled(fit.drift_factor).with_heading(fit.heading_factor)
+    slip = SideSlip.of(trajectory, path_parameter)
     found = settle(chain, fit, model, np.interp(chain.nodes, at_patches, allowed),
                    partial(_adjusted_again, points=points, model=model, settings=settings),
-                   partial(_likelihood, model=model, settings=settings), MOST_SPAN)
+                   partial(_likelihood, model=model, settings=settings), MOST_SPAN, slip.denies)
     found, conflict = _heard(walls, found, model) if walls is not None else (found, WitnessConflict(()))
+    found = _by_slip(found, slip, model)
     found = replace(found, fit=_with_plan_noise(found.chain, found.fit, model, points is not None))
     chain = found.chain
     correction = _result(windows, found, at_patches, doubtful, settings, conflict)
@@ -239,8 +244,19 @@ def _heard(walls: Witness, found: Disagreements, model: PoseErrorModel) -> tuple
         held = walls.about(_Curve(chain, fit.state), chain.normals.active)
         if held is None:
             break
-    tests = step_tests(chain, model, fit, 1.0)
-    return replace(found, chain=chain, fit=fit, hidden=hidden_steps(tests, chain, MOST_SPAN)), conflict
+    return replace(found, chain=chain, fit=fit, hidden=hidden_steps(chain, model, fit, MOST_SPAN)), conflict
+
+
+def _by_slip(found: Disagreements, slip: SideSlip, model: PoseErrorModel) -> Disagreements:
+    """What was found with what the trajectory's own slip says of it."""
+    found = with_free_gaps(with_denied_gaps(found, slip), model)
+    return with_slip_steps(found, slip, partial(_plan_course, found))
+
+
+def _plan_course(found: Disagreements, path_parameter: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Corrections (n, 2) m in plan at path parameters (n,), and their covariances (n, 2, 2)."""
+    value, covariance = found.chain.interpolate(found.fit.state, found.fit.covariance, path_parameter)
+    return value[:, :2], covariance[:, :2, :2]
 
 
 def _marked(chain: NodeChain, fit: Fit, path_parameter: np.ndarray) -> np.ndarray:
@@ -373,6 +389,8 @@ def _result(windows: WindowResults, found: Disagreements, at_patches: np.ndarray
     residual = windows.correction - value
     opposed = contradicted(residual[:, :2], covariance[:, :2, :2], windows.covariance[:, :2, :2], windows.usable)
     covariance[:, :2, :2] += opposing_spread(residual[:, :2], opposed)
+    if windows.spread is not None:
+        covariance[doubtful, :2, :2] += windows.spread[doubtful]
     covariance[:, :2, :2] *= hidden_factor(found.hidden, at_patches)[:, None, None]
     beside, variance = either_side(found.steps, chain.nodes, at_patches)
     covariance[:, :2, :2] += variance

@@ -10,7 +10,7 @@ import numpy as np
 from ...trajectory import Trajectory
 from ..matching.block_chain import ChainSolution, solve_chain
 from .error_model import PoseErrorModel
-from .gauss_markov import jump_steps, stop_steps
+from .gauss_markov import StopMovement, jump_steps, stop_steps
 from .held_observations import HeldObservations
 from .normal_equations import NormalEquations
 
@@ -28,24 +28,29 @@ class _Prior:
     diagonal : (k, d, 2, d, 2).
     ahead : (k - 1, d, 2, d, 2) blocks.
     log_determinant : of its steps' precisions.
+    right : (k, d, 2) right side, by what a standing vehicle's trajectory wanders.
+    square : chi square of that against no change at all.
     """
 
     diagonal: np.ndarray
     ahead: np.ndarray
     log_determinant: float
+    right: np.ndarray
+    square: float
 
 
 class NodeChain:
     """The normal equations: nodes along the path, the observations on the node next to each piece."""
 
     def __init__(self, normals: NormalEquations, nodes: np.ndarray, trajectory: Trajectory, path_parameter: np.ndarray,
-                 fast: np.ndarray):
-        self.nodes, self.fast = nodes, fast
+                 fast: np.ndarray, fast_up: np.ndarray | float = 0.0):
+        self.nodes, self.fast, self.fast_up = nodes, fast, fast_up
         self.held: HeldObservations | None = None
         self._held_sums: tuple[np.ndarray, np.ndarray, np.ndarray] | None = None
         rising = np.concatenate([[True], np.diff(path_parameter) > 0])
         time = np.interp(nodes, path_parameter[rising], trajectory.time[rising])
         self.stopped, self.jump = stop_steps(trajectory, time), jump_steps(trajectory, time)
+        self.stops = StopMovement.of(trajectory, time)
         self._start(normals)
 
     def _start(self, normals: NormalEquations) -> None:
@@ -104,19 +109,19 @@ class NodeChain:
         solution, right, prior = self._solved(model, weight)
         k, d = len(self.nodes), self.size
         likelihood = 0.5 * (float((right.reshape(k, -1) * solution.state).sum()) + prior.log_determinant
-                            - solution.log_determinant)
+                            - prior.square - solution.log_determinant)
         return solution.state.reshape(k, d, 2), solution.covariance, likelihood
 
     def _solved(self, model: PoseErrorModel, weight: np.ndarray) -> tuple[ChainSolution, np.ndarray, _Prior]:
         """The solution, the right side (k, d, 2) and the prior."""
         k, d = len(self.nodes), self.size
         prior = self._prior_of(model)
-        diagonal, right = prior.diagonal.copy(), np.zeros((k, d, 2))
+        diagonal, right = prior.diagonal.copy(), prior.right.copy()
         weighted = self.normals.information * weight[:, None, None]
         gradient = self.normals.normal_vector * weight[:, None]
         steps = np.stack([np.ones(len(self.ahead)), self.ahead], axis=1)
         filled, first = np.unique(self.node, return_index=True)  # nodes grow along the path
-        right[filled] = np.add.reduceat(gradient[:, :, None] * steps[:, None], first, axis=0)
+        right[filled] += np.add.reduceat(gradient[:, :, None] * steps[:, None], first, axis=0)
         products = weighted[:, :, None, :, None] * (steps[:, :, None] * steps[:, None])[:, None, :, None]
         diagonal[filled] += np.add.reduceat(products, first, axis=0)
         if self._held_sums is not None:
@@ -138,6 +143,7 @@ class NodeChain:
         bare.normals = replace(self.normals, gradient=np.zeros_like(self.normals.gradient),
                                place=np.zeros_like(self.normals.place))
         bare._held_sums = information, -pull, pull
+        bare._held, bare.stops = None, StopMovement(np.zeros_like(self.stops.moved), self.stops.variance)
         response = bare._solved(model, weight)[0].state.reshape(pull.shape)
         node, ahead = self._next_node(held.path_parameter)
         value = state[node, :, 0] + ahead[:, None] * state[node, :, 1]
@@ -153,7 +159,7 @@ class NodeChain:
         """
         k, d = len(self.nodes), self.size
         solution = self._solved(model, weight)[0]
-        transition, small = model.steps(self.nodes, self.stopped, self.jump, self.normals.active, self.fast)
+        transition, small = self._steps(model)
         whole, precision = np.zeros((2, k - 1, d, 2, d, 2))
         axis = np.arange(d)
         whole[:, axis, :, axis, :], precision[:, axis, :, axis, :] = (np.moveaxis(np.broadcast_to(
@@ -162,6 +168,7 @@ class NodeChain:
         before, after = solution.covariance[:-1], solution.covariance[1:]
         carried = whole @ solution.gain @ after  # minus F C(k, k + 1)
         found = solution.state[1:] - np.einsum("kij,kj->ki", whole, solution.state[:-1])
+        found[:, ::2] -= self.stop_changes()
         spread = after + whole @ before @ np.swapaxes(whole, 1, 2) + carried + np.swapaxes(carried, 1, 2)
         return np.einsum("kij,kj->ki", precision, found), precision - precision @ spread @ precision
 
@@ -171,7 +178,7 @@ class NodeChain:
             return self._held[1]
         k, d = len(self.nodes), self.size
         diagonal, ahead = np.zeros((k, d, 2, d, 2)), np.zeros((k - 1, d, 2, d, 2))
-        transition, precision = model.steps(self.nodes, self.stopped, self.jump, self.normals.active, self.fast)
+        transition, precision = self._steps(model)
         axis = np.arange(d)
         carried = np.einsum("kdji,kdjl->kdil", transition, precision)  # F' P
         diagonal[1:, axis, :, axis, :] += np.moveaxis(precision, 1, 0)
@@ -181,8 +188,26 @@ class NodeChain:
         diagonal[0, axis, 0, axis, 0] += start[:, 0]
         diagonal[0, axis, 1, axis, 1] += start[:, 1]
         determinant = float(np.log(np.linalg.det(precision)).sum() + np.log(start).sum())
-        self._held = model, _Prior(diagonal, ahead, determinant)
+        right, changes = np.zeros((k, d, 2)), self.stop_changes()
+        right[1:] += precision[..., 0] * changes[:, :, None]
+        right[:-1] -= carried[..., 0] * changes[:, :, None]
+        square = float((precision[..., 0, 0] * changes**2).sum())
+        self._held = model, _Prior(diagonal, ahead, determinant, right, square)
         return self._held[1]
+
+    def _steps(self, model: PoseErrorModel) -> tuple[np.ndarray, np.ndarray]:
+        """Transitions and precisions (k - 1, d, 2, 2) of a model between the nodes."""
+        return model.steps(self.nodes, self.stopped, self.jump, self.normals.active, self.fast, self.stops.variance,
+                           self.fast_up)
+
+    def stop_changes(self) -> np.ndarray:
+        """(k - 1, d) m, by which the correction changes between the nodes as the vehicle stands and is reported not to.
+        """
+        changes = np.zeros((len(self.nodes) - 1, self.size))
+        for number, parameter in enumerate(self.normals.active):
+            if parameter < 3:
+                changes[:, number] = -self.stops.moved[:, parameter]
+        return changes
 
     def unconstrained_likelihood(self, weight: np.ndarray, allowed: np.ndarray) -> float:
         """Log-likelihood that the nodes would reach each on its own, with the densities that their weights stand for.

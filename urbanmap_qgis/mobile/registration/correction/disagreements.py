@@ -32,7 +32,9 @@ _FREE = (0.1, 1.0)  # m, by which the error may jump at a suspect, at least and 
 _BESIDE = 20.0  # m to either side, whose evidence must bear the step out
 _BORNE_OUT = 0.9  # of the evidence that a smooth correction believes there
 _SHARP = 0.85  # of all evidence there: a sharp step meets 0.9 to 1.0 of it, a re-fix over 20 m 0.3 to 0.5
+_DENIED = 0.6  # of all evidence there, where the trajectory's slip says that the step is not the drive's
 _LIKELIER = 5.0  # log-likelihood by which jumps must beat the drift that may change fast over 20 m
+_LEAST_KNOWN = 0.25  # 1 / m2: a jump known to less than 2 m tells nothing, and rounding spoils it
 _PLAN = (0, 2)  # places of the errors east and north among a state's values
 _UNDONE = 0.4  # of the smaller of two steps, that their sum has at most where they undo each other
 _EITHER = 0.5  # variance of a side of a step, of its size's square: one of the two sides is off by all of it
@@ -49,6 +51,8 @@ class CorrectionStep:
     east, north : m, by which the correction changes.
     sigma : m, of its size.
     kind : CHANGED, DISAGREEMENT or HIDDEN.
+    span : m, chainages of the stretch that it is told of, which of changed markings the first edge has; None where
+        there is no more than the place.
     """
 
     place: float
@@ -57,6 +61,7 @@ class CorrectionStep:
     north: float
     sigma: float
     kind: str
+    span: tuple[float, float] | None = None
 
     @property
     def size(self) -> float:
@@ -96,7 +101,7 @@ def step_tests(chain: NodeChain, model: PoseErrorModel, fit: Fit, least_noise: f
     pull, spread = pull[:, _PLAN], spread[:, _PLAN][:, :, _PLAN]
     sizes = np.linalg.eigvalsh(spread)
     tests: list[NodeStep | None] = [None] * len(pull)
-    for k in np.flatnonzero(sizes[:, 0] > 1e-6 * np.maximum(sizes[:, -1], 1.0)):
+    for k in np.flatnonzero(sizes[:, 0] > np.maximum(1e-6 * sizes[:, -1], _LEAST_KNOWN)):
         covariance = np.linalg.inv(spread[k])
         change = covariance @ pull[k]
         tests[k] = NodeStep(int(k), change, covariance, float(change @ pull[k]))
@@ -124,8 +129,11 @@ def with_free_steps(chain: NodeChain, steps: Sequence[NodeStep]) -> NodeChain:
 
 
 def proven(steps: Sequence[NodeStep], chain: NodeChain, fit: Fit, smooth: tuple[NodeChain, Fit],
-           model: PoseErrorModel) -> list[NodeStep]:
-    """Those steps that the adjustment which may jump (`chain`, `fit`) needs, and that its evidence bears out."""
+           model: PoseErrorModel, denies: Denies) -> list[NodeStep]:
+    """Those steps that the adjustment which may jump (`chain`, `fit`) needs, and that its evidence bears out.
+
+    A change that the trajectory's own slip denies is none of its re-fixes: it need not be as sharp.
+    """
     firm = chain.with_fast(np.where(np.isin(np.arange(len(chain.fast)), [step.node for step in steps]), 0.0,
                                     chain.fast))
     tests, found = step_tests(firm, model, fit, fit.noise_factor), []
@@ -136,7 +144,9 @@ def proven(steps: Sequence[NodeStep], chain: NodeChain, fit: Fit, smooth: tuple[
         near = np.abs(chain.normals.path_parameter - chain.nodes[step.node]) <= _BESIDE
         near &= chain.normals.present
         believed = fit.weight[near].sum()
-        if believed >= max(_BORNE_OUT * smooth[1].weight[near].sum(), _SHARP * np.count_nonzero(near)):
+        place = chain.nodes[step.node:step.node + 2].mean()
+        sharp = _DENIED if denies(place, place, test) else _SHARP
+        if believed >= max(_BORNE_OUT * smooth[1].weight[near].sum(), sharp * np.count_nonzero(near)):
             found.append(test)
     return found
 
@@ -173,14 +183,22 @@ def either_side(steps: Sequence[NodeStep], nodes: np.ndarray, at: np.ndarray) ->
     return beside, variance
 
 
-def hidden_steps(tests: Sequence[NodeStep | None], chain: NodeChain,
+def hidden_steps(chain: NodeChain, model: PoseErrorModel, fit: Fit,
                  longest: float) -> list[tuple[float, float, NodeStep]]:
-    """Stretches of more than `longest` m without markings: begin, end, and the step across each."""
+    """Stretches of more than `longest` m without markings: begin, end, and the step across each.
+
+    The drift alone is to explain it: where the windows let the error change fast in a stretch, no marking shows how.
+    """
     seen = chain.normals.path_parameter[chain.normals.present]
+    gaps = [(begin, end) for begin, end in zip(seen[:-1], seen[1:]) if end - begin > longest]
+    if not gaps:
+        return []
+    fast = chain.fast.copy()
+    for begin, end in gaps:
+        fast[(chain.nodes[1:] > begin) & (chain.nodes[:-1] < end)] = 0.0
+    tests = step_tests(chain.with_fast(fast) if (fast != chain.fast).any() else chain, model, fit, 1.0)
     found = []
-    for begin, end in zip(seen[:-1], seen[1:]):
-        if end - begin <= longest:
-            continue
+    for begin, end in gaps:
         inside = [tests[k] for k in range(len(tests)) if begin < chain.nodes[k] < end and tests[k] is not None]
         if inside:
             found.append((float(begin), float(end), max(inside, key=lambda item: item.square)))
@@ -215,43 +233,53 @@ class Disagreements:
     def listed(self, chainage_of: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]) -> tuple[CorrectionStep, ...]:
         """All steps along the path; `chainage_of` gives chainages and times at path parameters."""
         nodes = self.chain.nodes
-        places = [(0.5 * (nodes[step.node] + nodes[step.node + 1]), step, kind) for step, kind in (
-            *((step, DISAGREEMENT) for step in self.steps), *((step, CHANGED) for pair in self.changed
-                                                              for step in pair))]
-        places += [(0.5 * (begin + end), step, HIDDEN) for begin, end, step in self.hidden
-                   if self.hides(step)]
-        places.sort(key=lambda item: item[0])
-        chainage, time = chainage_of(np.array([item[0] for item in places]))
-        return tuple(CorrectionStep(float(way), float(at), *step.change.tolist(), step.sigma, kind)
-                     for way, at, (_, step, kind) in zip(chainage, time, places))
+
+        def middle(step: NodeStep) -> float:
+            return float(0.5 * (nodes[step.node] + nodes[step.node + 1]))
+
+        told = [(middle(step), step, DISAGREEMENT, None) for step in self.steps]
+        for first, second in self.changed:
+            told += [(middle(first), first, CHANGED, (middle(first), middle(second))),
+                     (middle(second), second, CHANGED, None)]
+        told += [(0.5 * (begin + end), step, HIDDEN, (begin, end)) for begin, end, step in self.hidden
+                 if self.hides(step)]
+        told.sort(key=lambda item: item[0])
+        chainage, time = chainage_of(np.array([item[0] for item in told]))
+        spans = [None if span is None else tuple(chainage_of(np.array(span))[0].tolist()) for *_, span in told]
+        return tuple(CorrectionStep(float(way), float(at), *step.change.tolist(), step.sigma, kind, span)
+                     for way, at, (_, step, kind, _), span in zip(chainage, time, told, spans))
 
 
 Adjust = Callable[[NodeChain, Fit, np.ndarray], tuple[NodeChain, Fit]]
 """Adjusts a chain from a fit on, with how far the evidence at the nodes (k,) may be believed."""
+
+Denies = Callable[[float, float, NodeStep], bool]
+"""Whether a change between two path parameters is not the drive's own."""
 
 Likelihood = Callable[[NodeChain, np.ndarray], float]
 """Log-likelihood of a chain's model with such evidence."""
 
 
 def settle(chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.ndarray, adjust: Adjust,
-           likelihood: Likelihood, longest: float) -> Disagreements:
+           likelihood: Likelihood, longest: float, denies: Denies) -> Disagreements:
     """The adjustment with its sharp steps found, and what cannot be decided told.
 
     Parameters
     ----------
     allowed : (k,) 0 to 1, how far the evidence at each node may be believed.
     longest : m without evidence beyond which a step may hide.
+    denies : see `SideSlip.denies`.
     """
     tests = step_tests(chain, model, fit, 1.0)
     likely = suspects([*tests, *_fast_places(chain, fit)], chain.nodes)
-    gaps = hidden_steps(tests, chain, longest)
+    gaps = hidden_steps(chain, model, fit, longest)
     likely = [step for step in likely if not any(begin < chain.nodes[step.node] < end for begin, end, _ in gaps)]
     steps: list[NodeStep] = []
     changed: list[tuple[NodeStep, NodeStep]] = []
     if likely:
         free = with_free_steps(chain, likely)
         jumped = adjust(free, fit, allowed)
-        steps = proven(likely, *jumped, (chain, fit), model)
+        steps = proven(likely, *jumped, (chain, fit), model, denies)
         if steps and not _likelier(jumped[0].with_fast(chain.fast), steps, allowed, likelihood):
             steps = []
         changed = undone(steps, chain.nodes)
@@ -263,8 +291,7 @@ def settle(chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.ndarra
             jumped = adjust(with_free_steps(clear, steps) if steps else clear, fit, left)
         if steps or changed:
             chain, fit = jumped
-            tests = step_tests(chain, model, fit, 1.0)
-    return Disagreements(chain, fit, steps, changed, hidden_steps(tests, chain, longest))
+    return Disagreements(chain, fit, steps, changed, hidden_steps(chain, model, fit, longest))
 
 
 def _likelier(drifting: NodeChain, steps: Sequence[NodeStep], allowed: np.ndarray, likelihood: Likelihood) -> bool:
@@ -279,9 +306,9 @@ def _fast_places(chain: NodeChain, fit: Fit) -> list[NodeStep]:
     number = np.flatnonzero(chain.fast > 0)
     if not len(number):
         return []
-    found = []
+    found, stops = [], chain.stop_changes()[:, :2]  # what a standing vehicle's trajectory wanders is known
     for part in np.split(number, np.flatnonzero(np.diff(number) > 1) + 1):
-        rate = fit.state[part + 1, :2, 0] - fit.state[part, :2, 0]
+        rate = fit.state[part + 1, :2, 0] - fit.state[part, :2, 0] - stops[part]
         change = rate.sum(axis=0)
         middle = int(part[np.argmin(np.abs(np.cumsum(rate @ change) - 0.5 * change @ change))])
         found.append(NodeStep(middle, change, np.eye(2), _PROVEN**2))

@@ -87,9 +87,12 @@ class PoseErrorModel:
         return place[list(active)]
 
     def steps(self, path_parameter: np.ndarray, stopped: np.ndarray, jump: np.ndarray, active: tuple[int, ...],
-              fast: np.ndarray | float = 0.0) -> tuple[np.ndarray, np.ndarray]:
+              fast: np.ndarray | float = 0.0,
+              stop_variance: np.ndarray | None = None,
+              fast_up: np.ndarray | float = 0.0) -> tuple[np.ndarray, np.ndarray]:
         """Transitions and precisions (k - 1, d, 2, 2) between k nodes, see `GaussMarkovDrift.steps`."""
-        transition, precision = self.place.steps(path_parameter, stopped, jump, active, fast)
+        transition, precision = self.place.steps(path_parameter, stopped, jump, active, fast, stop_variance,
+                                                  fast_up)
         transition = np.repeat(transition[:, None], len(active), axis=1)
         angle_transition, angle_precision = self.attitude.steps(path_parameter, jump)
         for number, parameter in enumerate(active):

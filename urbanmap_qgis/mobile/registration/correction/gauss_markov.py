@@ -13,6 +13,16 @@ import numpy as np
 
 from ...trajectory import Trajectory, jumps, path_chainage
 
+STILL, CREPT = 0.03, 0.25
+"""m that a vehicle moves while it counts as standing (standard deviation), and more of it as a share of what its
+trajectory wanders ahead: it may have crept."""
+
+MIN_STOP = 1.0  # s, of a stop whose wandering tells a speed
+
+SLOW = 1.5
+"""m/s, below which a vehicle counts as slowing down for a stop or leaving it: as fast as its trajectory wanders in the
+stop it may wander there, unseen. Half of that is taken for its error, with half of it as standard deviation."""
+
 
 @dataclass(frozen=True)
 class GaussMarkovDrift:
@@ -46,7 +56,9 @@ class GaussMarkovDrift:
                        initial_sigma=self.initial_sigma * part)
 
     def steps(self, path_parameter: np.ndarray, stopped: np.ndarray, jump: np.ndarray,
-              active: tuple[int, ...], fast: np.ndarray | float = 0.0) -> tuple[np.ndarray, np.ndarray]:
+              active: tuple[int, ...], fast: np.ndarray | float = 0.0,
+              stop_variance: np.ndarray | None = None,
+              fast_up: np.ndarray | float = 0.0) -> tuple[np.ndarray, np.ndarray]:
         """Transitions (k, 2, 2) of (error, rate) and their precisions (k, d, 2, 2) between k + 1 path parameters.
 
         Parameters
@@ -54,10 +66,14 @@ class GaussMarkovDrift:
         stopped : (k,) s that the vehicle stands in each step.
         jump : (k,) m by which the trajectory jumps: the error may jump by so much too, and angles by a degree a metre.
         fast : (k,) m by which the error in plan changes in each step where it does so faster than drift (a re-fix).
+        stop_variance : (k,) m2 of the place in the time that the vehicle stands, where its movement is known.
+        fast_up : (k,) m by which the error in height changes faster than drift.
         """
         place = np.isin(active, (0, 1, 2))
-        loose = np.where(place, self.stop_walk**2 * stopped[:, None], 0.0) + jump[:, None] ** 2
-        loose = loose + np.isin(active, (0, 1)) * np.broadcast_to(fast, len(jump))[:, None] ** 2
+        standing = self.stop_walk**2 * stopped if stop_variance is None else stop_variance
+        loose = np.where(place, standing[:, None], 0.0) + jump[:, None] ** 2
+        for axes, change in (((0, 1), fast), ((2,), fast_up)):
+            loose = loose + np.isin(active, axes) * np.broadcast_to(change, len(jump))[:, None] ** 2
         h = np.maximum(np.diff(path_parameter), 1e-6)[:, None]
         rate2 = (self.rate_sigma[list(active)] ** 2)[None, :]
         ratio = h / self.correlation_length
@@ -85,6 +101,84 @@ def stop_steps(trajectory: Trajectory, time: np.ndarray) -> np.ndarray:
     still = np.diff(path_chainage(trajectory)) == 0
     stopped = np.concatenate([[0.0], np.cumsum(np.diff(trajectory.time) * still)])
     return np.diff(np.interp(time, trajectory.time, stopped))
+
+
+@dataclass(frozen=True)
+class StopMovement:
+    """What a standing vehicle's trajectory wanders is its error: the vehicle does not move.
+
+    Attributes
+    ----------
+    moved : (k, 3) m, by which the reported place wanders in the stops between k + 1 times.
+    variance : (k,) m2, of what the vehicle may have moved itself there.
+    """
+
+    moved: np.ndarray
+    variance: np.ndarray
+
+    @classmethod
+    def of(cls, trajectory: Trajectory, time: np.ndarray) -> StopMovement:
+        """Of a trajectory between times (k + 1,)."""
+        stops = _Stops.of(trajectory)
+        wandered = still_wandering(trajectory)
+        spread = np.concatenate([[0.0], np.cumsum(stops.variance())])
+        return cls(np.diff(np.column_stack([np.interp(time, trajectory.time, axis) for axis in wandered.T]), axis=0),
+                   np.diff(np.interp(time, trajectory.time, spread)))
+
+
+@dataclass(frozen=True)
+class _Stops:
+    """Runs of slow steps of a trajectory, those about a stop.
+
+    Attributes
+    ----------
+    still, beside : (e - 1,) steps in which the vehicle stands, and those in which it slows down or starts.
+    span : (e - 1,) s. run : (e - 1,) number of each step's run, 0 for none.
+    total : (r, 3) m, wandered while standing. ahead : (r,) m, of that ahead.
+    """
+
+    still: np.ndarray
+    beside: np.ndarray
+    span: np.ndarray
+    run: np.ndarray
+    total: np.ndarray
+    ahead: np.ndarray
+
+    @classmethod
+    def of(cls, trajectory: Trajectory) -> _Stops:
+        """The stops of a trajectory."""
+        still, slow = (np.diff(path_chainage(trajectory, *speed)) == 0 for speed in ((), (SLOW,)))
+        slow |= still
+        run = np.where(slow, np.cumsum(slow & ~np.concatenate([[False], slow[:-1]])), 0)
+        step = np.diff(trajectory.place, axis=0) * still[:, None]
+        heading = np.radians(trajectory.angles[:-1, 2])
+        ahead = step[:, 0] * np.sin(heading) + step[:, 1] * np.cos(heading)
+        return cls(still, slow & ~still, np.diff(trajectory.time), run,
+                   np.column_stack([np.bincount(run, axis) for axis in step.T]),
+                   np.maximum(np.bincount(run, ahead), 0.0))
+
+    def _seconds(self, mask: np.ndarray) -> np.ndarray:
+        """(r,) s of each run's steps of a mask."""
+        return np.bincount(self.run, self.span * mask)
+
+    def speed(self) -> np.ndarray:
+        """(r, 3) m/s, at which the trajectory wanders while the vehicle stands."""
+        return self.total / np.maximum(self._seconds(self.still), MIN_STOP)[:, None]
+
+    def variance(self) -> np.ndarray:
+        """(e - 1,) m2, of what the vehicle may have moved in each step beyond what is taken for its error."""
+        standing, beside = self._seconds(self.still), self._seconds(self.beside)
+        still = np.where(standing > 0, (STILL + CREPT * self.ahead) ** 2 / np.maximum(standing, 1e-9), 0.0)
+        slow = (0.5 * np.linalg.norm(self.speed(), axis=1)) ** 2 * beside
+        return self.span * np.where(self.still, still[self.run], np.where(self.beside, slow[self.run], 0.0))
+
+
+def still_wandering(trajectory: Trajectory) -> np.ndarray:
+    """(e, 3) m, what the reported place wandered up to each epoch while the vehicle stood, or was about to."""
+    stops = _Stops.of(trajectory)
+    step = np.diff(trajectory.place, axis=0) * stops.still[:, None]
+    step += 0.5 * stops.speed()[stops.run] * (stops.span * stops.beside)[:, None]
+    return np.concatenate([np.zeros((1, 3)), np.cumsum(step, axis=0)])
 
 
 def jump_steps(trajectory: Trajectory, time: np.ndarray) -> np.ndarray:

@@ -99,5 +99,5 @@ def with_moved(correction: Correction, moved: MovedMarkings | None) -> Correctio
     reason[:] = say("a good part of the markings lies elsewhere by one shift")
     covariance[:, :2, :2] += np.outer(moved.shift, moved.shift)
     step = CorrectionStep(float(correction.chainage[0]), float(correction.time[0]), *moved.shift.tolist(),
-                          LIMITS.step, MOVED)
+                          LIMITS.step, MOVED, (float(correction.chainage[0]), float(correction.chainage[-1])))
     return replace(correction, status=status, reason=reason, covariance=covariance, steps=(step, *correction.steps))

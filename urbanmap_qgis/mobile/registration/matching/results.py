@@ -104,8 +104,9 @@ def assemble(patches: Patches, windows: Windows, start: InitialShifts, parts: Se
     points, overlap = column("points"), column("overlap")
     covariance[:, [0, 1], [0, 1]] += _chance_variance(overlap)[:, None]
     alternatives = alternative_positions(start, windows, len(patches))
-    covariance[:, :2, :2] += alternative_spread(BestPath(start.best, start.deficit), (LIMITS.apart - 0.5) * CELL)[
+    spread = alternative_spread(BestPath(start.best, start.deficit), (LIMITS.apart - 0.5) * CELL)[
         np.arange(len(patches)) // start.block]
+    covariance[:, :2, :2] += spread
     status = _statuses(points, overlap, covariance, alternatives, column("converged"))
     if not settings.three_d:
         correction[:, 2:5] = covariance[:, 2:5] = covariance[:, :, 2:5] = np.nan
@@ -116,7 +117,7 @@ def assemble(patches: Patches, windows: Windows, start: InitialShifts, parts: Se
         patches.time, patches.chainage, patches.place, patches.angles, correction, covariance, column("score"), overlap,
         windows.first, windows.last, (windows.last - windows.first + 1) * patches.length, windows.features, points,
         alternatives.alias_ratio, alternatives.margin, status, *_modes(correction, alternatives, status), linearised,
-        information, gradient, settings.three_d, settings.search)
+        information, gradient, settings.three_d, settings.search, spread=spread)
 
 
 def _chance_variance(overlap: np.ndarray) -> np.ndarray:

@@ -6,8 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .correlation_start import peaks
-
 _OTHER = 4  # cells: a path this far off goes through another position
 
 
@@ -39,16 +37,15 @@ class InitialShifts:
 
 
 def path_margins(start: InitialShifts) -> np.ndarray:
-    """(b,) by how much the best path beats the best one through another position at the block."""
+    """(b,) by how much the best path beats the best one through another position at the block.
+
+    Any shift far enough off counts, whether or not it is a peak of the block's own surface: along lines alone, or where
+    the next line's ridge runs into the search's edge, there is none.
+    """
     size = start.deficit.shape[1]
     offset = np.arange(size) - size // 2
     margin = np.full(len(start.deficit), np.inf)
     for block, (east, north) in enumerate(start.best):
-        gain = start.deficit[block].max() - start.deficit[block]
         far = np.maximum(np.abs(offset - north)[:, None], np.abs(offset - east)) >= _OTHER
-        alternatives, heights = peaks(np.pad(gain, 1), 0, 12)
-        row, column = alternatives[:, 1] + (size + 2) // 2 - 1, alternatives[:, 0] + (size + 2) // 2 - 1
-        other = far[row, column]
-        if other.any():
-            margin[block] = start.deficit[block].max() - heights[other].max()
+        margin[block] = start.deficit[block][far].min(initial=np.inf)
     return margin

@@ -1,0 +1,51 @@
+"""What a standing vehicle's trajectory wanders is its error, and known."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tests.core.simulated_windows import simulate, trajectory
+from urbanmap_qgis.mobile.registration.correction.adjustment import adjust_correction
+from urbanmap_qgis.mobile.registration.correction.gauss_markov import STILL, StopMovement
+
+WANDERED = np.array([0.3, -0.4, 0.1])
+
+
+def wandering(waits, wandered, at):
+    """A drive eastwards whose reported place wanders by (3,) m, evenly in the wait at a chainage; and that wait's ends.
+    """
+    true, chainage = trajectory(300.0, waits, None)
+    standing = np.flatnonzero(chainage == chainage[np.searchsorted(chainage, at)])
+    share = np.clip((true.time - true.time[standing[0]]) / np.ptp(true.time[standing]), 0.0, 1.0)
+    return replace(true, place=true.place + share[:, None] * wandered), true.time[standing[[0, -1]]]
+
+
+def test_what_a_standing_vehicle_wanders_is_found_and_what_it_drives_is_not():
+    reported, (begin, end) = wandering({100.0: 20.0, 200.0: 10.0}, WANDERED, 100.0)
+    time = np.array([0.0, begin - 2.0, begin + 5.0, end + 2.0, reported.time[-1]])
+    made = StopMovement.of(reported, time)
+    assert made.moved[1:3].sum(axis=0) == pytest.approx(WANDERED, abs=0.02)
+    assert np.abs(made.moved[[0, 3]]).max() < 0.02  # the second wait does not wander
+    assert made.moved[1] == pytest.approx(0.25 * WANDERED, abs=0.03)  # five of twenty seconds
+    ahead = 0.25 * WANDERED[0]  # it drives eastwards: of that some may be true
+    assert np.sqrt(made.variance[1:3].sum()) == pytest.approx(STILL + ahead, rel=0.1)
+    assert np.sqrt(made.variance[3]) == pytest.approx(STILL, rel=0.1) and made.variance[0] == 0.0
+
+
+def test_the_correction_goes_on_over_a_wait_without_markings():
+    drive = simulate(0, waits={250.0: 20.0}, gaps=((235.0, 500.0),), turn=None, crossings=20.0)
+    standing = np.diff(drive.true.place[:, 0], prepend=-1.0) == 0
+    first = np.flatnonzero(standing)
+    share = np.clip((drive.true.time - drive.true.time[first[0]]) / np.ptp(drive.true.time[first]), 0.0, 1.0)
+    wandered = np.array([-0.6, 0.8, 0.0])
+    reported = replace(drive.reported, place=drive.reported.place + share[:, None] * wandered)
+    error = drive.error.copy()
+    error[drive.windows.chainage > 250.0, :3] -= wandered
+    made = adjust_correction(drive.windows, reported)
+    after = (made.chainage > 250.0) & (made.chainage < 260.0)
+    off = (made.value - error)[after, :2]
+    assert np.hypot(*off.T).max() < 0.35  # of a metre; the smooth drift over 25 m is left
+    assert (np.abs(off) < 3.0 * made.sigma()[after, :2]).all()

@@ -1,0 +1,126 @@
+"""How far a reported trajectory slips sideways: a vehicle goes where it heads, a slip is the trajectory's error.
+
+A re-fix that moves the reported place aside shows as a slip; a step of the reference does not. That tells the two
+apart where no markings show how the correction changes. Along the way nothing is told.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ...trajectory import Trajectory, path_chainage
+from .disagreements import Disagreements, NodeStep
+
+
+@dataclass(frozen=True)
+class SideSlipLimits:
+    """Limits of side slip, each with its unit."""
+
+    piece: float = 20.0  # m of path at least, over which slips are compared
+    every: float = 5.0  # m of path between the pieces that show the usual slip
+    pieces: int = 20  # from which the usual slip can be told
+    robust: float = 1.4826
+    floor: float = 0.02  # m, of a slip's standard deviation at least
+    rounds: int = 5
+    soft: float = 2.5  # standard deviations from which a piece loses weight
+    straight: float = 0.35  # radians that the path may turn by in a piece: 20 degrees
+    proof: float = 3.0  # standard deviations of a change across, and of what the slip leaves of it
+    unexplained: float = 0.5  # of the change across, that the slip leaves at least where it is not the drive's
+
+
+LIMITS = SideSlipLimits()
+
+
+@dataclass(frozen=True)
+class SideSlip:
+    """The slip of a trajectory, summed along it.
+
+    Attributes
+    ----------
+    path_parameter, chainage : (e,) m, at the epochs.
+    heading : (e,) radians, without jumps of a full turn.
+    slip : (e,) m to the right since the first epoch, that the heading denies.
+    """
+
+    path_parameter: np.ndarray
+    chainage: np.ndarray
+    heading: np.ndarray
+    slip: np.ndarray
+
+    @classmethod
+    def of(cls, trajectory: Trajectory, path_parameter: np.ndarray) -> SideSlip:
+        """Of a trajectory with path parameters (e,) m at its epochs; what it does while it stands does not count."""
+        chainage = path_chainage(trajectory)
+        heading = np.unwrap(np.radians(trajectory.angles[:, 2]))
+        middle, step = 0.5 * (heading[1:] + heading[:-1]), np.diff(trajectory.place[:, :2], axis=0)
+        right = (step[:, 0] * np.cos(middle) - step[:, 1] * np.sin(middle)) * (np.diff(chainage) > 0)
+        return cls(path_parameter, chainage, heading, np.concatenate([[0.0], np.cumsum(right)]))
+
+    def between(self, begin: float, end: float) -> tuple[np.ndarray, float, float] | None:
+        """Unit vector (2,) to the right, and the unusual slip along it with its standard deviation, m.
+
+        None where the drive is too short to tell what is usual, or the path bends: there it has no one direction.
+
+        Parameters
+        ----------
+        begin, end : m, path parameters.
+        """
+        middle, length = 0.5 * (begin + end), end - begin
+        first, last = np.interp([begin, end], self.path_parameter, self.chainage)
+        length = max(last - first, LIMITS.piece)
+        first = 0.5 * (first + last - length)
+        starts = np.arange(self.chainage[0], self.chainage[-1] - length, LIMITS.every)
+        if len(starts) < LIMITS.pieces:
+            return None
+        slip, turned = self._pieces(np.append(starts, first), length)
+        if abs(turned[-1]) > LIMITS.straight:
+            return None
+        design = np.column_stack([np.ones(len(slip)), turned])
+        usual, sigma = _robust_line(design[:-1], slip[:-1])
+        heading = float(np.interp(middle, self.path_parameter, self.heading))
+        return (np.array([np.cos(heading), -np.sin(heading)]), float(slip[-1] - design[-1] @ usual),
+                max(sigma, LIMITS.floor))
+
+    def _pieces(self, first: np.ndarray, length: float) -> tuple[np.ndarray, np.ndarray]:
+        """Slip (n,) m and rotation (n,) radians of pieces of path from chainages (n,) on."""
+        rising = np.concatenate([[True], np.diff(self.chainage) > 0])
+        ends = [np.clip(at, self.chainage[0], self.chainage[-1]) for at in (first, first + length)]
+        slip, heading = ([np.interp(at, self.chainage[rising], values[rising]) for at in ends]
+                         for values in (self.slip, self.heading))
+        return slip[1] - slip[0], heading[1] - heading[0]
+
+    def denies(self, begin: float, end: float, step: NodeStep) -> bool:
+        """Whether a change of the correction between path parameters is not the drive's: it did not slip so."""
+        found = self.between(begin, end)
+        if found is None:
+            return False
+        right, slip, sigma = found
+        across = float(right @ step.change)
+        sigma = float(np.sqrt(sigma**2 + right @ step.covariance @ right))
+        left = abs(across + slip)  # a correction undoes the slip
+        return abs(across) > LIMITS.proof * sigma and left > max(LIMITS.proof * sigma,
+                                                                 LIMITS.unexplained * abs(across))
+
+
+def _robust_line(design: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, float]:
+    """Coefficients that fit values (n,) best, robustly, and the standard deviation of what is left."""
+    weight = np.ones(len(values))
+    for _ in range(LIMITS.rounds):
+        root = np.sqrt(weight)
+        usual = np.linalg.lstsq(design * root[:, None], values * root, rcond=None)[0]
+        off = values - design @ usual
+        sigma = LIMITS.robust * float(np.median(np.abs(off)))
+        weight = 1.0 / (1.0 + (off / max(LIMITS.soft * sigma, 1e-6)) ** 2)
+    return usual, sigma
+
+
+def with_denied_gaps(found: Disagreements, slip: SideSlip) -> Disagreements:
+    """What was found, with the steps that hide in gaps and that the drive did not make: the reference has them."""
+    steps, nodes = list(found.steps), found.chain.nodes
+    for begin, end, step in found.hidden:
+        known = any(begin <= nodes[other.node] <= end for other in steps)
+        if found.hides(step) and not known and slip.denies(begin, end, step):
+            steps.append(step)
+    return replace(found, steps=sorted(steps, key=lambda step: step.node))
