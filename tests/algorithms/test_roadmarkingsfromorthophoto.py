@@ -124,6 +124,21 @@ def test_styles_are_readable(qgis_app, ortho, tmp_path):
     assert {item.value: item.color.alpha() for item in layer.renderer().classes()} == {0: 0, 255: 255}
 
 
+def test_trained_method_has_a_confidence_of_its_own(run, ortho, tmp_path):
+    from qgis.core import QgsVectorLayer
+
+    confidence = []
+    for method in ("profile", "trained"):
+        result = run(ALGORITHM, {"INPUT": str(ortho()), "METHOD": method, "MIN_CONFIDENCE": 0.05,
+                                 "OUTPUT": str(tmp_path / f"{method}.tif"),
+                                 "OUTPUT_POLYGONS": str(tmp_path / f"{method}.gpkg")})
+        assert result["COUNT"] == LINES
+        layer = QgsVectorLayer(str(tmp_path / f"{method}.gpkg"))
+        confidence.append(sorted(feature["confidence"] for feature in layer.getFeatures()))
+    assert all(0.05 <= value <= 1 for values in confidence for value in values)
+    assert not np.allclose(*confidence)
+
+
 def test_paper_is_the_plain_threshold(run, ortho, tmp_path):
     """What our way leaves out, such as specks of noise and of one pixel, stays; the lines are there too."""
     import cv2

@@ -20,6 +20,7 @@ MODE_FIRST = ("gzip", "laspy", "rasterio")
 NOT_OF_USERS = {
     "aerial/markings/marking_report.py:_pictures": "result of the run",
     "aerial/worker_resources.py:SentPolygons._polygons": "written by the run for its workers",
+    "aerial/markings/paint_model.py:PaintModel.read": "model of the program",
     "citymodel/citygml/iur.py:_rows": "table of the program",
     "citymodel/citygml/writer.py:_append": "written by the run",
     "citymodel/checks/standard_lists.py:standard_lists": "table of the program",

@@ -51,6 +51,16 @@ def test_paint_on_asphalt_stays_and_stripes_on_grass_and_earth_go(tmp_path):
     assert len(made.polygons) and (made.polygons.confidence > 0.2).all() and (made.polygons.confidence <= 1).all()
 
 
+def test_the_trained_model_parts_the_same_scene(tmp_path):
+    image = scene()
+    _, every = found_in(tmp_path, image, min_confidence=0.0, trained=True)
+    made, mask = found_in(tmp_path, image, trained=True)
+    assert mask[60:100, 60:62].mean() > 0.9 and mask[260:300, 60:62].mean() > 0.9
+    assert mask[200:, 310:].sum() < 0.05 * every[200:, 310:].sum()
+    sure = made.polygons.confidence[[shape.centroid.x < 10 for shape in made.polygons.polygons]]
+    assert len(sure) and (sure > 0.3).all()
+
+
 def test_known_roads_need_no_proof(tmp_path):
     import shapely
 

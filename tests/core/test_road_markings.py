@@ -138,12 +138,13 @@ def test_specks_go(rule):
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("trained", [False, True])
 @pytest.mark.parametrize("tile", [96, 160, 1000])
-def test_result_does_not_depend_on_the_cut(tmp_path, tile):
+def test_result_does_not_depend_on_the_cut(tmp_path, tile, trained):
     bands, _white, _yellow = street(700, 900)
-    path = write(tmp_path / "正射.tif", bands)
-    whole = markings_from_orthophoto(path, tmp_path / "whole.tif", tile=4096)
-    cut = markings_from_orthophoto(path, tmp_path / "cut.tif", tile=tile)
+    path, settings = write(tmp_path / "正射.tif", bands), replace_cleaning(trained=trained)
+    whole = markings_from_orthophoto(path, tmp_path / "whole.tif", settings=settings, tile=4096)
+    cut = markings_from_orthophoto(path, tmp_path / "cut.tif", settings=settings, tile=tile)
     assert np.array_equal(read_mask(tmp_path / "whole.tif"), read_mask(tmp_path / "cut.tif"))
     assert len(whole.polygons) == len(cut.polygons) > 10
     # An edge that lies on a seam may lose a thousandth of a pixel, and so change places in the order.

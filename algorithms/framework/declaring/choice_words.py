@@ -76,6 +76,7 @@ CHOICE_WORDS = {
     "squares": mark("squares of the tile size"),
     "surfacefromals": mark("Surface and ground from ALS"),
     "survey": mark("mobile survey"),
+    "trained": mark("with a model trained on made-up streets"),
     "usual": mark("R_kappa R_phi R_omega, as bundle adjustments write"),
     "vote": mark("majority vote"),
     "walls": mark("walls"),

@@ -39,3 +39,9 @@ def flat_places(flags: np.ndarray, place: tuple[slice, slice]) -> np.ndarray:
     row += column
     row += columns.start
     return row
+
+
+def shifted_places(inside: np.ndarray, place: tuple[slice, slice], shape: tuple[int, int]) -> np.ndarray:
+    """Places (n,) in a flat image of a shape of places in some of its rows and columns."""
+    row, column = np.divmod(inside, place[1].stop - place[1].start)
+    return (row + place[0].start) * shape[1] + column + place[1].start

@@ -255,13 +255,13 @@ def colours_of(bands: np.ndarray, weight: np.ndarray | None = None) -> tuple[np.
     """Warmth (red - blue) and green (less the mean of red and blue) as shares of the brightness, over 3 x 3 pixels
     (5 x 5 of those with a weight, 0 or 1), because JPEG spreads colours; (rows, columns) float32 each."""
     if weight is None:
-        return _shares(*(mean_over(band, 3) for band in bands[:3]))
+        return shares_of_colour(*(mean_over(band, 3) for band in bands[:3]))
     share = np.maximum(mean_over(weight, 5), np.float32(1e-3))
     weight = weight.astype(bands.dtype)
     colours = [mean_over(band * weight, 5) for band in bands[:3]]
     for colour in colours:
         colour /= share
-    return _shares(*colours)
+    return shares_of_colour(*colours)
 
 
 def mean_over(band: np.ndarray, side: int) -> np.ndarray:
@@ -270,7 +270,7 @@ def mean_over(band: np.ndarray, side: int) -> np.ndarray:
     return cv2.boxFilter(band, cv2.CV_32F, (side, side), borderType=cv2.BORDER_REPLICATE)
 
 
-def _shares(red: np.ndarray, green: np.ndarray, blue: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def shares_of_colour(red: np.ndarray, green: np.ndarray, blue: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Warmth and green of colours, which are used up."""
     brightness = red + green
     brightness += blue
@@ -333,7 +333,7 @@ def _confidence_at(rows: np.ndarray, columns: np.ndarray, core: np.ndarray, band
     confidence = settings.faint + (1 - settings.faint) * _ramp(relief, settings.contrast)
     if ground.shades is not None:
         inside = rows * bands.shape[2] + columns
-        warmth = _shares(*(mean_over(band, 3).take(inside) for band in bands[:3]))[0]
+        warmth = shares_of_colour(*(mean_over(band, 3).take(inside) for band in bands[:3]))[0]
         blue = np.minimum(_ramp(relief, settings.blue_contrast), _ramp(-warmth, settings.blue))
         warmer = warmth - _warmth_of_ground(ground, rows, columns, pixel)
         colour = np.maximum(_ramp(warmer, settings.warmer), blue)

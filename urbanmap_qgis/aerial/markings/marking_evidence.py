@@ -10,6 +10,8 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
+from .marking_pieces import variances
+
 
 @dataclass(frozen=True)
 class SearchTallyLimits:
@@ -88,14 +90,5 @@ def evidence_of_pieces(inside: np.ndarray, labels: np.ndarray, accepted: np.ndar
 
 def _slender(labels: np.ndarray, rows: np.ndarray, columns: np.ndarray, pixel: float) -> np.ndarray:
     """Which pieces are long, straight and narrow, by their pixels' second moments, bool."""
-    count = int(labels.max(initial=0)) + 1
-    size = np.maximum(np.bincount(labels, minlength=count), 1)
-
-    def mean(values: np.ndarray) -> np.ndarray:
-        return np.bincount(labels, values, minlength=count) / size
-
-    down, across = rows - mean(rows)[labels], columns - mean(columns)[labels]
-    first, second, mixed = mean(down * down), mean(across * across), mean(down * across)
-    half, root = (first + second) / 2, np.hypot((first - second) / 2, mixed)
-    return ((pixel * np.sqrt(12 * (half + root)) >= LIMITS.straight)
-            & (pixel * np.sqrt(np.maximum(half - root, 0)) < LIMITS.slender))
+    along, across = variances(labels, rows, columns, np.bincount(labels, minlength=1))
+    return (pixel * np.sqrt(12 * along) >= LIMITS.straight) & (pixel * np.sqrt(across) < LIMITS.slender)

@@ -44,6 +44,7 @@ from .road_markings import (
 )
 from .road_model import RoadModel
 from .sampled_levels import sampled_levels
+from .surroundings import cell_pixels
 
 
 @dataclass(frozen=True)
@@ -307,6 +308,8 @@ def _found_in_tiles(given: _OrthophotoReader | WorkerResource, scene: _Orthophot
                     executor: Executor | None) -> Iterator[_TileFound]:
     """Work on all tiles, here or on the executor."""
     step = coarse_step(settings.cleaning.vehicle_width / scene.pixel) if settings.cleaning else 1
+    if settings.cleaning and settings.cleaning.trained:
+        step = math.lcm(step, cell_pixels(scene.pixel))
 
     def places() -> Iterator[tuple[slice, slice]]:
         for rows, columns, done in _tiles(scene, max(tile // scene.factor, 1), step):

@@ -7,16 +7,26 @@ does not depend on how an image is cut: pieces of `max_length` or more are judge
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import cv2
 import numpy as np
 
 from .disc_opening import disc_opened
-from .image_strips import STRIP, flat_places, grown, row_strips, within
-from .marking_confidence import GROUND_REACH, ConfidenceSettings, along_strokes, ground_beside, marking_confidence
+from .image_strips import STRIP, flat_places, grown, row_strips, shifted_places, within
+from .marking_confidence import (
+    GROUND_REACH,
+    ConfidenceSettings,
+    GroundBeside,
+    along_strokes,
+    ground_beside,
+    marking_confidence,
+)
 from .marking_evidence import SearchTally, evidence_of_pieces
+from .marking_pieces import MarkingPieces, PieceFigures, PieceImage, marking_pieces_of, piece_figures
+from .paint_model import paint_model
 from .road_model import RoadModel
+from .surroundings import REACH
 
 
 @dataclass(frozen=True)
@@ -40,6 +50,7 @@ class CleanSettings:
     min_confidence : pieces (parts of long ones) with less confidence that they are paint on a road are left out.
     confidence : how it is measured.
     fill_width : paint up to this width, such as arrow heads, is filled.
+    trained : whether the confidence is told by the trained model, see `paint_model`, or by rules alone.
     """
 
     max_width: float = 0.8
@@ -61,6 +72,7 @@ class CleanSettings:
     min_confidence: float = 0.2
     confidence: ConfidenceSettings = field(default_factory=ConfidenceSettings)
     fill_width: float = 1.5
+    trained: bool = False
 
     @property
     def reach(self) -> float:
@@ -71,7 +83,10 @@ class CleanSettings:
         """
         piece = self.max_length + self.wear_gap
         body = self.max_length + self.body_width + max(self.vehicle_gap, self.rim)
-        return piece + body + max(GROUND_REACH, self.vehicle_width) + self.max_width + 2 * self.fill_width
+        beyond = body + max(GROUND_REACH, self.vehicle_width)
+        if self.trained:
+            beyond = max(beyond, REACH + GROUND_REACH)
+        return piece + beyond + self.max_width + 2 * self.fill_width
 
 
 @dataclass(frozen=True)
@@ -88,6 +103,8 @@ class Candidates:
     seen : bool, where ground is seen.
     roads : bool, None where unknown.
     model : the image's own road.
+    scale : levelled grey values in one of the bands' steps.
+    contrast : grey values that paint stands out by in the light.
     """
 
     core: np.ndarray
@@ -98,6 +115,8 @@ class Candidates:
     seen: np.ndarray
     roads: np.ndarray | None
     model: RoadModel
+    scale: float
+    contrast: float
 
 
 @dataclass(frozen=True)
@@ -124,31 +143,138 @@ def remove_non_markings(found: Candidates, pixel: float, settings: CleanSettings
                         ) -> Cleaned:
     """Pixels of the candidates that are paint, for the rows and columns wanted, by default all, and evidence of those
     counted, by default the same."""
-    shape = found.core.shape
-    wanted = wanted or (slice(0, shape[0]), slice(0, shape[1]))
+    wanted = wanted or (slice(0, found.core.shape[0]), slice(0, found.core.shape[1]))
     counted = counted or wanted
+    judged = judged_pieces(found, pixel, settings, wanted)
+    near, ground, mask, pieces = judged.near, judged.ground, judged.mask, judged.pieces
+    by_rules = values = _of_pieces(judged, judged.by_rules, pixel)
+    accepted = judged.accepted[pieces.labels]
+    if settings.trained and found.roads is None:
+        values = _by_model(judged, found, pixel)
+    good = accepted & (values >= settings.min_confidence)
+    evidence = SearchTally(colder=judged.colder, clear=np.count_nonzero(ground.clear[counted]),
+                           smooth=np.count_nonzero(ground.smooth[counted]))
+    evidence += _tally(judged, accepted & (by_rules >= settings.min_confidence), good, within(counted, near), pixel)
+    kept, confidence = np.zeros(mask.shape, bool), np.zeros(mask.shape, np.float32)
+    kept.ravel()[pieces.inside] = good
+    confidence.ravel()[pieces.inside] = np.where(good, values, 0)
+    window = within(wanted, near)
+    return Cleaned(kept[window], confidence[window], ground.brightness[wanted], judged.bodies, evidence)
+
+
+@dataclass(frozen=True)
+class JudgedPieces:
+    """Pieces of bright narrow pixels, before their confidence is asked for.
+
+    Attributes
+    ----------
+    near : rows and columns that `mask` covers.
+    mask : bool, pixels of the pieces.
+    pieces : of them.
+    accepted : (m,) bool, pieces that are large enough, no vehicle's and not just along a border.
+    relief : (n,) top-hat in thresholds of the mask's pixels.
+    by_rules : (n,) float32, their confidence by rules for the ground beside, see `marking_confidence`.
+    colder : how many bright narrow pixels are no paint by these rules for their colour alone.
+    narrow : bool, bright narrow pixels of the whole.
+    ground : of the whole.
+    bodies : bool, of the rows and columns wanted.
+    """
+
+    near: tuple[slice, slice]
+    mask: np.ndarray
+    pieces: MarkingPieces
+    accepted: np.ndarray
+    relief: np.ndarray
+    by_rules: np.ndarray
+    colder: int
+    narrow: np.ndarray
+    ground: GroundBeside
+    bodies: np.ndarray
+
+
+def judged_pieces(found: Candidates, pixel: float, settings: CleanSettings, wanted: tuple[slice, slice]
+                  ) -> JudgedPieces:
+    """Pieces that reach into the rows and columns wanted."""
     narrow = _narrow(found, settings.top_hat_ratio)
     # A piece is shorter than this, or long; farther off nothing matters any more.
-    near = grown(wanted, math.ceil((settings.max_length + settings.wear_gap) / pixel) + 4, shape)
+    near = grown(wanted, math.ceil((settings.max_length + settings.wear_gap) / pixel) + 4, found.core.shape)
+    ground = ground_beside(found.bands, found.image, found.road, found.core, found.seen, pixel, found.model,
+                           settings.confidence)
+    vehicles, bodies = vehicle_zones(found, ground.brightness, pixel, settings)
+    mask = narrow[near] & ~bodies[near]
+    inner = cv2.erode(found.seen.view(np.uint8), np.ones((5, 5), np.uint8))[near] > 0
+    joined = cv2.dilate(mask.view(np.uint8), disc_kernel(settings.wear_gap, pixel))
+    pieces = marking_pieces_of(mask, joined, pixel, settings.max_length)
+    accepted = _accepted(pieces, vehicles[near], found.seen[near] & ~inner, pixel, settings)
+    places = shifted_places(pieces.inside, near, found.core.shape)
+    relief = (found.image.take(places) - found.road.take(places)) / found.threshold.take(places)
+    by_rules, colder = _by_rules(found, narrow, ground, pixel, settings, near)
+    return JudgedPieces(near, mask, pieces, accepted, relief, by_rules[~bodies[near][narrow[near]]], colder, narrow,
+                        ground, bodies[wanted])
+
+
+def _by_rules(found: Candidates, narrow: np.ndarray, ground: GroundBeside, pixel: float, settings: CleanSettings,
+              near: tuple[slice, slice]) -> tuple[np.ndarray, int]:
+    """Confidence (n,) by rules of the bright narrow pixels of some rows and columns, and how many are too blue."""
     inside = flat_places(narrow, near)
-    ground = ground_beside(found.bands, found.image, found.road, found.core, found.seen, pixel,
-                           found.model, settings.confidence)
     relief = (found.image.take(inside) - found.road.take(inside)) / found.threshold.take(inside)
     colder = np.zeros(len(relief), bool)
     confidence = marking_confidence(narrow, found.bands, relief, ground, found.roads, pixel, settings.confidence, near,
                                     colder)
-    brightness = ground.brightness
-    evidence = SearchTally(colder=np.count_nonzero(colder), clear=np.count_nonzero(ground.clear[counted]),
-                           smooth=np.count_nonzero(ground.smooth[counted]))
-    del ground, relief  # large pieces of image: each array counts
-    vehicles, bodies = vehicle_zones(found, brightness, pixel, settings)
-    paint = ~bodies.take(inside)
-    narrow = narrow[near] & ~bodies[near]
-    inner = cv2.erode(found.seen.view(np.uint8), np.ones((5, 5), np.uint8))[near] > 0
-    accepted, confidence, pieces = filtered_components(narrow, vehicles[near], found.seen[near] & ~inner,
-                                                       confidence[paint], pixel, settings, within(counted, near))
-    window = within(wanted, near)
-    return Cleaned(accepted[window], confidence[window], brightness[wanted], bodies[wanted], evidence + pieces)
+    return confidence, int(np.count_nonzero(colder))
+
+
+def figures_of_pieces(judged: JudgedPieces, found: Candidates, pixel: float) -> tuple[np.ndarray, PieceFigures]:
+    """Which pixels of the pieces belong to accepted ones, bool (n,), and the figures of their cells."""
+    counts = judged.accepted[judged.pieces.labels]
+    places = shifted_places(judged.pieces.inside[counts], judged.near, found.core.shape)
+    image = PieceImage(found.bands, found.image, judged.narrow, judged.ground, found.model, found.scale, found.contrast)
+    return counts, piece_figures(image, places, judged.relief[counts], judged.by_rules[counts], judged.pieces,
+                                 judged.pieces.labels[counts], pixel)
+
+
+def _by_model(judged: JudgedPieces, found: Candidates, pixel: float) -> np.ndarray:
+    """Confidence (n,) of the pieces' pixels by the trained model."""
+    counts, figures = figures_of_pieces(judged, found, pixel)
+    evidence = np.zeros(len(counts), np.float32)
+    evidence[counts] = paint_model().evidence_of(figures.values, len(figures.pixels))[figures.cell]
+    return paint_model().probability(_of_pieces(judged, evidence, pixel))
+
+
+def _tally(judged: JudgedPieces, by_rules: np.ndarray, good: np.ndarray, counted: tuple[slice, slice], pixel: float
+           ) -> SearchTally:
+    """Evidence of the pieces: what rules for the ground beside leave out, and what is taken in the end."""
+    inside, labels = judged.pieces.inside, judged.pieces.labels
+    accepted, shape = judged.accepted[labels], judged.mask.shape
+    tally = evidence_of_pieces(inside, labels, accepted, by_rules, shape, counted, pixel)
+    if np.array_equal(by_rules, good):
+        return tally
+    return replace(tally, kept=evidence_of_pieces(inside, labels, accepted, good, shape, counted, pixel).kept)
+
+
+def _accepted(pieces: MarkingPieces, vehicles: np.ndarray, border: np.ndarray, pixel: float, settings: CleanSettings
+              ) -> np.ndarray:
+    """Pieces (m,) that are large enough, no vehicle's, and not just along a border, bool; long ones as they are.
+
+    `vehicles` and `border` are bool (rows, columns): near to a vehicle, and at the edge of what is hidden.
+    """
+    size, own_length = pieces.size, pieces.length - settings.wear_gap
+    at_vehicle, at_border = (np.bincount(pieces.labels, flags.take(pieces.inside), minlength=len(size))
+                             for flags in (vehicles, border))
+    accepted = (size * pixel ** 2 >= settings.min_area) & (own_length >= settings.min_length)
+    accepted &= (at_vehicle < settings.vehicle_share * size) | (own_length > settings.line_length)
+    accepted &= at_border < settings.border_share * size
+    accepted |= pieces.long
+    accepted[0] = False
+    return accepted
+
+
+def _of_pieces(judged: JudgedPieces, values: np.ndarray, pixel: float) -> np.ndarray:
+    """Means (n,) of values of the pieces' pixels over their piece, or the part of a long one."""
+    pieces = judged.pieces
+    mean = np.bincount(pieces.labels, values, minlength=len(pieces.size)) / np.maximum(pieces.size, 1)
+    return np.where(pieces.long[pieces.labels], along_strokes(values, judged.mask, pixel),
+                    mean[pieces.labels].astype(np.float32))
 
 
 def _narrow(found: Candidates, ratio: float) -> np.ndarray:
@@ -227,38 +353,3 @@ def _opened_coarsely(image: np.ndarray, disc_pixel: float) -> tuple[int, np.ndar
 def coarse_step(disc_pixel: float) -> int:
     """Pixels that are taken together where a disc of a diameter in pixels opens an image."""
     return max(int(disc_pixel / 13), 1)
-
-
-def filtered_components(mask: np.ndarray, vehicles: np.ndarray, border: np.ndarray, confidence: np.ndarray,
-                        pixel: float, settings: CleanSettings, counted: tuple[slice, slice]
-                        ) -> tuple[np.ndarray, np.ndarray, SearchTally]:
-    """Pieces of `mask` that are large enough, sure enough, no vehicle's, and not just along a border.
-
-    `vehicles` and `border` are bool (rows, columns): near to a vehicle, and at the edge of what is hidden.
-    `confidence` (n,) is that of the mask's pixels in the order of rows.
-
-    Returns
-    -------
-    The kept pixels, bool, and their confidence: that of their piece, or of the part of a long one; 0 elsewhere; and
-    evidence of the rows and columns counted.
-    """
-    joined = cv2.dilate(mask.view(np.uint8), disc_kernel(settings.wear_gap, pixel))
-    count, labels, boxes, _centres = cv2.connectedComponentsWithStats(joined, connectivity=8)
-    inside = np.flatnonzero(mask)
-    labels = labels.take(inside)
-    size, at_vehicle, at_border, sure = (np.bincount(labels, values, minlength=count) for values in (
-        None, vehicles.take(inside), border.take(inside), confidence))
-    length = np.hypot(boxes[:, cv2.CC_STAT_WIDTH], boxes[:, cv2.CC_STAT_HEIGHT]) * pixel
-    own_length = length - settings.wear_gap
-    accepted = (size * pixel ** 2 >= settings.min_area) & (own_length >= settings.min_length)
-    accepted &= (at_vehicle < settings.vehicle_share * size) | (own_length > settings.line_length)
-    accepted &= at_border < settings.border_share * size
-    long = length >= settings.max_length
-    accepted |= long
-    accepted[0] = False
-    value = np.where(long[labels], along_strokes(confidence, mask, pixel),
-                     (sure / np.maximum(size, 1))[labels].astype(np.float32))
-    good = accepted[labels] & (value >= settings.min_confidence)
-    chosen, values = np.zeros(mask.shape, bool), np.zeros(mask.shape, np.float32)
-    chosen.ravel()[inside], values.ravel()[inside] = good, np.where(good, value, 0)
-    return chosen, values, evidence_of_pieces(inside, labels, accepted[labels], good, mask.shape, counted, pixel)

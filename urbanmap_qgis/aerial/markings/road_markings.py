@@ -205,24 +205,33 @@ def find_markings(bands: np.ndarray, seen: np.ndarray, roads: np.ndarray | None,
     allowed = seen if roads is None else seen & roads
     if settings.paper:
         return thresholded(_levelled(bands, levels, settings), bands, seen, allowed, pixel, settings).part(wanted)
-    image, threshold, core = _bright(bands, seen, pixel, levels, settings)
-    core &= allowed
-    width = settings.cleaning.max_width if settings.cleaning else CleanSettings().max_width
-    road = disc_opened(image, disc_kernel(width, pixel))
+    found = candidates_of(bands, seen, roads, pixel, levels, settings)
+    image, road = found.image, found.road
     if not settings.cleaning:
-        unknown = np.full(core.shape, np.nan, np.float32)
-        return _refined(core, image, road, bands, allowed, pixel, unknown).part(wanted)
-    _leave_out_green(core, bands)
-    found = Candidates(core, bands, image, road, threshold, seen, roads, levels.road)
-    near = grown(wanted, math.ceil((2 * settings.cleaning.fill_width + 4 * LIMITS.edge_spread) / pixel) + 4, core.shape)
+        unknown = np.full(seen.shape, np.nan, np.float32)
+        return _refined(found.core, image, road, bands, allowed, pixel, unknown).part(wanted)
+    near = grown(wanted, math.ceil((2 * settings.cleaning.fill_width + 4 * LIMITS.edge_spread) / pixel) + 4, seen.shape)
     cleaned = remove_non_markings(found, pixel, settings.cleaning, near, wanted)
     image, road, allowed, bands = image[near], road[near], allowed[near], bands[:, near[0], near[1]]
-    del found, threshold  # large pieces of image: each array counts
+    del found  # large pieces of image: each array counts
     core, road = _filled(cleaned, image, road, allowed, pixel, settings.cleaning)
     confidence, evidence = cleaned.confidence, cleaned.evidence
     del cleaned
     markings = _refined(core, image, road, bands, allowed, pixel, confidence).part(within(wanted, near))
     return replace(markings, evidence=evidence)
+
+
+def candidates_of(bands: np.ndarray, seen: np.ndarray, roads: np.ndarray | None, pixel: float,
+                  levels: LevelAdjustment, settings: MarkingSettings) -> Candidates:
+    """Bright pixels of a piece of image, and what they are judged by; parameters as of `find_markings`."""
+    image, threshold, core = _bright(bands, seen, pixel, levels, settings)
+    core &= seen if roads is None else seen & roads
+    width = settings.cleaning.max_width if settings.cleaning else CleanSettings().max_width
+    road = disc_opened(image, disc_kernel(width, pixel))
+    if settings.cleaning:
+        _leave_out_green(core, bands)
+    return Candidates(core, bands, image, road, threshold, seen, roads, levels.road,
+                      255.0 / (levels.high - levels.low), settings.contrast)
 
 
 def _levelled(bands: np.ndarray, levels: LevelAdjustment, settings: MarkingSettings) -> np.ndarray:

@@ -1,0 +1,281 @@
+"""Figures of what surrounds bright narrow places, by which a trained model tells paint from what looks like it.
+
+The ground is summed up on cells of about a third of a metre, from whole numbers: sums of these are exact, and so the
+figures do not depend on where a tile begins. Lengths are in m, brightness is relative to the image's own road.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from .marking_confidence import GroundBeside
+from .road_model import RoadModel
+
+
+@dataclass(frozen=True)
+class SurroundingsLimits:
+    """Limits of surroundings, each with its unit."""
+
+    cell: float = 0.36  # m
+    steepest: int = 60  # grey values a pixel, that gradients are cut at
+    coarsest: float = 4.0  # times the road's own: figures are cut there
+    sides: tuple[float, ...] = (0.8, 1.5, 2.6)  # m to either side of a stroke
+    along: tuple[float, ...] = (2.0, 3.5, 5.0, 7.0, 9.0, 11.0, 14.0)  # m before and behind
+    apart: tuple[float, ...] = (2.2, 2.7, 3.2, 3.7, 4.2)  # m at which neighbouring lines lie
+    turned: float = 40.0  # degrees, directions in which lines are looked for to compare
+    dark: float = 0.55  # times the road's brightness
+    light: float = 1.4
+
+
+LIMITS = SurroundingsLimits()
+
+REACH = 16.0
+"""m round a cell that its figures are told by."""
+
+_BOXES = (1.1, 2.6, 6.0, 14.0)
+"""Half sides of boxes, m."""
+
+_SHADES = 200.0
+
+
+def cell_pixels(pixel: float) -> int:
+    """Pixels along the side of a cell."""
+    return max(round(LIMITS.cell / pixel), 1)
+
+
+@dataclass(frozen=True)
+class Cells:
+    """Sums over the pixels of cells; all (rows, columns) float32 of whole numbers.
+
+    Attributes
+    ----------
+    size : pixels along a side.
+    clear, smooth, narrow : pixels of clear ground; of smooth ground; of bright narrow things.
+    light : sum of the clear ground's brightness.
+    red, green, blue : of its colours; None for grey images.
+    rough : sum of the clear ground's squared steps of brightness.
+    xx, yy, xy : sums of products of the brightness' gradients.
+    """
+
+    size: int
+    clear: np.ndarray
+    smooth: np.ndarray
+    narrow: np.ndarray
+    light: np.ndarray
+    rough: np.ndarray
+    xx: np.ndarray
+    yy: np.ndarray
+    xy: np.ndarray
+    red: np.ndarray | None = None
+    green: np.ndarray | None = None
+    blue: np.ndarray | None = None
+
+
+def sums_over(values: np.ndarray, size: int) -> np.ndarray:
+    """Sums (whole numbers, float32) over square cells of an image, beginning with its first pixel."""
+    rows, columns = (-(-side // size) for side in values.shape)
+    below, right = rows * size - values.shape[0], columns * size - values.shape[1]
+    if below or right:
+        values = cv2.copyMakeBorder(values, 0, below, 0, right, cv2.BORDER_REPLICATE)
+    means = cv2.resize(values.astype(np.float32, copy=False), (columns, rows), interpolation=cv2.INTER_AREA)
+    return np.rint(means * np.float32(size * size))
+
+
+def cells_of(bands: np.ndarray, image: np.ndarray, narrow: np.ndarray, ground: GroundBeside, pixel: float,
+             scale: float) -> Cells:
+    """Sums over cells of a piece of image.
+
+    Parameters
+    ----------
+    bands : (1 or 3 and more, rows, columns), red, green, blue first.
+    image : levelled brightness.
+    narrow : bool, bright narrow pixels.
+    ground : round them.
+    pixel : side, m.
+    scale : levelled grey values in one of the bands' steps.
+    """
+    size = cell_pixels(pixel)
+    clear = ground.clear.astype(np.float32)
+    whole = np.clip(np.rint(image), -500, 1000)
+    step = LIMITS.steepest
+    across = np.clip(cv2.filter2D(whole, cv2.CV_32F, np.float32([[-1, 0, 1]]), borderType=cv2.BORDER_REPLICATE),
+                     -step, step)
+    down = np.clip(cv2.filter2D(whole, cv2.CV_32F, np.float32([[-1], [0], [1]]), borderType=cv2.BORDER_REPLICATE),
+                   -step, step)
+    steep = (across * across, down * down)
+    colours = {}
+    if len(bands) >= 3:
+        colours = {name: sums_over(np.rint(bands[band].astype(np.float32) * np.float32(scale)) * clear, size)
+                   for band, name in enumerate(("red", "green", "blue"))}
+    return Cells(size, sums_over(clear, size), sums_over(ground.smooth, size), sums_over(narrow.view(np.uint8), size),
+                 sums_over(whole * clear, size), sums_over((steep[0] + steep[1]) * clear, size),
+                 *(sums_over(values, size) for values in (*steep, across * down)), **colours)
+
+
+class _Around:
+    """Means of cells over boxes."""
+
+    def __init__(self, cells: Cells, pixel: float):
+        self._cells, self._side = cells, cells.size * pixel
+        self._whole = cells.size ** 2
+
+    def total(self, values: np.ndarray, half: float) -> np.ndarray:
+        """Sums over boxes of so many metres to each side, (rows, columns) float64."""
+        side = 2 * max(round(half / self._side), 1) + 1
+        return cv2.boxFilter(values, cv2.CV_64F, (side, side), normalize=False, borderType=cv2.BORDER_REPLICATE)
+
+    def pixels(self, half: float) -> float:
+        """Pixels in such a box."""
+        side = 2 * max(round(half / self._side), 1) + 1
+        return side * side * self._whole
+
+
+def figures_at(rows: np.ndarray, columns: np.ndarray, cells: Cells, model: RoadModel, pixel: float,
+               threshold: float) -> dict[str, np.ndarray]:
+    """Figures (n,) by name of cells at rows and columns."""
+    around = _Around(cells, pixel)
+    flat = rows * cells.clear.shape[1] + columns
+    made = _of_ground(flat, cells, around, model)
+    made |= _of_edges(flat, cells, around)
+    across, down, firm = _across(flat, cells, around)
+    made["firm"] = firm
+    made |= _of_sides(rows, columns, across, down, cells, around, model, pixel, threshold)
+    made |= _of_lines(rows, columns, across, down, cells, around, pixel)
+    return made
+
+
+def _of_ground(flat: np.ndarray, cells: Cells, around: _Around, model: RoadModel) -> dict[str, np.ndarray]:
+    """Shares, brightness, colour and roughness of the ground in boxes round cells."""
+    made = {}
+    level = max(model.brightness, 1.0)
+    mean = cells.light / np.maximum(cells.clear, 1) / level
+    dark = np.where(cells.clear > 0, cells.clear * (mean < LIMITS.dark), 0).astype(np.float32)
+    light = np.where(cells.clear > 0, cells.clear * (mean > LIMITS.light), 0).astype(np.float32)
+    squares = np.rint(cells.light * mean * 16).astype(np.float32)
+    for half in _BOXES:
+        name = f"{half:g}"
+
+        def at(values: np.ndarray, half: float = half) -> np.ndarray:
+            return around.total(values, half).take(flat)
+
+        clear, whole = at(cells.clear), around.pixels(half)
+        some = np.maximum(clear, 1)
+        made["clear" + name] = clear / whole
+        made["narrow" + name] = at(cells.narrow) / whole
+        made["smooth" + name] = at(cells.smooth) / some
+        bright = at(cells.light) / some / level
+        made["light" + name] = np.minimum(bright, LIMITS.coarsest)
+        made["dark" + name], made["bright" + name] = at(dark) / some, at(light) / some
+        made["uneven" + name] = np.sqrt(np.maximum(at(squares) / 16 / some / level - bright * bright, 0))
+        rough = np.sqrt(at(cells.rough) / some) / (2 + 2 * model.texture)
+        made["rough" + name] = np.minimum(rough, 2 * LIMITS.coarsest)
+        if cells.red is not None:
+            red, green, blue = at(cells.red), at(cells.green), at(cells.blue)
+            value = np.maximum((red + green + blue) / 3, 1e-6)
+            made["warm" + name] = np.clip((red - blue) / value - model.warmth, -1, 1)
+            made["green" + name] = np.clip((green - (red + blue) / 2) / value - model.green, -1, 1)
+    return made
+
+
+def _of_edges(flat: np.ndarray, cells: Cells, around: _Around) -> dict[str, np.ndarray]:
+    """How much the edges in boxes round cells run one way, and at right angles."""
+    made = {}
+    turned, other, strength = _doubled(cells)
+    two, two_other = _doubled_again(turned, other, strength)
+    for half in (1.1, 3.0, 8.0):
+        whole = np.maximum(around.total(strength, half).take(flat), 1)
+        made[f"ordered{half:g}"] = np.hypot(around.total(turned, half).take(flat),
+                                            around.total(other, half).take(flat)) / whole
+        made[f"square{half:g}"] = np.hypot(around.total(two, half).take(flat),
+                                           around.total(two_other, half).take(flat)) / whole
+    return made
+
+
+def _doubled(cells: Cells) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Gradients as vectors of twice their angle, and their strength."""
+    return cells.xx - cells.yy, 2 * cells.xy, cells.xx + cells.yy
+
+
+def _doubled_again(turned: np.ndarray, other: np.ndarray, strength: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The same of four times their angle, in whole numbers: edges at right angles agree."""
+    some = np.maximum(strength, 1)
+    return np.rint((turned * turned - other * other) / some), np.rint(2 * turned * other / some)
+
+
+def _across(flat: np.ndarray, cells: Cells, around: _Around) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Unit vector (columns, rows) across the stroke at cells, and how surely it is that, 0 to 1."""
+    turned, other, strength = (around.total(values, 1.1).take(flat) for values in _doubled(cells))
+    angle = 0.5 * np.arctan2(other, turned)
+    return np.cos(angle), np.sin(angle), np.hypot(turned, other) / np.maximum(strength, 1)
+
+
+def _of_sides(rows: np.ndarray, columns: np.ndarray, across: np.ndarray, down: np.ndarray, cells: Cells,
+              around: _Around, model: RoadModel, pixel: float, threshold: float) -> dict[str, np.ndarray]:
+    """How the ground on both sides of a stroke differs, and the poorer side's share of smooth ground."""
+    made = {}
+    side = cells.size * pixel
+    clear, smooth, light, rough = (cv2.boxFilter(values, cv2.CV_64F, (3, 3), normalize=False,
+                                                 borderType=cv2.BORDER_REPLICATE)
+                                   for values in (cells.clear, cells.smooth, cells.light, cells.rough))
+    whole = 9.0 * cells.size ** 2
+    for distance in LIMITS.sides:
+        name = f"{distance:g}"
+        two = []
+        for sign in (1, -1):
+            place = _shifted(rows, columns, sign * distance / side * down, sign * distance / side * across, clear.shape)
+            some = np.maximum(clear.take(place), 1)
+            two.append((clear.take(place) / whole, smooth.take(place) / some, light.take(place) / some,
+                        np.sqrt(rough.take(place) / some)))
+        (clear_a, smooth_a, light_a, rough_a), (clear_b, smooth_b, light_b, rough_b) = two
+        known = np.minimum(clear_a, clear_b) > 0.05
+        made["sided" + name] = np.where(known, np.abs(light_a - light_b) / threshold, -1)
+        made["poorer" + name] = np.where(known, np.minimum(smooth_a, smooth_b), -1)
+        made["rougher" + name] = np.where(known, np.maximum(rough_a, rough_b) / (2 + 2 * model.texture), -1)
+        made["hidden" + name] = np.minimum(clear_a, clear_b)
+        made["lighter" + name] = np.where(known, np.maximum(light_a, light_b) / max(model.brightness, 1.0), -1)
+    return made
+
+
+def _of_lines(rows: np.ndarray, columns: np.ndarray, across: np.ndarray, down: np.ndarray, cells: Cells,
+              around: _Around, pixel: float) -> dict[str, np.ndarray]:
+    """Whether strokes of the same direction lie before and behind, and beside, and how that is in other directions."""
+    side = cells.size * pixel
+    turned, other, strength = (around.total(values, 0.4) for values in _doubled(cells))
+    narrow = around.total(cells.narrow, 0.4) > 0
+    scale = np.maximum(strength, 1)
+    cosine, sine = turned / scale * narrow, other / scale * narrow
+    own = across * across - down * down, 2 * across * down
+
+    def like(right: np.ndarray, below: np.ndarray) -> np.ndarray:
+        """How much a stroke so many metres off runs the same way, 0 to 1."""
+        place = _shifted(rows, columns, below / side, right / side, narrow.shape)
+        return np.maximum(cosine.take(place) * own[0] + sine.take(place) * own[1], 0)
+
+    def row(turn: float) -> tuple[np.ndarray, np.ndarray]:
+        """Of strokes both ways in a direction so many degrees off the own: mean, and that of the better half."""
+        angle = np.deg2rad(turn)
+        right = -down * np.cos(angle) - across * np.sin(angle)
+        below = across * np.cos(angle) - down * np.sin(angle)
+        ways = [np.mean([like(sign * right * far, sign * below * far) for far in LIMITS.along], axis=0)
+                for sign in (1, -1)]
+        return (ways[0] + ways[1]) / 2, np.maximum(*ways)
+
+    mean, better = row(0.0)
+    elsewhere = 0.5 * (row(LIMITS.turned)[0] + row(-LIMITS.turned)[0])
+    beside = [np.max([like(sign * across * far, sign * down * far) for far in LIMITS.apart], axis=0)
+              for sign in (1, -1)]
+    bars = [np.max([like(sign * across * far, sign * down * far) for far in (0.8, 1.0, 1.2)], axis=0)
+            for sign in (1, -1)]
+    return {"inline": mean, "inline_one_way": better, "inline_elsewhere": elsewhere,
+            "beside_both": np.minimum(*beside), "beside_one": np.maximum(*beside),
+            "bars_both": np.minimum(*bars), "bars_one": np.maximum(*bars)}
+
+
+def _shifted(rows: np.ndarray, columns: np.ndarray, down: np.ndarray, right: np.ndarray, shape: tuple[int, int]
+             ) -> np.ndarray:
+    """Places in the flat grid of cells so many cells off, kept inside."""
+    return (np.clip(np.rint(rows + down).astype(np.intp), 0, shape[0] - 1) * shape[1]
+            + np.clip(np.rint(columns + right).astype(np.intp), 0, shape[1] - 1))
