@@ -126,3 +126,19 @@ def test_long_gap_is_bridged_at_a_constant_distance_to_the_axis():
              for one, side in zip(parts, (1, 1))]
     built = build_vector_map([line(0.0, 0, 50), *askew], (), [drive((0, 1.7), (50, 1.7))], LEFT)
     assert length(built) == pytest.approx(50.0, abs=1.5)
+
+
+def test_strip_between_the_edge_line_and_a_guiding_strip_is_the_pavement():
+    """A mark on it looks like an arrow; the same strip up to a white line is a lane."""
+    driven = [drive((0, 1.7), (50, 1.7)), drive((50, -1.7), (0, -1.7))]
+    pavement = build_vector_map([*street(0, 50), line(7.8, 0, 50, "solid", "yellow")], [arrow(25, 5.6)], driven, LEFT)
+    assert not has_lane(pavement, 40, 5.6)
+    lane = build_vector_map([*street(0, 50), line(7.8, 0, 50)], [arrow(25, 5.6)], driven, LEFT)
+    assert course(lane.lanes[lane_at(lane, 40, 5.6)]) == 1.0
+
+
+def test_pavement_takes_no_direction_from_beyond_the_junction():
+    near = [drive((0, 1.7), (50, 1.7)), drive((50, -1.7), (0, -1.7)), drive((0, 5.6), (50, 5.6))]
+    lines = [*street(0, 50), line(7.8, 0, 50), *street(80, 130), line(7.8, 80, 130, "solid", "")]
+    built = build_vector_map(lines, (), near)
+    assert has_lane(built, 105, 1.7) and not has_lane(built, 105, 5.6)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .lane_strips import BEYOND, Strip, colour_of
-from .road_sections import RoadSection
+from .road_sections import RoadSection, is_pavement
 
 
 @dataclass(frozen=True)
@@ -118,7 +118,7 @@ def _take(known: _End, end: _End) -> int:
     lanes = [(known.middle(strip) @ normal, strip.sign * known.along) for strip in known.strips if strip.sign]
     taken = 0
     for strip in end.strips:
-        if strip.sign or strip.contradicted:
+        if strip.sign or strip.contradicted or is_pavement(end.section, strip.right, strip.left):
             continue
         across = end.middle(strip) @ normal
         signs = {sign for place, sign in lanes if abs(place - across) < LIMITS.lane}

@@ -10,7 +10,7 @@ import numpy as np
 from ...geometry.tolerances import LEAST_DIVISOR
 from ...wording import mark, say
 from ..map_records import DrivenPath, Finding, MapArea, MapSettings
-from .road_sections import STEP, BoundTrack, RoadSection
+from .road_sections import STEP, BoundTrack, RoadSection, is_pavement
 
 SNAP = 9.0
 """Ends of lanes so near to each other along the road are one cross-section of it, m."""
@@ -324,6 +324,8 @@ def settle_directions(strips: Sequence[Strip], section: RoadSection) -> list[Fin
     for pair in {(strip.right, strip.left): None for strip in strips}:
         members = [strip for strip in strips if (strip.right, strip.left) == pair]
         sign, source, contradicts = _own_direction(members)
+        if source == PAINTED and is_pavement(section, *pair):
+            sign, source = 0, ""
         if contradicts:
             findings.append(_finding(section, members[0], "direction contradicts", contradicts))
         for one in members:

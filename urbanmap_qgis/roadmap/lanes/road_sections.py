@@ -126,6 +126,23 @@ class RoadSection:
     tracks: list[BoundTrack]
 
 
+def is_pavement(section: RoadSection, right: int, left: int) -> bool:
+    """Whether what lies between two tracks is the pavement: outermost, within a solid white line and an outer one that
+    is not white, as guiding strips and rows of paving are."""
+    middle = max(section.tracks[right].start, section.tracks[left].start) / 2.0 + \
+        min(section.tracks[right].end, section.tracks[left].end) / 2.0
+    offset = np.array([np.interp(middle, track.chainage, track.offset) for track in section.tracks])
+    there = np.array([track.start <= middle <= track.end for track in section.tracks])
+    for outer, inner, sign in ((right, left, -1.0), (left, right, 1.0)):
+        beyond = there & (sign * (offset - offset[outer]) > SAME)
+        seen = [(end - start, line) for start, end, line in section.tracks[outer].pieces if line is not None]
+        white = sum(length for length, line in seen if line.colour == "white" or line.kind == "road border")
+        edge = {(line.kind, line.colour) for *_, line in section.tracks[inner].pieces if line is not None}
+        if not beyond.any() and white < 0.5 * sum(length for length, _ in seen) and edge == {("solid", "white")}:
+            return True
+    return False
+
+
 def road_sections(lines: Sequence[MapLine], barriers: Sequence[shapely.Geometry],
                   settings: MapSettings) -> list[RoadSection]:
     """Sections of lines that run side by side.

@@ -42,7 +42,7 @@ class LineSettings:
     min_painted: float = 4.0
     min_length: float = 6.0
     source_sigma: float = 0.02
-    guide_width: float = 0.33
+    guide_width: float = 0.26
 
 
 @dataclass(frozen=True)
