@@ -243,6 +243,14 @@ def _rms(path: Path):
     return np.hstack(sigma_of_rms_file(path, np.arange(500) * 0.1))
 
 
+def _image_points(path: Path):
+    """Without the places of tie points, which have none."""
+    from urbanmap_qgis.aerial.orientation.image_points import read_image_points
+
+    found = read_image_points(path)
+    return found.pixel, found.place[found.known]
+
+
 def _check_points(path: Path):
     import csv
     import io
@@ -331,7 +339,7 @@ FORMATS: dict[str, tuple[str, Callable, Callable]] = {
     "camera": ("a.json", sound.copied("aerial/camera.json"), _of("aerial.frames.camera", "read_camera")),
     "exterior orientation": ("a.csv", sound.copied("aerial/exterior.csv"),
                              _of("aerial.frames.exterior_files", "read_exterior")),
-    "image points": ("a.csv", sound.image_points, _of("aerial.orientation.image_points", "read_image_points")),
+    "image points": ("a.csv", sound.image_points, _image_points),
     "CityJSON": ("a.city.json", sound.copied("models/buildings.city.json"),
                  _of("citymodel.cityjson.reader", "read_cityjson")),
     "GSI XML": ("FG-GML-533946-BldA-20240401-0001.xml", sound.gsi, _buildings),

@@ -1,6 +1,8 @@
 """City models as CityJSON, CityJSONSeq and CityGML: what is written is what is there."""
 
 import json
+import re
+from contextlib import ExitStack
 from dataclasses import replace
 from datetime import date
 from xml.etree import ElementTree
@@ -11,9 +13,11 @@ import pytest
 
 from tests.city_models import PLACE, town
 from tests.solid_files import read_solids
+from urbanmap_qgis.citymodel.citygml.reader import open_citygml
 from urbanmap_qgis.citymodel.citygml.writer import WRITTEN_BY, gml_folder_trouble, write_citygml
 from urbanmap_qgis.citymodel.cityjson.writer import plain_attributes, write_model_cityjson, write_model_cityjsonseq
 from urbanmap_qgis.citymodel.model import AttributeGroup, CityReference, CodeValue, Measure
+from urbanmap_qgis.citymodel.reading_notes import ReadingNotes
 from urbanmap_qgis.citymodel.reference import compound_epsg
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.geometry.mesh_code import third_mesh_code
@@ -163,6 +167,18 @@ def test_citygml_refers_to_what_is_there_and_to_each_once(tmp_path, image):
     assert list(map(float, places)) == [0, 0, 1, 0, 1, 1, 0, 1, 0, 0]
     with pytest.raises(InputError, match="was not given"):
         write_citygml(tmp_path / "again", replace(town(images=image), images={}))
+
+
+@pytest.mark.parametrize("text", ["[[[[[[", "0 0 1 nan", "0 0 1"])
+def test_a_texture_whose_places_are_no_numbers_is_told_and_left_out(tmp_path, image, text):
+    write_citygml(tmp_path / "out", town(images=image))
+    path, _ = parsed(tmp_path / "out")
+    content = re.sub(r"(<app:textureCoordinates[^>]*>)[^<]*", rf"\g<1>{text}", path.read_text(encoding="utf-8"))
+    path.write_text(content, encoding="utf-8")
+    with ExitStack() as stack:
+        objects = list(open_citygml(path, stack, ReadingNotes()).buildings)
+    assert len(objects) == 3
+    assert any("does not fit its corners and was left out" in problem for one in objects for problem in one.problems)
 
 
 def test_citygml_counts_in_latitude_longitude_and_height(tmp_path):

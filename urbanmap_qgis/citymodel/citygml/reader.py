@@ -248,10 +248,19 @@ def _textures(source: XmlSource) -> GmlTextures:
                 images[polygon] = image
                 for item in target.iter():
                     if split_tag(item.tag)[1] == "textureCoordinates":
-                        numbers = np.array((item.text or "").split(), dtype=float)
-                        if len(numbers) % 2 == 0:
-                            places[polygon, (item.get("ring") or "").lstrip("#")] = numbers.reshape(-1, 2)
+                        pairs = _pairs(item.text or "")
+                        if pairs is not None:
+                            places[polygon, (item.get("ring") or "").lstrip("#")] = pairs
     return GmlTextures(images, places)
+
+
+def _pairs(text: str) -> np.ndarray | None:
+    """Pairs (n, 2) of finite numbers; None where a text is none: its polygon tells that its texture is left out."""
+    try:
+        numbers = np.array(text.split(), dtype=float)
+    except ValueError:
+        return None
+    return numbers.reshape(-1, 2) if len(numbers) % 2 == 0 and np.isfinite(numbers).all() else None
 
 
 def _mentions(source: XmlSource, word: bytes) -> bool:
