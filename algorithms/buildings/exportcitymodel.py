@@ -130,10 +130,10 @@ class ExportCityModel(UrbanMapAlgorithm):
         return next((values for values in found if values is not None), table.ids.tolist())
 
     def _surfaces(self, parameters, context, table, progress):
-        """Types and roofs of faces, where a layer of surfaces is given."""
+        """Types and roofs of faces, and what was seen of them, where a layer of surfaces is given."""
         import shapely
 
-        from ...urbanmap_qgis.buildings.city_export import SurfaceRows
+        from ...urbanmap_qgis.buildings.city_export import SurfaceRows, known_remarks
 
         surfaces = self.read_vector(parameters, "SURFACES", context, progress)
         if surfaces is None:
@@ -145,7 +145,9 @@ class ExportCityModel(UrbanMapAlgorithm):
                                 ).format(self.label_of("SURFACES")))
         kept = [row for row, missing in enumerate(shapely.is_missing(surfaces.geometries)) if not missing]
         roofs = column(surfaces, "roof_id") or [None] * len(surfaces)
-        return SurfaceRows(surfaces.geometries[kept], [kinds[row] for row in kept], [roofs[row] for row in kept])
+        said = {name: values for name in ("seen", "sigma") if (values := column(surfaces, name)) is not None}
+        return SurfaceRows(surfaces.geometries[kept], [kinds[row] for row in kept], [roofs[row] for row in kept],
+                           known_remarks(said, kept))
 
     def _tell(self, made, textures, progress):
         """What the user should know of the models."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -25,11 +26,19 @@ SAME = 0.01
 
 @dataclass(frozen=True, eq=False)
 class SurfaceRows:
-    """A layer of surfaces: polygons with z, the type ("roof", "inner wall" ...) and the roof of each."""
+    """A layer of surfaces: polygons with z, the type ("roof", "inner wall" ...) and the roof of each; further
+    attributes of each may be left out."""
 
     polygons: np.ndarray
     types: Sequence[str | None]
     roofs: Sequence[Hashable]
+    remarks: Sequence[Mapping[str, Any]] = ()
+
+
+def known_remarks(columns: Mapping[str, Sequence[Any]], rows: Sequence[int]) -> list[dict[str, float]]:
+    """Numbers of some rows of columns by name; what is empty or no finite number is left out."""
+    return [{name: float(values[row]) for name, values in columns.items()
+             if isinstance(values[row], (int, float)) and math.isfinite(values[row])} for row in rows]
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,7 +91,10 @@ def export_buildings(ids: Sequence[Any], faces: Sequence[shapely.Geometry | None
         progress.check()
         source = building_source(name, geometry, attributes[row], str(lods[row] or ""))
         if index is not None:
-            source = replace(source, solids=[_with_rows(solid, surfaces, index) for solid in source.solids])
+            rows = [_rows_of(solid, index) for solid in source.solids]
+            source = replace(source, solids=[_with_rows(solid, surfaces, own)
+                                             for solid, own in zip(source.solids, rows)],
+                             remarks=[_remarks(surfaces, own) for own in rows])
         if not source.lod:
             source = replace(source, lod=_level(source))
         if textures is not None:
@@ -124,17 +136,27 @@ def _middles(polygons: np.ndarray) -> tuple[cKDTree, np.ndarray]:
     return cKDTree(middles), rows
 
 
-def _with_rows(solid: Solid, surfaces: SurfaceRows, index: tuple[cKDTree, np.ndarray]) -> Solid:
-    """A solid with the types and roofs that the rows say of its faces."""
+def _rows_of(solid: Solid, index: tuple[cKDTree, np.ndarray]) -> list[int | None]:
+    """Row of the surface that each face of a solid is, None for none."""
     tree, rows = index
+    middles = np.array([solid.vertices[list(rings[0])].mean(axis=0) for rings in solid.faces])
+    distance, number = tree.query(middles)
+    return [int(rows[place]) if off <= SAME else None for off, place in zip(distance, number)]
+
+
+def _with_rows(solid: Solid, surfaces: SurfaceRows, own: Sequence[int | None]) -> Solid:
+    """A solid with the types and roofs that its faces' `own` rows say."""
     kinds, roofs = list(solid.surface_type), list(solid.roof_id)
-    for face, rings in enumerate(solid.faces):
-        distance, number = tree.query(solid.vertices[list(rings[0])].mean(axis=0))
-        if distance <= SAME:
-            row = rows[number]
+    for face, row in enumerate(own):
+        if row is not None:
             kinds[face] = surfaces.types[row] or kinds[face]
             roofs[face] = surfaces.roofs[row]
     return replace(solid, surface_type=tuple(kinds), roof_id=tuple(roofs))
+
+
+def _remarks(surfaces: SurfaceRows, own: Sequence[int | None]) -> list[Mapping[str, Any]]:
+    """Further attributes of each face from its `own` row."""
+    return [{} if row is None or not surfaces.remarks else surfaces.remarks[row] for row in own]
 
 
 def _level(source: BuildingSource) -> str:
