@@ -12,7 +12,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from datetime import date
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -137,7 +137,7 @@ def iur_table(version: str) -> IurTable:
     return IurTable(version, {owner: tuple(items) for owner, items in fields.items()}, older)
 
 
-@cache
+@lru_cache(maxsize=4096)
 def kinds_of(tag: str) -> Mapping[str, str]:
     """Kinds of the values of a data type by their tags; empty where no table has the type.
 
