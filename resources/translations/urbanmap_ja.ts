@@ -156,6 +156,22 @@
         <translation>MMS点</translation>
     </message>
     <message>
+        <source>Frames</source>
+        <translation>写真</translation>
+    </message>
+    <message>
+        <source>8 or 16 bit TIFF or JPEG images as the camera took them, each named in the exterior orientation.</source>
+        <translation>撮影されたままの8または16ビットのTIFFまたはJPEG画像です。それぞれの名称が外部標定要素にある必要があります。</translation>
+    </message>
+    <message>
+        <source>Images (*.tif *.tiff *.jpg *.jpeg *.png *.TIF *.TIFF *.JPG *.JPEG *.PNG)</source>
+        <translation>画像 (*.tif *.tiff *.jpg *.jpeg *.png *.TIF *.TIFF *.JPG *.JPEG *.PNG)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>すべてのファイル (*)</translation>
+    </message>
+    <message>
         <source>Camera (*.json)</source>
         <translation>カメラ (*.json)</translation>
     </message>
@@ -172,56 +188,112 @@
         <translation>CSV ファイル image,x,y,z,omega,phi,kappa（メートル、度）、または Metashape（Omega Phi Kappa）か Pix4D が出力したファイル（角の順序は自動で判別）。</translation>
     </message>
     <message>
-        <source>Points in the frames</source>
-        <translation>写真上の点</translation>
+        <source>Ground</source>
+        <translation>地表</translation>
     </message>
     <message>
-        <source>Points in frames (*.csv *.txt)</source>
-        <translation>写真上の点 (*.csv *.txt)</translation>
+        <source>Heights of the bare ground in metres; the mosaic has its coordinate system.</source>
+        <translation>地表の標高（m）です。モザイクの座標系はこれと同じになります。</translation>
     </message>
     <message>
-        <source>CSV file point,image,column,row,x,y,z: a row for each frame in which a point was measured, pixels from the centre of the upper left one, coordinates in metres, none for tie points; role: control or check.</source>
-        <translation>CSV ファイル point,image,column,row,x,y,z。点を測った写真ごとに1行とし、画素は左上の画素の中心から数え、座標はメートル、タイポイントには座標を書きません。role は control（標定点）または check（検証点）です。</translation>
+        <source>Surface</source>
+        <translation>表層</translation>
     </message>
     <message>
-        <source>Accuracy of the projection centres</source>
-        <translation>投影中心の精度</translation>
+        <source>Heights of the surface (DSM) in metres, with which hidden ground is told.</source>
+        <translation>表層（DSM）の標高（m）です。隠れた地表の判定に使います。</translation>
     </message>
     <message>
-        <source>Standard deviation of each frame's own error in metres; what all frames share may be ten times as large.</source>
-        <translation>写真ごとの誤差の標準偏差（m）。全写真に共通の誤差はその10倍まで見込みます。</translation>
+        <source>Building outlines</source>
+        <translation>建物外周線</translation>
     </message>
     <message>
-        <source>Accuracy of the angles</source>
-        <translation>角度の精度</translation>
+        <source>Ground inside them is masked too.</source>
+        <translation>その内側の地表もマスクします。</translation>
     </message>
     <message>
-        <source>degrees</source>
-        <translation>度</translation>
+        <source>Field with the buildings' height</source>
+        <translation>建物の高さのフィールド</translation>
     </message>
     <message>
-        <source>The same of the angles.</source>
-        <translation>角度についての同じ値。</translation>
+        <source>Field of the outlines with the height above the ground in metres. Such buildings also hide what lies behind them, where the surface lacks them; without it only what the surface shows hides anything.</source>
+        <translation>外周線のフィールドのうち、地表からの高さ（m）を持つものです。表層に建物が欠けていても、その建物の背後は隠れるものとします。指定しない場合、隠すのは表層にある物だけです。</translation>
     </message>
     <message>
-        <source>Accuracy of the measured places</source>
-        <translation>画像座標の精度</translation>
+        <source>Resolution</source>
+        <translation>解像度</translation>
     </message>
     <message>
-        <source>pixels</source>
-        <translation>画素</translation>
+        <source>Side of a pixel in metres; 0 for that of the frames.</source>
+        <translation>画素の一辺（m）です。0の場合は写真の地上画素寸法とします。</translation>
     </message>
     <message>
-        <source>Standard deviation of a point's place in a frame.</source>
-        <translation>写真上の点の位置の標準偏差。</translation>
+        <source>Filter vehicles</source>
+        <translation>車両の除去</translation>
     </message>
     <message>
-        <source>Accuracy of the control points</source>
-        <translation>標定点の精度</translation>
+        <source>Take each pixel so that moving vehicles go; otherwise from the frame that looks down most steeply.</source>
+        <translation>走行車両が消えるように各画素を選びます。無効の場合は、最も真下に近い向きで見る写真から選びます。</translation>
     </message>
     <message>
-        <source>Standard deviation of their coordinates in metres.</source>
-        <translation>座標の標準偏差（m）。</translation>
+        <source>Vehicle filter</source>
+        <translation>車両の除去</translation>
+    </message>
+    <message>
+        <source>majority vote</source>
+        <translation>多数決</translation>
+    </message>
+    <message>
+        <source>darkest image</source>
+        <translation>最も暗い画像</translation>
+    </message>
+    <message>
+        <source>as in the paper</source>
+        <translation>論文どおり</translation>
+    </message>
+    <message>
+        <source>Majority vote: what most frames agree on, which also keeps dark vehicles from winning over paint. Darkest: the frame with the lowest sum of channels. Paper: as in the paper, darkest without gain compensation, of frames masked by their plain occlusion maps. (vote, darkest, paper)</source>
+        <translation>vote：多数決で、大半の写真が一致する値をとります。暗い車両が標示より優先されることも防ぎます。darkest：チャンネルの和が最小の写真をとります。paper：論文どおり、単純な遮蔽図でマスクした写真から、輝度補正なしで最も暗いものをとります。（vote, darkest, paper）</translation>
+    </message>
+    <message>
+        <source>Gain compensation</source>
+        <translation>輝度補正</translation>
+    </message>
+    <message>
+        <source>Bring all frames to one brightness and contrast before they are compared.</source>
+        <translation>比較の前に、すべての写真の明るさとコントラストをそろえます。</translation>
+    </message>
+    <message>
+        <source>Hidden ground</source>
+        <translation>隠れた地表</translation>
+    </message>
+    <message>
+        <source>lines of sight from the ground</source>
+        <translation>地表からの視線</translation>
+    </message>
+    <message>
+        <source>occlusion map of each frame</source>
+        <translation>写真ごとの遮蔽図</translation>
+    </message>
+    <message>
+        <source>Ground: told by lines of sight from the ground to the frame. Frame: told by an occlusion map of each frame, which masks it before ground is taken from it, as in the paper. (ground, frame)</source>
+        <translation>ground：地表から写真への視線で判定します。frame：論文どおり、各写真の遮蔽図で写真をマスクしてから地表を取り出します。（ground, frame）</translation>
+    </message>
+    <message>
+        <source>Occlusion maps</source>
+        <translation>遮蔽図</translation>
+    </message>
+    <message>
+        <source>Occlusion maps of the frames, from “Occlusion map of a frame”, one for each frame in the frames' order; they are then taken instead of being made.</source>
+        <translation>「写真の遮蔽図」による各写真の遮蔽図です。写真と同じ順に1枚ずつ指定します。指定すると、新たに作成せずこれらを使います。</translation>
+    </message>
+    <message>
+        <source>Height threshold</source>
+        <translation>高さのしきい値</translation>
+    </message>
+    <message>
+        <source>What stands higher than this above the ground, in metres, hides ground; vehicles should not.</source>
+        <translation>地表からこの高さ（m）を超える物が地表を隠します。車両は含めないようにしてください。</translation>
     </message>
     <message>
         <source>Order of the angles</source>
@@ -248,6 +320,10 @@
         <translation>自動</translation>
     </message>
     <message>
+        <source>degrees</source>
+        <translation>度</translation>
+    </message>
+    <message>
         <source>gon</source>
         <translation>ゴン</translation>
     </message>
@@ -258,6 +334,126 @@
     <message>
         <source>Automatic: degrees, and an error where they look otherwise. (automatic, degrees, gon, radians)</source>
         <translation>automatic：度とみなし、そうでないと見られる場合はエラーとします。（automatic, degrees, gon, radians）</translation>
+    </message>
+    <message>
+        <source>Number of buildings or tiles worked on at the same time. The result does not depend on it.</source>
+        <translation>同時に処理する建物またはタイルの数です。結果には影響しません。</translation>
+    </message>
+    <message>
+        <source>Dask scheduler</source>
+        <translation>Daskスケジューラ</translation>
+    </message>
+    <message>
+        <source>Address of a Dask cluster that shares the work instead of workers on this machine, such as tcp://host:8786. The result does not depend on it. Inputs, outputs and temporary files must be on storage that all its machines see.</source>
+        <translation>このコンピュータの並列処理の代わりに処理を分担するDaskクラスタのアドレスです（例：tcp://host:8786）。結果には影響しません。入力、出力、一時ファイルは、クラスタのすべてのコンピュータから見える場所に置いてください。</translation>
+    </message>
+    <message>
+        <source>Orthophoto</source>
+        <translation>オルソ画像</translation>
+    </message>
+    <message>
+        <source>Mosaic of the frames; 0 where there is no data.</source>
+        <translation>写真のモザイクです。データのない所は0です。</translation>
+    </message>
+    <message>
+        <source>Frames that see the ground</source>
+        <translation>地表が写る写真の数</translation>
+    </message>
+    <message>
+        <source>How many frames see each pixel.</source>
+        <translation>各画素が写っている写真の枚数です。</translation>
+    </message>
+    <message>
+        <source>Share of the ground in the frames, outside buildings, that has an image, 0 to 1.</source>
+        <translation>写真の範囲内の建物以外の地表のうち、画像のある割合（0～1）です。</translation>
+    </message>
+    <message>
+        <source>Visible share</source>
+        <translation>可視の割合</translation>
+    </message>
+    <message>
+        <source>Ground in the frames, outside buildings, that no frame sees.</source>
+        <translation>写真の範囲内の建物以外の地表のうち、どの写真にも写らない部分です。</translation>
+    </message>
+    <message>
+        <source>Area of holes</source>
+        <translation>欠損部の面積</translation>
+    </message>
+    <message>
+        <source>m²</source>
+        <translation>m²</translation>
+    </message>
+    <message>
+        <source>Frames that gave pixels.</source>
+        <translation>画素が採用された写真の数です。</translation>
+    </message>
+    <message>
+        <source>Frames used</source>
+        <translation>使用した写真</translation>
+    </message>
+    <message>
+        <source>Shifts between images</source>
+        <translation>画像間のずれ</translation>
+    </message>
+    <message>
+        <source>Points on road markings that two overlapping images show, with the shift of the second against the first in metres (east, north; sigma of one place), and the median of the pair with its sigma. Pairs that lie more than half a pixel apart have the status “apart”; “height” where only the height of what stands there may displace them, as no surface (DSM) tells.</source>
+        <translation>重なる2枚の画像の両方に写る路面標示上の点です。1枚目に対する2枚目のずれ（m、東・北、1か所の標準偏差）と、画像対の中央値およびその標準偏差を持ちます。半画素を超えてずれている画像対の状態は「apart」です。表層（DSM）がないため、そこにある物の高さだけで倒れ込みが生じた可能性のある所は「height」です。</translation>
+    </message>
+    <message>
+        <source>Largest distance between the same road markings in two overlapping images that no height of what they show explains, median over their places; no value where none are seen.</source>
+        <translation>重なる2枚の画像で、同じ路面標示のずれのうち、写っている物の高さでは説明できないものの最大値（各箇所の中央値）です。ずれが見られない場合は値がありません。</translation>
+    </message>
+    <message>
+        <source>Maximum shift</source>
+        <translation>最大のずれ</translation>
+    </message>
+    <message>
+        <source>Points in the frames</source>
+        <translation>写真上の点</translation>
+    </message>
+    <message>
+        <source>Points in frames (*.csv *.txt)</source>
+        <translation>写真上の点 (*.csv *.txt)</translation>
+    </message>
+    <message>
+        <source>CSV file point,image,column,row,x,y,z: a row for each frame in which a point was measured, pixels from the centre of the upper left one, coordinates in metres, none for tie points; role: control or check.</source>
+        <translation>CSV ファイル point,image,column,row,x,y,z。点を測った写真ごとに1行とし、画素は左上の画素の中心から数え、座標はメートル、タイポイントには座標を書きません。role は control（標定点）または check（検証点）です。</translation>
+    </message>
+    <message>
+        <source>Accuracy of the projection centres</source>
+        <translation>投影中心の精度</translation>
+    </message>
+    <message>
+        <source>Standard deviation of each frame's own error in metres; what all frames share may be ten times as large.</source>
+        <translation>写真ごとの誤差の標準偏差（m）。全写真に共通の誤差はその10倍まで見込みます。</translation>
+    </message>
+    <message>
+        <source>Accuracy of the angles</source>
+        <translation>角度の精度</translation>
+    </message>
+    <message>
+        <source>The same of the angles.</source>
+        <translation>角度についての同じ値。</translation>
+    </message>
+    <message>
+        <source>Accuracy of the measured places</source>
+        <translation>画像座標の精度</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>画素</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a point's place in a frame.</source>
+        <translation>写真上の点の位置の標準偏差。</translation>
+    </message>
+    <message>
+        <source>Accuracy of the control points</source>
+        <translation>標定点の精度</translation>
+    </message>
+    <message>
+        <source>Standard deviation of their coordinates in metres.</source>
+        <translation>座標の標準偏差（m）。</translation>
     </message>
     <message>
         <source>Coordinate system</source>
@@ -308,8 +504,8 @@
         <translation>基準点（調整点・検証点）</translation>
     </message>
     <message>
-        <source>RMS error of the control points in plan, as given.</source>
-        <translation>入力のままでの標定点の水平誤差の二乗平均平方根。</translation>
+        <source>RMS error of the control points that do not contradict the others, in plan, as given.</source>
+        <translation>他の点と矛盾しない標定点の、与えられた標定での平面位置の RMS 誤差。</translation>
     </message>
     <message>
         <source>RMS before</source>
@@ -360,48 +556,12 @@
         <translation>同じ範囲の2枚以上のラスタです。グレーまたは赤・緑・青で、8または16ビットです。結果は1枚目の画素に合わせます。</translation>
     </message>
     <message>
-        <source>Vehicle filter</source>
-        <translation>車両の除去</translation>
-    </message>
-    <message>
-        <source>majority vote</source>
-        <translation>多数決</translation>
-    </message>
-    <message>
-        <source>darkest image</source>
-        <translation>最も暗い画像</translation>
-    </message>
-    <message>
-        <source>as in the paper</source>
-        <translation>論文どおり</translation>
-    </message>
-    <message>
         <source>Majority vote: what most of them agree on, which also keeps dark vehicles from winning over paint. Darkest: the one with the lowest sum of channels. Paper: darkest without gain compensation. (vote, darkest, paper)</source>
         <translation>vote：多数決で、大半の画像が一致する値をとります。暗い車両が標示より優先されることも防ぎます。darkest：チャンネルの和が最小の画像をとります。paper：輝度補正なしの最小輝度合成です。（vote, darkest, paper）</translation>
     </message>
     <message>
-        <source>Gain compensation</source>
-        <translation>輝度補正</translation>
-    </message>
-    <message>
         <source>Bring all to one brightness and contrast before they are compared.</source>
         <translation>比較の前に、すべての画像の明るさとコントラストをそろえます。</translation>
-    </message>
-    <message>
-        <source>Number of buildings or tiles worked on at the same time. The result does not depend on it.</source>
-        <translation>同時に処理する建物またはタイルの数です。結果には影響しません。</translation>
-    </message>
-    <message>
-        <source>Dask scheduler</source>
-        <translation>Daskスケジューラ</translation>
-    </message>
-    <message>
-        <source>Address of a Dask cluster that shares the work instead of workers on this machine, such as tcp://host:8786. The result does not depend on it. Inputs, outputs and temporary files must be on storage that all its machines see.</source>
-        <translation>このコンピュータの並列処理の代わりに処理を分担するDaskクラスタのアドレスです（例：tcp://host:8786）。結果には影響しません。入力、出力、一時ファイルは、クラスタのすべてのコンピュータから見える場所に置いてください。</translation>
-    </message>
-    <message>
-        <source>Orthophoto</source>
-        <translation>オルソ画像</translation>
     </message>
     <message>
         <source>Without moving vehicles; 0 where there is no data.</source>
@@ -414,22 +574,6 @@
     <message>
         <source>Share with data</source>
         <translation>データのある割合</translation>
-    </message>
-    <message>
-        <source>Shifts between images</source>
-        <translation>画像間のずれ</translation>
-    </message>
-    <message>
-        <source>Points on road markings that two overlapping images show, with the shift of the second against the first in metres (east, north; sigma of one place), and the median of the pair with its sigma. Pairs that lie more than half a pixel apart have the status “apart”; “height” where only the height of what stands there may displace them, as no surface (DSM) tells.</source>
-        <translation>重なる2枚の画像の両方に写る路面標示上の点です。1枚目に対する2枚目のずれ（m、東・北、1か所の標準偏差）と、画像対の中央値およびその標準偏差を持ちます。半画素を超えてずれている画像対の状態は「apart」です。表層（DSM）がないため、そこにある物の高さだけで倒れ込みが生じた可能性のある所は「height」です。</translation>
-    </message>
-    <message>
-        <source>Largest distance between the same road markings in two overlapping images that no height of what they show explains, median over their places; no value where none are seen.</source>
-        <translation>重なる2枚の画像で、同じ路面標示のずれのうち、写っている物の高さでは説明できないものの最大値（各箇所の中央値）です。ずれが見られない場合は値がありません。</translation>
-    </message>
-    <message>
-        <source>Maximum shift</source>
-        <translation>最大のずれ</translation>
     </message>
     <message>
         <source>Frame</source>
@@ -456,32 +600,16 @@
         <translation>列 image、x、y、z、omega、phi、kappa の CSV、または Metashape か Pix4D が出力したファイル。写真はファイル名で探します。</translation>
     </message>
     <message>
-        <source>Surface</source>
-        <translation>表層</translation>
-    </message>
-    <message>
         <source>Heights of the surface, from “Surface and ground from ALS”, in the CRS and height system of the exterior orientation.</source>
         <translation>「航空レーザからの表層と地表」による表層の標高です。座標参照系と高さの基準は外部標定要素と同じにします。</translation>
-    </message>
-    <message>
-        <source>Ground</source>
-        <translation>地表</translation>
     </message>
     <message>
         <source>Heights of the ground, likewise.</source>
         <translation>地表の標高です。条件は表層と同じです。</translation>
     </message>
     <message>
-        <source>Height threshold</source>
-        <translation>高さのしきい値</translation>
-    </message>
-    <message>
         <source>Surface higher than this above the ground, in metres, is masked: more than the highest vehicle.</source>
         <translation>地表からこの高さ（m）を超える表層をマスクします。最も高い車両より大きくしてください。</translation>
-    </message>
-    <message>
-        <source>Building outlines</source>
-        <translation>建物外周線</translation>
     </message>
     <message>
         <source>Buildings that are masked even if they are lower than the threshold or partly missing in the surface. Outlines where nothing stands are left alone.</source>
@@ -572,134 +700,6 @@
         <translation>建物のない外周線</translation>
     </message>
     <message>
-        <source>Frames</source>
-        <translation>写真</translation>
-    </message>
-    <message>
-        <source>8 or 16 bit TIFF or JPEG images as the camera took them, each named in the exterior orientation.</source>
-        <translation>撮影されたままの8または16ビットのTIFFまたはJPEG画像です。それぞれの名称が外部標定要素にある必要があります。</translation>
-    </message>
-    <message>
-        <source>Images (*.tif *.tiff *.jpg *.jpeg *.png *.TIF *.TIFF *.JPG *.JPEG *.PNG)</source>
-        <translation>画像 (*.tif *.tiff *.jpg *.jpeg *.png *.TIF *.TIFF *.JPG *.JPEG *.PNG)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>すべてのファイル (*)</translation>
-    </message>
-    <message>
-        <source>Heights of the bare ground in metres; the mosaic has its coordinate system.</source>
-        <translation>地表の標高（m）です。モザイクの座標系はこれと同じになります。</translation>
-    </message>
-    <message>
-        <source>Heights of the surface (DSM) in metres, with which hidden ground is told.</source>
-        <translation>表層（DSM）の標高（m）です。隠れた地表の判定に使います。</translation>
-    </message>
-    <message>
-        <source>Ground inside them is masked too.</source>
-        <translation>その内側の地表もマスクします。</translation>
-    </message>
-    <message>
-        <source>Field with the buildings' height</source>
-        <translation>建物の高さのフィールド</translation>
-    </message>
-    <message>
-        <source>Field of the outlines with the height above the ground in metres. Such buildings also hide what lies behind them, where the surface lacks them; without it only what the surface shows hides anything.</source>
-        <translation>外周線のフィールドのうち、地表からの高さ（m）を持つものです。表層に建物が欠けていても、その建物の背後は隠れるものとします。指定しない場合、隠すのは表層にある物だけです。</translation>
-    </message>
-    <message>
-        <source>Resolution</source>
-        <translation>解像度</translation>
-    </message>
-    <message>
-        <source>Side of a pixel in metres; 0 for that of the frames.</source>
-        <translation>画素の一辺（m）です。0の場合は写真の地上画素寸法とします。</translation>
-    </message>
-    <message>
-        <source>Filter vehicles</source>
-        <translation>車両の除去</translation>
-    </message>
-    <message>
-        <source>Take each pixel so that moving vehicles go; otherwise from the frame that looks down most steeply.</source>
-        <translation>走行車両が消えるように各画素を選びます。無効の場合は、最も真下に近い向きで見る写真から選びます。</translation>
-    </message>
-    <message>
-        <source>Majority vote: what most frames agree on, which also keeps dark vehicles from winning over paint. Darkest: the frame with the lowest sum of channels. Paper: as in the paper, darkest without gain compensation, of frames masked by their plain occlusion maps. (vote, darkest, paper)</source>
-        <translation>vote：多数決で、大半の写真が一致する値をとります。暗い車両が標示より優先されることも防ぎます。darkest：チャンネルの和が最小の写真をとります。paper：論文どおり、単純な遮蔽図でマスクした写真から、輝度補正なしで最も暗いものをとります。（vote, darkest, paper）</translation>
-    </message>
-    <message>
-        <source>Bring all frames to one brightness and contrast before they are compared.</source>
-        <translation>比較の前に、すべての写真の明るさとコントラストをそろえます。</translation>
-    </message>
-    <message>
-        <source>Hidden ground</source>
-        <translation>隠れた地表</translation>
-    </message>
-    <message>
-        <source>lines of sight from the ground</source>
-        <translation>地表からの視線</translation>
-    </message>
-    <message>
-        <source>occlusion map of each frame</source>
-        <translation>写真ごとの遮蔽図</translation>
-    </message>
-    <message>
-        <source>Ground: told by lines of sight from the ground to the frame. Frame: told by an occlusion map of each frame, which masks it before ground is taken from it, as in the paper. (ground, frame)</source>
-        <translation>ground：地表から写真への視線で判定します。frame：論文どおり、各写真の遮蔽図で写真をマスクしてから地表を取り出します。（ground, frame）</translation>
-    </message>
-    <message>
-        <source>Occlusion maps</source>
-        <translation>遮蔽図</translation>
-    </message>
-    <message>
-        <source>Occlusion maps of the frames, from “Occlusion map of a frame”, one for each frame in the frames' order; they are then taken instead of being made.</source>
-        <translation>「写真の遮蔽図」による各写真の遮蔽図です。写真と同じ順に1枚ずつ指定します。指定すると、新たに作成せずこれらを使います。</translation>
-    </message>
-    <message>
-        <source>What stands higher than this above the ground, in metres, hides ground; vehicles should not.</source>
-        <translation>地表からこの高さ（m）を超える物が地表を隠します。車両は含めないようにしてください。</translation>
-    </message>
-    <message>
-        <source>Mosaic of the frames; 0 where there is no data.</source>
-        <translation>写真のモザイクです。データのない所は0です。</translation>
-    </message>
-    <message>
-        <source>Frames that see the ground</source>
-        <translation>地表が写る写真の数</translation>
-    </message>
-    <message>
-        <source>How many frames see each pixel.</source>
-        <translation>各画素が写っている写真の枚数です。</translation>
-    </message>
-    <message>
-        <source>Share of the ground in the frames, outside buildings, that has an image, 0 to 1.</source>
-        <translation>写真の範囲内の建物以外の地表のうち、画像のある割合（0～1）です。</translation>
-    </message>
-    <message>
-        <source>Visible share</source>
-        <translation>可視の割合</translation>
-    </message>
-    <message>
-        <source>Ground in the frames, outside buildings, that no frame sees.</source>
-        <translation>写真の範囲内の建物以外の地表のうち、どの写真にも写らない部分です。</translation>
-    </message>
-    <message>
-        <source>Area of holes</source>
-        <translation>欠損部の面積</translation>
-    </message>
-    <message>
-        <source>m²</source>
-        <translation>m²</translation>
-    </message>
-    <message>
-        <source>Frames that gave pixels.</source>
-        <translation>画素が採用された写真の数です。</translation>
-    </message>
-    <message>
-        <source>Frames used</source>
-        <translation>使用した写真</translation>
-    </message>
-    <message>
         <source>Aerial image on the ground, in a projected CRS (metres or feet).</source>
         <translation>地上に投影された空中写真画像です。投影座標参照系（mまたはフィート）を持つ必要があります。</translation>
     </message>
@@ -732,8 +732,12 @@
         <translation>両側の路面より明るい部分</translation>
     </message>
     <message>
-        <source>Profile: paint must stand out from the road on both sides, and what is no paint is left out. Paper: the plain adaptive Gaussian threshold of the grey image after a level adjustment, as in the paper; only block size and contrast matter then. (profile, paper)</source>
-        <translation>profile：標示が両側の路面より明るいことを条件とし、標示でないものを除きます。paper：論文どおり、レベル補正後のグレー画像に適応的閾値処理だけを行います。この場合はブロックサイズとコントラストだけが有効です。（profile, paper）</translation>
+        <source>with a model trained on made-up streets</source>
+        <translation>模擬街路で学習したモデルによる</translation>
+    </message>
+    <message>
+        <source>Profile: paint must stand out from the road on both sides, and what is no paint is left out. Paper: the plain adaptive Gaussian threshold of the grey image after a level adjustment, as in the paper; only block size and contrast matter then. Trained: as profile, with the confidence of a model trained on made-up streets; raise the minimum confidence (up to 0.35) where too much is found. (profile, paper, trained)</source>
+        <translation>profile：標示が両側の路面より明るいことを条件とし、標示でないものを除きます。paper：論文どおり、レベル補正後のグレー画像に適応的閾値処理だけを行います。この場合はブロックサイズとコントラストだけが有効です。trained：profileと同じ処理に、模擬した街路で学習したモデルの信頼度を用います。検出が多すぎるところでは、最小信頼度を0.35まで上げてください。（profile, paper, trained）</translation>
     </message>
     <message>
         <source>Block size</source>
@@ -1710,6 +1714,14 @@
     <message>
         <source>One point a place where reference and survey disagree: edges of markings that changed after the flight, a reference that jumps, steps hidden where there are no markings, stretches where walls want the survey elsewhere than the markings; with size (m), direction (degrees from north) and standard deviation.</source>
         <translation>基準と計測が一致しない箇所ごとに1点：撮影後に変化した標示の端、基準の段差、標示のない区間に隠れた段差、壁面の示す位置が標示と異なる区間。大きさ（m）、方向（北からの度）、標準偏差付き。</translation>
+    </message>
+    <message>
+        <source>Areas of disagreement</source>
+        <translation>不一致の範囲</translation>
+    </message>
+    <message>
+        <source>One polygon a stretch of road in which reference and survey disagree, as wide as its markings: markings that changed after the flight, the road about a step of which nobody can say the right side, stretches where a step hides or walls want the survey elsewhere; with chainages (m), size (m), direction (degrees from north) and standard deviation.</source>
+        <translation>基準と計測成果が一致しない道路区間ごとのポリゴン。幅はその区間の標示の広がりです。撮影後に変わった標示、どちら側が正しいか判断できないずれの前後、標示のない所に隠れたずれ、壁面と標示が異なる位置を示す区間を含みます。属性は追加距離（m）、大きさ（m）、方向（北からの度）、標準偏差です。</translation>
     </message>
     <message>
         <source>Correction and its uncertainty along the path, pictures before and after, what to distrust.</source>
@@ -3740,20 +3752,28 @@
         <translation>最小観測数</translation>
     </message>
     <message>
-        <source>Walls with fewer independent observations stay.</source>
-        <translation>独立な観測がこれより少ない壁面は動かしません。</translation>
+        <source>Walls with fewer independent observations are not adjusted, at most likely.</source>
+        <translation>独立な観測がこれより少ない壁は調整せず、推定にとどめます。</translation>
     </message>
     <message>
         <source>Minimum number of satellites</source>
         <translation>最小衛星数</translation>
     </message>
     <message>
-        <source>Walls seen by fewer satellites stay.</source>
-        <translation>これより少ない衛星でしか観測されない壁面は動かしません。</translation>
+        <source>Walls seen by fewer satellites are not adjusted, at most likely.</source>
+        <translation>観測した衛星がこれより少ない壁は調整せず、推定にとどめます。</translation>
     </message>
     <message>
-        <source>Walls whose offset has a larger standard deviation stay.</source>
-        <translation>オフセットの標準偏差がこれより大きい壁面は動かしません。</translation>
+        <source>Walls whose offset has a larger standard deviation are not adjusted, at most likely.</source>
+        <translation>移動量の標準偏差がこれより大きい壁は調整せず、推定にとどめます。</translation>
+    </message>
+    <message>
+        <source>Maximum sigma of likely walls</source>
+        <translation>推定の壁の標準偏差の上限</translation>
+    </message>
+    <message>
+        <source>Walls that are not adjusted are likely, and moved, up to this standard deviation; 0: they stay.</source>
+        <translation>調整に至らない壁も、標準偏差がこの値以下なら推定として動かします。0なら動かしません。</translation>
     </message>
     <message>
         <source>Expected offset</source>
@@ -3772,8 +3792,8 @@
         <translation>元のフィールドに、walls_adjusted（自身の観測で移動した壁面の数）とwalls_moved_by（最大移動量、m）を加えた建物。</translation>
     </message>
     <message>
-        <source>LineStringZ where each wall now stands: building, edge, status (adjusted, not observable, held), reason, offset and sigma (m, outwards), applied (m moved), observations, signals, satellites, passes, on_time (share of the observations that are neither NLOS-delayed nor outliers), distance (m to the nearest antenna), length, low, top (m).</source>
-        <translation>調整後の各壁面の位置を示すLineStringZ: building、edge、status（adjusted 調整済み、not observable 観測不能、held 保持）、reason、offsetとsigma（m、外向き）、applied（移動量、m）、observations、signals、satellites、passes、on_time（NLOS遅延でも外れ値でもない観測の割合）、distance（最も近いアンテナまで、m）、length、low、top（m）。</translation>
+        <source>LineStringZ where each wall now stands: building, edge, status (adjusted, likely, not observable, held), reason why it is not adjusted, offset and sigma (m, outwards), applied (m moved), observations, signals, satellites, passes, on_time (share of the observations that are neither NLOS-delayed nor outliers), distance (m to the nearest antenna), length, low, top (m).</source>
+        <translation>各壁の現在位置（LineStringZ）：建物、辺、状態（調整・推定・観測不能・保留）、調整しない理由、移動量と標準偏差（m、外向き）、動かした量（m）、観測数、信号数、衛星数、パス数、on_time（遅延でも外れ値でもない観測の割合）、距離（最も近いアンテナまで、m）、長さ、下端、上端（m）。</translation>
     </message>
     <message>
         <source>HTML report: sky plot, residuals by class against prediction, walls before and after, what to distrust.</source>
@@ -3784,12 +3804,20 @@
         <translation>壁面の数です。</translation>
     </message>
     <message>
-        <source>Walls that were moved by their own observations.</source>
-        <translation>自身の観測によって移動した壁面です。</translation>
+        <source>Walls whose own observations decide where they stand.</source>
+        <translation>自らの観測で位置が決まった壁の数。</translation>
     </message>
     <message>
         <source>Adjusted</source>
         <translation>調整済み</translation>
+    </message>
+    <message>
+        <source>Walls that were moved by observations that are few or contradict each other.</source>
+        <translation>観測が少ない、または食い違うが、推定として動かした壁の数。</translation>
+    </message>
+    <message>
+        <source>Likely</source>
+        <translation>推定</translation>
     </message>
     <message>
         <source>Independent observations of all walls.</source>
@@ -4992,6 +5020,14 @@
         <translation>線の途切れがこの長さまでの場合、境界をつないで描き、その旨を示します。</translation>
     </message>
     <message>
+        <source>Ways that no drive shows</source>
+        <translation>走行していない進路</translation>
+    </message>
+    <message>
+        <source>Make virtual lanes through junctions also for the movements that arrows, or else the rule of the road, allow; their evidence says so. Without it only driven ways are made.</source>
+        <translation>矢印、または矢印がないときは通行方法の規則で認められる進路についても、交差点内に仮想の車線を作ります。根拠の項目にその旨を示します。指定しないときは、走行した進路だけを作ります。</translation>
+    </message>
+    <message>
         <source>Speed limit</source>
         <translation>制限速度</translation>
     </message>
@@ -5616,6 +5652,10 @@
         <translation>一連の処理</translation>
     </message>
     <message>
+        <source>Profile: paint must stand out from the road on both sides, and what is no paint is left out. Paper: the plain adaptive Gaussian threshold of the grey image after a level adjustment, as in the paper; only block size and contrast matter then. (profile, paper)</source>
+        <translation>profile：標示が両側の路面より明るいことを条件とし、標示でないものを除きます。paper：論文どおり、レベル補正後のグレー画像に適応的閾値処理だけを行います。この場合はブロックサイズとコントラストだけが有効です。（profile, paper）</translation>
+    </message>
+    <message>
         <source>Goes from aerial frames and airborne laser points to the reference that mobile surveys are tied to, in one run: surface and ground from ALS, orthophoto of the ground that the frames see, without moving vehicles, and road markings with their heights.&lt;/p&gt;&lt;p&gt;This is the same chain as “Road markings from aerial frames”, as a model: the menu Plugins &gt; UrbanMap &gt; Open a chain in the modeller opens a copy to look at and to change.</source>
         <translation>空中写真と航空レーザ点群から、MMS計測の位置の基準となる成果までを一度に作成します: 航空レーザからの表層と地表、写真に写る地表のオルソ画像（移動車両なし）、高さ付きの路面標示。&lt;/p&gt;&lt;p&gt;「空中写真からの路面標示」と同じ一連の処理をモデルとしたものです。メニュー「プラグイン &gt; UrbanMap &gt; 処理の流れをモデルデザイナーで開く」で複製を開き、各段階を確認し変更できます。</translation>
     </message>
@@ -5841,11 +5881,11 @@ The corrected trajectories keep the names, formats and epochs of those given; ap
     </message>
     <message>
         <source>Puts walls of building models where reflected satellite signals say they are: models made from roofs have their walls at the parapets, about a metre off.
-The code measurement of a signal that a wall has reflected is too long by twice the distance to the wall times a cosine. Only signals that are blocked for sure and that exactly one wall can have reflected are used; those of a satellite within half a minute count as one. A wall is adjusted if there are enough of them, of several satellites and passes, with one answer. All other walls stay where they are, with the reason. Buildings stay closed: neighbouring edges follow.
+The code measurement of a signal that a wall has reflected is too long by twice the distance to the wall times a cosine. Only signals that are blocked for sure and that exactly one wall can have reflected are used; those of a satellite within half a minute count as one. A wall is adjusted if there are enough of them, of several satellites and passes, with one answer. Where they tell enough without deciding it is “likely”: moved too, with a larger standard deviation. All other walls stay where they are, with the reason. Buildings stay closed: neighbouring edges follow.
 Give as many passes as there are: with one or two nothing is moved, about ten are needed for a wall.</source>
-        <translation>建物モデルの壁面を、反射した衛星信号が示す位置に移動します。屋根から作成したモデルでは壁面がパラペットの位置にあり、1 mほどずれています。
-壁面で反射した信号のコード距離は、壁面までの距離の2倍に余弦を掛けた分だけ長くなります。確実に遮断され、かつ反射し得る壁面がちょうど1つである信号だけを用い、1つの衛星の30秒以内のものは1観測とします。壁面は、複数の衛星と走行による十分な数の観測があり、それらが一致する場合に調整します。ほかの壁面はすべて元の位置に残し、その理由を示します。隣接する辺が追随するので、建物は閉じたままです。
-走行はできるだけ多く指定してください。1～2回では何も動かず、1つの壁面に約10回が必要です。</translation>
+        <translation>屋根から作った建物モデルの壁はパラペットの位置にあり、1 mほどずれています。反射した衛星信号から壁の位置を求めて動かします。
+壁で反射した信号のコード観測は、壁までの距離の2倍に余弦を掛けた分だけ長くなります。確実に遮られ、反射し得る壁がただ1枚の信号だけを使い、同じ衛星の30秒以内の信号は1つと数えます。観測が十分にあり、衛星とパスが複数で、答えが1つなら壁を「調整」します。決まらなくても十分に分かる場合は「推定」とし、大きめの標準偏差を付けて動かします。その他の壁は理由を付けて元の位置に残します。建物は閉じたままで、隣の辺も追従します。
+パスはあるだけ与えてください。1、2本では何も動かず、1枚の壁に10本ほど必要です。</translation>
     </message>
     <message>
         <source>Javanmardi 2018, 5.6</source>
@@ -7166,10 +7206,10 @@ The algorithm's parameters are given as lines NAME=VALUE, on the command line al
     <message>
         <source>Makes lanes of line work and drives: bounds shared with the lanes beside, centre lines, width, direction, successors, neighbours, stop lines and crosswalks; as layers, as Lanelet2 file with the tags that Autoware expects, and as OpenDRIVE file.
 Lines side by side are a road section. A lane is made between two lines at a lane's width, where a drive, an arrow or a stop line shows its direction, or a lane across a dashed line or across a yellow or double centre line does. Nothing else becomes a lane: strips without evidence, open ends, bounds that were not seen and ways that were driven outside all lanes are findings with a place.
-Through junctions a virtual lane is made where a drive shows it. Traffic keeps to the side that the drives show, unless it is given. Trajectories must be corrected ones: an error of a metre puts a drive into the wrong lane.</source>
+Through junctions a virtual lane is made where a drive shows it, and for movements that arrows, ends of lanes and the rule of the road allow; its evidence tells which. Traffic keeps to the side that the drives show, unless it is given. Trajectories must be corrected ones: an error of a metre puts a drive into the wrong lane.</source>
         <translation>線と走行から車線を作成します。隣の車線と共有する境界、中心線、幅、方向、後続車線、隣接車線、停止線、横断歩道を求め、レイヤ、Autowareが必要とするタグをもつLanelet2ファイル、OpenDRIVEファイルとして出力します。
 並んだ線は道路区間となります。車線の幅で並ぶ2本の線の間で、走行・矢印・停止線が方向を示すところ、または破線を隔てた車線、黄色もしくは二重の中央線を隔てた車線が方向を示すところに車線を作成します。それ以外は車線となりません。根拠のない帯、開いた端、見えなかった境界、どの車線にも含まれない走行は、位置を示す指摘事項となります。
-交差点内では、走行が示すところに仮想の車線を作成します。通行側は、指定がなければ走行が示す側とします。軌跡は補正済みのものとしてください。1 mの誤差があると、走行が別の車線に入ります。</translation>
+交差点内では、走行が示すところと、矢印・車線の終端・通行の規則が許す動きに仮想の車線を作成し、その根拠を記します。通行側は、指定がなければ走行が示す側とします。軌跡は補正済みのものとしてください。1 mの誤差があると、走行が別の車線に入ります。</translation>
     </message>
     <message>
         <source>mobile mapping</source>
@@ -7870,6 +7910,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Check points lie {off:.3f} m off.</source>
         <translation>検証点は {off:.3f} m ずれています。</translation>
+    </message>
+    <message>
+        <source>All control points contradict the frames: check the coordinate system, the order of the angles and the points' names.</source>
+        <translation>すべての標定点が写真と矛盾しています。座標系、角度の順序、点名を確認してください。</translation>
     </message>
     <message>
         <source>{count} control points tell a shift of the block, not how it is tilted: measure three or more, far from each other.</source>
@@ -9244,8 +9288,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>下の図で観測と予測の経路が一致していれば、それによりモデルを調整できます。</translation>
     </message>
     <message>
-        <source>{sum} of {adjusted_count} walls are adjusted, with a median standard deviation of {median:.2f} m. The others stay where they were: nothing is known of them.</source>
-        <translation>{adjusted_count} 壁面のうち {sum} 壁面を調整しました。標準偏差の中央値は {median:.2f} m です。残りの壁面は情報がないため元の位置のままです。</translation>
+        <source>{sum} of {adjusted_count} walls are adjusted, with a median standard deviation of {median:.2f} m, {likely} more are likely ({likely_median:.2f} m). The others stay where they were: nothing is known of them.</source>
+        <translation>{adjusted_count}枚の壁のうち{sum}枚を調整しました（標準偏差の中央値{median:.2f} m）。ほかに{likely}枚は推定です（{likely_median:.2f} m）。残りは元の位置のままで、位置は分かりません。</translation>
     </message>
     <message>
         <source>{order_count} more are in the layer of walls.</source>
@@ -9512,6 +9556,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>調整済み</translation>
     </message>
     <message>
+        <source>likely</source>
+        <translation>推定</translation>
+    </message>
+    <message>
         <source>not observable</source>
         <translation>観測不可</translation>
     </message>
@@ -9570,6 +9618,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Prior, block length, maximum sigma, maximum offset and iterations must be greater than 0.</source>
         <translation>事前値、ブロック長、最大σ、最大オフセット、反復回数は0より大きくしてください。</translation>
+    </message>
+    <message>
+        <source>The sigma of likely walls must not be less than 0.</source>
+        <translation>推定の壁の標準偏差は0以上にしてください。</translation>
     </message>
     <message>
         <source>The minimum numbers of observations, satellites and passes must be at least 1.</source>
@@ -11028,6 +11080,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>走行の水平位置の標準偏差は {sigma:.1f} cm です（中央値、最大 {max:.0f} cm）。</translation>
     </message>
     <message>
+        <source>The reference steps by {size:.2f} m at {chainage:.0f} m of {drive}, where the drives do not: nobody can say which side of it is right, so that reference markings beside it are left out.</source>
+        <translation>{drive}の{chainage:.0f} m地点で基準が{size:.2f} mずれていますが、走行軌跡にはずれがありません。どちら側が正しいか判断できないため、その両側の基準標示は使用しません。</translation>
+    </message>
+    <message>
         <source>{drive} shares no markings with other drives, control or reference: it stays as reported.</source>
         <translation>{drive}には、他の走行、基準点、基準データと共通する路面標示がないため、補正前のままとします。</translation>
     </message>
@@ -11050,6 +11106,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The drives share no markings and planes, and no control point or reference marking fits them: nothing can be adjusted.</source>
         <translation>走行間で共通する路面標示や平面がなく、整合する基準点や基準の路面標示もないため、調整できません。</translation>
+    </message>
+    <message>
+        <source>The reference steps where the drives do not, and nothing else ties them: nothing can be adjusted.</source>
+        <translation>走行軌跡にないずれが基準にあり、他に走行を結び付けるものがないため、調整できません。</translation>
     </message>
     <message>
         <source>Control point {name} was measured by none of the drives: no trajectory passes within {control_reach:.0f} m of it at its time.</source>
@@ -11486,6 +11546,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Errors of heading rotate the course (dead reckoning)</source>
         <translation>ヘディングの誤差で経路が回転する（推測航法）</translation>
+    </message>
+    <message>
+        <source>Drift follows the accuracy that the navigation states</source>
+        <translation>ドリフトは航法解析の示す精度に従う</translation>
     </message>
     <message>
         <source>Random walk of the position, m per root second</source>
@@ -11952,6 +12016,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>補正量がここで段差になっていますが、軌跡に段差は生じません。変化した標示の両端の間は塗り直されており、補正はその間を補間します。段差が一つだけの場合、標示だけではどちらの側が正しいか判断できません。基準の写真がずれているか、その先の道路が塗り直された可能性があり、両側の標準偏差はいずれの場合も含みます。</translation>
     </message>
     <message>
+        <source>The road that this concerns, as the layer of areas has it:</source>
+        <translation>該当する道路区間（範囲レイヤと同じ）：</translation>
+    </message>
+    <message>
         <source>Marking points of the survey over the aerial image: left as reported (red), right corrected (green). A picture is {side:.0f} m wide.</source>
         <translation>空中写真に重ねたMMSの路面標示の点です。左は補正前（赤）、右は補正後（緑）。画像の幅は {side:.0f} m です。</translation>
     </message>
@@ -12132,12 +12200,20 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>軌跡は {time:.3f}～{time_2:.3f} s ですが、{worst:.3f} s の位置姿勢が必要です。計測全体の軌跡を指定してください。</translation>
     </message>
     <message>
+        <source>{name} states the accuracy of its places: {usual:.2f} m (median), at most {most:.2f} m.</source>
+        <translation>{name}の示す位置の精度：{usual:.2f} m（中央値）、最大{most:.2f} m。</translation>
+    </message>
+    <message>
         <source>{name} states the accuracy of the angles: roll {roll:.3f}°, pitch {pitch:.3f}°, heading {heading:.3f}° (medians).</source>
         <translation>{name} の角度の精度：ロール {roll:.3f}°、ピッチ {pitch:.3f}°、方位 {heading:.3f}°（中央値）。</translation>
     </message>
     <message>
         <source>{name} has {there} but no {missing}: give the standard deviations of all three angles, or of none.</source>
         <translation>{name}には{there}がありますが、{missing}がありません。3つの角度すべての標準偏差を与えるか、すべて省略してください。</translation>
+    </message>
+    <message>
+        <source>{name} states the accuracy of {there} alone: give those of easting and northing (sd_x, sd_y), or none.</source>
+        <translation>{name}には{there}の精度だけがあります。東方向と北方向（sd_x、sd_y）の両方を与えるか、どちらも除いてください。</translation>
     </message>
     <message>
         <source>{path} is no RMS file of an SBET or is cut off: its length is no multiple of {itemsize} bytes; export it again, or put it elsewhere.</source>
@@ -12150,6 +12226,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{name} holds a standard deviation of an angle that is not above 0 and below 90 degrees: correct or remove it.</source>
         <translation>{name}に、0度より大きく90度未満でない角度の標準偏差があります。修正するか、削除してください。</translation>
+    </message>
+    <message>
+        <source>{name} holds a standard deviation of a place that is not above 0 m: correct or remove it.</source>
+        <translation>{name}に0 m以下の位置の標準偏差があります。修正するか除いてください。</translation>
     </message>
     <message>
         <source>{name} holds a standard deviation that is no number ({error}): correct it.</source>
@@ -12384,6 +12464,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>道路中心線</translation>
     </message>
     <message>
+        <source>beyond the junction</source>
+        <translation>交差点の向こう側</translation>
+    </message>
+    <message>
         <source>beside a dashed line</source>
         <translation>破線の隣</translation>
     </message>
@@ -12408,6 +12492,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>ここでは方向について、矢印または停止線が走行と矛盾しています。走行の方向を採用しました。</translation>
     </message>
     <message>
+        <source>inferred from arrows</source>
+        <translation>矢印から推定</translation>
+    </message>
+    <message>
+        <source>inferred from the rule of the road</source>
+        <translation>通行方法の規則から推定</translation>
+    </message>
+    <message>
         <source>A drive runs between lines that leave less than a lane: {min:.1f} m, for {span:.0f} m; no lane was made.</source>
         <translation>走行が通る線の間隔が車線幅に足りません（{min:.1f} m、{span:.0f} mにわたる）。車線は作成しませんでした。</translation>
     </message>
@@ -12416,8 +12508,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>点が標示ではなく面全体を覆っています。計測そのものではなく、MMS計測の路面標示が作る路面標示点を指定してください。</translation>
     </message>
     <message>
-        <source>No trajectory was given: only arrows and stop lines tell directions, and nothing connects lanes through junctions.</source>
-        <translation>軌跡が指定されていません。方向は矢印と停止線だけから判定され、交差点内の車線は接続されません。</translation>
+        <source>No trajectory was given: only arrows and stop lines tell directions, and ways through junctions are inferred.</source>
+        <translation>軌跡が指定されていません。方向は矢印と停止線だけから判断し、交差点内の進路は推定によります。</translation>
     </message>
     <message>
         <source>{filled} of {nodes_count} nodes have no measured height: theirs is taken from along the road (sigma up to {far:.2f} m).</source>
@@ -12544,6 +12636,34 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>クロスの剛性は1、2、3のいずれかにしてください。</translation>
     </message>
     <message>
+        <source>Finding the highest points of the cells.</source>
+        <translation>各セルの最高点を求めています。</translation>
+    </message>
+    <message>
+        <source>Settling the cloth.</source>
+        <translation>クロスを沈めています。</translation>
+    </message>
+    <message>
+        <source>The points fill next to nothing of the box around them, and some lie near {x:.0f}, {y:.0f}, {length:.0f} km from the others: remove those, or work on the places one by one.</source>
+        <translation>点群が占める範囲は全体の外接範囲に比べてごくわずかで、一部の点が {x:.0f}, {y:.0f} 付近（他の点から {length:.0f} km）にあります。その点を取り除くか、場所ごとに分けて処理してください。</translation>
+    </message>
+    <message>
+        <source>The resolution must be greater than 0.</source>
+        <translation>解像度は0より大きい値にしてください。</translation>
+    </message>
+    <message>
+        <source>The longest edge must be 0 or greater.</source>
+        <translation>最大辺長は0以上にしてください。</translation>
+    </message>
+    <message>
+        <source>The raster would have {columns:,} x {rows:,} cells: choose a coarser resolution, or check for points far outside the area.</source>
+        <translation>ラスタが{columns:,} x {rows:,}セルになります。解像度を粗くするか、範囲から遠く離れた点がないか確認してください。</translation>
+    </message>
+    <message>
+        <source>The area is too large for one cloth: choose a coarser cloth resolution.</source>
+        <translation>範囲が1枚のクロスには広すぎます。クロスの解像度を粗くしてください。</translation>
+    </message>
+    <message>
         <source>A surface needs at least three points: check the input's extent.</source>
         <translation>面の作成には3点以上が必要です。入力の範囲を確認してください。</translation>
     </message>
@@ -12580,6 +12700,22 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>地表面の点が見つかりませんでした。点群に地表面が含まれているか確認してください。</translation>
     </message>
     <message>
+        <source>Triangulating the ground.</source>
+        <translation>地表面の三角網を作成しています。</translation>
+    </message>
+    <message>
+        <source>Triangulating the surface.</source>
+        <translation>表層の三角網を作成しています。</translation>
+    </message>
+    <message>
+        <source>The points lie in fewer than three places or on one line: a surface cannot be built from them.</source>
+        <translation>点の位置が3か所未満か一直線上にあるため、面を作成できません。</translation>
+    </message>
+    <message>
+        <source>Ground by {value}: {reason}.</source>
+        <translation>地表面の取得元: {value}（{reason}）。</translation>
+    </message>
+    <message>
         <source>{name} states no coordinate reference system: assign one to the file first.</source>
         <translation>{name}に座標参照系の記載がありません。先にファイルに設定してください。</translation>
     </message>
@@ -12592,56 +12728,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name}の{crs}はメートル単位ではありません。先にメートル単位の座標系に変換してください。</translation>
     </message>
     <message>
-        <source>Finding the highest points of the cells.</source>
-        <translation>各セルの最高点を求めています。</translation>
-    </message>
-    <message>
-        <source>Settling the cloth.</source>
-        <translation>クロスを沈めています。</translation>
-    </message>
-    <message>
-        <source>The points fill next to nothing of the box around them, and some lie near {x:.0f}, {y:.0f}, {length:.0f} km from the others: remove those, or work on the places one by one.</source>
-        <translation>点群が占める範囲は全体の外接範囲に比べてごくわずかで、一部の点が {x:.0f}, {y:.0f} 付近（他の点から {length:.0f} km）にあります。その点を取り除くか、場所ごとに分けて処理してください。</translation>
-    </message>
-    <message>
-        <source>The resolution must be greater than 0.</source>
-        <translation>解像度は0より大きい値にしてください。</translation>
-    </message>
-    <message>
-        <source>The longest edge must be 0 or greater.</source>
-        <translation>最大辺長は0以上にしてください。</translation>
-    </message>
-    <message>
-        <source>Ground by {value}: {reason}.</source>
-        <translation>地表面の取得元: {value}（{reason}）。</translation>
-    </message>
-    <message>
         <source>{left_out:,} of {triangles:,} triangles were longer than {max_edge:g} m and left out.</source>
         <translation>三角形{triangles:,}個のうち{left_out:,}個は{max_edge:g} mより長いため除外しました。</translation>
     </message>
     <message>
         <source>{far_share:.0f} % of the surface spans {far:g} m or more without points (water, gaps): set a longest edge to leave such places out.</source>
         <translation>面の{far_share:.0f} %は、点のない{far:g} m以上の区間（水面、欠測）にまたがっています。除外するには最大辺長を設定してください。</translation>
-    </message>
-    <message>
-        <source>The raster would have {columns:,} x {rows:,} cells: choose a coarser resolution, or check for points far outside the area.</source>
-        <translation>ラスタが{columns:,} x {rows:,}セルになります。解像度を粗くするか、範囲から遠く離れた点がないか確認してください。</translation>
-    </message>
-    <message>
-        <source>The area is too large for one cloth: choose a coarser cloth resolution.</source>
-        <translation>範囲が1枚のクロスには広すぎます。クロスの解像度を粗くしてください。</translation>
-    </message>
-    <message>
-        <source>Triangulating the ground.</source>
-        <translation>地表面の三角網を作成しています。</translation>
-    </message>
-    <message>
-        <source>Triangulating the surface.</source>
-        <translation>表層の三角網を作成しています。</translation>
-    </message>
-    <message>
-        <source>The points lie in fewer than three places or on one line: a surface cannot be built from them.</source>
-        <translation>点の位置が3か所未満か一直線上にあるため、面を作成できません。</translation>
     </message>
     <message>
         <source>classes</source>
@@ -14440,6 +14532,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>壁面：外周線の辺</translation>
     </message>
     <message>
+        <source>begins at chainage (m)</source>
+        <translation>始点の追加距離（m）</translation>
+    </message>
+    <message>
+        <source>ends at chainage (m)</source>
+        <translation>終点の追加距離（m）</translation>
+    </message>
+    <message>
         <source>size of the step (m)</source>
         <translation>段差の大きさ（m）</translation>
     </message>
@@ -14932,8 +15032,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>移動した壁面はありません。観測値では判定できません。理由は壁面のフィールド「reason」を参照してください。</translation>
     </message>
     <message>
-        <source>{0} of {1} walls were adjusted.</source>
-        <translation>壁面{1}件中{0}件を調整しました。</translation>
+        <source>{0} of {1} walls were adjusted, {2} more are likely.</source>
+        <translation>{1}枚の壁のうち{0}枚を調整し、ほかに{2}枚は推定です。</translation>
     </message>
     <message>
         <source>{0} observations left out: {1}</source>
@@ -15528,8 +15628,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{0}：{1}</translation>
     </message>
     <message>
-        <source>Without trajectories only arrows and stop lines tell directions: most strips stay findings, and nothing connects lanes through junctions.</source>
-        <translation>軌跡がない場合、方向は矢印と停止線だけから判定されます。帯の多くは指摘のまま残り、交差点内の車線は接続されません。</translation>
+        <source>Without trajectories only arrows and stop lines tell directions: most strips stay findings, and ways through junctions are inferred.</source>
+        <translation>軌跡がないと、方向は矢印と停止線だけから判断します。多くの帯は指摘事項のまま残り、交差点内の進路は推定によります。</translation>
     </message>
     <message>
         <source>No lane was made: the drives run beside all lines; check that both are of one place, in one CRS, and that the trajectories are corrected.</source>
@@ -15626,10 +15726,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>These are the errors as reported: the layer has none after a correction.</source>
         <translation>補正前の較差です。レイヤに補正後の値がありません。</translation>
-    </message>
-    <message>
-        <source>Where the errors lie</source>
-        <translation>較差の分布</translation>
     </message>
     <message>
         <source>All drawn edges</source>
@@ -15816,6 +15912,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>写真の補正</translation>
     </message>
     <message>
+        <source>Corrected less given, metres and degrees.</source>
+        <translation>補正後の値から与えた値を引いたもの（m、度）。</translation>
+    </message>
+    <message>
+        <source>Accuracy of the frames</source>
+        <translation>写真の精度</translation>
+    </message>
+    <message>
         <source>Standard deviations after the adjustment, metres and degrees. A point's error is how far from it its pixel comes to lie on the ground, at the point's height.</source>
         <translation>調整後の標準偏差（m、度）。点の誤差は、その画素を点の高さの地上に写した位置と点との隔たりです。</translation>
     </message>
@@ -15988,6 +16092,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>オフセットの大きさの中央値、m</translation>
     </message>
     <message>
+        <source>Median sigma of likely walls, m</source>
+        <translation>推定の壁の標準偏差の中央値（m）</translation>
+    </message>
+    <message>
         <source>Iterations until nothing changed</source>
         <translation>収束までの反復回数</translation>
     </message>
@@ -15996,8 +16104,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>調整前後の壁面</translation>
     </message>
     <message>
-        <source>Buildings as given (grey). Adjusted walls: where they stood (dashed) and where they stand now, blue inwards, red outwards; the label is the offset in cm. Orange: observed, but not decided.</source>
-        <translation>入力の建物（灰）。調整した壁面: 元の位置（破線）と現在の位置（青は内側、赤は外側へ移動）、ラベルはオフセット（cm）。橙: 観測されたが判定できない壁面。</translation>
+        <source>Buildings as given (grey). Adjusted and likely walls: where they stood (dashed) and where they stand now, blue inwards, red outwards; the label is the offset in cm. Orange: observed, but not decided.</source>
+        <translation>入力の建物（灰色）。調整・推定した壁：元の位置（破線）と現在の位置（内向きは青、外向きは赤）。数字は移動量（cm）。橙：観測はあるが決まらない壁。</translation>
     </message>
     <message>
         <source>Walls that stay where they are</source>
