@@ -100,7 +100,7 @@ GEOREFERENCE_MMS = (
          made={"POINTS": ("roadmarkingsfrommms", "OUTPUT")},
          named={"OUTPUT": "OUTPUT_TRAJECTORY", "SURVEY": "POINTS"},
          outputs={"OUTPUT": "Corrected trajectory", "OUTPUT_PATCHES": "Patches", "OUTPUT_STEPS": "Disagreements",
-                  "OUTPUT_REPORT": "Report"}),
+                  "OUTPUT_AREAS": "Areas of disagreement", "OUTPUT_REPORT": "Report"}),
     Step("applytrajectory", "3. Moves the survey's points and images with the corrected trajectory.",
          made={"CORRECTED": ("registermms", "OUTPUT")},
          outputs={"OUTPUT": "Georeferenced survey", "OUTPUT_IMAGES": "Corrected image poses"}),
