@@ -33,6 +33,7 @@ NOT_OF_USERS = {
     "io/files/staging.py:clear_leftovers": "locks a file, reads none",
     "io/pages/report.py:Report.picture": "picture of the program",
     "io/points/point_buckets.py:PointBuckets.read": "written by the run",
+    "job/job_progress.py:_digest": "sums bytes up, whatever they are",
     "mobile/boresight/stage.py:write_calibration": "read before by read_calibration, which refuses what is damaged",
     "sources.py:sources_mark": "sources of the program",
     "terrain/surface_canvas.py:Canvas._blank": "written by the run",

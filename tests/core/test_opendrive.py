@@ -16,7 +16,7 @@ from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.roadmap.formats.opendrive_map import opendrive_tree, write_opendrive
 from urbanmap_qgis.roadmap.formats.opendrive_tags import DriveNode, drive_faults
 from urbanmap_qgis.roadmap.formats.plan_view import along_plan, fit_plan_view, fit_profile, plan_length
-from urbanmap_qgis.roadmap.formats.road_layout import road_layout
+from urbanmap_qgis.roadmap.formats.road_layout import bounds_along_ways, road_layout
 from urbanmap_qgis.roadmap.map_records import DrivenPath, MapLine, MapSettings
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
 
@@ -24,12 +24,12 @@ WKT = pyproj.CRS.from_epsg(6677).to_wkt()
 CLOSE = 0.05  # m
 
 
-def built_crossing(mirrored=False):
+def built_crossing(mirrored=False, settings=None):
     """The avenue before and behind a junction, driven both ways; mirrored for traffic on the right."""
     sign = -1.0 if mirrored else 1.0
     lines = [*roads.avenue(0, 60), *roads.avenue(90, 150), roads.stop(60.3, sign * 0.1, sign * 6.9)]
     drives = [roads.drive((-10, sign * 5.2), (160, sign * 5.2)), roads.drive((160, -sign * 5.2), (-10, -sign * 5.2))]
-    return build_vector_map(lines, [roads.zebra(63, 67, -7, 7)], drives)
+    return build_vector_map(lines, [roads.zebra(63, 67, -7, 7)], drives, settings=settings)
 
 
 def built_bend():
@@ -52,7 +52,7 @@ MAPS = {"crossing": built_crossing, "right-hand": lambda: built_crossing(True), 
 @pytest.fixture(scope="module", params=MAPS)
 def case(request, tmp_path_factory):
     """A map and its file, read back."""
-    built = MAPS[request.param]()
+    built = bounds_along_ways(MAPS[request.param]())
     path = tmp_path_factory.mktemp("map") / "map.xodr"
     tree, notes = opendrive_tree(built, WKT, 50.0)
     assert not notes
@@ -191,8 +191,21 @@ def test_crosswalk_corners_come_back_where_they_were():
     assert np.abs(corners - truth).max() < 0.02
 
 
+def test_opposite_ways_share_a_bound_that_opendrive_has_in_the_direction_of_each():
+    built = built_crossing()
+    ways = [number for number, lane in enumerate(built.lanes) if lane.kind == "virtual"]
+    sides = [{built.lanes[number].left, built.lanes[number].right} for number in ways]
+    turned = [number for number in ways if not (built.lanes[number].left_forward and built.lanes[number].right_forward)]
+    assert len(turned) == 1 and sum(bool(one & other) for one in sides for other in sides if one is not other) // 2 == 3
+    along = bounds_along_ways(built)
+    for number in ways:
+        assert along.lanes[number].left_forward and along.lanes[number].right_forward
+        for side in ("left", "right"):
+            assert np.array_equal(along.coordinates(number, side), built.coordinates(number, side))
+
+
 def test_junctions_hold_the_ways_that_were_driven():
-    root = opendrive_tree(built_crossing(), WKT)[0].getroot()
+    root = opendrive_tree(built_crossing(settings=MapSettings(infer_ways=False)), WKT)[0].getroot()
     assert len(root.findall("junction")) == 1 and len(list(root.iter("connection"))) == 2
     connecting = [road for road in root.findall("road") if road.get("junction") != "-1"]
     assert len(connecting) == 2

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from ..map_records import MapLane, VectorMap
 
@@ -66,6 +66,25 @@ def road_layout(built: VectorMap) -> RoadLayout:
     _join_junctions(built, layout)
     _join_roads(built, layout)
     return layout
+
+
+def bounds_along_ways(built: VectorMap) -> VectorMap:
+    """The map whose virtual lanes have both bounds in their direction: OpenDRIVE draws each as a road of its own.
+
+    Of a bound shared with a way of the other direction they get a turned one of their own.
+    """
+    bounds, lanes = list(built.bounds), list(built.lanes)
+    for number, lane in enumerate(lanes):
+        if lane.kind != "virtual" or lane.left_forward and lane.right_forward:
+            continue
+        sides = {}
+        for side, bound, forward in (("left", lane.left, lane.left_forward), ("right", lane.right, lane.right_forward)):
+            sides[side] = bound
+            if not forward:
+                sides[side] = len(bounds)
+                bounds.append(replace(bounds[bound], nodes=bounds[bound].nodes[::-1]))
+        lanes[number] = replace(lane, **sides, left_forward=True, right_forward=True)
+    return replace(built, bounds=bounds, lanes=lanes)
 
 
 def _ahead(lane: MapLane) -> bool:

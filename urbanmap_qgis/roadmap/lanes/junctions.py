@@ -136,18 +136,28 @@ def _add_virtual(built: VectorMap, one: int, other: int, path: np.ndarray) -> No
 
 
 def append_way(built: VectorMap, one: int, other: int, sides: Sequence[np.ndarray], evidence: str) -> bool:
-    """Add a virtual lane with given inner points (n, 3) of its left and right bound; False where they would cross."""
+    """Add a virtual lane with given inner points (n, 3) of its left and right bound; False where they would cross.
+
+    It shares its bounds with the ways beside, also with one of the other direction, unless they would cross then.
+    """
+    return (_append(built, one, other, sides, evidence, opposite=True)
+            or _append(built, one, other, sides, evidence, opposite=False))
+
+
+def _append(built: VectorMap, one: int, other: int, sides: Sequence[np.ndarray], evidence: str,
+            opposite: bool) -> bool:
     ends = _end_nodes(built, one), _begin_nodes(built, other)
     before = len(built.nodes), len(built.bounds), len(built.lanes)
-    bounds = [_virtual_bound(built, ends[0][k], ends[1][k], points) for k, points in enumerate(sides)]
+    (left, left_forward), (right, right_forward) = (
+        _virtual_bound(built, ends[0][k], ends[1][k], points, opposite) for k, points in enumerate(sides))
     width = [np.linalg.norm((built.coordinates(lane, "left")[at] - built.coordinates(lane, "right")[at])[:2])
              for lane, at in ((one, -1), (other, 0))]
     number = len(built.lanes)
-    connection = MapLane(*bounds, True, True, np.zeros((0, 3)), float(np.mean(width)), float(min(width)),
-                         "virtual", evidence, _turn(built.lanes[one].centre, built.lanes[other].centre),
-                         successors=[other])
+    connection = MapLane(left, right, left_forward, right_forward, np.zeros((0, 3)), float(np.mean(width)),
+                         float(min(width)), "virtual", evidence,
+                         _turn(built.lanes[one].centre, built.lanes[other].centre), successors=[other])
     built.lanes.append(connection)
-    if not (built.area(number).is_valid and _is_smooth(built, one, other, bounds)):
+    if not (built.area(number).is_valid and _is_smooth(built, one, other, number)):
         del built.nodes[before[0]:], built.bounds[before[1]:], built.lanes[before[2]:]
         return False
     connection.centre = centre_line(built.coordinates(number, "left"), built.coordinates(number, "right"))
@@ -155,23 +165,27 @@ def append_way(built: VectorMap, one: int, other: int, sides: Sequence[np.ndarra
     return True
 
 
-def _virtual_bound(built: VectorMap, first: int, last: int, inner: np.ndarray) -> int:
-    """Number of the virtual bound from node to node: that of the way beside, where there is one, else a new one."""
+def _virtual_bound(built: VectorMap, first: int, last: int, inner: np.ndarray, opposite: bool) -> tuple[int, bool]:
+    """Number of the virtual bound from node to node, and whether its nodes run so.
+
+    It is that of the way beside, where there is one (`opposite`: also of the other direction), else a new one.
+    """
     for number, bound in enumerate(built.bounds):
-        if bound.kind == "virtual" and (bound.nodes[0], bound.nodes[-1]) == (first, last):
-            return number
+        ends = bound.nodes[0], bound.nodes[-1]
+        if bound.kind == "virtual" and (ends == (first, last) or opposite and ends == (last, first)):
+            return number, ends == (first, last)
     begin = len(built.nodes)
     built.nodes.extend(inner)
     built.bounds.append(Bound([first, *range(begin, len(built.nodes)), last], "virtual"))
-    return len(built.bounds) - 1
+    return len(built.bounds) - 1, True
 
 
-def _is_smooth(built: VectorMap, one: int, other: int, bounds: Sequence[int]) -> bool:
+def _is_smooth(built: VectorMap, one: int, other: int, way: int) -> bool:
     """Whether a way's bounds leave the end of a lane and enter the begin of another about in their directions."""
     tips = _unit(built.lanes[one].centre[-1] - built.lanes[one].centre[-2]), _unit(
         built.lanes[other].centre[1] - built.lanes[other].centre[0])
-    for number in bounds:
-        points = built.bound_points(built.bounds[number])
+    for side in ("left", "right"):
+        points = built.coordinates(way, side)
         if _unit(points[1] - points[0]) @ tips[0] < SMOOTH or _unit(points[-1] - points[-2]) @ tips[1] < SMOOTH:
             return False
     return True
