@@ -75,7 +75,7 @@ def bounds_along_ways(built: VectorMap) -> VectorMap:
     """
     bounds, lanes = list(built.bounds), list(built.lanes)
     for number, lane in enumerate(lanes):
-        if lane.kind != "virtual" or lane.left_forward and lane.right_forward:
+        if lane.kind != "virtual" or (lane.left_forward and lane.right_forward):
             continue
         sides = {}
         for side, bound, forward in (("left", lane.left, lane.left_forward), ("right", lane.right, lane.right_forward)):

@@ -172,7 +172,7 @@ def _virtual_bound(built: VectorMap, first: int, last: int, inner: np.ndarray, o
     """
     for number, bound in enumerate(built.bounds):
         ends = bound.nodes[0], bound.nodes[-1]
-        if bound.kind == "virtual" and (ends == (first, last) or opposite and ends == (last, first)):
+        if bound.kind == "virtual" and (ends == (first, last) or (opposite and ends == (last, first))):
             return number, ends == (first, last)
     begin = len(built.nodes)
     built.nodes.extend(inner)
