@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import re
 import shutil
 import subprocess
 from pathlib import Path
 
 import numpy as np
 import pytest
+
+from tests.printed_pages import shares_filled
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -56,21 +57,6 @@ def test_points_go_on_over_pages_with_their_head(run, tmp_path, count, sheets):
     assert all("north (m)" in text for text in texts[1:])
 
 
-def shares_filled(path) -> list[float]:
-    """How far down each page of a PDF is filled, between margins of 15 mm."""
-    if shutil.which("pdftoppm") is None:
-        pytest.skip("pdftoppm, which draws the pages, is not installed (poppler-utils)")
-    told = subprocess.run(["pdftoppm", "-r", "30", "-gray", str(path)], capture_output=True, check=True).stdout
-    shares = []
-    while told:
-        head = re.match(rb"P5\s+(\d+)\s+(\d+)\s+255\s", told)
-        width, height = int(head[1]), int(head[2])
-        page = np.frombuffer(told, np.uint8, width * height, head.end()).reshape(height, width)
-        told = told[head.end() + width * height:]
-        shares.append(((np.flatnonzero((page < 245).any(axis=1))[-1] + 1) / 30 * 25.4 - 15.0) / 267.0)
-    return shares
-
-
 @pytest.mark.parametrize(("count", "area", "sheets"), [
     (3, (900, 120), 2), (3, (120, 900), 2), (10, (400, 400), 2), (10, (900, 120), 2), (25, (900, 120), 2),
     (41, (60, 70), 3), (60, (900, 120), 3), (60, (120, 900), 3), (200, (900, 120), 5)])
@@ -81,7 +67,7 @@ def test_no_page_of_the_pdf_is_half_empty(run, tmp_path, count, area, sheets):
     rows = [f"P{number}," + ",".join(f"{value:.3f}" for value in row) for number, row in enumerate(both)]
     (tmp_path / "a.csv").write_text("\n".join(["id,x,y,z,x_product,y_product,z_product", *rows]), encoding="utf-8")
     run("urbanmap:acceptance", {"INPUT": str(tmp_path / "a.csv"), "OUTPUT_PDF": str(tmp_path / "a.pdf")})
-    shares = shares_filled(tmp_path / "a.pdf")
+    shares = shares_filled(tmp_path / "a.pdf", 15.0, 267.0)
     assert len(shares) == sheets
     assert all(share > 0.9 for share in shares[:-1]) and shares[-1] > 0.4, shares
     told = "".join(pages(tmp_path / "a.pdf"))

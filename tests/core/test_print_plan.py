@@ -1,12 +1,12 @@
 """Heights of pictures on printed pages, by arithmetic and by what a browser prints."""
 
-import re
 import shutil
 import subprocess
 
 import numpy as np
 import pytest
 
+from tests.printed_pages import shares_filled
 from urbanmap_qgis.acceptance.acceptance_report import write_acceptance_report
 from urbanmap_qgis.acceptance.check_points import check_points_from_columns
 from urbanmap_qgis.acceptance.criteria import criteria
@@ -88,20 +88,6 @@ def report_of(path, count, area):
                                 Job(job="第3工区", surveyor="測量"), 500)
 
 
-def shares_filled(pdf) -> list[float]:
-    """How far down each page is filled, between its margins."""
-    told = subprocess.run(["pdftoppm", "-r", "30", "-gray", str(pdf)], capture_output=True, check=True).stdout
-    shares = []
-    while told:
-        head = re.match(rb"P5\s+(\d+)\s+(\d+)\s+255\s", told)
-        width, height = int(head[1]), int(head[2])
-        page = np.frombuffer(told, np.uint8, width * height, head.end()).reshape(height, width)
-        told = told[head.end() + width * height:]
-        lowest = np.flatnonzero((page < 245).any(axis=1))[-1] + 1
-        shares.append((lowest / 30 * 25.4 - 14.0) / PAGE_HEIGHT)
-    return shares
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize(("count", "area", "pages"), CASES)
 def test_no_page_that_a_browser_prints_is_half_empty(tmp_path, count, area, pages):
@@ -112,6 +98,6 @@ def test_no_page_that_a_browser_prints_is_half_empty(tmp_path, count, area, page
     subprocess.run([browser, "--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer",
                     f"--user-data-dir={tmp_path / 'profile'}", f"--print-to-pdf={tmp_path / 'a.pdf'}",
                     str(tmp_path / "a.html")], capture_output=True, check=True, timeout=120)
-    shares = shares_filled(tmp_path / "a.pdf")
+    shares = shares_filled(tmp_path / "a.pdf", 14.0, PAGE_HEIGHT)
     assert len(shares) == pages
     assert all(share > 0.75 for share in shares[:-1]) and shares[-1] > 0.4, shares

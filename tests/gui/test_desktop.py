@@ -2,24 +2,19 @@
 
 from __future__ import annotations
 
-import importlib.util
 import json
-import shutil
 import subprocess
-import sys
-import sysconfig
 from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
 
+from tests.gui.sitting import NEEDS_DESKTOP, profile_with_packages, windows
+
 ROOT = Path(__file__).resolve().parents[2]
 STYLES = ROOT / "resources" / "styles"
 
-pytestmark = pytest.mark.skipif(
-    shutil.which("xvfb-run") is None or not (shutil.which("qgis.bin") or shutil.which("qgis")),
-    reason="no QGIS desktop or no xvfb-run (apt install qgis xvfb)",
-)
+pytestmark = NEEDS_DESKTOP
 
 ALS = {"POINTS": ["city:als/als.laz"], "FOOTPRINTS": "city:footprints/gsi_buildings.gpkg"}
 MAP = {"BUILDINGS": "city:models/buildings.geojson", "NAVIGATION": ["city:gnss/satellites.nav"]}
@@ -47,14 +42,6 @@ CANCELLED = ("groundfrommms", {"POINTS": ["city:mms/survey_01.laz"]})
 STEPS = ["dialogs", "runs", "together", "cancel", "reloads", "again", "models", "distances"]
 
 
-def load_script(name: str):
-    spec = importlib.util.spec_from_file_location(f"urbanmap_{name}", ROOT / "scripts" / f"{name}.py")
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    return module
-
-
 def in_place(value, city: Path, made: Path):
     """A value with "city:PLACE" and "made:PLACE" as the path in that folder."""
     if isinstance(value, dict):
@@ -68,13 +55,8 @@ def in_place(value, city: Path, made: Path):
 @pytest.fixture(scope="module")
 def sitting(small_city, tmp_path_factory):
     """What the steps of one sitting in one QGIS gave, with the packages where the plugin installs them."""
-    windows = load_script("make_tutorial_pictures")
     folder = tmp_path_factory.mktemp("desktop")
-    profile = windows.profile_of(folder, "en")
-    packages = profile / "config/profiles/default/python/urbanmap_packages"
-    packages.mkdir(parents=True)
-    version = f"py{sys.version_info.major}.{sys.version_info.minor}"
-    (packages / version).symlink_to(sysconfig.get_path("purelib"), target_is_directory=True)
+    profile = profile_with_packages(folder)
     runs = [(f"urbanmap:{name}", in_place(given, small_city, folder), same, others)
             for name, (given, same, others, _) in RUNS.items()]
     journey = {"steps": STEPS, "runs": runs, "model": in_place(ALS, small_city, folder),
@@ -82,8 +64,8 @@ def sitting(small_city, tmp_path_factory):
                "cancel": (f"urbanmap:{CANCELLED[0]}", in_place(CANCELLED[1], small_city, folder))}
     (folder / "journey.json").write_text(json.dumps(journey), encoding="utf-8")
     try:
-        windows.open_desktop(Path(__file__).with_name("desktop_journey.py"), folder, profile,
-                             URBANMAP_JOURNEY=str(folder / "journey.json"))
+        windows().open_desktop(Path(__file__).with_name("desktop_journey.py"), folder, profile,
+                               URBANMAP_JOURNEY=str(folder / "journey.json"))
     except subprocess.CalledProcessError as error:
         print(error)  # the steps that it came to are in the report; the others fail
     return json.loads((folder / "report.json").read_text(encoding="utf-8"))

@@ -2,42 +2,29 @@
 
 from __future__ import annotations
 
-import importlib.util
 import json
 import shutil
 import subprocess
-import sys
-import sysconfig
 from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[2]
+from tests.gui.sitting import NEEDS_DESKTOP, profile_with_packages, windows
 
-pytestmark = [pytest.mark.slow, pytest.mark.skipif(
-    shutil.which("xvfb-run") is None or not (shutil.which("qgis.bin") or shutil.which("qgis")),
-    reason="no QGIS desktop or no xvfb-run (apt install qgis xvfb)")]
+pytestmark = [pytest.mark.slow, NEEDS_DESKTOP]
 
 
 @pytest.fixture(scope="module")
 def told(small_city, tmp_path_factory):
     """What the steps of one sitting gave, by name."""
-    spec = importlib.util.spec_from_file_location("urbanmap_windows", ROOT / "scripts" / "make_tutorial_pictures.py")
-    windows = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = windows
-    spec.loader.exec_module(windows)
     folder = tmp_path_factory.mktemp("guide")
     shutil.copytree(small_city, folder / "city")
-    profile = windows.profile_of(folder, "en")
-    packages = profile / "config/profiles/default/python/urbanmap_packages"
-    packages.mkdir(parents=True)
-    version = f"py{sys.version_info.major}.{sys.version_info.minor}"
-    (packages / version).symlink_to(sysconfig.get_path("purelib"), target_is_directory=True)
+    profile = profile_with_packages(folder)
     (folder / "task.json").write_text(json.dumps({
         "city": str(folder / "city"), "report": str(folder / "report.json"), "pictures": ""}), encoding="utf-8")
     try:
-        windows.open_desktop(Path(__file__).with_name("guide_journey.py"), folder, profile,
-                             URBANMAP_GUIDE=str(folder / "task.json"))
+        windows().open_desktop(Path(__file__).with_name("guide_journey.py"), folder, profile,
+                               URBANMAP_GUIDE=str(folder / "task.json"))
     except subprocess.CalledProcessError as error:
         print(error)  # the steps that it came to are in the report; the others fail
     report = json.loads((folder / "report.json").read_text(encoding="utf-8"))

@@ -2,46 +2,34 @@
 
 from __future__ import annotations
 
-import importlib.util
 import json
 import shutil
 import subprocess
 import sys
-import sysconfig
 import time
 from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[2]
+from tests.gui.sitting import NEEDS_DESKTOP, profile_with_packages, windows
 
-pytestmark = [pytest.mark.slow, pytest.mark.skipif(
-    shutil.which("xvfb-run") is None or not (shutil.which("qgis.bin") or shutil.which("qgis")),
-    reason="no QGIS desktop or no xvfb-run (apt install qgis xvfb)")]
+pytestmark = [pytest.mark.slow, NEEDS_DESKTOP]
 
 
 @pytest.fixture(scope="module")
 def sitting(small_city, tmp_path_factory):
     """The report of one sitting, its folder, and how QGIS ended ("" if well)."""
-    spec = importlib.util.spec_from_file_location("urbanmap_windows", ROOT / "scripts" / "make_tutorial_pictures.py")
-    windows = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = windows
-    spec.loader.exec_module(windows)
     folder = tmp_path_factory.mktemp("stranger")
     city = folder / "現場 データ" / "第 3 工区 (東)"
     shutil.copytree(small_city, city)
-    profile = windows.profile_of(folder, "en")
-    packages = profile / "config/profiles/default/python/urbanmap_packages"
-    packages.mkdir(parents=True)
-    version = f"py{sys.version_info.major}.{sys.version_info.minor}"
-    (packages / version).symlink_to(sysconfig.get_path("purelib"), target_is_directory=True)
+    profile = profile_with_packages(folder)
     (folder / "task.json").write_text(json.dumps({
         "city": str(city), "moved": str(folder / "移動先 2" / "第 3 工区"), "report": str(folder / "report.json"),
         "helpers": str(Path(__file__).with_name("whole_journey.py"))}), encoding="utf-8")
     ended, started = "", time.monotonic()
     try:
-        windows.open_desktop(Path(__file__).with_name("stranger_journey.py"), folder, profile,
-                             longest=400.0, URBANMAP_STRANGER=str(folder / "task.json"))
+        windows().open_desktop(Path(__file__).with_name("stranger_journey.py"), folder, profile,
+                               longest=400.0, URBANMAP_STRANGER=str(folder / "task.json"))
     except (subprocess.CalledProcessError, subprocess.TimeoutExpired) as error:
         ended = str(error)
     print(f"{time.monotonic() - started:.0f} s", ended)

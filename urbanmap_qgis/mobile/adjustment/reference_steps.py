@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...wording import say
 from ..registration.correction.error_steps import MIN_CHANGE
 from .network import NONE, REFERENCE, RELATIVE_KINDS, NetworkObservations
 
@@ -47,6 +48,12 @@ class ReferenceStep:
     def size(self) -> float:
         """m."""
         return float(np.hypot(*self.change))
+
+    def sentence(self, drive: str) -> str:
+        """What is to be told of it, with the drive's name."""
+        return say("The reference steps by {size:.2f} m at {chainage:.0f} m of {drive}, where the drives do not: "
+                   "nobody can say which side of it is right, so that reference markings beside it are left out.",
+                   size=self.size, chainage=self.chainage, drive=drive)
 
 
 @dataclass(frozen=True)

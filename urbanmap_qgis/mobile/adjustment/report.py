@@ -41,10 +41,7 @@ def _verdict(report: Report, survey: AdjustedSurvey) -> None:
         report.verdict(GOOD, say("The drives are placed with a standard deviation of {sigma:.1f} cm in plan (median; "
                                  "largest {max:.0f} cm).", sigma=100 * np.median(sigma), max=100 * sigma.max()))
     for step in survey.reference_steps:
-        report.warning(say("The reference steps by {size:.2f} m at {chainage:.0f} m of {drive}, where the drives do "
-                           "not: nobody can say which side of it is right, so that reference markings beside it are "
-                           "left out.", size=step.size, chainage=step.chainage,
-                           drive=survey.drives[step.drive].name))
+        report.warning(step.sentence(survey.drives[step.drive].name))
     for drive in survey.drives:
         if (drive.status == STATUS_NAMES.index("not tied")).all():
             report.warning(say("{drive} shares no markings with other drives, control or reference: it stays as "

@@ -240,9 +240,7 @@ def _without_reference_steps(drives: Sequence[Drive], observations: NetworkObser
             found[of == number] = np.interp(at[of == number], parameter, way)
     steps = tuple(reference_steps(observations, chainage, other_chainage))
     for step in steps:
-        progress.warn(say("The reference steps by {size:.2f} m at {chainage:.0f} m of {drive}, where the drives do "
-                          "not: nobody can say which side of it is right, so that reference markings beside it are "
-                          "left out.", size=step.size, chainage=step.chainage, drive=drives[step.drive].name))
+        progress.warn(step.sentence(drives[step.drive].name))
     left = observations.select(undisputed(observations, chainage, steps))
     if not len(left):
         raise InsufficientDataError(say("The reference steps where the drives do not, and nothing else ties them: "
