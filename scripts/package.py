@@ -23,7 +23,9 @@ READMES = ("README.md", "README.ja.md")
 FILES = ("metadata.txt", "__init__.py", "LICENSE", *READMES, "CHANGELOG.md")
 FOLDERS = ("algorithms", "urbanmap_qgis", "resources")
 PICTURES = (".jpg", ".png")
-WINDOWS, PHOTOGRAPHS = 20, 25  # least quality of WebP at which the text of windows is read; of pictures without text
+# Least quality of WebP at which the text of windows is read, and largest width, pixels; of pictures without text, which
+# need not be wider than the help's column.
+WINDOWS, PHOTOGRAPHS = (20, 1024), (25, 900)
 ICON_STYLES_FILES = ("brands.min.css", "fontawesome.min.css", "solid.min.css", "v4-font-face.min.css")
 ICON_STYLES = re.compile(r'<link href="[^"]*css/(?:brands|fontawesome|solid|v4-font-face)\.min\.css" rel="stylesheet">')
 TO_REFERENCE = re.compile(r'<a [^>]*href="(?:\.\./)*api/[^"]*"[^>]*>(.*?)</a>', re.DOTALL)
@@ -95,8 +97,8 @@ def packed_name(name: str) -> str:
 
 
 def smaller(path: Path) -> bytes:
-    """A file as it goes into the zip: pictures with the least quality that they need, pages without links to what is
-    left out."""
+    """A file as it goes into the zip: pictures with the least quality and width that they need, pages without links to
+    what is left out."""
     data = path.read_bytes()
     if path.suffix == ".html":
         page = ICON_STYLES.sub("", TO_REFERENCE.sub(r"\1", data.decode("utf-8")))
@@ -107,8 +109,11 @@ def smaller(path: Path) -> bytes:
     import numpy as np
 
     picture = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_COLOR)
-    least = WINDOWS if path.parent.name == "tutorials" else PHOTOGRAPHS
-    return cv2.imencode(".webp", picture, [cv2.IMWRITE_WEBP_QUALITY, least])[1].tobytes()
+    quality, widest = WINDOWS if path.parent.name == "tutorials" else PHOTOGRAPHS
+    if picture.shape[1] > widest:
+        height = round(picture.shape[0] * widest / picture.shape[1])
+        picture = cv2.resize(picture, (widest, height), interpolation=cv2.INTER_AREA)
+    return cv2.imencode(".webp", picture, [cv2.IMWRITE_WEBP_QUALITY, quality])[1].tobytes()
 
 
 def readme(text: str, names: set[str]) -> bytes:

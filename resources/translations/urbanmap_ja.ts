@@ -11064,6 +11064,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>各検証点の水平誤差。単独で外れる点は検証点の誤り、時間とともに増える誤差は補正されていない部分を示します。</translation>
     </message>
     <message>
+        <source>The reference steps by {size:.2f} m at {chainage:.0f} m of {drive}, where the drives do not: nobody can say which side of it is right, so that reference markings beside it are left out.</source>
+        <translation>{drive}の{chainage:.0f} m地点で基準が{size:.2f} mずれていますが、走行軌跡にはずれがありません。どちら側が正しいか判断できないため、その両側の基準標示は使用しません。</translation>
+    </message>
+    <message>
         <source>Correction along the path. Look for steps that no loss of satellites explains.</source>
         <translation>経路に沿った補正量。衛星の喪失では説明できない段差を探してください。</translation>
     </message>
@@ -11074,10 +11078,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The drives are placed with a standard deviation of {sigma:.1f} cm in plan (median; largest {max:.0f} cm).</source>
         <translation>走行の水平位置の標準偏差は {sigma:.1f} cm です（中央値、最大 {max:.0f} cm）。</translation>
-    </message>
-    <message>
-        <source>The reference steps by {size:.2f} m at {chainage:.0f} m of {drive}, where the drives do not: nobody can say which side of it is right, so that reference markings beside it are left out.</source>
-        <translation>{drive}の{chainage:.0f} m地点で基準が{size:.2f} mずれていますが、走行軌跡にはずれがありません。どちら側が正しいか判断できないため、その両側の基準標示は使用しません。</translation>
     </message>
     <message>
         <source>{drive} shares no markings with other drives, control or reference: it stays as reported.</source>
@@ -15722,6 +15722,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>These are the errors as reported: the layer has none after a correction.</source>
         <translation>補正前の較差です。レイヤに補正後の値がありません。</translation>
+    </message>
+    <message>
+        <source>Where the errors lie</source>
+        <translation>較差の分布</translation>
     </message>
     <message>
         <source>All drawn edges</source>

@@ -56,6 +56,7 @@ def english(text: str, ids: frozenset[str] | set[str]) -> list[str]:
     text = re.sub(r"EPSG:\d+ ?[（(]JGD\d+ / Japan Plane Rectangular CS [IVX]+[）)]", " ", text)
     text = re.sub(r"JGD\d+ / Japan Plane Rectangular CS [IVX]+", " ", text)
     text = re.sub(r"[\w./*-]*\.[A-Za-z][A-Za-z0-9]{1,6}\b", " ", text)
+    text = re.sub(r"\b[A-Za-z0-9]+\.[A-Za-z]+-\d{3}\b", " ", text)  # codes of rules
     words = re.findall(r"[A-Za-z][A-Za-z_]+", text)
     known = NAMES | FORMATS | UNITS | FORMULA | ids
     return [word for word in words if word not in known and not word.isupper()]
@@ -148,8 +149,8 @@ SPOKEN = ("surfacefromals", "aerialmarkings", "segmentbuildings", "segmentroofs"
 """Runs whose reports and messages are read: one of every kind of report that does not take long."""
 
 CITY_NAMES = {"building", "survey", "trajectory", "way", "node", "File", "Height", "SpeedLimit", "routing", "graph",
-              "status", "reason", "ele", "pass", "mms"}
-"""Names in the sample city's data, codes of rules, and fields to which a message points."""
+              "status", "reason", "ele", "pass", "mms", "regulatory", "element"}
+"""Names in the sample city's data, parts of codes and of lane maps, and fields to which a message points."""
 
 
 @pytest.mark.slow
