@@ -185,7 +185,7 @@ class ExportCityModel(UrbanMapAlgorithm):
         notes = ReadingNotes()
         with ExitStack() as stack:
             model = open_city_model(self.input_path(parameters, "CITY_MODEL", context), stack, notes,
-                                    progress=progress.part(0.0, 0.5))
+                                    progress=progress.part(0.0, 0.5), fittings=True)
             model = replace(model, buildings=list(model.buildings))
             for sentence in notes.sentences():
                 progress.warn(sentence)

@@ -19,7 +19,7 @@ from .citygml.plateau import PlateauDelivery, with_plateau_attributes
 from .citygml.writer import write_citygml
 from .cityjson.writer import write_model_cityjson, write_model_cityjsonseq
 from .images import images_beside, with_images_there
-from .model import CityModel, CityObject
+from .model import FITTINGS, CityModel, CityObject
 from .objects import placed
 from .reference import PLATEAU_SYSTEMS, city_reference
 from .tiles.tiles_writer import write_tiles
@@ -62,6 +62,10 @@ def write_city_files(model: CityModel, cityjson: _Place = None, cityjsonseq: _Pl
                               missing=missing))
     progress.step(0.75)
     if tiles is not None:
+        fittings = sum(item.type in FITTINGS for building in model.buildings for item in building.everything())
+        if fittings:
+            progress.warn(say("3D Tiles have no place for installations and rooms of buildings: {count} are left out.",
+                              count=fittings))
         heights = geoid.interpolate if geoid is not None and model.reference.heights != ELLIPSOIDAL.word else None
         write_tiles(tiles, model, heights, progress)
     progress.step(1.0)

@@ -28,11 +28,12 @@ _JAPAN = (122.0, 20.0, 154.0, 46.0)
 
 
 def open_city_model(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: ReadingNotes,
-                    given: CityReference | None = None, progress: Progress = SILENT, roads: bool = False) -> CityModel:
+                    given: CityReference | None = None, progress: Progress = SILENT, roads: bool = False,
+                    fittings: bool = False) -> CityModel:
     """Open city models: CityGML (.gml, .zip), CityJSON (.json), CityJSONSeq (.jsonl), or folders of them.
 
     The buildings are read while they are walked through, once; `stack` must stay open until then. `roads` of CityGML
-    come among them where they are asked for.
+    come among them where they are asked for; `fittings` (installations and rooms) are else counted as left out.
 
     Raises
     ------
@@ -42,9 +43,9 @@ def open_city_model(path: PathLike | Sequence[PathLike], stack: ExitStack, notes
     texts = [file for item in given_paths for file in _json_files(item)]
     others = [item for item in given_paths if not (item.is_file() and item.suffix.lower() in _JSON)
               and not (item.is_dir() and _json_files(item) and not _gml_there(item))]
-    models = [open_cityjson(file, notes, given, progress) for file in texts]
+    models = [open_cityjson(file, notes, given, progress, fittings) for file in texts]
     if others:
-        models.insert(0, open_citygml(others, stack, notes, given, progress, roads))
+        models.insert(0, open_citygml(others, stack, notes, given, progress, roads, fittings))
     if any(model.reference != models[0].reference for model in models):
         raise InputError(say("The city models are in different reference systems: load them in separate runs."))
     images = models[0].images if len(models) == 1 else {}

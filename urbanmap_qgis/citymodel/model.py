@@ -16,15 +16,29 @@ import numpy as np
 from ..geometry.solid import FaceTexture
 
 BUILDING, BUILDING_PART, ROAD = "Building", "BuildingPart", "Road"
+INSTALLATION, INNER_INSTALLATION = "BuildingInstallation", "IntBuildingInstallation"
+BUILDING_ROOM, FURNITURE = "BuildingRoom", "BuildingFurniture"
+FITTINGS = (INSTALLATION, INNER_INSTALLATION, BUILDING_ROOM, FURNITURE)
+"""What belongs to a building, a part or a room besides its body: balconies and stairs, rooms, what is in them."""
 
 ROOF_SURFACE, WALL_SURFACE, GROUND_SURFACE = "RoofSurface", "WallSurface", "GroundSurface"
 CEILING_SURFACE, FLOOR_SURFACE, CLOSURE_SURFACE = "OuterCeilingSurface", "OuterFloorSurface", "ClosureSurface"
-SURFACE_KINDS = (GROUND_SURFACE, WALL_SURFACE, ROOF_SURFACE, FLOOR_SURFACE, CEILING_SURFACE, CLOSURE_SURFACE)
+INNER_WALL_SURFACE, ROOM_CEILING, ROOM_FLOOR = "InteriorWallSurface", "CeilingSurface", "FloorSurface"
+BOUNDARY_KINDS = (GROUND_SURFACE, WALL_SURFACE, ROOF_SURFACE, FLOOR_SURFACE, CEILING_SURFACE, CLOSURE_SURFACE,
+                  INNER_WALL_SURFACE, ROOM_CEILING, ROOM_FLOOR)
+WINDOW, DOOR = "Window", "Door"
+OPENINGS = (WINDOW, DOOR)
+SURFACE_KINDS = (*BOUNDARY_KINDS, *OPENINGS)
 
 FOOTPRINT, ROOF_EDGE, SOLID, MULTI_SURFACE = "footprint", "roof edge", "solid", "multi surface"
 """Kinds of shapes: outline on the ground and of the roof (both level of detail 0), closed solid, loose surfaces."""
 
 UNKNOWN_HEIGHTS = "unknown"
+
+ADDRESS = "address"
+"""Attribute that holds postal addresses: groups of `ADDRESS_TYPE` with xAL's elements by name, one in the other."""
+
+ADDRESS_TYPE = "xAL:AddressDetails"
 
 
 @dataclass(frozen=True)
@@ -63,6 +77,7 @@ class CitySurface:
     attributes : slope and azimuth (degrees), area (m2), what the source has.
     id : of the polygon in its source.
     group : id of the surface that the polygon belongs to, where several polygons are one roof or wall.
+    parent : of an opening the group of the wall or roof that it is in.
     texture : the image that covers it.
     """
 
@@ -72,6 +87,7 @@ class CitySurface:
     id: str = ""
     group: str = ""
     texture: FaceTexture | None = None
+    parent: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,7 +115,7 @@ class CityShape:
 
 @dataclass(frozen=True, eq=False)
 class CityObject:
-    """A building, a part of one that stands alone, or a road.
+    """A building, a part of one that stands alone, a road, or what belongs to a building (`FITTINGS`).
 
     Attributes
     ----------
@@ -107,11 +123,12 @@ class CityObject:
     attributes : by name, in order. Values: number, text, bool, None, `datetime.date`, `CodeValue`, `Measure`,
         `AttributeGroup`, or a list of these. Names of CityGML's building and transportation
         modules stand alone ("measuredHeight", "function"), those
-        of generic attributes and of extensions carry "gen:" and "uro:".
+        of generic attributes and of extensions carry "gen:" and "uro:". Postal addresses stand under `ADDRESS`.
     shapes : all levels of detail side by side; several solids of one level are one geometry.
-    type : `BUILDING`, `BUILDING_PART` or `ROAD`.
+    type : `BUILDING`, `BUILDING_PART`, `ROAD` or one of `FITTINGS`.
     parts : parts that stand alone, of a building only.
     problems : what a reader found wrong with the object, in words.
+    fittings : its installations and rooms, a room's furniture.
     """
 
     id: str
@@ -120,11 +137,18 @@ class CityObject:
     type: str = BUILDING
     parts: tuple[CityObject, ...] = ()
     problems: tuple[str, ...] = ()
+    fittings: tuple[CityObject, ...] = ()
 
     def objects(self) -> Iterator[CityObject]:
         """The object and its parts."""
         yield self
         yield from self.parts
+
+    def everything(self) -> Iterator[CityObject]:
+        """The object, its parts, and what belongs to each of them."""
+        yield self
+        for item in (*self.parts, *self.fittings):
+            yield from item.everything()
 
     def shapes_at(self, lod: str, kind: str = SOLID) -> tuple[CityShape, ...]:
         """Shapes of a kind at a level of detail; "2" stands for all of 2, 2.0 to 2.3."""

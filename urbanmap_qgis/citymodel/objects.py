@@ -22,11 +22,11 @@ def unique_objects(buildings: Iterable[CityObject]) -> Iterator[CityObject]:
 
     Raises
     ------
-    InputError : an id, of a building or of a part, was there before.
+    InputError : an id, of a building, a part or a fitting, was there before.
     """
     seen: set[str] = set()
     for building in buildings:
-        for item in building.objects():
+        for item in building.everything():
             if item.id in seen:
                 raise InputError(say("Two buildings have the id '{id}': give each building its own.", id=item.id))
             seen.add(item.id)
@@ -34,13 +34,13 @@ def unique_objects(buildings: Iterable[CityObject]) -> Iterator[CityObject]:
 
 
 def rings_of(building: CityObject) -> list[np.ndarray]:
-    """Rings (n, 3) of all surfaces of a building and its parts."""
-    return [ring for item in building.objects() for shape in item.shapes for surface in shape.surfaces
+    """Rings (n, 3) of all surfaces of a building, its parts and fittings."""
+    return [ring for item in building.everything() for shape in item.shapes for surface in shape.surfaces
             for ring in surface.rings]
 
 
 def placed(building: CityObject, places: Places) -> CityObject:
-    """A building with its parts in another reference: all its corners at once."""
+    """A building with its parts and fittings in another reference: all its corners at once."""
     rings = rings_of(building)
     if not rings:
         return building
@@ -50,11 +50,11 @@ def placed(building: CityObject, places: Places) -> CityObject:
         shapes = tuple(replace(shape, shells=tuple(
             tuple(replace(surface, rings=tuple(next(moved_rings) for _ in surface.rings)) for surface in shell)
             for shell in shape.shells)) for shape in item.shapes)
-        return replace(item, shapes=shapes)
+        # In the order of `everything`: the object itself, then its parts, then its fittings.
+        return replace(item, shapes=shapes, parts=tuple(with_places(part) for part in item.parts),
+                       fittings=tuple(with_places(fitting) for fitting in item.fittings))
 
-    # In the order of `objects`: the building itself, then its parts.
-    whole = with_places(building)
-    return replace(whole, parts=tuple(with_places(part) for part in building.parts))
+    return with_places(building)
 
 
 def retextured(item: CityObject, names: Mapping[str, str]) -> CityObject:
@@ -65,7 +65,8 @@ def retextured(item: CityObject, names: Mapping[str, str]) -> CityObject:
     shapes = tuple(replace(shape, shells=tuple(tuple(
         surface if surface.texture is None else replace(surface, texture=new(surface.texture))
         for surface in shell) for shell in shape.shells)) for shape in item.shapes)
-    return replace(item, shapes=shapes, parts=tuple(retextured(part, names) for part in item.parts))
+    return replace(item, shapes=shapes, parts=tuple(retextured(part, names) for part in item.parts),
+                   fittings=tuple(retextured(fitting, names) for fitting in item.fittings))
 
 
 def unmatched_edges(shell: tuple[CitySurface, ...], digits: int) -> int:

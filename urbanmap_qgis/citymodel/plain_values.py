@@ -39,7 +39,7 @@ def plain_attributes(attributes: Mapping[str, Any]) -> dict[str, Any]:
 
 def _plain(value: Any) -> Any:
     if isinstance(value, AttributeGroup):
-        return {"type": value.type, **plain_attributes(value.values)}
+        return {**({"type": value.type} if value.type else {}), **plain_attributes(value.values)}
     if isinstance(value, (CodeValue, Measure)):
         return plain_attributes({"value": value})
     if isinstance(value, Mapping):

@@ -16,11 +16,16 @@ from .model import (
     BUILDING_PART,
     CEILING_SURFACE,
     CLOSURE_SURFACE,
+    DOOR,
     FLOOR_SURFACE,
     GROUND_SURFACE,
+    INNER_WALL_SURFACE,
     ROOF_SURFACE,
+    ROOM_CEILING,
+    ROOM_FLOOR,
     SOLID,
     WALL_SURFACE,
+    WINDOW,
     CityObject,
     CityShape,
     CitySurface,
@@ -31,8 +36,9 @@ KINDS = {ROOF: ROOF_SURFACE, OUTER_WALL: WALL_SURFACE, INNER_WALL: WALL_SURFACE,
 """Kind of a surface by the type of a solid's face."""
 
 TYPES = {ROOF_SURFACE: ROOF, WALL_SURFACE: OUTER_WALL, GROUND_SURFACE: GROUND, CEILING_SURFACE: OVERHANG,
-         FLOOR_SURFACE: ROOF, CLOSURE_SURFACE: INNER_WALL}
-"""Type of a solid's face by the kind of a surface."""
+         FLOOR_SURFACE: ROOF, CLOSURE_SURFACE: INNER_WALL, WINDOW: OUTER_WALL, DOOR: OUTER_WALL,
+         INNER_WALL_SURFACE: INNER_WALL, ROOM_CEILING: OVERHANG, ROOM_FLOOR: ROOF}
+"""Type of a solid's face by the kind of a surface; what fills an opening is part of the wall."""
 
 _SIDES = {OUTER_WALL: "outer", INNER_WALL: "inner"}
 

@@ -15,12 +15,14 @@ from xml.sax.saxutils import escape, quoteattr  # nosec B406 # writes, reads not
 
 import numpy as np
 
-from ..model import BUILDING, AttributeGroup, CodeValue, Measure
+from ..model import ADDRESS, ADDRESS_TYPE, BUILDING, BUILDING_PART, AttributeGroup, CodeValue, Measure
 from .iur import PREFIX, IurTable
-from .schema import FEATURE_FIELDS, FIELDS, GENERIC_NAMES, GENERIC_SET, THEMES
+from .schema import ADDRESS_PROPERTY, FEATURE_FIELDS, FIELDS, GENERIC_NAMES, GENERIC_SET, THEMES
 
 _NOT_IN_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]")
 _GENERIC = "gen:"
+_ADDRESSED = (BUILDING, BUILDING_PART)
+_XML_NAME = re.compile(r"[A-Za-z_][\w.\-]*\Z")
 
 
 def xml_text(value: object) -> str:
@@ -31,12 +33,11 @@ def xml_text(value: object) -> str:
 def split_attributes(attributes: Mapping[str, Any], table: IurTable, homeless: Counter,
                      kind: str = BUILDING) -> tuple[str, str, str]:
     """The XML of what comes before the geometry (features' and generic attributes), of the module's own attributes,
-    and of extensions, which come last. `kind` is that of the object. `homeless` counts extensions that `table`
-    has no place for, which become
-    generic attributes."""
+    and of addresses and extensions, which come last. `kind` is that of the object. `homeless` counts extensions that
+    `table` has no place for, which become generic attributes."""
     feature: dict[str, list[str]] = {name: [] for name in FEATURE_FIELDS.values()}
     own: dict[str, list[str]] = {name: [] for name in FIELDS[kind]}
-    generic, extension = [], []
+    generic, extension, postal = [], [], []
     for name, value in attributes.items():
         for item in value if isinstance(value, (list, tuple)) else (value,):
             place = FEATURE_FIELDS.get(name)
@@ -46,6 +47,8 @@ def split_attributes(attributes: Mapping[str, Any], table: IurTable, homeless: C
                 feature[place].append(f"<{place}{_code_space(item)}>{_plain_text(item)}</{place}>")
             elif name in own and _own_element(kind, name, item):
                 own[name].append(_own_element(kind, name, item))
+            elif name == ADDRESS and kind in _ADDRESSED and isinstance(item, AttributeGroup):
+                postal.append(_address(item))
             elif name.startswith(PREFIX):
                 fitted = table.fitted(name, item, kind)
                 if fitted is None:
@@ -56,7 +59,40 @@ def split_attributes(attributes: Mapping[str, Any], table: IurTable, homeless: C
             else:
                 generic.append(generic_attribute(name.removeprefix(_GENERIC), item))
     return ("".join(text for name in FEATURE_FIELDS.values() for text in feature[name]) + "".join(generic),
-            "".join(text for texts in own.values() for text in texts), "".join(extension))
+            "".join(text for texts in own.values() for text in texts), "".join(postal + extension))
+
+
+def _address(group: AttributeGroup) -> str:
+    """A postal address: as xAL has it where it came so, else a line for each of its values."""
+    if group.type == ADDRESS_TYPE:
+        inner = _xal("AddressDetails", group)
+    else:
+        lines = "".join(f"<xAL:AddressLine Type={quoteattr(xml_text(name))}>{xml_text(value)}</xAL:AddressLine>"
+                        for name, value in _lines(group))
+        inner = f"<xAL:AddressDetails><xAL:AddressLines>{lines}</xAL:AddressLines></xAL:AddressDetails>"
+    return (f"<bldg:{ADDRESS_PROPERTY}><core:Address><core:xalAddress>{inner}</core:xalAddress></core:Address>"
+            f"</bldg:{ADDRESS_PROPERTY}>")
+
+
+def _lines(group: AttributeGroup) -> Iterator[tuple[str, Any]]:
+    """Simple values of an address by name, also those of groups in it."""
+    for name, value in group.values.items():
+        for item in value if isinstance(value, (list, tuple)) else (value,):
+            if isinstance(item, AttributeGroup):
+                yield from _lines(item)
+            elif item is not None:
+                yield name, item
+
+
+def _xal(name: str, value: Any) -> str:
+    """An element of xAL with its attributes, text and elements."""
+    if not isinstance(value, AttributeGroup):
+        return f"<xAL:{name}>{xml_text(value)}</xAL:{name}>"
+    named = "".join(f" {key[1:]}={quoteattr(_NOT_IN_XML.sub('', str(item)))}" for key, item in value.values.items()
+                    if key.startswith("@") and _XML_NAME.match(key[1:]))
+    inner = "".join(_xal(key, item) for key, items in value.values.items() if _XML_NAME.match(key)
+                    for item in (items if isinstance(items, (list, tuple)) else (items,)))
+    return f"<xAL:{name}{named}>{xml_text(value.values.get('#text', ''))}{inner}</xAL:{name}>"
 
 
 def generic_attribute(name: str, value: Any) -> str:

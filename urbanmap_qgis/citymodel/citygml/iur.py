@@ -79,7 +79,8 @@ class IurTable:
         kind : of the object.
         """
         wanted = self._today(name.removeprefix(PREFIX))
-        field = next((item for item in self.fields.get(_OWNERS[kind], ()) if self._today(item.name) == wanted), None)
+        fields = self.fields.get(_OWNERS.get(kind, ""), ())
+        field = next((item for item in fields if self._today(item.name) == wanted), None)
         values = None if field is None else self._values(field, value)
         return None if not values else (PREFIX + field.name, values)
 

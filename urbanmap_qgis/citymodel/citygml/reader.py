@@ -24,12 +24,24 @@ from ...io.official.gsi_sources import PathLike, Wanted, XmlSource, list_sources
 from ...io.official.xml_stream import root_children
 from ...progress import SILENT, Progress
 from ...wording import say
-from ..model import CityModel, CityObject, CityReference
+from ..model import ADDRESS, CityModel, CityObject, CityReference
 from ..named_reference import NamedReference, named_reference
 from ..reading_notes import ReadingNotes
-from .schema import BOUNDARY_PROPERTY, CITYGML_SPACE, EXTENSIONS, MEMBERS, OBJECTS, PART_PROPERTY, ROAD_PARTS, ROADS
+from .schema import (
+    ADDRESS_PROPERTY,
+    BOUNDARY_PROPERTY,
+    CITYGML_SPACE,
+    EXTENSIONS,
+    FITTING_ELEMENTS,
+    FITTING_PROPERTIES,
+    MEMBERS,
+    OBJECTS,
+    PART_PROPERTY,
+    ROAD_PARTS,
+    ROADS,
+)
 from .shape_reader import GmlTextures, ShapeReader
-from .value_reader import add_value, extension_value, generic_value, id_of, leaf_value, split_tag
+from .value_reader import add_value, addresses, extension_value, generic_value, id_of, leaf_value, split_tag
 
 MAKER = "a city model"
 LARGEST_BUILDING = 2**28
@@ -51,6 +63,7 @@ class _File:
     reference: NamedReference
     notes: ReadingNotes
     textures: GmlTextures = field(default_factory=GmlTextures)
+    fittings: bool = False
     lists: dict[str, dict[str, str]] = field(default_factory=dict)
 
     def meaning(self, space: str, code: str) -> str:
@@ -69,7 +82,8 @@ class _File:
 
 
 def open_citygml(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: ReadingNotes,
-                 given: CityReference | None = None, progress: Progress = SILENT, roads: bool = False) -> CityModel:
+                 given: CityReference | None = None, progress: Progress = SILENT, roads: bool = False,
+                 fittings: bool = False) -> CityModel:
     """Open CityGML files: a .gml, a .zip or a folder of them.
 
     The buildings are read while they are walked through, once; `stack` must stay open until then.
@@ -79,6 +93,7 @@ def open_citygml(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: R
     notes : filled while the buildings are walked through.
     given : reference of files that name none.
     roads : whether roads come among the buildings, too; else they are passed over.
+    fittings : whether installations and rooms of buildings are read; else they are counted among what is left out.
 
     Raises
     ------
@@ -101,7 +116,7 @@ def open_citygml(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: R
                 raise InputError(say("{source} is in another reference system than {sources}: load them in separate "
                                      "runs.", source=source.name, sources=sources[0].name))
             part = progress.part(done / total, (done + source.size) / total)
-            for building in _buildings_of(source, of_file, notes, images, part, roads):
+            for building in _buildings_of(source, of_file, notes, images, part, roads, fittings):
                 yield _once(building, seen, notes)
             done += source.size
             notes.files.append(source.name)
@@ -145,18 +160,21 @@ def _unpacking(stack: ExitStack) -> Callable[[XmlSource], Path]:
     return unpacked
 
 
-def _once(building: CityObject, seen: Counter, notes: ReadingNotes) -> CityObject:
-    """A building under an id that no other has."""
-    identifier = building.id or "building"
+def _once(item: CityObject, seen: Counter, notes: ReadingNotes) -> CityObject:
+    """An object, its parts and fittings under ids that no others have."""
+    identifier = item.id or "building"
     seen[identifier] += 1
-    if seen[identifier] == 1 and building.id:
-        return building
-    if building.id:
+    if item.parts or item.fittings:
+        item = replace(item, parts=tuple(_once(part, seen, notes) for part in item.parts),
+                       fittings=tuple(_once(fitting, seen, notes) for fitting in item.fittings))
+    if seen[identifier] == 1 and item.id:
+        return item
+    if item.id:
         notes.repeated.append(identifier)
         why = "its id is there more than once"
     else:
         why = say("it has no id")
-    return replace(building, id=f"{identifier}-{seen[identifier]}", problems=(*building.problems, why))
+    return replace(item, id=f"{identifier}-{seen[identifier]}", problems=(*item.problems, why))
 
 
 def _reference_of(source: XmlSource, given: CityReference | None) -> NamedReference:
@@ -181,7 +199,7 @@ def _reference_of(source: XmlSource, given: CityReference | None) -> NamedRefere
 
 
 def _buildings_of(source: XmlSource, reference: NamedReference, notes: ReadingNotes, images: _Images,
-                  progress: Progress, roads: bool = False) -> Iterator[CityObject]:
+                  progress: Progress, roads: bool, fittings: bool) -> Iterator[CityObject]:
     textures = _textures(source)
     names = {}
     for image in sorted(set(textures.images.values())):
@@ -191,7 +209,7 @@ def _buildings_of(source: XmlSource, reference: NamedReference, notes: ReadingNo
         else:
             names[image] = images.named(image, found)
     covered = {polygon: names.get(image, image) for polygon, image in textures.images.items()}
-    file = _File(source, reference, notes, GmlTextures(covered, textures.places))
+    file = _File(source, reference, notes, GmlTextures(covered, textures.places), fittings)
     for _, member in root_children(source, MAKER, LARGEST_BUILDING, progress):
         if split_tag(member.tag)[1] not in MEMBERS:
             continue
@@ -203,12 +221,16 @@ def _buildings_of(source: XmlSource, reference: NamedReference, notes: ReadingNo
                 notes.others[name] += 1
 
 
-def _object(element: Element, file: _File) -> CityObject:
-    """A building, a part or a road with its attributes, shapes and parts."""
+def _object(element: Element, file: _File, identifier: str | None = None) -> CityObject:
+    """A building, a part, a road or a fitting with its attributes, shapes, parts and fittings.
+
+    `identifier` : what it is called; its own id where none is given.
+    """
+    identifier = id_of(element) if identifier is None else identifier
     reader = ShapeReader(file.reference.swapped, file.textures, file.meaning,
-                         9 if file.reference.reference.geographic else 3)
+                         9 if file.reference.reference.geographic else 3, identifier or "building")
     attributes: dict = {}
-    parts, areas = [], []
+    parts, areas, fittings = [], [], []
     for child in element:
         prefix, name = split_tag(child.tag)
         if prefix == "gen":
@@ -217,6 +239,15 @@ def _object(element: Element, file: _File) -> CityObject:
             add_value(attributes, f"{prefix}:{name}", extension_value(child, file.meaning))
         elif name == PART_PROPERTY:
             parts += [_object(part, file) for part in child]
+        elif prefix == "bldg" and file.fittings and name in FITTING_PROPERTIES.values():
+            fittings += [_object(item, file, id_of(item) or f"{identifier}_{name}{number}")
+                         for number, item in enumerate(child, len(fittings) + 1)
+                         if split_tag(item.tag)[1] in FITTING_ELEMENTS]
+        elif (prefix, name) == ("bldg", ADDRESS_PROPERTY):
+            found, unread = addresses(child)
+            for address in found:
+                add_value(attributes, ADDRESS, address)
+            reader.unread.update(unread)
         elif name == BOUNDARY_PROPERTY or (prefix in ("bldg", "tran") and name.startswith("lod")):
             continue
         elif prefix in ("gml", "core", "bldg", "tran") and not len(child):
@@ -227,9 +258,9 @@ def _object(element: Element, file: _File) -> CityObject:
             reader.unread[name] += 1
     shapes = [shape for holder in (element, *areas) for shape in reader.shapes(holder)]
     file.notes.unread.update(reader.unread)
-    kind = {**OBJECTS, **ROADS}[split_tag(element.tag)[1]]
-    return CityObject(id_of(element), attributes, tuple(shapes), kind, tuple(parts),
-                      tuple(dict.fromkeys(reader.problems)))
+    kind = {**OBJECTS, **ROADS, **FITTING_ELEMENTS}[split_tag(element.tag)[1]]
+    return CityObject(identifier, attributes, tuple(shapes), kind, tuple(parts),
+                      tuple(dict.fromkeys(reader.problems)), tuple(fittings))
 
 
 def _textures(source: XmlSource) -> GmlTextures:

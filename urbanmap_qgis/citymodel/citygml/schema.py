@@ -12,13 +12,28 @@ from dataclasses import dataclass
 from datetime import date
 from types import MappingProxyType
 
-from ..model import BUILDING, BUILDING_PART, FOOTPRINT, MULTI_SURFACE, ROAD, ROOF_EDGE, SOLID, CodeValue, Measure
+from ..model import (
+    BUILDING,
+    BUILDING_PART,
+    BUILDING_ROOM,
+    FOOTPRINT,
+    FURNITURE,
+    INNER_INSTALLATION,
+    INSTALLATION,
+    MULTI_SURFACE,
+    ROAD,
+    ROOF_EDGE,
+    SOLID,
+    CodeValue,
+    Measure,
+)
 
 CITYGML_SPACE = "http://www.opengis.net/citygml/"
 GML = "http://www.opengis.net/gml"
 GML_3_2 = "http://www.opengis.net/gml/3.2"
 XLINK = "http://www.w3.org/1999/xlink"
 XLINK_HREF = f"{{{XLINK}}}href"
+XAL = "urn:oasis:names:tc:ciq:xsdschema:xAL:2.0"
 
 WRITTEN_VERSION = "2.0"
 
@@ -37,16 +52,29 @@ MEMBERS = frozenset({"cityObjectMember", "featureMember", "featureMembers"})
 OBJECTS: Mapping[str, str] = MappingProxyType({"Building": BUILDING, "BuildingPart": BUILDING_PART})
 """Kinds of objects of the record by the elements of the building module."""
 
+FITTING_ELEMENTS: Mapping[str, str] = MappingProxyType({
+    "BuildingInstallation": INSTALLATION, "IntBuildingInstallation": INNER_INSTALLATION, "Room": BUILDING_ROOM,
+    "BuildingFurniture": FURNITURE})
+"""Kinds of fittings of the record by the elements of the building module."""
+
+FITTING_PROPERTIES: Mapping[tuple[bool, str], str] = MappingProxyType({
+    (False, INSTALLATION): "outerBuildingInstallation", (False, INNER_INSTALLATION): "interiorBuildingInstallation",
+    (False, BUILDING_ROOM): "interiorRoom", (True, FURNITURE): "interiorFurniture",
+    (True, INNER_INSTALLATION): "roomInstallation"})
+"""Properties that hold fittings: by whether the owner is a room, and the fitting's kind."""
+
 ROADS: Mapping[str, str] = MappingProxyType({"Road": ROAD})
 """Kinds of objects of the record by the elements of the transportation module."""
 
 ROAD_PARTS = frozenset({"trafficArea", "auxiliaryTrafficArea"})
 """Properties of a road that hold its areas."""
 
-THEMES: Mapping[str, str] = MappingProxyType({BUILDING: "bldg", BUILDING_PART: "bldg", ROAD: "tran"})
+THEMES: Mapping[str, str] = MappingProxyType({
+    BUILDING: "bldg", BUILDING_PART: "bldg", ROAD: "tran", **dict.fromkeys(FITTING_ELEMENTS.values(), "bldg")})
 """Prefixes of the modules by the kinds of objects, which are their folders, too, in PLATEAU's data."""
 
-PART_PROPERTY, BOUNDARY_PROPERTY = "consistsOfBuildingPart", "boundedBy"
+PART_PROPERTY, BOUNDARY_PROPERTY, OPENING_PROPERTY = "consistsOfBuildingPart", "boundedBy", "opening"
+ADDRESS_PROPERTY = "address"
 
 
 @dataclass(frozen=True)
@@ -67,6 +95,9 @@ GEOMETRY: Mapping[str, GeometryProperty] = MappingProxyType({item.name: item for
 GEOMETRY_NAMES: Mapping[tuple[str, str], str] = MappingProxyType(
     {(item.lod, item.kind): item.name for item in GEOMETRY.values()})
 """Properties by level of detail and kind of shape."""
+
+ANY_GEOMETRY: Mapping[str, str] = MappingProxyType({f"lod{lod}Geometry": lod for lod in "234"})
+"""Levels of detail of the properties of installations and furniture, which hold geometry of any kind."""
 
 LAST_BEFORE_BOUNDARIES = GEOMETRY_NAMES["2", MULTI_SURFACE]
 """The property behind which the schema has the boundary surfaces."""
@@ -96,10 +127,11 @@ BUILDING_FIELDS: Mapping[str, BuildingField] = MappingProxyType({
 """Attributes of bldg:_AbstractBuilding in the schema's order."""
 
 ROAD_FIELDS: Mapping[str, BuildingField] = MappingProxyType({"class": _CODE, "function": _CODE, "usage": _CODE})
-"""Attributes of tran:TransportationComplex in the schema's order."""
+"""Attributes of tran:TransportationComplex, and of installations, rooms and furniture, in the schema's order."""
 
 FIELDS: Mapping[str, Mapping[str, BuildingField]] = MappingProxyType(
-    {BUILDING: BUILDING_FIELDS, BUILDING_PART: BUILDING_FIELDS, ROAD: ROAD_FIELDS})
+    {BUILDING: BUILDING_FIELDS, BUILDING_PART: BUILDING_FIELDS, ROAD: ROAD_FIELDS,
+     **dict.fromkeys(FITTING_ELEMENTS.values(), ROAD_FIELDS)})
 """Attributes of its module that an object has, by its kind."""
 
 GENERIC_SET = "genericAttributeSet"

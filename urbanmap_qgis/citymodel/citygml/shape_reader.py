@@ -14,9 +14,9 @@ import numpy as np
 
 from ...geometry.solid import FaceTexture
 from ...wording import say
-from ..model import MULTI_SURFACE, SOLID, SURFACE_KINDS, CityShape, CitySurface
+from ..model import BOUNDARY_KINDS, MULTI_SURFACE, OPENINGS, SOLID, CityShape, CitySurface
 from ..objects import unmatched_edges
-from .schema import BOUNDARY_PROPERTY, GEOMETRY, XLINK_HREF
+from .schema import ANY_GEOMETRY, BOUNDARY_PROPERTY, GEOMETRY, GML, OPENING_PROPERTY, XLINK_HREF
 from .value_reader import Meaning, generic_value, id_of, leaf_value, split_tag
 
 _DEEPEST = 24
@@ -39,6 +39,7 @@ class ShapeReader:
     swapped : whether the file's first coordinate is the northern one.
     textures : of the whole file.
     digits : of plane coordinates that tell corners apart, 3 of metres and 9 of degrees.
+    owner : id of the object.
     problems : what was found wrong.
     unread : elements that the record has no place for, by name.
     """
@@ -47,8 +48,10 @@ class ShapeReader:
     textures: GmlTextures
     meaning: Meaning
     digits: int = 9
+    owner: str = "building"
     problems: list[str] = field(default_factory=list)
     unread: Counter = field(default_factory=Counter)
+    _unnamed: int = 0
 
     def shapes(self, element: Element) -> list[CityShape]:
         """All shapes of an object, semantic surfaces where a boundary says what they are."""
@@ -64,12 +67,13 @@ class ShapeReader:
             if prefix not in ("bldg", "tran") or not name.startswith("lod"):
                 continue
             found = GEOMETRY.get(name)
-            if found is None:
+            lod = ANY_GEOMETRY.get(name) if found is None else found.lod
+            if lod is None:
                 self.unread[name] += 1
-            elif found.kind == SOLID:
-                shapes += self._solids(child, found.lod, known, used)
-            else:
-                shapes += self._loose(child, found.lod, found.kind, known)
+            for part in child.findall(f".//{{{GML}}}geometryMember") or [child] if lod else ():
+                solid = found.kind == SOLID if found else part.find(f".//{{{GML}}}Solid") is not None
+                shapes += self._solids(part, lod, known, used) if solid else self._loose(
+                    part, lod, found.kind if found else MULTI_SURFACE, known)
         for level, surfaces in boundaries.items():
             rest = tuple(surface for surface in surfaces if id(surface) not in used)
             if rest:
@@ -77,13 +81,19 @@ class ShapeReader:
         return sorted(shapes, key=lambda shape: shape.lod)
 
     def _boundary(self, element: Element, known: dict[str, CitySurface],
-                  boundaries: dict[str, list[CitySurface]]) -> None:
-        """One roof, wall or ground surface with its polygons."""
+                  boundaries: dict[str, list[CitySurface]], parent: str = "") -> None:
+        """One roof, wall or ground surface with its polygons, and the openings in it; of `parent` an opening."""
         prefix, kind = split_tag(element.tag)
-        if prefix != "bldg" or kind not in SURFACE_KINDS:
+        if prefix != "bldg" or kind not in (OPENINGS if parent else BOUNDARY_KINDS):
             self.unread[kind] += 1
             return
         group, attributes = id_of(element), {}
+        openings = [opening for holder in _children(element, "bldg", OPENING_PROPERTY) for opening in holder]
+        if openings and not group:
+            self._unnamed += 1
+            group = f"{self.owner}_s{self._unnamed}"
+        for opening in openings:
+            self._boundary(opening, known, boundaries, group)
         for child in element:
             prefix, name = split_tag(child.tag)
             if prefix == "gen":
@@ -92,11 +102,11 @@ class ShapeReader:
                 attributes[name] = leaf_value(child, self.meaning)
             elif prefix == "bldg" and name in GEOMETRY and GEOMETRY[name].kind == MULTI_SURFACE:
                 for surface in self._surfaces(child, known):
-                    boundary = replace(surface, kind=kind, attributes=attributes, group=group)
+                    boundary = replace(surface, kind=kind, attributes=attributes, group=group, parent=parent)
                     boundaries.setdefault(GEOMETRY[name].lod, []).append(boundary)
                     if boundary.id:
                         known[boundary.id] = boundary
-            else:
+            elif (prefix, name) != ("bldg", OPENING_PROPERTY):
                 self.unread[name] += 1
 
     def _loose(self, element: Element, lod: str, kind: str, known: dict[str, CitySurface]) -> list[CityShape]:

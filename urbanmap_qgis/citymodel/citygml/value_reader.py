@@ -13,7 +13,7 @@ from functools import lru_cache
 from typing import Any
 from xml.etree.ElementTree import Element  # nosec B405 # elements alone, no parser
 
-from ..model import AttributeGroup, CodeValue, Measure
+from ..model import ADDRESS_TYPE, AttributeGroup, CodeValue, Measure
 from .iur import kinds_of
 from .schema import EXTENSIONS, GENERIC_FIELDS, GENERIC_SET, GML, GML_3_2, module_of
 
@@ -93,6 +93,30 @@ def group_values(element: Element, meaning: Meaning) -> dict[str, Any]:
     kinds = kinds_of(element.tag)
     for child in element:
         add_value(values, _qualified(child), extension_value(child, meaning, kinds.get(child.tag, "")))
+    return values
+
+
+def addresses(element: Element) -> tuple[list[AttributeGroup], list[str]]:
+    """Postal addresses in a property of an object: the elements of xAL by name, attributes of theirs with "@" before,
+    text beside these as "#text"; and the names of what else is said of an address."""
+    found, unread = [], []
+    for item in (item for address in element for item in address):
+        if split_tag(item.tag)[1] == "xalAddress":
+            found += [AttributeGroup(ADDRESS_TYPE, _address_values(details)) for details in item]
+        else:
+            unread.append(split_tag(item.tag)[1])
+    return found, unread
+
+
+def _address_values(element: Element) -> dict[str, Any]:
+    values: dict[str, Any] = {f"@{split_tag(name)[1]}": text for name, text in element.attrib.items()}
+    text = (element.text or "").strip()
+    if text:
+        values["#text"] = text
+    for child in element:
+        inner = _address_values(child)
+        plain = inner.keys() <= {"#text"}
+        add_value(values, split_tag(child.tag)[1], inner.get("#text", "") if plain else AttributeGroup("", inner))
     return values
 
 

@@ -23,13 +23,13 @@ from ...io.files.atomic import written_beside
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..images import copy_images
-from ..model import CityModel, CityObject, CityReference
+from ..model import BUILDING_ROOM, INNER_INSTALLATION, INSTALLATION, CityModel, CityObject, CityReference
 from ..objects import rings_of, unique_objects
 from ..reference import GEOGRAPHIC, GEOGRAPHIC_2011, GEOGRAPHIC_2024, JGD2024, PLANE_ZONES, compound_epsg
 from .attribute_writer import generic_attribute, split_attributes, xml_text
 from .codelists import write_codelists
 from .iur import VERSIONS, IurTable, iur_table
-from .schema import GML, PART_PROPERTY, THEMES, XLINK, namespace_of
+from .schema import FITTING_ELEMENTS, FITTING_PROPERTIES, GML, PART_PROPERTY, THEMES, XAL, XLINK, namespace_of
 from .shape_writer import object_geometry
 from .whole_block import with_whole_block
 
@@ -37,7 +37,7 @@ WRITTEN_BY = "<!-- Written by UrbanMap -->"
 THEME = "rgbTexture"
 _NAMESPACES = {
     **{prefix: namespace_of(prefix) for prefix in ("core", "bldg", "gen", "app")}, "gml": GML, "xlink": XLINK,
-    "xAL": "urn:oasis:names:tc:ciq:xsdschema:xAL:2.0",
+    "xAL": XAL,
     "xsi": "http://www.w3.org/2001/XMLSchema-instance"}
 _SCHEMAS = " ".join(f"{uri} http://schemas.opengis.net/{place}" for uri, place in (
     (_NAMESPACES["core"], "citygml/2.0/cityGMLBase.xsd"),
@@ -48,6 +48,8 @@ _SCHEMAS = " ".join(f"{uri} http://schemas.opengis.net/{place}" for uri, place i
 _ROAD_SPACE = {"tran": namespace_of("tran")}
 _ROAD_SCHEMA = f' {_ROAD_SPACE["tran"]} http://schemas.opengis.net/citygml/transportation/2.0/transportation.xsd'
 """What files of roads say besides."""
+
+_ELEMENTS = {kind: name for name, kind in FITTING_ELEMENTS.items()}
 
 _PLAIN_NAMES = {"bldg": "buildings", "tran": "roads"}
 """Names of files outside of Japan by module."""
@@ -244,10 +246,11 @@ def _add_building(file: _GmlFile, building: CityObject, frame: _Frame, names: _N
 
 
 def _object(item: CityObject, names: _Names, places, textures: dict[str, list]) -> str:
-    """A building, a part or a road as XML; what its textures cover is added to `textures`."""
+    """A building, a part, a road or a fitting as XML; what its textures cover is added to `textures`."""
     module = THEMES[item.type]
     identifier = names.of(item.id, module)
-    geometry = object_geometry(item, identifier, places)
+    early, late = _fittings(item, names, places, textures)
+    geometry = object_geometry(item, identifier, places, early)
     for image, targets in geometry.textured.items():
         textures.setdefault(image, []).extend(targets)
     before, inside, after = split_attributes(item.attributes, names.table, names.homeless, item.type)
@@ -257,8 +260,19 @@ def _object(item: CityObject, names: _Names, places, textures: dict[str, list]) 
         before += generic_attribute("problems", "; ".join(item.problems))
     parts = "".join(f"<bldg:{PART_PROPERTY}>{_object(part, names, places, textures)}</bldg:{PART_PROPERTY}>"
                     for part in item.parts)
-    tag = f"{module}:{item.type}"
-    return f'<{tag} gml:id="{identifier}">{before}{inside}{geometry.xml}{parts}{after}</{tag}>'
+    tag = f"{module}:{_ELEMENTS.get(item.type, item.type)}"
+    return f'<{tag} gml:id="{identifier}">{before}{inside}{geometry.xml}{late}{parts}{after}</{tag}>'
+
+
+def _fittings(item: CityObject, names: _Names, places, textures: dict[str, list]) -> tuple[str, str]:
+    """What belongs to an object: a building's installations, which stand amid its geometry, and what stands behind."""
+    room = item.type == BUILDING_ROOM
+    texts = dict.fromkeys(FITTING_PROPERTIES.values(), "")
+    for fitting in sorted(item.fittings, key=lambda fitting: list(FITTING_ELEMENTS.values()).index(fitting.type)):
+        name = FITTING_PROPERTIES[room, fitting.type]
+        texts[name] += f"<bldg:{name}>{_object(fitting, names, places, textures)}</bldg:{name}>"
+    early = "".join(texts.pop(FITTING_PROPERTIES[False, kind]) for kind in (INSTALLATION, INNER_INSTALLATION))
+    return early, "".join(texts.values())
 
 
 def _image_name(file: _GmlFile, image: str) -> str:

@@ -23,9 +23,14 @@ from ...io.reference.height_systems import JAPANESE
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..model import (
+    ADDRESS,
     BUILDING,
     BUILDING_PART,
+    BUILDING_ROOM,
+    FITTINGS,
     FOOTPRINT,
+    INNER_INSTALLATION,
+    INSTALLATION,
     MULTI_SURFACE,
     ROOF_EDGE,
     SOLID,
@@ -45,19 +50,24 @@ from ..reading_notes import ReadingNotes
 _TITLE_HEIGHTS = re.compile(r"heights: (\w+)$")
 _SOLIDS = {"Solid": 1, "MultiSolid": 2, "CompositeSolid": 2}
 _KINDS = (BUILDING, BUILDING_PART)
+_INNER = "interior"
+"""Attribute of an installation within a building, which CityJSON has no type for."""
 _STRUCTURE = ("type", "id", "children", "parent")
+_DEEPEST = 8
+_OTHER = re.compile(r"[^\w.\-]")
 _LONGEST_LINE = 2**28
 
 
 @reads("CityJSON")
 def open_cityjson(path: str | os.PathLike, notes: ReadingNotes, given: CityReference | None = None,
-                  progress: Progress = SILENT) -> CityModel:
+                  progress: Progress = SILENT, fittings: bool = False) -> CityModel:
     """Open a CityJSON file or a sequence (.jsonl); the buildings are read while they are walked through, once.
 
     Parameters
     ----------
     notes : filled while the buildings are walked through.
     given : reference of files that name none.
+    fittings : whether installations and rooms of buildings are read; else they are counted among what is left out.
 
     Raises
     ------
@@ -73,7 +83,7 @@ def open_cityjson(path: str | os.PathLike, notes: ReadingNotes, given: CityRefer
     def buildings(_path) -> Iterator[CityObject]:
         seen: set[str] = set()
         for piece in pieces:
-            yield from _Piece(piece, head, path, notes, images, reference).buildings(seen)
+            yield from _Piece(piece, head, path, notes, images, reference, fittings).buildings(seen)
         notes.files.append(path.name)
 
     return CityModel(reference, buildings(path), images, str(metadata.get("title") or ""),
@@ -160,8 +170,9 @@ class _Piece:
     """One CityJSON object or feature: its vertices, appearance and city objects."""
 
     def __init__(self, content: Mapping, head: Mapping, path: Path, notes: ReadingNotes, images: dict[str, Path],
-                 reference: CityReference):
+                 reference: CityReference, fittings: bool = False):
         self.path, self.notes, self.digits = path, notes, 9 if reference.geographic else 3
+        self.kept = FITTINGS if fittings else ()
         self.reading = ""  # the object that is read, for messages
         self.objects = content.get("CityObjects")
         if not isinstance(self.objects, Mapping) or not isinstance(content.get("vertices"), list):
@@ -191,20 +202,22 @@ class _Piece:
                 kind = item.get("type")
                 parents = [name for name in item.get("parents") or () if name in self.objects]
                 found = self._object(key, item, seen) if kind in _KINDS and not parents else None
-            if kind not in _KINDS:
+            if kind not in _KINDS and not (kind in self.kept and parents):
                 self.notes.others[str(kind)] += 1
             elif found is not None:
                 yield found
 
-    def _object(self, key: str, item: Mapping, seen: set[str]) -> CityObject:
+    def _object(self, key: str, item: Mapping, seen: set[str], depth: int = 0) -> CityObject:
         problems: list[str] = []
         self.reading = key
         shapes = [shape for geometry in item.get("geometry") or () for shape in self._shapes(geometry, problems)]
-        parts = []
+        parts, fittings = [], []
         for child in item.get("children") or ():
             found = self.objects.get(child)
             if found is None:
                 problems.append(say("its part {child} is not there", child=child))
+            elif found.get("type") in self.kept and depth < _DEEPEST:
+                fittings.append(self._object(child, found, seen, depth + 1))
             elif found.get("type") == BUILDING_PART and child != key and not found.get("children"):
                 parts.append(self._object(child, found, seen))
             elif found.get("type") == BUILDING_PART:
@@ -218,9 +231,25 @@ class _Piece:
         if any(isinstance(value, float) and not math.isfinite(value) for value in attributes.values()):
             raise InputError(say("{path} is damaged: an attribute of {key} is no finite number.", path=self.path.name,
                                  key=key))
-        kind = BUILDING_PART if item.get("type") == BUILDING_PART and item.get("parents") else BUILDING
+        postal = [_value({name: value for name, value in address.items() if name != "location"})
+                  for address in item.get("address") or ()]
+        if postal:
+            attributes[ADDRESS] = postal if len(postal) > 1 else postal[0]
+        kind, attributes = self._kind(item, attributes)
         return CityObject(key, attributes, tuple(_two_outlines(shapes)), kind, tuple(parts),
-                          tuple(dict.fromkeys(problems)))
+                          tuple(dict.fromkeys(problems)), tuple(fittings))
+
+    def _kind(self, item: Mapping, attributes: dict[str, Any]) -> tuple[str, dict[str, Any]]:
+        """Kind of an object, and its attributes without what only says the kind."""
+        kind = item.get("type")
+        if kind == INSTALLATION:
+            of_room = any(self.objects.get(name, {}).get("type") == BUILDING_ROOM for name in item["parents"])
+            inner = attributes.get(_INNER) is True
+            plain = {name: value for name, value in attributes.items() if name != _INNER or not inner}
+            return (INNER_INSTALLATION if inner or of_room else INSTALLATION), plain
+        if kind in FITTINGS:
+            return str(kind), attributes
+        return (BUILDING_PART if kind == BUILDING_PART and item.get("parents") else BUILDING), attributes
 
     def _shapes(self, geometry: Mapping, problems: list[str]) -> list[CityShape]:
         kind, lod = geometry.get("type"), str(geometry.get("lod", ""))
@@ -265,8 +294,16 @@ class _Piece:
             attributes = {name: _value(value) for name, value in entry.items() if name not in _STRUCTURE}
             surfaces.append(CitySurface(
                 tuple(ring for ring in rings if ring is not None), kind if kind in SURFACE_KINDS else "", attributes,
-                "", str(entry.get("id") or ""), self._texture(_item_at(textures, place), len(rings))))
+                "", self._group(entries, number), self._texture(_item_at(textures, place), len(rings)),
+                self._group(entries, entry.get("parent"))))
         return tuple(surfaces)
+
+    def _group(self, entries: list, number: Any) -> str:
+        """Id of a semantic surface; one of our own where it has none and openings tie it to another."""
+        if not isinstance(number, int) or not 0 <= number < len(entries):
+            return ""
+        tied = "parent" in entries[number] or entries[number].get("children")
+        return str(entries[number].get("id") or (f"s_{_OTHER.sub('_', self.reading)}_{number}" if tied else ""))
 
     def _ring(self, ring: list) -> np.ndarray | None:
         numbers = np.asarray(ring)

@@ -18,11 +18,15 @@ from ...io.files.atomic import written_beside
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..model import (
+    ADDRESS,
     FOOTPRINT,
+    INNER_INSTALLATION,
+    INSTALLATION,
     MULTI_SURFACE,
     ROOF_EDGE,
     SOLID,
     UNKNOWN_HEIGHTS,
+    AttributeGroup,
     CityModel,
     CityObject,
     CityReference,
@@ -36,6 +40,9 @@ from .vertices import VertexList, json_text, write_end
 
 THEME = "facades"
 """Name of the textures' theme."""
+
+_LEVELS = {"4": "3.3"}
+"""CityJSON has no level 4, that of interiors: it is the finest of level 3 there."""
 
 _SURFACES = (FOOTPRINT, ROOF_EDGE, MULTI_SURFACE)
 
@@ -104,21 +111,40 @@ def _require_metres(reference: CityReference) -> None:
                              "reference system first."))
 
 
-def _entries(building: CityObject, vertices: VertexList, appearance: _Appearance) -> Iterator[tuple[str, dict]]:
-    """Ids and entries of a building and its parts in CityObjects."""
-    for item in building.objects():
-        entry: dict[str, Any] = {"type": item.type}
-        if item is not building:
-            entry["parents"] = [building.id]
-        elif building.parts:
-            entry["children"] = [part.id for part in building.parts]
-        attributes = plain_attributes(item.attributes)
-        if item.problems:
-            attributes["problems"] = "; ".join(item.problems)
-        if attributes or item is building:
-            entry["attributes"] = attributes
-        entry["geometry"] = [_geometry(shapes, vertices, appearance) for shapes in _side_by_side(item.shapes)]
-        yield item.id, entry
+def _entries(item: CityObject, vertices: VertexList, appearance: _Appearance,
+             owner: str = "") -> Iterator[tuple[str, dict]]:
+    """Ids and entries of a building, its parts and fittings in CityObjects; `owner` : id of what an object belongs
+    to."""
+    inner = item.type == INNER_INSTALLATION
+    entry: dict[str, Any] = {"type": INSTALLATION if inner else item.type}
+    belonging = (*item.parts, *item.fittings)
+    if owner:
+        entry["parents"] = [owner]
+    if belonging:
+        entry["children"] = [one.id for one in belonging]
+    postal = _addresses(item)
+    attributes = plain_attributes({name: value for name, value in item.attributes.items()
+                                   if name != ADDRESS or not postal})
+    if inner:
+        attributes["interior"] = True
+    if item.problems:
+        attributes["problems"] = "; ".join(item.problems)
+    if attributes or not owner:
+        entry["attributes"] = attributes
+    if postal:
+        entry["address"] = postal
+    entry["geometry"] = [_geometry(shapes, vertices, appearance) for shapes in _side_by_side(item.shapes)]
+    yield item.id, entry
+    for one in belonging:
+        yield from _entries(one, vertices, appearance, item.id)
+
+
+def _addresses(item: CityObject) -> list[dict[str, Any]]:
+    """Postal addresses of an object as CityJSON has them; empty where its address is a plain attribute."""
+    found = item.attributes.get(ADDRESS)
+    groups = [group for group in (found if isinstance(found, (list, tuple)) else [found])
+              if isinstance(group, AttributeGroup)]
+    return [plain_attributes({"address": group})["address"] for group in groups]
 
 
 def _side_by_side(shapes: tuple[CityShape, ...]) -> list[list[CityShape]]:
@@ -143,9 +169,9 @@ def _geometry(shapes: list[CityShape], vertices: VertexList, appearance: _Appear
         solids = [[shell[place] for shell in solid] for solid in shells]
         return solids[0][0] if flat and solids[0] else [] if flat else solids[0] if len(shapes) == 1 else solids
 
-    geometry = {"type": kind, "lod": shapes[0].lod, "boundaries": column(0)}
+    geometry = {"type": kind, "lod": _LEVELS.get(shapes[0].lod, shapes[0].lod), "boundaries": column(0)}
     if surfaces.entries:
-        geometry["semantics"] = {"surfaces": surfaces.entries, "values": column(1)}
+        geometry["semantics"] = {"surfaces": surfaces.linked(), "values": column(1)}
     if any(surface.texture for shape in shapes for surface in shape.surfaces):
         geometry["texture"] = {THEME: {"values": column(2)}}
     return geometry
@@ -164,6 +190,7 @@ class _Semantics:
     def __init__(self) -> None:
         self.entries: list[dict[str, Any]] = []
         self._groups: dict[str, int] = {}
+        self._parents: dict[int, str] = {}
 
     def number(self, surface: CitySurface) -> int | None:
         if not surface.kind:
@@ -174,8 +201,18 @@ class _Semantics:
         if surface.group:
             entry["id"] = surface.group
             self._groups[surface.group] = len(self.entries)
+        if surface.parent:
+            self._parents[len(self.entries)] = surface.parent
         self.entries.append(entry)
         return len(self.entries) - 1
+
+    def linked(self) -> list[dict[str, Any]]:
+        """The entries, openings with the wall that they are in where this geometry has it."""
+        for number, group in self._parents.items():
+            if group in self._groups:
+                self.entries[number]["parent"] = self._groups[group]
+                self.entries[self._groups[group]].setdefault("children", []).append(number)
+        return self.entries
 
 
 class _Appearance:

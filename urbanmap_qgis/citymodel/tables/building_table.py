@@ -156,7 +156,7 @@ def simple_attributes(attributes: dict[str, Any], start: str = "") -> dict[str, 
     simple: dict[str, Any] = {}
     for name, value in attributes.items():
         name = f"{start}{name.rpartition(':')[2]}"[:_LONGEST_NAME]
-        if name.endswith(("_codeSpace", "_uom")) or (start and name == f"{start}type"):
+        if name.endswith(("_codeSpace", "_uom")) or "@" in name or (start and name == f"{start}type"):
             continue
         if isinstance(value, dict):
             simple.update(simple_attributes(value, f"{name}_"))
