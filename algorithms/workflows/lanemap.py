@@ -7,7 +7,6 @@ from ..roadmap.driven_paths import check_drives
 from ..roadmap.markinglines import MarkingLines
 from ..roadmap.vectormap import VectorMap
 
-LINE_SETTINGS = ("SIGMA", "MIN_LENGTH", "MAX_LINE_WIDTH")
 MAP_INPUTS = ("TRAJECTORY", "EDGES", "ROADS")
 MAP_SETTINGS = ("TRAFFIC", "SPEED_LIMIT")
 MAP_ADVANCED = ("MIN_WIDTH", "MAX_WIDTH", "BRIDGE", "INFER_WAYS", "DIALECT", "PROJECTOR", "VERTICAL_DATUM")

@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 
 from urbanmap_qgis.errors import InputError, InsufficientDataError
 from urbanmap_qgis.geometry.sampling import sample
-from urbanmap_qgis.terrain.cloth import ClothSettings, LowestHeights, classify_ground, cloth_surface, first_cloth
+from urbanmap_qgis.progress import SILENT
+from urbanmap_qgis.terrain.cloth import ClothSettings, LowestHeights, classify_ground, converged_cloth, first_cloth
 from urbanmap_qgis.terrain.outliers import isolated, plausible
 from urbanmap_qgis.terrain.trend import trend_surface
 
@@ -108,7 +109,7 @@ def test_kerbs_and_vehicles():
 
 def test_cloth_lies_on_the_ground_and_not_on_roofs():
     x, y, z, _truth = town(slope_of(10), BLOCKS)
-    grid, heights = cloth_surface(x, y, z)
+    grid, heights, _ = converged_cloth(x, y, z, ClothSettings(), SILENT)
     assert np.isfinite(heights).all()
     px, py = np.random.default_rng(0).random((2, 500)) * (SIZE - 10) + 5
     off = sample(grid, heights, px + 500_000, py + 4_000_000) - slope_of(10)(px, py)

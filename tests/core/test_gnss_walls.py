@@ -1,13 +1,12 @@
 """Walls of building models: solids, outlines, gables, planes, bad input."""
 
-import json
 
 import numpy as np
 import pytest
 import shapely
 
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.gnss.rays.wall_faces import building_walls, cityjson_shapes, is_solid, wall_table
+from urbanmap_qgis.gnss.rays.wall_faces import building_walls, is_solid, wall_table
 
 
 def box_solid(x0, y0, x1, y1, low, top, inwards=False):
@@ -88,19 +87,6 @@ def test_pieces_in_one_plane_are_one_wall_but_not_across_buildings():
     row = together.wall[south[0]]
     assert table.length[row] == pytest.approx(20.0)
     assert sorted(table.edge[table.building == 0]) == list(range(1, together.count + 1))
-
-
-def test_cityjson_solids_are_read_as_faces(tmp_path):
-    corners = [[0, 0, 0], [10, 0, 0], [10, 10, 0], [0, 10, 0], [0, 0, 8], [10, 0, 8], [10, 10, 8], [0, 10, 8]]
-    shell = [[[0, 3, 2, 1]], [[4, 5, 6, 7]], [[0, 1, 5, 4]], [[1, 2, 6, 5]], [[2, 3, 7, 6]], [[3, 0, 4, 7]]]
-    model = {"type": "CityJSON", "version": "2.0", "vertices": corners,
-             "CityObjects": {"a": {"type": "Building", "geometry": [
-                 {"type": "Solid", "lod": "1", "boundaries": [shell]}]}}}
-    path = tmp_path / "a.city.json"
-    path.write_text(json.dumps(model))
-    names, shapes = cityjson_shapes(path)
-    walls = building_walls(shapes)
-    assert names == ["a"] and walls.count == 4 and np.allclose(walls.top, 8)
 
 
 def test_outlines_without_heights_are_refused_with_a_count():

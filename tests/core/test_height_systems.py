@@ -22,7 +22,6 @@ from urbanmap_qgis.io.reference.height_systems import (
     japanese,
     refuse_other_heights,
     same_heights,
-    same_system,
     stating_heights,
     stating_heights_of,
 )
@@ -51,7 +50,6 @@ def test_old_and_new_names_of_one_system_are_equal(code, form):
     for one in (old, without_codes(old)):
         for other in (new, without_codes(new)):
             assert same_horizontal(one, other)
-            assert same_system(one, other)
 
 
 @pytest.mark.parametrize("form", FORMS)

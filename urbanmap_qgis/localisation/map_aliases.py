@@ -11,7 +11,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import shapely
 from scipy.ndimage import gaussian_filter, maximum_filter
 
 STEP = 0.5
@@ -139,9 +138,3 @@ def _lowest_between(odds: np.ndarray, row: int, column: int) -> float:
     rows = np.round(np.linspace(middle, row, count)).astype(int)
     columns = np.round(np.linspace(middle, column, count)).astype(int)
     return float(odds[rows, columns].min())
-
-
-def outline_samples(shapes: np.ndarray, step: float = STEP / 2) -> np.ndarray:
-    """Points (m, 2) along the outlines of shapes in plan, about `step` m apart."""
-    lines = shapely.segmentize(shapely.force_2d(np.array(shapes, object)), step)
-    return shapely.get_coordinates(lines)

@@ -98,33 +98,11 @@ def classify_ground(x: np.ndarray, y: np.ndarray, z: np.ndarray, settings: Cloth
     InsufficientDataError : no usable point.
     """
     usable = _usable(x, y, z)
-    _grid, heights, bottom = _drape(x[usable], y[usable], z[usable], settings, progress)
+    _, heights, bottom = converged_cloth(x[usable], y[usable], z[usable], settings, progress)
     ground = bottom.points[np.abs(bottom.z - bottom.place.heights(heights)) <= settings.threshold]
     mask = np.zeros(len(z), dtype=bool)
     mask[ground if isinstance(usable, slice) else np.flatnonzero(usable)[ground]] = True
     return mask
-
-
-def cloth_surface(x: np.ndarray, y: np.ndarray, z: np.ndarray, settings: ClothSettings = JAVANMARDI,
-                  progress: Progress = SILENT) -> tuple[Grid, np.ndarray]:
-    """The converged cloth.
-
-    Parameters
-    ----------
-    x, y, z : (n,) metres.
-
-    Returns
-    -------
-    The grid of its nodes (at the cell centres, cells on multiples of the resolution) and its heights (rows,
-    columns), float64, without gaps.
-
-    Raises
-    ------
-    InsufficientDataError : no usable point.
-    """
-    usable = _usable(x, y, z)
-    grid, heights, _bottom = _drape(x[usable], y[usable], z[usable], settings, progress)
-    return grid, heights
 
 
 def _usable(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> np.ndarray | slice:
@@ -135,9 +113,10 @@ def _usable(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> np.ndarray | slice:
     return slice(None) if usable.all() else usable
 
 
-def _drape(x: np.ndarray, y: np.ndarray, z: np.ndarray, settings: ClothSettings,
-           progress: Progress) -> tuple[Grid, np.ndarray, BottomPoints]:
-    """The converged cloth, and the points near the bottom of each cell."""
+def converged_cloth(x: np.ndarray, y: np.ndarray, z: np.ndarray, settings: ClothSettings,
+                    progress: Progress) -> tuple[Grid, np.ndarray, BottomPoints]:
+    """The grid of the cloth's nodes (its cell centres), its heights (rows, columns), m, without gaps, and the points
+    near the bottom of each cell; x, y, z (n,) are plausible, m."""
     grid = Grid.covering(x.min(), y.min(), x.max(), y.max(), settings.resolution)
     # One cell more: bilinear places need two in each direction.
     grid = Grid(grid.x_min, grid.y_max, grid.cell, grid.rows + 1, grid.columns + 1)

@@ -46,11 +46,6 @@ class ModelParts:
     sloped: bool = False
 
 
-def face_polygons(vertices: np.ndarray, faces: Sequence[Sequence[Sequence[int]]]) -> list[shapely.Polygon]:
-    """Faces of a solid (rings of vertex numbers) as polygons with z."""
-    return [shapely.Polygon(vertices[list(face[0])], [vertices[list(ring)] for ring in face[1:]]) for face in faces]
-
-
 def model_parts(faces: Sequence[shapely.Polygon]) -> ModelParts:
     """Take a building's solids apart.
 

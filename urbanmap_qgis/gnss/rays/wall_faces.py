@@ -8,15 +8,12 @@ the wall that is moved as a whole.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import shapely
 
-from ...citymodel.cityjson.reader import read_cityjson
-from ...citymodel.solids import solid_faces, solid_rows
 from ...errors import InputError
 from ...wording import say
 
@@ -131,23 +128,6 @@ def building_walls(shapes: Sequence[shapely.Geometry | None], building: np.ndarr
     if not pieces or not sum(map(len, pieces)):
         raise InputError(say("The buildings have no walls: give solids or outlines with heights."))
     return _assembled(np.concatenate(pieces), np.concatenate(owner))
-
-
-def cityjson_shapes(path: str | os.PathLike) -> tuple[list[str], list[shapely.MultiPolygon]]:
-    """Names and faces (MultiPolygonZ) of the solids of a CityJSON file, parts under the name of their building.
-
-    Raises
-    ------
-    InputError : it cannot be read, or holds no solid.
-    """
-    names, shapes = [], []
-    for item, solids in solid_rows(read_cityjson(path).buildings):
-        if solids:
-            names.append(item.attributes.get("building") or item.id)
-            shapes.append(solid_faces(solids))
-    if not shapes:
-        raise InputError(say("{path} holds no solids: give building models of LoD 1 or higher.", path=path))
-    return [str(name) for name in names], shapes
 
 
 def is_solid(shape: shapely.Geometry) -> bool:

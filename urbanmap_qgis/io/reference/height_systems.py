@@ -17,7 +17,6 @@ from .crs_text import (
     horizontal_part,
     is_ellipsoidal,
     parse_wkt,
-    same_horizontal,
     vertical_part,
     wkt_text,
 )
@@ -198,9 +197,3 @@ def stating_heights_of(wkt: str, *others: str) -> str:
         if system.known and system.kind != "ellipsoidal":
             return stating_heights(wkt, system)
     return wkt
-
-
-def same_system(first: str, second: str) -> bool:
-    """Whether two systems (WKT) agree in plane and in height: both heights the same, or both not known."""
-    one, other = heights_of(first), heights_of(second)
-    return same_horizontal(first, second) and (same_heights(one, other) or not (one.known or other.known))

@@ -49,12 +49,6 @@ class GaussMarkovDrift:
         """The same with drift and random walk `factor` times as large."""
         return replace(self, rate_sigma=self.rate_sigma * factor, random_walk=self.random_walk * factor)
 
-    def with_angles(self, factor: float) -> GaussMarkovDrift:
-        """The same with errors of the angles `factor` times as large."""
-        part = np.array([1.0, 1.0, 1.0, factor, factor, factor])
-        return replace(self, rate_sigma=self.rate_sigma * part, random_walk=self.random_walk * part,
-                       initial_sigma=self.initial_sigma * part)
-
     def steps(self, path_parameter: np.ndarray, stopped: np.ndarray, jump: np.ndarray,
               active: tuple[int, ...], fast: np.ndarray | float = 0.0,
               stop_variance: np.ndarray | None = None,
