@@ -271,8 +271,9 @@ def _crs_text(path: Path):
 
 def _marked(path: Path):
     """An orthophoto in which markings are looked for, and as a mask upon itself."""
-    from urbanmap_qgis.aerial.markings.marking_files import SearchArea, markings_from_orthophoto
+    from urbanmap_qgis.aerial.markings.marking_files import markings_from_orthophoto
     from urbanmap_qgis.aerial.markings.marking_report import frame_count_shares
+    from urbanmap_qgis.aerial.markings.orthophoto_reader import SearchArea
 
     with tempfile.TemporaryDirectory(prefix="urbanmap-fuzz-") as folder:
         markings_from_orthophoto(path, Path(folder) / "mask.tif", SearchArea(mask=path))

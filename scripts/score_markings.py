@@ -24,7 +24,8 @@ from rasterio.transform import Affine
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
-from urbanmap_qgis.aerial.markings.marking_files import SearchArea, markings_from_orthophoto  # noqa: E402
+from urbanmap_qgis.aerial.markings.marking_files import markings_from_orthophoto  # noqa: E402
+from urbanmap_qgis.aerial.markings.orthophoto_reader import SearchArea  # noqa: E402
 
 LABELS = ROOT / "tests" / "real" / "labels"
 TOLERANCE = 2

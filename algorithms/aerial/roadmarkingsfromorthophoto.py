@@ -135,7 +135,7 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
 
     def _places(self, parameters, context, progress):
         """Where markings are looked for."""
-        from ...urbanmap_qgis.aerial.markings.marking_files import SearchArea
+        from ...urbanmap_qgis.aerial.markings.orthophoto_reader import SearchArea
 
         return SearchArea(self._polygons(parameters, "ROADS", context, progress),
                           self._polygons(parameters, "BUILDINGS", context, progress),

@@ -13,7 +13,8 @@ from urbanmap_qgis.aerial.frames.camera import ExteriorOrientation, FrameCamera
 from urbanmap_qgis.aerial.frames.frame_images import AerialFrame
 from urbanmap_qgis.aerial.frames.normalised_surface import NormalisedSurface
 from urbanmap_qgis.aerial.frames.occlusion import PAPER_OCCLUSION, occlusion_mask
-from urbanmap_qgis.aerial.markings.marking_files import SearchArea, markings_from_orthophoto
+from urbanmap_qgis.aerial.markings.marking_files import markings_from_orthophoto
+from urbanmap_qgis.aerial.markings.orthophoto_reader import SearchArea
 from urbanmap_qgis.aerial.markings.road_markings import PAPER_MARKINGS, MarkingSettings
 from urbanmap_qgis.aerial.orthophotos.mosaic import MosaicFiles, PixelSelection
 from urbanmap_qgis.aerial.orthophotos.orthorectification import ElevationInputs, OrthoSettings, orthorectify

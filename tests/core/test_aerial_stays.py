@@ -12,9 +12,10 @@ from urbanmap_qgis.aerial.frames.camera import read_camera
 from urbanmap_qgis.aerial.frames.exterior_files import read_exterior
 from urbanmap_qgis.aerial.frames.frame_images import find_frames
 from urbanmap_qgis.aerial.frames.occlusion import PAPER_OCCLUSION, OcclusionSettings, occlusion_map
-from urbanmap_qgis.aerial.markings.marking_files import SearchArea, markings_from_orthophoto
+from urbanmap_qgis.aerial.markings.marking_files import markings_from_orthophoto
 from urbanmap_qgis.aerial.markings.marking_filter import CleanSettings
 from urbanmap_qgis.aerial.markings.marking_report import OrthophotoQuality, frame_count_shares, write_marking_report
+from urbanmap_qgis.aerial.markings.orthophoto_reader import SearchArea
 from urbanmap_qgis.aerial.markings.road_markings import MarkingSettings
 from urbanmap_qgis.aerial.orthophotos.mosaic import MosaicFiles, PixelSelection
 from urbanmap_qgis.aerial.orthophotos.orthorectification import ElevationInputs, OrthoSettings, orthorectify

@@ -9,8 +9,9 @@ import rasterio
 from rasterio.transform import Affine
 
 from urbanmap_qgis.aerial.markings.marking_confidence import clear_of_paint, texture
-from urbanmap_qgis.aerial.markings.marking_files import SearchArea, markings_from_orthophoto
+from urbanmap_qgis.aerial.markings.marking_files import markings_from_orthophoto
 from urbanmap_qgis.aerial.markings.marking_filter import Cleaned, CleanSettings
+from urbanmap_qgis.aerial.markings.orthophoto_reader import SearchArea
 from urbanmap_qgis.aerial.markings.road_markings import MarkingSettings, _filled
 
 PIXEL = 0.1

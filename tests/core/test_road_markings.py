@@ -15,8 +15,9 @@ from pyproj import CRS
 from rasterio.enums import ColorInterp
 from rasterio.transform import Affine
 
-from urbanmap_qgis.aerial.markings.marking_files import SearchArea, markings_from_orthophoto
+from urbanmap_qgis.aerial.markings.marking_files import markings_from_orthophoto
 from urbanmap_qgis.aerial.markings.marking_filter import CleanSettings
+from urbanmap_qgis.aerial.markings.orthophoto_reader import SearchArea
 from urbanmap_qgis.aerial.markings.road_markings import (
     MarkingSettings,
     find_markings,

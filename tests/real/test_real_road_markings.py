@@ -12,7 +12,8 @@ import rasterio
 from rasterio.features import rasterize
 from rasterio.transform import Affine
 
-from urbanmap_qgis.aerial.markings.marking_files import SearchArea, markings_from_orthophoto
+from urbanmap_qgis.aerial.markings.marking_files import markings_from_orthophoto
+from urbanmap_qgis.aerial.markings.orthophoto_reader import SearchArea
 
 DATA = Path(__file__).resolve().parents[2].parent / "shared" / "data"
 CITY = DATA / "city"

@@ -19,9 +19,10 @@ from ...geometry.tolerances import LEAST_DIVISOR
 from ...io.pages.report import BAD, GOOD, LOOK, Report
 from ...io.raster import own_gdal
 from ...wording import mark, say
-from .marking_files import MarkingResult, colour_bands
+from .marking_files import MarkingResult
 from .marking_polygons import CACHE
 from .marking_verdict import marking_verdict
+from .orthophoto_reader import colour_bands
 from .stored_polygons import batches
 
 

@@ -20,8 +20,9 @@ from .disc_opening import disc_opened
 from .image_strips import flat_places, grown, row_strips, within
 from .marking_confidence import clear_of_paint, colours_of, mean_over, texture
 from .marking_evidence import SearchTally
-from .marking_filter import Candidates, Cleaned, CleanSettings, disc_kernel, remove_non_markings
+from .marking_filter import Candidates, Cleaned, CleanSettings, coarse_step, disc_kernel, remove_non_markings
 from .road_model import RoadModel
+from .surroundings import cell_pixels
 
 
 @dataclass(frozen=True)
@@ -186,6 +187,14 @@ def margin_pixels(pixel: float, settings: MarkingSettings) -> int:
     reach = settings.block_size / 2 + 4 * LIMITS.edge_spread
     reach += settings.cleaning.reach if settings.cleaning else CleanSettings().max_width
     return math.ceil(reach / pixel) + LIMITS.rounded
+
+
+def tile_step(pixel: float, settings: MarkingSettings) -> int:
+    """Pixels of side `pixel` (m) of which the sides of tiles are multiples, so that coarse cells fall alike in all."""
+    if not settings.cleaning:
+        return 1
+    step = coarse_step(settings.cleaning.vehicle_width / pixel)
+    return math.lcm(step, cell_pixels(pixel)) if settings.cleaning.trained else step
 
 
 def find_markings(bands: np.ndarray, seen: np.ndarray, roads: np.ndarray | None, pixel: float, levels: LevelAdjustment,
