@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError
-from urbanmap_qgis.mobile import ground
+from urbanmap_qgis.mobile import survey_tiles
 from urbanmap_qgis.mobile.ground import classify_ground_files
 from urbanmap_qgis.progress import Progress
 from urbanmap_qgis.terrain.cloth import ClothSettings, classify_ground
@@ -70,7 +70,7 @@ def test_the_same_as_the_filter_in_memory_whatever_the_tiles(survey, tmp_path, m
     las = laspy.read(path)
     expected = classify_ground(*(np.asarray(las[name]) for name in "xyz"))
     for number, tile in enumerate((32.0, 50.0, 128.0)):
-        monkeypatch.setattr(ground, "_TILE", tile)
+        monkeypatch.setattr(survey_tiles, "_TILE", tile)
         with ThreadPoolExecutor(2) as executor:
             classify_ground_files([path], tmp_path / f"{number}.laz", executor=executor if number else None)
         assert np.mean((classes(tmp_path / f"{number}.laz") == 2) != expected) < 1e-4
@@ -80,9 +80,9 @@ def test_tiles_of_many_points_are_split_and_the_ground_stays(survey, tmp_path, m
     path, _ = survey()
     classify_ground_files([path], tmp_path / "whole.laz")
     seen = []
-    tiling = ground.Tiling
-    monkeypatch.setattr(ground, "Tiling", lambda cell, cells: seen.append(cells) or tiling(cell, cells))
-    monkeypatch.setattr(ground, "_TILE_POINTS", 5_000)
+    tiling = survey_tiles.Tiling
+    monkeypatch.setattr(survey_tiles, "Tiling", lambda cell, cells: seen.append(cells) or tiling(cell, cells))
+    monkeypatch.setattr(survey_tiles, "_TILE_POINTS", 5_000)
     classify_ground_files([path], tmp_path / "split.laz")
     assert seen[0] == 32 and seen[-1] < 32
     assert np.array_equal(classes(tmp_path / "whole.laz"), classes(tmp_path / "split.laz"))

@@ -9,7 +9,6 @@ import numpy as np
 import shapely
 
 from ..errors import InsufficientDataError
-from ..geometry.grid import Grid
 from ..geometry.solid import ROOF, Solid
 from ..wording import say
 from .model_status import (
@@ -33,18 +32,13 @@ from .planes.plane_solids import checked_sloped_solids
 from .planes.roof_type import roof_type
 from .quality import ModelFit, height_differences, model_fit, surface_distances, unexplained_points
 from .roof_polygons.polygon_rows import LEVELS_BETTER
-from .seen.seen_roofs import SeenRoofs, seen_roofs
-from .solids.plan_partition import partition_plan
-from .solids.solid import building_solids
-from .solids.validity import check_solid
+from .seen.seen_roofs import SeenRoofs, seen_roofs, unseen_share
+from .solids.level_solids import checked_level_solids
 
 LEVEL_LOD, SLOPED_LOD = "1.3", "2.2"
 
 STOREY = 2.5
 """Height (m) given to a building whose ground is not known, below its lowest roof."""
-
-MIN_CELLS = 10
-"""Cells of a plan from which the share without points is told."""
 
 MOST_FIT_POINTS = 50_000
 """Points of one building that the figures of fit are taken from; of more a regular choice."""
@@ -196,7 +190,7 @@ def _valid_solids(outline: shapely.Geometry | None, roofs: RoofInput, base: floa
         status = SIMPLIFIED if status == OK else status
         why = say("level roofs, as the sloped solid is not valid ({problems})", problems=problems[0])
         reason = f"{reason}; {why}" if reason else why
-    solids, problems = _checked_solids(outline, roofs.polygon, roofs.height, roofs.roof_id, base)
+    solids, problems = checked_level_solids(outline, roofs.polygon, roofs.height, roofs.roof_id, base)
     if problems:
         solids, status, reason = _simplified(outline, roofs, base, problems)
     return solids, status, reason, LEVEL_LOD
@@ -219,21 +213,14 @@ def _judged(model: BuildingModel, outline: shapely.Geometry | None, lost: bool,
     return replace(model, status=status, reason=reason, quality=figure)
 
 
-def _checked_solids(outline: shapely.Geometry | None, polygons: np.ndarray, heights: np.ndarray, ids: np.ndarray,
-                    base: float) -> tuple[tuple[Solid, ...], list[str]]:
-    """Solids and what the check says against them."""
-    plan = partition_plan(outline, list(polygons), heights.tolist(), ids.tolist(), limit="roofs")
-    solids = building_solids(plan.cells, base)
-    return solids, [f"{problem.code} {problem.name}" for solid in solids for problem in check_solid(solid)]
-
-
 def _simplified(outline: shapely.Geometry | None, roofs: RoofInput, base: float,
                 problems: list[str]) -> tuple[tuple[Solid, ...], str, str]:
     """One block at the mean roof height, where the detailed solid is not valid; nothing where even that fails."""
     areas = shapely.area(roofs.polygon)
     height = float(np.average(roofs.height, weights=areas)) if areas.sum() else float(roofs.height.mean())
     whole = shapely.union_all(shapely.make_valid(roofs.polygon))
-    solids, left = _checked_solids(outline, np.array([whole], dtype=object), np.array([height]), np.array([0]), base)
+    solids, left = checked_level_solids(outline, np.array([whole], dtype=object), np.array([height]), np.array([0]),
+                                        base)
     if left:
         return (), NOT_MODELLED, say("no valid solid could be made ({left})", left=left[0])
     return solids, SIMPLIFIED, say("one height for all roofs, as the detailed solid is not valid ({problems})",
@@ -277,18 +264,3 @@ def _measured(model: BuildingModel, points: FitPoints, faces: ModelSurfaces, clo
         return replace(model, unseen=unseen_share(plan, roof, density))
     seen = seen_roofs(faces.cells, roof, cloud_density, model.base)
     return replace(model, unseen=seen.unseen, seen=seen)
-
-
-def unseen_share(plan: shapely.Geometry, points: np.ndarray, density: float) -> float:
-    """Share of a plan's area without points (n, 3), on cells in which `density` points/m2 give four on average."""
-    if not len(points):
-        return 1.0
-    grid = Grid.covering(*plan.bounds, 2.0 / math.sqrt(density))
-    hit = np.zeros(grid.shape, bool)
-    row, column, inside = grid.cells(points[:, 0], points[:, 1])
-    hit[row[inside], column[inside]] = True
-    x, y = np.meshgrid(*grid.centres())
-    shapely.prepare(plan)
-    within = shapely.contains_xy(plan, x, y)
-    # On a few cells the share would be chance.
-    return float(1.0 - hit[within].mean()) if within.sum() >= MIN_CELLS else 0.0

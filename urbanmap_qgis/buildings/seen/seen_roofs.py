@@ -29,6 +29,7 @@ class SeenRoofsLimits:
     least_height: float = 0.1  # Height (m) over the ground at least.
     # Share of the plan that may be unseen before the quality falls: the RMSE leaves as much out.
     tolerated: float = 0.05
+    fewest_cells: int = 10  # Cells of a plan from which the share without points is told: on fewer it would be chance.
 
 
 LIMITS = SeenRoofsLimits()
@@ -116,3 +117,17 @@ def _squared_misfits(cells: list[RoofCell], points: np.ndarray) -> np.ndarray:
     squares = height_differences(*points.T, cells, below) ** 2
     everywhere = float(np.nanmean(squares)) if np.isfinite(squares).any() else math.nan
     return np.array([float(np.nanmean(squares[rows])) if len(rows) else everywhere for rows in below])
+
+
+def unseen_share(plan: shapely.Geometry, points: np.ndarray, density: float) -> float:
+    """Share of a plan's area without points (n, 3), on cells in which `density` points/m2 give four on average."""
+    if not len(points):
+        return 1.0
+    grid = Grid.covering(*plan.bounds, 2.0 / math.sqrt(density))
+    hit = np.zeros(grid.shape, bool)
+    row, column, inside = grid.cells(points[:, 0], points[:, 1])
+    hit[row[inside], column[inside]] = True
+    x, y = np.meshgrid(*grid.centres())
+    shapely.prepare(plan)
+    within = shapely.contains_xy(plan, x, y)
+    return float(1.0 - hit[within].mean()) if within.sum() >= LIMITS.fewest_cells else 0.0

@@ -1,0 +1,173 @@
+"""The points of a survey of any size in tiles, kept in files, and those of one tile with its margin, pass by pass."""
+
+from __future__ import annotations
+
+from collections import Counter, OrderedDict
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import partial
+
+import numpy as np
+
+from ..errors import InsufficientDataError
+from ..io.points.point_buckets import PointBuckets
+from ..io.points.pointcloud import PointCloud, iter_chunks, valid_points
+from ..progress import Progress
+from ..terrain.outliers import plausible
+from ..terrain.tiles import TilePoints, Tiling
+from ..wording import say
+from .packed_points import PackedPoints
+from .passes import BlockPositions, SurveyPasses
+
+CHUNK = 250_000
+"""Points read at a time."""
+
+_TILE = 64.0
+_TILE_POINTS = 2_000_000
+_BUCKET_MEMORY = 120_000_000
+_HELD_MEMORY = 120_000_000
+
+
+@contextmanager
+def tiles_of_survey(cloud: PointCloud, resolution: float, margin: float, shape_only: bool,
+                    progress: Progress) -> Iterator[SurveyTiles]:
+    """The points of a survey in tiles for a cloth of a resolution, m, while the context lasts.
+
+    Raises
+    ------
+    InsufficientDataError : no usable point.
+    """
+    packing = PackedPoints(cloud.headers)
+    with PointBuckets(packing.dtype, _BUCKET_MEMORY) as buckets, PointBuckets(packing.dtype, _BUCKET_MEMORY) as smaller:
+        tiles = SurveyTiles(cloud, packing, buckets, smaller, resolution, margin, shape_only)
+        tiles.read(progress)
+        yield tiles
+
+
+class SurveyTiles:
+    """The points of a survey in tiles, on their way to the cloths of its passes.
+
+    Parameters
+    ----------
+    packing, buckets, smaller : how points are packed, and where they lie: `smaller` takes them where tiles are split.
+    resolution, margin : of the cloth, and how far its work on a tile looks beyond it, m.
+    shape_only : whether no more of the points is read than shape and time.
+    """
+
+    def __init__(self, cloud: PointCloud, packing: PackedPoints, buckets: PointBuckets, smaller: PointBuckets,
+                 resolution: float, margin: float, shape_only: bool):
+        self.shape_only, self.margin = shape_only, margin
+        self.cloud, self.buckets = cloud, buckets
+        self.packing, self.smaller = packing, smaller
+        self.tiling = Tiling(resolution, max(int(np.ceil(_TILE / resolution)), 16))
+        self.keys: list[int] = []
+        self.passes = SurveyPasses(np.empty(0))
+        self.usable = 0
+
+    def read(self, progress: Progress) -> None:
+        """Sort the points into tiles and find the passes."""
+        timed = self.cloud.has_dimension("gps_time")
+        positions, counts = BlockPositions(), Counter()
+        for chunk in iter_chunks(self.cloud, progress, CHUNK, shape_only=self.shape_only, timed=self.shape_only):
+            x, y, z = (np.asarray(chunk[name]) for name in "xyz")
+            time = np.asarray(chunk["gps_time"]) if timed else np.zeros(len(chunk))
+            usable = valid_points(chunk) & plausible(x, y, z)
+            records = self.packing.packed(chunk, time)
+            if not usable.all():
+                records, x, y, time = (values[usable] for values in (records, x, y, time))
+            if not len(records):
+                continue
+            self.usable += len(records)
+            positions.add(x, y, time)
+            counts.update(self.buckets.add(self.tiling.keys(x, y), records))
+        if not counts:
+            raise InsufficientDataError(say("{paths} holds no usable points: all are noise, withheld or have no "
+                                            "valid height.", paths=self.cloud.paths[0].name))
+        self.keys, self.passes = sorted(counts), positions.passes()
+        self._split(max(counts.values()))
+
+    def _split(self, most: int) -> None:
+        """Put the points into smaller tiles where one holds so many that a few of them would fill the memory."""
+        cells, least = self.tiling.cells, 2 * int(np.ceil(self.margin / self.tiling.cell))
+        while most > _TILE_POINTS and cells // 2 >= least:
+            cells, most = cells // 2, most // 4
+        if cells == self.tiling.cells:
+            return
+        self.tiling, keys = Tiling(self.tiling.cell, cells), set()
+        for key in self.keys:
+            whole = self.buckets.pop(key)
+            for start in range(0, len(whole), CHUNK):
+                records = whole[start:start + CHUNK].copy()  # a part of the whole would keep all of it in memory
+                tile = self.tiling.keys(self.packing.column(records, "x"), self.packing.column(records, "y"))
+                keys.update(self.smaller.add(tile, records))
+        self.keys, self.buckets = sorted(keys), self.smaller
+
+    def extents(self, progress: Progress) -> list[dict[int, tuple]]:
+        """For each pass the tiles that hold points of it, with their number and extent."""
+        found: list[dict[int, tuple]] = [{} for _ in range(self.passes.count)]
+        for step, key in enumerate(self.keys):
+            records = self.buckets.read(key)
+            pass_number = self.packing.passes(records, self.passes)
+            for number in np.flatnonzero(np.bincount(pass_number)).tolist():
+                mine = slice(None) if self.passes.count == 1 else np.flatnonzero(pass_number == number)
+                x, y = (self.packing.column(records, name, mine) for name in "xy")
+                found[number][key] = (len(x), x.min(), y.min(), x.max(), y.max())
+            progress.step((step + 1) / len(self.keys))
+        return found
+
+    def points(self, keys: list[int], pass_number: int, margin: float) -> Iterator[TilePoints]:
+        """The points of each tile and of a margin round it, of one pass."""
+        known, tiles = set(keys), _HeldTiles(partial(self._of_pass, pass_number=pass_number))
+        for key in keys:
+            box, (column, row) = self.tiling.box(key), self.tiling.column_row(key)
+            parts = [dict(tiles.get(key))]
+            for near in self.tiling.around(key)[1:]:
+                if near in known:
+                    other_column, other_row = self.tiling.column_row(near)
+                    parts.append(_beside(tiles.get(near), box, margin, other_column - column, other_row - row))
+            in_tile = len(parts[0]["x"])
+            yield TilePoints({name: np.concatenate([part.pop(name) for part in parts]) for name in "xyz"}, in_tile, box)
+
+    def _of_pass(self, key: int, pass_number: int) -> dict[str, np.ndarray]:
+        """Coordinates of the points of a tile that were measured in a pass, a column each."""
+        records = self.buckets.read(key)
+        if self.passes.count == 1:
+            return {name: self.packing.column(records, name) for name in "xyz"}
+        rows = np.flatnonzero(self.packing.passes(records, self.passes) == pass_number)
+        return {name: self.packing.column(records, name, rows) for name in "xyz"}
+
+
+class _HeldTiles:
+    """Columns of the tiles used last: each is a neighbour of eight others, but a slow drive has millions of points."""
+
+    def __init__(self, read: Callable[[int], dict[str, np.ndarray]]):
+        self._read = read
+        self._tiles: OrderedDict[int, dict[str, np.ndarray]] = OrderedDict()
+        self._bytes = 0
+
+    def get(self, key: int) -> dict[str, np.ndarray]:
+        """The columns of a tile; they must not be changed."""
+        if key in self._tiles:
+            self._tiles.move_to_end(key)
+            return self._tiles[key]
+        columns = self._tiles[key] = self._read(key)
+        self._bytes += _size(columns)
+        while self._bytes > _HELD_MEMORY and len(self._tiles) > 1:
+            self._bytes -= _size(self._tiles.popitem(last=False)[1])
+        return columns
+
+
+def _size(columns: dict[str, np.ndarray]) -> int:
+    """Bytes of columns."""
+    return sum(values.nbytes for values in columns.values())
+
+
+def _beside(columns: dict[str, np.ndarray], box: tuple[float, float, float, float], margin: float, right: int,
+            up: int) -> dict[str, np.ndarray]:
+    """The points of the tile `right` columns and `up` rows away that lie within a margin of a tile's box."""
+    near = np.ones(len(columns["x"]), dtype=bool)
+    for name, step, low, high in (("x", right, box[0], box[2]), ("y", up, box[1], box[3])):
+        if step:
+            near &= columns[name] <= high + margin if step > 0 else columns[name] >= low - margin
+    rows = np.flatnonzero(near)
+    return {name: values[rows] for name, values in columns.items()}
