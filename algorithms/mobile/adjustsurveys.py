@@ -86,8 +86,9 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
 
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.io.points.pointcloud import open_cloud
+        from ...urbanmap_qgis.mobile.adjustment.drive_clouds import assign_clouds
         from ...urbanmap_qgis.mobile.adjustment.report import write_network_report
-        from ...urbanmap_qgis.mobile.adjustment.stage import adjust_surveys, assign_clouds
+        from ...urbanmap_qgis.mobile.adjustment.stage import adjust_surveys
         from ...urbanmap_qgis.mobile.calibration import read_calibration
 
         progress = self.progress(feedback)
@@ -138,7 +139,7 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
 
     def _run(self, parameters, context):
         """The core's settings."""
-        from ...urbanmap_qgis.mobile.adjustment.stage import AdjustmentRun
+        from ...urbanmap_qgis.mobile.adjustment.records import AdjustmentRun
         from ...urbanmap_qgis.mobile.registration.records import RegistrationSettings
         from ...urbanmap_qgis.mobile.registration.stage import RegistrationRun
 

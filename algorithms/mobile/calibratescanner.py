@@ -59,7 +59,7 @@ class CalibrateScanner(DriveInputs, UrbanMapAlgorithm):
 
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.io.points.pointcloud import open_cloud
-        from ...urbanmap_qgis.mobile.adjustment.stage import assign_clouds
+        from ...urbanmap_qgis.mobile.adjustment.drive_clouds import assign_clouds
         from ...urbanmap_qgis.mobile.boresight.adjustment import BoresightSettings
         from ...urbanmap_qgis.mobile.boresight.stage import calibrate_scanners, write_calibration
         from ...urbanmap_qgis.mobile.calibration import read_calibration

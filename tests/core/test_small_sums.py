@@ -15,7 +15,8 @@ from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.imagery.overlays.overlay_layers import NearestPoints
 from urbanmap_qgis.io.official.gsi import fitting_zone
 from urbanmap_qgis.io.reference.crs_text import parse_wkt
-from urbanmap_qgis.mobile.adjustment.stage import RELATIVE, _node_status
+from urbanmap_qgis.mobile.adjustment.drive_network import _node_status
+from urbanmap_qgis.mobile.adjustment.records import RELATIVE
 from urbanmap_qgis.mobile.registration.correction.disagreements import _APART, _without_fast
 from urbanmap_qgis.mobile.registration.correction.point_observations import _share_met
 from urbanmap_qgis.mobile.registration.start.correlation_start import CELL, score_image

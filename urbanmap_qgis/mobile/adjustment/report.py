@@ -10,7 +10,7 @@ from ...io.pages.report import GOOD, LOOK, Report
 from ...io.pages.svg_profile import COLOURS, Series, profile
 from ...wording import known, mark, say
 from .network import KINDS, plan_residuals
-from .stage import STATUS_NAMES, AdjustedDrive, AdjustedSurvey
+from .records import STATUS_NAMES, AdjustedDrive, AdjustedSurvey
 
 _WORST = 10
 

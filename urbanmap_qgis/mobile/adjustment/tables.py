@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from .network import KINDS, plan_residuals
-from .stage import STATUS_NAMES, AdjustedSurvey
+from .records import STATUS_NAMES, AdjustedSurvey
 
 
 def tie_columns(survey: AdjustedSurvey) -> tuple[dict[str, object], np.ndarray]:

@@ -1,0 +1,113 @@
+"""How drives are adjusted, and what the adjustment of several drives gives: a result each, and all together."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ..registration.correction.gauss_markov import path_parameters_of
+from ..registration.stage import RegistrationRun
+from ..trajectory import Trajectory
+from .network import KINDS, Network, NetworkObservations, plan_residuals
+from .reference_steps import ReferenceStep
+
+PLACED, BRIDGED, RELATIVE, NOT_TIED = range(4)
+STATUS_NAMES = ("placed", "bridged", "relative only", "not tied")
+"""Of a node: near observations of a network with control or reference; farther from them; in a network whose place is
+only what the drives report in the mean; of a drive without any observation, which stays as reported."""
+
+
+COUNTED = 0.3
+"""Weight from which an observation counts."""
+
+
+@dataclass(frozen=True)
+class AdjustmentRun:
+    """How drives are adjusted.
+
+    Attributes
+    ----------
+    registration : of ties and reference.
+    planes : whether facades and road tie drives too.
+    control_sigma, control_sigma_z : m, of control points, their measurement in the survey included.
+    """
+
+    registration: RegistrationRun = field(default_factory=RegistrationRun)
+    planes: bool = True
+    control_sigma: float = 0.02
+    control_sigma_z: float = 0.03
+
+    def path_parameters(self, trajectory: Trajectory) -> np.ndarray:
+        """(k,) parameter of the drift along a trajectory's epochs, m."""
+        return path_parameters_of(trajectory, self.registration.correction.time_weight)
+
+
+@dataclass(frozen=True)
+class AdjustedDrive:
+    """One drive's result.
+
+    Attributes
+    ----------
+    name : of the drive.
+    reported, corrected : trajectories of the same epochs.
+    time, chainage : (k,) s, m, of the nodes.
+    place : (k, 3) m, corrected.
+    correction : (k, 4) m, degrees of heading.
+    covariance : (k, 4, 4).
+    status : (k,) PLACED and its fellows.
+    """
+
+    name: str
+    reported: Trajectory
+    corrected: Trajectory
+    time: np.ndarray
+    chainage: np.ndarray
+    place: np.ndarray
+    correction: np.ndarray
+    covariance: np.ndarray
+    status: np.ndarray
+
+    def plan_sigma(self) -> np.ndarray:
+        """(k,) standard deviation in the worst direction in plan, m."""
+        return np.sqrt(np.linalg.eigvalsh(self.covariance[:, :2, :2])[:, -1])
+
+
+@dataclass(frozen=True)
+class AdjustedSurvey:
+    """All drives, and the observations with what is left of them.
+
+    Attributes
+    ----------
+    drives : in the given order.
+    observations, network : of the adjustment.
+    place : (n, 3) m, where each observation lies after it.
+    relative : whether no drive is tied to control or reference.
+    reference_steps : of the reference markings, as several drives show them; observations of doubt are left out.
+    """
+
+    drives: tuple[AdjustedDrive, ...]
+    observations: NetworkObservations
+    network: Network
+    place: np.ndarray
+    relative: bool
+    reference_steps: tuple[ReferenceStep, ...] = ()
+
+    def median_sigma(self) -> float:
+        """Median standard deviation in plan over all drives, m."""
+        return float(np.median(np.concatenate([drive.plan_sigma() for drive in self.drives])))
+
+    def residual_rows(self) -> list[tuple[str, int, int, float, float, float, float]]:
+        """By kind: name, number, number that lost its weight, RMS and largest residual in plan and in height, m."""
+        rows, sizes = [], plan_residuals(self.observations, self.network.residual)
+        for kind, name in enumerate(KINDS):
+            of_kind = self.observations.kind == kind
+            if of_kind.any():
+                plan = sizes[of_kind]
+                up = np.abs(self.network.residual[of_kind, 2])
+                known = up[np.isfinite(up)]
+                rows.append((name, int(of_kind.sum()), int((self.network.weight[of_kind] < COUNTED).sum()),
+                             float(np.sqrt(np.mean(plan**2))), float(plan.max()),
+                             float(np.sqrt(np.mean(known**2))) if len(known) else np.nan,
+                             float(known.max()) if len(known) else np.nan))
+        return rows
