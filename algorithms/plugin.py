@@ -173,6 +173,7 @@ class UrbanMapPlugin:
     def unload(self):
         """Take everything away again."""
         self._remove_guide()
+        self._end_work()
         for action in self.actions:
             self.iface.removePluginMenu("UrbanMap", action)
         self.actions = []
@@ -192,6 +193,15 @@ class UrbanMapPlugin:
             stop_speaking(self.translator)
             self.translator = None
         _forget_modules()
+
+
+    def _end_work(self):
+        """End runs at work and close dialogs, whose algorithms would ask for a provider that is gone."""
+        from .framework.running.runs_at_work import close_dialogs, end_runs
+
+        if self.provider is not None:
+            end_runs()
+            close_dialogs(self.provider.id())
 
 
 def _forget_modules() -> None:

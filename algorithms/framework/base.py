@@ -31,6 +31,7 @@ from .running.kept_memory import kept_memory
 from .running.matrix_library import bind_products
 from .running.native_libraries import PACKAGES_WITH_LIBRARIES, import_apart
 from .running.python_thread import in_python_thread
+from .running.runs_at_work import at_work
 from .running.same_sums import same_sums
 from .running.step_feedback import StepsMultiStepFeedback
 
@@ -176,7 +177,8 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         return True, ""
 
     def processAlgorithm(self, parameters, context, feedback):
-        return in_python_thread(lambda: self._process(parameters, context, feedback), context)
+        with at_work(feedback):
+            return in_python_thread(lambda: self._process(parameters, context, feedback), context)
 
     def _process(self, parameters: Mapping, context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> dict:
         for sentence in check_names(parameters, self.known_names(parameters)):

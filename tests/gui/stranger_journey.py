@@ -188,6 +188,43 @@ def updated_while_running() -> dict:
     return {"busy": busy, "docks": docks(), "opened": opened, "told": run(), "states": states()}
 
 
+def dialogs() -> int:
+    """Windows of algorithms that there are, also hidden ones."""
+    from qgis.gui import QgsProcessingAlgorithmDialogBase
+    from qgis.PyQt.QtWidgets import QApplication
+
+    return sum(isinstance(window, QgsProcessingAlgorithmDialogBase) for window in QApplication.topLevelWidgets())
+
+
+def updated_with_open_dialogs() -> dict:
+    """The plugin loaded anew with a dialog open and another at work; then the layers change that dialogs offer."""
+    import processing
+    from qgis import utils
+    from qgis.core import QgsProject, QgsVectorLayer
+
+    before = dialogs()
+    layer = QgsVectorLayer("Polygon?crs=EPSG:6677&field=name:string", "outlines", "memory")
+    QgsProject.instance().addMapLayer(layer)
+    windows = [processing.createAlgorithmDialog(f"urbanmap:{name}", values) for name, values in (
+        ("buildingmodels", {"FOOTPRINTS": layer.id()}), ("segmentbuildings", {
+            "POINTS": [str(MOVED / "als/als.laz")], "FOOTPRINTS": str(MOVED / "footprints/gsi_buildings.gpkg")}))]
+    for window in windows:
+        window.show()
+    settle(0.5)
+    windows[1].runButton().click()
+    settle(0.3)
+    busy, path = not windows[1].runButton().isEnabled(), str(plugin().guide.path)
+    utils.reloadPlugin("urbanmap_qgis")
+    left = dialogs()
+    QgsProject.instance().removeMapLayer(layer.id())
+    settle(0.5)
+    plugin().guide_action.setChecked(True)
+    plugin().guide.open_job(path)
+    recognised(plugin().guide)
+    settle(0.5)
+    return {"before": before, "busy": busy, "left": left, "states": states()}
+
+
 def closed_while_running() -> dict:
     """QGIS left by its own entry while a step is at work: it asks, and is told to end the step; then left once more."""
     from qgis.core import QgsProject
@@ -222,7 +259,7 @@ def closed_while_running() -> dict:
 
 RAISED: list[str] = []
 STEPS = (twice, bare, over_itself, by_relative_paths, stopped_and_resumed, moved_with_its_data, updated_while_running,
-         closed_while_running)
+         updated_with_open_dialogs, closed_while_running)
 
 
 def travel() -> None:

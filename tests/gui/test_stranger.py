@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import shutil
 import subprocess
-import sys
 import time
 from pathlib import Path
 
@@ -89,8 +88,11 @@ def test_the_plugin_is_updated_while_a_step_runs(told):
     assert found["states"] == {"buildings": "done"} and found["told"].startswith("All steps are done.")
 
 
-@pytest.mark.xfail(sys.version_info >= (3, 13), reason="on Debian 13 (QGIS 3.40, pyproj 3.7) QGIS has ended with "
-                   "signal 11 at a run after the plugin was loaded anew while another was at work", strict=False)
+def test_the_plugin_is_updated_with_open_dialogs(told):
+    # QGIS 3.40 ended with signal 11 where a hidden dialog asked its algorithm for the provider that was gone.
+    assert told("updated_with_open_dialogs") == {"before": 0, "busy": True, "left": 0, "states": {"buildings": "done"}}
+
+
 def test_qgis_ends_while_a_step_runs(sitting, told):
     _, folder, ended = sitting
     found = told("closed_while_running")

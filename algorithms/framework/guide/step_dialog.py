@@ -11,7 +11,7 @@ from qgis.core import (
     QgsProcessingOutputLayerDefinition,
     QgsProject,
 )
-from qgis.PyQt.QtCore import QEvent, QObject, pyqtSignal
+from qgis.PyQt.QtCore import QEvent, QObject, QTimer, pyqtSignal
 
 from ..jobs.job_steps import algorithm_of, prefilled_parameters
 
@@ -26,16 +26,31 @@ class StepDialog(QObject):
         super().__init__(parent)
         import processing
 
+        self.gone = False
         self.step, self.before = step, prefilled_parameters(job, step, folder)
         self.window = processing.createAlgorithmDialog(f"urbanmap:{step.algorithm}", self.before)
         self.window.installEventFilter(self)
         self.window.algorithmFinished.connect(self._finished)
+        self.window.rejected.connect(lambda: QTimer.singleShot(0, self._hidden))
         self.window.show()
 
     def eventFilter(self, watched, event):
         if watched is self.window and event.type() == QEvent.Type.Close:
             self._take()
+            QTimer.singleShot(0, self._hidden)
         return False
+
+    def _hidden(self) -> None:
+        """Called when the window was closed: without a run of its own at work it goes."""
+        if not self.gone and not self.window.isVisible() and self.window.runButton().isEnabled():
+            self._let_go()
+
+    def _let_go(self) -> None:
+        """Delete the window, as QGIS leaves it to who made it: hidden, it would live on without this plugin."""
+        self.gone = True
+        self.window.removeEventFilter(self)
+        self.window.deleteLater()
+        self.deleteLater()
 
     def values(self) -> dict:
         """Parameters that the user has set in the window; {} where they are not whole."""
@@ -59,6 +74,7 @@ class StepDialog(QObject):
         self._take()
         if succeeded:
             self.done.emit(self.step.id, dict(results))
+        QTimer.singleShot(0, self._hidden)
 
 
 def changed_values(step, before: Mapping, found: Mapping) -> dict:
