@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import shapely
 
+from ..geometry.tolerances import ROUNDING
 from ..io.points.pointcloud import PointCloud
 from ..progress import SILENT, Progress
 from .criteria import HEIGHT, PASSED, PLAN, Criterion
@@ -128,7 +129,7 @@ def _free_part(frame: EdgeFrame, surface: ModelSurface, reach: float) -> tuple[E
         beside = surface.heights(frame.world(np.repeat(places, len(away)), np.tile(away, len(places))))
         highest = np.fmax.reduce(beside.reshape(len(places), -1), axis=1)
         first, last = _longest_run(np.isfinite(inside) & ~(highest > inside - LIMITS.least_drop))
-        if last > first and places[last] - places[first] >= min(MIN_LENGTH, frame.length / 2) - 1e-9:
+        if last > first and places[last] - places[first] >= min(MIN_LENGTH, frame.length / 2) - ROUNDING:
             start = frame.world(places[first:first + 1], np.zeros(1))[0]
             return replace(frame, origin=start, length=float(places[last] - places[first])), width
     return None

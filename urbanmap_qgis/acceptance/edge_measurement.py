@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..geometry.tolerances import SIGMA_OF_MAD
 from ..wording import mark
 
 ROOFS, WALLS = "roof edges", "walls"
@@ -170,7 +171,7 @@ def _roof_points(points: PointsAboutEdge, limits: MeasurementLimits) -> tuple[np
             break
         fitted, *_ = np.linalg.lstsq(columns[use], points.above[use], rcond=None)
         off = points.above - columns @ fitted
-        spread = max(limits.roof_tolerance, 3.0 * 1.4826 * float(np.median(np.abs(off[use]))))
+        spread = max(limits.roof_tolerance, 3.0 * SIGMA_OF_MAD * float(np.median(np.abs(off[use]))))
         use = raised & (np.abs(off) <= spread) & (points.outward < 0.5 * points.reach)
     on_roof = raised & (off >= -spread) & (off <= max(spread, limits.parapet))
     return on_roof, off < -max(spread, 0.3 * (points.roof - points.ground))
@@ -262,7 +263,7 @@ def _line(along: np.ndarray, outward: np.ndarray, length: float, limits: Measure
     middles = np.array([(along[pieces == one].mean(), np.median(outward[pieces == one])) for one in np.unique(pieces)])
     place = float(np.median(middles[:, 1]))
     off = np.abs(middles[:, 1] - place)
-    inliers = middles[off <= max(3 * 1.4826 * float(np.median(off)), limits.wall_width)]
+    inliers = middles[off <= max(3 * SIGMA_OF_MAD * float(np.median(off)), limits.wall_width)]
     if len(inliers) < 3:
         return float(inliers[:, 1].mean()), float(np.hypot(limits.wall_width / np.sqrt(len(inliers)), limits.floor))
     columns = np.column_stack([np.ones(len(inliers)), inliers[:, 0] - length / 2])
@@ -279,5 +280,5 @@ def height_at_edge(above: np.ndarray, limits: MeasurementLimits = LIMITS) -> tup
     if len(known) < limits.least_points:
         return np.nan, np.nan
     middle = float(np.median(known))
-    spread = 1.4826 * float(np.median(np.abs(known - middle)))
+    spread = SIGMA_OF_MAD * float(np.median(np.abs(known - middle)))
     return middle, float(np.hypot(1.2533 * spread / np.sqrt(len(known)), limits.floor))

@@ -17,7 +17,7 @@ from shapely.geometry.polygon import orient
 from ..errors import InputError
 from ..geometry.mesh_code import COLUMNS as COLUMNS_A_DEGREE
 from ..geometry.mesh_code import ROWS, WEST, regional_mesh_code, third_mesh_code
-from ..geometry.tolerances import LEAST_FACE
+from ..geometry.tolerances import LEAST_DIVISOR, LEAST_FACE
 from ..io.files.excel_table import write_excel_table
 from ..io.reference.plan_part import plan_part
 from ..wording import say
@@ -131,7 +131,7 @@ def _corners(ring: np.ndarray) -> np.ndarray:
     """The vertices (n, 2) of a ring at which it bends."""
     before, after = np.roll(ring, 1, axis=0), np.roll(ring, -1, axis=0)
     along = after - before
-    size = np.maximum(np.hypot(*along.T), 1e-9)
+    size = np.maximum(np.hypot(*along.T), LEAST_DIVISOR)
     off = np.abs(along[:, 0] * (ring - before)[:, 1] - along[:, 1] * (ring - before)[:, 0]) / size
     return ring[off > _STRAIGHT]
 

@@ -221,7 +221,7 @@ def _distances_to_own(x: np.ndarray, y: np.ndarray, z: np.ndarray, walls: np.nda
     """Distance (n,) of each point to the vertical wall (n, 8) of its row, m."""
     start, end, low, high = walls[:, 0:2], walls[:, 2:4], walls[:, 4:6], walls[:, 6:8]
     along = end - start
-    length2 = np.maximum((along**2).sum(axis=1), 1e-12)
+    length2 = np.maximum((along**2).sum(axis=1), LEAST_SQUARE)
     dx, dy = x - start[:, 0], y - start[:, 1]
     share = np.clip((dx * along[:, 0] + dy * along[:, 1]) / length2, 0.0, 1.0)
     plan = np.hypot(dx - share * along[:, 0], dy - share * along[:, 1])

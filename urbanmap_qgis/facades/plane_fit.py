@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..geometry.tolerances import SIGMA_OF_MAD
 from .normals import numbered_cells
 
 
@@ -164,9 +165,9 @@ def _solved(columns: np.ndarray, upright: bool, iterations: int) -> tuple[np.nda
     for _ in range(iterations):
         residual = _residual(columns, centre, normal)
         inliers = residual[np.abs(residual - middle) < LIMITS.tukey * scale]
-        before, reach = scale / 1.4826, LIMITS.bracket * scale
+        before, reach = scale / SIGMA_OF_MAD, LIMITS.bracket * scale
         middle = median_near(inliers, middle, reach)
-        scale = max(1.4826 * median_near(np.abs(inliers - middle), before, reach), LIMITS.min_noise)
+        scale = max(SIGMA_OF_MAD * median_near(np.abs(inliers - middle), before, reach), LIMITS.min_noise)
         centre, normal = _plane_of_columns(columns, _weights(residual, middle, scale), upright)
     return centre, normal, scale
 

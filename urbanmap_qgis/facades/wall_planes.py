@@ -15,6 +15,7 @@ import numpy as np
 from scipy import ndimage
 
 from ..errors import InputError
+from ..geometry.tolerances import LEAST_DIVISOR, LEAST_SQUARE, SIGMA_OF_MAD
 from ..io.points.point_buckets import stable_order
 from ..progress import SILENT, Progress
 from ..wording import say
@@ -176,7 +177,7 @@ def _agrees(mean: np.ndarray, normal: np.ndarray, edges: np.ndarray, outward: np
     """Whether the nearest outline edge of voxels faces as they do, (v,) bool."""
     if not len(edges):
         return np.zeros(len(mean), bool)
-    level = normal[:, :2] / np.maximum(np.hypot(*normal[:, :2].T), 1e-9)[:, None]
+    level = normal[:, :2] / np.maximum(np.hypot(*normal[:, :2].T), LEAST_DIVISOR)[:, None]
     agrees = np.zeros(len(mean), bool)
     for start in range(0, len(mean), LIMITS.slice):
         part = slice(start, start + LIMITS.slice)
@@ -189,7 +190,7 @@ def edge_distance(xy: np.ndarray, edges: np.ndarray) -> np.ndarray:
     """Distances (n, k) of places (n, 2) to edges (k, 2, 2), m."""
     start, run = edges[:, 0], edges[:, 1] - edges[:, 0]
     away = xy[:, None, :] - start
-    share = np.clip((away * run).sum(axis=2) / np.maximum((run**2).sum(axis=1), 1e-12), 0.0, 1.0)
+    share = np.clip((away * run).sum(axis=2) / np.maximum((run**2).sum(axis=1), LEAST_SQUARE), 0.0, 1.0)
     return np.linalg.norm(away - share[..., None] * run, axis=2)
 
 
@@ -219,7 +220,7 @@ def _fit(places: np.ndarray, weight: np.ndarray) -> tuple[np.ndarray, np.ndarray
     upright = np.ptp(places[:, 2]) < 3.0
     centre, normal = least_squares_plane(places, weight, upright)
     residual = np.abs(component(places - centre, normal))
-    inlier = residual <= max(3 * 1.4826 * np.median(residual), 0.01)
+    inlier = residual <= max(3 * SIGMA_OF_MAD * np.median(residual), 0.01)
     return least_squares_plane(places[inlier], weight[inlier], upright)
 
 

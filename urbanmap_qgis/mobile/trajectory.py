@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import InputError
+from ..geometry.tolerances import LEAST_DIVISOR
 from ..wording import say
 
 STOP_SPEED = 0.15
@@ -186,7 +187,7 @@ def _speeds(trajectory: Trajectory) -> np.ndarray:
     half = np.maximum(0.5, 0.5 * np.diff(time))
     ends = [np.clip(middle + sign * half, time[0], time[-1]) for sign in (-1, 1)]
     start, end = (np.column_stack([np.interp(at, time, axis) for axis in trajectory.place[:, :2].T]) for at in ends)
-    return np.hypot(*(end - start).T) / np.maximum(ends[1] - ends[0], 1e-9)
+    return np.hypot(*(end - start).T) / np.maximum(ends[1] - ends[0], LEAST_DIVISOR)
 
 
 def gaps(trajectory: Trajectory, max_step: float = 1.0) -> np.ndarray:

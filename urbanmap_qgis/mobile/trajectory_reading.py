@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import InputError
+from ..geometry.tolerances import ROUNDING
 from ..io.conversion.geoid import Geoid
 from ..wording import say
 from .trajectory import Trajectory, gaps, jumps, path_chainage, unwrapped
@@ -112,7 +113,7 @@ def _away(trajectory: Trajectory, angles: np.ndarray, counted: str) -> float:
     if counted.startswith("radians") and np.abs(angles).max(initial=0.0) > _RADIAN_LIMIT:
         return np.inf
     chainage = path_chainage(trajectory)
-    at = np.arange(0.0, chainage[-1] + 1e-9, LIMITS.step)
+    at = np.arange(0.0, chainage[-1] + ROUNDING, LIMITS.step)
     if len(at) <= LIMITS.steps:
         return np.nan
     rising = np.concatenate([[True], np.diff(chainage) > 0])

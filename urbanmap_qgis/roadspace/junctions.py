@@ -13,6 +13,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 import shapely
 
+from ..geometry.tolerances import ROUNDING
 from .road_axis import Branch, Ring, Skeleton
 
 
@@ -202,7 +203,7 @@ def _corner(rings: tuple[Ring, ...], number: int, arm: Arm, following: Arm, star
                       longest, limits)
     first = _flare_end(ring, [item for item in reversed(points) if item[0] <= core[0]],
                        _edge(rings, arm.branch.right), longest, limits)
-    chain = [turn for place, turn in points if first - 1e-9 <= place <= last + 1e-9]
+    chain = [turn for place, turn in points if first - ROUNDING <= place <= last + ROUNDING]
     if sum(chain) > -np.radians(limits.corner):
         return None, None
     return first, last

@@ -14,6 +14,8 @@ import numpy as np
 import shapely
 from scipy.spatial import Voronoi
 
+from ..geometry.tolerances import LEAST_SQUARE
+
 
 @dataclass(frozen=True)
 class AxisLimits:
@@ -74,7 +76,7 @@ class Ring:
         """Points (..., 2) at places along the ring, which may run over its ends."""
         within = np.mod(places, self.length)
         number = np.clip(np.searchsorted(self.places, within, side="right") - 1, 0, len(self.points) - 1)
-        share = ((within - self.places[number]) / np.maximum(self.lengths[number], 1e-12))[..., None]
+        share = ((within - self.places[number]) / np.maximum(self.lengths[number], LEAST_SQUARE))[..., None]
         return self.points[number] * (1 - share) + self.points[(number + 1) % len(self.points)] * share
 
 

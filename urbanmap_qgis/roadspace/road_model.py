@@ -13,6 +13,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 import shapely
 
+from ..geometry.tolerances import LEAST_DIVISOR
 from ..progress import SILENT, Progress
 from ..wording import say
 from .junctions import LIMITS as JUNCTION_LIMITS
@@ -79,7 +80,7 @@ def build_road_model(surface: RoadSurface, structures: Structures | None = None,
     structures = structures or Structures()
     bridge, tunnel = (shapely.union_all(list(shapes)) for shapes in (structures.bridges, structures.tunnels))
     built = _Built(findings=list(surface.findings))
-    total = max(sum(polygon.area for polygon in surface.polygons), 1e-9)
+    total = max(sum(polygon.area for polygon in surface.polygons), LEAST_DIVISOR)
     done = 0.0
     for polygon in surface.polygons:
         progress.check()

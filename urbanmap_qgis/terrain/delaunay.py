@@ -24,6 +24,7 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import Delaunay, QhullError
 
 from ..errors import InsufficientDataError
+from ..geometry.tolerances import LEAST_SQUARE
 from ..wording import say
 
 _BLOCK_POINTS = 12_000
@@ -312,7 +313,7 @@ def triangulate(x: np.ndarray, y: np.ndarray) -> np.ndarray:
 def typical_spacing(x: np.ndarray, y: np.ndarray) -> float:
     """Distance between neighbouring points, m, from the share of a coarse grid that they occupy."""
     width, height = float(np.ptp(x)), float(np.ptp(y))
-    cell = max(math.sqrt(max(width * height, 1e-12) / len(x)), max(width, height) / len(x), 1e-3) * 4
+    cell = max(math.sqrt(max(width * height, LEAST_SQUARE) / len(x)), max(width, height) / len(x), 1e-3) * 4
     column = np.floor((x - x.min()) / cell).astype(np.int64)
     row = np.floor((y - y.min()) / cell).astype(np.int64)
     columns = int(column.max()) + 1

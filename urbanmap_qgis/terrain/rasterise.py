@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..geometry.grid import Grid
+from ..geometry.tolerances import ROUNDING
 
 _BATCH = 200_000
 
@@ -41,8 +42,8 @@ def _fill(u: np.ndarray, v: np.ndarray, z: np.ndarray, raster: np.ndarray, only_
         return
     left, right = _span(u, v, owner, row)
     # The allowance closes hairline gaps that rounding leaves between neighbours.
-    start = np.maximum(np.ceil(left - 1e-9), 0).astype(np.int64)
-    stop = np.minimum(np.floor(right + 1e-9), columns - 1).astype(np.int64)
+    start = np.maximum(np.ceil(left - ROUNDING), 0).astype(np.int64)
+    stop = np.minimum(np.floor(right + ROUNDING), columns - 1).astype(np.int64)
     line, column = _expand(start, stop)
     owner, row = owner[line], row[line]
     across, along = _gradients(u, v, z)

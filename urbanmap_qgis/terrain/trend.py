@@ -9,6 +9,8 @@ from scipy import ndimage
 from scipy.sparse import coo_matrix, csc_matrix, diags
 from scipy.sparse.linalg import spsolve
 
+from ..geometry.tolerances import LEAST_DIVISOR
+
 
 @dataclass(frozen=True)
 class TrendLimits:
@@ -53,7 +55,7 @@ def trend_surface(lowest: np.ndarray, cell: float) -> np.ndarray:
         normal = design.T @ diags(weight) @ design + plate
         values = spsolve(csc_matrix(normal), design.T @ (weight * target))
         residual = target - design @ values
-        far = np.minimum(1.0, LIMITS.scale / np.maximum(np.abs(residual), 1e-9))
+        far = np.minimum(1.0, LIMITS.scale / np.maximum(np.abs(residual), LEAST_DIVISOR))
         # At first whatever lies low draws the plate down; then what stays far below counts less and less.
         weight = np.where(residual > 0, LIMITS.above * far ** 2, far if turn < LIMITS.passes // 2 else far ** 2)
     place = np.mgrid[:lowest.shape[0], :lowest.shape[1]] / knot

@@ -124,4 +124,4 @@ def _joined_field(name: str, values: list, areas: np.ndarray, share: float) -> o
         return values[int(np.argmax(areas))]
     if name in SUMMED:
         return float(np.sum(values)) * share
-    return float(np.average(values, weights=np.maximum(areas, 1e-12)))
+    return float(np.average(values, weights=np.maximum(areas, LEAST_SQUARE)))

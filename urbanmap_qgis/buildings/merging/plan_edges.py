@@ -186,7 +186,7 @@ def _with_nodes(polygon: shapely.Polygon, places: np.ndarray) -> shapely.Polygon
         xy = shapely.get_coordinates(ring)
         noded = []
         for start, end in zip(xy[:-1], xy[1:]):
-            line, length = end - start, max(float(np.hypot(*(end - start))), 1e-9)
+            line, length = end - start, max(float(np.hypot(*(end - start))), LEAST_DIVISOR)
             at = (places - start) @ line / length
             off = np.abs((places - start) @ np.array([line[1], -line[0]])) / length
             on = np.flatnonzero((off < _STRAIGHT) & (at > 2 * GRID) & (at < length - 2 * GRID))

@@ -10,6 +10,7 @@ import shapely
 
 from ...errors import InsufficientDataError
 from ...execution import checkpoint
+from ...geometry.tolerances import LEAST_DIVISOR
 from ...wording import say
 from ..polygons.plan_arrangement import GRID, common_borders
 from .alpha_expansion import expand_labels
@@ -78,7 +79,7 @@ def expected_faces(outline: shapely.Geometry, segments: np.ndarray) -> float:
     """About how many faces segments (m, 2, 2) cut an outline into."""
     # Lines of a total length l meet about l2 / (pi area) times, and so many faces they make.
     total = float(np.hypot(*(segments[:, 1] - segments[:, 0]).T).sum())
-    return len(segments) + total**2 / (np.pi * max(outline.envelope.area, 1e-9))
+    return len(segments) + total**2 / (np.pi * max(outline.envelope.area, LEAST_DIVISOR))
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@ import shapely
 from scipy.spatial import cKDTree
 
 from ...geometry.grid import Grid
+from ...geometry.tolerances import LEAST_SQUARE
 from ..quality import RoofCell, height_differences, points_over
 
 
@@ -72,7 +73,7 @@ def seen_roofs(cells: list[RoofCell], points: np.ndarray, density: float, base: 
     error = np.where(far, _errors(cells, place, owner, distance - LIMITS.spacings * spacing, base), 0.0)
     unseen = min(float(share @ far), 1.0)
     doubt = math.sqrt(float(share @ error**2)) * max(unseen - LIMITS.tolerated, 0.0) / max(unseen, LIMITS.tolerated)
-    weight = np.maximum(np.bincount(owner, share, len(cells)), 1e-12)
+    weight = np.maximum(np.bincount(owner, share, len(cells)), LEAST_SQUARE)
     seen = 1.0 - np.bincount(owner, share * far, len(cells)) / weight
     grown = np.bincount(owner, share * error**2, len(cells)) / weight
     return SeenRoofs(unseen, doubt, seen, np.sqrt(_squared_misfits(cells, points) + grown))

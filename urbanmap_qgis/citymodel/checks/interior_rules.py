@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 import shapely
 
+from ...geometry.tolerances import LEAST_SQUARE
 from ...io.files.rule_table import CheckRule
 from .checked_file import CityBlock
 from .city_rule_table import Violation, city_rule, violation
@@ -34,7 +35,7 @@ def _near_lines(points: np.ndarray, rings: list[np.ndarray]) -> np.ndarray:
     near = np.zeros(len(points), bool)
     for ring in rings:
         start, step = ring[:-1], np.diff(ring, axis=0)
-        length = np.maximum((step ** 2).sum(axis=1), 1e-12)
+        length = np.maximum((step ** 2).sum(axis=1), LEAST_SQUARE)
         share = np.clip(np.einsum("pij,ij->pi", points[:, None] - start, step) / length, 0.0, 1.0)
         away = points[:, None] - start - share[:, :, None] * step
         near |= ((away ** 2).sum(axis=2) <= NEAREST ** 2).any(axis=1)

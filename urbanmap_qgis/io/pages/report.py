@@ -21,6 +21,7 @@ from pathlib import Path
 import numpy as np
 
 from ...errors import InputError
+from ...geometry.tolerances import LEAST_DIVISOR
 from ...wording import known, language, say
 from ..files.atomic import written_beside
 from .print_plan import (
@@ -260,7 +261,7 @@ class Report:
             return
         top = float(upper if upper is not None else finite.max())
         low = min(0.0, float(finite.min()))
-        counts, edges = np.histogram(np.minimum(finite, top), bins=bins, range=(low, max(top, low + 1e-9)))
+        counts, edges = np.histogram(np.minimum(finite, top), bins=bins, range=(low, max(top, low + LEAST_DIVISOR)))
         self.figure(bars(counts, edges, label), caption, half=True)
 
     def figure(self, svg: str, caption: str, half: bool = False) -> None:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...geometry.tolerances import LEAST_DIVISOR
 from ...wording import known
 from .svg import round_values
 
@@ -43,7 +44,7 @@ def profile(x: np.ndarray, series: Sequence[Series], x_label: str, y_label: str,
     """An SVG chart of curves over x (n,), with intervals behind them and a shaded band: a curve and its sigma."""
     left, right, top, bottom = _MARGIN
     x = np.asarray(x, float)
-    x_low, x_high = float(x.min()), max(float(x.max()), float(x.min()) + 1e-9)
+    x_low, x_high = float(x.min()), max(float(x.max()), float(x.min()) + LEAST_DIVISOR)
     edges = [] if band is None else [band[0] - band[1], band[0] + band[1]]
     y_low, y_high = _limits([item.values for item in series] + edges)
 

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
+from ...geometry.tolerances import LEAST_DIVISOR, SIGMA_OF_MAD
 from ...io.points.pointcloud import iter_chunks, open_cloud
 from ...progress import SILENT, Progress
 from ..apply_correction import survey_time_shift
@@ -38,7 +39,6 @@ class AdjustmentPlanesLimits:
     # m east, north, up of a tie, however many planes it has: facades turn with roll and pitch
     floor: tuple[float, ...] = 0.03, 0.03, 0.01
     unknown: float = 10.0  # m, along what the planes say nothing about
-    robust: float = 1.4826
 
 
 LIMITS = AdjustmentPlanesLimits()
@@ -121,7 +121,7 @@ class _Pair:
         one, other = one[found], other[near[found]]
         cosine = (patches.normal[one] * patches.normal[other]).sum(axis=1)
         normal = patches.normal[one] + np.sign(cosine)[:, None] * patches.normal[other]
-        normal /= np.maximum(np.linalg.norm(normal, axis=1), 1e-9)[:, None]
+        normal /= np.maximum(np.linalg.norm(normal, axis=1), LEAST_DIVISOR)[:, None]
         # By so much the first pass must move more than the second, along the normal.
         gap = ((moved[other] - moved[one]) * normal).sum(axis=1)
         good = (np.abs(cosine) >= _PARALLEL) & (np.abs(gap) <= LIMITS.apart)
@@ -138,7 +138,7 @@ class _Pair:
     def tie(self, some: np.ndarray) -> NetworkObservations | None:
         """One observation by some of the planes; None where they are too few."""
         middle = np.median(self.gap[some])
-        scatter = max(LIMITS.robust * np.median(np.abs(self.gap[some] - middle)), LIMITS.sigma)
+        scatter = max(SIGMA_OF_MAD * np.median(np.abs(self.gap[some] - middle)), LIMITS.sigma)
         normal, distance = self.normal[some], self.gap[some]
         if len(some) < LIMITS.fewest:
             return None

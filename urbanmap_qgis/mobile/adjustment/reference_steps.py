@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...geometry.tolerances import SIGMA_OF_MAD
 from ...wording import say
 from ..registration.correction.error_steps import MIN_CHANGE
 from .network import NONE, REFERENCE, RELATIVE_KINDS, NetworkObservations
@@ -26,7 +27,6 @@ class ReferenceStepLimits:
     fewest: int = 3  # observations on each side
     least: float = 0.06  # m: smaller steps are within what markings and their reference are off by
     proof: float = 5.0  # times the usual change of the drive, by the median of all places
-    robust: float = 1.4826
     usual: float = 0.02  # m, of the usual change at least
     same: float = 0.5  # of the change, by which the other drive's may differ, and that their tie may change
     undone: float = 0.4  # of the smaller of two steps, that their sum has at most where they undo each other
@@ -122,7 +122,7 @@ def _steps_of(number: int, course: _Course, ties: Sequence[tuple[int, _Course, _
     if not changes:
         return []
     sizes = np.array([np.hypot(*change) for _, change in changes])
-    usual = max(LIMITS.robust * float(np.median(sizes)), LIMITS.usual)
+    usual = max(SIGMA_OF_MAD * float(np.median(sizes)), LIMITS.usual)
     chosen: list[ReferenceStep] = []
     for rank in np.argsort(-sizes, kind="stable"):
         at, change = changes[rank]

@@ -17,6 +17,7 @@ from scipy.ndimage import percentile_filter
 from scipy.optimize import minimize
 
 from ...errors import InsufficientDataError
+from ...geometry.tolerances import LEAST_SQUARE, ROUNDING, SIGMA_OF_MAD
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..trajectory import Trajectory, path_chainage
@@ -142,7 +143,7 @@ def sampled_heights(trajectory: Trajectory, ground: Callable[[np.ndarray, np.nda
         raise InsufficientDataError(say("The ground does not reach the trajectory's course: give a ground of the "
                                         "same place and coordinate reference system."))
     time, error = trajectory.time[row[known]], error[known]
-    sigma = 1.4826 * float(np.median(np.abs(np.diff(error)))) / np.sqrt(2.0)
+    sigma = SIGMA_OF_MAD * float(np.median(np.abs(np.diff(error)))) / np.sqrt(2.0)
     return CourseHeights(np.interp(trajectory.time, time, error), np.full(len(trajectory), sigma), sensor_height, False,
                          _rms(error), 0.0, sigma, len(time), 0, float(known.mean()), time, error)
 
@@ -150,7 +151,7 @@ def sampled_heights(trajectory: Trajectory, ground: Callable[[np.ndarray, np.nda
 def _samples(trajectory: Trajectory) -> np.ndarray:
     """Epochs at equal chainages along the course, and some while the vehicle stands."""
     chainage = path_chainage(trajectory)
-    row = np.searchsorted(chainage, np.arange(0.0, chainage[-1] + 1e-9, SPACING))
+    row = np.searchsorted(chainage, np.arange(0.0, chainage[-1] + ROUNDING, SPACING))
     row = np.unique(np.minimum(row, len(chainage) - 1))
     standing = np.searchsorted(trajectory.time, np.arange(trajectory.time[0], trajectory.time[-1],
                                                           LIMITS.standing_step))
@@ -214,7 +215,7 @@ def _fitted(time: np.ndarray, error: np.ndarray) -> tuple[_HeightWalk, np.ndarra
     value, factor, _ = _solve(time, error, coefficient, sigma)
     left = error - value
     # What neighbours share of their deviations (a ground's smooth errors) does not average out.
-    alike = float(np.clip((left[1:] @ left[:-1]) / max(left @ left, 1e-12), 0.0, 0.95))
+    alike = float(np.clip((left[1:] @ left[:-1]) / max(left @ left, LEAST_SQUARE), 0.0, 0.95))
     inflation = (1 + alike) / (1 - alike)
     variance, lag = _inverse_bands(factor)
     coefficient = max(coefficient, _long_span_walk(time, value))

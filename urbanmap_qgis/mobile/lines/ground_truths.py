@@ -16,6 +16,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...geometry.tolerances import LEAST_SQUARE
+
 
 @dataclass(frozen=True)
 class Drift:
@@ -81,7 +83,7 @@ def set_drift(place: np.ndarray, measured: np.ndarray, reference: np.ndarray, si
 def _covariance(centre: np.ndarray, rotation: float, count: int, spread: float, sigma: float) -> np.ndarray:
     """Covariance of shift and rotation: the centre is known by the mean, the rotation by the spread."""
     lever = rotated_vectors(centre, rotation + np.pi / 2)
-    of_rotation = sigma**2 / max(spread, 1e-12)
+    of_rotation = sigma**2 / max(spread, LEAST_SQUARE)
     covariance = np.zeros((3, 3))
     covariance[:2, :2] = sigma**2 / count * np.eye(2) + of_rotation * np.outer(lever, lever)
     covariance[:2, 2] = covariance[2, :2] = -of_rotation * lever

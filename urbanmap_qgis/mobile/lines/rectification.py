@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ...errors import InputError, InsufficientDataError
+from ...geometry.tolerances import SIGMA_OF_MAD
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..trajectory import Trajectory, interpolate
@@ -289,7 +290,7 @@ def _misfit_limit(ties: TiePoints, number: np.ndarray, place: np.ndarray, settin
     least = LIMITS.contradiction * np.sqrt(2.0) * SIGMA
     sets = [np.flatnonzero(number == k) for k in range(number.max() + 1)]
     shown = [misfit(place[rows], ties.measured[rows], ties.reference[rows]).max() for rows in sets if len(rows) > 1]
-    usual = 1.4826 * float(np.median(shown)) if len(shown) >= LIMITS.min_sets_for_sigma else 0.0
+    usual = SIGMA_OF_MAD * float(np.median(shown)) if len(shown) >= LIMITS.min_sets_for_sigma else 0.0
     return max(least, LIMITS.contradiction * usual)
 
 

@@ -15,6 +15,7 @@ import shapely
 from scipy.spatial import cKDTree
 
 from ...errors import InsufficientDataError
+from ...geometry.tolerances import LEAST_DIVISOR
 from ...io.points.pointcloud import PointCloud, iter_chunks, valid_points
 from ...progress import SILENT, Progress
 from ...wording import say
@@ -160,7 +161,7 @@ def outline_corners(outlines: Sequence[shapely.Geometry | None]) -> OutlineCorne
     for ring in rings:
         edges_out = np.stack([np.roll(ring, 1, axis=0) - ring, np.roll(ring, -1, axis=0) - ring], axis=1)
         length = np.linalg.norm(edges_out, axis=2)
-        unit = edges_out / np.maximum(length, 1e-9)[..., None]
+        unit = edges_out / np.maximum(length, LEAST_DIVISOR)[..., None]
         angle = np.degrees(np.arccos(np.clip((unit[:, 0] * unit[:, 1]).sum(axis=1), -1, 1)))
         good = (angle > LIMITS.min_angle) & (angle < LIMITS.max_angle) & (length.min(axis=1) >= LIMITS.min_edge)
         places.append(ring[good])

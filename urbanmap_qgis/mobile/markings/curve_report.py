@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from ...geometry.tolerances import ROUNDING
 from ...io.pages.report import BAD, GOOD, LOOK, Report
 from ...wording import mark, say
 from .extraction import Extraction
@@ -183,7 +184,7 @@ def _ticks(top: float) -> np.ndarray:
     """About five round values from 0 to `top`."""
     power = 10.0 ** np.floor(np.log10(top / 5))
     step = next(step * power for step in (1, 2, 5, 10) if step * power >= top / 5)
-    return np.arange(0.0, top + 1e-9, step)
+    return np.arange(0.0, top + ROUNDING, step)
 
 
 def facts_of(extraction: Extraction) -> Mapping[str, float]:

@@ -23,6 +23,7 @@ from scipy.ndimage import gaussian_filter1d
 from scipy.optimize import least_squares
 
 from ...errors import InsufficientDataError
+from ...geometry.tolerances import LEAST_DIVISOR, SIGMA_OF_MAD
 from ...wording import say
 
 
@@ -272,7 +273,7 @@ def _fit(ranges: np.ndarray, level: np.ndarray, points: np.ndarray) -> tuple[flo
         return _model(ranges / reach, floor, gain, fall, near / reach)
 
     def misfit(p: np.ndarray) -> np.ndarray:
-        return weight * (np.log(np.maximum(values(p), 1e-9)) - level)
+        return weight * (np.log(np.maximum(values(p), LEAST_DIVISOR)) - level)
 
     best = None
     for has_floor, has_near, price in _MODELS:
@@ -307,7 +308,7 @@ def _judged(middle: np.ndarray, level: np.ndarray, points: np.ndarray, counts: n
     if scatter > LIMITS.max_scatter:
         raise InsufficientDataError(say("the intensity of asphalt scatters too much to tell paint from it"))
     return IntensityCurve(*parameters, r1, r2, nearest, middle[rows], np.exp(level[rows]), points[rows],
-                          np.isin(rows, run), float(1.4826 * residual), float(scatter))
+                          np.isin(rows, run), float(SIGMA_OF_MAD * residual), float(scatter))
 
 
 def scatter_about(histogram: RangeHistogram, curve: IntensityCurve) -> float:

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...geometry.tolerances import SIGMA_OF_MAD
+from ...geometry.tolerances import LEAST_DIVISOR, SIGMA_OF_MAD
 from ..calibration import Mount
 from ..trajectory import Trajectory, interpolate, rotations
 from .ranges import Track
@@ -227,7 +227,7 @@ def _off(cell: np.ndarray, cells: int, values: np.ndarray) -> np.ndarray:
     even = values < LIMITS.bright * mean[cell]
     some = np.maximum(np.bincount(cell[even], minlength=cells), 1)
     mean = np.bincount(cell[even], weights=values[even], minlength=cells) / some
-    return np.log(values / np.maximum(mean, 1e-9)[cell])
+    return np.log(values / np.maximum(mean, LEAST_DIVISOR)[cell])
 
 
 def _medians(values: np.ndarray, group: np.ndarray, count: int) -> np.ndarray:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...geometry.tolerances import ROUNDING
 from ..calibration import Calibration, MountedScanner, scanner_of, scanner_positions
 from ..trajectory import Trajectory, interpolate
 
@@ -66,7 +67,7 @@ class Tracks:
 
 def _times(epochs: np.ndarray) -> np.ndarray:
     """The epochs, and times between those that are more than `STEP` apart."""
-    parts = np.maximum(np.ceil(np.diff(epochs) / STEP - 1e-9), 1).astype(int)
+    parts = np.maximum(np.ceil(np.diff(epochs) / STEP - ROUNDING), 1).astype(int)
     number = np.repeat(np.arange(len(parts)), parts)
     within = np.arange(len(number)) - np.repeat(np.cumsum(parts) - parts, parts)
     return np.append(epochs[number] + np.diff(epochs)[number] * within / parts[number], epochs[-1])

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from ...geometry.tolerances import LEAST_SQUARE
 from ..formats.lanelet_tags import VEHICLE_SUBTYPES
 from .inspection import CheckedLane, MapInspection
 from .rule_table import Broken, MapRule, broken, rule
@@ -63,7 +64,7 @@ def _curvature(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
             one, other, chord = places[1:-1] - places[:-2], places[2:] - places[1:-1], places[2:] - places[:-2]
             area = np.abs(one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0])
             sides = np.prod([np.linalg.norm(side, axis=1) for side in (one, other, chord)], axis=0)
-            kinks = np.flatnonzero(2.0 * area > LIMITS.sharpest * np.maximum(sides, 1e-12))
+            kinks = np.flatnonzero(2.0 * area > LIMITS.sharpest * np.maximum(sides, LEAST_SQUARE))
             if len(kinks):
                 yield broken("relation", lane.number, node=nodes[kinks[0] + 1])
                 break

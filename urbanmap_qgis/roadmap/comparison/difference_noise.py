@@ -12,9 +12,6 @@ SIGMAS = 3.0
 FLOOR = 0.001
 """Files round coordinates: no sigma is estimated below this, m."""
 
-ROBUST = 1.4826
-"""Standard deviation of normal errors over their median size."""
-
 EFFICIENCY = 0.87
 """The biweight scale knows the spread as well as the standard deviation of this share of the values does."""
 

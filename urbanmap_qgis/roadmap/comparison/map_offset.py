@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 from scipy.spatial import cKDTree
 
-from ...geometry.tolerances import LEAST_DIVISOR
+from ...geometry.tolerances import LEAST_DIVISOR, SIGMA_OF_MAD
 from .comparison_records import MapOffset
 from .cross_sections import LineMatches, LineSamples
-from .difference_noise import BOTH, EFFICIENCY, FLOOR, ROBUST, limit_of, robust_scale
+from .difference_noise import BOTH, EFFICIENCY, FLOOR, limit_of, robust_scale
 
 BLOCK = 20.0
 """Differences along a line are taken together over this length, m."""
@@ -80,7 +80,7 @@ def robust_offset(normals: np.ndarray, across: np.ndarray, share: np.ndarray, in
         inverse = np.linalg.inv(weighted.T @ rows + LEAST_DIVISOR * np.eye(axes.shape[1]))
         offset = inverse @ (weighted.T @ across)
         rest = np.abs(across - rows @ offset)
-        scale = max(ROBUST * float(np.median(rest)), FLOOR)
+        scale = max(SIGMA_OF_MAD * float(np.median(rest)), FLOOR)
         weights = share * np.maximum(1.0 - (rest / (TUKEY * scale)) ** 2, 0.0) ** 2
     spread = max(robust_scale(across - rows @ offset), FLOOR)
     covariance = inverse * spread ** 2

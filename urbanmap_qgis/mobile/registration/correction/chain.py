@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ....geometry.tolerances import LEAST_SQUARE
 from ...trajectory import Trajectory
 from ..matching.block_chain import ChainSolution, solve_chain
 from .error_model import PoseErrorModel
@@ -219,7 +220,7 @@ class NodeChain:
         np.add.at(information, self.node, self.normals.information * weight[:, None, None])
         np.add.at(gradient, self.node, self.normals.normal_vector * weight[:, None])
         values, vectors = np.linalg.eigh(information)
-        determined = values > _SINGULAR * np.maximum(values[:, -1:], 1e-12)
+        determined = values > _SINGULAR * np.maximum(values[:, -1:], LEAST_SQUARE)
         along = np.einsum("kji,kj->ki", vectors, gradient)
         best = 0.5 * (np.where(determined, along**2, 0.0) / np.where(determined, values, 1.0)).sum()
         count = np.bincount(self.node, allowed, k)

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ....geometry.tolerances import LEAST_DIVISOR
 from ....wording import mark, say
 from .chain import NodeChain
 from .error_model import PoseErrorModel
@@ -91,7 +92,7 @@ class NodeStep:
     @property
     def sigma(self) -> float:
         """m, along the step."""
-        unit = self.change / max(self.size, 1e-9)
+        unit = self.change / max(self.size, LEAST_DIVISOR)
         return float(np.sqrt(unit @ self.covariance @ unit))
 
 

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ....geometry.tolerances import LEAST_DIVISOR
 from ...trajectory import Trajectory, jumps, path_chainage
 
 STILL, CREPT = 0.03, 0.25
@@ -162,7 +163,7 @@ class _Stops:
     def variance(self) -> np.ndarray:
         """(e - 1,) m2, of what the vehicle may have moved in each step beyond what is taken for its error."""
         standing, beside = self._seconds(self.still), self._seconds(self.beside)
-        still = np.where(standing > 0, (STILL + CREPT * self.ahead) ** 2 / np.maximum(standing, 1e-9), 0.0)
+        still = np.where(standing > 0, (STILL + CREPT * self.ahead) ** 2 / np.maximum(standing, LEAST_DIVISOR), 0.0)
         slow = (0.5 * np.linalg.norm(self.speed(), axis=1)) ** 2 * beside
         return self.span * np.where(self.still, still[self.run], np.where(self.beside, slow[self.run], 0.0))
 

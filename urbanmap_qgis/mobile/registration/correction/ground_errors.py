@@ -10,6 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ....geometry.tolerances import SIGMA_OF_MAD
+
 LENGTH = 25.0
 """m in which an error of the heights forgets itself (Gaussian: correlation exp(-d2 / 2 L2))."""
 
@@ -58,7 +60,7 @@ def ground_sigma(differences: HeightDifferences) -> float:
     if near.sum() < LIMITS.fewest or far.sum() < LIMITS.fewest:
         return LIMITS.unknown
     step = step - turn @ np.linalg.lstsq(turn[far], step[far], rcond=None)[0]
-    squares = [(1.4826 * np.median(np.abs(step[mask]))) ** 2 for mask in (near, far)]
+    squares = [(SIGMA_OF_MAD * np.median(np.abs(step[mask]))) ** 2 for mask in (near, far)]
     shared = [np.exp(-0.5 * (np.mean(distance[mask]) / LENGTH) ** 2) for mask in (near, far)]
     return float(np.clip(np.sqrt(max(squares[1] - squares[0], 0.0) / (2 * (shared[0] - shared[1]))), LIMITS.least,
                          LIMITS.most))

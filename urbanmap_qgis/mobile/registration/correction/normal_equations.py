@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ....geometry.tolerances import LEAST_SQUARE
 from ..records import WindowResults
 
 PLANE, SPACE = (0, 1, 5), (0, 1, 2, 3, 4, 5)
@@ -59,7 +60,7 @@ class NormalEquations:
         """(n,) reduced chi square in plan of corrections (n, d): how far each piece's observations lie from them."""
         plan = self.in_plan()
         sizes, axes = np.linalg.eigh(self.information[:, plan][:, :, plan])
-        determined = sizes > 1e-3 * np.maximum(sizes[:, -1:], 1e-12)
+        determined = sizes > 1e-3 * np.maximum(sizes[:, -1:], LEAST_SQUARE)
         along = np.einsum("nji,nj->ni", axes, self.gradient_at(value)[:, plan])
         pulls = np.where(determined, along**2, 0.0) / np.where(determined, sizes, 1.0)
         return pulls.sum(axis=1) / np.maximum(determined.sum(axis=1), 1)

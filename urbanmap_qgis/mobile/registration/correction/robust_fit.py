@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ....geometry.tolerances import LEAST_DIVISOR
 from ....progress import Progress
 from .chain import NodeChain
 from .error_model import PoseErrorModel
@@ -160,5 +161,5 @@ def _block_shares(test: np.ndarray, noise: float, settings: CorrectionSettings) 
     if len(fair) >= LIMITS.min_blocks:  # the median, so that gross blocks do not raise it
         noise *= float(np.clip(np.median(fair) / 0.8, 0.1, 2.0))
     test = np.nan_to_num(test, nan=0.0)
-    share = np.minimum(1.0, settings.gross**2 / 6.0 / np.maximum(test, 1e-9))
+    share = np.minimum(1.0, settings.gross**2 / 6.0 / np.maximum(test, LEAST_DIVISOR))
     return np.where(test > settings.gross**2 / 2.0, 0.0, share), noise

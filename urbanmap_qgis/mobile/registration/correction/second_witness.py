@@ -8,6 +8,7 @@ from typing import Protocol
 
 import numpy as np
 
+from ....geometry.tolerances import LEAST_DIVISOR
 from ....wording import mark, say
 from .chain import NodeChain
 from .disagreements import CorrectionStep, Disagreements, NodeStep
@@ -146,7 +147,7 @@ class WitnessConflict:
         made = []
         for item in self.stretches:
             size = float(np.hypot(*item.change))
-            sigma = float(np.sqrt(item.change @ item.covariance @ item.change)) / max(size, 1e-9)
+            sigma = float(np.sqrt(item.change @ item.covariance @ item.change)) / max(size, LEAST_DIVISOR)
             begin = max(item.begin, float(chainage[0]))
             ends = np.clip([item.begin - LIMITS.reach, item.end + LIMITS.reach], chainage[0], chainage[-1])
             made.append(CorrectionStep(begin, float(np.interp(begin, chainage, time)), *(-item.change).tolist(), sigma,
@@ -192,4 +193,4 @@ def with_conflict(status: np.ndarray, reason: np.ndarray, against: np.ndarray) -
 def wall_shares(by_paint: np.ndarray, by_walls: np.ndarray) -> np.ndarray:
     """(n,) 0 to 1, share of the walls in what both know of a place in plan, information (n, 2, 2) each."""
     paint, walls = (np.einsum("nii->n", part) for part in (by_paint, by_walls))
-    return walls / np.maximum(paint + walls, 1e-9)
+    return walls / np.maximum(paint + walls, LEAST_DIVISOR)

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ....geometry.tolerances import SIGMA_OF_MAD
 from ...trajectory import Trajectory, path_chainage
 from .disagreements import Disagreements, NodeStep
 
@@ -21,7 +22,6 @@ class SideSlipLimits:
     piece: float = 20.0  # m of path at least, over which slips are compared
     every: float = 5.0  # m of path between the pieces that show the usual slip
     pieces: int = 20  # from which the usual slip can be told
-    robust: float = 1.4826
     floor: float = 0.02  # m, of a slip's standard deviation at least
     rounds: int = 5
     soft: float = 2.5  # standard deviations from which a piece loses weight
@@ -111,7 +111,7 @@ def _robust_line(design: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, fl
         root = np.sqrt(weight)
         usual = np.linalg.lstsq(design * root[:, None], values * root, rcond=None)[0]
         off = values - design @ usual
-        sigma = LIMITS.robust * float(np.median(np.abs(off)))
+        sigma = SIGMA_OF_MAD * float(np.median(np.abs(off)))
         weight = 1.0 / (1.0 + (off / max(LIMITS.soft * sigma, 1e-6)) ** 2)
     return usual, sigma
 

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ....geometry.tolerances import SIGMA_OF_MAD
 from .disagreements import Disagreements, NodeStep
 from .gauss_markov import StopMovement
 from .side_slip import SideSlip
@@ -24,7 +25,6 @@ class SlipStepLimits:
     every: float = 5.0  # m of path between the places that are looked at
     straight: float = 20.0  # degrees that the path turns by at most
     fewest: int = 20  # places from which the usual difference can be told
-    robust: float = 1.4826
     proof: float = 4.5  # standard deviations
     least: float = 0.06  # m
     same: float = 40.0  # m of path within which two steps are one
@@ -61,7 +61,7 @@ def slip_steps(slip: SideSlip, course: Course, stops: StopMovement, nodes: np.nd
     if np.count_nonzero(straight) < LIMITS.fewest:
         return []
     usual = np.median(off[straight])
-    scale = LIMITS.robust * np.median(np.abs(off[straight] - usual))
+    scale = SIGMA_OF_MAD * np.median(np.abs(off[straight] - usual))
     off, sigma = off - usual, np.sqrt(np.maximum(variance, scale**2) + loose)
     likely = np.flatnonzero(straight & (np.abs(off) > np.maximum(LIMITS.proof * sigma, LIMITS.least)))
     chosen: list[int] = []

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.linalg import LinAlgError, solveh_banded
 
+from ....geometry.tolerances import LEAST_DIVISOR
 from ..start.patch_points import PatchPoints
 from .block_chain import solve_chain
 from .ndt_match import rotation_matrix
@@ -48,7 +49,7 @@ class CorrectionCurve:
         path_parameter = self.chainage + self.stop_time
         before = np.clip(np.searchsorted(path_parameter, points.path_parameter) - 1, 0, max(len(path_parameter) - 2, 0))
         after = np.minimum(before + 1, len(path_parameter) - 1)
-        span = np.maximum(path_parameter[after] - path_parameter[before], 1e-9)
+        span = np.maximum(path_parameter[after] - path_parameter[before], LEAST_DIVISOR)
         share = np.clip((points.path_parameter - path_parameter[before]) / span, 0, 1)[:, None]
         translation = self.translation[before] + share * (self.translation[after] - self.translation[before])
         rotation = self.rotation[before] + share * (self.rotation[after] - self.rotation[before])

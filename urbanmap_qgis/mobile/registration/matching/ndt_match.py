@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ....geometry.tolerances import LEAST_SQUARE
 from .ndt_map import NdtMap
 
 
@@ -221,7 +222,7 @@ def match_points(points: np.ndarray, start: RigidMotion, ndt: NdtMap, mixture: M
     for done in range(iterations):
         step = newton_step(now.gradient, now.hessian, extent)
         largest = np.abs(step[:-1] if count == 3 else step[:3]).max()
-        step *= min(1.0, _STEP_LIMIT * ndt.cell / max(largest, 1e-12))
+        step *= min(1.0, _STEP_LIMIT * ndt.cell / max(largest, LEAST_SQUARE))
         for _ in range(6):
             trial = pose.after(step)
             candidate = derivatives_at(trial)
@@ -244,6 +245,6 @@ def newton_step(gradient: np.ndarray, hessian: np.ndarray, extent: float = 1.0) 
     d = 2 if len(gradient) == 3 else 3
     scale = np.concatenate([np.ones(d), np.full(len(gradient) - d, 1.0 / extent)])
     values, vectors = np.linalg.eigh(-(hessian * scale * scale[:, None]))
-    least = 1e-4 * max(np.abs(values).max(), 1e-12)
+    least = 1e-4 * max(np.abs(values).max(), LEAST_SQUARE)
     inverse = 1.0 / np.maximum(np.abs(values), least)
     return scale * (vectors @ (inverse * (vectors.T @ (scale * gradient))))

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ....errors import InsufficientDataError
+from ....geometry.tolerances import ROUNDING
 from ....wording import say
 from ...trajectory import Trajectory, interpolate, path_chainage
 
@@ -65,7 +66,7 @@ def divide_path(trajectory: Trajectory, length: float) -> Patches:
     InsufficientDataError : the vehicle drives less than one patch.
     """
     chainage = path_chainage(trajectory)
-    count = int(np.ceil(chainage[-1] / length - 1e-9))
+    count = int(np.ceil(chainage[-1] / length - ROUNDING))
     if count < 1:
         raise InsufficientDataError(say("The trajectory drives {chainage:.2f} m, less than one patch of {length:g} "
                                         "m: give a longer one.", chainage=chainage[-1], length=length))

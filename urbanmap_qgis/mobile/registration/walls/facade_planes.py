@@ -8,6 +8,7 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
+from ....geometry.tolerances import LEAST_DIVISOR
 from ....io.points.pointcloud import PointCloud, iter_chunks, open_cloud, valid_points
 from ....progress import SILENT, Progress
 from ...apply_correction import survey_time_shift
@@ -97,7 +98,7 @@ def facade_planes(paths: Sequence[str | os.PathLike] | PointCloud, trajectory: T
     body = interpolate(trajectory, time)
     lever_arm, normal = found.centroid - body.place, found.normal[:, :2]
     normal = normal * -np.sign((normal * lever_arm[:, :2]).sum(axis=1))[:, None]
-    normal = normal / np.maximum(np.hypot(*normal.T), 1e-9)[:, None]
+    normal = normal / np.maximum(np.hypot(*normal.T), LEAST_DIVISOR)[:, None]
     back = np.linalg.inv(angle_rates(body.angles)) if len(time) else np.zeros((0, 6, 6))
     along, chainage = (np.interp(time, trajectory.time, way) for way in (path_parameter, path_chainage(trajectory)))
     return FacadePlanes(along, chainage, found.centroid, lever_arm, normal, back)

@@ -15,6 +15,8 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
+from ....geometry.tolerances import LEAST_DIVISOR, SIGMA_OF_MAD
+
 
 @dataclass(frozen=True)
 class StraightnessLimits:
@@ -32,7 +34,6 @@ class StraightnessLimits:
     sigma: float = 0.02  # m, of a piece of a wall at least: structure of facades
     pieces: int = 2  # of a wall before and after
     bend: float = 0.01  # m a m: by so much walls may turn against their direction, as the correction's drift does
-    robust: float = 1.4826
     rounds: int = 4
     soft: float = 2.5  # standard deviations from which a wall loses weight
     walls: int = 2  # which must bear a jump out, each of them without the other ones
@@ -136,7 +137,7 @@ def _walls(wall: np.ndarray, far: np.ndarray) -> Iterator[np.ndarray]:
 def _wall_evidence(along: np.ndarray, place: np.ndarray,
                    normal: np.ndarray) -> tuple[np.ndarray, float, float] | None:
     """A wall's direction (2,), its jump along it, m, and the variance of that; None where it does not reach over."""
-    unit = normal.sum(axis=0) / max(float(np.hypot(*normal.sum(axis=0))), 1e-9)
+    unit = normal.sum(axis=0) / max(float(np.hypot(*normal.sum(axis=0))), LEAST_DIVISOR)
     centre = place.mean(axis=0)
     off = (place - centre) @ unit
     way = (place - centre) @ np.array([unit[1], -unit[0]])
@@ -147,7 +148,7 @@ def _wall_evidence(along: np.ndarray, place: np.ndarray,
     after = np.bincount(piece, along > 0) / count > 0.5
     if min(np.count_nonzero(after), np.count_nonzero(~after)) < LIMITS.pieces:
         return None
-    scatter = LIMITS.robust * np.median(np.abs(off - mean_off[piece]))
+    scatter = SIGMA_OF_MAD * np.median(np.abs(off - mean_off[piece]))
     variance = LIMITS.sigma**2 + scatter**2 / count
     design = np.column_stack([np.ones(len(count)), mean_way, after])
     prior = np.diag([0.0, 1.0 / LIMITS.bend**2, 1e-6])

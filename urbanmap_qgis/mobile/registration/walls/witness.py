@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ....geometry.tolerances import SIGMA_OF_MAD
 from ..correction.chain import NodeChain, smooth_between
 from ..correction.error_model import PoseErrorModel
 from ..correction.held_observations import HeldObservations
@@ -37,7 +38,6 @@ class WitnessLimits:
     walls: int = 4  # from which their differences can be told
     rounds: int = 10  # at most, until the walls' own course moves by less than `settled` m
     settled: float = 0.02
-    robust: float = 1.4826
     freedom: float = 1.25  # by which walls differ more than from a course that follows them
 
 
@@ -130,7 +130,7 @@ class WallWitness:
         _, _, middle = self.matched(curve).by_wall()
         if len(middle) < LIMITS.walls:
             return self.differ
-        spread = LIMITS.freedom * LIMITS.robust * float(np.median(np.abs(middle - np.median(middle))))
+        spread = LIMITS.freedom * SIGMA_OF_MAD * float(np.median(np.abs(middle - np.median(middle))))
         return float(np.clip(spread, LIMITS.differ[0], LIMITS.differ[2]))
 
     def with_eaves(self, eaves: float) -> WallWitness:
