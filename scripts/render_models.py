@@ -21,11 +21,12 @@ from pathlib import Path
 
 import numpy as np
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
 SURFACE_COLOURS = {"roof": "#c4573f", "outer wall": "#efe6d8", "inner wall": "#d9c7a8", "ground": "#8d9486"}
 OTHER_COLOUR = "#efe6d8"
 GROUND_COLOUR = "#c3cdb9"
 SKY_COLOUR = "#e4edf5"
-EDGE_COLOUR = "#5a4a42"
 FIELD_OF_VIEW = 30.0
 """Vertical opening of the camera in degrees: calmer than the 45 of the 3D window."""
 MARGIN = 1.06
@@ -162,24 +163,16 @@ def fit_view(vertices: np.ndarray, options: argparse.Namespace) -> View:
 
 def surface_symbol(colour: str, *, edges: bool = True):
     from qgis import _3d as engine
-    from qgis.core import Qgis
     from qgis.PyQt.QtGui import QColor
+
+    from scripts.styles.symbols import edged, surface_3d
 
     material = engine.QgsPhongMaterialSettings()
     material.setDiffuse(QColor(colour))
     material.setAmbient(QColor(colour).darker(190))
     material.setSpecular(QColor("black"))
-    symbol = engine.QgsPolygon3DSymbol()
-    if hasattr(symbol, "setMaterialSettings"):  # QGIS 3.30 and later
-        symbol.setMaterialSettings(material)
-        symbol.setAltitudeClamping(Qgis.AltitudeClamping.Absolute)
-    else:
-        symbol.setMaterial(material)
-        symbol.setAltitudeClamping(engine.Qgs3DTypes.AltClampAbsolute)
-    symbol.setEdgesEnabled(edges)
-    symbol.setEdgeColor(QColor(EDGE_COLOUR))
-    symbol.setEdgeWidth(1)
-    return symbol
+    symbol = surface_3d(material)
+    return edged(symbol) if edges else symbol
 
 
 def style_models(layer) -> None:

@@ -19,7 +19,6 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 import numpy as np
 from qgis import _3d as engine
 from qgis.core import (
-    Qgis,
     QgsApplication,
     QgsCategorizedSymbolRenderer,
     QgsFeature,
@@ -43,6 +42,7 @@ from qgis.PyQt.QtCore import QVariant
 from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtXml import QDomDocument
 
+from scripts.styles.symbols import surface_3d
 from urbanmap_qgis.samplecity.aerial.camera import Camera, Exposure
 from urbanmap_qgis.samplecity.aerial.flight import footprint
 
@@ -100,13 +100,7 @@ def plates(layer: QgsVectorLayer, height: float) -> QgsVectorLayer:
     material = engine.QgsPhongMaterialSettings()
     material.setDiffuse(QColor("#7f93ad"))
     material.setAmbient(QColor("#4f5f75"))
-    symbol = engine.QgsPolygon3DSymbol()
-    if hasattr(symbol, "setMaterialSettings"):  # QGIS 3.30 and later
-        symbol.setMaterialSettings(material)
-        symbol.setAltitudeClamping(Qgis.AltitudeClamping.Absolute)
-    else:
-        symbol.setMaterial(material)
-        symbol.setAltitudeClamping(engine.Qgs3DTypes.AltClampAbsolute)
+    symbol = surface_3d(material)
     symbol.setHeight(height)
     layer.setRenderer3D(engine.QgsVectorLayer3DRenderer(symbol))
     return layer

@@ -35,6 +35,11 @@ def solid_symbol(colour: str):
     material.setDiffuse(QColor(colour).darker(125))
     material.setAmbient(QColor(colour).darker(180))
     material.setSpecular(QColor("black"))
+    return edged(surface_3d(material))
+
+
+def surface_3d(material: engine.QgsPhongMaterialSettings) -> engine.QgsPolygon3DSymbol:
+    """3D symbol of a material for surfaces that have their heights in them."""
     symbol = engine.QgsPolygon3DSymbol()
     if hasattr(symbol, "setMaterialSettings"):  # QGIS 3.30 and later
         symbol.setMaterialSettings(material)
@@ -42,6 +47,11 @@ def solid_symbol(colour: str):
     else:
         symbol.setMaterial(material)
         symbol.setAltitudeClamping(engine.Qgs3DTypes.AltClampAbsolute)
+    return symbol
+
+
+def edged(symbol: engine.QgsPolygon3DSymbol) -> engine.QgsPolygon3DSymbol:
+    """The symbol with its edges drawn."""
     symbol.setEdgesEnabled(True)
     symbol.setEdgeColor(QColor(EDGE))
     symbol.setEdgeWidth(1)
