@@ -26,7 +26,8 @@ from urbanmap_qgis.mobile.markings.extraction import ExtractionSettings
 from urbanmap_qgis.mobile.markings.records import MarkingPoints
 from urbanmap_qgis.mobile.registration.records import RegistrationSettings
 from urbanmap_qgis.mobile.registration.register import register_windows
-from urbanmap_qgis.mobile.registration.stage import RegistrationRun, register_markings
+from urbanmap_qgis.mobile.registration.run import RegistrationRun
+from urbanmap_qgis.mobile.registration.stage import register_markings
 from urbanmap_qgis.mobile.registration.start.reference import Reference
 from urbanmap_qgis.mobile.registration.survey_markings import survey_markings
 from urbanmap_qgis.mobile.trajectory import Trajectory, interpolate, path_chainage

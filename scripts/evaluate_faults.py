@@ -29,7 +29,8 @@ from urbanmap_qgis.mobile.markings.extraction import ExtractionSettings
 from urbanmap_qgis.mobile.markings.records import MarkingPoints
 from urbanmap_qgis.mobile.registration.correction.patch_status import DISTRUSTED, REGISTERED
 from urbanmap_qgis.mobile.registration.records import RegistrationSettings
-from urbanmap_qgis.mobile.registration.stage import RegistrationRun, register_markings
+from urbanmap_qgis.mobile.registration.run import RegistrationRun
+from urbanmap_qgis.mobile.registration.stage import register_markings
 from urbanmap_qgis.mobile.registration.start.reference import Reference
 from urbanmap_qgis.mobile.registration.survey_markings import survey_markings
 from urbanmap_qgis.mobile.registration.walls.witness import WallWitness

@@ -41,7 +41,8 @@ from urbanmap_qgis.mobile.pose_correction import correction_between
 from urbanmap_qgis.mobile.registration.correction.patchwise import correct_patchwise
 from urbanmap_qgis.mobile.registration.records import REGISTERED, RegistrationSettings, WindowResults
 from urbanmap_qgis.mobile.registration.register import register_windows
-from urbanmap_qgis.mobile.registration.stage import RegistrationRun, register_markings
+from urbanmap_qgis.mobile.registration.run import RegistrationRun
+from urbanmap_qgis.mobile.registration.stage import register_markings
 from urbanmap_qgis.mobile.registration.start.reference import Reference
 from urbanmap_qgis.mobile.registration.survey_markings import survey_markings
 from urbanmap_qgis.mobile.registration.virtual_control import reference_corners, survey_corners, virtual_control

@@ -141,7 +141,7 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
         """The core's settings."""
         from ...urbanmap_qgis.mobile.adjustment.records import AdjustmentRun
         from ...urbanmap_qgis.mobile.registration.records import RegistrationSettings
-        from ...urbanmap_qgis.mobile.registration.stage import RegistrationRun
+        from ...urbanmap_qgis.mobile.registration.run import RegistrationRun
 
         def number(name):
             return self.parameterAsDouble(parameters, name, context)

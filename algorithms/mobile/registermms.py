@@ -149,7 +149,7 @@ class RegisterMms(UrbanMapAlgorithm):
         from ...urbanmap_qgis.mobile.markings.plain_threshold import PlainThreshold
         from ...urbanmap_qgis.mobile.registration.correction.adjustment import CorrectionSettings
         from ...urbanmap_qgis.mobile.registration.records import RegistrationSettings
-        from ...urbanmap_qgis.mobile.registration.stage import RegistrationRun
+        from ...urbanmap_qgis.mobile.registration.run import RegistrationRun
 
         def number(name):
             return self.parameterAsDouble(parameters, name, context)

@@ -25,7 +25,8 @@ from urbanmap_qgis.mobile.registration.correction.adjustment import CorrectionSe
 from urbanmap_qgis.mobile.registration.records import RegistrationSettings
 from urbanmap_qgis.mobile.registration.registered_survey import patch_table, unregistered_sections
 from urbanmap_qgis.mobile.registration.report import write_registration_report
-from urbanmap_qgis.mobile.registration.stage import RegistrationRun, register_markings
+from urbanmap_qgis.mobile.registration.run import RegistrationRun
+from urbanmap_qgis.mobile.registration.stage import register_markings
 from urbanmap_qgis.mobile.registration.start.reference import Reference
 from urbanmap_qgis.mobile.registration.survey_markings import survey_markings
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory

@@ -26,7 +26,8 @@ from urbanmap_qgis.mobile.registration.records import (
     WindowResults,
 )
 from urbanmap_qgis.mobile.registration.register import register_windows
-from urbanmap_qgis.mobile.registration.stage import RegistrationRun, register_markings
+from urbanmap_qgis.mobile.registration.run import RegistrationRun
+from urbanmap_qgis.mobile.registration.stage import register_markings
 from urbanmap_qgis.mobile.registration.start.patches import divide_path
 from urbanmap_qgis.mobile.registration.start.reference import Reference
 from urbanmap_qgis.mobile.trajectory import Trajectory, interpolate, move_points, rotations

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..registration.correction.gauss_markov import path_parameters_of
-from ..registration.stage import RegistrationRun
+from ..registration.run import RegistrationRun
 from ..trajectory import Trajectory
 from .network import KINDS, Network, NetworkObservations, plan_residuals
 from .reference_steps import ReferenceStep

@@ -21,7 +21,8 @@ from ..passes import BlockPositions
 from ..registration.correction.gauss_markov import path_parameters_of
 from ..registration.correction.patch_status import REGISTERED
 from ..registration.registered_survey import RegisteredSurvey
-from ..registration.stage import RegistrationRun, register_markings
+from ..registration.run import RegistrationRun
+from ..registration.stage import register_markings
 from ..registration.start.reference import Reference
 from ..trajectory import Trajectory, interpolate
 from .network import NONE, REFERENCE, RELATIVE_KINDS, TIE, NetworkObservations

@@ -9,30 +9,23 @@ from __future__ import annotations
 
 from concurrent.futures import Executor
 from dataclasses import replace
-from functools import partial
 
 import numpy as np
 
 from ...errors import InputError, InsufficientDataError
-from ...execution import in_order
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..markings.records import MarkingPoints
 from ..trajectory import Trajectory
-from .matching.path_section import PathSection, adjust_section
 from .matching.results import assemble
 from .matching.rigid_windows import register_rigid_windows
-from .matching.windows import Windows, choose_windows
+from .matching.sections import adjusted_sections
+from .matching.windows import choose_windows
 from .records import RegistrationSettings, WindowResults
-from .start.fast_drift import fast_drift_rate
-from .start.initial_shifts import InitialShifts
-from .start.patch_points import PatchPoints, thin_points
-from .start.patches import Patches, divide_path
+from .start.patch_points import thin_points
+from .start.patches import divide_path
 from .start.reference import Reference
 from .start.start_search import at_border, search_start
-
-_SECTION_PATCHES = 400  # patches of a section's core
-_AROUND = 10  # patches of a section more than its windows need
 
 
 def register_windows(markings: MarkingPoints, trajectory: Trajectory, reference: Reference,
@@ -70,26 +63,7 @@ def register_windows(markings: MarkingPoints, trajectory: Trajectory, reference:
     progress.step(0.4)
     if not settings.shared_windows:
         return register_rigid_windows(markings, patches, windows, start, reference, settings, progress.part(0.4, 1.0))
-    sections = list(_sections(points, patches, windows, start))
-    work = partial(adjust_section, reference=reference, settings=settings)
-    adjusted = []
-    for result in in_order(work, sections, executor, progress.check):
-        adjusted.append(result)
-        progress.step(0.4 + 0.6 * len(adjusted) / len(sections))
+    adjusted = adjusted_sections(points, patches, windows, start, reference, settings, progress.part(0.4, 1.0),
+                                 executor)
     return replace(assemble(patches, windows, start, adjusted, settings),
                    beyond=settings.start and at_border(start, search))
-
-
-def _sections(points: PatchPoints, patches: Patches, windows: Windows, start: InitialShifts):
-    """Pieces of the path with the points of all windows in them."""
-    fast = fast_drift_rate(patches.chainage, start.shift_at(np.arange(len(patches))))
-    for core_first in range(0, len(patches), _SECTION_PATCHES):
-        core_last = min(core_first + _SECTION_PATCHES, len(patches)) - 1
-        core = slice(core_first, core_last + 1)
-        first = max(int(windows.first[core].min()) - _AROUND, 0)
-        last = min(int(windows.last[core].max()) + _AROUND, len(patches) - 1)
-        rows = np.arange(first, last + 1)
-        yield PathSection(first, core_first - first, core_last - first, patches.chainage[rows], patches.stop_time[rows],
-                      patches.place[rows],
-                      start.shift_at(rows), fast[rows], windows.first[core] - first, windows.last[core] - first,
-                      points.of_patches(first, last))

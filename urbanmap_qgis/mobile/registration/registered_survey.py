@@ -6,10 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...progress import Progress
+from ...wording import say
 from ..markings.records import MarkingPoints
 from ..trajectory import Trajectory
 from .correction.adjustment import Correction
-from .correction.patch_status import REGISTERED, STATUS_NAMES
+from .correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED, STATUS_NAMES
 from .records import WindowResults
 
 _SHORTEST = 1.0  # m: shorter sections are joined to what is around them when they are listed
@@ -125,3 +127,32 @@ def patch_table(survey: RegisteredSurvey) -> tuple[dict[str, object], np.ndarray
     if correction.walls is not None:
         columns.update({"paint": 1.0 - correction.walls, "walls": correction.walls})
     return columns, windows.place + correction.value[:, :3]
+
+
+def tell_result(survey: RegisteredSurvey, progress: Progress) -> None:
+    """Say what was reached, and warn of what must not be trusted."""
+    correction = survey.correction
+    middle, _ = survey.plan_accuracy()
+    spread = (say("standard deviation in plan over the whole path {sigma:.1f} cm (median)", sigma=100 * middle)
+              if np.isfinite(middle) else say("how accurate it is is not known"))
+    progress.message(say("{share:.0f} % of the path is registered, {share_2:.0f} % bridged; {spread}.",
+                         share=100 * survey.share(REGISTERED), share_2=100 * survey.share(BRIDGED), spread=spread))
+    if correction.heading_factor > 1.0:
+        progress.warn(say("The reported heading contradicts the markings by {correction:.1f} degrees (median), much "
+                          "more than its accuracy: it was corrected; check the calibration and the trajectory.",
+                          correction=abs(np.median(correction.value[:, 5]))))
+    if correction.steps:
+        first = correction.steps[0]
+        progress.warn(say("Reference and survey disagree at {count} places, the first at {place:.0f} m by {size:.2f} m "
+                          "({kind}): see the steps' layer and the report.", count=len(correction.steps),
+                          place=first.place, size=first.size, kind=say(first.kind)))
+    if survey.share(DISTRUSTED) > 0:
+        spans = [item for item in unregistered_sections(survey) if item.status == STATUS_NAMES[DISTRUSTED]]
+    else:
+        spans = []
+    if spans:  # those shorter than a metre are not listed
+        longest = max(spans, key=lambda item: item.end - item.start)
+        progress.warn(say("{share:.0f} % of the path is not to be trusted, the longest section from "
+                          "{longest_start:.0f} to {end:.0f} m ({reason}): see the patches' layer.",
+                          share=100 * survey.share(DISTRUSTED), longest_start=longest.start, end=longest.end,
+                          reason=longest.reason))
