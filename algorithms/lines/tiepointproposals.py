@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+from contextlib import contextmanager
+
 from qgis.core import QgsProcessing
 
+from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
+from ..framework.declaring.parameters import tr
+from ..framework.layers.crs import crs_from
 from ..framework.layers.layers import make_fields
 
 FIELDS = (("set", "text"), ("time", "real"), ("length", "real"), ("support", "int"), ("fit", "real"))
@@ -17,13 +22,14 @@ class TiePointProposals(UrbanMapAlgorithm):
     KEYWORDS = ("tie points", "corners", "buildings", "walls", "rectification", "registration", "mobile")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs")
     HELP = (
-        "Proposes tie points for “Rectify trajectory”: corners of buildings that the survey and the outlines both "
-        "show.\nWhere points of the survey stand over each other there are walls; the two walls of each corner are "
-        "looked for along the outline's edges, and meet in the survey's corner. Of several possible places the one is "
-        "taken that is shifted like the corners measured about the same time. Corners are gathered in sets of two.\n"
+        "Proposes tie points for “Rectify trajectory”: corners of buildings that both the survey and outlines or a "
+        "surface show.\nWhere points of the survey stand over each other there are walls; the two walls of each corner "
+        "are looked for along the building's edges, and meet in the survey's corner. Of several possible places the "
+        "one is taken that is shifted like the corners measured about the same time. Corners are gathered in sets of "
+        "two.\n"
         "Each line of the result runs from the survey to the reference. Look at them before they are used: delete "
-        "wrong ones, move ends, add others. They are as good as the outlines: give the outlines' accuracy as “Sigma of "
-        "tie points” to the rectification."
+        "wrong ones, move ends, add others. They are as good as the reference: give its accuracy as “Sigma of tie "
+        "points” to the rectification. Edges of a surface are those of the roofs."
     )
 
     def declare(self):
@@ -31,7 +37,10 @@ class TiePointProposals(UrbanMapAlgorithm):
                         "times.")
         self.add_trajectory()
         self.add_trajectory_reading()
-        self.add_polygons("BUILDINGS", "Buildings", "Outlines of the walls in the survey's coordinate system.")
+        self.add_polygons("BUILDINGS", "Buildings", "Outlines of the walls in the survey's coordinate system. Without "
+                          "them give a surface.", optional=True)
+        self.add_raster("SURFACE", "Surface", "Heights of a surface model (DSM) with its buildings, instead of "
+                        "outlines: cells of 0.5 m give corners to 0.1 m, of 1 m to 0.4 m.", optional=True)
         self.add_distance("REACH", "Maximum distance", "Corners farther from the course, in metres, are left out.",
                           30.0, 1.0, 200.0)
         self.add_distance("SEARCH", "Search range", "How far survey and outlines may lie apart, in metres.", 2.5, 0.2,
@@ -41,10 +50,14 @@ class TiePointProposals(UrbanMapAlgorithm):
         self.add_layer_output("OUTPUT", "Tie points", "Lines from the survey to the reference with set, time (s), "
                               "length (m), support (other corners shifted likewise) and fit of the walls (m).",
                               source_type=QgsProcessing.SourceType.TypeVectorLine)
-        self.add_number_output("CORNERS", "Corners", "Corners of outlines near the course.")
+        self.add_number_output("CORNERS", "Corners", "Corners of buildings near the course.")
         self.add_number_output("FOUND", "Corners found", "Corners that the survey shows.")
         self.add_number_output("SETS", "Sets", "Sets of two tie points.")
         self.add_number_output("MEAN_LENGTH", "Mean length", "Mean distance between survey and reference.", unit="m")
+
+    def check(self, parameters, context):
+        if bool(parameters.get("BUILDINGS")) == bool(parameters.get("SURFACE")):
+            raise InputError(tr("Give either {0} or {1}.").format(self.label_of("BUILDINGS"), self.label_of("SURFACE")))
 
     def compute(self, parameters, context, feedback):
         import numpy as np
@@ -55,19 +68,34 @@ class TiePointProposals(UrbanMapAlgorithm):
         from ...urbanmap_qgis.mobile.lines.tie_point_proposals import propose_tie_points
 
         progress = self.progress(feedback)
-        outlines = self.read_polygons(parameters, "BUILDINGS", context, progress.part(0.0, 0.05))
-        cloud = open_cloud(self.point_files(parameters, "POINTS", context), outlines.crs_wkt)
-        self.same_crs("POINTS", cloud.crs_wkt, "BUILDINGS", outlines.crs)
-        trajectory = self.read_trajectory(parameters, "TRAJECTORY", context, cloud.crs_wkt, progress).trajectory
+        with self._reference(parameters, context, progress.part(0.0, 0.05)) as (crs_wkt, corners_of):
+            cloud = open_cloud(self.point_files(parameters, "POINTS", context), crs_wkt)
+            self.same_crs("POINTS", cloud.crs_wkt, "BUILDINGS" if parameters.get("BUILDINGS") else "SURFACE", crs_wkt)
+            trajectory = self.read_trajectory(parameters, "TRAJECTORY", context, cloud.crs_wkt, progress).trajectory
+            corners = corners_of(trajectory, self.parameterAsDouble(parameters, "REACH", context))
         reach, search, agreement = (self.parameterAsDouble(parameters, name, context)
                                     for name in ("REACH", "SEARCH", "AGREEMENT"))
-        made = propose_tie_points(cloud, trajectory, outlines.geometries, reach, search, agreement,
+        made = propose_tie_points(cloud, trajectory, corners, reach, search, agreement,
                                   time_shift(cloud, trajectory), progress.part(0.1, 0.95))
         ties = made.ties
         length = np.hypot(*(ties.reference - ties.measured).T)
         lines = shapely.linestrings(np.stack([ties.measured, ties.reference], axis=1))
         columns = dict(zip((name for name, _ in FIELDS), (ties.sets, ties.time, length, made.support, made.fit)))
-        layer = self.write_layer(parameters, "OUTPUT", context, make_fields(*FIELDS), columns, outlines.crs, lines,
-                                 "LineString", "tie_point_proposals", progress.part(0.95, 1.0))
+        layer = self.write_layer(parameters, "OUTPUT", context, make_fields(*FIELDS), columns, crs_from(cloud.crs_wkt),
+                                 lines, "LineString", "tie_point_proposals", progress.part(0.95, 1.0))
         return {"OUTPUT": layer, "CORNERS": made.corners, "FOUND": made.found, "SETS": len(ties) // 2,
                 "MEAN_LENGTH": float(length.mean())}
+
+    @contextmanager
+    def _reference(self, parameters, context, progress):
+        """CRS of the reference, and what gives its corners near a course."""
+        from ...urbanmap_qgis.io.raster import RasterSampler
+        from ...urbanmap_qgis.mobile.lines.reference_corners import outline_corners
+        from ...urbanmap_qgis.mobile.lines.surface_corners import surface_corners
+
+        if parameters.get("BUILDINGS"):
+            outlines = self.read_polygons(parameters, "BUILDINGS", context, progress)
+            yield outlines.crs_wkt, lambda trajectory, reach: outline_corners(outlines.geometries)
+            return
+        with RasterSampler(self.raster_path(parameters, "SURFACE", context)) as surface:
+            yield surface.crs_wkt, lambda trajectory, reach: surface_corners(surface, trajectory, reach, progress)

@@ -47,11 +47,47 @@ def test_lines_that_the_rectification_takes(run, survey, read_layer, tmp_path):
     np.testing.assert_allclose(table["y"], Y0 + 6 * table["time"], atol=0.1)
 
 
+@pytest.fixture
+def surface(tmp_path):
+    """The blocks as a surface model of half metre cells, 8 m high on ground that rises, rough by 5 cm."""
+    import rasterio
+    from rasterio.transform import from_origin
+
+    cell, rng = 0.5, np.random.default_rng(5)
+    x, y = np.meshgrid(X0 - 60 + (np.arange(240) + 0.5) * cell, Y0 + 160 - (np.arange(360) + 0.5) * cell)
+    heights = 12 + 0.02 * (y - Y0) + rng.normal(0, 0.05, x.shape)
+    for a, b, c, d in BLOCKS:
+        heights[(x > a) & (x < c) & (y > b) & (y < d)] += 8.0
+    with rasterio.open(tmp_path / "dsm.tif", "w", driver="GTiff", width=240, height=360, count=1, dtype="float32",
+                       crs="EPSG:6677", transform=from_origin(X0 - 60, Y0 + 160, cell, cell), nodata=-9999.0) as file:
+        file.write(heights.astype(np.float32), 1)
+    return str(tmp_path / "dsm.tif")
+
+
+def test_corners_of_a_surface_serve_like_outlines(run, survey, surface, read_layer, tmp_path):
+    result = run(ALGORITHM, {**survey, "BUILDINGS": None, "SURFACE": surface})
+    assert len(read_layer(result["OUTPUT"])) == 2 * result["SETS"] >= 6
+    assert result["MEAN_LENGTH"] == pytest.approx(1.3, abs=0.1)
+    made = run("urbanmap:rectifytrajectory", {"TRAJECTORY": survey["TRAJECTORY"], "TIE_POINTS": result["OUTPUT"],
+                                              "OUTPUT": str(tmp_path / "r.csv")})
+    table = np.genfromtxt(made["OUTPUT"], delimiter=",", names=True)
+    np.testing.assert_allclose(table["x"], X0, atol=0.25)
+    np.testing.assert_allclose(table["y"], Y0 + 6 * table["time"], atol=0.25)
+
+
+def test_one_reference_is_wanted(run, survey, surface):
+    from qgis.core import QgsProcessingException
+
+    for given in ({"SURFACE": surface}, {"BUILDINGS": None}):
+        with pytest.raises(QgsProcessingException, match="Give either Buildings or Surface"):
+            run(ALGORITHM, {**survey, **given})
+
+
 def test_no_outline_near_the_course(run, survey, polygon_layer):
     from qgis.core import QgsProcessingException
 
     survey["BUILDINGS"] = polygon_layer(["POLYGON((0 0,9 0,9 9,0 9,0 0))"])
-    with pytest.raises(QgsProcessingException, match="No corner of an outline"):
+    with pytest.raises(QgsProcessingException, match="No corner of a building"):
         run(ALGORITHM, survey)
 
 
@@ -59,6 +95,6 @@ def test_outlines_in_another_crs_are_taken_into_that_of_the_points(run, survey, 
     from qgis.core import QgsProcessingException
 
     survey["BUILDINGS"] = polygon_layer(["POLYGON((0 0,9 0,9 9,0 9,0 0))"], "EPSG:6676")
-    with pytest.raises(QgsProcessingException, match="No corner of an outline"):
+    with pytest.raises(QgsProcessingException, match="No corner of a building"):
         run(ALGORITHM, survey)
     assert any("reprojected from EPSG:6676" in text for text in feedback.warnings)

@@ -23,6 +23,7 @@ from urbanmap_qgis.mobile.gps_time import time_shift
 from urbanmap_qgis.mobile.lines.georeferencing import ScanSettings, georeference_scans
 from urbanmap_qgis.mobile.lines.rectification import METHODS, RectifySettings, rectify
 from urbanmap_qgis.mobile.lines.rectification_report import write_report
+from urbanmap_qgis.mobile.lines.reference_corners import outline_corners
 from urbanmap_qgis.mobile.lines.tie_point_proposals import propose_tie_points
 from urbanmap_qgis.mobile.lines.tie_points import read_tie_points
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
@@ -83,7 +84,7 @@ def test_proposed_tie_points_stay(small_city, drive, cloud):
     features = json.loads((small_city / "models" / "buildings.geojson").read_text(encoding="utf-8"))["features"]
     outlines = [shapely.Polygon(item["geometry"]["coordinates"][0]) for item in features]
     survey = open_cloud([cloud])
-    made = propose_tie_points(survey, drive, outlines, 60.0, 2.5, 1.5, time_shift(survey, drive))
+    made = propose_tie_points(survey, drive, outline_corners(outlines), 60.0, 2.5, 1.5, time_shift(survey, drive))
     stays("lines_tie_points", made)
 
 

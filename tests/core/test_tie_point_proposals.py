@@ -6,7 +6,8 @@ import shapely
 
 from urbanmap_qgis.errors import Cancelled, InsufficientDataError
 from urbanmap_qgis.io.points.pointcloud import open_cloud
-from urbanmap_qgis.mobile.lines.tie_point_proposals import outline_corners, propose_tie_points, wall_cells
+from urbanmap_qgis.mobile.lines.reference_corners import outline_corners
+from urbanmap_qgis.mobile.lines.tie_point_proposals import propose_tie_points, wall_cells
 from urbanmap_qgis.mobile.trajectory import Trajectory
 from urbanmap_qgis.progress import Progress
 
@@ -70,7 +71,7 @@ def test_corners_are_those_between_long_edges_of_blocks():
 
 
 def test_corners_are_found_where_the_survey_shows_them(cloud):
-    made = propose_tie_points(cloud(), drive(), BLOCKS)
+    made = propose_tie_points(cloud(), drive(), outline_corners(BLOCKS))
     shift = made.ties.measured - made.ties.reference
     assert made.found >= 10 and len(made.ties) >= 8 and made.corners == 48
     np.testing.assert_allclose(np.median(shift, axis=0), [1.1, -0.7], atol=0.03)
@@ -82,7 +83,7 @@ def test_corners_are_found_where_the_survey_shows_them(cloud):
 
 
 def test_sets_are_two_near_in_time_and_apart_in_place(cloud):
-    ties = propose_tie_points(cloud(), drive(), BLOCKS).ties
+    ties = propose_tie_points(cloud(), drive(), outline_corners(BLOCKS)).ties
     names, number = ties.numbers()
     assert np.all(np.bincount(number) == 2) and len(set(names)) == len(names)
     for k in range(len(names)):
@@ -93,9 +94,9 @@ def test_sets_are_two_near_in_time_and_apart_in_place(cloud):
 
 
 def test_times_may_be_counted_otherwise(cloud):
-    plain = propose_tie_points(cloud(), drive(), BLOCKS)
+    plain = propose_tie_points(cloud(), drive(), outline_corners(BLOCKS))
     later = Trajectory(drive().time + 604800.0, drive().place, drive().angles)
-    shifted = propose_tie_points(cloud(), later, BLOCKS, shift=604800.0)
+    shifted = propose_tie_points(cloud(), later, outline_corners(BLOCKS), shift=604800.0)
     np.testing.assert_allclose(shifted.ties.time, plain.ties.time + 604800.0)
 
 
@@ -107,16 +108,17 @@ def test_walls_are_where_points_stand_over_each_other(cloud):
 
 
 def test_what_cannot_be_found_is_said(cloud):
-    with pytest.raises(InsufficientDataError, match="No corner of an outline lies within 30 m"):
-        propose_tie_points(cloud(), drive(), [shapely.box(0, 0, 10, 10)])
+    with pytest.raises(InsufficientDataError, match="No corner of a building lies within 30 m"):
+        propose_tie_points(cloud(), drive(), outline_corners([shapely.box(0, 0, 10, 10)]))
     with pytest.raises(InsufficientDataError, match="No corner"):
-        propose_tie_points(cloud(), drive(), [None])
+        propose_tie_points(cloud(), drive(), outline_corners([None]))
     with pytest.raises(InsufficientDataError, match="by hand"):
-        propose_tie_points(cloud(shift=(9.0, 9.0)), drive(), BLOCKS)
+        propose_tie_points(cloud(shift=(9.0, 9.0)), drive(), outline_corners(BLOCKS))
     with pytest.raises(InsufficientDataError, match="no walls"):
-        propose_tie_points(cloud(keep=lambda points: np.arange(len(points)) % 97 == 0), drive(), BLOCKS)
+        propose_tie_points(cloud(keep=lambda points: np.arange(len(points)) % 97 == 0), drive(),
+                           outline_corners(BLOCKS))
     late = Trajectory(drive().time + 1e4, drive().place, drive().angles)
     with pytest.raises(InsufficientDataError, match="trajectory's time"):
-        propose_tie_points(cloud(), late, BLOCKS)
+        propose_tie_points(cloud(), late, outline_corners(BLOCKS))
     with pytest.raises(Cancelled):
-        propose_tie_points(cloud(), drive(), BLOCKS, progress=Progress(cancelled=lambda: True))
+        propose_tie_points(cloud(), drive(), outline_corners(BLOCKS), progress=Progress(cancelled=lambda: True))

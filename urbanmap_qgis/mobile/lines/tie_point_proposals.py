@@ -1,25 +1,23 @@
 """Tie points proposed from corners of buildings, for the user to confirm (Z 3.2 assigns them by hand).
 
-Where points of the survey stand over each other there is a wall. At every corner of an outline the two walls are
-looked for in the survey, parallel to the outline's edges and near them; lines through them meet in the survey's
+Where points of the survey stand over each other there is a wall. At every corner of a building the two walls are
+looked for in the survey, parallel to its edges and near them; lines through them meet in the survey's
 corner. A corner may fit several walls: what its neighbours in time are shifted by decides.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import shapely
 from scipy.spatial import cKDTree
 
 from ...errors import InsufficientDataError
-from ...geometry.tolerances import LEAST_DIVISOR
 from ...io.points.pointcloud import PointCloud, iter_chunks, valid_points
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..trajectory import Trajectory, interpolate
+from .reference_corners import BuildingCorners, near_course
 from .tie_points import TiePoints
 
 CELL = 0.25
@@ -33,11 +31,6 @@ class TiePointProposalsLimits:
     pass_limit: float = 10.0  # s: points of one wall measured within this time are one view of it.
     min_wall_height: float = 1.2  # m from the lowest to the highest point of a wall's cell
     min_points: int = 4
-    merge_gap: float = 0.05  # m: outlines nearer than this are one block
-    # degrees between the edges of a corner
-    min_angle: float = 50.0
-    max_angle: float = 130.0
-    min_edge: float = 3.0  # m
     wall: float = 10.0  # m of a wall looked at from the corner
     # m, of the search across and of coverage along
     bin: float = 0.1
@@ -71,15 +64,6 @@ class WallCells:
 
 
 @dataclass(frozen=True)
-class OutlineCorners:
-    """Corners of outlines: place (m, 2); unit vectors along both edges away from it (m, 2, 2), their lengths (m, 2)."""
-
-    place: np.ndarray
-    edge: np.ndarray
-    length: np.ndarray
-
-
-@dataclass(frozen=True)
 class Proposals:
     """Tie points proposed, in the order of time.
 
@@ -109,29 +93,29 @@ class _Candidate:
     fit: float
 
 
-def propose_tie_points(cloud: PointCloud, trajectory: Trajectory, outlines: Sequence[shapely.Geometry | None],
+def propose_tie_points(cloud: PointCloud, trajectory: Trajectory, reference: BuildingCorners,
                        max_distance: float = 30.0, search: float = 2.5, agreement: float = 0.5, shift: float = 0.0,
                        progress: Progress = SILENT) -> Proposals:
-    """Corners of outlines that the survey shows, gathered in sets of two.
+    """Corners of buildings that the survey shows, gathered in sets of two.
 
     Parameters
     ----------
     cloud : the survey with gps_time, placed with the trajectory.
-    outlines : polygons of buildings in the reference, missing ones are left out.
+    reference : corners by outlines or by a surface (`outline_corners`, `surface_corners`).
     max_distance : corners farther from the course are left out, m.
     search : how far survey and reference may lie apart, m.
-    agreement : shifts of corners that differ by less agree with each other, m: how good the outlines are.
+    agreement : shifts of corners that differ by less agree with each other, m: how good the reference is.
     shift : s to add to the cloud's gps_time (see `gps_time.time_shift`).
 
     Raises
     ------
-    InsufficientDataError : no outline near the course, no wall in the survey, or no two corners that agree.
+    InsufficientDataError : no corner near the course, no wall in the survey, or no two corners that agree.
     """
-    corners = near_course(outline_corners(outlines), trajectory, max_distance)
+    corners = near_course(reference, trajectory, max_distance)
     if not len(corners.place):
-        raise InsufficientDataError(say("No corner of an outline lies within {max_distance:.0f} m of the course: "
-                                        "give outlines of the same place and coordinate reference system.",
-                                        max_distance=max_distance))
+        raise InsufficientDataError(say("No corner of a building lies within {max_distance:.0f} m of the course: "
+                                        "give outlines or a surface of the same place and coordinate reference "
+                                        "system.", max_distance=max_distance))
     cells = wall_cells(cloud, trajectory, max_distance + 2 * search, shift, progress.part(0.0, 0.7))
     candidates = _candidates(cells, corners, search, progress.part(0.7, 0.95))
     chosen, support = _agreeing(candidates, agreement)
@@ -146,35 +130,6 @@ def propose_tie_points(cloud: PointCloud, trajectory: Trajectory, outlines: Sequ
                      np.array([chosen[k].place + chosen[k].shift for k in flat]))
     return Proposals(ties, support[flat], np.array([chosen[k].fit for k in flat]), len(corners.place),
                      len({item.corner for item in chosen}))
-
-
-def outline_corners(outlines: Sequence[shapely.Geometry | None]) -> OutlineCorners:
-    """Corners between long edges of outlines; outlines that touch are one block."""
-    shapes = [shape for shape in outlines if shape is not None and not shape.is_empty]
-    merged = shapely.union_all([shape.buffer(LIMITS.merge_gap, join_style="mitre") for shape in shapes])
-    rings = []
-    for polygon in shapely.get_parts(shapely.buffer(merged, -LIMITS.merge_gap, join_style="mitre")):
-        if polygon.geom_type == "Polygon" and not polygon.is_empty:
-            rings += [shapely.get_coordinates(shapely.simplify(ring, 0.1))[:-1, :2]
-                      for ring in (polygon.exterior, *polygon.interiors)]
-    places, edges, lengths = [np.empty((0, 2))], [np.empty((0, 2, 2))], [np.empty((0, 2))]
-    for ring in rings:
-        edges_out = np.stack([np.roll(ring, 1, axis=0) - ring, np.roll(ring, -1, axis=0) - ring], axis=1)
-        length = np.linalg.norm(edges_out, axis=2)
-        unit = edges_out / np.maximum(length, LEAST_DIVISOR)[..., None]
-        angle = np.degrees(np.arccos(np.clip((unit[:, 0] * unit[:, 1]).sum(axis=1), -1, 1)))
-        good = (angle > LIMITS.min_angle) & (angle < LIMITS.max_angle) & (length.min(axis=1) >= LIMITS.min_edge)
-        places.append(ring[good])
-        edges.append(unit[good])
-        lengths.append(length[good])
-    return OutlineCorners(*map(np.concatenate, (places, edges, lengths)))
-
-
-def near_course(corners: OutlineCorners, trajectory: Trajectory, max_distance: float) -> OutlineCorners:
-    """The corners within `max_distance` metres of the course."""
-    distance, _ = cKDTree(trajectory.place[:, :2]).query(corners.place, distance_upper_bound=max_distance)
-    near = np.isfinite(distance)
-    return OutlineCorners(corners.place[near], corners.edge[near], corners.length[near])
 
 
 def wall_cells(cloud: PointCloud, trajectory: Trajectory, max_distance: float, shift: float = 0.0,
@@ -229,7 +184,7 @@ def _cell_sums(key: np.ndarray, values: np.ndarray, height: np.ndarray) -> tuple
     return key[order][start], sums, np.minimum.reduceat(height[order], start), np.maximum.reduceat(height[order], start)
 
 
-def _candidates(cells: WallCells, corners: OutlineCorners, search: float, progress: Progress) -> list[_Candidate]:
+def _candidates(cells: WallCells, corners: BuildingCorners, search: float, progress: Progress) -> list[_Candidate]:
     """All places at which the survey may show corners."""
     tree = cKDTree(cells.place)
     found: list[_Candidate] = []
@@ -245,7 +200,7 @@ def _candidates(cells: WallCells, corners: OutlineCorners, search: float, progre
     return found
 
 
-def _corner_candidates(cells: WallCells, view: np.ndarray, corners: OutlineCorners, number: int,
+def _corner_candidates(cells: WallCells, view: np.ndarray, corners: BuildingCorners, number: int,
                        search: float) -> list[_Candidate]:
     """The corner from all pairs of walls that one view of it shows along its two edges."""
     corner = corners.place[number]
