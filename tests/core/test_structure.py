@@ -36,6 +36,8 @@ LONGEST_STAGE = 220  # lines
 LONGEST_MODULE = 500
 LONGEST_FUNCTION = 60
 MODULES_OF_A_ROOM = 20
+IMPORTS_OF_A_RECIPE = 15
+LONG_RECIPES = {"urbanmap_qgis.mobile.registration.correction.adjustment": 18}  # not to grow
 
 
 def room(name: str) -> str:
@@ -86,6 +88,12 @@ def test_folders_have_no_circles():
     circles = {folder: source_tree.first_cycle(source_tree.folded(IMPORTS, folder)) for folder in folders}
     assert not source_tree.first_cycle(IMPORTS)
     assert not {folder: circle for folder, circle in circles.items() if circle}
+
+
+def test_recipes_stay_readable():
+    """A module that brings more of the others together than a reader keeps in mind: which steps are one?"""
+    assert not {name: len(targets) for name, targets in IMPORTS.items()
+                if len(targets) > LONG_RECIPES.get(name, IMPORTS_OF_A_RECIPE)}
 
 
 def test_scripts_have_no_circles():
