@@ -31,7 +31,9 @@ CRITERIA_HEAD = (mark("Component"), mark("points"), mark("standard deviation (m)
 
 DRAWN_TITLE = mark("Acceptance: edges of buildings to be surveyed")
 DRAWN_HEAD = (mark("Unit"), mark("edges drawn"), mark("edges there are"), mark("edges needed"))
-FIELD_HEAD = (mark("point"), mark("unit"), "x (m)", "y (m)", "z (m)", mark("measured x (m)"), mark("measured y (m)"),
+PLACE_HEAD = (mark("easting (m)"), mark("northing (m)"), "z (m)")
+"""Names of coordinates: in Japan's plane systems X is the northing, so that letters alone would mislead."""
+FIELD_HEAD = (mark("point"), mark("unit"), *PLACE_HEAD, mark("measured easting (m)"), mark("measured northing (m)"),
               mark("measured z (m)"), mark("Remarks"))
 
 
@@ -242,7 +244,7 @@ def _all_points(report: Report, points: CheckPoints) -> None:
 
 def point_head() -> tuple[str, ...]:
     """Names of the columns of `point_rows`."""
-    return (mark("point"), mark("unit"), "x (m)", "y (m)", "z (m)", mark("east (m)"), mark("north (m)"), mark("up (m)"),
+    return (mark("point"), mark("unit"), *PLACE_HEAD, mark("east (m)"), mark("north (m)"), mark("up (m)"),
             mark("plan (m)"))
 
 

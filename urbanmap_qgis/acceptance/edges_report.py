@@ -12,7 +12,7 @@ from ..io.files.excel_table import write_excel_table
 from ..io.pages.report import BAD, GOOD, LOOK, Fixed, Report
 from ..io.pages.svg_vectors import vector_map, vector_map_shape
 from ..wording import known, mark, say
-from .acceptance_report import FIGURES_HEAD
+from .acceptance_report import FIGURES_HEAD, PLACE_HEAD
 from .criteria import FAILED, OUTCOMES, PASSED, Criterion, outcome
 from .edge_comparison import (
     ABSENT_EDGES,
@@ -41,7 +41,7 @@ FOUND_HEAD = (mark("Unit"), mark("edges drawn"), mark("edges shown by the points
 UNIT_FIGURES_HEAD = (mark("Unit"), mark("edges"), mark("all models east (m)"), mark("all models north (m)"),
                 mark("all models up (m)"), mark("outward, mean (m)"), mark("across, maximum (m)"),
                 mark("sigma of the points' edges (m)"))
-ROWS_HEAD = (mark("Edge"), mark("Building"), mark("Unit"), "x (m)", "y (m)", mark("outward (m)"), mark("up (m)"),
+ROWS_HEAD = (mark("Edge"), mark("Building"), mark("Unit"), *PLACE_HEAD[:2], mark("outward (m)"), mark("up (m)"),
              mark("sigma (m)"), mark("sigma of the height (m)"), mark("Left out"))
 
 _NOT_INDEPENDENT = mark("This is a check of the modelling, not of accuracy: the points are not said to be of another, "
@@ -172,7 +172,7 @@ def edges_pdf_content(edges: ComparedEdges, found: Sequence[Criterion], limits: 
                (say("height"), signed_figures(edges.up))]
     rows = [[str(row[0]), row[2], *map(metres, (*row[3:6], *row[7:10], row[6]))] for row in compared_rows(edges)
             if not row[13]]
-    head = (mark("edge"), mark("unit"), "x (m)", "y (m)", "z (m)", mark("east (m)"), mark("north (m)"), mark("up (m)"),
+    head = (mark("edge"), mark("unit"), *PLACE_HEAD, mark("east (m)"), mark("north (m)"), mark("up (m)"),
             mark("outward (m)"))
     return PdfContent(
         {"title": known(TITLE), "verdict": " ".join((edges_verdict(edges, found, level)[1],
