@@ -74,13 +74,13 @@ class AdjustFrames(UrbanMapAlgorithm):
         points = read_image_points(self.input_path(parameters, "CONTROL", context))
         position, angle, pixel, control = (self.parameterAsDouble(parameters, f"{name}_SIGMA", context)
                                            for name in ("POSITION", "ANGLE", "PIXEL", "CONTROL"))
-        made = control_frames(camera, poses, points,
-                              BundleSettings(position, angle, pixel=pixel, control=control), progress.part(0.0, 0.95))
-        for sentence in made.findings:
+        result = control_frames(camera, poses, points,
+                                BundleSettings(position, angle, pixel=pixel, control=control), progress.part(0.0, 0.95))
+        for sentence in result.findings:
             progress.warn(sentence)
         output = self.output_path(parameters, "OUTPUT", context)
-        write_exterior(output, made.adjusted)
-        return {"OUTPUT": str(output), **self._figures(made, progress), **self._tell(parameters, context, made)}
+        write_exterior(output, result.adjusted)
+        return {"OUTPUT": str(output), **self._figures(result, progress), **self._tell(parameters, context, result)}
 
     def _figures(self, made, progress) -> dict:
         points = made.points

@@ -54,8 +54,8 @@ class FilterVehicles(FrameShiftsOutput, UrbanMapAlgorithm):
         progress, shifts, crs = self.progress(feedback), [], crs_from(layers[0].crs())
         metres = 1.0 if crs.isGeographic() else metres_per_unit(crs)
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
-            made = filter_vehicles([layer.source().split("|")[0] for layer in layers], output, choice,
-                                   progress.part(0.0, 0.98), shifts, metres, executor)
-        results = {"OUTPUT": str(output), "SHARE_SEEN": made.pixels_seen / (made.grid.rows * made.grid.columns)}
-        return results | self.write_shifts(parameters, context, shifts, made.grid.cell * metres, crs,
+            result = filter_vehicles([layer.source().split("|")[0] for layer in layers], output, choice,
+                                     progress.part(0.0, 0.98), shifts, metres, executor)
+        results = {"OUTPUT": str(output), "SHARE_SEEN": result.pixels_seen / (result.grid.rows * result.grid.columns)}
+        return results | self.write_shifts(parameters, context, shifts, result.grid.cell * metres, crs,
                                            progress.part(0.98, 1.0))

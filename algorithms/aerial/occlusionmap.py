@@ -79,11 +79,11 @@ class OcclusionMap(UrbanMapAlgorithm):
                                      *(not paper and self.parameterAsBool(parameters, name, context)
                                        for name in ("LOW_PARTS", "STEEP_WALLS", "SHIFT_WALLS")))
         output = self.output_layer_path(parameters, "OUTPUT", context)
-        made = occlusion_map(camera, frame.pose, dsm, ground, output, settings, outlines, progress)
-        if made.footprints_flat:
-            progress.message(tr("In {0} outlines the surface shows no building.").format(made.footprints_flat))
-        return {"OUTPUT": str(output), "HIDDEN_SHARE": made.hidden_share, "UNCOVERED_SHARE": made.uncovered_share,
-                "FOOTPRINTS_RAISED": made.footprints_raised, "FOOTPRINTS_FLAT": made.footprints_flat}
+        result = occlusion_map(camera, frame.pose, dsm, ground, output, settings, outlines, progress)
+        if result.footprints_flat:
+            progress.message(tr("In {0} outlines the surface shows no building.").format(result.footprints_flat))
+        return {"OUTPUT": str(output), "HIDDEN_SHARE": result.hidden_share, "UNCOVERED_SHARE": result.uncovered_share,
+                "FOOTPRINTS_RAISED": result.footprints_raised, "FOOTPRINTS_FLAT": result.footprints_flat}
 
     def _heights_and_outlines(self, parameters, context, progress):
         """Paths of the surface and of the ground, and the outlines' polygons, all in one CRS."""

@@ -110,15 +110,15 @@ class OrthorectifyFrames(FrameShiftsOutput, UrbanMapAlgorithm):
                                 self._masks(parameters, context, frames))
         shifts = []
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
-            made = orthorectify(frames, camera, place, MosaicFiles(output, count), settings, progress.part(0.02, 0.98),
-                                shifts=shifts, executor=executor)
+            result = orthorectify(frames, camera, place, MosaicFiles(output, count), settings,
+                                  progress.part(0.02, 0.98), shifts=shifts, executor=executor)
         progress.message(tr("{0} frames used; {1:.1f} % of the ground outside buildings seen, {2:.0f} m2 in holes.")
-                         .format(made.used, 100 * made.share_seen, made.hidden_area))
-        results = {"OUTPUT": str(output), "SHARE_SEEN": made.share_seen, "HOLE_AREA": made.hidden_area,
-                   "FRAMES_USED": made.used}
+                         .format(result.used, 100 * result.share_seen, result.hidden_area))
+        results = {"OUTPUT": str(output), "SHARE_SEEN": result.share_seen, "HOLE_AREA": result.hidden_area,
+                   "FRAMES_USED": result.used}
         if count:
             results["OUTPUT_COUNT"] = str(count)
-        return results | self.write_shifts(parameters, context, shifts, made.grid.cell, crs, progress.part(0.98, 1.0))
+        return results | self.write_shifts(parameters, context, shifts, result.grid.cell, crs, progress.part(0.98, 1.0))
 
     def _settings(self, parameters, context):
         """How the frames are laid on the ground."""

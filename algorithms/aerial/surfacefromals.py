@@ -79,13 +79,13 @@ class SurfaceFromAls(UrbanMapAlgorithm):
         surface = self.output_layer_path(parameters, "OUTPUT", context, style="dsm")
         ground = self.output_layer_path(parameters, "OUTPUT_GROUND", context, style="ground")
         mesh = self.output_path(parameters, "OUTPUT_MESH", context)
-        made = surfaces_from_files(paths, surface, ground, mesh, settings, progress)
-        results = {"OUTPUT": str(surface), "POINTS_READ": made.points_read, "POINTS_USED": made.points_used,
-                   "EMPTY_SHARE": made.empty_share, "FAR_SHARE": made.far_share, "TRIANGLES": made.triangles,
-                   "TRIANGLES_LEFT_OUT": made.triangles_left_out}
+        result = surfaces_from_files(paths, surface, ground, mesh, settings, progress)
+        results = {"OUTPUT": str(surface), "POINTS_READ": result.points_read, "POINTS_USED": result.points_used,
+                   "EMPTY_SHARE": result.empty_share, "FAR_SHARE": result.far_share, "TRIANGLES": result.triangles,
+                   "TRIANGLES_LEFT_OUT": result.triangles_left_out}
         if ground:
             results["OUTPUT_GROUND"] = str(ground)
-            results["GROUND_SHARE"] = made.ground_points / made.points_used
+            results["GROUND_SHARE"] = result.ground_points / result.points_used
         if mesh:
             results["OUTPUT_MESH"] = str(mesh)
         return results

@@ -105,14 +105,14 @@ class ExportCityModel(UrbanMapAlgorithm):
         rows = [{name: values[row] for name, values in table.columns.items()} | ({"data_date": date} if date else {})
                 for row in range(len(table))]
         lods = column(table, "lod") or [None] * len(table)
-        made = export_buildings(self._ids(parameters, context, table), table.geometries, rows, lods,
-                                self._surfaces(parameters, context, table, progress), textures,
-                                progress.part(0.0, 0.6))
-        self._tell(made, textures, progress)
-        results = self._write_files(parameters, context, made, reference, textures, date, progress.part(0.6, 0.9))
-        layer = self._write_layer(parameters, context, table, made, date, progress.part(0.9, 1.0))
-        return {**({"OUTPUT": layer} if layer else {}), **results, "BUILDINGS_WRITTEN": len(made.objects),
-                "NOT_CLOSED": sum(bool(item.problems) for item in made.objects)}
+        result = export_buildings(self._ids(parameters, context, table), table.geometries, rows, lods,
+                                  self._surfaces(parameters, context, table, progress), textures,
+                                  progress.part(0.0, 0.6))
+        self._tell(result, textures, progress)
+        results = self._write_files(parameters, context, result, reference, textures, date, progress.part(0.6, 0.9))
+        layer = self._write_layer(parameters, context, table, result, date, progress.part(0.9, 1.0))
+        return {**({"OUTPUT": layer} if layer else {}), **results, "BUILDINGS_WRITTEN": len(result.objects),
+                "NOT_CLOSED": sum(bool(item.problems) for item in result.objects)}
 
     def _reference(self, parameters, context, table):
         from ...urbanmap_qgis.citymodel.reference import city_reference

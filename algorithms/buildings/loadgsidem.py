@@ -74,11 +74,12 @@ class LoadGsiDem(UrbanMapAlgorithm):
                 crs.userFriendlyIdentifier(), transform.description))
         place = self.output_layer_path(parameters, "OUTPUT", context, style="ground")
         resolution = self.parameterAsDouble(parameters, "RESOLUTION", context) or None
-        made = write_dem(place, meshes, target, transform, resolution, progress.part(0.6, 1.0))
+        result = write_dem(place, meshes, target, transform, resolution, progress.part(0.6, 1.0))
         progress.message(tr("{0} meshes ({1}), heights in {2}, {3:.1f} to {4:.1f} m, {5:.1f} % of the cells "
                             "empty").format(
-            len(meshes.meshes), ", ".join(made.products), made.system, made.lowest, made.highest, 100 * made.empty))
-        return {"OUTPUT": str(place), "MESHES": len(meshes.meshes), "EMPTY": made.empty, "HEIGHTS": made.system}
+            len(meshes.meshes), ", ".join(result.products), result.system, result.lowest, result.highest,
+            100 * result.empty))
+        return {"OUTPUT": str(place), "MESHES": len(meshes.meshes), "EMPTY": result.empty, "HEIGHTS": result.system}
 
     def _paths(self, parameters, context) -> list[Path]:
         """The file and the folder, as far as they were given."""

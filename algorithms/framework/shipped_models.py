@@ -31,14 +31,14 @@ class ShippedModel(QgsProcessingModelAlgorithm):
             definition = self.parameterDefinition(name)
             if definition.type() not in ("multilayer", "enum", "distance"):
                 continue
-            made = definition.clone()
+            result = definition.clone()
             if definition.type() == "distance":
-                made.setDescription(made.description() if distance_unit() else UNIT.sub("", made.description()))
+                result.setDescription(result.description() if distance_unit() else UNIT.sub("", result.description()))
             elif definition.type() == "enum":
-                with_choice_widget(made)
+                with_choice_widget(result)
             else:
-                with_files_widget(made, name in POINTS_NAMES)
-            self.updateModelParameter(made)
+                with_files_widget(result, name in POINTS_NAMES)
+            self.updateModelParameter(result)
 
     def name(self):
         return self._identity
@@ -80,9 +80,9 @@ def editable_copy(model: ShippedModel) -> QgsProcessingModelAlgorithm:
     copy.loadVariant(model.toVariant())
     copy.setName(model.displayName())
     for name in copy.parameterComponents():
-        made = copy.parameterDefinition(name).clone()
-        made.setMetadata({})
-        copy.updateModelParameter(made)
+        result = copy.parameterDefinition(name).clone()
+        result.setMetadata({})
+        copy.updateModelParameter(result)
     for child in copy.childAlgorithms().values():
         if child.algorithm() is not None:
             child.setDescription(child.algorithm().displayName())

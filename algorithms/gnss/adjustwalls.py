@@ -83,36 +83,37 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
         buildings = self.read_gnss_buildings(parameters, context, progress)
         table = buildings.table
         signals = self.read_signals(parameters, context, buildings, progress.part(0.02, 0.3))
-        made = adjust_walls(table.geometries, buildings.building, signals, buildings.top, buildings.base,
-                            self._settings(parameters, context), progress.part(0.3, 0.95))
-        adjusted = made.walls.status == ADJUSTED
-        likely = int((made.walls.status == LIKELY).sum())
+        result = adjust_walls(table.geometries, buildings.building, signals, buildings.top, buildings.base,
+                              self._settings(parameters, context), progress.part(0.3, 0.95))
+        adjusted = result.walls.status == ADJUSTED
+        likely = int((result.walls.status == LIKELY).sum())
         progress.message(tr("{0} of {1} walls were adjusted, {2} more are likely.").format(
             int(adjusted.sum()), len(adjusted), likely))
-        if not made.walls.is_moved.any():
+        if not result.walls.is_moved.any():
             progress.warn(tr("No wall was moved: the observations do not decide; the field “reason” of the walls tells "
                              "why."))
         report = self.output_path(parameters, "OUTPUT_REPORT", context)
         if report:
-            write_adjustment_report(report, signals, made, buildings.names, table.geometries, orthophoto_pictures(
-                self, parameters, context, table.crs, "BUILDINGS", table.geometries, made.shapes))
+            write_adjustment_report(report, signals, result, buildings.names, table.geometries, orthophoto_pictures(
+                self, parameters, context, table.crs, "BUILDINGS", table.geometries, result.shapes))
         walls = None
         if parameters.get("OUTPUT_WALLS"):
             walls = self.write_layer(parameters, "OUTPUT_WALLS", context, make_fields(*WALL_COLUMNS),
-                                     adjusted_wall_columns(made, buildings.names), table.crs, wall_lines(made, signals),
-                                     "LineStringZ", "gnss_walls", progress.part(0.95, 0.97))
-        extra = building_columns(made, buildings.building)
+                                     adjusted_wall_columns(result, buildings.names), table.crs,
+                                     wall_lines(result, signals), "LineStringZ", "gnss_walls",
+                                     progress.part(0.95, 0.97))
+        extra = building_columns(result, buildings.building)
         layer = self.write_layer(
             parameters, "OUTPUT", context,
             make_fields(("walls_adjusted", "int"), ("walls_moved_by", "real"), base=table.fields),
-            {**table.columns, **extra}, table.crs, made.shapes, geometry_type(made.shapes), "gnss_buildings",
+            {**table.columns, **extra}, table.crs, result.shapes, geometry_type(result.shapes), "gnss_buildings",
             progress.part(0.97, 1.0))
-        sizes = np.abs(made.walls.offset[adjusted])
+        sizes = np.abs(result.walls.offset[adjusted])
         return {"OUTPUT": layer, **({"OUTPUT_WALLS": walls} if walls else {}),
                 **({"OUTPUT_REPORT": str(report)} if report else {}), "WALLS": len(adjusted),
-                "ADJUSTED": int(adjusted.sum()), "LIKELY": likely, "OBSERVATIONS_USED": len(made.observations),
+                "ADJUSTED": int(adjusted.sum()), "LIKELY": likely, "OBSERVATIONS_USED": len(result.observations),
                 "PASSES": len(np.unique(signals.epochs.source[signals.epoch])),
-                "MEDIAN_SIGMA": float(np.median(made.walls.sigma[adjusted])) if adjusted.any() else None,
+                "MEDIAN_SIGMA": float(np.median(result.walls.sigma[adjusted])) if adjusted.any() else None,
                 "MEDIAN_OFFSET": float(np.median(sizes)) if adjusted.any() else None}
 
     def _settings(self, parameters, context):

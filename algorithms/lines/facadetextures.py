@@ -74,9 +74,9 @@ class FacadeTextures(UrbanMapAlgorithm):
         model = self.output_path(parameters, "OUTPUT", context)
         code = table.crs.authid().removeprefix("EPSG:")
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
-            made = texture_buildings(buildings, sources, self._settings(parameters, context), voxels, executor,
-                                     progress.part(0.2, 0.9))
-            records = write_textured(made, model, folder, epsg=int(code) if code.isdigit() else None,
+            result = texture_buildings(buildings, sources, self._settings(parameters, context), voxels, executor,
+                                       progress.part(0.2, 0.9))
+            records = write_textured(result, model, folder, epsg=int(code) if code.isdigit() else None,
                                      crs=table.crs.authid(), progress=progress)
         numbers = summary(records)
         if not numbers["textured"]:

@@ -63,21 +63,21 @@ class ObjectsFromImages(UrbanMapAlgorithm):
         table = self.read_vector(parameters, "OUTLINES", context, progress)
         sources = image_sources(self, parameters, context, cloud.crs_wkt, progress)
         outlines = image_outlines(table.geometries, column(table, IMAGE), sources)
-        made = objects_from_outlines(outlines, cloud, self.parameterAsDouble(parameters, "REACH", context),
-                                     progress.part(0.0, 0.95))
-        missing = sum(item.geometry is None for item in made)
+        result = objects_from_outlines(outlines, cloud, self.parameterAsDouble(parameters, "REACH", context),
+                                       progress.part(0.0, 0.95))
+        missing = sum(item.geometry is None for item in result)
         if missing:
             progress.warn(tr("{0} of {1} outlines could not be measured; the field “reason” tells why.").format(
-                missing, len(made)))
+                missing, len(result)))
         taken = {name.lower() for name, _ in FIELDS}
-        kept = {name: [values[item.feature] for item in made] for name, values in table.columns.items()
+        kept = {name: [values[item.feature] for item in result] for name, values in table.columns.items()
                 if name.lower() not in taken}
-        columns = {**kept, **{name: [getattr(item, name) for item in made] for name, _ in FIELDS}}
+        columns = {**kept, **{name: [getattr(item, name) for item in result] for name, _ in FIELDS}}
         layer = self.write_layer(parameters, "OUTPUT", context, make_fields(*FIELDS, base=table.fields), columns,
-                                 cloud.crs_wkt, [item.geometry for item in made], geometry_type(outlines), "",
+                                 cloud.crs_wkt, [item.geometry for item in result], geometry_type(outlines), "",
                                  progress.part(0.95, 1.0))
-        sigmas = [item.sigma for item in made if item.geometry is not None]
-        return {"OUTPUT": layer, "OBJECTS": len(made), "MEASURED": len(made) - missing,
+        sigmas = [item.sigma for item in result if item.geometry is not None]
+        return {"OUTPUT": layer, "OBJECTS": len(result), "MEASURED": len(result) - missing,
                 "SIGMA": float(np.median(sigmas)) if sigmas else None}
 
     def _cloud(self, parameters, context):

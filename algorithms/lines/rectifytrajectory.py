@@ -101,20 +101,21 @@ class RectifyTrajectory(UrbanMapAlgorithm):
                                    self.parameterAsDouble(parameters, "HEADING_SIGMA", context),
                                    self.parameterAsBool(parameters, "KEEP_BLUNDERS", context), height)
         ground = self.raster_path(parameters, "GROUND", context)
-        made = self._rectified(rectify, file.trajectory, ties, ground, settings, crs, warned)
-        if made.heights is not None and made.heights.found:
+        result = self._rectified(rectify, file.trajectory, ties, ground, settings, crs, warned)
+        if result.heights is not None and result.heights.found:
             warned.warn(tr("The height of the origin above the ground was not given: the mean height stays as reported "
-                           "({0:.2f} m above the ground).").format(made.heights.sensor_height))
-        results = {"OUTPUT": self.write_trajectory(parameters, "OUTPUT", context, file, made.trajectory, crs)}
-        results.update(self._write_layers(parameters, context, file.trajectory, made, crs, progress))
+                           "({0:.2f} m above the ground).").format(result.heights.sensor_height))
+        results = {"OUTPUT": self.write_trajectory(parameters, "OUTPUT", context, file, result.trajectory, crs)}
+        results.update(self._write_layers(parameters, context, file.trajectory, result, crs, progress))
         report = self.output_path(parameters, "OUTPUT_REPORT", context)
         if report:
             from ...urbanmap_qgis.mobile.lines.rectification_report import write_report
 
-            write_report(report, file.trajectory, made, notes,
-                         report_pictures(self, parameters, context, (file.trajectory, made.trajectory), crs, progress))
+            write_report(report, file.trajectory, result, notes,
+                         report_pictures(self, parameters, context, (file.trajectory, result.trajectory), crs,
+                                         progress))
             results["OUTPUT_REPORT"] = str(report)
-        return {**results, **numbers_of(made)}
+        return {**results, **numbers_of(result)}
 
     def _tie_points(self, parameters, context, progress):
         """The layer's table and the core's tie points."""

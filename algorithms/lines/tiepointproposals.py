@@ -75,15 +75,15 @@ class TiePointProposals(UrbanMapAlgorithm):
             corners = corners_of(trajectory, self.parameterAsDouble(parameters, "REACH", context))
         reach, search, agreement = (self.parameterAsDouble(parameters, name, context)
                                     for name in ("REACH", "SEARCH", "AGREEMENT"))
-        made = propose_tie_points(cloud, trajectory, corners, reach, search, agreement,
-                                  time_shift(cloud, trajectory), progress.part(0.1, 0.95))
-        ties = made.ties
+        result = propose_tie_points(cloud, trajectory, corners, reach, search, agreement,
+                                    time_shift(cloud, trajectory), progress.part(0.1, 0.95))
+        ties = result.ties
         length = np.hypot(*(ties.reference - ties.measured).T)
         lines = shapely.linestrings(np.stack([ties.measured, ties.reference], axis=1))
-        columns = dict(zip((name for name, _ in FIELDS), (ties.sets, ties.time, length, made.support, made.fit)))
+        columns = dict(zip((name for name, _ in FIELDS), (ties.sets, ties.time, length, result.support, result.fit)))
         layer = self.write_layer(parameters, "OUTPUT", context, make_fields(*FIELDS), columns, crs_from(cloud.crs_wkt),
                                  lines, "LineString", "tie_point_proposals", progress.part(0.95, 1.0))
-        return {"OUTPUT": layer, "CORNERS": made.corners, "FOUND": made.found, "SETS": len(ties) // 2,
+        return {"OUTPUT": layer, "CORNERS": result.corners, "FOUND": result.found, "SETS": len(ties) // 2,
                 "MEAN_LENGTH": float(length.mean())}
 
     @contextmanager

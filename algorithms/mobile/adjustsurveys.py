@@ -100,19 +100,19 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
         names = [path.stem for path in targets]
         clouds = assign_clouds(paths, [item.trajectory for item in files], names)
         calibration = self.input_path(parameters, "CALIBRATION", context)
-        made = adjust_surveys(clouds, [item.trajectory for item in files], names,
-                              self._control(parameters, context, crs, progress),
-                              self._reference(parameters, context, crs, progress), self._run(parameters, context),
-                              read_calibration(calibration) if calibration else None, progress.part(0.0, 0.95))
-        results = self._write_layers(parameters, context, made, crs, progress)
+        result = adjust_surveys(clouds, [item.trajectory for item in files], names,
+                                self._control(parameters, context, crs, progress),
+                                self._reference(parameters, context, crs, progress), self._run(parameters, context),
+                                read_calibration(calibration) if calibration else None, progress.part(0.0, 0.95))
+        results = self._write_layers(parameters, context, result, crs, progress)
         report = self.output_path(parameters, "OUTPUT_REPORT", context)
         if report:
-            write_network_report(report, made)
+            write_network_report(report, result)
             results["OUTPUT_REPORT"] = str(report)
         targets[0].parent.mkdir(parents=True, exist_ok=True)
-        for drive, like, target in zip(made.drives, files, targets):
+        for drive, like, target in zip(result.drives, files, targets):
             write_trajectory_file(target, like, drive.corrected, crs, context)
-        return {**results, **self._figures(made), "OUTPUT": str(targets[0].parent)}
+        return {**results, **self._figures(result), "OUTPUT": str(targets[0].parent)}
 
     def _targets(self, parameters, context, texts) -> list[Path]:
         """Where each trajectory is written: under its own name, what comes as a layer as a GeoPackage."""

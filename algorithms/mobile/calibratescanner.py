@@ -73,11 +73,11 @@ class CalibrateScanner(DriveInputs, UrbanMapAlgorithm):
         source = self.input_path(parameters, "CALIBRATION", context)
         settings = BoresightSettings(tilt=self.parameterAsDouble(parameters, "TILT_SIGMA", context),
                                      heading=self.parameterAsDouble(parameters, "HEADING_SIGMA", context))
-        made = calibrate_scanners(assign_clouds(paths, trajectories, names), trajectories, read_calibration(source),
-                                  settings, progress)
+        result = calibrate_scanners(assign_clouds(paths, trajectories, names), trajectories, read_calibration(source),
+                                    settings, progress)
         output = self.output_path(parameters, "OUTPUT", context)
-        write_calibration(output, source, made)
-        return {"OUTPUT": str(output), **self._figures(made), **self._tell(parameters, context, made, progress)}
+        write_calibration(output, source, result)
+        return {"OUTPUT": str(output), **self._figures(result), **self._tell(parameters, context, result, progress)}
 
     def _figures(self, made) -> dict:
         found = made.boresights

@@ -62,8 +62,8 @@ class GroundFromMms(UrbanMapAlgorithm):
                                  self.parameterAsInt(parameters, "RIGIDNESS", context))
         output = self.output_path(parameters, "OUTPUT", context)
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
-            made = classify_ground_files(paths, output, settings, self.progress(feedback), executor,
-                                         min_ground_share=self.parameterAsDouble(parameters, "MIN_GROUND_SHARE",
-                                                                                 context))
-        return {"OUTPUT": str(output), "POINTS_READ": made.points, "POINTS_USED": made.usable,
-                "GROUND_POINTS": made.ground, "GROUND_SHARE": made.ground / made.usable, "PASSES": made.passes}
+            result = classify_ground_files(paths, output, settings, self.progress(feedback), executor,
+                                           min_ground_share=self.parameterAsDouble(parameters, "MIN_GROUND_SHARE",
+                                                                                   context))
+        return {"OUTPUT": str(output), "POINTS_READ": result.points, "POINTS_USED": result.usable,
+                "GROUND_POINTS": result.ground, "GROUND_SHARE": result.ground / result.usable, "PASSES": result.passes}

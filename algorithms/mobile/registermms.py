@@ -131,15 +131,15 @@ class RegisterMms(UrbanMapAlgorithm):
         run = self._run(parameters, context, reference)
         walls = read_walls(self, parameters, context, (paths, crs, trajectory.trajectory), run, progress.part(0.0, 0.2))
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
-            made = register_survey(paths, trajectory.trajectory, reference, run, calibration,
-                                   progress.part(0.2 if walls else 0.0, 0.95), executor, walls)
-        results = {**self._figures(made), "OUTPUT": self.write_trajectory(
-            parameters, "OUTPUT", context, trajectory, made.trajectory, crs)}
+            result = register_survey(paths, trajectory.trajectory, reference, run, calibration,
+                                     progress.part(0.2 if walls else 0.0, 0.95), executor, walls)
+        results = {**self._figures(result), "OUTPUT": self.write_trajectory(
+            parameters, "OUTPUT", context, trajectory, result.trajectory, crs)}
         for write in (self._write_patches, self._write_disagreements):
-            results.update(write(parameters, context, made, crs, progress))
+            results.update(write(parameters, context, result, crs, progress))
         report = self.output_path(parameters, "OUTPUT_REPORT", context)
         if report:
-            write_registration_report(report, made, reference, self.raster_path(parameters, "IMAGE", context))
+            write_registration_report(report, result, reference, self.raster_path(parameters, "IMAGE", context))
             results["OUTPUT_REPORT"] = str(report)
         return results
 

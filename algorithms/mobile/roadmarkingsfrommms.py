@@ -101,13 +101,13 @@ class RoadMarkingsFromMms(UrbanMapAlgorithm):
         output = self.output_path(parameters, "OUTPUT", context)
         page = self.output_path(parameters, "OUTPUT_CURVE", context)
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
-            made = markings_to_file(paths, output, trajectory.trajectory, calibration,
-                                    self._settings(parameters, context), progress.part(0.0, 0.98), executor)
-        for sentence in doubts(made):
+            result = markings_to_file(paths, output, trajectory.trajectory, calibration,
+                                      self._settings(parameters, context), progress.part(0.0, 0.98), executor)
+        for sentence in doubts(result):
             progress.warn(sentence)
-        results = {"OUTPUT": str(output), **facts_of(made)}
+        results = {"OUTPUT": str(output), **facts_of(result)}
         if page:
-            write_curve_report(page, made, [path.name for path in paths])
+            write_curve_report(page, result, [path.name for path in paths])
             results["OUTPUT_CURVE"] = str(page)
         return {name: None if isinstance(value, float) and math.isnan(value) else value
                 for name, value in results.items()}

@@ -131,14 +131,14 @@ class CompareMaps(UrbanMapAlgorithm):
         if "class" not in table.columns:
             raise InputError(tr("{0} has no field class; give marking lines or bounds of lanes.").format(table.label))
         areas = self.read_vector(parameters, f"{side}_AREAS", context)
-        made = elements_of_lines(table.geometries, table.columns)
+        result = elements_of_lines(table.geometries, table.columns)
         if areas is None:
-            return made
+            return result
         self.same_crs(f"{side}_LINES", table.crs, f"{side}_AREAS", areas.crs)
         if "class" not in areas.columns:
             raise InputError(tr("{0} has no field class; give the areas of “Lines from road markings”.").format(
                 areas.label))
-        return made + elements_of_areas(areas.geometries, areas.columns)
+        return result + elements_of_areas(areas.geometries, areas.columns)
 
     def _area(self, parameters, context, crs):
         from ...urbanmap_qgis.roadmap.comparison.map_elements import whole_area

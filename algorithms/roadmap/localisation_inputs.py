@@ -136,10 +136,10 @@ class LocalisationInputs(Declarations):
         self.require_projected("MARKINGS", table.crs)
         usual = self.parameterAsDouble(parameters, "MARKING_SIGMA", context)
         sigma = numbers(table, "sigma") if "sigma" in table.columns else np.full(len(table), usual)
-        made = marking_map(table.geometries, np.where(sigma > 0, sigma, usual))
-        if not len(made.xy):
+        result = marking_map(table.geometries, np.where(sigma > 0, sigma, usual))
+        if not len(result.xy):
             raise InputError(tr("{0}: no feature has an edge; give polygons or lines of markings.").format(table.label))
-        return table, made
+        return table, result
 
     def drives_of(self, parameters, context, crs_wkt, progress):
         """The trajectories that were given, in the CRS of the map."""

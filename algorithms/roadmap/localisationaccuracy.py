@@ -85,31 +85,32 @@ class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgo
         progress = self.progress(feedback)
         settings = self.settings_from(parameters, context)
         city, places, crs = self.read_map(parameters, context, progress.part(0.0, 0.2))
-        made = accuracy_map(city, places, settings, progress.part(0.2, 0.4))
-        check = self._simulated(parameters, context, city, made, settings, crs, progress.part(0.4, 0.9))
-        columns = accuracy_columns(made)
+        result = accuracy_map(city, places, settings, progress.part(0.2, 0.4))
+        check = self._simulated(parameters, context, city, result, settings, crs, progress.part(0.4, 0.9))
+        columns = accuracy_columns(result)
         fields = make_fields(*((name, "text" if name in WORDS else "int" if name in WHOLE else "real")
                                for name in columns))
         columns |= {name: [None if value != value else int(value) for value in columns[name]] for name in WHOLE}
-        place = np.where(np.isfinite(made.places.place), made.places.place, 0.0)
+        place = np.where(np.isfinite(result.places.place), result.places.place, 0.0)
         results = {"OUTPUT": self.write_layer(parameters, "OUTPUT", context, fields, columns, crs,
                                               shapely.points(place), "PointZ", "localisation_accuracy",
                                               progress.part(0.9, 1.0))}
-        self._raster(parameters, context, made, crs, results)
+        self._raster(parameters, context, result, crs, results)
         report = self.output_path(parameters, "OUTPUT_REPORT", context)
         if report is not None:
-            write_localisation_report(report, city, made, check)
+            write_localisation_report(report, city, result, check)
             results["OUTPUT_REPORT"] = str(report)
         if check is not None:
             results |= {"RANK": _number(check.rank), "INSIDE": _number(check.inside)}
-        known = np.isfinite(made.ellipse.major)
-        length = lengths_by_class(made)
+        known = np.isfinite(result.ellipse.major)
+        length = lengths_by_class(result)
         if not known.any():
             progress.warn(tr("Nothing can be said of any place: see the field status."))
         return results | {
-            "PLACES": len(places), "MEDIAN_SIGMA": float(np.median(made.ellipse.major[known])) if known.any() else None,
+            "PLACES": len(places),
+            "MEDIAN_SIGMA": float(np.median(result.ellipse.major[known])) if known.any() else None,
             **{f"LENGTH_{name.upper()}": value for name, value in length.items()},
-            "REPEATED": int((made.alias_share >= settings.alias_share).sum())}
+            "REPEATED": int((result.alias_share >= settings.alias_share).sum())}
 
     def _simulated(self, parameters, context, city, made, settings, crs, progress):
         """The core's check of the prediction; None where it is not asked for."""

@@ -93,17 +93,17 @@ class SampleCity(UrbanMapAlgorithm):
 
         folder = self._folder(parameters, context)
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
-            made = make_city(folder, self.parameterAsDouble(parameters, "SIZE", context),
-                             self.parameterAsString(parameters, "SCENE", context),
-                             self.parameterAsInt(parameters, "SEED", context), self.progress(feedback), executor,
-                             self._faults(parameters, context))
+            result = make_city(folder, self.parameterAsDouble(parameters, "SIZE", context),
+                               self.parameterAsString(parameters, "SCENE", context),
+                               self.parameterAsInt(parameters, "SEED", context), self.progress(feedback), executor,
+                               self._faults(parameters, context))
         if shown_after(feedback):
             for label, place, style in SHOWN:
                 show_layer(context, folder / place, tr(label), style)
         places = {name: str(folder / place) for name, _, place in FILES + FOLDERS}
-        return {"OUTPUT": str(folder), **places, "BUILDINGS": made["city"]["buildings"],
-                "ALS_POINTS": made["als"]["points"],
-                "MMS_POINTS": sum(survey["points"] for survey in made["mms"].values())}
+        return {"OUTPUT": str(folder), **places, "BUILDINGS": result["city"]["buildings"],
+                "ALS_POINTS": result["als"]["points"],
+                "MMS_POINTS": sum(survey["points"] for survey in result["mms"].values())}
 
     def _faults(self, parameters, context) -> tuple[str, ...]:
         from ...urbanmap_qgis.samplecity.faults import checked_faults

@@ -78,9 +78,9 @@ class AerialMarkings(UrbanMapAlgorithm):
                     **told, INPUT=ortho["OUTPUT"], GROUND=als["OUTPUT_GROUND"])
         results = {"OUTPUT": found["OUTPUT"], "COUNT": found["COUNT"], "HOLE_AREA": ortho["HOLE_AREA"],
                    "OUTPUT_ORTHOPHOTO": ortho["OUTPUT"], "OUTPUT_GROUND": als["OUTPUT_GROUND"]}
-        results.update((name, made[name]) for made, name in (
+        results.update((name, result[name]) for result, name in (
             (ortho, "LARGEST_SHIFT"), (ortho, "OUTPUT_SHIFTS"), (found, "OUTPUT_POLYGONS"), (found, "OUTPUT_REPORT"))
-            if name in made)
+            if name in result)
         return {name: value for name, value in results.items()
                 if name not in ("OUTPUT_ORTHOPHOTO", "OUTPUT_GROUND", "OUTPUT_SHIFTS") or name in given}
 

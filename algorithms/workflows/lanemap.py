@@ -57,9 +57,9 @@ class LaneMap(UrbanMapAlgorithm):
         lines = run("markinglines", **pick("MARKINGS", "POINTS", "POINTS_CRS", "GROUND", "SIGMA", "MIN_LENGTH"),
                     **renamed, OUTPUT=given.get("OUTPUT_LINES") or "TEMPORARY_OUTPUT",
                     OUTPUT_AREAS=given.get("OUTPUT_AREAS") or "TEMPORARY_OUTPUT")
-        made = run("vectormap", **pick(*MAP_INPUTS, *MAP_SETTINGS, *MAP_ADVANCED, *LAYERS, *FILES),
-                   LINES=lines["OUTPUT"], AREAS=lines["OUTPUT_AREAS"])
-        results = {name: made[name] for name in (*LAYERS, *FILES, *FIGURES) if name in made}
+        result = run("vectormap", **pick(*MAP_INPUTS, *MAP_SETTINGS, *MAP_ADVANCED, *LAYERS, *FILES),
+                     LINES=lines["OUTPUT"], AREAS=lines["OUTPUT_AREAS"])
+        results = {name: result[name] for name in (*LAYERS, *FILES, *FIGURES) if name in result}
         results |= {name: lines[stage] for name, stage in (("OUTPUT_LINES", "OUTPUT"), ("OUTPUT_AREAS", "OUTPUT_AREAS"))
                     if name in given}
         return results

@@ -158,10 +158,10 @@ def trajectory_from_columns(columns: Mapping[str, Sequence], name: str = "The tr
 def _with_sigma(file: TrajectoryFile, angles: np.ndarray | None, places: np.ndarray | None,
                 name: str) -> TrajectoryFile:
     """The same with standard deviations of the angles (n, 3), degrees, and of places (n, 2), m, which `name` states."""
-    told = [file.applied, "" if angles is None else stated_accuracy(angles, name),
-            "" if places is None else stated_place_accuracy(places, name)]
+    notes = [file.applied, "" if angles is None else stated_accuracy(angles, name),
+             "" if places is None else stated_place_accuracy(places, name)]
     return replace(file, trajectory=replace(file.trajectory, angle_sigma=angles, place_sigma=places),
-                   applied=" ".join(part for part in told if part))
+                   applied=" ".join(part for part in notes if part))
 
 
 def _order(table: np.ndarray, name: str) -> tuple[np.ndarray, list[str]]:

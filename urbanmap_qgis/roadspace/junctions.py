@@ -216,12 +216,12 @@ def _flare_end(ring: Ring, points: list[tuple[float, float]], opposite: shapely.
     points : places and turns, from the corner outwards; longest : edge that is still one of a cut-off, m.
     """
     places = [points[0][0], *(place for place, turn in points[1:] if abs(turn) > np.radians(1.0))]
-    apart = shapely.distance(shapely.points(np.array([ring.at(place) for place in places])), opposite)
+    widths = shapely.distance(shapely.points(np.array([ring.at(place) for place in places])), opposite)
     turns = [0.0, *(turn for _, turn in points[1:] if abs(turn) > np.radians(1.0))]
     found = 0
     for number in range(1, len(places)):
         edge = abs(places[number] - places[number - 1])
-        taper = (apart[number - 1] - apart[number]) / edge
+        taper = (widths[number - 1] - widths[number]) / edge
         if taper < np.sin(np.radians(limits.turn)) or edge > longest:
             break
         if turns[number] < -np.radians(limits.bend):
@@ -277,8 +277,8 @@ def _edge(rings: tuple[Ring, ...], side: np.ndarray) -> shapely.LineString:
     """The boundary along one side of a branch."""
     points = np.empty((len(side), 2))
     for number in np.unique(side[:, 0]).astype(int):
-        here = side[:, 0] == number
-        points[here] = rings[number].at(side[here, 1])
+        on_ring = side[:, 0] == number
+        points[on_ring] = rings[number].at(side[on_ring, 1])
     return shapely.linestrings(points if len(points) > 1 else np.repeat(points, 2, axis=0))
 
 
@@ -296,8 +296,8 @@ def _skew(arm: Arm, cut: Cut) -> float:
     """By how much a cut leaves the cross direction of its arm, degrees."""
     line = shapely.linestrings(arm.branch.points)
     width = 2 * float(np.median(arm.branch.clearance))
-    here = shapely.get_coordinates(shapely.line_interpolate_point(line, [cut.place, cut.place + width]))
-    along, across = here[1] - here[0], cut.left - cut.right
+    chord = shapely.get_coordinates(shapely.line_interpolate_point(line, [cut.place, cut.place + width]))
+    along, across = chord[1] - chord[0], cut.left - cut.right
     if not along.any():
         return 0.0
     sine = abs(along @ across) / (np.hypot(*along) * np.hypot(*across))

@@ -140,9 +140,9 @@ def skeleton_of(surface: shapely.Polygon, limits: AxisLimits = LIMITS) -> Skelet
     ends, pairs = np.array(diagram.ridge_vertices), np.asarray(diagram.ridge_points)
     shapely.prepare(surface)
     inside = shapely.contains_xy(surface, corners[:, 0], corners[:, 1])
-    kept = (ends >= 0).all(axis=1)
-    kept[kept] = inside[ends[kept]].all(axis=1)
-    ends, pairs = ends[kept], pairs[kept]
+    finite = (ends >= 0).all(axis=1)
+    finite[finite] = inside[ends[finite]].all(axis=1)
+    ends, pairs = ends[finite], pairs[finite]
     clearance = np.zeros(len(corners))
     clearance[ends] = np.hypot(*np.moveaxis(corners[ends] - points[pairs[:, :1]], -1, 0))
     alive = _pruned(ends, _deep(pairs, points, owners, rings, limits.depth))

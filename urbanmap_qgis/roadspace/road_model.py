@@ -104,9 +104,9 @@ def _add_surface(built: _Built, polygon: shapely.Polygon, bridge, tunnel, limits
     first = len(built.pieces)
     for piece in pieces:
         inside = np.flatnonzero(shapely.intersects(piece, nodes)) if len(nodes) else []
-        here = list({id(owner[number]): owner[number] for number in inside}.values())
-        if here:
-            built.pieces.append(_junction_piece(piece, here, built.findings))
+        owners = list({id(owner[number]): owner[number] for number in inside}.values())
+        if owners:
+            built.pieces.append(_junction_piece(piece, owners, built.findings))
         else:
             built.pieces += [RoadPiece(part, _kind(part, bridge, tunnel), np.nan)
                              for part in cut_surface(piece, _structure_lines(piece, built_up))]

@@ -74,15 +74,15 @@ def surface_of(geometries: Sequence[shapely.Geometry | None], limits: ClosingLim
 
 def _valid_polygons(polygons: list, findings: list[RoadFinding]) -> list[shapely.Polygon]:
     """Polygons repaired where they cross themselves, which is told."""
-    made = []
+    valid = []
     for polygon in polygons:
         if not polygon.is_valid:
             point = shapely.get_coordinates(polygon)[0]
             findings.append(RoadFinding("surface repaired", say("A surface crosses itself and was repaired: compare it "
                                                                 "with its source."), *point.tolist()))
             polygon = shapely.make_valid(polygon)
-        made += [part for part in shapely.get_parts(polygon) if part.geom_type in ("Polygon", "MultiPolygon")]
-    return made
+        valid += [part for part in shapely.get_parts(polygon) if part.geom_type in ("Polygon", "MultiPolygon")]
+    return valid
 
 
 def _faces_between(lines: list, limits: ClosingLimits, findings: list[RoadFinding]) -> list[shapely.Polygon]:
@@ -110,18 +110,18 @@ def _closing_lines(lines: np.ndarray, limits: ClosingLimits, findings: list[Road
     pairs = [(float(np.hypot(*(loose[a] - loose[b]))), a, b)
              for a, b in cKDTree(loose).query_pairs(limits.widest)] if len(loose) else []
     net = shapely.union_all(list(lines))
-    used, made = set(), []
+    used, closing = set(), []
     for distance, a, b in sorted(pairs):
         segment = shapely.linestrings(loose[[a, b]])
         if a in used or b in used or (distance > limits.touch and _crosses(segment, net, loose[[a, b]])):
             continue
         used |= {a, b}
-        made.append(segment)
+        closing.append(segment)
     for number in sorted(set(range(len(loose))) - used):
         findings.append(RoadFinding("edge not closed", say(
             "An edge ends here without another end within {distance:.0f} m to be joined to: the road is left out, or "
             "its edge goes on in a file that was not given.", distance=limits.widest), *loose[number].tolist()))
-    return made
+    return closing
 
 
 def _crosses(segment: shapely.Geometry, net: shapely.Geometry, ends: np.ndarray) -> bool:
@@ -151,15 +151,15 @@ def _road_side(faces: list, closing, findings: list[RoadFinding]) -> list[shapel
             continue
         side[start], group, waiting = 0, [start], deque([start])
         while waiting:
-            here = waiting.popleft()
-            for there, changes in beside[here]:
-                wanted = side[here] ^ changes
-                if side[there] < 0:
-                    side[there] = wanted
-                    group.append(there)
-                    waiting.append(there)
-                elif side[there] != wanted and here < there:
-                    point = shapely.get_coordinates(shapely.point_on_surface(faces[here]))[0]
+            node = waiting.popleft()
+            for neighbour, changes in beside[node]:
+                wanted = side[node] ^ changes
+                if side[neighbour] < 0:
+                    side[neighbour] = wanted
+                    group.append(neighbour)
+                    waiting.append(neighbour)
+                elif side[neighbour] != wanted and node < neighbour:
+                    point = shapely.get_coordinates(shapely.point_on_surface(faces[node]))[0]
                     findings.append(RoadFinding("sides contradict", say(
                         "The edges around this face do not tell on which of their sides the road lies: an edge is "
                         "missing, or a line is none of an edge."), *point.tolist()))

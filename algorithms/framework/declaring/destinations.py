@@ -75,23 +75,23 @@ def staged(algorithm, parameters: Mapping, context: QgsProcessingContext, stagin
 
     Temporary destinations have their names from here on, so that they can be asked for any number of times.
     """
-    made = dict(parameters)
+    result = dict(parameters)
     for name, path, table in _wanted(algorithm, parameters, context, temporary=True):
         if table:
             continue
         if name in algorithm.KEPT_FOLDERS:
-            made[name] = str(path)
+            result[name] = str(path)
             continue
         definition, place = definition_of(parameters, name), str(staging.scratch_path(path))
-        made[name] = place
+        result[name] = place
         if definition is None:
             continue
         if algorithm.parameterDefinition(name).type() == "sink":
-            made[name] = _elsewhere(definition, place)
+            result[name] = _elsewhere(definition, place)
         elif algorithm.parameterDefinition(name).type() == "rasterDestination":
             # So QGIS notes that it is to load the raster, from its place.
             algorithm.parameterAsOutputLayer({name: _elsewhere(definition, final_text(str(path)))}, name, context)
-    return made
+    return result
 
 
 def folders_of(algorithm, parameters: Mapping, context: QgsProcessingContext) -> list[str]:

@@ -323,9 +323,9 @@ def with_words(parameters: Mapping[str, object], definitions: Sequence) -> dict[
     ------
     InputError : what was given is neither a word nor the number of one.
     """
-    made = dict(parameters)
+    result = dict(parameters)
     for definition in definitions:
-        given = made.get(definition.name())
+        given = result.get(definition.name())
         if definition.type() != "enum" or not definition.usesStaticStrings() or not isinstance(given, (str, int)):
             continue
         words = definition.options()
@@ -333,8 +333,8 @@ def with_words(parameters: Mapping[str, object], definitions: Sequence) -> dict[
         if given not in words and (isinstance(given, bool) or not text.isdecimal() or int(text) >= len(words)):
             raise InputError(tr("{0}: {1} is none of {2}; give one of these words, or its number from 0 on.").format(
                 definition.description(), given, ", ".join(words)))
-        made[definition.name()] = given if given in words else words[int(text)]
-    return made
+        result[definition.name()] = given if given in words else words[int(text)]
+    return result
 
 
 def _with_unit(label: str, unit: str) -> str:

@@ -123,8 +123,8 @@ class GuideDock(QDockWidget):
                 *(f"◦ {sentence}" for sentence in (*parts.notes, *chosen, *plan.notes))]
         head = tr("Missing:") if plan.missing else tr("Nothing is missing.")
         self.missing.setText("\n".join([head, *told]))
-        made = planned_job(wish, parts.inputs, plan.steps, tuple(self.files.given), self.job)
-        self._keep(refreshed_job(replace(made, left_out=tuple(sorted(self.files.left_out)),
+        result = planned_job(wish, parts.inputs, plan.steps, tuple(self.files.given), self.job)
+        self._keep(refreshed_job(replace(result, left_out=tuple(sorted(self.files.left_out)),
                                          used_as=dict(self.files.used_as))))
         self.steps.told.clear()
         self.steps.show_job(self.job)

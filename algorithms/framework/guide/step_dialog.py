@@ -80,19 +80,19 @@ class StepDialog(QObject):
 def changed_values(step, before: Mapping, found: Mapping) -> dict:
     """What differs from what the dialog was filled with and from the defaults; plain values only."""
     algorithm = algorithm_of(step.algorithm)
-    made = {}
+    result = {}
     for definition in algorithm.parameterDefinitions():
         name = definition.name()
         if definition.isDestination():
-            made.update(_changed_place(name, before.get(name), found.get(name)))
+            result.update(_changed_place(name, before.get(name), found.get(name)))
             continue
         value = plain_value(found.get(name))
         if value is None:
             continue
         was = before.get(name, definition.defaultValue())
         if (value or was) and value != was and [value] != was:
-            made[name] = value
-    return made
+            result[name] = value
+    return result
 
 
 def _changed_place(name: str, before: str | None, found) -> dict:

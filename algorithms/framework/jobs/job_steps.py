@@ -57,23 +57,23 @@ def filled_parameters(job, step, folder: Path) -> dict:
 
     algorithm = algorithm_of(step.algorithm)
     values = resolved_parameters(job, step)
-    made = {name: _fitting(algorithm, name, value) for name, value in values.items() if value != WANTED}
+    result = {name: _fitting(algorithm, name, value) for name, value in values.items() if value != WANTED}
     for name, place in _places(algorithm, job, step, folder):
-        made.setdefault(name, str(place))
-    return made
+        result.setdefault(name, str(place))
+    return result
 
 
 def prefilled_parameters(job, step, folder: Path) -> dict:
     """The same for a dialog, in which what is not there yet stays empty."""
     from dataclasses import replace
 
-    made = {}
+    result = {}
     for name, value in step.parameters.items():
         try:
-            made.update(filled_parameters(job, replace(step, parameters={name: value}), folder))
+            result.update(filled_parameters(job, replace(step, parameters={name: value}), folder))
         except InputError:  # the step that makes it has not run: the user sees the empty field
             continue
-    return made or dict(filled_parameters(job, replace(step, parameters={}), folder))
+    return result or dict(filled_parameters(job, replace(step, parameters={}), folder))
 
 
 def _fitting(algorithm: QgsProcessingAlgorithm, name: str, value):

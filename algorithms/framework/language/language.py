@@ -42,10 +42,10 @@ def translated_model(model: QgsProcessingModelAlgorithm, group: str) -> QgsProce
                if definition.type() == "enum"}
     for definition in model.parameterDefinitions():
         if definition.name() in model.parameterComponents():
-            made = definition.clone()
-            made.setDescription(_label(made.description()))
-            made.setHelp(_help(made.help(), choices.get(made.name())))
-            model.updateModelParameter(made)
+            result = definition.clone()
+            result.setDescription(_label(result.description()))
+            result.setHelp(_help(result.help(), choices.get(result.name())))
+            model.updateModelParameter(result)
     for child in model.childAlgorithms().values():
         outputs = child.modelOutputs()
         for output in outputs.values():

@@ -96,17 +96,17 @@ def make_fields(*fields: tuple[str, str], base: QgsFields | None = None) -> QgsF
 
     `base` gives fields to keep in front, such as those of the footprints; a name given again replaces it.
     """
-    made = QgsFields()
+    result = QgsFields()
     names = {name.lower() for name, _ in fields}
     names |= {name[:SHORT] for name in names}  # what a shapefile has left of them
     for kept in base or ():
         if kept.name().lower() not in names and kept.name().lower() != "fid":
-            made.append(kept)
+            result.append(kept)
     for name, kind in fields:
         own = QgsField(name, getattr(_TYPES, _KINDS[kind]))
         own.setAlias(OWN)
-        made.append(own)
-    return made
+        result.append(own)
+    return result
 
 
 def own_fields(fields: QgsFields) -> tuple[tuple[str, ...], QgsFields]:

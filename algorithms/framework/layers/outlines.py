@@ -127,12 +127,12 @@ class BuildingNames:
         if not self.own or fields.lookupField(BUILDING_ID) < 0:
             return fields
         kind = "int" if all(isinstance(value, int) for value in self.own.values()) else "text"
-        made = QgsFields()
+        result = QgsFields()
         own = make_fields((BUILDING_ID, kind), (NUMBER, "int"))
         for item in fields:
             for new in own if item.name() == BUILDING_ID else [item] if item.name() != NUMBER else []:
-                made.append(new)
-        return made
+                result.append(new)
+        return result
 
 
 def building_names(table: VectorTable) -> BuildingNames:

@@ -100,8 +100,8 @@ def with_heights_of_points(table, cloud, progress: Progress = SILENT):
     stated = stating_heights_of(table.crs_wkt, cloud.crs_wkt)
     if stated == table.crs_wkt:
         return table
-    made = replace(table, crs=crs_from(stated), stated=stated)
-    if not heights(made.crs).known:
+    result = replace(table, crs=crs_from(stated), stated=stated)
+    if not heights(result.crs).known:
         progress.warn(tr("The points' heights are in {0}, which this release of QGIS cannot state in layers; files "
                          "of city models state it.").format(heights_of(stated)))
-    return made
+    return result

@@ -150,8 +150,8 @@ def trajectory_of(text: str, label: str, context: QgsProcessingContext, crs_wkt:
         import shapely
 
         columns["x"], columns["y"] = shapely.get_x(table.geometries), shapely.get_y(table.geometries)
-    made = trajectory_from_columns(columns, label, reading)
-    return replace(made, header=tuple(table.columns), delimiter="", crs_wkt=table.crs_wkt or crs_wkt)
+    result = trajectory_from_columns(columns, label, reading)
+    return replace(result, header=tuple(table.columns), delimiter="", crs_wkt=table.crs_wkt or crs_wkt)
 
 
 def trajectory_exists(text: str, context: QgsProcessingContext) -> bool:

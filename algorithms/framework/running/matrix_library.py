@@ -123,15 +123,15 @@ def _numpy_module() -> Path | None:
 def _mappings() -> list[_Mapping]:
     if not _MAPS.exists():
         return []
-    made = []
+    result = []
     for line in _MAPS.read_text(encoding="utf-8", errors="replace").splitlines():
         fields = line.split(maxsplit=5)
         if len(fields) == 6 and fields[5].startswith("/"):
             start, end = (int(value, 16) for value in fields[0].split("-"))
             protection = sum(bit for bit, letter in ((_READ, "r"), (_WRITE, "w"), (_EXECUTE, "x"))
                              if letter in fields[1])
-            made.append(_Mapping(start, end, protection, int(fields[2], 16), fields[5]))
-    return made
+            result.append(_Mapping(start, end, protection, int(fields[2], 16), fields[5]))
+    return result
 
 
 def _base(module: Path, mappings: list[_Mapping]) -> int:

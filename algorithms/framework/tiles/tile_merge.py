@@ -37,7 +37,7 @@ def merge_results(run_folder: Path, tiles: Sequence[GridTile], records: Mapping[
     require_room(run_folder)  # QGIS writes beside a layer that it reads
     folder = run_folder / MERGED
     folder.mkdir(exist_ok=True)
-    made: dict[str, Path] = {}
+    result: dict[str, Path] = {}
     for number, (name, file) in enumerate(outputs.items()):
         step = progress.part(number / len(outputs), (number + 1) / len(outputs))
         parts = [(tile_folder(run_folder, tile) / file, tile) for tile in tiles
@@ -47,11 +47,11 @@ def merge_results(run_folder: Path, tiles: Sequence[GridTile], records: Mapping[
             continue
         if file.endswith(".gpkg"):
             merge_layers([part for part, _ in parts], folder / file, name in joined, step)
-            made[name] = folder / file
+            result[name] = folder / file
         elif file.endswith(".tif"):
             mosaic_tiles(parts, folder / file, step)
-            made[name] = folder / file
-    return made
+            result[name] = folder / file
+    return result
 
 
 def merge_layers(parts: Sequence[Path], target: Path, joined: bool = False, progress: Progress = SILENT) -> None:
@@ -80,15 +80,15 @@ def whole_records(run_folder: Path, tiles: Sequence[GridTile], records: Mapping[
 
     Hours lie between a tile and the end of a run, and what a disk loses meanwhile must not be missing without a word.
     """
-    made = dict(records)
+    result = dict(records)
     for tile in tiles:
-        record = made.get(tile.name)
+        record = result.get(tile.name)
         name = damaged_output(run_folder, tile, record) if record is not None and record.status == DONE else ""
         if name:
             reason = tr("{0} is not as it was written, by a fault of the disk or another program; run again.").format(
                 name)
-            made[tile.name] = replace(record, status=FAILED, reason=reason)
-    return made
+            result[tile.name] = replace(record, status=FAILED, reason=reason)
+    return result
 
 
 def counts_of(path: Path | None, cut: Cut) -> ResultCounts | None:

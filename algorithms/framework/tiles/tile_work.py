@@ -94,9 +94,9 @@ def work_on_tile(job: TileJob, cancelled: Callable[[], bool] = lambda: False) ->
         record = TileRecord(job.tile.name, DONE, fingerprint=job.fingerprint)
         try:
             figures = _make(job, folder, cancelled)
-            made = [folder / name for name in job.outputs.values() if (folder / name).is_file()]
-            record = replace(record, outputs={file.name: file.stat().st_size for file in made},
-                             checksums={file.name: checksum(file) for file in made}, figures=figures)
+            result = [folder / name for name in job.outputs.values() if (folder / name).is_file()]
+            record = replace(record, outputs={file.name: file.stat().st_size for file in result},
+                             checksums={file.name: checksum(file) for file in result}, figures=figures)
         except EmptyTile as nothing:
             record = replace(record, status=EMPTY, reason=str(nothing))
         except (UrbanMapError, QgsProcessingException, *SYSTEM_TROUBLES) as error:

@@ -294,12 +294,12 @@ def _write_copy(path: Path, table, fields, columns, progress: Progress) -> str:
 
 def _pieces(points, grid: TileGrid, run_folder: Path, progress: Progress) -> dict[str, FileIndex]:
     """The files as tiles read them; the pieces of a large one are made once and kept for later runs."""
-    made: dict[str, list[PointFile]] = {}
+    result: dict[str, list[PointFile]] = {}
     for name, files in points.items():
-        made[name] = []
+        result[name] = []
         for file in files:
             if len(grid.covering(file.bounds)) <= LARGE or not file.points:
-                made[name].append(file)
+                result[name].append(file)
                 continue
             mark = fingerprint({"size": grid.key}, [file.path])
             folder = run_folder / PIECES / f"{file.path.stem[:40]}-{mark}"
@@ -309,5 +309,5 @@ def _pieces(points, grid: TileGrid, run_folder: Path, progress: Progress) -> dic
                 folder.mkdir(parents=True, exist_ok=True)
                 sorted_into_pieces(file, grid, folder, progress)
                 whole.touch()
-            made[name] += [point_file(path) for path in sorted(folder.glob(f"*{POINTS_SUFFIX}"))]
-    return {name: FileIndex(files) for name, files in made.items()}
+            result[name] += [point_file(path) for path in sorted(folder.glob(f"*{POINTS_SUFFIX}"))]
+    return {name: FileIndex(files) for name, files in result.items()}

@@ -80,11 +80,11 @@ def evidence_of_pieces(inside: np.ndarray, labels: np.ndarray, accepted: np.ndar
     pixel : side, m.
     """
     rows, columns = np.divmod(inside, shape[1])
-    here = ((rows >= counted[0].start) & (rows < counted[0].stop)
-            & (columns >= counted[1].start) & (columns < counted[1].stop))
-    straight = _slender(labels, rows, columns, pixel)[labels] & accepted & here
-    return SearchTally(narrow=np.count_nonzero(here), kept=np.count_nonzero(good & here),
-                    unsure=np.count_nonzero(accepted & ~good & here), straight=np.count_nonzero(straight),
+    in_tile = ((rows >= counted[0].start) & (rows < counted[0].stop)
+               & (columns >= counted[1].start) & (columns < counted[1].stop))
+    straight = _slender(labels, rows, columns, pixel)[labels] & accepted & in_tile
+    return SearchTally(narrow=np.count_nonzero(in_tile), kept=np.count_nonzero(good & in_tile),
+                    unsure=np.count_nonzero(accepted & ~good & in_tile), straight=np.count_nonzero(straight),
                     straight_unsure=np.count_nonzero(straight & ~good))
 
 

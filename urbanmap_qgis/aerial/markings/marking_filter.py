@@ -155,11 +155,11 @@ def remove_non_markings(found: Candidates, pixel: float, settings: CleanSettings
     evidence = SearchTally(colder=judged.colder, clear=np.count_nonzero(ground.clear[counted]),
                            smooth=np.count_nonzero(ground.smooth[counted]))
     evidence += _tally(judged, accepted & (by_rules >= settings.min_confidence), good, within(counted, near), pixel)
-    kept, confidence = np.zeros(mask.shape, bool), np.zeros(mask.shape, np.float32)
-    kept.ravel()[pieces.inside] = good
+    markings, confidence = np.zeros(mask.shape, bool), np.zeros(mask.shape, np.float32)
+    markings.ravel()[pieces.inside] = good
     confidence.ravel()[pieces.inside] = np.where(good, values, 0)
     window = within(wanted, near)
-    return Cleaned(kept[window], confidence[window], ground.brightness[wanted], judged.bodies, evidence)
+    return Cleaned(markings[window], confidence[window], ground.brightness[wanted], judged.bodies, evidence)
 
 
 @dataclass(frozen=True)

@@ -129,13 +129,13 @@ def piece_figures(seen: PieceImage, places: np.ndarray, relief: np.ndarray, by_r
     across = cells.clear.shape[1]
     cell = rows // cells.size * across + columns // cells.size
     total = np.bincount(cell, minlength=cells.clear.size)
-    held = np.flatnonzero(total)
-    pixels = total[held]
+    filled = np.flatnonzero(total)
+    pixels = total[filled]
 
     def mean(values: np.ndarray) -> np.ndarray:
-        return np.bincount(cell, values, minlength=len(total))[held] / pixels
+        return np.bincount(cell, values, minlength=len(total))[filled] / pixels
 
-    values = figures_at(*np.divmod(held, across), cells, seen.model, pixel, seen.contrast)
+    values = figures_at(*np.divmod(filled, across), cells, seen.model, pixel, seen.contrast)
     values["relief"] = mean(np.rint(np.minimum(relief, LIMITS.highest) * 64)) / 64
     values["rules"] = mean(np.rint(by_rules * 256)) / 256
     values["paint"] = mean(np.rint(seen.image.take(places))) / max(seen.model.brightness, 1.0)
@@ -146,7 +146,7 @@ def piece_figures(seen: PieceImage, places: np.ndarray, relief: np.ndarray, by_r
         values["warmer"] = values["pwarm"] - values["warm2.6"]
     values |= {name: mean(figure[labels]) for name, figure in _shapes(pieces, labels, rows, columns, pixel).items()}
     number = np.zeros(len(total), np.intp)
-    number[held] = np.arange(len(held))
+    number[filled] = np.arange(len(filled))
     return PieceFigures(values, number[cell], pixels)
 
 

@@ -75,9 +75,9 @@ class PaintModel:
     @classmethod
     def read(cls, path: Path = FILE) -> PaintModel:
         """A stored model."""
-        with np.load(path, allow_pickle=False) as held:
-            return cls(tuple(held["names"].tolist()), float(held["base"]), held["figure"].astype(np.intp),
-                       held["limit"], held["value"], held["evidence"], held["shares"])
+        with np.load(path, allow_pickle=False) as archive:
+            return cls(tuple(archive["names"].tolist()), float(archive["base"]), archive["figure"].astype(np.intp),
+                       archive["limit"], archive["value"], archive["evidence"], archive["shares"])
 
 
 @lru_cache(maxsize=1)

@@ -138,18 +138,18 @@ def figures_at(rows: np.ndarray, columns: np.ndarray, cells: Cells, model: RoadM
     """Figures (n,) by name of cells at rows and columns."""
     around = _Around(cells, pixel)
     flat = rows * cells.clear.shape[1] + columns
-    made = _of_ground(flat, cells, around, model)
-    made |= _of_edges(flat, cells, around)
+    figures = _of_ground(flat, cells, around, model)
+    figures |= _of_edges(flat, cells, around)
     across, down, firm = _across(flat, cells, around)
-    made["firm"] = firm
-    made |= _of_sides(rows, columns, across, down, cells, around, model, pixel, threshold)
-    made |= _of_lines(rows, columns, across, down, cells, around, pixel)
-    return made
+    figures["firm"] = firm
+    figures |= _of_sides(rows, columns, across, down, cells, around, model, pixel, threshold)
+    figures |= _of_lines(rows, columns, across, down, cells, around, pixel)
+    return figures
 
 
 def _of_ground(flat: np.ndarray, cells: Cells, around: _Around, model: RoadModel) -> dict[str, np.ndarray]:
     """Shares, brightness, colour and roughness of the ground in boxes round cells."""
-    made = {}
+    figures = {}
     level = max(model.brightness, 1.0)
     mean = cells.light / np.maximum(cells.clear, 1) / level
     dark = np.where(cells.clear > 0, cells.clear * (mean < LIMITS.dark), 0).astype(np.float32)
@@ -163,35 +163,35 @@ def _of_ground(flat: np.ndarray, cells: Cells, around: _Around, model: RoadModel
 
         clear, whole = at(cells.clear), around.pixels(half)
         some = np.maximum(clear, 1)
-        made["clear" + name] = clear / whole
-        made["narrow" + name] = at(cells.narrow) / whole
-        made["smooth" + name] = at(cells.smooth) / some
+        figures["clear" + name] = clear / whole
+        figures["narrow" + name] = at(cells.narrow) / whole
+        figures["smooth" + name] = at(cells.smooth) / some
         bright = at(cells.light) / some / level
-        made["light" + name] = np.minimum(bright, LIMITS.coarsest)
-        made["dark" + name], made["bright" + name] = at(dark) / some, at(light) / some
-        made["uneven" + name] = np.sqrt(np.maximum(at(squares) / 16 / some / level - bright * bright, 0))
+        figures["light" + name] = np.minimum(bright, LIMITS.coarsest)
+        figures["dark" + name], figures["bright" + name] = at(dark) / some, at(light) / some
+        figures["uneven" + name] = np.sqrt(np.maximum(at(squares) / 16 / some / level - bright * bright, 0))
         rough = np.sqrt(at(cells.rough) / some) / (2 + 2 * model.texture)
-        made["rough" + name] = np.minimum(rough, 2 * LIMITS.coarsest)
+        figures["rough" + name] = np.minimum(rough, 2 * LIMITS.coarsest)
         if cells.red is not None:
             red, green, blue = at(cells.red), at(cells.green), at(cells.blue)
             value = np.maximum((red + green + blue) / 3, 1e-6)
-            made["warm" + name] = np.clip((red - blue) / value - model.warmth, -1, 1)
-            made["green" + name] = np.clip((green - (red + blue) / 2) / value - model.green, -1, 1)
-    return made
+            figures["warm" + name] = np.clip((red - blue) / value - model.warmth, -1, 1)
+            figures["green" + name] = np.clip((green - (red + blue) / 2) / value - model.green, -1, 1)
+    return figures
 
 
 def _of_edges(flat: np.ndarray, cells: Cells, around: _Around) -> dict[str, np.ndarray]:
     """How much the edges in boxes round cells run one way, and at right angles."""
-    made = {}
+    figures = {}
     turned, other, strength = _doubled(cells)
     two, two_other = _doubled_again(turned, other, strength)
     for half in (1.1, 3.0, 8.0):
         whole = np.maximum(around.total(strength, half).take(flat), 1)
-        made[f"ordered{half:g}"] = np.hypot(around.total(turned, half).take(flat),
-                                            around.total(other, half).take(flat)) / whole
-        made[f"square{half:g}"] = np.hypot(around.total(two, half).take(flat),
-                                           around.total(two_other, half).take(flat)) / whole
-    return made
+        figures[f"ordered{half:g}"] = np.hypot(around.total(turned, half).take(flat),
+                                               around.total(other, half).take(flat)) / whole
+        figures[f"square{half:g}"] = np.hypot(around.total(two, half).take(flat),
+                                              around.total(two_other, half).take(flat)) / whole
+    return figures
 
 
 def _doubled(cells: Cells) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -215,7 +215,7 @@ def _across(flat: np.ndarray, cells: Cells, around: _Around) -> tuple[np.ndarray
 def _of_sides(rows: np.ndarray, columns: np.ndarray, across: np.ndarray, down: np.ndarray, cells: Cells,
               around: _Around, model: RoadModel, pixel: float, threshold: float) -> dict[str, np.ndarray]:
     """How the ground on both sides of a stroke differs, and the poorer side's share of smooth ground."""
-    made = {}
+    figures = {}
     side = cells.size * pixel
     clear, smooth, light, rough = (cv2.boxFilter(values, cv2.CV_64F, (3, 3), normalize=False,
                                                  borderType=cv2.BORDER_REPLICATE)
@@ -231,12 +231,12 @@ def _of_sides(rows: np.ndarray, columns: np.ndarray, across: np.ndarray, down: n
                         np.sqrt(rough.take(place) / some)))
         (clear_a, smooth_a, light_a, rough_a), (clear_b, smooth_b, light_b, rough_b) = two
         known = np.minimum(clear_a, clear_b) > 0.05
-        made["sided" + name] = np.where(known, np.abs(light_a - light_b) / threshold, -1)
-        made["poorer" + name] = np.where(known, np.minimum(smooth_a, smooth_b), -1)
-        made["rougher" + name] = np.where(known, np.maximum(rough_a, rough_b) / (2 + 2 * model.texture), -1)
-        made["hidden" + name] = np.minimum(clear_a, clear_b)
-        made["lighter" + name] = np.where(known, np.maximum(light_a, light_b) / max(model.brightness, 1.0), -1)
-    return made
+        figures["sided" + name] = np.where(known, np.abs(light_a - light_b) / threshold, -1)
+        figures["poorer" + name] = np.where(known, np.minimum(smooth_a, smooth_b), -1)
+        figures["rougher" + name] = np.where(known, np.maximum(rough_a, rough_b) / (2 + 2 * model.texture), -1)
+        figures["hidden" + name] = np.minimum(clear_a, clear_b)
+        figures["lighter" + name] = np.where(known, np.maximum(light_a, light_b) / max(model.brightness, 1.0), -1)
+    return figures
 
 
 def _of_lines(rows: np.ndarray, columns: np.ndarray, across: np.ndarray, down: np.ndarray, cells: Cells,
@@ -247,12 +247,12 @@ def _of_lines(rows: np.ndarray, columns: np.ndarray, across: np.ndarray, down: n
     narrow = around.total(cells.narrow, 0.4) > 0
     scale = np.maximum(strength, 1)
     cosine, sine = turned / scale * narrow, other / scale * narrow
-    own = across * across - down * down, 2 * across * down
+    direction = across * across - down * down, 2 * across * down
 
     def like(right: np.ndarray, below: np.ndarray) -> np.ndarray:
         """How much a stroke so many metres off runs the same way, 0 to 1."""
         place = _shifted(rows, columns, below / side, right / side, narrow.shape)
-        return np.maximum(cosine.take(place) * own[0] + sine.take(place) * own[1], 0)
+        return np.maximum(cosine.take(place) * direction[0] + sine.take(place) * direction[1], 0)
 
     def row(turn: float) -> tuple[np.ndarray, np.ndarray]:
         """Of strokes both ways in a direction so many degrees off the own: mean, and that of the better half."""

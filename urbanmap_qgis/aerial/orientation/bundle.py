@@ -330,19 +330,19 @@ def _errors_on_ground(camera: FrameCamera, poses: Sequence[ExteriorOrientation],
                       frame: np.ndarray) -> np.ndarray:
     """(n, 2) m, see `errors_on_ground`, with the pose `frame` (n,) of each observation."""
     known = points.known[points.point]
-    apart = np.full((len(frame), 2), np.nan)
-    apart[known] = _apart(camera, poses, points, frame, known)
-    return apart
+    errors = np.full((len(frame), 2), np.nan)
+    errors[known] = _apart(camera, poses, points, frame, known)
+    return errors
 
 
 def _apart(camera: FrameCamera, poses: Sequence[ExteriorOrientation], points: ImagePoints, frame: np.ndarray,
            which: np.ndarray) -> np.ndarray:
     """(m, 2) m, from known points to where their pixels lie at their heights, of some observations (n,) bool."""
     rows = np.flatnonzero(which)
-    place, apart = points.place[points.point[rows]], np.empty((len(rows), 2))
+    place, errors = points.place[points.point[rows]], np.empty((len(rows), 2))
     for number in np.unique(frame[rows]):
         of_frame, pose = frame[rows] == number, poses[number]
         ray = frame_rays(camera, pose, *points.pixel[rows[of_frame]].T)
         along = (place[of_frame, 2] - pose.z) / ray[:, 2]
-        apart[of_frame] = (pose.centre + along[:, None] * ray)[:, :2] - place[of_frame, :2]
-    return apart
+        errors[of_frame] = (pose.centre + along[:, None] * ray)[:, :2] - place[of_frame, :2]
+    return errors

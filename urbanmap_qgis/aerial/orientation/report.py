@@ -18,12 +18,12 @@ _SHOWN = ("id", "role", "frames", "east_before", "north_before", "east_after", "
 def write_control_report(path: str | os.PathLike, made: FrameControl) -> None:
     """Write the report (HTML)."""
     report, points = Report("Frames adjusted to control points"), made.points
-    held, checks = made.left_out_rms(), points.known & points.check
+    left_out, checks = made.left_out_rms(), points.known & points.check
     text = say("{frames} frames lie {before:.3f} m off at {count} control points as given and {after:.3f} m after "
                "(RMS in plan).", frames=len(made.adjusted.poses), before=made.rms(made.followed, before=True),
                count=int(made.followed.sum()), after=made.rms(made.followed))
-    if np.isfinite(held):
-        text += " " + say("Each control point left out in turn lies {held:.3f} m off.", held=held)
+    if np.isfinite(left_out):
+        text += " " + say("Each control point left out in turn lies {held:.3f} m off.", held=left_out)
     if checks.any():
         text += " " + say("Check points lie {off:.3f} m off.", off=made.rms(checks))
     report.verdict(LOOK if made.findings else GOOD, text)

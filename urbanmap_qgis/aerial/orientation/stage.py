@@ -59,8 +59,8 @@ class FrameControl:
 
     def rms(self, which: np.ndarray, before: bool = False) -> float:
         """RMS in plan, m, of some points (k,) bool, each the mean of its frames; NaN where there is none."""
-        apart = mean_of_points(self.points, self.before if before else self.adjusted.apart)[which]
-        return _rms(apart)
+        errors = mean_of_points(self.points, self.before if before else self.adjusted.apart)[which]
+        return _rms(errors)
 
     def left_out_rms(self) -> float:
         """RMS in plan, m, of the control points that were left out in turn; NaN where none was."""
@@ -100,7 +100,7 @@ def mean_of_points(points: ImagePoints, apart: np.ndarray) -> np.ndarray:
 def residual_columns(made: FrameControl) -> dict[str, list]:
     """Columns of the layer of residuals, a row for each point with coordinates; m, east and north."""
     points, known = made.points, np.flatnonzero(made.points.known)
-    before, after = (mean_of_points(points, apart)[known] for apart in (made.before, made.adjusted.apart))
+    before, after = (mean_of_points(points, errors)[known] for errors in (made.before, made.adjusted.apart))
     role = np.where(points.check, mark("check"), np.where(made.wrong, mark("wrong"), mark("control")))[known]
     seen = np.bincount(points.point, minlength=len(points.points))[known]
     columns = {"id": [points.points[number] for number in known], "role": role.tolist(), "frames": seen.tolist(),

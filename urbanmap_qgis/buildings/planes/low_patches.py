@@ -132,8 +132,8 @@ def _places(raster: LabelRaster, high: np.ndarray, height: np.ndarray, top: np.n
     for number in np.unique(part[high & (part > 0)]):
         patch = part == number
         if np.count_nonzero(patch) * raster.cell**2 >= LIMITS.least_area:
-            own = patch & np.isfinite(top)
-            found.append((float(np.median(filled[own if own.any() else patch])), patch))
+            of_patch = patch & np.isfinite(top)
+            found.append((float(np.median(filled[of_patch if of_patch.any() else patch])), patch))
     return found
 
 

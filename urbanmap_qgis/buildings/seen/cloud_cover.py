@@ -98,11 +98,12 @@ def _of_outline(outline: shapely.Geometry, grid: Grid, count: np.ndarray, ended:
     rows, columns, part = grid.window(west - reach, south - reach, east + reach, north + reach)
     x, y = np.meshgrid(*part.centres())
     shapely.prepare(outline)
-    own = shapely.contains_xy(outline, x, y)
-    near = distance_transform_edt(~own) * grid.cell if own.any() else np.zeros(own.shape)
+    within = shapely.contains_xy(outline, x, y)
+    near = distance_transform_edt(~within) * grid.cell if within.any() else np.zeros(within.shape)
     # A cell's breadth is left out as well: its cells are the building's in part.
-    around = count[rows, columns][(near > grid.cell) & (near <= reach)] if own.any() else count[rows, columns].ravel()
-    beyond = float(ended[rows, columns][own].mean()) if own.any() else 0.0
+    beside = (near > grid.cell) & (near <= reach) if within.any() else np.ones(within.shape, bool)
+    around = count[rows, columns][beside]
+    beyond = float(ended[rows, columns][within].mean()) if within.any() else 0.0
     return _density(around, grid.cell, everywhere), beyond
 
 

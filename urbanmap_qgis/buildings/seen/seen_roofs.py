@@ -91,12 +91,12 @@ def _plan_places(cells: list[RoofCell], spacing: float) -> tuple[np.ndarray, np.
         x, y = (axis.ravel() for axis in np.meshgrid(*Grid.covering(*cell.polygon.bounds, side).centres()))
         shapely.prepare(cell.polygon)
         inside = shapely.contains_xy(cell.polygon, x, y)
-        own = np.column_stack([x, y])[inside]
-        if not len(own):
-            own = shapely.get_coordinates(shapely.point_on_surface(cell.polygon))
-        places.append(own)
-        owners.append(np.full(len(own), number))
-        shares.append(np.full(len(own), area / len(own)))
+        in_cell = np.column_stack([x, y])[inside]
+        if not len(in_cell):
+            in_cell = shapely.get_coordinates(shapely.point_on_surface(cell.polygon))
+        places.append(in_cell)
+        owners.append(np.full(len(in_cell), number))
+        shares.append(np.full(len(in_cell), area / len(in_cell)))
     share = np.concatenate(shares)
     return np.concatenate(places), np.concatenate(owners), share / share.sum()
 

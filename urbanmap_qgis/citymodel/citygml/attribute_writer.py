@@ -36,7 +36,7 @@ def split_attributes(attributes: Mapping[str, Any], table: IurTable, homeless: C
     and of addresses and extensions, which come last. `kind` is that of the object. `homeless` counts extensions that
     `table` has no place for, which become generic attributes."""
     feature: dict[str, list[str]] = {name: [] for name in FEATURE_FIELDS.values()}
-    own: dict[str, list[str]] = {name: [] for name in FIELDS[kind]}
+    of_fields: dict[str, list[str]] = {name: [] for name in FIELDS[kind]}
     generic, extension, postal = [], [], []
     for name, value in attributes.items():
         for item in value if isinstance(value, (list, tuple)) else (value,):
@@ -45,8 +45,8 @@ def split_attributes(attributes: Mapping[str, Any], table: IurTable, homeless: C
                 continue
             if place and _fits_feature(place, item) and not (place != "gml:name" and feature[place]):
                 feature[place].append(f"<{place}{_code_space(item)}>{_plain_text(item)}</{place}>")
-            elif name in own and _own_element(kind, name, item):
-                own[name].append(_own_element(kind, name, item))
+            elif name in of_fields and _own_element(kind, name, item):
+                of_fields[name].append(_own_element(kind, name, item))
             elif name == ADDRESS and kind in _ADDRESSED and isinstance(item, AttributeGroup):
                 postal.append(_address(item))
             elif name.startswith(PREFIX):
@@ -59,7 +59,7 @@ def split_attributes(attributes: Mapping[str, Any], table: IurTable, homeless: C
             else:
                 generic.append(generic_attribute(name.removeprefix(_GENERIC), item))
     return ("".join(text for name in FEATURE_FIELDS.values() for text in feature[name]) + "".join(generic),
-            "".join(text for texts in own.values() for text in texts), "".join(postal + extension))
+            "".join(text for texts in of_fields.values() for text in texts), "".join(postal + extension))
 
 
 def _address(group: AttributeGroup) -> str:

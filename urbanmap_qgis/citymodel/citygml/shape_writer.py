@@ -198,11 +198,11 @@ class _ShapeWriter:
                 parent = group.first.parent if group.first.parent in self._groups else f"{name}_wall"
                 openings.setdefault(parent, []).append(
                     f"<bldg:{OPENING_PROPERTY}>{self._boundary(name, group)}</bldg:{OPENING_PROPERTY}>")
-        held = {name: group for name, group in self._groups.items() if group.first.kind not in OPENINGS}
+        without_openings = {name: group for name, group in self._groups.items() if group.first.kind not in OPENINGS}
         # An opening whose wall is not there has a wall without faces, as the schema wants one.
-        walls = {name: _Boundary(CitySurface((), WALL_SURFACE)) for name in openings if name not in held}
+        walls = {name: _Boundary(CitySurface((), WALL_SURFACE)) for name in openings if name not in without_openings}
         return [f"<bldg:{BOUNDARY_PROPERTY}>{self._boundary(name, group, ''.join(openings.get(name, ())))}"
-                f"</bldg:{BOUNDARY_PROPERTY}>" for name, group in {**held, **walls}.items()]
+                f"</bldg:{BOUNDARY_PROPERTY}>" for name, group in {**without_openings, **walls}.items()]
 
     def _boundary(self, name: str, group: _Boundary, openings: str = "") -> str:
         """A boundary surface or an opening with its attributes and polygons, level by level."""

@@ -31,9 +31,9 @@ def once(key: Hashable, read: Callable[[], T]) -> T:
     The key says all that the answer depends on: of files their path, size and time of the last change
     (`decoded_points.file_state`).
     """
-    kept = _KEPT.get()
-    if kept is None:
+    store = _KEPT.get()
+    if store is None:
         return read()
-    if key not in kept:
-        kept[key] = read()
-    return kept[key]
+    if key not in store:
+        store[key] = read()
+    return store[key]

@@ -133,9 +133,9 @@ def class_writer(path: str | os.PathLike, cloud: PointCloud) -> Iterator[ClassWr
             yield _Repacked(writer)
         return
     with written_beside(path) as temporary, temporary.open("w+b") as file:
-        made = _CopiedLayers(file, cloud, layout.header)
-        yield made
-        made.finish()
+        copied = _CopiedLayers(file, cloud, layout.header)
+        yield copied
+        copied.finish()
 
 
 @dataclass(frozen=True)
@@ -189,9 +189,9 @@ class _CopiedLayers:
         with path.open("rb") as source:
             source.seek(chunk.place)
             packed = source.read(chunk.length)
-        made = with_classes(packed, self._header.point_format, records)
-        self._file.write(made)
-        self._table.append((chunk.points, len(made)))
+        layers = with_classes(packed, self._header.point_format, records)
+        self._file.write(layers)
+        self._table.append((chunk.points, len(layers)))
 
     def finish(self) -> None:
         """Write the chunk table and the header's counts."""

@@ -104,13 +104,13 @@ def _ties(observations: NetworkObservations, known: np.ndarray, chainage: np.nda
           number: int) -> list[tuple[int, _Course, _Course]]:
     """The drives tied to one: number, how far they lie apart, and their own chainage, over that of the one."""
     tied, found = known & np.isin(observations.kind, RELATIVE_KINDS), []
-    for mine, own, theirs, way, sign in ((observations.drive, chainage, observations.other, other_chainage, 1.0),
-                                         (observations.other, other_chainage, observations.drive, chainage, -1.0)):
+    for mine, along, theirs, way, sign in ((observations.drive, chainage, observations.other, other_chainage, 1.0),
+                                           (observations.other, other_chainage, observations.drive, chainage, -1.0)):
         for partner in np.unique(theirs[tied & (mine == number)]):
             rows = np.flatnonzero(tied & (mine == number) & (theirs == partner))
             if partner not in (number, NONE):
-                found.append((int(partner), _Course.of(own[rows], sign * observations.value[rows, :2]),
-                              _Course.of(own[rows], way[rows, None])))
+                found.append((int(partner), _Course.of(along[rows], sign * observations.value[rows, :2]),
+                              _Course.of(along[rows], way[rows, None])))
     return found
 
 
@@ -137,9 +137,9 @@ def _steps_of(number: int, course: _Course, ties: Sequence[tuple[int, _Course, _
 def _of_reference(at: float, change: np.ndarray, tie: tuple[int, _Course, _Course], other: _Course | None) -> bool:
     """Whether a tied drive says that a change is the reference's: it does not step, or shows the same step itself."""
     _, difference, way = tie
-    apart = difference.change_at(at)
+    of_tie = difference.change_at(at)
     size = float(np.hypot(*change))
-    if apart is None or np.hypot(*apart) > LIMITS.same * size:
+    if of_tie is None or np.hypot(*of_tie) > LIMITS.same * size:
         return False
     forward = way.value[-1, 0] >= way.value[0, 0]
     seen = None if other is None else other.change_at(float(np.interp(at, way.chainage, way.value[:, 0])))

@@ -105,9 +105,9 @@ def _adjusted(patches: PlanePatches, poses: PatchPoses, node_pass: np.ndarray, s
     if not found.place_rms > settings.max_apart:
         return found
     tight = replace(settings, place=_TIGHT * settings.max_apart, place_walk=_TIGHT * settings.place_walk)
-    held = adjust_boresights(patches, poses, node_pass, scanners, tight)
-    alike = held.pairs >= found.pairs / _AS_GOOD and held.rms_after <= _AS_GOOD * found.rms_after
-    return held if alike and held.place_rms <= settings.max_apart else found
+    tightened = adjust_boresights(patches, poses, node_pass, scanners, tight)
+    alike = tightened.pairs >= found.pairs / _AS_GOOD and tightened.rms_after <= _AS_GOOD * found.rms_after
+    return tightened if alike and tightened.place_rms <= settings.max_apart else found
 
 
 def _passes(trajectory: Trajectory):

@@ -228,9 +228,9 @@ def _chosen(evidence: np.ndarray, coupled: np.ndarray) -> int:
 
     Without clear evidence errors are not carried along the course driven: that would bend it.
     """
-    apart = np.where(coupled, -np.inf, evidence)
+    uncoupled = np.where(coupled, -np.inf, evidence)
     best = int(np.argmax(evidence))
-    return best if evidence[best] > apart.max() + LIMITS.coupling_evidence else int(np.argmax(apart))
+    return best if evidence[best] > uncoupled.max() + LIMITS.coupling_evidence else int(np.argmax(uncoupled))
 
 
 def _widened(system: _System, pace: WalkPace, mode: RandomWalk, likelihood: float, spread: np.ndarray,

@@ -65,9 +65,9 @@ def surface_corners(surface: RasterSampler, trajectory: Trajectory, max_distance
         columns = slice(max(column - margin, 0), min(column + LIMITS.window + margin, grid.columns))
         corners = raster_corners(surface.read(rows, columns), grid.cell)
         cells = corners.place + np.array([columns.start, rows.start])
-        own = ((cells >= (column, row)) & (cells < (column + LIMITS.window, row + LIMITS.window))).all(axis=1)
-        place = np.column_stack([grid.x_min + cells[own, 0] * grid.cell, grid.y_max - cells[own, 1] * grid.cell])
-        found.append(BuildingCorners(place, corners.edge[own] * (1.0, -1.0), corners.length[own] * grid.cell))
+        within = ((cells >= (column, row)) & (cells < (column + LIMITS.window, row + LIMITS.window))).all(axis=1)
+        place = np.column_stack([grid.x_min + cells[within, 0] * grid.cell, grid.y_max - cells[within, 1] * grid.cell])
+        found.append(BuildingCorners(place, corners.edge[within] * (1.0, -1.0), corners.length[within] * grid.cell))
     return joined_corners(found)
 
 

@@ -22,10 +22,10 @@ def area_table(survey: RegisteredSurvey) -> tuple[dict[str, object], np.ndarray]
     length = float(survey.correction.chainage[-1])
     steps = survey.correction.steps
     closing = _closing(survey)
-    told = [(step, step.span or (step.place - _ABOUT, step.place + _ABOUT)) for number, step in enumerate(steps)
-            if number not in closing]
-    spans = [(max(begin, 0.0), min(end, length)) for _, (begin, end) in told]
-    items = [step for step, _ in told]
+    extents = [(step, step.span or (step.place - _ABOUT, step.place + _ABOUT)) for number, step in enumerate(steps)
+               if number not in closing]
+    spans = [(max(begin, 0.0), min(end, length)) for _, (begin, end) in extents]
+    items = [step for step, _ in extents]
     columns = {"begin": [begin for begin, _ in spans], "end": [end for _, end in spans],
                "kind": [step.kind for step in items], "size": [step.size for step in items],
                "direction": [step.direction for step in items], "sigma": [step.sigma for step in items]}

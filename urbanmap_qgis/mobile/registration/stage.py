@@ -57,8 +57,8 @@ def register_markings(markings: MarkingPoints, trajectory: Trajectory, reference
     corrected, correction = corrected_path(windows, markings, trajectory, reference, run, progress.part(0.8, 1.0),
                                            walls)
     survey = RegisteredSurvey(corrected, trajectory, markings, windows, correction)
-    held = walls is not None and survey.share(DISTRUSTED) < 1.0
-    if not survey.share(REGISTERED) and not correction.steps and not held:
+    by_walls = walls is not None and survey.share(DISTRUSTED) < 1.0
+    if not survey.share(REGISTERED) and not correction.steps and not by_walls:
         raise InsufficientDataError(say("No part of the survey could be registered to the reference markings, so "
                                         "that there is no result: check that both show the same roads, and the "
                                         "maximum error."))

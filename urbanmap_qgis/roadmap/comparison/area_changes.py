@@ -120,14 +120,14 @@ def paired_changes(old: Sequence[MapElement], new: Sequence[MapElement], found: 
                    noises: tuple[MapNoise, MapNoise], settings: ComparisonSettings,
                    offset: np.ndarray) -> list[MapChange]:
     """Elements of both maps that moved or were painted anew; `noises` are those along and across."""
-    made = []
+    changes = []
     for (a, b), shift, frame in zip(found.pairs, found.shifts, found.axes):
         before, after = old[a], new[b]
         places = after.points + offset
         ids = {"old_id": before.identifier, "new_id": after.identifier}
         kinds = {before.kind, after.kind}
         if len(kinds) == 2 and UNKNOWN_ARROW not in kinds:
-            made.append(MapChange(REPAINTED, before.element, before.words, after.words, places, **ids))
+            changes.append(MapChange(REPAINTED, before.element, before.words, after.words, places, **ids))
         # A stop line's sigma is that across the bar; how far it reaches to the sides is known from the rest alone.
         stated = [(before.sigma, after.sigma)] * 2
         if before.element == STOP_LINE:
@@ -138,10 +138,10 @@ def paired_changes(old: Sequence[MapElement], new: Sequence[MapElement], found: 
         if ratio > 1.0 and np.hypot(*shift) > settings.least_shift:
             east, north = shift @ frame
             sigma = float(np.sqrt(np.sum((shift * sigmas) ** 2)) / np.hypot(*shift))
-            made.append(MapChange(MOVED, before.element, before.words, after.words, places, np.nan, float(east),
-                                  float(north), *map(float, shift), sigma, float(np.max(np.abs(shift) / sigmas)),
-                                  **ids))
-    return made
+            changes.append(MapChange(MOVED, before.element, before.words, after.words, places, np.nan, float(east),
+                                     float(north), *map(float, shift), sigma, float(np.max(np.abs(shift) / sigmas)),
+                                     **ids))
+    return changes
 
 
 def single_changes(kind: str, elements: Sequence[MapElement], frames: ElementFrames, paired: np.ndarray,
@@ -150,13 +150,13 @@ def single_changes(kind: str, elements: Sequence[MapElement], frames: ElementFra
     """Elements (`ADDED` or `REMOVED`) without a partner, where the other map shows a road."""
     alone = np.setdiff1d(np.arange(len(elements)), paired)
     shown = _shown(frames.middles[alone], other_lines, area)
-    made = []
+    changes = []
     for number in alone[shown]:
         one = elements[number]
         names = ("", one.words) if kind == ADDED else (one.words, "")
         ids = {"new_id" if kind == ADDED else "old_id": one.identifier}
-        made.append(MapChange(kind, one.element, *names, one.points + (offset if kind == ADDED else 0.0), **ids))
-    return made
+        changes.append(MapChange(kind, one.element, *names, one.points + (offset if kind == ADDED else 0.0), **ids))
+    return changes
 
 
 def _shown(places: np.ndarray, lines: Sequence[MapElement], area: shapely.Geometry | None) -> np.ndarray:

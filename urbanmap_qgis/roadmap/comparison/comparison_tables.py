@@ -13,11 +13,11 @@ from .map_elements import ELEMENTS, LINE
 
 def change_columns(changes: Sequence[MapChange]) -> dict[str, list]:
     """Columns of the changes' layer, one value a change; azimuths in degrees from grid north."""
-    made = {name: [getattr(one, name) or None for one in changes]
-            for name in ("kind", "element", "before", "after", "old_id", "new_id")}
-    made |= {name: [getattr(one, name) for one in changes]
-             for name in ("length", "shift", "along", "across", "sigma", "significance")}
-    return made | {"azimuth": [float(np.degrees(np.arctan2(one.east, one.north)) % 360.0) for one in changes]}
+    columns = {name: [getattr(one, name) or None for one in changes]
+               for name in ("kind", "element", "before", "after", "old_id", "new_id")}
+    columns |= {name: [getattr(one, name) for one in changes]
+                for name in ("length", "shift", "along", "across", "sigma", "significance")}
+    return columns | {"azimuth": [float(np.degrees(np.arctan2(one.east, one.north)) % 360.0) for one in changes]}
 
 
 def change_shapes(changes: Sequence[MapChange]) -> list[shapely.LineString | None]:

@@ -105,8 +105,8 @@ def crossings(samples: LineSamples, lines: Sequence[MapElement], half: float) ->
     turned = ahead[piece, 0] * across[:, 1] - ahead[piece, 1] * across[:, 0]
     parallel = np.abs(turned) >= PARALLEL * np.maximum(np.linalg.norm(ahead[piece], axis=1), LEAST_DIVISOR)
     sample, piece, turned = sample[parallel], piece[parallel], turned[parallel]
-    apart = begins[piece] - samples.places[sample]
-    offset = (ahead[piece, 0] * apart[:, 1] - ahead[piece, 1] * apart[:, 0]) / turned
+    distance = begins[piece] - samples.places[sample]
+    offset = (ahead[piece, 0] * distance[:, 1] - ahead[piece, 1] * distance[:, 0]) / turned
     order = np.lexsort((offset, owner[piece], sample))
     sample, line, offset = sample[order], owner[piece][order], offset[order]
     again = (np.diff(sample) == 0) & (np.diff(line) == 0) & (np.diff(offset) < SAME)  # where two pieces meet
@@ -204,9 +204,9 @@ def _in_order(costs: np.ndarray, most: float) -> np.ndarray:
     for _ in range(rows + columns):
         going = (a > 0) & (b > 0)
         above, left = np.maximum(a - 1, 0), np.maximum(b - 1, 0)
-        here = total[each, a, b]
-        joined = going & (here == total[each, above, left] + costs[each, above, left])
-        alone = going & ~joined & (here == total[each, above, b] + most / 2)
+        cost = total[each, a, b]
+        joined = going & (cost == total[each, above, left] + costs[each, above, left])
+        alone = going & ~joined & (cost == total[each, above, b] + most / 2)
         found[each[joined], above[joined]] = left[joined]
         a, b = np.where(joined | alone, above, a), np.where(going & ~alone, left, b)
     return found

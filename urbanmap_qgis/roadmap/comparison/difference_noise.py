@@ -48,8 +48,8 @@ def estimated_noise(differences: np.ndarray, old: np.ndarray, new: np.ndarray, e
     if not (lacking[0].any() or lacking[1].any()):
         enough = independent >= FEWEST
         factor = max(1.0, robust_scale(differences / sigma)) if enough else 1.0
-        told = any(one.any() for one in unstated)
-        return MapNoise(*given, factor, SIGMAS, len(differences), "given" if told else "stated")
+        is_unstated = any(one.any() for one in unstated)
+        return MapNoise(*given, factor, SIGMAS, len(differences), "given" if is_unstated else "stated")
     if independent < FEWEST:
         return None
     known = np.nan_to_num(old) ** 2 + np.nan_to_num(new) ** 2 + extra ** 2

@@ -58,14 +58,14 @@ def missing_lines(samples: LineSamples, matches: LineMatches, own: Sequence[MapE
 def missing_changes(kind: str, samples: LineSamples, mask: np.ndarray, lines: Sequence[MapElement],
                     settings: ComparisonSettings, offset: np.ndarray) -> list[MapChange]:
     """Changes of kind `ADDED` or `REMOVED` where samples of one map are lacking in the other."""
-    made = []
+    changes = []
     for run in told_runs(mask, samples, lines, settings):
         line = lines[samples.line[run[0]]]
         names = ("", line.words) if kind == ADDED else (line.words, "")
         ids = {"new_id" if kind == ADDED else "old_id": line.identifier}
-        made.append(MapChange(kind, LINE, *names, _stretch(samples, run) + (offset if kind == ADDED else 0.0),
-                              _length(samples, run, line), **ids))
-    return made
+        changes.append(MapChange(kind, LINE, *names, _stretch(samples, run) + (offset if kind == ADDED else 0.0),
+                                 _length(samples, run, line), **ids))
+    return changes
 
 
 def moved_lines(samples: LineSamples, matches: LineMatches, old: Sequence[MapElement], new: Sequence[MapElement],
@@ -83,7 +83,7 @@ def moved_lines(samples: LineSamples, matches: LineMatches, old: Sequence[MapEle
     for run in runs_of(matches.other >= 0, samples.line):
         shift[run] = median_filter(matches.across[run], max(int(LIMITS.smooth / STEP) | 1, 1), mode="nearest")
     large = np.abs(shift) > np.maximum(noise.limit * sigma, settings.least_shift)
-    made, moved = [], np.zeros(len(bend), bool)
+    changes, moved = [], np.zeros(len(bend), bool)
     for side in (1.0, -1.0):
         for run in told_runs(large & (side * shift > 0), samples, old, settings):
             line = old[samples.line[run[0]]]
@@ -91,11 +91,11 @@ def moved_lines(samples: LineSamples, matches: LineMatches, old: Sequence[MapEle
             east, north = across * _mean_course(samples.normals[run])
             other = new[matches.other[run[len(run) // 2]]]
             places = _stretch(samples, run, np.nan_to_num(shift)[:, None] * samples.normals) + offset
-            made.append(MapChange(MOVED, LINE, line.words, other.words, places, _length(samples, run, line), east,
-                                  north, np.nan, across, spread, float(np.mean(np.abs(shift[run]) / sigma[run])),
-                                  line.identifier, other.identifier))
+            changes.append(MapChange(MOVED, LINE, line.words, other.words, places, _length(samples, run, line), east,
+                                     north, np.nan, across, spread, float(np.mean(np.abs(shift[run]) / sigma[run])),
+                                     line.identifier, other.identifier))
             moved[run] = True
-    return made, moved
+    return changes, moved
 
 
 def repainted_lines(samples: LineSamples, matches: LineMatches, old: Sequence[MapElement], new: Sequence[MapElement],
@@ -108,14 +108,14 @@ def repainted_lines(samples: LineSamples, matches: LineMatches, old: Sequence[Ma
         if _differ(before, after):
             number = words.setdefault((before.words, after.words), len(words))
             code[(samples.line == pair[0]) & (matches.other == pair[1])] = number
-    made, mask = [], np.zeros(len(code), bool)
+    changes, mask = [], np.zeros(len(code), bool)
     for (before, after), number in words.items():
         for run in told_runs(code == number, samples, old, settings):
             line, other = old[samples.line[run[0]]], new[matches.other[run[len(run) // 2]]]
-            made.append(MapChange(REPAINTED, LINE, before, after, _stretch(samples, run) + offset,
-                                  _length(samples, run, line), old_id=line.identifier, new_id=other.identifier))
+            changes.append(MapChange(REPAINTED, LINE, before, after, _stretch(samples, run) + offset,
+                                     _length(samples, run, line), old_id=line.identifier, new_id=other.identifier))
             mask[run] = True
-    return made, mask
+    return changes, mask
 
 
 def _differ(before: MapElement, after: MapElement) -> bool:

@@ -88,8 +88,8 @@ def compare_maps(old: Sequence[MapElement], new: Sequence[MapElement],
                                                 taken)
         changes += found
     weights, new_weights = _lengths(samples, old_lines), _lengths(new_samples, lines)
-    kept = (matches.other >= 0) & ~shifts & ~repaints
-    return MapComparison(changes, offset, noises, float(weights[~beyond_old].sum()), float(weights[kept].sum()),
+    unchanged = (matches.other >= 0) & ~shifts & ~repaints
+    return MapComparison(changes, offset, noises, float(weights[~beyond_old].sum()), float(weights[unchanged].sum()),
                          float(weights[beyond_old].sum()), float(new_weights[beyond_new].sum()), counts)
 
 
@@ -120,9 +120,9 @@ def _offset(old, new, samples: LineSamples, new_lines, settings: ComparisonSetti
         rows, values, single = [normals], [across + normals @ estimate], 0
         for element in REACH:
             things = _thing_differences(element, old, shifted)
-            kept = 1 if element == STOP_LINE else 2
-            rows.append(things.axes[:, :kept].reshape(-1, 2))
-            values.append(things.middles[:, :kept].reshape(-1) + rows[-1] @ estimate)
+            directions = 1 if element == STOP_LINE else 2
+            rows.append(things.axes[:, :directions].reshape(-1, 2))
+            values.append(things.middles[:, :directions].reshape(-1) + rows[-1] @ estimate)
             single += len(values[-1])
         share = np.r_[1.0 / count[line.reshape(-1)], np.ones(single)]
         found = robust_offset(np.vstack(rows), np.concatenate(values), share, _independent(pairs) + single)
@@ -151,7 +151,7 @@ def _noises(old, new, samples: LineSamples, matches: LineMatches, old_lines, lin
     stated = (np.array([one.sigma for one in part])[pairs[:, k]] for k, part in enumerate((old_lines, lines)))
     noise = estimated_noise(across, *stated, bend[middle], given, _independent(pairs)) if len(across) else None
     noises = {LINE: noise or MapNoise(np.nan, np.nan, 1.0, SIGMAS, len(across), "unknown")}
-    pooled, own = [], {}
+    pooled, by_element = [], {}
     for element in REACH:
         things = _thing_differences(element, old, new)
         differences, pairs = things.middles, things.pairs
@@ -160,8 +160,8 @@ def _noises(old, new, samples: LineSamples, matches: LineMatches, old_lines, lin
         pooled.append(differences.reshape(-1))
         for k, word in enumerate(("along", "across")):
             stated = sigmas if k == 0 or element != STOP_LINE else [np.full(len(pairs), np.nan)] * 2
-            own[f"{element}, {word}"] = estimated_noise(differences[:, k], *stated, np.zeros(len(pairs)), given,
-                                                        len(pairs)) if len(pairs) else None
+            by_element[f"{element}, {word}"] = estimated_noise(differences[:, k], *stated, np.zeros(len(pairs)), given,
+                                                               len(pairs)) if len(pairs) else None
     together = np.concatenate(pooled)
     unknown = np.full(len(together), np.nan)
     rest = estimated_noise(together, unknown, unknown, np.zeros(len(together)), (np.nan, np.nan), len(together) / 2)
@@ -169,7 +169,7 @@ def _noises(old, new, samples: LineSamples, matches: LineMatches, old_lines, lin
         value = np.sqrt((noises[LINE].factor * np.nanmedian(_totals(noises[LINE], old_lines, lines))) ** 2 / 2)
         rest = MapNoise(value, value, 1.0, noises[LINE].limit, len(together), "all elements")
     rest = replace(rest, source="all elements")
-    return noises | {name: one or rest for name, one in own.items()}
+    return noises | {name: one or rest for name, one in by_element.items()}
 
 
 def _totals(noise: MapNoise, old_lines, lines) -> np.ndarray:
@@ -185,11 +185,11 @@ def _thing_changes(element: str, old, new, lines, noises, settings: ComparisonSe
     before, after = ([one for one in elements if one.element == element] for elements in (old, new))
     things = _thing_differences(element, old, new)
     pairs = things.pairs
-    made = paired_changes(before, after, things,
-                          (noises[f"{element}, along"], noises[f"{element}, across"]), settings, taken)
-    made += single_changes(ADDED, after, element_frames(after), pairs[:, 1], lines[0], area, taken)
-    made += single_changes(REMOVED, before, element_frames(before), pairs[:, 0], lines[1], area, taken)
-    return made, len(pairs)
+    changes = paired_changes(before, after, things,
+                             (noises[f"{element}, along"], noises[f"{element}, across"]), settings, taken)
+    changes += single_changes(ADDED, after, element_frames(after), pairs[:, 1], lines[0], area, taken)
+    changes += single_changes(REMOVED, before, element_frames(before), pairs[:, 0], lines[1], area, taken)
+    return changes, len(pairs)
 
 
 def _lengths(samples: LineSamples, lines: Sequence[MapElement]) -> np.ndarray:

@@ -72,7 +72,7 @@ def elements_of_lines(geometries: Sequence[shapely.Geometry | None],
         return columns[name][row] if name in columns else None
 
     identifier = next((name for name in ("bound_id", "line_id", "id") if name in columns), "")
-    made = []
+    elements = []
     for row, shape in enumerate(geometries):
         kind = str(cell("class", row) or "")
         if shape is None or kind in NO_PAINT:
@@ -82,11 +82,11 @@ def elements_of_lines(geometries: Sequence[shapely.Geometry | None],
             if part.geom_type != "LineString" or not part.length > 0:
                 continue
             element = STOP_LINE if kind == "stop line" else LINE
-            made.append(MapElement(str(row + 1 if name is None else name), element, kind,
-                                   shapely.get_coordinates(part), str(cell("colour", row) or ""),
-                                   np.nan if sigma is None else float(sigma),
-                                   None if double is None else bool(double)))
-    return made
+            elements.append(MapElement(str(row + 1 if name is None else name), element, kind,
+                                       shapely.get_coordinates(part), str(cell("colour", row) or ""),
+                                       np.nan if sigma is None else float(sigma),
+                                       None if double is None else bool(double)))
+    return elements
 
 
 def elements_of_areas(geometries: Sequence[shapely.Geometry | None],
@@ -95,7 +95,7 @@ def elements_of_areas(geometries: Sequence[shapely.Geometry | None],
 
     What has the class "unknown" is no element.
     """
-    made = []
+    elements = []
     for row, shape in enumerate(geometries):
         kind = str(columns["class"][row] or "")
         if shape is None or shape.area == 0 or kind in ("", "unknown"):
@@ -104,10 +104,10 @@ def elements_of_areas(geometries: Sequence[shapely.Geometry | None],
         angle = columns["heading"][row] if "heading" in columns else None
         angle = np.radians(np.nan if angle is None else float(angle))
         name = columns["area_id"][row] if "area_id" in columns else None
-        made.append(MapElement(str(row + 1 if name is None else name), CROSSWALK if kind == "crosswalk" else SYMBOL,
-                               kind, shapely.get_coordinates(hull.exterior),
-                               heading=np.array([np.sin(angle), np.cos(angle)])))
-    return made
+        elements.append(MapElement(str(row + 1 if name is None else name), CROSSWALK if kind == "crosswalk" else SYMBOL,
+                                   kind, shapely.get_coordinates(hull.exterior),
+                                   heading=np.array([np.sin(angle), np.cos(angle)])))
+    return elements
 
 
 def whole_area(geometries: Sequence[shapely.Geometry | None]) -> shapely.Geometry:
@@ -149,12 +149,12 @@ def elements_of_lanelet2(content: OsmFile, crs_wkt: str) -> list[MapElement]:
     places = _places(content, crs_wkt)
     points = {number: np.array([places[node] for node in way.nodes if node in places]).reshape(-1, 2)
               for number, way in content.ways.items()}
-    made = [one for number, way in content.ways.items()
-            if (one := _of_way(str(number), way.tags, points[number])) is not None]
+    elements = [one for number, way in content.ways.items()
+                if (one := _of_way(str(number), way.tags, points[number])) is not None]
     walks = [one for relation in content.relations.values()
              if relation.tags.get("subtype") == "crosswalk" and relation.tags.get("type") == "lanelet"
              and (one := _crosswalk(relation, points)) is not None]
-    return made + walks
+    return elements + walks
 
 
 def _places(content: OsmFile, crs_wkt: str) -> dict[int, np.ndarray]:

@@ -99,9 +99,9 @@ def _beyond(track: BoundTrack, others: Sequence[BoundTrack], axis: Axis, ahead: 
 def _is_between(track: BoundTrack, others: Sequence[BoundTrack], settings: MapSettings) -> bool:
     """Whether a track has another one at a lane's width on both of its sides."""
     middle = (track.start + track.end) / 2.0
-    apart = [float(other.interpolate(np.array([middle]))[0] - np.interp(middle, track.chainage, track.offset))
-             for other in others]
-    return all(any(settings.min_width <= side * one <= settings.max_width for one in apart) for side in (1.0, -1.0))
+    offsets = [float(other.interpolate(np.array([middle]))[0] - np.interp(middle, track.chainage, track.offset))
+               for other in others]
+    return all(any(settings.min_width <= side * one <= settings.max_width for one in offsets) for side in (1.0, -1.0))
 
 
 def _free(chainage: np.ndarray, offset: np.ndarray, plan: np.ndarray, others: Sequence[BoundTrack],

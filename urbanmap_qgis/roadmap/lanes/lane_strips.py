@@ -187,11 +187,11 @@ def _without_near(cuts: Sequence[float], apart: float) -> list[float]:
 
     The first and the last stay two: a section has two ends.
     """
-    kept = sorted(cuts)
-    while len(kept) > 2 and np.diff(kept).min() < apart:
-        k = int(np.argmin(np.diff(kept)))
-        kept[k:k + 2] = [(kept[k] + kept[k + 1]) / 2.0]
-    return kept
+    remaining = sorted(cuts)
+    while len(remaining) > 2 and np.diff(remaining).min() < apart:
+        k = int(np.argmin(np.diff(remaining)))
+        remaining[k:k + 2] = [(remaining[k] + remaining[k + 1]) / 2.0]
+    return remaining
 
 
 def _outer(runs, group: np.ndarray, side: int) -> float:

@@ -67,19 +67,19 @@ def add_movements(built: VectorMap, stops: Sequence[np.ndarray], crosswalks: Seq
     approaches, departures = _sides(built, -1), _sides(built, 0)
     plain = [number for number, lane in enumerate(built.lanes) if lane.kind == "lane"]
     areas = shapely.STRtree([built.area(number) for number in plain])
-    made = 0
+    added = 0
     for approach in approaches:
         if not _is_junction(built, approach, stops, crosswalks):
             continue
-        allowed, told = _allowed_turns(built, approach)
+        allowed, stated = _allowed_turns(built, approach)
         for turn in TURNS:
             departure = _departure(approach, departures, turn)
             if departure is None:
                 continue
             for one, other in _pairs(built, approach, departure, turn, allowed):
-                evidence = BY_ARROW if told[one] else BY_RULE
-                made += _add_way(built, one, other, evidence, areas, plain)
-    return made
+                evidence = BY_ARROW if stated[one] else BY_RULE
+                added += _add_way(built, one, other, evidence, areas, plain)
+    return added
 
 
 def _sides(built: VectorMap, tip: int) -> list[_Side]:

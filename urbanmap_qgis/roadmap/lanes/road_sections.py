@@ -132,9 +132,9 @@ def is_pavement(section: RoadSection, right: int, left: int) -> bool:
     middle = max(section.tracks[right].start, section.tracks[left].start) / 2.0 + \
         min(section.tracks[right].end, section.tracks[left].end) / 2.0
     offset = np.array([np.interp(middle, track.chainage, track.offset) for track in section.tracks])
-    there = np.array([track.start <= middle <= track.end for track in section.tracks])
+    covers = np.array([track.start <= middle <= track.end for track in section.tracks])
     for outer, inner, sign in ((right, left, -1.0), (left, right, 1.0)):
-        beyond = there & (sign * (offset - offset[outer]) > SAME)
+        beyond = covers & (sign * (offset - offset[outer]) > SAME)
         seen = [(end - start, line) for start, end, line in section.tracks[outer].pieces if line is not None]
         white = sum(length for length, line in seen if line.colour == "white" or line.kind == "road border")
         edge = {(line.kind, line.colour) for *_, line in section.tracks[inner].pieces if line is not None}

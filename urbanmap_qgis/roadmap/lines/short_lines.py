@@ -70,11 +70,11 @@ def _lane_widths(plans: Sequence[shapely.LineString]) -> np.ndarray:
         for other in tree.query(plan, predicate="dwithin", distance=LIMITS.lane[1]):
             foot = shapely.line_locate_point(plans[other], places)
             inner = (foot > 0.01) & (foot < plans[other].length - 0.01)
-            apart = shapely.distance(places, plans[other])[inner]
-            if other == number or len(apart) < LIMITS.beside or np.ptp(apart) > 2.0 * LIMITS.alike:
+            widths = shapely.distance(places, plans[other])[inner]
+            if other == number or len(widths) < LIMITS.beside or np.ptp(widths) > 2.0 * LIMITS.alike:
                 continue
-            if LIMITS.lane[0] <= np.median(apart) <= LIMITS.lane[1]:
-                found.append(float(np.median(apart)))
+            if LIMITS.lane[0] <= np.median(widths) <= LIMITS.lane[1]:
+                found.append(float(np.median(widths)))
     return np.array(found)
 
 
@@ -86,13 +86,13 @@ def _is_supported(chain: StrokeChain, lines: Sequence[shapely.LineString], tree:
     near = tree.query(plan, predicate="dwithin", distance=LIMITS.lane[1])
     shown = False
     for other in near:
-        apart = shapely.distance(places, lines[other])
-        if np.ptp(apart) > 2.0 * LIMITS.alike:
-            if apart.min() < LIMITS.lane[0] and lines[other].crosses(plan):
+        distances = shapely.distance(places, lines[other])
+        if np.ptp(distances) > 2.0 * LIMITS.alike:
+            if distances.min() < LIMITS.lane[0] and lines[other].crosses(plan):
                 return False
             continue
         alike = max(widths[other], chain.width) <= LIMITS.width_ratio * min(widths[other], chain.width)
-        middle = float(np.median(apart))
+        middle = float(np.median(distances))
         if LIMITS.alike < middle < LIMITS.lane[0]:
             return False
         continues = middle <= LIMITS.alike

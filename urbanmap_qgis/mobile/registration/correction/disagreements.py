@@ -178,9 +178,9 @@ def either_side(steps: Sequence[NodeStep], nodes: np.ndarray, at: np.ndarray) ->
     places = [0.5 * (nodes[step.node] + nodes[step.node + 1]) for step in steps]
     ends = [-np.inf, *places, np.inf]
     for number, step in enumerate(steps):
-        there = (at >= ends[number]) & (at <= ends[number + 2])
-        beside |= there
-        variance[there] += _EITHER * np.outer(step.change, step.change)
+        between = (at >= ends[number]) & (at <= ends[number + 2])
+        beside |= between
+        variance[between] += _EITHER * np.outer(step.change, step.change)
     return beside, variance
 
 
@@ -238,17 +238,17 @@ class Disagreements:
         def middle(step: NodeStep) -> float:
             return float(0.5 * (nodes[step.node] + nodes[step.node + 1]))
 
-        told = [(middle(step), step, DISAGREEMENT, None) for step in self.steps]
+        rows = [(middle(step), step, DISAGREEMENT, None) for step in self.steps]
         for first, second in self.changed:
-            told += [(middle(first), first, CHANGED, (middle(first), middle(second))),
+            rows += [(middle(first), first, CHANGED, (middle(first), middle(second))),
                      (middle(second), second, CHANGED, None)]
-        told += [(0.5 * (begin + end), step, HIDDEN, (begin, end)) for begin, end, step in self.hidden
+        rows += [(0.5 * (begin + end), step, HIDDEN, (begin, end)) for begin, end, step in self.hidden
                  if self.hides(step)]
-        told.sort(key=lambda item: item[0])
-        chainage, time = chainage_of(np.array([item[0] for item in told]))
-        spans = [None if span is None else tuple(chainage_of(np.array(span))[0].tolist()) for *_, span in told]
+        rows.sort(key=lambda item: item[0])
+        chainage, time = chainage_of(np.array([item[0] for item in rows]))
+        spans = [None if span is None else tuple(chainage_of(np.array(span))[0].tolist()) for *_, span in rows]
         return tuple(CorrectionStep(float(way), float(at), *step.change.tolist(), step.sigma, kind, span)
-                     for way, at, (_, step, kind, _), span in zip(chainage, time, told, spans))
+                     for way, at, (_, step, kind, _), span in zip(chainage, time, rows, spans))
 
 
 Adjust = Callable[[NodeChain, Fit, np.ndarray], tuple[NodeChain, Fit]]

@@ -144,15 +144,15 @@ class WitnessConflict:
 
     def listed(self, chainage: np.ndarray, time: np.ndarray) -> list[CorrectionStep]:
         """One step for each stretch, where it begins; by the patches' chainages and times (n,)."""
-        made = []
+        steps = []
         for item in self.stretches:
             size = float(np.hypot(*item.change))
             sigma = float(np.sqrt(item.change @ item.covariance @ item.change)) / max(size, LEAST_DIVISOR)
             begin = max(item.begin, float(chainage[0]))
             ends = np.clip([item.begin - LIMITS.reach, item.end + LIMITS.reach], chainage[0], chainage[-1])
-            made.append(CorrectionStep(begin, float(np.interp(begin, chainage, time)), *(-item.change).tolist(), sigma,
-                                       AGAINST_WALLS, (float(ends[0]), float(ends[1]))))
-        return made
+            steps.append(CorrectionStep(begin, float(np.interp(begin, chainage, time)), *(-item.change).tolist(), sigma,
+                                        AGAINST_WALLS, (float(ends[0]), float(ends[1]))))
+        return steps
 
 
 def without_astray(found: Disagreements, held: HeldObservations, model: PoseErrorModel,
@@ -167,12 +167,12 @@ def without_astray(found: Disagreements, held: HeldObservations, model: PoseErro
     change = alone.place - fit.state[:, :2, 0]
     spread = alone.covariance + fit.covariance[:, (0, 2)][:, :, (0, 2)]
     square = np.einsum("ki,kij,kj->k", change, np.linalg.inv(spread), change)
-    marked, apart = chain.marked(fit.weight), square > LIMITS.agreeing**2
+    marked, disagreeing = chain.marked(fit.weight), square > LIMITS.agreeing**2
     away = marked & (square > LIMITS.astray**2) & (np.hypot(*change.T) > LIMITS.most_moved)
-    if not away.any() or np.count_nonzero(marked & ~apart) < LIMITS.agreeing_nodes:
+    if not away.any() or np.count_nonzero(marked & ~disagreeing) < LIMITS.agreeing_nodes:
         return found
-    run = np.cumsum(np.concatenate([[0], np.abs(np.diff(apart.astype(int)))]))
-    astray = apart & np.isin(run, run[away])
+    run = np.cumsum(np.concatenate([[0], np.abs(np.diff(disagreeing.astype(int)))]))
+    astray = disagreeing & np.isin(run, run[away])
     places = chain.nodes[astray]
     steps = [step for step in found.steps if np.abs(places - chain.nodes[step.node]).min() > LIMITS.same]
     near = np.abs(places[None] - 0.5 * (chain.nodes[1:] + chain.nodes[:-1])[:, None]).min(axis=1) <= LIMITS.same

@@ -43,7 +43,7 @@ def with_shown_pitch(value: np.ndarray, covariance: np.ndarray, stated: np.ndarr
     factors = [shown_factor(value[:, _ROLL], variance[:, _ROLL], stated[:, 0])]
     if heading_factor == 1.0:
         factors.append(shown_factor(value[:, _HEADING], variance[:, _HEADING], stated[:, 2]))
-    kept = variance[:, _PITCH] >= _DETERMINED * stated[:, 1] ** 2
+    determined = variance[:, _PITCH] >= _DETERMINED * stated[:, 1] ** 2
     size = np.ones(covariance.shape[:2])
-    size[kept, _PITCH] = max(factors)
+    size[determined, _PITCH] = max(factors)
     return covariance * size[:, :, None] * size[:, None, :]

@@ -63,7 +63,7 @@ class FacadePlanes:
         """Some of them, by mask or index."""
         return FacadePlanes(*(getattr(self, field.name)[which] for field in fields(self)))
 
-    def moved(self, curve: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
+    def translated(self, curve: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
         """(n, 2) m in plan, where a curve of corrections (m, 6) at path parameters (m,) puts them."""
         correction = curve(self.path_parameter)
         rotation = np.einsum("nij,nj->ni", self.back[:, 3:, 3:], correction[:, 3:])

@@ -89,14 +89,14 @@ def shifted_stretches(walls: WallReadings, eaves: tuple[float, float]) -> list[S
 
 def _without_remnants(stretches: list[ShiftedStretch], first: float, last: float) -> list[ShiftedStretch]:
     """Stretches that reach over what is left before, between and after them where walls could not clear it alone."""
-    made = sorted(stretches, key=lambda item: item.begin)
-    for number, item in enumerate(made):
-        before = made[number - 1].end if number else first
+    ordered = sorted(stretches, key=lambda item: item.begin)
+    for number, item in enumerate(ordered):
+        before = ordered[number - 1].end if number else first
         if item.begin - before < LIMITS.shortest:
-            made[number] = replace(item, begin=min(item.begin, before if number else -np.inf))
-    if made and last - made[-1].end < LIMITS.shortest:
-        made[-1] = replace(made[-1], end=np.inf)
-    return sorted(made, key=lambda item: -item.square)
+            ordered[number] = replace(item, begin=min(item.begin, before if number else -np.inf))
+    if ordered and last - ordered[-1].end < LIMITS.shortest:
+        ordered[-1] = replace(ordered[-1], end=np.inf)
+    return sorted(ordered, key=lambda item: -item.square)
 
 
 def _extended(item: ShiftedStretch, walls: WallReadings, eaves: tuple[float, float]) -> ShiftedStretch:

@@ -79,13 +79,13 @@ class WallWitness:
 
     def jumps(self, curve: Curve) -> list[WallJump]:
         """Places where a curve breaks the walls."""
-        place = self.planes.moved(curve)
+        place = self.planes.translated(curve)
         wall = own_walls(place, self.planes.normal, self.planes.place[:, 2])
         return wall_jumps(self.planes.chainage, self.planes.path_parameter, place, self.planes.normal, wall)
 
     def matched(self, curve: Curve) -> MatchedWalls:
         """The planes that belong to outlines, as a curve places them."""
-        edge, outside = self.edges.matched(self.planes.moved(curve), self.planes.normal, self.eaves)
+        edge, outside = self.edges.matched(self.planes.translated(curve), self.planes.normal, self.eaves)
         known = edge >= 0
         count = np.bincount(edge[known], minlength=len(self.edges))
         known[known] = count[edge[known]] >= LIMITS.fewest
@@ -110,13 +110,13 @@ class WallWitness:
         """
         witness, none, last = self, np.zeros(len(chain.normals.present)), None
         for _ in range(LIMITS.rounds):
-            held = witness.about(curve, chain.normals.active)
-            if held is None:
+            observations = witness.about(curve, chain.normals.active)
+            if observations is None:
                 return witness
-            alone = chain.with_held(held)
+            alone = chain.with_held(observations)
             state = alone.solve(model, none)[0]
             eaves, _, response = alone.offset_of_held(model, none, state)
-            state = state + response * (eaves - held.offset)
+            state = state + response * (eaves - observations.offset)
             curve = node_curve(chain, state)
             witness = replace(witness.with_eaves(eaves), course=curve)
             witness = replace(witness, differ=witness._differences(curve))
