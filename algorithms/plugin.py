@@ -200,7 +200,7 @@ class UrbanMapPlugin:
         from .framework.running.runs_at_work import close_dialogs, end_runs
 
         if self.provider is not None:
-            end_runs()
+            end_runs(self.provider)
             close_dialogs(self.provider.id())
 
 

@@ -2444,8 +2444,12 @@
         <translation>軌跡で座標付けされた計測データです。GPS時刻を持つ1つまたは複数のLAS、LAZまたはCOPCファイルを指定します。</translation>
     </message>
     <message>
-        <source>Outlines of the walls in the survey's coordinate system.</source>
-        <translation>計測データの座標系での壁の外周線です。</translation>
+        <source>Outlines of the walls in the survey's coordinate system. Without them give a surface.</source>
+        <translation>計測データと同じ座標系の、壁面の外周線。ない場合は表層を指定します。</translation>
+    </message>
+    <message>
+        <source>Heights of a surface model (DSM) with its buildings, instead of outlines: cells of 0.5 m give corners to 0.1 m, of 1 m to 0.4 m.</source>
+        <translation>外周線の代わりに使う、建物を含む表層モデル（DSM）の標高。角の精度は、格子間隔0.5 mで0.1 m、1 mで0.4 mほどです。</translation>
     </message>
     <message>
         <source>Maximum distance</source>
@@ -2476,8 +2480,8 @@
         <translation>計測データから基準への線です。set、time（s）、length（m）、support（同様にずれている他の角）、壁の当てはまり（m）を持ちます。</translation>
     </message>
     <message>
-        <source>Corners of outlines near the course.</source>
-        <translation>走行軌跡の近くにある外周線の角の数です。</translation>
+        <source>Corners of buildings near the course.</source>
+        <translation>走行軌跡付近にある建物の角の数。</translation>
     </message>
     <message>
         <source>Corners</source>
@@ -7160,12 +7164,12 @@ Noise (classes 7 and 18), withheld points and points alone in space are left out
         <translation>補正</translation>
     </message>
     <message>
-        <source>Proposes tie points for “Rectify trajectory”: corners of buildings that the survey and the outlines both show.
-Where points of the survey stand over each other there are walls; the two walls of each corner are looked for along the outline's edges, and meet in the survey's corner. Of several possible places the one is taken that is shifted like the corners measured about the same time. Corners are gathered in sets of two.
-Each line of the result runs from the survey to the reference. Look at them before they are used: delete wrong ones, move ends, add others. They are as good as the outlines: give the outlines' accuracy as “Sigma of tie points” to the rectification.</source>
-        <translation>「軌跡の補正」のためのタイポイントとして、計測データと外周線の両方に現れる建物の角を提案します。
-計測データの点が上下に重なるところに壁面があります。各角の2つの壁面を外周線の辺に沿って探し、その交点を計測データの角とします。候補が複数ある場合は、ほぼ同じ時刻に計測された角と同じようにずれているものを採用します。角は2つずつの組にまとめます。
-結果の各線は、計測データから基準へ向かいます。使う前に確認し、誤った線の削除、端点の移動、線の追加を行ってください。その精度は外周線の精度によります。補正では、外周線の精度を「タイポイントのσ」に指定してください。</translation>
+        <source>Proposes tie points for “Rectify trajectory”: corners of buildings that both the survey and outlines or a surface show.
+Where points of the survey stand over each other there are walls; the two walls of each corner are looked for along the building's edges, and meet in the survey's corner. Of several possible places the one is taken that is shifted like the corners measured about the same time. Corners are gathered in sets of two.
+Each line of the result runs from the survey to the reference. Look at them before they are used: delete wrong ones, move ends, add others. They are as good as the reference: give its accuracy as “Sigma of tie points” to the rectification. Edges of a surface are those of the roofs.</source>
+        <translation>「軌跡の補正」のためのタイポイントとして、計測データと、外周線または表層の両方に現れる建物の角を提案します。
+計測データの点が上下に重なるところに壁面があります。各角の2つの壁面を建物の辺に沿って探し、その交点を計測データの角とします。候補が複数ある場合は、ほぼ同じ時刻に計測された角と同じようにずれているものを採用します。角は2つずつの組にまとめます。
+結果の各線は、計測データから基準へ向かいます。使う前に確認し、誤った線の削除、端点の移動、線の追加を行ってください。その精度は基準の精度によります。補正では、基準の精度を「タイポイントのσ」に指定してください。表層の辺は屋根の縁です。</translation>
     </message>
     <message>
         <source>Zhao and Shibasaki 2004, 3.2, where tie points are assigned by hand</source>
@@ -7280,6 +7284,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>必要な辺の数</translation>
     </message>
     <message>
+        <source>easting (m)</source>
+        <translation>座標 東 (m)</translation>
+    </message>
+    <message>
+        <source>northing (m)</source>
+        <translation>座標 北 (m)</translation>
+    </message>
+    <message>
         <source>point</source>
         <translation>点名</translation>
     </message>
@@ -7288,12 +7300,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>検査単位</translation>
     </message>
     <message>
-        <source>measured x (m)</source>
-        <translation>測定 x (m)</translation>
+        <source>measured easting (m)</source>
+        <translation>測定 東 (m)</translation>
     </message>
     <message>
-        <source>measured y (m)</source>
-        <translation>測定 y (m)</translation>
+        <source>measured northing (m)</source>
+        <translation>測定 北 (m)</translation>
     </message>
     <message>
         <source>measured z (m)</source>
@@ -7692,44 +7704,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{output} に書き込めません（{error}）。別の出力先を選択してください。</translation>
     </message>
     <message>
-        <source>{path} has a colour table: convert it to red, green and blue first.</source>
-        <translation>{path} はカラーテーブルをもっています。先に赤・緑・青に変換してください。</translation>
-    </message>
-    <message>
-        <source>{path} holds complex numbers, no image: give an orthophoto.</source>
-        <translation>{path} は複素数で、画像ではありません。オルソ画像を指定してください。</translation>
-    </message>
-    <message>
-        <source>{path} has no image bands: give an orthophoto in grey or in red, green and blue.</source>
-        <translation>{path} に画像のバンドがありません。グレー、または赤・緑・青のオルソ画像を指定してください。</translation>
-    </message>
-    <message>
-        <source>{path} says where it lies in numbers that are not finite: it is damaged; export it again.</source>
-        <translation>{path} の位置情報に有限でない数値があります。破損しているため、再度出力してください。</translation>
-    </message>
-    <message>
-        <source>{path} has cells of no size: it is damaged; export it again.</source>
-        <translation>{path} のセルの大きさが 0 です。壊れていますので、出力し直してください。</translation>
-    </message>
-    <message>
-        <source>{path} has pixels that are not square: warp it to square pixels first.</source>
-        <translation>{path} の画素は正方形ではありません。先に正方形の画素に再標本化してください。</translation>
-    </message>
-    <message>
-        <source>{path} has pixels of {own_pixel:.2f} m, in which road markings cannot be seen: use an orthophoto of {max_pixel} m or finer.</source>
-        <translation>{path} の画素は {own_pixel:.2f} mで、路面標示を識別できません。{max_pixel} mまたはそれより細かいオルソ画像を用いてください。</translation>
-    </message>
-    <message>
-        <source>{path} does not reach {path_2}: give a mask of the same place.</source>
-        <translation>{path} は {path_2} に重なりません。同じ場所のマスクを指定してください。</translation>
-    </message>
-    <message>
         <source>{mask} does not cover all of {path}: where it does not, nothing is taken as hidden.</source>
         <translation>{mask} は {path} の全体を覆っていません。覆われていないところでは、遮蔽はないものとします。</translation>
-    </message>
-    <message>
-        <source>{path} cannot be read as a raster: check the file.</source>
-        <translation>{path} をラスタとして読み込めません。ファイルを確認してください。</translation>
     </message>
     <message>
         <source>{polygons_count} markings were found. </source>
@@ -7842,6 +7818,42 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Smooth ground has a texture of {texture:.1f} grey values in this image, as noise or sharpening make it: more paint is missed, and more else found.</source>
         <translation>この画像では、滑らかな地面の粗さが {texture:.1f} 階調あります。ノイズや鮮鋭化によるものです。標示の見落としも、標示以外の検出も増えます。</translation>
+    </message>
+    <message>
+        <source>{path} has a colour table: convert it to red, green and blue first.</source>
+        <translation>{path} はカラーテーブルをもっています。先に赤・緑・青に変換してください。</translation>
+    </message>
+    <message>
+        <source>{path} holds complex numbers, no image: give an orthophoto.</source>
+        <translation>{path} は複素数で、画像ではありません。オルソ画像を指定してください。</translation>
+    </message>
+    <message>
+        <source>{path} has no image bands: give an orthophoto in grey or in red, green and blue.</source>
+        <translation>{path} に画像のバンドがありません。グレー、または赤・緑・青のオルソ画像を指定してください。</translation>
+    </message>
+    <message>
+        <source>{path} says where it lies in numbers that are not finite: it is damaged; export it again.</source>
+        <translation>{path} の位置情報に有限でない数値があります。破損しているため、再度出力してください。</translation>
+    </message>
+    <message>
+        <source>{path} has cells of no size: it is damaged; export it again.</source>
+        <translation>{path} のセルの大きさが 0 です。壊れていますので、出力し直してください。</translation>
+    </message>
+    <message>
+        <source>{path} has pixels that are not square: warp it to square pixels first.</source>
+        <translation>{path} の画素は正方形ではありません。先に正方形の画素に再標本化してください。</translation>
+    </message>
+    <message>
+        <source>{path} has pixels of {own_pixel:.2f} m, in which road markings cannot be seen: use an orthophoto of {max_pixel} m or finer.</source>
+        <translation>{path} の画素は {own_pixel:.2f} mで、路面標示を識別できません。{max_pixel} mまたはそれより細かいオルソ画像を用いてください。</translation>
+    </message>
+    <message>
+        <source>{path} does not reach {path_2}: give a mask of the same place.</source>
+        <translation>{path} は {path_2} に重なりません。同じ場所のマスクを指定してください。</translation>
+    </message>
+    <message>
+        <source>{path} cannot be read as a raster: check the file.</source>
+        <translation>{path} をラスタとして読み込めません。ファイルを確認してください。</translation>
     </message>
     <message>
         <source>Levels are seven numbers, low, high, middle and the road's texture, warmth, green and brightness, the second above the first, and where the image has a cast fifteen of that: give those, or none.</source>
@@ -8792,6 +8804,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{missing} 棟の建物にモデルがなく、メッシュ内の位置もありません。CityGMLでは除かれます。</translation>
     </message>
     <message>
+        <source>3D Tiles have no place for installations and rooms of buildings: {count} are left out.</source>
+        <translation>3D Tiles には建物の付属物と部屋を入れる場所がないため、{count} 個を省きました。</translation>
+    </message>
+    <message>
         <source>{source} holds no {module}/{version}/{name}: give the folder of i-UR's schemas.</source>
         <translation>{source} に {module}/{version}/{name} がありません。i-UR のスキーマのフォルダを指定してください。</translation>
     </message>
@@ -9250,10 +9266,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The buildings have no walls: give solids or outlines with heights.</source>
         <translation>建物に壁面がありません。立体、または高さ付きの外周線を指定してください。</translation>
-    </message>
-    <message>
-        <source>{path} holds no solids: give building models of LoD 1 or higher.</source>
-        <translation>{path}に立体がありません。LoD 1以上の建物モデルを指定してください。</translation>
     </message>
     <message>
         <source>predicted, m</source>
@@ -11064,6 +11076,46 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>各検証点の水平誤差。単独で外れる点は検証点の誤り、時間とともに増える誤差は補正されていない部分を示します。</translation>
     </message>
     <message>
+        <source>Control point {name} was measured by none of the drives: no trajectory passes within {control_reach:.0f} m of it at its time.</source>
+        <translation>基準点{name}はどの走行でも計測されていません。その時刻に {control_reach:.0f} m 以内を通る軌跡がありません。</translation>
+    </message>
+    <message>
+        <source>The reference steps where the drives do not, and nothing else ties them: nothing can be adjusted.</source>
+        <translation>走行軌跡にないずれが基準にあり、他に走行を結び付けるものがないため、調整できません。</translation>
+    </message>
+    <message>
+        <source>{paths} belongs to none of the trajectories: none covers its GPS times near its points. Give the trajectory of each drive.</source>
+        <translation>{paths}に対応する軌跡がありません。点の近くでそのGPS時刻を含む軌跡がないためです。各走行の軌跡を指定してください。</translation>
+    </message>
+    <message>
+        <source>No point cloud was measured along {name}: give the points of each drive.</source>
+        <translation>{name}に沿って計測された点群がありません。各走行の点群を指定してください。</translation>
+    </message>
+    <message>
+        <source>Adjusting {drives_count} drives with {observations_count} observations.</source>
+        <translation>{observations_count} 個の観測値により {drives_count} 走行を調整しています。</translation>
+    </message>
+    <message>
+        <source>Ties change by more than drift within 20 m (a step of a trajectory): {stepped} may step there, and control or reference says which does.</source>
+        <translation>20 m 以内で走行間のずれがドリフトを超えて変化しています（軌跡の段差）。段差がある可能性のある走行は{stepped}で、どれであるかは基準点または基準データで決まります。</translation>
+    </message>
+    <message>
+        <source>{count} observations ({name}), {lost} without weight; RMS residual {plan:.1f} cm in plan, {up:.1f} cm in height.</source>
+        <translation>観測値 {count} 個（{name}）、うち重みなし {lost} 個。RMS残差は水平 {plan:.1f} cm、高さ {up:.1f} cm です。</translation>
+    </message>
+    <message>
+        <source>No control point or reference marking fixes {relative}: these drives agree with each other, but their place is only relative.</source>
+        <translation>{relative}を固定する基準点や基準の路面標示がありません。これらの走行は互いに整合していますが、位置は相対的なものです。</translation>
+    </message>
+    <message>
+        <source>Nothing ties {loose} to anything: it stays as reported.</source>
+        <translation>{loose}には結合する観測値がないため、補正前のままとします。</translation>
+    </message>
+    <message>
+        <source>Looking for planes that drives share.</source>
+        <translation>走行間で共通する平面を探しています。</translation>
+    </message>
+    <message>
         <source>The reference steps by {size:.2f} m at {chainage:.0f} m of {drive}, where the drives do not: nobody can say which side of it is right, so that reference markings beside it are left out.</source>
         <translation>{drive}の{chainage:.0f} m地点で基準が{size:.2f} mずれていますが、走行軌跡にはずれがありません。どちら側が正しいか判断できないため、その両側の基準標示は使用しません。</translation>
     </message>
@@ -11092,48 +11144,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>走行間で共通する路面標示を探しています。</translation>
     </message>
     <message>
-        <source>Looking for planes that drives share.</source>
-        <translation>走行間で共通する平面を探しています。</translation>
-    </message>
-    <message>
-        <source>Adjusting {drives_count} drives with {observations_count} observations.</source>
-        <translation>{observations_count} 個の観測値により {drives_count} 走行を調整しています。</translation>
-    </message>
-    <message>
         <source>The drives share no markings and planes, and no control point or reference marking fits them: nothing can be adjusted.</source>
         <translation>走行間で共通する路面標示や平面がなく、整合する基準点や基準の路面標示もないため、調整できません。</translation>
-    </message>
-    <message>
-        <source>The reference steps where the drives do not, and nothing else ties them: nothing can be adjusted.</source>
-        <translation>走行軌跡にないずれが基準にあり、他に走行を結び付けるものがないため、調整できません。</translation>
-    </message>
-    <message>
-        <source>Control point {name} was measured by none of the drives: no trajectory passes within {control_reach:.0f} m of it at its time.</source>
-        <translation>基準点{name}はどの走行でも計測されていません。その時刻に {control_reach:.0f} m 以内を通る軌跡がありません。</translation>
-    </message>
-    <message>
-        <source>Ties change by more than drift within 20 m (a step of a trajectory): {stepped} may step there, and control or reference says which does.</source>
-        <translation>20 m 以内で走行間のずれがドリフトを超えて変化しています（軌跡の段差）。段差がある可能性のある走行は{stepped}で、どれであるかは基準点または基準データで決まります。</translation>
-    </message>
-    <message>
-        <source>{count} observations ({name}), {lost} without weight; RMS residual {plan:.1f} cm in plan, {up:.1f} cm in height.</source>
-        <translation>観測値 {count} 個（{name}）、うち重みなし {lost} 個。RMS残差は水平 {plan:.1f} cm、高さ {up:.1f} cm です。</translation>
-    </message>
-    <message>
-        <source>No control point or reference marking fixes {relative}: these drives agree with each other, but their place is only relative.</source>
-        <translation>{relative}を固定する基準点や基準の路面標示がありません。これらの走行は互いに整合していますが、位置は相対的なものです。</translation>
-    </message>
-    <message>
-        <source>Nothing ties {loose} to anything: it stays as reported.</source>
-        <translation>{loose}には結合する観測値がないため、補正前のままとします。</translation>
-    </message>
-    <message>
-        <source>{paths} belongs to none of the trajectories: none covers its GPS times near its points. Give the trajectory of each drive.</source>
-        <translation>{paths}に対応する軌跡がありません。点の近くでそのGPS時刻を含む軌跡がないためです。各走行の軌跡を指定してください。</translation>
-    </message>
-    <message>
-        <source>No point cloud was measured along {name}: give the points of each drive.</source>
-        <translation>{name}に沿って計測された点群がありません。各走行の点群を指定してください。</translation>
     </message>
     <message>
         <source>No marking of {drive} could be registered to the reference markings.</source>
@@ -11320,16 +11332,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{what}の計測時刻は {span:.1f}～{span_2:.1f} s{kind} ですが、軌跡は {wanted:.1f}～{wanted_2:.1f} s です。同じ計測のものを指定してください。</translation>
     </message>
     <message>
-        <source>Only {ground:,} of {candidates:,} points were found to be ground ({ground_2:.2g} %, needed {min_share:g} %), which cannot be right for a drive: look for many points below the road, a wrong height unit or a survey that does not show the ground; a smaller minimum ground share accepts it.</source>
-        <translation>地表面と判定された点が {candidates:,} 点のうち {ground:,} 点（{ground_2:.2g} %、必要な割合 {min_share:g} %）しかなく、走行の計測として正しくありません。路面より下の多数の点、高さの単位の誤り、地表面が写っていない計測でないかを確認してください。地表面点の最小割合を小さくすれば受け入れられます。</translation>
-    </message>
-    <message>
-        <source>{paths} holds no usable points: all are noise, withheld or have no valid height.</source>
-        <translation>{paths}に使用できる点がありません。すべてノイズ、除外指定（withheld）、または高さが無効な点です。</translation>
-    </message>
-    <message>
         <source>The survey is too large for one cloth: choose a coarser cloth resolution, or filter parts of it.</source>
         <translation>計測データが大きすぎて1枚の布では処理できません。布の解像度を粗くするか、部分ごとにフィルタ処理してください。</translation>
+    </message>
+    <message>
+        <source>Only {ground:,} of {candidates:,} points were found to be ground ({ground_2:.2g} %, needed {min_share:g} %), which cannot be right for a drive: look for many points below the road, a wrong height unit or a survey that does not show the ground; a smaller minimum ground share accepts it.</source>
+        <translation>地表面と判定された点が {candidates:,} 点のうち {ground:,} 点（{ground_2:.2g} %、必要な割合 {min_share:g} %）しかなく、走行の計測として正しくありません。路面より下の多数の点、高さの単位の誤り、地表面が写っていない計測でないかを確認してください。地表面点の最小割合を小さくすれば受け入れられます。</translation>
     </message>
     <message>
         <source>{path}: row {ragged} has {rows_count} values, the header names {header_count}: the file may be cut off; export it again.</source>
@@ -11664,8 +11672,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path}に数値でない値があります（{error}）。修正してください。</translation>
     </message>
     <message>
-        <source>No corner of an outline lies within {max_distance:.0f} m of the course: give outlines of the same place and coordinate reference system.</source>
-        <translation>走行軌跡から {max_distance:.0f} m 以内に外周線の角がありません。同じ場所・同じ座標参照系の外周線を指定してください。</translation>
+        <source>No corner of a building lies within {max_distance:.0f} m of the course: give outlines or a surface of the same place and coordinate reference system.</source>
+        <translation>走行軌跡から {max_distance:.0f} m 以内に建物の角がありません。同じ場所・同じ座標参照系の外周線または表層を指定してください。</translation>
     </message>
     <message>
         <source>Of {place_count} corners near the course no two were found in the survey close enough to each other: assign tie points by hand.</source>
@@ -11960,6 +11968,30 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>軌跡の時間内に計測された路面標示点がありません。両方が同じ計測のものか確認してください。</translation>
     </message>
     <message>
+        <source>standard deviation in plan over the whole path {sigma:.1f} cm (median)</source>
+        <translation>全経路の平面位置の標準偏差 {sigma:.1f} cm（中央値）</translation>
+    </message>
+    <message>
+        <source>how accurate it is is not known</source>
+        <translation>精度は不明です</translation>
+    </message>
+    <message>
+        <source>{share:.0f} % of the path is registered, {share_2:.0f} % bridged; {spread}.</source>
+        <translation>走行経路の {share:.0f} % が位置合わせ済み、{share_2:.0f} % が補間です。{spread}。</translation>
+    </message>
+    <message>
+        <source>The reported heading contradicts the markings by {correction:.1f} degrees (median), much more than its accuracy: it was corrected; check the calibration and the trajectory.</source>
+        <translation>補正前の方位が路面標示と {correction:.1f} 度（中央値）食い違い、その精度を大きく超えていたため補正しました。校正値と軌跡を確認してください。</translation>
+    </message>
+    <message>
+        <source>Reference and survey disagree at {count} places, the first at {place:.0f} m by {size:.2f} m ({kind}): see the steps' layer and the report.</source>
+        <translation>基準と計測が{count}か所で一致しません。最初の箇所は{place:.0f} m地点、{size:.2f} m（{kind}）です。不一致のレイヤと報告書を確認してください。</translation>
+    </message>
+    <message>
+        <source>{share:.0f} % of the path is not to be trusted, the longest section from {longest_start:.0f} to {end:.0f} m ({reason}): see the patches' layer.</source>
+        <translation>走行経路の {share:.0f} % は信頼できません。最長の区間は {longest_start:.0f}～{end:.0f} m です（{reason}）。パッチのレイヤを参照してください。</translation>
+    </message>
+    <message>
         <source>{registered:.0f} % of the path is registered. The standard deviation in plan over the whole path is {sigma:.1f} cm (median).</source>
         <translation>経路の {registered:.0f} % が位置合わせ済みです。全経路の平面位置の標準偏差は {sigma:.1f} cm（中央値）です。</translation>
     </message>
@@ -12052,32 +12084,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{markings_count:,} 点の路面標示点を位置合わせしています。</translation>
     </message>
     <message>
-        <source>standard deviation in plan over the whole path {sigma:.1f} cm (median)</source>
-        <translation>全経路の平面位置の標準偏差 {sigma:.1f} cm（中央値）</translation>
-    </message>
-    <message>
-        <source>how accurate it is is not known</source>
-        <translation>精度は不明です</translation>
-    </message>
-    <message>
-        <source>{share:.0f} % of the path is registered, {share_2:.0f} % bridged; {spread}.</source>
-        <translation>走行経路の {share:.0f} % が位置合わせ済み、{share_2:.0f} % が補間です。{spread}。</translation>
-    </message>
-    <message>
         <source>No part of the survey could be registered to the reference markings, so that there is no result: check that both show the same roads, and the maximum error.</source>
         <translation>計測データのどの部分も基準の路面標示に位置合わせできなかったため、結果はありません。両方が同じ道路を示しているか、および最大誤差を確認してください。</translation>
-    </message>
-    <message>
-        <source>The reported heading contradicts the markings by {correction:.1f} degrees (median), much more than its accuracy: it was corrected; check the calibration and the trajectory.</source>
-        <translation>補正前の方位が路面標示と {correction:.1f} 度（中央値）食い違い、その精度を大きく超えていたため補正しました。校正値と軌跡を確認してください。</translation>
-    </message>
-    <message>
-        <source>Reference and survey disagree at {count} places, the first at {place:.0f} m by {size:.2f} m ({kind}): see the steps' layer and the report.</source>
-        <translation>基準と計測が{count}か所で一致しません。最初の箇所は{place:.0f} m地点、{size:.2f} m（{kind}）です。不一致のレイヤと報告書を確認してください。</translation>
-    </message>
-    <message>
-        <source>{share:.0f} % of the path is not to be trusted, the longest section from {longest_start:.0f} to {end:.0f} m ({reason}): see the patches' layer.</source>
-        <translation>走行経路の {share:.0f} % は信頼できません。最長の区間は {longest_start:.0f}～{end:.0f} m です（{reason}）。パッチのレイヤを参照してください。</translation>
     </message>
     <message>
         <source>{path} has {bands} bands and is an image, no mask of road markings: {advice}.</source>
@@ -12190,6 +12198,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The vehicle is {middle:.0f} m {value} the ground elevation: heights above the ellipsoid and above sea level cannot be mixed, convert one of the two (a geoid model can be given for SBET).</source>
         <translation>車両が地表の標高より {middle:.0f} m {value}にあります。楕円体高と標高は混在できません。どちらかを変換してください（SBETにはジオイドモデルを指定できます）。</translation>
+    </message>
+    <message>
+        <source>{paths} holds no usable points: all are noise, withheld or have no valid height.</source>
+        <translation>{paths}に使用できる点がありません。すべてノイズ、除外指定（withheld）、または高さが無効な点です。</translation>
     </message>
     <message>
         <source>The trajectory runs from {time:.3f} to {time_2:.3f} s, but a pose is needed at {worst:.3f} s: give the trajectory of the whole survey.</source>
@@ -16440,6 +16452,22 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>最初の検証点からの秒数</translation>
     </message>
     <message>
+        <source>placed</source>
+        <translation>位置決定済み</translation>
+    </message>
+    <message>
+        <source>bridged</source>
+        <translation>補間</translation>
+    </message>
+    <message>
+        <source>relative only</source>
+        <translation>相対のみ</translation>
+    </message>
+    <message>
+        <source>not tied</source>
+        <translation>未結合</translation>
+    </message>
+    <message>
         <source>Adjustment of several drives</source>
         <translation>複数走行の調整</translation>
     </message>
@@ -16510,22 +16538,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The drives agree with each other, but nothing fixes their place: give control points or reference markings, or use the result only for comparing drives.</source>
         <translation>走行どうしは整合していますが、位置を固定するものがありません。基準点または基準となる路面標示を指定するか、結果を走行間の比較にのみ使用してください。</translation>
-    </message>
-    <message>
-        <source>placed</source>
-        <translation>位置決定済み</translation>
-    </message>
-    <message>
-        <source>bridged</source>
-        <translation>補間</translation>
-    </message>
-    <message>
-        <source>relative only</source>
-        <translation>相対のみ</translation>
-    </message>
-    <message>
-        <source>not tied</source>
-        <translation>未結合</translation>
     </message>
     <message>
         <source>Distance between planes before, RMS (mm)</source>

@@ -16,8 +16,8 @@ from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.io.raster import write_raster
 from urbanmap_qgis.mobile.markings.records import MarkingPoints
 from urbanmap_qgis.mobile.pose_correction import correction_between
-from urbanmap_qgis.mobile.registration import register as register_module
 from urbanmap_qgis.mobile.registration.correction.patch_status import DISTRUSTED
+from urbanmap_qgis.mobile.registration.matching import sections
 from urbanmap_qgis.mobile.registration.records import (
     AMBIGUOUS,
     NO_MARKINGS,
@@ -329,7 +329,7 @@ def test_an_executor_changes_nothing(street, registered, monkeypatch):
         other = register_windows(markings, reported, reference, executor=executor)
     for field in fields(WindowResults):
         assert np.allclose(getattr(registered, field.name), getattr(other, field.name), rtol=1e-6, equal_nan=True)
-    monkeypatch.setattr(register_module, "_SECTION_PATCHES", 90)  # another cut
+    monkeypatch.setattr(sections, "_SECTION_PATCHES", 90)  # another cut
     cut = register_windows(markings, reported, reference)
     assert np.abs(cut.correction[:, :2] - registered.correction[:, :2]).max() < 0.02
 

@@ -7,10 +7,16 @@ QGIS ends at the next change of the project's layers.
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
-from qgis.core import QgsApplication, QgsProcessingAlgRunnerTask, QgsProcessingFeedback, QgsTask
+from qgis.core import (
+    QgsApplication,
+    QgsProcessingAlgRunnerTask,
+    QgsProcessingFeedback,
+    QgsProcessingProvider,
+    QgsTask,
+)
 from qgis.PyQt.QtCore import QCoreApplication, QEvent, QEventLoop
 
 LONGEST_WAIT = 30.0
@@ -30,21 +36,23 @@ def at_work(feedback: QgsProcessingFeedback) -> Iterator[None]:
         del _AT_WORK[run]
 
 
-def end_runs(longest: float = LONGEST_WAIT) -> bool:
-    """Cancel all runs at work and wait until QGIS has done with them; whether they ended within `longest`, s."""
+def end_runs(provider: QgsProcessingProvider, longest: float = LONGEST_WAIT) -> bool:
+    """Cancel the provider's runs and wait until QGIS has told their ends; whether they ended within `longest`, s."""
+    names = [algorithm.displayName() for algorithm in provider.algorithms()]
     latest = time.monotonic() + longest
-    while (_AT_WORK or _ending()) and time.monotonic() < latest:
-        for feedback in tuple(_AT_WORK.values()):
-            feedback.cancel()
+    while (tasks := _tasks(names)) or _AT_WORK:
+        if time.monotonic() > latest:
+            return False
+        for run in (*_AT_WORK.values(), *tasks):
+            run.cancel()
         QCoreApplication.processEvents(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents, 50)
-    return not _AT_WORK
+    return True
 
 
-def _ending() -> bool:
-    """Whether a run is over whose end QGIS has yet to tell."""
-    over = (QgsTask.TaskStatus.Complete, QgsTask.TaskStatus.Terminated)
-    return any(isinstance(task, QgsProcessingAlgRunnerTask) and task.status() in over
-               for task in QgsApplication.taskManager().tasks())
+def _tasks(names: Sequence[str]) -> list[QgsTask]:
+    """Tasks that run an algorithm of these names: a run is over some time before QGIS tells its dialog."""
+    return [task for task in QgsApplication.taskManager().tasks()
+            if isinstance(task, QgsProcessingAlgRunnerTask) and any(name in task.description() for name in names)]
 
 
 def close_dialogs(provider: str) -> None:
