@@ -18,6 +18,25 @@ ROOT = Path(__file__).resolve().parents[1]
 SHARED_DATA = ROOT.parent / "shared" / "data"
 
 
+@pytest.fixture(autouse=True)
+def told_fractions(monkeypatch):
+    """Whatever runs tells fractions from 0 to 1 of its work, in parts within the whole."""
+    from urbanmap_qgis.progress import Progress
+
+    step, part = Progress.step, Progress.part
+
+    def checked_step(self, fraction: float) -> None:
+        assert -1e-6 <= fraction <= 1.0 + 1e-6, f"a fraction of {fraction} is told"
+        step(self, fraction)
+
+    def checked_part(self, start: float, end: float) -> Progress:
+        assert -1e-6 <= start <= end + 1e-6 <= 1.0 + 2e-6, f"a part from {start} to {end} is given"
+        return part(self, start, end)
+
+    monkeypatch.setattr(Progress, "step", checked_step)
+    monkeypatch.setattr(Progress, "part", checked_part)
+
+
 @pytest.fixture(scope="session")
 def real_data() -> Path:
     """Folder of the real test data; tests that need it skip where it is absent."""
