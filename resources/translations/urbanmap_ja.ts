@@ -4956,6 +4956,70 @@
         <translation>道路モデル</translation>
     </message>
     <message>
+        <source>Heights of the ground in metres, from which those of the points are counted. Without it the ground is found among the points; where the raster has no value no object is found.</source>
+        <translation>点の高さの基準とする地表の標高（m）。ない場合は点群から地表を求めます。ラスタに値がない場所では地物を検出しません。</translation>
+    </message>
+    <message>
+        <source>Objects up to so far from the path, in metres.</source>
+        <translation>走行軌跡からこの距離（m）までの地物を検出します。</translation>
+    </message>
+    <message>
+        <source>Lowest object</source>
+        <translation>最小の高さ</translation>
+    </message>
+    <message>
+        <source>Lower objects, in metres, are left out.</source>
+        <translation>これより低い地物（m）は除きます。</translation>
+    </message>
+    <message>
+        <source>Thickest stem</source>
+        <translation>柱・幹の最大直径</translation>
+    </message>
+    <message>
+        <source>What is thicker, in metres, is no post or trunk.</source>
+        <translation>これより太いもの（m）は柱や幹とみなしません。</translation>
+    </message>
+    <message>
+        <source>How well the survey is placed as a whole, in metres; it enters the sigma of all objects.</source>
+        <translation>計測全体の位置の精度（m）。すべての地物の標準偏差に加わります。</translation>
+    </message>
+    <message>
+        <source>Street objects</source>
+        <translation>道路沿いの地物</translation>
+    </message>
+    <message>
+        <source>PointZ at the foot: object_id, kind (pole, lamp post, signal, sign, tree), confidence (0 to 1), height over the ground, diameter, lean (degrees), azimuth (degrees, of a board's face or an arm), crown (diameter), board_width, board_height, board_z (height of the board's middle), sigma (east and north each, m), points, passes, status (measured, doubtful), reason.</source>
+        <translation>根元の PointZ。object_id、kind（種類: pole 柱、lamp post 街灯、signal 信号、sign 標識、tree 樹木）、confidence（確からしさ、0～1）、height（地表からの高さ）、diameter（直径）、lean（傾き、度）、azimuth（標識板の面または腕の方位、度）、crown（樹冠の直径）、board_width と board_height（標識板の幅と高さ）、board_z（標識板の中心の標高）、sigma（東・北それぞれの標準偏差、m）、points（点数）、passes（走行回数）、status（measured 計測、doubtful 不確か）、reason（理由）。</translation>
+    </message>
+    <message>
+        <source>Guard rails</source>
+        <translation>防護柵</translation>
+    </message>
+    <message>
+        <source>LineStringZ along the foot: rail_id, height, sigma (across), sigma_z, length (m), points, passes, status, reason; as “Road edges” finds them.</source>
+        <translation>根元に沿う LineStringZ。rail_id、height（高さ）、sigma（横断方向の標準偏差）、sigma_z（高さの標準偏差）、length（長さ、m）、points（点数）、passes（走行回数）、status（状態）、reason（理由）。「道路端」と同じ方法で求めます。</translation>
+    </message>
+    <message>
+        <source>HTML report: verdict, figures, a map, what is doubtful.</source>
+        <translation>HTML レポート。判定、数値、地図、不確かな地物の一覧。</translation>
+    </message>
+    <message>
+        <source>Number of objects.</source>
+        <translation>地物の数。</translation>
+    </message>
+    <message>
+        <source>Number of objects that are doubtful.</source>
+        <translation>不確かな地物の数。</translation>
+    </message>
+    <message>
+        <source>Doubtful objects</source>
+        <translation>不確かな地物</translation>
+    </message>
+    <message>
+        <source>Median standard deviation of the feet of measured objects; no value without any.</source>
+        <translation>計測できた地物の根元の標準偏差の中央値。地物がない場合は値なし。</translation>
+    </message>
+    <message>
         <source>Lines of “Lines from road markings” (fields class, colour, width, sigma, chain, partner; class alone is enough), in a projected CRS in metres; or bounds of an earlier run that were edited by hand, whose ids are kept.</source>
         <translation>「路面標示から線」の線（属性 class、colour、width、sigma、chain、partner。class だけでも可）。メートル単位の投影座標系。または、以前の実行で作り、手作業で編集した境界線（id は保たれます）。</translation>
     </message>
@@ -6657,7 +6721,7 @@ building_idをもつ点はその番号で用います。それ以外は外周線
     </message>
     <message>
         <source>signal</source>
-        <translation>信号機</translation>
+        <translation>信号</translation>
     </message>
     <message>
         <source>light</source>
@@ -7114,6 +7178,42 @@ The histogram has overlapping bins. Each maximum with more points than the minim
     <message>
         <source>Javanmardi 2018, 5.3.2</source>
         <translation>Javanmardi 2018、5.3.2</translation>
+    </message>
+    <message>
+        <source>pole</source>
+        <translation>柱</translation>
+    </message>
+    <message>
+        <source>lamp post</source>
+        <translation>街灯</translation>
+    </message>
+    <message>
+        <source>street light</source>
+        <translation>街路灯</translation>
+    </message>
+    <message>
+        <source>traffic light</source>
+        <translation>交通信号機</translation>
+    </message>
+    <message>
+        <source>traffic sign</source>
+        <translation>道路標識</translation>
+    </message>
+    <message>
+        <source>tree</source>
+        <translation>樹木</translation>
+    </message>
+    <message>
+        <source>street furniture</source>
+        <translation>道路付属物</translation>
+    </message>
+    <message>
+        <source>Finds poles, lamp posts, signals, signs and trees along the drive of a corrected mobile survey, as points at their feet with height, diameter, direction and standard deviation.
+Things that stay narrow in plan over height are stems. The axis of a stem is adjusted to the sides of it that were seen, as each line of sight sees its middle across and its face before the axis. What hangs on the stem tells the kind: leaves on all sides, an arm with a lamp or a large head, a flat board. A post that shows none of these is a pole; what a sign says is not read.
+Stems of few points, with a hidden foot, or that may be a part of a wall are doubtful, with the reason. Points and trajectory must be corrected ones: objects are as wrong as the survey is.</source>
+        <translation>補正済みの MMS 点群から、走行軌跡沿いの柱、街灯、信号、標識、樹木を検出し、根元の点として高さ、直径、方位、標準偏差とともに出力します。
+高さ方向に細いまま続くものを柱・幹とみなします。軸は見えた面から調整計算で求めます。視線ごとに、横方向の中心と、軸の手前にある面までの奥行きが観測値になります。種類は柱に付いているもので判断します。四方に広がる葉は樹木、灯具または大きな灯器の付いた腕は街灯または信号、平らな板は標識です。どれもない場合は柱とします。標識の内容は読み取りません。
+点が少ないもの、根元が隠れているもの、壁の一部かもしれないものは、理由とともに「不確か」とします。点群と走行軌跡は補正済みのものを使ってください。地物の位置の誤差には計測の誤差がそのまま含まれます。</translation>
     </message>
     <message>
         <source>DSM</source>
@@ -12516,6 +12616,26 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>点が標示ではなく面全体を覆っています。計測そのものではなく、MMS計測の路面標示が作る路面標示点を指定してください。</translation>
     </message>
     <message>
+        <source>few points</source>
+        <translation>点不足</translation>
+    </message>
+    <message>
+        <source>it may be a part of a wall</source>
+        <translation>壁の一部の可能性がある</translation>
+    </message>
+    <message>
+        <source>its foot is hidden</source>
+        <translation>根元が隠れている</translation>
+    </message>
+    <message>
+        <source>its stem is seen in parts</source>
+        <translation>柱・幹が部分的にしか見えない</translation>
+    </message>
+    <message>
+        <source>other things stand close beside it</source>
+        <translation>すぐ近くに別のものがある</translation>
+    </message>
+    <message>
         <source>No trajectory was given: only arrows and stop lines tell directions, and ways through junctions are inferred.</source>
         <translation>軌跡が指定されていません。方向は矢印と停止線だけから判断し、交差点内の進路は推定によります。</translation>
     </message>
@@ -14272,6 +14392,34 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>次の部分までの間隔 (m)</translation>
     </message>
     <message>
+        <source>number</source>
+        <translation>件数</translation>
+    </message>
+    <message>
+        <source>diameter of the stem (m)</source>
+        <translation>柱・幹の直径 (m)</translation>
+    </message>
+    <message>
+        <source>lean from the plumb line (°)</source>
+        <translation>鉛直からの傾き (°)</translation>
+    </message>
+    <message>
+        <source>diameter of the crown (m)</source>
+        <translation>樹冠の直径 (m)</translation>
+    </message>
+    <message>
+        <source>width of the board (m)</source>
+        <translation>標識板の幅 (m)</translation>
+    </message>
+    <message>
+        <source>height of the board (m)</source>
+        <translation>標識板の高さ (m)</translation>
+    </message>
+    <message>
+        <source>elevation of the board's middle (m)</source>
+        <translation>標識板の中心の標高 (m)</translation>
+    </message>
+    <message>
         <source>arrows</source>
         <translation>矢印</translation>
     </message>
@@ -14490,6 +14638,18 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>height above the road (m)</source>
         <translation>路面からの高さ (m)</translation>
+    </message>
+    <message>
+        <source>standard deviation east and north (m)</source>
+        <translation>東・北の標準偏差 (m)</translation>
+    </message>
+    <message>
+        <source>height above the ground (m)</source>
+        <translation>地表からの高さ (m)</translation>
+    </message>
+    <message>
+        <source>direction of board or arm (°)</source>
+        <translation>標識板または腕の方位 (°)</translation>
     </message>
     <message>
         <source>width of the stroke (m)</source>
@@ -15588,6 +15748,38 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>ポリゴン{0}件から線が見つかりませんでした。メートル単位の路面標示であることを確認し、短い線の場合は最小線長を小さくしてください。</translation>
     </message>
     <message>
+        <source>Objects by kind</source>
+        <translation>種類別の地物</translation>
+    </message>
+    <message>
+        <source>The path grey; poles black, lamp posts yellow, signals red, signs blue, trees green; doubtful objects hollow.</source>
+        <translation>走行軌跡は灰色、柱は黒、街灯は黄、信号は赤、標識は青、樹木は緑。不確かな地物は白抜き。</translation>
+    </message>
+    <message>
+        <source>Doubtful</source>
+        <translation>不確か</translation>
+    </message>
+    <message>
+        <source>Median height (m)</source>
+        <translation>高さの中央値 (m)</translation>
+    </message>
+    <message>
+        <source>Median diameter (m)</source>
+        <translation>直径の中央値 (m)</translation>
+    </message>
+    <message>
+        <source>Median sigma (m)</source>
+        <translation>標準偏差の中央値 (m)</translation>
+    </message>
+    <message>
+        <source>No object was found along {0:.0f} m.</source>
+        <translation>{0:.0f} m の区間に地物は見つかりませんでした。</translation>
+    </message>
+    <message>
+        <source>{0} objects along {1:.0f} m; {2} of them are doubtful.</source>
+        <translation>{1:.0f} m の区間に地物 {0} 個、うち不確かなもの {2} 個。</translation>
+    </message>
+    <message>
         <source>Surfaces by kind</source>
         <translation>種類別の面</translation>
     </message>
@@ -15634,6 +15826,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0}: {1}</source>
         <translation>{0}：{1}</translation>
+    </message>
+    <message>
+        <source>{0} objects along {1:.0f} m.</source>
+        <translation>{1:.0f} m の区間に地物 {0} 個。</translation>
+    </message>
+    <message>
+        <source>{0} objects are doubtful: {1}.</source>
+        <translation>地物 {0} 個は不確かです: {1}。</translation>
     </message>
     <message>
         <source>Without trajectories only arrows and stop lines tell directions: most strips stay findings, and ways through junctions are inferred.</source>
@@ -15946,10 +16146,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Mean offset of the moved walls (m)</source>
         <translation>移動した壁面の平均オフセット (m)</translation>
-    </message>
-    <message>
-        <source>number</source>
-        <translation>件数</translation>
     </message>
     <message>
         <source>largest offset of a wall (m)</source>
@@ -17072,10 +17268,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>小規模</translation>
     </message>
     <message>
-        <source>few points</source>
-        <translation>点不足</translation>
-    </message>
-    <message>
         <source>part of the plan without points</source>
         <translation>平面の一部に点なし</translation>
     </message>
@@ -17566,6 +17758,46 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>no points</source>
         <translation>点なし</translation>
+    </message>
+    <message>
+        <source>pole, measured</source>
+        <translation>柱（計測）</translation>
+    </message>
+    <message>
+        <source>pole, doubtful</source>
+        <translation>柱（不確実）</translation>
+    </message>
+    <message>
+        <source>lamp post, measured</source>
+        <translation>街灯（計測）</translation>
+    </message>
+    <message>
+        <source>lamp post, doubtful</source>
+        <translation>街灯（不確実）</translation>
+    </message>
+    <message>
+        <source>signal, measured</source>
+        <translation>信号（計測）</translation>
+    </message>
+    <message>
+        <source>signal, doubtful</source>
+        <translation>信号（不確実）</translation>
+    </message>
+    <message>
+        <source>sign, measured</source>
+        <translation>標識（計測）</translation>
+    </message>
+    <message>
+        <source>sign, doubtful</source>
+        <translation>標識（不確実）</translation>
+    </message>
+    <message>
+        <source>tree, measured</source>
+        <translation>樹木（計測）</translation>
+    </message>
+    <message>
+        <source>tree, doubtful</source>
+        <translation>樹木（不確実）</translation>
     </message>
     <message>
         <source>survey to outline</source>

@@ -75,6 +75,26 @@ def road_edges(layer) -> None:
         "[% round(\"sigma_z\", 3) %] m<br>[% \"status\" %]")
 
 
+def street_objects(layer) -> None:
+    """Objects by kind, doubtful ones hollow."""
+    colours = {"pole": "#222222", "lamp post": "#e0a800", "signal": "#d7263d", "sign": "#2b5fb8", "tree": "#3f8f63"}
+    layer.setRenderer(QgsCategorizedSymbolRenderer("\"kind\" || ', ' || \"status\"", [
+        QgsRendererCategory(f"{kind}, {status}", marker(fill_colour, 2.6, colour), f"{kind}, {status}")
+        for kind, colour in colours.items() for status, fill_colour in (
+            ("measured", colour), ("doubtful", "#ffffff"))]))
+    layer.setMapTipTemplate(
+        "<b>[% \"kind\" %]</b>, [% round(\"height\", 1) %] m high, diameter [% round(\"diameter\", 2) %] m<br>"
+        "sigma [% round(\"sigma\", 3) %] m, [% \"points\" %] points<br>[% \"status\" %] [% \"reason\" %]")
+
+
+def street_rails(layer) -> None:
+    """Guard rails, doubtful ones dotted."""
+    layer.setRenderer(QgsCategorizedSymbolRenderer("status", [
+        QgsRendererCategory(status, line_symbol("#8a6bb0", 0.7, pen), status)
+        for status, pen in (("measured", "solid"), ("doubtful", "dot"))]))
+    layer.setMapTipTemplate("guard rail, [% round(\"height\", 2) %] m high<br>sigma [% round(\"sigma\", 3) %] m")
+
+
 def map_findings(layer) -> None:
     """Points by what was found."""
     kinds = {"no lane made": "#e09a2b", "open end": "#4a8fe7", "bound not seen": "#b8b03a",
@@ -175,6 +195,9 @@ FIELDS = {
     lane_centres: ("LineStringZ", "lane_id:integer kind:string width:double"),
     lane_bounds: ("LineStringZ", "bound_id:integer class:string"),
     road_edges: ("LineStringZ", "kind:string height:double sigma:double sigma_z:double status:string"),
+    street_objects: ("PointZ", "kind:string height:double diameter:double sigma:double points:integer status:string "
+                     "reason:string"),
+    street_rails: ("LineStringZ", "height:double sigma:double status:string"),
     road_surfaces: ("Polygon", "road_id:integer kind:string width:double area:double status:string finding:string"),
     loaded_roads: ("MultiPolygon", "road_id:string section:string function:string width:double"),
     road_axes: ("LineString", "road_id:integer kind:string width:double length:double"),

@@ -58,6 +58,7 @@ RECIPES: dict[str, dict] = {
     "loadgsidem": {"INPUT": "made:FG-GML-5339-46-11-DEM5A-20161001.xml", "CRS": "EPSG:6677"},
     "markinglines": {"MARKINGS": MAP["MARKINGS"], "GROUND": HEIGHTS["GROUND"]},
     "roadedges": {**DRIVE, "WALLS": "wallsfrommms:OUTPUT"},
+    "streetobjects": DRIVE,
     "vectormap": {"LINES": "markinglines:OUTPUT", "TRAJECTORY": [DRIVE["TRAJECTORY"]]},
     "roadmodel": {"ROADS": "vectormap:OUTPUT_LANES", "DATA_DATE": "2026-04-01"},
     "lanemap": {"MARKINGS": MAP["MARKINGS"], "GROUND": HEIGHTS["GROUND"], **TRUTH},

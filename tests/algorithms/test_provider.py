@@ -22,7 +22,8 @@ CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes"
             "buildingmodels", "wallsfrommms", "mergebuildingmodels", "mesh25d", "exportcitymodel", "checkcitymodel",
             "buildingsfromals", "tiledrun", "runjob",
             "satellitevisibility", "gnssreflections", "adjustwalls", "markinglines", "vectormap", "checkvectormap",
-            "comparemaps", "lanemap", "roadedges", "localisationaccuracy", "acceptance", "roadmodel", "adjustframes")
+            "comparemaps", "lanemap", "roadedges", "localisationaccuracy", "acceptance", "roadmodel", "adjustframes",
+            "streetobjects")
 
 LIST_WITHOUT_PACKAGES = """
 import sys

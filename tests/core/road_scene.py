@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -87,13 +88,19 @@ def to_local(place: np.ndarray, angle: float) -> np.ndarray:
     return np.column_stack([cos * x + sin * y, sin * x - cos * y, z])
 
 
-def write_drive(path: Path, street: Street, angle: float = 0.0, passes: int = 1, seed: int = 1) -> Trajectory:
-    """Write the points as LAS; the trajectory, which drives the street `passes` times the same way."""
+def write_drive(path: Path, street: Street, angle: float = 0.0, passes: int = 1, seed: int = 1,
+                more: Callable[[np.random.Generator], np.ndarray] | None = None) -> Trajectory:
+    """Write the points as LAS; the trajectory, which drives the street `passes` times the same way.
+
+    `more` : gives more points (n, 3) along, across and up, m.
+    """
     rng = np.random.default_rng(seed)
     duration, away = street.length / SPEED, 60.0
     places, times, epochs, bodies = [], [], [], []
     for number in range(passes):
         local = local_points(street, rng)
+        if more is not None:
+            local = np.concatenate([local, more(rng)])
         start = 1000.0 + number * (duration + away)
         places.append(to_map(local + NOISE * rng.standard_normal(local.shape), angle))
         times.append(start + np.clip(local[:, 0], 0.0, street.length) / SPEED)

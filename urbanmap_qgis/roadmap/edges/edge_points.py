@@ -31,9 +31,7 @@ class EdgePointsLimits:
 
     row: float = 1 << 24
     ahead: float = 8.0  # m by which a tilted fan reaches ahead of the vehicle
-    # m over and under the body, at the path
-    above: float = 2.5
-    below: float = 5.0
+    below: float = 5.0  # m under the body, at the path
     slope: float = 0.15  # of the ground across
     creep: float = 0.02
 
@@ -42,18 +40,28 @@ LIMITS = EdgePointsLimits()
 
 
 @dataclass(frozen=True)
+class Reach:
+    """What is read of a survey: `tile` and `margin` beyond it, m, and m `above` the body, at the path."""
+
+    tile: float = TILE
+    margin: float = MARGIN
+    above: float = 2.5
+
+
+@dataclass(frozen=True)
 class EdgeTile:
     """Points of a tile and its margin (`POINT`), in coordinates relative to the survey's corner.
 
-    `low` (2,) is the tile's own corner; what lies in [low, low + TILE) belongs to it.
+    `low` (2,) is the tile's own corner; what lies in [low, low + side) belongs to it.
     """
 
     low: np.ndarray
     points: np.ndarray
+    side: float = TILE
 
     def owns(self, place: np.ndarray) -> np.ndarray:
         """Mask (n,) of places (n, 2) that belong to this tile."""
-        return ((place >= self.low) & (place < self.low + TILE)).all(axis=1)
+        return ((place >= self.low) & (place < self.low + self.side)).all(axis=1)
 
 
 class EdgePoints:
@@ -64,10 +72,13 @@ class EdgePoints:
     Parameters
     ----------
     width : m from the path to either side within which edges are wanted.
+    buckets : of records with the fields of `POINT`; their other fields are those of the files, and `time` (s).
     """
 
-    def __init__(self, cloud: PointCloud, trajectory: Trajectory, width: float, buckets: PointBuckets):
-        self.cloud, self.trajectory, self.width, self.buckets = cloud, trajectory, width, buckets
+    def __init__(self, cloud: PointCloud, trajectory: Trajectory, width: float, buckets: PointBuckets,
+                 reach: Reach = Reach()):
+        self.cloud, self.trajectory, self.width, self.buckets, self.reach = cloud, trajectory, width, buckets, reach
+        self.more = [name for name in buckets.dtype.names if name not in (*POINT.names, "time")]
         self.corner = np.array([*np.floor(trajectory.place[:, :2].min(axis=0)) - 1000.0, 0.0])
         self.shift = time_shift(cloud, trajectory, sampled_span(cloud))
         self.chainage = path_chainage(trajectory)
@@ -92,7 +103,8 @@ class EdgePoints:
             time = np.asarray(chunk["gps_time"]) + self.shift
             rows = np.flatnonzero(valid_points(chunk) & self._moving(time))
             if len(rows):
-                self._add(np.column_stack([np.asarray(chunk[name])[rows] for name in "xyz"]), time[rows])
+                more = {name: np.asarray(chunk[name])[rows] for name in self.more}
+                self._add(np.column_stack([np.asarray(chunk[name])[rows] for name in "xyz"]), time[rows], more)
         if not self.kept_points:
             raise InsufficientDataError(
                 say("No point of {paths} was measured beside the path at the height of its road: give points and "
@@ -106,21 +118,30 @@ class EdgePoints:
         now, before = (np.interp(at, self.trajectory.time, self.chainage) for at in (time, time - STOPPED))
         return known & ~((now - before < LIMITS.creep) & (time - STOPPED > self.trajectory.time[0]))
 
-    def _add(self, place: np.ndarray, time: np.ndarray) -> None:
+    def _add(self, place: np.ndarray, time: np.ndarray, more: dict[str, np.ndarray]) -> None:
         body = interpolate(self.trajectory, time, "hold").place
         away = np.hypot(*(place - body)[:, :2].T)
         height = (place - body)[:, 2]
-        near = ((away <= self.width + LIMITS.ahead) & (height <= LIMITS.above + LIMITS.slope * away)
+        near = ((away <= self.width + LIMITS.ahead) & (height <= self.reach.above + LIMITS.slope * away)
                 & (height >= -LIMITS.below - LIMITS.slope * away))
         place, time = place[near] - self.corner, time[near]
-        record = np.empty(len(place), POINT)
+        record = np.empty(len(place), self.buckets.dtype)
         record["x"], record["y"], record["z"] = place.T
+        for name, values in more.items():
+            record[name] = values[near]
+        if "time" in record.dtype.names:
+            record["time"] = time
         record["drive"] = np.searchsorted(self.breaks, time).astype(np.uint16)
-        column, row = (np.floor(axis / TILE).astype(np.int64) for axis in place[:, :2].T)
+        column, row = (np.floor(axis / self.reach.tile).astype(np.int64) for axis in place[:, :2].T)
         keys = column * LIMITS.row + row
         self.keys.update(np.unique(keys).tolist())
         self.kept_points += len(record)
         self.buckets.add(keys, record)
+
+    def body(self, time: np.ndarray) -> np.ndarray:
+        """Places (n, 2) of the vehicle at some times (s), relative to the corner, m."""
+        return np.column_stack([np.interp(time, self.trajectory.time, axis)
+                                for axis in self.trajectory.place[:, :2].T]) - self.corner[:2]
 
     def within(self, place: np.ndarray) -> np.ndarray:
         """Mask (n,) of places (n, 2), relative to the corner, that lie within `width` of the path."""
@@ -134,18 +155,19 @@ class EdgePoints:
             around = [key + i * LIMITS.row + j for i in (-1, 0, 1) for j in (-1, 0, 1)]
             loaded = {name: loaded[name] if name in loaded else self.buckets.read(name)
                       for name in around if name in self.keys}
-            low = np.array([key // LIMITS.row, key % LIMITS.row], float) * TILE
+            low = np.array([key // LIMITS.row, key % LIMITS.row], float) * self.reach.tile
             if not self._reached(low):
                 continue
-            yield EdgeTile(low, np.concatenate([_within(loaded[name], low) for name in around if name in loaded]))
+            points = np.concatenate([self._within(loaded[name], low) for name in around if name in loaded])
+            yield EdgeTile(low, points, self.reach.tile)
             progress.step((number + 1) / len(keys))
 
     def _reached(self, low: np.ndarray) -> bool:
         """Whether some place of a tile may lie within the width of the path."""
-        return bool(self.path_tree.query(low + TILE / 2)[0] <= self.width + TILE * 0.71)
+        return bool(self.path_tree.query(low + self.reach.tile / 2)[0] <= self.width + self.reach.tile * 0.71)
 
-
-def _within(points: np.ndarray, low: np.ndarray) -> np.ndarray:
-    """Points of a tile and its margin."""
-    x, y = points["x"] - low[0], points["y"] - low[1]
-    return points[(x >= -MARGIN) & (x < TILE + MARGIN) & (y >= -MARGIN) & (y < TILE + MARGIN)]
+    def _within(self, points: np.ndarray, low: np.ndarray) -> np.ndarray:
+        """Points of a tile and its margin."""
+        x, y = points["x"] - low[0], points["y"] - low[1]
+        first, last = -self.reach.margin, self.reach.tile + self.reach.margin
+        return points[(x >= first) & (x < last) & (y >= first) & (y < last)]

@@ -40,8 +40,8 @@ def above_ground(points: np.ndarray, ground: Heights | None = None) -> np.ndarra
 
     `ground` : heights at places x, y; without it the ground is found among the points.
     """
-    if points.dtype != POINT:
-        raise TypeError(f"points are {points.dtype}, not POINT")
+    if not set(POINT.names) <= set(points.dtype.names or ()):
+        raise TypeError(f"points are {points.dtype}, without the fields of POINT")
     if not len(points):
         return np.zeros(0)
     if ground is not None:

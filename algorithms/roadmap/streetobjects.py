@@ -1,0 +1,148 @@
+"""urbanmap:streetobjects."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from qgis.core import QgsProcessing
+
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.declaring.parameters import HTML_FILTER, tr
+from ..framework.layers.layers import make_fields
+from ..mobile.survey_inputs import read_survey
+
+FIELDS = (("object_id", "int"), ("kind", "text"), ("confidence", "real"), ("height", "real"), ("diameter", "real"),
+          ("lean", "real"), ("azimuth", "real"), ("crown", "real"), ("board_width", "real"), ("board_height", "real"),
+          ("board_z", "real"), ("sigma", "real"), ("points", "int"), ("passes", "int"), ("status", "text"),
+          ("reason", "text"))
+RAIL_FIELDS = (("rail_id", "int"), ("height", "real"), ("sigma", "real"), ("sigma_z", "real"), ("length", "real"),
+               ("points", "int"), ("passes", "int"), ("status", "text"), ("reason", "text"))
+
+
+class StreetObjects(UrbanMapAlgorithm):
+    ID = "streetobjects"
+    NAME = "Street objects"
+    SOURCE = "Javanmardi 2018, 6.2"
+    KEYWORDS = ("pole", "lamp post", "street light", "traffic light", "signal", "traffic sign", "tree", "guard rail",
+                "street furniture", "MMS")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "rasterio")
+    HELP = (
+        "Finds poles, lamp posts, signals, signs and trees along the drive of a corrected mobile survey, as points at "
+        "their feet with height, diameter, direction and standard deviation.\n"
+        "Things that stay narrow in plan over height are stems. The axis of a stem is adjusted to the sides of it that "
+        "were seen, as each line of sight sees its middle across and its face before the axis. What hangs on the stem "
+        "tells the kind: leaves on all sides, an arm with a lamp or a large head, a flat board. A post that shows none "
+        "of these is a pole; what a sign says is not read.\n"
+        "Stems of few points, with a hidden foot, or that may be a part of a wall are doubtful, with the reason. "
+        "Points and trajectory must be corrected ones: objects are as wrong as the survey is."
+    )
+
+    def declare(self):
+        self.add_points(help="The survey, placed by the trajectory: LAS, LAZ or COPC files with GPS times, in one "
+                        "projected coordinate system.")
+        self.add_trajectory()
+        self.add_trajectory_reading()
+        self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres, from which those of the "
+                        "points are counted. Without it the ground is found among the points; where the raster has no "
+                        "value no object is found.", optional=True)
+        self.add_distance("WIDTH", "Half width", "Objects up to so far from the path, in metres.", 15.0, 3.0, 50.0)
+        self.add_distance("MIN_HEIGHT", "Lowest object", "Lower objects, in metres, are left out.", 2.0, 1.5, 10.0)
+        self.add_distance("MAX_DIAMETER", "Thickest stem", "What is thicker, in metres, is no post or trunk.", 0.6, 0.1,
+                          2.0, advanced=True)
+        self.add_distance("SIGMA", "Standard deviation of the survey", "How well the survey is placed as a whole, in "
+                          "metres; it enters the sigma of all objects.", 0.01, 0.0, 10.0)
+        self.add_points_crs()
+        point, line = QgsProcessing.SourceType.TypeVectorPoint, QgsProcessing.SourceType.TypeVectorLine
+        self.add_layer_output(
+            "OUTPUT", "Street objects", "PointZ at the foot: object_id, kind (pole, lamp post, signal, sign, tree), "
+            "confidence (0 to 1), height over the ground, diameter, lean (degrees), azimuth (degrees, of a board's "
+            "face or an arm), crown (diameter), board_width, board_height, board_z (height of the board's middle), "
+            "sigma (east and north each, m), points, passes, status (measured, doubtful), reason.", source_type=point)
+        self.add_layer_output(
+            "OUTPUT_RAILS", "Guard rails", "LineStringZ along the foot: rail_id, height, sigma (across), sigma_z, "
+            "length (m), points, passes, status, reason; as “Road edges” finds them.", optional=True, source_type=line)
+        self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: verdict, figures, a map, what is doubtful.",
+                             HTML_FILTER, optional=True)
+        self.add_number_output("OBJECTS", "Objects", "Number of objects.")
+        self.add_number_output("DOUBTFUL", "Doubtful objects", "Number of objects that are doubtful.")
+        self.add_number_output("MEDIAN_SIGMA", "Median sigma", "Median standard deviation of the feet of measured "
+                               "objects; no value without any.", "m")
+
+    def compute(self, parameters, context, feedback):
+        import numpy as np
+
+        from ...urbanmap_qgis.roadmap.objects.object_records import MEASURED, ObjectSettings
+
+        progress = self.progress(feedback)
+        paths, crs, read = read_survey(self, parameters, context, progress)
+        settings = ObjectSettings(*(self.parameterAsDouble(parameters, name, context) for name in (
+            "WIDTH", "MIN_HEIGHT", "MAX_DIAMETER", "SIGMA")))
+        wants_rails = parameters.get("OUTPUT_RAILS") not in (None, "")
+        found, rails = self._find(parameters, context, paths, crs, read.trajectory, settings, wants_rails, progress)
+        self._tell(found, progress)
+        results = self._write(parameters, context, found, rails, crs)
+        report = self.output_path(parameters, "OUTPUT_REPORT", context)
+        if report is not None:
+            from .object_report import write_object_report
+
+            write_object_report(report, found, read.trajectory)
+            results["OUTPUT_REPORT"] = str(report)
+        sigmas = [thing.sigma for thing in found.objects if thing.status == MEASURED]
+        return {**results, "OBJECTS": len(found.objects), "DOUBTFUL": len(found.objects) - len(sigmas),
+                "MEDIAN_SIGMA": float(np.median(sigmas)) if sigmas else None}
+
+    def _find(self, parameters, context, paths, crs, trajectory, settings, wants_rails, progress):
+        """Objects, and the guard rails where they are wanted."""
+        from contextlib import ExitStack
+
+        from ...urbanmap_qgis.io.raster import RasterSampler
+        from ...urbanmap_qgis.roadmap.edges.edge_records import RAIL, EdgeSettings
+        from ...urbanmap_qgis.roadmap.edges.road_edges import road_edges
+        from ...urbanmap_qgis.roadmap.objects.street_objects import street_objects
+
+        heights, rails = None, []
+        ground = self.raster_path(parameters, "GROUND", context)
+        share = 0.5 if wants_rails else 0.95
+        with ExitStack() as opened:
+            if ground is not None:
+                raster = opened.enter_context(RasterSampler(ground))
+                self.same_crs("GROUND", raster.crs_wkt, "POINTS", crs)
+                heights = raster.sample
+            found = street_objects(paths, trajectory, settings, heights, progress.part(0.0, share))
+            if wants_rails:
+                edges = EdgeSettings(width=settings.width, survey_sigma=settings.survey_sigma)
+                found_edges = road_edges(paths, trajectory, edges, heights, progress.part(share, 0.95)).edges
+                rails = [edge for edge in found_edges if edge.kind == RAIL]
+        return found, rails
+
+    def _write(self, parameters, context, found, rails, crs):
+        import shapely
+
+        objects = found.objects
+        columns = {"object_id": list(range(1, len(objects) + 1)),
+                   **{name: [getattr(thing, name) for thing in objects] for name in (
+                       "kind", "confidence", "height", "diameter", "lean", "azimuth", "crown", "sigma", "points",
+                       "passes", "status")},
+                   "board_width": [thing.board.width if thing.board else None for thing in objects],
+                   "board_height": [thing.board.height if thing.board else None for thing in objects],
+                   "board_z": [float(thing.board.centre[2]) if thing.board else None for thing in objects],
+                   "reason": [tr(thing.reason) if thing.reason else None for thing in objects]}
+        results = {"OUTPUT": self.write_layer(
+            parameters, "OUTPUT", context, make_fields(*FIELDS), columns, crs,
+            [shapely.points(thing.foot) for thing in objects], "PointZ", style="street_objects")}
+        if parameters.get("OUTPUT_RAILS") not in (None, ""):
+            rail_columns = {"rail_id": list(range(1, len(rails) + 1)),
+                            **{name: [getattr(rail, name) for rail in rails] for name, _ in RAIL_FIELDS[1:]},
+                            "reason": [tr(rail.reason) if rail.reason else None for rail in rails]}
+            results["OUTPUT_RAILS"] = self.write_layer(
+                parameters, "OUTPUT_RAILS", context, make_fields(*RAIL_FIELDS), rail_columns, crs,
+                [shapely.linestrings(rail.foot) for rail in rails], "LineStringZ", style="street_rails")
+        return {name: place for name, place in results.items() if place}
+
+    def _tell(self, found, progress):
+        progress.message(tr("{0} objects along {1:.0f} m.").format(len(found.objects), found.path_length))
+        for kind, count in sorted(Counter(thing.kind for thing in found.objects).items()):
+            progress.message(tr("{0}: {1}").format(tr(kind), count))
+        reasons = Counter(thing.reason for thing in found.objects if thing.reason)
+        for reason, count in sorted(reasons.items()):
+            progress.warn(tr("{0} objects are doubtful: {1}.").format(count, tr(reason)))

@@ -1,0 +1,160 @@
+"""Posts, lamps, signals, signs and trees of a made-up street of known geometry."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.core import object_scene as scene
+from tests.core.road_scene import Street, to_local, write_drive
+from urbanmap_qgis.errors import InsufficientDataError
+from urbanmap_qgis.mobile.trajectory import Trajectory
+from urbanmap_qgis.roadmap.objects.axis_fit import fit_axis
+from urbanmap_qgis.roadmap.objects.object_pictures import object_map
+from urbanmap_qgis.roadmap.objects.object_records import ObjectSettings
+from urbanmap_qgis.roadmap.objects.street_objects import street_objects
+
+SETTINGS = ObjectSettings(survey_sigma=0.0)
+FLAT = Street(kerb=0.0, length=30.0)
+
+
+def found_of(tmp_path, *makers, angle=0.0, street=FLAT, passes=1, settings=SETTINGS):
+    trajectory = write_drive(tmp_path / "drive.las", street, angle, passes,
+                             more=lambda rng: np.concatenate([make(rng) for make in makers]))
+    return street_objects([tmp_path / "drive.las"], trajectory, settings)
+
+
+def placed(thing, angle=0.0):
+    return to_local(thing.foot[None], angle)[0]
+
+
+@pytest.mark.parametrize("angle", [0.0, 37.0, 160.0])
+def test_each_thing_is_what_it_is_where_it_stands(tmp_path, angle):
+    found = found_of(tmp_path, lambda rng: scene.lamp(rng, 4.0, 5.0), lambda rng: scene.signal(rng, 10.0, -6.0),
+                     lambda rng: scene.sign(rng, 16.0, 5.0), lambda rng: scene.tree(rng, 21.0, -6.0),
+                     lambda rng: scene.post(rng, 26.0, 4.5, 3.0), angle=angle)
+    things = sorted(found.objects, key=lambda thing: placed(thing, angle)[0])
+    assert [thing.kind for thing in things] == ["lamp post", "signal", "sign", "tree", "pole"]
+    assert {thing.status for thing in things} == {"measured"}
+    true = np.array([[4.0, 5.0], [10.0, -6.0], [16.0, 5.0], [21.0, -6.0], [26.0, 4.5]])
+    feet = np.array([placed(thing, angle) for thing in things])
+    assert np.abs(feet[:, :2] - true).max() < 0.03
+    assert np.abs(feet[:, 2] + 0.01 * np.abs(true[:, 1])).max() < 0.03
+    assert [thing.height for thing in things] == pytest.approx([8.0, 6.0, 2.7, 5.4, 3.0], abs=0.25)
+    assert [thing.diameter for thing in things] == pytest.approx([0.16, 0.2, 0.08, 0.25, 0.12], abs=0.04)
+    assert things[3].crown == pytest.approx(3.2, abs=0.6) and things[0].crown is None
+    assert found.number("lamp post") == 1 and found.path_length > 29.0
+    # The arms reach to the path: to the left of the drive from the right side of it, and the other way round.
+    course = 90.0 - angle
+    assert turned_by(things[0].azimuth, course - 90.0) < 8.0 and turned_by(things[1].azimuth, course + 90.0) < 8.0
+
+
+def turned_by(one, other):
+    return abs((one - other + 180.0) % 360.0 - 180.0)
+
+
+@pytest.mark.parametrize("turned", [0.0, 20.0, -30.0])
+def test_a_board_has_its_size_place_and_direction(tmp_path, turned):
+    sign, = found_of(tmp_path, lambda rng: scene.sign(rng, 15.0, 5.0, 0.9, 0.7, turned)).objects
+    assert sign.kind == "sign" and (sign.board.width, sign.board.height) == pytest.approx((0.9, 0.7), abs=0.08)
+    assert np.abs(to_local(sign.board.centre[None], 0.0)[0] - [14.95, 5.0, 2.4]).max() < 0.05
+    # Across the street it faces west or east, whichever side the survey sees; turned, it looks aside by as much.
+    assert min(turned_by(sign.azimuth, 90.0 - turned), turned_by(sign.azimuth, 270.0 - turned)) < 5.0
+
+
+@pytest.mark.parametrize("lean", [(0.06, 0.0), (0.0, -0.08)])
+def test_a_leaning_post_stands_where_its_foot_is(tmp_path, lean):
+    pole, = found_of(tmp_path, lambda rng: scene.post(rng, 15.0, 5.0, 4.0, lean=lean)).objects
+    assert np.abs(placed(pole)[:2] - [15.0, 5.0]).max() < 0.04
+    assert pole.lean == pytest.approx(np.degrees(np.arctan(np.hypot(*lean))), abs=0.6)
+
+
+def test_sigma_holds_the_error(tmp_path):
+    off, sigma = [], []
+    for number in range(4):
+        along = np.arange(3.0, 28.0, 4.0) + 0.13 * number
+        across = np.where(np.arange(len(along)) % 2, 5.0, -7.0 - 0.3 * number)
+        found = found_of(tmp_path, *[lambda rng, a=a, c=c, d=0.1 + 0.02 * number: scene.post(rng, a, c, 3.5, d)
+                                     for a, c in zip(along, across)])
+        for thing in found.objects:
+            place = placed(thing)[:2]
+            nearest = np.argmin(np.hypot(along - place[0], across - place[1]))
+            off += (place - [along[nearest], across[nearest]]).tolist()
+            sigma += [thing.sigma] * 2
+    ratio = np.abs(off) / sigma
+    assert len(off) == 4 * 7 * 2 and np.mean(ratio < 2.0) > 0.93 and np.sqrt(np.mean(np.square(off))) < 0.02
+
+
+def test_the_sigma_of_the_survey_is_in_that_of_its_objects(tmp_path):
+    make = lambda rng: scene.post(rng, 15.0, 5.0, 3.0)  # noqa: E731
+    exact, = found_of(tmp_path, make).objects
+    rough, = found_of(tmp_path, make, settings=ObjectSettings(survey_sigma=0.05)).objects
+    assert rough.sigma == pytest.approx(np.hypot(exact.sigma, 0.05))
+
+
+def test_two_passes_see_one_post(tmp_path):
+    pole, = found_of(tmp_path, lambda rng: scene.post(rng, 15.0, 5.0, 3.0), passes=2).objects
+    assert pole.passes == 2 and np.abs(placed(pole)[:2] - [15.0, 5.0]).max() < 0.03
+
+
+def test_walls_vehicles_and_low_things_are_no_objects(tmp_path):
+    found = found_of(tmp_path, lambda rng: scene.wall(rng, 2.0, 7.0, 20.0), lambda rng: scene.post(rng, 8.0, 5.0, 0.9),
+                     lambda rng: scene.box(rng, 16.0, -5.0, 0.8, (4.4, 1.8, 1.5)))
+    assert not found.objects
+
+
+def test_a_post_beside_a_wall_is_found(tmp_path):
+    pole, = found_of(tmp_path, lambda rng: scene.wall(rng, 2.0, 6.0, 26.0), lambda rng: scene.post(
+        rng, 15.0, 5.4, 3.0)).objects
+    assert np.abs(placed(pole)[:2] - [15.0, 5.4]).max() < 0.03
+
+
+def test_a_hidden_foot_is_told(tmp_path):
+    pole, = found_of(tmp_path, lambda rng: scene.post(rng, 15.0, 5.0, 4.0, low=1.7)).objects
+    assert (pole.status, pole.reason) == ("doubtful", "its foot is hidden") and pole.confidence < 0.5
+    assert np.abs(placed(pole)[:2] - [15.0, 5.0]).max() < 0.03
+
+
+def test_few_points_are_told(tmp_path):
+    thin = lambda rng: scene.post(rng, 15.0, 5.0, 3.0, 0.1)[::10]  # noqa: E731
+    pole, = found_of(tmp_path, thin).objects  # 19 points
+    assert (pole.status, pole.reason) == ("doubtful", "few points")
+
+
+def test_settings_leave_out(tmp_path):
+    make = lambda rng: scene.post(rng, 15.0, 5.0, 3.0, 0.3)  # noqa: E731
+    for settings in (ObjectSettings(width=4.0), ObjectSettings(min_height=3.5), ObjectSettings(max_diameter=0.2)):
+        assert not found_of(tmp_path, make, settings=settings).objects
+
+
+def test_heights_of_the_ground_can_be_given(tmp_path):
+    trajectory = write_drive(tmp_path / "drive.las", FLAT, more=lambda rng: scene.post(rng, 15.0, 5.0, 3.0))
+    ground = lambda x, y: np.where(x > -7010.0, 9.9, np.nan)  # noqa: E731
+    pole, = street_objects([tmp_path / "drive.las"], trajectory, SETTINGS, ground).objects
+    assert pole.foot[2] == pytest.approx(9.9) and pole.height == pytest.approx(3.1, abs=0.15)
+    unknown = lambda x, y: np.full(len(x), np.nan)  # noqa: E731
+    assert not street_objects([tmp_path / "drive.las"], trajectory, SETTINGS, unknown).objects
+
+
+def test_points_of_another_place_are_refused(tmp_path):
+    trajectory = write_drive(tmp_path / "drive.las", FLAT)
+    away = Trajectory(trajectory.time, trajectory.place + np.array([5000.0, 0.0, 0.0]), trajectory.angles)
+    with pytest.raises(InsufficientDataError, match="beside the path"):
+        street_objects([tmp_path / "drive.las"], away)
+
+
+def test_the_axis_of_a_round_post_seen_from_two_sides():
+    rng = np.random.default_rng(3)
+    angle = np.concatenate([rng.uniform(-0.5, 0.5, 300), 0.5 + rng.uniform(-0.5, 0.5, 200)]) * np.pi
+    place = np.column_stack([50.0 + 0.2 * np.cos(angle), 20.0 + 0.2 * np.sin(angle), rng.uniform(0.0, 3.0, 500)])
+    from_where = np.repeat([[60.0, 20.0], [50.0, 30.0]], [300, 200], axis=0)
+    axis = fit_axis(place + 0.005 * rng.standard_normal(place.shape), from_where)
+    assert np.abs(axis.middle[:2] - [50.0, 20.0]).max() < 0.02 and axis.diameter == pytest.approx(0.4, abs=0.03)
+    assert np.all(axis.lean == 0.0) and np.all(axis.sigma < 0.025)
+
+
+def test_the_map_shows_every_object(tmp_path):
+    found = found_of(tmp_path, lambda rng: scene.lamp(rng, 4.0, 5.0),
+                     lambda rng: scene.post(rng, 15.0, 5.0, 4.0, low=1.7))
+    picture = object_map(found.objects, np.array([[-7000.0, -34000.0], [-6970.0, -34000.0]]))
+    assert picture.count("<circle") == 2 and picture.count('fill="#ffffff" stroke="#222222"') == 1

@@ -1,0 +1,207 @@
+"""What hangs on a stem and what stands round it: crowns, boards, arms and heads."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from scipy import ndimage
+
+from .object_records import Board, StemAxis
+
+
+@dataclass(frozen=True)
+class HangingPartsLimits:
+    """Limits of hanging parts, each with its unit."""
+
+    voxel: float = 0.3  # m: what is farther apart does not hang together
+    reach: float = 5.5  # m from the axis; what goes on beyond is no part of a post
+    hanging: float = 1.0  # m above the ground; below it stand cars, hedges and people
+    skin: float = 0.12  # m that a stem's points lie outside its radius
+    frame: float = 0.03  # m outside a stem's radius from which points are a board's
+    sectors: int = 8  # of directions, and those of them that a crown fills
+    filled: int = 5
+    crown: float = 0.45  # m from the axis, where crowns begin and arms are thin
+    crown_voxels: int = 25  # of a crown, at least
+    crown_low: tuple[float, float] = (1.6, 0.1)  # m above the ground below which crowns have this share at most
+    wall: float = 1.0  # m from the axis: what hangs on a post so far out, at its own heights, is a wall
+    straight: float = 0.15  # spread of a wall across, of that along
+    wall_top: float = 4.0  # m above the ground; arms hang higher
+    thick: float = 0.03  # m, of a board (standard deviation) with what its frame adds
+    upright: float = 0.35  # vertical part of a board's unit normal, at most
+    board: tuple[float, float] = (0.25, 3.0)  # m, sides of a board
+    wide: float = 0.15  # m that a board reaches beyond the stem's surface
+    board_points: int = 12
+    arm: float = 0.4  # m, shortest arm
+    flat: float = 0.9  # m, height over which an arm's points spread, with its head
+
+
+LIMITS = HangingPartsLimits()
+
+
+@dataclass(frozen=True)
+class HangingParts:
+    """What hangs on a stem.
+
+    Attributes
+    ----------
+    top : highest point of all that hangs together, m above the ground.
+    crown : diameter of a crown, m; 0 without one.
+    board : or None.
+    arm : length of an arm, m; 0 without one.
+    arm_azimuth, arm_height : degrees, and m above the ground; NaN without an arm.
+    head : m, width across and height of the thing at the arm's end.
+    wall : points of what hangs on it at its own heights like a wall, and whether it is as straight as one.
+    """
+
+    top: float
+    crown: float
+    board: Board | None
+    arm: float
+    arm_azimuth: float
+    arm_height: float
+    head: tuple[float, float]
+    wall: int = 0
+    straight: bool = False
+
+
+def hanging_parts(place: np.ndarray, height: np.ndarray, axis: StemAxis, stem_top: float,
+                 seen_from: np.ndarray) -> HangingParts:
+    """What hangs on a stem.
+
+    Parameters
+    ----------
+    place : (n, 3) points within `reach` of the axis, m.
+    height : (n,) above the ground, m.
+    stem_top : m above the ground, up to which the stem is thin.
+    seen_from : (2,) where the survey passed, m: boards are told from this side.
+    """
+    offset = place[:, :2] - axis.at(place[:, 2])
+    away = np.hypot(*offset.T)
+    own = _hanging(offset, height, away)
+    offset, away, up, place = offset[own], away[own], height[own], place[own]
+    if not len(up):
+        return HangingParts(stem_top, 0.0, None, 0.0, np.nan, np.nan, (0.0, 0.0))
+    top = float(max(stem_top, np.percentile(up, 99.5)))
+    crown = _crown(offset, away, up)
+    if crown:
+        return HangingParts(top, crown, None, 0.0, np.nan, np.nan, (0.0, 0.0))
+    beside = away > axis.diameter / 2.0 + LIMITS.skin
+    wall = (away > LIMITS.wall) & (up < min(stem_top, LIMITS.wall_top))
+    aside = away > axis.diameter / 2.0 + LIMITS.frame
+    board = _board(place[aside], away[aside] - axis.diameter / 2.0, up[aside], seen_from)
+    return HangingParts(top, 0.0, board, *_arm(offset[beside], away[beside], up[beside]),
+                        int(np.count_nonzero(wall)), _straight(offset[wall]))
+
+
+def _hanging(offset: np.ndarray, height: np.ndarray, away: np.ndarray) -> np.ndarray:
+    """Mask (n,) of points that hang together with the stem, above what stands on the ground."""
+    near = (away < LIMITS.reach) & (height > LIMITS.hanging)
+    if not near.any():
+        return near
+    cells = np.floor(np.column_stack([offset[near], height[near]]) / LIMITS.voxel).astype(np.int64)
+    low = cells.min(axis=0)
+    full = np.zeros(cells.max(axis=0) - low + 1, bool)
+    full[tuple((cells - low).T)] = True
+    part = ndimage.label(full, np.ones((3, 3, 3), bool))[0][tuple((cells - low).T)]
+    at_stem = part[away[near] < LIMITS.voxel]
+    mine = near.copy()
+    mine[near] = np.isin(part, np.unique(at_stem))
+    return mine
+
+
+def _straight(offset: np.ndarray) -> bool:
+    """Whether places in plan lie along a straight line."""
+    if len(offset) < 3:
+        return False
+    low, high = np.linalg.eigvalsh(np.cov(offset.T))
+    return bool(low < LIMITS.straight**2 * high)
+
+
+def _crown(offset: np.ndarray, away: np.ndarray, up: np.ndarray) -> float:
+    """Diameter of a crown, m: leaves fill the room on all sides of the stem; 0 where they do not."""
+    leaves = away > LIMITS.crown
+    if np.count_nonzero(leaves) < LIMITS.crown_voxels or np.mean(
+            up[leaves] < LIMITS.crown_low[0]) > LIMITS.crown_low[1]:
+        return 0.0
+    cells = np.floor(np.column_stack([offset, up])[leaves] / LIMITS.voxel).astype(np.int64)
+    sector = ((np.arctan2(offset[leaves, 1], offset[leaves, 0]) / (2.0 * np.pi) + 0.5)
+              * LIMITS.sectors).astype(np.int64) % LIMITS.sectors
+    voxels = len(np.unique(cells, axis=0))
+    filled = np.count_nonzero(np.bincount(sector, minlength=LIMITS.sectors) >= 3)
+    if voxels < LIMITS.crown_voxels or filled < LIMITS.filled:
+        return 0.0
+    return float(2.0 * np.percentile(away[leaves], 90.0))
+
+
+def _board(place: np.ndarray, beyond: np.ndarray, up: np.ndarray, seen_from: np.ndarray) -> Board | None:
+    """The largest flat upright face at the stem; None without one. `beyond` (n,) m from the stem's surface."""
+    near = np.flatnonzero(beyond < LIMITS.board[1])
+    if len(near) < LIMITS.board_points:
+        return None
+    wide = _wide_slabs(beyond[near], up[near])
+    near = near[wide]
+    if len(near) < LIMITS.board_points:
+        return None
+    middle = np.median(place[near], axis=0)
+    for _ in range(4):
+        centred = place[near] - middle
+        spread, axes = np.linalg.eigh(centred.T @ centred / len(near))
+        normal = axes[:, 0]
+        distance = np.abs(centred @ normal)
+        keep = distance < max(2.5 * float(np.median(distance)), LIMITS.thick)
+        if keep.all() or np.count_nonzero(keep) < LIMITS.board_points:
+            break
+        near = near[keep]
+        middle = place[near].mean(axis=0)
+    if np.sqrt(max(spread[0], 0.0)) > LIMITS.thick or abs(normal[2]) > LIMITS.upright:
+        return None
+    return _outlined(place[near], normal, seen_from)
+
+
+def _wide_slabs(beyond: np.ndarray, up: np.ndarray) -> np.ndarray:
+    """Mask (n,) of points at heights where something reaches beside the stem."""
+    slab = np.floor(up / LIMITS.voxel).astype(np.int64)
+    slab -= slab.min()
+    farthest = np.zeros(slab.max() + 1)
+    np.maximum.at(farthest, slab, beyond)
+    return farthest[slab] > LIMITS.wide
+
+
+def _outlined(place: np.ndarray, normal: np.ndarray, seen_from: np.ndarray) -> Board | None:
+    """The board in which points of a plane lie; None where they make none."""
+    level = np.array([normal[0], normal[1]]) / np.hypot(*normal[:2])
+    middle = place.mean(axis=0)
+    if level @ (seen_from - middle[:2]) < 0:
+        level = -level
+    across = (place[:, :2] - middle[:2]) @ np.array([-level[1], level[0]])
+    up = place[:, 2] - middle[2]
+    (left, right), (low, high) = np.percentile(across, [1, 99]), np.percentile(up, [1, 99])
+    width, tall = right - left, high - low
+    if not all(LIMITS.board[0] <= side <= LIMITS.board[1] for side in (width, tall)):
+        return None
+    hull = shapely.convex_hull(shapely.multipoints(np.column_stack([across, up])))
+    if hull.area < 0.5 * width * tall:
+        return None
+    centre = middle + np.array([*(np.array([-level[1], level[0]]) * (left + right) / 2.0), (low + high) / 2.0])
+    return Board(centre, float(np.degrees(np.arctan2(level[0], level[1])) % 360.0), float(width), float(tall))
+
+
+def _arm(offset: np.ndarray, away: np.ndarray, up: np.ndarray) -> tuple[float, float, float, tuple[float, float]]:
+    """Length, azimuth, height of an arm, and the size of what is at its end."""
+    none = 0.0, np.nan, np.nan, (0.0, 0.0)
+    if len(away) < 4:
+        return none
+    length = float(np.percentile(away, 98.0))
+    if length < LIMITS.arm:
+        return none
+    out = away > 0.5 * length
+    direction = offset[out].mean(axis=0)
+    if np.hypot(*direction) < 0.7 * away[out].mean() or np.ptp(np.percentile(up[out], [5, 95])) > LIMITS.flat:
+        return none  # on several sides, or no arm but a wall
+    direction /= np.hypot(*direction)
+    head = away > length - 1.0
+    beside = (offset @ np.array([-direction[1], direction[0]]))[head]
+    width, tall = (float(np.ptp(np.percentile(values, [2, 98]))) for values in (beside, up[head]))
+    return length, float(np.degrees(np.arctan2(*direction)) % 360.0), float(np.median(up[out])), (width, tall)

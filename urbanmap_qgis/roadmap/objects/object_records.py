@@ -1,0 +1,127 @@
+"""Objects that stand beside a road and how they are looked for: settings, points, stems and results."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...wording import mark
+from ..edges.edge_records import POINT
+
+OBJECT_POINT = np.dtype([*POINT.descr, ("time", "<f8"), ("intensity", "<u2")])
+"""A laser point: m, number of its pass, s in the trajectory's time, intensity as in the file."""
+
+POLE, LAMP, SIGNAL, SIGN, TREE = mark("pole"), mark("lamp post"), mark("signal"), mark("sign"), mark("tree")
+MEASURED, DOUBTFUL = mark("measured"), mark("doubtful")
+
+
+@dataclass(frozen=True)
+class ObjectSettings:
+    """How objects are looked for.
+
+    Attributes
+    ----------
+    width : from the path to either side, m.
+    min_height : lower ones are left out, m.
+    max_diameter : thicker ones are no poles or trunks, m.
+    survey_sigma : how well the survey is placed as a whole, m.
+    """
+
+    width: float = 15.0
+    min_height: float = 2.0
+    max_diameter: float = 0.6
+    survey_sigma: float = 0.01
+
+
+@dataclass(frozen=True)
+class Stem:
+    """Points of one thin upright thing.
+
+    Attributes
+    ----------
+    rows : (n,) of its tile's points.
+    low, high : m above the ground between which it is thin.
+    filled : share of the slabs between them in which it shows.
+    """
+
+    rows: np.ndarray
+    low: float
+    high: float
+    filled: float
+
+
+@dataclass(frozen=True)
+class StemAxis:
+    """Axis of a stem, fitted to what is seen of its surface.
+
+    Attributes
+    ----------
+    middle : (3,) point of the axis, m.
+    lean : (2,) m that it moves east and north for each metre up.
+    diameter : m.
+    sigma : (2,) standard deviations of `middle` east and north, m.
+    """
+
+    middle: np.ndarray
+    lean: np.ndarray
+    diameter: float
+    sigma: np.ndarray
+
+    def at(self, height: np.ndarray | float) -> np.ndarray:
+        """Places (..., 2) of the axis at heights z, m."""
+        return self.middle[:2] + (np.asarray(height)[..., None] - self.middle[2]) * self.lean
+
+
+@dataclass(frozen=True)
+class Board:
+    """A flat face on a post.
+
+    Attributes
+    ----------
+    centre : (3,) m.
+    azimuth : degrees from north, clockwise, of the side that the survey saw.
+    width, height : m.
+    """
+
+    centre: np.ndarray
+    azimuth: float
+    width: float
+    height: float
+
+
+@dataclass(frozen=True)
+class StreetObject:
+    """An object as it is delivered.
+
+    Attributes
+    ----------
+    kind : `POLE`, `LAMP`, `SIGNAL`, `SIGN` or `TREE`.
+    confidence : 0 to 1, how clearly its points show that kind.
+    foot : (3,) where its axis meets the ground, m.
+    height : of its highest point over the foot, m.
+    diameter : of its stem, m.
+    lean : degrees from the plumb line.
+    azimuth : degrees, of a board's face or an arm; None without one.
+    crown : diameter of a tree's crown, m; None without one.
+    board : on it; None without one.
+    sigma : standard deviation of the foot in plan, each axis, m.
+    points, passes : laser points of the stem, and passes of the survey that saw it.
+    status : `MEASURED` or `DOUBTFUL`.
+    reason : why.
+    """
+
+    kind: str
+    confidence: float
+    foot: np.ndarray
+    height: float
+    diameter: float
+    lean: float
+    azimuth: float | None
+    crown: float | None
+    board: Board | None
+    sigma: float
+    points: int
+    passes: int
+    status: str
+    reason: str

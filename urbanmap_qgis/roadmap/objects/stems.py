@@ -1,0 +1,93 @@
+"""Thin upright things among a tile's points: places that stay narrow in plan from slab to slab of height."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import ndimage
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import cKDTree
+
+from .object_records import Stem
+
+
+@dataclass(frozen=True)
+class StemLimits:
+    """Limits of stems, each with its unit."""
+
+    cell: float = 0.15  # m in plan: what is farther apart is not joined
+    slab: float = 0.3  # m of height
+    lowest: float = 0.3  # m above the ground; below it grass, kerbs and feet
+    highest: float = 16.0  # m above the ground
+    fewest: int = 3  # points of a slab
+    step: float = 0.2  # m between the middles of slabs that follow
+    skipped: int = 5  # slabs; a board or an arm may hide the stem in them
+    slabs: int = 2  # in which a stem shows
+    filled: float = 0.6  # share of its slabs in which it shows
+    hidden: float = 2.2  # m; stems that begin higher hang on something
+
+
+LIMITS = StemLimits()
+
+
+def find_stems(points: np.ndarray, height: np.ndarray, widest: float) -> list[Stem]:
+    """Stems among a tile's points.
+
+    Parameters
+    ----------
+    points : (n,) with fields x, y, m.
+    height : (n,) above the ground, m.
+    widest : m, extent in plan of a stem's visible part.
+    """
+    band = np.flatnonzero((height > LIMITS.lowest) & (height < LIMITS.highest))
+    if len(band) < LIMITS.fewest * LIMITS.slabs:
+        return []
+    plan = np.column_stack([points["x"][band], points["y"][band]])
+    slab = ((height[band] - LIMITS.lowest) / LIMITS.slab).astype(np.int64)
+    part = _parts_of_slabs(plan, slab)
+    order = np.argsort(part, kind="stable")
+    starts = np.flatnonzero(np.diff(part[order], prepend=-1))
+    count = np.diff(np.append(starts, len(order)))
+    low, high = (extreme.reduceat(plan[order], starts) for extreme in (np.minimum, np.maximum))
+    thin = np.flatnonzero((count >= LIMITS.fewest) & ((high - low).max(axis=1) <= widest))
+    if len(thin) < LIMITS.slabs:
+        return []
+    middle, level = (low[thin] + high[thin]) / 2.0, slab[order][starts[thin]]
+    chain = _chains(middle, level)
+    stems = []
+    for rows in _groups(chain):
+        levels = np.unique(level[rows])
+        filled = len(levels) / (levels[-1] - levels[0] + 1)
+        if len(levels) < LIMITS.slabs or filled < LIMITS.filled or (
+                LIMITS.lowest + LIMITS.slab * levels[0] > LIMITS.hidden):
+            continue
+        members = np.concatenate([band[order[starts[k]:starts[k] + count[k]]] for k in thin[rows]])
+        stems.append(Stem(members, float(height[members].min()), float(height[members].max()), float(filled)))
+    return stems
+
+
+def _parts_of_slabs(plan: np.ndarray, slab: np.ndarray) -> np.ndarray:
+    """Number (n,) of the connected part of its slab to which each point belongs."""
+    cells = np.column_stack([np.floor((plan - plan.min(axis=0)) / LIMITS.cell).astype(np.int64), slab])
+    full = np.zeros(cells.max(axis=0) + 1, bool)
+    full[tuple(cells.T)] = True
+    beside = np.zeros((3, 3, 3), bool)
+    beside[:, :, 1] = True
+    return ndimage.label(full, beside)[0][tuple(cells.T)]
+
+
+def _chains(middle: np.ndarray, level: np.ndarray) -> np.ndarray:
+    """Number (n,) of the chain of thin parts that stand over each other."""
+    pairs = cKDTree(middle).query_pairs(LIMITS.step, output_type="ndarray")
+    rise = np.abs(level[pairs[:, 0]] - level[pairs[:, 1]])
+    pairs = pairs[(rise >= 1) & (rise <= LIMITS.skipped)]
+    graph = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(len(level), len(level)))
+    return connected_components(graph, directed=False)[1]
+
+
+def _groups(number: np.ndarray) -> list[np.ndarray]:
+    """Rows of each number."""
+    order = np.argsort(number, kind="stable")
+    return np.split(order, np.flatnonzero(np.diff(number[order])) + 1)

@@ -1,0 +1,166 @@
+"""Street objects of a survey, tile by tile of the map (J 6.2, Z 4): stems, their axes, what hangs on them, kinds."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from ...io.points.point_buckets import PointBuckets
+from ...io.points.pointcloud import open_cloud
+from ...mobile.trajectory import Trajectory
+from ...progress import SILENT, Progress
+from ...wording import say
+from ..edges.edge_points import EdgePoints, EdgeTile, Reach
+from ..edges.ground_profile import Heights, above_ground
+from .axis_fit import fit_axis
+from .hanging_parts import LIMITS as AROUND
+from .hanging_parts import HangingParts, hanging_parts
+from .object_kind import kind_of
+from .object_records import DOUBTFUL, MEASURED, OBJECT_POINT, POLE, TREE, ObjectSettings, Stem, StemAxis, StreetObject
+from .stems import find_stems
+
+DEFAULTS = ObjectSettings()
+REACH = Reach(tile=40.0, margin=6.0, above=16.0)
+
+
+@dataclass(frozen=True)
+class StreetObjectLimits:
+    """Limits of street objects, each with its unit."""
+
+    lean: float = 0.004  # standard deviation of a stem's lean, m for each metre up
+    hidden: float = 1.3  # m, more than a guard rail hides; stems that are seen from here on only have their foot hidden
+    post: float = 1.4  # m; what is thin over less than this is no post, but may be the trunk of a tree
+    few: int = 20  # points of a stem
+    crowded: float = 0.5  # m beside a stem, where other things hide how thin it is
+    crowd: float = 1.0  # points there, of those of the stem
+    # Points that hang on it like a wall, for each of the stem: of what is one, and of what may be one.
+    wall: float = 1.0
+    walled: float = 0.2
+    broken: float = 0.75  # share of its slabs in which a clear stem shows
+    same: float = 0.5  # m; stems closer than this, over each other, are one thing
+
+
+LIMITS = StreetObjectLimits()
+
+
+@dataclass(frozen=True)
+class ObjectsFound:
+    """Objects and what they come from.
+
+    Attributes
+    ----------
+    objects : in the order of the map's tiles.
+    path_length : m driven.
+    points_read, points_used : of the survey.
+    """
+
+    objects: list[StreetObject]
+    path_length: float
+    points_read: int
+    points_used: int
+
+    def number(self, kind: str) -> int:
+        """How many objects are of a kind."""
+        return sum(thing.kind == kind for thing in self.objects)
+
+
+def street_objects(paths: Sequence[str | os.PathLike], trajectory: Trajectory, settings: ObjectSettings = DEFAULTS,
+                   ground: Heights | None = None, progress: Progress = SILENT) -> ObjectsFound:
+    """Find poles, lamp posts, signals, signs and trees along a drive.
+
+    Parameters
+    ----------
+    paths : LAS or LAZ files with GPS times, in a projected CRS in metres, placed by `trajectory`.
+    ground : heights (m) of the ground at places x, y; without it the ground is found among the points.
+
+    Raises
+    ------
+    InsufficientDataError : no points beside the path.
+    InputError : the files cannot be read.
+    """
+    objects: list[StreetObject] = []
+    with PointBuckets(OBJECT_POINT) as buckets:
+        survey = EdgePoints(open_cloud(paths), trajectory, settings.width, buckets, REACH)
+        survey.read(progress.part(0.0, 0.4))
+        local = None if ground is None else lambda x, y: ground(x + survey.corner[0], y + survey.corner[1])
+        for tile in survey.tiles(progress.part(0.4, 1.0)):
+            objects += _objects_of_tile(tile, above_ground(tile.points, local), survey, settings)
+    return ObjectsFound(objects, float(survey.chainage[-1]), survey.read_points, survey.kept_points)
+
+
+def _objects_of_tile(tile: EdgeTile, height: np.ndarray, survey: EdgePoints,
+                     settings: ObjectSettings) -> list[StreetObject]:
+    """Objects whose feet belong to a tile."""
+    known = np.isfinite(height)
+    points, height = tile.points[known], height[known]
+    place = np.column_stack([points[name] for name in "xyz"])
+    tree = cKDTree(place[:, :2])
+    found: list[StreetObject] = []
+    for stem in find_stems(points, height, settings.max_diameter):
+        axis = fit_axis(place[stem.rows], survey.body(points["time"][stem.rows]))
+        ground = float(np.median(place[stem.rows, 2] - height[stem.rows]))
+        foot = axis.at(ground)
+        if not tile.owns(foot[None])[0] or not survey.within(foot[None])[0] or axis.diameter > settings.max_diameter:
+            continue
+        near = np.array(tree.query_ball_point(foot, AROUND.reach + 0.5), int)
+        around = hanging_parts(place[near], height[near], axis, stem.high,
+                              survey.body(points["time"][stem.rows]).mean(axis=0))
+        short = stem.high - stem.low < LIMITS.post and not around.crown
+        wall = around.straight and around.wall > LIMITS.wall * len(stem.rows)
+        if short or wall or max(around.top, stem.high) < settings.min_height:
+            continue
+        crowd = _crowd(place[near], height[near], stem, axis)
+        found.append(_object(stem, axis, np.array([*foot, ground]), around, crowd,
+                             len(np.unique(points["drive"][stem.rows])), survey.corner, settings))
+    return _without_doubles(found)
+
+
+def _crowd(place: np.ndarray, height: np.ndarray, stem: Stem, axis: StemAxis) -> float:
+    """Points close beside a stem at its own heights, for each of its own."""
+    away = np.hypot(*(place[:, :2] - axis.at(place[:, 2])).T)
+    beside = (away > axis.diameter / 2.0 + AROUND.skin) & (away < axis.diameter / 2.0 + LIMITS.crowded)
+    level = (height > stem.low) & (height < stem.high)
+    return float(np.count_nonzero(beside & level) / len(stem.rows))
+
+
+def _object(stem: Stem, axis: StemAxis, foot: np.ndarray, around: HangingParts, crowd: float, passes: int,
+            corner: np.ndarray, settings: ObjectSettings) -> StreetObject:
+    kind, confidence, board = kind_of(around, axis.diameter)
+    lever = LIMITS.lean * (axis.middle[2] - foot[2])
+    sigma = float(np.linalg.norm([np.sqrt(np.mean(axis.sigma**2)), lever, settings.survey_sigma]))
+    reason = _doubt(stem, kind, crowd, around.wall)
+    azimuth = board.azimuth if board else around.arm_azimuth if around.arm else None
+    return StreetObject(
+        kind, confidence if not reason else 0.5 * confidence, foot + corner, around.top, axis.diameter,
+        float(np.degrees(np.arctan(np.hypot(*axis.lean)))), azimuth, around.crown or None,
+        None if board is None else type(board)(board.centre + corner, board.azimuth, board.width, board.height),
+        sigma, len(stem.rows), passes, DOUBTFUL if reason else MEASURED, reason)
+
+
+def _doubt(stem: Stem, kind: str, crowd: float, wall: int) -> str:
+    """Why an object is doubtful; "" where it is not."""
+    if len(stem.rows) < LIMITS.few:
+        return say("few points")
+    if wall > LIMITS.walled * len(stem.rows):
+        return say("it may be a part of a wall")
+    if stem.low > LIMITS.hidden:
+        return say("its foot is hidden")
+    if kind != TREE and stem.filled < LIMITS.broken:
+        return say("its stem is seen in parts")
+    if kind == POLE and crowd > LIMITS.crowd:
+        return say("other things stand close beside it")
+    return ""
+
+
+def _without_doubles(found: list[StreetObject]) -> list[StreetObject]:
+    """One object for stems that stand over each other: the one with the most points."""
+    order = sorted(range(len(found)), key=lambda k: -found[k].points)
+    kept: list[int] = []
+    for k in order:
+        if all(np.hypot(*(found[k].foot - found[other].foot)[:2]) > LIMITS.same for other in kept):
+            kept.append(k)
+    return [found[k] for k in sorted(kept)]
