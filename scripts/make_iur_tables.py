@@ -1,4 +1,4 @@
-"""Tables of what i-UR lets a building or a road say, one a version, from its XML schemas; and its lists of codes.
+"""Tables of what i-UR lets objects say, one a version, from its XML schemas; and its lists of codes.
 
 Run: `python scripts/make_iur_tables.py SCHEMAS [SPECIFICATION]`. SCHEMAS is the folder with `<version>/urbanObject.xsd`
 of each version, SPECIFICATION the text of PLATEAU's standard product specification, in which the lists of codes stand.
@@ -16,6 +16,9 @@ ROOT = Path(__file__).resolve().parents[1]
 PLACE = ROOT / "urbanmap_qgis" / "citymodel" / "citygml"
 VERSIONS = ("2.0", "3.1", "3.2")
 HOOKS = {"Building": ("bldg:_GenericApplicationPropertyOfAbstractBuilding",),
+         "CityFurniture": ("frn:_GenericApplicationPropertyOfCityFurniture",),
+         "Vegetation": ("veg:_GenericApplicationPropertyOfVegetationObject",
+                        "veg:_GenericApplicationPropertyOfSolitaryVegetationObject"),
          "Road": ("tran:_GenericApplicationPropertyOfTransportationComplex", "tran:_GenericApplicationPropertyOfRoad")}
 """Properties that elements of i-UR stand in for, by the objects that have them."""
 XS = "{http://www.w3.org/2001/XMLSchema}"
@@ -27,8 +30,9 @@ KINDS = {"gml:CodeType": "code", "xs:string": "text", "xs:anyURI": "text", "xs:i
          "gml:AreaType": "measure", "xs:date": "date", "xs:gYear": "year", "xs:boolean": "truth"}
 
 LISTS = "DataQuality|PublicSurvey|Building_lodType"
+FURNITURE_LISTS = "CityFurniture_"
 ROAD_LISTS = "TransportationComplex_class|Road_|RoadStructureAttribute"
-"""Begins of the names of the lists of quality attributes, and of roads."""
+"""Begins of the names of the lists of quality attributes, of furniture, and of roads."""
 
 OLDER = {"bldgDataQualityAttribute": "buildingDataQualityAttribute",
          "bldgDisasterRiskAttribute": "buildingDisasterRiskAttribute",
@@ -84,7 +88,7 @@ class Schema:
                         choice.get(item, "")) for item in found.iter(f"{XS}element") if item.get("name")]
 
     def rows(self) -> list[tuple[str, ...]]:
-        """Rows of the table: what buildings and roads have, then each data type that this leads to."""
+        """Rows of the table: what objects of each kind have, then each data type that this leads to."""
         made, waiting, seen = [], [], set()
         for owner, hook in ((owner, hook) for owner, hooks in HOOKS.items() for hook in hooks):
             for name, item in self.elements.items():
@@ -135,3 +139,4 @@ if __name__ == "__main__":
     if len(sys.argv) > 2:
         write_codes(Path(sys.argv[2]))
         write_codes(Path(sys.argv[2]), PLACE / "codelists_tran.csv", ROAD_LISTS)
+        write_codes(Path(sys.argv[2]), PLACE / "codelists_frn.csv", FURNITURE_LISTS)

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections import Counter
-from datetime import date
 
 from qgis.core import QgsProcessing
 
-from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
 from ..framework.layers.layers import make_fields
+from .data_date import day_of
 
 MAP_LEVELS = ("none", "500", "1000", "2500", "5000")
 MATERIALS = ("GSI fundamental data", "digital topographic map", "other data")
@@ -77,7 +76,7 @@ class RoadModel(UrbanMapAlgorithm):
         if source is not None:
             self.require_projected("ROADS", source.sourceCrs())
         check_function(self.parameterAsString(parameters, "FUNCTION", context))
-        self._day(parameters, context)
+        day_of(self, parameters, context)
 
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.roadspace.road_city import known_functions
@@ -144,21 +143,12 @@ class RoadModel(UrbanMapAlgorithm):
         delivery = RoadDelivery(function=self.parameterAsString(parameters, "FUNCTION", context),
                                 material=self.parameterAsString(parameters, "MATERIAL", context),
                                 map_level=int(level) if level.isdigit() else 0,
-                                created=self._day(parameters, context))
+                                created=day_of(self, parameters, context))
         if not delivery.created:
             progress.warn(tr("{0} is not given: CityGML then has no creationDate, which PLATEAU asks for.").format(
                 self.label_of("DATA_DATE")))
         write_road_citygml(folder, built, table.crs_wkt, delivery, progress.part(0.8, 0.95))
         return str(folder)
-
-    def _day(self, parameters, context):
-        """The day of the data as text, empty where none is given."""
-        text = self.parameterAsString(parameters, "DATA_DATE", context) or ""
-        try:
-            return date.fromisoformat(text).isoformat() if text else ""
-        except ValueError:
-            raise InputError(tr("{0}: {1} is no day; give it as 2026-04-01.").format(
-                self.label_of("DATA_DATE"), text)) from None
 
     def _tell(self, built, progress):
         for kind, count in sorted(Counter(piece.kind for piece in built.pieces).items()):

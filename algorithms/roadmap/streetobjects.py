@@ -10,6 +10,7 @@ from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
 from ..framework.layers.layers import make_fields
 from ..mobile.survey_inputs import read_survey
+from .data_date import day_of
 
 FIELDS = (("object_id", "int"), ("kind", "text"), ("confidence", "real"), ("height", "real"), ("diameter", "real"),
           ("lean", "real"), ("azimuth", "real"), ("crown", "real"), ("board_width", "real"), ("board_height", "real"),
@@ -63,10 +64,18 @@ class StreetObjects(UrbanMapAlgorithm):
             "length (m), points, passes, status, reason; as “Road edges” finds them.", optional=True, source_type=line)
         self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: verdict, figures, a map, what is doubtful.",
                              HTML_FILTER, optional=True)
+        self.add_folder_output("OUTPUT_CITYGML", "CityGML folder", "CityGML 2.0 with i-UR 3.2 as PLATEAU lays it out: "
+                               "udx/frn (city furniture) and udx/veg (trees) by third meshes, with the lists of "
+                               "codes; LOD1 as blocks, LOD2 of posts with arms and boards.", optional=True)
+        self.add_text("DATA_DATE", "Date of the data", "Day on which the model was made, such as 2026-04-01; CityGML "
+                      "has it as creationDate, which PLATEAU asks for.", "", advanced=True)
         self.add_number_output("OBJECTS", "Objects", "Number of objects.")
         self.add_number_output("DOUBTFUL", "Doubtful objects", "Number of objects that are doubtful.")
         self.add_number_output("MEDIAN_SIGMA", "Median sigma", "Median standard deviation of the feet of measured "
                                "objects; no value without any.", "m")
+
+    def check(self, parameters, context):
+        day_of(self, parameters, context)
 
     def compute(self, parameters, context, feedback):
         import numpy as np
@@ -81,6 +90,9 @@ class StreetObjects(UrbanMapAlgorithm):
         found, rails = self._find(parameters, context, paths, crs, read.trajectory, settings, wants_rails, progress)
         self._tell(found, progress)
         results = self._write(parameters, context, found, rails, crs)
+        folder = self.output_path(parameters, "OUTPUT_CITYGML", context)
+        if folder is not None:
+            results["OUTPUT_CITYGML"] = self._write_citygml(parameters, context, folder, found, crs, progress)
         report = self.output_path(parameters, "OUTPUT_REPORT", context)
         if report is not None:
             from .object_report import write_object_report
@@ -138,6 +150,16 @@ class StreetObjects(UrbanMapAlgorithm):
                 parameters, "OUTPUT_RAILS", context, make_fields(*RAIL_FIELDS), rail_columns, crs,
                 [shapely.linestrings(rail.foot) for rail in rails], "LineStringZ", style="street_rails")
         return {name: place for name, place in results.items() if place}
+
+    def _write_citygml(self, parameters, context, folder, found, crs, progress):
+        from ...urbanmap_qgis.roadmap.objects.object_city import write_object_citygml
+
+        day = day_of(self, parameters, context)
+        if not day:
+            progress.warn(tr("{0} is not given: CityGML then has no creationDate, which PLATEAU asks for.").format(
+                self.label_of("DATA_DATE")))
+        write_object_citygml(folder, found.objects, crs, day, progress)
+        return str(folder)
 
     def _tell(self, found, progress):
         progress.message(tr("{0} objects along {1:.0f} m.").format(len(found.objects), found.path_length))

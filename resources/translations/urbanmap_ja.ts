@@ -5004,6 +5004,10 @@
         <translation>HTML レポート。判定、数値、地図、不確かな地物の一覧。</translation>
     </message>
     <message>
+        <source>CityGML 2.0 with i-UR 3.2 as PLATEAU lays it out: udx/frn (city furniture) and udx/veg (trees) by third meshes, with the lists of codes; LOD1 as blocks, LOD2 of posts with arms and boards.</source>
+        <translation>PLATEAU の構成による CityGML 2.0（i-UR 3.2）。udx/frn（都市設備）と udx/veg（樹木）を3次メッシュごとに、コードリストとともに出力します。LOD1 は立体、LOD2 は柱と腕・標識板の面です。</translation>
+    </message>
+    <message>
         <source>Number of objects.</source>
         <translation>地物の数。</translation>
     </message>

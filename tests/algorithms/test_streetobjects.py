@@ -34,7 +34,9 @@ def test_objects_rails_and_report(run, read_layer, drive, tmp_path):
     given = drive(lambda rng: scene.sign(rng, 8.0, -5.0), lambda rng: scene.post(rng, 20.0, -5.0, 4.0, low=1.7),
                   street=Street(length=40.0, kerb=0.0, rail=0.7))
     results = run(ALGORITHM, {**given, "OUTPUT_RAILS": str(tmp_path / "rails.gpkg"),
+                              "OUTPUT_CITYGML": str(tmp_path / "city"), "DATA_DATE": "2026-04-01",
                               "OUTPUT_REPORT": str(tmp_path / "report.html")})
+    assert len(list((tmp_path / "city" / "udx" / "frn").glob("*_frn_6697_op.gml"))) == 1
     sign, pole = sorted(read_layer(results["OUTPUT"]), key=lambda row: to_local(np.array(
         shapely.get_coordinates(shapely.from_wkt(row.wkt), include_z=True)), 0.0)[0, 0])
     assert (sign.attributes["kind"], pole.attributes["kind"]) == ("sign", "pole")
@@ -53,6 +55,11 @@ def test_a_street_without_objects_is_an_empty_layer(run, read_layer, drive, tmp_
     results = run(ALGORITHM, {**drive(), "OUTPUT_REPORT": str(tmp_path / "report.html")})
     assert not read_layer(results["OUTPUT"]) and results["OBJECTS"] == 0 and results.get("MEDIAN_SIGMA") is None
     assert "No object was found" in (tmp_path / "report.html").read_text(encoding="utf-8")
+
+
+def test_a_date_must_be_a_day(run, drive):
+    with pytest.raises(Exception, match="is no day"):
+        run(ALGORITHM, {**drive(), "DATA_DATE": "spring"})
 
 
 def test_the_survey_must_fit_the_trajectory(run, drive):

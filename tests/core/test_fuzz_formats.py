@@ -27,7 +27,7 @@ NOT_OF_USERS = {
     "citymodel/images.py:web_image": "bytes of an image, copied as they are; a TIFF that is none is left out",
     "citymodel/tiles/tile_scratch.py:stored_buildings": "written by the run",
     "io/files/rule_table.py:RuleTable.rules": "table of the program",
-    "roadspace/road_city.py:road_lists": "table of the program",
+    "citymodel/citygml/codelists.py:lists_of_module": "table of the program",
     "io/files/staging.py:_leased_elsewhere": "locks a file, reads none",
     "io/files/staging.py:_locked": "locks a file, reads none",
     "io/files/staging.py:clear_leftovers": "locks a file, reads none",

@@ -16,6 +16,10 @@ import numpy as np
 from ..geometry.solid import FaceTexture
 
 BUILDING, BUILDING_PART, ROAD = "Building", "BuildingPart", "Road"
+CITY_FURNITURE, SINGLE_TREE = "CityFurniture", "SolitaryVegetationObject"
+STREET_KINDS = (CITY_FURNITURE, SINGLE_TREE)
+"""What stands in a street: posts, lamps, signals, signs; trees."""
+
 INSTALLATION, INNER_INSTALLATION = "BuildingInstallation", "IntBuildingInstallation"
 BUILDING_ROOM, FURNITURE = "BuildingRoom", "BuildingFurniture"
 FITTINGS = (INSTALLATION, INNER_INSTALLATION, BUILDING_ROOM, FURNITURE)
@@ -115,7 +119,8 @@ class CityShape:
 
 @dataclass(frozen=True, eq=False)
 class CityObject:
-    """A building, a part of one that stands alone, a road, or what belongs to a building (`FITTINGS`).
+    """A building, a part of one that stands alone, a road, what stands in a street (`STREET_KINDS`), or what belongs to
+    a building (`FITTINGS`).
 
     Attributes
     ----------
@@ -125,7 +130,7 @@ class CityObject:
         modules stand alone ("measuredHeight", "function"), those
         of generic attributes and of extensions carry "gen:" and "uro:". Postal addresses stand under `ADDRESS`.
     shapes : all levels of detail side by side; several solids of one level are one geometry.
-    type : `BUILDING`, `BUILDING_PART`, `ROAD` or one of `FITTINGS`.
+    type : `BUILDING`, `BUILDING_PART`, `ROAD`, one of `STREET_KINDS` or of `FITTINGS`.
     parts : parts that stand alone, of a building only.
     problems : what a reader found wrong with the object, in words.
     fittings : its installations and rooms, a room's furniture.

@@ -7,13 +7,10 @@ uro:tranDataQualityAttribute, uro:roadStructureAttribute), 4.3.4.
 
 from __future__ import annotations
 
-import csv
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from datetime import date
-from functools import cache
-from pathlib import Path
 from typing import Any
 from uuid import NAMESPACE_URL, uuid5
 
@@ -21,6 +18,7 @@ import numpy as np
 import shapely
 
 from ..citymodel.citygml import codelists
+from ..citymodel.citygml.codelists import lists_of_module, module_code
 from ..citymodel.citygml.iur import VERSIONS
 from ..citymodel.citygml.plateau import PUBLIC_SURVEY, SCALES
 from ..citymodel.citygml.writer import write_citygml
@@ -32,7 +30,6 @@ from ..citymodel.model import (
     CityObject,
     CityShape,
     CitySurface,
-    CodeValue,
     Measure,
 )
 from ..citymodel.reference import city_reference
@@ -74,16 +71,6 @@ class RoadDelivery:
     created: str = ""
 
 
-@cache
-def road_lists() -> Mapping[str, Mapping[str, str]]:
-    """Codes and their meaning by list, of the lists that roads refer to."""
-    lists: dict[str, dict[str, str]] = {}
-    with open(Path(codelists.__file__).with_name("codelists_tran.csv"), encoding="utf-8", newline="") as file:
-        for row in csv.DictReader(file):
-            lists.setdefault(row["list"], {})[row["code"]] = row["meaning"]
-    return lists
-
-
 def check_function(code: str) -> None:
     """Refuse what is no code of a road's function.
 
@@ -91,14 +78,14 @@ def check_function(code: str) -> None:
     ------
     InputError : with the codes that there are.
     """
-    if code not in road_lists()["Road_function"]:
+    if code not in lists_of_module("tran")["Road_function"]:
         raise InputError(say("{code} is no code of a road's function: give one of {codes}.", code=code,
-                             codes=", ".join(road_lists()["Road_function"])))
+                             codes=", ".join(lists_of_module("tran")["Road_function"])))
 
 
 def known_functions(values: Iterable[Any]) -> list[str]:
     """Values of a field as codes of `Road_function`; empty where they are none."""
-    return [str(value) if str(value) in road_lists()["Road_function"] else "" for value in values]
+    return [str(value) if str(value) in lists_of_module("tran")["Road_function"] else "" for value in values]
 
 
 def write_road_citygml(folder: str | os.PathLike, model: RoadSurfaceModel, crs_wkt: str,
@@ -113,7 +100,7 @@ def write_road_citygml(folder: str | os.PathLike, model: RoadSurfaceModel, crs_w
     """
     delivery = delivery or RoadDelivery()
     city = CityModel(city_reference(crs_wkt), road_objects(model, delivery))
-    return write_citygml(folder, city, progress, delivery.version, road_lists())
+    return write_citygml(folder, city, progress, delivery.version, lists_of_module("tran"))
 
 
 def road_objects(model: RoadSurfaceModel, delivery: RoadDelivery) -> Iterator[CityObject]:
@@ -131,13 +118,13 @@ def _attributes(piece: RoadPiece, delivery: RoadDelivery) -> dict[str, Any]:
     attributes: dict[str, Any] = {}
     if delivery.created:
         attributes["creationDate"] = date.fromisoformat(delivery.created)
-    attributes["class"] = _code("TransportationComplex_class", ROAD_CLASS)
-    attributes["function"] = _code("Road_function", function)
+    attributes["class"] = module_code("tran", "TransportationComplex_class", ROAD_CLASS)
+    attributes["function"] = module_code("tran", "Road_function", function)
     attributes["uro:tranDataQualityAttribute"] = AttributeGroup("uro:DataQualityAttribute", _quality(delivery))
     structure: dict[str, Any] = {}
     if np.isfinite(piece.width):
         structure["width"] = Measure(round(float(piece.width), 2), "m")
-    structure["sectionType"] = _code("RoadStructureAttribute_sectionType", SECTION_TYPES[piece.kind])
+    structure["sectionType"] = module_code("tran", "RoadStructureAttribute_sectionType", SECTION_TYPES[piece.kind])
     attributes["uro:roadStructureAttribute"] = AttributeGroup("uro:RoadStructureAttribute", structure)
     return attributes
 
@@ -156,7 +143,3 @@ def _quality(delivery: RoadDelivery) -> dict[str, Any]:
             "publicSurveySrcDescLod1": codelists.code_value("PublicSurveyDataQualityAttribute_publicSurveySrcDesc",
                                                             public)})
     return values
-
-
-def _code(name: str, code: str) -> CodeValue:
-    return CodeValue(code, f"{codelists.FOLDER}{name}.xml", road_lists()[name].get(code, ""))

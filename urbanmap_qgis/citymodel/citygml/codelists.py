@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import csv
 import os
 from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
 from xml.sax.saxutils import escape  # nosec B406 # writes, reads nothing
 
@@ -26,6 +28,21 @@ _OLD_LISTS: dict[str, dict[str, str]] = {
 def lists_of(version: str) -> Mapping[str, Mapping[str, str]]:
     """Codes and their meaning by list, of the lists that a version of i-UR refers to."""
     return _OLD_LISTS if version == "2.0" else code_lists()
+
+
+@cache
+def lists_of_module(module: str) -> Mapping[str, Mapping[str, str]]:
+    """Codes and their meaning by list, of the lists of a module ("tran", "frn")."""
+    lists: dict[str, dict[str, str]] = {}
+    with open(Path(__file__).with_name(f"codelists_{module}.csv"), encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(file):
+            lists.setdefault(row["list"], {})[row["code"]] = row["meaning"]
+    return lists
+
+
+def module_code(module: str, name: str, code: str) -> CodeValue:
+    """A code of one of the lists of a module."""
+    return CodeValue(code, f"{FOLDER}{name}.xml", lists_of_module(module)[name].get(code, ""))
 
 
 def code_value(name: str, code: str) -> CodeValue:

@@ -1,4 +1,4 @@
-"""What i-UR lets a building or a road say: tables of elements, types and numbers, one a version, values fitted.
+"""What i-UR lets objects say: tables of elements, types and numbers, one a version, and values fitted to them.
 
 Source: the XML schemas of i-UR 2.0, 3.1 and 3.2 (Cabinet Office, Regional Revitalization), from which
 `scripts/make_iur_tables.py` makes the tables.
@@ -16,13 +16,14 @@ from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any
 
-from ..model import BUILDING, BUILDING_PART, ROAD, AttributeGroup, CodeValue, Measure
+from ..model import BUILDING, BUILDING_PART, CITY_FURNITURE, ROAD, SINGLE_TREE, AttributeGroup, CodeValue, Measure
 
 VERSIONS = ("3.2", "3.1", "2.0")
 """Versions that can be written, the one in force first."""
 
 PREFIX = "uro:"
-_OWNERS = {BUILDING: "Building", BUILDING_PART: "Building", ROAD: "Road"}
+_OWNERS = {BUILDING: "Building", BUILDING_PART: "Building", ROAD: "Road",
+           CITY_FURNITURE: "CityFurniture", SINGLE_TREE: "Vegetation"}
 _NAMESPACE = "https://www.geospatial.jp/iur/uro/"
 _MANY = "unbounded"
 _TYPES: dict[str, tuple[type, ...]] = {

@@ -16,6 +16,7 @@ from ..model import (
     BUILDING,
     BUILDING_PART,
     BUILDING_ROOM,
+    CITY_FURNITURE,
     FOOTPRINT,
     FURNITURE,
     INNER_INSTALLATION,
@@ -23,6 +24,7 @@ from ..model import (
     MULTI_SURFACE,
     ROAD,
     ROOF_EDGE,
+    SINGLE_TREE,
     SOLID,
     CodeValue,
     Measure,
@@ -70,8 +72,12 @@ ROAD_PARTS = frozenset({"trafficArea", "auxiliaryTrafficArea"})
 """Properties of a road that hold its areas."""
 
 THEMES: Mapping[str, str] = MappingProxyType({
-    BUILDING: "bldg", BUILDING_PART: "bldg", ROAD: "tran", **dict.fromkeys(FITTING_ELEMENTS.values(), "bldg")})
+    BUILDING: "bldg", BUILDING_PART: "bldg", ROAD: "tran", CITY_FURNITURE: "frn", SINGLE_TREE: "veg",
+    **dict.fromkeys(FITTING_ELEMENTS.values(), "bldg")})
 """Prefixes of the modules by the kinds of objects, which are their folders, too, in PLATEAU's data."""
+
+EXTENSIONS_FIRST = (SINGLE_TREE,)
+"""Objects whose extensions are those of an abstract type: they stand before the object's own attributes."""
 
 PART_PROPERTY, BOUNDARY_PROPERTY, OPENING_PROPERTY = "consistsOfBuildingPart", "boundedBy", "opening"
 ADDRESS_PROPERTY = "address"
@@ -96,8 +102,8 @@ GEOMETRY_NAMES: Mapping[tuple[str, str], str] = MappingProxyType(
     {(item.lod, item.kind): item.name for item in GEOMETRY.values()})
 """Properties by level of detail and kind of shape."""
 
-ANY_GEOMETRY: Mapping[str, str] = MappingProxyType({f"lod{lod}Geometry": lod for lod in "234"})
-"""Levels of detail of the properties of installations and furniture, which hold geometry of any kind."""
+ANY_GEOMETRY: Mapping[str, str] = MappingProxyType({f"lod{lod}Geometry": lod for lod in "1234"})
+"""Levels of detail of the properties of installations, furniture and trees, which hold geometry of any kind."""
 
 LAST_BEFORE_BOUNDARIES = GEOMETRY_NAMES["2", MULTI_SURFACE]
 """The property behind which the schema has the boundary surfaces."""
@@ -127,10 +133,16 @@ BUILDING_FIELDS: Mapping[str, BuildingField] = MappingProxyType({
 """Attributes of bldg:_AbstractBuilding in the schema's order."""
 
 ROAD_FIELDS: Mapping[str, BuildingField] = MappingProxyType({"class": _CODE, "function": _CODE, "usage": _CODE})
-"""Attributes of tran:TransportationComplex, and of installations, rooms and furniture, in the schema's order."""
+"""Attributes of tran:TransportationComplex, and of installations, rooms and all furniture, in the schema's order."""
+
+_LENGTH = BuildingField((Measure, int, float), unit="m")
+TREE_FIELDS: Mapping[str, BuildingField] = MappingProxyType({
+    **ROAD_FIELDS, "species": _CODE, "height": _LENGTH, "trunkDiameter": _LENGTH, "crownDiameter": _LENGTH})
+"""Attributes of veg:SolitaryVegetationObject in the schema's order."""
 
 FIELDS: Mapping[str, Mapping[str, BuildingField]] = MappingProxyType(
-    {BUILDING: BUILDING_FIELDS, BUILDING_PART: BUILDING_FIELDS, ROAD: ROAD_FIELDS,
+    {BUILDING: BUILDING_FIELDS, BUILDING_PART: BUILDING_FIELDS, ROAD: ROAD_FIELDS, CITY_FURNITURE: ROAD_FIELDS,
+     SINGLE_TREE: TREE_FIELDS,
      **dict.fromkeys(FITTING_ELEMENTS.values(), ROAD_FIELDS)})
 """Attributes of its module that an object has, by its kind."""
 

@@ -20,6 +20,7 @@ from ..model import (
     OPENINGS,
     ROOF_EDGE,
     SOLID,
+    STREET_KINDS,
     WALL_SURFACE,
     CityObject,
     CityShape,
@@ -42,8 +43,8 @@ Places = Callable[[np.ndarray], list[str]]
 INSTALLATIONS = "installations"
 """Where the schema has the installations of a building, before its boundary surfaces."""
 
-_ANY_KIND = (INSTALLATION, INNER_INSTALLATION, FURNITURE)
-"""Fittings whose properties hold geometry of any kind."""
+_ANY_KIND = (INSTALLATION, INNER_INSTALLATION, FURNITURE, *STREET_KINDS)
+"""Objects whose properties hold geometry of any kind."""
 
 _ORDER = (*(entry for name in GEOMETRY for entry in (
     (name, INSTALLATIONS, BOUNDARY_PROPERTY) if name == LAST_BEFORE_BOUNDARIES else (name,))), *ANY_GEOMETRY)

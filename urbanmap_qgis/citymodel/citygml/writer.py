@@ -1,7 +1,8 @@
 """A city model as CityGML 2.0: in Japan a folder as PLATEAU lays it out, elsewhere one file.
 
-Source: OGC 12-019 (CityGML 2.0); the standard product specification of 3D city models (Project PLATEAU): folders
-udx/bldg and udx/tran, a file a third mesh, latitude, longitude and height, textures in a folder beside.
+Source: OGC 12-019 (CityGML 2.0); the standard product specification of 3D city models (Project PLATEAU): a folder
+for each module (udx/bldg, udx/tran, udx/frn, udx/veg), a file a third mesh, latitude, longitude and height, textures in
+a folder beside.
 """
 
 from __future__ import annotations
@@ -29,7 +30,17 @@ from ..reference import GEOGRAPHIC, GEOGRAPHIC_2011, GEOGRAPHIC_2024, JGD2024, P
 from .attribute_writer import generic_attribute, split_attributes, xml_text
 from .codelists import write_codelists
 from .iur import VERSIONS, IurTable, iur_table
-from .schema import FITTING_ELEMENTS, FITTING_PROPERTIES, GML, PART_PROPERTY, THEMES, XAL, XLINK, namespace_of
+from .schema import (
+    EXTENSIONS_FIRST,
+    FITTING_ELEMENTS,
+    FITTING_PROPERTIES,
+    GML,
+    PART_PROPERTY,
+    THEMES,
+    XAL,
+    XLINK,
+    namespace_of,
+)
 from .shape_writer import object_geometry
 from .whole_block import with_whole_block
 
@@ -45,13 +56,13 @@ _SCHEMAS = " ".join(f"{uri} http://schemas.opengis.net/{place}" for uri, place i
     (_NAMESPACES["gen"], "citygml/generics/2.0/generics.xsd"),
     (_NAMESPACES["app"], "citygml/appearance/2.0/appearance.xsd"), (_NAMESPACES["gml"], "gml/3.1.1/base/gml.xsd")))
 """Where schemas are, as files of the specification's data say it (7.2.4.1: those of i-UR go along)."""
-_ROAD_SPACE = {"tran": namespace_of("tran")}
-_ROAD_SCHEMA = f' {_ROAD_SPACE["tran"]} http://schemas.opengis.net/citygml/transportation/2.0/transportation.xsd'
-"""What files of roads say besides."""
+_MORE_SCHEMAS = {"tran": "transportation/2.0/transportation.xsd", "frn": "cityfurniture/2.0/cityFurniture.xsd",
+                 "veg": "vegetation/2.0/vegetation.xsd"}
+"""Schemas of modules that only their own files name."""
 
 _ELEMENTS = {kind: name for name, kind in FITTING_ELEMENTS.items()}
 
-_PLAIN_NAMES = {"bldg": "buildings", "tran": "roads"}
+_PLAIN_NAMES = {"bldg": "buildings", "tran": "roads", "frn": "furniture", "veg": "trees"}
 """Names of files outside of Japan by module."""
 
 _NAME = re.compile(r"[^\W\d][\w.\-]*\Z")
@@ -246,7 +257,7 @@ def _add_building(file: _GmlFile, building: CityObject, frame: _Frame, names: _N
 
 
 def _object(item: CityObject, names: _Names, places, textures: dict[str, list]) -> str:
-    """A building, a part, a road or a fitting as XML; what its textures cover is added to `textures`."""
+    """An object as XML; what its textures cover is added to `textures`."""
     module = THEMES[item.type]
     identifier = names.of(item.id, module)
     early, late = _fittings(item, names, places, textures)
@@ -254,6 +265,8 @@ def _object(item: CityObject, names: _Names, places, textures: dict[str, list]) 
     for image, targets in geometry.textured.items():
         textures.setdefault(image, []).extend(targets)
     before, inside, after = split_attributes(item.attributes, names.table, names.homeless, item.type)
+    if item.type in EXTENSIONS_FIRST:
+        inside, after = after + inside, ""
     if identifier != item.id:
         before += generic_attribute("source_id", item.id)
     if item.problems:
@@ -302,12 +315,12 @@ def _texture(name: str, targets: list) -> str:
 
 def _write_file(path: Path, file: _GmlFile, frame: _Frame, model: CityModel, extension: str) -> None:
     """Put head, members and textures together."""
-    roads = file.module == "tran"
-    more = _ROAD_SPACE if roads else {}
+    more = {file.module: namespace_of(file.module)} if file.module in _MORE_SCHEMAS else {}
+    schema = "".join(f" {uri} http://schemas.opengis.net/citygml/{_MORE_SCHEMAS[name]}" for name, uri in more.items())
     spaces = " ".join(f'xmlns:{prefix}="{uri}"' for prefix, uri in {**_NAMESPACES, **more, "uro": extension}.items())
     if frame.epsg in (GEOGRAPHIC_2011, GEOGRAPHIC_2024):
         extension_schema = f"{extension} ../../schemas/iur/uro/{extension.rpartition('/')[2]}/urbanObject.xsd"
-        spaces += f' xsi:schemaLocation="{extension_schema} {_SCHEMAS}{_ROAD_SCHEMA if roads else ""}"'
+        spaces += f' xsi:schemaLocation="{extension_schema} {_SCHEMAS}{schema}"'
     title = f"<gml:name>{xml_text(model.title)}</gml:name>" if model.title else ""
     envelope = ""
     if np.isfinite(file.low).all():

@@ -104,6 +104,7 @@ class StreetObject:
     lean : degrees from the plumb line.
     azimuth : degrees, of a board's face or an arm; None without one.
     crown : diameter of a tree's crown, m; None without one.
+    arm : length and height over the foot of an arm, m; None without one.
     board : on it; None without one.
     sigma : standard deviation of the foot in plan, each axis, m.
     points, passes : laser points of the stem, and passes of the survey that saw it.
@@ -119,6 +120,7 @@ class StreetObject:
     lean: float
     azimuth: float | None
     crown: float | None
+    arm: tuple[float, float] | None
     board: Board | None
     sigma: float
     points: int

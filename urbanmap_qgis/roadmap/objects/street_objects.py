@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -137,7 +137,8 @@ def _object(stem: Stem, axis: StemAxis, foot: np.ndarray, around: HangingParts, 
     return StreetObject(
         kind, confidence if not reason else 0.5 * confidence, foot + corner, around.top, axis.diameter,
         float(np.degrees(np.arctan(np.hypot(*axis.lean)))), azimuth, around.crown or None,
-        None if board is None else type(board)(board.centre + corner, board.azimuth, board.width, board.height),
+        (around.arm, around.arm_height) if around.arm else None,
+        None if board is None else replace(board, centre=board.centre + corner),
         sigma, len(stem.rows), passes, DOUBTFUL if reason else MEASURED, reason)
 
 
