@@ -57,6 +57,9 @@ class GnssInputs(Declarations):
                           "that is received, m.", 150.0, 5.0, 1000.0, advanced=True)
         self.add_text("SYSTEMS", "Satellite systems", "Letters of those that are used: G GPS, R GLONASS, E Galileo, C "
                       "BeiDou, J QZSS.", "GRECJ", advanced=True)
+        self.add_boolean("TWO_BANDS", "Ionosphere by two bands", "Measure the ionosphere where the receiver has codes "
+                         "on two bands; otherwise, or without them, the model that the satellites broadcast is taken.",
+                         True, advanced=True)
 
     def add_building_fields(self) -> None:
         """The fields of BUILDINGS that tell which building a feature is part of, and heights."""
@@ -128,7 +131,8 @@ class GnssInputs(Declarations):
                       else self.parameterAsDouble(parameters, "GEOID_SEPARATION", context))
         settings = SignalSettings(systems=self.parameterAsString(parameters, "SYSTEMS", context).upper(),
                                   elevation_mask=self.parameterAsDouble(parameters, "ELEVATION_MASK", context),
-                                  lever_arm=self._lever_arm(parameters, context))
+                                  lever_arm=self._lever_arm(parameters, context),
+                                  two_bands=self.parameterAsBool(parameters, "TWO_BANDS", context))
         signals = load_passes(self._files(parameters, "OBSERVATIONS", context),
                               self._files(parameters, "NAVIGATION", context), trajectories, names, wkt,
                               separation, settings, progress)

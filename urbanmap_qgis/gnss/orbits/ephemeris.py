@@ -121,6 +121,7 @@ class SatelliteStates:
     place : (n, 3) earth-fixed at that time, m; NaN where the status is not `OK`.
     clock : (n,) s ahead of GPS time, with the relativity of the orbit, without group delay.
     delay : (n,) group delay of the signal's band, s: the clock of the signal is `clock - delay`.
+    second_delay : (n,) group delay of the system's second band less that of the first, s; NaN where none is broadcast.
     age : (n,) s from the ephemeris's reference time; 0 with precise orbits.
     status : (n,) `OK`, `NO_EPHEMERIS` or `UNHEALTHY`.
     """
@@ -128,6 +129,7 @@ class SatelliteStates:
     place: np.ndarray
     clock: np.ndarray
     delay: np.ndarray
+    second_delay: np.ndarray
     age: np.ndarray
     status: np.ndarray
 
@@ -149,21 +151,23 @@ def read_navigation(paths: Sequence[str | os.PathLike]) -> Navigation:
 
 
 def satellite_states(navigation: Navigation, satellite: np.ndarray, time: np.ndarray,
-                     bands: dict[str, str] | None = None) -> SatelliteStates:
+                     bands: dict[str, str] | None = None,
+                     second_bands: dict[str, str] | None = None) -> SatelliteStates:
     """States of satellites (n,) at GPS times of transmission (n,).
 
     Parameters
     ----------
     bands : RINEX band of each system's signals, for the group delay; without it the first of each system.
+    second_bands : those of a second signal, for the difference of the two group delays.
 
     Of several records of a satellite the one nearest in time is taken; an unhealthy satellite is told as such.
     """
     satellite, time = np.asarray(satellite, "U3"), np.asarray(time, float)
     bands = bands or {"G": "1", "R": "1", "E": "1", "C": "2", "J": "1"}
     count = len(satellite)
-    states = SatelliteStates(np.full((count, 3), np.nan), np.full(count, np.nan), np.zeros(count), np.zeros(count),
-                             np.full(count, NO_EPHEMERIS))
-    _from_kepler(navigation.kepler, satellite, time, bands, states)
+    states = SatelliteStates(np.full((count, 3), np.nan), np.full(count, np.nan), np.zeros(count),
+                             np.full(count, np.nan), np.zeros(count), np.full(count, NO_EPHEMERIS))
+    _from_kepler(navigation.kepler, satellite, time, bands, second_bands or {}, states)
     _from_glonass(navigation.glonass, satellite, time, states)
     for orbits in navigation.precise:
         _from_precise(orbits, satellite, time, states)
@@ -199,7 +203,7 @@ def nearest_record(names: np.ndarray, toe: np.ndarray, satellite: np.ndarray, ti
 
 
 def _from_kepler(records: KeplerRecords, satellite: np.ndarray, time: np.ndarray, bands: dict[str, str],
-                 states: SatelliteStates) -> None:
+                 second_bands: dict[str, str], states: SatelliteStates) -> None:
     better = _galileo_preference(records, bands.get("E", "1"))
     row = nearest_record(records.satellite, records.toe, satellite, time, better)
     found = np.flatnonzero(row >= 0)
@@ -212,6 +216,7 @@ def _from_kepler(records: KeplerRecords, satellite: np.ndarray, time: np.ndarray
     states.place[found] = np.where(healthy[:, None], place, np.nan)
     states.clock[found] = clock
     states.delay[found] = _group_delay(picked, bands)
+    states.second_delay[found] = _delay_between(picked, bands, second_bands)
     states.age[found] = np.abs(time[found] - picked.toe)
 
 
@@ -339,6 +344,29 @@ def _glonass_motion(state: np.ndarray, acceleration: np.ndarray) -> np.ndarray:
     return np.hstack([velocity, np.column_stack([x, y, z]) + acceleration])
 
 
+def _delay_between(records: KeplerRecords, bands: dict[str, str], second_bands: dict[str, str]) -> np.ndarray:
+    """(n,) group delay of the second band less that of the first, s; NaN for systems without a second band.
+
+    Broadcast delays are those of the first band against the combination that the clock is for, and grow with the
+    square of the wave's length (IS-GPS-200, 20.3.3.3.3.2; Galileo OS SIS ICD, 5.1.5); BeiDou's are against B3.
+    """
+    system = records.satellite.astype("U1")
+    between = np.full(len(records), np.nan)
+    for name, second in second_bands.items():
+        of_system = np.flatnonzero(system == name)
+        first, one, other = bands[name], records.delay_a[of_system], records.delay_b[of_system]
+        if name == "C":
+            delays = {"2": one, "7": other, "6": 0.0}
+            between[of_system] = delays[second] - delays[first]
+        elif name == "E":
+            # Delays of E5a and of E5b against E1, whichever message the clock comes from.
+            delays = {"1": 0.0, "5": (_GAMMA["E", "5"] - 1) * one, "7": (_GAMMA["E", "7"] - 1) * other}
+            between[of_system] = delays[second] - delays[first]
+        elif (name, "2") in _GAMMA:
+            between[of_system] = (_GAMMA[name, "2"] - 1) * one * (1 if second == "2" else -1)
+    return between
+
+
 def _from_precise(orbits: PreciseOrbits, satellite: np.ndarray, time: np.ndarray, states: SatelliteStates) -> None:
     """Replace what precise orbits know better; group delays stay those of the navigation files."""
     row = np.searchsorted(orbits.satellite, satellite)
@@ -373,7 +401,8 @@ class GeometricRanges:
 
 
 def geometric_ranges(navigation: Navigation, satellite: np.ndarray, stamped: np.ndarray, code: np.ndarray,
-                     antenna: np.ndarray, bands: dict[str, str] | None = None) -> GeometricRanges:
+                     antenna: np.ndarray, bands: dict[str, str] | None = None,
+                     second_bands: dict[str, str] | None = None) -> GeometricRanges:
     """Ranges of signals (n,) from the times that their codes tell.
 
     Parameters
@@ -386,7 +415,7 @@ def geometric_ranges(navigation: Navigation, satellite: np.ndarray, stamped: np.
     sent = np.asarray(stamped, float) - np.asarray(code, float) / SPEED_OF_LIGHT
     states = satellite_states(navigation, satellite, sent, bands)
     offset = np.where(np.isfinite(states.clock), states.clock - states.delay, 0.0)
-    states = satellite_states(navigation, satellite, sent - offset, bands)
+    states = satellite_states(navigation, satellite, sent - offset, bands, second_bands)
     vector, distance = sagnac_corrected(states.place, antenna)
     return GeometricRanges(states, vector, distance)
 

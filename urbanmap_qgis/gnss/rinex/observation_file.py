@@ -40,7 +40,7 @@ _Factors = dict[tuple[str, str], float]
 
 @dataclass(frozen=True)
 class Observations:
-    """Code observations of one file, one band for each system.
+    """Code observations of one file, one band for each system, and what a second one has beside it.
 
     Attributes
     ----------
@@ -51,7 +51,8 @@ class Observations:
     code : (n,) code range, m.
     cn0 : (n,) carrier to noise density, dB-Hz, where the file has no S observation by its strength digit in steps of
         6; NaN where it tells neither.
-    bands : RINEX 3 band that was taken, by system, for those in the file.
+    second_code : (n,) code range on the system's second band, m; NaN where there is none.
+    bands, second_bands : RINEX 3 bands that were taken, by system, for those in the file.
     notes : sentences on damage that was worked around and on what was left out.
     """
 
@@ -61,8 +62,23 @@ class Observations:
     satellite: np.ndarray
     code: np.ndarray
     cn0: np.ndarray
+    second_code: np.ndarray
     bands: dict[str, str]
+    second_bands: dict[str, str]
     notes: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class _Codes:
+    """Of the rows (n,): code ranges on the first band and their strengths, codes on the second, both bands by system;
+    and how many numbers could not be read."""
+
+    code: np.ndarray
+    cn0: np.ndarray
+    second: np.ndarray
+    bands: dict[str, str]
+    second_bands: dict[str, str]
+    unread: int
 
 
 @dataclass(frozen=True)
@@ -95,11 +111,12 @@ def read_observations(path: str | os.PathLike, systems: str = "GRECJ", progress:
     progress.step(0.3)
     scale = _time_scale(file)
     factors = _scale_factors(file)
-    values, bands, unread = _values(file, rows, walk.types, systems, factors, progress.part(0.3, 1.0))
+    codes = _values(file, rows, walk.types, systems, factors, progress.part(0.3, 1.0))
     notes = [*file.notes, *walk.notes()]
-    if unread:
-        notes.append(say("{file}: {unread} numbers cannot be read and are left out.", file=file.name, unread=unread))
-    found = _in_order(file.name, to_gps(np.array(walk.times), scale), rows, values, bands, notes)
+    if codes.unread:
+        notes.append(say("{file}: {unread} numbers cannot be read and are left out.", file=file.name,
+                         unread=codes.unread))
+    found = _in_order(file.name, to_gps(np.array(walk.times), scale), rows, codes, notes)
     if not len(found.code):
         raise InsufficientDataError(say("{file} holds no code observation of the chosen systems: check the file.",
                                         file=file.name))
@@ -115,11 +132,9 @@ def _time_scale(file: RinexFile) -> str:
     return scale
 
 
-def _in_order(name: str, times: np.ndarray, rows: _Rows, values: tuple[np.ndarray, np.ndarray], bands: dict[str, str],
-              notes: list[str]) -> Observations:
+def _in_order(name: str, times: np.ndarray, rows: _Rows, codes: _Codes, notes: list[str]) -> Observations:
     """Observations that hold a code, epochs in the order of time, each satellite once at an epoch."""
-    code, cn0 = values
-    with_code = np.flatnonzero(np.isfinite(code))
+    with_code = np.flatnonzero(np.isfinite(codes.code))
     epochs, number = np.unique(times[rows.epoch[with_code]], return_inverse=True)
     names, satellite = np.unique(rows.satellite[with_code], return_inverse=True)
     _, first = np.unique(number.ravel() * len(names) + satellite.ravel(), return_index=True)
@@ -127,8 +142,8 @@ def _in_order(name: str, times: np.ndarray, rows: _Rows, values: tuple[np.ndarra
         notes.append(say("{name}: {kept_count} observations are there twice and are used once.", name=name,
                          kept_count=len(with_code) - len(first)))
     with_code, number = with_code[first], number.ravel()[first]
-    return Observations(name, epochs, number, rows.satellite[with_code], code[with_code], cn0[with_code], bands,
-                        tuple(notes))
+    return Observations(name, epochs, number, rows.satellite[with_code], codes.code[with_code], codes.cn0[with_code],
+                        codes.second[with_code], codes.bands, codes.second_bands, tuple(notes))
 
 
 class _Walk:
@@ -352,10 +367,11 @@ def _candidates(system: str, types: list[str], version: float) -> Iterator[tuple
 
 
 def _values(file: RinexFile, rows: _Rows, types: list[dict[str, list[str]]], systems: str,
-            factors: _Factors, progress: Progress) -> tuple[tuple[np.ndarray, np.ndarray], dict[str, str], int]:
-    """Code and strength (n,) of the band with most to offer, the bands, and how many numbers cannot be read."""
-    code, cn0 = np.full(len(rows.line), np.nan), np.full(len(rows.line), np.nan)
+            factors: _Factors, progress: Progress) -> _Codes:
+    """Code and strength of the band with most to offer, and codes of the one with most beside it."""
+    code, cn0, second = (np.full(len(rows.line), np.nan) for _ in range(3))
     bands: dict[str, str] = {}
+    second_bands: dict[str, str] = {}
     unread = 0
     letter = rows.satellite.astype("U1")
     present = [system for system in systems if system in MEGAHERTZ]
@@ -365,11 +381,16 @@ def _values(file: RinexFile, rows: _Rows, types: list[dict[str, list[str]]], sys
         unread += bad
         band = _best_band(system, found)
         if band:
-            code[mine], cn0[mine] = found[band]
+            code[mine], cn0[mine] = found.pop(band)
             bands[system] = band
+        other = _best_band(system, found)
+        if other:
+            second[mine] = found[other][0]
+            second_bands[system] = other
         progress.step((step + 1) / len(present))
     code[~(code > 1e6)] = np.nan
-    return (code, np.where(cn0 > 0, cn0, np.nan)), bands, unread
+    second[~(second > 1e6)] = np.nan
+    return _Codes(code, np.where(cn0 > 0, cn0, np.nan), second, bands, second_bands, unread)
 
 
 def _bands(file: RinexFile, line: np.ndarray, version: np.ndarray, system: str, types: list[dict[str, list[str]]],

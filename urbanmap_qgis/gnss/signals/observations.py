@@ -32,6 +32,7 @@ from ..rinex.gnss_time import STANDARD_OFFSET, UNIX_START, leap_seconds, span_te
 from ..rinex.observation_file import Observations, read_observations
 from .antenna_height import estimate_height, grouped_median, strong_scatter, strong_signals
 from .atmosphere import ionosphere, nearest_model, troposphere
+from .measured_ionosphere import MeasuredIonosphere, TwoBands, layer_mapping, measure_ionosphere
 from .tables import SYSTEM_NAMES, Epochs, Signals, SignalSettings
 
 
@@ -39,8 +40,11 @@ from .tables import SYSTEM_NAMES, Epochs, Signals, SignalSettings
 class ObservationsLimits:
     """Limits of observations, each with its unit."""
 
-    # Heights that differ from what the satellites say by more than this, m, are taken for a mix-up of heights.
+    # Heights that differ from what the satellites say by more than this, m, are taken for a mix-up of heights; by more
+    # where the ionosphere is only modelled, as what the model leaves of a vertical delay (up to once the model's at the
+    # solar maximum) moves the height by so many times as much.
     height_limit: float = 12.0
+    height_by_delay: float = 3.0
     largest_separation: float = 120.0  # The geoid is nowhere farther from the ellipsoid, m.
     # Scatter of the strongest signals, m: up to which no other time is tried, that is told, and that is refused.
     usual_scatter: float = 1.5
@@ -49,6 +53,7 @@ class ObservationsLimits:
     glonass_factor: float = 1.5
     glonass_channel: float = 2.5
     no_cn0: float = 38.0
+    model_error: float = 0.3  # Share of the delay by which the ionosphere's model is off.
 
 
 LIMITS = ObservationsLimits()
@@ -142,7 +147,10 @@ def _check_same_days(files: Sequence[Observations], navigation: Navigation) -> N
 
 @dataclass(frozen=True)
 class _Measured:
-    """Observations of one file that have a place and a satellite; rows n, epochs e."""
+    """Observations of one file that have a place and a satellite; rows n, epochs e.
+
+    `difference` (n,) is the code on the second band less that on the first, without the satellite's delay, m.
+    """
 
     time: np.ndarray
     gps_time: np.ndarray
@@ -151,8 +159,10 @@ class _Measured:
     satellite: np.ndarray
     code: np.ndarray
     cn0: np.ndarray
+    difference: np.ndarray
     states: SatelliteStates
     bands: dict[str, str]
+    second_bands: dict[str, str]
     left_out: Counter
     unplaced: dict[int, set[str]]
 
@@ -175,7 +185,8 @@ def _measured(file: Observations, navigation: Navigation, trajectory: Trajectory
     frame = MapFrame(crs_wkt)
     receiver = frame.places(place).earth_fixed if len(place) else np.zeros((0, 3))
     satellite, code = file.satellite[rows], file.code[rows]
-    paths = geometric_ranges(navigation, satellite, gps_time[epoch], code, receiver[epoch], file.bands)
+    paths = geometric_ranges(navigation, satellite, gps_time[epoch], code, receiver[epoch], file.bands,
+                             file.second_bands)
     unplaced = {}
     for status, reason in ((NO_EPHEMERIS, say("without an ephemeris")), (UNHEALTHY, say("of unhealthy satellites"))):
         _count(left_out, reason, paths.states.status == status)
@@ -188,8 +199,9 @@ def _measured(file: Observations, navigation: Navigation, trajectory: Trajectory
     received = np.clip(time - late, trajectory.time[0], trajectory.time[-1])
     place = body_to_map(trajectory, received, arm)
     states = SatelliteStates(*(getattr(paths.states, name)[good] for name in SatelliteStates.__dataclass_fields__))
-    return _Measured(time, gps_time, place, epoch[good], satellite[good], code[good], file.cn0[rows][good], states,
-                     file.bands, left_out, unplaced)
+    difference = file.second_code[rows][good] - code[good] - SPEED_OF_LIGHT * states.second_delay
+    return _Measured(time, gps_time, place, epoch[good], satellite[good], code[good], file.cn0[rows][good], difference,
+                     states, file.bands, file.second_bands, left_out, unplaced)
 
 
 def within_trajectory(trajectory: Trajectory, time: np.ndarray, max_gap: float) -> np.ndarray:
@@ -214,15 +226,16 @@ def _gathered(parts: Sequence[_Measured], files: Sequence[Observations], navigat
     frame = MapFrame(crs_wkt, separation)
     model = nearest_model(navigation.ionosphere, float(np.median(np.concatenate([file.time for file in files]))))
     first = np.cumsum([0, *(len(part.time) for part in parts)])
-    columns, datum, left_out = [], [], Counter()
+    columns, datum, left_out, airs = [], [], Counter(), []
     for number, part in enumerate(parts):
         left_out.update(part.left_out)
-        table, low, base = _modelled(part, frame, model, separation, settings)
+        table, low, base, air = _modelled(part, frame, model, separation, settings)
         _count(left_out, say("below {elevation_mask:g} degrees of elevation",
                              elevation_mask=settings.elevation_mask), low)
         table["epoch"] = table["epoch"] + first[number]
         columns.append(table)
         datum.append(base)
+        airs.append(air)
     columns_of_all = {name: np.concatenate([table[name] for table in columns]) for name in columns[0]}
     if not len(columns_of_all["epoch"]):
         reasons = ", ".join(f"{count} {reason}" for reason, count in left_out.items())
@@ -232,20 +245,24 @@ def _gathered(parts: Sequence[_Measured], files: Sequence[Observations], navigat
                     np.concatenate([part.place for part in parts]),
                     np.repeat(np.arange(len(parts)), [len(part.time) for part in parts]))
     row = columns_of_all["epoch"]
-    notes = _notes(files, navigation, model, parts)
+    notes = (*_notes(files, navigation, model is None and None in airs, parts),
+             *_ionosphere_notes(airs))
     return Signals(epochs=epochs, time=epochs.time[row], place=epochs.place[row],
                    system=columns_of_all["satellite"].astype("U1"), clock_datum=np.array(datum),
-                   geoid_separation=separation, left_out=dict(left_out), notes=notes, **columns_of_all)
+                   geoid_separation=separation, ionosphere_measured=None not in airs, left_out=dict(left_out),
+                   notes=notes, **columns_of_all)
 
 
 def _modelled(part: _Measured, frame: MapFrame, model, separation: float,
-              settings: SignalSettings) -> tuple[dict[str, np.ndarray], np.ndarray, float]:
-    """Columns of `Signals` for a file, which rows were below the mask, and the datum of its clock."""
+              settings: SignalSettings
+              ) -> tuple[dict[str, np.ndarray], np.ndarray, float, MeasuredIonosphere | None]:
+    """Columns of `Signals` for a file, which rows were below the mask, the datum of its clock, and the ionosphere if it
+    was measured."""
     if not len(part.epoch):
         empty = np.zeros(0)
         names = ("code", "cn0", "elevation", "azimuth", "residual", "sigma", "troposphere", "ionosphere", "age")
         return {**dict.fromkeys(names, empty), "epoch": np.zeros(0, int), "satellite": np.zeros(0, "U3"),
-                "direction": np.zeros((0, 3))}, np.zeros(0, bool), 0.0
+                "direction": np.zeros((0, 3))}, np.zeros(0, bool), 0.0, None
     site: EarthPlaces = frame.places(part.place)
     epoch = part.epoch
     vector, distance = sagnac_corrected(part.states.place, site.earth_fixed[epoch])
@@ -257,45 +274,67 @@ def _modelled(part: _Measured, frame: MapFrame, model, separation: float,
     system = part.satellite[visible].astype("U1")
     latitude, longitude = site.latitude[epoch], site.longitude[epoch]
     wet = troposphere(latitude, part.place[epoch, 2], elevation, settings.humidity)
+    north = azimuth + site.convergence[epoch]
     free = (np.zeros(len(visible)) if model is None else
-            ionosphere(model, system, part.bands, latitude, longitude, azimuth + site.convergence[epoch], elevation,
-                       part.gps_time[epoch]))
+            ionosphere(model, system, part.bands, latitude, longitude, north, elevation, part.gps_time[epoch]))
+    free_sigma = (5.0 / np.sin(elevation + 0.2)) if model is None else LIMITS.model_error * free
+    noise = expected_code_noise(part.cn0[visible], system)
+    air = measure_ionosphere(TwoBands(
+        part.gps_time[epoch], part.place[epoch], part.satellite[visible], elevation, north, free, model is not None,
+        part.difference[visible], noise, part.bands, part.second_bands)) if settings.two_bands else None
+    if air is not None:
+        free, free_sigma = air.delay, air.sigma
     clock = SPEED_OF_LIGHT * (part.states.clock[visible] - part.states.delay[visible])
     residual = part.code[visible] - distance[visible] + clock - wet - free
     datum = float(np.median(residual)) if len(visible) else 0.0
-    sigma = expected_sigma(part.cn0[visible], elevation, system, free, model is None)
+    sigma = expected_sigma(noise, elevation, free_sigma)
     return {"epoch": epoch, "satellite": part.satellite[visible], "code": part.code[visible], "cn0": part.cn0[visible],
             "direction": direction[visible], "elevation": np.degrees(elevation), "azimuth": np.degrees(azimuth),
             "residual": residual - datum, "sigma": sigma, "troposphere": wet, "ionosphere": free,
-            "age": part.states.age[visible]}, ~above, datum
+            "age": part.states.age[visible]}, ~above, datum, air
 
 
-def expected_sigma(cn0: np.ndarray, elevation: np.ndarray, system: np.ndarray, delay: np.ndarray,
-                   without_ionosphere: bool = False) -> np.ndarray:
-    """Standard deviation of a line-of-sight code residual, m, clock aside.
+def expected_code_noise(cn0: np.ndarray, system: np.ndarray) -> np.ndarray:
+    """Standard deviation (n,) of a code range by its strength (dB-Hz, NaN counts as a weak signal), m.
 
-    Code noise grows as the strength falls; broadcast orbits and clocks err by most of a metre, the troposphere's
-    model by a tenth of a metre at the zenith, the ionosphere's by 30 % of the delay; a receiver delays GLONASS's
-    channels differently, by some metres.
-
-    Parameters
-    ----------
-    cn0 : (n,) dB-Hz, NaN counts as a weak signal.
-    elevation : (n,) rad.
-    system : (n,) letters.
-    delay : (n,) modelled delay in the ionosphere, m.
+    A receiver delays GLONASS's channels differently, by some metres.
     """
     strength = np.where(np.isfinite(cn0), cn0, LIMITS.no_cn0)
     noise = np.sqrt(0.25 ** 2 + 1500.0 * 10 ** (-strength / 10))
-    noise = np.where(system == "R", np.hypot(LIMITS.glonass_factor * noise, LIMITS.glonass_channel), noise)
+    return np.where(system == "R", np.hypot(LIMITS.glonass_factor * noise, LIMITS.glonass_channel), noise)
+
+
+def expected_sigma(noise: np.ndarray, elevation: np.ndarray, ionosphere_sigma: np.ndarray) -> np.ndarray:
+    """Standard deviation (n,) of a line-of-sight code residual, m, clock aside.
+
+    Broadcast orbits and clocks err by most of a metre, the troposphere's model by a tenth of a metre at the zenith.
+
+    Parameters
+    ----------
+    noise : (n,) of the code, m.
+    elevation : (n,) rad.
+    ionosphere_sigma : (n,) of the delay that was taken off, m.
+    """
     air = 0.1 / np.sin(elevation)
-    free = np.full(len(air), 5.0) / np.sin(elevation + 0.2) if without_ionosphere else 0.3 * delay
-    return np.sqrt(0.7 ** 2 + noise ** 2 + air ** 2 + free ** 2)
+    return np.sqrt(0.7 ** 2 + noise ** 2 + air ** 2 + ionosphere_sigma ** 2)
 
 
-def _notes(files: Sequence[Observations], navigation: Navigation, model, parts: Sequence[_Measured]) -> tuple[str, ...]:
+def _ionosphere_notes(airs: Sequence[MeasuredIonosphere | None]) -> tuple[str, ...]:
+    """What two bands say of the ionosphere, in the mean of the files that have them."""
+    found = [air for air in airs if air is not None]
+    if not found:
+        return ()
+    return (say("The ionosphere is measured on two bands in {count} of {files} observation files: {vertical:.1f} m at "
+                "the zenith (sigma {sigma:.1f} m) where the broadcast model says {modelled:.1f} m.",
+                count=len(found), files=len(airs), vertical=float(np.mean([air.vertical for air in found])),
+                sigma=float(np.sqrt(np.mean([air.vertical_sigma**2 for air in found]))),
+                modelled=float(np.mean([air.modelled for air in found]))),)
+
+
+def _notes(files: Sequence[Observations], navigation: Navigation, without_ionosphere: bool,
+           parts: Sequence[_Measured]) -> tuple[str, ...]:
     notes = [note for file in files for note in file.notes] + list(navigation.notes)
-    if model is None:
+    if without_ionosphere:
         notes.append(say("The navigation files tell no coefficients of the ionosphere: its delay, some metres, is "
                          "not taken off; give a navigation file of GPS."))
     if navigation.precise and not len(navigation.kepler):
@@ -338,13 +377,19 @@ def _with_height(given: float | None, settings: SignalSettings, at_height: Calla
         derived = (say("The geoid separation was not given; the satellites say {offset:.1f} m (sigma {sigma:.1f} m), "
                        "which is used: the official value is better.", offset=offset + further, sigma=sigma))
         return replace(signals.raised(further), geoid_sigma=sigma, notes=(*signals.notes, *note, derived))
-    if abs(offset) > max(LIMITS.height_limit, 4 * sigma):
+    doubt = 0.0 if signals.ionosphere_measured else LIMITS.height_by_delay * _vertical_delay(signals)
+    if abs(offset) > max(LIMITS.height_limit + doubt, 4 * sigma):
         raise InputError(say("By the satellites the antenna is {offset:.0f} m {value} than the trajectory with a "
                              "geoid separation of {given:g} m says: heights above sea level and above the ellipsoid "
                              "seem to be mixed up; a separation of about {given_2:.0f} m would fit.",
                              offset=abs(offset), value=say("higher") if offset > 0 else say("lower"), given=given,
                              given_2=given + offset))
     return replace(signals, notes=(*signals.notes, *note))
+
+
+def _vertical_delay(signals: Signals) -> float:
+    """Delay of the ionosphere at the zenith, about, m."""
+    return float(np.median(signals.ionosphere / layer_mapping(np.radians(signals.elevation))))
 
 
 def _scatter(signals: Signals) -> float:

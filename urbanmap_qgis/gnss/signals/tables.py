@@ -23,6 +23,7 @@ class SignalSettings:
     lever_arm : antenna in the body, (forward, right, down) m from the trajectory's origin.
     max_gap : epochs in a gap of the trajectory longer than this, in seconds, are left out.
     humidity : relative humidity for the troposphere, 0 to 1.
+    two_bands : measure the ionosphere where the receiver has codes on two bands; otherwise the broadcast model is used.
     check_height : compare the heights with what the satellites say; raise where they differ by tens of metres.
     """
 
@@ -32,6 +33,7 @@ class SignalSettings:
     lever_arm: tuple[float, float, float] = (0.0, 0.0, 0.0)
     max_gap: float = 5.0
     humidity: float = 0.7
+    two_bands: bool = True
     check_height: bool = True
 
 
@@ -78,13 +80,14 @@ class Signals:
     residual : (n,) code minus range, satellite clock, group delay, troposphere and ionosphere, m: receiver clock,
         excess path and noise remain. Centred so that the median of each file is small (`clock_datum`).
     sigma : (n,) standard deviation expected of a line-of-sight residual (clock aside), m, by strength and elevation.
-    troposphere, ionosphere : (n,) modelled delays that were taken off, m.
+    troposphere, ionosphere : (n,) delays that were taken off, m: modelled, the ionosphere's measured where it can be.
     age : (n,) seconds between the observation and the reference time of its ephemeris; 0 with precise orbits.
     clock_datum : (files,) m taken off the residuals of each observation file, so that they are small numbers.
     geoid_separation : ellipsoidal minus map height that was used, m.
     geoid_sigma : its standard deviation where it was estimated from the signals, m; NaN where it was given.
     left_out : observations that were not used, counted by reason (a sentence fragment).
     notes : sentences about the files for the user and the report.
+    ionosphere_measured : whether the delays of the ionosphere are measured in all files, not only modelled.
     """
 
     epochs: Epochs
@@ -108,6 +111,7 @@ class Signals:
     geoid_sigma: float = float("nan")
     left_out: dict[str, int] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
+    ionosphere_measured: bool = False
 
     def __len__(self) -> int:
         return len(self.epoch)
@@ -154,4 +158,5 @@ def join_signals(parts: Sequence[Signals]) -> Signals:
             left_out[reason] = left_out.get(reason, 0) + count
     return Signals(epochs, **columns, clock_datum=np.concatenate([part.clock_datum for part in parts]),
                    geoid_separation=separation, geoid_sigma=sigma, left_out=left_out,
-                   notes=tuple(note for part in parts for note in part.notes))
+                   notes=tuple(note for part in parts for note in part.notes),
+                   ionosphere_measured=all(part.ionosphere_measured for part in parts))

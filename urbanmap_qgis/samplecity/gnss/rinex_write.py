@@ -14,6 +14,9 @@ PROGRAM = "UrbanMap"
 CODES = {"G": ("C1C", "S1C"), "E": ("C1C", "S1C"), "J": ("C1C", "S1C"), "C": ("C2I", "S2I")}
 """Code range and carrier to noise density of the simulated signal of each system."""
 
+SECOND_CODES = {"G": "C2L", "E": "C5Q", "J": "C2L", "C": "C7I"}
+"""Code range on the second band of each system, where the receiver has one."""
+
 LEAP_SECONDS = 18
 BEIDOU_WEEK = 1356
 """GPS week in which BeiDou time began."""
@@ -27,7 +30,8 @@ def calendar(week: int, seconds: float) -> datetime:
 
 
 def write_observations(path: Path, week: int, epochs: np.ndarray, satellite: np.ndarray, tracked: np.ndarray,
-                       code: np.ndarray, strength: np.ndarray, approximate: np.ndarray, marker: str) -> None:
+                       code: np.ndarray, strength: np.ndarray, approximate: np.ndarray, marker: str,
+                       second_code: np.ndarray | None = None) -> None:
     """Write an observation file.
 
     Parameters
@@ -37,20 +41,24 @@ def write_observations(path: Path, week: int, epochs: np.ndarray, satellite: np.
     tracked, code, strength : (m, n) whether there is an observation, code range (m), carrier to noise (dB-Hz).
     approximate : (3,) earth-fixed place of the antenna, m.
     marker : name of the survey.
+    second_code : (m, n) code range on the second band, m.
     """
-    lines = _observation_header(week, epochs, satellite[tracked.any(axis=0)], approximate, marker)
+    lines = _observation_header(week, epochs, satellite[tracked.any(axis=0)], approximate, marker,
+                                second_code is not None)
     for row, seconds in enumerate(epochs):
         seen = np.flatnonzero(tracked[row])
         lines.append(f"> {_epoch(calendar(week, seconds))}  0{len(seen):3d}")
         for column in seen:
             level = strength[row, column]
             digit = min(max(int(level // 6), 1), 9)
-            lines.append(f"{satellite[column]}{code[row, column]:14.3f} {digit}{level:14.3f}")
+            second = "" if second_code is None else f"  {second_code[row, column]:14.3f}"
+            lines.append(f"{satellite[column]}{code[row, column]:14.3f} {digit}{level:14.3f}{second}")
     path.write_bytes(("\n".join(lines) + "\n").encode("ascii"))
 
 
 def _observation_header(week: int, epochs: np.ndarray, satellite: np.ndarray, approximate: np.ndarray,
-                        marker: str) -> list[str]:
+                        marker: str, two_bands: bool) -> list[str]:
+    codes = {name: (*kinds, SECOND_CODES[name]) if two_bands else kinds for name, kinds in CODES.items()}
     first, last = calendar(week, epochs[0]), calendar(week, epochs[-1])
     systems = [system for system in CODES if any(name[0] == system for name in satellite)]
     return [
@@ -64,7 +72,7 @@ def _observation_header(week: int, epochs: np.ndarray, satellite: np.ndarray, ap
         _header(f"{'1':<20}{'simulated':<20}", "ANT # / TYPE"),
         _header("".join(f"{value:14.4f}" for value in approximate), "APPROX POSITION XYZ"),
         _header(f"{0:14.4f}{0:14.4f}{0:14.4f}", "ANTENNA: DELTA H/E/N"),
-        *(_header(f"{system}  {len(CODES[system]):3d}" + "".join(f" {code}" for code in CODES[system]),
+        *(_header(f"{system}  {len(codes[system]):3d}" + "".join(f" {code}" for code in codes[system]),
                   "SYS / # / OBS TYPES") for system in systems),
         _header("DBHZ", "SIGNAL STRENGTH UNIT"),
         _header(f"{1:10.3f}", "INTERVAL"),

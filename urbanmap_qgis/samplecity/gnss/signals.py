@@ -48,8 +48,29 @@ LIMITS = SignalsLimits()
 WALL_LOSS = {Material.FACADE: 12.0, Material.GLASS: 8.0}
 """Loss of a reflection, with that of the reversed polarisation in the antenna, dB; steeper reflections lose more."""
 
+SECOND_FREQUENCY = {"G": 1227.60e6, "E": 1176.45e6, "J": 1227.60e6, "C": 1207.14e6}
+"""Carrier of the second signal of each system, Hz: L2C, E5a, L2C, B2I."""
+
 SYSTEM_OFFSET = {"G": 0.0, "E": 1.4, "J": 0.4, "C": -7.5}
 """Mean delay of each system in the receiver against GPS, m."""
+
+
+@dataclass(frozen=True)
+class Sky:
+    """What the receiver's bands and the day's ionosphere are like.
+
+    Attributes
+    ----------
+    two_bands : the receiver measures a second code.
+    activity : true delay of the ionosphere over that which the satellites broadcast.
+    slope : share by which it is larger towards the south, at the horizon, than overhead.
+    patches : standard deviation of what single satellites meet beside that, in the zenith, m.
+    """
+
+    two_bands: bool = False
+    activity: float = 1.0
+    slope: float = 0.0
+    patches: float = 0.0
 
 
 class SignalKind(IntEnum):
@@ -82,6 +103,8 @@ class SimulatedSignals:
     satellite_clock : of the satellite, s.
     strength : carrier to noise density, dB-Hz.
     code : the code range.
+    ionosphere : delay of the code.
+    second_code : the code range on the second band, None where the receiver has none.
     """
 
     satellite: np.ndarray
@@ -101,6 +124,8 @@ class SimulatedSignals:
     satellite_clock: np.ndarray
     strength: np.ndarray
     code: np.ndarray
+    ionosphere: np.ndarray
+    second_code: np.ndarray | None
 
 
 @dataclass(frozen=True)
@@ -114,10 +139,11 @@ class Site:
     height: float
 
 
-def receive(site: Site, drive: Pass, orbits: Orbits, orbit_error: np.ndarray,
-            rng: np.random.Generator) -> SimulatedSignals:
+def receive(site: Site, drive: Pass, orbits: Orbits, orbit_error: np.ndarray, rng: np.random.Generator,
+            sky: Sky | None = None) -> SimulatedSignals:
     """Signals of a pass. `orbit_error` (n,) is the error of the broadcast orbits and clocks along the signal,
     m."""
+    sky = sky or Sky()
     shape = (len(drive.epochs), len(orbits))
     receiver_clock = _receiver_clock(drive.epochs, rng)
     arrival = drive.epochs - receiver_clock / SPEED_OF_LIGHT
@@ -137,18 +163,25 @@ def receive(site: Site, drive: Pass, orbits: Orbits, orbit_error: np.ndarray,
     tracked = above & (strength > LIMITS.tracked)
     kind = np.where((trace.kind != SignalKind.LOS) & ~tracked, SignalKind.BLOCKED, trace.kind)
     reflected = kind == SignalKind.REFLECTED
-    noise = (draw["code"] * code_noise(strength) + orbit_error
-             + _persistent(draw["slow"], 40.0) * LIMITS.residual_delay / np.sin(np.maximum(elevation, MASK))
-             + reflected * LIMITS.wall_roughness * _persistent(draw["bounce"], 15.0))
+    slow = _persistent(draw["slow"], 40.0) * LIMITS.residual_delay / np.sin(np.maximum(elevation, MASK))
+    rough = reflected * LIMITS.wall_roughness * _persistent(draw["bounce"], 15.0)
+    noise = draw["code"] * code_noise(strength) + orbit_error + slow + rough
     nlos_delay = nlos_delay * reflected
     excess = np.where((kind == SignalKind.REFLECTED) | (kind == SignalKind.DIFFRACTED), trace.excess, 0.0)
     multipath = np.where(kind == SignalKind.LOS, trace.multipath, 0.0)
     azimuth = site.frame.true_azimuth(to_satellite)
-    delay = SPEED_OF_LIGHT * orbits.delay + _atmosphere(site, orbits, azimuth, elevation, drive.epochs)
+    patch = rng.normal(0.0, sky.patches, len(orbits)) if sky.patches else np.zeros(len(orbits))
+    air = saastamoinen_delay(site.frame.latitude, site.height, np.maximum(elevation, MASK))
+    free = _ionosphere(site, orbits, azimuth, elevation, drive.epochs, sky, patch)
+    common = distance + clock - SPEED_OF_LIGHT * satellite_clock + excess + nlos_delay
+    delay = SPEED_OF_LIGHT * orbits.delay + (air + free)
     code = (distance + clock - SPEED_OF_LIGHT * satellite_clock + delay + excess + multipath + nlos_delay + noise)
+    second = None
+    if sky.two_bands:
+        second = common + air + orbit_error + slow + rough + _second_band(orbits, free, strength, multipath, rng)
     return SimulatedSignals(orbits.satellite, np.arctan2(direction[..., 0], direction[..., 1]) % (2 * np.pi), elevation,
                             above, tracked, kind, np.where(reflected, trace.face, -1), trace.count, excess, multipath,
-                            nlos_delay, noise, clock, distance, satellite_clock, strength, code)
+                            nlos_delay, noise, clock, distance, satellite_clock, strength, code, free, second)
 
 
 def code_noise(strength: np.ndarray) -> np.ndarray:
@@ -226,11 +259,27 @@ def _nlos_delay(shape: tuple[int, int], rng: np.random.Generator) -> np.ndarray:
     return np.repeat(nlos_delay, LIMITS.nlos_delay_seconds, axis=0)[:shape[0]]
 
 
-def _atmosphere(site: Site, orbits: Orbits, azimuth: np.ndarray, elevation: np.ndarray,
-                epochs: np.ndarray) -> np.ndarray:
-    """(epochs, satellites) delay in troposphere and ionosphere, m."""
+def _ionosphere(site: Site, orbits: Orbits, azimuth: np.ndarray, elevation: np.ndarray, epochs: np.ndarray, sky: Sky,
+                patch: np.ndarray) -> np.ndarray:
+    """(epochs, satellites) delay of the first code in the ionosphere, m; `patch` (n,) what each meets in the zenith."""
     elevation = np.maximum(elevation, MASK)
-    frame = site.frame
     dispersion = (FREQUENCY["G"] / orbits.constant(FREQUENCY)) ** 2
-    return (saastamoinen_delay(frame.latitude, site.height, elevation)
-            + dispersion * klobuchar_delay(frame.latitude, frame.longitude, azimuth, elevation, epochs[:, None]))
+    model = klobuchar_delay(site.frame.latitude, site.frame.longitude, azimuth, elevation, epochs[:, None])
+    factor = sky.activity * (1.0 - sky.slope * np.cos(azimuth) * np.cos(elevation))
+    slant = 1.0 + 16.0 * (0.53 - elevation / np.pi) ** 3
+    return dispersion * (factor * model + patch * slant)
+
+
+def _second_band(orbits: Orbits, ionosphere: np.ndarray, strength: np.ndarray, multipath: np.ndarray,
+                 rng: np.random.Generator) -> np.ndarray:
+    """(epochs, satellites) what the second code holds of its own, m: group delay, ionosphere, multipath of another
+    phase of the carrier, noise at 2 dB less, and a bias of the receiver for each system."""
+    system = orbits.satellite.astype("U1")
+    ratio = (orbits.constant(FREQUENCY) / orbits.constant(SECOND_FREQUENCY)) ** 2
+    # Galileo's first code goes with the other delay (BGD E5b/E1), the second one with BGD E5a/E1.
+    delay = np.select([system == "E", system == "C"],
+                      [orbits.delay + (ratio - 1.0) * orbits.delay2, orbits.delay2], ratio * orbits.delay)
+    bias = dict(zip("GEJC", rng.normal(0.0, 3.0, 4)))
+    phase = np.cos(rng.uniform(0, 2 * np.pi, multipath.shape[1]))
+    noise = rng.normal(size=strength.shape) * code_noise(strength - 2.0)
+    return SPEED_OF_LIGHT * delay + ratio * ionosphere + orbits.constant(bias) + phase * multipath + noise

@@ -23,7 +23,7 @@ from .orbits import Orbits, light_path, make_constellation
 from .passes import ANTENNA_HEIGHT, DAY_START, TRAJECTORY_ERROR, WEEK, Pass, make_passes
 from .rays import Mirrors, OpaqueFaces
 from .rinex_write import LEAP_SECONDS, write_navigation, write_observations
-from .signals import SignalKind, SimulatedSignals, Site, receive
+from .signals import SignalKind, SimulatedSignals, Site, Sky, receive
 
 RECORD_EVERY = 7200.0
 """Seconds between the records of a satellite in the navigation file."""
@@ -35,8 +35,9 @@ SIGNAL_FIELDS = ("pass,time,satellite,elevation,azimuth,class,tracked,wall,refle
                  "noise,clock,cn0,code")
 
 
-def write_gnss(scene: Scene, folder: Path, seed: np.random.SeedSequence, progress: Progress = SILENT) -> dict:
-    """Write the GNSS part of the city into `folder` (gnss/, models/, truth/).
+def write_gnss(scene: Scene, folder: Path, seed: np.random.SeedSequence, progress: Progress = SILENT,
+               day: Sky | None = None) -> dict:
+    """Write the GNSS part of the city into `folder` (gnss/, models/, truth/), of a day with a given ionosphere.
 
     Returns a summary: passes, epochs, satellites, signals above the mask, shares of line of sight, reflected,
     diffracted and blocked ones, walls that are exposed and that reflected something.
@@ -59,7 +60,7 @@ def write_gnss(scene: Scene, folder: Path, seed: np.random.SeedSequence, progres
     signals = []
     for number, (drive, pass_seed) in enumerate(zip(drives, signals_seed.spawn(len(drives)))):
         progress.step(number / len(drives))
-        signals.append(receive(site, drive, orbits[number], errors[number], np.random.default_rng(pass_seed)))
+        signals.append(receive(site, drive, orbits[number], errors[number], np.random.default_rng(pass_seed), day))
         _write_pass(folders, site, drive, signals[-1])
     write_navigation(folders["gnss"] / "satellites.nav", WEEK, _records(base, drives, site))
     _write_signals(folders["truth"] / "gnss_signals.csv.gz", drives, signals, wall_of_face)
@@ -102,7 +103,7 @@ def _middle(drives: list[Pass]) -> np.ndarray:
 def _write_pass(folders: dict[str, Path], site: Site, drive: Pass, signals: SimulatedSignals) -> None:
     approximate = site.frame.earth_fixed(drive.reported.place[:1])[0]
     write_observations(folders["gnss"] / f"{drive.name}.obs", WEEK, drive.epochs, signals.satellite, signals.tracked,
-                       signals.code, signals.strength, approximate, drive.name)
+                       signals.code, signals.strength, approximate, drive.name, signals.second_code)
     drive.reported.write(folders["gnss"] / f"{drive.name}_trajectory.csv")
     drive.truth.write(folders["truth"] / f"gnss_{drive.name}_trajectory.csv")
 
