@@ -121,7 +121,7 @@ def model_building(number: int, outline: shapely.Geometry | None, note: str, roo
     if not len(roofs.height):
         return unmodelled(number, base, note or say("no roof was found in its points"))
     status, reason = _roofs_status(roofs, note)
-    base, source = _base(base, source, float(roofs.height.min()))
+    base, source = _base(base, source, _lowest_roof(roofs, sloped))
     if source != KNOWN:
         status = GROUND_UNKNOWN if status == OK else status
         reason = "; ".join(filter(None, (reason, say("its ground is not known, {source}", source=source))))
@@ -171,6 +171,12 @@ def _roofs_status(roofs: RoofInput, note: str) -> tuple[str, str]:
     if any(LEVELS_BETTER in str(words) for words in roofs.status):
         reason = say("level roofs, as they fit its points better than planes; {reason}", reason=reason).rstrip("; ")
     return status, reason
+
+
+def _lowest_roof(roofs: RoofInput, sloped: bool) -> float:
+    """Height (m) of the lowest place of roofs: of sloped ones their lowest corner."""
+    heights = shapely.get_coordinates(shapely.force_3d(roofs.polygon, roofs.height), include_z=True)[:, 2]
+    return float(heights.min() if sloped else roofs.height.min())
 
 
 def _base(base: float, source: str, lowest_roof: float) -> tuple[float, str]:

@@ -36,10 +36,9 @@ def meeting_polygons(polygons: list[shapely.Polygon], planes: np.ndarray) -> lis
     planes : (n, 3) plane of each.
     """
     edges = half_edges(np.array(polygons, dtype=object), (0.0, 0.0), 1 / UNITS)
-    collapsed = _collapsed(edges)
-    if collapsed is not None:
-        edges = collapsed
+    edges = _collapsed(edges) or edges
     _move_nodes(edges, planes)
+    edges = _collapsed(edges) or edges  # nodes that moved onto each other
     by_cell: dict[int, list[tuple[int, int]]] = {}
     for edge, cell in edges.cell.items():
         by_cell.setdefault(cell, []).append(edge)

@@ -18,7 +18,7 @@ class PlaneRegularisationLimits:
     level_slope: float = 0.02  # So is one of less slope.
     # Planes are turned to the building's directions, and made mirror images, where that adds no more error, m.
     turn_error: float = 0.015
-    # Level planes nearer in height than this (m) are one: no step of some centimetres is left between them.
+    # Parallel planes nearer in height than this (m) are one: no step of some centimetres is left between them.
     one_height: float = 0.06
     mirror_slope: float = 0.08  # Largest difference of two slopes that are made one.
 
@@ -45,27 +45,40 @@ def regular_planes(table: np.ndarray, directions: np.ndarray) -> np.ndarray:
     for row in range(len(planes)):
         if flat[row]:
             planes[row] = 0.0, 0.0, table[row, 3] / n[row]
-    _one_height(planes, n, np.flatnonzero(flat))
     sloped = np.flatnonzero(~flat)
     axis = {row: _turned(table[row], planes[row], float(fit_error[row]), directions) for row in sloped.tolist()}
     for row, fixed in axis.items():
         if fixed is not None:
             planes[row] = _along(table[row], fixed)
     _mirror(table, planes, fit_error, axis)
+    _one_height(planes, n)
     return planes
 
 
-def _one_height(planes: np.ndarray, weight: np.ndarray, level: np.ndarray) -> None:
-    """One height for level planes (their rows) that lie within `LIMITS.one_height` of each other, changed in place."""
-    order = level[np.argsort(planes[level, 2], kind="stable")]
-    group: list[int] = []
-    for row in [*order.tolist(), None]:
-        if row is not None and (not group or planes[row, 2] - planes[group[0], 2] < LIMITS.one_height):
-            group.append(row)
-            continue
-        if group:
-            planes[group, 2] = planes[group, 2] @ weight[group] / weight[group].sum()
-        group = [row]
+def _one_height(planes: np.ndarray, weight: np.ndarray) -> None:
+    """One height for parallel planes that would lie within `LIMITS.one_height` of each other, changed in place."""
+    _, slope = np.unique(np.round(planes[:, :2] / LEAST_DIVISOR), axis=0, return_inverse=True)
+    by_slope = np.argsort(slope.ravel(), kind="stable")
+    for rows in np.split(by_slope, np.flatnonzero(np.diff(slope.ravel()[by_slope])) + 1):
+        order = rows[np.argsort(planes[rows, 2], kind="stable")]
+        for group in _near_heights(planes[order, 2], weight[order]):
+            planes[order[group], 2] = np.average(planes[order[group], 2], weights=weight[order[group]])
+
+
+def _near_heights(height: np.ndarray, weight: np.ndarray) -> list[list[int]]:
+    """Rows of rising heights (n,) in groups, the nearest joined first, until their weighted means lie apart."""
+    groups = [[row] for row in range(len(height))]
+    means, weights = height.tolist(), weight.tolist()
+    while len(groups) > 1:
+        steps = np.diff(means)
+        low = int(np.argmin(steps))
+        if steps[low] >= LIMITS.one_height:
+            break
+        total = weights[low] + weights[low + 1]
+        means[low:low + 2] = [(means[low] * weights[low] + means[low + 1] * weights[low + 1]) / total]
+        weights[low:low + 2] = [total]
+        groups[low:low + 2] = [groups[low] + groups[low + 1]]
+    return groups
 
 
 def _level(table: np.ndarray) -> np.ndarray:

@@ -65,6 +65,7 @@ class _SlopedFaces(FaceCollector):
     def __init__(self, edges: HalfEdges, cells: Sequence[SlopedCell], base: int, least: int):
         super().__init__(edges, base)
         self.roofs, self.lowest = cells, base + least
+        self.planes = [_plane_above(cell, self.lowest / UNITS) for cell in cells]
         self.heights: dict[tuple[int, int], int] = {}
         self.areas = [cell.polygon.area for cell in cells]
 
@@ -83,10 +84,10 @@ class _SlopedFaces(FaceCollector):
 
     def _height(self, cell: int, node: int) -> int:
         """Height of a cell's plane at a node, lattice units."""
-        roof = self.roofs[cell]
+        roof, plane = self.roofs[cell], self.planes[cell]
         x = self.edges.origin[0] - roof.origin[0] + self.edges.x[node] / UNITS
         y = self.edges.origin[1] - roof.origin[1] + self.edges.y[node] / UNITS
-        return round((roof.plane[0] * x + roof.plane[1] * y + roof.plane[2]) * UNITS)
+        return round((plane[0] * x + plane[1] * y + plane[2]) * UNITS)
 
     def _insert_crossings(self) -> None:
         """Put a node where two roofs beside an edge change places in height."""
@@ -150,7 +151,7 @@ class _SlopedFaces(FaceCollector):
         """Heights of all cells at their nodes; the number of roofs raised to the least height."""
         raised = set()
         for node, cells in self._around().items():
-            raised.update(cell for cell in cells if self._height(cell, node) < self.lowest)
+            raised.update(cell for cell in cells if self.planes[cell] != self.roofs[cell].plane)
             for cell, level in self._levels(node, cells).items():
                 self.heights[cell, node] = level
         return len(raised)
@@ -222,6 +223,19 @@ class _SlopedFaces(FaceCollector):
                 types.append(kind)
                 ids.append(roof_id)
         return faces, types, ids
+
+
+def _plane_above(cell: SlopedCell, lowest: float) -> tuple[float, float, float]:
+    """A cell's plane, where it is nowhere under `lowest` (m); else it lifted as a whole, or a level one, what changes
+    its corners less: bent at `lowest` it would fall into slivers."""
+    a, b, c = cell.plane
+    corners = shapely.get_coordinates(cell.polygon) - cell.origin
+    heights = corners @ (a, b) + c
+    missing = lowest - float(heights.min())
+    if missing <= 0:
+        return cell.plane
+    level = max(lowest, float(heights.mean()))
+    return (a, b, c + missing) if missing <= np.abs(heights - level).mean() else (0.0, 0.0, level)
 
 
 def _is_flat(corners: np.ndarray) -> bool:
