@@ -251,6 +251,16 @@ def _image_points(path: Path):
     return found.pixel, found.place[found.known]
 
 
+def _cloud_points(path: Path):
+    """Without the places of points that were not found in the cloud."""
+    import numpy as np
+
+    from urbanmap_qgis.aerial.orientation.cloud_points import read_cloud_points
+
+    found = read_cloud_points(path)
+    return found.true, found.found[np.isfinite(found.found).all(axis=1)]
+
+
 def _check_points(path: Path):
     import csv
     import io
@@ -341,6 +351,7 @@ FORMATS: dict[str, tuple[str, Callable, Callable]] = {
     "exterior orientation": ("a.csv", sound.copied("aerial/exterior.csv"),
                              _of("aerial.frames.exterior_files", "read_exterior")),
     "image points": ("a.csv", sound.image_points, _image_points),
+    "laser control points": ("a.csv", sound.written(sound.cloud_points), _cloud_points),
     "CityJSON": ("a.city.json", sound.copied("models/buildings.city.json"),
                  _of("citymodel.cityjson.reader", "read_cityjson")),
     "GSI XML": ("FG-GML-533946-BldA-20240401-0001.xml", sound.gsi, _buildings),

@@ -148,6 +148,14 @@ def image_points(path: Path, city: Path) -> Path:
     return path
 
 
+def cloud_points() -> str:
+    """Control points of laser points, half of them found in the cloud."""
+    rows = [f"P{number},{number}.5,{2 * number}.25,{number % 7}.125,"
+            + (f"{number}.7,{2 * number}.2,{number % 7}.3" if number % 2 else ",,") + ("," if number % 3 else ",check")
+            for number in range(1, 40)]
+    return "\n".join(["id,x,y,z,x_als,y_als,z_als,role", *rows, ""])
+
+
 def poses(path: Path, city: Path) -> Path:
     return head("mms/survey_01_images.csv", 60)(path, city)
 

@@ -35,6 +35,7 @@ RECIPES: dict[str, dict] = {
     "samplecity": {"SIZE": 60, "SCENE": "canyon"},
     "surfacefromals": {"POINTS": ["city:als/als.laz"], "RESOLUTION": 1.0},
     "occlusionmap": {"FRAME": "city:aerial/frame_01.tif", **CAMERA, **HEIGHTS},
+    "adjustals": {"POINTS": ["city:als/als_classified.laz"], "CONTROL": "made:cloud_points.csv"},
     "adjustframes": {**CAMERA, "CONTROL": "made:image_points.csv", "CRS": "EPSG:6677"},
     "orthorectifyframes": {**FRAMES, **HEIGHTS, **OUTLINES, "RESOLUTION": 0.25},
     "filtervehicles": {"ORTHOPHOTOS": ["orthorectifyframes:OUTPUT", "city:aerial/ortho.tif"]},
@@ -132,6 +133,23 @@ def prepare(city: Path, folder: Path) -> None:
     write_geopackage(folder / "drawn.gpkg", [Layer("drawn", drawn, {"class": ["paint"] * len(drawn)})])
     write_surface_job(city, folder)
     write_image_points(city, folder / "image_points.csv")
+    write_cloud_points(city, folder / "cloud_points.csv")
+
+
+def write_cloud_points(city: Path, path: Path) -> None:
+    """Places of the ground every 30 m, half a metre aside in the cloud."""
+    import numpy as np
+
+    from urbanmap_qgis.io.raster import RasterSampler
+
+    with RasterSampler(city / "truth/ground.tif") as ground:
+        x_min, y_min, x_max, y_max = ground.grid.bounds
+        x, y = (axis.ravel() for axis in np.meshgrid(np.arange(x_min + 10, x_max, 30.0),
+                                                     np.arange(y_min + 10, y_max, 30.0)))
+        z = ground.sample(x, y)
+    rows = [f"P{n},{x[n]:.3f},{y[n]:.3f},{z[n]:.3f},{x[n] + 0.5:.3f},{y[n]:.3f}"
+            for n in np.flatnonzero(np.isfinite(z))]
+    path.write_text("\n".join(["id,x,y,z,x_als,y_als", *rows]) + "\n", encoding="utf-8")
 
 
 def write_image_points(city: Path, path: Path, step: float = 30.0) -> None:

@@ -16,6 +16,7 @@ from urbanmap_qgis.aerial.frames.camera import (
     read_camera,
 )
 from urbanmap_qgis.aerial.frames.exterior_files import read_exterior
+from urbanmap_qgis.aerial.orientation.cloud_points import read_cloud_points
 from urbanmap_qgis.mobile.calibration import read_calibration
 from urbanmap_qgis.mobile.control import read_control
 from urbanmap_qgis.mobile.image_poses import read_image_poses
@@ -28,6 +29,7 @@ PAGE = (Path(__file__).resolve().parents[2] / "docs" / "formats.md").read_text(e
 READERS = {
     "Camera": (read_camera, lambda read: read.width, 11310),
     "Exterior orientation": (read_exterior, len, 2),
+    "Control points of laser points": (read_cloud_points, len, 2),
     "Trajectory": (read_trajectory, lambda read: len(read.trajectory), 2),
     "Calibration": (read_calibration, lambda read: (len(read.scanners), len(read.cameras)), (2, 1)),
     "Image poses": (read_image_poses, lambda read: len(read.id), 2),

@@ -127,6 +127,7 @@ _WORDS = {
     "space_after": FieldWords(mark("error in space, after (m)"), 3),
     "east_left_out": FieldWords(mark("error east, left out (m)"), 3),
     "north_left_out": FieldWords(mark("error north, left out (m)"), 3),
+    "up_left_out": FieldWords(mark("error up, left out (m)"), 3),
     "frames": FieldWords(mark("frames that see it")),
     "role": FieldWords(mark("role")),
     # Roads.

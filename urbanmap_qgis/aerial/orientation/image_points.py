@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,6 +14,7 @@ from ...io.files.columns import EAST, IMAGE_NAMES, NORTH, UP, Column, aliases_of
 from ...io.files.guard import read_text, reads
 from ...io.files.named_table import known_columns, named_rows
 from ...wording import say
+from .control_columns import check_rows, column_numbers
 
 IMAGE_POINTS = (
     Column("point", "", ("id", "name", "pointid", "marker", "点名", "点番号", "点")),
@@ -23,8 +24,6 @@ IMAGE_POINTS = (
 """A row for each time a point was seen; pixels from the centre of the first one, coordinates in metres."""
 
 COLUMNS, _NEEDED, _ALIASES = names_of(IMAGE_POINTS), needed_of(IMAGE_POINTS), aliases_of(IMAGE_POINTS)
-_CHECKS = ("check", "検証点", "検証")
-_CONTROLS = ("", "control", "adjusted", "調整点", "標定点")
 
 
 @dataclass(frozen=True)
@@ -88,10 +87,10 @@ def read_image_points(path: str | os.PathLike) -> ImagePoints:
         twice = pair[count.argmax()]
         raise InputError(say("{name}: the point {point} is twice in {image}; keep one row.", name=name,
                              point=points[twice[1]], image=images[twice[0]]))
-    pixel = np.column_stack([_numbers(columns[known[key]], key, name, needed=True) for key in ("column", "row")])
-    place = np.column_stack([_numbers(columns[known[key]], key, name) if key in known else np.full(len(rows), np.nan)
-                             for key in "xyz"])
-    check = _checks(columns, known, name)
+    pixel = np.column_stack([column_numbers(columns[known[key]], key, name, needed=True) for key in ("column", "row")])
+    place = np.column_stack([column_numbers(columns[known[key]], key, name) if key in known
+                             else np.full(len(rows), np.nan) for key in "xyz"])
+    check = check_rows(columns, known, len(rows), name)
     return ImagePoints(image, point, pixel, images, points, _of_points(place, point, points, name),
                        np.bincount(point, check, len(points)) > 0)
 
@@ -101,30 +100,6 @@ def _numbered(texts: Sequence[str]) -> tuple[tuple[str, ...], np.ndarray]:
     names = tuple(dict.fromkeys(texts))
     number = {name: place for place, name in enumerate(names)}
     return names, np.array([number[text] for text in texts])
-
-
-def _numbers(texts: Sequence[str], column: str, name: str, needed: bool = False) -> np.ndarray:
-    """A column as numbers; NaN where it is empty."""
-    found = np.full(len(texts), np.nan)
-    for row, text in enumerate(texts):
-        try:
-            found[row] = float(text) if text or needed else np.nan
-        except ValueError:
-            found[row] = np.inf
-        if np.isinf(found[row]) or (needed and np.isnan(found[row])):
-            raise InputError(say("{name} has no number for {column} in row {row}: correct or remove it.", name=name,
-                                 column=column, row=row + 2))
-    return found
-
-
-def _checks(columns: Mapping[str, Sequence[str]], known: Mapping[str, str], name: str) -> np.ndarray:
-    texts = columns[known["role"]] if "role" in known else [""] * len(columns[known["image"]])
-    roles = [text.lower() for text in texts]
-    for text in roles:
-        if text not in (*_CHECKS, *_CONTROLS):
-            raise InputError(say("{name}: the role “{text}” is not known; write control or check.", name=name,
-                                 text=text))
-    return np.isin(roles, _CHECKS)
 
 
 def _of_points(place: np.ndarray, point: np.ndarray, points: Sequence[str], name: str) -> np.ndarray:

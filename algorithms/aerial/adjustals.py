@@ -1,0 +1,103 @@
+"""urbanmap:adjustals."""
+
+from __future__ import annotations
+
+import math
+
+from qgis.core import QgsProcessing
+
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.declaring.parameters import HTML_FILTER, tr
+from ..framework.layers.layers import make_fields
+
+FIELDS = (("id", "text"), ("role", "text"), ("plan_before", "real"), ("plan_after", "real"), ("east_before", "real"),
+          ("north_before", "real"), ("up_before", "real"), ("east_after", "real"), ("north_after", "real"),
+          ("up_after", "real"), ("east_left_out", "real"), ("north_left_out", "real"), ("up_left_out", "real"))
+AXES = ("EAST", "NORTH", "UP")
+
+
+class AdjustAls(UrbanMapAlgorithm):
+    ID = "adjustals"
+    NAME = "Adjust laser points to control points"
+    SOURCE = "Javanmardi 2018, 6.1 (calibration of the aerial data with few ground control points)"
+    KEYWORDS = ("ALS", "lidar", "control points", "height offset", "calibration", "shift")
+    REQUIRES = ("numpy", "scipy", "laspy", "lazrs", "pyproj")
+    HELP = (
+        "Shifts an airborne laser point cloud to few control points. Where a point has only its true coordinates, the "
+        "height of the cloud is measured there: a plane through the ground points around it. Where the point was "
+        "found in the cloud, too (a roof's corner, a marking), its place there tells the shift in plan.\n"
+        "Each control point is left out once and predicted by the others; points that contradict the others are named "
+        "and not followed. Check points are only compared. Few or clustered points are told.\n"
+        "All points are shifted alike and keep their attributes. Give the result to “Surface and ground from ALS” or "
+        "“Road markings from aerial frames”."
+    )
+
+    def declare(self):
+        self.add_points()
+        self.add_file("CONTROL", "Control points", "CSV file id,x,y,z in the cloud's coordinate system and heights; "
+                      "x_als,y_als,z_als where the point lies in the cloud, if it was found there; role: control or "
+                      "check.", "Control points (*.csv *.txt)")
+        self.add_distance("CONTROL_SIGMA", "Accuracy of the control points", "Standard deviation of their coordinates "
+                          "and of their places in the cloud, in metres.", 0.03, 0.001, 10.0)
+        self.add_points_crs()
+        self.add_points_output("OUTPUT", "Shifted points", "All points in their order, with all attributes.")
+        self.add_layer_output("OUTPUT_POINTS", "Residuals", "Control and check points with the cloud's errors, as "
+                              "given, after, and left out.", optional=True,
+                              source_type=QgsProcessing.SourceType.TypeVectorPoint, by_default=True)
+        self.add_file_output("OUTPUT_REPORT", "Report", "The shift, its accuracy, and errors at the points.",
+                             HTML_FILTER, optional=True, by_default=True)
+        for axis, name in zip(AXES, ("Shift east", "Shift north", "Shift up")):
+            self.add_number_output(f"SHIFT_{axis}", name, "By how much the cloud was shifted.", "m")
+        self.add_number_output("RMS_BEFORE", "RMS before", "RMS error in height of the control points that are "
+                               "followed, as given.", "m")
+        self.add_number_output("RMS_AFTER", "RMS after", "The same after the adjustment.", "m")
+        self.add_number_output("RMS_LEFT_OUT", "RMS left out", "The same, each point left out in turn.", "m")
+        self.add_number_output("RMS_CHECK", "RMS of check points", "RMS error of the check points in height, after.",
+                               "m")
+        self.add_number_output("WRONG", "Contradicting points", "Control points that contradict the others.")
+
+    def compute(self, parameters, context, feedback):
+        from ...urbanmap_qgis.aerial.orientation.cloud_control import control_cloud, write_shifted
+        from ...urbanmap_qgis.aerial.orientation.cloud_points import measured_heights, read_cloud_points
+        from ...urbanmap_qgis.io.points.pointcloud import open_cloud
+
+        progress = self.progress(feedback)
+        cloud = open_cloud(self.point_files(parameters, "POINTS", context))
+        self.require_projected("POINTS", cloud.crs_wkt)
+        points = measured_heights(read_cloud_points(self.input_path(parameters, "CONTROL", context)), cloud,
+                                  progress.part(0.0, 0.4))
+        made = control_cloud(points, self.parameterAsDouble(parameters, "CONTROL_SIGMA", context),
+                             (cloud.maximum - cloud.minimum)[:2])
+        for sentence in made.findings:
+            progress.warn(sentence)
+        output = self.output_path(parameters, "OUTPUT", context)
+        write_shifted(cloud, made.shift, output, progress.part(0.4, 0.95))
+        progress.message(tr("Shifted by {0:.3f} m east, {1:.3f} m north, {2:.3f} m up.").format(*made.shift))
+        return {"OUTPUT": str(output), **_figures(made), **self._tell(parameters, context, made, cloud.crs_wkt)}
+
+    def _tell(self, parameters, context, made, crs_wkt) -> dict:
+        """Write the layer of residuals and the report."""
+        import shapely
+
+        from ...urbanmap_qgis.aerial.orientation.cloud_control import residual_rows
+        from ...urbanmap_qgis.aerial.orientation.cloud_report import write_cloud_report
+
+        results = {}
+        layer = self.write_layer(parameters, "OUTPUT_POINTS", context, make_fields(*FIELDS), residual_rows(made),
+                                 crs_wkt, shapely.points(made.points.true), "PointZ", style="control_residuals")
+        if layer:
+            results["OUTPUT_POINTS"] = layer
+        report = self.output_path(parameters, "OUTPUT_REPORT", context)
+        if report:
+            write_cloud_report(report, made)
+            results["OUTPUT_REPORT"] = str(report)
+        return results
+
+
+def _figures(made) -> dict:
+    control = made.used.any(axis=1)
+    figures = {f"SHIFT_{axis}": float(value) for axis, value in zip(AXES, made.shift)}
+    figures |= {"RMS_BEFORE": made.rms(made.points.errors, control)[1], "RMS_AFTER": made.rms(made.after, control)[1],
+                "RMS_LEFT_OUT": made.rms(made.left_out, control)[1],
+                "RMS_CHECK": made.rms(made.after, made.points.check)[1], "WRONG": int(made.wrong.sum())}
+    return {name: value for name, value in figures.items() if math.isfinite(value)}
