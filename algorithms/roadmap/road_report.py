@@ -28,6 +28,41 @@ def write_road_report(path, built) -> None:
     report.write(path)
 
 
+def write_survey_report(path, model) -> None:
+    """Write the report on a road model from a survey."""
+    from ...urbanmap_qgis.io.pages.report import BAD, GOOD, LOOK, Report
+    from ...urbanmap_qgis.roadspace.survey.area_pictures import area_picture, areas_extent, junction_windows
+
+    report = Report(tr("Road model"))
+    unseen = sum(area.source == "continued" for area in model.areas)
+    report.verdict(BAD if not model.areas else LOOK if model.findings else GOOD, tr(
+        "LOD{0}: {1} sections and {2} junctions in {3} areas; {4} areas have borders that were not seen all along, and "
+        "{5} findings are listed below.").format(
+            model.level, sum(piece.kind == "road" for piece in model.pieces),
+            sum(piece.kind == "junction" for piece in model.pieces), len(model.areas), unseen, len(model.findings)))
+    report.section(tr("Areas by kind"))
+    rows = []
+    for kind in dict.fromkeys(area.kind for area in model.areas):
+        some = [area for area in model.areas if area.kind == kind]
+        rows.append((tr(kind), len(some), f"{sum(area.polygon.area for area in some):.1f}",
+                     *(sum(area.source == name for area in some) for name in ("measured", "continued", "official"))))
+    report.table((tr("Kind"), tr("Number"), tr("Area (m²)"), tr("measured"), tr("continued"), tr("official")), rows)
+    if model.areas:
+        report.section(tr("Map"))
+        report.figure(area_picture(model, areas_extent(model)), tr(
+            "Carriageways grey, lanes blue, junctions orange, sidewalks green, islands dark green; steps red, findings "
+            "numbered."))
+    extents = junction_windows(model)[:PICTURES]
+    if extents:
+        report.section(tr("Junctions"))
+    for number, extent in enumerate(extents, 1):
+        report.figure(area_picture(model, extent), tr("Junction {0}, about {1:.0f}, {2:.0f}: look whether it is cut "
+                                                      "where the stop lines are.").format(
+            number, (extent[0] + extent[2]) / 2, (extent[1] + extent[3]) / 2))
+    _findings(report, model)
+    report.write(path)
+
+
 def _table(report, built) -> None:
     report.section(tr("Surfaces by kind"))
     areas = Counter()

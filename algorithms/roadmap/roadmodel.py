@@ -6,10 +6,14 @@ from collections import Counter
 
 from qgis.core import QgsProcessing
 
+from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
 from ..framework.layers.layers import make_fields
 from .data_date import day_of
+from .surveyed_model import compute_surveyed
+
+LEVELS = ("1", "2", "3.0", "3.1", "3.2", "3.3")
 
 MAP_LEVELS = ("none", "500", "1000", "2500", "5000")
 MATERIALS = ("GSI fundamental data", "digital topographic map", "other data")
@@ -26,8 +30,12 @@ class RoadModel(UrbanMapAlgorithm):
     SOURCE = ("Project PLATEAU, standard product specification of 3D city models 5.0, 4.3, and its working procedure, "
               "annex D")
     HELP = (
-        "Makes the road surfaces of PLATEAU's LOD1 from edges or surfaces of roads alone: cut at junctions, bridges "
-        "and tunnels, with middle lines, findings and a CityGML file.\n"
+        "Makes road models as PLATEAU defines them. LOD1 comes from edges or surfaces of roads alone: cut at "
+        "junctions, bridges and tunnels, with middle lines, findings and a CityGML file. LOD2 and LOD3.0 to 3.3 come "
+        "from the edges that a survey measured: carriageways, junctions cut at the extension of stop lines (from 3.1; "
+        "else at corners), lanes (from 3.1), sidewalks, islands; with steps from 15 cm (3.2) or 2 cm (3.3) as faces. "
+        "What the survey did not see is never made up: it is drawn on over short gaps and told, left undivided where "
+        "only the given roads show it, and each area says its source.\n"
         "Surfaces are dissolved and cut anew; lines along both edges are closed to surfaces, where two ends lie across "
         "a road from each other. A junction is where three or more roads meet. Its arms are cut as the working "
         "procedure says: at the ends of the corner cut-offs, else at the corners; with four or more arms from contact "
@@ -38,7 +46,21 @@ class RoadModel(UrbanMapAlgorithm):
 
     def declare(self):
         self.add_vector("ROADS", "Edges or surfaces of roads", "Polygons of roads, which are dissolved, or lines along "
-                        "both edges of roads, such as the GSI's road edges (RdEdg), in a projected CRS in metres.")
+                        "both edges of roads, such as the GSI's road edges (RdEdg), in a projected CRS in metres. LOD1 "
+                        "is made of them; for finer levels they tell where sidewalks end.", optional=True)
+        self.add_choice("LOD", "Level of detail", "1 of the roads given, 2 and finer of measured edges: 2 without "
+                        "heights; 3.0 with one height across; 3.1 also with lanes and cuts at stop lines; 3.2 with "
+                        "steps from 15 cm; 3.3 with steps from 2 cm.", LEVELS, LEVELS[0])
+        line = QgsProcessing.SourceType.TypeVectorLine
+        self.add_vector("EDGES", "Measured edges", "Lines of “Road edges”; needed for LOD2 and finer.", optional=True,
+                        source_type=line)
+        self.add_vector("TOPS", "Upper edges", "Upper edges of “Road edges”: heights of steps by place. Without them "
+                        "a kerb has its median height all along.", optional=True, source_type=line)
+        self.add_polygons("LANES", "Lanes", "Lanes of “Lane map”.", optional=True)
+        self.add_vector("STOP_LINES", "Stop lines", "Lines of “Lines from road markings”, of which the stop lines are "
+                        "taken, or a layer of stop lines.", optional=True, source_type=line)
+        self.add_raster("GROUND", "Ground elevation", "Heights in metres of what lies more than half a metre from "
+                        "kerbs; without it they come from the edges about.", optional=True)
         self.add_polygons("BRIDGES", "Bridges", "Outlines of bridges and viaducts, in the CRS of the roads: surfaces "
                           "are cut there.", optional=True)
         self.add_polygons("TUNNELS", "Tunnels", "Outlines of tunnels, in the CRS of the roads: surfaces are cut "
@@ -52,10 +74,17 @@ class RoadModel(UrbanMapAlgorithm):
                         "attributes of CityGML.", MAP_LEVELS, MAP_LEVELS[0], advanced=True)
         self.add_text("DATA_DATE", "Date of the data", "Day on which the model was made, such as 2026-04-01; CityGML "
                       "has it as creationDate, which PLATEAU asks for.", "", advanced=True)
-        line, point = QgsProcessing.SourceType.TypeVectorLine, QgsProcessing.SourceType.TypeVectorPoint
+        point = QgsProcessing.SourceType.TypeVectorPoint
         self.add_layer_output("OUTPUT", "Road surfaces", "Polygons: road_id, kind (road, junction, bridge, tunnel), "
                               "function (code), width (mean, m), arms (roads that meet, of a junction), area (m²), "
-                              "source (official), status (made, to look at), finding.")
+                              "source (official, measured), status (made, to look at), finding.")
+        self.add_layer_output("OUTPUT_AREAS", "Areas of roads", "PolygonZ, of LOD2 and finer: area_id, road_id of its "
+                              "surface, kind (carriageway, junction, lane, sidewalk, island; road, not surveyed), "
+                              "function (code), width (m), area (m²), source (measured, continued, official: the "
+                              "weakest of its border), seen (share of the border measured as a kerb), step (highest, "
+                              "m), sigma (m).", optional=True, by_default=True)
+        self.add_layer_output("OUTPUT_STEPS", "Steps", "LineStringZ along the upper edge of each face: area_id, "
+                              "height, length (m); of LOD3.2 and 3.3.", optional=True, source_type=line)
         self.add_layer_output("OUTPUT_AXES", "Middle lines of roads", "Lines equally far from both edges: road_id of "
                               "their surface, kind, width and length (m).", optional=True, source_type=line,
                               by_default=True)
@@ -72,9 +101,15 @@ class RoadModel(UrbanMapAlgorithm):
     def check(self, parameters, context):
         from ...urbanmap_qgis.roadspace.road_city import check_function
 
-        source = self.parameterAsSource(parameters, "ROADS", context)
-        if source is not None:
-            self.require_projected("ROADS", source.sourceCrs())
+        surveyed = self.parameterAsString(parameters, "LOD", context) != LEVELS[0]
+        needed = "EDGES" if surveyed else "ROADS"
+        if parameters.get(needed) in (None, ""):
+            raise InputError(tr("{0} is not given: it is what this level of detail is made of.").format(
+                self.label_of(needed)))
+        for name in ("ROADS", "EDGES"):
+            source = self.parameterAsSource(parameters, name, context)
+            if source is not None:
+                self.require_projected(name, source.sourceCrs())
         check_function(self.parameterAsString(parameters, "FUNCTION", context))
         day_of(self, parameters, context)
 
@@ -84,13 +119,15 @@ class RoadModel(UrbanMapAlgorithm):
         from ...urbanmap_qgis.roadspace.road_surface import surface_of
 
         progress = self.progress(feedback)
+        if self.parameterAsString(parameters, "LOD", context) != LEVELS[0]:
+            return compute_surveyed(self, parameters, context, progress)
         table = self.read_vector(parameters, "ROADS", context, progress.part(0.0, 0.05))
         structures = Structures(*(self._outlines(parameters, name, context, table) for name in ("BRIDGES", "TUNNELS")))
         surface = surface_of(table.geometries)
         built = build_road_model(surface, structures, progress=progress.part(0.1, 0.8))
         built = with_functions(built, table.geometries, known_functions(table.columns.get("function", ())))
         self._tell(built, progress)
-        results = self._write_layers(parameters, context, built, table.crs)
+        results = self.write_road_layers(parameters, context, built, table.crs)
         folder = self.output_path(parameters, "OUTPUT_CITYGML", context)
         if folder is not None:
             results["OUTPUT_CITYGML"] = self._write_citygml(parameters, context, folder, built, table, progress)
@@ -111,7 +148,7 @@ class RoadModel(UrbanMapAlgorithm):
         self.same_crs("ROADS", roads.crs, name, table.crs)
         return [shape for shape in table.geometries if shape is not None]
 
-    def _write_layers(self, parameters, context, built, crs):
+    def write_road_layers(self, parameters, context, built, crs):
         import shapely
 
         function = self.parameterAsString(parameters, "FUNCTION", context)
@@ -137,18 +174,24 @@ class RoadModel(UrbanMapAlgorithm):
         return {name: place for name, place in results.items() if place}
 
     def _write_citygml(self, parameters, context, folder, built, table, progress):
-        from ...urbanmap_qgis.roadspace.road_city import RoadDelivery, write_road_citygml
+        from ...urbanmap_qgis.roadspace.road_city import write_road_citygml
 
-        level = self.parameterAsString(parameters, "MAP_LEVEL", context)
-        delivery = RoadDelivery(function=self.parameterAsString(parameters, "FUNCTION", context),
-                                material=self.parameterAsString(parameters, "MATERIAL", context),
-                                map_level=int(level) if level.isdigit() else 0,
-                                created=day_of(self, parameters, context))
-        if not delivery.created:
-            progress.warn(tr("{0} is not given: CityGML then has no creationDate, which PLATEAU asks for.").format(
-                self.label_of("DATA_DATE")))
+        delivery = self.delivery(parameters, context, progress)
         write_road_citygml(folder, built, table.crs_wkt, delivery, progress.part(0.8, 0.95))
         return str(folder)
+
+    def delivery(self, parameters, context, progress):
+        """What holds for all roads in CityGML."""
+        from ...urbanmap_qgis.roadspace.road_city import RoadDelivery
+
+        level = self.parameterAsString(parameters, "MAP_LEVEL", context)
+        created = day_of(self, parameters, context)
+        if not created:
+            progress.warn(tr("{0} is not given: CityGML then has no creationDate, which PLATEAU asks for.").format(
+                self.label_of("DATA_DATE")))
+        return RoadDelivery(function=self.parameterAsString(parameters, "FUNCTION", context),
+                            material=self.parameterAsString(parameters, "MATERIAL", context),
+                            map_level=int(level) if level.isdigit() else 0, created=created)
 
     def _tell(self, built, progress):
         for kind, count in sorted(Counter(piece.kind for piece in built.pieces).items()):

@@ -64,7 +64,8 @@ class SampleCity(UrbanMapAlgorithm):
         self.add_text("FAULTS", "Faults", "Faults of real surveys to put in, with commas between them: steps (in the "
                       "trajectories), stops (a long wait), ghosts (points below the road), rings (lasers that differ), "
                       "ground (heights of the airborne points that are off), rails (and decks), "
-                      "driveways (lowered kerbs), paint (worn and patched), surface (wet and concrete stretches). "
+                      "driveways (lowered kerbs), signs (boards and bollards), islands (in the avenue), paint (worn "
+                      "and patched), surface (wet and concrete stretches). "
                       "Without any the city is as ever.", "", optional=True,
                       advanced=True)
         self.add_number("WORKERS", "Workers", "Number of sensors that measure at the same time. The result does not "

@@ -118,6 +118,25 @@ def road_surfaces(layer) -> None:
                             "[% round(\"width\", 2) %] m<br>[% \"status\" %] [% \"finding\" %]")
 
 
+def road_areas(layer) -> None:
+    """Areas of a surveyed road by kind, as the specification draws them; dashed edges where not all was measured."""
+    colours = {"carriageway": "#c8c8c8", "junction": "#f6c48f", "lane": "#abdcea", "sidewalk": "#bddcaa",
+               "island": "#6aa55e", "road, not surveyed": "#f0f0f0"}
+    layer.setRenderer(QgsCategorizedSymbolRenderer("\"kind\" || if(\"source\" = 'continued', ', continued', '')", [
+        QgsRendererCategory(kind + more, fill(colour, pen=pen), kind + more)
+        for more, pen in (("", "solid"), (", continued", "dash")) for kind, colour in colours.items()]))
+    layer.setMapTipTemplate(
+        "[% \"kind\" %] [% \"area_id\" %], [% round(\"area\", 1) %] m², width [% round(\"width\", 2) %] m<br>"
+        "[% \"source\" %], sigma [% round(\"sigma\", 3) %] m, step [% round(\"step\", 3) %] m")
+
+
+def road_steps(layer) -> None:
+    """Steps, wider where they are high."""
+    rules(layer, [(label, condition, line_symbol("#d7263d", width)) for label, condition, width in (
+        ("under 15 cm", "\"height\" < 0.14", 0.35), ("15 cm and more", "\"height\" >= 0.14", 0.9))])
+    layer.setMapTipTemplate("step of [% round(\"height\", 3) %] m")
+
+
 def loaded_roads(layer) -> None:
     """Roads of a city model by the code of their kind of section."""
     kinds = {"1": ("#e3e3e3", "ordinary section"), "2": ("#a9cbe6", "viaduct"), "3": ("#a9cbe6", "bridge"),
@@ -199,6 +218,9 @@ FIELDS = {
                      "reason:string"),
     street_rails: ("LineStringZ", "height:double sigma:double status:string"),
     road_surfaces: ("Polygon", "road_id:integer kind:string width:double area:double status:string finding:string"),
+    road_areas: ("PolygonZ", "area_id:integer road_id:integer kind:string width:double area:double source:string "
+                 "seen:double step:double sigma:double"),
+    road_steps: ("LineStringZ", "area_id:integer height:double length:double"),
     loaded_roads: ("MultiPolygon", "road_id:string section:string function:string width:double"),
     road_axes: ("LineString", "road_id:integer kind:string width:double length:double"),
     road_findings: ("Point", "kind:string text:string"),

@@ -105,3 +105,61 @@ def test_roads_that_operators_cut_are_cut_anew(run, read_layer, real_data, tmp_p
                                                                         rel=1e-5)
     checked = run("urbanmap:checkcitymodel", {"INPUT_FOLDER": str(tmp_path / "city"), "OUTPUT": "memory:"})
     assert (checked["OBJECTS"], checked["ERRORS"], checked["WARNINGS"]) == (made["SURFACES"], 0, 0)
+
+
+def survey_layers(tmp_path):
+    """Edges and upper edges of the crossing of known measures, its roads and stop lines, as files."""
+    from tests.core.surveyed_scene import crossing, official
+
+    def lines(path, rows):
+        shapes = [{"type": "Feature", "properties": properties, "geometry": {
+            "type": kind, "coordinates": coordinates}} for properties, kind, coordinates in rows]
+        path.write_text(json.dumps({"type": "FeatureCollection", "features": shapes, "crs": {
+            "type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::6677"}}}), encoding="utf-8")
+        return str(path)
+
+    def moved(points):
+        return [[x + X, y + Y, *more] for x, y, *more in points]
+
+    edges = [({"edge_id": number, "kind": "kerb", "height": one.height, "sigma": one.sigma, "sigma_z": one.sigma_z,
+               "chain": one.chain, "gap": 0.0}, one) for number, one in enumerate(crossing())]
+    stops = [[[-18, 0], [-18, 6]], [[18, 0], [18, -6]], [[0, 18], [4, 18]], [[0, -18], [-4, -18]]]
+    return {
+        "EDGES": lines(tmp_path / "edges.geojson", [(row, "LineString", moved(one.foot.tolist()))
+                                                    for row, one in edges]),
+        "TOPS": lines(tmp_path / "tops.geojson", [({"edge_id": row["edge_id"]}, "LineString", moved(one.top.tolist()))
+                                                  for row, one in edges]),
+        "ROADS": lines(tmp_path / "official.geojson", [({}, "Polygon", [moved(official().exterior.coords)])]),
+        "STOP_LINES": lines(tmp_path / "stops.geojson", [({"class": "stop line"}, "LineString", moved(stop))
+                                                         for stop in stops])}
+
+
+def test_a_survey_gives_areas_steps_citygml_and_report(run, read_layer, tmp_path):
+    results = run(ALGORITHM, {
+        **survey_layers(tmp_path), "LOD": "3.3", "DATA_DATE": "2026-04-01", "OUTPUT": str(tmp_path / "roads.gpkg"),
+        "OUTPUT_AREAS": str(tmp_path / "areas.gpkg"), "OUTPUT_STEPS": str(tmp_path / "steps.gpkg"),
+        "OUTPUT_FINDINGS": str(tmp_path / "findings.gpkg"), "OUTPUT_CITYGML": str(tmp_path / "city"),
+        "OUTPUT_REPORT": str(tmp_path / "report.html")})
+    assert (results["SURFACES"], results["JUNCTIONS"]) == (5, 1)
+    rows = [row.attributes for row in read_layer(results["OUTPUT_AREAS"])]
+    assert {row["kind"] for row in rows} == {"carriageway", "junction", "sidewalk", "road, not surveyed"}
+    assert {row["source"] for row in rows if row["kind"] == "carriageway"} == {"measured"}
+    steps = [row.attributes for row in read_layer(results["OUTPUT_STEPS"])]
+    assert all(row["height"] == pytest.approx(0.15, abs=2e-3) for row in steps)
+    assert {row.attributes["kind"] for row in read_layer(results["OUTPUT_FINDINGS"])} >= {"end of the survey"}
+    (file,) = (tmp_path / "city" / "udx" / "tran").iterdir()
+    text = file.read_text(encoding="utf-8")
+    assert text.count("<tran:TrafficArea ") == sum(row["kind"] != "road, not surveyed" for row in rows)
+    assert "LOD3.3" in (tmp_path / "report.html").read_text(encoding="utf-8")
+    checked = run("urbanmap:checkcitymodel", {"INPUT_FOLDER": str(tmp_path / "city"), "OUTPUT": "memory:"})
+    assert (checked["OBJECTS"], checked["ERRORS"], checked["WARNINGS"]) == (5, 0, 0)
+
+
+def test_a_level_without_what_it_is_made_of_is_refused(run, tmp_path):
+    with pytest.raises(Exception, match="Measured edges"):
+        run(ALGORITHM, {"LOD": "3.0", "ROADS": layer(tmp_path / "roads.geojson", [EAST_WEST]), "OUTPUT": "memory:"})
+    with pytest.raises(Exception, match="Edges or surfaces of roads"):
+        run(ALGORITHM, {"EDGES": survey_layers(tmp_path)["EDGES"], "OUTPUT": "memory:"})
+    with pytest.raises(Exception, match="edge_id"):
+        run(ALGORITHM, {"LOD": "3.0", "EDGES": survey_layers(tmp_path)["EDGES"],
+                        "TOPS": survey_layers(tmp_path)["STOP_LINES"], "OUTPUT": "memory:"})

@@ -16,6 +16,10 @@ import numpy as np
 from ..geometry.solid import FaceTexture
 
 BUILDING, BUILDING_PART, ROAD = "Building", "BuildingPart", "Road"
+TRAFFIC_AREA, AUXILIARY_AREA = "TrafficArea", "AuxiliaryTrafficArea"
+ROAD_AREAS = (TRAFFIC_AREA, AUXILIARY_AREA)
+"""What a road is divided into: areas for traffic, and areas beside it such as islands."""
+
 CITY_FURNITURE, SINGLE_TREE = "CityFurniture", "SolitaryVegetationObject"
 STREET_KINDS = (CITY_FURNITURE, SINGLE_TREE)
 """What stands in a street: posts, lamps, signals, signs; trees."""
@@ -130,10 +134,10 @@ class CityObject:
         modules stand alone ("measuredHeight", "function"), those
         of generic attributes and of extensions carry "gen:" and "uro:". Postal addresses stand under `ADDRESS`.
     shapes : all levels of detail side by side; several solids of one level are one geometry.
-    type : `BUILDING`, `BUILDING_PART`, `ROAD`, one of `STREET_KINDS` or of `FITTINGS`.
+    type : `BUILDING`, `BUILDING_PART`, `ROAD`, one of `ROAD_AREAS`, of `STREET_KINDS` or of `FITTINGS`.
     parts : parts that stand alone, of a building only.
     problems : what a reader found wrong with the object, in words.
-    fittings : its installations and rooms, a room's furniture.
+    fittings : its installations and rooms, a room's furniture, a road's areas.
     """
 
     id: str

@@ -131,7 +131,7 @@ def _crosses(segment: shapely.Geometry, net: shapely.Geometry, ends: np.ndarray)
 
 
 def _road_side(faces: list, closing, findings: list[RoadFinding]) -> list[shapely.Polygon]:
-    """Of faces side by side every second one: of the two choices, the one with the narrower faces."""
+    """Of faces side by side every second one: the choice that is closed across, or has the narrower faces."""
     tree = shapely.STRtree(faces)
     one, other = tree.query(faces, predicate="touches")
     beside: list[list[tuple[int, bool]]] = [[] for _ in faces]
@@ -163,13 +163,19 @@ def _road_side(faces: list, closing, findings: list[RoadFinding]) -> list[shapel
                     findings.append(RoadFinding("sides contradict", say(
                         "The edges around this face do not tell on which of their sides the road lies: an edge is "
                         "missing, or a line is none of an edge."), *point.tolist()))
-        chosen += _narrower(faces, group, side)
+        chosen += _chosen_side(faces, group, side, closing)
     return chosen
 
 
-def _narrower(faces: list, group: list[int], side: np.ndarray) -> list[shapely.Polygon]:
+def _chosen_side(faces: list, group: list[int], side: np.ndarray, closing) -> list[shapely.Polygon]:
+    """Of the two choices the one that is closed across, as roads are where the data end; else the narrower one."""
     choices = [[faces[number] for number in group if side[number] == value] for value in (0, 1)]
     if not all(choices):
         return choices[0] or choices[1]
+    if closing is not None:
+        closed = [shapely.length(shapely.intersection(shapely.union_all([face.boundary for face in choice]), closing))
+                  for choice in choices]
+        if max(closed) > 2.0 * min(closed) + 1.0:
+            return choices[int(np.argmax(closed))]
     widths = [sum(face.area for face in choice) / sum(face.length for face in choice) for choice in choices]
     return choices[int(np.argmin(widths))]

@@ -23,6 +23,8 @@ FAULTS = {
     "ground": "heights of the airborne points are 5 cm off in the mean and wander by 5 cm more over 40 m",
     "rails": "rails along the kerbs and decks above the pavements",
     "driveways": "kerbs of the main streets lowered to 2 cm over 4 m, every 30 m",
+    "signs": "sign posts with boards and groups of bollards along the main streets",
+    "islands": "raised islands in the middle of the avenue",
     "paint": "worn markings, and patches of new asphalt over them between the flights and the drives",
     "surface": "wet and concrete stretches of road, dark and bright to the mobile scanners",
 }

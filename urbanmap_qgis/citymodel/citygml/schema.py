@@ -13,6 +13,7 @@ from datetime import date
 from types import MappingProxyType
 
 from ..model import (
+    AUXILIARY_AREA,
     BUILDING,
     BUILDING_PART,
     BUILDING_ROOM,
@@ -26,6 +27,7 @@ from ..model import (
     ROOF_EDGE,
     SINGLE_TREE,
     SOLID,
+    TRAFFIC_AREA,
     CodeValue,
     Measure,
 )
@@ -71,9 +73,13 @@ ROADS: Mapping[str, str] = MappingProxyType({"Road": ROAD})
 ROAD_PARTS = frozenset({"trafficArea", "auxiliaryTrafficArea"})
 """Properties of a road that hold its areas."""
 
+ROAD_AREA_PROPERTIES: Mapping[str, str] = MappingProxyType({
+    TRAFFIC_AREA: "trafficArea", AUXILIARY_AREA: "auxiliaryTrafficArea"})
+"""Properties of a road that hold its areas, by their kinds, in the schema's order."""
+
 THEMES: Mapping[str, str] = MappingProxyType({
     BUILDING: "bldg", BUILDING_PART: "bldg", ROAD: "tran", CITY_FURNITURE: "frn", SINGLE_TREE: "veg",
-    **dict.fromkeys(FITTING_ELEMENTS.values(), "bldg")})
+    TRAFFIC_AREA: "tran", AUXILIARY_AREA: "tran", **dict.fromkeys(FITTING_ELEMENTS.values(), "bldg")})
 """Prefixes of the modules by the kinds of objects, which are their folders, too, in PLATEAU's data."""
 
 EXTENSIONS_FIRST = (SINGLE_TREE,)
@@ -135,6 +141,9 @@ BUILDING_FIELDS: Mapping[str, BuildingField] = MappingProxyType({
 ROAD_FIELDS: Mapping[str, BuildingField] = MappingProxyType({"class": _CODE, "function": _CODE, "usage": _CODE})
 """Attributes of tran:TransportationComplex, and of installations, rooms and all furniture, in the schema's order."""
 
+ROAD_AREA_FIELDS: Mapping[str, BuildingField] = MappingProxyType({**ROAD_FIELDS, "surfaceMaterial": _CODE})
+"""Attributes of tran:TrafficArea and tran:AuxiliaryTrafficArea in the schema's order."""
+
 _LENGTH = BuildingField((Measure, int, float), unit="m")
 TREE_FIELDS: Mapping[str, BuildingField] = MappingProxyType({
     **ROAD_FIELDS, "species": _CODE, "height": _LENGTH, "trunkDiameter": _LENGTH, "crownDiameter": _LENGTH})
@@ -142,7 +151,7 @@ TREE_FIELDS: Mapping[str, BuildingField] = MappingProxyType({
 
 FIELDS: Mapping[str, Mapping[str, BuildingField]] = MappingProxyType(
     {BUILDING: BUILDING_FIELDS, BUILDING_PART: BUILDING_FIELDS, ROAD: ROAD_FIELDS, CITY_FURNITURE: ROAD_FIELDS,
-     SINGLE_TREE: TREE_FIELDS,
+     SINGLE_TREE: TREE_FIELDS, TRAFFIC_AREA: ROAD_AREA_FIELDS, AUXILIARY_AREA: ROAD_AREA_FIELDS,
      **dict.fromkeys(FITTING_ELEMENTS.values(), ROAD_FIELDS)})
 """Attributes of its module that an object has, by its kind."""
 

@@ -18,6 +18,7 @@ from ..model import (
     INSTALLATION,
     MULTI_SURFACE,
     OPENINGS,
+    ROAD,
     ROOF_EDGE,
     SOLID,
     STREET_KINDS,
@@ -80,6 +81,9 @@ def object_geometry(item: CityObject, identifier: str, places: Places, installat
     elements: dict[str, list[str]] = {name: [] for name in _ORDER}
     for level, shapes in _written_levels(item).items():
         writer.add(level, shapes, elements)
+    for level, members in _area_polygons(item).items():
+        elements[GEOMETRY_NAMES[level, MULTI_SURFACE]].append(
+            f"<tran:lod{level}MultiSurface><gml:MultiSurface>{members}</gml:MultiSurface></tran:lod{level}MultiSurface>")
     elements[INSTALLATIONS].append(installations)
     elements[BOUNDARY_PROPERTY] += writer.boundaries()
     if item.type in _ANY_KIND:  # their schema has the boundary surfaces last
@@ -87,6 +91,19 @@ def object_geometry(item: CityObject, identifier: str, places: Places, installat
         elements[next(reversed(elements))] += last
     writer.made.xml = "".join(text for texts in elements.values() for text in texts)
     return writer.made
+
+
+def _area_polygons(item: CityObject) -> dict[str, str]:
+    """Of a road that is divided into areas: references to their polygons by level, as its own surface is made of
+    them."""
+    if item.type != ROAD:
+        return {}
+    found: dict[str, str] = {}
+    for area in item.fittings:
+        for shape in area.shapes:
+            found[shape.lod[:1]] = found.get(shape.lod[:1], "") + "".join(
+                f'<gml:surfaceMember xlink:href="#{surface.id}"/>' for surface in shape.surfaces if surface.id)
+    return found
 
 
 def _written_levels(item: CityObject) -> dict[str, list[CityShape]]:

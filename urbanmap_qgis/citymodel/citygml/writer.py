@@ -36,6 +36,7 @@ from .schema import (
     FITTING_PROPERTIES,
     GML,
     PART_PROPERTY,
+    ROAD_AREA_PROPERTIES,
     THEMES,
     XAL,
     XLINK,
@@ -260,7 +261,9 @@ def _object(item: CityObject, names: _Names, places, textures: dict[str, list]) 
     """An object as XML; what its textures cover is added to `textures`."""
     module = THEMES[item.type]
     identifier = names.of(item.id, module)
-    early, late = _fittings(item, names, places, textures)
+    areas = "".join(f"<tran:{name}>{_object(area, names, places, textures)}</tran:{name}>"
+                    for kind, name in ROAD_AREA_PROPERTIES.items() for area in item.fittings if area.type == kind)
+    early, late = ("", "") if areas else _fittings(item, names, places, textures)
     geometry = object_geometry(item, identifier, places, early)
     for image, targets in geometry.textured.items():
         textures.setdefault(image, []).extend(targets)
@@ -274,7 +277,7 @@ def _object(item: CityObject, names: _Names, places, textures: dict[str, list]) 
     parts = "".join(f"<bldg:{PART_PROPERTY}>{_object(part, names, places, textures)}</bldg:{PART_PROPERTY}>"
                     for part in item.parts)
     tag = f"{module}:{_ELEMENTS.get(item.type, item.type)}"
-    return f'<{tag} gml:id="{identifier}">{before}{inside}{geometry.xml}{late}{parts}{after}</{tag}>'
+    return f'<{tag} gml:id="{identifier}">{before}{inside}{areas}{geometry.xml}{late}{parts}{after}</{tag}>'
 
 
 def _fittings(item: CityObject, names: _Names, places, textures: dict[str, list]) -> tuple[str, str]:

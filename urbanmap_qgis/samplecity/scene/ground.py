@@ -96,6 +96,7 @@ class Ground:
     streets : at least one along u and one along v.
     parking : polygons of parking lots (projected coordinates).
     lowered : places where kerbs are lowered.
+    islands : raised parts of carriageways, polygons in u, v.
     """
 
     origin: tuple[float, float]
@@ -106,6 +107,7 @@ class Ground:
     streets: tuple[Street, ...]
     parking: tuple[shapely.Polygon, ...] = ()
     lowered: tuple[LoweredKerb, ...] = ()
+    islands: tuple[shapely.Polygon, ...] = ()
 
     def to_local(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """u, v of projected x, y."""
@@ -137,7 +139,18 @@ class Ground:
         step = np.where(kerb > 0, KERB_HEIGHT + LIMITS.pavement_fall * np.minimum(kerb, LIMITS.pavement_reach), 0.0)
         if self.lowered:
             step = np.where(kerb > 0, step - self._lowering(u, v, kerb), 0.0)
+        if self.islands:
+            step = np.where(self._on_island(u, v), KERB_HEIGHT, step)
         return self._general(u, v) + camber + step
+
+    def _on_island(self, u: np.ndarray, v: np.ndarray) -> np.ndarray:
+        """Whether places lie on an island."""
+        shapely.prepare(self._island_plan)
+        return shapely.contains_xy(self._island_plan, u, v)
+
+    @cached_property
+    def _island_plan(self) -> shapely.Geometry:
+        return shapely.union_all(list(self.islands))
 
     def _lowering(self, u: np.ndarray, v: np.ndarray, kerb: np.ndarray) -> np.ndarray:
         """By how much the pavement lies lower than behind a full kerb (m), at places `kerb` m behind the kerb line."""
@@ -154,7 +167,7 @@ class Ground:
     def bounds_of_relief(self) -> tuple[float, float]:
         """Least and greatest difference of the height from the general plane z0 + slope . (u, v), m."""
         return (-self.wave, self.wave + max(
-            max(street.rise for street in self.streets),
+            max(street.rise for street in self.streets) + (KERB_HEIGHT if self.islands else 0.0),
             KERB_HEIGHT + LIMITS.pavement_fall * LIMITS.pavement_reach))
 
     def plane(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
@@ -173,6 +186,8 @@ class Ground:
         pavement = np.where(beyond_u < beyond_v, along_u.pavement[near_u], along_v.pavement[near_v])
         kind = np.where(kerb <= 0, Surface.CARRIAGEWAY,
                         np.where(kerb <= pavement, Surface.PAVEMENT, Surface.PLOT)).astype(np.uint8)
+        if self.islands:
+            kind[self._on_island(u, v)] = Surface.PAVEMENT
         for lot in self.parking:
             shapely.prepare(lot)
             kind[shapely.contains_xy(lot, x, y) & (kind == Surface.PLOT)] = Surface.PARKING

@@ -215,6 +215,18 @@ def worn_and_patched(markings: tuple[Marking, ...], rng: np.random.Generator) ->
     return tuple(changed)
 
 
+def beside_islands(markings: tuple[Marking, ...], ground: Ground) -> tuple[Marking, ...]:
+    """Markings without what islands stand on."""
+    islands = ground.plan_to_world(shapely.union_all(list(ground.islands)))
+    kept = []
+    for marking in markings:
+        rest = marking.plan.difference(islands)
+        kept += [marking] if rest.equals(marking.plan) else [
+            replace(marking, plan=part) for part in shapely.get_parts(rest)
+            if part.geom_type == "Polygon" and part.area > 0.01]
+    return tuple(kept)
+
+
 def _bays(ground: Ground, lot: shapely.Polygon) -> list[Marking]:
     """Lines between the bays of a parking lot: comb along its longer side."""
     u, v = ground.to_local(*shapely.get_coordinates(lot).T)

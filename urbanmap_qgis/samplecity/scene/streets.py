@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import shapely
 
 from .ground import Ground, LoweredKerb, Street
 from .model import Lane
@@ -12,6 +13,9 @@ AVENUE_PITCH, STREET_PITCH = 72.0, 80.0
 
 BEYOND = 25.0
 """Lanes and markings go on beyond the city's square, m."""
+
+ISLAND_WIDTH, ISLAND_END, ISLAND_LENGTH = 0.8, 16.0, 24.0
+"""Of islands in the middle of the avenue: width, distance from the kerb line of a crossing street, greatest length."""
 
 
 def make_ground(size: float, origin: tuple[float, float], rng: np.random.Generator) -> Ground:
@@ -56,3 +60,20 @@ def lowered_kerbs(ground: Ground, size: float) -> tuple[LoweredKerb, ...]:
             if all(abs(start + 2.0 - other.at) > other.half_width + 12.0 for other in others):
                 places += [LoweredKerb(street.name, side, float(start), float(start) + 4.0) for side in (1, -1)]
     return tuple(places)
+
+
+def median_islands(ground: Ground, size: float) -> tuple[shapely.Polygon, ...]:
+    """Raised islands with round ends along the middle of the avenue, clear of crossings; in u, v."""
+    avenue = next(street for street in ground.streets if street.name == "A")
+    others = [other for other in ground.streets if other.along != avenue.along]
+    islands = []
+    for start in np.arange(-size / 2 + 6.0, size / 2 - 8.0, ISLAND_LENGTH + 8.0):
+        clear = [(float(other.at - other.half_width - ISLAND_END), float(other.at + other.half_width + ISLAND_END))
+                 for other in others]
+        end = min([start + ISLAND_LENGTH, size / 2 - 6.0, *(low for low, _ in clear if low > start)])
+        if end - start < 5.0 or any(low < start < high for low, high in clear):
+            continue
+        half = ISLAND_WIDTH / 2.0
+        line = shapely.linestrings([[start + half, avenue.at], [end - half, avenue.at]])
+        islands.append(line.buffer(half, quad_segs=8))
+    return tuple(islands)

@@ -21,10 +21,11 @@ from .buildings import make_buildings
 from .faces import Boxes, building_faces, furniture_faces, join, vehicle_boxes
 from .furniture import make_furniture, make_parked, make_traffic, make_trees, rails_and_decks
 from .ground import Ground, Surface
-from .markings import make_markings, worn_and_patched
+from .markings import beside_islands, make_markings, worn_and_patched
 from .model import AERIAL, GROUND, Building, Crowns, Faces, Furniture, Lane, Marking, Material, Tree, Vehicle
 from .paint import Paint
-from .streets import lowered_kerbs, make_ground, make_lanes
+from .signs import signs_and_bollards
+from .streets import lowered_kerbs, make_ground, make_lanes, median_islands
 
 CRS = "EPSG:6677"
 SURVEYED = date(2024, 4, 1)
@@ -161,14 +162,20 @@ def make_scene(size: float = 200.0, scene: str = "canyon", seed: int | np.random
     faults = checked_faults(faults)
     if "driveways" in faults:
         ground = replace(ground, lowered=lowered_kerbs(ground, size))
+    if "islands" in faults:
+        ground = replace(ground, islands=median_islands(ground, size))
     lanes = make_lanes(ground, size)
     trees = make_trees(ground, size, planted)
     markings = make_markings(ground, size, scene, painted)
+    if "islands" in faults:
+        markings = beside_islands(markings, ground)
     furniture = make_furniture(ground, size, scene, trees, furnished)
     if "paint" in faults:
         markings = worn_and_patched(markings, fault_rng("paint", sequence))
     if "rails" in faults:
         furniture = (*furniture, *rails_and_decks(ground, size))
+    if "signs" in faults:
+        furniture = (*furniture, *signs_and_bollards(ground, size, fault_rng("signs", sequence)))
     return Scene(scene, float(size), ground, buildings, markings, trees, furniture, lanes,
                  (*make_parked(ground, size, parked), *make_traffic(lanes, driven)), faults)
 

@@ -36,6 +36,7 @@ def true_kerbs(scene: Scene) -> Layer:
              else shapely.box(s.at - s.half_width, -2 * reach, s.at + s.half_width, 2 * reach) for s in ground.streets]
     streets = shapely.union_all(bands).buffer(KERB_RADIUS, quad_segs=64).buffer(-KERB_RADIUS, quad_segs=64)
     lines = shapely.get_parts(shapely.line_merge(streets.boundary & shapely.box(-reach, -reach, reach, reach)))
+    lines = [*lines, *(island.exterior for island in ground.islands)]
     plans, heights = [], []
     for line in lines:
         marks = np.linspace(0.0, line.length, max(int(np.ceil(line.length / LIMITS.piece)), 1) + 1)

@@ -102,8 +102,10 @@ def _area_plans(scene: Scene) -> Iterator[tuple[str, shapely.Polygon]]:
              else shapely.box(s.at - s.half_width, -2 * half_extent, s.at + s.half_width, 2 * half_extent)
              for s in scene.ground.streets]
     streets = shapely.union_all(bands).buffer(KERB_RADIUS, quad_segs=32).buffer(-KERB_RADIUS, quad_segs=32)
-    yield "carriageway", scene.ground.plan_to_world(streets & shapely.box(-half_extent, -half_extent, half_extent,
-                                                                          half_extent))
+    streets &= shapely.box(-half_extent, -half_extent, half_extent, half_extent)
+    if scene.ground.islands:
+        streets -= shapely.union_all(list(scene.ground.islands))
+    yield "carriageway", scene.ground.plan_to_world(streets)
     for lot in scene.ground.parking:
         yield "parking", lot
     yield "city", scene.extent

@@ -1,0 +1,125 @@
+"""The part of `roadmodel` that works from a survey: its inputs, layers and messages."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from ...urbanmap_qgis.errors import InputError
+from ..framework.declaring.parameters import tr
+from ..framework.layers.layers import make_fields
+
+AREA_FIELDS = (("area_id", "int"), ("road_id", "int"), ("kind", "text"), ("function", "text"), ("width", "real"),
+               ("area", "real"), ("source", "text"), ("seen", "real"), ("step", "real"), ("sigma", "real"))
+STEP_FIELDS = (("area_id", "int"), ("height", "real"), ("length", "real"))
+
+
+def read_survey_roads(algorithm, parameters, context, progress):
+    """Edges and what goes with them, the CRS of the edges, and the opened raster of the ground or None."""
+    from ...urbanmap_qgis.roadspace.road_surface import surface_of
+    from ...urbanmap_qgis.roadspace.survey.area_records import kerb_edge_lines
+    from ...urbanmap_qgis.roadspace.survey.survey_roads import SurveyInputs
+
+    table = algorithm.read_vector(parameters, "EDGES", context, progress)
+    others = {name: algorithm.read_vector(parameters, name, context) for name in ("TOPS", "ROADS", "LANES",
+                                                                                  "STOP_LINES")}
+    for name, other in others.items():
+        if other is not None:
+            algorithm.same_crs("EDGES", table.crs, name, other.crs)
+    tops = others["TOPS"]
+    if tops is not None and "edge_id" not in tops.columns:
+        raise InputError(tr("{0} has no field edge_id; give the upper edges of “Road edges”.").format(tops.label))
+    by_number = {} if tops is None else {
+        int(number): shape for number, shape in zip(tops.columns["edge_id"], tops.geometries) if shape is not None}
+    edges = kerb_edge_lines(table.geometries, by_number, table.columns)
+    roads = others["ROADS"]
+    official = () if roads is None else surface_of(roads.geometries).polygons
+    lanes = _plans(others["LANES"], "kind", "lane", "Polygon")
+    stops = _plans(others["STOP_LINES"], "class", "stop line", "LineString")
+    return edges, SurveyInputs(official, lanes, stops), table
+
+
+def _plans(table, field, wanted, kind):
+    """Parts in plan of the features of a table whose field has a value; of all without that field."""
+    import shapely
+
+    if table is None:
+        return ()
+    chosen = [shape for row, shape in enumerate(table.geometries) if shape is not None
+              and (field not in table.columns or table.columns[field][row] == wanted)]
+    return [part for shape in chosen for part in shapely.get_parts(shapely.force_2d(shape))
+            if part.geom_type == kind and not part.is_empty]
+
+
+def write_area_layers(algorithm, parameters, context, model, crs) -> dict:
+    """The layers of areas and steps."""
+    import shapely
+
+    from ...urbanmap_qgis.roadspace.survey.area_records import FUNCTIONS
+
+    steps = Counter()
+    for step in model.steps:
+        steps[step.area] = max(steps[step.area], step.height)
+    areas = model.areas
+    columns = {"area_id": list(range(1, len(areas) + 1)),
+               "road_id": [area.road + 1 if area.road >= 0 else None for area in areas],
+               "function": [FUNCTIONS.get(area.kind) for area in areas],
+               "area": [area.polygon.area for area in areas],
+               "step": [steps.get(number) for number in range(len(areas))],
+               **{name: [getattr(area, name) for area in areas] for name in (
+                   "kind", "width", "source", "seen", "sigma")}}
+    results = {"OUTPUT_AREAS": algorithm.write_layer(
+        parameters, "OUTPUT_AREAS", context, make_fields(*AREA_FIELDS), columns, crs,
+        [area.raised for area in areas], "PolygonZ", style="road_areas")}
+    results["OUTPUT_STEPS"] = algorithm.write_layer(
+        parameters, "OUTPUT_STEPS", context, make_fields(*STEP_FIELDS), {
+            "area_id": [step.area + 1 for step in model.steps],
+            **{name: [getattr(step, name) for step in model.steps] for name in ("height", "length")}},
+        crs, [shapely.linestrings(step.upper) for step in model.steps], "LineStringZ", style="road_steps")
+    return {name: place for name, place in results.items() if place}
+
+
+def tell_surveyed(model, progress) -> None:
+    """What was made, in words."""
+    for kind, count in sorted(Counter(area.kind for area in model.areas).items()):
+        progress.message(tr("{0}: {1}").format(tr(kind), count))
+    for kind, count in sorted(Counter(one.kind for one in model.findings).items()):
+        progress.warn(tr("{0}: {1}").format(tr(kind), count))
+
+
+def compute_surveyed(algorithm, parameters, context, progress):
+    """LOD2 and finer."""
+    from contextlib import ExitStack
+    from dataclasses import replace
+
+    from ...urbanmap_qgis.io.raster import RasterSampler
+    from ...urbanmap_qgis.roadspace.road_records import RoadSurfaceModel
+    from ...urbanmap_qgis.roadspace.survey.survey_roads import surveyed_roads
+
+    edges, inputs, table = read_survey_roads(algorithm, parameters, context, progress.part(0.0, 0.1))
+    ground = algorithm.raster_path(parameters, "GROUND", context)
+    with ExitStack() as opened:
+        if ground is not None:
+            raster = opened.enter_context(RasterSampler(ground))
+            algorithm.same_crs("GROUND", raster.crs_wkt, "EDGES", table.crs)
+            inputs = replace(inputs, ground=raster.sample)
+        model = surveyed_roads(edges, algorithm.parameterAsString(parameters, "LOD", context), inputs,
+                               progress.part(0.1, 0.8))
+    tell_surveyed(model, progress)
+    built = RoadSurfaceModel(model.pieces, (), model.findings)
+    results = {**algorithm.write_road_layers(parameters, context, built, table.crs),
+               **write_area_layers(algorithm, parameters, context, model, table.crs)}
+    folder = algorithm.output_path(parameters, "OUTPUT_CITYGML", context)
+    if folder is not None:
+        from ...urbanmap_qgis.roadspace.survey.area_city import write_survey_citygml
+
+        write_survey_citygml(folder, model, table.crs_wkt, algorithm.delivery(parameters, context, progress),
+                             progress.part(0.8, 0.95))
+        results["OUTPUT_CITYGML"] = str(folder)
+    report = algorithm.output_path(parameters, "OUTPUT_REPORT", context)
+    if report is not None:
+        from .road_report import write_survey_report
+
+        write_survey_report(report, model)
+        results["OUTPUT_REPORT"] = str(report)
+    return {**results, "SURFACES": len(model.pieces), "JUNCTIONS": built.count("junction"),
+            "FINDINGS": len(model.findings)}

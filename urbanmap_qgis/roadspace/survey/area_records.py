@@ -1,0 +1,187 @@
+"""What a road model from a survey is made of: measured edges, areas of the road, steps between them.
+
+Source: Project PLATEAU, standard product specification of 3D city models 5.0, 4.3.1.3 and 4.3.1.4.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+
+from ..road_records import RoadFinding, RoadPiece
+
+CARRIAGEWAY, CROSSING, LANE, SIDEWALK, ISLAND, UNDIVIDED = (
+    "carriageway", "junction", "lane", "sidewalk", "island", "road, not surveyed")
+KINDS = (CARRIAGEWAY, CROSSING, LANE, SIDEWALK, ISLAND, UNDIVIDED)
+
+FUNCTIONS = {CARRIAGEWAY: "1000", LANE: "1010", CROSSING: "1020", SIDEWALK: "2000", ISLAND: "3000"}
+"""Codes of `TrafficArea_function`; that of islands of `AuxiliaryTrafficArea_function`."""
+
+MEASURED, CONTINUED, OFFICIAL = "measured", "continued", "official"
+"""Where a border comes from: a survey, drawn on where nothing was seen, or given edges of roads."""
+
+LEVELS = ("2", "3.0", "3.1", "3.2", "3.3")
+WITH_LANES = LEVELS[2:]
+"""Levels that divide carriageways into lanes and cut junctions at stop lines."""
+
+STEPS = {"3.2": 0.15, "3.3": 0.02}
+"""Least step in height that is a face of its own, m, by level; levels without one have one height across."""
+
+
+DIGITS = 6
+"""Of coordinates, by which corners are the same."""
+
+
+def corner_of(point: Sequence[float]) -> tuple[float, float]:
+    """What a corner is known by."""
+    return round(float(point[0]), DIGITS), round(float(point[1]), DIGITS)
+
+
+@dataclass(frozen=True, eq=False)
+class EdgeLine:
+    """A measured edge of a carriageway.
+
+    Attributes
+    ----------
+    foot, top : (n, 3) m; `top` is `foot` raised by `height` where it was not given.
+    height : of the step, m; 0 of a border without one.
+    sigma, sigma_z : m.
+    chain : number that the parts of one edge share.
+    gap : m to the next part of its chain; 0 where there is none.
+    """
+
+    foot: np.ndarray
+    top: np.ndarray
+    height: float
+    sigma: float
+    sigma_z: float
+    chain: int
+    gap: float
+
+    @property
+    def plan(self) -> np.ndarray:
+        """(n, 2) the middle of its face, m."""
+        return (self.foot[:, :2] + self.top[:, :2]) / 2.0
+
+
+@dataclass(frozen=True, eq=False)
+class TrafficSurface:
+    """A part of a road with one use.
+
+    Attributes
+    ----------
+    polygon : in plan, m, outer ring counterclockwise; shares its corners with those beside it to the bit.
+    kind : one of `KINDS`.
+    road : number of the section or junction that it belongs to.
+    source : `MEASURED`, `CONTINUED` or `OFFICIAL`, the weakest of what more than a tenth of its border is.
+    seen : share of its border that was measured.
+    width : of a strip with the same area and border, m.
+    heights : z (n,) of the polygon's corners by place, m; empty where there are none.
+    sigma : of its border, m; NaN where nothing was measured.
+    """
+
+    polygon: shapely.Polygon
+    kind: str
+    road: int
+    source: str
+    seen: float
+    width: float
+    heights: dict[tuple[float, float], float]
+    sigma: float
+
+    def rings(self) -> list[np.ndarray]:
+        """Its rings (n, 3) with the heights of their corners, closed, the outer one first, m."""
+        return [np.array([(*corner, self.heights[corner_of(corner)]) for corner in
+                          shapely.get_coordinates(ring).tolist()])
+                for ring in (self.polygon.exterior, *self.polygon.interiors)]
+
+    @property
+    def raised(self) -> shapely.Polygon:
+        """The polygon with the heights of its corners."""
+        outer, *inner = self.rings()
+        return shapely.Polygon(outer, inner)
+
+
+@dataclass(frozen=True, eq=False)
+class StepFace:
+    """The face of a step: ring (n, 3), m, of the area that it belongs to, and its mean height, m."""
+
+    ring: np.ndarray
+    area: int
+    height: float
+
+    @property
+    def upper(self) -> np.ndarray:
+        """The line (2, 3) along its upper edge, m."""
+        ends: dict[tuple[float, float], list[float]] = {}
+        for point in self.ring.tolist():
+            place = (point[0], point[1])
+            if place not in ends or point[2] > ends[place][2]:
+                ends[place] = point
+        return np.array(list(ends.values()))
+
+    @property
+    def length(self) -> float:
+        """In plan, m."""
+        return float(np.hypot(*(self.upper[1] - self.upper[0])[:2]))
+
+
+@dataclass(frozen=True, eq=False)
+class SurveyedRoads:
+    """Sections and junctions, their areas and steps, and what is to be looked at.
+
+    Attributes
+    ----------
+    level : one of `LEVELS`.
+    pieces : sections and junctions as surfaces of LOD1.
+    areas, steps, findings : see there.
+    """
+
+    level: str
+    pieces: tuple[RoadPiece, ...]
+    areas: tuple[TrafficSurface, ...]
+    steps: tuple[StepFace, ...]
+    findings: tuple[RoadFinding, ...]
+
+    def count(self, kind: str) -> int:
+        """Number of areas of a kind."""
+        return sum(area.kind == kind for area in self.areas)
+
+    def area_of(self, kind: str) -> float:
+        """Of all areas of a kind, m2."""
+        return float(sum(area.polygon.area for area in self.areas if area.kind == kind))
+
+
+def kerb_edge_lines(feet, tops, columns) -> list[EdgeLine]:
+    """Kerbs, lowered kerbs and borders of a table of road edges.
+
+    Parameters
+    ----------
+    feet : lines with heights along the foot, one a row; None for none.
+    tops : likewise along the top by the edge's number (`edge_id`); empty where not given.
+    columns : lists by field: kind, height, sigma, sigma_z, chain, gap, edge_id; what is missing is not known.
+    """
+    def value(name: str, row: int, otherwise: float) -> float:
+        cell = columns[name][row] if name in columns else None
+        return otherwise if cell is None else float(cell)
+
+    lines = []
+    for row, shape in enumerate(feet):
+        kind = str(columns["kind"][row]) if "kind" in columns else "kerb"
+        if shape is None or kind not in ("kerb", "lowered kerb", "road border"):
+            continue
+        for part in shapely.get_parts(shape):
+            foot = shapely.get_coordinates(part, include_z=True)
+            if part.geom_type != "LineString" or len(foot) < 2 or part.length == 0:
+                continue
+            height = max(value("height", row, 0.0), 0.0) if kind != "road border" else 0.0
+            other = tops.get(int(value("edge_id", row, -1)))
+            top = None if other is None else shapely.get_coordinates(other, include_z=True)
+            if top is None or len(top) != len(foot):
+                top = foot + np.array([0.0, 0.0, height])
+            lines.append(EdgeLine(foot, top, height, value("sigma", row, np.nan), value("sigma_z", row, np.nan),
+                                  int(value("chain", row, -1 - row)), value("gap", row, 0.0)))
+    return lines

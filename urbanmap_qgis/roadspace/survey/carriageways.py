@@ -1,0 +1,148 @@
+"""Carriageways between measured edges: gaps of an edge drawn on, both sides closed where the survey ends."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+
+from ...errors import InputError
+from ...wording import say
+from ..road_records import RoadFinding
+from ..road_surface import ClosingLimits, surface_of
+from .area_records import EdgeLine
+
+
+@dataclass(frozen=True)
+class CarriagewayLimits:
+    """Limits of carriageways, each with its unit."""
+
+    same: float = 0.8  # m: parts of one chain whose ends are nearer follow each other; stations are 0.5 m apart
+    gap: float = 12.0  # m; two parked cars; what was not seen over more is not drawn on
+    turn: float = 60.0  # degrees by which an edge may turn from its end into a gap
+    smooth: float = 0.01  # m by which lines may leave what was measured, in plan and in height
+    on: float = 0.03  # m: borders this near to a measured line are measured
+    across: float = 0.5  # cosine of the angle between an edge and the line that closes it; less runs across the road
+    narrow: float = 2.0  # m: what is narrower on average is no carriageway
+
+
+LIMITS = CarriagewayLimits()
+
+
+@dataclass(frozen=True, eq=False)
+class Carriageways:
+    """Polygons between the edges, m.
+
+    Attributes
+    ----------
+    polygons : with islands as holes.
+    measured : all measured lines as one geometry.
+    ends : lines (2, 2) across the road where the survey ends.
+    findings : on the way.
+    """
+
+    polygons: tuple[shapely.Polygon, ...]
+    measured: shapely.Geometry
+    ends: tuple[np.ndarray, ...]
+    findings: tuple[RoadFinding, ...]
+
+
+def carriageways_between(edges: Sequence[EdgeLine]) -> Carriageways:
+    """Carriageways between measured edges.
+
+    Raises
+    ------
+    InputError : there is no edge, or the edges enclose nothing.
+    """
+    if not edges:
+        raise InputError(say("There are no kerbs or road borders among the edges: give the lines of “Road edges”."))
+    lines = [shapely.linestrings(_thinned(edge)) for edge in edges]
+    measured = shapely.union_all(lines)
+    findings: list[RoadFinding] = []
+    bridges = _bridges(edges, findings)
+    surface = surface_of([*lines, *bridges], ClosingLimits(touch=LIMITS.on))
+    polygons = [polygon for polygon in surface.polygons if 2.0 * polygon.area / polygon.length > LIMITS.narrow]
+    if not polygons:
+        raise InputError(say("The edges enclose no carriageway: the survey shows one side of the road only."))
+    known = shapely.union_all([measured, *bridges])
+    ends = [end for polygon in polygons for end in _ends_of(polygon, known)]
+    return Carriageways(tuple(polygons), measured, tuple(ends), (*findings, *surface.findings))
+
+
+def _thinned(edge: EdgeLine) -> np.ndarray:
+    """Places (n, 2) of an edge without those between which its plan, its foot and its step run straight."""
+    plan = edge.plan
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(plan, axis=0).T))])
+    kept = {tuple(point) for point in shapely.get_coordinates(shapely.simplify(
+        shapely.linestrings(plan), LIMITS.smooth)).tolist()}
+    marks = set()
+    for heights in (edge.foot[:, 2], edge.top[:, 2] - edge.foot[:, 2]):
+        profile = shapely.simplify(shapely.linestrings(np.column_stack([along, heights])), LIMITS.smooth)
+        marks |= set(shapely.get_coordinates(profile)[:, 0].tolist())
+    return plan[[place in marks or tuple(point) in kept for place, point in zip(along.tolist(), plan.tolist())]]
+
+
+def _bridges(edges: Sequence[EdgeLine], findings: list[RoadFinding]) -> list[shapely.LineString]:
+    """Lines over the gaps between parts of one edge, which are told."""
+    chains: dict[int, list[EdgeLine]] = defaultdict(list)
+    for edge in edges:
+        chains[edge.chain].append(edge)
+    bridges = []
+    for parts in chains.values():
+        for one, other in zip(parts, parts[1:]):
+            start, end = one.plan[-1], other.plan[0]
+            length = float(np.hypot(*(end - start)))
+            if length == 0:
+                continue
+            if length > LIMITS.same and (not one.gap or length > LIMITS.gap):
+                continue
+            line = shapely.linestrings(_course(one.plan, other.plan))
+            bridges.append(line)
+            if length > LIMITS.same:
+                middle = (start + end) / 2.0
+                findings.append(RoadFinding("edge continued", say(
+                    "The edge was not seen over {length:.1f} m and is drawn on here.", length=length),
+                    *middle.tolist()))
+    return bridges
+
+
+def _course(before: np.ndarray, after: np.ndarray) -> np.ndarray:
+    """A line (n, 2) from the end of one part to the begin of the next that leaves and arrives in their directions."""
+    start, end = before[-1], after[0]
+    chord = end - start
+    length = np.hypot(*chord)
+    leaving, arriving = _direction(before[::-1]) * -1.0, _direction(after)
+    limit = np.cos(np.radians(LIMITS.turn))
+    if length < LIMITS.same or min(leaving @ chord, arriving @ chord) < limit * length:
+        return np.array([start, end])
+    share = np.linspace(0.0, 1.0, max(int(np.ceil(length)), 2) + 1)[:, None]
+    return ((2 * share**3 - 3 * share**2 + 1) * start + (share**3 - 2 * share**2 + share) * length * leaving
+            + (3 * share**2 - 2 * share**3) * end + (share**3 - share**2) * length * arriving)
+
+
+def _direction(line: np.ndarray, reach: float = 2.0) -> np.ndarray:
+    """Unit vector in which a line leaves its first point, over some metres."""
+    away = np.hypot(*(line - line[0]).T)
+    far = int(np.argmax(away >= min(reach, away.max())))
+    vector = line[max(far, 1)] - line[0]
+    return vector / max(np.hypot(*vector), 1e-12)
+
+
+def _ends_of(polygon: shapely.Polygon, known: shapely.Geometry) -> list[np.ndarray]:
+    """Parts of the border that neither were measured nor drawn on, across the road, as lines (2, 2)."""
+    ends = []
+    near = shapely.buffer(known, LIMITS.on)
+    corners = shapely.get_coordinates(polygon.exterior)[:-1]
+    chords = np.roll(corners, -1, axis=0) - corners
+    length = np.hypot(*chords.T)
+    unit = chords / length[:, None]
+    for number in np.flatnonzero(length > LIMITS.narrow):
+        line = np.vstack([corners[number], corners[(number + 1) % len(corners)]])
+        open_length = shapely.length(shapely.difference(shapely.linestrings(line), near))
+        beside = max(abs(unit[number] @ unit[number - 1]), abs(unit[number] @ unit[(number + 1) % len(unit)]))
+        if open_length > 0.5 * length[number] and (beside < LIMITS.across or length[number] > LIMITS.gap):
+            ends.append(line)
+    return ends

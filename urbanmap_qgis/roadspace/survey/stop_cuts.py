@@ -1,0 +1,120 @@
+"""Where carriageways are cut at junctions: at the extension of stop lines, else at corners.
+
+Source: Project PLATEAU, standard product specification of 3D city models 5.0, 4.3.1.4 (LOD3.1 and finer: the stop
+line's extension where there is one; else the corner cut-offs, as in LOD2).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+
+from ..junctions import Arm, Junction, junctions_of
+from ..road_axis import skeleton_of
+
+
+@dataclass(frozen=True)
+class StopCutLimits:
+    """Limits of cuts, each with its unit."""
+
+    reach: float = 20.0  # m from the cut at the corners outwards; stop lines farther away belong to another junction
+    inside: float = 3.0  # m inwards of it
+    least: float = 1.2  # m, of a stop line
+    whole: float = 0.4  # share of the road's width from which a stop line tells its own direction
+    turned: float = 6.0  # degrees; a shorter one that turns less from the road's cross direction takes that
+    skew: float = 40.0  # degrees from the road's cross direction
+    same: float = 2.0  # m along the road between two stop lines that are one for both directions
+    smooth: float = 0.1  # m: corners nearer to a straight line are none
+
+
+LIMITS = StopCutLimits()
+
+
+@dataclass(frozen=True, eq=False)
+class JunctionCut:
+    """A cut across an arm: line (2, 2), m, and whether it is a stop line's extension."""
+
+    line: np.ndarray
+    at_stop_line: bool
+
+
+@dataclass(frozen=True, eq=False)
+class CutJunctions:
+    """Cuts of a carriageway, and its junctions."""
+
+    cuts: tuple[JunctionCut, ...]
+    junctions: tuple[Junction, ...]
+
+
+def junction_cuts(polygon: shapely.Polygon, stops: Sequence[shapely.LineString],
+                  inner: Sequence[shapely.Polygon] = ()) -> CutJunctions:
+    """Cuts of one carriageway.
+
+    Parameters
+    ----------
+    stops : stop lines, m; empty where they are not to cut.
+    inner : islands, which divide no road.
+    """
+    whole = shapely.Polygon(polygon.exterior, [ring for ring in polygon.interiors
+                                              if not any(shapely.Polygon(ring).equals(island) for island in inner)])
+    smooth = shapely.simplify(whole, LIMITS.smooth)
+    if smooth.geom_type != "Polygon" or not smooth.is_valid or smooth.is_empty:
+        smooth = whole
+    junctions = junctions_of(skeleton_of(smooth))
+    cuts = []
+    for junction in junctions:
+        arms = {arm.key: arm for arm in junction.arms}
+        for cut in junction.cuts:
+            corner = np.vstack([cut.left, cut.right])
+            stop = _stop_cut(arms[cut.arm], cut.place, stops, whole)
+            cuts.append(JunctionCut(corner if stop is None else stop, stop is not None))
+        for arm in junction.uncut:
+            stop = _stop_cut(arm, 0.0, stops, whole)
+            if stop is not None:
+                cuts.append(JunctionCut(stop, True))
+    return CutJunctions(tuple(cuts), tuple(junctions))
+
+
+def _stop_cut(arm: Arm, place: float, stops: Sequence[shapely.LineString],
+              surface: shapely.Polygon) -> np.ndarray | None:
+    """The extension (2, 2) over the whole road of the stop line nearest to a junction in an arm; None without one."""
+    axis = shapely.linestrings(arm.branch.points)
+    best: tuple[float, np.ndarray] | None = None
+    for stop in stops:
+        middle = shapely.line_interpolate_point(stop, 0.5, normalized=True)
+        along = float(shapely.line_locate_point(axis, middle))
+        if not place - LIMITS.inside <= along <= place + LIMITS.reach or along in (0.0, axis.length):
+            continue
+        width = 2.0 * float(np.interp(along, _chainage(arm.branch.points), arm.branch.clearance))
+        off = shapely.distance(axis, middle)
+        ends = shapely.get_coordinates(stop)[[0, -1]]
+        across = ends[1] - ends[0]
+        here, there = shapely.get_coordinates(shapely.line_interpolate_point(
+            axis, np.clip([along - width / 4.0, along + width / 4.0], 0.0, axis.length)))
+        course = there - here
+        cosine = abs(across @ course) / max(np.hypot(*across) * np.hypot(*course), 1e-12)
+        if off > width / 2.0 or stop.length < LIMITS.least or cosine > np.sin(np.radians(LIMITS.skew)):
+            continue
+        if stop.length < LIMITS.whole * width and cosine < np.sin(np.radians(LIMITS.turned)):
+            cross = np.array([-course[1], course[0]]) / np.hypot(*course)
+            ends = ends.mean(axis=0) + np.outer([-0.5, 0.5], cross)
+        if best is None or along < best[0]:
+            best = (along, _extended(ends, surface, width))
+    return None if best is None else best[1]
+
+
+def _chainage(points: np.ndarray) -> np.ndarray:
+    return np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+
+
+def _extended(ends: np.ndarray, surface: shapely.Polygon, width: float) -> np.ndarray:
+    """A line drawn on to both borders of a surface."""
+    direction = (ends[1] - ends[0]) / np.hypot(*(ends[1] - ends[0]))
+    middle = ends.mean(axis=0)
+    long = shapely.linestrings(np.vstack([middle - 1.5 * width * direction, middle + 1.5 * width * direction]))
+    parts = [part for part in shapely.get_parts(shapely.intersection(long, surface)) if part.geom_type == "LineString"]
+    nearest = min(parts, key=lambda part: shapely.distance(part, shapely.points(middle)))
+    return shapely.get_coordinates(nearest)[[0, -1]]
