@@ -14,10 +14,11 @@ RESULTS = {
     "walls": {"buildings.gpkg", "walls.gpkg", "merged.gpkg", "merged_cityjson.city.json", "merged_report.html"},
     "accuracymap": {"localisation.gpkg", "localisation_report.html"},
     "reference": {"reference.tif", "reference_polygons.gpkg"}, "buildings": {"buildings_report.html"},
-    "roadmodel": {"roads.gpkg", "roads_axes.gpkg", "roads_report.html", "roads_citygml"}}
+    "roadmodel": {"roads.gpkg", "roads_axes.gpkg", "roads_report.html", "roads_citygml"},
+    "streetobjects": {"objects_1.gpkg", "objects_1_rails.gpkg", "objects_1_report.html", "objects_1_citygml"}}
 """Files among the results of each wish, in the order in which they are wished for."""
 
-KEPT = {"lanemap": 4, "walls": 4, "accuracymap": 6, "reference": 1, "buildings": 1}
+KEPT = {"lanemap": 4, "walls": 4, "accuracymap": 6, "reference": 1, "buildings": 1, "streetobjects": 4}
 """Steps that a wish finds done by those before it."""
 
 
@@ -44,4 +45,7 @@ def test_every_wish_runs_to_its_end(run, plugin, small_city, save_outlines, tmp_
         assert expected <= {path.name for path in Path(done["RESULTS"]).iterdir()}, wish
         reported = [step for step in job.steps if any(name.endswith("REPORT") for name in step.outputs)]
         assert reported and all(step.verdict and step.grade in ("good", "look") for step in reported), wish
+    laid = {step.id: step for step in job.steps}
+    assert laid["survey_1"].outputs["MEDIAN_SIGMA"] > 0.0 and laid["objects_1"].outputs["OBJECTS"] > 0
+    assert laid["objects_1"].outputs["MEDIAN_SIGMA"] >= laid["survey_1"].outputs["MEDIAN_SIGMA"]
     assert job.aside and not any(path.name.startswith(".") for path in Path(done["RESULTS"]).iterdir())

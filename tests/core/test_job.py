@@ -110,7 +110,8 @@ ALGORITHMS = {
     "survey": ["aerialmarkings", *SURVEYED, *SURVEYED],
     "walls": ["buildingsfromals", "aerialmarkings", *SURVEYED, *SURVEYED, "wallsfrommms", "mergebuildingmodels"],
     "lanemap": ["aerialmarkings", *SURVEYED, *SURVEYED, "lanemap"],
-    "accuracymap": ["buildingsfromals", "aerialmarkings", *SURVEYED, *SURVEYED, "lanemap", "localisationaccuracy"]}
+    "accuracymap": ["buildingsfromals", "aerialmarkings", *SURVEYED, *SURVEYED, "lanemap", "localisationaccuracy"],
+    "streetobjects": ["aerialmarkings", *SURVEYED, *SURVEYED, "streetobjects", "streetobjects"]}
 
 
 @pytest.mark.parametrize("wish", ALGORITHMS)
@@ -133,7 +134,23 @@ def test_what_is_missing_is_said_with_where_to_get_it():
     assert any("trajectory" in sentence for sentence in plan_chain("survey", nothing).missing)
     for wish in WISHES:
         assert plan_chain(wish, nothing).missing, wish
-    assert "roadmodel" not in wishes({"lanemap"}) and "roadmodel" in wishes({"roadmodel"})
+    for needed in ("roadmodel", "streetobjects"):
+        assert needed not in wishes({"lanemap"}) and needed in wishes({needed})
+
+
+def test_objects_are_those_of_the_survey_laid_on_its_reference_or_as_it_is(city_parts):
+    laid = plan_chain("streetobjects", city_parts).steps[-1].parameters
+    assert laid["POINTS"] == {"step": "survey_2", "output": "OUTPUT"}
+    assert laid["TRAJECTORY"]["step"] == laid["SIGMA"]["step"] == "survey_2"
+    alone = Parts({"survey_1": ("/s.laz",), "trajectory_1": ("/t.csv",)}, (1,), unplaced=frozenset({"survey_1"}))
+    plan = plan_chain("streetobjects", alone, "EPSG:6677")
+    (step,) = plan.steps
+    assert step.algorithm == "streetobjects" and step.parameters["POINTS"] == {"input": "survey_1"}
+    assert "SIGMA" not in step.parameters and step.parameters["POINTS_CRS"] == "EPSG:6677" and not plan.missing
+    assert any("Standard deviation of the survey" in note for note in plan.notes)
+    # Frames without their orientation are meant to be a reference: what is missing is said, not left out.
+    half = plan_chain("streetobjects", replace(alone, inputs={**alone.inputs, "frames": ("/f.tif",)}))
+    assert half.missing and [item.algorithm for item in half.steps][-1] == "streetobjects"
 
 
 def test_roads_are_told_by_their_name_and_used_when_said():
@@ -288,6 +305,8 @@ def test_done_steps_stay_done_until_something_changes(job, tmp_path):
 def test_steps_that_cannot_run_say_why(job):
     with pytest.raises(InputError, match=r"needs what “one” makes"):
         resolved_parameters(job, job.step("two"))
+    with pytest.raises(InputError, match=r"needs OUTPUT of step “one”, which gave none"):
+        resolved_parameters(job.with_step(replace(job.step("one"), state=DONE)), job.step("two"))
     with pytest.raises(InputError, match=r"no input “als”"):
         resolved_parameters(replace(job, inputs={}), job.step("one"))
     with pytest.raises(InputError, match=r"no step “three”"):

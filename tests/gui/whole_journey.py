@@ -290,6 +290,9 @@ class Way:
         self.picture("16_roads_said")
         return {"played": row.text(1), **self._wish("roadmodel", "17_road_model")}
 
+    def street_objects(self) -> dict:
+        return self._wish("streetobjects", "18_street_objects")
+
     def once_more(self) -> dict:
         """The plugin put over itself with the dock open; the job opened again is done."""
         import pyplugin_installer
@@ -303,13 +306,13 @@ class Way:
         guide.open_job(path)
         wait_until(lambda: guide.files.findings.facts and not guide.files.recognition.busy(), "not recognised")
         settle(0.5)
-        self.picture("18_opened_again")
+        self.picture("19_opened_again")
         states = {step.id: step.state for step in guide.job.steps}
         assert set(states.values()) == {"done"} and self.state() == before, (states, before, self.state())
         return {"steps": states, "opened": path, **before}
 
     STEPS = ("install_zip", "update_plugin", "sample_city", "dropped", "buildings", "again", "survey", "back",
-             "printed", "lane_map", "walls", "accuracy_map", "road_model", "once_more")
+             "printed", "lane_map", "walls", "accuracy_map", "road_model", "street_objects", "once_more")
 
     def travel(self) -> None:
         """Do the steps, write the report, end QGIS."""

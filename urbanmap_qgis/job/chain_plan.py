@@ -10,17 +10,17 @@ from . import roles
 from .roles import Parts
 
 REFERENCE, SURVEY, BUILDINGS, WALLS = "reference", "survey", "buildings", "walls"
-LANES, ACCURACY, ROAD_SPACE = "lanemap", "accuracymap", "roadmodel"
+LANES, ACCURACY, ROAD_SPACE, OBJECTS = "lanemap", "accuracymap", "roadmodel", "streetobjects"
 
 WISHES = {
     REFERENCE: mark("Aerial reference: road markings and ground"), SURVEY: mark("Mobile survey laid on the reference"),
     BUILDINGS: mark("Building models"), WALLS: mark("Building models with measured walls"),
     LANES: mark("Lane map"), ACCURACY: mark("Map of the accuracy of localisation"),
-    ROAD_SPACE: mark("Road model"),
+    ROAD_SPACE: mark("Road model"), OBJECTS: mark("Street objects: poles, signals, signs, trees"),
 }
 """What can be wished for, with its English name."""
 
-_NEEDS = {ROAD_SPACE: "roadmodel"}
+_NEEDS = {ROAD_SPACE: "roadmodel", OBJECTS: "streetobjects"}
 """Algorithm without which a wish cannot be had."""
 
 _MISSING = {
@@ -46,6 +46,11 @@ _MISSING = {
 }
 
 _POINTS_CRS = mark("CRS of the point clouds")
+_SURVEY_SIGMA = mark("Standard deviation of the survey")
+
+_REFERENCES = (roles.MASK, roles.MARKING_POLYGONS, roles.ORTHOPHOTO_ROLE, roles.FRAMES, roles.CAMERA_ROLE,
+               roles.EXTERIOR_ROLE)
+"""Parts of which each tells that there is, or is meant to be, something to lay a survey on."""
 
 Value = object
 """A parameter: a plain value, {"input": role}, {"step": id, "output": name}, `WANTED`, or a list of these."""
@@ -278,7 +283,24 @@ class _Planning:
         self.require_plane(roles.ROADS_ROLE)
         self.add("roads", "roadmodel", ROADS=_given(roles.ROADS_ROLE), OUTPUT_CITYGML=WANTED, OUTPUT_REPORT=WANTED)
 
+    def objects(self) -> None:
+        """Objects of each survey laid on the reference; of the survey as it is where there is no reference at all."""
+        numbers = self.parts.surveys or (1,)
+        if self.parts.surveys and not any(self.has(role) for role in _REFERENCES):
+            self.plan.notes.append(say(
+                "There is nothing to lay the survey on, so that it is taken as it is, and objects are as wrong as it "
+                "is: say how well it is placed in the settings of the step (“{label}”).", label=known(_SURVEY_SIGMA)))
+            drives = [(_given(f"survey_{number}"), _given(f"trajectory_{number}"), None,
+                       self.crs_for(f"survey_{number}")) for number in numbers]
+        else:
+            drives = [(_result(step), _result(step, "OUTPUT_TRAJECTORY"), _result(step, "MEDIAN_SIGMA"), None)
+                      for step in self.surveys()]
+        for number, (points, trajectory, sigma, crs) in zip(numbers, drives):
+            self.add(f"objects_{number}", "streetobjects", POINTS=points, TRAJECTORY=trajectory, SIGMA=sigma,
+                     POINTS_CRS=crs, OUTPUT_RAILS=WANTED, OUTPUT_CITYGML=WANTED, OUTPUT_REPORT=WANTED)
+
 
 _WORK: dict[str, Callable[[_Planning], object]] = {
     REFERENCE: _Planning.reference, SURVEY: _Planning.surveys, BUILDINGS: _Planning.buildings, WALLS: _Planning.walls,
-    LANES: _Planning.lanes, ACCURACY: _Planning.accuracy, ROAD_SPACE: _Planning.road_space}
+    LANES: _Planning.lanes, ACCURACY: _Planning.accuracy, ROAD_SPACE: _Planning.road_space,
+    OBJECTS: _Planning.objects}

@@ -49,7 +49,10 @@ def _resolved(job: JobRecord, step: JobStep, value: object) -> object:
     if isinstance(value, Mapping) and "step" in value:
         before = job.step(str(value["step"]))
         result = before.outputs.get(str(value["output"]))
-        if before.state != DONE or result is None:
+        if before.state == DONE and result is None:
+            raise InputError(say("Step “{step}” needs {output} of step “{before}”, which gave none: say it in the "
+                                 "settings of the step.", step=step.id, output=value["output"], before=before.id))
+        if before.state != DONE:
             raise InputError(say("Step “{step}” needs what “{before}” makes: run that step first.", step=step.id,
                                  before=before.id))
         return result
