@@ -9,7 +9,7 @@ DATUMS = ("not stated", "WGS84", "EGM2008")
 LANE_FIELDS = (("lane_id", "int"), ("kind", "text"), ("evidence", "text"), ("width", "real"), ("narrowest", "real"),
                ("length", "real"), ("turn", "text"), ("arrows", "text"), ("successors", "text"), ("left", "int"),
                ("right", "int"), ("opposite", "int"), ("stop_lines", "text"), ("crosswalks", "text"),
-               ("speed_limit", "real"))
+               ("speed_limit", "real"), ("yields_to", "text"), ("yields_by", "text"), ("confidence", "real"))
 BOUND_FIELDS = (("bound_id", "int"), ("class", "text"), ("colour", "text"), ("width", "real"), ("sigma", "real"),
                 ("double", "bool"), ("unseen", "real"), ("lanes", "int"))
 

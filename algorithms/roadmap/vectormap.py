@@ -69,6 +69,10 @@ class VectorMap(UrbanMapAlgorithm):
         self.add_boolean("INFER_WAYS", "Ways that no drive shows", "Make virtual lanes through junctions also for the "
                          "movements that arrows, or else the rule of the road, allow; their evidence says so. Without "
                          "it only driven ways are made.", True, advanced=True)
+        self.add_number("WAY_CONFIDENCE", "Confidence of inferred ways", "Inferred ways that are less sure to be "
+                        "allowed (0 to 1) are not made but told as findings. 0 makes all that the rule of the road "
+                        "allows.",
+                        0.9, 0.0, 1.0, advanced=True)
         self.add_number("SPEED_LIMIT", "Speed limit", "Of lanes for which road axes tell none; left empty, they have "
                         "none.", None, 1.0, 200.0, unit="km/h", optional=True)
         self.add_choice("DIALECT", "Dialect of Lanelet2", "Of stop lines and crosswalks in the Lanelet2 file. lanelet2:"
@@ -82,7 +86,9 @@ class VectorMap(UrbanMapAlgorithm):
         line, area = QgsProcessing.SourceType.TypeVectorLine, QgsProcessing.SourceType.TypeVectorPolygon
         self.add_layer_output("OUTPUT_LANES", "Lanes", "Polygons: lane_id, kind (lane, virtual), direction's evidence, "
                               "width and narrowest (m), turn, arrows, successors, left, right and opposite (ids of "
-                              "neighbours), stop_lines and crosswalks (numbers).", source_type=area)
+                              "neighbours), stop_lines and crosswalks (numbers), yields_to (lane_ids that have the way "
+                              "before it, inferred), yields_by (why), confidence (of ways that no drive shows).",
+                              source_type=area)
         self.add_layer_output("OUTPUT_CENTRES", "Centre lines of lanes", "Lines in the direction of traffic: lane_id, "
                               "width (m).", optional=True, by_default=True, source_type=line)
         self.add_layer_output("OUTPUT_BOUNDS", "Bounds of lanes", "Lines: bound_id, class, colour, width, sigma (m), "
@@ -127,7 +133,8 @@ class VectorMap(UrbanMapAlgorithm):
                                self.parameterAsDouble(parameters, "MAX_WIDTH", context),
                                traffic=self.parameterAsString(parameters, "TRAFFIC", context),
                                bridge=self.parameterAsDouble(parameters, "BRIDGE", context),
-                               infer_ways=self.parameterAsBool(parameters, "INFER_WAYS", context))
+                               infer_ways=self.parameterAsBool(parameters, "INFER_WAYS", context),
+                               way_confidence=self.parameterAsDouble(parameters, "WAY_CONFIDENCE", context))
         built = build_vector_map(lines, self._areas(parameters, context, table), drives, settings,
                                  progress.part(0.1, 0.8), self._axes(parameters, context, table))
         self._tell(built, drives, progress)

@@ -37,6 +37,7 @@ def test_lanes_bounds_findings_and_files(run, read_layer, lines, drive, tmp_path
     assert sorted(lane["evidence"] for lane in lanes) == ["beside a dashed line", "drive"]
     driven = next(lane for lane in lanes if lane["evidence"].startswith("drive"))
     assert driven["width"] == pytest.approx(3.25) and driven["right"] == 1 - driven["lane_id"]
+    assert {"yields_to", "yields_by", "confidence"} <= set(driven)
     assert len(read_layer(results["OUTPUT_BOUNDS"])) == 3
     centres = read_layer(results["OUTPUT_CENTRES"])
     assert all("Z" in row.wkt.split("(")[0] for row in centres)
@@ -44,6 +45,41 @@ def test_lanes_bounds_findings_and_files(run, read_layer, lines, drive, tmp_path
     text = (tmp_path / "map.osm").read_text(encoding="utf-8")
     assert text.count('v="lanelet"') == 2 and 'k="ele" v="12.0000"' in text
     assert "projector_type: TransverseMercator" in (tmp_path / "map_projector_info.yaml").read_text(encoding="utf-8")
+
+
+def test_ways_follow_the_confidence_asked_for_and_tell_who_yields(run, read_layer, polygon_layer, tmp_path):
+    def line(*points):
+        return shapely.LineString([(EAST + x, NORTH + y, 12.0) for x, y in points]).wkt
+
+    along = [line((x, y), (x + 60, y)) for x in (0.0, 90.0) for y in (3.5, 0.0, -3.5)]
+    across = [line((x, y), (x, y + 60)) for y in (-75.0, 15.0) for x in (71.5, 75.0, 78.5)]
+    stop_lines = [line((60.3, 0.1), (60.3, 3.4)), line((89.7, -3.4), (89.7, -0.1)),
+                  line((71.6, -15.0), (74.9, -15.0)), line((75.1, 15.0), (78.4, 15.0))]
+    layer = polygon_layer([*along, *across, *stop_lines], "EPSG:6677", {
+        "class": ["solid"] * 12 + ["stop line"] * 4, "colour": ["white", "yellow", "white"] * 4 + ["white"] * 4},
+        kind="LineStringZ")
+    drives = []
+    for number, (begin, end) in enumerate((((-10, 1.7), (50, 1.7)), ((160, -1.7), (100, -1.7)),
+                                           ((73.2, -80), (73.2, -30)), ((76.8, 80), (76.8, 30)),
+                                           ((100, 1.7), (160, 1.7)), ((50, -1.7), (-10, -1.7)),
+                                           ((73.2, 30), (73.2, 80)), ((76.8, -30), (76.8, -80)))):
+        places = np.linspace(begin, end, 30)
+        heading = np.degrees(np.arctan2(end[0] - begin[0], end[1] - begin[1])) % 360
+        rows = [f"{t},{EAST + x},{NORTH + y},13.5,0,0,{heading}" for t, (x, y) in enumerate(places)]
+        drives.append(tmp_path / f"drive{number}.csv")
+        drives[-1].write_text("time,x,y,z,roll,pitch,heading\n" + "\n".join(rows) + "\n", encoding="utf-8")
+    found = {}
+    for confidence in (0.9, 1.0):
+        results = run(ALGORITHM, {"LINES": layer, "TRAJECTORY": list(map(str, drives)), "WAY_CONFIDENCE": confidence,
+                                  **outputs(tmp_path, OUTPUT_FINDINGS=str(tmp_path / "findings.gpkg"))})
+        found[confidence] = ([row.attributes for row in read_layer(results["OUTPUT_LANES"])],
+                             [row.attributes["kind"] for row in read_layer(results["OUTPUT_FINDINGS"])])
+    ways = [lane for lane in found[0.9][0] if lane["kind"] == "virtual"]
+    assert len(ways) == 12 and all(0.9 <= way["confidence"] < 1.0 for way in ways)
+    assert {way["yields_by"] for way in ways if way["yields_to"]} >= {"side it comes from"}
+    assert found[0.9][1].count("right of way inferred") == 1
+    assert not [lane for lane in found[1.0][0] if lane["kind"] == "virtual"]
+    assert found[1.0][1].count("way possible") == 12
 
 
 def test_without_trajectory_it_says_that_directions_are_unknown(run, lines, feedback, tmp_path):

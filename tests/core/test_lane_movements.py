@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from tests.core.laid_out_roads import arrow, avenue, drive, lane_at, path_line, place, stop, zebra
+from urbanmap_qgis.roadmap.lanes.movement_confidence import ArrowStatistics
 from urbanmap_qgis.roadmap.map_records import MapLine, MapSettings
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
 
@@ -72,9 +73,34 @@ def test_arrows_tell_the_movements():
     assert told == {"inferred from arrows"}
 
 
-def test_a_lane_of_unknown_arrow_beside_a_known_one_leads_straight_on_only():
-    built = build_vector_map([*arms(), *stops()], [arrow(50, 1.7, "arrow straight")], drives())
-    assert {turn for turn, _ in ways(built, 30, 5.2)} == {"straight"}
+def possible(built):
+    return [one.text for one in built.findings if one.kind == "way possible"]
+
+
+def test_a_lane_without_a_known_arrow_beside_a_known_one_is_offered_straight_on_only():
+    drawn = [*arms(), *stops()], [arrow(50, 1.7, "arrow straight")], drives()
+    built = build_vector_map(*drawn)
+    assert ways(built, 30, 5.2) == set()
+    assert sum("straight on" in text for text in possible(built)) >= 1
+    every = build_vector_map(*drawn, MapSettings(way_confidence=0.0))
+    assert {turn for turn, _ in ways(every, 30, 5.2)} == {"straight"} and not possible(every)
+    (way,) = every.lanes[lane_at(every, 30, 5.2)].successors
+    assert 0.0 < every.lanes[way].confidence < 0.9
+
+
+def test_an_arrow_leaves_the_lane_beyond_it_one_turn():
+    built = build_vector_map([*arms(), *stops()], [arrow(50, 1.7, "arrow left")], drives())
+    assert {built.lanes[way].evidence for way in built.lanes[lane_at(built, 30, 5.2)].successors} <= {
+        "inferred from arrows"}
+    assert "straight" not in {turn for turn, _ in ways(built, 30, 5.2)}
+
+
+def test_where_most_lanes_have_arrows_one_without_is_not_trusted():
+    few, many = ArrowStatistics(20, 0), ArrowStatistics(20, 12, {"only": 6}, {("only", "straight"): 3})
+    assert few.painted() < 0.1 and many.painted() > 0.9
+    assert 0.3 < many.by_arrows("only", "straight") < 0.6
+    assert many.by_arrows("only", "straight") < ArrowStatistics(
+        90, 60, {"only": 60}, {("only", "straight"): 30}).by_arrows("only", "straight") < 0.52
 
 
 def test_without_a_sign_of_a_junction_no_way_is_made():
@@ -96,5 +122,5 @@ def test_a_driven_way_stays_driven():
 
 
 def test_crosswalk_ahead_is_a_junction_too():
-    built = build_vector_map(arms(), [zebra(63, 67, -7, 7)], drives())
+    built = build_vector_map(arms(), [zebra(63, 67, -7, 7)], drives(), MapSettings(way_confidence=0.0))
     assert ways(built, 30, 5.2) and not ways(built, 120, -5.2)

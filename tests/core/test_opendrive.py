@@ -16,7 +16,7 @@ from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.roadmap.formats.opendrive_map import opendrive_tree, write_opendrive
 from urbanmap_qgis.roadmap.formats.opendrive_tags import DriveNode, drive_faults
 from urbanmap_qgis.roadmap.formats.plan_view import along_plan, fit_plan_view, fit_profile, plan_length
-from urbanmap_qgis.roadmap.formats.road_layout import bounds_along_ways, road_layout
+from urbanmap_qgis.roadmap.formats.road_layout import bounds_along_ways, road_layout, with_straight_ends
 from urbanmap_qgis.roadmap.map_records import DrivenPath, MapLine, MapSettings
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
 
@@ -202,6 +202,21 @@ def test_opposite_ways_share_a_bound_that_opendrive_has_in_the_direction_of_each
         assert along.lanes[number].left_forward and along.lanes[number].right_forward
         for side in ("left", "right"):
             assert np.array_equal(along.coordinates(number, side), built.coordinates(number, side))
+
+
+def test_roads_with_a_skew_end_meet_those_of_the_junction_without_a_gap(tmp_path):
+    built = built_crossing()
+    road = next(one for one in road_layout(built).roads if one.behind and one.behind[0] == "junction"
+                and len(one.lanes) > 1)
+    nearest = built.bounds[road.bounds[1]].nodes[-1]
+    built.nodes[nearest] = built.nodes[nearest] + [*(0.4 * np.array([np.cos(roads.ANGLE), np.sin(roads.ANGLE)])), 0.0]
+    write_opendrive(tmp_path / "map.xodr", opendrive_tree(built, WKT)[0])
+    root, read = reader.read_roads(tmp_path / "map.xodr")
+    assert reader.widest_gap(root, read) < 0.01
+    plain = with_straight_ends(built, road_layout(built))
+    moved = np.linalg.norm(np.array(plain.nodes) - np.array(built.nodes), axis=1)
+    assert moved[nearest] == pytest.approx(0.4, abs=0.02) and moved[[k for k in range(len(moved)) if k != nearest]].max(
+        ) < 0.02
 
 
 def test_junctions_hold_the_ways_that_were_driven():

@@ -101,6 +101,8 @@ class MapLane:
     successors, left_neighbour, right_neighbour : numbers of lanes, -1 where there is none; neighbours have the same
         direction, `opposite` is the neighbour across the line that has the other one.
     speed_limit : km/h, NaN where unknown.
+    yields_to : why it waits, by the number of each virtual lane that has the way before it.
+    confidence : that a virtual lane is a movement that is allowed, 0 to 1; NaN for other lanes.
     """
 
     left: int
@@ -121,6 +123,8 @@ class MapLane:
     stop_lines: list[int] = field(default_factory=list)
     crosswalks: list[int] = field(default_factory=list)
     speed_limit: float = np.nan
+    yields_to: dict[int, str] = field(default_factory=dict)
+    confidence: float = np.nan
 
 
 @dataclass(frozen=True)
@@ -210,6 +214,7 @@ class MapSettings:
     bridge : a bound may be unseen for so long, m; it is drawn through and told.
     height_gap : lines whose heights differ by more do not belong together, m.
     infer_ways : ways through junctions that no drive shows are made from arrows, lane ends and the rule of the road.
+    way_confidence : inferred ways that are less sure are findings only.
     """
 
     min_width: float = 2.2
@@ -219,6 +224,7 @@ class MapSettings:
     bridge: float = 30.0
     height_gap: float = 2.5
     infer_ways: bool = True
+    way_confidence: float = 0.9
 
 
 def lines_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[str, Sequence],

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 import shapely
 
+from ..wording import known
 from .map_records import VectorMap
 
 
@@ -25,7 +26,11 @@ def lane_columns(built: VectorMap) -> dict[str, list]:
             "opposite": [_known(lane.opposite) for lane in lanes],
             "stop_lines": [_listed(lane.stop_lines) for lane in lanes],
             "crosswalks": [_listed(lane.crosswalks) for lane in lanes],
-            "speed_limit": [lane.speed_limit for lane in lanes]}
+            "speed_limit": [lane.speed_limit for lane in lanes],
+            "yields_to": [_listed(sorted(lane.yields_to)) for lane in lanes],
+            "yields_by": [", ".join(sorted({known(reason) for reason in lane.yields_to.values()})) or None
+                          for lane in lanes],
+            "confidence": [lane.confidence for lane in lanes]}
 
 
 def bound_columns(built: VectorMap, ids: Sequence[int] = ()) -> dict[str, list]:

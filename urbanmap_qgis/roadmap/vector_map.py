@@ -80,11 +80,11 @@ def build_vector_map(lines: Sequence[MapLine], areas: Sequence[MapArea] = (), dr
         built.findings.append(_without_drives(lines))
     connect_by_drives(built, drives)
     if settings.infer_ways:
-        add_movements(built, stops, crosswalks)
+        add_movements(built, stops, crosswalks, settings.way_confidence)
     clean_map(built)
+    _refer(built, stops, crosswalks)
     add_intersections(built)
     add_speed_limits(built, axes)
-    _refer(built, stops, crosswalks)
     _tell_open_ends(built)
     _tell_heights(built, fill_heights(built))
     progress.step(1.0)

@@ -153,7 +153,7 @@ def _add_intersections(elements: _Elements, built: VectorMap, numbers: list[int]
         for lane, waiting in one.yields.items():
             members = [("relation", lanelets[lane], "right_of_way")]
             members += [("relation", lanelets[other], "yield") for other in waiting]
-            elements.rule(members, "right_of_way", [lanelets[lane]])
+            elements.rule(members, "right_of_way", [lanelets[lane]], inferred="yes")
 
 
 def _add_stop_lines(elements: _Elements, built: VectorMap, lanelets: list[int], dialect: str) -> dict[int, int]:

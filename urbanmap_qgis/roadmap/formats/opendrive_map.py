@@ -18,7 +18,7 @@ from ...wording import say
 from ..map_records import Bound, MapArea, VectorMap
 from .opendrive_tags import COLOURS, DriveNode
 from .plan_view import CubicPiece, PlanElement, along_plan, fit_plan_view, fit_profile, plan_length
-from .road_layout import LaneRoad, RoadLayout, bounds_along_ways, road_layout
+from .road_layout import LaneRoad, RoadLayout, bounds_along_ways, road_layout, with_straight_ends
 
 STATION = 1.0
 """Widths and heights are taken at stations so far apart, m."""
@@ -65,6 +65,7 @@ def opendrive_tree(built: VectorMap, crs_wkt: str,
     """
     built = bounds_along_ways(built)
     layout = road_layout(built)
+    built = with_straight_ends(built, layout)
     nodes = np.array(built.nodes)
     origin = np.floor(nodes[:, :2].min(axis=0) / 100.0) * 100.0
     root = DriveNode(("OpenDRIVE",), {})

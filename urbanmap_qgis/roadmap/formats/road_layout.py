@@ -5,7 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
-from ..map_records import MapLane, VectorMap
+import numpy as np
+
+from ...geometry.tolerances import LEAST_DIVISOR
+from ..map_records import Bound, MapLane, VectorMap
+
+ON_LINE = 0.05
+"""Nodes that lie so near to a road's end or beyond it fall away when it is made straight, m."""
+
+BESIDE = 0.3
+"""Sine of the least angle at which a bound meets the end of its road."""
 
 
 @dataclass
@@ -85,6 +94,43 @@ def bounds_along_ways(built: VectorMap) -> VectorMap:
                 bounds.append(replace(bounds[bound], nodes=bounds[bound].nodes[::-1]))
         lanes[number] = replace(lane, **sides, left_forward=True, right_forward=True)
     return replace(built, bounds=bounds, lanes=lanes)
+
+
+def with_straight_ends(built: VectorMap, layout: RoadLayout) -> VectorMap:
+    """The map whose roads end at one straight cross-section, as OpenDRIVE knows no other: there lanes of roads that
+    meet have no gap. Ends of inner bounds move along them onto the line between those of the outer bounds."""
+    nodes = [np.array(place, float) for place in built.nodes]
+    bounds = list(built.bounds)
+    moved: set[int] = set()
+    for road in sorted(layout.roads, key=lambda one: -len(one.lanes)):
+        for tip in (0, -1):
+            outer = [nodes[bounds[bound].nodes[tip]][:2] for bound in (road.bounds[0], road.bounds[-1])]
+            across = outer[1] - outer[0]
+            normal = np.array([-across[1], across[0]]) / max(np.linalg.norm(across), LEAST_DIVISOR)
+            for bound in road.bounds[1:-1]:
+                node = bounds[bound].nodes[tip]
+                if node not in moved and _end_on(nodes, bounds, bound, tip, outer[0], normal):
+                    moved.add(node)
+    return replace(built, nodes=nodes, bounds=bounds)
+
+
+def _end_on(nodes: list[np.ndarray], bounds: list[Bound], number: int, tip: int, place: np.ndarray,
+            normal: np.ndarray) -> bool:
+    """Move the end of a bound along it onto the line through a place; False where it runs beside that line."""
+    chain = bounds[number].nodes[::-1] if tip else bounds[number].nodes
+    end = nodes[chain[0]]
+    apart = [float((nodes[node][:2] - place) @ normal) for node in chain]
+    inwards = np.sign(apart[-1])
+    # Nodes beyond the line fall away; the end and what lies well within stay.
+    kept = [chain[0], *(node for node, far in zip(chain[1:-1], apart[1:-1]) if far * inwards > ON_LINE), chain[-1]]
+    course = nodes[kept[1]][:2] - end[:2]
+    slope = float(course @ normal) / max(np.linalg.norm(course), LEAST_DIVISOR)
+    if abs(slope) < BESIDE:
+        return False
+    step = course / max(np.linalg.norm(course), LEAST_DIVISOR)
+    nodes[chain[0]] = np.array([*(end[:2] - apart[0] / slope * step), end[2]])
+    bounds[number] = replace(bounds[number], nodes=kept[::-1] if tip else kept)
+    return True
 
 
 def _ahead(lane: MapLane) -> bool:

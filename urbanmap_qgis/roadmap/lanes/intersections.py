@@ -7,8 +7,9 @@ from collections.abc import Iterable
 import numpy as np
 import shapely
 
-from ...geometry.tolerances import LEAST_DIVISOR
-from ..map_records import Intersection, VectorMap
+from ...wording import known, say
+from ..map_records import Finding, Intersection, VectorMap
+from .right_of_way import complete_rights, rights_of_way
 
 AROUND = 25.0
 """Ends of lanes so near belong to an intersection too, m."""
@@ -18,10 +19,6 @@ DRAWN = 0.6
 
 ON_EDGE = 0.02
 """Ends of lanes so near to the area's edge are corners of it, m."""
-
-OPPOSITE = -0.7
-"""Cosine between directions that are opposite."""
-
 
 def add_intersections(built: VectorMap) -> None:
     """Group the virtual lanes that overlap or begin or end together, with an area from the ends of lanes about them.
@@ -36,6 +33,21 @@ def add_intersections(built: VectorMap) -> None:
         ring, covered = _area(built, group)
         if covered:
             built.intersections.append(Intersection(ring, covered, _yields(built, covered)))
+
+
+def _yields(built: VectorMap, covered: list[int]) -> dict[int, list[int]]:
+    """Lanes that let others pass, by the lane that has the way; what is inferred for it goes to the lanes and into a
+    finding."""
+    decided = rights_of_way(built, covered)
+    for (last, first), reason in decided.items():
+        built.lanes[last].yields_to[first] = reason
+    inferred = sorted({known(reason) for reason in decided.values()})
+    if inferred:
+        x, y = np.mean([built.lanes[number].centre[0, :2] for number in covered], axis=0)
+        built.findings.append(Finding("right of way inferred", say(
+            "No light or sign is known here: who yields is inferred ({reasons}) for {pairs} pairs of ways. Check it "
+            "before anything drives by it.", reasons=", ".join(inferred), pairs=len(decided)), float(x), float(y)))
+    return complete_rights(built, covered, decided)
 
 
 def _groups(built: VectorMap, virtual: list[int]) -> list[list[int]]:
@@ -127,26 +139,3 @@ def _draw_inwards(built: VectorMap, ring: list[int], lanes: list[int]) -> None:
                 if node not in end_nodes and not inside.covers(place) and not inside.is_empty:
                     near = shapely.get_coordinates(shapely.shortest_line(place, inside))[1]
                     built.nodes[node] = np.array([*near, built.nodes[node][2]])
-
-
-def _yields(built: VectorMap, lanes: list[int]) -> dict[int, list[int]]:
-    """Lanes that let others pass, by the lane that has the way: who turns across the oncoming traffic waits for it."""
-    left_hand = built.left_hand is not False
-    across = "right" if left_hand else "left"
-    found: dict[int, list[int]] = {}
-    courses = {number: _heading(built.lanes[number].centre) for number in lanes}
-    areas = {number: built.area(number) for number in lanes}
-    for one in lanes:
-        if built.lanes[one].turn == across:
-            continue
-        for other in lanes:
-            oncoming = courses[one] @ courses[other] < OPPOSITE
-            if built.lanes[other].turn == across and oncoming and areas[one].intersection(areas[other]).area > 0.5:
-                found.setdefault(one, []).append(other)
-    return found
-
-
-def _heading(centre: np.ndarray) -> np.ndarray:
-    """Unit direction (2,) in which a lane begins."""
-    step = centre[1, :2] - centre[0, :2]
-    return step / max(np.linalg.norm(step), LEAST_DIVISOR)

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import shapely
 
 from ...geometry.tolerances import LEAST_DIVISOR
-from ...wording import mark
-from ..map_records import MapArea, MapLane, VectorMap
+from ...wording import known, mark, say
+from ..map_records import Finding, MapArea, MapLane, VectorMap
 from .junctions import about_curve, append_way
+from .movement_confidence import LIMITS as CONFIDENCE
+from .movement_confidence import ArrowStatistics, arrow_statistics, forced_turns, rule_confidence
 
 
 @dataclass(frozen=True)
@@ -38,6 +40,7 @@ BY_ARROW, BY_RULE = mark("inferred from arrows"), mark("inferred from the rule o
 """Evidence of ways that no drive shows."""
 
 TURNS = ("straight", "left", "right")
+_TURN_WORDS = {"straight": mark("straight on"), "left": mark("to the left"), "right": mark("to the right")}
 
 
 @dataclass(frozen=True)
@@ -56,30 +59,47 @@ class _Side:
     course: np.ndarray
 
 
-def add_movements(built: VectorMap, stops: Sequence[np.ndarray], crosswalks: Sequence[MapArea]) -> int:
+def add_movements(built: VectorMap, stops: Sequence[np.ndarray], crosswalks: Sequence[MapArea],
+                  least: float = 0.0) -> int:
     """Add a virtual lane for each movement that is allowed and not there yet; returns their number.
 
     A lane whose arrows are told leads where they point. Where none is told in all lanes of an approach, each leads
-    straight on and the outermost ones turn to their side; where only those of others are told, it leads straight on.
+    straight on and the outermost ones turn to their side; where only those of others are told, it leads straight on,
+    or where theirs leave it. Such movements have a confidence; those below `least` are not made but become findings.
     A turn needs a junction: a stop line, a crosswalk or a driven way at the approach. A way that would lie in other
     lanes is not made.
     """
-    approaches, departures = _sides(built, -1), _sides(built, 0)
+    approaches = [side for side in _sides(built, -1) if _is_junction(built, side, stops, crosswalks)]
+    departures = _sides(built, 0)
     plain = [number for number, lane in enumerate(built.lanes) if lane.kind == "lane"]
     areas = shapely.STRtree([built.area(number) for number in plain])
-    added = 0
+    turns_of = {lane: _arrow_turns(built, lane) for approach in approaches for lane in approach.lanes}
+    statistics = arrow_statistics(built, [approach.lanes for approach in approaches], turns_of)
+    before = len(built.lanes)
     for approach in approaches:
-        if not _is_junction(built, approach, stops, crosswalks):
-            continue
-        allowed, stated = _allowed_turns(built, approach)
+        allowed = _allowed_turns(built, approach, turns_of, statistics)
         for turn in TURNS:
             departure = _departure(approach, departures, turn)
             if departure is None:
                 continue
             for one, other in _pairs(built, approach, departure, turn, allowed):
-                evidence = BY_ARROW if stated[one] else BY_RULE
-                added += _add_way(built, one, other, evidence, areas, plain)
-    return added
+                confidence, evidence = allowed[one][turn]
+                if confidence < least:
+                    _offer(built, one, other, turn, confidence)
+                elif _add_way(built, one, other, evidence, areas, plain):
+                    built.lanes[-1].confidence = confidence
+    return len(built.lanes) - before
+
+
+def _offer(built: VectorMap, one: int, other: int, turn: str, confidence: float) -> None:
+    """A finding for a movement that is not sure enough, unless it is there."""
+    if any(other in built.lanes[follower].successors for follower in built.lanes[one].successors):
+        return
+    x, y = built.lanes[one].centre[-1, :2]
+    built.findings.append(Finding("way possible", say(
+        "By the rule of the road a way {turn} is possible from this lane (confidence {confidence:.2f}), but no arrow "
+        "or drive shows it; it is not in the map.", turn=known(_TURN_WORDS[turn]), confidence=confidence), float(x),
+        float(y)))
 
 
 def _sides(built: VectorMap, tip: int) -> list[_Side]:
@@ -133,19 +153,25 @@ def _is_junction(built: VectorMap, approach: _Side, stops: Sequence[np.ndarray],
     return False
 
 
-def _allowed_turns(built: VectorMap, approach: _Side) -> tuple[dict[int, set[str]], dict[int, bool]]:
-    """Turns that each lane of an approach allows, and whether its own arrows tell them."""
-    by_arrow = {lane: _arrow_turns(built, lane) for lane in approach.lanes}
-    any_told = any(by_arrow.values())
+def _allowed_turns(built: VectorMap, approach: _Side, turns_of: Mapping[int, set[str]],
+                   statistics: ArrowStatistics) -> dict[int, dict[str, tuple[float, str]]]:
+    """Turns that each lane of an approach may allow, with the confidence and what it comes from."""
+    any_told = any(turns_of[lane] for lane in approach.lanes)
+    forced = forced_turns(approach.lanes, turns_of)
     allowed = {}
     for lane in approach.lanes:
+        told = turns_of[lane] or forced.get(lane)
+        if told:
+            allowed[lane] = dict.fromkeys(told, (CONFIDENCE.arrow, BY_ARROW))
+            continue
         turns = {"straight"}
         if not any_told and lane == approach.lanes[0]:
             turns.add("left")
         if not any_told and lane == approach.lanes[-1]:
             turns.add("right")
-        allowed[lane] = by_arrow[lane] or turns
-    return allowed, {lane: bool(turns) for lane, turns in by_arrow.items()}
+        allowed[lane] = {turn: (rule_confidence(statistics, built, approach.lanes, lane, turn, any_told), BY_RULE)
+                         for turn in turns}
+    return allowed
 
 
 def _arrow_turns(built: VectorMap, lane: int) -> set[str]:
@@ -187,7 +213,7 @@ def _turn(approach: _Side, departure: _Side) -> str:
 
 
 def _pairs(built: VectorMap, approach: _Side, departure: _Side, turn: str,
-           allowed: dict[int, set[str]]) -> list[tuple[int, int]]:
+           allowed: Mapping[int, Mapping[str, object]]) -> list[tuple[int, int]]:
     """Lanes of an approach and of the road that they lead to by a turn.
 
     Straight on the lane that lies ahead; turns to the left from the left, to the right from the right, in this order.
