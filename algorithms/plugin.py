@@ -153,8 +153,8 @@ class UrbanMapPlugin:
         from .framework.base import UrbanMapAlgorithm
         from .framework.language.help_page import index_file
 
-        own = [item.create() for item in self.provider.algorithms() if isinstance(item, UrbanMapAlgorithm)]
-        QDesktopServices.openUrl(QUrl.fromLocalFile(str(index_file(own))))
+        shipped = [item.create() for item in self.provider.algorithms() if isinstance(item, UrbanMapAlgorithm)]
+        QDesktopServices.openUrl(QUrl.fromLocalFile(str(index_file(shipped))))
 
     def install_packages(self):
         """Show the window that installs missing packages."""

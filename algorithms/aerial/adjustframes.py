@@ -88,10 +88,10 @@ class AdjustFrames(UrbanMapAlgorithm):
                    "RMS_AFTER": made.rms(made.followed), "WRONG": int(made.wrong.sum())}
         progress.message(tr("{0} control points: {1:.3f} m off in plan as given, {2:.3f} m after (RMS).").format(
             int(made.followed.sum()), results["RMS_BEFORE"], results["RMS_AFTER"]))
-        held, checks = made.left_out_rms(), points.known & points.check
-        if math.isfinite(held):
-            results["RMS_LEFT_OUT"] = held
-            progress.message(tr("Each control point left out in turn: {0:.3f} m.").format(held))
+        left_out, checks = made.left_out_rms(), points.known & points.check
+        if math.isfinite(left_out):
+            results["RMS_LEFT_OUT"] = left_out
+            progress.message(tr("Each control point left out in turn: {0:.3f} m.").format(left_out))
         if checks.any():
             results["RMS_CHECK"] = made.rms(checks)
         return results

@@ -141,9 +141,9 @@ class BuildingModels(UrbanMapAlgorithm):
                 raise InputError(tr("{0}: the field {1} is missing or has empty values; give the result of “Roof "
                                     "polygons”.").format(self.label_of("ROOFS"), name))
         status = np.array(column(table, "status") or [""] * len(table), dtype=object)
-        kept = ~shapely.is_missing(table.geometries)
-        return RoofInput(table.geometries[kept], found["building_id"].astype(np.int64)[kept],
-                         found["roof_id"].astype(np.int64)[kept], found["height"][kept], status[kept])
+        present = ~shapely.is_missing(table.geometries)
+        return RoofInput(table.geometries[present], found["building_id"].astype(np.int64)[present],
+                         found["roof_id"].astype(np.int64)[present], found["height"][present], status[present])
 
     def _base_heights(self, parameters, context, table, footprints, progress):
         """Base of each building: from the raster, else a field, NaN where neither knows."""

@@ -143,11 +143,11 @@ class ExportCityModel(UrbanMapAlgorithm):
         if kinds is None:
             raise InputError(tr("{0}: the field surface_type is missing; give the surfaces of “Building models”."
                                 ).format(self.label_of("SURFACES")))
-        kept = [row for row, missing in enumerate(shapely.is_missing(surfaces.geometries)) if not missing]
+        present = [row for row, missing in enumerate(shapely.is_missing(surfaces.geometries)) if not missing]
         roofs = column(surfaces, "roof_id") or [None] * len(surfaces)
         said = {name: values for name in ("seen", "sigma") if (values := column(surfaces, name)) is not None}
-        return SurfaceRows(surfaces.geometries[kept], [kinds[row] for row in kept], [roofs[row] for row in kept],
-                           known_remarks(said, kept))
+        return SurfaceRows(surfaces.geometries[present], [kinds[row] for row in present],
+                           [roofs[row] for row in present], known_remarks(said, present))
 
     def _tell(self, made, textures, progress):
         """What the user should know of the models."""

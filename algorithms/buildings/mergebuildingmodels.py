@@ -163,10 +163,10 @@ class MergeBuildingModels(UrbanMapAlgorithm):
                 [edge.wall for building in merged for edge in building.edges], "PolygonZ", "merged_walls",
                 progress.part(0.0, 0.5), names)
         shapes = [multipolygon(building.solids) if building.solids else None for building in merged]
-        fields, kept = base
+        fields, carried = base
         results["OUTPUT"] = self.write_layer(
-            parameters, "OUTPUT", context, make_fields(*MODEL_COLUMNS, base=fields), {**kept, **columns}, crs, shapes,
-            "MultiPolygonZ", "merged_models", progress.part(0.5, 1.0), names)
+            parameters, "OUTPUT", context, make_fields(*MODEL_COLUMNS, base=fields), {**carried, **columns}, crs,
+            shapes, "MultiPolygonZ", "merged_models", progress.part(0.5, 1.0), names)
         return results
 
     def _write_report(self, parameters, context, crs, models, merged, tables, names):

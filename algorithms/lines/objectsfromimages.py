@@ -70,9 +70,9 @@ class ObjectsFromImages(UrbanMapAlgorithm):
             progress.warn(tr("{0} of {1} outlines could not be measured; the field “reason” tells why.").format(
                 missing, len(result)))
         taken = {name.lower() for name, _ in FIELDS}
-        kept = {name: [values[item.feature] for item in result] for name, values in table.columns.items()
+        carried = {name: [values[item.feature] for item in result] for name, values in table.columns.items()
                 if name.lower() not in taken}
-        columns = {**kept, **{name: [getattr(item, name) for item in result] for name, _ in FIELDS}}
+        columns = {**carried, **{name: [getattr(item, name) for item in result] for name, _ in FIELDS}}
         layer = self.write_layer(parameters, "OUTPUT", context, make_fields(*FIELDS, base=table.fields), columns,
                                  cloud.crs_wkt, [item.geometry for item in result], geometry_type(outlines), "",
                                  progress.part(0.95, 1.0))

@@ -61,8 +61,8 @@ class LocalisationInputs(Declarations):
         """Files of a parameter that takes several; they exist."""
         texts = [text for text in self.parameterAsFileList(parameters, name, context) if text]
         for text in texts:
-            there = trajectory_exists(text, context) if name == "TRAJECTORY" else Path(text).is_file()
-            if not there:
+            exists = trajectory_exists(text, context) if name == "TRAJECTORY" else Path(text).is_file()
+            if not exists:
                 raise InputError(tr("{0}: the file {1} does not exist; check its name.").format(
                     self.label_of(name), text))
         return texts
@@ -105,7 +105,7 @@ class LocalisationInputs(Declarations):
         table, pieces, without, building, sigma = self.read_pieces(parameters, "BUILDINGS", context, progress)
         if pieces is None:
             return table, None, without
-        own = None if sigma is None else building_sigmas(building, sigma)
+        accuracy = None if sigma is None else building_sigmas(building, sigma)
         measured = self.read_vector(parameters, "WALLS", context)
         shapes, known = (), None
         if measured is not None:
@@ -114,7 +114,7 @@ class LocalisationInputs(Declarations):
                 raise InputError(tr("{0} has no field sigma; give walls whose accuracy was measured.").format(
                     measured.label))
             shapes, known = measured.geometries, numbers(measured, "sigma")
-        sigma = wall_sigmas(pieces, self.parameterAsDouble(parameters, "WALL_SIGMA", context), own, shapes, known)
+        sigma = wall_sigmas(pieces, self.parameterAsDouble(parameters, "WALL_SIGMA", context), accuracy, shapes, known)
         return table, WallMap.of(pieces, sigma), without
 
     def chosen_field(self, parameters, name, context, table):

@@ -143,9 +143,9 @@ class RoadEdges(UrbanMapAlgorithm):
                                             "LineStringZ", style="road_edges")}
         package = self.output_path(parameters, "OUTPUT_PACKAGE", context)
         if package is not None:
-            own = [PackageLayer("edges", fields, columns, feet, "LineStringZ"),
+            measured = [PackageLayer("edges", fields, columns, feet, "LineStringZ"),
                    PackageLayer("upper_edges", top_fields, top_columns, tops, "LineStringZ")]
-            write_package(package, own + carried, crs)
+            write_package(package, measured + carried, crs)
             results["OUTPUT_PACKAGE"] = str(package)
         return {name: place for name, place in results.items() if place}
 

@@ -52,7 +52,7 @@ class AerialMarkings(UrbanMapAlgorithm):
         def pick(*names):
             return {name: given[name] for name in names if name in given}
 
-        def place(name, file):
+        def destination(name, file):
             return given.get(name) or self.temporary_file(context, file)
 
         report = bool(given.get("OUTPUT_REPORT"))
@@ -60,22 +60,22 @@ class AerialMarkings(UrbanMapAlgorithm):
         als = run("surfacefromals", POINTS=self.parameterAsFileList(parameters, "ALS", context),
                   RESOLUTION=self.parameterAsDouble(parameters, "SURFACE_RESOLUTION", context),
                   OUTPUT=self.temporary_file(context, "surface.tif"),
-                  OUTPUT_GROUND=place("OUTPUT_GROUND", "ground.tif"))
+                  OUTPUT_GROUND=destination("OUTPUT_GROUND", "ground.tif"))
         wanted = {"OUTPUT_SHIFTS": given.get("OUTPUT_SHIFTS") or "TEMPORARY_OUTPUT",
                   "OUTPUT_COUNT": self.temporary_file(context, "frames.tif")} if report else pick("OUTPUT_SHIFTS")
         ortho = run("orthorectifyframes", **pick("FRAMES", "CAMERA", "EXTERIOR", "FOOTPRINTS", "RESOLUTION",
                                                  "FILTER_VEHICLES", "METHOD", "EVEN_EXPOSURE", "OCCLUSION", "MASKS",
                                                  "ANGLE_ORDER", "ANGLE_UNIT", "WORKERS"),
                     **wanted, GROUND=als["OUTPUT_GROUND"], DSM=als["OUTPUT"],
-                    OUTPUT=place("OUTPUT_ORTHOPHOTO", "orthophoto.tif"))
-        told = {"SHIFTS": ortho["OUTPUT_SHIFTS"], "FRAME_COUNT": ortho["OUTPUT_COUNT"],
+                    OUTPUT=destination("OUTPUT_ORTHOPHOTO", "orthophoto.tif"))
+        facts = {"SHIFTS": ortho["OUTPUT_SHIFTS"], "FRAME_COUNT": ortho["OUTPUT_COUNT"],
                 "NOTE": self._note(ortho)} if report else {}
         paper = self.parameterAsString(parameters, "METHOD", context) == "paper"
         method = "paper" if paper else self.parameterAsString(parameters, "MARKING_METHOD", context)
         found = run("roadmarkingsfromorthophoto", METHOD=method,
                     **pick("ROADS", "BLOCK_SIZE", "CONTRAST", "MIN_CONFIDENCE", "WORKERS", "OUTPUT", "OUTPUT_POLYGONS",
                            "OUTPUT_REPORT"),
-                    **told, INPUT=ortho["OUTPUT"], GROUND=als["OUTPUT_GROUND"])
+                    **facts, INPUT=ortho["OUTPUT"], GROUND=als["OUTPUT_GROUND"])
         results = {"OUTPUT": found["OUTPUT"], "COUNT": found["COUNT"], "HOLE_AREA": ortho["HOLE_AREA"],
                    "OUTPUT_ORTHOPHOTO": ortho["OUTPUT"], "OUTPUT_GROUND": als["OUTPUT_GROUND"]}
         results.update((name, result[name]) for result, name in (

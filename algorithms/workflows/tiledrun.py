@@ -112,15 +112,16 @@ class TiledRun(UrbanMapAlgorithm):
         jobs = {tile.name: inputs.job(tile) for tile in tiles}
         records = {name: record for name, job in jobs.items()
                    if (record := kept_record(folder, job.tile, job.fingerprint))}
-        kept = len(records)
+        kept_tiles = len(records)
         todo = [job for name, job in jobs.items() if name not in records]
-        progress.message(tr("{0} tiles, {1} kept from an earlier run, {2} to do.").format(len(tiles), kept, len(todo)))
+        progress.message(tr("{0} tiles, {1} kept from an earlier run, {2} to do.").format(
+            len(tiles), kept_tiles, len(todo)))
         working = progress.part(0.05, 0.9)
         for record in run_tiles(todo, self.parameterAsInt(parameters, "WORKERS", context), progress.cancelled):
             records[record.name] = record
             if record.status == FAILED:
                 progress.warn(tr("Tile {0} failed: {1}").format(record.name, record.reason))
-            working.step((len(records) - kept) / len(todo))
+            working.step((len(records) - kept_tiles) / len(todo))
         records = whole_records(folder, tiles, records)
         count = {status: sum(record.status == status for record in records.values())
                  for status in (DONE, EMPTY, FAILED)}
@@ -134,10 +135,10 @@ class TiledRun(UrbanMapAlgorithm):
         counts = counts_of(merged.get("OUTPUT"), CUTTABLE[inputs.stage.name()])
         if counts:
             progress.message(counts.sentence())
-        report = self._report(parameters, context, inputs, [records[tile.name] for tile in tiles], kept, counts)
+        report = self._report(parameters, context, inputs, [records[tile.name] for tile in tiles], kept_tiles, counts)
         layer = self._write(parameters, context, inputs, tiles, records, progress.part(0.97, 1.0))
         return {"OUTPUT": layer, "OUTPUT_FOLDER": str(folder), "OUTPUT_REPORT": report, "TILES": len(tiles),
-                "DONE": count[DONE], "EMPTY": count[EMPTY], "FAILED": count[FAILED], "KEPT": kept}, merged
+                "DONE": count[DONE], "EMPTY": count[EMPTY], "FAILED": count[FAILED], "KEPT": kept_tiles}, merged
 
     def judge(self, results, feedback):
         """A run with failed tiles is none that went well: scripts and schedulers see it by the exit code."""

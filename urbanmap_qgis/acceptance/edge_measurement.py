@@ -45,7 +45,7 @@ class MeasurementLimits:
     piece : m of an edge, within which points are taken to be one measurement of a wall.
     wall_width : m about a wall's line.
     wall_foot, wall_top : m above the ground and below the roof between which points are of walls.
-    apart : m between two surfaces, of which one cannot say which the edge is.
+    separation : m between two surfaces, of which one cannot say which the edge is.
     """
 
     roof_depth: float = 2.0
@@ -65,7 +65,7 @@ class MeasurementLimits:
     wall_width: float = 0.15
     wall_foot: float = 1.0
     wall_top: float = 0.3
-    apart: float = 0.3
+    separation: float = 0.3
 
 
 LIMITS = MeasurementLimits()
@@ -250,7 +250,7 @@ def wall_edge(points: PointsAboutEdge, limits: MeasurementLimits = LIMITS) -> Me
     best = int(np.lexsort((number, share))[-1])
     if share[best] < limits.covered:
         return MeasuredEdge(points=len(along), reason=ABSENT)
-    if (share[np.abs(places - places[best]) > limits.apart] >= limits.covered).any():
+    if (share[np.abs(places - places[best]) > limits.separation] >= limits.covered).any():
         return MeasuredEdge(points=len(along), reason=OPEN)
     on_line = np.abs(outward - places[best]) <= 2 * limits.wall_width
     place, sigma = _line(along[on_line], outward[on_line], points.length, limits)

@@ -92,9 +92,9 @@ def export_buildings(ids: Sequence[Any], faces: Sequence[shapely.Geometry | None
         source = building_source(name, geometry, attributes[row], str(lods[row] or ""))
         if index is not None:
             rows = [_rows_of(solid, index) for solid in source.solids]
-            source = replace(source, solids=[_with_rows(solid, surfaces, own)
-                                             for solid, own in zip(source.solids, rows)],
-                             remarks=[_remarks(surfaces, own) for own in rows])
+            source = replace(source, solids=[_with_rows(solid, surfaces, solid_rows)
+                                             for solid, solid_rows in zip(source.solids, rows)],
+                             remarks=[_remarks(surfaces, solid_rows) for solid_rows in rows])
         if not source.lod:
             source = replace(source, lod=_level(source))
         if textures is not None:

@@ -91,11 +91,11 @@ def with_choice_widget(definition) -> None:
 
 def choice_help(help: str, values: Sequence[str]) -> str:
     """Translated help of a choice: its last bracket, which lists the values, also says the words that dialogs show."""
-    told, words = tr(help), choice_words(values)
-    if told == help:
+    translated, words = tr(help), choice_words(values)
+    if translated == help:
         return help
     listed = "、".join(value if word == value else f"{value}：{word}" for value, word in words.items())
-    return re.sub(r" ?[（(][^（）()]*[)）]$", f"（{listed}）", told)
+    return re.sub(r" ?[（(][^（）()]*[)）]$", f"（{listed}）", translated)
 
 
 class Declarations:

@@ -46,8 +46,8 @@ def _from_wkt(wkt: str) -> QgsCoordinateReferenceSystem:
     stated = heights(wkt)
     if not stated.known or heights(wkt_of(found)) == stated:
         return found
-    kept = QgsCoordinateReferenceSystem.fromWkt(stating_heights(wkt_of(found), stated, coded=False))
-    return kept if kept.isValid() else found
+    compound = QgsCoordinateReferenceSystem.fromWkt(stating_heights(wkt_of(found), stated, coded=False))
+    return compound if compound.isValid() else found
 
 
 def heights(crs: QgsCoordinateReferenceSystem | str | None):

@@ -18,7 +18,7 @@ def earlier_words(algorithm, parameters: Mapping, context: QgsProcessingContext)
 
     A name that any input has without words is left out: whose field the result holds is not known here.
     """
-    told: dict[str, FieldWords] = {}
+    known: dict[str, FieldWords] = {}
     without: set[str] = set()
     for definition in algorithm.parameterDefinitions():
         if definition.type() not in ("source", "vector") or not parameters.get(definition.name()):
@@ -28,8 +28,8 @@ def earlier_words(algorithm, parameters: Mapping, context: QgsProcessingContext)
             continue
         words = words_in_file(Path(layer.source().partition("|")[0]))
         without |= {item.name() for item in layer.fields()} - words.keys()
-        told |= words
-    return tuple((name, words) for name, words in told.items() if name not in without)
+        known |= words
+    return tuple((name, words) for name, words in known.items() if name not in without)
 
 
 def words_in_file(path: Path) -> dict[str, FieldWords]:

@@ -99,26 +99,26 @@ def make_fields(*fields: tuple[str, str], base: QgsFields | None = None) -> QgsF
     result = QgsFields()
     names = {name.lower() for name, _ in fields}
     names |= {name[:SHORT] for name in names}  # what a shapefile has left of them
-    for kept in base or ():
-        if kept.name().lower() not in names and kept.name().lower() != "fid":
-            result.append(kept)
+    for item in base or ():
+        if item.name().lower() not in names and item.name().lower() != "fid":
+            result.append(item)
     for name, kind in fields:
-        own = QgsField(name, getattr(_TYPES, _KINDS[kind]))
-        own.setAlias(OWN)
-        result.append(own)
+        field = QgsField(name, getattr(_TYPES, _KINDS[kind]))
+        field.setAlias(OWN)
+        result.append(field)
     return result
 
 
 def own_fields(fields: QgsFields) -> tuple[tuple[str, ...], QgsFields]:
     """Names of the fields that `make_fields` made, and all fields without its mark."""
-    own = tuple(item.name() for item in fields if item.alias() == OWN)
+    results = tuple(item.name() for item in fields if item.alias() == OWN)
     plain = QgsFields()
     for item in fields:
         field = QgsField(item)
         if item.alias() == OWN:
             field.setAlias("")
         plain.append(field)
-    return own, plain
+    return results, plain
 
 
 def read_source(source: QgsProcessingFeatureSource, label: str, progress: Progress = SILENT,
@@ -133,9 +133,9 @@ def read_source(source: QgsProcessingFeatureSource, label: str, progress: Progre
     request = QgsFeatureRequest()
     if extent is not None:
         request.setFilterRect(QgsRectangle(*extent))
-    kept = [index for index, item in enumerate(source.fields()) if item.name().lower() != "fid"]
+    carried = [index for index, item in enumerate(source.fields()) if item.name().lower() != "fid"]
     fields = QgsFields()
-    for index in kept:
+    for index in carried:
         fields.append(source.fields()[index])
     ids, wkb, rows = [], [], []
     # The geometry check of Processing would stop at the first invalid polygon; here each is looked at below.
@@ -146,8 +146,8 @@ def read_source(source: QgsProcessingFeatureSource, label: str, progress: Progre
         ids.append(feature.id())
         wkb.append(_wkb(feature.geometry()))
         values = feature.attributes()
-        rows.append([_plain(values[index]) for index in kept])
-    columns = {fields[place].name(): [row[place] for row in rows] for place in range(len(kept))}
+        rows.append([_plain(values[index]) for index in carried])
+    columns = {fields[place].name(): [row[place] for row in rows] for place in range(len(carried))}
     geometries = shapely.from_wkb(np.array(wkb, dtype=object), on_invalid="ignore")
     geometries[shapely.is_empty(geometries)] = None
     return VectorTable(label, source.sourceCrs(), np.array(ids, np.int64), geometries, fields, columns)
@@ -221,8 +221,8 @@ def write_layer(algorithm, parameters: Mapping, name: str, context: QgsProcessin
     OutputError : it cannot be written. Cancelled : the earlier file, if any, is still there.
     """
     wkb_type = getattr(QgsWkbTypes.Type, geometry_type)
-    own, fields = own_fields(fields)
-    earlier = earlier_words(algorithm, parameters, context) if len(own) < fields.count() else ()
+    results, fields = own_fields(fields)
+    earlier = earlier_words(algorithm, parameters, context) if len(results) < fields.count() else ()
     features = features_of(fields, columns, geometries, progress)
     reference = crs_from(crs)
     path = sink_file(parameters, name, context)
@@ -237,8 +237,8 @@ def write_layer(algorithm, parameters: Mapping, name: str, context: QgsProcessin
         del sink
     else:
         place = _write_file(algorithm, parameters, name, context, path, (fields, wkb_type, reference), features,
-                            (style, own, earlier), progress)
-    give_style(context, place, style, own, earlier)
+                            (style, results, earlier), progress)
+    give_style(context, place, style, results, earlier)
     return place
 
 
@@ -338,7 +338,7 @@ def check_place(algorithm, parameters: Mapping, name: str, context: QgsProcessin
 def _write_file(algorithm, parameters: Mapping, name: str, context: QgsProcessingContext, path: Path,
                 layer: tuple, features: Iterable[list[QgsFeature]], looks: tuple[str, tuple[str, ...], Earlier],
                 progress: Progress) -> str:
-    style, own, earlier = looks
+    style, results, earlier = looks
     label = algorithm.label_of(name)
     folder = path.parent
     check_place(algorithm, parameters, name, context)
@@ -357,7 +357,7 @@ def _write_file(algorithm, parameters: Mapping, name: str, context: QgsProcessin
             finally:
                 del sink
             if target.suffix.lower() == ".gpkg":
-                save_style(target, style, own, progress, earlier)
+                save_style(target, style, results, progress, earlier)
             without_times(target)
             _move_into_place(Path(scratch), folder)
     except OSError as error:

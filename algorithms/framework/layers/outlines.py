@@ -147,13 +147,13 @@ def building_names(table: VectorTable) -> BuildingNames:
     """
     import numpy as np
 
-    ids, kept = column(table, BUILDING_ID), numbers(table, NUMBER)
+    ids, assigned = column(table, BUILDING_ID), numbers(table, NUMBER)
     order = np.arange(1, len(table) + 1)
-    if kept is not None and (not _are_numbers(kept.tolist()) or len(set(kept.tolist())) < len(kept)):
+    if assigned is not None and (not _are_numbers(assigned.tolist()) or len(set(assigned.tolist())) < len(assigned)):
         raise InputError(tr("{0}: the field {1} must hold the buildings' numbers as an earlier step wrote them; remove "
                             "it.").format(table.label, NUMBER))
     if ids is None:
-        return BuildingNames(order if kept is None else kept.astype(np.int64))
+        return BuildingNames(order if assigned is None else assigned.astype(np.int64))
     ids = [int(value) if isinstance(value, float) and value.is_integer() else value for value in ids]
     if any(value is None or value != value or str(value).strip() == "" for value in ids):
         raise InputError(tr("{0}: some {1} is empty; give each building its own, or remove the field.").format(
@@ -166,16 +166,16 @@ def building_names(table: VectorTable) -> BuildingNames:
         first[value] = True
     if _are_numbers(ids):
         return BuildingNames(np.array(ids, np.int64))
-    if kept is None:
+    if assigned is None:
         try:
             given = [int(str(value)) for value in ids]
         except ValueError:
             given = []
-        kept = np.array(given) if given and _are_numbers(given) and len(set(given)) == len(given) else order
-    kept = kept.astype(np.int64)
-    own = [value if isinstance(value, int) else str(value) for value in ids]
-    own = own if all(isinstance(value, int) for value in own) else list(map(str, own))
-    return BuildingNames(kept, dict(zip(kept.tolist(), own)))
+        assigned = np.array(given) if given and _are_numbers(given) and len(set(given)) == len(given) else order
+    assigned = assigned.astype(np.int64)
+    labels = [value if isinstance(value, int) else str(value) for value in ids]
+    labels = labels if all(isinstance(value, int) for value in labels) else list(map(str, labels))
+    return BuildingNames(assigned, dict(zip(assigned.tolist(), labels)))
 
 
 def _are_numbers(values: list) -> bool:
@@ -189,8 +189,8 @@ def building_numbers(table: VectorTable):
 
     For layers in which a building has several rows, such as roofs.
     """
-    kept = numbers(table, NUMBER)
-    return numbers(table, BUILDING_ID) if kept is None else kept
+    assigned = numbers(table, NUMBER)
+    return numbers(table, BUILDING_ID) if assigned is None else assigned
 
 
 def footprints_of(table: VectorTable, progress: Progress = SILENT):

@@ -67,12 +67,14 @@ def style_text(style: str, fields: Sequence[str] = (), own: Sequence[str] = (), 
 
 def _table_elements(fields: Sequence[str], own: Sequence[str], style: str, kept: Mapping[str, FieldWords]) -> str:
     """Aliases, decimals and order of a table's columns as elements of QML."""
-    told = {name: words for name in own if name in fields and (words := words_of(name, style)) is not None} | kept
-    if not told:
+    titled = {name: words for name in own
+              if name in fields and (words := words_of(name, style)) is not None} | kept
+    if not titled:
         return ""
     lines = ["  <aliases>", *(f'    <alias index="{fields.index(name)}" field="{escape(name)}" '
-                              f'name="{escape(tr(words.words))}"/>' for name, words in told.items()), "  </aliases>"]
-    lines += ["  <fieldConfiguration>", *(_rounded(name, words) for name, words in told.items()
+                              f'name="{escape(tr(words.words))}"/>' for name, words in titled.items()),
+              "  </aliases>"]
+    lines += ["  <fieldConfiguration>", *(_rounded(name, words) for name, words in titled.items()
                                           if words.decimals is not None), "  </fieldConfiguration>"]
     order = sorted(fields, key=lambda name: 0 if name in own else 1 if name in kept else 2)
     lines += ["  <attributetableconfig>", "    <columns>",
@@ -142,7 +144,7 @@ def _post_processor(style: str, own: tuple[str, ...] = (), earlier: Earlier = ()
     """One for one layer of one run: QGIS deletes it with the run's context."""
     processor = StylePostProcessor(style, own, earlier, text)
     with _LOCK:
-        _KEPT[:] = [kept for kept in _KEPT if not sip.isdeleted(kept)]
+        _KEPT[:] = [alive for alive in _KEPT if not sip.isdeleted(alive)]
         _KEPT.append(processor)
     return processor
 

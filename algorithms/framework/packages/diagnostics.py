@@ -50,12 +50,12 @@ def _algebra() -> list[str]:
     import numpy
 
     try:
-        told = numpy.show_config(mode="dicts")["Build Dependencies"]
+        libraries = numpy.show_config(mode="dicts")["Build Dependencies"]
     except TypeError:  # numpy before 1.25 prints it and hands nothing over
-        told = {name: getattr(numpy.__config__, f"{name}_opt_info", {}) for name in ("blas", "lapack")}
+        libraries = {name: getattr(numpy.__config__, f"{name}_opt_info", {}) for name in ("blas", "lapack")}
     return [f"  {name}: " + ", ".join(f"{key} {value}" for key, value in sorted(entry.items())
                                       if key in ("name", "version", "libraries", "library_dirs"))
-            for name, entry in sorted(told.items()) if name in ("blas", "lapack")]
+            for name, entry in sorted(libraries.items()) if name in ("blas", "lapack")]
 
 
 class DiagnosticsDialog(QDialog):

@@ -29,9 +29,9 @@ class PackagesBar:
         if not names or settings.value(cls.SETTING, "") == " ".join(names):
             return False
         # The line above the map holds no more; the window behind the button names all.
-        told = ", ".join(names) if len(names) <= _TOLD else say(
+        listed = ", ".join(names) if len(names) <= _TOLD else say(
             "{names} and {count} more", names=", ".join(names[:_TOLD]), count=len(names) - _TOLD)
-        line = iface.messageBar().createMessage("UrbanMap", tr("Python packages missing: {0}.").format(told))
+        line = iface.messageBar().createMessage("UrbanMap", tr("Python packages missing: {0}.").format(listed))
         button = QPushButton(tr("Install…"), line)
         button.clicked.connect(lambda: (iface.messageBar().popWidget(line), install_packages()))
         line.layout().addWidget(button)

@@ -202,9 +202,10 @@ def _pack_core(archive: Path, mark: str) -> None:
 
 
 def _compare_versions(client) -> None:
-    here = package_versions(COMPARED)
-    for worker, there in client.run(package_versions, COMPARED).items():
-        other = [f"{name} {there[name] or '–'} ({here[name]})" for name in COMPARED if there[name] != here[name]]
+    expected = package_versions(COMPARED)
+    for worker, installed in client.run(package_versions, COMPARED).items():
+        other = [f"{name} {installed[name] or '–'} ({expected[name]})" for name in COMPARED
+                 if installed[name] != expected[name]]
         if other:
             raise InputError(tr("The worker {0} has other packages than this machine: {1}; install the same there.")
                              .format(worker, ", ".join(other)))
@@ -222,7 +223,7 @@ def _compare_storage(client, folders: Sequence[str]) -> None:
             seen = client.run(os.path.exists, name)
         finally:
             probe.unlink(missing_ok=True)
-        for worker, there in seen.items():
-            if not there:
+        for worker, visible in seen.items():
+            if not visible:
                 raise InputError(tr("The worker {0} does not see the folder {1}; put inputs, outputs and temporary "
                                     "files (TMPDIR) on storage that all machines share.").format(worker, folder))

@@ -65,11 +65,11 @@ def _bind() -> str:
     found = _strange_slots()
     if found is None:
         return ""
-    own, slots = found
+    library, slots = found
     mappings = _mappings()
     try:
         for address, name in slots:
-            _write(address, ctypes.cast(getattr(own, name), ctypes.c_void_p).value, mappings)
+            _write(address, ctypes.cast(getattr(library, name), ctypes.c_void_p).value, mappings)
     except (OSError, AttributeError):
         return tr("numpy multiplies matrices with a slow library of QGIS ({0}), and the system does not let it use its "
                   "own; results can differ in their last digits with the number of workers.").format(STRANGER)
@@ -153,7 +153,7 @@ def _parsed(data: mmap.mmap) -> _Library:
     segments = [struct.unpack_from("<IIQQQQ", data, first + number * size) for number in range(count)]
     loads = [(place, offset, length) for kind, _, offset, place, _, length in segments if kind == _LOAD]
 
-    def at(place: int) -> int:
+    def file_offset(place: int) -> int:
         return next((offset + place - start for start, offset, length in loads if start <= place < start + length), 0)
 
     tags: dict[int, list[int]] = {}
@@ -163,24 +163,24 @@ def _parsed(data: mmap.mmap) -> _Library:
             tags.setdefault(tag, []).append(value)
     if not {_STRTAB, _SYMTAB} <= set(tags):
         return _Library((), {})
-    texts = at(tags[_STRTAB][0])
+    texts = file_offset(tags[_STRTAB][0])
 
     def text(place: int) -> bytes:
         return data[texts + place:data.find(b"\0", texts + place)]
 
     slots: dict[str, list[int]] = {}
-    for address, kind, number in _relocations(data, tags, at):
-        symbol, = struct.unpack_from("<I", data, at(tags[_SYMTAB][0]) + 24 * number)
+    for address, kind, number in _relocations(data, tags, file_offset):
+        symbol, = struct.unpack_from("<I", data, file_offset(tags[_SYMTAB][0]) + 24 * number)
         if kind in _KINDS[platform.machine()] and number and text(symbol).startswith(PREFIX):
             slots.setdefault(text(symbol).decode(), []).append(address)
     return _Library(tuple(text(place).decode() for place in tags.get(_NEEDED, ())), slots)
 
 
-def _relocations(data: mmap.mmap, tags: dict[int, list[int]], at) -> Iterator[tuple[int, int, int]]:
+def _relocations(data: mmap.mmap, tags: dict[int, list[int]], file_offset) -> Iterator[tuple[int, int, int]]:
     """Place in memory, kind and number of the symbol of each entry of the two tables."""
     for table, length in ((_RELA, _RELASZ), (_JMPREL, _PLTRELSZ)):
         if table in tags and length in tags:
-            start = at(tags[table][0])
+            start = file_offset(tags[table][0])
             for entry in range(start, start + tags[length][0], 24):
                 address, info = struct.unpack_from("<QQ", data, entry)
                 yield address, info & 0xFFFFFFFF, info >> 32

@@ -48,28 +48,28 @@ def _pyproj_needs_it() -> bool:
 
 
 def _handed_over(work: Callable[[], Result], context: QgsProcessingContext) -> Result:
-    here = QThread.currentThread()
-    moves = context.thread() == here
+    caller = QThread.currentThread()
+    moves = context.thread() == caller
     outcome: Future = Future()
-    there: Future = Future()
+    runner: Future = Future()
     begin, loop = threading.Event(), QEventLoop()
     variables = contextvars.copy_context()
 
     def in_thread() -> None:
-        there.set_result(QThread.currentThread())
+        runner.set_result(QThread.currentThread())
         begin.wait()
         try:
             outcome.set_result(variables.run(work))
         except BaseException as error:  # raised again where it belongs
             outcome.set_exception(error)
         if moves:
-            context.pushToThread(here)
+            context.pushToThread(caller)
         QMetaObject.invokeMethod(loop, "quit", Qt.ConnectionType.QueuedConnection)
 
     thread = threading.Thread(target=in_thread, name="urbanmap run")
     thread.start()
     if moves:
-        context.pushToThread(there.result())
+        context.pushToThread(runner.result())
     begin.set()
     # Models count their steps' progress in this thread: so its events go on, until the last has come.
     loop.exec()

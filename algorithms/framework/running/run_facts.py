@@ -57,7 +57,7 @@ def _reference(algorithm, parameters: Mapping, context: QgsProcessingContext):
 
 def _told(algorithm, parameters: Mapping, context: QgsProcessingContext, inputs: bool) -> dict[str, str]:
     """Values of the inputs, or of all else, by label as the user knows them; what was left out is not told."""
-    told = {}
+    values = {}
     for definition in algorithm.parameterDefinitions():
         name = definition.name()
         if definition.isDestination() or name in UNTOLD or (definition.type() in INPUTS) != inputs:
@@ -70,8 +70,8 @@ def _told(algorithm, parameters: Mapping, context: QgsProcessingContext, inputs:
             unit = UNIT.findall(definition.description()) if not inputs else []
             unit = unit or (["m"] if definition.type() == "distance" else [])
             label = UNIT.sub("", definition.description()) if unit else definition.description()
-            told[label] = text + (f" {unit[0].strip(' ()')}" if unit else "")
-    return told
+            values[label] = text + (f" {unit[0].strip(' ()')}" if unit else "")
+    return values
 
 
 def value_text(value: object, context: QgsProcessingContext) -> str:

@@ -54,7 +54,7 @@ class EdgePieces:
         self._pieces: list = []
         self._columns: dict[str, list] = {}
 
-    def take(self, table: layers.VectorTable) -> tuple[Mapping[str, list], list]:
+    def collect(self, table: layers.VectorTable) -> tuple[Mapping[str, list], list]:
         """Keep the pieces at edges; columns and polygons of all others."""
         edge = [value == EDGE for value in table.columns[SEAM]]
         for name, column in table.columns.items():

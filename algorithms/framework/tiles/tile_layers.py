@@ -66,13 +66,13 @@ def layer_file(path: Path, fields, wkb_type, crs, name: str = "") -> Iterator[Ca
     """
     options = QgsVectorFileWriter.SaveVectorOptions()
     options.driverName, options.layerName = "GPKG", name or path.stem
-    kept = QgsFields()
+    written = QgsFields()
     for item in fields:
         if item.name().lower() != "fid":
-            kept.append(item)
-    _, kept = own_fields(kept)
-    held = [QgsVectorFileWriter.create(str(path), kept, wkb_type, crs, QgsCoordinateTransformContext(), options)]
-    places = [fields.lookupField(item.name()) for item in kept]
+            written.append(item)
+    _, written = own_fields(written)
+    writers = [QgsVectorFileWriter.create(str(path), written, wkb_type, crs, QgsCoordinateTransformContext(), options)]
+    places = [fields.lookupField(item.name()) for item in written]
 
     added = [0]
 
@@ -80,15 +80,15 @@ def layer_file(path: Path, fields, wkb_type, crs, name: str = "") -> Iterator[Ca
         added[0] += len(features)
         for feature in features:
             feature.setAttributes([feature.attributes()[place] for place in places])
-        if not held[0].addFeatures(features, QgsFeatureSink.Flag.FastInsert):
-            raise OutputError(tr("{0} cannot be written: {1}").format(path, held[0].errorMessage()))
+        if not writers[0].addFeatures(features, QgsFeatureSink.Flag.FastInsert):
+            raise OutputError(tr("{0} cannot be written: {1}").format(path, writers[0].errorMessage()))
 
     try:
-        if held[0].hasError() != QgsVectorFileWriter.WriterError.NoError:
-            raise OutputError(tr("{0} cannot be written: {1}").format(path, held[0].errorMessage()))
+        if writers[0].hasError() != QgsVectorFileWriter.WriterError.NoError:
+            raise OutputError(tr("{0} cannot be written: {1}").format(path, writers[0].errorMessage()))
         yield add
     finally:
-        held.clear()  # the file is whole when its writer is gone
+        writers.clear()  # the file is whole when its writer is gone
     if count_of(path) != added[0]:
         raise OutputError(tr("{0} cannot be written whole: make room on its disk, and run again.").format(path))
 

@@ -121,7 +121,7 @@ def _join(parts: Sequence[Path], add: Callable[[list], None], progress: Progress
             raise OutputError(tr("{0} cannot be read whole; delete the folder that it is in, and run again.").format(
                 part))
         fields = joined_fields(table.fields)
-        _append(add, fields, *edges.take(table))
+        _append(add, fields, *edges.collect(table))
         progress.step((done + 1) / len(parts))
     _append(add, fields, *edges.joined())
 

@@ -135,7 +135,7 @@ def _make(job: TileJob, folder: Path, cancelled: Callable[[], bool]) -> dict[str
     inputs = folder / INPUTS
     inputs.mkdir()
     parameters = dict(job.settings)
-    own = _cut_layers(job, inputs, parameters)
+    owned = _cut_layers(job, inputs, parameters)
     _cut_points(job, inputs, parameters)
     for name, path in job.rasters.items():
         parameters[name] = str(inputs / f"{name}.tif")
@@ -149,7 +149,7 @@ def _make(job: TileJob, folder: Path, cancelled: Callable[[], bool]) -> dict[str
     if cancelled():
         raise Cancelled()
     for name, file in job.outputs.items():
-        _keep_own(folder / file, job.tile, own, name in CUTTABLE[job.algorithm].joined)
+        _keep_own(folder / file, job.tile, owned, name in CUTTABLE[job.algorithm].joined)
     return {name: value for name, value in results.items()
             if isinstance(value, (int, float)) and not isinstance(value, bool)}
 
@@ -169,17 +169,17 @@ def _cut_points(job: TileJob, inputs: Path, parameters: dict) -> None:
 
 def _cut_layers(job: TileJob, inputs: Path, parameters: dict) -> dict[str, int] | None:
     """Cut the layers; by their own ids the numbers of the tile's own features, None where none own anything."""
-    own = None
+    owned = None
     for name, path in job.layers.items():
         cut = inputs / f"{name}{LAYER_SUFFIX}"
         found = cut_layer(path, job.tile, cut)
         if name == job.owner:
-            own = found
+            owned = found
             if not found:
                 raise EmptyTile(tr("There are no outlines in this tile."))
         if cut.is_file():
             parameters[name] = str(cut)
-    return own
+    return owned
 
 
 def cut_layer(source: Path, tile: GridTile, target: Path) -> dict[str, int]:
@@ -193,13 +193,13 @@ def cut_layer(source: Path, tile: GridTile, target: Path) -> dict[str, int]:
         near = sorted(found, key=lambda feature: feature.id())  # they come as the spatial index was built
         if not near:
             return {}
-        own = {}
+        owned = {}
         if BUILDING_ID in names:
             number = NUMBER if NUMBER in names else BUILDING_ID
-            own = {str(feature[BUILDING_ID]): int(feature[number]) for feature in near if _is_own(tile, feature)}
+            owned = {str(feature[BUILDING_ID]): int(feature[number]) for feature in near if _is_own(tile, feature)}
         with layer_file(target, layer.fields(), layer.wkbType(), layer.crs()) as add:
             add(near)
-    return own
+    return owned
 
 
 def _is_own(tile: GridTile, feature) -> bool:

@@ -232,8 +232,8 @@ def _occupied(grid: TileGrid, bounds, points, owner) -> list[GridTile]:
     if owner is not None:
         boxes = shapely.bounds(owner.geometries)
         column, row = grid.numbers((boxes[:, 0] + boxes[:, 2]) / 2, (boxes[:, 1] + boxes[:, 3]) / 2)
-        there = set(zip(column.tolist(), row.tolist()))
-        return [tile for tile in tiles if (tile.column, tile.row) in there]
+        occupied = set(zip(column.tolist(), row.tolist()))
+        return [tile for tile in tiles if (tile.column, tile.row) in occupied]
     if points:
         files = FileIndex([file for given in points.values() for file in given])
         return [tile for tile in tiles if files.meeting(tile.core)]

@@ -47,7 +47,7 @@ class BundleSettings:
     ----------
     position, angle : m and degrees, standard deviations of each frame's own errors.
     shared : times these, of the errors that all frames share.
-    own : times these that are tried; how much of their errors the frames share is found from the points.
+    own_scales : times these that are tried; how much of their errors the frames share is found from the points.
     pixel : of a measured point, pixels.
     control : m, of a control point.
     """
@@ -55,13 +55,13 @@ class BundleSettings:
     position: float = 0.3
     angle: float = 0.05
     shared: float = 10.0
-    own: tuple[float, ...] = (1.0, 0.2, 0.04)
+    own_scales: tuple[float, ...] = (1.0, 0.2, 0.04)
     pixel: float = 0.5
     control: float = 0.02
 
     def __post_init__(self) -> None:
-        if not all(np.isfinite(value) and value > 0 for value in (*self.own, self.position, self.angle, self.shared,
-                                                                  self.pixel, self.control)):
+        if not all(np.isfinite(value) and value > 0 for value in (*self.own_scales, self.position, self.angle,
+                                                                  self.shared, self.pixel, self.control)):
             raise InputError(say("The standard deviations of frames, pixels and control points must be above 0."))
 
 
@@ -75,9 +75,9 @@ class AdjustedFrames:
     sigma : (frames, 6) standard deviations, m and degrees.
     residual : (n, 2) pixels, measured less computed, of each observation; of check points with their given place.
     weight : (n,) 0 to 1; NaN of check points.
-    apart : (n, 2) m east and north from a known point to where its pixel comes to lie at its height; NaN of ties.
+    ground_error : (n, 2) m east and north from a known point to its pixel's place at its height; NaN of ties.
     noise : standard deviation of the observations, times that assumed.
-    own : how much of the stated size the frames' own errors have, found from the points.
+    own_scale : how much of the stated size the frames' own errors have, found from the points.
     state : (unknowns,) shared, frame by frame, point by point.
     """
 
@@ -85,9 +85,9 @@ class AdjustedFrames:
     sigma: np.ndarray
     residual: np.ndarray
     weight: np.ndarray
-    apart: np.ndarray
+    ground_error: np.ndarray
     noise: float
-    own: float
+    own_scale: float
     state: np.ndarray
 
     @property
@@ -107,14 +107,15 @@ def adjust_frames(camera: FrameCamera, poses: Sequence[ExteriorOrientation], poi
     """
     problem = _problem_of(camera, poses, points, settings or BundleSettings())
     nothing = np.zeros(_SIX * (1 + len(poses)) + 3 * len(points.points))
-    best = max((_solved(problem, own, nothing) for own in problem.settings.own), key=lambda found: found.likelihood)
+    tried = (_solved(problem, scale, nothing) for scale in problem.settings.own_scales)
+    best = max(tried, key=lambda found: found.likelihood)
     adjusted, frame = _corrected(poses, best.state), problem.frame
     computed, _ = _linearised(problem, best.state)
     given = _projected(camera, adjusted, frame, points.place[points.point])
     computed = np.where(points.check[points.point][:, None], given, computed)
-    apart = _errors_on_ground(camera, adjusted, points, frame)
+    error = _errors_on_ground(camera, adjusted, points, frame)
     return AdjustedFrames(adjusted, _sigma(best.factors, len(poses), len(best.state)), points.pixel - computed,
-                          np.where(problem.used, best.weight, np.nan), apart, best.noise, best.own, best.state)
+                          np.where(problem.used, best.weight, np.nan), error, best.noise, best.own_scale, best.state)
 
 
 def errors_on_ground(camera: FrameCamera, poses: Sequence[ExteriorOrientation], points: ImagePoints) -> np.ndarray:
@@ -134,7 +135,7 @@ def left_out_error(camera: FrameCamera, poses: Sequence[ExteriorOrientation], po
     check[number] = True
     points = replace(points, check=check)
     problem = _problem_of(camera, poses, points, settings)
-    found = _corrected(poses, _solved(problem, adjusted.own, adjusted.state).state)
+    found = _corrected(poses, _solved(problem, adjusted.own_scale, adjusted.state).state)
     return _apart(camera, found, points, problem.frame, points.point == number).mean(axis=0)
 
 
@@ -160,7 +161,7 @@ class _Solution:
     weight: np.ndarray
     noise: float
     likelihood: float
-    own: float
+    own_scale: float
 
 
 def _problem_of(camera: FrameCamera, poses: Sequence[ExteriorOrientation], points: ImagePoints,
@@ -172,13 +173,13 @@ def _problem_of(camera: FrameCamera, poses: Sequence[ExteriorOrientation], point
     return _Problem(camera, tuple(poses), points, frame, _start(camera, poses, points, frame), _used(points), settings)
 
 
-def _solved(problem: _Problem, own: float, state: np.ndarray) -> _Solution:
-    """Gauss and Newton's method with weights by the misfits, for frames whose own errors are `own` times as large.
+def _solved(problem: _Problem, scale: float, state: np.ndarray) -> _Solution:
+    """Gauss and Newton's method with weights by the misfits, for frames whose own errors are `scale` times as large.
 
     `state` (unknowns,) is where it begins.
     """
     settings = problem.settings
-    prior = _prior(len(problem.poses), problem.points, settings, own)
+    prior = _prior(len(problem.poses), problem.points, settings, scale)
     for _ in range(LIMITS.rounds):
         computed, jacobian = _linearised(problem, state)
         misfit = problem.points.pixel - computed
@@ -194,7 +195,7 @@ def _solved(problem: _Problem, own: float, state: np.ndarray) -> _Solution:
     cost = float(np.sum(LIMITS.gross**2 * size**2 / (LIMITS.gross**2 + size**2)) + state @ (prior * state))
     volume = float(np.log(np.abs(factors.U.diagonal())).sum() - np.log(prior).sum())
     noisy = 4.0 * problem.used.sum() * np.log(noise)
-    return _Solution(state, factors, weight, noise, -0.5 * (cost + volume + noisy), own)
+    return _Solution(state, factors, weight, noise, -0.5 * (cost + volume + noisy), scale)
 
 
 def contradicting(points: ImagePoints, adjusted: AdjustedFrames) -> np.ndarray:
@@ -250,11 +251,11 @@ def _start(camera: FrameCamera, poses: Sequence[ExteriorOrientation], points: Im
     return place
 
 
-def _prior(frames: int, points: ImagePoints, settings: BundleSettings, own: float) -> np.ndarray:
-    """Weights of all unknowns: shared, frame by frame (`own` times as large as stated), point by point."""
+def _prior(frames: int, points: ImagePoints, settings: BundleSettings, scale: float) -> np.ndarray:
+    """Weights of all unknowns: shared, frame by frame (`scale` times as large as stated), point by point."""
     stated = np.repeat([settings.position, settings.angle], 3)
     place = np.where(points.control, settings.control, LIMITS.tie_sigma)
-    return np.concatenate([settings.shared * stated, np.tile(own * stated, frames), np.repeat(place, 3)]) ** -2.0
+    return np.concatenate([settings.shared * stated, np.tile(scale * stated, frames), np.repeat(place, 3)]) ** -2.0
 
 
 def _corrected(poses: Sequence[ExteriorOrientation], state: np.ndarray) -> tuple[ExteriorOrientation, ...]:

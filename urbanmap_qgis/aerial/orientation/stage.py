@@ -59,7 +59,7 @@ class FrameControl:
 
     def rms(self, which: np.ndarray, before: bool = False) -> float:
         """RMS in plan, m, of some points (k,) bool, each the mean of its frames; NaN where there is none."""
-        errors = mean_of_points(self.points, self.before if before else self.adjusted.apart)[which]
+        errors = mean_of_points(self.points, self.before if before else self.adjusted.ground_error)[which]
         return _rms(errors)
 
     def left_out_rms(self) -> float:
@@ -91,16 +91,16 @@ def control_frames(camera: FrameCamera, poses: Sequence[ExteriorOrientation], po
                         _findings(poses, points, wrong))
 
 
-def mean_of_points(points: ImagePoints, apart: np.ndarray) -> np.ndarray:
+def mean_of_points(points: ImagePoints, errors: np.ndarray) -> np.ndarray:
     """(k, 2) means over the observations of each point, NaN where there is none."""
     count = np.bincount(points.point, minlength=len(points.points))
-    return np.column_stack([np.bincount(points.point, axis, len(count)) for axis in apart.T]) / count[:, None]
+    return np.column_stack([np.bincount(points.point, axis, len(count)) for axis in errors.T]) / count[:, None]
 
 
 def residual_columns(made: FrameControl) -> dict[str, list]:
     """Columns of the layer of residuals, a row for each point with coordinates; m, east and north."""
     points, known = made.points, np.flatnonzero(made.points.known)
-    before, after = (mean_of_points(points, errors)[known] for errors in (made.before, made.adjusted.apart))
+    before, after = (mean_of_points(points, errors)[known] for errors in (made.before, made.adjusted.ground_error))
     role = np.where(points.check, mark("check"), np.where(made.wrong, mark("wrong"), mark("control")))[known]
     seen = np.bincount(points.point, minlength=len(points.points))[known]
     columns = {"id": [points.points[number] for number in known], "role": role.tolist(), "frames": seen.tolist(),
@@ -122,8 +122,8 @@ def write_exterior(path: str | os.PathLike, adjusted: AdjustedFrames) -> None:
                              *(f"{value:.6f}" for value in sigma[3:])])
 
 
-def _rms(apart: np.ndarray) -> float:
-    known = apart[np.isfinite(apart).all(axis=1)]
+def _rms(errors: np.ndarray) -> float:
+    known = errors[np.isfinite(errors).all(axis=1)]
     return float(np.sqrt(np.mean(np.sum(known**2, axis=1)))) if len(known) else float("nan")
 
 

@@ -35,8 +35,8 @@ class FrameShiftsLimits:
     min_reach: int = 1  # patches, east or north, that all of them span: a thing smaller than a patch is no evidence
     level_share: float = 0.95  # of a patch on which nothing stands
     # pixels: with a known base, and of orthophotos, in which heights lean anyhow
-    apart: float = 0.5
-    apart_unknown: float = 1.0
+    least_shift: float = 0.5
+    least_shift_unknown: float = 1.0
     heights: tuple[float, ...] = (-2.0, 300.0)  # m: what stands anywhere above the ground, or lies below it
     ground_sigma: float = 0.1  # m, of the ground's height, the same under all patches
     max_warnings: int = 5
@@ -167,7 +167,7 @@ def status_of(shift: FrameShift, pixel: float) -> str:
 
 
 def _surely(length: float, sigma: float, shift: FrameShift, pixel: float) -> bool:
-    least = LIMITS.apart_unknown if shift.parallax is None else LIMITS.apart
+    least = LIMITS.least_shift_unknown if shift.parallax is None else LIMITS.least_shift
     return length > max(least * pixel, 3 * sigma)
 
 

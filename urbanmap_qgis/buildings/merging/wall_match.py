@@ -27,7 +27,7 @@ class WallMatchLimits:
     same: float = 0.01
     short: float = 0.5
     long: float = 4.0
-    bent: float = 0.3
+    max_bend: float = 0.3
     small_rotation: float = 1.0
     facing: float = 0.94
     coplanar: float = 0.1  # Walls whose ends lie this near to the line of a larger one, m, are of its plane.
@@ -326,7 +326,7 @@ def _walls_off_line(edge: OuterEdge, line: Line, walls: WallIndex, chosen: Measu
             continue
         middle = wall.point + (wall.left + wall.right) / 2 * wall.along
         extent = (middle - edge.ends[0]) @ edge.line.along
-        if 0 < extent < edge.length and abs((middle - line.point) @ line.outward) > LIMITS.bent:
+        if 0 < extent < edge.length and abs((middle - line.point) @ line.outward) > LIMITS.max_bend:
             return True
     return False
 

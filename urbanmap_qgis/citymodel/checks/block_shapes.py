@@ -168,7 +168,7 @@ class BlockShapes:
             lines[whole_rings] = shapely.linearrings(flat[places], indices=number[self.ring_of_place[places]])
         return lines
 
-    def place(self, polygon: int) -> tuple[float, float]:
+    def first_place(self, polygon: int) -> tuple[float, float]:
         """First place of a polygon as in the file: first and second coordinate."""
         first = self.raw[self.start[self.outer_ring[polygon]]]
         return float(first[0]), float(first[1])

@@ -214,7 +214,7 @@ def _curve_falls_apart(block: CityBlock, rule: CheckRule) -> Iterator[Violation]
 def _at(block: CityBlock, number: int, **fields: object) -> Violation:
     """A polygon that breaks a rule, with its place."""
     polygon = block.shapes.polygons[number]
-    return violation(polygon.feature, polygon.lod, block.shapes.place(number), **fields)
+    return violation(polygon.feature, polygon.lod, block.shapes.first_place(number), **fields)
 
 
 def _places(text: str) -> np.ndarray | None:

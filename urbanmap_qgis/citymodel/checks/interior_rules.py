@@ -57,7 +57,7 @@ def _opening_without_border(block: CityBlock, rule: CheckRule) -> Iterator[Viola
         sides = [np.stack([ring[:-1], (ring[:-1] + ring[1:]) / 2, ring[1:]], axis=1) for ring in _rings(block, inner)]
         shared = [_near_lines(side.reshape(-1, 3), borders).reshape(-1, 3).all(axis=1).any() for side in sides]
         if not any(shared):
-            yield violation(feature, 4, block.shapes.place(inner[0]))
+            yield violation(feature, 4, block.shapes.first_place(inner[0]))
 
 
 def _solids(thing: CityThing, types: tuple[str, ...], least: int) -> Iterator[tuple[CityBody, list[tuple[int, bool]]]]:
@@ -126,4 +126,4 @@ def _outside_of_building(block: CityBlock, rule: CheckRule) -> Iterator[Violatio
             places = shapes.metres[shapes.start[ring]:shapes.start[ring + 1]]
             inside = shapely.intersects_xy(plan, places[:, 0], places[:, 1]).all()
             if not inside or places[:, 2].min() < low or places[:, 2].max() > high:
-                yield violation(_holder(polygon.feature), 4, shapes.place(number))
+                yield violation(_holder(polygon.feature), 4, shapes.first_place(number))

@@ -170,7 +170,7 @@ def solid_violations(block: CityBlock, check: SolidCheck) -> Iterator[tuple[str,
         if sound and _plain_prism(block, faces):
             continue
         codes = {problem.code for problem in check(_faced(block, faces), planarity=PLANE, snap=NEAREST / 10)}
-        place = block.shapes.place(int(faces.polygons[0]))
+        place = block.shapes.first_place(int(faces.polygons[0]))
         if 302 in codes:
             count = int(edges.single[number]) or 1
             yield "L14.closed", violation(faces.body.feature, faces.body.lod, place, count=count)
@@ -215,7 +215,7 @@ def _surface_falls_apart(block: CityBlock, rule: CheckRule) -> Iterator[Violatio
             continue
         corners = [{tuple(place) for place in shapes.raw[slice(*shapes.start[[ring, ring + 1]])].tolist()}
                    for ring in shapes.outer_ring[faces.polygons]]
-        place = shapes.place(int(faces.polygons[0]))
+        place = shapes.first_place(int(faces.polygons[0]))
         if len({frozenset(one) for one in corners}) < len(corners):
             yield violation(faces.body.feature, faces.body.lod, place, why="the same polygon twice",
                             why_ja="重なる多角形があります")
@@ -289,7 +289,7 @@ def _opening_outside(block: CityBlock, rule: CheckRule) -> Iterator[Violation]:
         for level in sorted(feature.lods):
             inner, around = owners.get((id(feature), level)), owners.get((id(feature.parent), level))
             if inner and around and not _covered(block, inner, around):
-                yield violation(feature, level, shapes.place(inner[0]))
+                yield violation(feature, level, shapes.first_place(inner[0]))
 
 
 def _covered(block: CityBlock, inner: list[int], around: list[int]) -> bool:

@@ -137,10 +137,10 @@ def _band_factors(signals: TwoBands) -> tuple[np.ndarray, np.ndarray]:
     system = signals.satellite.astype("U1")
     scale, spread = np.ones(len(system)), np.ones(len(system))
     for name, band in signals.bands.items():
-        own = MEGAHERTZ[name][band]
-        scale[system == name] = (MEGAHERTZ["G"]["1"] / own) ** 2
+        frequency = MEGAHERTZ[name][band]
+        scale[system == name] = (MEGAHERTZ["G"]["1"] / frequency) ** 2
         if name in signals.second_bands:
-            spread[system == name] = (own / MEGAHERTZ[name][signals.second_bands[name]]) ** 2 - 1.0
+            spread[system == name] = (frequency / MEGAHERTZ[name][signals.second_bands[name]]) ** 2 - 1.0
     return scale, spread
 
 

@@ -33,7 +33,7 @@ class AdjustmentPlanesLimits:
     piece: float = 10.0  # m of path between plane ties.
     reach: float = 25.0  # m from the vehicle; farther planes turn with its heading
     near: float = 0.6  # m between middles of two planes that are compared
-    apart: float = 0.25  # m along the normal; more is another plane
+    normal_gap: float = 0.25  # m along the normal; more is another plane
     fewest: int = 12  # planes of a tie
     sigma: float = 0.015  # m, of two planes against each other: structure of facades, and their normals
     # m east, north, up of a tie, however many planes it has: facades turn with roll and pitch
@@ -124,7 +124,7 @@ class _Pair:
         normal /= np.maximum(np.linalg.norm(normal, axis=1), LEAST_DIVISOR)[:, None]
         # By so much the first pass must move more than the second, along the normal.
         gap = ((moved[other] - moved[one]) * normal).sum(axis=1)
-        good = (np.abs(cosine) >= _PARALLEL) & (np.abs(gap) <= LIMITS.apart)
+        good = (np.abs(cosine) >= _PARALLEL) & (np.abs(gap) <= LIMITS.normal_gap)
         self.normal, self.gap, self.place = normal[good], gap[good], moved[one][good]
         self.time = [patches.time[some][good] for some in (one, other)]
         self.along = np.interp(self.time[0], self.reported[0].time, self.parameters[0])

@@ -30,7 +30,7 @@ class ReferenceStepLimits:
     usual: float = 0.02  # m, of the usual change at least
     same: float = 0.5  # of the change, by which the other drive's may differ, and that their tie may change
     undone: float = 0.4  # of the smaller of two steps, that their sum has at most where they undo each other
-    apart: float = 40.0  # m of path within which two are one step
+    separation: float = 40.0  # m of path within which two are one step
 
 
 LIMITS = ReferenceStepLimits()
@@ -116,7 +116,7 @@ def _ties(observations: NetworkObservations, known: np.ndarray, chainage: np.nda
 
 def _steps_of(number: int, course: _Course, ties: Sequence[tuple[int, _Course, _Course]],
               courses: dict[int, _Course]) -> list[ReferenceStep]:
-    """Steps of the reference in one drive's course: the largest within every `apart` m."""
+    """Steps of the reference in one drive's course: the largest within every `separation` m."""
     places = 0.5 * (course.chainage[1:] + course.chainage[:-1])
     changes = [(float(at), change) for at in places if (change := course.change_at(float(at))) is not None]
     if not changes:
@@ -128,7 +128,7 @@ def _steps_of(number: int, course: _Course, ties: Sequence[tuple[int, _Course, _
         at, change = changes[rank]
         if sizes[rank] < max(LIMITS.least, LIMITS.proof * usual):
             break
-        if all(abs(at - step.chainage) > LIMITS.apart for step in chosen) and any(
+        if all(abs(at - step.chainage) > LIMITS.separation for step in chosen) and any(
                 _of_reference(at, change, tie, courses.get(tie[0])) for tie in ties):
             chosen.append(ReferenceStep(number, at, change))
     return sorted(chosen, key=lambda step: step.chainage)

@@ -33,7 +33,7 @@ class HeightStepsLimits:
     smooth: float = 0.03  # m: a rougher side is no made surface
     significant: float = 4.0
     fewest: int = 3  # points of a side
-    apart: int = 4  # cells between two candidates of a strip
+    separation: int = 4  # cells between two candidates of a strip
 
 
 LIMITS = HeightStepsLimits()
@@ -95,7 +95,7 @@ class Strips:
 
     def peaks(self, value: np.ndarray, score: np.ndarray) -> EdgeCandidates:
         """Candidates where the score (strips, borders) is greatest; the sign of `value` tells to which side."""
-        peak = (score > 0) & (score >= maximum_filter1d(score, 2 * LIMITS.apart + 1, axis=1, mode="constant"))
+        peak = (score > 0) & (score >= maximum_filter1d(score, 2 * LIMITS.separation + 1, axis=1, mode="constant"))
         strip, cell = np.nonzero(peak)
         middle = (self.first_strip + strip + 0.5) * STRIP
         across = np.array([-self.along[1], self.along[0]])
