@@ -12,6 +12,7 @@ from pyproj.exceptions import CRSError, ProjError
 from ..aerial.frames.camera import read_camera
 from ..aerial.frames.exterior_files import read_exterior
 from ..errors import InputError, UrbanMapError
+from ..geometry.earth import METRES_A_DEGREE
 from ..io.reference.crs_text import same_horizontal
 from ..io.reference.height_systems import refuse_other_heights
 from ..io.reference.plan_part import plan_part
@@ -30,7 +31,7 @@ from .file_facts import (
     kind_name,
 )
 
-_AROUND = 500.0 / 111_320.0
+_AROUND = 500.0 / METRES_A_DEGREE
 """Degrees of latitude (about 500 m) by which places may lie apart and still count as one."""
 _EPHEMERIS_LASTS = 4 * 3600.0
 """s: a broadcast ephemeris is used so long before and after its time."""
@@ -152,7 +153,7 @@ def _distance(group: Sequence[tuple[FileFacts, Extent]], home: Sequence[tuple[Fi
     """Distance between the nearest boxes of two groups, in words."""
     def gap(one: Extent, other: Extent) -> float:
         east = max(one[0] - other[2], other[0] - one[2], 0.0) * np.cos(np.radians(one[1]))
-        return float(np.hypot(east, max(one[1] - other[3], other[1] - one[3], 0.0))) * 111_320.0
+        return float(np.hypot(east, max(one[1] - other[3], other[1] - one[3], 0.0))) * METRES_A_DEGREE
 
     metres = min(gap(one, other) for _, one in group for _, other in home)
     return f"{metres:.0f} m" if metres < 2000 else f"{metres / 1000:.0f} km"

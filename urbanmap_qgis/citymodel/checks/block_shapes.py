@@ -12,10 +12,8 @@ from functools import cached_property
 import numpy as np
 import shapely
 
+from ...geometry.earth import curvature_radii
 from .feature_walk import CityPolygon, CityThing
-
-_SEMI_MAJOR, _SQUARED_ECCENTRICITY = 6378137.0, 0.0066943800229
-"""GRS 80, the ellipsoid of JGD2011."""
 
 FARTHEST = 1e20
 """A coordinate (degrees or m) is smaller, or the products by which areas and lengths are told overflow."""
@@ -75,10 +73,9 @@ class BlockShapes:
         if not geographic:
             return moved
         latitude = np.radians(origin[:, 0])
-        curve = 1.0 - _SQUARED_ECCENTRICITY * np.sin(latitude) ** 2
-        north = _SEMI_MAJOR * (1.0 - _SQUARED_ECCENTRICITY) / curve ** 1.5
-        east = _SEMI_MAJOR * np.cos(latitude) / np.sqrt(curve)
-        return np.column_stack([np.radians(moved[:, 1]) * east, np.radians(moved[:, 0]) * north, moved[:, 2]])
+        across, along = curvature_radii(latitude)
+        return np.column_stack([np.radians(moved[:, 1]) * across * np.cos(latitude), np.radians(moved[:, 0]) * along,
+                                moved[:, 2]])
 
     @cached_property
     def ring_of_place(self) -> np.ndarray:

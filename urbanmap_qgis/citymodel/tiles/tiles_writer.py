@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 
 from ...errors import InputError, OutputError
+from ...geometry.earth import METRES_A_DEGREE, earth_fixed
 from ...io.files.atomic import written_beside
 from ...progress import SILENT, Progress
 from ...wording import say
@@ -39,10 +40,6 @@ class TilesWriterLimits:
     # Geometric errors, m: of blocks in place of details, and of nothing in place of a cell's blocks.
     block_error: float = 4.0
     cell_error: float = 60.0
-    a: float = 6378137.0
-    f: float = 1 / 298.257223563
-    e2: float = f * (2 - f)
-    degree: float = 111_320.0
 
 
 LIMITS = TilesWriterLimits()
@@ -144,11 +141,7 @@ def tileset(cells: Mapping[tuple[int, int], TileCell], asset: Mapping[str, Any])
 
 def earth_centred(places: np.ndarray) -> np.ndarray:
     """Earth-centred coordinates (n, 3), m, of longitude, latitude (degrees) and ellipsoidal height (n, 3), WGS 84."""
-    longitude, latitude = np.radians(places[:, 0]), np.radians(places[:, 1])
-    normal = LIMITS.a / np.sqrt(1.0 - LIMITS.e2 * np.sin(latitude) ** 2)
-    level = (normal + places[:, 2]) * np.cos(latitude)
-    return np.column_stack([level * np.cos(longitude), level * np.sin(longitude),
-                            (normal * (1.0 - LIMITS.e2) + places[:, 2]) * np.sin(latitude)])
+    return earth_fixed(np.radians(places[:, 1]), np.radians(places[:, 0]), places[:, 2])
 
 
 def local_axes(longitude: float, latitude: float) -> np.ndarray:
@@ -192,7 +185,7 @@ def _sort_in(building: CityObject, to_degrees, geoid: GeoidHeights | None, cells
         return
     low, high = corners.min(axis=0), corners.max(axis=0)
     middle = (low + high) / 2.0
-    step = CELL / LIMITS.degree
+    step = CELL / METRES_A_DEGREE
     # Columns are as wide as rows are high, by bands of a degree so that they meet.
     column = math.floor(middle[0] * math.cos(math.radians(math.floor(middle[1]))) / step)
     place = column, math.floor(middle[1] / step)

@@ -9,24 +9,12 @@ from pyproj import CRS, Transformer
 from pyproj.exceptions import CRSError
 
 from ...errors import InputError
+from ...geometry.earth import curvature_radii, earth_fixed
 from ...io.reference.plan_part import plan_part
 from ...wording import say
 
 SPEED_OF_LIGHT = 299792458.0  # m/s
-
-
-@dataclass(frozen=True)
-class EarthFixedLimits:
-    """Limits of earth fixed, each with its unit."""
-
-    # The ellipsoid of WGS 84.
-    semi_major: float = 6378137.0
-    flattening: float = 1 / 298.257223563
-    squared: float = flattening * (2 - flattening)
-    step: float = 20.0
-
-
-LIMITS = EarthFixedLimits()
+_NORTH_STEP = 20.0  # m, over which grid north is taken
 
 
 @dataclass(frozen=True)
@@ -82,10 +70,10 @@ class MapFrame:
         """
         place = np.asarray(place, float)
         longitude, latitude = self._geographic(place[:, 0], place[:, 1])
-        further_lon, further_lat = self._geographic(place[:, 0], place[:, 1] + LIMITS.step)
+        further_lon, further_lat = self._geographic(place[:, 0], place[:, 1] + _NORTH_STEP)
         if not (np.isfinite(longitude).all() and np.isfinite(further_lat).all()):
             raise InputError(say("The trajectory lies outside the area of its CRS: check the CRS."))
-        lower, meridian = _curvature(latitude)
+        lower, meridian = curvature_radii(latitude)
         convergence = np.arctan2((further_lon - longitude) * lower * np.cos(latitude),
                                  (further_lat - latitude) * meridian)
         return EarthPlaces(earth_fixed(latitude, longitude, place[:, 2] + self.geoid_separation), latitude, longitude,
@@ -95,20 +83,6 @@ class MapFrame:
         # One place too many: pyproj takes an array of one for a number.
         longitude, latitude = self._to_degrees.transform(np.append(east, east[-1:]), np.append(north, north[-1:]))
         return np.radians(longitude[:-1]), np.radians(latitude[:-1])
-
-
-def earth_fixed(latitude: np.ndarray, longitude: np.ndarray, height: np.ndarray) -> np.ndarray:
-    """(n, 3) earth-fixed places, m, of latitudes and longitudes (rad) and ellipsoidal heights (m)."""
-    lower, _ = _curvature(latitude)
-    return np.stack([(lower + height) * np.cos(latitude) * np.cos(longitude),
-                     (lower + height) * np.cos(latitude) * np.sin(longitude),
-                     (lower * (1 - LIMITS.squared) + height) * np.sin(latitude)], axis=-1)
-
-
-def _curvature(latitude: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Radii of curvature across and along the meridian, m."""
-    root = np.sqrt(1 - LIMITS.squared * np.sin(latitude) ** 2)
-    return LIMITS.semi_major / root, LIMITS.semi_major * (1 - LIMITS.squared) / root ** 3
 
 
 def _axes(latitude: np.ndarray, longitude: np.ndarray, convergence: np.ndarray) -> np.ndarray:

@@ -16,6 +16,7 @@ import numpy as np
 
 from ...errors import InputError
 from ...io.files.guard import reads
+from ...mobile.gps_time import WEEK
 from ...wording import say
 from .gnss_time import BEIDOU_OFFSET, calendar_seconds, leap_seconds, nearest_week, to_gps
 from .text_lines import RinexFile, read_rinex
@@ -242,7 +243,7 @@ def _sound(numbers: list[list[float]]) -> bool:
     """Whether Keplerian elements make an orbit of a navigation satellite."""
     if len(numbers) < 8:
         return False
-    return 4000.0 < numbers[2][3] < 8000.0 and 0.0 <= numbers[2][1] < 0.9 and 0.0 <= numbers[3][0] <= 604800.0
+    return 4000.0 < numbers[2][3] < 8000.0 and 0.0 <= numbers[2][1] < 0.9 and 0.0 <= numbers[3][0] <= WEEK
 
 
 def _kepler(records: list[tuple[str, float, list[list[float]]]]) -> KeplerRecords:

@@ -7,7 +7,7 @@ from pathlib import Path
 from ...errors import InputError
 from ...io.points.pointcloud import PointCloud, open_cloud
 from ...io.reference.height_systems import heights_of
-from ...mobile.gps_time import ADJUSTMENT
+from ...mobile.gps_time import ADJUSTMENT, WEEK
 from ...mobile.markings.survey_points import sampled_span
 from ...wording import say
 from ..file_facts import POINTS, SCANS, FileFacts
@@ -47,6 +47,6 @@ def _times(cloud: PointCloud) -> tuple[float, float] | None:
         first, last = sampled_span(cloud)
     except InputError:  # no times: not needed of an airborne cloud
         return None
-    if int(cloud.headers[0].global_encoding.gps_time_type) == 1 and not 0.0 <= first < 604_800.0:
+    if int(cloud.headers[0].global_encoding.gps_time_type) == 1 and not 0.0 <= first < WEEK:
         return first + ADJUSTMENT, last + ADJUSTMENT
     return float(first), float(last)

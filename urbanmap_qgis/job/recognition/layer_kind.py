@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from ...geometry.earth import METRES_A_DEGREE
 from ...wording import say
 from ..file_facts import (
     AREAS,
@@ -42,7 +43,6 @@ _LARGEST_MARKING = 8.0
 """m2: half of the polygons of a layer of paint are smaller; a crosswalk drawn as one is larger."""
 _WIDEST_PAINT = 0.6
 """m: dashes and edge lines are narrower."""
-_METRES_A_DEGREE = 111_320.0
 _UPRIGHT = 1e-6
 """Part of its squared perimeter that an upright wall has as area in plan."""
 
@@ -104,7 +104,7 @@ def _by_size(shapes: Sequence[shapely.Geometry], degrees: bool) -> tuple[str, st
     if not len(polygons):
         return AREAS, ""
     latitude = np.median(shapely.get_y(shapely.centroid(polygons)))
-    metres = _METRES_A_DEGREE * np.sqrt(np.cos(np.radians(latitude))) if degrees else 1.0
+    metres = METRES_A_DEGREE * np.sqrt(np.cos(np.radians(latitude))) if degrees else 1.0
     area = np.median(shapely.area(polygons)) * metres**2
     width = np.median(2.0 * shapely.area(polygons) / shapely.length(polygons)) * metres
     doubt = say("told by the size of its polygons (median {area:.1f} m²), not by a name", area=area)

@@ -21,6 +21,7 @@ from ...io.conversion.reprojection import epsg_wkt
 from ...io.files.guard import read_text
 from ...io.files.named_table import WRITTEN_NUMBER, plain_name
 from ...mobile.control import read_control
+from ...mobile.gps_time import WEEK
 from ...mobile.image_poses import read_image_poses
 from ...mobile.lines.range_scans import read_scans
 from ...mobile.lines.tie_points import read_tie_points
@@ -178,7 +179,7 @@ def is_sbet(path: Path, head: bytes) -> bool:
     records = np.frombuffer(head[:len(head) // _SBET_BYTES * _SBET_BYTES], "<f8").reshape(-1, 17)
     return bool(np.isfinite(records).all() and (np.diff(records[:, 0]) > 0).all() and (records[:, 0] >= 0).all()
                 and (np.abs(records[:, 1]) < 1.6).all() and (np.abs(records[:, 2]) < 3.2).all()
-                and (np.abs(records[:, 3]) < 2e4).all() and (np.ptp(records[:, 0]) < 604_800.0))
+                and (np.abs(records[:, 3]) < 2e4).all() and (np.ptp(records[:, 0]) < WEEK))
 
 
 def sbet_facts(path: Path, _head: bytes) -> list[FileFacts]:

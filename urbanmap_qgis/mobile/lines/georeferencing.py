@@ -21,7 +21,7 @@ from ...io.files.atomic import written_beside
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..calibration import Calibration, MountedScanner, scanner_of
-from ..gps_time import shift_between
+from ..gps_time import WEEK, shift_between
 from ..trajectory import Trajectory, body_to_map, gaps
 from .line_camera import mount_matrix
 from .range_scans import RangeScans, read_scans
@@ -234,7 +234,7 @@ def _header(trajectory: Trajectory, crs_wkt: str | None) -> laspy.LasHeader:
     header.scales = [LIMITS.scale] * 3
     header.offsets = np.floor(trajectory.place.min(axis=0))
     header.generating_software = "UrbanMap"
-    header.global_encoding.gps_time_type = int(trajectory.time[0] > 604_800.0)
+    header.global_encoding.gps_time_type = int(trajectory.time[0] > WEEK)
     header.add_extra_dims([laspy.ExtraBytesParams("angle", np.float32, "degrees in the scanner's plane"),
                            laspy.ExtraBytesParams("range", np.float32, "m from the scanner")])
     if crs_wkt:

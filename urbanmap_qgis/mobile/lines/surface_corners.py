@@ -15,6 +15,7 @@ import numpy as np
 from scipy import ndimage
 from scipy.spatial import cKDTree
 
+from ...geometry.tolerances import SIGMA_OF_MAD
 from ...io.raster import RasterSampler
 from ...progress import SILENT, Progress
 from ..trajectory import Trajectory
@@ -159,7 +160,7 @@ def _line(start: np.ndarray, along: np.ndarray, normal: np.ndarray, places: np.n
             return None
         slope, offset = np.polyfit(places[keep], crossing[keep], 1)
         residual = crossing - offset - slope * places
-        noise = max(1.4826 * float(np.median(np.abs(residual[keep]))), 0.1)
+        noise = max(SIGMA_OF_MAD * float(np.median(np.abs(residual[keep]))), 0.1)
         keep = np.abs(residual) < LIMITS.outlying * noise
     direction = along + slope * normal
     return _Edge(start + offset * normal, direction / np.hypot(*direction), noise)
