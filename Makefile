@@ -38,12 +38,15 @@ qt6: setup
 demo: setup
 	scripts/demo/demo.sh
 
-# Parts in processes of their own: the core must work without QGIS. Exit code 5: a part has no tests.
+# Parts in processes of their own: the core must work without QGIS. tests/gui is one process and leaves a processor
+# free, so tests/real, one process too then, runs beside it and is shown when both have ended. Exit code 5: a part has
+# no tests.
 test: setup
-	@status=0; for part in $(PARTS); do \
-	    echo "== tests/$$part"; if [ $$part = gui ]; then workers=0; else workers=$(WORKERS); fi; \
-	    $(PYTEST) $$workers tests/$$part || [ $$? -eq 5 ] || status=1; \
-	done; exit $$status
+	@mkdir -p build; status=0; \
+	run() { echo "== tests/$$2"; $(PYTEST) $$1 tests/$$2 || [ $$? -eq 5 ]; }; \
+	for part in $(filter-out gui real,$(PARTS)); do run $(WORKERS) $$part || status=1; done; \
+	run 0 real >build/real.log 2>&1 & real=$$!; \
+	run 0 gui || status=1; wait $$real || status=1; cat build/real.log; exit $$status
 
 $(PARTS:%=test-%): test-%: setup
 	$(PYTEST) $(if $(filter gui,$*),0,$(WORKERS)) tests/$*
