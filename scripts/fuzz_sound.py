@@ -294,6 +294,50 @@ def plateau(path: Path, city: Path) -> Path:
     return Path(shutil.copy(model, path))
 
 
+def _one_file(folder: Path, pattern: str, path: Path) -> Path:
+    """One of the files of a folder, moved to its place."""
+    model, = folder.rglob(pattern)
+    return Path(shutil.move(model, path))
+
+
+def furniture(path: Path, city: Path) -> Path:
+    """Posts, a lamp and a sign as city furniture of PLATEAU."""
+    return _one_file(_street_objects(path.parent / "objects"), "*_frn_*.gml", path)
+
+
+def trees(path: Path, city: Path) -> Path:
+    """Trees as vegetation of PLATEAU."""
+    return _one_file(_street_objects(path.parent / "objects"), "*_veg_*.gml", path)
+
+
+def _street_objects(folder: Path) -> Path:
+    import numpy as np
+
+    from tests.core.test_object_city import PLACE, thing
+    from urbanmap_qgis.roadmap.objects.object_city import write_object_citygml
+    from urbanmap_qgis.roadmap.objects.object_records import LAMP, SIGN, TREE, Board
+
+    board = Board(np.add(PLACE, (10.0, -0.06, 2.4)), 180.0, 0.9, 0.6)
+    write_object_citygml(folder, [thing(SIGN, 10.0, 2.7, azimuth=180.0, board=board),
+                                  thing(LAMP, 20.0, 8.0, azimuth=90.0, arm=(1.5, 7.9)),
+                                  thing(TREE, 40.0, 6.0, crown=3.2)], crs_text(), "2026-04-01")
+    return folder
+
+
+def roads(path: Path, city: Path) -> Path:
+    """A crossing as roads of PLATEAU."""
+    import shapely
+
+    from urbanmap_qgis.roadspace.road_city import RoadDelivery, write_road_citygml
+    from urbanmap_qgis.roadspace.road_model import build_road_model
+    from urbanmap_qgis.roadspace.road_surface import surface_of
+
+    plan = shapely.union(shapely.box(-5060, -35003, -4940, -34997), shapely.box(-5002, -35060, -4998, -35000))
+    write_road_citygml(path.parent / "roads", build_road_model(surface_of([plan])), crs_text(),
+                       RoadDelivery(created="2026-04-01"))
+    return _one_file(path.parent / "roads", "*.gml", path)
+
+
 def plateau_zip(path: Path, city: Path) -> Path:
     """The same as a zip, with the image."""
     folder = path.parent / "udx"

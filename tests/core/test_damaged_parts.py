@@ -7,17 +7,21 @@ import shutil
 import sqlite3
 import struct
 from pathlib import Path
+from xml.etree.ElementTree import Element
 
 import numpy as np
 import pytest
 import rasterio
+from rasterio._err import CPLE_AppDefinedError
 
 from scripts import fuzz_sound as sound
 from tests.city_models import town
 from tests.core.test_map_check import sound_map
 from tests.core.test_rinex_observations import epoch_3, field, header_3
 from urbanmap_qgis.aerial.markings.marking_files import levels_of_orthophoto
+from urbanmap_qgis.aerial.markings.orthophoto_reader import colour_bands
 from urbanmap_qgis.aerial.orthophotos.vehicle_filter import OrthophotoSource
+from urbanmap_qgis.citymodel.citygml.value_reader import leaf_value, plain_number
 from urbanmap_qgis.citymodel.cityjson.reader import read_cityjson
 from urbanmap_qgis.citymodel.cityjson.writer import write_model_cityjson
 from urbanmap_qgis.citymodel.tiles.tiles_writer import tiles_folder_trouble
@@ -285,3 +289,25 @@ def test_a_column_name_of_brackets_without_end_is_compared_at_once():
     """It took minutes: each bracket was followed to the end of the line."""
     assert plain_name("[" * 3000 + "a" * 200_000).startswith("[[[")
     assert plain_name("Ellipsoid Height (m)") == "ellipsoidheight"
+
+
+def test_endless_numbers_of_citygml_stay_texts():
+    element = Element("a")
+    element.text = "1e999"
+    assert plain_number("1e999") is None and plain_number("-2.5e3") == -2500.0
+    assert leaf_value(element, lambda *_: "") == "1e999"
+    element.set("uom", "m")
+    assert leaf_value(element, lambda *_: "") == "1e999"
+
+
+class _StumblingRaster:
+    """What GDAL opens, and stumbles over the keys of its place when it is asked for the bands' colours."""
+
+    @property
+    def colorinterp(self):
+        raise CPLE_AppDefinedError(1, 1, "Key GTModelTypeGeoKey has count=196, whereas only 1 is legal")
+
+
+def test_an_orthophoto_whose_head_is_damaged_is_a_sentence():
+    with pytest.raises(InputError, match="a.tif is damaged: .*GTModelTypeGeoKey"):
+        colour_bands(_StumblingRaster(), Path("a.tif"))

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import rasterio
+from rasterio._err import CPLE_BaseError
 from rasterio.crs import CRS
 from rasterio.env import set_proj_data_search_path
 from rasterio.errors import CRSError, RasterioError
@@ -29,8 +30,9 @@ _BLOCK = 256
 _SAMPLE_BLOCK = 2048
 
 
-OPENING_ERRORS = (RasterioError, OSError, UnicodeError)
-"""What rasterio raises on a file that cannot be opened; the text of a damaged reference system may be no UTF-8."""
+OPENING_ERRORS = (RasterioError, CPLE_BaseError, OSError, UnicodeError)
+"""What rasterio raises on a file that cannot be opened, or whose head turns out damaged later; the text of a damaged
+reference system may be no UTF-8. GDAL's own errors are not among rasterio's, which lets some of them through."""
 
 
 @contextmanager

@@ -153,9 +153,12 @@ def colour_bands(source: rasterio.DatasetReader, path: Path) -> list[int]:
 
     Raises
     ------
-    InputError : there is none.
+    InputError : there is none, or the file is damaged.
     """
-    kinds = source.colorinterp
+    try:
+        kinds = source.colorinterp
+    except OPENING_ERRORS as error:
+        raise InputError(say("{path} is damaged: {error}.", path=path.name, error=error)) from error
     if ColorInterp.palette in kinds:
         raise InputError(say("{path} has a colour table: convert it to red, green and blue first.", path=path.name))
     if source.dtypes and source.dtypes[0].startswith("complex"):

@@ -58,10 +58,11 @@ def leaf_value(element: Element, meaning: Meaning) -> Any:
 
 
 def plain_number(text: str) -> int | float | None:
-    """A text as a number; None where it is none."""
+    """A text as a number; None where it is none or endless."""
     if _INTEGER.match(text):
         return int(text)
-    return float(text) if _NUMBER.match(text) else None
+    number = float(text) if _NUMBER.match(text) else math.nan
+    return number if math.isfinite(number) else None
 
 
 def typed_value(element: Element, kind: str, meaning: Meaning) -> Any:
