@@ -10,7 +10,7 @@ import pytest
 import shapely
 
 from tests.solid_files import write_solids
-from urbanmap_qgis.buildings.planes.alpha_expansion import energy_of, expand_labels
+from urbanmap_qgis.buildings.planes.alpha_expansion import expand_labels
 from urbanmap_qgis.buildings.planes.plane_detection import PlaneParameters, detect_planes
 from urbanmap_qgis.buildings.planes.plane_moments import azimuth_degrees, moments, slope_degrees, solve
 from urbanmap_qgis.buildings.planes.plane_partition import partition_planes
@@ -104,6 +104,11 @@ class TableBorders:
 
     def cost(self, rows, one, two):
         return self.table[np.arange(len(self.pairs))[rows], one, two]
+
+
+def energy_of(data, borders, labels):
+    one, two = labels[borders.pairs[:, 0]], labels[borders.pairs[:, 1]]
+    return data[np.arange(len(labels)), labels].sum() + borders.cost(slice(None), one, two).sum()
 
 
 @pytest.mark.parametrize("seed", range(20))

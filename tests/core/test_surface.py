@@ -13,7 +13,9 @@ from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.io.raster import read_raster
 from urbanmap_qgis.progress import Progress
 from urbanmap_qgis.terrain.cloth import ClothSettings
-from urbanmap_qgis.terrain.surface import ground_mask, ground_raster, ground_source, surface_raster, thin_mean
+from urbanmap_qgis.terrain.delaunay import triangulate
+from urbanmap_qgis.terrain.rasterise import rasterise
+from urbanmap_qgis.terrain.surface import ground_mask, ground_raster, ground_source, thin_highest, thin_mean
 from urbanmap_qgis.terrain.surface_files import SurfaceSettings, surfaces_from_files
 
 X0, Y0 = -8_000.0, -34_000.0
@@ -62,29 +64,36 @@ def test_ground_continues_outwards():
     assert raster.min() >= z[classes == 2].min() - 0.01 and raster.max() <= z[classes == 2].max() + 0.01
 
 
-def test_surface_shows_roofs_and_ground():
+@pytest.fixture
+def surface_of(make_cloud, tmp_path):
+    """`surface_of(x, y, z)`: surface (DSM) of a file with these points, and its grid."""
+    def make(x, y, z, **settings):
+        cloud = make_cloud(tmp_path / "points.las", x, y, z)
+        surfaces_from_files([cloud], tmp_path / "surface.tif", settings=SurfaceSettings(**settings))
+        return read_raster(tmp_path / "surface.tif")[:2]
+    return make
+
+
+def test_surface_shows_roofs_and_ground(surface_of):
     x, y, z, _classes = town()
-    grid = grid_of(x, y)
-    raster = surface_raster(x, y, z, grid)
+    raster, grid = surface_of(x, y, z)
     for x0, y0, x1, y1, height in ROOFS:
         rows, columns, _part = grid.window(X0 + x0 + 3, Y0 + y0 + 3, X0 + x1 - 3, Y0 + y1 - 3)
         np.testing.assert_allclose(raster[rows, columns], ground_at(X0 + x0, Y0 + y0) + height, atol=0.01)
     assert np.nanmin(raster - expected_ground(grid)) > -0.01
 
 
-def test_lone_points_in_the_air_are_left_out():
+def test_lone_points_in_the_air_are_left_out(surface_of):
     x, y, z, _classes = town()
-    grid = grid_of(x, y)
-    high = surface_raster(np.append(x, x[0]), np.append(y, y[0]), np.append(z, 500.0), grid)
-    assert np.array_equal(high, surface_raster(x, y, z, grid), equal_nan=True)
+    high, _ = surface_of(np.append(x, x[0]), np.append(y, y[0]), np.append(z, 500.0))
+    assert np.array_equal(high, surface_of(x, y, z)[0], equal_nan=True)
 
 
-def test_longest_edge_leaves_gaps_empty():
+def test_longest_edge_leaves_gaps_empty(surface_of):
     x, y, z, _classes = town()
     keep = np.hypot(x - X0 - 60, y - Y0 - 62) > 15
-    grid = grid_of(x, y)
-    whole = surface_raster(x[keep], y[keep], z[keep], grid)
-    cut = surface_raster(x[keep], y[keep], z[keep], grid, max_edge=4.0)
+    whole, grid = surface_of(x[keep], y[keep], z[keep])
+    cut, _ = surface_of(x[keep], y[keep], z[keep], max_edge=4.0)
     row, column, _inside = grid.cells(np.array([X0 + 60]), np.array([Y0 + 62]))
     assert np.isfinite(whole[row, column]).all() and np.isnan(cut[row, column]).all()
     same = np.isfinite(cut)
@@ -144,7 +153,9 @@ def test_files_equal_memory(town_file, tmp_path):
     assert grid == ground_grid == summary.grid and "Japan Plane Rectangular" in wkt
     assert summary.points_read == len(x) and summary.ground_method == "classes"
     assert summary.ground_points == (classes == 2).sum()
-    expected = surface_raster(x, y, z, grid)
+    top = thin_highest(x, y, z, grid.cell)
+    expected = np.full(grid.shape, np.nan, np.float32)
+    rasterise(x[top], y[top], z[top], triangulate(x[top], y[top]), grid, expected)
     # The lattice of the triangulation differs: of four points on nearly one circle the other diagonal may win.
     assert np.array_equal(np.isnan(surface), np.isnan(expected))
     assert (np.abs(surface - expected) > 1e-3).mean() < 1e-3

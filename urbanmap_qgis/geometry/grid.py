@@ -51,11 +51,6 @@ class Grid:
         return (self.x_min, self.y_max - self.rows * self.cell,
                 self.x_min + self.columns * self.cell, self.y_max)
 
-    @property
-    def geotransform(self) -> tuple[float, float, float, float, float, float]:
-        """The six numbers of a GDAL geotransform."""
-        return self.x_min, self.cell, 0.0, self.y_max, 0.0, -self.cell
-
     def cells(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Row and column of each point, and whether it lies on the grid (all arrays (n,)).
 

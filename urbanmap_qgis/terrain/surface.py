@@ -14,11 +14,10 @@ from ..progress import SILENT, Progress
 from ..wording import say
 from .cloth import JAVANMARDI, ClothSettings, classify_ground
 from .delaunay import highest_in_cells, triangulate
-from .outliers import isolated, isolation_limit, plausible
+from .outliers import plausible
 from .rasterise import rasterise
 
-__all__ = ["NODATA", "ground_mask", "ground_raster", "ground_source", "sample", "surface_raster", "thin_highest",
-           "thin_mean"]
+__all__ = ["NODATA", "ground_mask", "ground_raster", "ground_source", "sample", "thin_highest", "thin_mean"]
 
 NODATA = -9999.0
 GROUND_CLASSES = (2, 8, 10, 11)
@@ -134,32 +133,6 @@ def ground_raster(x: np.ndarray, y: np.ndarray, z: np.ndarray, classification: n
     px, py, pz, triangles = with_frame(px, py, pz, grid.bounds)
     raster = np.full(grid.shape, np.nan, dtype=np.float32)
     rasterise(px, py, pz, triangles, grid, raster)
-    return raster
-
-
-def surface_raster(x: np.ndarray, y: np.ndarray, z: np.ndarray, grid: Grid, max_edge: float = 0.0) -> np.ndarray:
-    """Heights of the 2.5D Delaunay surface (DSM), (rows, columns) float32, NaN outside it.
-
-    Parameters
-    ----------
-    x, y, z : (n,) metres; of each cell the highest point is used, points alone in space are not.
-    max_edge : triangles with a longer side in plan, m, are left out; 0 keeps all.
-
-    Raises
-    ------
-    InsufficientDataError : fewer than three points in different places.
-    """
-    usable = plausible(x, y, z)
-    x, y, z = x[usable], y[usable], z[usable]
-    if len(z):
-        neighbours = isolation_limit(len(z), float(np.ptp(x) * np.ptp(y)) or 1.0)
-        crowd = ~isolated(x, y, z, neighbours=neighbours)
-        x, y, z = x[crowd], y[crowd], z[crowd]
-    top = thin_highest(x, y, z, grid.cell)
-    x, y, z = x[top], y[top], z[top]
-    triangles = shorter(x, y, triangulate(x, y), max_edge)
-    raster = np.full(grid.shape, np.nan, dtype=np.float32)
-    rasterise(x, y, z, triangles, grid, raster)
     return raster
 
 

@@ -50,12 +50,6 @@ def expand_labels(data: np.ndarray, borders: Borders, start: np.ndarray) -> np.n
     return search.labels
 
 
-def energy_of(data: np.ndarray, borders: Borders, labels: np.ndarray) -> float:
-    """Energy of labels (n,), see `expand_labels`."""
-    one, two = labels[borders.pairs[:, 0]], labels[borders.pairs[:, 1]]
-    return float(data[np.arange(len(labels)), labels].sum() + borders.cost(slice(None), one, two).sum())
-
-
 class _Search:
     """The labels so far, and what each expansion needs to know of the turns before."""
 
