@@ -118,10 +118,31 @@ LANE_MAP = (
                   "OUTPUT_OPENDRIVE": "OpenDRIVE file", "OUTPUT_REPORT": "Report"}),
 )
 
+ROAD_SPACE = (
+    Step("roadedges", "1. Finds kerbs and other edges along the drive.", named={"OUTPUT": "OUTPUT_EDGES"},
+         outputs={"OUTPUT": "Road edges"}),
+    Step("streetobjects", "2. Finds poles, lamp posts, signals, signs and trees.",
+         named={"OUTPUT": "OUTPUT_OBJECTS", "OUTPUT_CITYGML": "OUTPUT_FURNITURE",
+                "OUTPUT_REPORT": "OUTPUT_OBJECT_REPORT"},
+         outputs={"OUTPUT": "Street objects", "OUTPUT_CITYGML": "CityGML folder of furniture and trees",
+                  "OUTPUT_REPORT": "Report on the objects"}),
+    Step("markinglines", "3. Makes line work of the markings.", named={"SIGMA": "", "POINTS": "", "POINTS_CRS": ""}),
+    Step("vectormap", "4. Makes lanes of the lines and the drive.",
+         made={"LINES": ("markinglines", "OUTPUT"), "AREAS": ("markinglines", "OUTPUT_AREAS"),
+               "EDGES": ("roadedges", "OUTPUT")},
+         named={"ROADS": ""}, outputs={"OUTPUT_LANES": "Lanes", "OUTPUT_BOUNDS": "Bounds of lanes"}),
+    Step("roadmodel", "5. Makes the areas of the road of edges, lanes and stop lines.",
+         made={"EDGES": ("roadedges", "OUTPUT"), "TOPS": ("roadedges", "OUTPUT_TOPS"),
+               "LANES": ("vectormap", "OUTPUT_LANES"), "STOP_LINES": ("markinglines", "OUTPUT")},
+         outputs={"OUTPUT": "Road surfaces", "OUTPUT_AREAS": "Areas of roads", "OUTPUT_STEPS": "Steps",
+                  "OUTPUT_FINDINGS": "Findings", "OUTPUT_CITYGML": "CityGML folder", "OUTPUT_REPORT": "Report"}),
+)
+
 CHAINS = (("buildings_from_als", "Buildings from ALS (model)", "buildingsfromals", BUILDINGS_FROM_ALS),
           ("aerial_markings", "Road markings from aerial frames (model)", "aerialmarkings", AERIAL_MARKINGS),
           ("georeference_mms", "Georeference mobile survey (model)", "georeferencemms", GEOREFERENCE_MMS),
-          ("lane_map", "Lane map from markings and drives (model)", "lanemap", LANE_MAP))
+          ("lane_map", "Lane map from markings and drives (model)", "lanemap", LANE_MAP),
+          ("road_space", "Road space from a mobile survey (model)", "roadspace", ROAD_SPACE))
 """File, name, algorithm with the same chain, and steps of each model."""
 
 

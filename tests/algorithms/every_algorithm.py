@@ -62,6 +62,8 @@ RECIPES: dict[str, dict] = {
     "streetobjects": DRIVE,
     "vectormap": {"LINES": "markinglines:OUTPUT", "TRAJECTORY": [DRIVE["TRAJECTORY"]]},
     "roadmodel": {"ROADS": "vectormap:OUTPUT_LANES", "DATA_DATE": "2026-04-01"},
+    "roadspace": {**DRIVE, "TRAJECTORY": TRUTH["TRAJECTORY"][0], "MARKINGS": MAP["MARKINGS"],
+                  "GROUND": HEIGHTS["GROUND"], "DATA_DATE": "2026-04-01"},
     "lanemap": {"MARKINGS": MAP["MARKINGS"], "GROUND": HEIGHTS["GROUND"], **TRUTH},
     "checkvectormap": {"INPUT": "vectormap:OUTPUT_LANELET2"},
     "comparemaps": {"OLD": "lanemap:OUTPUT_LANELET2", "NEW": None, "NEW_LINES": "vectormap:OUTPUT_BOUNDS"},

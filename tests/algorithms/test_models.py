@@ -8,7 +8,7 @@ import pytest
 
 MODELS = Path(__file__).resolve().parents[2] / "resources" / "models"
 CHAINS = {"aerial_markings": "aerialmarkings", "buildings_from_als": "buildingsfromals",
-          "georeference_mms": "georeferencemms", "lane_map": "lanemap"}
+          "georeference_mms": "georeferencemms", "lane_map": "lanemap", "road_space": "roadspace"}
 REMEDY = "run scripts/make_models.py"
 
 

@@ -23,7 +23,7 @@ CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes"
             "buildingsfromals", "tiledrun", "runjob",
             "satellitevisibility", "gnssreflections", "adjustwalls", "markinglines", "vectormap", "checkvectormap",
             "comparemaps", "lanemap", "roadedges", "localisationaccuracy", "acceptance", "roadmodel", "adjustframes",
-            "streetobjects", "adjustals")
+            "streetobjects", "adjustals", "roadspace")
 
 LIST_WITHOUT_PACKAGES = """
 import sys

@@ -33,6 +33,7 @@ class HangingPartsLimits:
     board: tuple[float, float] = (0.25, 3.0)  # m, sides of a board
     wide: float = 0.15  # m that a board reaches beyond the stem's surface
     board_points: int = 12
+    beside_post: float = 0.12  # m between an edge of a board and the axis of its post, where the post may hide the rest
     arm: float = 0.4  # m, shortest arm
     flat: float = 0.9  # m, height over which an arm's points spread, with its head
 
@@ -90,7 +91,7 @@ def hanging_parts(place: np.ndarray, height: np.ndarray, axis: StemAxis, stem_to
     beside = away > axis.diameter / 2.0 + LIMITS.skin
     wall = (away > LIMITS.wall) & (up < min(stem_top, LIMITS.wall_top))
     aside = away > axis.diameter / 2.0 + LIMITS.frame
-    board = _board(place[aside], away[aside] - axis.diameter / 2.0, up[aside], seen_from)
+    board = _board(place[aside], away[aside] - axis.diameter / 2.0, up[aside], axis, seen_from)
     return HangingParts(top, 0.0, board, *_arm(offset[beside], away[beside], up[beside]),
                         int(np.count_nonzero(wall)), _straight(offset[wall]))
 
@@ -135,7 +136,8 @@ def _crown(offset: np.ndarray, away: np.ndarray, up: np.ndarray) -> float:
     return float(2.0 * np.percentile(away[leaves], 90.0))
 
 
-def _board(place: np.ndarray, beyond: np.ndarray, up: np.ndarray, seen_from: np.ndarray) -> Board | None:
+def _board(place: np.ndarray, beyond: np.ndarray, up: np.ndarray, axis: StemAxis,
+           seen_from: np.ndarray) -> Board | None:
     """The largest flat upright face at the stem; None without one. `beyond` (n,) m from the stem's surface."""
     near = np.flatnonzero(beyond < LIMITS.board[1])
     if len(near) < LIMITS.board_points:
@@ -157,7 +159,7 @@ def _board(place: np.ndarray, beyond: np.ndarray, up: np.ndarray, seen_from: np.
         middle = place[near].mean(axis=0)
     if np.sqrt(max(spread[0], 0.0)) > LIMITS.thick or abs(normal[2]) > LIMITS.upright:
         return None
-    return _outlined(place[near], normal, seen_from)
+    return _outlined(place[near], normal, axis.at(middle[2]), seen_from)
 
 
 def _wide_slabs(beyond: np.ndarray, up: np.ndarray) -> np.ndarray:
@@ -169,8 +171,8 @@ def _wide_slabs(beyond: np.ndarray, up: np.ndarray) -> np.ndarray:
     return farthest[slab] > LIMITS.wide
 
 
-def _outlined(place: np.ndarray, normal: np.ndarray, seen_from: np.ndarray) -> Board | None:
-    """The board in which points of a plane lie; None where they make none."""
+def _outlined(place: np.ndarray, normal: np.ndarray, post: np.ndarray, seen_from: np.ndarray) -> Board | None:
+    """The board in which points of a plane lie; None where they make none. `post` (2,) its post's axis, m."""
     level = np.array([normal[0], normal[1]]) / np.hypot(*normal[:2])
     middle = place.mean(axis=0)
     if level @ (seen_from - middle[:2]) < 0:
@@ -185,7 +187,11 @@ def _outlined(place: np.ndarray, normal: np.ndarray, seen_from: np.ndarray) -> B
     if hull.area < 0.5 * width * tall:
         return None
     centre = middle + np.array([*(np.array([-level[1], level[0]]) * (left + right) / 2.0), (low + high) / 2.0])
-    return Board(centre, float(np.degrees(np.arctan2(level[0], level[1])) % 360.0), float(width), float(tall))
+    # What ends at its post on one side and reaches far out on the other is often hidden by the post from behind.
+    at_post = (np.asarray(post) - middle[:2]) @ np.array([-level[1], level[0]])
+    one_sided = min(abs(left - at_post), abs(right - at_post)) < LIMITS.beside_post
+    return Board(centre, float(np.degrees(np.arctan2(level[0], level[1])) % 360.0), float(width), float(tall),
+                 not one_sided)
 
 
 def _arm(offset: np.ndarray, away: np.ndarray, up: np.ndarray) -> tuple[float, float, float, tuple[float, float]]:

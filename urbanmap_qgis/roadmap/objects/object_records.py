@@ -82,12 +82,14 @@ class Board:
     centre : (3,) m.
     azimuth : degrees from north, clockwise, of the side that the survey saw.
     width, height : m.
+    whole : False where it ends at its post, which may hide its other half.
     """
 
     centre: np.ndarray
     azimuth: float
     width: float
     height: float
+    whole: bool = True
 
 
 @dataclass(frozen=True)

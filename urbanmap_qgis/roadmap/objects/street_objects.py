@@ -133,6 +133,8 @@ def _object(stem: Stem, axis: StemAxis, foot: np.ndarray, around: HangingParts, 
     lever = LIMITS.lean * (axis.middle[2] - foot[2])
     sigma = float(np.linalg.norm([np.sqrt(np.mean(axis.sigma**2)), lever, settings.survey_sigma]))
     reason = _doubt(stem, kind, crowd, around.wall)
+    if not reason and board is not None and not board.whole:
+        reason = say("half of its board may be hidden")
     azimuth = board.azimuth if board else around.arm_azimuth if around.arm else None
     return StreetObject(
         kind, confidence if not reason else 0.5 * confidence, foot + corner, around.top, axis.diameter,

@@ -1,0 +1,95 @@
+"""urbanmap:roadspace."""
+
+from __future__ import annotations
+
+from ..framework.base import UrbanMapAlgorithm
+from ..roadmap.markinglines import MarkingLines
+from ..roadmap.roadedges import RoadEdges
+from ..roadmap.roadmodel import LEVELS, RoadModel
+from ..roadmap.streetobjects import StreetObjects
+from ..roadmap.vectormap import VectorMap
+
+READING = ("ANGLES", "GEOID", "GEOID_HEIGHT", "POINTS_CRS")
+"""How points and trajectory are read, by all steps."""
+
+ROAD_LAYERS = ("OUTPUT", "OUTPUT_AREAS", "OUTPUT_STEPS", "OUTPUT_FINDINGS", "OUTPUT_CITYGML", "OUTPUT_REPORT")
+LANE_LAYERS = ("OUTPUT_LANES", "OUTPUT_BOUNDS")
+FIGURES = ("SURFACES", "JUNCTIONS", "FINDINGS")
+OBJECT_FIGURES = ("OBJECTS", "DOUBTFUL")
+
+
+class RoadSpace(UrbanMapAlgorithm):
+    ID = "roadspace"
+    NAME = "Road space from a mobile survey"
+    SOURCE = "Javanmardi 2018, 6.2; Project PLATEAU, standard product specification 5.0, 4.3 and 4.14"
+    KEYWORDS = ("road", "PLATEAU", "CityGML", "LOD3", "kerb", "lane", "pole", "sign", "tree", "street furniture", "MMS",
+                "workflow")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs")
+    HELP = (
+        "Goes from a corrected mobile survey and reference markings to the road as a model, in one run: kerbs, lanes, "
+        "and of them carriageways, junctions, sidewalks and islands with their steps; and what stands beside the road: "
+        "poles, lamp posts, signals, signs and trees. All as layers and as CityGML of PLATEAU.\n"
+        "Several drives are given as one: their points together, their trajectories one after another in one file. "
+        "What was not seen is a finding with its place, never made up."
+    )
+
+    def declare(self):
+        self.add_from(StreetObjects, "POINTS", "TRAJECTORY")
+        self.add_from(MarkingLines, "MARKINGS", optional=False)
+        self.add_from(RoadModel, "GROUND", "ROADS")
+        self.add_choice("LOD", "Level of detail", "Of the road model: 2 without heights; 3.0 with one height across; "
+                        "3.1 also with lanes and cuts at stop lines; 3.2 with steps from 15 cm; 3.3 with steps from "
+                        "2 cm.", LEVELS[1:], LEVELS[-1])
+        self.add_from(StreetObjects, "WIDTH", "SIGMA", "DATA_DATE", advanced=True)
+        self.add_from(StreetObjects, *READING, advanced=True)
+        self.add_from(RoadModel, "FUNCTION")
+        self.add_from(VectorMap, "TRAFFIC")
+        self.add_from(RoadModel, *ROAD_LAYERS)
+        self.add_from(StreetObjects, OUTPUT_OBJECTS="OUTPUT", optional=True, by_default=True)
+        self.add_from(StreetObjects, OUTPUT_FURNITURE="OUTPUT_CITYGML", label="CityGML folder of furniture and trees")
+        self.add_from(StreetObjects, OUTPUT_OBJECT_REPORT="OUTPUT_REPORT", label="Report on the objects")
+        self.add_from(RoadEdges, OUTPUT_EDGES="OUTPUT", optional=True, by_default=True)
+        self.add_from(VectorMap, "OUTPUT_LANES", "OUTPUT_BOUNDS", optional=True, by_default=True)
+        self.add_from(RoadModel, *FIGURES)
+        self.add_from(StreetObjects, *OBJECT_FIGURES)
+
+    def compute(self, parameters, context, feedback):
+        from ...urbanmap_qgis.io.files.read_once import read_once
+        from ...urbanmap_qgis.io.points.decoded_points import decoded_once
+
+        with decoded_once(), read_once():
+            return self._run_stages(parameters, context, feedback)
+
+    def _run_stages(self, parameters, context, feedback):
+        given = {name: parameters[name] for name in parameters if parameters[name] is not None}
+
+        def pick(*names):
+            return {name: given[name] for name in names if name in given}
+
+        def wanted(**renamed):
+            return {name: given[own] for name, own in renamed.items() if own in given}
+
+        run = self.child_runner(context, feedback, 5)
+        survey = {"POINTS": self.parameterAsFileList(parameters, "POINTS", context),
+                  **pick("TRAJECTORY", "WIDTH", "SIGMA", *READING)}
+        edges = run("roadedges", **survey, OUTPUT=given.get("OUTPUT_EDGES") or "TEMPORARY_OUTPUT",
+                    OUTPUT_TOPS="TEMPORARY_OUTPUT")
+        objects = run("streetobjects", **survey, **pick("DATA_DATE"),
+                      OUTPUT=given.get("OUTPUT_OBJECTS") or "TEMPORARY_OUTPUT",
+                      **wanted(OUTPUT_CITYGML="OUTPUT_FURNITURE", OUTPUT_REPORT="OUTPUT_OBJECT_REPORT"))
+        lines = run("markinglines", **pick("MARKINGS", "GROUND"), OUTPUT="TEMPORARY_OUTPUT",
+                    OUTPUT_AREAS="TEMPORARY_OUTPUT")
+        lanes = run("vectormap", **pick("TRAFFIC"), LINES=lines["OUTPUT"], AREAS=lines["OUTPUT_AREAS"],
+                    EDGES=edges["OUTPUT"], TRAJECTORY=[given["TRAJECTORY"]],
+                    **{name: given.get(name) or "TEMPORARY_OUTPUT" for name in LANE_LAYERS})
+        roads = run("roadmodel", **pick("ROADS", "GROUND", "FUNCTION", "DATA_DATE", *ROAD_LAYERS),
+                    LOD=self.parameterAsString(parameters, "LOD", context),
+                    EDGES=edges["OUTPUT"], TOPS=edges["OUTPUT_TOPS"], LANES=lanes["OUTPUT_LANES"],
+                    STOP_LINES=lines["OUTPUT"])
+        results = {name: roads[name] for name in (*ROAD_LAYERS, *FIGURES) if name in roads}
+        results |= {name: objects[name] for name in OBJECT_FIGURES}
+        for made, renamed in ((objects, {"OUTPUT_OBJECTS": "OUTPUT", "OUTPUT_FURNITURE": "OUTPUT_CITYGML",
+                                         "OUTPUT_OBJECT_REPORT": "OUTPUT_REPORT"}),
+                              (edges, {"OUTPUT_EDGES": "OUTPUT"}), (lanes, dict(zip(LANE_LAYERS, LANE_LAYERS)))):
+            results |= {name: made[own] for name, own in renamed.items() if own in made and name in given}
+        return results

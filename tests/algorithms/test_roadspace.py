@@ -1,0 +1,57 @@
+"""urbanmap:roadspace through Processing: a drive between kerbs with lines and a sign becomes road areas and objects."""
+
+from __future__ import annotations
+
+import laspy
+import numpy as np
+import pytest
+import shapely
+from pyproj import CRS
+
+from tests.core import object_scene as scene
+from tests.core.road_scene import Street, to_map, write_drive
+
+ALGORITHM = "urbanmap:roadspace"
+STREET = Street(length=60.0, rough=0.06)
+
+
+@pytest.fixture
+def given(polygon_layer, tmp_path):
+    """A street between a kerb and a verge, with edge lines, and a sign on the verge."""
+    trajectory = write_drive(tmp_path / "plain.las", STREET, more=lambda rng: scene.sign(rng, 30.0, -7.0))
+    cloud = laspy.read(tmp_path / "plain.las")
+    cloud.header.add_crs(CRS.from_epsg(6677))
+    cloud.write(tmp_path / "drive.las")
+    rows = np.column_stack([trajectory.time, trajectory.place, trajectory.angles])
+    np.savetxt(tmp_path / "drive.csv", rows, "%.4f", ",", header="time,x,y,z,roll,pitch,heading", comments="")
+    paint = []
+    for across in (-1.75, 1.75):
+        ring = shapely.get_coordinates(shapely.box(2.0, across - 0.075, 58.0, across + 0.075))
+        paint.append(shapely.Polygon(to_map(np.column_stack([ring, np.zeros(len(ring))]), 0.0)[:, :2]).wkt)
+    return {"POINTS": [str(tmp_path / "drive.las")], "TRAJECTORY": str(tmp_path / "drive.csv"), "TRAFFIC": "left",
+            "MARKINGS": polygon_layer(paint, "EPSG:6677", {"colour": ["white", "white"]})}
+
+
+def test_a_drive_becomes_areas_objects_and_city_models(run, read_layer, given, tmp_path):
+    results = run(ALGORITHM, {
+        **given, "DATA_DATE": "2026-04-01", **{name: str(tmp_path / f"{name}.gpkg") for name in (
+            "OUTPUT", "OUTPUT_AREAS", "OUTPUT_STEPS", "OUTPUT_FINDINGS", "OUTPUT_OBJECTS", "OUTPUT_EDGES",
+            "OUTPUT_LANES")},
+        "OUTPUT_CITYGML": str(tmp_path / "roads"), "OUTPUT_FURNITURE": str(tmp_path / "furniture"),
+        "OUTPUT_REPORT": str(tmp_path / "report.html"), "OUTPUT_OBJECT_REPORT": str(tmp_path / "objects.html")})
+    rows = [row.attributes for row in read_layer(results["OUTPUT_AREAS"])]
+    kinds = {row["kind"] for row in rows}
+    assert "carriageway" in kinds and "sidewalk" not in kinds  # nothing tells where one would end
+    assert "no sidewalks" in {row.attributes["kind"] for row in read_layer(results["OUTPUT_FINDINGS"])}
+    signs = [row for row in read_layer(results["OUTPUT_OBJECTS"]) if row.attributes["kind"] == "sign"]
+    assert len(signs) == 1 and results["OBJECTS"] >= 1
+    assert list((tmp_path / "roads" / "udx" / "tran").glob("*.gml"))
+    assert list((tmp_path / "furniture" / "udx" / "frn").glob("*.gml"))
+    assert "LOD3.3" in (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert read_layer(results["OUTPUT_EDGES"])
+
+
+def test_markings_are_needed(run, given):
+    given.pop("MARKINGS")
+    with pytest.raises(Exception, match="MARKINGS|[Mm]arkings"):
+        run(ALGORITHM, {**given, "OUTPUT": "memory:"})
