@@ -145,7 +145,7 @@ def main() -> None:
     paths = given.drives or sorted((given.city / "truth").glob("survey_*_trajectory.csv"))
     drives = [DrivenPath(read_trajectory(Path(path)).trajectory.place) for path in paths]
     lines = [MapLine(line.points, line.kind, line.colour, line.width, line.sigma, line.chain, line.partner,
-                     confidence=line.confidence)
+                     confidence=line.confidence, sigmas=line.sigmas)
              for line in work.lines]
     for path in given.edges:
         shapes, _ = read_layer(path)

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Ways through junctions against the painted arrows of a sample city: found and false ones, by what they come from.
 
-    python3 scripts/evaluate_movements.py CITY MARKINGS.gpkg GROUND.tif [--keep FILE]
+    python3 scripts/evaluate_movements.py CITY MARKINGS.gpkg GROUND.tif [--points LAZ ...] [--drives CSV ...]
+        [--confidence C] [--keep FILE]
 
 The truth is what the arrow before the stop line of a true lane allows, whether or not the program saw that arrow; lanes
-of streets without arrows are not judged. MARKINGS are the polygons found in the city; drives are the true trajectories.
-`--keep` stores lines, areas and drives there, and takes them from there when it exists. Needs a Python that sees QGIS's
-GDAL.
+of streets without arrows are not judged. MARKINGS and marking points are those found in the city; without drives the
+true trajectories are taken. `--keep` stores lines, areas and drives there, and takes them from there when it exists.
+Needs a Python that sees QGIS's GDAL.
 """
 
 from __future__ import annotations
@@ -24,10 +25,9 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from scripts.demo.checks import read_layer  # noqa: E402
-from urbanmap_qgis.io.raster import RasterSampler  # noqa: E402
+from scripts.evaluate_lane_losses import measured_lines  # noqa: E402
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory  # noqa: E402
-from urbanmap_qgis.roadmap.lines.line_work import line_work, with_ground_heights  # noqa: E402
-from urbanmap_qgis.roadmap.map_records import DrivenPath, MapArea, MapLine, VectorMap  # noqa: E402
+from urbanmap_qgis.roadmap.map_records import DrivenPath, MapArea, MapLine, MapSettings, VectorMap  # noqa: E402
 from urbanmap_qgis.roadmap.vector_map import build_vector_map  # noqa: E402
 
 LEFT_WIDTH = 1.0
@@ -40,22 +40,18 @@ AT_END = 12.0
 """The end of a lane of the map lies so near to the end of the true one, m."""
 
 
-def map_inputs(city: Path, markings: str, ground: str, keep: Path | None) -> tuple:
+def map_inputs(given: argparse.Namespace) -> tuple:
     """Lines, areas and drives of a city as the map takes them."""
-    if keep is not None and keep.is_file():
-        return pickle.loads(keep.read_bytes())  # nosec B301 # a file of this script's own
-    geometries, (colours,) = read_layer(markings, "colour")
-    parts, owner = shapely.get_parts(shapely.force_2d(geometries), return_index=True)
-    work = line_work(list(parts), [colours[k] or "" for k in owner])
-    with RasterSampler(ground) as heights:
-        work = with_ground_heights(work, heights.sample)
+    if given.keep is not None and given.keep.is_file():
+        return pickle.loads(given.keep.read_bytes())  # nosec B301 # a file of this script's own
+    work, _, _ = measured_lines(given.markings, given.points, given.ground)
     lines = [MapLine(line.points, line.kind, line.colour, line.width, line.sigma, line.chain, line.partner,
-                     confidence=line.confidence) for line in work.lines]
+                     confidence=line.confidence, sigmas=line.sigmas) for line in work.lines]
     areas = [MapArea(area.polygon, area.kind, area.heading) for area in work.areas]
-    drives = [DrivenPath(read_trajectory(path).trajectory.place)
-              for path in sorted((city / "truth").glob("survey_*_trajectory.csv"))]
-    if keep is not None:
-        keep.write_bytes(pickle.dumps((lines, areas, drives)))
+    paths = given.drives or sorted((given.city / "truth").glob("survey_*_trajectory.csv"))
+    drives = [DrivenPath(read_trajectory(Path(path)).trajectory.place) for path in paths]
+    if given.keep is not None:
+        given.keep.write_bytes(pickle.dumps((lines, areas, drives)))
     return lines, areas, drives
 
 
@@ -134,8 +130,11 @@ def main() -> None:
     parser.add_argument("markings")
     parser.add_argument("ground")
     parser.add_argument("--keep", type=Path)
+    parser.add_argument("--confidence", type=float, default=MapSettings.way_confidence)
+    for name in ("points", "drives"):
+        parser.add_argument(f"--{name}", nargs="*", default=[])
     given = parser.parse_args()
-    built = build_vector_map(*map_inputs(given.city, given.markings, given.ground, given.keep))
+    built = build_vector_map(*map_inputs(given), MapSettings(way_confidence=given.confidence))
     for name, number in sorted(movement_figures(built, given.city).items()):
         print(f"{name:60s} {number}")
 

@@ -252,7 +252,7 @@ def main() -> None:
     drives = [DrivenPath(read_trajectory(path).trajectory.place)
               for path in sorted((city / "truth").glob("survey_*_trajectory.csv"))]
     lines = [MapLine(line.points, line.kind, line.colour, line.width, line.sigma, line.chain, line.partner,
-                     confidence=line.confidence)
+                     confidence=line.confidence, sigmas=line.sigmas)
              for line in work.lines]
     built = build_vector_map(lines, [MapArea(area.polygon, area.kind, area.heading) for area in work.areas], drives)
     done = time.process_time()

@@ -11,7 +11,7 @@ LANE_FIELDS = (("lane_id", "int"), ("kind", "text"), ("evidence", "text"), ("wid
                ("right", "int"), ("opposite", "int"), ("stop_lines", "text"), ("crosswalks", "text"),
                ("speed_limit", "real"), ("yields_to", "text"), ("yields_by", "text"), ("confidence", "real"))
 BOUND_FIELDS = (("bound_id", "int"), ("class", "text"), ("colour", "text"), ("width", "real"), ("sigma", "real"),
-                ("double", "bool"), ("unseen", "real"), ("lanes", "int"))
+                ("sigmas", "text"), ("double", "bool"), ("unseen", "real"), ("lanes", "int"))
 
 
 def write_map_layers(stage, parameters, context, built, crs, ids=()) -> dict[str, str | None]:

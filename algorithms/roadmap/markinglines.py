@@ -13,7 +13,7 @@ from ..framework.layers.layers import make_fields
 
 LINE_FIELDS = (("line_id", "int"), ("class", "text"), ("colour", "text"), ("width", "real"), ("sigma", "real"),
                ("length", "real"), ("bridged", "real"), ("period", "real"), ("dash", "real"), ("dashes", "text"),
-               ("chain", "int"), ("partner", "int"), ("confidence", "real"), ("placed", "text"))
+               ("chain", "int"), ("partner", "int"), ("confidence", "real"), ("placed", "text"), ("sigmas", "text"))
 
 
 class MarkingLines(UrbanMapAlgorithm):
@@ -58,7 +58,8 @@ class MarkingLines(UrbanMapAlgorithm):
                               "that makes it a double line), confidence (0 to 1: share of the paint that should be "
                               "there and is seen; of a stop line less where only lines' ends or only a crosswalk "
                               "show it), placed (ends among the dashes' that are worn and lie where whole dashes ask "
-                              "for them, m).", source_type=QgsProcessing.SourceType.TypeVectorLine)
+                              "for them, m), sigmas (m, at each vertex, growing with the distance to the paint).",
+                              source_type=QgsProcessing.SourceType.TypeVectorLine)
         self.add_layer_output("OUTPUT_AREAS", "Marking areas", "Polygons: class (crosswalk; arrow straight, ..., or "
                               "arrow, kind unknown; diamond; unknown), colour, heading (degrees from grid north in "
                               "which it is read), score (0 to 1: agreement with the shape; of a crosswalk paint at "
@@ -130,6 +131,8 @@ class MarkingLines(UrbanMapAlgorithm):
         import numpy as np
         import shapely
 
+        from ...urbanmap_qgis.roadmap.map_tables import told_sigmas
+
         lines = work.lines
         columns = {
             "line_id": np.array(range(len(lines)), np.int64), "class": [line.kind for line in lines],
@@ -141,7 +144,8 @@ class MarkingLines(UrbanMapAlgorithm):
             "chain": [line.chain for line in lines],
             "partner": [None if line.partner < 0 else line.partner for line in lines],
             "confidence": [line.confidence for line in lines],
-            "placed": [";".join(f"{end:.2f}" for end in line.placed) or None for line in lines]}
+            "placed": [";".join(f"{end:.2f}" for end in line.placed) or None for line in lines],
+            "sigmas": [told_sigmas(line.sigmas) for line in lines]}
         return self.write_layer(parameters, "OUTPUT", context, make_fields(*LINE_FIELDS), columns, crs,
                                 [shapely.linestrings(line.points) if has_heights else line.plan for line in lines],
                                 "LineStringZ" if has_heights else "LineString", style="marking_lines",

@@ -92,7 +92,8 @@ class VectorMap(UrbanMapAlgorithm):
         self.add_layer_output("OUTPUT_CENTRES", "Centre lines of lanes", "Lines in the direction of traffic: lane_id, "
                               "width (m).", optional=True, by_default=True, source_type=line)
         self.add_layer_output("OUTPUT_BOUNDS", "Bounds of lanes", "Lines: bound_id, class, colour, width, sigma (m), "
-                              "double, unseen (m without a line), lanes (number of lanes that have it).",
+                              "sigmas (m, at each vertex, growing with the distance to a line), double, "
+                              "unseen (m without a line), lanes (number of lanes that have it).",
                               source_type=line)
         self.add_file_output("OUTPUT_LANELET2", "Lanelet2 file", "Lanes, intersections, stop lines and crosswalks with "
                              "the tags of Lanelet2 and Autoware.", OSM_FILTER, optional=True)

@@ -23,6 +23,7 @@ class MapLine:
     partner : of the other line of a double line, or -1.
     identifier : of the bound that it was in an earlier map, or -1.
     confidence : share of the paint that should be there and is seen, 0 to 1.
+    sigmas : at the points (n,), m; empty where only `sigma` is known.
     """
 
     points: np.ndarray
@@ -34,6 +35,7 @@ class MapLine:
     partner: int = -1
     identifier: int = -1
     confidence: float = 1.0
+    sigmas: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -73,6 +75,7 @@ class Bound:
     colour, width, sigma : of the line.
     double : the line is a double one.
     unseen : length without evidence, m.
+    sigmas : standard deviations at the nodes, m, growing with the distance to a line; empty where unknown.
     """
 
     nodes: list[int]
@@ -82,6 +85,7 @@ class Bound:
     sigma: float = np.nan
     double: bool = False
     unseen: float = 0.0
+    sigmas: list[float] = field(default_factory=list)
 
 
 @dataclass
@@ -250,8 +254,18 @@ def lines_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[str
             lines.append(MapLine(points, kind, str(value("colour", row, "")), float(value("width", row, 0.15)),
                                  float(value("sigma", row, np.nan)), chain, int(value("partner", row, -1)),
                                  _bound_id(value("bound_id", row, -1)) if kind_field is not None else -1,
-                                 float(value("confidence", row, 1.0))))
+                                 float(value("confidence", row, 1.0)),
+                                 _numbers(value("sigmas", row, ""), len(points))))
     return lines
+
+
+def _numbers(cell: object, count: int) -> tuple[float, ...]:
+    """Numbers with commas between them; none where there are not as many as points, after an edit by hand."""
+    try:
+        numbers = tuple(float(word) for word in str(cell).split(",") if word.strip())
+    except ValueError:
+        return ()
+    return numbers if len(numbers) == count and all(0.0 <= number < np.inf for number in numbers) else ()
 
 
 def _bound_id(cell: object) -> int:

@@ -40,7 +40,13 @@ def bound_columns(built: VectorMap, ids: Sequence[int] = ()) -> dict[str, list]:
     return {"bound_id": list(ids or range(len(bounds))), "class": [bound.kind for bound in bounds],
             "colour": [bound.colour or None for bound in bounds], "width": [bound.width for bound in bounds],
             "sigma": [bound.sigma for bound in bounds], "double": [bound.double for bound in bounds],
+            "sigmas": [told_sigmas(bound.sigmas) for bound in bounds],
             "unseen": [bound.unseen for bound in bounds], "lanes": [used[number] for number in range(len(bounds))]}
+
+
+def told_sigmas(sigmas: Sequence[float]) -> str | None:
+    """Standard deviations (m) as text, commas between them; None where there are none."""
+    return ",".join(f"{sigma:.3f}" for sigma in sigmas) or None
 
 
 def _listed(numbers: list[int]) -> str | None:

@@ -9,6 +9,7 @@ import shapely
 
 from ..progress import SILENT, Progress
 from ..wording import say
+from .bound_sigmas import fill_heights_and_sigmas
 from .lanes.beyond_junctions import directions_beyond
 from .lanes.bound_continuation import continued
 from .lanes.intersections import add_intersections
@@ -29,7 +30,6 @@ from .lanes.road_axes import RoadAxis, add_axes, add_speed_limits
 from .lanes.road_sections import RoadSection, road_sections
 from .map_cleaning import clean_map
 from .map_records import DrivenPath, Finding, MapArea, MapLine, MapSettings, VectorMap
-from .node_heights import fill_heights
 
 STOP_REACH = 5.0
 """A lane ends at a stop line so near, m."""
@@ -86,7 +86,7 @@ def build_vector_map(lines: Sequence[MapLine], areas: Sequence[MapArea] = (), dr
     add_intersections(built)
     add_speed_limits(built, axes)
     _tell_open_ends(built)
-    _tell_heights(built, fill_heights(built))
+    _tell_heights(built, fill_heights_and_sigmas(built, lines))
     progress.step(1.0)
     return built
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 import shapely
+from scipy.spatial import cKDTree
 
 from ...geometry.tolerances import LEAST_DIVISOR
 from ...progress import SILENT, Progress
@@ -64,6 +65,7 @@ class RoadLine:
     confidence : 0 to 1: of a line the share of the paint that should be there and is seen; of a stop line that share,
         less where only lines' ends or only a crosswalk show that it is one.
     placed : ends among `dashes` that are worn and lie where the whole dashes beside them ask for them, m along it.
+    sigmas : of its place across it at the points (n,), m, growing with the distance to the paint.
     """
 
     points: np.ndarray
@@ -79,6 +81,7 @@ class RoadLine:
     partner: int = -1
     confidence: float = 1.0
     placed: tuple[float, ...] = ()
+    sigmas: tuple[float, ...] = ()
 
     @property
     def plan(self) -> shapely.LineString:
@@ -322,8 +325,11 @@ def _piece(line: _Line, section: Section, start: float, end: float, kind: str, c
         placed = tuple(within[worn].tolist())
     sigma = float(np.hypot(line.fit.sigma[inner].mean() if inner.any() else line.fit.residual, settings.source_sigma))
     points = np.column_stack([plan, np.full(len(plan), np.nan)])
+    nearest = cKDTree(course).query(plan)[1]
+    by_station = np.interp(np.concatenate([[start], at[inner], [end]]), at, line.fit.sigma)
     return RoadLine(points, kind, line.fit.width, colour, sigma, within, section.period, section.dash, missing, number,
-                    confidence=painted / max(painted + missing, LEAST_DIVISOR), placed=placed)
+                    confidence=painted / max(painted + missing, LEAST_DIVISOR), placed=placed,
+                    sigmas=tuple(np.hypot(by_station[nearest], settings.source_sigma).tolist()))
 
 
 def _colour(chain: StrokeChain, strokes: Sequence[Stroke], colours: Sequence[str]) -> str:
