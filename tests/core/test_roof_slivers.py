@@ -101,3 +101,17 @@ def test_nodes_that_move_onto_each_other_are_one():
              for ring in (shapely.get_coordinates(polygon).round(6).tolist(),)
              for pair in zip(map(tuple, ring), map(tuple, ring[1:]))}
     assert min(np.hypot(*np.subtract(*pair)) for pair in edges) > 0.001
+
+
+def test_planes_that_one_plane_fits_as_well_are_one():
+    """Slopes of a plane that differ as the noise makes them; the steeper one beside them stays what it is."""
+    rng = np.random.default_rng(11)
+    xy = rng.uniform(0, 4, (3, 150, 2)) + np.array([[0, 0], [6, 0], [12, 0]])[:, None]
+    slope = np.array([0.50, 0.51, 0.60])
+    z = 5.0 + slope[:, None] * xy[..., 1] + rng.normal(0, 0.02, xy.shape[:2])
+    points = np.concatenate([xy, z[..., None]], axis=2).reshape(-1, 3)
+    planes = regular_planes(moments(points, np.repeat(np.arange(3), 150), 3), np.zeros((0, 2)))
+    assert (planes[0] == planes[1]).all()
+    assert np.hypot(*(planes[2, :2] - planes[0, :2])) > 0.06
+    for plane, heights, own in zip(planes, z, xy):
+        assert np.sqrt(np.mean((own @ plane[:2] + plane[2] - heights) ** 2)) < 0.02 + 0.03

@@ -18,6 +18,9 @@ class PlaneRegularisationLimits:
     level_slope: float = 0.02  # So is one of less slope.
     # Planes are turned to the building's directions, and made mirror images, where that adds no more error, m.
     turn_error: float = 0.015
+    # Planes of nearly one slope (rise over run) are one where that adds no more error to any of them, m.
+    same_slope: float = 0.03
+    same_error: float = 0.03
     # Parallel planes nearer in height than this (m) are one: no step of some centimetres is left between them.
     one_height: float = 0.06
     mirror_slope: float = 0.08  # Largest difference of two slopes that are made one.
@@ -35,6 +38,7 @@ def regular_planes(table: np.ndarray, directions: np.ndarray) -> np.ndarray:
     ----------
     directions : (d, 2) unit vectors of the outline's main directions and across; a plane may fall along them.
     """
+    table = _pooled(table)
     planes, squares = solve(table)
     n = np.maximum(table[:, 0], 1.0)
     fit_error = squares / n
@@ -53,6 +57,36 @@ def regular_planes(table: np.ndarray, directions: np.ndarray) -> np.ndarray:
     _mirror(table, planes, fit_error, axis)
     _one_height(planes, n)
     return planes
+
+
+def _pooled(table: np.ndarray) -> np.ndarray:
+    """Moments (k, 10), those of planes that one plane fits as well added: of a slope, say, that a dormer parts."""
+    planes, squares = solve(table)
+    fit_error = squares / np.maximum(table[:, 0], 1.0)
+    group = np.arange(len(table))
+    sums = table.copy()
+    for one, two in _like_pairs(table, planes):
+        if group[one] == group[two]:
+            continue
+        members = np.flatnonzero((group == group[one]) | (group == group[two]))
+        together = sums[one] + sums[two]
+        plane = solve(together[None])[0][0]
+        if all(_mean_square(table[row], plane) - fit_error[row] < LIMITS.same_error**2 for row in members.tolist()):
+            group[members] = group[one]
+            sums[members] = together
+    return sums
+
+
+def _like_pairs(table: np.ndarray, planes: np.ndarray) -> list[tuple[int, int]]:
+    """Pairs of planes of nearly one slope, each near the other's middle in height; those with most points first."""
+    middle = table[:, 1:4] / np.maximum(table[:, 0], 1.0)[:, None]
+    off = np.abs(middle[:, :2] @ planes[:, :2].T + planes[:, 2] - middle[:, 2:])
+    alike = np.maximum(off, off.T) < LIMITS.one_height
+    for axis in range(2):
+        alike &= np.abs(planes[:, axis, None] - planes[:, axis]) < LIMITS.same_slope
+    one, two = np.nonzero(np.triu(alike, 1))
+    order = np.argsort(-np.minimum(table[one, 0], table[two, 0]), kind="stable")
+    return list(zip(one[order].tolist(), two[order].tolist()))
 
 
 def _one_height(planes: np.ndarray, weight: np.ndarray) -> None:
