@@ -6,12 +6,13 @@ import numpy as np
 import pytest
 import shapely
 
+from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.gnss.rays.tracing import WallObstacles
 from urbanmap_qgis.gnss.rays.wall_faces import building_walls
 from urbanmap_qgis.localisation.accuracy_map import accuracy_map
 from urbanmap_qgis.localisation.accuracy_records import LocalisationMap
 from urbanmap_qgis.localisation.localisation_settings import LocalisationSettings, VehicleScanner
-from urbanmap_qgis.localisation.places.road_places import places_on_roads
+from urbanmap_qgis.localisation.places.road_places import places_on_grid, places_on_roads
 from urbanmap_qgis.localisation.prepared_map import field_of_walls
 from urbanmap_qgis.localisation.report.localisation_report import stretches, write_localisation_report
 from urbanmap_qgis.localisation.simulation.prediction_check import check_prediction, compared, rank_agreement
@@ -132,3 +133,15 @@ def test_report_has_classes_worst_stretches_and_what_was_simulated(walls, places
     for words in ("Worst stretches", "Predicted against observed", "<ellipse", "good", "Spearman"):
         assert words in text
     assert sorted(np.concatenate(stretches(made)).tolist()) == list(range(len(places)))
+
+
+def test_an_area_without_roads_is_ranked_by_squares_with_their_places(walls, tmp_path):
+    made = accuracy_map(LocalisationMap(walls), places_on_grid(Grid(-100, 100, 25.0, 8, 8), np.zeros((8, 8))),
+                        LocalisationSettings())
+    squares = stretches(made)
+    assert len(squares) == 16 and {len(rows) for rows in squares} == {4}
+    for rows in squares:
+        assert np.ptp(made.places.place[rows, :2], axis=0).max() <= 25.0
+    write_localisation_report(tmp_path / "r.html", LocalisationMap(walls), made, None)
+    page = (tmp_path / "r.html").read_text(encoding="utf-8")
+    assert "Worst squares of 50 m" in page and "Worst stretches" not in page and "about east" in page

@@ -46,6 +46,11 @@ class RoadPlaces:
     def __len__(self) -> int:
         return len(self.heading)
 
+    @property
+    def of_an_area(self) -> bool:
+        """Whether the places fill an area: they lie along no road."""
+        return len(self) > 1 and not self.way.any() and not self.street.any()
+
     def select(self, rows: np.ndarray | slice) -> RoadPlaces:
         """Some of them."""
         return RoadPlaces(*(getattr(self, name)[rows] for name in RoadPlaces.__dataclass_fields__))

@@ -37,9 +37,11 @@ def write_localisation_report(path: str | os.PathLike, city: LocalisationMap, ac
 
 
 def stretches(accuracy: AccuracyMap) -> list[np.ndarray]:
-    """Rows of the places of each stretch of road of about 50 m."""
+    """Rows of the places of each stretch of road of about 50 m; of an area without roads, of each square so large."""
     piece = np.floor(accuracy.places.way / STRETCH).astype(np.int64)
     key = np.column_stack([accuracy.places.street, piece])
+    if accuracy.places.of_an_area:
+        key = np.floor(accuracy.places.place[:, :2] / STRETCH).astype(np.int64)
     number = np.unique(key, axis=0, return_inverse=True)[1].ravel()
     order = np.argsort(number, kind="stable")
     return np.split(order, np.flatnonzero(np.diff(number[order])) + 1)
@@ -88,24 +90,41 @@ def _statuses(report: Report, accuracy: AccuracyMap) -> None:
 
 
 def _worst(report: Report, city: LocalisationMap, accuracy: AccuracyMap) -> None:
-    report.section("Worst stretches")
+    report.section("Worst squares of 50 m" if accuracy.places.of_an_area else "Worst stretches")
     parts = [rows for rows in stretches(accuracy) if np.isfinite(accuracy.ellipse.major[rows]).any()]
     score = np.array([np.sqrt(np.nanmean(accuracy.ellipse.major[rows] ** 2)) for rows in parts])
     worst = np.argsort(-score, kind="stable")[:_WORST]
-    report.table(["street", "from, m", "to, m", "sigma of the weakest direction, m", "bearing, degrees", "status"], [
-        [int(accuracy.places.street[rows[0]]), float(accuracy.places.way[rows].min()),
-         float(accuracy.places.way[rows].max()), float(score[number]), _median(accuracy.ellipse.bearing[rows]),
+    where = ["east, m", "north, m", "places"] if accuracy.places.of_an_area else ["street", "from, m", "to, m"]
+    report.table([*where, "sigma of the weakest direction, m", "bearing, degrees", "status"], [
+        [*_where(accuracy, rows), float(score[number]), _median(accuracy.ellipse.bearing[rows]),
          Counter(map(str, accuracy.status[rows])).most_common(1)[0][0]]
         for number, rows in ((number, parts[number]) for number in worst)])
     for place, number in enumerate(worst, 1):
         rows = parts[number]
-        report.figure(accuracy_plan(city, accuracy, rows, 5.0, 420, 40.0),
-                      say("{place}: street {street}, from {min:.0f} m. Ellipses five times enlarged.", place=place,
-                          street=accuracy.places.street[rows[0]], min=accuracy.places.way[rows].min()))
+        report.figure(accuracy_plan(city, accuracy, rows, 5.0, 420, 40.0), _caption(accuracy, place, rows))
     without = [rows for rows in stretches(accuracy) if (accuracy.kind[rows] == NONE).all()]
     if without:
         report.paragraph(say("Of {without_count} stretches nothing can be said: see the statuses above and the layer.",
                              without_count=len(without)))
+
+
+def _where(accuracy: AccuracyMap, rows: np.ndarray) -> list[float]:
+    """Street with begin and end of a stretch, or the middle of a square with its number of places."""
+    places = accuracy.places
+    if places.of_an_area:
+        east, north = places.place[rows, :2].mean(axis=0)
+        return [float(east), float(north), len(rows)]
+    return [int(places.street[rows[0]]), float(places.way[rows].min()), float(places.way[rows].max())]
+
+
+def _caption(accuracy: AccuracyMap, place: int, rows: np.ndarray) -> str:
+    """What a picture of a stretch or square shows."""
+    first, second, _ = _where(accuracy, rows)
+    if accuracy.places.of_an_area:
+        return say("{place}: about east {east:.0f} m, north {north:.0f} m. Ellipses five times enlarged.", place=place,
+                   east=first, north=second)
+    return say("{place}: street {street}, from {min:.0f} m. Ellipses five times enlarged.", place=place, street=first,
+               min=second)
 
 
 def _check(report: Report, accuracy: AccuracyMap, check: PredictionCheck) -> None:
