@@ -82,8 +82,9 @@ def object_geometry(item: CityObject, identifier: str, places: Places, installat
     for level, shapes in _written_levels(item).items():
         writer.add(level, shapes, elements)
     for level, members in _area_polygons(item).items():
+        name = f"tran:lod{level}MultiSurface"
         elements[GEOMETRY_NAMES[level, MULTI_SURFACE]].append(
-            f"<tran:lod{level}MultiSurface><gml:MultiSurface>{members}</gml:MultiSurface></tran:lod{level}MultiSurface>")
+            f"<{name}><gml:MultiSurface>{members}</gml:MultiSurface></{name}>")
     elements[INSTALLATIONS].append(installations)
     elements[BOUNDARY_PROPERTY] += writer.boundaries()
     if item.type in _ANY_KIND:  # their schema has the boundary surfaces last
