@@ -72,7 +72,7 @@ def cost(command: list[object], environment: dict[str, str] | None = None) -> tu
     with open(result, encoding="ascii") as figures:
         with subprocess.Popen([sys.executable, "-I", "-S", "-c", _MEASURE, str(told_to), *map(str, command)],
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                              env=environment, pass_fds=(told_to,)) as process:
+                              env=compiling(environment), pass_fds=(told_to,)) as process:
             os.close(told_to)
             told = process.stdout.read().decode(errors="replace")
         measured = figures.read().split()
@@ -80,6 +80,12 @@ def cost(command: list[object], environment: dict[str, str] | None = None) -> tu
         ended = measured[2] if measured else process.returncode
         raise SystemExit(f"{' '.join(map(str, command[:3]))} ended with {ended}:\n{told[-2000:]}")
     return float(measured[0]), float(measured[1]) / 1024
+
+
+def compiling(environment: dict[str, str] | None) -> dict[str, str]:
+    """The environment, in which Python keeps what it has compiled: users' runs do not compile anew each time."""
+    return {name: value for name, value in (os.environ if environment is None else environment).items()
+            if name != "PYTHONDONTWRITEBYTECODE"}
 
 
 def run_cost(algorithm: str, parameters: dict[str, object]) -> tuple[float, float]:

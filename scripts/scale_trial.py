@@ -1,13 +1,14 @@
 """A town of any size out of one block: run over tiles, killed twice and gone on with, equal to one run that was not.
 
-    python scripts/scale_trial.py POINTS.laz OUTLINES.geojson FOLDER --blocks 2000 --tile 80
+    python scripts/scale_trial.py POINTS.laz OUTLINES.geojson FOLDER --blocks 2000 --tile 80 --watch 100
     python scripts/scale_trial.py POINTS.laz OUTLINES.geojson FOLDER --sizes 1 4 16
     python scripts/scale_trial.py POINTS.laz OUTLINES.geojson FOLDER --blocks 16 --cluster 2
 
-A square of the block, as large as a tile, is repeated on a square lattice, each copy a file of its own. The first form
-prints how many tiles each killed run left, time, memory and disk, and whether the merged layers hold the same in the
-end; the second the cost of a tile against the number of tiles; the third compares a run on this machine with one on a
-Dask cluster of so many processes. Runs go through `scripts/urbanmap`.
+A square of the block, as large as a tile, is repeated on a square lattice, each copy a file of its own. The first
+form prints how many tiles each killed run left, time, memory and disk, and whether the merged layers hold the same in
+the end, with --watch also the memory of the run and of each of its workers after every so many tiles; the second the
+cost of a tile against the number of tiles; the third compares a run on this machine with one on a Dask cluster of so
+many processes. Runs go through `scripts/urbanmap`.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ import struct
 import subprocess
 import sys
 import time
-from contextlib import closing, contextmanager
+from contextlib import closing, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -31,6 +32,11 @@ import shapely
 from shapely.geometry import shape
 
 ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT))
+
+from scripts.soak import descendants  # noqa: E402
+
+PAGE = os.sysconf("SC_PAGE_SIZE")
 KILLS = (0.3, 0.6)
 """Shares of the tiles after which the run is killed."""
 _OFFSETS, _BOX = 155, 179
@@ -39,12 +45,14 @@ _OFFSETS, _BOX = 155, 179
 
 @dataclass(frozen=True)
 class Trial:
-    """Sizes of a trial: side of a tile and width of its buffer, m; processes; more parameters of the run."""
+    """Sizes of a trial: side of a tile and width of its buffer, m; processes; more parameters of the run; tiles after
+    which the memory of all processes is told, 0 for never."""
 
     tile: int
     buffer: int
     workers: int
     more: tuple[str, ...] = ()
+    watch: int = 0
 
 
 def make_town(points: Path, outlines: Path, blocks: int, folder: Path, tile: int) -> dict[str, object]:
@@ -125,17 +133,30 @@ def run(inputs: dict[str, object], folder: Path, trial: Trial, until: int | None
     with (folder / "log.txt").open("ab") as log:
         process = subprocess.Popen(command(inputs, folder, trial), stdout=log, stderr=log, stdin=subprocess.DEVNULL,
                                    start_new_session=True)
-        if until is not None:
-            while process.poll() is None and whole_tiles(folder) < until:
-                time.sleep(0.2)
-            if process.poll() is None:
+        told, ended = trial.watch, 0
+        while not ended:
+            time.sleep(0.2)
+            ended, status, used = os.wait4(process.pid, os.WNOHANG)
+            whole = whole_tiles(folder)
+            if not ended and until is not None and whole >= until:
                 os.killpg(process.pid, signal.SIGKILL)
-            process.wait()
-            return time.monotonic() - start, 0.0, 0.0
-        _, status, used = os.wait4(process.pid, 0)
+                process.wait()
+                return time.monotonic() - start, 0.0, 0.0
+            if not ended and trial.watch and whole >= told:
+                told = whole - whole % trial.watch + trial.watch
+                print(f"{whole} tiles: {resident(process.pid)} MB", flush=True)
     if status:
         raise SystemExit(f"the run in {folder} ended with {status}: see log.txt there")
     return time.monotonic() - start, used.ru_utime + used.ru_stime, used.ru_maxrss / 1024
+
+
+def resident(process: int) -> list[int]:
+    """Memory of a process and of all that it has started, MB."""
+    found = []
+    for number in (process, *descendants(process)):
+        with suppress(OSError):  # it has just ended
+            found.append(int(Path(f"/proc/{number}/statm").read_text(encoding="ascii").split()[1]) * PAGE >> 20)
+    return found
 
 
 def tell(name: str, folder: Path, took: tuple[float, float, float]) -> float:
@@ -229,9 +250,10 @@ def main() -> None:
     parser.add_argument("--buffer", type=int, default=30)
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--cluster", type=int, default=0)
+    parser.add_argument("--watch", type=int, default=0)
     given = parser.parse_args()
     given.folder.mkdir(parents=True, exist_ok=True)
-    trial = Trial(given.tile, given.buffer, given.workers)
+    trial = Trial(given.tile, given.buffer, given.workers, watch=given.watch)
     for blocks in given.sizes or [given.blocks]:
         inputs = make_town(given.points, given.outlines, blocks, given.folder / f"town_{blocks}", given.tile)
         if given.sizes:
