@@ -218,7 +218,8 @@ def write_layer(algorithm, parameters: Mapping, name: str, context: QgsProcessin
 
     Raises
     ------
-    OutputError : it cannot be written. Cancelled : the earlier file, if any, is still there.
+    OutputError : it cannot be written.
+    Cancelled : the earlier file, if any, is still there.
     """
     wkb_type = getattr(QgsWkbTypes.Type, geometry_type)
     results, fields = own_fields(fields)

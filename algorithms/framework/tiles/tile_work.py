@@ -58,7 +58,8 @@ class TileJob:
     Attributes
     ----------
     tile, run_folder, fingerprint : see `tiling.journal`.
-    algorithm : id without the provider's. settings : parameters that are the same for all tiles.
+    algorithm : id without the provider's.
+    settings : parameters that are the same for all tiles.
     points, rasters, layers : inputs to cut, by parameter. A layer is a GeoPackage with one table.
     owner : the parameter whose features in the core are the tile's own; empty where results go by their place.
     outputs : file names of the results by parameter.

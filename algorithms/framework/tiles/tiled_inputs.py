@@ -70,9 +70,12 @@ class TiledInputs:
 
     Attributes
     ----------
-    stage : the algorithm that is run. grid, tiles : where. crs : of the tiles.
+    stage : the algorithm that is run.
+    grid, tiles : where.
+    crs : of the tiles.
     settings : what is the same for all tiles; `shown` for the report.
-    points : files by parameter as given; `pieces` : as they are read, large ones sorted into pieces.
+    points : files by parameter as given.
+    pieces : as they are read, large ones sorted into pieces.
     rasters, layers : by parameter; layers are copies in the folder of the run.
     outputs : file names of the results by parameter.
     state : what all tiles' results depend on beside their own files.

@@ -213,7 +213,8 @@ class Disagreements:
     Attributes
     ----------
     chain, fit : the adjustment that jumps at `steps` and does without the markings between `changed` ones.
-    steps : of which nobody knows the right side. changed : first and last of each stretch of changed markings.
+    steps : of which nobody knows the right side.
+    changed : first and last of each stretch of changed markings.
     hidden : begin and end (path parameters) of stretches without evidence, and the step across each.
     """
 

@@ -128,8 +128,10 @@ class _Stops:
     Attributes
     ----------
     still, beside : (e - 1,) steps in which the vehicle stands, and those in which it slows down or starts.
-    span : (e - 1,) s. run : (e - 1,) number of each step's run, 0 for none.
-    total : (r, 3) m, wandered while standing. ahead : (r,) m, of that ahead.
+    span : (e - 1,) s.
+    run : (e - 1,) number of each step's run, 0 for none.
+    total : (r, 3) m, wandered while standing.
+    ahead : (r,) m, of that ahead.
     """
 
     still: np.ndarray

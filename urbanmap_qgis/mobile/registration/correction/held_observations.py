@@ -17,7 +17,8 @@ class HeldObservations:
     rate : (n, d) m for each of the chain's d parameters.
     target : (n,) m.
     weight : (n,) 1 / m2.
-    offset : m, in all targets; offset_prior : m, (mean, standard deviation) before any observation.
+    offset : m, in all targets.
+    offset_prior : m, (mean, standard deviation) before any observation.
     """
 
     path_parameter: np.ndarray

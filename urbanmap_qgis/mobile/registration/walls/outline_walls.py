@@ -84,7 +84,10 @@ class MatchedWalls:
 
     Attributes
     ----------
-    planes : n of them. edge : (n,) number of the edge. outward : (n, 2). outside : (n,) m outside of the edge.
+    planes : n of them.
+    edge : (n,) number of the edge.
+    outward : (n, 2).
+    outside : (n,) m outside of the edge.
     """
 
     planes: FacadePlanes

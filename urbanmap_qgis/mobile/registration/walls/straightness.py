@@ -63,7 +63,8 @@ def own_walls(place: np.ndarray, normal: np.ndarray, height: np.ndarray) -> np.n
 
     Parameters
     ----------
-    place, normal : (n, 2) m in plan, unit vectors. height : (n,) m.
+    place, normal : (n, 2) m in plan, unit vectors.
+    height : (n,) m.
     """
     if not len(place):
         return np.zeros(0, int)
@@ -83,7 +84,8 @@ def wall_jumps(chainage: np.ndarray, path_parameter: np.ndarray, place: np.ndarr
     Parameters
     ----------
     chainage, path_parameter : (n,) m, not falling, of planes that the correction has put at `place` (n, 2) m.
-    normal : (n, 2) unit vectors. wall : (n,) number of the wall; below 0 for none.
+    normal : (n, 2) unit vectors.
+    wall : (n,) number of the wall; below 0 for none.
     """
     if not len(place):
         return []

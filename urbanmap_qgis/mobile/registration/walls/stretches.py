@@ -38,7 +38,9 @@ class WallReadings:
 
     Attributes
     ----------
-    chainage : (w,) m, where it was seen, not falling. outward : (w, 2). outside, sigma : (w,) m.
+    chainage : (w,) m, where it was seen, not falling.
+    outward : (w, 2).
+    outside, sigma : (w,) m.
     """
 
     chainage: np.ndarray
