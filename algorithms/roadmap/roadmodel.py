@@ -11,7 +11,7 @@ from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
 from ..framework.layers.layers import make_fields
 from .data_date import day_of
-from .surveyed_model import compute_surveyed
+from .surveyed_model import compute_surveyed, write_no_areas
 
 LEVELS = ("1", "2", "3.0", "3.1", "3.2", "3.3")
 
@@ -127,7 +127,8 @@ class RoadModel(UrbanMapAlgorithm):
         built = build_road_model(surface, structures, progress=progress.part(0.1, 0.8))
         built = with_functions(built, table.geometries, known_functions(table.columns.get("function", ())))
         self._tell(built, progress)
-        results = self.write_road_layers(parameters, context, built, table.crs)
+        results = {**self.write_road_layers(parameters, context, built, table.crs),
+                   **write_no_areas(self, parameters, context, table.crs)}
         folder = self.output_path(parameters, "OUTPUT_CITYGML", context)
         if folder is not None:
             results["OUTPUT_CITYGML"] = self._write_citygml(parameters, context, folder, built, table, progress)

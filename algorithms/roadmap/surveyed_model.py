@@ -78,6 +78,14 @@ def write_area_layers(algorithm, parameters, context, model, crs) -> dict:
     return {name: place for name, place in results.items() if place}
 
 
+def write_no_areas(algorithm, parameters, context, crs) -> dict:
+    """The same layers without a feature, of LOD1, which has no areas."""
+    from ...urbanmap_qgis.roadspace.survey.area_records import SurveyedRoads
+
+    wanted = any(parameters.get(name) not in (None, "") for name in ("OUTPUT_AREAS", "OUTPUT_STEPS"))
+    return write_area_layers(algorithm, parameters, context, SurveyedRoads("1", (), (), (), ()), crs) if wanted else {}
+
+
 def tell_surveyed(model, progress) -> None:
     """What was made, in words."""
     for kind, count in sorted(Counter(area.kind for area in model.areas).items()):

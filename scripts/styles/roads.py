@@ -156,7 +156,10 @@ def road_axes(layer) -> None:
 
 def road_findings(layer) -> None:
     """Points by what is to be looked at."""
-    kinds = {"arm not cut": "#d7263d", "junctions not parted": "#e09a2b", "edge not closed": "#4a8fe7",
+    surveyed = {"edge continued": "#e09a2b", "end of the survey": "#8c8c8c", "not surveyed": "#8c8c8c",
+                "no sidewalks": "#8c8c8c", "no lanes": "#8c8c8c", "no stop line": "#e09a2b",
+                "island not shown": "#d7263d", "island's height": "#e09a2b", "junction not cut": "#d7263d"}
+    kinds = {**surveyed, "arm not cut": "#d7263d", "junctions not parted": "#e09a2b", "edge not closed": "#4a8fe7",
              "sides contradict": "#8a6bb0", "surface repaired": "#b8b03a"}
     layer.setRenderer(QgsCategorizedSymbolRenderer("kind", [
         QgsRendererCategory(kind, marker(colour, 2.4), kind) for kind, colour in kinds.items()]

@@ -125,9 +125,10 @@ def _closing_lines(lines: np.ndarray, limits: ClosingLimits, findings: list[Road
 
 
 def _crosses(segment: shapely.Geometry, net: shapely.Geometry, ends: np.ndarray) -> bool:
-    """Whether a line meets edges elsewhere than at its ends."""
-    met = shapely.get_coordinates(shapely.intersection(segment, net))
-    return any(np.hypot(*(ends - point).T).min() > 4 * GRID for point in met)
+    """Whether a line meets edges elsewhere than at its ends, or runs along one."""
+    common = shapely.intersection(segment, net)
+    met = shapely.get_coordinates(common)
+    return common.length > 4 * GRID or any(np.hypot(*(ends - point).T).min() > 4 * GRID for point in met)
 
 
 def _road_side(faces: list, closing, findings: list[RoadFinding]) -> list[shapely.Polygon]:

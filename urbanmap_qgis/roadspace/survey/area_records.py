@@ -11,16 +11,17 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from ...wording import mark
 from ..road_records import RoadFinding, RoadPiece
 
 CARRIAGEWAY, CROSSING, LANE, SIDEWALK, ISLAND, UNDIVIDED = (
-    "carriageway", "junction", "lane", "sidewalk", "island", "road, not surveyed")
+    mark("carriageway"), mark("junction"), mark("lane"), mark("sidewalk"), mark("island"), mark("road, not surveyed"))
 KINDS = (CARRIAGEWAY, CROSSING, LANE, SIDEWALK, ISLAND, UNDIVIDED)
 
 FUNCTIONS = {CARRIAGEWAY: "1000", LANE: "1010", CROSSING: "1020", SIDEWALK: "2000", ISLAND: "3000"}
 """Codes of `TrafficArea_function`; that of islands of `AuxiliaryTrafficArea_function`."""
 
-MEASURED, CONTINUED, OFFICIAL = "measured", "continued", "official"
+MEASURED, CONTINUED, OFFICIAL = mark("measured"), mark("continued"), mark("official")
 """Where a border comes from: a survey, drawn on where nothing was seen, or given edges of roads."""
 
 LEVELS = ("2", "3.0", "3.1", "3.2", "3.3")

@@ -28,6 +28,12 @@ class StopCutLimits:
     skew: float = 40.0  # degrees from the road's cross direction
     same: float = 2.0  # m along the road between two stop lines that are one for both directions
     smooth: float = 0.1  # m: corners nearer to a straight line are none
+    # m along an edge from a contact: where its straight part is fitted, and how far inwards a curve is followed.
+    straight: tuple[float, float] = (3.0, 8.0)
+    inwards: float = 3.0
+    station: float = 0.1  # m
+    bent: float = 0.04  # m off the straight part, from which an edge is bent; four times that tells of a curve
+    curve: float = 0.35  # m between the two places, of a curve; less is a corner
 
 
 LIMITS = StopCutLimits()
@@ -68,7 +74,7 @@ def junction_cuts(polygon: shapely.Polygon, stops: Sequence[shapely.LineString],
     for junction in junctions:
         arms = {arm.key: arm for arm in junction.arms}
         for cut in junction.cuts:
-            corner = np.vstack([cut.left, cut.right])
+            corner = np.vstack([_curve_end(whole, point, arms[cut.arm]) for point in (cut.left, cut.right)])
             stop = _stop_cut(arms[cut.arm], cut.place, stops, whole)
             cuts.append(JunctionCut(corner if stop is None else stop, stop is not None))
         for arm in junction.uncut:
@@ -76,6 +82,35 @@ def junction_cuts(polygon: shapely.Polygon, stops: Sequence[shapely.LineString],
             if stop is not None:
                 cuts.append(JunctionCut(stop, True))
     return CutJunctions(tuple(cuts), tuple(junctions))
+
+
+def _curve_end(surface: shapely.Polygon, contact: np.ndarray, arm: Arm) -> np.ndarray:
+    """Where the curve of a rounded corner ends in the straight edge of an arm (2,); a contact at a corner stays.
+
+    A curve of radius r leaves its tangent by d after sqrt(2 r d): the places where it is off by d and by 4 d lie as far
+    apart as the tangent's end and the first.
+    """
+    rings = [shapely.LinearRing(ring) for ring in (surface.exterior, *surface.interiors)]
+    ring = min(rings, key=lambda one: shapely.distance(one, shapely.points(contact)))
+    start = shapely.line_locate_point(ring, shapely.points(contact))
+    marks = np.arange(-LIMITS.inwards, LIMITS.straight[1], LIMITS.station)
+    axis = shapely.linestrings(arm.branch.points)
+    ahead, back = (shapely.line_locate_point(axis, shapely.line_interpolate_point(
+        ring, (start + side * LIMITS.straight[0]) % ring.length)) for side in (1.0, -1.0))
+    sense = 1.0 if ahead > back else -1.0
+    places = shapely.get_coordinates(shapely.line_interpolate_point(ring, (start + sense * marks) % ring.length))
+    fitted = places[marks >= LIMITS.straight[0]]
+    middle = fitted.mean(axis=0)
+    along = np.linalg.svd(fitted - middle, full_matrices=False)[2][0]
+    off = np.abs((places - middle) @ np.array([-along[1], along[0]]))
+    first, second = (np.flatnonzero(off > limit) for limit in (LIMITS.bent, 4.0 * LIMITS.bent))
+    if not len(first) or not len(second) or off[marks >= LIMITS.straight[0]].max() > LIMITS.bent:
+        return contact
+    apart = marks[first[-1]] - marks[second[-1]]
+    if apart < LIMITS.curve:
+        return contact
+    end = start + sense * (marks[first[-1]] + apart)
+    return shapely.get_coordinates(shapely.line_interpolate_point(ring, end % ring.length))[0]
 
 
 def _stop_cut(arm: Arm, place: float, stops: Sequence[shapely.LineString],
