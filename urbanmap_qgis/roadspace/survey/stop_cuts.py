@@ -116,12 +116,12 @@ def _curve_end(surface: shapely.Polygon, contact: np.ndarray, arm: Arm) -> np.nd
 def _stop_cut(arm: Arm, place: float, stops: Sequence[shapely.LineString],
               surface: shapely.Polygon) -> np.ndarray | None:
     """The extension (2, 2) over the whole road of the stop line nearest to a junction in an arm; None without one."""
-    axis = shapely.linestrings(arm.branch.points)
+    axis = _to_the_end(arm)
     best: tuple[float, np.ndarray] | None = None
     for stop in stops:
         middle = shapely.line_interpolate_point(stop, 0.5, normalized=True)
         along = float(shapely.line_locate_point(axis, middle))
-        if not place - LIMITS.inside <= along <= place + LIMITS.reach or along in (0.0, axis.length):
+        if not place - LIMITS.inside <= along <= place + LIMITS.reach or along == 0.0:
             continue
         width = 2.0 * float(np.interp(along, _chainage(arm.branch.points), arm.branch.clearance))
         off = shapely.distance(axis, middle)
@@ -139,6 +139,15 @@ def _stop_cut(arm: Arm, place: float, stops: Sequence[shapely.LineString],
         if best is None or along < best[0]:
             best = (along, _extended(ends, surface, width))
     return None if best is None else best[1]
+
+
+def _to_the_end(arm: Arm) -> shapely.LineString:
+    """The middle line of an arm, drawn on where it ends: it stops about half a width before the end of the surface."""
+    points = arm.branch.points
+    line = shapely.linestrings(points)
+    one, other = shapely.get_coordinates(shapely.line_interpolate_point(line, [0.3, 0.7], normalized=True))
+    course = (other - one) / max(np.hypot(*(other - one)), 1e-12)
+    return shapely.linestrings(np.vstack([points, points[-1] + 1.5 * float(arm.branch.clearance.max()) * course]))
 
 
 def _chainage(points: np.ndarray) -> np.ndarray:
