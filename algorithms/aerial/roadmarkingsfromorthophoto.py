@@ -6,9 +6,17 @@ from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
 from ..framework.layers.crs import crs_from, horizontal, metres_per_unit
-from ..framework.layers.layers import make_fields
 from ..framework.running.workers import workers
 from .frame_shifts import read_pairs
+from .marking_answers import (
+    check_answers,
+    declare_answer_outputs,
+    declare_answers,
+    refuse_answers,
+    taught,
+    write_doubtful,
+)
+from .marking_layer import write_markings
 
 METHODS = ("profile", "paper", "trained")
 
@@ -64,6 +72,7 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         self.add_distance("FILL_WIDTH", "Width of filled paint", "Paint up to this width, such as arrow heads and "
                           "letters, is filled between its edges; at most the maximum stroke width fills nothing.", 1.5,
                           0.0, 5.0, advanced=True)
+        declare_answers(self)
         self.add_vector("SHIFTS", "Shifts between images", "Points of “Orthorectify frames” that tell how far the "
                         "frames of this orthophoto disagree; shown in the report.", optional=True)
         self.add_raster("FRAME_COUNT", "Frames that see the ground", "Raster of “Orthorectify frames”; shown in the "
@@ -77,6 +86,7 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         self.add_layer_output("OUTPUT_POLYGONS", "Road markings", "Outlines of the markings, with area (m2), length "
                               "and width of the stroke (m), mean contrast (grey values), colour and "
                               "confidence (0 to 1).", optional=True, by_default=True)
+        declare_answer_outputs(self)
         self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: numbers and areas, shifts between frames, "
                              "coverage, pictures of the markings over the orthophoto, and what to distrust.",
                              HTML_FILTER, optional=True)
@@ -95,7 +105,7 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         if horizontal(crs).isGeographic():
             raise InputError(tr("{0}: its pixels are measured in degrees; warp it to a projected CRS, such as the "
                                 "local plane rectangular or UTM zone.").format(label))
-        for name in ("BUILDINGS", "ROADS"):
+        for name in ("BUILDINGS", "ROADS", "LABELS"):
             source = self.parameterAsSource(parameters, name, context) if parameters.get(name) else None
             if source is not None:
                 self.same_crs("INPUT", crs, name, source.sourceCrs())
@@ -103,13 +113,16 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
             if parameters.get(name) and self.raster_path(parameters, name, context):
                 self.same_crs("INPUT", crs, name, self.parameterAsRasterLayer(parameters, name, context).crs())
 
+        check_answers(self, parameters)
+
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.aerial.markings.marking_files import markings_from_orthophoto
 
         progress = self.progress(feedback)
         crs = self.parameterAsRasterLayer(parameters, "INPUT", context).crs()
         settings = self._settings(parameters, context)
-        places = self._places(parameters, context, progress.part(0.0, 0.04))
+        places = self._places(parameters, context, progress.part(0.0, 0.02))
+        settings, weights = taught(self, parameters, context, crs, settings, places, progress.part(0.02, 0.04))
         mask = self.output_layer_path(parameters, "OUTPUT", context, style="marking_mask")
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
             found = markings_from_orthophoto(self.raster_path(parameters, "INPUT", context), mask, places, settings,
@@ -120,13 +133,17 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
                    "SEARCHED_AREA": found.searched_area}
         if report := self._report(parameters, context, found, settings.contrast):
             results["OUTPUT_REPORT"] = report
-        layer = self._write(parameters, context, found.polygons, crs, progress)
-        return {**results, "OUTPUT_POLYGONS": layer} if layer else results
+        if weights:
+            results["OUTPUT_WEIGHTS"] = weights
+        layers = {"OUTPUT_POLYGONS": write_markings(self, parameters, context, found.polygons, crs, progress),
+                  "OUTPUT_DOUBTFUL": write_doubtful(self, parameters, context, found.polygons, crs)}
+        return {**results, **{name: layer for name, layer in layers.items() if layer}}
 
     def shared_settings(self, parameters, context, progress):
         """What all parts of the orthophoto must share when they are worked on apart."""
         from ...urbanmap_qgis.aerial.markings.marking_files import levels_of_orthophoto
 
+        refuse_answers(self, parameters)
         crs = self.parameterAsRasterLayer(parameters, "INPUT", context).crs()
         levels = levels_of_orthophoto(self.raster_path(parameters, "INPUT", context),
                                       self._places(parameters, context, progress),
@@ -197,24 +214,3 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         if found.pixel > 0.25:
             progress.warn(tr("With pixels of {0:.2f} m only wide markings can be seen; 0.15 m or finer shows lane "
                              "lines.").format(found.pixel))
-
-    def _write(self, parameters, context, found, crs, progress):
-        """The polygons' layer, with heights where a ground raster was given."""
-        from ...urbanmap_qgis.aerial.markings.marking_polygons import with_heights
-        from ...urbanmap_qgis.io.raster import RasterSampler
-
-        geometries, kind = found.polygons, "Polygon"
-        ground = self.raster_path(parameters, "GROUND", context)
-        if ground is not None:
-            with RasterSampler(ground) as heights:
-                geometries, without = with_heights(geometries, heights)
-            kind = "PolygonZ"
-            if without:
-                progress.warn(tr("{0} has no height at {1} of {2} markings: they lie outside of it or in its gaps, and "
-                                 "have no height there.").format(self.label_of("GROUND"), without, len(found)))
-        fields = make_fields(("area", "real"), ("length", "real"), ("width", "real"), ("contrast", "real"),
-                             ("colour", "text"), ("confidence", "real"))
-        columns = {name: getattr(found, name)
-                   for name in ("area", "length", "width", "contrast", "colour", "confidence")}
-        return self.write_layer(parameters, "OUTPUT_POLYGONS", context, fields, columns, crs, geometries, kind,
-                                style="road_markings", progress=progress.part(0.9, 1.0))

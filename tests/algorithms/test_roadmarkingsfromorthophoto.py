@@ -157,3 +157,79 @@ def test_paper_is_the_plain_threshold(run, ortho, tmp_path):
     expected = cv2.adaptiveThreshold(levelled, 255, cv2.ADAPTIVE_THRESH_GAUSSIAN_C, cv2.THRESH_BINARY, 21, -17)
     assert mask[10, 181] == 255 and (mask != expected).mean() < 0.002  # the levels come from samples
     assert result["COUNT"] > LINES
+
+
+@pytest.fixture
+def yard(tmp_path):
+    """A grey yard of 24 white lines and 24 cold ones, odd ones white: path, and outlines as text."""
+    from osgeo import gdal, osr
+
+    rng = np.random.default_rng(2)
+    image = np.repeat(90 + rng.normal(0, 2, (1, 900, 900)), 3, axis=0)
+    outlines = []
+    for number in range(48):
+        row, column = 60 + 130 * (number // 8), 40 + 105 * (number % 8)
+        image[:, row:row + 2, column:column + 30] = np.reshape((112, 112, 112) if number % 2 else (110, 114, 112),
+                                                               (3, 1, 1))
+        left, top = X0 + (column - 1) * PIXEL, Y0 - (row - 1) * PIXEL
+        outlines.append(box(left, top - 4 * PIXEL, left + 32 * PIXEL, top))
+    path = tmp_path / "yard.tif"
+    out = gdal.GetDriverByName("GTiff").Create(str(path), 900, 900, 3, gdal.GDT_Byte)
+    out.SetGeoTransform((X0, PIXEL, 0, Y0, 0, -PIXEL))
+    reference = osr.SpatialReference()
+    reference.ImportFromEPSG(6677)
+    out.SetProjection(reference.ExportToWkt())
+    for band in range(3):
+        out.GetRasterBand(band + 1).WriteArray(image[band].clip(0, 255).round().astype(np.uint8))
+    out.FlushCache()
+    return path, outlines
+
+
+def answered(outlines, paint, kind="bool"):
+    """A layer of answers."""
+    from qgis.core import QgsFeature, QgsGeometry, QgsVectorLayer
+
+    layer = QgsVectorLayer(f"Polygon?crs=EPSG:6677&field=paint:{kind}", "answers", "memory")
+    for outline, value in zip(outlines, paint):
+        feature = QgsFeature(layer.fields())
+        feature.setGeometry(QgsGeometry.fromWkt(outline))
+        feature["paint"] = value
+        layer.dataProvider().addFeature(feature)
+    return layer
+
+
+def test_answers_teach_this_run_and_others(run, yard, tmp_path, read_layer):
+    """Answers for half of the lines leave out the cold ones of the other half; the weights do the same without them."""
+    path, outlines = yard
+    first = run(ALGORITHM, {"INPUT": str(path), "OUTPUT": str(tmp_path / "a.tif"), "MIN_CONFIDENCE": 0.0,
+                            "OUTPUT_DOUBTFUL": str(tmp_path / "doubtful.gpkg")})
+    doubtful = read_layer(first["OUTPUT_DOUBTFUL"])
+    assert first["COUNT"] == 48 and len(doubtful)
+    sure = [abs(item["confidence"] - 0.5) for item in doubtful]
+    assert sure == sorted(sure) and max(sure) <= 0.2 + 1e-6 and all(item["paint"] is None for item in doubtful)
+    asked = outlines[:24] + outlines[24:30]
+    words = [bool(k % 2) for k in range(24)] + [None] * 6
+    taught = run(ALGORITHM, {"INPUT": str(path), "OUTPUT": str(tmp_path / "b.tif"), "MIN_CONFIDENCE": 0.5,
+                             "LABELS": answered(asked, words), "OUTPUT_WEIGHTS": str(tmp_path / "w.json")})
+    assert taught["COUNT"] == 24
+    again = run(ALGORITHM, {"INPUT": str(path), "OUTPUT": str(tmp_path / "c.tif"), "MIN_CONFIDENCE": 0.5,
+                            "WEIGHTS": taught["OUTPUT_WEIGHTS"]})
+    assert again["COUNT"] == 24 and (tmp_path / "b.tif").read_bytes() == (tmp_path / "c.tif").read_bytes()
+
+
+@pytest.mark.parametrize(("given", "words"), [
+    ({"LABELS": ["yes", "no"] * 3}, "at least"),
+    ({"LABELS": ["perhaps"]}, "is no answer"),
+    ({"LABELS": ["yes"], "WEIGHTS": "w.json"}, "not both"),
+    ({"LABELS": ["yes"], "METHOD": "paper"}, "Nothing is learned"),
+    ({"OUTPUT_WEIGHTS": "w.json"}, "learned from answers"),
+])
+def test_answers_that_cannot_be_used_are_told(run, yard, tmp_path, given, words):
+    from qgis.core import QgsProcessingException
+
+    path, outlines = yard
+    (tmp_path / "w.json").write_text("{}", encoding="utf-8")
+    values = {name: answered(outlines, value, "string") if name == "LABELS" else
+              str(tmp_path / value) if name != "METHOD" else value for name, value in given.items()}
+    with pytest.raises(QgsProcessingException, match=words):
+        run(ALGORITHM, {"INPUT": str(path), "OUTPUT": str(tmp_path / "m.tif"), **values})

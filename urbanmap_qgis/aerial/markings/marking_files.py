@@ -43,7 +43,7 @@ class MarkingFilesLimits:
 
 LIMITS = MarkingFilesLimits()
 
-_TILE = 2560
+TILE = 2560
 """Pixels, side of a tile at most: what is worked on round tiles is then up to 0.65 of their own, and a process takes
 0.6 GB."""
 
@@ -75,7 +75,7 @@ class MarkingResult:
 
 def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike, places: SearchArea | None = None,
                              settings: MarkingSettings | None = None, metres_per_unit: float = 1.0,
-                             tile: int = _TILE, progress: Progress = SILENT,
+                             tile: int = TILE, progress: Progress = SILENT,
                              executor: Executor | None = None) -> MarkingResult:
     """Find the road markings of an orthophoto; write a mask (uint8, 255 = marking) on the orthophoto's pixels.
 
@@ -91,8 +91,7 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
     """
     settings, places = settings or MarkingSettings(), places or SearchArea()
     with own_gdal(CACHE), ExitStack() as stack:
-        min_pixel = 0.0 if settings.paper else LIMITS.min_pixel
-        scene = OrthophotoReader(path, places, metres_per_unit, min_pixel, stack)
+        scene = open_orthophoto(path, places, settings, metres_per_unit, stack)
         if not scene.mask_covers():
             progress.warn(say("{mask} does not cover all of {path}: where it does not, nothing is taken as hidden.",
                               mask=Path(places.mask).name, path=scene.path.name))
@@ -106,7 +105,7 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
             stored = SearchArea(stack.enter_context(sent_polygons(places.roads)),
                                 stack.enter_context(sent_polygons(places.buildings)), places.mask)
             given = stack.enter_context(worker_resource(partial(
-                OrthophotoReader, path, stored, metres_per_unit, min_pixel)))
+                OrthophotoReader, path, stored, metres_per_unit, _min_pixel(settings))))
         try:
             with written_beside(output) as temporary, rasterio.open(temporary, "w", **profile) as target:
                 found = _found_in_tiles(given, scene, levels, settings, tile, progress.part(0.1, 1.0), executor)
@@ -128,9 +127,18 @@ def levels_of_orthophoto(path: str | os.PathLike, places: SearchArea | None = No
     """
     settings = settings or MarkingSettings()
     with own_gdal(CACHE), ExitStack() as stack:
-        min_pixel = 0.0 if settings.paper else LIMITS.min_pixel
-        scene = OrthophotoReader(path, places or SearchArea(), metres_per_unit, min_pixel, stack)
+        scene = open_orthophoto(path, places or SearchArea(), settings, metres_per_unit, stack)
         return sampled_levels(scene, settings, progress)
+
+
+def open_orthophoto(path: str | os.PathLike, places: SearchArea, settings: MarkingSettings, metres_per_unit: float,
+                    stack: ExitStack) -> OrthophotoReader:
+    """An orthophoto to be read piece by piece, as long as the stack is open."""
+    return OrthophotoReader(path, places, metres_per_unit, _min_pixel(settings), stack)
+
+
+def _min_pixel(settings: MarkingSettings) -> float:
+    return 0.0 if settings.paper else LIMITS.min_pixel
 
 
 @dataclass(frozen=True)
@@ -153,23 +161,23 @@ def _found_in_tiles(given: OrthophotoReader | WorkerResource, scene: OrthophotoR
     step = tile_step(scene.pixel, settings)
 
     def places() -> Iterator[tuple[slice, slice]]:
-        for rows, columns, done in _tiles(scene, max(tile // scene.factor, 1), step):
+        for rows, columns, done in image_tiles(scene, max(tile // scene.factor, 1), step):
             progress.step(done)
             yield rows, columns
 
-    work = partial(_tile_found, given, levels, settings, step)
+    work = partial(_tile_found, given, levels, settings)
     return in_order(work, places(), executor, progress.check)
 
 
 def _tile_found(given: OrthophotoReader | WorkerResource, levels: LevelAdjustment | None, settings: MarkingSettings,
-                step: int, place: tuple[slice, slice]) -> _TileFound:
+                place: tuple[slice, slice]) -> _TileFound:
     rows, columns = place
     if levels is None:
         nothing = np.zeros((rows.stop - rows.start, columns.stop - columns.start), bool)
         return _TileFound(rows, columns, nothing, None, 0)
     with own_gdal(CACHE):
         scene = given.get() if isinstance(given, WorkerResource) else given
-        markings, searched, window = _tile_markings(scene, rows, columns, levels, settings, step)
+        markings, searched, window = _tile_markings(scene, rows, columns, levels, settings)
     mask = markings.mask[within((rows, columns), window)].copy()
     pieces = tile_polygons(markings, window, rows, columns, scene.transform) if mask.any() else None
     return _TileFound(rows, columns, mask, pieces, searched, markings.evidence)
@@ -198,13 +206,20 @@ def _gathered(found: Iterator[_TileFound], scene: OrthophotoReader, settings: Ma
                          evidence=evidence if settings.cleaning else None)
 
 
+def tile_window(scene: OrthophotoReader, rows: slice, columns: slice, settings: MarkingSettings
+                ) -> tuple[slice, slice]:
+    """Rows and columns of a tile with all that its result depends on."""
+    step = tile_step(scene.pixel, settings)
+    around = -(-margin_pixels(scene.pixel, settings) // step) * step
+    return (slice(max(rows.start - around, 0), min(rows.stop + around, scene.rows)),
+            slice(max(columns.start - around, 0), min(columns.stop + around, scene.columns)))
+
+
 def _tile_markings(scene: OrthophotoReader, rows: slice, columns: slice, levels: LevelAdjustment,
-                   settings: MarkingSettings, step: int) -> tuple[Markings, int, tuple[slice, slice]]:
+                   settings: MarkingSettings) -> tuple[Markings, int, tuple[slice, slice]]:
     """Markings of a tile and of the first line of the next ones, how many pixels of the tile may show some, and rows
     and columns of the markings."""
-    around = -(-margin_pixels(scene.pixel, settings) // step) * step
-    window = (slice(max(rows.start - around, 0), min(rows.stop + around, scene.rows)),
-              slice(max(columns.start - around, 0), min(columns.stop + around, scene.columns)))
+    window = tile_window(scene, rows, columns, settings)
     wanted = (slice(rows.start, min(rows.stop + 1, scene.rows)),
               slice(columns.start, min(columns.stop + 1, scene.columns)))
     bands, seen, roads = scene.read(*window)
@@ -220,7 +235,7 @@ def _tile_markings(scene: OrthophotoReader, rows: slice, columns: slice, levels:
     return replace(markings, evidence=markings.evidence + light), searched, wanted
 
 
-def _tiles(scene: OrthophotoReader, most: int, step: int) -> Iterator[tuple[slice, slice, float]]:
+def image_tiles(scene: OrthophotoReader, most: int, step: int) -> Iterator[tuple[slice, slice, float]]:
     """Rows and columns of every tile, and the fraction done before it.
 
     Tiles are about as large as each other, whole blocks of the mask's file where that fits, and multiples of `step`.

@@ -14,6 +14,7 @@ import numpy as np
 
 from .disc_opening import disc_opened
 from .image_strips import STRIP, flat_places, grown, row_strips, shifted_places, within
+from .learning.answered_pieces import LearnedAnswers
 from .marking_confidence import (
     GROUND_REACH,
     ConfidenceSettings,
@@ -51,6 +52,7 @@ class CleanSettings:
     confidence : how it is measured.
     fill_width : paint up to this width, such as arrow heads, is filled.
     trained : whether the confidence is told by the trained model, see `paint_model`, or by rules alone.
+    learned : what a user's answers taught, by which that confidence is corrected; None for nothing.
     """
 
     max_width: float = 0.8
@@ -73,6 +75,12 @@ class CleanSettings:
     confidence: ConfidenceSettings = field(default_factory=ConfidenceSettings)
     fill_width: float = 1.5
     trained: bool = False
+    learned: LearnedAnswers | None = None
+
+    @property
+    def asks_figures(self) -> bool:
+        """Whether figures of the surroundings are asked for, which are told by cells."""
+        return self.trained or self.learned is not None
 
     @property
     def reach(self) -> float:
@@ -84,7 +92,7 @@ class CleanSettings:
         piece = self.max_length + self.wear_gap
         body = self.max_length + self.body_width + max(self.vehicle_gap, self.rim)
         beyond = body + max(GROUND_REACH, self.vehicle_width)
-        if self.trained:
+        if self.asks_figures:
             beyond = max(beyond, REACH + GROUND_REACH)
         return piece + beyond + self.max_width + 2 * self.fill_width
 
@@ -149,8 +157,8 @@ def remove_non_markings(found: Candidates, pixel: float, settings: CleanSettings
     near, ground, mask, pieces = judged.near, judged.ground, judged.mask, judged.pieces
     by_rules = values = _of_pieces(judged, judged.by_rules, pixel)
     accepted = judged.accepted[pieces.labels]
-    if settings.trained and found.roads is None:
-        values = _by_model(judged, found, pixel)
+    if settings.asks_figures and found.roads is None:
+        values = _by_figures(judged, found, pixel, settings, by_rules)
     good = accepted & (values >= settings.min_confidence)
     evidence = SearchTally(colder=judged.colder, clear=np.count_nonzero(ground.clear[counted]),
                            smooth=np.count_nonzero(ground.smooth[counted]))
@@ -233,12 +241,35 @@ def figures_of_pieces(judged: JudgedPieces, found: Candidates, pixel: float) -> 
                                  judged.pieces.labels[counts], pixel)
 
 
-def _by_model(judged: JudgedPieces, found: Candidates, pixel: float) -> np.ndarray:
-    """Confidence (n,) of the pieces' pixels by the trained model."""
+def _by_figures(judged: JudgedPieces, found: Candidates, pixel: float, settings: CleanSettings, by_rules: np.ndarray
+                ) -> np.ndarray:
+    """Confidence (n,) of the pieces' pixels by the trained model or the rules, and by what answers taught."""
     counts, figures = figures_of_pieces(judged, found, pixel)
+    values = _by_model(judged, counts, figures, pixel) if settings.trained else by_rules
+    if settings.learned is None:
+        return values
+    corrected = np.zeros(len(counts), np.float32)
+    corrected[counts] = settings.learned.corrected(figures.mean(values[counts]), figures.values)[figures.cell]
+    return _of_pieces(judged, corrected, pixel)
+
+
+def _by_model(judged: JudgedPieces, counts: np.ndarray, figures: PieceFigures, pixel: float) -> np.ndarray:
+    """Confidence (n,) of the pieces' pixels by the trained model."""
     evidence = np.zeros(len(counts), np.float32)
     evidence[counts] = paint_model().evidence_of(figures.values, len(figures.pixels))[figures.cell]
     return paint_model().probability(_of_pieces(judged, evidence, pixel))
+
+
+def confidence_and_figures(found: Candidates, pixel: float, settings: CleanSettings, wanted: tuple[slice, slice]
+                           ) -> tuple[np.ndarray, np.ndarray, PieceFigures]:
+    """Places (n,) in the flat image of accepted pieces' pixels that reach into the rows and columns wanted, the
+    confidence (k,) of their cells before any answer, and the cells' figures."""
+    judged = judged_pieces(found, pixel, settings, wanted)
+    counts, figures = figures_of_pieces(judged, found, pixel)
+    values = (_by_model(judged, counts, figures, pixel) if settings.trained
+              else _of_pieces(judged, judged.by_rules, pixel))
+    places = shifted_places(judged.pieces.inside[counts], judged.near, found.core.shape)
+    return places, figures.mean(values[counts]), figures
 
 
 def _tally(judged: JudgedPieces, by_rules: np.ndarray, good: np.ndarray, counted: tuple[slice, slice], pixel: float

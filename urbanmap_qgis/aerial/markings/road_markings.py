@@ -194,7 +194,7 @@ def tile_step(pixel: float, settings: MarkingSettings) -> int:
     if not settings.cleaning:
         return 1
     step = coarse_step(settings.cleaning.vehicle_width / pixel)
-    return math.lcm(step, cell_pixels(pixel)) if settings.cleaning.trained else step
+    return math.lcm(step, cell_pixels(pixel)) if settings.cleaning.asks_figures else step
 
 
 def find_markings(bands: np.ndarray, seen: np.ndarray, roads: np.ndarray | None, pixel: float, levels: LevelAdjustment,

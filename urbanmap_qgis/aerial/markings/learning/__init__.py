@@ -1,0 +1,1 @@
+"""What is learned from answers about road markings: nothing in it looks at images."""
