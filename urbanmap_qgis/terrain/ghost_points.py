@@ -48,7 +48,10 @@ def without_ghosts(cell: np.ndarray, height: np.ndarray, shape: tuple[int, int])
     if not ghost.any():
         return height, lowest
     height = np.where(ghost, np.inf, height)
-    return height, extreme_in_cells(cell, height, size, highest=False)
+    haunted = np.zeros(size, bool)
+    haunted[cell[ghost]] = True
+    some = np.flatnonzero(haunted[cell])
+    return height, np.where(haunted, extreme_in_cells(cell[some], height[some], size, highest=False), lowest)
 
 
 def _suspects(cell: np.ndarray, height: np.ndarray, lowest: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
