@@ -226,16 +226,20 @@ class _SlopedFaces(FaceCollector):
 
 
 def _plane_above(cell: SlopedCell, lowest: float) -> tuple[float, float, float]:
-    """A cell's plane, where it is nowhere under `lowest` (m); else it lifted as a whole, or a level one, what changes
-    its corners less: bent at `lowest` it would fall into slivers."""
-    a, b, c = cell.plane
+    """A cell's plane, where it is nowhere under `lowest` (m); else the plane over it that lies nearest to its corners,
+    those under `lowest` put there: bent in them it would fall into slivers."""
     corners = shapely.get_coordinates(cell.polygon) - cell.origin
-    heights = corners @ (a, b) + c
-    missing = lowest - float(heights.min())
-    if missing <= 0:
+    rows = np.column_stack([corners, np.ones(len(corners))])
+    heights = rows @ cell.plane
+    if heights.min() >= lowest:
         return cell.plane
-    level = max(lowest, float(heights.mean()))
-    return (a, b, c + missing) if missing <= np.abs(heights - level).mean() else (0.0, 0.0, level)
+    wanted = np.maximum(heights, lowest)
+    above = []
+    for plane in (np.array(cell.plane), np.linalg.lstsq(rows, wanted, rcond=None)[0], np.array([0.0, 0.0, lowest])):
+        plane[2] += max(lowest - float((rows @ plane).min()), 0.0)
+        above.append((float(np.abs(rows @ plane - wanted).mean()), plane.tolist()))
+    a, b, c = min(above)[1]
+    return a, b, c
 
 
 def _is_flat(corners: np.ndarray) -> bool:
