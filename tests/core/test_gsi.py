@@ -2,6 +2,7 @@
 
 import io
 import zipfile
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ from pyproj import CRS, Transformer
 
 from urbanmap_qgis.errors import Cancelled, InputError
 from urbanmap_qgis.io.official.gsi import fitting_zone, read_gsi_buildings, reproject
+from urbanmap_qgis.io.official.gsi_sources import opened
 from urbanmap_qgis.progress import Progress
 
 LAT, LON = 35.69, 139.76
@@ -356,3 +358,14 @@ def test_buildings_in_two_zones_are_said(read):
     projected = reproject(read(area(ring(SQUARE)), area(ring(square(3)), name="b"), far))
     assert projected.crs == CRS.from_epsg(6677) and "1 of 3 buildings" in projected.notes[0]
     assert "in VII:" in projected.notes[0]
+
+
+@pytest.mark.parametrize(("error", "said"), [(PermissionError(13, "Permission denied"), r"\(Permission denied\)"),
+                                             (OSError("device gone"), r"\(device gone\)")])
+def test_why_a_file_cannot_be_read_is_said_in_the_systems_words(error, said):
+    def refuse():
+        raise error
+
+    with pytest.raises(InputError, match=f"a.xml cannot be read {said}: check the file"), opened(
+            SimpleNamespace(name="a.xml", open=refuse)):
+        pass
