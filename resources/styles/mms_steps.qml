@@ -3,7 +3,7 @@
   <renderer-v2 enableorderby="0" referencescale="-1" forceraster="0" type="RuleRenderer" symbollevels="0">
     <rules key="{d8a8748e-6f52-495e-9fb9-d29751fa8a6c}">
       <rule key="{5185a7f9-98c0-4e1b-9e41-8a2c60554c90}" symbol="0" label="changed markings" filter="&quot;kind&quot; = 'changed markings'"/>
-      <rule key="{b636b109-7be4-4c92-8671-9b0f37f776fa}" symbol="1" label="reference and survey disagree" filter="&quot;kind&quot; = 'reference and survey disagree'"/>
+      <rule key="{b636b109-7be4-4c92-8671-9b0f37f776fa}" symbol="1" label="reference and survey disagree" filter="ELSE"/>
       <rule key="{d508e820-5ad9-4196-bf73-84733a084b89}" symbol="2" label="hidden step" filter="&quot;kind&quot; = 'hidden step'"/>
     </rules>
     <symbols>

@@ -68,12 +68,12 @@ def mms_steps(layer) -> None:
     """Places where reference and survey disagree, with arrows 20 times the step."""
     line = 'make_line($geometry, translate($geometry, 20 * "east", 20 * "north"))'
     entries = []
-    for label, kind, colour in (("changed markings", "changed markings", "#d73027"),
-                                ("reference and survey disagree", "reference and survey disagree", "#7b3294"),
-                                ("hidden step", "hidden step", "#4d4d4d")):
+    for label, rule, colour in (("changed markings", "\"kind\" = 'changed markings'", "#d73027"),
+                                ("reference and survey disagree", "ELSE", "#7b3294"),
+                                ("hidden step", "\"kind\" = 'hidden step'", "#4d4d4d")):
         symbol = marker(colour, 3.0)
         symbol.insertSymbolLayer(0, arrow_along(line, colour))
-        entries.append((label, f"\"kind\" = '{kind}'", symbol))
+        entries.append((label, rule, symbol))
     rules(layer, tuple(entries))
     layer.setMapTipTemplate("<b>[% round(\"way\", 1) %] m: [% \"kind\" %]</b><br>[% round(\"size\", 3) %] m towards "
                             "[% round(\"direction\") %]°, σ [% round(\"sigma\", 3) %] m")

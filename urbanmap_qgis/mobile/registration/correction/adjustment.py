@@ -30,6 +30,7 @@ from .disagreements import (
 )
 from .error_model import PoseErrorModel
 from .error_steps import window_steps
+from .fast_changes import fast_changes, with_undecided
 from .gauss_markov import path_parameters_of
 from .normal_equations import NormalEquations, normal_equations_of
 from .patch_status import (
@@ -191,11 +192,14 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
         chain, fit = _onto_points(points, chain, fit, model, at_nodes, settings, progress.part(0.5, 1.0))
     model = model.scaled(fit.drift_factor).with_heading(fit.heading_factor)
     slip = SideSlip.of(trajectory, path_parameter)
-    found = settle(chain, fit, model, np.interp(chain.nodes, at_patches, allowed),
+    at_nodes = np.interp(chain.nodes, at_patches, allowed)
+    changes = fast_changes(chain, fit, model, at_nodes, partial(_likelihood, settings=settings))
+    found = settle(chain, fit, model, at_nodes,
                    partial(_adjusted_again, points=points, model=model, settings=settings),
-                   partial(_likelihood, model=model, settings=settings), MOST_SPAN, slip.denies)
+                   partial(_likelihood, model=model, settings=settings), MOST_SPAN, slip.denies,
+                   [change.step for change in changes if not change.spread])
     found, conflict = _heard(walls, found, model) if walls is not None else (found, WitnessConflict(()))
-    found = _by_slip(found, slip, model)
+    found = with_undecided(_by_slip(found, slip, model), changes, model, slip)
     found = replace(found, fit=_with_plan_noise(found.chain, found.fit, model, points is not None))
     chain = found.chain
     correction = _result(windows, found, at_patches, doubtful, settings, conflict)
@@ -392,7 +396,7 @@ def _result(windows: WindowResults, found: Disagreements, at_patches: np.ndarray
     if windows.spread is not None:
         covariance[doubtful, :2, :2] += windows.spread[doubtful]
     covariance[:, :2, :2] *= hidden_factor(found.hidden, at_patches)[:, None, None]
-    beside, variance = either_side(found.steps, chain.nodes, at_patches)
+    beside, variance = either_side(found.two_sided, chain.nodes, at_patches)
     covariance[:, :2, :2] += variance
     against, either = conflict.at(windows.chainage)
     covariance[:, :2, :2] += either

@@ -82,6 +82,17 @@ class NodeChain:
         other._start(self.unsoftened)
         return other
 
+    def between(self, first: int, last: int) -> NodeChain:
+        """The nodes from one number to another alone, with the evidence next to them, and nothing held."""
+        other, steps = copy(self), slice(first, last)
+        other.nodes, other.fast = self.nodes[first:last + 1], self.fast[steps]
+        other.fast_up = self.fast_up[steps] if np.ndim(self.fast_up) else self.fast_up
+        other.stopped, other.jump = self.stopped[steps], self.jump[steps]
+        other.stops = StopMovement(self.stops.moved[steps], self.stops.variance[steps])
+        other.held, other._held_sums = None, None
+        other._start(self.unsoftened.select((self.node >= first) & (self.node <= last)))
+        return other
+
     def with_held(self, held: HeldObservations | None) -> NodeChain:
         """The same with other observations beside its evidence that no weighing of it touches; None for none."""
         other = copy(self)

@@ -21,7 +21,9 @@ from .patch_status import BRIDGED, DISTRUSTED, REGISTERED
 from .robust_fit import Fit
 
 CHANGED, DISAGREEMENT, HIDDEN = mark("changed markings"), mark("reference and survey disagree"), mark("hidden step")
-"""Kinds of steps: an edge of markings that changed, one whose right side is not known, one without markings about."""
+UNDECIDED = mark("step of the drive or of the reference")
+"""Kinds of steps: an edge of markings that changed, one whose right side is not known, one without markings about, and
+one that may as well be the drive's own."""
 
 MOST_SHARP = 3.0
 """Standard deviations of a step beyond which it is believed: of one that hides, by the model alone."""
@@ -51,7 +53,7 @@ class CorrectionStep:
     time : s.
     east, north : m, by which the correction changes.
     sigma : m, of its size.
-    kind : CHANGED, DISAGREEMENT or HIDDEN.
+    kind : CHANGED, DISAGREEMENT, HIDDEN or UNDECIDED.
     span : m, chainages of the stretch that it is told of, which of changed markings the first edge has; None where
         there is no more than the place.
     """
@@ -216,6 +218,7 @@ class Disagreements:
     steps : of which nobody knows the right side.
     changed : first and last of each stretch of changed markings.
     hidden : begin and end (path parameters) of stretches without evidence, and the step across each.
+    undecided : steps of which nobody knows whether the drive or the reference has them.
     """
 
     chain: NodeChain
@@ -223,6 +226,12 @@ class Disagreements:
     steps: list[NodeStep]
     changed: list[tuple[NodeStep, NodeStep]]
     hidden: list[tuple[float, float, NodeStep]]
+    undecided: Sequence[NodeStep] = ()
+
+    @property
+    def two_sided(self) -> list[NodeStep]:
+        """All steps of which one side may be wrong, along the path."""
+        return sorted([*self.steps, *self.undecided], key=lambda step: step.node)
 
     def hides(self, step: NodeStep) -> bool:
         """Whether a step is believed to hide where no markings are; walls there change from building to building."""
@@ -239,7 +248,8 @@ class Disagreements:
         def middle(step: NodeStep) -> float:
             return float(0.5 * (nodes[step.node] + nodes[step.node + 1]))
 
-        rows = [(middle(step), step, DISAGREEMENT, None) for step in self.steps]
+        rows = [(middle(step), step, kind, None) for kind, steps in ((DISAGREEMENT, self.steps),
+                                                                     (UNDECIDED, self.undecided)) for step in steps]
         for first, second in self.changed:
             rows += [(middle(first), first, CHANGED, (middle(first), middle(second))),
                      (middle(second), second, CHANGED, None)]
@@ -263,7 +273,7 @@ Likelihood = Callable[[NodeChain, np.ndarray], float]
 
 
 def settle(chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.ndarray, adjust: Adjust,
-           likelihood: Likelihood, longest: float, denies: Denies) -> Disagreements:
+           likelihood: Likelihood, longest: float, denies: Denies, sharp: Sequence[NodeStep] = ()) -> Disagreements:
     """The adjustment with its sharp steps found, and what cannot be decided told.
 
     Parameters
@@ -271,9 +281,10 @@ def settle(chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.ndarra
     allowed : (k,) 0 to 1, how far the evidence at each node may be believed.
     longest : m without evidence beyond which a step may hide.
     denies : see `SideSlip.denies`.
+    sharp : the likeliest steps instead of fast changes that may be steps.
     """
     tests = step_tests(chain, model, fit, 1.0)
-    likely = suspects([*tests, *_fast_places(chain, fit)], chain.nodes)
+    likely = suspects([*tests, *sharp], chain.nodes)
     gaps = hidden_steps(chain, model, fit, longest)
     likely = [step for step in likely if not any(begin < chain.nodes[step.node] < end for begin, end, _ in gaps)]
     steps: list[NodeStep] = []
@@ -301,20 +312,6 @@ def _likelier(drifting: NodeChain, steps: Sequence[NodeStep], allowed: np.ndarra
     jumping = with_free_steps(drifting, steps).hardened()
     gain = likelihood(jumping, allowed) - likelihood(drifting.hardened(), allowed)
     return gain > _LIKELIER
-
-
-def _fast_places(chain: NodeChain, fit: Fit) -> list[NodeStep]:
-    """The middle of each stretch where the error was let change fast, as a suspect."""
-    number = np.flatnonzero(chain.fast > 0)
-    if not len(number):
-        return []
-    found, stops = [], chain.stop_changes()[:, :2]  # what a standing vehicle's trajectory wanders is known
-    for part in np.split(number, np.flatnonzero(np.diff(number) > 1) + 1):
-        rate = fit.state[part + 1, :2, 0] - fit.state[part, :2, 0] - stops[part]
-        change = rate.sum(axis=0)
-        middle = int(part[np.argmin(np.abs(np.cumsum(rate @ change) - 0.5 * change @ change))])
-        found.append(NodeStep(middle, change, np.eye(2), _PROVEN**2))
-    return found
 
 
 def _between(pairs: Sequence[tuple[NodeStep, NodeStep]], nodes: np.ndarray, at: np.ndarray) -> np.ndarray:

@@ -80,6 +80,10 @@ class PoseErrorModel:
         """The same with `factor` times the error of the heading."""
         return replace(self, attitude=self.attitude.times((1.0, 1.0, factor)))
 
+    def between(self, first: int, last: int) -> PoseErrorModel:
+        """The same of the nodes from one number to another alone."""
+        return replace(self, attitude=replace(self.attitude, sigma=self.attitude.sigma[first:last + 1]))
+
     def start(self, active: tuple[int, ...]) -> np.ndarray:
         """(d, 2) variances of error and rate at the first node."""
         place = np.stack([self.place.initial_sigma, self.place.rate_sigma], axis=1) ** 2

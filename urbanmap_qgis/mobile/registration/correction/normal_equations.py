@@ -52,6 +52,12 @@ class NormalEquations:
         return replace(self, gradient=self.gradient * share[:, None],
                        information=self.information * share[:, None, None])
 
+    def select(self, which: np.ndarray) -> NormalEquations:
+        """Those of some of the pieces, by mask."""
+        return replace(self, path_parameter=self.path_parameter[which], place=self.place[which],
+                       gradient=self.gradient[which], information=self.information[which],
+                       present=self.present[which], met=None if self.met is None else self.met[which])
+
     def in_plan(self) -> list[int]:
         """Which of the d parameters move points in plan alone: dx, dy and dheading."""
         return [number for number, parameter in enumerate(self.active) if parameter in PLANE]

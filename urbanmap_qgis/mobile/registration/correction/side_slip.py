@@ -103,6 +103,25 @@ class SideSlip:
         return abs(across) > LIMITS.proof * sigma and left > max(LIMITS.proof * sigma,
                                                                  LIMITS.unexplained * abs(across))
 
+    def driven(self, begin: float, end: float) -> float:
+        """m driven between two path parameters."""
+        first, last = np.interp([begin, end], self.path_parameter, self.chainage)
+        return float(last - first)
+
+    def explains(self, begin: float, end: float, step: NodeStep) -> bool:
+        """Whether a change of the correction between path parameters is the drive's own: it slipped so.
+
+        Only a change that lies across the path for a good part shows in the slip.
+        """
+        found = self.between(begin, end)
+        if found is None:
+            return False
+        right, slip, sigma = found
+        across = float(right @ step.change)
+        left = abs(across + slip)  # a correction undoes the slip
+        return (abs(slip) > LIMITS.proof * sigma and abs(across) > LIMITS.unexplained * step.size
+                and left < max(LIMITS.proof * sigma, LIMITS.unexplained * abs(across)))
+
 
 def _robust_line(design: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, float]:
     """Coefficients that fit values (n,) best, robustly, and the standard deviation of what is left."""

@@ -1,0 +1,146 @@
+"""Whose a fast change of the correction is: the drive's, the reference's, or either's.
+
+A trajectory that is fixed anew spreads its change over 20 m and more, a reference steps at one place. Which of the two
+makes the survey likelier is asked of the path around the change. Where neither does (the change lies where the vehicle
+stands, or where markings are few), a slip of the trajectory aside shows that the change is the drive's. Without it
+nobody knows, and neither side of the change is called registered. A stretch without markings that is long enough for a
+fix to take place in it says nothing against one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Protocol
+
+import numpy as np
+
+from .chain import NodeChain
+from .disagreements import Disagreements, NodeStep, step_tests
+from .error_model import PoseErrorModel
+from .robust_fit import Fit
+
+
+@dataclass(frozen=True)
+class FastChangeLimits:
+    """Limits of fast changes, each with its unit."""
+
+    around: float = 60.0  # m of path parameter to either side of a change that are asked
+    beyond: int = 3  # nodes before and after a change at which a step may lie
+    sure: float = 5.0  # log-likelihood by which one of two models must beat the other
+    jump: float = 0.1  # m, least standard deviation of a step
+    same: float = 25.0  # m of path parameter within which a step that was found is the change
+    least: float = 0.1  # m: smaller changes leave nothing wrong that matters
+    proof: float = 4.5  # standard deviations of a change across a stretch without markings
+    fix: float = 20.0  # m driven, in which a trajectory can be fixed anew
+
+
+LIMITS = FastChangeLimits()
+
+
+class Drive(Protocol):
+    """The reported trajectory between two path parameters: whether it slips by a change, and m driven."""
+
+    def explains(self, begin: float, end: float, step: NodeStep) -> bool: ...
+
+    def driven(self, begin: float, end: float) -> float: ...
+
+
+LikelihoodOf = Callable[[NodeChain, np.ndarray, PoseErrorModel], float]
+"""Log-likelihood of a model with a chain's evidence, believed so far at the nodes (k,)."""
+
+
+@dataclass(frozen=True)
+class FastChange:
+    """A stretch in which the correction changes faster than drift.
+
+    Attributes
+    ----------
+    begin, end : numbers of its first and last node.
+    step : the likeliest sharp step instead of it.
+    sharper, needed : log-likelihood of that step over the change spread over the stretch, and over drift alone.
+    """
+
+    begin: int
+    end: int
+    step: NodeStep
+    sharper: float
+    needed: float
+
+    @property
+    def spread(self) -> bool:
+        """Whether it is spread over its stretch, as a drive's own change is."""
+        return self.sharper < -LIMITS.sure
+
+
+def fast_changes(chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.ndarray,
+                 likelihood: LikelihoodOf) -> list[FastChange]:
+    """The stretches where a chain lets the error change fast, with what one sharp step would be in each.
+
+    `allowed` : (k,) 0 to 1, how far the evidence at the nodes may be believed.
+    """
+    fast = np.flatnonzero(chain.fast > 0)
+    if not len(fast):
+        return []
+    return [_change(chain, fit, model, allowed, likelihood, part)
+            for part in np.split(fast, np.flatnonzero(np.diff(fast) > 1) + 1)]
+
+
+def _change(chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.ndarray, likelihood: LikelihoodOf,
+            part: np.ndarray) -> FastChange:
+    """The change over steps `part` of the chain, by the path around it alone."""
+    first, last = np.searchsorted(chain.nodes, chain.nodes[[part[0], part[-1]]] + LIMITS.around * np.array([-1, 1]))
+    first, last = int(first), min(int(last), len(chain.nodes) - 1)
+    near, model, believed = chain.between(first, last), model.between(first, last), allowed[first:last + 1]
+    moved = fit.state[part + 1, :2, 0] - fit.state[part, :2, 0] - chain.stop_changes()[part, :2]
+    change = moved.sum(axis=0)
+    still = near.fast.copy()
+    still[part - first] = 0.0
+    places = np.arange(max(part[0] - LIMITS.beyond, first), min(part[-1] + LIMITS.beyond + 1, last)) - first
+
+    def reached(place: int | None, fast: np.ndarray = still) -> float:
+        fast = fast.copy()
+        if place is not None:
+            fast[place] = max(float(np.hypot(*change)), LIMITS.jump)
+        return likelihood(near.with_fast(fast).hardened(), believed, model)
+
+    sharp = np.array([reached(place) for place in places])
+    best = int(sharp.argmax())
+    step = NodeStep(int(places[best] + first), change, np.eye(2), LIMITS.proof**2)
+    return FastChange(int(part[0]), int(part[-1]) + 1, step, float(sharp[best] - reached(None, near.fast)),
+                      float(sharp[best] - reached(None)))
+
+
+def with_undecided(found: Disagreements, changes: Sequence[FastChange], model: PoseErrorModel,
+                   drive: Drive) -> Disagreements:
+    """What was found, with the changes that may be the drive's or the reference's: no evidence tells which.
+
+    Those that were found to be steps, that the trajectory's slip explains, or that have room enough for a fix where no
+    markings are, are not among them.
+    """
+    chain, nodes = found.chain, found.chain.nodes
+    known = [nodes[step.node] for step in (*found.steps, *(step for pair in found.changed for step in pair))]
+    undecided: list[NodeStep] = []
+    short = [gap for gap in found.hidden if drive.driven(*gap[:2]) < LIMITS.fix]
+    long = [gap for gap in found.hidden if drive.driven(*gap[:2]) >= LIMITS.fix]
+    for change in changes:
+        begin, end = nodes[change.begin], nodes[change.end]
+        room = any(begin < gap_end and gap_begin < end for gap_begin, gap_end, _ in long)
+        if change.spread or room or change.needed < LIMITS.sure:
+            continue
+        fast = chain.fast.copy()
+        fast[change.begin:change.end] = 0.0
+        step = step_tests(chain.with_fast(fast), model, found.fit, 1.0)[change.step.node] or change.step
+        if step.size > LIMITS.least and not drive.explains(begin, end, step) and not _near(known, begin, end):
+            undecided.append(step)
+            known.append(nodes[step.node])
+    for begin, end, step in short:
+        sure = step.square > LIMITS.proof**2 and step.size > LIMITS.least
+        if sure and not drive.explains(begin, end, step) and not _near(known, begin, end):
+            undecided.append(step)
+    return replace(found, undecided=sorted(undecided, key=lambda step: step.node))
+
+
+def _near(places: Sequence[float], begin: float, end: float) -> bool:
+    """Whether one of the places lies on a stretch or beside it, m."""
+    return any(begin - LIMITS.same <= place <= end + LIMITS.same for place in places)
