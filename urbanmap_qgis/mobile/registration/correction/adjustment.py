@@ -30,7 +30,7 @@ from .disagreements import (
 )
 from .error_model import PoseErrorModel
 from .error_steps import window_steps
-from .fast_changes import fast_changes, with_undecided
+from .fast_changes import FastChange, by_slip, fast_changes
 from .gauss_markov import path_parameters_of
 from .normal_equations import NormalEquations, normal_equations_of
 from .patch_status import (
@@ -55,13 +55,11 @@ from .second_witness import (
     wall_shares,
     with_broken_walls,
     with_conflict,
-    with_free_gaps,
     without_astray,
 )
 from .settings import CorrectionSettings
 from .shown_accuracy import with_shown_pitch
-from .side_slip import SideSlip, with_denied_gaps
-from .slip_steps import with_slip_steps
+from .side_slip import SideSlip
 
 Evaluate = Callable[[Callable[[np.ndarray], np.ndarray], float], NormalEquations]
 """Normal equations about a correction curve (corrections (m, 6) at path parameters (m,)), the reference blurred by so
@@ -194,12 +192,9 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
     slip = SideSlip.of(trajectory, path_parameter)
     at_nodes = np.interp(chain.nodes, at_patches, allowed)
     changes = fast_changes(chain, fit, model, at_nodes, partial(_likelihood, settings=settings))
-    found = settle(chain, fit, model, at_nodes,
-                   partial(_adjusted_again, points=points, model=model, settings=settings),
-                   partial(_likelihood, model=model, settings=settings), MOST_SPAN, slip.denies,
-                   [change.step for change in changes if not change.spread])
+    found = _settled(chain, fit, model, at_nodes, changes, slip, points, settings)
     found, conflict = _heard(walls, found, model) if walls is not None else (found, WitnessConflict(()))
-    found = with_undecided(_by_slip(found, slip, model), changes, model, slip)
+    found = by_slip(found, changes, model, slip)
     found = replace(found, fit=_with_plan_noise(found.chain, found.fit, model, points is not None))
     chain = found.chain
     correction = _result(windows, found, at_patches, doubtful, settings, conflict)
@@ -251,16 +246,13 @@ def _heard(walls: Witness, found: Disagreements, model: PoseErrorModel) -> tuple
     return replace(found, chain=chain, fit=fit, hidden=hidden_steps(chain, model, fit, MOST_SPAN)), conflict
 
 
-def _by_slip(found: Disagreements, slip: SideSlip, model: PoseErrorModel) -> Disagreements:
-    """What was found with what the trajectory's own slip says of it."""
-    found = with_free_gaps(with_denied_gaps(found, slip), model)
-    return with_slip_steps(found, slip, partial(_plan_course, found))
-
-
-def _plan_course(found: Disagreements, path_parameter: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Corrections (n, 2) m in plan at path parameters (n,), and their covariances (n, 2, 2)."""
-    value, covariance = found.chain.interpolate(found.fit.state, found.fit.covariance, path_parameter)
-    return value[:, :2], covariance[:, :2, :2]
+def _settled(chain: NodeChain, fit: Fit, model: PoseErrorModel, at_nodes: np.ndarray, changes: list[FastChange],
+             slip: SideSlip, points: Evaluate | None, settings: CorrectionSettings) -> Disagreements:
+    """The adjustment with its steps found; those fast changes are suspects that are not spread over their stretch."""
+    return settle(chain, fit, model, at_nodes,
+                  partial(_adjusted_again, points=points, model=model, settings=settings),
+                  partial(_likelihood, model=model, settings=settings), MOST_SPAN, slip.denies,
+                  [change.step for change in changes if not change.spread])
 
 
 def _marked(chain: NodeChain, fit: Fit, path_parameter: np.ndarray) -> np.ndarray:

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Protocol
 
 import numpy as np
 
@@ -19,6 +18,9 @@ from .chain import NodeChain
 from .disagreements import Disagreements, NodeStep, step_tests
 from .error_model import PoseErrorModel
 from .robust_fit import Fit
+from .second_witness import with_free_gaps
+from .side_slip import SideSlip, with_denied_gaps
+from .slip_steps import with_slip_steps
 
 
 @dataclass(frozen=True)
@@ -36,14 +38,6 @@ class FastChangeLimits:
 
 
 LIMITS = FastChangeLimits()
-
-
-class Drive(Protocol):
-    """The reported trajectory between two path parameters: whether it slips by a change, and m driven."""
-
-    def explains(self, begin: float, end: float, step: NodeStep) -> bool: ...
-
-    def driven(self, begin: float, end: float) -> float: ...
 
 
 LikelihoodOf = Callable[[NodeChain, np.ndarray, PoseErrorModel], float]
@@ -111,8 +105,20 @@ def _change(chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.ndarr
                       float(sharp[best] - reached(None)))
 
 
+def by_slip(found: Disagreements, changes: Sequence[FastChange], model: PoseErrorModel,
+            slip: SideSlip) -> Disagreements:
+    """What was found with what the trajectory's own slip says of it, and what nothing decides."""
+    found = with_free_gaps(with_denied_gaps(found, slip), model)
+
+    def course(path_parameter: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        value, covariance = found.chain.interpolate(found.fit.state, found.fit.covariance, path_parameter)
+        return value[:, :2], covariance[:, :2, :2]
+
+    return with_undecided(with_slip_steps(found, slip, course), changes, model, slip)
+
+
 def with_undecided(found: Disagreements, changes: Sequence[FastChange], model: PoseErrorModel,
-                   drive: Drive) -> Disagreements:
+                   slip: SideSlip) -> Disagreements:
     """What was found, with the changes that may be the drive's or the reference's: no evidence tells which.
 
     Those that were found to be steps, that the trajectory's slip explains, or that have room enough for a fix where no
@@ -121,8 +127,8 @@ def with_undecided(found: Disagreements, changes: Sequence[FastChange], model: P
     chain, nodes = found.chain, found.chain.nodes
     known = [nodes[step.node] for step in (*found.steps, *(step for pair in found.changed for step in pair))]
     undecided: list[NodeStep] = []
-    short = [gap for gap in found.hidden if drive.driven(*gap[:2]) < LIMITS.fix]
-    long = [gap for gap in found.hidden if drive.driven(*gap[:2]) >= LIMITS.fix]
+    short = [gap for gap in found.hidden if slip.driven(*gap[:2]) < LIMITS.fix]
+    long = [gap for gap in found.hidden if slip.driven(*gap[:2]) >= LIMITS.fix]
     for change in changes:
         begin, end = nodes[change.begin], nodes[change.end]
         room = any(begin < gap_end and gap_begin < end for gap_begin, gap_end, _ in long)
@@ -131,12 +137,12 @@ def with_undecided(found: Disagreements, changes: Sequence[FastChange], model: P
         fast = chain.fast.copy()
         fast[change.begin:change.end] = 0.0
         step = step_tests(chain.with_fast(fast), model, found.fit, 1.0)[change.step.node] or change.step
-        if step.size > LIMITS.least and not drive.explains(begin, end, step) and not _near(known, begin, end):
+        if step.size > LIMITS.least and not slip.explains(begin, end, step) and not _near(known, begin, end):
             undecided.append(step)
             known.append(nodes[step.node])
     for begin, end, step in short:
         sure = step.square > LIMITS.proof**2 and step.size > LIMITS.least
-        if sure and not drive.explains(begin, end, step) and not _near(known, begin, end):
+        if sure and not slip.explains(begin, end, step) and not _near(known, begin, end):
             undecided.append(step)
     return replace(found, undecided=sorted(undecided, key=lambda step: step.node))
 
