@@ -88,7 +88,10 @@ build() {
     mkdir -p "$cache"
     exec 9>"$cache/lock"
     flock 9
-    if is_whole; then return; fi
+    if is_whole; then
+        flock -u 9 # runs in a whole root do not wait for each other
+        return
+    fi
     rm -rf "$cache"/root "$cache"/building.*
     local new
     new=$(mktemp -d "$cache/building.XXXXXX")

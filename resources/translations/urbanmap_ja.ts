@@ -52,8 +52,8 @@
         <translation>不適合</translation>
     </message>
     <message>
-        <source>Faults of real surveys to put in, with commas between them: steps (in the trajectories), stops (a long wait), ghosts (points below the road), rings (lasers that differ), ground (heights of the airborne points that are off), rails (and decks), driveways (lowered kerbs), paint (worn and patched), surface (wet and concrete stretches). Without any the city is as ever.</source>
-        <translation>実際の計測に見られる不具合を、コンマ区切りで加えます：steps（軌跡の段差）、stops（長い停車）、ghosts（路面より下の点）、rings（特性の異なるレーザ）、ground（航空レーザ点の標高のずれ）、rails（レールと床版）、driveways（縁石の切下げ）、paint（摩耗や補修のある標示）、surface（濡れた区間とコンクリート区間）。指定しなければ通常の都市です。</translation>
+        <source>Faults of real surveys to put in, with commas between them: steps (in the trajectories), stops (a long wait), ghosts (points below the road), rings (lasers that differ), ground (heights of the airborne points that are off), rails (and decks), driveways (lowered kerbs), signs (boards and bollards), islands (in the avenue), paint (worn and patched), surface (wet and concrete stretches). Without any the city is as ever.</source>
+        <translation>実際の計測に見られる不具合を、コンマ区切りで加えます：steps（軌跡の段差）、stops（長い停車）、ghosts（路面より下の点）、rings（特性の異なるレーザ）、ground（航空レーザ点の標高のずれ）、rails（レールと床版）、driveways（縁石の切下げ）、signs（標識板とボラード）、islands（大通りの島）、paint（摩耗や補修のある標示）、surface（濡れた区間とコンクリート区間）。指定しなければ通常の都市です。</translation>
     </message>
     <message>
         <source>Workers</source>
@@ -156,6 +156,142 @@
         <translation>MMS点</translation>
     </message>
     <message>
+        <source>Point clouds</source>
+        <translation>点群</translation>
+    </message>
+    <message>
+        <source>One or several LAS, LAZ or COPC files in one projected coordinate system, heights in metres.</source>
+        <translation>同じ投影座標系の1つまたは複数のLAS、LAZまたはCOPCファイルです。標高の単位はmです。</translation>
+    </message>
+    <message>
+        <source>Point clouds (*.las *.laz *.LAS *.LAZ)</source>
+        <translation>点群 (*.las *.laz *.LAS *.LAZ)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Control points</source>
+        <translation>基準点（調整点・検証点）</translation>
+    </message>
+    <message>
+        <source>Control points (*.csv *.txt)</source>
+        <translation>調整点 (*.csv *.txt)</translation>
+    </message>
+    <message>
+        <source>CSV file id,x,y,z in the cloud's coordinate system and heights; x_als,y_als,z_als where the point lies in the cloud, if it was found there; role: control or check.</source>
+        <translation>CSV ファイル id,x,y,z（点群と同じ座標系と高さ）。点群の中で見つけた点は、その位置を x_als,y_als,z_als に書きます。role には control（調整点）または check（検証点）を書きます。</translation>
+    </message>
+    <message>
+        <source>Accuracy of the control points</source>
+        <translation>標定点の精度</translation>
+    </message>
+    <message>
+        <source>Standard deviation of their coordinates and of their places in the cloud, in metres.</source>
+        <translation>調整点の座標と、点群中で測った位置の標準偏差（m）。</translation>
+    </message>
+    <message>
+        <source>CRS of the point clouds</source>
+        <translation>点群の座標参照系</translation>
+    </message>
+    <message>
+        <source>Projected coordinate system in metres of files that state none; those that state one keep it.</source>
+        <translation>座標参照系の記載がないファイルの投影座標系（単位m）です。記載のあるファイルはそれに従います。</translation>
+    </message>
+    <message>
+        <source>Shifted points</source>
+        <translation>移動した点群</translation>
+    </message>
+    <message>
+        <source>LAZ point cloud (*.laz);;LAS point cloud (*.las)</source>
+        <translation>LAZ点群 (*.laz);;LAS点群 (*.las)</translation>
+    </message>
+    <message>
+        <source>All points in their order, with all attributes.</source>
+        <translation>すべての点を元の順序で、すべての属性とともに出力します。</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>残差</translation>
+    </message>
+    <message>
+        <source>Control and check points with the cloud's errors, as given, after, and left out.</source>
+        <translation>調整点と検証点における点群の誤差（補正前、補正後、その点を除外した場合）。</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>報告書</translation>
+    </message>
+    <message>
+        <source>HTML report (*.html)</source>
+        <translation>HTML報告書 (*.html)</translation>
+    </message>
+    <message>
+        <source>The shift, its accuracy, and errors at the points.</source>
+        <translation>移動量とその精度、各点の誤差。</translation>
+    </message>
+    <message>
+        <source>By how much the cloud was shifted.</source>
+        <translation>点群を移動した量。</translation>
+    </message>
+    <message>
+        <source>Shift east</source>
+        <translation>東方向の移動量</translation>
+    </message>
+    <message>
+        <source>Shift north</source>
+        <translation>北方向の移動量</translation>
+    </message>
+    <message>
+        <source>Shift up</source>
+        <translation>高さ方向の移動量</translation>
+    </message>
+    <message>
+        <source>RMS error in height of the control points that are followed, as given.</source>
+        <translation>採用した調整点における、補正前の高さの誤差の RMS。</translation>
+    </message>
+    <message>
+        <source>RMS before</source>
+        <translation>補正前のRMS</translation>
+    </message>
+    <message>
+        <source>The same after the adjustment.</source>
+        <translation>調整後の同じ値。</translation>
+    </message>
+    <message>
+        <source>RMS after</source>
+        <translation>補正後のRMS</translation>
+    </message>
+    <message>
+        <source>The same, each point left out in turn.</source>
+        <translation>点を1つずつ除いた場合の同じ値。</translation>
+    </message>
+    <message>
+        <source>RMS left out</source>
+        <translation>除いた点の RMS</translation>
+    </message>
+    <message>
+        <source>RMS error of the check points in height, after.</source>
+        <translation>検証点における、補正後の高さの誤差の RMS。</translation>
+    </message>
+    <message>
+        <source>RMS of check points</source>
+        <translation>検証点の RMS</translation>
+    </message>
+    <message>
+        <source>Control points that contradict the others.</source>
+        <translation>ほかの点と矛盾する標定点の数。</translation>
+    </message>
+    <message>
+        <source>Contradicting points</source>
+        <translation>矛盾する点</translation>
+    </message>
+    <message>
+        <source>Adjust laser points to control points</source>
+        <translation>航空レーザ点群を調整点に合わせる</translation>
+    </message>
+    <message>
         <source>Frames</source>
         <translation>写真</translation>
     </message>
@@ -166,10 +302,6 @@
     <message>
         <source>Images (*.tif *.tiff *.jpg *.jpeg *.png *.TIF *.TIFF *.JPG *.JPEG *.PNG)</source>
         <translation>画像 (*.tif *.tiff *.jpg *.jpeg *.png *.TIF *.TIFF *.JPG *.JPEG *.PNG)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>すべてのファイル (*)</translation>
     </message>
     <message>
         <source>Camera (*.json)</source>
@@ -448,10 +580,6 @@
         <translation>写真上の点の位置の標準偏差。</translation>
     </message>
     <message>
-        <source>Accuracy of the control points</source>
-        <translation>標定点の精度</translation>
-    </message>
-    <message>
         <source>Standard deviation of their coordinates in metres.</source>
         <translation>座標の標準偏差（m）。</translation>
     </message>
@@ -476,20 +604,8 @@
         <translation>入力と同じ形式で、角度は度、論文の回転順とし、標準偏差を添えます。</translation>
     </message>
     <message>
-        <source>Residuals</source>
-        <translation>残差</translation>
-    </message>
-    <message>
         <source>Control and check points with their errors on the ground, as given, after, and left out.</source>
         <translation>標定点と検証点。地上での誤差を、入力のまま、調整後、その点を除いた場合について示します。</translation>
-    </message>
-    <message>
-        <source>Report</source>
-        <translation>報告書</translation>
-    </message>
-    <message>
-        <source>HTML report (*.html)</source>
-        <translation>HTML報告書 (*.html)</translation>
     </message>
     <message>
         <source>Errors at the points and accuracy of the frames.</source>
@@ -500,48 +616,12 @@
         <translation>標定点の数。</translation>
     </message>
     <message>
-        <source>Control points</source>
-        <translation>基準点（調整点・検証点）</translation>
-    </message>
-    <message>
         <source>RMS error of the control points that do not contradict the others, in plan, as given.</source>
         <translation>他の点と矛盾しない標定点の、与えられた標定での平面位置の RMS 誤差。</translation>
     </message>
     <message>
-        <source>RMS before</source>
-        <translation>補正前のRMS</translation>
-    </message>
-    <message>
-        <source>The same after the adjustment.</source>
-        <translation>調整後の同じ値。</translation>
-    </message>
-    <message>
-        <source>RMS after</source>
-        <translation>補正後のRMS</translation>
-    </message>
-    <message>
-        <source>The same, each point left out in turn.</source>
-        <translation>点を1つずつ除いた場合の同じ値。</translation>
-    </message>
-    <message>
-        <source>RMS left out</source>
-        <translation>除いた点の RMS</translation>
-    </message>
-    <message>
         <source>RMS error of the check points in plan, after.</source>
         <translation>調整後の検証点の水平誤差の二乗平均平方根。</translation>
-    </message>
-    <message>
-        <source>RMS of check points</source>
-        <translation>検証点の RMS</translation>
-    </message>
-    <message>
-        <source>Control points that contradict the others.</source>
-        <translation>ほかの点と矛盾する標定点の数。</translation>
-    </message>
-    <message>
-        <source>Contradicting points</source>
-        <translation>矛盾する点</translation>
     </message>
     <message>
         <source>Adjust frames to control points</source>
@@ -800,6 +880,26 @@
         <translation>矢印の先端や文字など、この幅までの標示は縁と縁の間を塗りつぶします。線の最大幅以下の値では塗りつぶしません。</translation>
     </message>
     <message>
+        <source>Answers</source>
+        <translation>回答</translation>
+    </message>
+    <message>
+        <source>Markings of this orthophoto that you answered: polygons such as the doubtful markings of an earlier run, with the field paint true (or 1, yes) where they are paint and false (0, no) where not; those left empty do not count. The confidence is corrected by what they teach. At least five of each, better thirty, all over the image.</source>
+        <translation>このオルソ画像で回答済みの路面標示。以前の実行の「疑わしい路面標示」などのポリゴンで、フィールドpaintが、標示なら真（または1、yes）、標示でなければ偽（0、no）。空のものは数えない。信頼度は回答から学んだことで補正される。それぞれ5個以上、できれば30個を画像全体から。</translation>
+    </message>
+    <message>
+        <source>Learned weights</source>
+        <translation>学習した重み</translation>
+    </message>
+    <message>
+        <source>Learned weights (*.json)</source>
+        <translation>学習した重み (*.json)</translation>
+    </message>
+    <message>
+        <source>What an earlier run learned from answers in an orthophoto of the same kind (camera, light and processing), with the same method.</source>
+        <translation>同じ種類（カメラ・光・処理）のオルソ画像への回答から、同じ方法で以前の実行が学習したもの。</translation>
+    </message>
+    <message>
         <source>Points of “Orthorectify frames” that tell how far the frames of this orthophoto disagree; shown in the report.</source>
         <translation>「写真のオルソ補正」による点で、このオルソ画像の写真間の不一致の大きさを示します。報告書に表示します。</translation>
     </message>
@@ -840,6 +940,22 @@
         <translation>路面標示の輪郭です。面積（m2）、線の長さと幅（m）、平均コントラスト（階調値）、色、信頼度（0～1）を持ちます。</translation>
     </message>
     <message>
+        <source>Doubtful markings</source>
+        <translation>疑わしい路面標示</translation>
+    </message>
+    <message>
+        <source>Markings with a confidence of 0.3 to 0.7, those nearest to a half first, with the empty field paint: answer some and give the layer as answers.</source>
+        <translation>信頼度0.3～0.7の路面標示。0.5に近いものから順に並び、空のフィールドpaintを持つ。いくつかに回答し、このレイヤーを「回答」に与える。</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>重み</translation>
+    </message>
+    <message>
+        <source>What was learned from the answers, to be given for other orthophotos of the same kind.</source>
+        <translation>回答から学習したもの。同じ種類の他のオルソ画像に与えられる。</translation>
+    </message>
+    <message>
         <source>HTML report: numbers and areas, shifts between frames, coverage, pictures of the markings over the orthophoto, and what to distrust.</source>
         <translation>HTML報告書です。個数と面積、写真間のずれ、被覆率、オルソ画像に重ねた路面標示の図、信頼できない箇所を示します。</translation>
     </message>
@@ -870,18 +986,6 @@
     <message>
         <source>Road markings from orthophoto</source>
         <translation>オルソ画像からの路面標示</translation>
-    </message>
-    <message>
-        <source>Point clouds</source>
-        <translation>点群</translation>
-    </message>
-    <message>
-        <source>One or several LAS, LAZ or COPC files in one projected coordinate system, heights in metres.</source>
-        <translation>同じ投影座標系の1つまたは複数のLAS、LAZまたはCOPCファイルです。標高の単位はmです。</translation>
-    </message>
-    <message>
-        <source>Point clouds (*.las *.laz *.LAS *.LAZ)</source>
-        <translation>点群 (*.las *.laz *.LAS *.LAZ)</translation>
     </message>
     <message>
         <source>Side of a raster cell in metres. Finer than the distance between points shows nothing more.</source>
@@ -950,14 +1054,6 @@
     <message>
         <source>Where triangles were left out, the surface takes the height of the ground instead of staying empty.</source>
         <translation>三角形を除いた所を空けずに、表層に地表の標高を与えます。</translation>
-    </message>
-    <message>
-        <source>CRS of the point clouds</source>
-        <translation>点群の座標参照系</translation>
-    </message>
-    <message>
-        <source>Projected coordinate system in metres of files that state none; those that state one keep it.</source>
-        <translation>座標参照系の記載がないファイルの投影座標系（単位m）です。記載のあるファイルはそれに従います。</translation>
     </message>
     <message>
         <source>Heights of the surface (DSM) in metres.</source>
@@ -1282,14 +1378,6 @@
     <message>
         <source>Corrected survey</source>
         <translation>補正後の計測データ</translation>
-    </message>
-    <message>
-        <source>LAZ point cloud (*.laz);;LAS point cloud (*.las)</source>
-        <translation>LAZ点群 (*.laz);;LAS点群 (*.las)</translation>
-    </message>
-    <message>
-        <source>All points in their order, with all attributes.</source>
-        <translation>すべての点を元の順序で、すべての属性とともに出力します。</translation>
     </message>
     <message>
         <source>Corrected image poses</source>
@@ -3744,6 +3832,14 @@
         <translation>使用するシステムの文字: G GPS、R GLONASS、E Galileo、C BeiDou、J QZSS。</translation>
     </message>
     <message>
+        <source>Ionosphere by two bands</source>
+        <translation>2周波による電離層補正</translation>
+    </message>
+    <message>
+        <source>Measure the ionosphere where the receiver has codes on two bands; otherwise, or without them, the model that the satellites broadcast is taken.</source>
+        <translation>受信機が2つの周波数のコードを持つ場合は、その差から電離層遅延を測定します。オフの場合や1周波のみの場合は、衛星が放送するモデルを使います。</translation>
+    </message>
+    <message>
         <source>Minimum number of passes</source>
         <translation>最小走行数</translation>
     </message>
@@ -4672,8 +4768,8 @@
         <translation>路面標示の線</translation>
     </message>
     <message>
-        <source>Lines, with heights where a ground is given: class (solid, dashed, stop line, guiding strip), colour, width (m), sigma (m, across), length (m), bridged (m without paint that should be there), period and dash (m), dashes (begins and ends along the line, m), chain (sections of one line), partner (chain that makes it a double line), confidence (0 to 1: share of the paint that should be there and is seen; of a stop line less where only lines' ends or only a crosswalk show it), placed (ends among the dashes' that are worn and lie where whole dashes ask for them, m).</source>
-        <translation>線。地表面を与えると高さ付き：class（solid 実線、dashed 破線、stop line 停止線、guiding strip 視覚障害者誘導用ブロック）、colour 色、width 幅 (m)、sigma（直交方向の標準偏差、m）、length 長さ (m)、bridged（標示があるはずで無い長さ、m）、periodとdash（破線の周期と標示長、m）、dashes（標示部分の始点と終点、線に沿ったm）、chain（同じ線の部分）、partner（二重線の相手のchain）、confidence（0～1：あるはずの標示のうち見えた割合。停止線では、線の端だけ、または横断歩道だけが示す場合は小さい）、placed（摩耗した標示端のうち、残った破線の周期から位置を決めたもの、m）。</translation>
+        <source>Lines, with heights where a ground is given: class (solid, dashed, stop line, guiding strip), colour, width (m), sigma (m, across), length (m), bridged (m without paint that should be there), period and dash (m), dashes (begins and ends along the line, m), chain (sections of one line), partner (chain that makes it a double line), confidence (0 to 1: share of the paint that should be there and is seen; of a stop line less where only lines' ends or only a crosswalk show it), placed (ends among the dashes' that are worn and lie where whole dashes ask for them, m), sigmas (m, at each vertex, growing with the distance to the paint).</source>
+        <translation>ライン（地盤を与えれば高さ付き）：class（solid、dashed、stop line、guiding strip）、colour、width（m）、sigma（横方向、m）、length（m）、bridged（あるべき塗装のない長さ m）、period と dash（m）、dashes（線に沿った始点と終点 m）、chain（一続きの線の区間）、partner（二重線の相手の chain）、confidence（0～1：あるべき塗装のうち見えた割合。停止線は線の端または横断歩道だけが示す場合は小さい）、placed（摩耗していて、揃った破線から位置を定めた端 m）、sigmas（各頂点の標準偏差 m、塗装から離れるほど大きい）。</translation>
     </message>
     <message>
         <source>Marking areas</source>
@@ -4840,8 +4936,48 @@
         <translation>道路縁または道路面</translation>
     </message>
     <message>
-        <source>Polygons of roads, which are dissolved, or lines along both edges of roads, such as the GSI's road edges (RdEdg), in a projected CRS in metres.</source>
-        <translation>道路のポリゴン（統合して使用）、または基盤地図情報の道路縁（RdEdg）のような道路両側の縁の線。単位がメートルの投影座標系であること。</translation>
+        <source>Polygons of roads, which are dissolved, or lines along both edges of roads, such as the GSI's road edges (RdEdg), in a projected CRS in metres. LOD1 is made of them; for finer levels they tell where sidewalks end.</source>
+        <translation>道路のポリゴン（融合する）、または道路の両側の線（国土地理院の道路縁 RdEdg など）。メートル単位の投影座標系。LOD1 はこれから作り、それ以上の詳細度では歩道部の外側の境界となる。</translation>
+    </message>
+    <message>
+        <source>Level of detail</source>
+        <translation>詳細度（LOD）</translation>
+    </message>
+    <message>
+        <source>1 of the roads given, 2 and finer of measured edges: 2 without heights; 3.0 with one height across; 3.1 also with lanes and cuts at stop lines; 3.2 with steps from 15 cm; 3.3 with steps from 2 cm. (1, 2, 3.0, 3.1, 3.2, 3.3)</source>
+        <translation>1 は与えられた道路から、2 以上は測定した縁から作ります。2 は高さなし、3.0 は横断方向に一つの高さ、3.1 は車線と停止線での区切りも、3.2 は 15 cm 以上の段差、3.3 は 2 cm 以上の段差を持ちます。(1, 2, 3.0, 3.1, 3.2, 3.3)</translation>
+    </message>
+    <message>
+        <source>Measured edges</source>
+        <translation>計測した道路縁</translation>
+    </message>
+    <message>
+        <source>Lines of “Road edges”; needed for LOD2 and finer.</source>
+        <translation>「道路縁」の線。LOD2 以上に必要。</translation>
+    </message>
+    <message>
+        <source>Upper edges of “Road edges”: heights of steps by place. Without them a kerb has its median height all along.</source>
+        <translation>「道路縁」の上端線。場所ごとの段差の高さ。ない場合、縁石の高さは全長で中央値とする。</translation>
+    </message>
+    <message>
+        <source>Lanes</source>
+        <translation>車線</translation>
+    </message>
+    <message>
+        <source>Lanes of “Lane map”.</source>
+        <translation>「車線地図」の車線。</translation>
+    </message>
+    <message>
+        <source>Stop lines</source>
+        <translation>停止線</translation>
+    </message>
+    <message>
+        <source>Lines of “Lines from road markings”, of which the stop lines are taken, or a layer of stop lines.</source>
+        <translation>「路面標示の線」の線（停止線だけを使う）、または停止線のレイヤ。</translation>
+    </message>
+    <message>
+        <source>Heights in metres of what lies more than half a metre from kerbs; without it they come from the edges about.</source>
+        <translation>縁石から 0.5 m より離れた場所の標高（m）。ない場合は周囲の道路縁から求める。</translation>
     </message>
     <message>
         <source>Bridges</source>
@@ -4904,8 +5040,24 @@
         <translation>道路面</translation>
     </message>
     <message>
-        <source>Polygons: road_id, kind (road, junction, bridge, tunnel), function (code), width (mean, m), arms (roads that meet, of a junction), area (m²), source (official), status (made, to look at), finding.</source>
-        <translation>ポリゴン：road_id、kind（road 道路、junction 交差部、bridge 橋梁、tunnel トンネル）、function（コード）、width（平均幅員、m）、arms（交差部に接続する道路の数）、area（m²）、source（official）、status（made 作成、to look at 要確認）、finding（指摘）。</translation>
+        <source>Polygons: road_id, kind (road, junction, bridge, tunnel), function (code), width (mean, m), arms (roads that meet, of a junction), area (m²), source (official, measured), status (made, to look at), finding.</source>
+        <translation>ポリゴン：road_id、kind（道路、交差部、橋梁、トンネル）、function（コード）、width（平均、m）、arms（交差部に集まる道路の数）、area（m²）、source（公的資料・計測）、status（作成・要確認）、finding。</translation>
+    </message>
+    <message>
+        <source>Areas of roads</source>
+        <translation>道路の区分面</translation>
+    </message>
+    <message>
+        <source>PolygonZ, of LOD2 and finer: area_id, road_id of its surface, kind (carriageway, junction, lane, sidewalk, island; road, not surveyed), function (code), width (m), area (m²), source (measured, continued, official: the weakest of its border), seen (share of the border measured as a kerb), step (highest, m), sigma (m).</source>
+        <translation>LOD2 以上の PolygonZ。area_id、属する道路面の road_id、kind（車道部、交差部、車線、歩道部、島、未計測の道路）、function（コード）、width（m）、area（m²）、source（計測・延長・公的資料：境界のうち最も弱いもの）、seen（縁石として計測した境界の割合）、step（最大の段差、m）、sigma（m）。</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>手順</translation>
+    </message>
+    <message>
+        <source>LineStringZ along the upper edge of each face: area_id, height, length (m); of LOD3.2 and 3.3.</source>
+        <translation>各段差面の上端の LineStringZ。area_id、height、length（m）。LOD3.2 と 3.3。</translation>
     </message>
     <message>
         <source>Middle lines of roads</source>
@@ -5100,6 +5252,14 @@
         <translation>矢印、または矢印がないときは通行方法の規則で認められる進路についても、交差点内に仮想の車線を作ります。根拠の項目にその旨を示します。指定しないときは、走行した進路だけを作ります。</translation>
     </message>
     <message>
+        <source>Confidence of inferred ways</source>
+        <translation>推定した通行路の信頼度</translation>
+    </message>
+    <message>
+        <source>Inferred ways that are less sure to be allowed (0 to 1) are not made but told as findings. 0 makes all that the rule of the road allows.</source>
+        <translation>許される確からしさ（0～1）がこれより低い推定の通行路は作らず、指摘事項として示します。0 では通行区分の原則が許すものをすべて作ります。</translation>
+    </message>
+    <message>
         <source>Speed limit</source>
         <translation>制限速度</translation>
     </message>
@@ -5148,12 +5308,8 @@
         <translation>Autowareの投影ファイルに記す、線の高さの基準です。(not stated, WGS84, EGM2008)</translation>
     </message>
     <message>
-        <source>Lanes</source>
-        <translation>車線</translation>
-    </message>
-    <message>
-        <source>Polygons: lane_id, kind (lane, virtual), direction's evidence, width and narrowest (m), turn, arrows, successors, left, right and opposite (ids of neighbours), stop_lines and crosswalks (numbers).</source>
-        <translation>ポリゴン: lane_id、kind（lane 車線、virtual 仮想車線）、方向の根拠、widthとnarrowest（m）、turn、arrows、successors、left、right、opposite（隣接車線のid）、stop_linesとcrosswalks（番号）。</translation>
+        <source>Polygons: lane_id, kind (lane, virtual), direction's evidence, width and narrowest (m), turn, arrows, successors, left, right and opposite (ids of neighbours), stop_lines and crosswalks (numbers), yields_to (lane_ids that have the way before it, inferred), yields_by (why), confidence (of ways that no drive shows).</source>
+        <translation>ポリゴン：lane_id、kind（lane、virtual）、方向の根拠、幅と最小幅（m）、turn、arrows、successors、left・right・opposite（隣接車線の id）、stop_lines と crosswalks（番号）、yields_to（優先する通行路の lane_id、推定）、yields_by（理由）、confidence（走行軌跡が示さない通行路の信頼度）。</translation>
     </message>
     <message>
         <source>Centre lines of lanes</source>
@@ -5168,8 +5324,8 @@
         <translation>車線の境界</translation>
     </message>
     <message>
-        <source>Lines: bound_id, class, colour, width, sigma (m), double, unseen (m without a line), lanes (number of lanes that have it).</source>
-        <translation>線: bound_id、class、colour、width、sigma（m）、double、unseen（線のない部分、m）、lanes（この境界をもつ車線の数）。</translation>
+        <source>Lines: bound_id, class, colour, width, sigma (m), sigmas (m, at each vertex, growing with the distance to a line), double, unseen (m without a line), lanes (number of lanes that have it).</source>
+        <translation>ライン：bound_id、class、colour、width、sigma（m）、sigmas（各頂点の標準偏差 m、線から離れるほど大きい）、double、unseen（線のない長さ m）、lanes（それを持つ車線の数）。</translation>
     </message>
     <message>
         <source>Lanes, intersections, stop lines and crosswalks with the tags of Lanelet2 and Autoware.</source>
@@ -5488,6 +5644,22 @@
         <translation>路面標示と走行からの車線地図</translation>
     </message>
     <message>
+        <source>Of the road model: 2 without heights; 3.0 with one height across; 3.1 also with lanes and cuts at stop lines; 3.2 with steps from 15 cm; 3.3 with steps from 2 cm. (2, 3.0, 3.1, 3.2, 3.3)</source>
+        <translation>道路モデルの LOD。2 は高さなし、3.0 は横断方向に一つの高さ、3.1 は車線と停止線での区切りも、3.2 は 15 cm 以上の段差、3.3 は 2 cm 以上の段差を持ちます。(2, 3.0, 3.1, 3.2, 3.3)</translation>
+    </message>
+    <message>
+        <source>CityGML folder of furniture and trees</source>
+        <translation>都市設備・樹木の CityGML フォルダ</translation>
+    </message>
+    <message>
+        <source>Report on the objects</source>
+        <translation>地物の報告書</translation>
+    </message>
+    <message>
+        <source>Road space from a mobile survey</source>
+        <translation>MMS から道路空間</translation>
+    </message>
+    <message>
         <source>UrbanMap job (*.urbanmap.json *.json)</source>
         <translation>UrbanMapの作業 (*.urbanmap.json *.json)</translation>
     </message>
@@ -5502,10 +5674,6 @@
     <message>
         <source>Lines ROLE=FILE that take the place of the job's own inputs, with the roles of the job, such as survey_1=drive.laz. Relative paths count from the job's folder.</source>
         <translation>作業の入力に代わる「役割=ファイル」の行。役割は作業のもの（例：survey_1=drive.laz）。相対パスは作業のフォルダから数えます。</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>手順</translation>
     </message>
     <message>
         <source>Ids of the steps to run, with commas between them; all if none is given.</source>
@@ -5756,6 +5924,14 @@
         <translation>路面標示と走行からの車線地図（モデル）</translation>
     </message>
     <message>
+        <source>Goes from a corrected mobile survey and reference markings to the road as a model, in one run: kerbs, lanes, and of them carriageways, junctions, sidewalks and islands with their steps; and what stands beside the road: poles, lamp posts, signals, signs and trees. All as layers and as CityGML of PLATEAU.&lt;/p&gt;&lt;p&gt;This is the same chain as “Road space from a mobile survey”, as a model: the menu Plugins &gt; UrbanMap &gt; Open a chain in the modeller opens a copy to look at and to change.</source>
+        <translation>補正済みのMMS計測と基準の路面標示から、道路のモデルまでを一度に作ります。縁石、車線、それらから車道部、交差部、歩道部、島と段差、さらに道路脇の柱、街路灯、信号機、標識、樹木です。すべてレイヤと PLATEAU の CityGML になります。&lt;/p&gt;&lt;p&gt;「MMS から道路空間」と同じ一連の処理をモデルとしたものです。メニュー「プラグイン &gt; UrbanMap &gt; 処理の流れをモデルデザイナーで開く」で複製を開き、各段階を確認し変更できます。</translation>
+    </message>
+    <message>
+        <source>Road space from a mobile survey (model)</source>
+        <translation>MMS から道路空間（モデル）</translation>
+    </message>
+    <message>
         <source>UrbanMap: mobile mapping and 3D city models</source>
         <translation>UrbanMap: MMS計測と3次元都市モデル</translation>
     </message>
@@ -5824,6 +6000,42 @@ Building models with laser points instead: 84 edges of each mesh are looked for 
         <translation>空中写真の基準</translation>
     </message>
     <message>
+        <source>ALS</source>
+        <translation>航空レーザ</translation>
+    </message>
+    <message>
+        <source>lidar</source>
+        <translation>ライダー</translation>
+    </message>
+    <message>
+        <source>control points</source>
+        <translation>標定点</translation>
+    </message>
+    <message>
+        <source>height offset</source>
+        <translation>高さのずれ</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>校正</translation>
+    </message>
+    <message>
+        <source>shift</source>
+        <translation>移動量</translation>
+    </message>
+    <message>
+        <source>Shifts an airborne laser point cloud to few control points. Where a point has only its true coordinates, the height of the cloud is measured there: a plane through the ground points around it. Where the point was found in the cloud, too (a roof's corner, a marking), its place there tells the shift in plan.
+Each control point is left out once and predicted by the others; points that contradict the others are named and not followed. Check points are only compared. Few or clustered points are told.
+All points are shifted alike and keep their attributes. Give the result to “Surface and ground from ALS” or “Road markings from aerial frames”.</source>
+        <translation>航空レーザ点群を少数の調整点に合わせて移動します。真の座標だけがある点では、まわりの地面の点に平面を当てはめて点群の高さを測ります。点群の中でも見つけた点（屋根の角、路面標示など）は、その位置から水平の移動量が分かります。
+各調整点は一度ずつ除外し、残りの点から予測します。ほかと矛盾する点は名前を挙げ、採用しません。検証点は比較だけに使います。点が少ない場合や一か所に集まっている場合は知らせます。
+すべての点を同じ量だけ移動し、属性はそのまま残します。結果は「航空レーザからの表層と地表」や「空中写真からの路面標示」に使います。</translation>
+    </message>
+    <message>
+        <source>Javanmardi 2018, 6.1 (calibration of the aerial data with few ground control points)</source>
+        <translation>Javanmardi 2018, 6.1（少数の標定点による航空データの校正）</translation>
+    </message>
+    <message>
         <source>aerial</source>
         <translation>空中写真</translation>
     </message>
@@ -5832,20 +6044,12 @@ Building models with laser points instead: 84 edges of each mesh are looked for 
         <translation>写真</translation>
     </message>
     <message>
-        <source>control points</source>
-        <translation>標定点</translation>
-    </message>
-    <message>
         <source>bundle adjustment</source>
         <translation>バンドル調整</translation>
     </message>
     <message>
         <source>exterior orientation</source>
         <translation>外部標定</translation>
-    </message>
-    <message>
-        <source>calibration</source>
-        <translation>校正</translation>
     </message>
     <message>
         <source>Corrects the exterior orientation of aerial frames by few control points whose places in the frames were measured. All frames share a shift and a tilt, each has errors of its own; how much they share is found from the points. Points without coordinates tie frames to each other.
@@ -5972,10 +6176,6 @@ Give as many passes as there are: with one or two nothing is moved, about ten ar
         <translation>オルソ画像</translation>
     </message>
     <message>
-        <source>ALS</source>
-        <translation>航空レーザ</translation>
-    </message>
-    <message>
         <source>reference</source>
         <translation>基準</translation>
     </message>
@@ -6060,10 +6260,6 @@ Each solid is checked: closed, planar, oriented outwards, no self-intersection. 
     <message>
         <source>Javanmardi 2018, 5.3.4</source>
         <translation>Javanmardi 2018、5.3.4</translation>
-    </message>
-    <message>
-        <source>lidar</source>
-        <translation>ライダー</translation>
     </message>
     <message>
         <source>LOD2</source>
@@ -6992,16 +7188,42 @@ Any orthophoto of 0.5 m or finer will do, in grey or in red, green and blue, 8 o
         <translation>道路縁</translation>
     </message>
     <message>
-        <source>Makes the road surfaces of PLATEAU's LOD1 from edges or surfaces of roads alone: cut at junctions, bridges and tunnels, with middle lines, findings and a CityGML file.
+        <source>Makes road models as PLATEAU defines them. LOD1 comes from edges or surfaces of roads alone: cut at junctions, bridges and tunnels, with middle lines, findings and a CityGML file. LOD2 and LOD3.0 to 3.3 come from the edges that a survey measured: carriageways, junctions cut at the extension of stop lines (from 3.1; else at corners), lanes (from 3.1), sidewalks, islands; with steps from 15 cm (3.2) or 2 cm (3.3) as faces. What the survey did not see is never made up: it is drawn on over short gaps and told, left undivided where only the given roads show it, and each area says its source.
 Surfaces are dissolved and cut anew; lines along both edges are closed to surfaces, where two ends lie across a road from each other. A junction is where three or more roads meet. Its arms are cut as the working procedure says: at the ends of the corner cut-offs, else at the corners; with four or more arms from contact to contact, with three across the road at the outermost contact. Junctions that overlap are one.
 Surfaces share their edges to the bit. Heights are 0, as the specification asks of LOD1. What is doubtful is a finding with its place: arms without a corner, edges that do not close, surfaces that cross themselves.</source>
-        <translation>道路縁または道路面だけから、PLATEAU の道路モデル LOD1 の面を作成します。交差部、橋梁、トンネルで区切り、中心線、指摘事項、CityGML ファイルも出力します。
-面は一度統合してから区切り直します。道路両側の縁の線は、道路を挟んで向かい合う端点どうしを結んで面にします。三つ以上の道路が出会うところが交差部です。接続する道路は標準作業手順書のとおり、隅切りの端、隅切りがなければ道路角で区切ります。四差路以上では接点どうしを結び、三差路では最も外側の接点から横断方向に区切ります。重なる交差部は一つにします。
-隣り合う面は辺の座標を完全に共有します。高さは LOD1 の規定どおり 0 です。道路角のない接続、閉じない縁、自己交差する面など疑わしい箇所は、位置を付けて指摘事項にします。</translation>
+        <translation>PLATEAU の定義に従って道路モデルを作ります。LOD1 は道路の縁または面だけから作り、交差部、橋、トンネルで区切り、中心線、指摘事項、CityGML ファイルを付けます。LOD2 と LOD3.0〜3.3 は計測した縁から作ります。車道部、停止線の延長で区切った交差部（3.1 以上、それ以外は隅角部）、車線（3.1 以上）、歩道部、島を分け、15 cm（3.2）または 2 cm（3.3）以上の段差を面として持ちます。計測で見えなかったものは作りません。短い欠けは延長してその旨を示し、与えられた道路だけが示す所は分割せず、各区域に出典を書きます。
+面は一度まとめてから区切り直します。両側の縁の線は、端どうしが道路を挟んで向かい合う所で閉じて面にします。交差部は三本以上の道路が出会う所です。枝は作業手順書のとおり、隅切りの端、なければ隅角部で区切ります。四枝以上では接点から接点へ、三枝では最も外側の接点で道路を横切って区切ります。重なる交差部は一つにします。
+面は縁を完全に共有します。LOD1 の高さは仕様書のとおり 0 です。疑わしいものは位置とともに指摘事項になります（隅角部のない枝、閉じない縁、自己交差する面など）。</translation>
     </message>
     <message>
         <source>Project PLATEAU, standard product specification of 3D city models 5.0, 4.3, and its working procedure, annex D</source>
         <translation>Project PLATEAU 3D都市モデル標準製品仕様書 5.0 4.3、および標準作業手順書 附属書D</translation>
+    </message>
+    <message>
+        <source>LOD3</source>
+        <translation>LOD3</translation>
+    </message>
+    <message>
+        <source>pole</source>
+        <translation>柱</translation>
+    </message>
+    <message>
+        <source>tree</source>
+        <translation>樹木</translation>
+    </message>
+    <message>
+        <source>street furniture</source>
+        <translation>道路付属物</translation>
+    </message>
+    <message>
+        <source>Goes from a corrected mobile survey and reference markings to the road as a model, in one run: kerbs, lanes, and of them carriageways, junctions, sidewalks and islands with their steps; and what stands beside the road: poles, lamp posts, signals, signs and trees. All as layers and as CityGML of PLATEAU.
+Several drives are given as one: their points together, their trajectories one after another in one file. What was not seen is a finding with its place, never made up.</source>
+        <translation>補正済みのMMS計測と基準の路面標示から、道路のモデルまでを一度に作ります。縁石、車線、それらから車道部、交差部、歩道部、島と段差、さらに道路脇の柱、街路灯、信号機、標識、樹木です。すべてレイヤと PLATEAU の CityGML になります。
+複数の走行は一つにまとめて与えます（点群は一緒に、軌跡は一つのファイルに続けて）。見えなかったものは位置とともに指摘事項になり、作り出すことはありません。</translation>
+    </message>
+    <message>
+        <source>Javanmardi 2018, 6.2; Project PLATEAU, standard product specification 5.0, 4.3 and 4.14</source>
+        <translation>Javanmardi 2018, 6.2; Project PLATEAU 3D都市モデル標準製品仕様書 5.0, 4.3 および 4.14</translation>
     </message>
     <message>
         <source>roof</source>
@@ -7184,10 +7406,6 @@ The histogram has overlapping bins. Each maximum with more points than the minim
         <translation>Javanmardi 2018、5.3.2</translation>
     </message>
     <message>
-        <source>pole</source>
-        <translation>柱</translation>
-    </message>
-    <message>
         <source>lamp post</source>
         <translation>街灯</translation>
     </message>
@@ -7202,14 +7420,6 @@ The histogram has overlapping bins. Each maximum with more points than the minim
     <message>
         <source>traffic sign</source>
         <translation>道路標識</translation>
-    </message>
-    <message>
-        <source>tree</source>
-        <translation>樹木</translation>
-    </message>
-    <message>
-        <source>street furniture</source>
-        <translation>道路付属物</translation>
     </message>
     <message>
         <source>Finds poles, lamp posts, signals, signs and trees along the drive of a corrected mobile survey, as points at their feet with height, diameter, direction and standard deviation.
@@ -7808,6 +8018,22 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{output} に書き込めません（{error}）。別の出力先を選択してください。</translation>
     </message>
     <message>
+        <source>Nothing is learned from answers where nothing is left out: clean the markings, and do not take the paper's method.</source>
+        <translation>何も除かない設定では回答から学習できません。除去を有効にし、論文の方法以外を選んでください。</translation>
+    </message>
+    <message>
+        <source>Where roads are given, the confidence does not ask for the ground, and nothing is learned from answers: leave out the roads, or the answers.</source>
+        <translation>道路を与えた場合、信頼度は地面を見ないため、回答から学習できません。道路か回答のどちらかを外してください。</translation>
+    </message>
+    <message>
+        <source>Of the answers, {yes} yes and {no} no lie on what may be paint in this image: {fewest} of each are needed at least.</source>
+        <translation>回答のうち、この画像で標示かもしれないものの上にあるのは「はい」{yes}個、「いいえ」{no}個です。それぞれ{fewest}個以上必要です。</translation>
+    </message>
+    <message>
+        <source>{path} holds no weights that were learned from answers: give the file that a run with answers wrote.</source>
+        <translation>{path} には回答から学習した重みがありません。回答を与えた実行が書いたファイルを与えてください。</translation>
+    </message>
+    <message>
         <source>{mask} does not cover all of {path}: where it does not, nothing is taken as hidden.</source>
         <translation>{mask} は {path} の全体を覆っていません。覆われていないところでは、遮蔽はないものとします。</translation>
     </message>
@@ -7984,6 +8210,90 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>点を測った {image} が外部標定要素にありません。</translation>
     </message>
     <message>
+        <source>No control point was found in the cloud: give points on open ground within it, or their places in it as x_als, y_als.</source>
+        <translation>点群の中に調整点が見つかりません。点群内の開けた地面にある点を与えるか、点群中の位置を x_als、y_als に書いてください。</translation>
+    </message>
+    <message>
+        <source>No point tells the cloud's place in plan (x_als, y_als): only its height is shifted.</source>
+        <translation>水平位置を示す点（x_als、y_als）がないため、高さだけを移動します。</translation>
+    </message>
+    <message>
+        <source>No point tells the cloud's height: only its place in plan is shifted.</source>
+        <translation>高さを示す点がないため、水平位置だけを移動します。</translation>
+    </message>
+    <message>
+        <source>place in plan</source>
+        <translation>水平位置</translation>
+    </message>
+    <message>
+        <source>The control points lie close together: away from them the cloud may be tilted.</source>
+        <translation>調整点が一か所に集まっています。離れた場所では点群が傾いている可能性があります。</translation>
+    </message>
+    <message>
+        <source>Points that contradict the others, and were not followed: {names}.</source>
+        <translation>ほかと矛盾するため使わなかった点：{names}。</translation>
+    </message>
+    <message>
+        <source>The cloud has no ground around these points: {names}.</source>
+        <translation>次の点のまわりに点群の地面がありません: {names}</translation>
+    </message>
+    <message>
+        <source>The shift is no larger than its accuracy: the cloud fits as it is.</source>
+        <translation>移動量は精度の範囲内です。点群はそのままで合っています。</translation>
+    </message>
+    <message>
+        <source>wrong</source>
+        <translation>矛盾</translation>
+    </message>
+    <message>
+        <source>{count} control points tell the {what}: too few to show a wrong one among them.</source>
+        <translation>{what}を示す調整点は {count} 点だけです。誤った点があっても見分けられません。</translation>
+    </message>
+    <message>
+        <source>{name} has no control point with {columns}; x_als, y_als, z_als where the point was found in the cloud.</source>
+        <translation>{name} に {columns} のある調整点がありません。点群中で見つけた点には x_als、y_als、z_als も書いてください。</translation>
+    </message>
+    <message>
+        <source>{name}: the point {point} is there twice; keep one row.</source>
+        <translation>{name}: 点 {point} が2回あります。1行だけ残してください。</translation>
+    </message>
+    <message>
+        <source>{name}: the point {point} has only one of x_als and y_als; give both or none.</source>
+        <translation>{name}: 点 {point} には x_als と y_als の片方しかありません。両方書くか、どちらも空にしてください。</translation>
+    </message>
+    <message>
+        <source>The cloud has no ground around any control point: check the coordinate systems, and that the points lie on open ground within the cloud.</source>
+        <translation>どの調整点のまわりにも点群の地面がありません。座標系と、点が点群内の開けた地面にあることを確かめてください。</translation>
+    </message>
+    <message>
+        <source>The cloud lies {before:.3f} m off in height at {count} control points as given and {after:.3f} m after (RMS); in plan {plan_before} and {plan_after}.</source>
+        <translation>{count} 点の調整点における点群の高さの誤差は、補正前 {before:.3f} m、補正後 {after:.3f} m（RMS）。水平位置の誤差は補正前 {plan_before}、補正後 {plan_after}。</translation>
+    </message>
+    <message>
+        <source>{value:.3f} m</source>
+        <translation>{value:.3f} m</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>測定なし</translation>
+    </message>
+    <message>
+        <source>Each control point left out in turn lies {held:.3f} m off in height.</source>
+        <translation>各調整点を順に除外した場合の高さの誤差は {held:.3f} m です。</translation>
+    </message>
+    <message>
+        <source>Check points lie {height} off in height and {plan} in plan.</source>
+        <translation>検証点の誤差は、高さ {height}、水平位置 {plan} です。</translation>
+    </message>
+    <message>
+        <source>{name} has no number for {column} in row {row}: correct or remove it.</source>
+        <translation>{name} の {row} 行目の {column} が数値ではありません。直すか削除してください。</translation>
+    </message>
+    <message>
+        <source>{name}: the role “{text}” is not known; write control or check.</source>
+        <translation>{name}：役割「{text}」は使えません。control または check と書いてください。</translation>
+    </message>
+    <message>
         <source>{name} has no column {missing}: points in images need {columns}; x, y, z where their coordinates are known.</source>
         <translation>{name} に列 {missing} がありません。写真上の点には {columns} が必要で、座標の分かる点には x, y, z も要ります。</translation>
     </message>
@@ -8002,14 +8312,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{name}: the point {point} has two places; keep one.</source>
         <translation>{name}：点 {point} に2つの座標があります。1つだけ残してください。</translation>
-    </message>
-    <message>
-        <source>{name} has no number for {column} in row {row}: correct or remove it.</source>
-        <translation>{name} の {row} 行目の {column} が数値ではありません。直すか削除してください。</translation>
-    </message>
-    <message>
-        <source>{name}: the role “{text}” is not known; write control or check.</source>
-        <translation>{name}：役割「{text}」は使えません。control または check と書いてください。</translation>
     </message>
     <message>
         <source>{frames} frames lie {before:.3f} m off at {count} control points as given and {after:.3f} m after (RMS in plan).</source>
@@ -8032,16 +8334,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>標定点 {count} 点では全体のずれは分かりますが、傾きは分かりません。離れた3点以上を測ってください。</translation>
     </message>
     <message>
-        <source>Points that contradict the others, and were not followed: {names}.</source>
-        <translation>ほかと矛盾するため使わなかった点：{names}。</translation>
-    </message>
-    <message>
         <source>{count} frames see no control point and follow the others: {names}.</source>
         <translation>標定点の写らない写真 {count} 枚は、ほかの写真に従います：{names}。</translation>
-    </message>
-    <message>
-        <source>wrong</source>
-        <translation>矛盾</translation>
     </message>
     <message>
         <source>The control points lie close together: away from them the frames may be tilted.</source>
@@ -9560,6 +9854,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{min_cn0:g} dB-Hz より弱い</translation>
     </message>
     <message>
+        <source>The ionosphere is measured on two bands in {count} of {files} observation files: {vertical:.1f} m at the zenith (sigma {sigma:.1f} m) where the broadcast model says {modelled:.1f} m.</source>
+        <translation>電離層遅延は、{files} 個の観測ファイルのうち {count} 個で2周波から測定しました。天頂方向 {vertical:.1f} m（σ {sigma:.1f} m）、放送モデルでは {modelled:.1f} m です。</translation>
+    </message>
+    <message>
         <source>The geoid separation was not given; the satellites say {offset:.1f} m (sigma {sigma:.1f} m), which is used: the official value is better.</source>
         <translation>ジオイド高が与えられていないため、衛星から求めた {offset:.1f} m（σ {sigma:.1f} m）を使用します。公式値の使用を推奨します。</translation>
     </message>
@@ -10628,6 +10926,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>自己位置推定精度の地図</translation>
     </message>
     <message>
+        <source>Street objects: poles, signals, signs, trees</source>
+        <translation>道路沿いの地物：柱・信号・標識・樹木</translation>
+    </message>
+    <message>
         <source>Airborne laser points (LAS, LAZ) are missing: the surveying authority of the area has them; in Japan those of GSI and of the prefectures are at the G-Spatial Information Centre.</source>
         <translation>航空レーザ点群（LAS、LAZ）がありません。その地域の測量機関が提供しています。日本では国土地理院や都道府県のものがG空間情報センターにあります。</translation>
     </message>
@@ -10678,6 +10980,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Markings as polygons are missing: a mask alone makes no lane map; leave it out to make both from the images.</source>
         <translation>路面標示のポリゴンがありません。マスクだけでは車線地図を作成できません。マスクを外すと、両方を画像から作成します。</translation>
+    </message>
+    <message>
+        <source>There is nothing to lay the survey on, so that it is taken as it is, and objects are as wrong as it is: say how well it is placed in the settings of the step (“{label}”).</source>
+        <translation>位置合わせの基準がないため、点群はそのまま使います。地物の位置の誤差は点群の誤差と同じになります。手順の設定（「{label}」）で点群の位置の精度を指定してください。</translation>
     </message>
     <message>
         <source>Survey {number}: no control points measured in its times are given, so that its accuracy is not checked independently.</source>
@@ -10798,6 +11104,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Step “{step}”: the job has no input “{role}”; add the file.</source>
         <translation>手順「{step}」：作業に入力「{role}」がありません。ファイルを追加してください。</translation>
+    </message>
+    <message>
+        <source>Step “{step}” needs {output} of step “{before}”, which gave none: say it in the settings of the step.</source>
+        <translation>手順「{step}」には手順「{before}」の {output} が必要ですが、得られていません。手順の設定で指定してください。</translation>
     </message>
     <message>
         <source>Step “{step}” needs what “{before}” makes: run that step first.</source>
@@ -11144,12 +11454,16 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>地点が {most_places:,} を超えます。間隔を広げるか、道路を減らしてください。</translation>
     </message>
     <message>
-        <source>On {mean:.0%} of the places the map tells where a vehicle is, with a median sigma of {median:.2f} m in the weakest direction; the worst stretches are below.</source>
-        <translation>地点の {mean:.0%} で、地図から車両の位置を推定できます。最も弱い方向のσの中央値は {median:.2f} m です。最も精度の低い区間を以下に示します。</translation>
-    </message>
-    <message>
         <source>{place}: street {street}, from {min:.0f} m. Ellipses five times enlarged.</source>
         <translation>{place}: 道路 {street}、{min:.0f} m から。楕円は5倍に拡大しています。</translation>
+    </message>
+    <message>
+        <source>{place}: about east {east:.0f} m, north {north:.0f} m. Ellipses five times enlarged.</source>
+        <translation>{place}：東 {east:.0f} m、北 {north:.0f} m 付近。楕円は 5 倍に拡大。</translation>
+    </message>
+    <message>
+        <source>On {mean:.0%} of the places the map tells where a vehicle is, with a median sigma of {median:.2f} m in the weakest direction; the worst stretches are below.</source>
+        <translation>地点の {mean:.0%} で、地図から車両の位置を推定できます。最も弱い方向のσの中央値は {median:.2f} m です。最も精度の低い区間を以下に示します。</translation>
     </message>
     <message>
         <source>Of {without_count} stretches nothing can be said: see the statuses above and the layer.</source>
@@ -12552,6 +12866,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>線の座標参照系を、OpenDRIVEに必要なPROJ文字列で表せません。PROJで扱える投影座標参照系を設定してください。</translation>
     </message>
     <message>
+        <source>No light or sign is known here: who yields is inferred ({reasons}) for {pairs} pairs of ways. Check it before anything drives by it.</source>
+        <translation>ここでは信号も標識も分かっていません。通行路 {pairs} 組の優先関係は推定です（{reasons}）。走行に使う前に確認してください。</translation>
+    </message>
+    <message>
         <source>A drive leads from one lane to another here, but bounds along it would cross; no virtual lane was made.</source>
         <translation>ここでは走行がある車線から別の車線へ通じていますが、それに沿う境界線が交差するため、仮想車線は作成しませんでした。</translation>
     </message>
@@ -12612,12 +12930,48 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>通行方法の規則から推定</translation>
     </message>
     <message>
+        <source>straight on</source>
+        <translation>直進</translation>
+    </message>
+    <message>
+        <source>to the left</source>
+        <translation>左折</translation>
+    </message>
+    <message>
+        <source>to the right</source>
+        <translation>右折</translation>
+    </message>
+    <message>
+        <source>By the rule of the road a way {turn} is possible from this lane (confidence {confidence:.2f}), but no arrow or drive shows it; it is not in the map.</source>
+        <translation>通行区分の原則によればこの車線から{turn}できる可能性があります（信頼度 {confidence:.2f}）が、矢印も走行軌跡もそれを示していないため、地図には入れていません。</translation>
+    </message>
+    <message>
         <source>A drive runs between lines that leave less than a lane: {min:.1f} m, for {span:.0f} m; no lane was made.</source>
         <translation>走行が通る線の間隔が車線幅に足りません（{min:.1f} m、{span:.0f} mにわたる）。車線は作成しませんでした。</translation>
     </message>
     <message>
+        <source>turns across the oncoming traffic</source>
+        <translation>対向車線を横切って曲がる</translation>
+    </message>
+    <message>
+        <source>fewer lanes</source>
+        <translation>車線数が少ない</translation>
+    </message>
+    <message>
+        <source>narrower road</source>
+        <translation>幅員が狭い</translation>
+    </message>
+    <message>
+        <source>side it comes from</source>
+        <translation>進入してくる側</translation>
+    </message>
+    <message>
         <source>The points cover whole surfaces, not paint: give marking points, as road markings from mobile surveys make them, not the survey itself.</source>
         <translation>点が標示ではなく面全体を覆っています。計測そのものではなく、MMS計測の路面標示が作る路面標示点を指定してください。</translation>
+    </message>
+    <message>
+        <source>half of its board may be hidden</source>
+        <translation>板の半分が隠れている可能性がある</translation>
     </message>
     <message>
         <source>few points</source>
@@ -12698,6 +13052,82 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The edges around this face do not tell on which of their sides the road lies: an edge is missing, or a line is none of an edge.</source>
         <translation>この区画の周囲の縁からは、どちら側が道路か決まりません。道路縁が欠けているか、道路縁でない線が含まれています。</translation>
+    </message>
+    <message>
+        <source>carriageway</source>
+        <translation>車道部</translation>
+    </message>
+    <message>
+        <source>sidewalk</source>
+        <translation>歩道部</translation>
+    </message>
+    <message>
+        <source>island</source>
+        <translation>島</translation>
+    </message>
+    <message>
+        <source>road, not surveyed</source>
+        <translation>未計測の道路</translation>
+    </message>
+    <message>
+        <source>continued</source>
+        <translation>延長</translation>
+    </message>
+    <message>
+        <source>official</source>
+        <translation>公式データ</translation>
+    </message>
+    <message>
+        <source>There are no kerbs or road borders among the edges: give the lines of “Road edges”.</source>
+        <translation>道路縁に縁石も路端もありません。「道路縁」の線を指定してください。</translation>
+    </message>
+    <message>
+        <source>The edges enclose no carriageway: the survey shows one side of the road only.</source>
+        <translation>道路縁が車道部を囲みません。計測は道路の片側だけを示しています。</translation>
+    </message>
+    <message>
+        <source>The edge was not seen over {length:.1f} m and is drawn on here.</source>
+        <translation>道路縁が {length:.1f} m にわたって見えず、ここでは延長しました。</translation>
+    </message>
+    <message>
+        <source>{uncut} of {arms} roads that meet here have neither a corner nor a stop line at which to cut: cut them by hand.</source>
+        <translation>ここに集まる道路 {arms} 本のうち {uncut} 本に、区切るための隅角も停止線もありません。手作業で区切ってください。</translation>
+    </message>
+    <message>
+        <source>{area:.0f} m² of the given roads were not surveyed: they are left undivided.</source>
+        <translation>与えた道路のうち {area:.0f} m² は計測されていません。区分せずに残します。</translation>
+    </message>
+    <message>
+        <source>The edges leave out a part of the carriageway here of which less than half of the border was measured: look whether it is an island.</source>
+        <translation>ここで車道部の一部が道路縁に囲まれていますが、境界の半分以上が計測されていません。島かどうか確認してください。</translation>
+    </message>
+    <message>
+        <source>There is no level {level}: choose one of {levels}.</source>
+        <translation>詳細度 {level} はありません。{levels} から選んでください。</translation>
+    </message>
+    <message>
+        <source>The survey ends here; the road goes on.</source>
+        <translation>計測はここで終わります。道路は続きます。</translation>
+    </message>
+    <message>
+        <source>No surfaces of roads were given: where sidewalks end is not known, and none is made.</source>
+        <translation>道路面が指定されていません。歩道部の外側の境界が分からないため、歩道部は作りません。</translation>
+    </message>
+    <message>
+        <source>No lanes were given: carriageways are not divided.</source>
+        <translation>車線が指定されていません。車道部は車線に区分しません。</translation>
+    </message>
+    <message>
+        <source>There is no stop line in this arm: its junction is cut at the corners.</source>
+        <translation>この流入路に停止線がありません。交差部は隅角で区切りました。</translation>
+    </message>
+    <message>
+        <source>The top of this island was not measured apart from its kerb.</source>
+        <translation>この島の上面は、縁石のほかは計測されていません。</translation>
+    </message>
+    <message>
+        <source>Roads meet here, but nothing tells where to cut them.</source>
+        <translation>ここで道路が交差しますが、区切る位置を示すものがありません。</translation>
     </message>
     <message>
         <source>Frame {number} of {exposures_count}</source>
@@ -12996,6 +13426,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>データは{size:g} mのタイルで{count:,}枚になります。タイルを大きくするか、座標を確認してください。</translation>
     </message>
     <message>
+        <source>Shifted by {0:.3f} m east, {1:.3f} m north, {2:.3f} m up.</source>
+        <translation>東へ {0:.3f} m、北へ {1:.3f} m、上へ {2:.3f} m 移動しました。</translation>
+    </message>
+    <message>
         <source>{0} control points: {1:.3f} m off in plan as given, {2:.3f} m after (RMS).</source>
         <translation>標定点 {0} 点：水平のずれは入力のまま {1:.3f} m、調整後 {2:.3f} m（RMS）。</translation>
     </message>
@@ -13010,6 +13444,42 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0} has no field {1}; give the points of “Orthorectify frames”.</source>
         <translation>{0}にフィールド{1}がありません。「写真のオルソ補正」の点を指定してください。</translation>
+    </message>
+    <message>
+        <source>Give answers, or weights that were learned from answers, not both.</source>
+        <translation>回答か、回答から学習した重みのどちらか一方だけを与えてください。</translation>
+    </message>
+    <message>
+        <source>Where roads are given, the confidence does not ask for the ground, and nothing is learned from answers: leave out the roads, or “{0}”.</source>
+        <translation>道路を与えた場合、信頼度は地面を見ないため、回答から学習できません。道路か「{0}」のどちらかを外してください。</translation>
+    </message>
+    <message>
+        <source>Weights are learned from answers: give “{0}”, or ask for no weights.</source>
+        <translation>重みは回答から学習します。「{0}」を与えるか、重みの出力を外してください。</translation>
+    </message>
+    <message>
+        <source>Over tiles each would learn for itself: run “{0}” on a part of the orthophoto with the answers first, and give its weights here.</source>
+        <translation>タイルごとの実行では各タイルが別々に学習してしまいます。先にオルソ画像の一部と回答で「{0}」を実行し、その重みをここに与えてください。</translation>
+    </message>
+    <message>
+        <source>Learned from {0} markings that are paint and {1} that are not.</source>
+        <translation>標示である{0}個と標示でない{1}個から学習しました。</translation>
+    </message>
+    <message>
+        <source>{0}: the field paint is missing, which tells what is paint.</source>
+        <translation>{0}：標示かどうかを示すフィールドpaintがありません。</translation>
+    </message>
+    <message>
+        <source>{0}: “{1}” in the field paint is no answer; write true or false, 1 or 0, yes or no.</source>
+        <translation>{0}：フィールドpaintの「{1}」は回答ではありません。真か偽、1か0、yesかnoを書いてください。</translation>
+    </message>
+    <message>
+        <source>{0}: these weights were learned with the method “{1}”, not “{2}”.</source>
+        <translation>{0}：この重みは方法「{1}」で学習したもので、「{2}」ではありません。</translation>
+    </message>
+    <message>
+        <source>{0} has no height at {1} of {2} markings: they lie outside of it or in its gaps, and have no height there.</source>
+        <translation>{0}には標示{2}件中{1}件の位置で高さがありません。範囲外または欠測のため、その標示には高さがありません。</translation>
     </message>
     <message>
         <source>{0}: {1} x {2} pixels</source>
@@ -13058,10 +13528,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>With pixels of {0:.2f} m only wide markings can be seen; 0.15 m or finer shows lane lines.</source>
         <translation>画素が{0:.2f} mでは幅の広い標示しか判別できません。車線境界線には0.15 m以下が必要です。</translation>
-    </message>
-    <message>
-        <source>{0} has no height at {1} of {2} markings: they lie outside of it or in its gaps, and have no height there.</source>
-        <translation>{0}には標示{2}件中{1}件の位置で高さがありません。範囲外または欠測のため、その標示には高さがありません。</translation>
     </message>
     <message>
         <source>{0} of {1} buildings have no model; the field “reason” says why.</source>
@@ -14024,6 +14490,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>北の誤差、除外時 (m)</translation>
     </message>
     <message>
+        <source>error up, left out (m)</source>
+        <translation>高さの誤差、除外時 (m)</translation>
+    </message>
+    <message>
         <source>frames that see it</source>
         <translation>写っている写真の数</translation>
     </message>
@@ -14634,6 +15104,26 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>standard deviation across (m)</source>
         <translation>直交方向の標準偏差 (m)</translation>
+    </message>
+    <message>
+        <source>where its border is from</source>
+        <translation>境界の出典</translation>
+    </message>
+    <message>
+        <source>share of the border measured as a kerb, 0 to 1</source>
+        <translation>縁石として計測した境界の割合（0～1）</translation>
+    </message>
+    <message>
+        <source>highest step (m)</source>
+        <translation>最大の段差（m）</translation>
+    </message>
+    <message>
+        <source>standard deviation of the edges (m)</source>
+        <translation>道路縁の標準偏差（m）</translation>
+    </message>
+    <message>
+        <source>height of the step (m)</source>
+        <translation>段差の高さ（m）</translation>
     </message>
     <message>
         <source>where the edges are from</source>
@@ -15784,6 +16274,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{1:.0f} m の区間に地物 {0} 個、うち不確かなもの {2} 個。</translation>
     </message>
     <message>
+        <source>Areas by kind</source>
+        <translation>種類別の区分面</translation>
+    </message>
+    <message>
         <source>Surfaces by kind</source>
         <translation>種類別の面</translation>
     </message>
@@ -15800,12 +16294,24 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>面積 (m²)</translation>
     </message>
     <message>
+        <source>Carriageways grey, lanes blue, junctions orange, sidewalks green, islands dark green; steps red, findings numbered.</source>
+        <translation>車道部は灰色、車線は青、交差部は橙、歩道部は緑、島は濃い緑。段差は赤、指摘は番号。</translation>
+    </message>
+    <message>
         <source>Surfaces to look at</source>
         <translation>要確認の面</translation>
     </message>
     <message>
+        <source>LOD{0}: {1} sections and {2} junctions in {3} areas; {4} areas have borders that were not seen all along, and {5} findings are listed below.</source>
+        <translation>LOD{0}：単路部 {1}、交差部 {2}、区分面 {3}。境界の一部が見えなかった区分面 {4}。指摘 {5} 件を下に示します。</translation>
+    </message>
+    <message>
         <source>{0} surfaces, {1} of them junctions; {2} surfaces are to be looked at, and {3} findings are listed below.</source>
         <translation>面 {0} 個、うち交差部 {1} 個。要確認の面は {2} 個で、指摘事項 {3} 件を下に示します。</translation>
+    </message>
+    <message>
+        <source>Junction {0}, about {1:.0f}, {2:.0f}: look whether it is cut where the stop lines are.</source>
+        <translation>交差部 {0}（{1:.0f}, {2:.0f} 付近）：停止線の位置で区切られているか確認してください。</translation>
     </message>
     <message>
         <source>Surface {0}, about {1:.0f}, {2:.0f}.</source>
@@ -15824,6 +16330,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>軌跡{0:.0f} mに沿って縁石が見つかりませんでした。道路に縁石がないか、点が疎またはノイズが大きく、数cmの段差を判別できません。</translation>
     </message>
     <message>
+        <source>{0} is not given: it is what this level of detail is made of.</source>
+        <translation>{0} が指定されていません。この詳細度はそれから作ります。</translation>
+    </message>
+    <message>
         <source>{0} is not given: CityGML then has no creationDate, which PLATEAU asks for.</source>
         <translation>{0}が指定されていません。CityGML に PLATEAU が必須とする creationDate が入りません。</translation>
     </message>
@@ -15838,6 +16348,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0} objects are doubtful: {1}.</source>
         <translation>地物 {0} 個は不確かです: {1}。</translation>
+    </message>
+    <message>
+        <source>{0} has no field edge_id; give the upper edges of “Road edges”.</source>
+        <translation>{0} に属性 edge_id がありません。「道路縁」の上端線を指定してください。</translation>
     </message>
     <message>
         <source>Without trajectories only arrows and stop lines tell directions: most strips stay findings, and ways through junctions are inferred.</source>
@@ -16096,6 +16610,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>信頼度別の標示</translation>
     </message>
     <message>
+        <source>Shift</source>
+        <translation>移動量</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>軸</translation>
+    </message>
+    <message>
         <source>Point</source>
         <translation>点</translation>
     </message>
@@ -16108,6 +16630,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>調整前 北 (m)</translation>
     </message>
     <message>
+        <source>before up (m)</source>
+        <translation>補正前 高さ (m)</translation>
+    </message>
+    <message>
         <source>after east (m)</source>
         <translation>調整後 東 (m)</translation>
     </message>
@@ -16116,12 +16642,28 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>調整後 北 (m)</translation>
     </message>
     <message>
+        <source>after up (m)</source>
+        <translation>補正後 高さ (m)</translation>
+    </message>
+    <message>
         <source>left out east (m)</source>
         <translation>除外時 東 (m)</translation>
     </message>
     <message>
         <source>left out north (m)</source>
         <translation>除外時 北 (m)</translation>
+    </message>
+    <message>
+        <source>left out up (m)</source>
+        <translation>除外時 高さ (m)</translation>
+    </message>
+    <message>
+        <source>Cloud less truth. The height at a point is that of a plane through the ground points around it.</source>
+        <translation>点群の値から真値を引いたもの。各点の高さは、まわりの地面の点に当てはめた平面の高さです。</translation>
+    </message>
+    <message>
+        <source>Laser points shifted to control points</source>
+        <translation>調整点に合わせて移動した航空レーザ点群</translation>
     </message>
     <message>
         <source>Corrections of the frames</source>
@@ -16520,16 +17062,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>状態</translation>
     </message>
     <message>
+        <source>Worst squares of 50 m</source>
+        <translation>最も悪い 50 m 四方</translation>
+    </message>
+    <message>
         <source>Worst stretches</source>
         <translation>最も悪い区間</translation>
-    </message>
-    <message>
-        <source>from, m</source>
-        <translation>始点、m</translation>
-    </message>
-    <message>
-        <source>to, m</source>
-        <translation>終点、m</translation>
     </message>
     <message>
         <source>bearing, degrees</source>
@@ -17628,6 +18166,30 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>使用、ただし近隣との適合が不十分</translation>
     </message>
     <message>
+        <source>carriageway, continued</source>
+        <translation>車道部（延長）</translation>
+    </message>
+    <message>
+        <source>junction, continued</source>
+        <translation>交差部（延長）</translation>
+    </message>
+    <message>
+        <source>lane, continued</source>
+        <translation>車線（延長）</translation>
+    </message>
+    <message>
+        <source>sidewalk, continued</source>
+        <translation>歩道部（延長）</translation>
+    </message>
+    <message>
+        <source>island, continued</source>
+        <translation>島（延長）</translation>
+    </message>
+    <message>
+        <source>road, not surveyed, continued</source>
+        <translation>未計測の道路（延長）</translation>
+    </message>
+    <message>
         <source>kerb, measured</source>
         <translation>縁石（計測）</translation>
     </message>
@@ -17668,6 +18230,42 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>壁面（不確実）</translation>
     </message>
     <message>
+        <source>edge continued</source>
+        <translation>道路縁を延長</translation>
+    </message>
+    <message>
+        <source>end of the survey</source>
+        <translation>計測の終わり</translation>
+    </message>
+    <message>
+        <source>not surveyed</source>
+        <translation>未計測</translation>
+    </message>
+    <message>
+        <source>no sidewalks</source>
+        <translation>歩道部なし</translation>
+    </message>
+    <message>
+        <source>no lanes</source>
+        <translation>車線なし</translation>
+    </message>
+    <message>
+        <source>no stop line</source>
+        <translation>停止線なし</translation>
+    </message>
+    <message>
+        <source>island not shown</source>
+        <translation>島が不確か</translation>
+    </message>
+    <message>
+        <source>island's height</source>
+        <translation>島の高さ</translation>
+    </message>
+    <message>
+        <source>junction not cut</source>
+        <translation>交差部を区切れない</translation>
+    </message>
+    <message>
         <source>arm not cut</source>
         <translation>区切れない接続道路</translation>
     </message>
@@ -17694,6 +18292,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>yellow</source>
         <translation>黄</translation>
+    </message>
+    <message>
+        <source>under 15 cm</source>
+        <translation>15 cm 未満</translation>
+    </message>
+    <message>
+        <source>15 cm and more</source>
+        <translation>15 cm 以上</translation>
     </message>
     <message>
         <source>road, to look at</source>
