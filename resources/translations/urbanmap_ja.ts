@@ -11466,6 +11466,30 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>地点の {mean:.0%} で、地図から車両の位置を推定できます。最も弱い方向のσの中央値は {median:.2f} m です。最も精度の低い区間を以下に示します。</translation>
     </message>
     <message>
+        <source>east, m</source>
+        <translation>東座標 (m)</translation>
+    </message>
+    <message>
+        <source>north, m</source>
+        <translation>北座標 (m)</translation>
+    </message>
+    <message>
+        <source>places</source>
+        <translation>箇所数</translation>
+    </message>
+    <message>
+        <source>street</source>
+        <translation>街路</translation>
+    </message>
+    <message>
+        <source>from, m</source>
+        <translation>始点 (m)</translation>
+    </message>
+    <message>
+        <source>to, m</source>
+        <translation>終点 (m)</translation>
+    </message>
+    <message>
         <source>Of {without_count} stretches nothing can be said: see the statuses above and the layer.</source>
         <translation>{without_count} 区間については評価できません。上の状態の表とレイヤを参照してください。</translation>
     </message>
@@ -12292,6 +12316,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>the correction reaches the largest error looked for</source>
         <translation>補正量が探索する最大誤差に達しています</translation>
+    </message>
+    <message>
+        <source>step of the drive or of the reference</source>
+        <translation>走行側または基準側の段差</translation>
     </message>
     <message>
         <source>changed markings</source>
@@ -14208,10 +14236,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>control point</source>
         <translation>基準点（調整点・検証点）</translation>
-    </message>
-    <message>
-        <source>street</source>
-        <translation>街路</translation>
     </message>
     <message>
         <source>chain of parts</source>
@@ -16562,10 +16586,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>2枚目</translation>
     </message>
     <message>
-        <source>places</source>
-        <translation>箇所数</translation>
-    </message>
-    <message>
         <source>apart</source>
         <translation>ずれ</translation>
     </message>
@@ -18056,6 +18076,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>no height</source>
         <translation>高さなし</translation>
+    </message>
+    <message>
+        <source>way possible</source>
+        <translation>可能な進路</translation>
+    </message>
+    <message>
+        <source>right of way inferred</source>
+        <translation>推定した優先関係</translation>
     </message>
     <message>
         <source>diamond</source>

@@ -100,7 +100,8 @@ def map_findings(layer) -> None:
     kinds = {"no lane made": "#e09a2b", "open end": "#4a8fe7", "bound not seen": "#b8b03a",
              "direction contradicts": "#d7263d", "driven without lane": "#d7263d", "no drive": "#8a6bb0",
              "stop line without lane": "#9a9a9a", "too narrow": "#d7263d", "way not drawn": "#d7263d",
-             "way drawn by width": "#b8b03a", "no height": "#9a9a9a"}
+             "way drawn by width": "#b8b03a", "no height": "#9a9a9a", "way possible": "#4a8fe7",
+             "right of way inferred": "#e09a2b"}
     layer.setRenderer(QgsCategorizedSymbolRenderer("kind", [
         QgsRendererCategory(kind, marker(colour, 2.4), kind) for kind, colour in kinds.items()]
         + [QgsRendererCategory("", marker("#d7263d", 2.4), "others")]))

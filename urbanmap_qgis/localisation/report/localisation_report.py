@@ -94,7 +94,8 @@ def _worst(report: Report, city: LocalisationMap, accuracy: AccuracyMap) -> None
     parts = [rows for rows in stretches(accuracy) if np.isfinite(accuracy.ellipse.major[rows]).any()]
     score = np.array([np.sqrt(np.nanmean(accuracy.ellipse.major[rows] ** 2)) for rows in parts])
     worst = np.argsort(-score, kind="stable")[:_WORST]
-    where = ["east, m", "north, m", "places"] if accuracy.places.of_an_area else ["street", "from, m", "to, m"]
+    where = ((say("east, m"), say("north, m"), say("places")) if accuracy.places.of_an_area else
+             (say("street"), say("from, m"), say("to, m")))
     report.table([*where, "sigma of the weakest direction, m", "bearing, degrees", "status"], [
         [*_where(accuracy, rows), float(score[number]), _median(accuracy.ellipse.bearing[rows]),
          Counter(map(str, accuracy.status[rows])).most_common(1)[0][0]]
