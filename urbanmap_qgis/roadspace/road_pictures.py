@@ -55,7 +55,8 @@ def plan_picture(extent: Extent, width: int, areas: Iterable[tuple[shapely.Polyg
     parts = [f'<rect width="{width}" height="{height}" fill="#ffffff"/>']
     for polygon, fill, edge in areas:
         if window.intersects(polygon):
-            rings = "".join(path(shapely.get_coordinates(ring)) + "Z" for ring in (polygon.exterior, *polygon.interiors))
+            rings = "".join(path(shapely.get_coordinates(ring)) + "Z"
+                            for ring in (polygon.exterior, *polygon.interiors))
             parts.append(f'<path d="{rings}" fill="{fill}" fill-rule="evenodd" stroke="#333333" '
                          f'stroke-width="{edge}"/>')
     parts += [f'<path d="{path(points)}" fill="none" {stroke}/>' for points, stroke in lines
