@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..framework.base import UrbanMapAlgorithm
 from ..roadmap.markinglines import MarkingLines
 from ..roadmap.roadedges import RoadEdges
-from ..roadmap.roadmodel import LEVELS, RoadModel
+from ..roadmap.roadmodel import RoadModel
 from ..roadmap.streetobjects import StreetObjects
 from ..roadmap.vectormap import VectorMap
 
@@ -37,9 +37,7 @@ class RoadSpace(UrbanMapAlgorithm):
         self.add_from(StreetObjects, "POINTS", "TRAJECTORY")
         self.add_from(MarkingLines, "MARKINGS", optional=False)
         self.add_from(RoadModel, "GROUND", "ROADS")
-        self.add_choice("LOD", "Level of detail", "Of the road model: 2 without heights; 3.0 with one height across; "
-                        "3.1 also with lanes and cuts at stop lines; 3.2 with steps from 15 cm; 3.3 with steps from "
-                        "2 cm.", LEVELS[1:], LEVELS[-1])
+        self.add_from(RoadModel, "LOD", default="3.3")
         self.add_from(StreetObjects, "WIDTH", "SIGMA", "DATA_DATE", advanced=True)
         self.add_from(StreetObjects, *READING, advanced=True)
         self.add_from(RoadModel, "FUNCTION")

@@ -4944,8 +4944,8 @@
         <translation>詳細度（LOD）</translation>
     </message>
     <message>
-        <source>1 of the roads given, 2 and finer of measured edges: 2 without heights; 3.0 with one height across; 3.1 also with lanes and cuts at stop lines; 3.2 with steps from 15 cm; 3.3 with steps from 2 cm. (1, 2, 3.0, 3.1, 3.2, 3.3)</source>
-        <translation>1 は与えられた道路から、2 以上は測定した縁から作ります。2 は高さなし、3.0 は横断方向に一つの高さ、3.1 は車線と停止線での区切りも、3.2 は 15 cm 以上の段差、3.3 は 2 cm 以上の段差を持ちます。(1, 2, 3.0, 3.1, 3.2, 3.3)</translation>
+        <source>1 of the roads given, 2 and finer of measured edges: 2 without heights; 3.0 with one height across; 3.1 also with lanes and cuts at stop lines; 3.2 with steps from 15 cm; 3.3 with steps from 2 cm. (3.3, 1, 2, 3.0, 3.1, 3.2)</source>
+        <translation>1 は与えられた道路から、2 以上は測定した縁から作ります。2 は高さなし、3.0 は横断方向に一つの高さ、3.1 は車線と停止線での区切りも、3.2 は 15 cm 以上の段差、3.3 は 2 cm 以上の段差を持ちます。(3.3, 1, 2, 3.0, 3.1, 3.2)</translation>
     </message>
     <message>
         <source>Measured edges</source>
@@ -5642,10 +5642,6 @@
     <message>
         <source>Lane map from markings and drives</source>
         <translation>路面標示と走行からの車線地図</translation>
-    </message>
-    <message>
-        <source>Of the road model: 2 without heights; 3.0 with one height across; 3.1 also with lanes and cuts at stop lines; 3.2 with steps from 15 cm; 3.3 with steps from 2 cm. (2, 3.0, 3.1, 3.2, 3.3)</source>
-        <translation>道路モデルの LOD。2 は高さなし、3.0 は横断方向に一つの高さ、3.1 は車線と停止線での区切りも、3.2 は 15 cm 以上の段差、3.3 は 2 cm 以上の段差を持ちます。(2, 3.0, 3.1, 3.2, 3.3)</translation>
     </message>
     <message>
         <source>CityGML folder of furniture and trees</source>
@@ -14524,6 +14520,22 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>role</source>
         <translation>役割</translation>
+    </message>
+    <message>
+        <source>is it paint? (yes or no)</source>
+        <translation>標示ですか（はい・いいえ）</translation>
+    </message>
+    <message>
+        <source>standard deviations across, in metres, from vertex to vertex</source>
+        <translation>横方向の標準偏差（m）、頂点ごと</translation>
+    </message>
+    <message>
+        <source>lanes that it lets pass</source>
+        <translation>優先させる車線</translation>
+    </message>
+    <message>
+        <source>why it yields</source>
+        <translation>譲る理由</translation>
     </message>
     <message>
         <source>number of the road surface</source>

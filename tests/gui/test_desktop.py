@@ -137,7 +137,7 @@ def test_models_open_as_copies_in_the_modeller_and_run_with_files_preset(step):
     told = step(6)
     assert set(told["opened"]) == {
         "Buildings from ALS (model)", "Georeference mobile survey (model)", "Lane map from markings and drives (model)",
-        "Road markings from aerial frames (model)"}
+        "Road markings from aerial frames (model)", "Road space from a mobile survey (model)"}
     for name, copy in told["opened"].items():
         assert copy == {"name": name, "file": "", "steps": copy["steps"], "sound": True, "shown": True}
         assert copy["steps"] >= 2

@@ -130,6 +130,10 @@ _WORDS = {
     "up_left_out": FieldWords(mark("error up, left out (m)"), 3),
     "frames": FieldWords(mark("frames that see it")),
     "role": FieldWords(mark("role")),
+    "paint": FieldWords(mark("is it paint? (yes or no)")),
+    "sigmas": FieldWords(mark("standard deviations across, in metres, from vertex to vertex")),
+    "yields_to": FieldWords(mark("lanes that it lets pass")),
+    "yields_by": FieldWords(mark("why it yields")),
     # Roads.
     "road_id": FieldWords(mark("number of the road surface")),
     "function": FieldWords(mark("function (code)")),
