@@ -13102,12 +13102,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>公式データ</translation>
     </message>
     <message>
-        <source>There are no kerbs or road borders among the edges: give the lines of “Road edges”.</source>
-        <translation>道路縁に縁石も路端もありません。「道路縁」の線を指定してください。</translation>
+        <source>The edges enclose no carriageway: of no road the survey shows both edges all along. Give the drives of both directions together.</source>
+        <translation>縁が車道を囲んでいません。計測で両側の縁が続けて見える道路がありません。両方向の走行を一緒に与えてください。</translation>
     </message>
     <message>
-        <source>The edges enclose no carriageway: the survey shows one side of the road only.</source>
-        <translation>道路縁が車道部を囲みません。計測は道路の片側だけを示しています。</translation>
+        <source>There are no kerbs or road borders among the edges: give the lines of “Road edges”.</source>
+        <translation>道路縁に縁石も路端もありません。「道路縁」の線を指定してください。</translation>
     </message>
     <message>
         <source>The edge was not seen over {length:.1f} m and is drawn on here.</source>

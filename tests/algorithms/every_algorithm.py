@@ -63,8 +63,8 @@ RECIPES: dict[str, dict] = {
     "streetobjects": DRIVE,
     "vectormap": {"LINES": "markinglines:OUTPUT", "TRAJECTORY": [DRIVE["TRAJECTORY"]]},
     "roadmodel": {"ROADS": "vectormap:OUTPUT_LANES", "DATA_DATE": "2026-04-01"},
-    "roadspace": {**DRIVE, "TRAJECTORY": TRUTH["TRAJECTORY"][0], "MARKINGS": MAP["MARKINGS"],
-                  "GROUND": HEIGHTS["GROUND"], "DATA_DATE": "2026-04-01"},
+    "roadspace": {"POINTS": ["made:street.las"], "TRAJECTORY": "made:street.csv", "MARKINGS": "made:street.gpkg",
+                  "DATA_DATE": "2026-04-01"},
     "lanemap": {"MARKINGS": MAP["MARKINGS"], "GROUND": HEIGHTS["GROUND"], **TRUTH},
     "checkvectormap": {"INPUT": "vectormap:OUTPUT_LANELET2"},
     "comparemaps": {"OLD": "lanemap:OUTPUT_LANELET2", "NEW": None, "NEW_LINES": "vectormap:OUTPUT_BOUNDS"},
@@ -137,6 +137,29 @@ def prepare(city: Path, folder: Path) -> None:
     write_surface_job(city, folder)
     write_image_points(city, folder / "image_points.csv")
     write_cloud_points(city, folder / "cloud_points.csv")
+    write_street(folder)
+
+
+def write_street(folder: Path) -> None:
+    """A drive along a street with kerbs on both sides, which the city's drives do not show, and its edge lines."""
+    import laspy
+    import numpy as np
+    import shapely
+    from pyproj import CRS
+
+    from tests.core.road_scene import Street, to_map, write_drive
+    from urbanmap_qgis.samplecity.truth.geopackage import Layer, write_geopackage
+
+    trajectory = write_drive(folder / "street.las", Street(length=60.0, rough=0.06))
+    cloud = laspy.read(folder / "street.las")
+    cloud.header.add_crs(CRS.from_epsg(6677))
+    cloud.write(folder / "street.las")
+    rows = np.column_stack([trajectory.time, trajectory.place, trajectory.angles])
+    np.savetxt(folder / "street.csv", rows, "%.4f", ",", header="time,x,y,z,roll,pitch,heading", comments="")
+    rings = [shapely.get_coordinates(shapely.box(2.0, across - 0.075, 58.0, across + 0.075))
+             for across in (-1.75, 1.75)]
+    paint = [shapely.Polygon(to_map(np.column_stack([ring, np.zeros(len(ring))]), 0.0)[:, :2]) for ring in rings]
+    write_geopackage(folder / "street.gpkg", [Layer("paint", paint, {"colour": ["white", "white"]})])
 
 
 def write_cloud_points(city: Path, path: Path) -> None:

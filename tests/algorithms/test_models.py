@@ -87,7 +87,9 @@ def test_the_model_has_the_chains_parameters(pair):
     for mine, theirs in zip(have, wanted):
         assert mine.type() == theirs.type(), REMEDY
         assert mine.description() == theirs.description(), REMEDY
-        assert mine.defaultValue() == theirs.defaultValue(), REMEDY
+        # QGIS 3.40 reads an empty text of a model's file as none.
+        assert ((mine.defaultValue() in (None, "") and theirs.defaultValue() in (None, ""))
+                or mine.defaultValue() == theirs.defaultValue()), REMEDY
         assert mine.flags() == theirs.flags(), REMEDY
         assert mine.help() == theirs.help(), REMEDY
 

@@ -158,3 +158,13 @@ def test_the_map_shows_every_object(tmp_path):
                      lambda rng: scene.post(rng, 15.0, 5.0, 4.0, low=1.7))
     picture = object_map(found.objects, np.array([[-7000.0, -34000.0], [-6970.0, -34000.0]]))
     assert picture.count("<circle") == 2 and picture.count('fill="#ffffff" stroke="#222222"') == 1
+
+
+@pytest.mark.parametrize("aside, width", [(-0.12, 0.36), (-0.15, 0.45)])
+def test_a_narrow_board_does_not_move_its_thin_post(tmp_path, aside, width):
+    """Points of a board that reaches to one side pass for the post's where they are near it."""
+    found = found_of(tmp_path, lambda rng: np.concatenate([
+        scene.post(rng, 15.0, 5.0, 2.9, 0.08), scene.board(rng, 14.95, 5.0 + aside, 2.2, width, 1.0, 0.0)]))
+    thing, = found.objects
+    off = np.abs(placed(thing)[:2] - [15.0, 5.0])
+    assert off.max() < 0.02 and (off < 3 * thing.sigma).all()

@@ -22,6 +22,10 @@ GRID = 0.001
 """Corners nearer to each other than this are one, m: files of degrees have them so."""
 
 
+class OpenEdgesError(InputError):
+    """Lines along roads enclose no surface."""
+
+
 @dataclass(frozen=True)
 class ClosingLimits:
     """What closing of edges goes by.
@@ -52,7 +56,8 @@ def surface_of(geometries: Sequence[shapely.Geometry | None], limits: ClosingLim
 
     Raises
     ------
-    InputError : there is neither, or the lines enclose nothing.
+    InputError : there is neither.
+    OpenEdgesError : the lines enclose nothing.
     """
     given = [shapely.force_2d(one) for one in geometries if one is not None and not one.is_empty]
     polygons = [one for one in given if one.geom_type in ("Polygon", "MultiPolygon")]
@@ -65,8 +70,8 @@ def surface_of(geometries: Sequence[shapely.Geometry | None], limits: ClosingLim
     findings: list[RoadFinding] = []
     faces = _valid_polygons(polygons, findings) + (_faces_between(lines, limits, findings) if lines else [])
     if not faces:
-        raise InputError(say("The lines enclose no surface: give the lines along both edges of the roads, joined at "
-                             "their ends, or surfaces."))
+        raise OpenEdgesError(say("The lines enclose no surface: give the lines along both edges of the roads, joined "
+                                 "at their ends, or surfaces."))
     whole = shapely.union_all(faces, grid_size=GRID)
     parts = [part for part in shapely.get_parts(whole) if part.geom_type == "Polygon" and part.area > 0]
     return RoadSurface(tuple(parts), tuple(findings))

@@ -20,7 +20,18 @@ from .axis_fit import fit_axis
 from .hanging_parts import LIMITS as AROUND
 from .hanging_parts import HangingParts, hanging_parts
 from .object_kind import kind_of
-from .object_records import DOUBTFUL, MEASURED, OBJECT_POINT, POLE, TREE, ObjectSettings, Stem, StemAxis, StreetObject
+from .object_records import (
+    DOUBTFUL,
+    MEASURED,
+    OBJECT_POINT,
+    POLE,
+    TREE,
+    Board,
+    ObjectSettings,
+    Stem,
+    StemAxis,
+    StreetObject,
+)
 from .stems import find_stems
 
 DEFAULTS = ObjectSettings()
@@ -41,6 +52,8 @@ class StreetObjectLimits:
     wall: float = 1.0
     walled: float = 0.2
     broken: float = 0.75  # share of its slabs in which a clear stem shows
+    frame: float = 0.05  # m over and under a board, where its points pass for its post's
+    bare: float = 0.6  # m of height that a post shows without its board, to be placed by that alone
     same: float = 0.5  # m; stems closer than this, over each other, are one thing
 
 
@@ -107,8 +120,13 @@ def _objects_of_tile(tile: EdgeTile, height: np.ndarray, survey: EdgePoints,
         if not tile.owns(foot[None])[0] or not survey.within(foot[None])[0] or axis.diameter > settings.max_diameter:
             continue
         near = np.array(tree.query_ball_point(foot, AROUND.reach + 0.5), int)
-        around = hanging_parts(place[near], height[near], axis, stem.high,
-                              survey.body(points["time"][stem.rows]).mean(axis=0))
+        seen_from = survey.body(points["time"][stem.rows]).mean(axis=0)
+        around = hanging_parts(place[near], height[near], axis, stem.high, seen_from)
+        beside = _beside_board(place[stem.rows], around.board)
+        if beside is not None:
+            axis = fit_axis(place[stem.rows[beside]], survey.body(points["time"][stem.rows[beside]]))
+            foot = axis.at(ground)
+            around = hanging_parts(place[near], height[near], axis, stem.high, seen_from)
         short = stem.high - stem.low < LIMITS.post and not around.crown
         wall = around.straight and around.wall > LIMITS.wall * len(stem.rows)
         if short or wall or max(around.top, stem.high) < settings.min_height:
@@ -117,6 +135,15 @@ def _objects_of_tile(tile: EdgeTile, height: np.ndarray, survey: EdgePoints,
         found.append(_object(stem, axis, np.array([*foot, ground]), around, crowd,
                              len(np.unique(points["drive"][stem.rows])), survey.corner, settings))
     return _without_doubles(found)
+
+
+def _beside_board(place: np.ndarray, board: Board | None) -> np.ndarray | None:
+    """Rows of a stem's points (n, 3) over and under its board, whose points beside a thin post pass for the post's;
+    None where there is no board, or too little of the post without it."""
+    if board is None:
+        return None
+    rows = np.flatnonzero(np.abs(place[:, 2] - board.centre[2]) > board.height / 2.0 + LIMITS.frame)
+    return rows if len(rows) >= LIMITS.few and np.ptp(place[rows, 2]) > LIMITS.bare else None
 
 
 def _crowd(place: np.ndarray, height: np.ndarray, stem: Stem, axis: StemAxis) -> float:

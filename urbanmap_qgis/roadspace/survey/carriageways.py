@@ -12,7 +12,7 @@ import shapely
 from ...errors import InputError
 from ...wording import say
 from ..road_records import RoadFinding
-from ..road_surface import ClosingLimits, surface_of
+from ..road_surface import ClosingLimits, OpenEdgesError, surface_of
 from .area_records import EdgeLine
 
 
@@ -63,13 +63,22 @@ def carriageways_between(edges: Sequence[EdgeLine]) -> Carriageways:
     measured = shapely.union_all(lines)
     findings: list[RoadFinding] = []
     bridges = _bridges(edges, findings)
-    surface = surface_of([*lines, *bridges], ClosingLimits(touch=LIMITS.on))
+    try:
+        surface = surface_of([*lines, *bridges], ClosingLimits(touch=LIMITS.on))
+    except OpenEdgesError as error:
+        raise InputError(_one_sided()) from error
     polygons = [polygon for polygon in surface.polygons if 2.0 * polygon.area / polygon.length > LIMITS.narrow]
     if not polygons:
-        raise InputError(say("The edges enclose no carriageway: the survey shows one side of the road only."))
+        raise InputError(_one_sided())
     known = shapely.union_all([measured, *bridges])
     ends = [end for polygon in polygons for end in _ends_of(polygon, known)]
     return Carriageways(tuple(polygons), measured, tuple(ends), (*findings, *surface.findings))
+
+
+def _one_sided() -> str:
+    """Why there is no carriageway."""
+    return say("The edges enclose no carriageway: of no road the survey shows both edges all along. Give the drives of "
+               "both directions together.")
 
 
 def _thinned(edge: EdgeLine) -> np.ndarray:
