@@ -31,6 +31,7 @@ class WallMatchLimits:
     small_rotation: float = 1.0
     facing: float = 0.94
     coplanar: float = 0.1  # Walls whose ends lie this near to the line of a larger one, m, are of its plane.
+    over: float = 0.3  # Share of a wall's own length times height from which on another lies over it.
     step: float = 0.3  # Walls whose depth differs by more than this, m, have a step between them.
     # A step is looked for in gaps between walls up to this wide, m: in a wider one its place is not known.
     step_gap: float = 2.0
@@ -227,23 +228,41 @@ def _coplanar(first: MeasuredWall, other: MeasuredWall) -> bool:
 
 
 def _summed(first: MeasuredWall, parts: Sequence[MeasuredWall]) -> MeasuredWall:
-    """Walls of one plane as one: the line through all of them, weighted by their lengths."""
+    """Walls of one plane as one: the line through those that do not lie over each other, weighted by their areas.
+
+    What lies over a larger one (panes in their frames, panels) is at a depth of its own and holds no line.
+    """
     if len(parts) == 1:
         return first
+    holding = _apart(first, parts)
     shares = np.linspace(0.0, 1.0, 9)
     places = np.concatenate([wall.point + np.outer(wall.left + shares * (wall.right - wall.left), wall.along)
-                             for wall in parts])
-    weight = np.repeat([wall.right - wall.left for wall in parts], len(shares))
+                             for wall in holding])
+    weight = np.repeat([wall.area for wall in holding], len(shares))
     centre = (weight[:, None] * places).sum(axis=0) / weight.sum()
     away = places - centre
     along = np.linalg.eigh(np.einsum("n,ni,nj->ij", weight, away, away))[1][:, 1]
     along = along if along @ first.along > 0 else -along
-    extent = away @ along
+    extent = np.concatenate([(wall.point + end * wall.along - centre)[None] @ along for wall in parts
+                             for end in (wall.left, wall.right)])
     area = np.array([wall.area for wall in parts])
     return replace(first, point=centre, normal=np.array([along[1], -along[0]]), left=float(extent.min()),
                    right=float(extent.max()), foot=min(wall.foot for wall in parts),
                    top=max(wall.top for wall in parts), area=float(area.sum()),
                    rmse=float(np.sqrt(np.average([wall.rmse**2 for wall in parts], weights=area))))
+
+
+def _apart(first: MeasuredWall, parts: Sequence[MeasuredWall]) -> list[MeasuredWall]:
+    """The largest wall, and those of which larger ones cover less than a good part, each by its length and height."""
+    holding: list[MeasuredWall] = []
+    boxes: list[shapely.Polygon] = []
+    for wall in sorted(parts, key=lambda wall: (wall is not first, -wall.area, wall.number)):
+        ends = [float((wall.point + end * wall.along - first.point) @ first.along) for end in (wall.left, wall.right)]
+        own = shapely.box(min(ends), wall.foot, max(ends), wall.top)
+        if not boxes or shapely.intersection(own, shapely.union_all(boxes)).area <= LIMITS.over * own.area:
+            holding.append(wall)
+            boxes.append(own)
+    return holding
 
 
 def _union(spans: np.ndarray) -> np.ndarray:
