@@ -57,7 +57,8 @@ class RoadModel(UrbanMapAlgorithm):
                         source_type=line)
         self.add_vector("TOPS", "Upper edges", "Upper edges of “Road edges”: heights of steps by place. Without them "
                         "a kerb has its median height all along.", optional=True, source_type=line)
-        self.add_polygons("LANES", "Lanes", "Lanes of “Lane map”.", optional=True)
+        self.add_polygons("LANES", "Lanes", "Lanes of “Lane map”; where one edge of a road was seen, they tell how far "
+                          "its carriageway goes.", optional=True)
         self.add_vector("STOP_LINES", "Stop lines", "Lines of “Lines from road markings”, of which the stop lines are "
                         "taken, or a layer of stop lines.", optional=True, source_type=line)
         self.add_raster("GROUND", "Ground elevation", "Heights in metres of what lies more than half a metre from "

@@ -14,6 +14,7 @@ from ...wording import say
 from ..road_records import RoadFinding
 from ..road_surface import ClosingLimits, OpenEdgesError, surface_of
 from .area_records import EdgeLine
+from .one_sided import one_sided_carriageways
 
 
 @dataclass(frozen=True)
@@ -42,20 +43,26 @@ class Carriageways:
     measured : all measured lines as one geometry.
     ends : lines (2, 2) across the road where the survey ends.
     findings : on the way.
+    open_sides : borders that are no kerb, as nobody saw what lies beyond.
     """
 
     polygons: tuple[shapely.Polygon, ...]
     measured: shapely.Geometry
     ends: tuple[np.ndarray, ...]
     findings: tuple[RoadFinding, ...]
+    open_sides: shapely.Geometry
 
 
-def carriageways_between(edges: Sequence[EdgeLine]) -> Carriageways:
-    """Carriageways between measured edges.
+def carriageways_between(edges: Sequence[EdgeLine], lanes: Sequence[shapely.Polygon] = ()) -> Carriageways:
+    """Carriageways between measured edges, and between an edge and lanes where the other edge was not seen.
+
+    Parameters
+    ----------
+    lanes : plan polygons, m.
 
     Raises
     ------
-    InputError : there is no edge, or the edges enclose nothing.
+    InputError : there is no edge, or the edges enclose nothing and no lanes lie beside them.
     """
     if not edges:
         raise InputError(say("There are no kerbs or road borders among the edges: give the lines of “Road edges”."))
@@ -63,22 +70,31 @@ def carriageways_between(edges: Sequence[EdgeLine]) -> Carriageways:
     measured = shapely.union_all(lines)
     findings: list[RoadFinding] = []
     bridges = _bridges(edges, findings)
-    try:
-        surface = surface_of([*lines, *bridges], ClosingLimits(touch=LIMITS.on))
-    except OpenEdgesError as error:
-        raise InputError(_one_sided()) from error
-    polygons = [polygon for polygon in surface.polygons if 2.0 * polygon.area / polygon.length > LIMITS.narrow]
-    if not polygons:
-        raise InputError(_one_sided())
+    polygons, told = _between_two([*lines, *bridges])
     known = shapely.union_all([measured, *bridges])
     ends = [end for polygon in polygons for end in _ends_of(polygon, known)]
-    return Carriageways(tuple(polygons), measured, tuple(ends), (*findings, *surface.findings))
+    whole = [shapely.linestrings(edge.plan) for edge in edges]
+    others = one_sided_carriageways([*whole, *bridges], lanes, polygons)
+    if not polygons and not others.polygons:
+        raise InputError(_one_sided())
+    return Carriageways((*polygons, *others.polygons), measured, (*ends, *others.ends),
+                        (*findings, *told, *others.findings), others.open_sides)
+
+
+def _between_two(lines: Sequence[shapely.LineString]) -> tuple[list[shapely.Polygon], tuple[RoadFinding, ...]]:
+    """Polygons that lines enclose, and findings; none where they enclose nothing."""
+    try:
+        surface = surface_of(lines, ClosingLimits(touch=LIMITS.on))
+    except OpenEdgesError:
+        return [], ()
+    polygons = [polygon for polygon in surface.polygons if 2.0 * polygon.area / polygon.length > LIMITS.narrow]
+    return polygons, surface.findings if polygons else ()
 
 
 def _one_sided() -> str:
     """Why there is no carriageway."""
-    return say("The edges enclose no carriageway: of no road the survey shows both edges all along. Give the drives of "
-               "both directions together.")
+    return say("The edges enclose no carriageway: of no road the survey shows both edges all along, and no lanes tell "
+               "how far one goes. Give the drives of both directions together, or lanes.")
 
 
 def _thinned(edge: EdgeLine) -> np.ndarray:

@@ -133,12 +133,12 @@ def _name_ways(net: _Net, ways: Carriageways, cut: Sequence[CutJunctions], findi
         for number in _inside(net, polygon):
             net.kinds[number] = CARRIAGEWAY
         own = [number for number in range(len(net.faces)) if net.kinds[number] == CARRIAGEWAY and net.roads[number] < 0]
-        for members in _between_cuts(net, own, junctions):
-            surface = shapely.union_all([net.faces[number] for number in members])
+        groups = _between_cuts(net, own, junctions)
+        surfaces = [shapely.union_all([net.faces[number] for number in members]) for members in groups]
+        meeting = _where_roads_meet(surfaces, junctions)
+        for members, surface, nodes in zip(groups, surfaces, meeting):
             if surface.area < LIMITS.sliver:
                 continue  # it goes to a neighbour in the end
-            nodes = [node for node in junctions.junctions
-                     if shapely.intersects(surface, shapely.multipoints(node.places))]
             net.pieces.append(_piece(surface, nodes, findings))
             for number in members:
                 net.roads[number] = len(net.pieces) - 1
@@ -154,6 +154,23 @@ def _name_ways(net: _Net, ways: Carriageways, cut: Sequence[CutJunctions], findi
                 findings.append(RoadFinding("island not shown", say(
                     "The edges leave out a part of the carriageway here of which less than half of the border was "
                     "measured: look whether it is an island."), x, y))
+
+
+def _where_roads_meet(surfaces: Sequence[shapely.Geometry], cut: CutJunctions) -> list[list]:
+    """The junctions of each surface: that on which most of a junction's cuts border.
+
+    Where the survey ends within a junction, the middle lines may meet beyond a cut.
+    """
+    meeting: list[list] = [[] for _ in surfaces]
+    borders = [shapely.buffer(surface.boundary, 5 * GRID) for surface in surfaces]
+    for number, node in enumerate(cut.junctions):
+        cuts = [shapely.linestrings(one.line) for one in cut.cuts if one.junction == number]
+        places = shapely.multipoints(node.places)
+        found = [(sum(shapely.length(shapely.intersection(line, border)) > 0.5 * line.length for line in cuts),
+                  bool(shapely.intersects(surface, places)), surface.area)
+                 for surface, border in zip(surfaces, borders)]
+        meeting[max(range(len(found)), key=found.__getitem__)].append(node)
+    return meeting
 
 
 def _between_cuts(net: _Net, numbers: list[int], junctions: CutJunctions) -> list[list[int]]:
@@ -222,6 +239,7 @@ def _name_beside(net: _Net, ways: Carriageways, official: Sequence[shapely.Polyg
     whole = shapely.union_all(list(ways.polygons))
     kerbs = whole.boundary
     ends = shapely.union_all([shapely.linestrings(end) for end in ways.ends]) if ways.ends else None
+    kerbs = shapely.difference(kerbs, shapely.buffer(ways.open_sides, 5 * GRID))
     if ends is not None:
         kerbs = shapely.difference(kerbs, shapely.buffer(ends, 5 * GRID))
     for number in _inside(net, shapely.union_all(list(official))):

@@ -41,10 +41,11 @@ LIMITS = StopCutLimits()
 
 @dataclass(frozen=True, eq=False)
 class JunctionCut:
-    """A cut across an arm: line (2, 2), m, and whether it is a stop line's extension."""
+    """A cut across an arm: line (2, 2), m, whether it is a stop line's extension, and the number of its junction."""
 
     line: np.ndarray
     at_stop_line: bool
+    junction: int
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,16 +72,16 @@ def junction_cuts(polygon: shapely.Polygon, stops: Sequence[shapely.LineString],
         smooth = whole
     junctions = junctions_of(skeleton_of(smooth))
     cuts = []
-    for junction in junctions:
+    for number, junction in enumerate(junctions):
         arms = {arm.key: arm for arm in junction.arms}
         for cut in junction.cuts:
             corner = np.vstack([_curve_end(whole, point, arms[cut.arm]) for point in (cut.left, cut.right)])
             stop = _stop_cut(arms[cut.arm], cut.place, stops, whole)
-            cuts.append(JunctionCut(corner if stop is None else stop, stop is not None))
+            cuts.append(JunctionCut(corner if stop is None else stop, stop is not None, number))
         for arm in junction.uncut:
             stop = _stop_cut(arm, 0.0, stops, whole)
             if stop is not None:
-                cuts.append(JunctionCut(stop, True))
+                cuts.append(JunctionCut(stop, True, number))
     return CutJunctions(tuple(cuts), tuple(junctions))
 
 

@@ -46,7 +46,7 @@ def surveyed_roads(edges: Sequence[EdgeLine], level: str, inputs: SurveyInputs |
         raise InputError(say("There is no level {level}: choose one of {levels}.", level=level,
                              levels=", ".join(LEVELS)))
     inputs = inputs or SurveyInputs()
-    ways = carriageways_between(edges)
+    ways = carriageways_between(edges, inputs.lanes)
     progress.step(0.2)
     fine = level in WITH_LANES
     cuts = [junction_cuts(polygon, inputs.stops if fine else (), _islands(polygon)) for polygon in ways.polygons]
