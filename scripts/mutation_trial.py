@@ -27,6 +27,7 @@ import json
 import os
 import random
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -43,13 +44,14 @@ from scripts.source_tree import CORE, modules, own_imports, parsed  # noqa: E402
 
 KEPT = ROOT / "build" / "mutation"
 TESTS = "tests/core"
+NOTICED = ("caught", "hangs")
 KINDS = ("operator", "comparison", "branch", "constant")
 COPIED = (CORE, "tests", "scripts", "algorithms", "resources", "docs")
 COPIED_FILES = ("__init__.py", "metadata.txt", "pyproject.toml", "README.md", "requirements.txt", "Makefile")
 QUICK, SLOW = "not slow", "slow"  # marks of tests
 STRUCTURE = "test_structure.py"  # reads the sources and runs none
 SLICE = 12  # test files that are measured in one run
-START_SECONDS = 90.0  # of Python, the packages and what fixtures make anew, on a busy machine
+START_SECONDS = 60.0  # of Python, the packages and what fixtures make anew
 
 OPERATORS = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.FloorDiv: ast.Mult,
              ast.Mod: ast.Mult, ast.Pow: ast.Mult, ast.MatMult: ast.Mult, ast.BitAnd: ast.BitOr, ast.BitOr: ast.BitAnd,
@@ -198,11 +200,18 @@ def copy_checkout(folder: Path) -> None:
 
 
 def pytest_in(folder: Path, arguments: list[str], limit: float | None = None, **variables: str) -> tuple[int, str]:
-    """Exit status and output of pytest in a copy; raises `subprocess.TimeoutExpired` after `limit` seconds."""
+    """Exit status and output of pytest in a copy; raises `subprocess.TimeoutExpired` after `limit` seconds of work.
+
+    What counts are the processor's seconds, as the machine may be busy; one that sleeps ends after ten times as long.
+    """
     environment = dict(os.environ, PYTHONDONTWRITEBYTECODE="1", PYTHONPATH=str(folder), **variables)
-    done = subprocess.run(
-        [sys.executable, "-m", "pytest", "-q", "--no-header", "-p", "no:cacheprovider", *arguments], cwd=folder,
-        env=environment, capture_output=True, text=True, check=False, timeout=limit)
+    command = [sys.executable, "-m", "pytest", "-q", "--no-header", "-p", "no:cacheprovider", *arguments]
+    if limit:
+        command = ["prlimit", f"--cpu={round(limit)}:{round(limit) + 5}", *command]
+    done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, check=False,
+                          timeout=10 * limit if limit else None)
+    if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
+        raise subprocess.TimeoutExpired(command, limit)
     return done.returncode, done.stdout + done.stderr
 
 
@@ -297,7 +306,7 @@ def tests_of(change: Change, reach: dict[str, dict], users: dict[str, set[str]])
 
 
 def try_change(change: Change, folder: Path, tests: list[tuple[float, str]], budget: float) -> tuple[str, int]:
-    """"caught", "survived" or "not reached", and the number of tests chosen."""
+    """"caught", "hangs", "survived" or "not reached", and the number of tests chosen."""
     chosen, seconds = [], 0.0
     for lasted, test in tests:
         if chosen and seconds + lasted > budget:
@@ -312,7 +321,7 @@ def try_change(change: Change, folder: Path, tests: list[tuple[float, str]], bud
     try:
         status, _ = pytest_in(folder, ["-x", *chosen], limit=3 * seconds + START_SECONDS)
     except subprocess.TimeoutExpired:
-        status = 1  # it hangs: that is noticed
+        return "hangs", len(chosen)  # that is noticed
     finally:
         path.write_bytes(source)
     return ("caught" if status else "survived"), len(chosen)
@@ -349,7 +358,7 @@ def table(results: list[tuple[Change, str]]) -> str:
     for change, outcome in results:
         for row in (change.kind, "all", *(["all without constants"] if change.kind != "constant" else [])):
             of[row] += 1
-            caught[row] += outcome == "caught"
+            caught[row] += outcome in NOTICED
     rows = [f"| {row} | {caught[row]} | {of[row]} | {100 * caught[row] / of[row]:.0f} % |"
             for row in (*KINDS, "all without constants", "all") if of[row]]
     return "\n".join(["| kind | caught | of | share |", "|---|---|---|---|", *rows])
@@ -373,7 +382,7 @@ def trial(drawn: list[Change], folder: Path, given: argparse.Namespace, marks: s
     reach, outcomes, results = measured_reach(folder, marks, until), Outcomes(folder, given.seed), []
     for number, change in enumerate(drawn, 1):
         before = outcomes.of(change, QUICK) if marks == SLOW else None
-        known = before if before and before[0] == "caught" else outcomes.of(change, marks)
+        known = before if before and before[0] in NOTICED else outcomes.of(change, marks)
         if known is None:
             if time.monotonic() > until:
                 sys.exit(f"{len(drawn) - number + 1} changes are left: run the same command again.")
@@ -407,7 +416,7 @@ def main() -> None:
             results = trial(drawn, folder, given, SLOW, until)
     print(f"\nSeed {given.seed}, {len(drawn)} of {of} possible changes\n\n{table(list(zip(drawn, results)))}")
     for number, (change, outcome) in enumerate(zip(drawn, results), 1):
-        if outcome != "caught":
+        if outcome not in NOTICED:
             print(f"{number:3d} {outcome:11s} {change.kind:10s} {change.module.partition('.')[2]}:{change.line} "
                   f"{change.old} -> {change.text}")
 
