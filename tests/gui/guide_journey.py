@@ -1,38 +1,22 @@
 """Runs inside QGIS's desktop (`qgis --code`): the dock from dropped files to loaded results, noted for the tests.
 
-URBANMAP_GUIDE names a JSON file: "city" (folder to drop), "report" (file to write after each step), "pictures" (a
-folder or "").
+URBANMAP_GUIDE names a JSON file: "city" (folder to drop), "report" (file to write after each step), "helpers"
+(folder of `inside_qgis`), "pictures" (a folder or "").
 """
 
 from __future__ import annotations
 
 import json
 import os
+import sys
 import time
-import traceback
 from pathlib import Path
 
 TASK = json.loads(Path(os.environ["URBANMAP_GUIDE"]).read_text(encoding="utf-8"))
 CITY = Path(TASK["city"])
-PATIENCE = 90.0
+sys.path.insert(0, TASK["helpers"])
 
-
-def settle(seconds: float = 0.05) -> None:
-    """Let the windows work."""
-    from qgis.PyQt.QtCore import QEventLoop, QTimer
-
-    loop = QEventLoop()
-    QTimer.singleShot(int(1000 * seconds), loop.quit)
-    loop.exec()
-
-
-def wait_until(done, what: str) -> None:
-    """Let the windows work until something is so."""
-    end = time.monotonic() + PATIENCE
-    while not done():
-        if time.monotonic() > end:
-            raise TimeoutError(what)
-        settle()
+from inside_qgis import settle, steps_done, wait_until  # noqa: E402
 
 
 def plugin():
@@ -313,25 +297,13 @@ def unloaded() -> dict:
     return {"left": left, "again": plugin().guide.isVisible()}
 
 
-RAISED: list[str] = []
 STEPS = (opened, dropped, planned, ran, reopened, tuned, cancelled, unticked, used, imported, placed, unloaded)
 
 
 def travel() -> None:
     """Do the steps, write the report, end QGIS."""
-    from qgis import utils
-
-    report = {}
-    settle(1.0)
-    # QGIS would wait in a window for somebody to read it.
-    utils.showException = lambda *told, **_named: RAISED.append("".join(traceback.format_exception(*told[:3])))
-    for step in STEPS:
-        try:
-            report[step.__name__] = step()
-        except BaseException:
-            report[step.__name__] = {"error": traceback.format_exc()}
-        report["raised"] = RAISED
-        Path(TASK["report"]).write_text(json.dumps(report, default=str), encoding="utf-8")
+    for _ in steps_done(STEPS, Path(TASK["report"])):
+        pass
     os._exit(0)  # QGIS would ask about the unsaved project
 
 

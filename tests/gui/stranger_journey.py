@@ -1,26 +1,22 @@
 """Runs inside QGIS's desktop (`qgis --code`): what a stranger does with the dock, noted for the tests.
 
 URBANMAP_STRANGER names a JSON file: "city" (folder with blanks and Japanese letters), "moved" (where it goes later),
-"report" (file to write after each step), "helpers" (the script whose small helpers are used).
+"report" (file to write after each step), "helpers" (folder of `inside_qgis`).
 """
 
 from __future__ import annotations
 
-import importlib.util
 import json
 import os
 import shutil
 import sys
-import traceback
 from pathlib import Path
 
 TASK = json.loads(Path(os.environ["URBANMAP_STRANGER"]).read_text(encoding="utf-8"))
 CITY, MOVED = Path(TASK["city"]), Path(TASK["moved"])
-SPEC = importlib.util.spec_from_file_location("urbanmap_way", TASK["helpers"])
-WAY = importlib.util.module_from_spec(SPEC)
-sys.modules[SPEC.name] = WAY
-SPEC.loader.exec_module(WAY)
-settle, wait_until = WAY.settle, WAY.wait_until
+sys.path.insert(0, TASK["helpers"])
+
+from inside_qgis import settle, steps_done, wait_until  # noqa: E402
 
 
 def plugin():
@@ -257,27 +253,14 @@ def closed_while_running() -> dict:
     return {"busy": busy, "asked": asked, "states": states(), "told": guide.steps.told.text()}
 
 
-RAISED: list[str] = []
 STEPS = (twice, bare, over_itself, by_relative_paths, stopped_and_resumed, moved_with_its_data, updated_while_running,
          updated_with_open_dialogs, closed_while_running)
 
 
 def travel() -> None:
     """Do the steps and write the report; the last one ends QGIS."""
-    from qgis import utils
-
-    report = {}
-    settle(1.0)
-    # QGIS would wait in a window for somebody to read it.
-    utils.showException = lambda *told, **_named: RAISED.append("".join(traceback.format_exception(*told[:3])))
-    for step in STEPS:
-        try:
-            report[step.__name__] = step()
-        except BaseException:
-            report[step.__name__] = {"error": traceback.format_exc()}
-        report["raised"] = RAISED
-        Path(TASK["report"]).write_text(json.dumps(report, default=str), encoding="utf-8")
-        if "error" in report[step.__name__]:
+    for result in steps_done(STEPS, Path(TASK["report"])):
+        if "error" in result:
             os._exit(3)  # QGIS would ask about the unsaved project
 
 

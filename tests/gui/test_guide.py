@@ -21,7 +21,8 @@ def told(small_city, tmp_path_factory):
     shutil.copytree(small_city, folder / "city")
     profile = profile_with_packages(folder)
     (folder / "task.json").write_text(json.dumps({
-        "city": str(folder / "city"), "report": str(folder / "report.json"), "pictures": ""}), encoding="utf-8")
+        "city": str(folder / "city"), "report": str(folder / "report.json"),
+        "helpers": str(Path(__file__).parent), "pictures": ""}), encoding="utf-8")
     try:
         windows().open_desktop(Path(__file__).with_name("guide_journey.py"), folder, profile,
                                URBANMAP_GUIDE=str(folder / "task.json"))

@@ -25,7 +25,7 @@ def sitting(small_city, tmp_path_factory):
     profile = profile_with_packages(folder)
     (folder / "task.json").write_text(json.dumps({
         "city": str(city), "moved": str(folder / "移動先 2" / "第 3 工区"), "report": str(folder / "report.json"),
-        "helpers": str(Path(__file__).with_name("whole_journey.py"))}), encoding="utf-8")
+        "helpers": str(Path(__file__).parent)}), encoding="utf-8")
     ended, started = "", time.monotonic()
     try:
         windows().open_desktop(Path(__file__).with_name("stranger_journey.py"), folder, profile,

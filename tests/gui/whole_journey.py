@@ -29,24 +29,11 @@ PLUGIN, SIZE = "urbanmap_qgis", 100.0
 PATIENCE = 900.0
 LONGEST = 3600.0
 """s; one step, and the whole way, on a busy machine."""
+TASK = json.loads(Path(os.environ["URBANMAP_WAY"]).read_text(encoding="utf-8")) if "URBANMAP_WAY" in os.environ else {}
+if TASK:
+    sys.path.insert(0, TASK["helpers"])
 
-
-def settle(seconds: float = 0.05) -> None:
-    """Let the windows work."""
-    from qgis.PyQt.QtCore import QEventLoop, QTimer
-
-    loop = QEventLoop()
-    QTimer.singleShot(int(1000 * seconds), loop.quit)
-    loop.exec()
-
-
-def wait_until(done, what: str, patience: float = PATIENCE) -> None:
-    """Let the windows work until something is so."""
-    end = time.monotonic() + patience
-    while not done():
-        if time.monotonic() > end:
-            raise TimeoutError(what)
-        settle()
+from inside_qgis import settle, wait_until  # noqa: E402
 
 
 class Way:
@@ -121,7 +108,7 @@ class Way:
         dialog.show()
         self.picture("02_packages", dialog)
         dialog.start()
-        wait_until(lambda: dialog.task is None, "packages were not installed")
+        wait_until(lambda: dialog.task is None, "packages were not installed", PATIENCE)
         self.picture("02_packages_installed", dialog)
         dialog.close()
         assert plugins[PLUGIN] and not dialog.missing, dialog.label.text()
@@ -167,7 +154,7 @@ class Way:
         ended = []
         window.algorithmFinished.connect(lambda succeeded, results: ended.append((succeeded, results)))
         window.runButton().click()
-        wait_until(lambda: ended, f"{name} did not end")
+        wait_until(lambda: ended, f"{name} did not end", PATIENCE)
         self.picture(name, window)
         assert ended[0][0], f"{name} failed"
         return dict(ended[0][1])
@@ -197,7 +184,7 @@ class Way:
         guide.steps.run.click()
         settle(2.0)
         self.picture(f"{name}_running")
-        wait_until(lambda: not guide.runner.busy(), f"{wish} did not end")
+        wait_until(lambda: not guide.runner.busy(), f"{wish} did not end", PATIENCE)
         self.picture(f"{name}_done")
         states = {step.id: [step.state, step.verdict or step.message] for step in guide.job.steps}
         assert all(state == "done" for state, _ in states.values()), states
@@ -361,7 +348,8 @@ def started_from_outside() -> int:
     settings = profile / "config/profiles/default/QGIS/QGIS3.ini"
     settings.write_text(settings.read_text(encoding="utf-8").replace(f"{PLUGIN}=true\n", ""), encoding="utf-8")
     task = {"folder": str(folder), "zip": str(given.zip.resolve()), "install": given.install,
-            "previous": str((given.previous or given.zip).resolve()), "packages": sysconfig.get_path("purelib")}
+            "previous": str((given.previous or given.zip).resolve()), "helpers": str(path.parents[1] / "tests" / "gui"),
+            "packages": sysconfig.get_path("purelib")}
     (folder / "task.json").write_text(json.dumps(task), encoding="utf-8")
     windows.open_desktop(Path(__file__).resolve(), folder, profile, LONGEST,
                          URBANMAP_WAY=str(folder / "task.json"))
@@ -371,10 +359,10 @@ def started_from_outside() -> int:
     return 0 if done and not report["raised"] else 1
 
 
-if "URBANMAP_WAY" in os.environ:
+if TASK:
     from qgis.PyQt.QtCore import QTimer
 
-    WAY = Way(json.loads(Path(os.environ["URBANMAP_WAY"]).read_text(encoding="utf-8")))
+    WAY = Way(TASK)
     QTimer.singleShot(500, lambda: WAY.travel())  # Qt would not keep the object of a bound method
 elif __name__ == "__main__":
     sys.exit(started_from_outside())
