@@ -87,10 +87,7 @@ class AdjustAls(UrbanMapAlgorithm):
                                  crs_wkt, shapely.points(made.points.true), "PointZ", style="control_residuals")
         if layer:
             results["OUTPUT_POINTS"] = layer
-        report = self.output_path(parameters, "OUTPUT_REPORT", context)
-        if report:
-            write_cloud_report(report, made)
-            results["OUTPUT_REPORT"] = str(report)
+        results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_cloud_report, made)
         return results
 
 

@@ -110,8 +110,5 @@ class AdjustFrames(UrbanMapAlgorithm):
                                  style="control_residuals")
         if layer:
             results["OUTPUT_POINTS"] = layer
-        report = self.output_path(parameters, "OUTPUT_REPORT", context)
-        if report:
-            write_control_report(report, made)
-            results["OUTPUT_REPORT"] = str(report)
+        results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_control_report, made)
         return results

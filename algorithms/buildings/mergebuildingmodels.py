@@ -197,10 +197,8 @@ class MergeBuildingModels(UrbanMapAlgorithm):
                               city_buildings(merged, columns, names), title="UrbanMap merged building models")
             write_model_cityjson(unfinished.enter_context(written_beside(path)), model, progress)
             results["OUTPUT_CITYJSON"] = str(path)
-        path = self.output_path(parameters, "OUTPUT_MESH", context)
-        if path is not None:
-            write_obj(path, city_buildings(merged, columns, names), progress=progress)
-            results["OUTPUT_MESH"] = str(path)
+        results |= self.write_file(parameters, "OUTPUT_MESH", context, write_obj,
+                                   city_buildings(merged, columns, names), progress=progress)
         return results
 
 

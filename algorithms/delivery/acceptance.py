@@ -128,14 +128,9 @@ class Acceptance(EdgeRuns, UrbanMapAlgorithm):
         job = self._job(parameters, context, table)
         patches = self._patches(parameters, context)
         results = {"OUTCOME": outcome(found), **self.write_edges(parameters, context, drawn)}
-        report = self.output_path(parameters, "OUTPUT_REPORT", context)
-        if report:
-            write_acceptance_report(report, points, found, limits, job, level, patches)
-            results["OUTPUT_REPORT"] = str(report)
-        rows = self.output_path(parameters, "OUTPUT_CSV", context)
-        if rows:
-            write_points_csv(rows, points)
-            results["OUTPUT_CSV"] = str(rows)
+        results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_acceptance_report, points, found,
+                                   limits, job, level, patches)
+        results |= self.write_file(parameters, "OUTPUT_CSV", context, write_points_csv, points)
         results.update(self.write_pdf(parameters, context, pdf_content(points, found, limits, level, patches), job))
         figures = point_figures(points.errors)
         numbers = {"POINTS": len(points), "RMSE_PLAN": figures.plan.rmse, "RMSE_HEIGHT": figures.height.rmse,

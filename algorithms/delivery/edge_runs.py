@@ -61,10 +61,7 @@ class EdgeRuns:
         job = self._job(parameters, context, models)
         results = {"OUTCOME": NOT_CHECKED, **self.write_edges(parameters, context, drawn),
                    **self.write_pdf(parameters, context, sampling_pdf_content(drawn), job)}
-        report = self.output_path(parameters, "OUTPUT_REPORT", context)
-        if report:
-            write_sampling_report(report, drawn, job)
-            results["OUTPUT_REPORT"] = str(report)
+        results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_sampling_report, drawn, job)
         return results
 
     def compare_with_points(self, parameters, context, models, progress) -> dict:
@@ -92,12 +89,7 @@ class EdgeRuns:
 
         job = self._job(parameters, context, models)
         results = self.write_pdf(parameters, context, edges_pdf_content(edges, found, limits, level, independent), job)
-        report = self.output_path(parameters, "OUTPUT_REPORT", context)
-        if report:
-            write_edges_report(report, edges, found, limits, job, level, independent)
-            results["OUTPUT_REPORT"] = str(report)
-        rows = self.output_path(parameters, "OUTPUT_CSV", context)
-        if rows:
-            write_compared_csv(rows, edges)
-            results["OUTPUT_CSV"] = str(rows)
+        results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_edges_report, edges, found, limits, job,
+                                   level, independent)
+        results |= self.write_file(parameters, "OUTPUT_CSV", context, write_compared_csv, edges)
         return results

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextlib import nullcontext
 from pathlib import Path
 
@@ -334,6 +334,15 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         """
         text = self.parameterAsFileOutput(parameters, name, context)
         return Path(text) if text else None
+
+    def write_file(self, parameters: Mapping, name: str, context: QgsProcessingContext, write: Callable, *content,
+                   **named) -> dict[str, str]:
+        """Write a file by `write(path, *content, **named)` where it is wanted; its place by the output's name."""
+        path = self.output_path(parameters, name, context)
+        if path is None:
+            return {}
+        write(path, *content, **named)
+        return {name: str(path)}
 
     def output_layer_path(self, parameters: Mapping, name: str, context: QgsProcessingContext,
                           style: str = "") -> Path | None:

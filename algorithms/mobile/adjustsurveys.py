@@ -105,10 +105,7 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
                                 self._reference(parameters, context, crs, progress), self._run(parameters, context),
                                 read_calibration(calibration) if calibration else None, progress.part(0.0, 0.95))
         results = self._write_layers(parameters, context, result, crs, progress)
-        report = self.output_path(parameters, "OUTPUT_REPORT", context)
-        if report:
-            write_network_report(report, result)
-            results["OUTPUT_REPORT"] = str(report)
+        results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_network_report, result)
         targets[0].parent.mkdir(parents=True, exist_ok=True)
         for drive, like, target in zip(result.drives, files, targets):
             write_trajectory_file(target, like, drive.corrected, crs, context)

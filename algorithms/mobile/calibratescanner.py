@@ -95,8 +95,5 @@ class CalibrateScanner(DriveInputs, UrbanMapAlgorithm):
                                  style="boresight_corrections", progress=progress)
         if table:
             results["OUTPUT_TABLE"] = table
-        report = self.output_path(parameters, "OUTPUT_REPORT", context)
-        if report:
-            write_boresight_report(report, made)
-            results["OUTPUT_REPORT"] = str(report)
+        results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_boresight_report, made)
         return results

@@ -65,10 +65,8 @@ class CheckAccuracy(UrbanMapAlgorithm):
         results["POINTS_USED"] = len(used)
         results["OUTPUT"] = self._write_residuals(parameters, context, used, list(errors.values()),
                                                   crs or reported.crs_wkt or "", progress)
-        report = self.output_path(parameters, "OUTPUT_REPORT", context)
-        if report:
-            write_accuracy_report(report, used, errors, left_out, adjusted)
-            results["OUTPUT_REPORT"] = str(report)
+        results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_accuracy_report, used, errors, left_out,
+                                   adjusted)
         return results
 
     def _write_residuals(self, parameters, context, control, errors, crs, progress):

@@ -137,10 +137,8 @@ class RegisterMms(UrbanMapAlgorithm):
             parameters, "OUTPUT", context, trajectory, result.trajectory, crs)}
         for write in (self._write_patches, self._write_disagreements):
             results.update(write(parameters, context, result, crs, progress))
-        report = self.output_path(parameters, "OUTPUT_REPORT", context)
-        if report:
-            write_registration_report(report, result, reference, self.raster_path(parameters, "IMAGE", context))
-            results["OUTPUT_REPORT"] = str(report)
+        results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_registration_report, result, reference,
+                                   self.raster_path(parameters, "IMAGE", context))
         return results
 
     def _run(self, parameters, context, reference):

@@ -96,10 +96,7 @@ class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgo
                                               shapely.points(place), "PointZ", "localisation_accuracy",
                                               progress.part(0.9, 1.0))}
         self._raster(parameters, context, result, crs, results)
-        report = self.output_path(parameters, "OUTPUT_REPORT", context)
-        if report is not None:
-            write_localisation_report(report, city, result, check)
-            results["OUTPUT_REPORT"] = str(report)
+        results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_localisation_report, city, result, check)
         if check is not None:
             results |= {"RANK": _number(check.rank), "INSIDE": _number(check.inside)}
         known = np.isfinite(result.ellipse.major)

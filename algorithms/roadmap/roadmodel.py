@@ -119,6 +119,7 @@ class RoadModel(UrbanMapAlgorithm):
         from ...urbanmap_qgis.roadspace.road_city import known_functions
         from ...urbanmap_qgis.roadspace.road_model import Structures, build_road_model, with_functions
         from ...urbanmap_qgis.roadspace.road_surface import surface_of
+        from .road_report import write_road_report
 
         progress = self.progress(feedback)
         if self.parameterAsString(parameters, "LOD", context) != FROM_ROADS:
@@ -134,12 +135,7 @@ class RoadModel(UrbanMapAlgorithm):
         folder = self.output_path(parameters, "OUTPUT_CITYGML", context)
         if folder is not None:
             results["OUTPUT_CITYGML"] = self._write_citygml(parameters, context, folder, built, table, progress)
-        report = self.output_path(parameters, "OUTPUT_REPORT", context)
-        if report is not None:
-            from .road_report import write_road_report
-
-            write_road_report(report, built)
-            results["OUTPUT_REPORT"] = str(report)
+        results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_road_report, built)
         return {**results, "SURFACES": len(built.pieces), "JUNCTIONS": built.count("junction"),
                 "FINDINGS": len(built.findings)}
 

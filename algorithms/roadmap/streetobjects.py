@@ -81,6 +81,7 @@ class StreetObjects(UrbanMapAlgorithm):
         import numpy as np
 
         from ...urbanmap_qgis.roadmap.objects.object_records import MEASURED, ObjectSettings
+        from .object_report import write_object_report
 
         progress = self.progress(feedback)
         paths, crs, read = read_survey(self, parameters, context, progress)
@@ -93,12 +94,7 @@ class StreetObjects(UrbanMapAlgorithm):
         folder = self.output_path(parameters, "OUTPUT_CITYGML", context)
         if folder is not None:
             results["OUTPUT_CITYGML"] = self._write_citygml(parameters, context, folder, found, crs, progress)
-        report = self.output_path(parameters, "OUTPUT_REPORT", context)
-        if report is not None:
-            from .object_report import write_object_report
-
-            write_object_report(report, found, read.trajectory)
-            results["OUTPUT_REPORT"] = str(report)
+        results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_object_report, found, read.trajectory)
         sigmas = [thing.sigma for thing in found.objects if thing.status == MEASURED]
         return {**results, "OBJECTS": len(found.objects), "DOUBTFUL": len(found.objects) - len(sigmas),
                 "MEDIAN_SIGMA": float(np.median(sigmas)) if sigmas else None}

@@ -102,6 +102,7 @@ def compute_surveyed(algorithm, parameters, context, progress):
     from ...urbanmap_qgis.io.raster import RasterSampler
     from ...urbanmap_qgis.roadspace.road_records import RoadSurfaceModel
     from ...urbanmap_qgis.roadspace.survey.survey_roads import surveyed_roads
+    from .road_report import write_survey_report
 
     edges, inputs, table = read_survey_roads(algorithm, parameters, context, progress.part(0.0, 0.1))
     ground = algorithm.raster_path(parameters, "GROUND", context)
@@ -123,11 +124,6 @@ def compute_surveyed(algorithm, parameters, context, progress):
         write_survey_citygml(folder, model, table.crs_wkt, algorithm.delivery(parameters, context, progress),
                              progress.part(0.8, 0.95))
         results["OUTPUT_CITYGML"] = str(folder)
-    report = algorithm.output_path(parameters, "OUTPUT_REPORT", context)
-    if report is not None:
-        from .road_report import write_survey_report
-
-        write_survey_report(report, model)
-        results["OUTPUT_REPORT"] = str(report)
+    results |= algorithm.write_file(parameters, "OUTPUT_REPORT", context, write_survey_report, model)
     return {**results, "SURFACES": len(model.pieces), "JUNCTIONS": built.count("junction"),
             "FINDINGS": len(model.findings)}

@@ -7,6 +7,7 @@ from ..aerial.roadmarkingsfromorthophoto import RoadMarkingsFromOrthophoto
 from ..aerial.surfacefromals import SurfaceFromAls
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
+from ..framework.running.chain import GivenParameters
 
 
 class AerialMarkings(UrbanMapAlgorithm):
@@ -47,10 +48,7 @@ class AerialMarkings(UrbanMapAlgorithm):
         self.add_from(OrthorectifyFrames, "HOLE_AREA")
 
     def compute(self, parameters, context, feedback):
-        given = {name: parameters[name] for name in parameters if parameters[name] is not None}
-
-        def pick(*names):
-            return {name: given[name] for name in names if name in given}
+        given = GivenParameters(parameters)
 
         def destination(name, file):
             return given.get(name) or self.temporary_file(context, file)
@@ -62,10 +60,10 @@ class AerialMarkings(UrbanMapAlgorithm):
                   OUTPUT=self.temporary_file(context, "surface.tif"),
                   OUTPUT_GROUND=destination("OUTPUT_GROUND", "ground.tif"))
         wanted = {"OUTPUT_SHIFTS": given.get("OUTPUT_SHIFTS") or "TEMPORARY_OUTPUT",
-                  "OUTPUT_COUNT": self.temporary_file(context, "frames.tif")} if report else pick("OUTPUT_SHIFTS")
-        ortho = run("orthorectifyframes", **pick("FRAMES", "CAMERA", "EXTERIOR", "FOOTPRINTS", "RESOLUTION",
-                                                 "FILTER_VEHICLES", "METHOD", "EVEN_EXPOSURE", "OCCLUSION", "MASKS",
-                                                 "ANGLE_ORDER", "ANGLE_UNIT", "WORKERS"),
+                  "OUTPUT_COUNT": self.temporary_file(context, "frames.tif")} if report else given.pick("OUTPUT_SHIFTS")
+        ortho = run("orthorectifyframes", **given.pick("FRAMES", "CAMERA", "EXTERIOR", "FOOTPRINTS", "RESOLUTION",
+                                                       "FILTER_VEHICLES", "METHOD", "EVEN_EXPOSURE", "OCCLUSION",
+                                                       "MASKS", "ANGLE_ORDER", "ANGLE_UNIT", "WORKERS"),
                     **wanted, GROUND=als["OUTPUT_GROUND"], DSM=als["OUTPUT"],
                     OUTPUT=destination("OUTPUT_ORTHOPHOTO", "orthophoto.tif"))
         facts = {"SHIFTS": ortho["OUTPUT_SHIFTS"], "FRAME_COUNT": ortho["OUTPUT_COUNT"],
@@ -73,8 +71,8 @@ class AerialMarkings(UrbanMapAlgorithm):
         paper = self.parameterAsString(parameters, "METHOD", context) == "paper"
         method = "paper" if paper else self.parameterAsString(parameters, "MARKING_METHOD", context)
         found = run("roadmarkingsfromorthophoto", METHOD=method,
-                    **pick("ROADS", "BLOCK_SIZE", "CONTRAST", "MIN_CONFIDENCE", "WORKERS", "OUTPUT", "OUTPUT_POLYGONS",
-                           "OUTPUT_REPORT"),
+                    **given.pick("ROADS", "BLOCK_SIZE", "CONTRAST", "MIN_CONFIDENCE", "WORKERS", "OUTPUT",
+                                 "OUTPUT_POLYGONS", "OUTPUT_REPORT"),
                     **facts, INPUT=ortho["OUTPUT"], GROUND=als["OUTPUT_GROUND"])
         results = {"OUTPUT": found["OUTPUT"], "COUNT": found["COUNT"], "HOLE_AREA": ortho["HOLE_AREA"],
                    "OUTPUT_ORTHOPHOTO": ortho["OUTPUT"], "OUTPUT_GROUND": als["OUTPUT_GROUND"]}

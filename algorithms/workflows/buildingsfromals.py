@@ -7,6 +7,7 @@ from ..buildings.roofpolygons import PAPER, RoofPolygons
 from ..buildings.segmentbuildings import SegmentBuildings
 from ..buildings.segmentroofs import SegmentRoofs
 from ..framework.base import UrbanMapAlgorithm
+from ..framework.running.chain import GivenParameters
 
 
 class BuildingsFromAls(UrbanMapAlgorithm):
@@ -41,26 +42,22 @@ class BuildingsFromAls(UrbanMapAlgorithm):
         self.add_from(BuildingModels, "BUILDINGS", "MODELLED", "RMSE_Z95")
 
     def compute(self, parameters, context, feedback):
-        given = {name: parameters[name] for name in parameters if parameters[name] is not None}
-
-        def pick(*names):
-            return {name: given[name] for name in names if name in given}
-
+        given = GivenParameters(parameters)
         as_paper = self.parameterAsString(parameters, "METHOD", context) == PAPER
         stage_method = PAPER if as_paper else "full"
         run = self.child_runner(context, feedback, 4)
-        buildings = run("segmentbuildings", **pick("POINTS", "FOOTPRINTS", "GROUND", "EXPANSION", "MAX_DISPLACEMENT",
-                                                   "WORKERS"), METHOD=stage_method,
+        buildings = run("segmentbuildings", **given.pick("POINTS", "FOOTPRINTS", "GROUND", "EXPANSION",
+                                                         "MAX_DISPLACEMENT", "WORKERS"), METHOD=stage_method,
                         OUTPUT=self.temporary_file(context, "buildings.laz"), OUTPUT_BUILDINGS="TEMPORARY_OUTPUT")
-        roofs = run("segmentroofs", **pick("ROOFS", "MIN_ROOF_AREA", "PARAPET_THRESHOLD", "HEIGHT_RMSE",
-                                            "PLANE_TOLERANCE", "WORKERS"),
+        roofs = run("segmentroofs", **given.pick("ROOFS", "MIN_ROOF_AREA", "PARAPET_THRESHOLD", "HEIGHT_RMSE",
+                                                  "PLANE_TOLERANCE", "WORKERS"),
                     METHOD=stage_method, POINTS=[buildings["OUTPUT"]],
                     FOOTPRINTS=buildings["OUTPUT_BUILDINGS"], OUTPUT=self.temporary_file(context, "roofs.laz"),
                     OUTPUT_ROOFS="TEMPORARY_OUTPUT")
-        polygons = run("roofpolygons", **pick("METHOD", "ROOFS", "HEIGHT", "MIN_LINE_POINTS", "WORKERS"),
+        polygons = run("roofpolygons", **given.pick("METHOD", "ROOFS", "HEIGHT", "MIN_LINE_POINTS", "WORKERS"),
                        POINTS=[roofs["OUTPUT"]], FOOTPRINTS=buildings["OUTPUT_BUILDINGS"], OUTPUT="TEMPORARY_OUTPUT")
-        models = run("buildingmodels", **pick("GROUND", "BASE_FIELD", "WORKERS", "OUTPUT", "OUTPUT_SURFACES",
-                                              "OUTPUT_CITYJSON", "OUTPUT_REPORT", "OUTPUT_MESH"),
+        models = run("buildingmodels", **given.pick("GROUND", "BASE_FIELD", "WORKERS", "OUTPUT", "OUTPUT_SURFACES",
+                                                    "OUTPUT_CITYJSON", "OUTPUT_REPORT", "OUTPUT_MESH"),
                      ROOFS=polygons["OUTPUT"], FOOTPRINTS=buildings["OUTPUT_BUILDINGS"], POINTS=[roofs["OUTPUT"]],
                      ROOF_SHAPE=self.parameterAsString(parameters, "ROOFS", context))
         return {name: models[name] for name in models if name in {item.name() for item in self.outputDefinitions()}}

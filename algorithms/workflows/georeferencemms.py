@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.layers.point_outputs import check_points_output
+from ..framework.running.chain import GivenParameters, files_read_once
 from ..mobile.applytrajectory import ApplyTrajectory
 from ..mobile.registermms import RegisterMms
 from ..mobile.roadmarkingsfrommms import RoadMarkingsFromMms
@@ -51,31 +52,24 @@ class GeoreferenceMms(UrbanMapAlgorithm):
         check_points_output(self, parameters, context)
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.io.files.read_once import read_once
-        from ...urbanmap_qgis.io.points.decoded_points import decoded_once
-
-        with decoded_once(), read_once():
+        with files_read_once():
             return self._run_stages(parameters, context, feedback)
 
     def _run_stages(self, parameters, context, feedback):
-        given = {name: parameters[name] for name in parameters if parameters[name] is not None}
-
-        def pick(*names):
-            return {name: given[name] for name in names if name in given}
-
+        given = GivenParameters(parameters)
         read_survey_and_reference(self, parameters, context, self.progress(feedback))
         run = self.child_runner(context, feedback, 3)
         points = self.parameterAsFileList(parameters, "POINTS", context)
-        markings = run("roadmarkingsfrommms", **pick("TRAJECTORY", *READING, "CALIBRATION", "METHOD", "WORKERS"),
+        markings = run("roadmarkingsfrommms", **given.pick("TRAJECTORY", *READING, "CALIBRATION", "METHOD", "WORKERS"),
                        POINTS=points, OUTPUT=self.temporary_file(context, "markings.laz"))
-        registered = run("registermms", **pick("TRAJECTORY", "MARKINGS", "GROUND", "IMAGE", "PATCH_LENGTH",
-                                               "WINDOW_PATCHES", "MAX_WINDOW_PATCHES", "FEATURE_COUNT", "SEARCH",
-                                               *ACCURACIES, *READING, "WORKERS", "METHOD", "BUILDINGS", "FEATURES",
-                                               "OUTPUT_PATCHES", "OUTPUT_STEPS", "OUTPUT_AREAS",
-                                               "OUTPUT_REPORT"),
+        registered = run("registermms", **given.pick("TRAJECTORY", "MARKINGS", "GROUND", "IMAGE", "PATCH_LENGTH",
+                                                     "WINDOW_PATCHES", "MAX_WINDOW_PATCHES", "FEATURE_COUNT",
+                                                     "SEARCH", *ACCURACIES, *READING, "WORKERS", "METHOD",
+                                                     "BUILDINGS", "FEATURES", "OUTPUT_PATCHES", "OUTPUT_STEPS",
+                                                     "OUTPUT_AREAS", "OUTPUT_REPORT"),
                          POINTS=[markings["OUTPUT"]], SURVEY=points,
                          OUTPUT=self.parameterAsFileOutput(parameters, "OUTPUT_TRAJECTORY", context))
-        moved = run("applytrajectory", **pick("TRAJECTORY", *READING, "IMAGES", "OUTPUT", "OUTPUT_IMAGES"),
+        moved = run("applytrajectory", **given.pick("TRAJECTORY", *READING, "IMAGES", "OUTPUT", "OUTPUT_IMAGES"),
                     POINTS=points, CORRECTED=registered["OUTPUT"])
         results = {name: registered[name] for name in (*FIGURES, "OUTPUT_PATCHES", "OUTPUT_STEPS", "OUTPUT_AREAS",
                                                        "OUTPUT_REPORT") if name in registered}

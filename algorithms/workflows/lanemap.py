@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..framework.base import UrbanMapAlgorithm
+from ..framework.running.chain import GivenParameters
 from ..roadmap.driven_paths import check_drives
 from ..roadmap.markinglines import MarkingLines
 from ..roadmap.vectormap import VectorMap
@@ -48,17 +49,13 @@ class LaneMap(UrbanMapAlgorithm):
         check_drives(self, parameters, context)
 
     def compute(self, parameters, context, feedback):
-        given = {name: parameters[name] for name in parameters if parameters[name] is not None}
-
-        def pick(*names):
-            return {name: given[name] for name in names if name in given}
-
-        renamed = {"MAX_WIDTH": given["MAX_LINE_WIDTH"]} if "MAX_LINE_WIDTH" in given else {}
+        given = GivenParameters(parameters)
         run = self.child_runner(context, feedback, 2)
-        lines = run("markinglines", **pick("MARKINGS", "POINTS", "POINTS_CRS", "GROUND", "SIGMA", "MIN_LENGTH"),
-                    **renamed, OUTPUT=given.get("OUTPUT_LINES") or "TEMPORARY_OUTPUT",
+        lines = run("markinglines", **given.pick("MARKINGS", "POINTS", "POINTS_CRS", "GROUND", "SIGMA", "MIN_LENGTH",
+                                                  MAX_WIDTH="MAX_LINE_WIDTH"),
+                    OUTPUT=given.get("OUTPUT_LINES") or "TEMPORARY_OUTPUT",
                     OUTPUT_AREAS=given.get("OUTPUT_AREAS") or "TEMPORARY_OUTPUT")
-        result = run("vectormap", **pick(*MAP_INPUTS, *MAP_SETTINGS, *MAP_ADVANCED, *LAYERS, *FILES),
+        result = run("vectormap", **given.pick(*MAP_INPUTS, *MAP_SETTINGS, *MAP_ADVANCED, *LAYERS, *FILES),
                      LINES=lines["OUTPUT"], AREAS=lines["OUTPUT_AREAS"])
         results = {name: result[name] for name in (*LAYERS, *FILES, *FIGURES) if name in result}
         results |= {name: lines[stage] for name, stage in (("OUTPUT_LINES", "OUTPUT"), ("OUTPUT_AREAS", "OUTPUT_AREAS"))

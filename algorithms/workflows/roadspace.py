@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..framework.base import UrbanMapAlgorithm
+from ..framework.running.chain import GivenParameters, files_read_once
 from ..roadmap.markinglines import MarkingLines
 from ..roadmap.roadedges import RoadEdges
 from ..roadmap.roadmodel import RoadModel
@@ -52,35 +53,25 @@ class RoadSpace(UrbanMapAlgorithm):
         self.add_from(StreetObjects, *OBJECT_FIGURES)
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.io.files.read_once import read_once
-        from ...urbanmap_qgis.io.points.decoded_points import decoded_once
-
-        with decoded_once(), read_once():
+        with files_read_once():
             return self._run_stages(parameters, context, feedback)
 
     def _run_stages(self, parameters, context, feedback):
-        given = {name: parameters[name] for name in parameters if parameters[name] is not None}
-
-        def pick(*names):
-            return {name: given[name] for name in names if name in given}
-
-        def wanted(**renamed):
-            return {name: given[own] for name, own in renamed.items() if own in given}
-
+        given = GivenParameters(parameters)
         run = self.child_runner(context, feedback, 5)
         survey = {"POINTS": self.parameterAsFileList(parameters, "POINTS", context),
-                  **pick("TRAJECTORY", "WIDTH", "SIGMA", *READING)}
+                  **given.pick("TRAJECTORY", "WIDTH", "SIGMA", *READING)}
         edges = run("roadedges", **survey, OUTPUT=given.get("OUTPUT_EDGES") or "TEMPORARY_OUTPUT",
                     OUTPUT_TOPS="TEMPORARY_OUTPUT")
-        objects = run("streetobjects", **survey, **pick("DATA_DATE"),
+        objects = run("streetobjects", **survey, **given.pick("DATA_DATE"),
                       OUTPUT=given.get("OUTPUT_OBJECTS") or "TEMPORARY_OUTPUT",
-                      **wanted(OUTPUT_CITYGML="OUTPUT_FURNITURE", OUTPUT_REPORT="OUTPUT_OBJECT_REPORT"))
-        lines = run("markinglines", **pick("MARKINGS", "GROUND"), OUTPUT="TEMPORARY_OUTPUT",
+                      **given.pick(OUTPUT_CITYGML="OUTPUT_FURNITURE", OUTPUT_REPORT="OUTPUT_OBJECT_REPORT"))
+        lines = run("markinglines", **given.pick("MARKINGS", "GROUND"), OUTPUT="TEMPORARY_OUTPUT",
                     OUTPUT_AREAS="TEMPORARY_OUTPUT")
-        lanes = run("vectormap", **pick("TRAFFIC"), LINES=lines["OUTPUT"], AREAS=lines["OUTPUT_AREAS"],
+        lanes = run("vectormap", **given.pick("TRAFFIC"), LINES=lines["OUTPUT"], AREAS=lines["OUTPUT_AREAS"],
                     EDGES=edges["OUTPUT"], TRAJECTORY=[given["TRAJECTORY"]],
                     **{name: given.get(name) or "TEMPORARY_OUTPUT" for name in LANE_LAYERS})
-        roads = run("roadmodel", **pick("ROADS", "GROUND", "FUNCTION", "DATA_DATE", *ROAD_LAYERS),
+        roads = run("roadmodel", **given.pick("ROADS", "GROUND", "FUNCTION", "DATA_DATE", *ROAD_LAYERS),
                     LOD=self.parameterAsString(parameters, "LOD", context),
                     EDGES=edges["OUTPUT"], TOPS=edges["OUTPUT_TOPS"], LANES=lanes["OUTPUT_LANES"],
                     STOP_LINES=lines["OUTPUT"])

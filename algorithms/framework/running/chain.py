@@ -1,0 +1,28 @@
+"""What the chains of stages share: parameters that were given, and files that are read once by all stages."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+
+
+class GivenParameters(dict):
+    """The parameters of a chain that have a value, by name."""
+
+    def __init__(self, parameters: Mapping):
+        super().__init__((name, parameters[name]) for name in parameters if parameters[name] is not None)
+
+    def pick(self, *names: str, **renamed: str) -> dict:
+        """Those of some names; `renamed` ones, stage's name = own name, under the name that the stage has for them."""
+        wanted = {**dict(zip(names, names)), **renamed}
+        return {name: self[own] for name, own in wanted.items() if own in self}
+
+
+@contextmanager
+def files_read_once() -> Iterator[None]:
+    """Points and tables that several stages read are read and decoded once."""
+    from ....urbanmap_qgis.io.files.read_once import read_once
+    from ....urbanmap_qgis.io.points.decoded_points import decoded_once
+
+    with decoded_once(), read_once():
+        yield
