@@ -95,7 +95,7 @@ def _list(report, found) -> None:
     report.section(tr("List of changes"))
     rows = [(number + 1, tr(one.kind), tr(one.element) if one.element else tr("whole map"), one.before, one.after,
              one.length, one.shift, one.along, one.across, one.sigma, one.significance,
-             *(Fixed.of(value, 1) for value in one.place), one.old_id, one.new_id)
+             *(Fixed.of(value, 1) for value in one.middle), one.old_id, one.new_id)
             for number, one in enumerate(found.changes[:CHANGES_SHOWN])]
     report.table((tr("No."), tr("Kind"), tr("Element"), tr("Before"), tr("After"), tr("Length (m)"), tr("Shift (m)"),
                   tr("Along (m)"), tr("Across (m)"), tr("Sigma (m)"), tr("Shift over sigma"), "x", "y", tr("Old id"),

@@ -23,7 +23,7 @@ def ground(warmth, random, soil=0.0):
 def test_a_turning_cast_is_found_in_spite_of_soil():
     random = np.random.default_rng(1)
     cast = colour_cast_of(ground(lambda x, y: 0.001 * (x - 150), random, soil=0.25), 3.0)
-    warmth, green = cast.at(np.array([0.0, 150.0, 300.0]), np.array([150.0, 150.0, 150.0]))
+    warmth, green = cast.evaluated(np.array([0.0, 150.0, 300.0]), np.array([150.0, 150.0, 150.0]))
     assert np.ptp(warmth) == pytest.approx(0.3, abs=0.02) and warmth[2] > warmth[0]
     assert np.abs(green).max() == 0
 

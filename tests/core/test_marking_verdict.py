@@ -17,7 +17,7 @@ from urbanmap_qgis.aerial.markings.marking_verdict import marking_verdict
 from urbanmap_qgis.aerial.markings.road_model import RoadModel
 from urbanmap_qgis.io.pages.report import BAD, GOOD, LOOK
 
-USUAL = SearchTally(seen=10 ** 6, narrow=10 ** 5, kept=50_000, unsure=40_000, clear=600_000, smooth=300_000,
+USUAL = SearchTally(seen=10 ** 6, narrow=10 ** 5, painted=50_000, unsure=40_000, clear=600_000, smooth=300_000,
                  straight=20_000, straight_unsure=5_000)
 
 
@@ -105,7 +105,7 @@ def test_pieces_are_counted_in_the_rows_and_columns_asked_for():
     good = inside % 100 >= 40
     whole = slice(0, 50), slice(0, 100)
     made = evidence_of_pieces(inside, labels, everything, good, mask.shape, whole, 0.1)
-    assert (made.narrow, made.kept, made.unsure) == (129, 60, 69)
+    assert (made.narrow, made.painted, made.unsure) == (129, 60, 69)
     assert (made.straight, made.straight_unsure) == (120, 60)
     parts = [evidence_of_pieces(inside, labels, everything, good, mask.shape, (whole[0], part), 0.1)
              for part in (slice(0, 33), slice(33, 100))]

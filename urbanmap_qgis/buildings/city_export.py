@@ -144,19 +144,19 @@ def _rows_of(solid: Solid, index: tuple[cKDTree, np.ndarray]) -> list[int | None
     return [int(rows[place]) if off <= SAME else None for off, place in zip(distance, number)]
 
 
-def _with_rows(solid: Solid, surfaces: SurfaceRows, own: Sequence[int | None]) -> Solid:
-    """A solid with the types and roofs that its faces' `own` rows say."""
+def _with_rows(solid: Solid, surfaces: SurfaceRows, face_rows: Sequence[int | None]) -> Solid:
+    """A solid with the types and roofs that its faces' `face_rows` say."""
     kinds, roofs = list(solid.surface_type), list(solid.roof_id)
-    for face, row in enumerate(own):
+    for face, row in enumerate(face_rows):
         if row is not None:
             kinds[face] = surfaces.types[row] or kinds[face]
             roofs[face] = surfaces.roofs[row]
     return replace(solid, surface_type=tuple(kinds), roof_id=tuple(roofs))
 
 
-def _remarks(surfaces: SurfaceRows, own: Sequence[int | None]) -> list[Mapping[str, Any]]:
-    """Further attributes of each face from its `own` row."""
-    return [{} if row is None or not surfaces.remarks else surfaces.remarks[row] for row in own]
+def _remarks(surfaces: SurfaceRows, face_rows: Sequence[int | None]) -> list[Mapping[str, Any]]:
+    """Further attributes of each face from its row among `face_rows`."""
+    return [{} if row is None or not surfaces.remarks else surfaces.remarks[row] for row in face_rows]
 
 
 def _level(source: BuildingSource) -> str:

@@ -158,7 +158,7 @@ def _model_piece(piece: tuple[np.ndarray, ModelPiece]) -> tuple[np.ndarray, list
         try:
             models.append(model_building(number, block.outlines[place], block.notes[place], block.roofs[place], base,
                                          points, block.sloped, block.source[place], float(block.open_share[place]),
-                                         *([] if block.cover is None else [block.cover.at(place)])))
+                                         *([] if block.cover is None else [block.cover.of_outline(place)])))
         except Cancelled:
             raise
         except Exception as error:  # one building's trouble is not the others'

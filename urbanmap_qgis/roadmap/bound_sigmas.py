@@ -21,7 +21,7 @@ class SigmaLimits:
     # Without a line a bound may leave its course by this share of the way to the nearest one beyond the first metre,
     # as the centre lines of paint themselves do.
     growth: float = 0.01
-    held: float = 1.0  # m
+    free_distance: float = 1.0  # m
 
 
 LIMITS = SigmaLimits()
@@ -115,5 +115,5 @@ def _grown(course: _Course, ends: Sequence[tuple[float, float]]) -> np.ndarray:
             sigmas.append(course.sigma[row])
     nearest = np.argmin(ways, axis=0)[None]
     distance, sigma = (np.take_along_axis(np.array(one), nearest, axis=0)[0] for one in (ways, sigmas))
-    grown = np.hypot(sigma, LIMITS.growth * np.maximum(distance - LIMITS.held, 0.0))
+    grown = np.hypot(sigma, LIMITS.growth * np.maximum(distance - LIMITS.free_distance, 0.0))
     return np.where(np.isfinite(distance), grown, np.nan)

@@ -31,7 +31,7 @@ class JunctionLimits:
     bend : least turn at the end of a cut-off, degrees.
     skew : a cut from contact to contact leaves the road's cross direction by less, degrees; else it runs across the
         road from the farther contact.
-    apart : cuts of neighbouring junctions nearer to each other overlap, in widths of the road.
+    overlap : cuts of neighbouring junctions nearer to each other overlap, in widths of the road.
     """
 
     corner: float = 35.0
@@ -40,7 +40,7 @@ class JunctionLimits:
     bend: float = 8.0
     cut_off: float = 1.5
     skew: float = 50.0
-    apart: float = 0.1
+    overlap: float = 0.1
     reach: float = 0.8
 
 
@@ -216,7 +216,7 @@ def _flare_end(ring: Ring, points: list[tuple[float, float]], opposite: shapely.
     points : places and turns, from the corner outwards; longest : edge that is still one of a cut-off, m.
     """
     places = [points[0][0], *(place for place, turn in points[1:] if abs(turn) > np.radians(1.0))]
-    widths = shapely.distance(shapely.points(np.array([ring.at(place) for place in places])), opposite)
+    widths = shapely.distance(shapely.points(np.array([ring.points_at(place) for place in places])), opposite)
     turns = [0.0, *(turn for _, turn in points[1:] if abs(turn) > np.radians(1.0))]
     found = 0
     for number in range(1, len(places)):
@@ -253,8 +253,8 @@ def _cut(rings: tuple[Ring, ...], arm: Arm, left: Contact | None, right: Contact
     """The cut of an arm by its contacts; None where it has none."""
     if left is None and right is None:
         return None
-    one = None if left is None else rings[left[0]].at(left[1])
-    other = None if right is None else rings[right[0]].at(right[1])
+    one = None if left is None else rings[left[0]].points_at(left[1])
+    other = None if right is None else rings[right[0]].points_at(right[1])
     if one is not None and other is not None:
         direct = _placed(arm, one, other, "contacts")
         if direct is not None and arms > 3 and _skew(arm, direct) < limits.skew:
@@ -278,7 +278,7 @@ def _edge(rings: tuple[Ring, ...], side: np.ndarray) -> shapely.LineString:
     points = np.empty((len(side), 2))
     for number in np.unique(side[:, 0]).astype(int):
         on_ring = side[:, 0] == number
-        points[on_ring] = rings[number].at(side[on_ring, 1])
+        points[on_ring] = rings[number].points_at(side[on_ring, 1])
     return shapely.linestrings(points if len(points) > 1 else np.repeat(points, 2, axis=0))
 
 
@@ -313,7 +313,7 @@ def _overlapping(skeleton: Skeleton, found: list[Junction], limits: JunctionLimi
         if one is None or other is None or one[1] is other[1]:
             continue
         lines = [shapely.linestrings([cut.left, cut.right]) for cut, _ in (one, other)]
-        near = limits.apart * min(line.length for line in lines)
+        near = limits.overlap * min(line.length for line in lines)
         if one[0].place + other[0].place >= branch.length or shapely.distance(*lines) <= near:
             pairs.append((branch.start, branch.end))
     return pairs

@@ -72,7 +72,7 @@ class Ring:
         turns = angles - np.roll(angles, 1)
         return (turns + np.pi) % (2 * np.pi) - np.pi
 
-    def at(self, places: np.ndarray | float) -> np.ndarray:
+    def points_at(self, places: np.ndarray | float) -> np.ndarray:
         """Points (..., 2) at places along the ring, which may run over its ends."""
         within = np.mod(places, self.length)
         number = np.clip(np.searchsorted(self.places, within, side="right") - 1, 0, len(self.points) - 1)

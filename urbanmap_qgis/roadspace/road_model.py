@@ -142,16 +142,16 @@ def _smooth(polygon: shapely.Polygon) -> shapely.Polygon:
     return smooth if smooth.geom_type == "Polygon" and smooth.is_valid and not smooth.is_empty else polygon
 
 
-def _junction_piece(piece: shapely.Polygon, here: list[Junction], findings: list[RoadFinding]) -> RoadPiece:
+def _junction_piece(piece: shapely.Polygon, junctions: list[Junction], findings: list[RoadFinding]) -> RoadPiece:
     """A junction; one whose arms are not all cut is to be looked at."""
-    uncut = sum(len(junction.uncut) for junction in here)
-    arms = sum(len(junction.cuts) + len(junction.uncut) for junction in here)
-    if not uncut and len(here) == 1:
+    uncut = sum(len(junction.uncut) for junction in junctions)
+    arms = sum(len(junction.cuts) + len(junction.uncut) for junction in junctions)
+    if not uncut and len(junctions) == 1:
         return RoadPiece(piece, JUNCTION, np.nan, arms)
     text = say("{uncut} of {arms} roads that meet here have no corner at which to cut: cut them by hand.",
                uncut=uncut, arms=arms) if uncut else say("Two junctions that could not be parted: look whether they "
                                                          "are one.")
-    x, y = here[0].point.tolist()
+    x, y = junctions[0].point.tolist()
     findings.append(RoadFinding("arm not cut" if uncut else "junctions not parted", text, x, y))
     return RoadPiece(piece, JUNCTION, np.nan, arms, status="to look at", finding=text)
 

@@ -103,16 +103,16 @@ def _of_tile(scene: OrthophotoReader, rows: slice, columns: slice, levels: Level
                        all_touched=True)
     number[inner] = inside[inner]
     answer, count = _answer_of_cells(number.take(places), figures.cell, len(figures.pixels))
-    told = count > 0
+    answered = count > 0
     table = np.column_stack(list(figures.values.values()))
-    return AnsweredCells(tuple(figures.values), table[told], confidence[told], answer[told], answers.paint,
-                         count[told], spread_of(table[::max(len(table) // _SOME, 1)].T))
+    return AnsweredCells(tuple(figures.values), table[answered], confidence[answered], answer[answered], answers.paint,
+                         count[answered], spread_of(table[::max(len(table) // _SOME, 1)].T))
 
 
 def _answer_of_cells(number: np.ndarray, cell: np.ndarray, cells: int) -> tuple[np.ndarray, np.ndarray]:
     """Answer of each cell (from 0) by that (from 1; 0 for none) of most of its pixels' (n,), and how many these are."""
-    told = np.flatnonzero(number)
-    pairs, pixels = np.unique(np.stack([cell[told], number[told]]), axis=1, return_counts=True)
+    answered = np.flatnonzero(number)
+    pairs, pixels = np.unique(np.stack([cell[answered], number[answered]]), axis=1, return_counts=True)
     order = np.argsort(pixels, kind="stable")  # the most frequent comes last, and stays
     answer, count = np.zeros(cells, np.intp), np.zeros(cells, np.intp)
     answer[pairs[0][order]] = pairs[1][order] - 1

@@ -62,7 +62,7 @@ class ColourCast:
         """From fifteen numbers."""
         return cls(*numbers[:3], tuple(numbers[3:3 + _TERMS]), tuple(numbers[3 + _TERMS:]))
 
-    def at(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def evaluated(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Cast in warmth and green at places that go together, float32."""
         across, up = ((values - middle) / self.reach for values, middle in ((x, self.x), (y, self.y)))
         across, up = np.asarray(across, np.float32), np.asarray(up, np.float32)
@@ -76,7 +76,7 @@ class ColourCast:
     def removed(self, bands: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
         """Bands (3 and more, rows, columns) without the cast; whole numbers stay whole. `x`, `y` of the pixels,
         (rows, columns) or what broadcasts to it."""
-        warmth, green = self.at(x, y)
+        warmth, green = self.evaluated(x, y)
         corrected = bands.copy()
         kind = bands.dtype
         for band, gain in enumerate((1 - green / 3 + warmth / 2, 1 + 2 * green / 3, 1 - green / 3 - warmth / 2)):

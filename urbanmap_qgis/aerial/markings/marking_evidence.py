@@ -33,7 +33,7 @@ class SearchTally:
     seen, empty, full, colourless : pixels of the image; without any light; with a colour at the top of what its numbers
         can hold; with all colours alike.
     narrow : bright pixels that stand out on two sides.
-    kept, unsure : of these, taken for paint, and left out by their confidence alone.
+    painted, unsure : of these, taken for paint, and left out by their confidence alone.
     clear, smooth : pixels of ground without paint; of these, smooth, grey and as bright as around.
     colder : of `narrow` (round tiles counted again), where only a colour bluer than the ground's speaks against paint.
     straight, straight_unsure : pixels of slender straight pieces of `narrow`; of these, left out by their confidence.
@@ -44,7 +44,7 @@ class SearchTally:
     full: int = 0
     colourless: int = 0
     narrow: int = 0
-    kept: int = 0
+    painted: int = 0
     unsure: int = 0
     clear: int = 0
     smooth: int = 0
@@ -83,7 +83,7 @@ def evidence_of_pieces(inside: np.ndarray, labels: np.ndarray, accepted: np.ndar
     in_tile = ((rows >= counted[0].start) & (rows < counted[0].stop)
                & (columns >= counted[1].start) & (columns < counted[1].stop))
     straight = _slender(labels, rows, columns, pixel)[labels] & accepted & in_tile
-    return SearchTally(narrow=np.count_nonzero(in_tile), kept=np.count_nonzero(good & in_tile),
+    return SearchTally(narrow=np.count_nonzero(in_tile), painted=np.count_nonzero(good & in_tile),
                     unsure=np.count_nonzero(accepted & ~good & in_tile), straight=np.count_nonzero(straight),
                     straight_unsure=np.count_nonzero(straight & ~good))
 

@@ -280,7 +280,7 @@ def _tally(judged: JudgedPieces, by_rules: np.ndarray, good: np.ndarray, counted
     tally = evidence_of_pieces(inside, labels, accepted, by_rules, shape, counted, pixel)
     if np.array_equal(by_rules, good):
         return tally
-    return replace(tally, kept=evidence_of_pieces(inside, labels, accepted, good, shape, counted, pixel).kept)
+    return replace(tally, painted=evidence_of_pieces(inside, labels, accepted, good, shape, counted, pixel).painted)
 
 
 def _accepted(pieces: MarkingPieces, vehicles: np.ndarray, border: np.ndarray, pixel: float, settings: CleanSettings

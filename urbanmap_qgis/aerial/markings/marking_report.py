@@ -163,7 +163,7 @@ def _taken(report: Report, found: MarkingResult) -> None:
         return
     report.section("What was taken and rejected")
     report.facts({"Bright and narrow (share of the image)": evidence.narrow / max(evidence.seen, 1),
-                  "of these taken for paint": evidence.kept / evidence.narrow,
+                  "of these taken for paint": evidence.painted / evidence.narrow,
                   "of these left out by the ground beside them": evidence.unsure / evidence.narrow,
                   "Smooth grey share of the ground": evidence.smooth / max(evidence.clear, 1)})
 

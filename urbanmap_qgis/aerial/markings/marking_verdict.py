@@ -109,7 +109,7 @@ def _light(evidence: SearchTally) -> list[str]:
     if evidence.seen and evidence.colourless > LIMITS.colourless * evidence.seen:
         reasons.append(say("The image has no colours: earth, roofs and dry grass cannot be told from roads by their "
                            "colour, and more of them is taken for paint. Give roads."))
-    colder = _share(evidence.colder, evidence.colder + evidence.kept)
+    colder = _share(evidence.colder, evidence.colder + evidence.painted)
     if colder > LIMITS.colder:
         reasons.append(say("{colder:.0%} of what looks like paint is bluer than the road beside it and was left out: "
                            "the order of the colours may be wrong (blue for red), or the image has a warm cast.",

@@ -24,7 +24,7 @@ class SurroundingsLimits:
     coarsest: float = 4.0  # times the road's own: figures are cut there
     sides: tuple[float, ...] = (0.8, 1.5, 2.6)  # m to either side of a stroke
     along: tuple[float, ...] = (2.0, 3.5, 5.0, 7.0, 9.0, 11.0, 14.0)  # m before and behind
-    apart: tuple[float, ...] = (2.2, 2.7, 3.2, 3.7, 4.2)  # m at which neighbouring lines lie
+    spacings: tuple[float, ...] = (2.2, 2.7, 3.2, 3.7, 4.2)  # m at which neighbouring lines lie
     turned: float = 40.0  # degrees, directions in which lines are looked for to compare
     dark: float = 0.55  # times the road's brightness
     light: float = 1.4
@@ -158,22 +158,22 @@ def _of_ground(flat: np.ndarray, cells: Cells, around: _Around, model: RoadModel
     for half in _BOXES:
         name = f"{half:g}"
 
-        def at(values: np.ndarray, half: float = half) -> np.ndarray:
+        def box_total(values: np.ndarray, half: float = half) -> np.ndarray:
             return around.total(values, half).take(flat)
 
-        clear, whole = at(cells.clear), around.pixels(half)
+        clear, whole = box_total(cells.clear), around.pixels(half)
         some = np.maximum(clear, 1)
         figures["clear" + name] = clear / whole
-        figures["narrow" + name] = at(cells.narrow) / whole
-        figures["smooth" + name] = at(cells.smooth) / some
-        bright = at(cells.light) / some / level
+        figures["narrow" + name] = box_total(cells.narrow) / whole
+        figures["smooth" + name] = box_total(cells.smooth) / some
+        bright = box_total(cells.light) / some / level
         figures["light" + name] = np.minimum(bright, LIMITS.coarsest)
-        figures["dark" + name], figures["bright" + name] = at(dark) / some, at(light) / some
-        figures["uneven" + name] = np.sqrt(np.maximum(at(squares) / 16 / some / level - bright * bright, 0))
-        rough = np.sqrt(at(cells.rough) / some) / (2 + 2 * model.texture)
+        figures["dark" + name], figures["bright" + name] = box_total(dark) / some, box_total(light) / some
+        figures["uneven" + name] = np.sqrt(np.maximum(box_total(squares) / 16 / some / level - bright * bright, 0))
+        rough = np.sqrt(box_total(cells.rough) / some) / (2 + 2 * model.texture)
         figures["rough" + name] = np.minimum(rough, 2 * LIMITS.coarsest)
         if cells.red is not None:
-            red, green, blue = at(cells.red), at(cells.green), at(cells.blue)
+            red, green, blue = box_total(cells.red), box_total(cells.green), box_total(cells.blue)
             value = np.maximum((red + green + blue) / 3, 1e-6)
             figures["warm" + name] = np.clip((red - blue) / value - model.warmth, -1, 1)
             figures["green" + name] = np.clip((green - (red + blue) / 2) / value - model.green, -1, 1)
@@ -265,7 +265,7 @@ def _of_lines(rows: np.ndarray, columns: np.ndarray, across: np.ndarray, down: n
 
     mean, better = row(0.0)
     elsewhere = 0.5 * (row(LIMITS.turned)[0] + row(-LIMITS.turned)[0])
-    beside = [np.max([like(sign * across * far, sign * down * far) for far in LIMITS.apart], axis=0)
+    beside = [np.max([like(sign * across * far, sign * down * far) for far in LIMITS.spacings], axis=0)
               for sign in (1, -1)]
     bars = [np.max([like(sign * across * far, sign * down * far) for far in (0.8, 1.0, 1.2)], axis=0)
             for sign in (1, -1)]

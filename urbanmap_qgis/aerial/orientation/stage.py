@@ -97,15 +97,15 @@ def mean_of_points(points: ImagePoints, errors: np.ndarray) -> np.ndarray:
     return np.column_stack([np.bincount(points.point, axis, len(count)) for axis in errors.T]) / count[:, None]
 
 
-def residual_columns(made: FrameControl) -> dict[str, list]:
+def residual_columns(result: FrameControl) -> dict[str, list]:
     """Columns of the layer of residuals, a row for each point with coordinates; m, east and north."""
-    points, known = made.points, np.flatnonzero(made.points.known)
-    before, after = (mean_of_points(points, errors)[known] for errors in (made.before, made.adjusted.ground_error))
-    role = np.where(points.check, mark("check"), np.where(made.wrong, mark("wrong"), mark("control")))[known]
+    points, known = result.points, np.flatnonzero(result.points.known)
+    before, after = (mean_of_points(points, errors)[known] for errors in (result.before, result.adjusted.ground_error))
+    role = np.where(points.check, mark("check"), np.where(result.wrong, mark("wrong"), mark("control")))[known]
     seen = np.bincount(points.point, minlength=len(points.points))[known]
     columns = {"id": [points.points[number] for number in known], "role": role.tolist(), "frames": seen.tolist(),
                "plan_before": np.hypot(*before.T).tolist(), "plan_after": np.hypot(*after.T).tolist()}
-    for name, values in (("before", before), ("after", after), ("left_out", made.left_out[known])):
+    for name, values in (("before", before), ("after", after), ("left_out", result.left_out[known])):
         columns |= {f"east_{name}": values[:, 0].tolist(), f"north_{name}": values[:, 1].tolist()}
     return columns
 

@@ -258,10 +258,10 @@ def _apart(first: MeasuredWall, parts: Sequence[MeasuredWall]) -> list[MeasuredW
     boxes: list[shapely.Polygon] = []
     for wall in sorted(parts, key=lambda wall: (wall is not first, -wall.area, wall.number)):
         ends = [float((wall.point + end * wall.along - first.point) @ first.along) for end in (wall.left, wall.right)]
-        own = shapely.box(min(ends), wall.foot, max(ends), wall.top)
-        if not boxes or shapely.intersection(own, shapely.union_all(boxes)).area <= LIMITS.over * own.area:
+        box = shapely.box(min(ends), wall.foot, max(ends), wall.top)
+        if not boxes or shapely.intersection(box, shapely.union_all(boxes)).area <= LIMITS.over * box.area:
             holding.append(wall)
-            boxes.append(own)
+            boxes.append(box)
     return holding
 
 

@@ -44,11 +44,11 @@ def highest_near(xy: np.ndarray, points: np.ndarray, spacing: float) -> np.ndarr
     return top
 
 
-def high_corners(polygons: np.ndarray, own: np.ndarray, points: np.ndarray, spacing: float) -> np.ndarray:
-    """Corners (c, 2) of polygons (n,) on planes `own` (n, 3) that stand higher than any of the points (p, 3) near."""
+def high_corners(polygons: np.ndarray, planes: np.ndarray, points: np.ndarray, spacing: float) -> np.ndarray:
+    """Corners (c, 2) of polygons (n,) on their `planes` (n, 3) that stand higher than any of the points (p, 3) near."""
     xy, polygon = shapely.get_coordinates(polygons, return_index=True)
     node, corner = np.unique(xy, axis=0, return_inverse=True)
-    height = (xy * own[polygon, :2]).sum(axis=1) + own[polygon, 2]
+    height = (xy * planes[polygon, :2]).sum(axis=1) + planes[polygon, 2]
     return xy[height > highest_near(node, points, spacing)[corner.ravel()] + LIMITS.clearance]
 
 

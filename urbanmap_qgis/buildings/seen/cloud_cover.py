@@ -54,7 +54,7 @@ class CloudCover:
         """That of some of the outlines."""
         return CloudCover(self.density[rows], self.beyond[rows])
 
-    def at(self, row: int) -> tuple[float, float]:
+    def of_outline(self, row: int) -> tuple[float, float]:
         """Density and share of one outline."""
         return float(self.density[row]), float(self.beyond[row])
 

@@ -197,12 +197,12 @@ def _estimate(design: np.ndarray, observed: np.ndarray, noise: np.ndarray, block
         scatter = SIGMA_OF_MAD * float(np.median(np.abs(left))) * np.sqrt(len(values) / max(free, 1.0))
         unit = np.sqrt((free * scatter**2 + LIMITS.usual_noise) / (free + LIMITS.usual_noise))
         weight = (1.0 + (left / unit / LIMITS.forget) ** 2) ** -2.0
-        own = slice(layer, layer + len(satellites))
-        square = latent[own][heard] ** 2 + np.diag(covariance)[own][heard]
+        bias_columns = slice(layer, layer + len(satellites))
+        square = latent[bias_columns][heard] ** 2 + np.diag(covariance)[bias_columns][heard]
         deviation = max(np.sqrt((square.sum() + LIMITS.usual_count * LIMITS.usual_deviation**2)
                                 / (len(square) + LIMITS.usual_count)), LIMITS.least_deviation)
-    kept = design.shape[1]
-    return latent[:kept], covariance[:kept, :kept]
+    unknowns = design.shape[1]
+    return latent[:unknowns], covariance[:unknowns, :unknowns]
 
 
 def _block_means(design: np.ndarray, observed: np.ndarray, noise: np.ndarray,

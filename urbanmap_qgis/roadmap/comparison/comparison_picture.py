@@ -25,7 +25,7 @@ def whole_map(elements: Sequence[MapElement]) -> Extent:
 
 def change_extents(changes: Sequence[MapChange], most: int = 6) -> list[Extent]:
     """Windows about places with changes, those with the most changes first."""
-    places = [shapely.Point(one.place) for one in changes if len(one.points)]
+    places = [shapely.Point(one.middle) for one in changes if len(one.points)]
     areas = [place.buffer(2 * MARGIN) for place in places]
     clusters = [one for one in shapely.get_parts(shapely.union_all(areas)) if not one.is_empty]
     counts = [int(shapely.contains(one, places).sum()) for one in clusters]
@@ -53,7 +53,7 @@ def change_picture(old: Sequence[MapElement], new: Sequence[MapElement], changes
     for number, one in enumerate(changes):
         if len(one.points) and window.intersects(shapely.linestrings(one.points)):
             colour = COLOURS[one.kind]
-            x, y = np.clip(one.place, extent[:2], extent[2:])
+            x, y = np.clip(one.middle, extent[:2], extent[2:])
             parts.append(f'<path d="{path(one.points)}" fill="none" stroke="{colour}" stroke-width="3" '
                          'stroke-opacity="0.8"/>'
                          f'<text x="{(x - extent[0]) * scale + 4:.1f}" y="{(extent[3] - y) * scale - 3:.1f}" '

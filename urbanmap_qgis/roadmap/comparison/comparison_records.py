@@ -70,7 +70,7 @@ class MapChange:
         return float(np.hypot(self.east, self.north))
 
     @property
-    def place(self) -> np.ndarray:
+    def middle(self) -> np.ndarray:
         """Where it is (2,), m: the point in the middle of the list."""
         return self.points[len(self.points) // 2] if len(self.points) else np.full(2, np.nan)
 

@@ -132,7 +132,7 @@ class LineMatches:
     doubled: np.ndarray
 
 
-def line_matches(samples: LineSamples, own: Sequence[MapElement], other: Sequence[MapElement],
+def line_matches(samples: LineSamples, first: Sequence[MapElement], other: Sequence[MapElement],
                  reach: float) -> LineMatches:
     """Match samples of one map with lines of the other: on each section, at the least sum of squared distances.
 
@@ -146,12 +146,12 @@ def line_matches(samples: LineSamples, own: Sequence[MapElement], other: Sequenc
     count = len(samples.line)
     matched, across = np.full(count, -1), np.full(count, np.nan)
     nearest, doubled = np.full(count, np.inf), np.full(count, np.inf)
-    own_at, other_at = (_Sections(crossings(samples, lines, 2.0 * reach), count) for lines in (own, other))
+    own_at, other_at = (_Sections(crossings(samples, lines, 2.0 * reach), count) for lines in (first, other))
     beside = own_at.line != samples.line[own_at.sample]
     np.minimum.at(doubled, own_at.sample[beside], np.abs(own_at.offset[beside]))
     np.minimum.at(nearest, other_at.sample, np.abs(other_at.offset))
-    _, codes = np.unique([one.kind for one in (*own, *other)], return_inverse=True)
-    own_code, other_code = codes[:len(own)], codes[len(own):]
+    _, codes = np.unique([one.kind for one in (*first, *other)], return_inverse=True)
+    own_code, other_code = codes[:len(first)], codes[len(first):]
     for rows, columns in np.unique(np.column_stack([own_at.counts, other_at.counts]), axis=0):
         if not rows or not columns:
             continue

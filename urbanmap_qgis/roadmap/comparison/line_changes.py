@@ -29,7 +29,7 @@ class LineChangesLimits:
 LIMITS = LineChangesLimits()
 
 
-def missing_lines(samples: LineSamples, matches: LineMatches, own: Sequence[MapElement], other: Sequence[MapElement],
+def missing_lines(samples: LineSamples, matches: LineMatches, first: Sequence[MapElement], other: Sequence[MapElement],
                   area: shapely.Geometry | None) -> tuple[np.ndarray, np.ndarray]:
     """Samples (mask) that the other map lacks, and those that it lacks where it shows no road.
 
@@ -39,7 +39,7 @@ def missing_lines(samples: LineSamples, matches: LineMatches, own: Sequence[MapE
     """
     lacking = (matches.other < 0) & (matches.nearest > LIMITS.twin) & (matches.doubled > LIMITS.twin)
     half = np.array([bool(one.double) for one in other])
-    single = np.array([not one.double for one in own])
+    single = np.array([not one.double for one in first])
     at = np.flatnonzero(lacking)
     if half.any():
         sample, line, _ = crossings(samples.of(at), other, LIMITS.double)

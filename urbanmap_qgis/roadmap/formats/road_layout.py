@@ -119,17 +119,18 @@ def _end_on(nodes: list[np.ndarray], bounds: list[Bound], number: int, tip: int,
     """Move the end of a bound along it onto the line through a place; False where it runs beside that line."""
     chain = bounds[number].nodes[::-1] if tip else bounds[number].nodes
     end = nodes[chain[0]]
-    apart = [float((nodes[node][:2] - place) @ normal) for node in chain]
-    inwards = np.sign(apart[-1])
+    offsets = [float((nodes[node][:2] - place) @ normal) for node in chain]
+    inwards = np.sign(offsets[-1])
     # Nodes beyond the line fall away; the end and what lies well within stay.
-    kept = [chain[0], *(node for node, far in zip(chain[1:-1], apart[1:-1]) if far * inwards > ON_LINE), chain[-1]]
-    course = nodes[kept[1]][:2] - end[:2]
+    inner = (node for node, offset in zip(chain[1:-1], offsets[1:-1]) if offset * inwards > ON_LINE)
+    remaining = [chain[0], *inner, chain[-1]]
+    course = nodes[remaining[1]][:2] - end[:2]
     slope = float(course @ normal) / max(np.linalg.norm(course), LEAST_DIVISOR)
     if abs(slope) < BESIDE:
         return False
     step = course / max(np.linalg.norm(course), LEAST_DIVISOR)
-    nodes[chain[0]] = np.array([*(end[:2] - apart[0] / slope * step), end[2]])
-    bounds[number] = replace(bounds[number], nodes=kept[::-1] if tip else kept)
+    nodes[chain[0]] = np.array([*(end[:2] - offsets[0] / slope * step), end[2]])
+    bounds[number] = replace(bounds[number], nodes=remaining[::-1] if tip else remaining)
     return True
 
 

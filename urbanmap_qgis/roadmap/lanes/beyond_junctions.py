@@ -45,12 +45,12 @@ class _End:
     along: int
     at: float
 
-    def place(self, track: int) -> np.ndarray:
+    def track_end(self, track: int) -> np.ndarray:
         """Place (2,) at which a track ends here."""
         return self.section.tracks[track].point(self.at)[:2]
 
     def middle(self, strip: Strip) -> np.ndarray:
-        return (self.place(strip.right) + self.place(strip.left)) / 2.0
+        return (self.track_end(strip.right) + self.track_end(strip.left)) / 2.0
 
 
 def directions_beyond(sections: Sequence[tuple[RoadSection, Sequence[Strip]]]) -> int:
@@ -97,7 +97,7 @@ def _opposite(known: _End, end: _End, parting: int) -> bool:
     """Whether an end lies straight across, with a line where the one between the directions leads."""
     if known.outward @ end.outward > -np.cos(LIMITS.angle):
         return False
-    begin = known.place(parting)
+    begin = known.track_end(parting)
     normal = np.array([-known.outward[1], known.outward[0]])
     tracks = sorted({track for strip in end.strips for track in (strip.right, strip.left)})
     middles = [track for track in tracks if colour_of(end.section.tracks[track]) == "yellow"
@@ -105,7 +105,7 @@ def _opposite(known: _End, end: _End, parting: int) -> bool:
     inner = [track for track in middles if any(strip.left == track for strip in end.strips)
              and any(strip.right == track for strip in end.strips)]
     for track in inner or tracks:
-        way = end.place(track) - begin
+        way = end.track_end(track) - begin
         gap = way @ known.outward
         if 0.0 < gap < LIMITS.longest and abs(way @ normal) < LIMITS.beside + LIMITS.growth * gap:
             return True

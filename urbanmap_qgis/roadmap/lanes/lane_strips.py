@@ -182,13 +182,13 @@ def _cuts(runs, section: RoadSection, stops: Sequence[np.ndarray], settings: Map
     return cuts[keep]
 
 
-def _without_near(cuts: Sequence[float], apart: float) -> list[float]:
-    """Chainages in their order, those that lie nearer to each other than `apart` replaced by their mean.
+def _without_near(cuts: Sequence[float], least_distance: float) -> list[float]:
+    """Chainages in their order, those that lie nearer to each other than `least_distance` replaced by their mean.
 
     The first and the last stay two: a section has two ends.
     """
     remaining = sorted(cuts)
-    while len(remaining) > 2 and np.diff(remaining).min() < apart:
+    while len(remaining) > 2 and np.diff(remaining).min() < least_distance:
         k = int(np.argmin(np.diff(remaining)))
         remaining[k:k + 2] = [(remaining[k] + remaining[k + 1]) / 2.0]
     return remaining

@@ -47,13 +47,13 @@ class ArrowStatistics:
     ----------
     lanes : number of lanes that end at junctions.
     with_arrow : number of those with an arrow of any kind.
-    told : number of lanes whose arrow is told, by place in the approach.
+    with_turns : number of lanes whose arrow is told, by place in the approach.
     allowed : number of those that allow a turn, by place and turn.
     """
 
     lanes: int = 0
     with_arrow: int = 0
-    told: Mapping[str, int] = field(default_factory=dict)
+    with_turns: Mapping[str, int] = field(default_factory=dict)
     allowed: Mapping[tuple[str, str], int] = field(default_factory=dict)
 
     def painted(self) -> float:
@@ -66,7 +66,7 @@ class ArrowStatistics:
     def by_arrows(self, place: str, turn: str) -> float:
         """How likely an arrow that is painted but not told allows a turn, at least: less one sigma of the share, as few
         arrows tell little."""
-        usual, number = USUAL.get((place, turn), 0.0) * LIMITS.weight, self.told.get(place, 0) + LIMITS.weight
+        usual, number = USUAL.get((place, turn), 0.0) * LIMITS.weight, self.with_turns.get(place, 0) + LIMITS.weight
         share = (self.allowed.get((place, turn), 0) + usual) / number
         return max(share - math.sqrt(share * (1.0 - share) / (number + 1.0)), 0.0)
 
@@ -74,17 +74,17 @@ class ArrowStatistics:
 def arrow_statistics(built: VectorMap, approaches: Sequence[Sequence[int]],
                      turns_of: Mapping[int, set[str]]) -> ArrowStatistics:
     """Statistics of the lanes of approaches (numbers from left to right) with the turns that their arrows tell."""
-    told: dict[str, int] = {}
+    with_turns: dict[str, int] = {}
     allowed: dict[tuple[str, str], int] = {}
     for approach in approaches:
         for lane in approach:
             where = place_of(approach, lane)
-            told[where] = told.get(where, 0) + bool(turns_of[lane])
+            with_turns[where] = with_turns.get(where, 0) + bool(turns_of[lane])
             for turn in turns_of[lane]:
                 allowed[where, turn] = allowed.get((where, turn), 0) + 1
     lanes = [lane for approach in approaches for lane in approach]
-    return ArrowStatistics(len(lanes), sum(has_arrow(built, lane) or bool(turns_of[lane]) for lane in lanes), told,
-                           allowed)
+    with_arrow = sum(has_arrow(built, lane) or bool(turns_of[lane]) for lane in lanes)
+    return ArrowStatistics(len(lanes), with_arrow, with_turns, allowed)
 
 
 def place_of(approach: Sequence[int], lane: int) -> str:

@@ -160,9 +160,9 @@ def _allowed_turns(built: VectorMap, approach: _Side, turns_of: Mapping[int, set
     forced = forced_turns(approach.lanes, turns_of)
     allowed = {}
     for lane in approach.lanes:
-        told = turns_of[lane] or forced.get(lane)
-        if told:
-            allowed[lane] = dict.fromkeys(told, (CONFIDENCE.arrow, BY_ARROW))
+        painted = turns_of[lane] or forced.get(lane)
+        if painted:
+            allowed[lane] = dict.fromkeys(painted, (CONFIDENCE.arrow, BY_ARROW))
             continue
         turns = {"straight"}
         if not any_told and lane == approach.lanes[0]:

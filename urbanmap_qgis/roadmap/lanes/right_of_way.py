@@ -157,14 +157,14 @@ def _minor(one: _Road, other: _Road) -> str:
 def _roads(built: VectorMap, ways: dict[int, _Way]) -> dict[int, _Road]:
     """The road that each way comes from: its own approach with the one on the other side of the junction."""
     approaches = {number: _approach(built, way.source) for number, way in ways.items()}
-    made = {}
+    roads = {}
     for number, way in ways.items():
         along = {approaches[other] for other, one in ways.items() if abs(way.course @ one.course) > -LIMITS.opposite}
         lanes = max(len(row) for row in along)
         width = max(sum(built.lanes[lane].width for lane in row) for row in along)
         lined = sum(any(built.lanes[lane].stop_lines for lane in row) for row in along)
-        made[number] = _Road(lanes, width, len(along), lined)
-    return made
+        roads[number] = _Road(lanes, width, len(along), lined)
+    return roads
 
 
 def _approach(built: VectorMap, lane: int) -> tuple[int, ...]:

@@ -78,10 +78,10 @@ def hanging_parts(place: np.ndarray, height: np.ndarray, axis: StemAxis, stem_to
     stem_top : m above the ground, up to which the stem is thin.
     seen_from : (2,) where the survey passed, m: boards are told from this side.
     """
-    offset = place[:, :2] - axis.at(place[:, 2])
+    offset = place[:, :2] - axis.plan_at(place[:, 2])
     away = np.hypot(*offset.T)
-    own = _hanging(offset, height, away)
-    offset, away, up, place = offset[own], away[own], height[own], place[own]
+    hanging = _hanging(offset, height, away)
+    offset, away, up, place = offset[hanging], away[hanging], height[hanging], place[hanging]
     if not len(up):
         return HangingParts(stem_top, 0.0, None, 0.0, np.nan, np.nan, (0.0, 0.0))
     top = float(max(stem_top, np.percentile(up, 99.5)))
@@ -159,7 +159,7 @@ def _board(place: np.ndarray, beyond: np.ndarray, up: np.ndarray, axis: StemAxis
         middle = place[near].mean(axis=0)
     if np.sqrt(max(spread[0], 0.0)) > LIMITS.thick or abs(normal[2]) > LIMITS.upright:
         return None
-    return _outlined(place[near], normal, axis.at(middle[2]), seen_from)
+    return _outlined(place[near], normal, axis.plan_at(middle[2]), seen_from)
 
 
 def _wide_slabs(beyond: np.ndarray, up: np.ndarray) -> np.ndarray:

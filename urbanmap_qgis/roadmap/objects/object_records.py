@@ -68,7 +68,7 @@ class StemAxis:
     diameter: float
     sigma: np.ndarray
 
-    def at(self, height: np.ndarray | float) -> np.ndarray:
+    def plan_at(self, height: np.ndarray | float) -> np.ndarray:
         """Places (..., 2) of the axis at heights z, m."""
         return self.middle[:2] + (np.asarray(height)[..., None] - self.middle[2]) * self.lean
 

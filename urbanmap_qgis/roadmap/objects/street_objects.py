@@ -116,7 +116,7 @@ def _objects_of_tile(tile: EdgeTile, height: np.ndarray, survey: EdgePoints,
     for stem in find_stems(points, height, settings.max_diameter):
         axis = fit_axis(place[stem.rows], survey.body(points["time"][stem.rows]))
         ground = float(np.median(place[stem.rows, 2] - height[stem.rows]))
-        foot = axis.at(ground)
+        foot = axis.plan_at(ground)
         if not tile.owns(foot[None])[0] or not survey.within(foot[None])[0] or axis.diameter > settings.max_diameter:
             continue
         near = np.array(tree.query_ball_point(foot, AROUND.reach + 0.5), int)
@@ -125,7 +125,7 @@ def _objects_of_tile(tile: EdgeTile, height: np.ndarray, survey: EdgePoints,
         beside = _beside_board(place[stem.rows], around.board)
         if beside is not None:
             axis = fit_axis(place[stem.rows[beside]], survey.body(points["time"][stem.rows[beside]]))
-            foot = axis.at(ground)
+            foot = axis.plan_at(ground)
             around = hanging_parts(place[near], height[near], axis, stem.high, seen_from)
         short = stem.high - stem.low < LIMITS.post and not around.crown
         wall = around.straight and around.wall > LIMITS.wall * len(stem.rows)
@@ -148,7 +148,7 @@ def _beside_board(place: np.ndarray, board: Board | None) -> np.ndarray | None:
 
 def _crowd(place: np.ndarray, height: np.ndarray, stem: Stem, axis: StemAxis) -> float:
     """Points close beside a stem at its own heights, for each of its own."""
-    away = np.hypot(*(place[:, :2] - axis.at(place[:, 2])).T)
+    away = np.hypot(*(place[:, :2] - axis.plan_at(place[:, 2])).T)
     beside = (away > axis.diameter / 2.0 + AROUND.skin) & (away < axis.diameter / 2.0 + LIMITS.crowded)
     level = (height > stem.low) & (height < stem.high)
     return float(np.count_nonzero(beside & level) / len(stem.rows))
@@ -189,8 +189,8 @@ def _doubt(stem: Stem, kind: str, crowd: float, wall: int) -> str:
 def _without_doubles(found: list[StreetObject]) -> list[StreetObject]:
     """One object for stems that stand over each other: the one with the most points."""
     order = sorted(range(len(found)), key=lambda k: -found[k].points)
-    kept: list[int] = []
+    single: list[int] = []
     for k in order:
-        if all(np.hypot(*(found[k].foot - found[other].foot)[:2]) > LIMITS.same for other in kept):
-            kept.append(k)
-    return [found[k] for k in sorted(kept)]
+        if all(np.hypot(*(found[k].foot - found[other].foot)[:2]) > LIMITS.same for other in single):
+            single.append(k)
+    return [found[k] for k in sorted(single)]

@@ -77,21 +77,21 @@ def raised_areas(areas: Sequence[TrafficSurface], edges: EdgeHeights, level: str
     borders = {border for area in areas if area.kind in (CARRIAGEWAY, CROSSING, LANE) for border in _borders(area)}
     road = {corner for border in borders for corner in border}
     least = STEPS.get(level)
-    made, steps = [], []
+    raised, steps = [], []
     for number, area in enumerate(areas):
         corners = list(_corners(area))
-        foot = low.across(corners) if area.kind in (SIDEWALK, ISLAND) and least is None else low.at(corners)
+        foot = low.across(corners) if area.kind in (SIDEWALK, ISLAND) and least is None else low.heights_at(corners)
         if area.kind not in (SIDEWALK, ISLAND) or least is None:
-            made.append(replace(area, heights=dict(zip(corners, foot.tolist()))))
+            raised.append(replace(area, heights=dict(zip(corners, foot.tolist()))))
             continue
-        top, sigma = high.at(corners), low.sigma(corners)
+        top, sigma = high.heights_at(corners), low.sigma(corners)
         beside = np.array([corner in road for corner in corners], bool)
         step = beside & (top - foot >= least - np.maximum(LIMITS.sigmas * sigma, LIMITS.least_sigma))
-        own = np.where(beside & ~step, foot, top)
-        made.append(replace(area, heights=dict(zip(corners, own.tolist()))))
+        heights = np.where(beside & ~step, foot, top)
+        raised.append(replace(area, heights=dict(zip(corners, heights.tolist()))))
         feet = dict(zip(corners, foot.tolist()))
-        steps += [StepFace(ring, number, height) for ring, height in _faces(area, made[-1].heights, feet, borders)]
-    return made, steps
+        steps += [StepFace(ring, number, height) for ring, height in _faces(area, raised[-1].heights, feet, borders)]
+    return raised, steps
 
 
 def _corners(area: TrafficSurface) -> dict[tuple[float, float], None]:
@@ -113,19 +113,19 @@ def _borders(area: TrafficSurface) -> set[frozenset]:
     return {frozenset(side) for side in _sides(area)}
 
 
-def _faces(area: TrafficSurface, own: dict, feet: dict, road: set[frozenset]) -> list[tuple[np.ndarray, float]]:
+def _faces(area: TrafficSurface, heights: dict, feet: dict, road: set[frozenset]) -> list[tuple[np.ndarray, float]]:
     """Upright faces (n, 3) below the borders of an area at which a carriageway lies lower, seen from the carriageway,
     with their mean height, m."""
     rings = []
     for start, end in _sides(area):
         if frozenset((start, end)) in road:
-            points = [(*start, feet[start]), (*end, feet[end]), (*end, own[end]), (*start, own[start])]
-            if own[start] - feet[start] < 1e-3:
+            points = [(*start, feet[start]), (*end, feet[end]), (*end, heights[end]), (*start, heights[start])]
+            if heights[start] - feet[start] < 1e-3:
                 points = points[:3]
-            if own[end] - feet[end] < 1e-3:
+            if heights[end] - feet[end] < 1e-3:
                 points = [point for k, point in enumerate(points) if k != 2]
             if len(points) > 2:
-                rings.append((np.array(points), (own[start] - feet[start] + own[end] - feet[end]) / 2.0))
+                rings.append((np.array(points), (heights[start] - feet[start] + heights[end] - feet[end]) / 2.0))
     return rings
 
 
@@ -137,7 +137,7 @@ class _Surface:
         self.tree, self.heights, self.ground = cKDTree(edges.place[known]), heights[known], ground
         self.sigmas = edges.sigma[known]
 
-    def at(self, corners: Sequence[tuple[float, float]]) -> np.ndarray:
+    def heights_at(self, corners: Sequence[tuple[float, float]]) -> np.ndarray:
         """Heights (n,), m."""
         places = np.array(corners).reshape(-1, 2)
         near, along = self._along_edges(places)

@@ -70,7 +70,7 @@ def carriageways_between(edges: Sequence[EdgeLine], lanes: Sequence[shapely.Poly
     measured = shapely.union_all(lines)
     findings: list[RoadFinding] = []
     bridges = _bridges(edges, findings)
-    polygons, told = _between_two([*lines, *bridges])
+    polygons, open_findings = _between_two([*lines, *bridges])
     known = shapely.union_all([measured, *bridges])
     ends = [end for polygon in polygons for end in _ends_of(polygon, known)]
     whole = [shapely.linestrings(edge.plan) for edge in edges]
@@ -78,7 +78,7 @@ def carriageways_between(edges: Sequence[EdgeLine], lanes: Sequence[shapely.Poly
     if not polygons and not others.polygons:
         raise InputError(_one_sided())
     return Carriageways((*polygons, *others.polygons), measured, (*ends, *others.ends),
-                        (*findings, *told, *others.findings), others.open_sides)
+                        (*findings, *open_findings, *others.findings), others.open_sides)
 
 
 def _between_two(lines: Sequence[shapely.LineString]) -> tuple[list[shapely.Polygon], tuple[RoadFinding, ...]]:
@@ -101,13 +101,13 @@ def _thinned(edge: EdgeLine) -> np.ndarray:
     """Places (n, 2) of an edge without those between which its plan, its foot and its step run straight."""
     plan = edge.plan
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(plan, axis=0).T))])
-    kept = {tuple(point) for point in shapely.get_coordinates(shapely.simplify(
+    plan_corners = {tuple(point) for point in shapely.get_coordinates(shapely.simplify(
         shapely.linestrings(plan), LIMITS.smooth)).tolist()}
     marks = set()
     for heights in (edge.foot[:, 2], edge.top[:, 2] - edge.foot[:, 2]):
         profile = shapely.simplify(shapely.linestrings(np.column_stack([along, heights])), LIMITS.smooth)
         marks |= set(shapely.get_coordinates(profile)[:, 0].tolist())
-    return plan[[place in marks or tuple(point) in kept for place, point in zip(along.tolist(), plan.tolist())]]
+    return plan[[place in marks or tuple(point) in plan_corners for place, point in zip(along.tolist(), plan.tolist())]]
 
 
 def _bridges(edges: Sequence[EdgeLine], findings: list[RoadFinding]) -> list[shapely.LineString]:

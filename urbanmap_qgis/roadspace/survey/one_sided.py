@@ -21,7 +21,7 @@ class OneSidedLimits:
     between: float = 0.6  # m between two lanes side by side: a double line
     widest: float = 30.0  # m across
     chord: float = 1.0  # m to either side, over which an edge's direction is taken
-    own: float = 0.3  # m from an edge's own place, from which what is met is another edge
+    beginning: float = 0.3  # m from an edge's own place, from which what is met is another edge
     beyond: float = 1.5  # m past the outermost lane at which another edge is the carriageway's
     narrow: float = 1.0  # m: what is narrower on average beside known carriageways is none
     least: float = 5.0  # m of an edge: shorter pieces make no carriageway, and are not told
@@ -112,7 +112,7 @@ def _reaches(places: np.ndarray, course: np.ndarray, lines: Sequence[shapely.Lin
     """How far from each place (n, 2) along a unit vector lanes begin and the carriageway ends, m; NaN without lanes."""
     near, far = np.full(len(places), np.nan), np.full(len(places), np.nan)
     net = shapely.union_all(list(lines))
-    rays = shapely.linestrings(np.stack([places + LIMITS.own * course, places + LIMITS.widest * course], axis=1))
+    rays = shapely.linestrings(np.stack([places + LIMITS.beginning * course, places + LIMITS.widest * course], axis=1))
     for k, (ray, inside) in enumerate(zip(rays, shapely.intersection(rays, room))):
         met = shapely.get_coordinates(shapely.intersection(ray, net))
         wall = float(np.min((met - places[k]) @ course[k])) if len(met) else np.inf

@@ -132,8 +132,8 @@ def _name_ways(net: _Net, ways: Carriageways, cut: Sequence[CutJunctions], findi
     for polygon, junctions in zip(ways.polygons, cut):
         for number in _inside(net, polygon):
             net.kinds[number] = CARRIAGEWAY
-        own = [number for number in range(len(net.faces)) if net.kinds[number] == CARRIAGEWAY and net.roads[number] < 0]
-        groups = _between_cuts(net, own, junctions)
+        unnamed = [number for number, kind in enumerate(net.kinds) if kind == CARRIAGEWAY and net.roads[number] < 0]
+        groups = _between_cuts(net, unnamed, junctions)
         surfaces = [shapely.union_all([net.faces[number] for number in members]) for members in groups]
         meeting = _where_roads_meet(surfaces, junctions)
         for members, surface, nodes in zip(groups, surfaces, meeting):
@@ -193,7 +193,7 @@ def _between_cuts(net: _Net, numbers: list[int], junctions: CutJunctions) -> lis
         if shapely.length(free) > 10 * GRID:
             group[root(b)] = root(a)
     roots = [root(k) for k in range(len(faces))]
-    return [[numbers[k] for k, own in enumerate(roots) if own == one] for one in sorted(set(roots))]
+    return [[numbers[k] for k, face_root in enumerate(roots) if face_root == one] for one in sorted(set(roots))]
 
 
 def _piece(surface: shapely.Geometry, nodes: list, findings: list[RoadFinding]) -> RoadPiece:
@@ -281,9 +281,9 @@ def _reaching(lane: shapely.Polygon, cuts: Sequence[np.ndarray]) -> shapely.Poly
         if not GRID < away.min() < LIMITS.lane_end:
             continue
         end = corners[away < away.min() + LIMITS.lane_skew]
-        apart = np.hypot(*(end[:, None] - end[None]).transpose(2, 0, 1))
-        one, other = np.unravel_index(int(np.argmax(apart)), apart.shape)
-        if apart[one, other] < LIMITS.lane_skew:
+        distance = np.hypot(*(end[:, None] - end[None]).transpose(2, 0, 1))
+        one, other = np.unravel_index(int(np.argmax(distance)), distance.shape)
+        if distance[one, other] < LIMITS.lane_skew:
             continue
         feet = shapely.get_coordinates(shapely.line_interpolate_point(line, shapely.line_locate_point(
             line, shapely.points(end[[one, other]]))))

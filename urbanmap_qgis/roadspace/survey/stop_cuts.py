@@ -32,7 +32,7 @@ class StopCutLimits:
     straight: tuple[float, float] = (3.0, 8.0)
     inwards: float = 3.0
     station: float = 0.1  # m
-    bent: float = 0.04  # m off the straight part, from which an edge is bent; four times that tells of a curve
+    bend: float = 0.04  # m off the straight part, from which an edge is bent; four times that tells of a curve
     curve: float = 0.35  # m between the two places, of a curve; less is a corner
 
 
@@ -104,13 +104,13 @@ def _curve_end(surface: shapely.Polygon, contact: np.ndarray, arm: Arm) -> np.nd
     middle = fitted.mean(axis=0)
     along = np.linalg.svd(fitted - middle, full_matrices=False)[2][0]
     off = np.abs((places - middle) @ np.array([-along[1], along[0]]))
-    first, second = (np.flatnonzero(off > limit) for limit in (LIMITS.bent, 4.0 * LIMITS.bent))
-    if not len(first) or not len(second) or off[marks >= LIMITS.straight[0]].max() > LIMITS.bent:
+    first, second = (np.flatnonzero(off > limit) for limit in (LIMITS.bend, 4.0 * LIMITS.bend))
+    if not len(first) or not len(second) or off[marks >= LIMITS.straight[0]].max() > LIMITS.bend:
         return contact
-    apart = marks[first[-1]] - marks[second[-1]]
-    if apart < LIMITS.curve:
+    between = marks[first[-1]] - marks[second[-1]]
+    if between < LIMITS.curve:
         return contact
-    end = start + sense * (marks[first[-1]] + apart)
+    end = start + sense * (marks[first[-1]] + between)
     return shapely.get_coordinates(shapely.line_interpolate_point(ring, end % ring.length))[0]
 
 
@@ -128,9 +128,9 @@ def _stop_cut(arm: Arm, place: float, stops: Sequence[shapely.LineString],
         off = shapely.distance(axis, middle)
         ends = shapely.get_coordinates(stop)[[0, -1]]
         across = ends[1] - ends[0]
-        here, there = shapely.get_coordinates(shapely.line_interpolate_point(
+        before, behind = shapely.get_coordinates(shapely.line_interpolate_point(
             axis, np.clip([along - width / 4.0, along + width / 4.0], 0.0, axis.length)))
-        course = there - here
+        course = behind - before
         cosine = abs(across @ course) / max(np.hypot(*across) * np.hypot(*course), 1e-12)
         if off > width / 2.0 or stop.length < LIMITS.least or cosine > np.sin(np.radians(LIMITS.skew)):
             continue

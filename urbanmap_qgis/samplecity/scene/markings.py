@@ -218,13 +218,13 @@ def worn_and_patched(markings: tuple[Marking, ...], rng: np.random.Generator) ->
 def beside_islands(markings: tuple[Marking, ...], ground: Ground) -> tuple[Marking, ...]:
     """Markings without what islands stand on."""
     islands = ground.plan_to_world(shapely.union_all(list(ground.islands)))
-    kept = []
+    remaining = []
     for marking in markings:
         rest = marking.plan.difference(islands)
-        kept += [marking] if rest.equals(marking.plan) else [
+        remaining += [marking] if rest.equals(marking.plan) else [
             replace(marking, plan=part) for part in shapely.get_parts(rest)
             if part.geom_type == "Polygon" and part.area > 0.01]
-    return tuple(kept)
+    return tuple(remaining)
 
 
 def _bays(ground: Ground, lot: shapely.Polygon) -> list[Marking]:

@@ -118,16 +118,16 @@ def read_learned(path: str | os.PathLike) -> LearnedAnswers:
     ------
     InputError : it is something else.
     """
-    held = read_json(path, "weights of answers")
+    stored = read_json(path, "weights of answers")
     try:
-        if held["kind"] != KIND or held["method"] not in ("profile", "trained"):
+        if stored["kind"] != KIND or stored["method"] not in ("profile", "trained"):
             raise ValueError("kind")
-        columns = [tuple(float(value) for value in held[key]) for key in ("centre", "spread", "weights")]
-        names = tuple(str(name) for name in held["names"])
+        columns = [tuple(float(value) for value in stored[key]) for key in ("centre", "spread", "weights")]
+        names = tuple(str(name) for name in stored["names"])
         if {len(column) for column in columns} != {len(names)} or min(columns[1], default=1.0) <= 0:
             raise ValueError("figures")
-        return LearnedAnswers(held["method"], names, *columns, float(held["slope"]), float(held["offset"]),
-                              int(held["yes"]), int(held["no"]))
+        return LearnedAnswers(stored["method"], names, *columns, float(stored["slope"]), float(stored["offset"]),
+                              int(stored["yes"]), int(stored["no"]))
     except (KeyError, TypeError, ValueError) as error:
         raise InputError(say("{path} holds no weights that were learned from answers: give the file that a run with "
                              "answers wrote.", path=Path(path).name)) from error
@@ -156,8 +156,8 @@ def learned_from(cells: AnsweredCells, method: str) -> LearnedAnswers:
     ------
     InputError : there are too few of either kind with anything bright and narrow inside.
     """
-    told = np.unique(cells.answer)
-    yes, no = int(cells.paint[told].sum()), int((~cells.paint[told]).sum())
+    answered = np.unique(cells.answer)
+    yes, no = int(cells.paint[answered].sum()), int((~cells.paint[answered]).sum())
     if min(yes, no) < LIMITS.fewest:
         raise InputError(say("Of the answers, {yes} yes and {no} no lie on what may be paint in this image: {fewest} "
                              "of each are needed at least.", yes=yes, no=no, fewest=LIMITS.fewest))

@@ -212,10 +212,10 @@ def _where_walls_want_it(walls: Witness, chain: NodeChain, fit: Fit, model: Pose
     """Mask (n,) of patches whose own position, and no other one of theirs, lies where the walls alone want it."""
     model, curve = model.scaled(fit.drift_factor).with_heading(fit.heading_factor), _Curve(chain, fit.state)
     walls = walls.fitted(chain, model, curve)
-    held = None if walls.course is None else walls.about(walls.course, chain.normals.active)
-    if held is None:
+    wall_observations = None if walls.course is None else walls.about(walls.course, chain.normals.active)
+    if wall_observations is None:
         return np.zeros(len(windows), bool)
-    alone = walls.by_walls(chain.with_held(held), model)
+    alone = walls.by_walls(chain.with_held(wall_observations), model)
     node = np.searchsorted(0.5 * (chain.nodes[1:] + chain.nodes[:-1]), at_patches)
     place = np.column_stack([np.interp(at_patches, chain.nodes, axis) for axis in alone.place.T])
     return _only_own_mode_fits(windows, place, alone.covariance[node], settings)
@@ -224,24 +224,24 @@ def _where_walls_want_it(walls: Witness, chain: NodeChain, fit: Fit, model: Pose
 def _heard(walls: Witness, found: Disagreements, model: PoseErrorModel) -> tuple[Disagreements, WitnessConflict]:
     """What was found with what the walls say of it: steps that break them, and where outlines want the survey."""
     walls, none = walls.fitted(found.chain, model, _Curve(found.chain, found.fit.state)), WitnessConflict(())
-    held = None if walls.course is None else walls.about(walls.course, found.chain.normals.active)
-    if held is not None and not walls.alone:
-        found = without_astray(found, held, model, walls)
+    wall_observations = None if walls.course is None else walls.about(walls.course, found.chain.normals.active)
+    if wall_observations is not None and not walls.alone:
+        found = without_astray(found, wall_observations, model, walls)
     chain, fit = found.chain, found.fit
     curve, marked = _Curve(chain, fit.state), walls.among(partial(_marked, chain, fit))
     found = with_broken_walls(found, marked.jumps(curve))
-    if held is None:
+    if wall_observations is None:
         return found, none
     conflict = none if walls.alone else WitnessConflict(marked.stretches(curve))
     if walls.alone:
         silent = chain.unsoftened.softened(np.zeros(len(fit.weight)))
         chain = chain.with_normals(replace(silent, present=np.zeros(len(fit.weight), bool)))
     for _ in range(_WALL_ROUNDS):
-        chain = chain.with_held(held)
+        chain = chain.with_held(wall_observations)
         fit, eaves = settled_offset(chain, fit, model, fit.weight / fit.noise_factor)
         walls = walls.with_eaves(eaves)
-        held = walls.about(_Curve(chain, fit.state), chain.normals.active)
-        if held is None:
+        wall_observations = walls.about(_Curve(chain, fit.state), chain.normals.active)
+        if wall_observations is None:
             break
     return replace(found, chain=chain, fit=fit, hidden=hidden_steps(chain, model, fit, MOST_SPAN)), conflict
 
@@ -390,7 +390,7 @@ def _result(windows: WindowResults, found: Disagreements, at_patches: np.ndarray
     covariance[:, :2, :2] *= hidden_factor(found.hidden, at_patches)[:, None, None]
     beside, variance = either_side(found.two_sided, chain.nodes, at_patches)
     covariance[:, :2, :2] += variance
-    against, either = conflict.at(windows.chainage)
+    against, either = conflict.mask_and_variance(windows.chainage)
     covariance[:, :2, :2] += either
     support = np.where(chain.fast_near(at_patches, _ON_STEP), _STEP_SUPPORT, settings.support_length)
     by_paint = own_information(normals, fit.weight / fit.noise_factor, at_patches, support)

@@ -93,12 +93,12 @@ class NodeChain:
         other._start(self.unsoftened.select((self.node >= first) & (self.node <= last)))
         return other
 
-    def with_held(self, held: HeldObservations | None) -> NodeChain:
+    def with_held(self, observations: HeldObservations | None) -> NodeChain:
         """The same with other observations beside its evidence that no weighing of it touches; None for none."""
         other = copy(self)
-        other.held = held
-        other._held_sums = None if held is None else held.on_nodes(*self._next_node(held.path_parameter),
-                                                                   len(self.nodes))
+        other.held = observations
+        other._held_sums = None if observations is None else observations.on_nodes(
+            *self._next_node(observations.path_parameter), len(self.nodes))
         return other
 
     def hardened(self) -> NodeChain:
@@ -149,7 +149,7 @@ class NodeChain:
         ----------
         state : (k, d, 2) as solved with the offset that the observations have; they follow by (k, d, 2) a metre.
         """
-        held, (mean, sigma) = self.held, self.held.offset_prior
+        observed, (mean, sigma) = self.held, self.held.offset_prior
         information, _, pull = self._held_sums
         bare = copy(self)
         bare.normals = replace(self.normals, gradient=np.zeros_like(self.normals.gradient),
@@ -157,11 +157,11 @@ class NodeChain:
         bare._held_sums = information, -pull, pull
         bare._held, bare.stops = None, StopMovement(np.zeros_like(self.stops.moved), self.stops.variance)
         response = bare._solved(model, weight)[0].state.reshape(pull.shape)
-        node, ahead = self._next_node(held.path_parameter)
+        node, ahead = self._next_node(observed.path_parameter)
         value = state[node, :, 0] + ahead[:, None] * state[node, :, 1]
-        lean = float((held.weight * held.residual(value)).sum()) + (held.offset - mean) / sigma**2
-        precision = float(held.weight.sum()) + 1.0 / sigma**2 + float((pull * response).sum())
-        return held.offset - lean / precision, precision**-0.5, response
+        lean = float((observed.weight * observed.residual(value)).sum()) + (observed.offset - mean) / sigma**2
+        precision = float(observed.weight.sum()) + 1.0 / sigma**2 + float((pull * response).sum())
+        return observed.offset - lean / precision, precision**-0.5, response
 
     def disturbances(self, model: PoseErrorModel, weight: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """How each step of the chain pulls at the model: (k - 1, p), with covariances (k - 1, p, p) where it holds.

@@ -148,8 +148,8 @@ def proven(steps: Sequence[NodeStep], chain: NodeChain, fit: Fit, smooth: tuple[
         near &= chain.normals.present
         believed = fit.weight[near].sum()
         place = chain.nodes[step.node:step.node + 2].mean()
-        sharp = _DENIED if denies(place, place, test) else _SHARP
-        if believed >= max(_BORNE_OUT * smooth[1].weight[near].sum(), sharp * np.count_nonzero(near)):
+        least_share = _DENIED if denies(place, place, test) else _SHARP
+        if believed >= max(_BORNE_OUT * smooth[1].weight[near].sum(), least_share * np.count_nonzero(near)):
             found.append(test)
     return found
 
@@ -273,7 +273,7 @@ Likelihood = Callable[[NodeChain, np.ndarray], float]
 
 
 def settle(chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.ndarray, adjust: Adjust,
-           likelihood: Likelihood, longest: float, denies: Denies, sharp: Sequence[NodeStep] = ()) -> Disagreements:
+           likelihood: Likelihood, longest: float, denies: Denies, likeliest: Sequence[NodeStep] = ()) -> Disagreements:
     """The adjustment with its sharp steps found, and what cannot be decided told.
 
     Parameters
@@ -281,10 +281,10 @@ def settle(chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.ndarra
     allowed : (k,) 0 to 1, how far the evidence at each node may be believed.
     longest : m without evidence beyond which a step may hide.
     denies : see `SideSlip.denies`.
-    sharp : the likeliest steps instead of fast changes that may be steps.
+    likeliest : the likeliest steps instead of fast changes that may be steps.
     """
     tests = step_tests(chain, model, fit, 1.0)
-    likely = suspects([*tests, *sharp], chain.nodes)
+    likely = suspects([*tests, *likeliest], chain.nodes)
     gaps = hidden_steps(chain, model, fit, longest)
     likely = [step for step in likely if not any(begin < chain.nodes[step.node] < end for begin, end, _ in gaps)]
     steps: list[NodeStep] = []

@@ -98,11 +98,11 @@ def _change(chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.ndarr
             fast[place] = max(float(np.hypot(*change)), LIMITS.jump)
         return likelihood(near.with_fast(fast).hardened(), believed, model)
 
-    sharp = np.array([reached(place) for place in places])
-    best = int(sharp.argmax())
+    likelihoods = np.array([reached(place) for place in places])
+    best = int(likelihoods.argmax())
     step = NodeStep(int(places[best] + first), change, np.eye(2), LIMITS.proof**2)
-    return FastChange(int(part[0]), int(part[-1]) + 1, step, float(sharp[best] - reached(None, near.fast)),
-                      float(sharp[best] - reached(None)))
+    return FastChange(int(part[0]), int(part[-1]) + 1, step, float(likelihoods[best] - reached(None, near.fast)),
+                      float(likelihoods[best] - reached(None)))
 
 
 def by_slip(found: Disagreements, changes: Sequence[FastChange], model: PoseErrorModel,

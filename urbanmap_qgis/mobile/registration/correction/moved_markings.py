@@ -36,7 +36,7 @@ class MovedMarkingsLimits:
     covered: float = 0.5  # of a cell that counts as marking
     explained: float = 0.4  # share of the points off that one shift must bring onto markings
     stands_out: float = 1.15  # times what the best shift at least 0.3 m from it explains: lines fit along themselves
-    apart: float = 0.3  # m
+    rival_distance: float = 0.3  # m
 
 
 LIMITS = MovedMarkingsLimits()
@@ -72,7 +72,7 @@ def moved_markings(points: PointObservations, curve: Callable[[np.ndarray], np.n
         return None
     share = np.where(np.hypot(east, north) >= LIMITS.near, hits / off, 0.0)
     best = int(share.argmax())
-    other = share[np.hypot(east - east[best], north - north[best]) >= LIMITS.apart].max()
+    other = share[np.hypot(east - east[best], north - north[best]) >= LIMITS.rival_distance].max()
     if share[best] < max(LIMITS.explained, LIMITS.stands_out * other):
         return None
     return MovedMarkings(np.array([east[best], north[best]]), off / total, float(share[best]))

@@ -133,7 +133,7 @@ class WitnessConflict:
 
     stretches: Sequence[Stretch]
 
-    def at(self, chainage: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def mask_and_variance(self, chainage: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Mask (n,) of chainages in conflict, and the variance (n, 2, 2) m2 that it adds: either may be right."""
         against, variance = np.zeros(len(chainage), bool), np.zeros((len(chainage), 2, 2))
         for item in self.stretches:
@@ -155,7 +155,7 @@ class WitnessConflict:
         return steps
 
 
-def without_astray(found: Disagreements, held: HeldObservations, model: PoseErrorModel,
+def without_astray(found: Disagreements, observations: HeldObservations, model: PoseErrorModel,
                    witness: Witness) -> Disagreements:
     """What was found without those markings that led it away from the walls by more than paint is ever moved.
 
@@ -163,7 +163,7 @@ def without_astray(found: Disagreements, held: HeldObservations, model: PoseErro
     no error of outlines. The steps into and out of it are none of the reference.
     """
     chain, fit = found.chain, found.fit
-    alone = witness.by_walls(chain.with_held(held), model)
+    alone = witness.by_walls(chain.with_held(observations), model)
     change = alone.place - fit.state[:, :2, 0]
     spread = alone.covariance + fit.covariance[:, (0, 2)][:, :, (0, 2)]
     square = np.einsum("ki,kij,kj->k", change, np.linalg.inv(spread), change)

@@ -35,7 +35,7 @@ class MatchingResultsLimits:
     chance_sigma: float = 1.0  # m
     largest_sigma: float = 0.10  # m in plan
     proof: float = 3.0  # log-likelihood
-    apart: int = 3  # cells (0.6 m): positions nearer are one
+    mode_distance: int = 3  # cells (0.6 m): positions nearer are one
 
 
 LIMITS = MatchingResultsLimits()
@@ -77,7 +77,7 @@ def alternative_positions(start: InitialShifts, windows: Windows, patches: int) 
         seen[span] = patch
         surface = (running[span[1] + 1] - running[span[0]]).astype(np.float32)
         peak[patch] = surface[middle - 1:middle + 2, middle - 1:middle + 2].max()
-        alternatives, heights = peaks(surface, LIMITS.apart, MODES - 1)
+        alternatives, heights = peaks(surface, LIMITS.mode_distance, MODES - 1)
         offsets[patch, :len(alternatives)], scores[patch, :len(alternatives)] = alternatives * CELL, heights
         if len(heights) and peak[patch] > 0:
             ratio[patch] = heights[0] / peak[patch]
@@ -104,7 +104,7 @@ def assemble(patches: Patches, windows: Windows, start: InitialShifts, parts: Se
     points, overlap = column("points"), column("overlap")
     covariance[:, [0, 1], [0, 1]] += _chance_variance(overlap)[:, None]
     alternatives = alternative_positions(start, windows, len(patches))
-    spread = alternative_spread(BestPath(start.best, start.deficit), (LIMITS.apart - 0.5) * CELL)[
+    spread = alternative_spread(BestPath(start.best, start.deficit), (LIMITS.mode_distance - 0.5) * CELL)[
         np.arange(len(patches)) // start.block]
     covariance[:, :2, :2] += spread
     status = _statuses(points, overlap, covariance, alternatives, column("converged"))
