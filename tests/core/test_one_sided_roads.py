@@ -85,3 +85,14 @@ def test_the_same_road_is_the_same_with_and_without_lanes_where_both_edges_were_
     with_lanes, without = (surveyed_roads(edges, "2", SurveyInputs(lanes=lanes)) for lanes in (LANES, ()))
     assert shown(with_lanes, CARRIAGEWAY).equals(shown(without, CARRIAGEWAY))
     assert {area.source for area in with_lanes.areas} == {MEASURED}
+
+
+def test_a_piece_beside_a_long_edge_bounds_no_carriageway_and_an_island_of_short_edges_stays():
+    edges = [edge(KERB, chain=0), edge([[-30.0, -6.0], [30.0, -6.0]], chain=1), edge([[0.0, 4.6], [4.0, 4.6]], chain=2)]
+    model = surveyed_roads(edges, "2")
+    assert shown(model, CARRIAGEWAY).area == pytest.approx(60 * 12, rel=1e-3)
+    told = [finding for finding in model.findings if finding.kind == "edge beside another"]
+    assert [(round(one.x), round(one.y)) for one in told] == [(2, 5)]
+    ring = shapely.LineString([[-2.0, 0.0], [1.0, 0.0]]).buffer(0.6, quad_segs=4).exterior
+    with_island = surveyed_roads([*edges[:2], edge(shapely.get_coordinates(ring), chain=5)], "2")
+    assert shown(with_island, "island").area == pytest.approx(shapely.Polygon(ring).area, rel=0.05)

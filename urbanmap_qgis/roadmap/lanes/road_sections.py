@@ -12,6 +12,7 @@ from scipy.sparse.csgraph import connected_components
 
 from ...geometry.tolerances import LEAST_DIVISOR
 from ..map_records import MapLine, MapSettings
+from .street_corners import cut_at_corners
 from .winding_roads import unwound_roads
 
 STEP = 0.5
@@ -152,7 +153,7 @@ def road_sections(lines: Sequence[MapLine], barriers: Sequence[shapely.Geometry]
     lines : solid, dashed and border lines.
     barriers : crosswalks; no bound is drawn through one.
     """
-    chains = _chains(lines)
+    chains = _chains(cut_at_corners(lines))
     if not chains:
         return []
     paths = [np.vstack([line.points for line in chain]) for chain in chains]

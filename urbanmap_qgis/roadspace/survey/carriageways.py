@@ -28,6 +28,7 @@ class CarriagewayLimits:
     on: float = 0.03  # m: borders this near to a measured line are measured
     across: float = 0.5  # cosine of the angle between an edge and the line that closes it; less runs across the road
     narrow: float = 2.0  # m: what is narrower on average is no carriageway
+    piece: float = 6.0  # m: shorter edges beside one at least twice as long, nearer than `narrow`, bound no carriageway
 
 
 LIMITS = CarriagewayLimits()
@@ -66,9 +67,10 @@ def carriageways_between(edges: Sequence[EdgeLine], lanes: Sequence[shapely.Poly
     """
     if not edges:
         raise InputError(say("There are no kerbs or road borders among the edges: give the lines of “Road edges”."))
+    findings: list[RoadFinding] = []
+    edges = _without_pieces(edges, findings)
     lines = [shapely.linestrings(_thinned(edge)) for edge in edges]
     measured = shapely.union_all(lines)
-    findings: list[RoadFinding] = []
     bridges = _bridges(edges, findings)
     polygons, open_findings = _between_two([*lines, *bridges])
     known = shapely.union_all([measured, *bridges])
@@ -95,6 +97,25 @@ def _one_sided() -> str:
     """Why there is no carriageway."""
     return say("The edges enclose no carriageway: of no road the survey shows both edges all along, and no lanes tell "
                "how far one goes. Give the drives of both directions together, or lanes.")
+
+
+def _without_pieces(edges: Sequence[EdgeLine], findings: list[RoadFinding]) -> list[EdgeLine]:
+    """Edges without short ones that lie wholly beside a longer one, which are told: steps and joints of an island."""
+    plans = [shapely.linestrings(edge.plan) for edge in edges]
+    length: dict[int, float] = defaultdict(float)
+    for edge, plan in zip(edges, plans):
+        length[edge.chain] += plan.length
+    kept = []
+    for edge, plan in zip(edges, plans):
+        longer = [other for one, other in zip(edges, plans) if length[one.chain] >= 2.0 * length[edge.chain]]
+        if length[edge.chain] < LIMITS.piece and longer and shapely.covers(
+                shapely.buffer(shapely.union_all(longer), LIMITS.narrow), plan):
+            findings.append(RoadFinding("edge beside another", say(
+                "A short edge lies nearer than {distance:.0f} m beside a longer one: no carriageway runs between them, "
+                "and it is left out.", distance=LIMITS.narrow), *edge.plan.mean(axis=0).tolist()))
+        else:
+            kept.append(edge)
+    return kept
 
 
 def _thinned(edge: EdgeLine) -> np.ndarray:
