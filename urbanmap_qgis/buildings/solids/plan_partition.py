@@ -132,8 +132,7 @@ def _cleaned(geometries: np.ndarray, origin: tuple[float, float]) -> np.ndarray:
     """Valid, flat geometries on a local origin."""
     moved = shapely.transform(shapely.force_2d(geometries), lambda c: c - origin)
     bad = ~shapely.is_valid(moved)
-    if bad.any():
-        moved[bad] = [_areas_of(geometry) for geometry in shapely.make_valid(moved[bad])]
+    moved[bad] = [_areas_of(geometry) for geometry in shapely.make_valid(moved[bad])]
     return moved
 
 

@@ -151,10 +151,6 @@ class SurveyedRoads:
         """Number of areas of a kind."""
         return sum(area.kind == kind for area in self.areas)
 
-    def area_of(self, kind: str) -> float:
-        """Of all areas of a kind, m2."""
-        return float(sum(area.polygon.area for area in self.areas if area.kind == kind))
-
 
 def kerb_edge_lines(feet, tops, columns) -> list[EdgeLine]:
     """Kerbs, lowered kerbs and borders of a table of road edges.
