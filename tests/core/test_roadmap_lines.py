@@ -213,6 +213,28 @@ def test_arrow_is_known_by_kind_and_heading(kind):
     assert area.heading == pytest.approx([np.cos(np.radians(23)), np.sin(np.radians(23))], abs=0.02)
 
 
+@pytest.mark.parametrize("kind", ["straight", "left", "right"])
+def test_arrow_whose_shaft_is_worn_off_its_head_is_known_and_a_bar_beside_it_stays_out(kind):
+    """The shaft alone is a straight bar, as a dash is."""
+    lines = [shapely.box(-20, y - 0.075, 30, y + 0.075) for y in (-1.6, 1.6)]
+    worn = shapely.get_parts(arrow(kind).difference(shapely.box(2.35, -2, 2.65, 2)))
+    dash = shapely.box(-1, 1.0, 2, 1.15)
+    (area,) = [area for area in work_of([*lines, dash, *worn]).areas if area.kind != "unknown"]
+    assert area.kind == f"arrow {kind}"
+    assert area.heading == pytest.approx([np.cos(np.radians(23)), np.sin(np.radians(23))], abs=0.02)
+    assert area.polygon.area == pytest.approx(shapely.union_all(worn).area, rel=0.02)
+
+
+def test_worn_pieces_of_an_arrow_without_a_whole_head_are_an_arrow():
+    lines = [shapely.box(-20, y - 0.075, 30, y + 0.075) for y in (-1.6, 1.6)]
+    scratches = [shapely.box(x, -2, x + 0.12, 2) for x in np.arange(0.5, 5.0, 0.42)]
+    worn = shapely.get_parts(arrow("straight").difference(shapely.union_all(scratches)).difference(
+        shapely.box(3.0, -0.04, 5.0, 0.04)))
+    (area,) = [area for area in work_of([*lines, *worn]).areas if area.kind != "unknown"]
+    assert area.kind in ("arrow straight", "arrow, kind unknown")  # so much is bare that a head may be
+    assert area.heading == pytest.approx([np.cos(np.radians(23)), np.sin(np.radians(23))], abs=0.02)
+
+
 BROAD = {"straight": [(0.085, 0), (0.085, 3), (0.45, 3), (0, 5), (-0.45, 3), (-0.085, 3), (-0.085, 0)],
          "straight left": [(0.085, 0), (0.085, 3), (0.45, 3), (0, 5), (-0.45, 3), (-0.085, 3), (-0.085, 1.785),
                            (-0.455, 1.93), (-0.455, 2.44), (-1.15, 1.94), (-0.455, 0.94), (-0.455, 1.43), (-0.09, 1.24),

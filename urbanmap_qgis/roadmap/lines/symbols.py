@@ -29,14 +29,25 @@ class SymbolsLimits:
     least_head: float = 0.015
     longest_head: float = 2.6
     # So much of each side of an arrow's heads must be painted, and so much of them in the mean.
-    least_flank: float = 0.3
+    least_flank: float = 0.2
     least_flanks: float = 0.5
     # An arrow has one head only where no more of a second one is painted, and so much of the paint beside the
     # place of that is there: where the paint is worn or hidden, so may be the head.
     most_branch: float = 0.05
-    least_beside: float = 0.8
+    least_beside: float = 0.7
     # Long and short side of what may be a diamond, m.
     diamond: tuple[tuple[float, ...], ...] = ((3.0, 6.5), (0.9, 2.2))
+    # Long and short side of the worn pieces of an arrow together, how far apart and how large (m2) they may be, m.
+    along: tuple[float, float] = (1.5, 6.2)
+    across: tuple[float, float] = (0.35, 1.7)
+    apart: float = 0.5
+    piece: float = 2.0
+    same: float = 1.5  # A head so near the middle of the pieces is theirs, m.
+    # A bar no longer than a shaft, with a head so far beyond its end and beside its course, m.
+    longest_shaft: float = 4.2
+    beyond: float = 1.8
+    beside: float = 0.8
+    road: float = 8.0  # Lines so near tell the direction of the road, m.
     member: float = 0.2  # Paint this near the pattern belongs to the symbol, m.
 
 
@@ -68,13 +79,15 @@ class Symbol:
     score: float
 
 
-def find_symbols(polygons: Sequence[shapely.Polygon], strokes: Sequence[Stroke], taken: set[int]) -> list[Symbol]:
+def find_symbols(polygons: Sequence[shapely.Polygon], strokes: Sequence[Stroke], taken: set[int],
+                 bars: set[int] = frozenset()) -> list[Symbol]:
     """Arrows and diamonds among marking polygons.
 
     Parameters
     ----------
     strokes : of the polygons; long ones tell the direction of the road.
     taken : numbers of polygons that are none.
+    bars : numbers of straight bars: none either, but for the shaft that wear has cut off from its head.
 
     Returns
     -------
@@ -82,12 +95,15 @@ def find_symbols(polygons: Sequence[shapely.Polygon], strokes: Sequence[Stroke],
     hidden, is `UNKNOWN_ARROW`; one that may be read both ways has no heading.
     """
     shapes = np.asarray(polygons, object)
-    free = np.array([n for n in range(len(shapes)) if n not in taken], np.int64)
+    free = np.array([n for n in range(len(shapes)) if n not in taken and n not in bars], np.int64)
     if not len(free):
         return []
+    heads = _heads(shapes[free])
+    places = [*heads, *_pieces(shapes[free], heads), *_diamonds(shapes[free])]
+    free = np.concatenate([free, _shafts(shapes, sorted(bars - taken), places)])
     tree, direction_near = shapely.STRtree(shapes[free]), _direction_of(strokes)
     found = []
-    for place, wanted in [*_heads(shapes[free]), *_diamonds(shapes[free])]:
+    for place, wanted in places:
         along = direction_near(place)
         if along is not None:
             symbol = _symbol(place, along, wanted, tree, free)
@@ -110,6 +126,43 @@ def _heads(shapes: np.ndarray) -> list[tuple[np.ndarray, str]]:
     return [(middle, "arrow") for middle in shapely.get_coordinates(shapely.centroid(cores[good]))]
 
 
+def _pieces(shapes: np.ndarray, heads: Sequence[tuple[np.ndarray, str]]) -> list[tuple[np.ndarray, str]]:
+    """Middles (2,) of polygons without a head that lie together and have an arrow's size, as wear leaves them."""
+    small = shapes[shapely.area(shapes) < LIMITS.piece]
+    blobs = shapely.get_parts(shapely.union_all(shapely.buffer(small, LIMITS.apart / 2, quad_segs=2)))
+    frames = shapely.get_coordinates(shapely.minimum_rotated_rectangle(blobs)).reshape(-1, 5, 2)[:, :3]
+    sides = np.sort(np.linalg.norm(np.diff(frames, axis=1), axis=2), axis=1) - LIMITS.apart
+    (short, wide), (least, most) = LIMITS.across, LIMITS.along
+    fits = (sides[:, 0] >= short) & (sides[:, 0] <= wide) & (sides[:, 1] >= least) & (sides[:, 1] <= most)
+    middles = shapely.centroid(blobs[fits])
+    if heads:
+        told = shapely.multipoints([head for head, _ in heads])
+        middles = middles[shapely.distance(middles, told) > LIMITS.same]
+    return [(middle, "arrow") for middle in shapely.get_coordinates(middles)]
+
+
+def _shafts(shapes: np.ndarray, bars: Sequence[int], places: Sequence[tuple[np.ndarray, str]]) -> np.ndarray:
+    """Numbers of the bars no longer than a shaft that have what may be a head beyond one end."""
+    if not len(bars) or not places:
+        return np.zeros(0, np.int64)
+    tree = shapely.STRtree(shapely.points([place for place, _ in places]))
+    kept = []
+    for number in bars:
+        box = shapely.get_coordinates(shapely.minimum_rotated_rectangle(shapes[number]))[:4]
+        edge = box[1:3] - box[:2]
+        length = np.linalg.norm(edge, axis=1)
+        if length.max() > LIMITS.longest_shaft:
+            continue
+        along = edge[length.argmax()] / length.max()
+        middle = box.mean(axis=0)
+        for near in tree.query(shapely.Point(middle), predicate="dwithin", distance=length.max() / 2 + LIMITS.beyond):
+            off = places[near][0] - middle
+            if abs(off @ along) > length.max() / 2 - LIMITS.apart and abs(off @ [-along[1], along[0]]) < LIMITS.beside:
+                kept.append(number)
+                break
+    return np.array(kept, np.int64)
+
+
 def _diamonds(shapes: np.ndarray) -> list[tuple[np.ndarray, str]]:
     """Middles (2,) of polygons that lie together and have a diamond's size."""
     small = shapes[shapely.area(shapes) < 4.0]
@@ -124,13 +177,13 @@ def _diamonds(shapes: np.ndarray) -> list[tuple[np.ndarray, str]]:
 
 
 def _direction_of(strokes: Sequence[Stroke]) -> Callable[[np.ndarray], np.ndarray | None]:
-    """Function of a place: direction of the nearest long, narrow and straight stroke within 8 m, or None."""
+    """Function of a place: direction of the nearest long, narrow and straight stroke, or None where none is near."""
     long = [stroke for stroke in strokes if stroke.length >= 2.5 and stroke.width <= 0.3 and
             (len(stroke.axis) == 2 or stroke.length >= 5.0)]
     tree = shapely.STRtree([shapely.LineString(stroke.axis) for stroke in long])
 
     def direction(place: np.ndarray) -> np.ndarray | None:
-        near = tree.query_nearest(shapely.Point(place), max_distance=8.0) if long else []
+        near = tree.query_nearest(shapely.Point(place), max_distance=LIMITS.road) if long else []
         return long[near[0]].direction if len(near) else None
 
     return direction
