@@ -24,6 +24,13 @@ def test_examples_run(small_city, tmp_path, monkeypatch):
     assert sum(bool(model.solids) for model in names["models"]) > 0.8 * len(names["models"]) > 0
     assert names["walls"] and names["work"].lines and (names["seen"].satellites > 3).any()
     assert 0.0 < names["accuracy"].ellipse.major[0] < 5.0
+    assert names["after"].mean_2d < 0.2 < names["before"].mean_2d
+    assert names["inspected"].objects >= len(names["city_objects"]) > 0
+    assert not [fault for fault in names["inspected"].faults if fault.severity == "error"]
+    assert len(names["given"]) > 0 and names["change"].mean == pytest.approx(36.7)
+    assert names["lanes"].lanes and not [fault for fault in names["faults"] if fault.severity == "error"]
+    assert names["edges"].length("kerb", "lowered kerb") > 50.0 and names["objects"].objects
+    assert {"trajectory", "camera", "calibration"} <= {item.kind for item in names["facts"]}
 
 
 def test_each_room_has_its_page():

@@ -211,6 +211,16 @@ def test_stop_line_and_crosswalk_without_rule_are_errors():
     assert sorted(rules) == ["Crosswalk.MissingRegulatoryElements-001", "StopLine.MissingRegulatoryElements-001"]
 
 
+@pytest.mark.parametrize(("heights", "spike"), [((3, 1), True), ((3, 5), False), ((1, 1), False)])
+def test_a_node_above_or_below_both_neighbours_is_a_spike(heights, spike):
+    """A bound that rises by 2 m in 10 m, and falls again or rises on as far."""
+    middle = replace(node(98, 30, 3), tags={**node(98, 30, 3).tags, "ele": str(heights[0])})
+    broken = changed(nodes={98: middle, 12: moved(12, ele=str(heights[1]))},
+                     ways={111: replace(way(111), nodes=(11, 98, 12)), 112: None}, relations={201: None, 202: None})
+    found = [fault for fault in check_map(broken) if fault.rule == "File.Height-002"]
+    assert [fault.element for fault in found] == (["node 98"] if spike else [])
+
+
 def test_fault_has_the_place_of_its_element():
     (fault,) = [fault for fault in check_map(changed(relations={200: relation(200, location=None)}))
                 if fault.rule == "mapping.mandatory_tags"]

@@ -11,6 +11,7 @@ import shapely
 from pyproj import CRS
 
 from urbanmap_qgis.buildings.outlines.displacement_search import shift_lattice
+from urbanmap_qgis.buildings.planes.level_alternative import has_lost_plane
 from urbanmap_qgis.buildings.planes.plan_faces import _PlaneBorders
 from urbanmap_qgis.buildings.solids.plan_partition import _cleaned
 from urbanmap_qgis.errors import InputError
@@ -19,6 +20,7 @@ from urbanmap_qgis.io.conversion.geoid import Geoid
 from urbanmap_qgis.io.conversion.height_conversion import height_conversion
 from urbanmap_qgis.io.reference.height_systems import HeightSystem
 from urbanmap_qgis.job.recognition.layer_kind import AREAS, OUTLINES, _by_size
+from urbanmap_qgis.localisation.simulation.prediction_check import EVIDENCE_OF_CELL, STEP, _fits_elsewhere
 from urbanmap_qgis.localisation.simulation.simulated_scans import displaced
 from urbanmap_qgis.localisation.walls.wall_cells import space_cells
 from urbanmap_qgis.mobile.markings.intensity_calibration import _fit, _model
@@ -27,6 +29,7 @@ from urbanmap_qgis.roadmap.checks.light_rules import _cosine
 from urbanmap_qgis.roadmap.edges.assembly import kerb_lines
 from urbanmap_qgis.roadmap.edges.courses import _turns_off
 from urbanmap_qgis.roadmap.edges.edge_records import EdgeSettings
+from urbanmap_qgis.roadmap.edges.profile import most_likely_change
 from urbanmap_qgis.roadmap.edges.stations import Stations
 from urbanmap_qgis.roadmap.lanes.movements import _offer
 from urbanmap_qgis.roadspace.road_pictures import plan_picture
@@ -200,3 +203,40 @@ def test_polygons_in_degrees_are_as_large_as_their_latitude_makes_them(latitude,
     shapes = [shapely.box(k, latitude, k + 5e-5, latitude + 5e-5) for k in range(3)]
     found = {"buildings": OUTLINES, "areas": AREAS}[kind]
     assert _by_size(shapes, True)[0] == found
+
+
+def test_deviation_of_a_change_grows_with_the_gap_that_it_lies_in():
+    """Two descriptions that part sharply between -0.1 and 0.1 m: any place in the gap is as likely."""
+    places = np.array([-0.4, -0.3, -0.2, -0.1, 0.1, 0.2, 0.3, 0.4])
+    before, after = np.where(places < 0, 0.0, 100.0), np.where(places < 0, 100.0, 0.0)
+    edge, sigma = most_likely_change(places, before, after, 0.5)
+    assert edge == pytest.approx(0.0, abs=1e-6) and sigma == pytest.approx(0.2 / 12**0.5, rel=1e-3)
+
+
+@pytest.mark.parametrize(("drawn", "lost"), [([1], True), ([1, 2], False)])
+def test_a_plane_is_lost_that_has_points_and_no_polygon(drawn, lost):
+    """Two level roofs of 36 m2, 2 m apart in height; polygons of the lower one cover both."""
+    x, y = (values.ravel() for values in np.meshgrid(np.arange(0.25, 12.0, 0.5), np.arange(0.25, 6.0, 0.5)))
+    roof = np.where(x < 6.0, 1, 2)
+    points = np.column_stack([x, y, np.where(roof == 1, 8.0, 10.0)])
+    polygons = [shapely.force_3d(shapely.box(0, 0, 12, 6), 8.0)] * len(drawn)
+    assert has_lost_plane(polygons, drawn, points, roof, 4.0, 10.0) is lost
+
+
+@pytest.mark.parametrize(("peak", "elsewhere"), [((20, 20), False), ((5, 30), True)])
+def test_a_scan_fits_elsewhere_by_its_points_above_the_road(peak, elsewhere):
+    asked = []
+
+    def shifted(places, most):
+        asked.append((places, most))
+        surface = np.zeros((2 * most + 1, 2 * most + 1))
+        surface[peak] = 50.0 / EVIDENCE_OF_CELL
+        return surface
+
+    settings = SimpleNamespace(search=20 * STEP, scanner=SimpleNamespace(height=2.0))
+    scan = np.array([[4.0, 1.0, -1.95], [6.0, 0.0, -1.0], [6.0, 2.0, 3.0]])  # the first is of the road
+    found = _fits_elsewhere(SimpleNamespace(field=SimpleNamespace(shifted=shifted)), scan, np.array([10.0, 20.0, 2.0]),
+                            settings)
+    assert found is elsewhere
+    (places, most), = asked
+    assert places.tolist() == [[16.0, 20.0], [16.0, 22.0]] and most == 20

@@ -26,7 +26,6 @@ class StopCutLimits:
     whole: float = 0.4  # share of the road's width from which a stop line tells its own direction
     turned: float = 6.0  # degrees; a shorter one that turns less from the road's cross direction takes that
     skew: float = 40.0  # degrees from the road's cross direction
-    same: float = 2.0  # m along the road between two stop lines that are one for both directions
     smooth: float = 0.1  # m: corners nearer to a straight line are none
     # m along an edge from a contact: where its straight part is fitted, and how far inwards a curve is followed.
     straight: tuple[float, float] = (3.0, 8.0)
