@@ -1,4 +1,4 @@
-"""Drives of surveys as lane maps take them."""
+"""Drives of surveys, and what stands beside them, as lane maps take them."""
 
 from __future__ import annotations
 
@@ -32,3 +32,21 @@ def read_drives(stage, parameters, context, crs_wkt, progress) -> list:
             progress.warn(note)
         drives.append(DrivenPath(read.trajectory.place))
     return drives
+
+
+def add_street_objects(algorithm, parameters, context, built, lines) -> None:
+    """Read objects and rails into a map, with a finding for each signal of which nothing tells what it governs."""
+    from ...urbanmap_qgis.roadmap.map_objects import objects_of, rails_of, signals_of_stop_lines
+
+    tables = {name: algorithm.read_vector(parameters, name, context) for name in ("OBJECTS", "RAILS")}
+    for name, table in tables.items():
+        if table is not None:
+            algorithm.same_crs("LINES", lines.crs, name, table.crs)
+    objects, rails = tables["OBJECTS"], tables["RAILS"]
+    if objects is not None:
+        if "kind" not in objects.columns:
+            raise InputError(tr("{0} has no field kind; give the points of “Street objects”.").format(objects.label))
+        built.objects = objects_of(objects.geometries, objects.columns)
+        built.findings += signals_of_stop_lines(built)[1]
+    if rails is not None:
+        built.rails = rails_of(rails.geometries, rails.columns)

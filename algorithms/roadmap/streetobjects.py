@@ -13,9 +13,9 @@ from ..mobile.survey_inputs import read_survey
 from .data_date import day_of
 
 FIELDS = (("object_id", "int"), ("kind", "text"), ("confidence", "real"), ("height", "real"), ("diameter", "real"),
-          ("lean", "real"), ("azimuth", "real"), ("crown", "real"), ("board_width", "real"), ("board_height", "real"),
-          ("board_z", "real"), ("sigma", "real"), ("points", "int"), ("passes", "int"), ("status", "text"),
-          ("reason", "text"))
+          ("lean", "real"), ("azimuth", "real"), ("crown", "real"), ("arm", "real"), ("arm_height", "real"),
+          ("head_height", "real"), ("board_width", "real"), ("board_height", "real"), ("board_z", "real"),
+          ("sigma", "real"), ("points", "int"), ("passes", "int"), ("status", "text"), ("reason", "text"))
 RAIL_FIELDS = (("rail_id", "int"), ("height", "real"), ("sigma", "real"), ("sigma_z", "real"), ("length", "real"),
                ("points", "int"), ("passes", "int"), ("status", "text"), ("reason", "text"))
 
@@ -57,8 +57,9 @@ class StreetObjects(UrbanMapAlgorithm):
         self.add_layer_output(
             "OUTPUT", "Street objects", "PointZ at the foot: object_id, kind (pole, lamp post, signal, sign, tree), "
             "confidence (0 to 1), height over the ground, diameter, lean (degrees), azimuth (degrees, of a board's "
-            "face or an arm), crown (diameter), board_width, board_height, board_z (height of the board's middle), "
-            "sigma (east and north each, m), points, passes, status (measured, doubtful), reason.", source_type=point)
+            "face or an arm), crown (diameter), arm and arm_height (length, and height over the ground), head_height "
+            "(of what is at its end), board_width, board_height, board_z (height of the board's middle), sigma (east "
+            "and north each, m), points, passes, status (measured, doubtful), reason.", source_type=point)
         self.add_layer_output(
             "OUTPUT_RAILS", "Guard rails", "LineStringZ along the foot: rail_id, height, sigma (across), sigma_z, "
             "length (m), points, passes, status, reason; as “Road edges” finds them.", optional=True, source_type=line)
@@ -129,8 +130,10 @@ class StreetObjects(UrbanMapAlgorithm):
         objects = found.objects
         columns = {"object_id": list(range(1, len(objects) + 1)),
                    **{name: [getattr(thing, name) for thing in objects] for name in (
-                       "kind", "confidence", "height", "diameter", "lean", "azimuth", "crown", "sigma", "points",
-                       "passes", "status")},
+                       "kind", "confidence", "height", "diameter", "lean", "azimuth", "crown", "head_height", "sigma",
+                       "points", "passes", "status")},
+                   "arm": [thing.arm[0] if thing.arm else None for thing in objects],
+                   "arm_height": [thing.arm[1] if thing.arm else None for thing in objects],
                    "board_width": [thing.board.width if thing.board else None for thing in objects],
                    "board_height": [thing.board.height if thing.board else None for thing in objects],
                    "board_z": [float(thing.board.centre[2]) if thing.board else None for thing in objects],

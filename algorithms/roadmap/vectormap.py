@@ -9,7 +9,7 @@ from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
-from .driven_paths import check_drives, read_drives
+from .driven_paths import add_street_objects, check_drives, read_drives
 from .map_outputs import DATUMS, write_map_files, write_map_layers
 from .map_report import write_map_report
 
@@ -57,6 +57,13 @@ class VectorMap(UrbanMapAlgorithm):
         self.add_vector("ROADS", "Road axes", "Axes of roads of another map, in the CRS of the lines, with any of the "
                         "fields oneway, lanes and speed_limit or maxspeed as OpenStreetMap has them: they tell "
                         "directions where nothing else does, and speed limits.", optional=True,
+                        source_type=QgsProcessing.SourceType.TypeVectorLine)
+        self.add_vector("OBJECTS", "Street objects", "Points of “Street objects”, in the CRS of the lines: posts, "
+                        "boards and signals go into the Lanelet2 and OpenDRIVE files, signals with the stop line "
+                        "above whose lanes they hang.", optional=True,
+                        source_type=QgsProcessing.SourceType.TypeVectorPoint)
+        self.add_vector("RAILS", "Guard rails", "Lines of guard rails of “Street objects”, in the CRS of the lines, "
+                        "for the Lanelet2 and OpenDRIVE files.", optional=True,
                         source_type=QgsProcessing.SourceType.TypeVectorLine)
         self.add_choice("TRAFFIC", "Side of the traffic", "Auto: the side that drives in both directions show, left "
                         "where they do not.", TRAFFIC, "auto")
@@ -138,6 +145,7 @@ class VectorMap(UrbanMapAlgorithm):
                                way_confidence=self.parameterAsDouble(parameters, "WAY_CONFIDENCE", context))
         built = build_vector_map(lines, self._areas(parameters, context, table), drives, settings,
                                  progress.part(0.1, 0.8), self._axes(parameters, context, table))
+        add_street_objects(self, parameters, context, built, table)
         self._tell(built, drives, progress)
         results = write_map_layers(self, parameters, context, built, table.crs, bound_ids(built, lines))
         results |= write_map_files(self, parameters, context, built, table.crs_wkt,

@@ -132,3 +132,24 @@ def test_bounds_edited_by_hand_keep_their_ids_and_shared_nodes(run, read_layer, 
         "LineStringZ", "LINESTRING Z")))
     assert all({tuple(place) for place in between} <= {tuple(place) for place in shapely.get_coordinates(lane)}
                for lane in lanes)
+
+
+def test_street_objects_and_rails_go_into_the_files(run, read_layer, lines, drive, polygon_layer, tmp_path):
+    def layer(rows, kind, columns):
+        return polygon_layer(rows, "EPSG:6677", columns, kind=kind)
+
+    objects = layer([f"POINT Z ({EAST + 20} {NORTH + 9} 12)", f"POINT Z ({EAST + 40} {NORTH + 9} 12)"], "PointZ", {
+        "kind": ["lamp post", "signal"], "height": [8.0, 6.0]})
+    rails = layer([f"LINESTRING Z ({EAST + 5} {NORTH + 7} 12, {EAST + 25} {NORTH + 7} 12)"], "LineStringZ",
+                  {"height": [0.8]})
+    results = run(ALGORITHM, {"LINES": lines, "TRAJECTORY": [drive], "OBJECTS": objects, "RAILS": rails, **outputs(
+        tmp_path, OUTPUT_FINDINGS=str(tmp_path / "findings.gpkg"), OUTPUT_LANELET2=str(tmp_path / "map.osm"),
+        OUTPUT_OPENDRIVE=str(tmp_path / "map.xodr"))})
+    osm, drive_file = ((tmp_path / name).read_text(encoding="utf-8") for name in ("map.osm", "map.xodr"))
+    assert osm.count('v="pole"') == 2 and osm.count('v="guard_rail"') == 1 and "traffic_light" not in osm
+    assert drive_file.count('type="pole"') == 2 and drive_file.count('subtype="guardRail"') == 1
+    told = [row.attributes["kind"] for row in read_layer(results["OUTPUT_FINDINGS"])]
+    assert told.count("signal without stop line") == 1
+    with pytest.raises(Exception, match="no field kind"):
+        run(ALGORITHM, {"LINES": lines, "OBJECTS": layer(["POINT (1 2)"], "Point", {"height": [1.0]}),
+                        **outputs(tmp_path)})

@@ -96,3 +96,15 @@ def test_a_piece_beside_a_long_edge_bounds_no_carriageway_and_an_island_of_short
     ring = shapely.LineString([[-2.0, 0.0], [1.0, 0.0]]).buffer(0.6, quad_segs=4).exterior
     with_island = surveyed_roads([*edges[:2], edge(shapely.get_coordinates(ring), chain=5)], "2")
     assert shown(with_island, "island").area == pytest.approx(shapely.Polygon(ring).area, rel=0.05)
+
+
+def test_an_island_has_no_carriageway_behind_its_kerb_and_lanes_alone_no_junction():
+    """Of an island between two directions the drive on one side saw one kerb: what lies behind it is not the road."""
+    island = edge([[-30.0, 0.0], [30.0, 0.0]], chain=1)
+    lanes = [shapely.box(-30.0, 1.0, 30.0, 4.5), shapely.box(-30.0, -4.5, 30.0, -1.0)]
+    model = surveyed_roads([edge(KERB, chain=0), island], "3.1", SurveyInputs(lanes=lanes))
+    made = shapely.union_all([area.polygon for area in model.areas])
+    assert made.bounds == pytest.approx((-30.0, 0.0, 30.0, 6.0), abs=0.01)
+    crossing_lanes = [shapely.box(-3.0, -20.0, 0.0, 5.0), *LANES]
+    alone = surveyed_roads([edge(KERB)], "3.1", SurveyInputs(lanes=crossing_lanes))
+    assert alone.count("junction") == 0

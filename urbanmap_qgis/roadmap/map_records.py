@@ -162,6 +162,7 @@ class VectorMap:
     height_sigmas : sigma (m) of each node whose height was taken from along the road, by its number.
     intersections : ways through junctions that lie together, with their area.
     crosswalk_rings : outlines (n, 3) of the crosswalks with heights; empty where the crosswalks hold them.
+    objects, rails : what stands beside the lanes: `RoadsideObject`s, and lines (n, 4) of rails' feet and heights, m.
     """
 
     nodes: list[np.ndarray] = field(default_factory=list)
@@ -174,6 +175,8 @@ class VectorMap:
     height_sigmas: dict[int, float] = field(default_factory=dict)
     intersections: list[Intersection] = field(default_factory=list)
     crosswalk_rings: list[np.ndarray] = field(default_factory=list)
+    objects: list = field(default_factory=list)
+    rails: list[np.ndarray] = field(default_factory=list)
 
     def crosswalk_ring(self, number: int) -> np.ndarray:
         """Outline (n, 3) of a crosswalk, closed; heights NaN where unknown."""

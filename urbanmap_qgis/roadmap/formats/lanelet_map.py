@@ -16,6 +16,7 @@ import numpy as np
 from ...geometry.tolerances import LEAST_DIVISOR
 from ...io.osm import OsmFile, OsmNode, OsmRelation, OsmWay
 from ..map_records import Bound, MapLane, VectorMap
+from .lanelet_objects import add_objects
 from .lanelet_tags import defaults
 from .map_projection import MapCoordinates, map_coordinates
 
@@ -100,6 +101,7 @@ def lanelet_elements(built: VectorMap, crs_wkt: str, projector: str = "Transvers
     stops = _add_stop_lines(elements, built, lanelets, dialect)
     for k in sorted({k for lane in built.lanes for k in lane.crosswalks}):
         _add_crosswalk(elements, built, k, stops, lanelets, dialect)
+    add_objects(elements, built, stops, lanelets)
     places = np.array(elements.places).reshape(-1, 3)
     coordinates = map_coordinates(places[:, :2], crs_wkt, projector)
     nodes = {}

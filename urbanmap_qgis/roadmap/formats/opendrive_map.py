@@ -16,6 +16,7 @@ from ...io.files.atomic import written_beside
 from ...io.reference.plan_part import plan_part
 from ...wording import say
 from ..map_records import Bound, MapArea, VectorMap
+from .drive_objects import add_drive_objects
 from .opendrive_tags import COLOURS, DriveNode
 from .plan_view import CubicPiece, PlanElement, along_plan, fit_plan_view, fit_profile, plan_length
 from .road_layout import LaneRoad, RoadLayout, bounds_along_ways, road_layout, with_straight_ends
@@ -72,14 +73,19 @@ def opendrive_tree(built: VectorMap, crs_wkt: str,
     _add_header(root, crs_wkt, origin, nodes[:, :2] - origin)
     shapes = [_shape(built, road, origin) for road in layout.roads]
     things = _things_by_road(built, layout)
+    roads = []
     for number, (road, shape) in enumerate(zip(layout.roads, shapes)):
         element = _add_road(root, built, layout, number, shape, speed_limit)
+        roads.append(element)
         _add_crosswalks(element, built, shape, [thing for kind, thing in things[number] if kind == "crosswalk"], origin)
         _add_stop_lines(element, built, road, shape, [thing for kind, thing in things[number] if kind == "stop"],
                         origin)
+    beside = add_drive_objects(roads, built, layout, shapes, origin)
     for number in range(len(layout.junctions)):
         _add_junction(root, built, layout, number)
-    return ET.ElementTree(root), [
+    notes = [say("{number} objects stand beside no road of the map: they are missing in the OpenDRIVE file.",
+                 number=beside)] if beside else []
+    return ET.ElementTree(root), notes + [
         say("Lane {one} leads to lane {other}, but OpenDRIVE knows one road or junction at the end of a road: the "
             "connection is missing in the OpenDRIVE file.", one=one, other=other) for one, other in layout.untold]
 

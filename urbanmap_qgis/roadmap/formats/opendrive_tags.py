@@ -125,11 +125,17 @@ ELEMENTS: dict[str, DriveElement] = {
         _A("sOffset", number=_POSITIVE, default=0.0), *_SPEED)),
     "objects": DriveElement("t_road_objects"),
     "object": DriveElement("t_road_objects_object", (
-        _A("id"), _A("type", default="crosswalk"), _A("name", default="crosswalk"), _A("s", number=_POSITIVE),
+        _A("id"), _A("type", default="crosswalk"), _A("subtype", required=False),
+        _A("name", default="crosswalk"), _A("s", number=_POSITIVE),
         *_numbers("t"), _A("zOffset", number=_FINITE, default=0.0),
         _A("orientation", ("+", "-", "none"), default="none"),
         *(_A(name, number=_FINITE, default=0.0) for name in ("hdg", "pitch", "roll")),
-        *_numbers("length", "width", number=_POSITIVE), _A("dynamic", _YES_NO, default="no"))),
+        *(_A(name, number=_POSITIVE, required=False) for name in ("length", "width", "height", "radius")),
+        _A("dynamic", _YES_NO, default="no"))),
+    "repeat": DriveElement("t_road_objects_object_repeat", (
+        _A("s", number=_POSITIVE), _A("length", number=_POSITIVE), _A("distance", number=_POSITIVE, default=0.0),
+        *_numbers("tStart", "tEnd"), *_numbers("heightStart", "heightEnd", number=_POSITIVE),
+        *_numbers("zOffsetStart", "zOffsetEnd"))),
     "outlines": DriveElement("t_road_objects_object_outlines"),
     "outline": DriveElement("t_road_objects_object_outlines_outline", (
         _A("id", number=_POSITIVE, default=0), _A("closed", _TRUE_FALSE, default="true"))),
@@ -142,9 +148,11 @@ ELEMENTS: dict[str, DriveElement] = {
         _A("dynamic", _YES_NO, default="no"), _A("orientation", ("+", "-", "none")),
         _A("zOffset", number=_FINITE, default=0.0), _A("country", default=STOP_SIGN[0]),
         _A("type", default=STOP_SIGN[1]), _A("subtype", default="-1"), _A("value", number=_FINITE, default=-1.0),
-        _A("height", number=_POSITIVE, default=0.0), _A("width", number=_POSITIVE),
+        _A("height", number=_POSITIVE, default=0.0), _A("width", number=_POSITIVE, required=False),
         _A("hOffset", number=_FINITE, default=0.0))),
     "validity": DriveElement("t_road_objects_object_validity", _numbers("fromLane", "toLane")),
+    "dependency": DriveElement("t_road_signals_signal_dependency", (_A("id"), _A("type"))),
+    "positionInertial": DriveElement("t_road_signals_signal_positionInertial", _numbers("x", "y", "z", "hdg")),
     "junction": DriveElement("t_junction", (
         _A("id"), _A("name", default=""), _A("type", ("default", "virtual", "direct"), default="default"))),
     "connection": DriveElement("t_junction_connection", (

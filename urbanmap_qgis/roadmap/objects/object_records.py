@@ -108,6 +108,7 @@ class StreetObject:
     crown : diameter of a tree's crown, m; None without one.
     arm : length and height over the foot of an arm, m; None without one.
     board : on it; None without one.
+    head_height : of what is at the end of its arm, m; None without one.
     sigma : standard deviation of the foot in plan, each axis, m.
     points, passes : laser points of the stem, and passes of the survey that saw it.
     status : `MEASURED` or `DOUBTFUL`.
@@ -129,3 +130,4 @@ class StreetObject:
     passes: int
     status: str
     reason: str
+    head_height: float | None = None

@@ -168,7 +168,8 @@ def _object(stem: Stem, axis: StemAxis, foot: np.ndarray, around: HangingParts, 
         float(np.degrees(np.arctan(np.hypot(*axis.lean)))), azimuth, around.crown or None,
         (around.arm, around.arm_height) if around.arm else None,
         None if board is None else replace(board, centre=board.centre + corner),
-        sigma, len(stem.rows), passes, DOUBTFUL if reason else MEASURED, reason)
+        sigma, len(stem.rows), passes, DOUBTFUL if reason else MEASURED, reason,
+        around.head[1] if around.arm else None)
 
 
 def _doubt(stem: Stem, kind: str, crowd: float, wall: int) -> str:

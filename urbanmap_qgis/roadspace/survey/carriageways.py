@@ -45,6 +45,7 @@ class Carriageways:
     ends : lines (2, 2) across the road where the survey ends.
     findings : on the way.
     open_sides : borders that are no kerb, as nobody saw what lies beyond.
+    between : number of the polygons, the first ones, that lie between two edges.
     """
 
     polygons: tuple[shapely.Polygon, ...]
@@ -52,6 +53,7 @@ class Carriageways:
     ends: tuple[np.ndarray, ...]
     findings: tuple[RoadFinding, ...]
     open_sides: shapely.Geometry
+    between: int
 
 
 def carriageways_between(edges: Sequence[EdgeLine], lanes: Sequence[shapely.Polygon] = ()) -> Carriageways:
@@ -80,7 +82,7 @@ def carriageways_between(edges: Sequence[EdgeLine], lanes: Sequence[shapely.Poly
     if not polygons and not others.polygons:
         raise InputError(_one_sided())
     return Carriageways((*polygons, *others.polygons), measured, (*ends, *others.ends),
-                        (*findings, *open_findings, *others.findings), others.open_sides)
+                        (*findings, *open_findings, *others.findings), others.open_sides, len(polygons))
 
 
 def _between_two(lines: Sequence[shapely.LineString]) -> tuple[list[shapely.Polygon], tuple[RoadFinding, ...]]:

@@ -70,7 +70,7 @@ def one_sided_carriageways(edges: Sequence[shapely.LineString], lanes: Sequence[
              if line.geom_type == "LineString" and not line.is_empty]
     room = shapely.union_all(list(lanes))
     shapely.prepare(room)
-    strips = [] if room.is_empty else [strip for line in lines for strip in _strips(line, lines, room)]
+    strips = [] if room.is_empty else [strip for line in lines for strip in _strips(line, lines, room, whole)]
     surface = shapely.difference(shapely.union_all([strip.polygon for strip in strips]), whole)
     polygons = [part for part in shapely.get_parts(surface)
                 if part.geom_type == "Polygon" and 2.0 * part.area > LIMITS.narrow * part.length]
@@ -89,7 +89,8 @@ def _on(line: np.ndarray, border: shapely.Geometry) -> bool:
     return bool(shapely.length(shapely.intersection(shape, shapely.buffer(border, 2 * GRID))) > 0.5 * shape.length)
 
 
-def _strips(line: shapely.LineString, lines: Sequence[shapely.LineString], room: shapely.Geometry) -> list[_Strip]:
+def _strips(line: shapely.LineString, lines: Sequence[shapely.LineString], room: shapely.Geometry,
+            whole: shapely.Geometry) -> list[_Strip]:
     """Strips along a line on the side on which lanes lie nearer to it."""
     places = shapely.get_coordinates(shapely.segmentize(line, LIMITS.chord))
     at = shapely.line_locate_point(line, shapely.points(places))
@@ -100,11 +101,19 @@ def _strips(line: shapely.LineString, lines: Sequence[shapely.LineString], room:
     sides = []
     for side in (1.0, -1.0):
         near, far = _reaches(places, side * across, lines, room)
+        far[_behind(places, side * across, whole)] = np.nan
         sides.append((np.count_nonzero(np.isfinite(far)), -float(np.nansum(near)), side, far))
     _, _, side, far = max(sides, key=lambda one: one[:2])
     runs = np.split(np.arange(len(places)), np.flatnonzero(np.diff(np.isfinite(far).astype(int))) + 1)
     return [_Strip(places[run], places[run] + side * across[run] * far[run, None]) for run in runs
             if np.isfinite(far[run[0]]) and len(run) > 1 and at[run[-1]] - at[run[0]] >= LIMITS.least]
+
+
+def _behind(places: np.ndarray, course: np.ndarray, whole: shapely.Geometry) -> np.ndarray:
+    """Mask (n,) of places on the border of known carriageways from which a course leads away from these: an edge has a
+    carriageway on one side, an island or a sidewalk on the other."""
+    on = shapely.distance(whole.boundary, shapely.points(places)) < LIMITS.beginning / 2.0
+    return on & ~shapely.contains(whole, shapely.points(places + LIMITS.beginning * course))
 
 
 def _reaches(places: np.ndarray, course: np.ndarray, lines: Sequence[shapely.LineString],

@@ -49,7 +49,9 @@ def surveyed_roads(edges: Sequence[EdgeLine], level: str, inputs: SurveyInputs |
     ways = carriageways_between(edges, inputs.lanes)
     progress.step(0.2)
     fine = level in WITH_LANES
-    cuts = [junction_cuts(polygon, inputs.stops if fine else (), _islands(polygon)) for polygon in ways.polygons]
+    # Where one edge was seen, lanes make the other side: its shape tells of no junction.
+    cuts = [junction_cuts(polygon, inputs.stops if fine else (), _islands(polygon)) if number < ways.between
+            else CutJunctions((), ()) for number, polygon in enumerate(ways.polygons)]
     progress.step(0.5)
     places = cKDTree(np.concatenate([edge.plan for edge in edges]))
     sigmas = np.concatenate([np.full(len(edge.plan), edge.sigma) for edge in edges])
