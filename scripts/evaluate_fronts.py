@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Model walls of made fronts with canopies, signs, garden walls, balconies and the like before them, by kind.
 
-    python3 scripts/evaluate_fronts.py [--seeds 1 2 3 4 5] [--kinds canopy glass] [--each]
+    python3 scripts/evaluate_fronts.py [--seeds 1 2 3 4 5] [--kinds canopy glass] [--front outermost] [--each]
 
 A made vehicle scans each front (`front_scenes`); walls are found and models over the map's outline are merged with
 them. A front is `good` where 90 % of its length lie within 5 cm of its facade, `wrong` where half a metre or more of it
@@ -31,7 +31,14 @@ from urbanmap_qgis.buildings.merging.wall_match import KEPT, MOVED, measured_wal
 from urbanmap_qgis.buildings.solids.plan_partition import Cell  # noqa: E402
 from urbanmap_qgis.buildings.solids.solid import building_solids  # noqa: E402
 from urbanmap_qgis.facades.building_plans import building_plans  # noqa: E402
-from urbanmap_qgis.facades.wall_stage import FacadeWall, contour_area, find_walls  # noqa: E402
+from urbanmap_qgis.facades.wall_stage import (  # noqa: E402
+    MAIN,
+    OUTERMOST,
+    FacadeWall,
+    WallSettings,
+    contour_area,
+    find_walls,
+)
 from urbanmap_qgis.geometry.solid import multipolygon  # noqa: E402
 from urbanmap_qgis.io.points.pointcloud import open_cloud  # noqa: E402
 
@@ -51,21 +58,22 @@ class Trial:
     cpu: float
 
 
-def trial(kind: str, seed: int, folder: Path) -> Trial:
-    """One front, end to end."""
+def trial(kind: str, seed: int, folder: Path, wanted: str = MAIN) -> Trial:
+    """One front, end to end; `wanted`: the main wall, or the outermost where there are balconies."""
     front = make_front(kind, seed)
     survey = scan(front, seed)
     path = write_survey(folder / "front.laz", survey, seed)
     plan = on_map(front.outline, seed)
     model = multipolygon(building_solids([Cell(plan, 0, 20.0 + front.height)], 20.0))
     started = time.process_time()
-    walls, _ = find_walls(open_cloud([path]), building_plans([model], [1]))
+    walls, _ = find_walls(open_cloud([path]), building_plans([model], [1]), WallSettings(front=wanted))
     cpu = time.process_time() - started
-    measured = [measured_wall(row, wall.contour, wall.plane.rmse, wall.plane.sigma)
+    measured = [measured_wall(row, wall.contour, wall.plane.rmse, wall.plane.sigma, wall.points)
                 for row, wall in enumerate(walls) if wall.status in ("ok", "partly seen")]
     measured = [wall for wall in measured if wall is not None]
     merged = merge_models([1], [model], measured, MergeSettings())[0] if measured else None
-    return Trial(front, seed, survey, walls, merged, verdict(front, seed, merged, front.wall), cpu)
+    truth = front.wall if wanted == MAIN else front.outer
+    return Trial(front, seed, survey, walls, merged, verdict(front, seed, merged, truth), cpu)
 
 
 def on_map(plan: shapely.Polygon, seed: int) -> shapely.Polygon:
@@ -128,13 +136,14 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3, 4, 5])
     parser.add_argument("--kinds", nargs="+", default=list(KINDS), choices=list(KINDS))
+    parser.add_argument("--front", default=MAIN, choices=(MAIN, OUTERMOST))
     parser.add_argument("--each", action="store_true", help="say what was found of each front that is not good")
     given = parser.parse_args()
     total, cpu = Counter(), 0.0
     print(f"{'kind':26s}  good marked wrong   CPU")
     for kind in given.kinds:
         with tempfile.TemporaryDirectory() as folder:
-            trials = [trial(kind, seed, Path(folder)) for seed in given.seeds]
+            trials = [trial(kind, seed, Path(folder), given.front) for seed in given.seeds]
         counts = Counter(one.verdict for one in trials)
         total.update(counts)
         cpu += sum(one.cpu for one in trials)

@@ -37,8 +37,8 @@ class MergeBuildingModels(UrbanMapAlgorithm):
                           "walls. Without them give a CityJSON file.", optional=True)
         self.add_file("MODELS_CITYJSON", "Building models (CityJSON)", "CityJSON file with solids, in the coordinate "
                       "system of the walls, instead of the layer.", CITYJSON_FILTER, optional=True)
-        self.add_polygons("WALLS", "Walls", "PolygonZ of “Walls from a mobile survey”. Walls of few points, rough ones "
-                          "and those inside the outlines are left out.")
+        self.add_polygons("WALLS", "Walls", "PolygonZ of “Walls from a mobile survey”. Walls of few points, rough "
+                          "ones, those inside the outlines and what stands before facades are left out.")
         self.add_distance("HEIGHT", "Height", "Height in metres above the ground of each model up to which measured "
                           "walls are taken.", 20.0, 1.0, 500.0)
         self.add_distance("MAX_OFFSET", "Maximum offset", "Maximum distance in metres by which a wall moves to the "
@@ -123,6 +123,7 @@ class MergeBuildingModels(UrbanMapAlgorithm):
         empty = np.full(len(table), np.nan)
         rmse, sigma = numbers(table, "rmse"), numbers(table, "sigma")
         rmse, sigma = empty if rmse is None else rmse, empty if sigma is None else sigma
+        points = column(table, "points") or [0] * len(table)
         status = column(table, "status") or [_USABLE[0]] * len(table)
         walls, flat = [], 0
         for row, geometry in enumerate(table.geometries):
@@ -132,8 +133,8 @@ class MergeBuildingModels(UrbanMapAlgorithm):
                 raise InputError(tr("{0}: the walls have no heights; give the result of “Walls from a mobile survey”.")
                                  .format(table.label))
             for part in shapely.get_parts(geometry):
-                wall = measured_wall(row, part, float(rmse[row]), float(sigma[row])) if part.geom_type == "Polygon" \
-                    else None
+                wall = measured_wall(row, part, float(rmse[row]), float(sigma[row]), int(points[row] or 0)) \
+                    if part.geom_type == "Polygon" else None
                 flat += wall is None
                 walls += [wall] if wall is not None else []
         if flat:

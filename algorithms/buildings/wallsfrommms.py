@@ -38,6 +38,9 @@ class WallsFromMms(UrbanMapAlgorithm):
                           "without it, buildings are numbered from 1 in the layer's order.")
         self.add_distance("MAX_HEIGHT", "Maximum height", "Height in metres above the ground up to which points are "
                           "used.", 20.0, 1.0, 500.0)
+        self.add_choice("FRONT", "Front with balconies", "Which wall of a building is wanted where balconies stand "
+                        "before it. main: the wall behind them; outermost: the fronts of the balconies. Where storeys "
+                        "stand on columns, it is their wall in both.", ("main", "outermost"), "main")
         self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres. Without it the ground is taken "
                         "from the lowest points round each building.", optional=True)
         self.add_distance("REACH", "Tolerance of the outlines", "How far the outlines may be off, in metres: walls are "
@@ -55,7 +58,8 @@ class WallsFromMms(UrbanMapAlgorithm):
         self.add_layer_output("OUTPUT", "Walls", "PolygonZ, one feature a contour: building_id, wall_id, status, note, "
                               "area (m2), height, length (m), azimuth and tilt (degrees), normal_x, normal_y, "
                               "normal_z, points, passes, rmse, sigma, pass_spread (m), coverage, hidden, unseen, "
-                              "openings, filled (shares), edge and offset (outline edge, and m before it).")
+                              "openings, filled (shares), edge and offset (outline edge, and m before it), kind "
+                              "(wall, or what stands before the facade).")
         self.add_number_output("WALLS", "Walls", "Number of contours.")
         self.add_number_output("BUILDINGS_WITH_WALLS", "Buildings with walls", "Buildings of which a wall was found.")
         self.add_number_output("BUILDINGS_NEAR", "Buildings reached", "Buildings near points of the survey.")
@@ -123,4 +127,5 @@ class WallsFromMms(UrbanMapAlgorithm):
 
         return WallSettings(FacadeSettings(number("MAX_HEIGHT"), number("REACH")),
                             PlaneSettings(number("TOLERANCE"), number("MIN_AREA"), number("GAP")),
-                            ContourSettings(number("MIN_AREA"), number("MIN_OPENING"), max_gap=number("GAP")))
+                            ContourSettings(number("MIN_AREA"), number("MIN_OPENING"), max_gap=number("GAP")),
+                            self.parameterAsString(parameters, "FRONT", context))

@@ -124,6 +124,8 @@ WALL_STATUS = {
     "rough": ("rough", "#f08a4b"),
     "few points": ("few points", "#d7263d"),
     "inside": ("inside the outline", "#7f8fb5"),
+    "before the facade": ("before the facade", "#9c6ade"),
+    "undecided": ("undecided", "#8a8f98"),
 }
 """Label and colour of each status of a measured wall."""
 

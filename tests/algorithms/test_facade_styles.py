@@ -13,7 +13,8 @@ from urbanmap_qgis.facades import wall_stage
 
 STYLES = Path(__file__).resolve().parents[2] / "resources" / "styles"
 STATUS = {
-    "facade_walls": (wall_stage.OK, wall_stage.PARTLY, wall_stage.ROUGH, wall_stage.FEW, wall_stage.INSIDE),
+    "facade_walls": (wall_stage.OK, wall_stage.PARTLY, wall_stage.ROUGH, wall_stage.FEW, wall_stage.INSIDE,
+                     wall_stage.BEFORE, wall_stage.UNDECIDED),
     "merged_models": (merge_stage.MERGED, merge_stage.UNCHANGED, merge_stage.NOT_MERGED),
     "merged_walls": (wall_match.MOVED, wall_match.KEPT, wall_match.NOT_SEEN, wall_match.TOO_FAR, wall_match.NEIGHBOUR,
                      wall_match.FOLDED),

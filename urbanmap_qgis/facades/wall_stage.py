@@ -18,13 +18,19 @@ from ..wording import say
 from .building_plans import BuildingPlans, outline_edges
 from .facade_points import FacadePoints, FacadeSettings, facade_points
 from .plane_fit import WallPlane
+from .standing_before import BALCONY, SETBACK, UNCLEAR, WALL, PlacedWall, kinds_of_walls
 from .wall_contours import Contour, ContourSettings, WallCoverage, in_plane, on_map, wall_contours, wall_coverage
 from .wall_planes import PlaneSettings, edge_distance, wall_segments
 
-OK, ROUGH, PARTLY, FEW, INSIDE = "ok", "rough", "partly seen", "few points", "inside"
+OK, ROUGH, PARTLY, FEW, INSIDE, BEFORE, UNDECIDED = (
+    "ok", "rough", "partly seen", "few points", "inside", "before the facade", "undecided")
 """Status of a wall: sound; its points scatter more than a flat wall's; less than half of it was seen; too few points
 to trust it; inside the outline behind another wall, on a roof, or farther than outlines may be off: a setback or a room
-seen through a window."""
+seen through a window; a canopy, sign, balcony, garden wall, hoarding or post before the facade; it or a wall at another
+depth is the facade."""
+
+MAIN, OUTERMOST = "main", "outermost"
+"""Which wall is wanted where a building has balconies: the one behind them, or their fronts."""
 
 
 @dataclass(frozen=True)
@@ -39,9 +45,9 @@ class WallStageLimits:
     podium: float = 8.0  # A wall inside the outline of which nothing up to this height was seen, m, stands on a roof.
     overlap: float = 0.3  # Distance (m) by which, and share of its area of which, a wall stands before another.
     step: float = 0.5
-    # A wall from the ground up to this height, m, is no garden wall or hoarding: what begins at its top stands on
-    # it.
+    # A wall from the ground up to this height, m, is that of a storey at least.
     storey: float = 3.2
+    floor: float = 2.2  # A wall from the ground up to this height, m, can be that of a ground floor.
     facing: float = 0.94
     # Cosine of the maximum angle between a wall and the outline's edge that it belongs to: 15 degrees.
     min_edge_cosine: float = 0.966
@@ -54,11 +60,12 @@ _BEFORE = 0.3
 
 @dataclass(frozen=True)
 class WallSettings:
-    """All settings of the stage."""
+    """All settings of the stage; `front`: the wall that is wanted behind balconies, or their fronts."""
 
     facade: FacadeSettings = field(default_factory=FacadeSettings)
     planes: PlaneSettings = field(default_factory=PlaneSettings)
     contours: ContourSettings = field(default_factory=ContourSettings)
+    front: str = MAIN
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,6 +83,7 @@ class FacadeWall:
     offset : distance outwards from that edge, m.
     height_known : whether the building's top was known, to which the rectangle reaches.
     status, note : in words.
+    kind : wall, or what stands before the facade.
     """
 
     building_id: int
@@ -90,6 +98,7 @@ class FacadeWall:
     height_known: bool
     status: str
     note: str
+    kind: str = WALL
 
 
 @dataclass(frozen=True)
@@ -162,32 +171,88 @@ def _walls_of(piece: _Piece, settings: WallSettings, check: Progress | None) -> 
         contours = [contour for contour in contours if contour.points >= LIMITS.none]
         if contours:
             planes.append((segment.plane, contours))
-    walls: list[FacadeWall] = []
-    for plane, contours in planes:
-        walls.extend(_described(piece, plane, contours, ends, outward, planes, settings))
+    placed, edges = _placed(piece, planes, ends, outward, settings)
+    kinds = kinds_of_walls(placed, given.points)
+    own = [one for one, (kind, _) in zip(placed, kinds)
+           if kind in (WALL, UNCLEAR) or (kind == BALCONY and settings.front == OUTERMOST)]
+    walls = [_described(piece, one, edge, kind, own, settings)
+             for one, edge, kind in zip(placed, edges, kinds)]
     return walls, len(given.points)
 
 
-def _described(piece: _Piece, plane: WallPlane, contours: Sequence[Contour], ends: np.ndarray, outward: np.ndarray,
-               planes: Sequence[tuple[WallPlane, Sequence[Contour]]], settings: WallSettings) -> list[FacadeWall]:
-    """The contours of one plane with all that is known of them; `planes` are all of the building."""
-    edge, offset = _edge_of(plane, contours, ends, outward)
-    walls = []
-    for contour in contours:
-        polygon = on_map(plane, contour.polygon)
-        z = shapely.get_coordinates(polygon, include_z=True)[:, 2]
-        foot, top = _span(piece, plane, z, settings.facade.max_height)
-        depth = _depth(piece.plan, plane, contour.polygon)
-        on_a_roof = float(z.min()) - foot > LIMITS.podium
-        inside = depth > settings.facade.tolerance or (
-            depth > LIMITS.deep and (on_a_roof or _behind_another(plane, contour, planes)))
-        if inside:
-            foot = float(z.min())  # it stands on a roof
-        seen = wall_coverage(plane, [contour], foot, top, piece.points.front)
-        status, note = _status(plane, contour.points, seen, depth if inside else 0.0)
-        walls.append(FacadeWall(piece.building_id, plane, polygon, contour.points, contour.openings, contour.filled,
-                                seen, edge, offset, bool(np.isfinite(piece.top)), status, note))
-    return walls
+def _placed(piece: _Piece, planes: Sequence[tuple[WallPlane, Sequence[Contour]]], ends: np.ndarray,
+            outward: np.ndarray, settings: WallSettings) -> tuple[list[PlacedWall], list[int]]:
+    """All contours of a building where they lie, and the number of the outline's edge of each."""
+    given, placed, edges = piece.points, [], []
+    for plane, contours in planes:
+        edge, offset = _edge_of(plane, contours, ends, outward)
+        known = np.isfinite(given.ground[0])
+        ground = float(plane.point[2] - given.height(plane.point[None])[0]) if known else min(
+            float(_heights(plane, contour.polygon).min()) for contour in contours)
+        for contour in contours:
+            facade = _depth(piece.plan, plane, contour.polygon) <= settings.facade.tolerance
+            placed.append(PlacedWall(plane, contour, offset, ends[edge] if edge >= 0 else None, facade, ground))
+            edges.append(edge)
+    return placed, edges
+
+
+def _described(piece: _Piece, placed: PlacedWall, edge: int, kind: tuple[str, float], walls: Sequence[PlacedWall],
+               settings: WallSettings) -> FacadeWall:
+    """A contour with all that is known of it; `walls` are all of the building that may be facades."""
+    plane, contour = placed.plane, placed.contour
+    polygon = on_map(plane, contour.polygon)
+    z = shapely.get_coordinates(polygon, include_z=True)[:, 2]
+    foot, top = _span(piece, plane, z, settings.facade.max_height)
+    depth = _depth(piece.plan, plane, contour.polygon)
+    if depth > 0 and edge >= 0:
+        depth = max(depth, -placed.offset)  # near a corner another edge is nearer than its own
+    heights = float(z.min()) - foot, float(z.max()) - foot
+    inside = kind[0] == SETBACK or _inside(piece, placed, depth, heights, walls, settings)
+    if inside:
+        foot = float(z.min())  # it stands on a roof
+    seen = wall_coverage(plane, [contour], foot, top, piece.points.front)
+    standing = kind[0] not in (WALL, SETBACK, UNCLEAR) and not (kind[0] == BALCONY and settings.front == OUTERMOST)
+    status, note = _front_status(*kind) if standing or kind[0] == UNCLEAR else _status(
+        plane, contour.points, seen, max(depth, _BEFORE) if inside else 0.0)
+    return FacadeWall(piece.building_id, plane, polygon, contour.points, contour.openings, contour.filled,
+                      seen, edge, placed.offset, bool(np.isfinite(piece.top)), status, note, kind[0])
+
+
+def _inside(piece: _Piece, placed: PlacedWall, depth: float, heights: tuple[float, float],
+            walls: Sequence[PlacedWall], settings: WallSettings) -> bool:
+    """Whether a wall so deep inside the outline (m), its foot and top at heights above the ground (m), is no facade.
+
+    What is seen from the ground up past a storey, with nothing before it but the ground, is one at any depth: the
+    outline lacks a step that the building has.
+    """
+    if depth <= LIMITS.deep:
+        return False
+    (foot, top), hidden = heights, _behind_another(placed.plane, placed.contour, walls)
+    if depth > settings.facade.tolerance:
+        return hidden or foot > LIMITS.deep or top < LIMITS.storey or not _free_ground(piece, placed, depth)
+    return hidden or foot > LIMITS.podium
+
+
+def _free_ground(piece: _Piece, placed: PlacedWall, depth: float) -> bool:
+    """Whether the ground was seen before a wall, between it and the outline, along half of its length."""
+    given, plane = piece.points, placed.plane
+    if not np.isfinite(given.ground[0]):
+        return False
+    left, _, right, _ = placed.contour.polygon.bounds
+    away = plane.distance(given.points)
+    near = given.points[(away > _BEFORE) & (away < depth) & (np.abs(given.height(given.points)) < LIMITS.step)]
+    along = in_plane(plane, near)[:, 0]
+    stretches = max(int(right - left), 1)
+    seen = np.histogram(along, stretches, (left, right))[0] >= LIMITS.none
+    return bool(seen.mean() > LIMITS.half)
+
+
+def _front_status(kind: str, before: float) -> tuple[str, str]:
+    """Status and reason of what stands before the facade, or may be it."""
+    if kind == UNCLEAR:
+        return UNDECIDED, say("a wall at another depth may be the facade as well: a hoarding, or a storey that "
+                              "stands back")
+    return BEFORE, say("{kind}, {before:.1f} m before the facade", kind=say(kind), before=before)
 
 
 def _span(piece: _Piece, plane: WallPlane, z: np.ndarray, max_height: float) -> tuple[float, float]:
@@ -227,8 +292,7 @@ def _depth(plan: shapely.Geometry, plane: WallPlane, flat: shapely.Polygon) -> f
     return float(shapely.distance(middle, shapely.boundary(plan))) if shapely.contains(plan, middle) else 0.0
 
 
-def _behind_another(plane: WallPlane, contour: Contour,
-                    planes: Sequence[tuple[WallPlane, Sequence[Contour]]]) -> bool:
+def _behind_another(plane: WallPlane, contour: Contour, walls: Sequence[PlacedWall]) -> bool:
     """Whether walls that face the same way stand before a good part of a wall, by its length and its height.
 
     An outline that is too large has its facade inside, and nothing stands before that but a canopy, a sign, a garden
@@ -237,19 +301,19 @@ def _behind_another(plane: WallPlane, contour: Contour,
     """
     extent = shapely.box(*contour.polygon.bounds)
     foot = float(_heights(plane, extent).min())
-    ground = min(float(_heights(other, one.polygon).min()) for other, contours in planes for one in contours)
+    ground = min((float(_heights(other.plane, other.contour.polygon).min()) for other in walls), default=foot)
     covered = []
-    for other, contours in planes:
-        if other.normal @ plane.normal < LIMITS.facing:
+    for other in walls:
+        if other.plane.normal @ plane.normal < LIMITS.facing:
             continue
-        for one in contours:
-            corners = shapely.get_coordinates(on_map(other, shapely.box(*one.polygon.bounds)), include_z=True)[:-1]
-            if np.mean(plane.distance(corners)) > _BEFORE:
-                flat, z = in_plane(plane, corners), corners[:, 2]
-                (left, low), (right, high) = flat.min(axis=0), flat.max(axis=0)
-                if z.min() < ground + 1.0 and z.max() > ground + LIMITS.storey and foot > z.max() - LIMITS.step:
-                    high = extent.bounds[3]
-                covered.append(shapely.intersection(shapely.box(left, low, right, high), extent))
+        corners = shapely.get_coordinates(on_map(other.plane, shapely.box(*other.contour.polygon.bounds)),
+                                          include_z=True)[:-1]
+        if np.mean(plane.distance(corners)) > _BEFORE:
+            flat, z = in_plane(plane, corners), corners[:, 2]
+            (left, low), (right, high) = flat.min(axis=0), flat.max(axis=0)
+            if z.min() < ground + 1.0 and z.max() > ground + LIMITS.floor and foot > z.max() - LIMITS.step:
+                high = extent.bounds[3]
+            covered.append(shapely.intersection(shapely.box(left, low, right, high), extent))
     return bool(shapely.union_all(covered).area > LIMITS.overlap * extent.area) if covered else False
 
 
@@ -279,7 +343,7 @@ WALL_COLUMNS: tuple[tuple[str, str], ...] = (
     ("height", "real"), ("length", "real"), ("azimuth", "real"), ("tilt", "real"), ("normal_x", "real"),
     ("normal_y", "real"), ("normal_z", "real"), ("points", "int"), ("passes", "int"), ("rmse", "real"),
     ("sigma", "real"), ("pass_spread", "real"), ("coverage", "real"), ("hidden", "real"), ("unseen", "real"),
-    ("openings", "real"), ("filled", "real"), ("edge", "int"), ("offset", "real"),
+    ("openings", "real"), ("filled", "real"), ("edge", "int"), ("offset", "real"), ("kind", "text"),
 )
 """Names and kinds of the columns of a layer of walls, in order."""
 
@@ -307,7 +371,7 @@ def _row(wall: FacadeWall, number: int) -> dict:
         "points": wall.points, "passes": plane.passes, "rmse": plane.rmse, "sigma": plane.sigma,
         "pass_spread": plane.pass_spread, "coverage": seen.coverage, "hidden": seen.hidden, "unseen": seen.unseen,
         "openings": wall.openings, "filled": wall.filled, "edge": wall.edge if wall.edge >= 0 else None,
-        "offset": wall.offset,
+        "offset": wall.offset, "kind": wall.kind,
     }
 
 

@@ -33,6 +33,7 @@ class WallMatchLimits:
     coplanar: float = 0.1  # Walls whose ends lie this near to the line of a larger one, m, are of its plane.
     over: float = 0.3  # Share of a wall's own length times height from which on another lies over it.
     step: float = 0.3  # Walls whose depth differs by more than this, m, have a step between them.
+    step_reach: float = 3.0  # Walls up to this far beyond the maximum offset, m, tell where a facade steps.
     # A step is looked for in gaps between walls up to this wide, m: in a wider one its place is not known.
     step_gap: float = 2.0
     # Length of an edge, m, that must have been measured, and of the pieces into which steps cut it.
@@ -84,6 +85,7 @@ class MeasuredWall:
     area : m2.
     rmse, sigma : m, NaN where unknown.
     tilt : degrees.
+    points : number of points on it, 0 where unknown.
     """
 
     number: int
@@ -97,6 +99,7 @@ class MeasuredWall:
     rmse: float
     sigma: float
     tilt: float
+    points: int = 0
 
     @property
     def along(self) -> np.ndarray:
@@ -105,7 +108,7 @@ class MeasuredWall:
 
 
 def measured_wall(number: int, polygon: shapely.Polygon, rmse: float = math.nan,
-                  sigma: float = math.nan) -> MeasuredWall | None:
+                  sigma: float = math.nan, points: int = 0) -> MeasuredWall | None:
     """A wall from its contour with z, counterclockwise seen from in front; None where it is no upright face."""
     ring = shapely.get_coordinates(polygon.exterior, include_z=True)[:-1]
     if len(ring) < 3 or not np.isfinite(ring).all():
@@ -125,7 +128,7 @@ def measured_wall(number: int, polygon: shapely.Polygon, rmse: float = math.nan,
     extent = (ring[:, :2] - on_trace) @ along
     holes = sum(shapely.Polygon(_flat(hole, along)).area for hole in polygon.interiors)
     return MeasuredWall(number, on_trace, level, float(extent.min()), float(extent.max()), foot, top,
-                        max(size - holes, 0.0), rmse, sigma, float(np.degrees(np.arcsin(normal[2]))))
+                        max(size - holes, 0.0), rmse, sigma, float(np.degrees(np.arcsin(normal[2]))), points)
 
 
 def _flat(ring: shapely.LinearRing, along: np.ndarray) -> np.ndarray:
@@ -198,10 +201,13 @@ class WallsAlong:
         return self.wall.area * min(float(np.diff(self.spans, axis=1).sum()) / max(length, LEAST_DIVISOR), 1.0)
 
 
-def walls_along(edge: OuterEdge, walls: WallIndex, base: float, top: float, settings: MergeSettings
-                ) -> list[WallsAlong]:
-    """What was measured along an edge between heights `base` and `top` (m), plane by plane, the largest first."""
-    near = [wall for wall in walls.near(edge, settings.max_offset + 1.0)
+def walls_along(edge: OuterEdge, walls: WallIndex, base: float, top: float, settings: MergeSettings,
+                reach: float = 1.0) -> list[WallsAlong]:
+    """What was measured along an edge between heights `base` and `top` (m), plane by plane, the largest first.
+
+    `reach` : m beyond the maximum offset up to which walls are looked for.
+    """
+    near = [wall for wall in walls.near(edge, settings.max_offset + reach)
             if not (math.isfinite(wall.rmse) and wall.rmse > settings.max_rmse)
             and _along(edge, wall, base, top) is not None]
     found = []
@@ -230,10 +236,12 @@ def _coplanar(first: MeasuredWall, other: MeasuredWall) -> bool:
 def _summed(first: MeasuredWall, parts: Sequence[MeasuredWall]) -> MeasuredWall:
     """Walls of one plane as one: the line through those that do not lie over each other, weighted by their areas.
 
-    What lies over a larger one (panes in their frames, panels) is at a depth of its own and holds no line.
+    Of walls over each other that with most points holds the line: panes in their frames send few beams back, and are
+    at a depth of their own.
     """
     if len(parts) == 1:
         return first
+    first = max(parts, key=lambda wall: (wall.points, wall.area, -wall.number))
     holding = _apart(first, parts)
     shares = np.linspace(0.0, 1.0, 9)
     places = np.concatenate([wall.point + np.outer(wall.left + shares * (wall.right - wall.left), wall.along)
@@ -253,10 +261,11 @@ def _summed(first: MeasuredWall, parts: Sequence[MeasuredWall]) -> MeasuredWall:
 
 
 def _apart(first: MeasuredWall, parts: Sequence[MeasuredWall]) -> list[MeasuredWall]:
-    """The largest wall, and those of which larger ones cover less than a good part, each by its length and height."""
+    """The strongest wall, and those of which stronger ones cover less than a good part, each by its length and height.
+    """
     holding: list[MeasuredWall] = []
     boxes: list[shapely.Polygon] = []
-    for wall in sorted(parts, key=lambda wall: (wall is not first, -wall.area, wall.number)):
+    for wall in sorted(parts, key=lambda wall: (-wall.points, -wall.area, wall.number)):
         ends = [float((wall.point + end * wall.along - first.point) @ first.along) for end in (wall.left, wall.right)]
         box = shapely.box(min(ends), wall.foot, max(ends), wall.top)
         if not boxes or shapely.intersection(box, shapely.union_all(boxes)).area <= LIMITS.over * box.area:
@@ -279,12 +288,13 @@ def _union(spans: np.ndarray) -> np.ndarray:
 def steps_along(edge: OuterEdge, walls: WallIndex, base: float, top: float, settings: MergeSettings) -> list[float]:
     """Where the facade along an edge steps (bay, recess), m from its start: between walls of different depth.
 
-    Of walls that lie over each other the larger one has the place.
+    Of walls that lie over each other the larger one has the place. Walls beyond the maximum offset count: the piece of
+    the edge before them stays, but does not go with the rest.
     """
     free = [(0.0, edge.length)]
     pieces: list[tuple[float, float, int]] = []
-    found = [one for one in walls_along(edge, walls, base, top, settings)
-             if abs(one.offset) <= settings.max_offset and abs(one.rotation) <= settings.max_rotation]
+    found = [one for one in walls_along(edge, walls, base, top, settings, LIMITS.step_reach)
+             if abs(one.rotation) <= settings.max_rotation]
     ordered = sorted(found, key=lambda one: -one.area_along)
     for number, one in enumerate(ordered):
         free_spans = [(max(low, start), min(high, end)) for low, high in one.spans for start, end in free
