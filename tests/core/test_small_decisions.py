@@ -25,6 +25,7 @@ from urbanmap_qgis.localisation.simulation.simulated_scans import displaced
 from urbanmap_qgis.localisation.walls.wall_cells import space_cells
 from urbanmap_qgis.mobile.markings.intensity_calibration import _fit, _model
 from urbanmap_qgis.mobile.registration.correction.disagreements import _EITHER, NodeStep, either_side
+from urbanmap_qgis.progress import Progress
 from urbanmap_qgis.roadmap.checks.light_rules import _cosine
 from urbanmap_qgis.roadmap.edges.assembly import kerb_lines
 from urbanmap_qgis.roadmap.edges.courses import _turns_off
@@ -240,3 +241,11 @@ def test_a_scan_fits_elsewhere_by_its_points_above_the_road(peak, elsewhere):
     assert found is elsewhere
     (places, most), = asked
     assert places.tolist() == [[16.0, 20.0], [16.0, 22.0]] and most == 20
+
+
+def test_fractions_of_a_part_run_within_the_whole():
+    told = []
+    part = Progress(told.append).part(0.5, 1.0).part(0.25, 0.75)
+    for fraction in (-1.0, 0.0, 0.5, 1.0, 2.0):
+        part.step(fraction)
+    assert told == pytest.approx([0.625, 0.625, 0.75, 0.875, 0.875])
