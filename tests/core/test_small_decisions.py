@@ -246,6 +246,6 @@ def test_a_scan_fits_elsewhere_by_its_points_above_the_road(peak, elsewhere):
 def test_fractions_of_a_part_run_within_the_whole():
     told = []
     part = Progress(told.append).part(0.5, 1.0).part(0.25, 0.75)
-    for fraction in (-1.0, 0.0, 0.5, 1.0, 2.0):
+    for fraction in (0.0, 0.5, 1.0):
         part.step(fraction)
-    assert told == pytest.approx([0.625, 0.625, 0.75, 0.875, 0.875])
+    assert told == pytest.approx([0.625, 0.75, 0.875])
