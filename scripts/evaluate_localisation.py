@@ -73,7 +73,9 @@ def on_city(given) -> dict:
             "observed": float(np.median(found.observed)), "predicted": float(np.median(found.predicted)),
             "hidden": float(found.hidden.mean()), "beyond 1 m": float((np.hypot(
                 *np.moveaxis(found.errors[:, :, :2], 2, 0)) > 1.0).mean()),
-            "elsewhere": float(found.elsewhere.mean())}
+            "elsewhere": float(found.elsewhere.mean()), "converged": float(found.converged.mean()),
+            "directions not determined": float((~found.determined).mean()), "rank of converged": found.rank_converged,
+            "inside of converged": found.inside_converged, "failures ranked": found.failures_ranked}
 
 
 def street(rng: np.random.Generator, unequal: float) -> tuple[WallMap, float]:

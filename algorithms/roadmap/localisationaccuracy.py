@@ -13,7 +13,7 @@ from ..framework.layers.layers import make_fields
 from .localisation_inputs import LocalisationInputs
 from .localisation_sensors import LocalisationSensors
 
-WORDS, WHOLE = ("class", "status"), ("street", "n_walls")
+WORDS, WHOLE = ("class", "status"), ("street", "n_walls", "undetermined")
 
 
 class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgorithm):
@@ -42,7 +42,9 @@ class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgo
         self.add_layer_output("OUTPUT", "Localisation accuracy", "Points along the roads: sigma_along, "
                               "sigma_across (m), sigma_heading (degrees) together, and of each source (…_walls, "
                               "…_markings, …_satellites); major, minor (m) and weakest (bearing of the major "
-                              "axis) of the error ellipse; alias_share, alias_distance, alias_bearing; points, "
+                              "axis) of the error ellipse; undetermined (directions that keep what was known "
+                              "before) and elsewhere (share of scans that end beside the place); alias_share, "
+                              "alias_distance, alias_bearing; points, "
                               "n_walls, horizon and sky (share with "
                               "walls), cell_rms, two_surfaces, satellites, pdop; class and status.",
                               source_type=QgsProcessing.SourceType.TypeVectorPoint)

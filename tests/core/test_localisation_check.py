@@ -97,6 +97,33 @@ def test_prediction_holds_what_is_simulated(walls, places):
     assert np.array_equal(some.errors, again.errors)
 
 
+def test_scans_that_end_in_the_next_gap_of_a_row_of_houses_do_not_converge():
+    """Started 3 m off in a row that repeats every 6 m; where walls stand on one side alone, along it nothing counts."""
+    shapes = np.array([shapely.box(x, y, x + 3, y + 5) for x in range(-72, 73, 6) for y in (5, -10)], object)
+    pieces = building_walls(shapes, None, np.full(len(shapes), 12.0), np.zeros(len(shapes)))
+    row = WallMap.of(pieces, wall_sigmas(pieces, 0.05))
+    wide = LocalisationSettings(VehicleScanner(hidden=0.0, noise=0.01), start_sigma=3.0)
+    narrow = LocalisationSettings(VehicleScanner(hidden=0.0, noise=0.01), start_sigma=0.3)
+    where = places_on_roads([shapely.LineString([(-9, 0, 0), (9, 0, 0)])], 3.0)
+    far, near = (accuracy_map(LocalisationMap(row), where, one) for one in (wide, narrow))
+    assert (far.undetermined == 0).all() and (near.undetermined == 0).all()
+    assert np.nanmedian(far.elsewhere) > 0.2 and np.nanmedian(near.elsewhere) < 0.02
+    lost, kept = (check_prediction(row, made, one, 2, 4, 3) for made, one in ((far, wide), (near, narrow)))
+    assert (~lost.converged).mean() > 0.2 and kept.converged.all() and kept.determined.all()
+    assert np.isnan(kept.failures_ranked) and kept.inside_converged == pytest.approx(kept.inside)
+
+
+def test_direction_along_a_smooth_wall_is_not_determined_and_has_no_share():
+    shapes = np.array([shapely.box(-300, 10, 300, 25)], object)
+    pieces = building_walls(shapes, None, np.full(1, 12.0), np.zeros(1))
+    wall = WallMap.of(pieces, wall_sigmas(pieces, 0.1))
+    made = accuracy_map(LocalisationMap(wall), places_on_roads([shapely.LineString([(-9, 0, 0), (9, 0, 0)])], 3.0),
+                        settings())
+    assert (made.undetermined == 1).all() and np.isnan(made.elsewhere).all()
+    check = check_prediction(wall, made, settings(), 2, 2, 3)
+    assert not check.determined.any() and np.isnan([check.rank_converged, check.inside_converged]).all()
+
+
 def test_true_city_is_scanned_where_one_is_given(walls, places):
     """All of the true city a metre to the east: the scans say so."""
     from dataclasses import replace
@@ -130,7 +157,8 @@ def test_report_has_classes_worst_stretches_and_what_was_simulated(walls, places
     check = check_prediction(walls, made, settings(), 2, 2, 3)
     write_localisation_report(tmp_path / "r.html", LocalisationMap(walls), made, check)
     text = (tmp_path / "r.html").read_text(encoding="utf-8")
-    for words in ("Worst stretches", "Predicted against observed", "<ellipse", "good", "Spearman"):
+    for words in ("Worst stretches", "Predicted against observed", "<ellipse", "good", "Spearman",
+                  "Scans that end elsewhere", "Places with a direction not determined"):
         assert words in text
     assert sorted(np.concatenate(stretches(made)).tolist()) == list(range(len(places)))
 

@@ -12,9 +12,10 @@ from .ellipses import along_and_across, plan_ellipses
 from .localisation_settings import LocalisationSettings
 from .map_aliases import EVIDENCE_OF_CELL, NO_ALIAS, STEP, AliasModes, alias_modes
 from .places.place_checks import refusals
-from .places.place_status import SourceSigns, place_classes, place_words
+from .places.place_status import SourceSigns, place_classes, place_words, undetermined_directions
 from .places.road_places import RoadPlaces
 from .prepared_map import PreparedMap, prepared_map
+from .start_basins import share_elsewhere
 
 BLOCK = 250
 """Places worked on at once: bounds the memory."""
@@ -43,16 +44,18 @@ def _block(city: LocalisationMap, places: RoadPlaces, prepared: PreparedMap, set
     """Accuracy at some of the places."""
     places, refused = refusals(city, places, settings)
     evidence = block_evidence(city, places, np.flatnonzero(refused == ""), prepared, settings)
-    modes = _aliases(evidence, prepared, city)
-    return _described(city, evidence, refused, modes)
+    modes, elsewhere = _aliases(evidence, prepared, city)
+    return _described(city, evidence, refused, modes, elsewhere)
 
 
-def _aliases(evidence: BlockEvidence, prepared: PreparedMap, city: LocalisationMap) -> list[AliasModes]:
-    """Other places that look like each place."""
+def _aliases(evidence: BlockEvidence, prepared: PreparedMap, city: LocalisationMap
+             ) -> tuple[list[AliasModes], np.ndarray]:
+    """Other places that look like each place, and the share of searches (n,) that end beside it."""
     modes, scan, seen = [NO_ALIAS] * len(evidence.places), evidence.scan, evidence.seen
+    elsewhere = np.full(len(modes), np.nan)
     most = int(evidence.settings.search / STEP)
     if most < 1:
-        return modes
+        return modes, elsewhere
     sensor = evidence.sensor
     ends = np.searchsorted(scan.of, np.arange(len(evidence.able) + 1)) if scan is not None else None
     for number, row in enumerate(evidence.able):
@@ -64,11 +67,12 @@ def _aliases(evidence: BlockEvidence, prepared: PreparedMap, city: LocalisationM
             surface += prepared.marking_field.shifted(city.markings.xy[seen[1][seen[0] == number]], most)
         if surface.any():
             modes[row] = alias_modes(EVIDENCE_OF_CELL * surface, APART)
-    return modes
+            elsewhere[row] = share_elsewhere(surface, evidence.settings.start_sigma)
+    return modes, elsewhere
 
 
-def _described(city: LocalisationMap, evidence: BlockEvidence, refused: np.ndarray, modes: list[AliasModes]
-               ) -> AccuracyMap:
+def _described(city: LocalisationMap, evidence: BlockEvidence, refused: np.ndarray, modes: list[AliasModes],
+               elsewhere: np.ndarray) -> AccuracyMap:
     """The evidence as standard deviations, ellipses, classes and words."""
     places, settings, by_source, figures = evidence.places, evidence.settings, evidence.by_source, evidence.figures
     count = len(places)
@@ -88,8 +92,9 @@ def _described(city: LocalisationMap, evidence: BlockEvidence, refused: np.ndarr
                         np.nan_to_num(figures["samples"]), np.nan_to_num(figures["other_level"]) > 0,
                         np.isfinite(by_source["satellites"][:, 0, 0]), share,
                         np.hypot(*shift.T))
-    together = sigma["together"]
+    together, free = sigma["together"], undetermined_directions(ellipse, settings)
     return AccuracyMap(places, sigma, by_source["together"], by_source, ellipse, shift, share, tuple(modes),
+                       np.where(free == 0, elsewhere, np.nan), free,
                        figures["points"], figures["walls"], figures["covered"], figures["sky_covered"],
                        figures["cell_rms"], figures["two_surfaces"], figures["satellites"], figures["dilution"],
                        place_classes(ellipse, signs, settings),

@@ -50,6 +50,9 @@ class AccuracyMap:
     alias_shift : (n, 2) m to the likeliest other place, NaN without one.
     alias_share : (n,) probability of others.
     modes : for each place its other modes.
+    elsewhere : (n,) share of searches from the start known before that end beside the place, where all directions are
+        determined; NaN elsewhere.
+    undetermined : (n,) number of directions in plan, 0 to 2, in which the map tells too little; NaN without a sigma.
     points, walls : (n,) rays on walls and number of walls seen.
     covered : (n,) share of the horizon with a wall in range.
     sky_covered : (n,) share of the sky hidden by buildings.
@@ -68,6 +71,8 @@ class AccuracyMap:
     alias_shift: np.ndarray
     alias_share: np.ndarray
     modes: tuple[AliasModes, ...]
+    elsewhere: np.ndarray
+    undetermined: np.ndarray
     points: np.ndarray
     walls: np.ndarray
     covered: np.ndarray

@@ -268,6 +268,8 @@ _WORDS = {
     "major": FieldWords(mark("error ellipse, semi-major axis (m)"), 3),
     "minor": FieldWords(mark("error ellipse, semi-minor axis (m)"), 3),
     "weakest": FieldWords(mark("weakest direction (°)"), 0),
+    "undetermined": FieldWords(mark("directions not determined, 0 to 2")),
+    "elsewhere": FieldWords(mark("scans that end elsewhere, 0 to 1"), 2),
     "alias_share": FieldWords(mark("probability of other places, 0 to 1"), 2),
     "alias_distance": FieldWords(mark("distance of the likeliest other place (m)"), 1),
     "alias_bearing": FieldWords(mark("direction of the likeliest other place (°)"), 0),

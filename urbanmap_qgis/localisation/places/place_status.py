@@ -55,6 +55,12 @@ class SourceSigns:
     alias_distance: np.ndarray
 
 
+def undetermined_directions(ellipse: PlanEllipse, settings: LocalisationSettings) -> np.ndarray:
+    """(n,) number of axes of each ellipse that keep what was known before, 0 to 2; NaN where nothing can be said."""
+    weak = _WEAK * settings.start_sigma
+    return np.where(np.isfinite(ellipse.major), (ellipse.major > weak) + 1.0 * (ellipse.minor > weak), np.nan)
+
+
 def place_classes(ellipse: PlanEllipse, signs: SourceSigns, settings: LocalisationSettings) -> np.ndarray:
     """(n,) class of each place; one that repeats, or keeps in a direction what was known before, is poor."""
     major = ellipse.major

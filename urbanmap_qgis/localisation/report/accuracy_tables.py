@@ -26,6 +26,7 @@ def accuracy_columns(accuracy: AccuracyMap) -> dict[str, np.ndarray]:
             columns[_field(part, name)] = accuracy.sigma[name][:, number]
     return columns | {
         "major": accuracy.ellipse.major, "minor": accuracy.ellipse.minor, "weakest": accuracy.ellipse.bearing,
+        "undetermined": accuracy.undetermined, "elsewhere": accuracy.elsewhere,
         "alias_share": accuracy.alias_share, "alias_distance": np.hypot(*accuracy.alias_shift.T),
         "alias_bearing": np.degrees(np.arctan2(*accuracy.alias_shift.T)) % 360.0, "points": accuracy.points,
         "n_walls": accuracy.walls, "horizon": accuracy.covered, "sky": accuracy.sky_covered,

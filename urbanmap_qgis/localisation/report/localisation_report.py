@@ -63,6 +63,8 @@ def _summary(report: Report, accuracy: AccuracyMap) -> None:
     report.section("Result")
     report.facts({"Places": len(accuracy.places), "Length of road, m": float(total),
                   "Median sigma of the weakest direction, m": _median(accuracy.ellipse.major),
+                  "Places with a direction not determined": int((accuracy.undetermined > 0).sum()),
+                  "Median share of scans that end elsewhere, all directions determined": _median(accuracy.elsewhere),
                   "Places that look like others": sum("repeats" in str(words) for words in accuracy.status)})
     report.table(["class", "length, m", "share"], [[name, length, f"{length / total:.0%}"]
                                                    for name, length in lengths_by_class(accuracy).items()])
@@ -139,6 +141,11 @@ def _check(report: Report, accuracy: AccuracyMap, check: PredictionCheck) -> Non
                   "Median observed error in plan, m": _median(check.observed),
                   "Median predicted error in plan, m": _median(check.predicted),
                   "Share of the rays to walls that were hidden": _median(check.hidden),
+                  "Scans that end elsewhere": float((~check.converged).mean()) if len(check.rows) else None,
+                  "Places with a direction not determined": int((~check.determined).sum()),
+                  "Spearman's coefficient of scans that converge, directions determined": check.rank_converged,
+                  "Share of these within the 95 % ellipse": check.inside_converged,
+                  "Scans that end elsewhere ranked by the prediction, area under the ROC curve": check.failures_ranked,
                   "Scans that fit another place better": float(check.elsewhere.mean()) if len(check.rows) else None})
     if not len(check.rows):
         report.warning("No place could be simulated: walls tell nothing of any.")

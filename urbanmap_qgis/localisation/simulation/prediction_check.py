@@ -12,12 +12,13 @@ from ...gnss.rays.wall_faces import WallPieces
 from ...progress import SILENT, Progress
 from ..accuracy_map import APART
 from ..accuracy_records import AccuracyMap
-from ..ellipses import along_and_across
+from ..ellipses import along_and_across, plan_ellipses
 from ..localisation_settings import LocalisationSettings
 from ..map_aliases import EVIDENCE_OF_CELL, STEP, alias_modes
+from ..places.place_status import undetermined_directions
 from ..prepared_map import field_of_walls
 from ..walls.wall_map import WallMap
-from .simulated_matches import MatchingMap, match_error, plan_matching_map, space_matching_map
+from .simulated_matches import MatchingMap, match_error, plan_matching_map, settled_error, space_matching_map
 from .simulated_scans import displaced, simulated_scans
 
 ELLIPSE_95 = 5.991
@@ -42,6 +43,11 @@ class PredictionCheck:
     rank : Spearman's coefficient of observed and predicted over all places; NaN with fewer than three.
     rank_in_street : median over the streets with eight places or more; NaN without one.
     inside : share of all errors within the 95 % ellipses.
+    converged : (k, draws) whether a scan ends where it does when its search begins at the true place.
+    determined : (k,) whether walls tell of all directions in plan.
+    rank_converged, inside_converged : the same of scans that converge at places with all directions determined.
+    failures_ranked : probability that a scan there that does not converge has a larger predicted share of such scans
+        than one that does (area under the ROC curve); NaN where none or all converge.
     """
 
     rows: np.ndarray
@@ -56,6 +62,11 @@ class PredictionCheck:
     rank: float
     rank_in_street: float
     inside: float
+    converged: np.ndarray
+    determined: np.ndarray
+    rank_converged: float
+    inside_converged: float
+    failures_ranked: float
 
 
 def check_prediction(walls: WallMap, accuracy: AccuracyMap, settings: LocalisationSettings, every: int, draws: int,
@@ -72,7 +83,7 @@ def check_prediction(walls: WallMap, accuracy: AccuracyMap, settings: Localisati
     sensor = accuracy.places.place[rows] + np.array([0.0, 0.0, settings.scanner.height])
     heading = accuracy.places.heading[rows]
     maps = _maps(walls, accuracy, rows, settings)
-    errors, hidden, elsewhere = (np.zeros((len(rows), draws, *more)) for more in ((3,), (), ()))
+    errors, settled, hidden, elsewhere = (np.zeros((len(rows), draws, *more)) for more in ((3,), (3,), (), ()))
     azimuths = _AZIMUTHS_PLAN if settings.scanner.kind == "2D" else _AZIMUTHS_SPACE
     for draw in range(draws):
         rng = np.random.default_rng([seed, draw])
@@ -81,9 +92,12 @@ def check_prediction(walls: WallMap, accuracy: AccuracyMap, settings: Localisati
         for number, scan in enumerate(scans):
             progress.step((draw + number / len(scans)) / draws)
             errors[number, draw] = match_error(scan.offset, sensor[number], maps[number], settings, rng)
+            settled[number, draw] = settled_error(scan.offset, sensor[number], maps[number])
             hidden[number, draw] = scan.hidden
             elsewhere[number, draw] = _fits_elsewhere(maps[number], scan.offset, sensor[number], settings)
-    return compared(rows, errors, hidden.mean(axis=1), elsewhere.mean(axis=1), accuracy)
+    converged = np.hypot(*np.moveaxis((errors - settled)[:, :, :2], 2, 0)) <= STEP
+    free = undetermined_directions(plan_ellipses(accuracy.by_source["walls"][rows]), settings)
+    return compared(rows, errors, hidden.mean(axis=1), elsewhere.mean(axis=1), accuracy, converged, free == 0)
 
 
 def _fits_elsewhere(city: MatchingMap, scan: np.ndarray, sensor: np.ndarray, settings: LocalisationSettings) -> bool:
@@ -103,14 +117,20 @@ def _maps(walls: WallMap, accuracy: AccuracyMap, rows: np.ndarray, settings: Loc
     return [space_matching_map(walls, field, settings, place[:2], place[2]) for place in accuracy.places.place[rows]]
 
 
-def compared(rows: np.ndarray, errors: np.ndarray, hidden: np.ndarray, elsewhere: np.ndarray, accuracy: AccuracyMap
-             ) -> PredictionCheck:
-    """Observed errors (k, draws, 3) at rows of a map of accuracy against its prediction by walls."""
+def compared(rows: np.ndarray, errors: np.ndarray, hidden: np.ndarray, elsewhere: np.ndarray, accuracy: AccuracyMap,
+             converged: np.ndarray | None = None, determined: np.ndarray | None = None) -> PredictionCheck:
+    """Observed errors (k, draws, 3) at rows of a map of accuracy against its prediction by walls.
+
+    `converged` : (k, draws), by default all; `determined` : (k,), by default what the map says of all sources together.
+    """
+    converged = np.ones(errors.shape[:2], bool) if converged is None else converged
+    determined = accuracy.undetermined[rows] == 0 if determined is None else determined
     expected = accuracy.by_source["walls"][rows]
     heading = accuracy.places.heading[rows]
     square = np.einsum("kdi,kdj->kij", errors, errors) / errors.shape[1]
     distance = np.einsum("kdi,kij,kdj->kd", errors[:, :, :2], np.linalg.inv(expected[:, :2, :2]), errors[:, :, :2])
-    within = (distance <= ELLIPSE_95).mean(axis=1)
+    fits = distance <= ELLIPSE_95
+    within = fits.mean(axis=1)
     observed, predicted = (np.sqrt(np.trace(each[:, :2, :2], axis1=1, axis2=2)) for each in (square, expected))
     parts = [np.column_stack([*along_and_across(each, heading), np.degrees(np.sqrt(each[:, 2, 2]))])
              for each in (square, expected)]
@@ -119,7 +139,31 @@ def compared(rows: np.ndarray, errors: np.ndarray, hidden: np.ndarray, elsewhere
              if (street == each).sum() >= 8]
     return PredictionCheck(rows, errors, observed, predicted, *parts, within, hidden, elsewhere,
                            rank_agreement(observed, predicted), float(np.median(ranks)) if ranks else np.nan,
-                           float(within.mean()) if len(rows) else np.nan)
+                           float(within.mean()) if len(rows) else np.nan,
+                           *_of_converged(errors, fits, converged, determined, predicted, accuracy.elsewhere[rows]))
+
+
+def _of_converged(errors: np.ndarray, fits: np.ndarray, converged: np.ndarray, determined: np.ndarray,
+                  predicted: np.ndarray, chance: np.ndarray) -> tuple:
+    """The last five figures of a `PredictionCheck`; `chance` (k,) that scans end elsewhere, as predicted."""
+    counted = converged & determined[:, None]
+    square = np.where(counted, (errors[:, :, :2] ** 2).sum(axis=2), 0.0).sum(axis=1)
+    some = counted.any(axis=1)
+    observed = np.sqrt(square[some] / counted[some].sum(axis=1))
+    chance = np.broadcast_to(chance[:, None], converged.shape)
+    known = determined[:, None] & np.isfinite(chance)
+    return (converged, determined, rank_agreement(observed, predicted[some]),
+            float(fits[counted].mean()) if counted.any() else np.nan,
+            area_under_roc(chance[known], ~converged[known]))
+
+
+def area_under_roc(score: np.ndarray, event: np.ndarray) -> float:
+    """Probability that an event (n,) bool has a higher score (n,) than what is none; NaN without both."""
+    events = int(event.sum())
+    others = len(event) - events
+    if not events or not others:
+        return float("nan")
+    return float((rankdata(score)[event].sum() - events * (events + 1) / 2) / (events * others))
 
 
 def rank_agreement(one: np.ndarray, other: np.ndarray) -> float:

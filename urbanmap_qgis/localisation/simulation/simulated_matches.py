@@ -90,6 +90,14 @@ def match_error(scan: np.ndarray, place: np.ndarray, city: MatchingMap, settings
     return best[1]
 
 
+def settled_error(scan: np.ndarray, place: np.ndarray, city: MatchingMap) -> np.ndarray:
+    """Error (3,) as of `match_error` of a scan whose search begins at the true place."""
+    dimensions = city.levels[0].dimensions
+    start = RigidMotion(np.zeros(dimensions), place[:dimensions].copy(), np.eye(dimensions))
+    found = _through_levels(scan[:, :dimensions], start, city)[0]
+    return np.array([*(found.translation[:2] - place[:2]), np.arctan2(found.rotation[1, 0], found.rotation[0, 0])])
+
+
 def _through_levels(points: np.ndarray, pose: RigidMotion, city: MatchingMap) -> tuple[RigidMotion, float]:
     """Pose after the NDT of each level, coarse first, and the score in the last."""
     for level in city.levels:
