@@ -115,6 +115,18 @@ def test_curved_line_stays_within_two_centimetres_of_its_arc():
     assert off.max() < 0.02
 
 
+def test_edge_line_that_goes_on_through_bends_is_a_line_however_long_and_a_bright_yard_is_none():
+    """420 m of paint, 63 m2 in one piece."""
+    along = np.linspace(0, 420, 600)
+    course = shapely.LineString(np.column_stack([along, 30 * np.sin(along / 60)]))
+    yard = shapely.Point(200, 80).buffer(5.0).union(shapely.box(200, 79, 212, 81))
+    lines = work_of([course.buffer(0.075, cap_style="flat"), yard]).lines
+    assert {line.kind for line in lines} == {"solid"}
+    (true,) = placed([course])
+    assert sum(line.plan.length for line in lines) == pytest.approx(course.length, rel=0.01)
+    assert all(shapely.hausdorff_distance(line.plan, line.plan.intersection(true.buffer(0.02))) < 0.1 for line in lines)
+
+
 def test_lines_beside_each_other_are_partners_of_a_double_line():
     shapes = [shapely.box(0, y - 0.075, 40, y + 0.075) for y in (0.0, 0.35)]
     pair = [line for line in work_of([*shapes, shapely.box(0, 3.425, 40, 3.575)]).lines if line.partner >= 0]
