@@ -10,6 +10,7 @@ from qgis.core import QgsApplication
 from .framework.declaring.parameters import tr
 from .framework.language.language import speak_language, stop_speaking
 from .framework.packages.dependencies import activate_profile_packages
+from .framework.running.pooled_threads import end_pooled_threads
 from .provider import UrbanMapProvider
 
 
@@ -174,6 +175,7 @@ class UrbanMapPlugin:
         """Take everything away again."""
         self._remove_guide()
         self._end_work()
+        end_pooled_threads()
         for action in self.actions:
             self.iface.removePluginMenu("UrbanMap", action)
         self.actions = []

@@ -114,10 +114,10 @@ def write_doubtful(algorithm, parameters, context, found, crs):
     if not parameters.get("OUTPUT_DOUBTFUL"):
         return None
     chosen = doubtful_markings(found.confidence)
-    fields = make_fields(("paint", "bool"), ("confidence", "real"), ("length", "real"), ("width", "real"),
+    fields = make_fields(("paint", "int"), ("confidence", "real"), ("length", "real"), ("width", "real"),
                          ("colour", "text"))
     columns = {name: getattr(found, name)[chosen] for name in ("confidence", "length", "width", "colour")}
     return algorithm.write_layer(parameters, "OUTPUT_DOUBTFUL", context, fields,
                             {"paint": [None] * len(chosen), **columns}, crs,
                             np.array([found.polygons[int(k)] for k in chosen], object), "Polygon",
-                            style="road_markings")
+                            style="doubtful_markings")

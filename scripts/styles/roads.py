@@ -24,6 +24,16 @@ def road_markings(layer) -> None:
         "[% round(\"width\", 2) %] m<br>[% round(\"contrast\") %] grey values above the road")
 
 
+def doubtful_markings(layer) -> None:
+    """Markings to be answered: those without an answer stand out, the others show theirs."""
+    rules(layer, [("yes", '"paint" = 1', fill("#66ffffff", "#0b6e4f", 0.5)),
+                  ("no", '"paint" = 0', fill("#33ffffff", "#777777", 0.3, pen="dash")),
+                  ("not answered", '"paint" IS NULL', fill("#33ffb000", "#d7263d", 0.6))])
+    layer.setMapTipTemplate(
+        "is it paint? confidence [% round(\"confidence\", 2) %]<br>length [% round(\"length\", 2) %] m, width "
+        "[% round(\"width\", 2) %] m")
+
+
 def marking_lines(layer) -> None:
     """Lines by kind, dashed ones dashed."""
     by_class(layer, {"solid": line_symbol("#2b4c7e", 0.7), "dashed": line_symbol("#2b4c7e", 0.7, "dash"),
@@ -235,6 +245,7 @@ FIELDS = {
     map_changes: ("LineString", "kind:string element:string before:string after:string shift:double "
                   "significance:double"),
     marking_areas: ("MultiPolygonZ", "class:string score:double heading:double"),
+    doubtful_markings: ("Polygon", "paint:integer confidence:double length:double width:double colour:string"),
     road_markings: ("Polygon", "area:double length:double width:double contrast:double colour:string"),
 }
 """Kind of geometry and fields of the layer that each style is for."""

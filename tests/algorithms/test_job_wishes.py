@@ -15,10 +15,15 @@ RESULTS = {
     "accuracymap": {"localisation.gpkg", "localisation_report.html"},
     "reference": {"reference.tif", "reference_polygons.gpkg"}, "buildings": {"buildings_report.html"},
     "roadmodel": {"roads.gpkg", "roads_axes.gpkg", "roads_report.html", "roads_citygml"},
+    "measuredroads": {"edges_1.gpkg", "edges_1_tops.gpkg", "lines.gpkg", "lanes_1_lanes.gpkg", "roads_1.gpkg",
+                      "roads_1_areas.gpkg", "roads_1_report.html", "roads_1_citygml"},
+    "roadspace": {"space_1.gpkg", "space_1_areas.gpkg", "space_1_objects.gpkg", "space_1_report.html",
+                  "space_1_citygml", "space_1_furniture", "space_1_object_report.html"},
     "streetobjects": {"objects_1.gpkg", "objects_1_rails.gpkg", "objects_1_report.html", "objects_1_citygml"}}
 """Files among the results of each wish, in the order in which they are wished for."""
 
-KEPT = {"lanemap": 4, "walls": 4, "accuracymap": 6, "reference": 1, "buildings": 1, "streetobjects": 4}
+KEPT = {"lanemap": 4, "walls": 4, "accuracymap": 6, "reference": 1, "buildings": 1, "streetobjects": 4,
+        "measuredroads": 4, "roadspace": 4}
 """Steps that a wish finds done by those before it."""
 
 

@@ -235,3 +235,36 @@ def test_answers_that_cannot_be_used_are_told(run, yard, tmp_path, given, words)
               str(tmp_path / value) if name != "METHOD" else value for name, value in given.items()}
     with pytest.raises(QgsProcessingException, match=words):
         run(ALGORITHM, {"INPUT": str(path), "OUTPUT": str(tmp_path / "m.tif"), **values})
+
+
+def test_doubtful_markings_are_answered_with_yes_or_no(run, yard, tmp_path):
+    """The layer opened from its file offers yes and no, and what is chosen in its form is what the algorithm reads."""
+    from qgis.core import NULL, QgsVectorLayer
+    from qgis.gui import QgsGui
+    from qgis.PyQt.QtWidgets import QComboBox, QWidget
+
+    path, _ = yard
+    first = run(ALGORITHM, {"INPUT": str(path), "OUTPUT": str(tmp_path / "a.tif"), "MIN_CONFIDENCE": 0.0,
+                            "OUTPUT_DOUBTFUL": str(tmp_path / "doubtful.gpkg")})
+    layer = QgsVectorLayer(first["OUTPUT_DOUBTFUL"], "doubtful")
+    place, features = layer.fields().indexOf("paint"), list(layer.getFeatures())
+    assert layer.editorWidgetSetup(place).type() == "ValueMap" and len(features) >= 10
+    if not QgsGui.editorWidgetRegistry().factories():
+        QgsGui.editorWidgetRegistry().initEditors()
+    holder, layer_edited = QWidget(), layer.startEditing()
+    form = QgsGui.editorWidgetRegistry().create(layer, place, None, holder)
+    box = form.widget()
+    assert layer_edited and isinstance(box, QComboBox)
+    assert [box.itemText(row) for row in range(box.count())] == ["not answered", "yes", "no"]
+    for number, feature in enumerate(features):
+        form.setFeature(feature)
+        assert box.currentText() == "not answered" and form.value() == NULL
+        box.setCurrentText(("yes", "no")[number % 2])
+        assert layer.changeAttributeValue(feature.id(), place, form.value())
+    assert layer.commitChanges()
+    assert [item["paint"] for item in layer.getFeatures()] == [1 - number % 2 for number in range(len(features))]
+    drawn = [rule.filterExpression() for rule in layer.renderer().rootRule().children()]
+    assert drawn == ['"paint" = 1', '"paint" = 0', '"paint" IS NULL']
+    taught = run(ALGORITHM, {"INPUT": str(path), "OUTPUT": str(tmp_path / "b.tif"), "LABELS": layer,
+                             "OUTPUT_WEIGHTS": str(tmp_path / "w.json")})
+    assert (tmp_path / "w.json").is_file() and taught["COUNT"] >= 0

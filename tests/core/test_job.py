@@ -105,13 +105,16 @@ def test_parts_of_the_sample_city(city_parts):
 
 
 SURVEYED = ("georeferencemms", "checkaccuracy", "acceptance")
+MEASURED = ("roadedges", "vectormap", "roadmodel")
 ALGORITHMS = {
     "reference": ["aerialmarkings"], "buildings": ["buildingsfromals"],
     "survey": ["aerialmarkings", *SURVEYED, *SURVEYED],
     "walls": ["buildingsfromals", "aerialmarkings", *SURVEYED, *SURVEYED, "wallsfrommms", "mergebuildingmodels"],
     "lanemap": ["aerialmarkings", *SURVEYED, *SURVEYED, "lanemap"],
     "accuracymap": ["buildingsfromals", "aerialmarkings", *SURVEYED, *SURVEYED, "lanemap", "localisationaccuracy"],
-    "streetobjects": ["aerialmarkings", *SURVEYED, *SURVEYED, "streetobjects", "streetobjects"]}
+    "streetobjects": ["aerialmarkings", *SURVEYED, *SURVEYED, "streetobjects", "streetobjects"],
+    "measuredroads": ["aerialmarkings", *SURVEYED, *SURVEYED, "markinglines", *MEASURED, *MEASURED],
+    "roadspace": ["aerialmarkings", *SURVEYED, *SURVEYED, "roadspace", "roadspace"]}
 
 
 @pytest.mark.parametrize("wish", ALGORITHMS)
@@ -134,8 +137,9 @@ def test_what_is_missing_is_said_with_where_to_get_it():
     assert any("trajectory" in sentence for sentence in plan_chain("survey", nothing).missing)
     for wish in WISHES:
         assert plan_chain(wish, nothing).missing, wish
-    for needed in ("roadmodel", "streetobjects"):
+    for needed in ("roadmodel", "streetobjects", "roadspace"):
         assert needed not in wishes({"lanemap"}) and needed in wishes({needed})
+    assert "measuredroads" in wishes({"roadmodel"}) and "measuredroads" not in wishes({"roadspace"})
 
 
 def test_objects_are_those_of_the_survey_laid_on_its_reference_or_as_it_is(city_parts):
@@ -151,6 +155,40 @@ def test_objects_are_those_of_the_survey_laid_on_its_reference_or_as_it_is(city_
     # Frames without their orientation are meant to be a reference: what is missing is said, not left out.
     half = plan_chain("streetobjects", replace(alone, inputs={**alone.inputs, "frames": ("/f.tif",)}))
     assert half.missing and [item.algorithm for item in half.steps][-1] == "streetobjects"
+
+
+def test_measured_roads_take_edges_lanes_and_lines_of_one_survey(city_parts):
+    parts = replace(city_parts, inputs={**city_parts.inputs, "roads": ("/r.gpkg",)})
+    steps = {step.id: step.parameters for step in plan_chain("measuredroads", parts).steps}
+    roads = steps["roads_2"]
+    assert {name: roads[name]["step"] for name in ("EDGES", "TOPS", "LANES", "STOP_LINES")} == {
+        "EDGES": "edges_2", "TOPS": "edges_2", "LANES": "lanes_2", "STOP_LINES": "lines"}
+    assert roads["TOPS"]["output"] == "OUTPUT_TOPS" and roads["LOD"] == "3.3" and roads["ROADS"] == {"input": "roads"}
+    assert steps["edges_2"]["SIGMA"] == {"step": "survey_2", "output": "MEDIAN_SIGMA"}
+    assert steps["lanes_2"]["EDGES"]["step"] == "edges_2"
+    space = plan_chain("roadspace", parts).steps[-1].parameters
+    assert space["SIGMA"]["step"] == space["POINTS"]["step"] == "survey_2" and space["MARKINGS"]["step"] == "reference"
+    polar = replace(parts, in_degrees=frozenset({"roads"}))
+    assert all(any("count in degrees" in text for text in plan_chain(wish, polar).missing)
+               for wish in ("measuredroads", "roadspace"))
+
+
+def test_control_points_adjust_cloud_and_frames_before_all_else(city_parts):
+    parts = replace(city_parts, inputs={**city_parts.inputs, "als_control": ("/a.csv",), "frame_control": ("/f.csv",)})
+    plan = plan_chain("accuracymap", parts)
+    steps = {step.id: step for step in plan.steps}
+    assert [step.algorithm for step in plan.steps].count("adjustals") == 1
+    assert steps["adjusted_als"].parameters["CONTROL"] == {"input": "als_control"}
+    assert steps["buildings"].parameters["POINTS"] == steps["reference"].parameters["ALS"] == {
+        "step": "adjusted_als", "output": "OUTPUT"}
+    assert steps["adjusted_frames"].algorithm == "adjustframes"
+    assert steps["reference"].parameters["EXTERIOR"]["step"] == "adjusted_frames"
+    names = list(steps)
+    assert names.index("adjusted_als") < names.index("buildings") < names.index("reference") > names.index(
+        "adjusted_frames")
+    assert any("shifted to the control points" in note for note in plan.notes)
+    # Without the points themselves there is nothing to adjust, and what is missing stays said.
+    assert plan_chain("buildings", Parts({"als_control": ("/a.csv",)})).missing
 
 
 def test_roads_are_told_by_their_name_and_used_when_said():

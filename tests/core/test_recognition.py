@@ -16,6 +16,7 @@ import pytest
 
 from urbanmap_qgis.job.file_facts import KIND_NAMES
 from urbanmap_qgis.job.recognition.contents import recognise_file, recognise_files
+from urbanmap_qgis.job.roles import parts_of, put_to_use, uses_of
 from urbanmap_qgis.samplecity.truth.geopackage import Layer, write_geopackage
 
 DATA = Path(__file__).resolve().parents[3] / "shared" / "data"
@@ -175,6 +176,24 @@ def test_sbet_by_its_records(tmp_path):
     assert found.extent[:2] == pytest.approx((139.75, 35.69)) and "its name end" in found.notes[0]
     path.write_bytes(sbet_records(3000).tobytes()[:-50])
     assert "cut off" in recognise_file(path)[0].problem
+
+
+@pytest.mark.parametrize("text, kind, count", [
+    ("id,x,y,z,role\nA1,1.5,2.5,3.5,control\nA2,4,5,6,check\n", "cloud_control", 2),
+    ("点名,x,y,z,x_als,y_als,z_als\nA1,1.5,2.5,3.5,1.6,2.4,3.4\n", "cloud_control", 1),
+    ("point,image,column,row,x,y,z\nP,a.tif,10,20,1,2,3\nP,b.tif,11,21,1,2,3\n", "frame_control", 1),
+    ("id,x,y,z\nA1,1.5,2.5,3.5\nA2,4,5,6\n", "table", None)])
+def test_control_points_of_clouds_and_frames(tmp_path, text, kind, count):
+    path = tmp_path / "点.csv"
+    path.write_text(text, encoding="utf-8")
+    found, = recognise_files([path])
+    assert (found.kind, found.problem) == (kind, "") and (count is None or found.count == count)
+    # A list of places may be anything: it is control only where the user says so.
+    assert uses_of(found) == {"cloud_control": ("als_control",), "frame_control": ("frame_control",),
+                              "table": ("als_control",)}[kind]
+    assert ("als_control" in parts_of([found]).inputs) == (kind == "cloud_control")
+    if kind == "table":
+        assert parts_of(put_to_use([found], {found.source: "als_control"})).inputs == {"als_control": (str(path),)}
 
 
 def test_points_as_text(tmp_path):

@@ -103,9 +103,9 @@ def test_qgis_ends_while_a_step_runs(sitting, told):
     assert not [path for path in job.parent.rglob(".*") if path.is_file()]
 
 
-@pytest.mark.xfail(sys.version_info >= (3, 13), strict=False, reason=(
-    "QGIS 3.40 on a busy machine has ended with signal 11 when it was left after the plugin had been loaded anew"))
-def test_qgis_ends_well(sitting):
+def test_qgis_ends_well(sitting, told):
+    # QGIS 3.40.6 alone ends with signal 11 after such threads; the plugin ends them before (its pooled_threads.py).
+    assert told("logins_asked_for") == {"shortened": sys.version_info >= (3, 13), "raised": []}
     assert not sitting[2]
 
 

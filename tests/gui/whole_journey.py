@@ -280,6 +280,9 @@ class Way:
     def street_objects(self) -> dict:
         return self._wish("streetobjects", "18_street_objects")
 
+    def measured_roads(self) -> dict:
+        return self._wish("measuredroads", "18_measured_roads")
+
     def once_more(self) -> dict:
         """The plugin put over itself with the dock open; the job opened again is done."""
         import pyplugin_installer
@@ -299,7 +302,8 @@ class Way:
         return {"steps": states, "opened": path, **before}
 
     STEPS = ("install_zip", "update_plugin", "sample_city", "dropped", "buildings", "again", "survey", "back",
-             "printed", "lane_map", "walls", "accuracy_map", "road_model", "street_objects", "once_more")
+             "printed", "lane_map", "walls", "accuracy_map", "road_model", "street_objects",
+             "measured_roads", "once_more")
 
     def travel(self) -> None:
         """Do the steps, write the report, end QGIS."""

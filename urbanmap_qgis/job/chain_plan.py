@@ -10,17 +10,20 @@ from . import roles
 from .roles import Parts
 
 REFERENCE, SURVEY, BUILDINGS, WALLS = "reference", "survey", "buildings", "walls"
-LANES, ACCURACY, ROAD_SPACE, OBJECTS = "lanemap", "accuracymap", "roadmodel", "streetobjects"
+LANES, ACCURACY, ROADS, OBJECTS = "lanemap", "accuracymap", "roadmodel", "streetobjects"
+MEASURED_ROADS, ROAD_SPACE = "measuredroads", "roadspace"
 
 WISHES = {
     REFERENCE: mark("Aerial reference: road markings and ground"), SURVEY: mark("Mobile survey laid on the reference"),
     BUILDINGS: mark("Building models"), WALLS: mark("Building models with measured walls"),
     LANES: mark("Lane map"), ACCURACY: mark("Map of the accuracy of localisation"),
-    ROAD_SPACE: mark("Road model"), OBJECTS: mark("Street objects: poles, signals, signs, trees"),
+    ROADS: mark("Road model"), OBJECTS: mark("Street objects: poles, signals, signs, trees"),
+    MEASURED_ROADS: mark("Road model of edges that the survey measured, step by step"),
+    ROAD_SPACE: mark("Road space in one run: measured road model and street objects"),
 }
 """What can be wished for, with its English name."""
 
-_NEEDS = {ROAD_SPACE: "roadmodel", OBJECTS: "streetobjects"}
+_NEEDS = {ROADS: "roadmodel", MEASURED_ROADS: "roadmodel", OBJECTS: "streetobjects", ROAD_SPACE: "roadspace"}
 """Algorithm without which a wish cannot be had."""
 
 _MISSING = {
@@ -44,6 +47,9 @@ _MISSING = {
                            "GSI's Fundamental Geospatial Data, opened in QGIS and saved in a projected system), or "
                            "the surfaces of an older road model."),
 }
+
+_FINEST = "3.3"
+"""Level of detail of measured roads: what was not seen is left out and told at every level."""
 
 _POINTS_CRS = mark("CRS of the point clouds")
 _SURVEY_SIGMA = mark("Standard deviation of the survey")
@@ -169,12 +175,35 @@ class _Planning:
         if self.has(roles.GROUND):
             return _given(roles.GROUND)
         if self.has(roles.ALS):
-            self.add("surface", "surfacefromals", POINTS=_given(roles.ALS), POINTS_CRS=self.crs_for(roles.ALS))
+            self.add("surface", "surfacefromals", POINTS=self.als(), POINTS_CRS=self.crs_for(roles.ALS))
             return _result("surface", "OUTPUT_GROUND")
         if self.has(roles.GSI_GROUND):
             self.add("elevation", "loadgsidem", INPUT=_given(roles.GSI_GROUND), CRS=self.crs or None)
             return _result("elevation")
         return None
+
+    def als(self) -> Value:
+        """The airborne points, shifted to control points where such are given."""
+        if not self.has(roles.ALS) or not self.has(roles.CLOUD_CONTROL_ROLE):
+            return _given(roles.ALS)
+        if "als" not in self.made:
+            self.add("adjusted_als", "adjustals", POINTS=_given(roles.ALS), CONTROL=_given(roles.CLOUD_CONTROL_ROLE),
+                     POINTS_CRS=self.crs_for(roles.ALS), OUTPUT_REPORT=WANTED)
+            self.made["als"] = {"OUTPUT": _result("adjusted_als")}
+            self.plan.notes.append(say("The airborne points are shifted to the control points given for them; leave "
+                                       "these out to take the points as they are."))
+        return self.made["als"]["OUTPUT"]
+
+    def exterior(self) -> Value:
+        """The exterior orientation, corrected by points measured in the frames where such are given."""
+        if not self.has(roles.FRAME_CONTROL_ROLE):
+            return _given(roles.EXTERIOR_ROLE)
+        self.add("adjusted_frames", "adjustframes", CAMERA=_given(roles.CAMERA_ROLE),
+                 EXTERIOR=_given(roles.EXTERIOR_ROLE), CONTROL=_given(roles.FRAME_CONTROL_ROLE), CRS=self.crs or None,
+                 OUTPUT_REPORT=WANTED)
+        self.plan.notes.append(say("The frames are corrected by the points measured in them; leave these out to take "
+                                   "the orientation as it is."))
+        return _result("adjusted_frames")
 
     def require_plane(self, role: str) -> None:
         """Say what to do with a layer that counts in degrees."""
@@ -197,9 +226,9 @@ class _Planning:
             for role in (roles.FRAMES, roles.CAMERA_ROLE, roles.EXTERIOR_ROLE, roles.ALS):
                 if not self.has(role):
                     self.lacks(role)
-            footprints = self.footprints(False)
+            footprints, exterior, als = self.footprints(False), self.exterior(), self.als()
             self.add("reference", "aerialmarkings", FRAMES=_given(roles.FRAMES), CAMERA=_given(roles.CAMERA_ROLE),
-                     EXTERIOR=_given(roles.EXTERIOR_ROLE), ALS=_given(roles.ALS), FOOTPRINTS=footprints,
+                     EXTERIOR=exterior, ALS=als, FOOTPRINTS=footprints,
                      POINTS_CRS=self.crs_for(roles.ALS), OUTPUT_REPORT=WANTED)
             return {"mask": _result("reference"), "polygons": _result("reference", "OUTPUT_POLYGONS"),
                     "ground": _result("reference", "OUTPUT_GROUND"),
@@ -246,7 +275,8 @@ class _Planning:
         if "buildings" not in self.made:
             if not self.has(roles.ALS):
                 self.lacks(roles.ALS)
-            self.add("buildings", "buildingsfromals", POINTS=_given(roles.ALS),
+            als = self.als()
+            self.add("buildings", "buildingsfromals", POINTS=als,
                      FOOTPRINTS=self.footprints(True) or _given(roles.FOOTPRINTS))
             self.made["buildings"] = {"OUTPUT": _result("buildings")}
         return self.made["buildings"]["OUTPUT"]
@@ -258,13 +288,17 @@ class _Planning:
         self.add("merged", "mergebuildingmodels", MODELS=models, WALLS=_result("walls"), OUTPUT_REPORT=WANTED,
                  OUTPUT_CITYJSON=WANTED)
 
-    def lanes(self) -> None:
-        drives = [_result(step, "OUTPUT_TRAJECTORY") for step in self.surveys()]
-        reference = self.reference()
-        if reference["polygons"] is None:
+    def polygons(self) -> Value | None:
+        """The markings of the reference as polygons."""
+        found = self.reference()["polygons"]
+        if found is None:
             self.plan.missing.append(say("Markings as polygons are missing: a mask alone makes no lane map; leave it "
                                          "out to make both from the images."))
-        self.add("lanes", "lanemap", MARKINGS=reference["polygons"], GROUND=reference["ground"], TRAJECTORY=drives,
+        return found
+
+    def lanes(self) -> None:
+        drives = [_result(step, "OUTPUT_TRAJECTORY") for step in self.surveys()]
+        self.add("lanes", "lanemap", MARKINGS=self.polygons(), GROUND=self.reference()["ground"], TRAJECTORY=drives,
                  OUTPUT_LANELET2=WANTED, OUTPUT_OPENDRIVE=WANTED, OUTPUT_REPORT=WANTED)
 
     def accuracy(self) -> None:
@@ -277,11 +311,43 @@ class _Planning:
                  GROUND=self.reference()["ground"],
                  NAVIGATION=_given(roles.NAVIGATION_ROLE) if self.has(roles.NAVIGATION_ROLE) else None)
 
-    def road_space(self) -> None:
+    def roads(self) -> None:
         if not self.has(roles.ROADS_ROLE):
             self.lacks(roles.ROADS_ROLE)
         self.require_plane(roles.ROADS_ROLE)
         self.add("roads", "roadmodel", ROADS=_given(roles.ROADS_ROLE), OUTPUT_CITYGML=WANTED, OUTPUT_REPORT=WANTED)
+
+    def official_roads(self) -> Value | None:
+        """Roads that are given beside measured edges."""
+        if not self.has(roles.ROADS_ROLE):
+            return None
+        self.require_plane(roles.ROADS_ROLE)
+        return _given(roles.ROADS_ROLE)
+
+    def measured_roads(self) -> None:
+        """Of each survey its edges, lanes between them and lines of the reference, and the road model of these."""
+        surveys, ground = self.surveys(), self.reference()["ground"]
+        self.add("lines", "markinglines", MARKINGS=self.polygons(), GROUND=ground, OUTPUT_AREAS=WANTED)
+        for step in surveys:
+            number = step.rpartition("_")[2]
+            edges, lanes, drive = f"edges_{number}", f"lanes_{number}", _result(step, "OUTPUT_TRAJECTORY")
+            self.add(edges, "roadedges", POINTS=_result(step), TRAJECTORY=drive, SIGMA=_result(step, "MEDIAN_SIGMA"),
+                     OUTPUT_TOPS=WANTED)
+            self.add(lanes, "vectormap", LINES=_result("lines"), AREAS=_result("lines", "OUTPUT_AREAS"),
+                     EDGES=_result(edges), TRAJECTORY=[drive], OUTPUT_REPORT=WANTED)
+            self.add(f"roads_{number}", "roadmodel", LOD=_FINEST, EDGES=_result(edges),
+                     TOPS=_result(edges, "OUTPUT_TOPS"), LANES=_result(lanes, "OUTPUT_LANES"),
+                     STOP_LINES=_result("lines"), GROUND=ground, ROADS=self.official_roads(), OUTPUT_CITYGML=WANTED,
+                     OUTPUT_REPORT=WANTED)
+
+    def road_space(self) -> None:
+        """The same of each survey in one step, with what stands beside the road."""
+        surveys, ground = self.surveys(), self.reference()["ground"]
+        for step in surveys:
+            self.add(f"space_{step.rpartition('_')[2]}", "roadspace", POINTS=_result(step),
+                     TRAJECTORY=_result(step, "OUTPUT_TRAJECTORY"), SIGMA=_result(step, "MEDIAN_SIGMA"),
+                     MARKINGS=self.polygons(), GROUND=ground, ROADS=self.official_roads(), OUTPUT_CITYGML=WANTED,
+                     OUTPUT_REPORT=WANTED, OUTPUT_FURNITURE=WANTED, OUTPUT_OBJECT_REPORT=WANTED)
 
     def objects(self) -> None:
         """Objects of each survey laid on the reference; of the survey as it is where there is no reference at all."""
@@ -302,5 +368,5 @@ class _Planning:
 
 _WORK: dict[str, Callable[[_Planning], object]] = {
     REFERENCE: _Planning.reference, SURVEY: _Planning.surveys, BUILDINGS: _Planning.buildings, WALLS: _Planning.walls,
-    LANES: _Planning.lanes, ACCURACY: _Planning.accuracy, ROAD_SPACE: _Planning.road_space,
-    OBJECTS: _Planning.objects}
+    LANES: _Planning.lanes, ACCURACY: _Planning.accuracy, ROADS: _Planning.roads,
+    MEASURED_ROADS: _Planning.measured_roads, ROAD_SPACE: _Planning.road_space, OBJECTS: _Planning.objects}

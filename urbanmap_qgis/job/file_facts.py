@@ -12,6 +12,7 @@ FRAME, LINE_IMAGE, FRAME_MASK = "frame", "line_image", "frame_mask"
 ORTHOPHOTO, ELEVATION, MARKING_MASK, RASTER = "orthophoto", "elevation", "marking_mask", "raster"
 CAMERA, CALIBRATION, EXTERIOR = "camera", "calibration", "exterior"
 TRAJECTORY, IMAGE_POSES, CONTROL, TIE_POINTS, IMAGE_TIMES = "trajectory", "poses", "control", "ties", "image_times"
+CLOUD_CONTROL, FRAME_CONTROL = "cloud_control", "frame_control"
 OUTLINES, GSI_OUTLINES, GSI_DEM, GSI_OTHER = "outlines", "gsi_outlines", "gsi_dem", "gsi_other"
 MARKINGS, BUILDING_MODELS, CITY_MODEL, ROOFS = "markings", "building_models", "city_model", "roofs"
 LANE_MAP, ROADS, AREAS, LINES, PLACES = "lane_map", "roads", "areas", "lines", "places"
@@ -24,6 +25,7 @@ KIND_NAMES = {
     ORTHOPHOTO: mark("Orthophoto"), ELEVATION: mark("Elevation raster"), MARKING_MASK: mark("Marking mask"),
     RASTER: mark("Raster of another kind"), CAMERA: mark("Camera"), CALIBRATION: mark("Calibration"),
     EXTERIOR: mark("Exterior orientation"), TRAJECTORY: mark("Trajectory"), IMAGE_POSES: mark("Image poses"),
+    CLOUD_CONTROL: mark("Control points of a point cloud"), FRAME_CONTROL: mark("Points in frames"),
     CONTROL: mark("Control points"), TIE_POINTS: mark("Tie points"), IMAGE_TIMES: mark("Times of a line image"),
     OUTLINES: mark("Building outlines"), GSI_OUTLINES: mark("Building outlines (GSI)"),
     GSI_DEM: mark("Elevation model (GSI)"), GSI_OTHER: mark("Other objects (GSI)"),

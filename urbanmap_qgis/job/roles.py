@@ -13,10 +13,12 @@ from .file_facts import (
     BUILDING_MODELS,
     CALIBRATION,
     CAMERA,
+    CLOUD_CONTROL,
     CONTROL,
     ELEVATION,
     EXTERIOR,
     FRAME,
+    FRAME_CONTROL,
     GSI_DEM,
     GSI_OUTLINES,
     IMAGE_POSES,
@@ -31,6 +33,8 @@ from .file_facts import (
     RASTER,
     ROADS,
     ROOFS,
+    TABLE,
+    TEXT_POINTS,
     TRAJECTORY,
     FileFacts,
     kind_name,
@@ -40,10 +44,12 @@ ALS, FOOTPRINTS, GSI_FOOTPRINTS, FRAMES = "als", "footprints", "gsi_footprints",
 CAMERA_ROLE, EXTERIOR_ROLE, ORTHOPHOTO_ROLE = "camera", "exterior", "orthophoto"
 MASK, MARKING_POLYGONS, GROUND, GSI_GROUND = "marking_mask", "markings", "ground", "gsi_ground"
 NAVIGATION_ROLE, OBSERVATIONS_ROLE, SURVEY, ROADS_ROLE = "navigation", "observations", "survey", "roads"
+CLOUD_CONTROL_ROLE, FRAME_CONTROL_ROLE = "als_control", "frame_control"
 
 _SINGLE = ((FOOTPRINTS, OUTLINES), (GSI_FOOTPRINTS, GSI_OUTLINES), (CAMERA_ROLE, CAMERA), (EXTERIOR_ROLE, EXTERIOR),
            (ORTHOPHOTO_ROLE, ORTHOPHOTO), (MASK, MARKING_MASK), (MARKING_POLYGONS, MARKINGS), (GROUND, ELEVATION),
-           (GSI_GROUND, GSI_DEM), (ROADS_ROLE, ROADS))
+           (GSI_GROUND, GSI_DEM), (ROADS_ROLE, ROADS), (CLOUD_CONTROL_ROLE, CLOUD_CONTROL),
+           (FRAME_CONTROL_ROLE, FRAME_CONTROL))
 _SEVERAL = ((FRAMES, FRAME), (NAVIGATION_ROLE, NAVIGATION), (OBSERVATIONS_ROLE, OBSERVATIONS))
 
 USES = {
@@ -54,7 +60,8 @@ USES = {
     GSI_GROUND: mark("Elevation model (GSI)"), NAVIGATION_ROLE: mark("GNSS navigation"),
     OBSERVATIONS_ROLE: mark("GNSS observations"), "trajectory": mark("Trajectory"), "poses": mark("Image poses"),
     "calibration": mark("Calibration"), "control": mark("Control points"),
-    ROADS_ROLE: mark("Road edges or surfaces")}
+    ROADS_ROLE: mark("Road edges or surfaces"), CLOUD_CONTROL_ROLE: mark("Control points of the airborne points"),
+    FRAME_CONTROL_ROLE: mark("Control points of the frames")}
 """What a file can be used as, with its English name; of a survey's files without its number."""
 
 _KIND_OF_USE = {ALS: POINTS, SURVEY: POINTS, "trajectory": TRAJECTORY, "poses": IMAGE_POSES,
@@ -65,6 +72,7 @@ _IMAGES = (ORTHOPHOTO_ROLE, FRAMES, MASK, GROUND)
 _FITTING = {POINTS: (ALS, SURVEY), **dict.fromkeys((OUTLINES, MARKINGS, AREAS, ROOFS, BUILDING_MODELS), _PLANES),
             **dict.fromkeys((ORTHOPHOTO, FRAME, MARKING_MASK, ELEVATION, RASTER), _IMAGES),
             **dict.fromkeys((LINES, ROADS), (ROADS_ROLE,)),
+            **dict.fromkeys((TABLE, TEXT_POINTS), (CLOUD_CONTROL_ROLE,)),
             TRAJECTORY: ("trajectory", "poses"), IMAGE_POSES: ("poses", "trajectory")}
 """Uses that a file of a kind can be put to; of other kinds only their own."""
 

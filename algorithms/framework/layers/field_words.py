@@ -12,10 +12,14 @@ from ....urbanmap_qgis.wording import mark
 
 @dataclass(frozen=True)
 class FieldWords:
-    """A column for people: `words` with the unit, and the `decimals` that mean something; None: as they are."""
+    """A column for people: `words` with the unit, and the `decimals` that mean something; None: as they are.
+
+    `choices` : of a field that the user fills in, each value as text and the word that he chooses for it.
+    """
 
     words: str
     decimals: int | None = None
+    choices: tuple[tuple[str, str], ...] = ()
 
 
 def words_of(field: str, style: str = "") -> FieldWords | None:
@@ -130,7 +134,7 @@ _WORDS = {
     "up_left_out": FieldWords(mark("error up, left out (m)"), 3),
     "frames": FieldWords(mark("frames that see it")),
     "role": FieldWords(mark("role")),
-    "paint": FieldWords(mark("is it paint? (yes or no)")),
+    "paint": FieldWords(mark("is it paint? (yes or no)"), choices=(("1", mark("yes")), ("0", mark("no")))),
     "sigmas": FieldWords(mark("standard deviations across, in metres, from vertex to vertex")),
     "yields_to": FieldWords(mark("lanes that it lets pass")),
     "yields_by": FieldWords(mark("why it yields")),
@@ -326,6 +330,7 @@ _OF_STYLE: dict[tuple[str, str], FieldWords] = {
     ("street_rails", "sigma"): FieldWords(mark("standard deviation across (m)"), 3),
     ("street_rails", "height"): FieldWords(mark("height above the road (m)"), 3),
     ("road_markings", "area"): FieldWords(mark("area (m²)"), 2),
+    ("doubtful_markings", "width"): FieldWords(mark("width of the stroke (m)"), 3),
     ("road_markings", "width"): FieldWords(mark("width of the stroke (m)"), 3),
     ("marking_lines", "width"): FieldWords(mark("width (m)"), 3),
     ("lane_bounds", "width"): FieldWords(mark("width (m)"), 3),

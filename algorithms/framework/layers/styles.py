@@ -28,6 +28,9 @@ TABLE_ONLY = '<qgis styleCategories="Fields|Forms|AttributeTable" version="3.22.
 TABLE_STYLE = "table"
 """Its name in a GeoPackage."""
 
+NOTHING = "{2839923C-8B7D-419E-B84B-CA2FE9B80EC7}"
+"""The empty value among those that a field's value is chosen from (QgsValueMapFieldFormatter::NULL_VALUE)."""
+
 _LEGEND = re.compile(r'(<(?:category|range|rule|item|paletteEntry)\b[^>]*\blabel=")([^"]*)(")')
 
 _STYLES_TABLE = """
@@ -75,7 +78,8 @@ def _table_elements(fields: Sequence[str], own: Sequence[str], style: str, kept:
                               f'name="{escape(tr(words.words))}"/>' for name, words in titled.items()),
               "  </aliases>"]
     lines += ["  <fieldConfiguration>", *(_rounded(name, words) for name, words in titled.items()
-                                          if words.decimals is not None), "  </fieldConfiguration>"]
+                                          if words.decimals is not None),
+              *(_chosen(name, words) for name, words in titled.items() if words.choices), "  </fieldConfiguration>"]
     order = sorted(fields, key=lambda name: 0 if name in own else 1 if name in kept else 2)
     lines += ["  <attributetableconfig>", "    <columns>",
               *(f'      <column type="field" name="{escape(name)}" hidden="{int(name == "fid")}" width="-1"/>'
@@ -88,6 +92,18 @@ def _rounded(name: str, words: FieldWords) -> str:
     return (f'    <field name="{escape(name)}"><editWidget type="Range"><config><Option type="Map">'
             f'<Option name="Precision" type="int" value="{words.decimals}"/>'
             '<Option name="AllowNull" type="bool" value="true"/></Option></config></editWidget></field>')
+
+
+def _chosen(name: str, words: FieldWords) -> str:
+    """The words among which a field's value is chosen; nothing chosen is the first, as QGIS writes an empty value.
+
+    Not for truth values: QGIS 3.22 would write the word “true” into them as 0.
+    """
+    entries = [(tr("not answered"), NOTHING), *((tr(word), value) for value, word in words.choices)]
+    options = "".join(f'<Option type="Map"><Option name="{escape(word)}" type="QString" value="{value}"/></Option>'
+                      for word, value in entries)
+    return (f'    <field name="{escape(name)}"><editWidget type="ValueMap"><config><Option type="Map">'
+            f'<Option name="map" type="List">{options}</Option></Option></config></editWidget></field>')
 
 
 def give_style(context: QgsProcessingContext, place: str, style: str, own: tuple[str, ...] = (),

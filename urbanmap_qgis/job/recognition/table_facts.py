@@ -16,6 +16,8 @@ from pathlib import Path
 import numpy as np
 
 from ...aerial.frames.exterior_files import read_exterior
+from ...aerial.orientation.cloud_points import read_cloud_points
+from ...aerial.orientation.image_points import read_image_points
 from ...errors import InputError, UrbanMapError
 from ...io.conversion.reprojection import epsg_wkt
 from ...io.files.guard import read_text
@@ -28,8 +30,10 @@ from ...mobile.lines.tie_points import read_tie_points
 from ...mobile.trajectory_files import SBET_SUFFIXES, read_trajectory
 from ...wording import say
 from ..file_facts import (
+    CLOUD_CONTROL,
     CONTROL,
     EXTERIOR,
+    FRAME_CONTROL,
     IMAGE_POSES,
     IMAGE_TIMES,
     OTHER,
@@ -52,6 +56,7 @@ _SIGNATURES = {
     TRAJECTORY: {"time", "x", "y", "z", "roll", "pitch", "heading"},
     IMAGE_POSES: {"id", "time", "x", "y", "z", "roll", "pitch", "heading"},
     CONTROL: {"id", "x", "y", "time", "xmms", "ymms"}, TIE_POINTS: {"set", "time", "xmms", "ymms", "xref", "yref"},
+    FRAME_CONTROL: {"point", "image", "column", "row"}, CLOUD_CONTROL: {"id", "x", "y", "z", "role"},
     EXTERIOR: {"image", "x", "y", "z", "omega", "phi", "kappa"}, SCANS: {"time", "angle", "range"}}
 """Columns by which a table that its reader refuses is told all the same."""
 
@@ -85,6 +90,20 @@ def _exterior_facts(path: Path, sample: Path) -> FileFacts:
     return FileFacts(path, EXTERIOR, extent=_box(np.array([pose.centre for pose in poses])), count=len(poses))
 
 
+def _frame_control_facts(path: Path, sample: Path) -> FileFacts:
+    points = read_image_points(sample)
+    known = points.place[points.known]
+    return FileFacts(path, FRAME_CONTROL, extent=_box(known) if len(known) else None, count=len(points.points))
+
+
+def _cloud_control_facts(path: Path, sample: Path) -> FileFacts:
+    """Such a table says that it is one by places in the cloud or by roles: a list of places alone may be anything."""
+    points = read_cloud_points(sample)
+    if not (np.isfinite(points.found).any() or _names_in(sample.read_bytes()) & {"role", "use", "役割", "区分"}):
+        raise InputError(say("{name} says of no point where it lies in a cloud or what its role is.", name=path.name))
+    return FileFacts(path, CLOUD_CONTROL, extent=_box(points.true), count=len(points))
+
+
 def _scan_facts(path: Path, sample: Path) -> FileFacts:
     chunks = [chunk.time for chunk in itertools.islice(read_scans([sample]), 1)]
     times = np.concatenate(chunks)
@@ -93,7 +112,8 @@ def _scan_facts(path: Path, sample: Path) -> FileFacts:
 
 _TRIED: tuple[tuple[str, Callable[[Path, Path], FileFacts]], ...] = (
     (IMAGE_POSES, _pose_facts), (TRAJECTORY, _trajectory_facts), (CONTROL, _control_facts), (TIE_POINTS, _tie_facts),
-    (EXTERIOR, _exterior_facts), (SCANS, _scan_facts))
+    (EXTERIOR, _exterior_facts), (SCANS, _scan_facts), (FRAME_CONTROL, _frame_control_facts),
+    (CLOUD_CONTROL, _cloud_control_facts))
 
 
 def table_facts(path: Path, head: bytes, packed: bool = False) -> list[FileFacts]:
