@@ -37,6 +37,7 @@ from urbanmap_qgis.roadspace.road_pictures import plan_picture
 from urbanmap_qgis.roadspace.road_records import RoadFinding
 from urbanmap_qgis.samplecity.gnss.signals import _beside_line_of_sight
 from urbanmap_qgis.samplecity.scene.faces import FaceKind, building_faces
+from urbanmap_qgis.samplecity.scene.markings import _bays
 from urbanmap_qgis.samplecity.scene.model import Building, RoofPart
 
 
@@ -249,3 +250,11 @@ def test_fractions_of_a_part_run_within_the_whole():
     for fraction in (0.0, 0.5, 1.0):
         part.step(fraction)
     assert told == pytest.approx([0.625, 0.75, 0.875])
+
+
+def test_bays_of_a_parking_lot_are_five_metres_long_or_as_long_as_it_is_wide():
+    ground = SimpleNamespace(to_local=lambda x, y: (x, y))
+    for width, length in ((20.0, 5.0), (4.0, 2.8)):
+        lines = [marking.plan.bounds for marking in _bays(ground, shapely.box(100.0, 50.0, 130.0, 50.0 + width))]
+        assert len(lines) == 12 and all(top - bottom == pytest.approx(length) for _, bottom, _, top in lines)
+        assert {bottom for _, bottom, _, _ in lines} == {50.6}

@@ -173,9 +173,9 @@ def _walls_of(piece: _Piece, settings: WallSettings, check: Progress | None) -> 
             planes.append((segment.plane, contours))
     placed, edges = _placed(piece, planes, ends, outward, settings)
     kinds = kinds_of_walls(placed, given.points)
-    own = [one for one, (kind, _) in zip(placed, kinds)
-           if kind in (WALL, UNCLEAR) or (kind == BALCONY and settings.front == OUTERMOST)]
-    walls = [_described(piece, one, edge, kind, own, settings)
+    on_front = [one for one, (kind, _) in zip(placed, kinds)
+                if kind in (WALL, UNCLEAR) or (kind == BALCONY and settings.front == OUTERMOST)]
+    walls = [_described(piece, one, edge, kind, on_front, settings)
              for one, edge, kind in zip(placed, edges, kinds)]
     return walls, len(given.points)
 

@@ -39,13 +39,13 @@ def share_elsewhere(score: np.ndarray, start_sigma: float) -> float:
 def _tops(score: np.ndarray) -> np.ndarray:
     """(s * s,) number of the cell in which an ascent from each cell ends."""
     size = len(score)
-    own = np.arange(size * size).reshape(size, size)
+    cells = np.arange(size * size).reshape(size, size)
     padded = np.pad(score, 1, constant_values=-np.inf)
-    highest, leads_to = score, own
+    highest, leads_to = score, cells
     for down, right in _NEIGHBOURS:
         beside = padded[1 + down:1 + down + size, 1 + right:1 + right + size]
         higher = beside > highest
-        highest, leads_to = np.where(higher, beside, highest), np.where(higher, own + down * size + right, leads_to)
+        highest, leads_to = np.where(higher, beside, highest), np.where(higher, cells + down * size + right, leads_to)
     tops = leads_to.ravel()
     # Each round doubles the steps that are followed.
     for _ in range(int(np.ceil(np.log2(tops.size)))):

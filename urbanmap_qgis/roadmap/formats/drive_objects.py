@@ -100,11 +100,11 @@ def _group(road, name: str, wanted: bool):
     found = road.find(name)
     if found is not None:
         return found
-    made = road.add(name)
+    added = road.add(name)
     if name == "objects" and road.find("signals") is not None:
-        road.remove(made)
-        road.insert(list(road).index(road.find("signals")), made)
-    return made
+        road.remove(added)
+        road.insert(list(road).index(road.find("signals")), added)
+    return added
 
 
 def _nearest(shapes: list, layout: RoadLayout, place: np.ndarray) -> tuple[int, float, float] | None:
@@ -140,8 +140,8 @@ def _add_rail(group, number: int, rail: np.ndarray, shape, origin: np.ndarray) -
     s, t = shape.local(rail[:, :2] - origin)
     order = np.argsort(s)
     s, t, foot = np.clip(s[order], 0.0, shape.s[-1]), t[order], rail[order]
-    kept = np.concatenate([[True], np.diff(s) > 0.01])
-    s, t, foot = s[kept], t[kept], foot[kept]
+    distinct = np.concatenate([[True], np.diff(s) > 0.01])
+    s, t, foot = s[distinct], t[distinct], foot[distinct]
     if len(s) < 2:
         return
     height = _known(foot[0, 3])

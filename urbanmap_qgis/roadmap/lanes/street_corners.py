@@ -54,10 +54,10 @@ def _corners(plan: shapely.LineString) -> list[float]:
         return []
     headings = [_heading(plan, at + side * (LIMITS.reach - LIMITS.chord / 2.0)) for side in (-1.0, 1.0)]
     turn = np.degrees(np.abs((headings[1] - headings[0] + np.pi) % (2.0 * np.pi) - np.pi))
-    bent = np.flatnonzero(turn > LIMITS.turn)
-    if not len(bent):
+    turning = np.flatnonzero(turn > LIMITS.turn)
+    if not len(turning):
         return []
-    runs = np.split(bent, np.flatnonzero(np.diff(bent) > 1) + 1)
+    runs = np.split(turning, np.flatnonzero(np.diff(turning) > 1) + 1)
     return [float(at[run][turn[run] > turn[run].max() - 1.0].mean()) for run in runs]
 
 

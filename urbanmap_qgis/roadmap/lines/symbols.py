@@ -40,7 +40,7 @@ class SymbolsLimits:
     # Long and short side of the worn pieces of an arrow together, how far apart and how large (m2) they may be, m.
     along: tuple[float, float] = (1.5, 6.2)
     across: tuple[float, float] = (0.35, 1.7)
-    apart: float = 0.5
+    joined: float = 0.5
     piece: float = 2.0
     same: float = 1.5  # A head so near the middle of the pieces is theirs, m.
     # A bar no longer than a shaft, with a head so far beyond its end and beside its course, m.
@@ -129,15 +129,15 @@ def _heads(shapes: np.ndarray) -> list[tuple[np.ndarray, str]]:
 def _pieces(shapes: np.ndarray, heads: Sequence[tuple[np.ndarray, str]]) -> list[tuple[np.ndarray, str]]:
     """Middles (2,) of polygons without a head that lie together and have an arrow's size, as wear leaves them."""
     small = shapes[shapely.area(shapes) < LIMITS.piece]
-    blobs = shapely.get_parts(shapely.union_all(shapely.buffer(small, LIMITS.apart / 2, quad_segs=2)))
+    blobs = shapely.get_parts(shapely.union_all(shapely.buffer(small, LIMITS.joined / 2, quad_segs=2)))
     frames = shapely.get_coordinates(shapely.minimum_rotated_rectangle(blobs)).reshape(-1, 5, 2)[:, :3]
-    sides = np.sort(np.linalg.norm(np.diff(frames, axis=1), axis=2), axis=1) - LIMITS.apart
+    sides = np.sort(np.linalg.norm(np.diff(frames, axis=1), axis=2), axis=1) - LIMITS.joined
     (short, wide), (least, most) = LIMITS.across, LIMITS.along
     fits = (sides[:, 0] >= short) & (sides[:, 0] <= wide) & (sides[:, 1] >= least) & (sides[:, 1] <= most)
     middles = shapely.centroid(blobs[fits])
     if heads:
-        told = shapely.multipoints([head for head, _ in heads])
-        middles = middles[shapely.distance(middles, told) > LIMITS.same]
+        known = shapely.multipoints([head for head, _ in heads])
+        middles = middles[shapely.distance(middles, known) > LIMITS.same]
     return [(middle, "arrow") for middle in shapely.get_coordinates(middles)]
 
 
@@ -146,7 +146,7 @@ def _shafts(shapes: np.ndarray, bars: Sequence[int], places: Sequence[tuple[np.n
     if not len(bars) or not places:
         return np.zeros(0, np.int64)
     tree = shapely.STRtree(shapely.points([place for place, _ in places]))
-    kept = []
+    shafts = []
     for number in bars:
         box = shapely.get_coordinates(shapely.minimum_rotated_rectangle(shapes[number]))[:4]
         edge = box[1:3] - box[:2]
@@ -157,10 +157,10 @@ def _shafts(shapes: np.ndarray, bars: Sequence[int], places: Sequence[tuple[np.n
         middle = box.mean(axis=0)
         for near in tree.query(shapely.Point(middle), predicate="dwithin", distance=length.max() / 2 + LIMITS.beyond):
             off = places[near][0] - middle
-            if abs(off @ along) > length.max() / 2 - LIMITS.apart and abs(off @ [-along[1], along[0]]) < LIMITS.beside:
-                kept.append(number)
+            if abs(off @ along) > length.max() / 2 - LIMITS.joined and abs(off @ [-along[1], along[0]]) < LIMITS.beside:
+                shafts.append(number)
                 break
-    return np.array(kept, np.int64)
+    return np.array(shafts, np.int64)
 
 
 def _diamonds(shapes: np.ndarray) -> list[tuple[np.ndarray, str]]:

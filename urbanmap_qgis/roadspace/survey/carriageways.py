@@ -107,7 +107,7 @@ def _without_pieces(edges: Sequence[EdgeLine], findings: list[RoadFinding]) -> l
     length: dict[int, float] = defaultdict(float)
     for edge, plan in zip(edges, plans):
         length[edge.chain] += plan.length
-    kept = []
+    remaining = []
     for edge, plan in zip(edges, plans):
         longer = [other for one, other in zip(edges, plans) if length[one.chain] >= 2.0 * length[edge.chain]]
         if length[edge.chain] < LIMITS.piece and longer and shapely.covers(
@@ -116,8 +116,8 @@ def _without_pieces(edges: Sequence[EdgeLine], findings: list[RoadFinding]) -> l
                 "A short edge lies nearer than {distance:.0f} m beside a longer one: no carriageway runs between them, "
                 "and it is left out.", distance=LIMITS.narrow), *edge.plan.mean(axis=0).tolist()))
         else:
-            kept.append(edge)
-    return kept
+            remaining.append(edge)
+    return remaining
 
 
 def _thinned(edge: EdgeLine) -> np.ndarray:
