@@ -5,7 +5,8 @@
 
 CITY is a sample city, whose scene is made anew from truth/summary.json. SURVEY and TRAJECTORY are a corrected survey,
 SIGMA what is said of its accuracy (0.01 m by default). What counts is what stands within the half width of the path and
-was measured with 20 points at least. Needs no QGIS.
+was measured with 20 points at least. Each true thing has one found thing at most: those that stand close together are
+not held against each other. Needs no QGIS.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from pathlib import Path
 import laspy
 import numpy as np
 import shapely
+from scipy.optimize import linear_sum_assignment
 from scipy.spatial import cKDTree
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -75,6 +77,18 @@ def shown(rows: np.ndarray, path: cKDTree, width: float, points: np.ndarray, sce
     return rows[np.array(kept, bool)]
 
 
+def matched(rows: np.ndarray, every: np.ndarray, feet: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Distance (n,) of rows (n, 2) to their own found foot, infinite without one, and its number.
+
+    Feet are shared out among all true things, each to one, so that as many as can be have one near.
+    """
+    cost = np.minimum(np.linalg.norm(every[:, None] - feet[None], axis=2), 2.0 * MATCH)
+    own = dict(zip(*(side.tolist() for side in linear_sum_assignment(cost))))
+    at = np.array([own.get(int(np.argmin(np.linalg.norm(every - row, axis=1))), -1) for row in rows])
+    off = np.where(at >= 0, np.linalg.norm(rows - feet[at], axis=1), np.inf)
+    return np.where(off < MATCH, off, np.inf), at
+
+
 def main() -> None:
     """Print the figures."""
     city, survey, drive = (Path(text) for text in sys.argv[1:4])
@@ -100,11 +114,12 @@ def main() -> None:
     sigma = np.array([thing.sigma for thing in found.objects])
     measured = np.array([thing.status == MEASURED for thing in found.objects], bool)
     tree = cKDTree(feet[:, :2]) if len(feet) else None
+    every = np.concatenate([truth[name][:, :2] for name in ("post", "tree", "bollard")])
     for name, rows in groups.items():
         if not len(rows) or tree is None:
             print(f"{name}: {len(rows)} true")
             continue
-        off, at = tree.query(rows[:, :2])
+        off, at = matched(rows[:, :2], every, feet[:, :2])
         hit = off < MATCH
         sure = hit & measured[at]
         delta = np.abs(feet[at, :2] - rows[:, :2])[sure]
@@ -116,7 +131,6 @@ def main() -> None:
             thing = found.objects[k]
             print(f"   missed {row.round(2).tolist()}: nearest {thing.kind} at {d:.2f} m, {thing.status} "
                   f"{thing.reason}")
-    every = np.concatenate([truth[name][:, :2] for name in ("post", "tree", "bollard")])
     for name in ("all", MEASURED):
         rows = feet[measured if name == MEASURED else slice(None)]
         false = cKDTree(every).query(rows[:, :2])[0] > MATCH

@@ -115,6 +115,17 @@ def test_a_hidden_foot_is_told(tmp_path):
     assert np.abs(placed(pole)[:2] - [15.0, 5.0]).max() < 0.03
 
 
+def test_a_sign_is_found_whose_post_shows_only_over_a_parked_car(tmp_path):
+    """Under the board 0.9 m of the post are bare; without a board so short a piece is no post."""
+    def half(rng):
+        return scene.post(rng, 15.0, 5.0, 2.1, 0.08, low=1.2)
+
+    sign, = found_of(tmp_path, lambda rng: np.concatenate([
+        half(rng), scene.board(rng, 14.95, 5.0, 2.4, 0.8, 0.6, 0.0)])).objects
+    assert sign.kind == "sign" and np.abs(placed(sign)[:2] - [15.0, 5.0]).max() < 0.03
+    assert not found_of(tmp_path, half).objects
+
+
 def test_few_points_are_told(tmp_path):
     thin = lambda rng: scene.post(rng, 15.0, 5.0, 3.0, 0.1)[::10]  # noqa: E731
     pole, = found_of(tmp_path, thin).objects  # 19 points

@@ -25,6 +25,7 @@ from .object_records import (
     MEASURED,
     OBJECT_POINT,
     POLE,
+    SIGN,
     TREE,
     Board,
     ObjectSettings,
@@ -127,7 +128,7 @@ def _objects_of_tile(tile: EdgeTile, height: np.ndarray, survey: EdgePoints,
             axis = fit_axis(place[stem.rows[beside]], survey.body(points["time"][stem.rows[beside]]))
             foot = axis.plan_at(ground)
             around = hanging_parts(place[near], height[near], axis, stem.high, seen_from)
-        short = stem.high - stem.low < LIMITS.post and not around.crown
+        short = stem.high - stem.low < LIMITS.post and not around.crown and not _under_board(stem, around, axis, ground)
         wall = around.straight and around.wall > LIMITS.wall * len(stem.rows)
         if short or wall or max(around.top, stem.high) < settings.min_height:
             continue
@@ -135,6 +136,14 @@ def _objects_of_tile(tile: EdgeTile, height: np.ndarray, survey: EdgePoints,
         found.append(_object(stem, axis, np.array([*foot, ground]), around, crowd,
                              len(np.unique(points["drive"][stem.rows])), survey.corner, settings))
     return _without_doubles(found)
+
+
+def _under_board(stem: Stem, around: HangingParts, axis: StemAxis, ground: float) -> bool:
+    """Whether a stem shows bare under a sign's board: a rail or a parked car may hide the rest of so short a post."""
+    kind, _, board = kind_of(around, axis.diameter)
+    if kind != SIGN or board is None or len(stem.rows) < LIMITS.few:
+        return False
+    return bool(board.centre[2] - board.height / 2.0 - ground - stem.low > LIMITS.bare)
 
 
 def _beside_board(place: np.ndarray, board: Board | None) -> np.ndarray | None:
