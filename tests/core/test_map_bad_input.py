@@ -69,6 +69,18 @@ def test_arrow_against_the_drive_is_told_and_the_drive_believed():
     assert [roads.course(lane) for lane in built.lanes] == [1.0] and "direction contradicts" in kinds(built)
 
 
+@pytest.mark.parametrize("right, told, lanes", [
+    (5.2, "Drives, arrows or stop lines contradict each other about the direction here.", 3),
+    (1.7, "Lanes beside each other would keep to the wrong side of the road here.", 4)])
+def test_drive_against_the_traffic_is_told_and_where_drives_contradict_no_lane_is_made(right, told, lanes):
+    """The outer lane is driven against the traffic, and rightly too, or its neighbour alone rightly."""
+    drives = [roads.drive((-10, right), (160, right)), roads.drive((160, -5.2), (-10, -5.2)),
+              roads.drive((160, 5.2), (-10, 5.2))]
+    built = build_vector_map(roads.avenue(0, 150), (), drives)
+    assert len(built.lanes) == lanes and is_sound(built)
+    assert told in {finding.text for finding in built.findings if finding.kind == "direction contradicts"}
+
+
 def test_lanes_that_would_keep_to_the_wrong_side_are_not_inferred():
     """Both sides of a yellow line have arrows as if traffic were on the right, where drives show the left."""
     lines = [*roads.avenue(0, 60), *roads.avenue(200, 260)]
