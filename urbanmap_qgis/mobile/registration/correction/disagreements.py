@@ -346,7 +346,7 @@ def with_disagreements(status: np.ndarray, reason: np.ndarray, found: Disagreeme
     """
     status, reason = status.copy(), reason.copy()
     changed = found.within_changed(at)
-    for mask, why in ((beside, say("reference and survey disagree: one side of a step is wrong")),
+    for mask, why in ((beside, say("reference and survey disagree: one side of a step may be wrong")),
                       (changed, say("the markings here changed: reference and survey disagree"))):
         status[mask & (status == REGISTERED)] = BRIDGED
         reason[mask] = why
