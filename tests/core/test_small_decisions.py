@@ -18,11 +18,13 @@ from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.imagery.overlays.overlay_pictures import PointColours
 from urbanmap_qgis.io.conversion.geoid import Geoid
 from urbanmap_qgis.io.conversion.height_conversion import height_conversion
+from urbanmap_qgis.io.official.gsi_dem import _SECONDS, PRODUCTS, _product
 from urbanmap_qgis.io.reference.height_systems import HeightSystem
 from urbanmap_qgis.job.recognition.layer_kind import AREAS, OUTLINES, _by_size
 from urbanmap_qgis.localisation.simulation.prediction_check import EVIDENCE_OF_CELL, STEP, _fits_elsewhere
 from urbanmap_qgis.localisation.simulation.simulated_scans import displaced
 from urbanmap_qgis.localisation.walls.wall_cells import space_cells
+from urbanmap_qgis.mobile.lines.tie_point_proposals import _cell_sums
 from urbanmap_qgis.mobile.markings.intensity_calibration import _fit, _model
 from urbanmap_qgis.mobile.registration.correction.disagreements import _EITHER, NodeStep, either_side
 from urbanmap_qgis.progress import Progress
@@ -35,6 +37,8 @@ from urbanmap_qgis.roadmap.edges.stations import Stations
 from urbanmap_qgis.roadmap.lanes.movements import _offer
 from urbanmap_qgis.roadspace.road_pictures import plan_picture
 from urbanmap_qgis.roadspace.road_records import RoadFinding
+from urbanmap_qgis.samplecity.drive.motion import LIMITS as MOTION
+from urbanmap_qgis.samplecity.drive.motion import _on_wheels
 from urbanmap_qgis.samplecity.gnss.signals import _beside_line_of_sight
 from urbanmap_qgis.samplecity.scene.faces import FaceKind, building_faces
 from urbanmap_qgis.samplecity.scene.markings import _bays
@@ -258,3 +262,32 @@ def test_bays_of_a_parking_lot_are_five_metres_long_or_as_long_as_it_is_wide():
         lines = [marking.plan.bounds for marking in _bays(ground, shapely.box(100.0, 50.0, 130.0, 50.0 + width))]
         assert len(lines) == 12 and all(top - bottom == pytest.approx(length) for _, bottom, _, top in lines)
         assert {bottom for _, bottom, _, _ in lines} == {50.6}
+
+
+@pytest.mark.parametrize("first", [0, 1, 7])
+def test_points_are_summed_up_by_cells(first):
+    key = np.array([first + 3, first, first + 3, first])
+    values = np.array([[1.0, 10.0, 5.0], [2.0, 20.0, 6.0], [3.0, 30.0, 7.0], [4.0, 40.0, 8.0]])
+    found, sums, lowest, highest = _cell_sums(key, values, np.array([1.5, 9.0, 4.5, 2.0]))
+    assert found.tolist() == [first, first + 3]
+    assert sums.tolist() == [[6.0, 60.0, 14.0, 2.0], [4.0, 40.0, 12.0, 2.0]]
+    assert lowest.tolist() == [2.0, 1.5] and highest.tolist() == [9.0, 4.5]
+
+
+@pytest.mark.parametrize(("product", "metres"), PRODUCTS.items())
+def test_a_product_of_the_gsi_is_known_by_its_cells(product, metres):
+    source = SimpleNamespace(name="x.xml")
+    assert PRODUCTS[_product(None, _SECONDS[metres] / 3600, source)] == metres
+    with pytest.raises(InputError, match=r"cells of 3\.000 seconds"):
+        _product(None, 3.0 / 3600, source)
+
+
+def test_a_vehicle_s_springs_soften_a_step_of_the_road():
+    """A step of 10 cm all across, over which the vehicle drives at 10 m/s."""
+    x = np.zeros(400)
+    y = np.arange(400) * 10.0 / MOTION.rate
+    height, roll, pitch = _on_wheels(lambda east, north: np.where(north > y[200], 0.1, 0.0), x, y, np.zeros(400))
+    assert height[0] == pytest.approx(0.0, abs=1e-6) and height[-1] == pytest.approx(0.1, abs=1e-6)
+    assert np.abs(roll).max() < 1e-9 and pitch.max() > 0.1 and pitch.min() > -1e-9
+    rise = np.diff(height)
+    assert 0.0 < rise.max() < 0.1 / (0.15 * MOTION.rate)
