@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import functools
 import importlib.machinery
-import importlib.metadata
 import importlib.util
 import os
 import platform
@@ -22,9 +21,13 @@ import time
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from .errors import Cancelled, UrbanMapError
 from .wording import say
+
+if TYPE_CHECKING:
+    import importlib.metadata
 
 
 class InstallError(UrbanMapError):
@@ -120,11 +123,17 @@ def _version_in(package: Package, path: list[str] | None) -> str:
     if package.import_name == "cv2":
         names += ["opencv-python", "opencv-contrib-python-headless", "opencv-contrib-python", "opencv"]
     for name in names:
-        found = importlib.metadata.distributions(name=name, **({} if path is None else {"path": path}))
-        for distribution in found:
+        for distribution in _installed(name=name, **({} if path is None else {"path": path})):
             if distribution.version:
                 return distribution.version
     return ""
+
+
+def _installed(**wanted: object) -> Iterable[importlib.metadata.Distribution]:
+    """What `importlib.metadata.distributions` finds; that module reads e-mail and zips, for no start of QGIS."""
+    from importlib import metadata
+
+    return metadata.distributions(**wanted)
 
 
 def _fits(package: Package, version: str) -> bool:
@@ -333,7 +342,7 @@ def install(
 
 def remove_distribution(folder: Path, name: str) -> None:
     """Remove the files of one distribution from a folder that pip filled with ``--target``."""
-    for distribution in importlib.metadata.distributions(path=[str(folder)]):
+    for distribution in _installed(path=[str(folder)]):
         if _plain(distribution.metadata["Name"]) != _plain(name):
             continue
         for file in distribution.files or ():

@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import pkgutil
 from collections.abc import Iterable
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 MARK_FILE = "sources_mark.txt"
@@ -37,6 +36,8 @@ def source_files() -> list[Path]:
 
 def package_versions(names: Iterable[str]) -> dict[str, str]:
     """Versions of packages by their names on the package index, empty where one is missing."""
+    from importlib.metadata import PackageNotFoundError, version  # QGIS's start needs none of it
+
     found = {}
     for name in names:
         try:

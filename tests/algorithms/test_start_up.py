@@ -28,7 +28,7 @@ print(json.dumps([sorted(set(sys.modules) - before), len(listed), len(help)]))
 """
 
 HEAVY = {"numpy", "scipy", "shapely", "laspy", "lazrs", "rasterio", "pyproj", "matplotlib", "cv2", "skimage", "osgeo",
-         "numba", "dask", "distributed", "asyncio", "ssl"}
+         "numba", "dask", "distributed", "asyncio", "ssl", "email", "difflib"}
 """Packages, also of Python itself, that take long to load."""
 
 MOST_OWN, MOST_CORE, MOST_OTHERS = 150, 15, 170

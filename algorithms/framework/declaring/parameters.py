@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import re
 from collections.abc import Mapping, Sequence
 
@@ -310,6 +309,8 @@ class Declarations:
 
 def check_names(given: Mapping[str, object], known: Sequence[str]) -> list[str]:
     """One sentence for each given parameter name that the algorithm does not have."""
+    import difflib  # only for a mistake, not with every start of QGIS
+
     sentences = []
     for name in sorted(set(given) - set(known)):
         close = difflib.get_close_matches(name.upper(), known, 1)

@@ -25,6 +25,7 @@ from ..reference.height_systems import refuse_other_heights
 from ..reference.renamed_crs import known_wkt
 from .decoded_points import decoded_points
 from .las_check import check_las, decoding
+from .whole_records import copied, rows_of
 
 CHUNK_POINTS = 1_000_000
 """Points held in memory at a time while reading."""
@@ -271,7 +272,7 @@ class PointLayout:
         same_place = (np.array_equal(points.scales, self.header.scales)
                       and np.array_equal(points.offsets, self.header.offsets))
         if same_place and points.array.dtype == self.dtype:
-            return points.array[rows].copy() if keep.all() else points.array[rows]
+            return copied(points.array) if keep.all() else rows_of(points.array, rows)
         stored = set(points.array.dtype.names) & set(self.dtype.names)
         if points.point_format.id != self.header.point_format.id:
             stored = set(points.point_format.dimension_names) & set(self.header.point_format.dimension_names)
