@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import time
 import zipfile
 
 import pytest
@@ -308,6 +309,13 @@ def test_file_that_is_broken_off_is_one_fault_of_many(tmp_path):
     assert "L01" in rules_of(path)
     other = written(tmp_path / "b", building(), head=HEAD.replace("6697", "4326"))
     assert rules_of(other) == ["L05"]
+
+
+def test_a_list_of_a_name_without_end_takes_no_time(tmp_path):
+    path = written(tmp_path, building(own=f'<bldg:class codeSpace="{"n" * 60_000}">3001</bldg:class>'))
+    start = time.process_time()
+    assert rules_of(path) == ["L04.list"]
+    assert time.process_time() - start < 5  # it grew by the square of the length
 
 
 def test_lists_of_the_data_set_are_asked_before_those_of_the_specification(tmp_path):

@@ -10,7 +10,7 @@ import numpy as np
 from ..errors import InputError
 from ..io.points.point_buckets import PointBuckets, stable_order
 from ..io.points.pointcloud import PointCloud, PointLayout, iter_chunks, valid_points
-from ..io.points.whole_records import rows_of
+from ..io.points.whole_records import record_rows
 from ..progress import SILENT, Progress
 from ..wording import say
 
@@ -56,7 +56,7 @@ def _split(records: np.ndarray, ids: np.ndarray) -> list[np.ndarray]:
     building = np.ascontiguousarray(records["building_id"])
     if (building[1:] < building[:-1]).any():
         sequence = stable_order(building)
-        records, building = rows_of(records, sequence), building[sequence]
+        records, building = record_rows(records, sequence), building[sequence]
     starts = np.searchsorted(building, ids, side="left")
     ends = np.searchsorted(building, ids, side="right")
     return [records[start:end] for start, end in zip(starts, ends)]

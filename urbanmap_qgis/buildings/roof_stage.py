@@ -13,7 +13,7 @@ import shapely
 from ..errors import Cancelled, trouble_words
 from ..execution import checkpoint, in_order
 from ..io.points.pointcloud import PointCloud, PointLayout, cloud_writer
-from ..io.points.whole_records import joined
+from ..io.points.whole_records import joined_records
 from ..progress import SILENT, Progress
 from ..wording import say
 from .building_points import coordinates, iter_building_blocks, require_dimension
@@ -129,7 +129,7 @@ def _segment_block(block: RoofBlock) -> tuple[np.ndarray, np.ndarray, list[list[
                 records["roof_id"] = 0
                 troubles.append((int(row), trouble_words(error)))
         results.append(rows)
-    records = joined(block.records) if block.records else np.zeros(0, block.layout.dtype)
+    records = joined_records(block.records) if block.records else np.zeros(0, block.layout.dtype)
     return block.rows, records, results, troubles
 
 

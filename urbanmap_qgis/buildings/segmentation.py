@@ -21,7 +21,7 @@ from ..execution import in_order
 from ..geometry.grid import Grid
 from ..io.points.point_buckets import PointBuckets
 from ..io.points.pointcloud import PointCloud, PointLayout, cloud_writer, iter_chunks, valid_points
-from ..io.points.whole_records import rows_of
+from ..io.points.whole_records import record_rows
 from ..progress import SILENT, Progress
 from ..wording import say
 from .outlines.footprint import Footprints
@@ -63,7 +63,7 @@ def segment_buildings(cloud: PointCloud, footprints: Footprints, output: str | o
             keep = valid_points(chunk) & np.isfinite(chunk.x) & np.isfinite(chunk.y)
             records = layout.adapt(chunk, keep)
             for keys, members in tiles.keys(np.asarray(chunk.x)[keep], np.asarray(chunk.y)[keep]):
-                buckets.add(keys, records if len(members) == len(records) else rows_of(records, members))
+                buckets.add(keys, records if len(members) == len(records) else record_rows(records, members))
                 near += len(members)
         if not near:
             raise InputError(say("No sound point lies near any outline: check that points and outlines are of the "

@@ -13,7 +13,7 @@ import numpy as np
 from ..geometry.grid import Grid
 from ..io.points.point_buckets import stable_order
 from ..io.points.pointcloud import PointLayout
-from ..io.points.whole_records import rows_of
+from ..io.points.whole_records import record_rows
 from ..progress import SILENT, Progress
 from .building_points import coordinates
 from .outlines.candidate_points import assign_candidates
@@ -84,6 +84,6 @@ def _segment_as_paper(tile: Tile, table: SegmentedBuildings, x: np.ndarray, y: n
 def _of_tile(tile: Tile, table: SegmentedBuildings, order: np.ndarray,
              owner: np.ndarray) -> tuple[np.ndarray, SegmentedBuildings, np.ndarray]:
     """Rows and table of the tile's own buildings, and their records: points `order` (m,) of the buildings `owner`."""
-    records = rows_of(tile.records, order)
+    records = record_rows(tile.records, order)
     records["building_id"] = tile.footprints.ids[owner]
     return tile.rows[tile.inside], table.select(tile.inside), records

@@ -20,7 +20,7 @@ from scipy import ndimage
 from ..errors import InputError, InsufficientDataError
 from ..io.points.point_buckets import PointBuckets, stable_order
 from ..io.points.pointcloud import PointCloud, iter_chunks, valid_points
-from ..io.points.whole_records import rows_of
+from ..io.points.whole_records import record_rows
 from ..io.raster import RasterSampler
 from ..progress import SILENT, Progress
 from ..wording import say
@@ -300,10 +300,10 @@ def _collect(cloud: PointCloud, nearest: NearestOutline, settings: FacadeSetting
         if ground is not None:
             height = z - ground.sample(x, y)
             within &= ~(height > settings.max_height)
-        buckets.add(row[within], rows_of(records, within))
+        buckets.add(row[within], record_rows(records, within))
         rows.update(np.unique(row[within]).tolist())
         front = _thinned(x, y, z, row)
-        buckets.add(row[front] + LIMITS.front_key, rows_of(records, front))
+        buckets.add(row[front] + LIMITS.front_key, record_rows(records, front))
     return rows
 
 
@@ -338,7 +338,7 @@ def _buildings(rows: list[int], buckets: PointBuckets, plans: BuildingPlans, set
         share = 1.0
         if len(records) > settings.max_points:
             share = settings.max_points / len(records)
-            records = rows_of(records, np.random.default_rng(row).random(len(records)) < share)
+            records = record_rows(records, np.random.default_rng(row).random(len(records)) < share)
         front = buckets.read(row + LIMITS.front_key)
         plane = planes[row]
         if not np.isfinite(plane[0]) and np.isfinite(plans.base[row]):

@@ -15,7 +15,7 @@ import numpy as np
 from ..errors import InputError, InsufficientDataError
 from ..io.files.atomic import written_beside
 from ..io.points.pointcloud import NAMES_NOT_ASCII, PointCloud, PointLayout, iter_chunks, open_cloud
-from ..io.points.whole_records import copied
+from ..io.points.whole_records import copied_records
 from ..progress import SILENT, Progress
 from ..wording import say
 from .gps_time import time_shift
@@ -198,7 +198,7 @@ class _Writing:
         if outside == "keep":
             movement[~within] = 0.0
         statistics.add(movement, within, self.movement.in_gap(time))
-        records = self.layout.adapt(chunk, np.ones(len(chunk), bool)) if self.layout else copied(chunk.array)
+        records = self.layout.adapt(chunk, np.ones(len(chunk), bool)) if self.layout else copied_records(chunk.array)
         same = np.array_equal(chunk.scales, self.header.scales) and np.array_equal(chunk.offsets, self.header.offsets)
         for axis, name in enumerate("XYZ"):
             if same:  # added in the file's own steps, nothing that does not move is rounded

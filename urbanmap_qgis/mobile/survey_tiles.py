@@ -12,7 +12,7 @@ import numpy as np
 from ..errors import InsufficientDataError
 from ..io.points.point_buckets import PointBuckets
 from ..io.points.pointcloud import PointCloud, iter_chunks, valid_points
-from ..io.points.whole_records import copied, rows_of
+from ..io.points.whole_records import copied_records, record_rows
 from ..progress import Progress
 from ..terrain.outliers import plausible
 from ..terrain.tiles import TilePoints, Tiling
@@ -75,7 +75,7 @@ class SurveyTiles:
             usable = valid_points(chunk) & plausible(x, y, z)
             records = self.packing.packed(chunk, time)
             if not usable.all():
-                records, x, y, time = rows_of(records, usable), x[usable], y[usable], time[usable]
+                records, x, y, time = record_rows(records, usable), x[usable], y[usable], time[usable]
             if not len(records):
                 continue
             self.usable += len(records)
@@ -98,7 +98,7 @@ class SurveyTiles:
         for key in self.keys:
             whole = self.buckets.pop(key)
             for start in range(0, len(whole), CHUNK):
-                records = copied(whole[start:start + CHUNK])  # a part of the whole would keep all of it in memory
+                records = copied_records(whole[start:start + CHUNK])  # a view would keep the whole
                 tile = self.tiling.keys(self.packing.column(records, "x"), self.packing.column(records, "y"))
                 keys.update(self.smaller.add(tile, records))
         self.keys, self.buckets = sorted(keys), self.smaller

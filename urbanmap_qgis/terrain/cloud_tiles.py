@@ -17,7 +17,7 @@ from ..execution import in_order
 from ..geometry.grid import Grid
 from ..io.points.point_buckets import PointBuckets
 from ..io.points.pointcloud import PointCloud, iter_chunks, valid_points
-from ..io.points.whole_records import joined, rows_of
+from ..io.points.whole_records import joined_records, record_rows
 from ..progress import Progress
 from ..wording import say
 from .cloth import JAVANMARDI, ClothSettings, LowestHeights, final_cloth, first_cloth
@@ -119,7 +119,7 @@ class CloudTiles:
             records = np.empty(len(chunk), dtype=POINT)
             records["x"], records["y"], records["z"] = chunk.x, chunk.y, chunk.z
             records["c"] = chunk.classification
-            records = rows_of(records, valid_points(chunk) & plausible(records["x"], records["y"], records["z"]))
+            records = record_rows(records, valid_points(chunk) & plausible(records["x"], records["y"], records["z"]))
             if not len(records):
                 continue
             self.class_counts += np.bincount(records["c"], minlength=256)
@@ -196,8 +196,8 @@ class CloudTiles:
                     other = self.points.read(neighbour)
                     near = ((other["x"] >= x_min - margin) & (other["x"] <= x_max + margin)
                             & (other["y"] >= y_min - margin) & (other["y"] <= y_max + margin))
-                    parts.append(rows_of(other, near))
-            yield TilePoints(joined(parts), len(inside), box)
+                    parts.append(record_rows(other, near))
+            yield TilePoints(joined_records(parts), len(inside), box)
 
 
 def _require_filled(places: Counter[complex]) -> None:

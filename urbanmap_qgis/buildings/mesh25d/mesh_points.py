@@ -11,7 +11,7 @@ import shapely
 from ...errors import InsufficientDataError
 from ...io.points.point_buckets import PointBuckets
 from ...io.points.pointcloud import PointCloud, iter_chunks, valid_points
-from ...io.points.whole_records import rows_of
+from ...io.points.whole_records import record_rows
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..outlines.evidence import BUILDING_CLASS
@@ -49,7 +49,7 @@ def building_points(cloud: PointCloud, footprints: Footprints,
             records = _records(chunk, keep)
             rows, members = (_by_number(np.asarray(chunk["building_id"])[keep], footprints) if numbered
                              else _by_outline(records, footprints))
-            buckets.add(rows, rows_of(records, members))
+            buckets.add(rows, record_rows(records, members))
             found |= len(rows) > 0
         if not found:
             raise InsufficientDataError(say("No point lies in any outline: check that both are of the same place and "

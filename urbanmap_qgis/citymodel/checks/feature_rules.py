@@ -204,7 +204,7 @@ def _unknown_list(block: CityBlock, rule: CheckRule) -> Iterator[Violation]:
 
 def _named_after(element: Element, parent: Element, space: str, block: CityBlock) -> bool:
     """Whether a list that the data set does not bring is called as the specification calls them: type and property."""
-    name = re.sub(r".*[/\\]|\.xml\Z", "", space)
+    name = re.split(r"[/\\]", space)[-1].removesuffix(".xml")
     return not block.file.lists_there and name == f"{tag_name(parent.tag)[1]}_{tag_name(element.tag)[1]}"
 
 

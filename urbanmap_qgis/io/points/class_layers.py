@@ -24,7 +24,7 @@ from laspy.vlrs.known import LasZipVlr
 
 from ..files.atomic import written_beside
 from .pointcloud import NAMES_NOT_ASCII, CloudWriter, PointCloud, PointLayout, cloud_writer
-from .whole_records import copied, joined
+from .whole_records import copied_records, joined_records
 
 _CLASS_LAYER, _CLASS_PLACE = 2, 16
 """Place of the classes among a chunk's layers (behind x and y, and z), and of the class in a record, bytes."""
@@ -177,14 +177,14 @@ class _CopiedLayers:
         records["bit_fields"] = points.array["bit_fields"]
         records["classification_flags"] = points.array["classification_flags"] & _CHANNEL
         records["classification"] = classes
-        self._waiting = joined([self._waiting, records]) if len(self._waiting) else records
+        self._waiting = joined_records([self._waiting, records]) if len(self._waiting) else records
         done = 0
         while self._next < len(self._sources) and self._sources[self._next][1].points <= len(self._waiting) - done:
             path, chunk = self._sources[self._next]
             self._copy(path, chunk, self._waiting[done:done + chunk.points])
             done += chunk.points
             self._next += 1
-        self._waiting = copied(self._waiting[done:])
+        self._waiting = copied_records(self._waiting[done:])
 
     def _copy(self, path: Path, chunk: _Chunk, records: np.ndarray) -> None:
         with path.open("rb") as source:

@@ -8,7 +8,7 @@ from typing import BinaryIO
 
 import numpy as np
 
-from .whole_records import put, rows_of
+from .whole_records import put_records, record_rows
 
 MEMORY_LIMIT = 300_000_000
 """Bytes of records held in memory before the buckets move to disk."""
@@ -84,7 +84,7 @@ class PointBuckets:
             return {}
         if (keys[1:] < keys[:-1]).any():
             order = stable_order(keys)
-            keys, records = keys[order], rows_of(records, order)
+            keys, records = keys[order], record_rows(records, order)
         starts = np.flatnonzero(keys[1:] != keys[:-1]) + 1
         counts = {}
         for name, piece in zip(keys[np.r_[0, starts]].tolist(), np.split(records, starts)):
@@ -105,7 +105,7 @@ class PointBuckets:
                 fill_from(stream, memoryview(records[:on_disk].view(np.uint8)))
         place = on_disk
         for piece in waiting:
-            place = put(records, place, piece)
+            place = put_records(records, place, piece)
         return records
 
     def pop(self, key: int) -> np.ndarray:

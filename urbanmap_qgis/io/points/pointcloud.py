@@ -25,7 +25,7 @@ from ..reference.height_systems import refuse_other_heights
 from ..reference.renamed_crs import known_wkt
 from .decoded_points import decoded_points
 from .las_check import check_las, decoding
-from .whole_records import copied, rows_of
+from .whole_records import copied_records, record_rows
 
 CHUNK_POINTS = 1_000_000
 """Points held in memory at a time while reading."""
@@ -272,7 +272,7 @@ class PointLayout:
         same_place = (np.array_equal(points.scales, self.header.scales)
                       and np.array_equal(points.offsets, self.header.offsets))
         if same_place and points.array.dtype == self.dtype:
-            return copied(points.array) if keep.all() else rows_of(points.array, rows)
+            return copied_records(points.array) if keep.all() else record_rows(points.array, rows)
         stored = set(points.array.dtype.names) & set(self.dtype.names)
         if points.point_format.id != self.header.point_format.id:
             stored = set(points.point_format.dimension_names) & set(self.header.point_format.dimension_names)

@@ -8,7 +8,7 @@ import numpy as np
 
 from ...errors import InsufficientDataError
 from ...io.points.point_buckets import PointBuckets
-from ...io.points.whole_records import joined
+from ...io.points.whole_records import joined_records
 from ...progress import Progress
 from ...wording import say
 from ..calibration import scanner_of
@@ -106,7 +106,7 @@ class Asphalt:
         units = sorted(self.survey.units)
         wanted = max(int(_LASER_POINTS * len(units) / max(count, 1)), 1)
         chosen = [units[k] for k in np.unique(np.linspace(0, len(units) - 1, min(wanted, len(units))).astype(int))]
-        return joined([ground.read(unit) for unit in chosen])[:2 * _LASER_POINTS]
+        return joined_records([ground.read(unit) for unit in chosen])[:2 * _LASER_POINTS]
 
     def _told_apart(self, number: int, records: np.ndarray) -> Lasers | None:
         """The lasers of a scanner, if something tells them apart."""

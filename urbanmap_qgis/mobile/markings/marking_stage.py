@@ -12,7 +12,7 @@ import numpy as np
 from ...execution import in_order
 from ...io.points.point_buckets import PointBuckets
 from ...io.points.pointcloud import PointCloud
-from ...io.points.whole_records import joined, rows_of
+from ...io.points.whole_records import joined_records, record_rows
 from ...progress import SILENT, Progress
 from ...terrain.surface import ground_source
 from ...wording import say
@@ -104,7 +104,7 @@ class _Run:
 
         scatters = []
         for step, (mask, scatter) in enumerate(in_order(work, pieces(), self.executor, progress.check)):
-            records = rows_of(owned.popleft(), mask)
+            records = record_rows(owned.popleft(), mask)
             scatters.append(scatter)
             self.ground_points += len(records)
             self.asphalt.count(records)
@@ -136,7 +136,7 @@ class _Run:
         for step, (rows, weight, contrast, brightness) in enumerate(
                 in_order(work, pieces(), self.executor, progress.check)):
             records, mine = owned.popleft()
-            found.append((rows_of(records, mine[rows]), weight, contrast, brightness))
+            found.append((record_rows(records, mine[rows]), weight, contrast, brightness))
             progress.step(min((step + 1) / self.pieces, 1.0))
         return self._result(found)
 
@@ -144,11 +144,11 @@ class _Run:
         read_counts, asphalt = self.survey.read_counts, self.asphalt
         if found:
             records, *figures = zip(*found)
-            records, (weight, contrast, brightness) = joined(records), map(np.concatenate, figures)
+            records, (weight, contrast, brightness) = joined_records(records), map(np.concatenate, figures)
         else:
             records, weight, contrast, brightness = np.empty(0, RECORD), *(np.empty(0, np.float32) for _ in range(3))
         order = np.argsort(records["number"], kind="stable")
-        records = rows_of(records, order)
+        records = record_rows(records, order)
         weight, contrast, brightness = (part[order] for part in (weight, contrast, brightness))
         points = MarkingPoints(*(records[name] for name in ("x", "y", "z", "time")), weight.astype(float),
                                records["source"].astype(np.int64))

@@ -13,7 +13,7 @@ from ...errors import InputError, InsufficientDataError
 from ...io.points.decoded_points import FileState, file_state
 from ...io.points.point_buckets import PointBuckets
 from ...io.points.pointcloud import PointCloud, can_be_entered, iter_chunks, valid_points
-from ...io.points.whole_records import joined
+from ...io.points.whole_records import joined_records
 from ...progress import SILENT, Progress
 from ...terrain.surface import GROUND_CLASSES
 from ...wording import say
@@ -216,7 +216,7 @@ class SurveyPoints:
             mine = np.repeat([first <= unit < first + length for unit in wanted],
                              [len(loaded[unit]) for unit in wanted])
             if mine.any():
-                yield joined([loaded[unit] for unit in wanted]), mine
+                yield joined_records([loaded[unit] for unit in wanted]), mine
 
 
 def breaks(trajectory: Trajectory, chainage: np.ndarray) -> np.ndarray:
