@@ -16,7 +16,7 @@ STEP_FIELDS = (("area_id", "int"), ("height", "real"), ("length", "real"))
 def read_survey_roads(algorithm, parameters, context, progress):
     """Edges and what goes with them, the CRS of the edges, and the opened raster of the ground or None."""
     from ...urbanmap_qgis.roadspace.road_surface import surface_of
-    from ...urbanmap_qgis.roadspace.survey.area_records import kerb_edge_lines
+    from ...urbanmap_qgis.roadspace.survey.area_records import kerb_edge_lines, tops_by_number
     from ...urbanmap_qgis.roadspace.survey.survey_roads import SurveyInputs
 
     table = algorithm.read_vector(parameters, "EDGES", context, progress)
@@ -28,8 +28,7 @@ def read_survey_roads(algorithm, parameters, context, progress):
     tops = others["TOPS"]
     if tops is not None and "edge_id" not in tops.columns:
         raise InputError(tr("{0} has no field edge_id; give the upper edges of “Road edges”.").format(tops.label))
-    by_number = {} if tops is None else {
-        int(number): shape for number, shape in zip(tops.columns["edge_id"], tops.geometries) if shape is not None}
+    by_number = {} if tops is None else tops_by_number(tops.columns, tops.geometries)
     edges = kerb_edge_lines(table.geometries, by_number, table.columns)
     roads = others["ROADS"]
     official = () if roads is None else surface_of(roads.geometries).polygons

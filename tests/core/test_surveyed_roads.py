@@ -34,6 +34,7 @@ from urbanmap_qgis.roadspace.survey.area_records import (
     UNDIVIDED,
     corner_of,
     kerb_edge_lines,
+    tops_by_number,
 )
 from urbanmap_qgis.roadspace.survey.survey_roads import SurveyInputs, surveyed_roads
 
@@ -246,3 +247,21 @@ def test_a_fence_across_the_road_is_no_kerb():
     """Rails and walls among the edges, such as those of a building site, are passed over."""
     line = shapely.linestrings([[0.0, -6.0, 10.0], [0.0, 6.0, 10.0]])
     assert not kerb_edge_lines([line, line], {}, {"kind": ["guard rail", "wall"]})
+
+
+@pytest.mark.parametrize(("field", "value", "words"), [
+    ("height", 1e308, "Edge 1.*height"), ("sigma", "wide", "“wide” in the field sigma"),
+    ("chain", float("inf"), "in the field chain"), ("z", -1e308, "Edge 1 lies at a height"),
+    ("z", 2e5, "where no road is")])
+def test_figures_of_edges_that_cannot_be_meant_are_told(field, value, words):
+    line = shapely.LineString([(0, 0, value if field == "z" else 0.0), (9, 0, 0.0)])
+    columns = {"kind": ["kerb"]} | ({} if field == "z" else {field: [value]})
+    with pytest.raises(InputError, match=words):
+        kerb_edge_lines([line], {}, columns)
+
+
+def test_upper_edges_without_a_number_are_left_out_and_words_are_told():
+    line = shapely.LineString([(0, 0, 0), (9, 0, 0)])
+    assert list(tops_by_number({"edge_id": [4, None, 6]}, [line, line, None])) == [4]
+    with pytest.raises(InputError, match="“left” in the field edge_id"):
+        tops_by_number({"edge_id": ["left"]}, [line])

@@ -7,11 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 import shapely
 
-from ...wording import mark
+from ...errors import InputError
+from ...wording import mark, say
 from ..road_records import RoadFinding, RoadPiece
 
 CARRIAGEWAY, CROSSING, LANE, SIDEWALK, ISLAND, UNDIVIDED = (
@@ -23,6 +25,9 @@ FUNCTIONS = {CARRIAGEWAY: "1000", LANE: "1010", CROSSING: "1020", SIDEWALK: "200
 
 MEASURED, CONTINUED, OFFICIAL = mark("measured"), mark("continued"), mark("official")
 """Where a border comes from: a survey, drawn on where nothing was seen, or given edges of roads."""
+
+HIGHEST, LARGEST_NUMBER = 1e5, 1e12
+"""Height, m, that no edge of a road has (as of points of a cloud), and what no number of its fields can be."""
 
 LEVELS = ("2", "3.0", "3.1", "3.2", "3.3")
 WITH_LANES = LEVELS[2:]
@@ -160,11 +165,12 @@ def kerb_edge_lines(feet, tops, columns) -> list[EdgeLine]:
     feet : lines with heights along the foot, one a row; None for none.
     tops : likewise along the top by the edge's number (`edge_id`); empty where not given.
     columns : lists by field: kind, height, sigma, sigma_z, chain, gap, edge_id; what is missing is not known.
-    """
-    def value(name: str, row: int, otherwise: float) -> float:
-        cell = columns[name][row] if name in columns else None
-        return otherwise if cell is None else float(cell)
 
+    Raises
+    ------
+    InputError : a value is no number, or a height is none that an edge can have.
+    """
+    value = partial(_figure, columns)
     lines = []
     for row, shape in enumerate(feet):
         kind = str(columns["kind"][row]) if "kind" in columns else "kerb"
@@ -174,11 +180,46 @@ def kerb_edge_lines(feet, tops, columns) -> list[EdgeLine]:
             foot = shapely.get_coordinates(part, include_z=True)
             if part.geom_type != "LineString" or len(foot) < 2 or part.length == 0:
                 continue
+            _require_heights(row, foot)
             height = max(value("height", row, 0.0), 0.0) if kind != "road border" else 0.0
             other = tops.get(int(value("edge_id", row, -1)))
             top = None if other is None else shapely.get_coordinates(other, include_z=True)
             if top is None or len(top) != len(foot):
                 top = foot + np.array([0.0, 0.0, height])
+            _require_heights(row, top)
             lines.append(EdgeLine(foot, top, height, value("sigma", row, np.nan), value("sigma_z", row, np.nan),
                                   int(value("chain", row, -1 - row)), value("gap", row, 0.0)))
     return lines
+
+
+def tops_by_number(columns, shapes) -> dict[int, shapely.Geometry]:
+    """Upper edges by the number of their edge (`edge_id`); those without number or shape are left out.
+
+    Raises
+    ------
+    InputError : a number is none.
+    """
+    numbers = (_figure(columns, "edge_id", row, -1) for row in range(len(shapes)))
+    return {int(number): shape for number, shape in zip(numbers, shapes) if shape is not None and number >= 0}
+
+
+def _figure(columns, name: str, row: int, otherwise: float) -> float:
+    """A number of a row; `otherwise` where the field or its value is missing."""
+    cell = columns[name][row] if name in columns else None
+    if cell is None:
+        return otherwise
+    try:
+        number = float(cell)
+    except (TypeError, ValueError):
+        number = np.inf
+    if abs(number) > LARGEST_NUMBER:
+        raise InputError(say("Edge {row}: “{cell}” in the field {name} is no number that can be meant; repair the "
+                             "layer of edges.", row=row + 1, cell=cell, name=name))
+    return number
+
+
+def _require_heights(row: int, places: np.ndarray) -> None:
+    """Refuse heights that no place on the earth has; unknown ones (NaN) are let pass."""
+    if (np.abs(places[:, 2]) > HIGHEST).any():
+        raise InputError(say("Edge {row} lies at a height of {height:g} m, where no road is; repair the layer of "
+                             "edges.", row=row + 1, height=places[np.nanargmax(np.abs(places[:, 2])), 2]))
