@@ -34,6 +34,9 @@ NEAR = 2.6
 FAR = 6.0
 """m from every lane beyond which there is little paint."""
 
+PLACES = ROOT / "tests" / "real" / "labels" / "lane_tiles.json"
+"""Labels of places on the centre lines: at half of them no paint is to be seen."""
+
 
 @dataclass(frozen=True)
 class LaneTileScore:
@@ -57,6 +60,21 @@ def score_lanes(mask: np.ndarray, lanes: list, place: rasterio.Affine) -> LaneTi
                          float((mask & ~far).sum() / max(mask.sum(), 1)))
 
 
+def labelled_places(tile: int) -> np.ndarray:
+    """Places (n, 3) on a tile's centre lines, chosen by chance: row, column, and whether paint is to be seen within
+    `NEAR`, told by eye."""
+    return np.array(json.loads(PLACES.read_text(encoding="utf-8"))[str(tile)])
+
+
+def score_places(mask: np.ndarray, places: np.ndarray, pixel: float) -> tuple[int, int]:
+    """At how many places with paint, and with none, something is found within `NEAR` in a mask of pixels of a side in
+    m."""
+    from_find = cv2.distanceTransform((~mask).astype(np.uint8), cv2.DIST_L2, 5) * pixel
+    found = from_find[places[:, 0], places[:, 1]] <= NEAR if mask.any() else np.zeros(len(places), bool)
+    painted = places[:, 2] > 0
+    return int(np.count_nonzero(found & painted)), int(np.count_nonzero(found & ~painted))
+
+
 def score_tile(folder: Path, tile: int, work: Path) -> LaneTileScore:
     """Find the markings of a tile, write them to `work`, and score them."""
     held = json.loads((folder / f"lanes_{tile}.geojson").read_text(encoding="utf-8"))
@@ -75,8 +93,13 @@ def main() -> None:
     given = parser.parse_args()
     with tempfile.TemporaryDirectory() as work:
         for tile in given.tiles or TILES:
-            made = score_tile(given.folder, tile, given.masks or Path(work))
-            print(f"tile {tile}: recall {made.recall:.3f} stray {made.stray:.0f} m2/ha, {made.within:.2f} near lanes",
+            folder, places = given.masks or Path(work), labelled_places(tile)
+            made = score_tile(given.folder, tile, folder)
+            with rasterio.open(folder / f"mask_{tile}.tif") as source:
+                painted, bare = score_places(source.read(1) > 0, places, source.transform.a)
+            paint = np.count_nonzero(places[:, 2])
+            print(f"tile {tile}: recall {made.recall:.3f} stray {made.stray:.0f} m2/ha, {made.within:.2f} near lanes; "
+                  f"found at {painted} of {paint} places with paint, {bare} of {len(places) - paint} without",
                   flush=True)
 
 

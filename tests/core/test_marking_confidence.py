@@ -62,6 +62,29 @@ def test_the_trained_model_parts_the_same_scene(tmp_path):
     assert len(sure) and (sure > 0.3).all()
 
 
+def in_blue_shade(image):
+    """The left 300 columns of a scene (rows, columns, 3) in the light of the sky alone, which has little red."""
+    shaded = image.astype(float)
+    shaded[:, :300] *= (0.15, 0.26, 0.5)
+    return np.clip(shaded + np.array((0, 0, 6)), 0, 255).astype(np.uint8)
+
+
+def test_lines_in_the_blue_shade_stay_and_the_sun_through_leaves_goes(tmp_path):
+    image = scene()
+    image[:, 300:] = scene()[:, :300]  # asphalt in the sun, by which the image's own road is told
+    shaded = in_blue_shade(image)
+    rng = np.random.default_rng(4)
+    dapples = np.zeros(image.shape[:2], np.uint8)
+    for column, row in rng.integers((110, 20), (290, 380), (120, 2)):
+        cv2.ellipse(dapples, (int(column), int(row)), (4, 2), int(rng.integers(180)), 0, 360, 1, -1)
+    shaded[dapples > 0] = image[dapples > 0]
+    _, every = found_in(tmp_path, shaded, min_confidence=0.0)
+    _, mask = found_in(tmp_path, shaded)
+    assert mask[60:100, 60:62].mean() > 0.9 and mask[260:300, 60:62].mean() > 0.9
+    assert mask[60:100, 360:362].mean() > 0.9
+    assert every[dapples > 0].sum() > 300 and mask[dapples > 0].sum() < 0.1 * every[dapples > 0].sum()
+
+
 def test_known_roads_need_no_proof(tmp_path):
     import shapely
 

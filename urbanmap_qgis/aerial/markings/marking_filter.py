@@ -24,7 +24,14 @@ from .marking_confidence import (
     marking_confidence,
 )
 from .marking_evidence import SearchTally, evidence_of_pieces
-from .marking_pieces import MarkingPieces, PieceFigures, PieceImage, marking_pieces_of, piece_figures
+from .marking_pieces import (
+    MarkingPieces,
+    PieceFigures,
+    PieceImage,
+    marking_pieces_of,
+    piece_figures,
+    straight_strokes,
+)
 from .paint_model import paint_model
 from .road_model import RoadModel
 from .surroundings import REACH
@@ -155,7 +162,7 @@ def remove_non_markings(found: Candidates, pixel: float, settings: CleanSettings
     counted = counted or wanted
     judged = judged_pieces(found, pixel, settings, wanted)
     near, ground, mask, pieces = judged.near, judged.ground, judged.mask, judged.pieces
-    by_rules = values = _of_pieces(judged, judged.by_rules, pixel)
+    by_rules = values = _rules_of_pieces(judged, found, pixel, settings)
     accepted = judged.accepted[pieces.labels]
     if settings.asks_figures and found.roads is None:
         values = _by_figures(judged, found, pixel, settings, by_rules)
@@ -267,7 +274,7 @@ def confidence_and_figures(found: Candidates, pixel: float, settings: CleanSetti
     judged = judged_pieces(found, pixel, settings, wanted)
     counts, figures = figures_of_pieces(judged, found, pixel)
     values = (_by_model(judged, counts, figures, pixel) if settings.trained
-              else _of_pieces(judged, judged.by_rules, pixel))
+              else _rules_of_pieces(judged, found, pixel, settings))
     places = shifted_places(judged.pieces.inside[counts], judged.near, found.core.shape)
     return places, figures.mean(values[counts]), figures
 
@@ -306,6 +313,20 @@ def _of_pieces(judged: JudgedPieces, values: np.ndarray, pixel: float) -> np.nda
     mean = np.bincount(pieces.labels, values, minlength=len(pieces.size)) / np.maximum(pieces.size, 1)
     return np.where(pieces.long[pieces.labels], along_strokes(values, judged.mask, pixel),
                     mean[pieces.labels].astype(np.float32))
+
+
+def _rules_of_pieces(judged: JudgedPieces, found: Candidates, pixel: float, settings: CleanSettings) -> np.ndarray:
+    """Confidence (n,) of the pieces' pixels by rules: none in shade off known roads, unless they hang together as a
+    straight stroke. There the sun falls through leaves, in specks that joined look like worn paint."""
+    values = _of_pieces(judged, judged.by_rules, pixel)
+    if found.roads is not None:
+        return values
+    specks = judged.ground.in_shade(shifted_places(judged.pieces.inside, judged.near, judged.narrow.shape), pixel)
+    if not specks.any():
+        return values
+    whole = marking_pieces_of(judged.mask, judged.mask.view(np.uint8), pixel, settings.max_length)
+    specks &= ~straight_strokes(whole, judged.mask.shape[1], pixel, settings.max_width)[whole.labels]
+    return np.where(specks, np.float32(0), values)
 
 
 def _narrow(found: Candidates, ratio: float) -> np.ndarray:
