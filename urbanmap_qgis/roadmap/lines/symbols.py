@@ -34,7 +34,7 @@ class SymbolsLimits:
     # An arrow has one head only where no more of a second one is painted, and so much of the paint beside the
     # place of that is there: where the paint is worn or hidden, so may be the head.
     most_branch: float = 0.05
-    least_beside: float = 0.7
+    least_beside: float = 0.8
     # Long and short side of what may be a diamond, m.
     diamond: tuple[tuple[float, ...], ...] = ((3.0, 6.5), (0.9, 2.2))
     # Long and short side of the worn pieces of an arrow together, how far apart and how large (m2) they may be, m.
