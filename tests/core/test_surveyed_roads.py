@@ -252,10 +252,11 @@ def test_a_fence_across_the_road_is_no_kerb():
 @pytest.mark.parametrize(("field", "value", "words"), [
     ("height", 1e308, "Edge 1.*height"), ("sigma", "wide", "“wide” in the field sigma"),
     ("chain", float("inf"), "in the field chain"), ("z", -1e308, "Edge 1 lies at a height"),
-    ("z", 2e5, "where no road is")])
+    ("z", 2e5, "where no road is"), ("x", 1e308, "where no map reaches")])
 def test_figures_of_edges_that_cannot_be_meant_are_told(field, value, words):
-    line = shapely.LineString([(0, 0, value if field == "z" else 0.0), (9, 0, 0.0)])
-    columns = {"kind": ["kerb"]} | ({} if field == "z" else {field: [value]})
+    place = {"x": 0.0, "y": 0.0, "z": 0.0}
+    columns = {"kind": ["kerb"]} | ({} if field in place else {field: [value]})
+    line = shapely.LineString([tuple((place | {field: value})[axis] for axis in place), (9, 0, 0.0)])
     with pytest.raises(InputError, match=words):
         kerb_edge_lines([line], {}, columns)
 

@@ -180,13 +180,13 @@ def kerb_edge_lines(feet, tops, columns) -> list[EdgeLine]:
             foot = shapely.get_coordinates(part, include_z=True)
             if part.geom_type != "LineString" or len(foot) < 2 or part.length == 0:
                 continue
-            _require_heights(row, foot)
+            _require_places(row, foot)
             height = max(value("height", row, 0.0), 0.0) if kind != "road border" else 0.0
             other = tops.get(int(value("edge_id", row, -1)))
             top = None if other is None else shapely.get_coordinates(other, include_z=True)
             if top is None or len(top) != len(foot):
                 top = foot + np.array([0.0, 0.0, height])
-            _require_heights(row, top)
+            _require_places(row, top)
             lines.append(EdgeLine(foot, top, height, value("sigma", row, np.nan), value("sigma_z", row, np.nan),
                                   int(value("chain", row, -1 - row)), value("gap", row, 0.0)))
     return lines
@@ -218,8 +218,12 @@ def _figure(columns, name: str, row: int, otherwise: float) -> float:
     return number
 
 
-def _require_heights(row: int, places: np.ndarray) -> None:
-    """Refuse heights that no place on the earth has; unknown ones (NaN) are let pass."""
+def _require_places(row: int, places: np.ndarray) -> None:
+    """Refuse coordinates and heights that no place on the earth has; unknown heights (NaN) are let pass."""
+    far = np.abs(places[:, :2]) > LARGEST_NUMBER
+    if far.any():
+        raise InputError(say("Edge {row} lies at x = {x:g}, y = {y:g}, where no map reaches; repair the layer of "
+                             "edges.", row=row + 1, x=places[far.any(axis=1)][0, 0], y=places[far.any(axis=1)][0, 1]))
     if (np.abs(places[:, 2]) > HIGHEST).any():
         raise InputError(say("Edge {row} lies at a height of {height:g} m, where no road is; repair the layer of "
                              "edges.", row=row + 1, height=places[np.nanargmax(np.abs(places[:, 2])), 2]))
