@@ -3200,8 +3200,8 @@
         <translation>壁面</translation>
     </message>
     <message>
-        <source>PolygonZ of “Walls from a mobile survey”. Walls of few points, rough ones and those inside the outlines are left out.</source>
-        <translation>「MMS計測の壁面」のPolygonZ。点の少ない壁面、粗い壁面、外周線の内側にある壁面は除かれます。</translation>
+        <source>PolygonZ of “Walls from a mobile survey”. Walls of few points, rough ones, those inside the outlines and what stands before facades are left out.</source>
+        <translation>「MMS計測の壁面」のPolygonZ。点の少ない壁面、粗い壁面、外周線の内側にある壁面、壁面の前にある物は除かれます。</translation>
     </message>
     <message>
         <source>Height</source>
@@ -3660,6 +3660,22 @@
         <translation>点を使用する、地表からの高さの上限（メートル）です。</translation>
     </message>
     <message>
+        <source>Front with balconies</source>
+        <translation>バルコニーのある正面</translation>
+    </message>
+    <message>
+        <source>wall behind balconies</source>
+        <translation>バルコニーの奥の壁面</translation>
+    </message>
+    <message>
+        <source>fronts of balconies</source>
+        <translation>バルコニーの前面</translation>
+    </message>
+    <message>
+        <source>Which wall of a building is wanted where balconies stand before it. main: the wall behind them; outermost: the fronts of the balconies. Where storeys stand on columns, it is their wall in both. (main, outermost)</source>
+        <translation>壁面の前にバルコニーがある場合に採用する壁面です。main：バルコニーの奥の壁面、outermost：バルコニーの前面。ピロティでは、どちらの場合も上階の壁面です。(main, outermost)</translation>
+    </message>
+    <message>
         <source>Heights of the ground in metres. Without it the ground is taken from the lowest points round each building.</source>
         <translation>地表の標高（メートル）。ない場合は各建物の周囲の最も低い点から求めます。</translation>
     </message>
@@ -3700,8 +3716,8 @@
         <translation>輪郭内のこれより小さい穴は埋め、その割合を報告します。</translation>
     </message>
     <message>
-        <source>PolygonZ, one feature a contour: building_id, wall_id, status, note, area (m2), height, length (m), azimuth and tilt (degrees), normal_x, normal_y, normal_z, points, passes, rmse, sigma, pass_spread (m), coverage, hidden, unseen, openings, filled (shares), edge and offset (outline edge, and m before it).</source>
-        <translation>PolygonZ、輪郭ごとに1地物: building_id、wall_id、status、note、area（m2）、height、length（m）、azimuthとtilt（度）、normal_x、normal_y、normal_z、points、passes、rmse、sigma、pass_spread（m）、coverage、hidden、unseen、openings、filled（割合）、edgeとoffset（外周線の辺と、その前方へのm）。</translation>
+        <source>PolygonZ, one feature a contour: building_id, wall_id, status, note, area (m2), height, length (m), azimuth and tilt (degrees), normal_x, normal_y, normal_z, points, passes, rmse, sigma, pass_spread (m), coverage, hidden, unseen, openings, filled (shares), edge and offset (outline edge, and m before it), kind (wall, or what stands before the facade).</source>
+        <translation>PolygonZ、輪郭ごとに1地物: building_id、wall_id、status、note、area（m2）、height、length（m）、azimuthとtilt（度）、normal_x、normal_y、normal_z、points、passes、rmse、sigma、pass_spread（m）、coverage、hidden、unseen、openings、filled（割合）、edgeとoffset（外周線の辺と、その前方へのm）、kind（壁面、または壁面の前にある物の種別）。</translation>
     </message>
     <message>
         <source>Number of contours.</source>
@@ -4640,8 +4656,8 @@
         <translation>自己位置推定の精度</translation>
     </message>
     <message>
-        <source>Points along the roads: sigma_along, sigma_across (m), sigma_heading (degrees) together, and of each source (…_walls, …_markings, …_satellites); major, minor (m) and weakest (bearing of the major axis) of the error ellipse; alias_share, alias_distance, alias_bearing; points, n_walls, horizon and sky (share with walls), cell_rms, two_surfaces, satellites, pdop; class and status.</source>
-        <translation>道路に沿った点: すべてを合わせたsigma_along、sigma_across（m）、sigma_heading（度）と、情報源ごとの値（…_walls、…_markings、…_satellites）。誤差楕円のmajor、minor（m）とweakest（長軸の方位角）。alias_share、alias_distance、alias_bearing。points、n_walls、horizonとsky（壁面のある割合）、cell_rms、two_surfaces、satellites、pdop。classとstatus。</translation>
+        <source>Points along the roads: sigma_along, sigma_across (m), sigma_heading (degrees) together, and of each source (…_walls, …_markings, …_satellites); major, minor (m) and weakest (bearing of the major axis) of the error ellipse; undetermined (directions that keep what was known before) and elsewhere (share of scans that end beside the place); alias_share, alias_distance, alias_bearing; points, n_walls, horizon and sky (share with walls), cell_rms, two_surfaces, satellites, pdop; class and status.</source>
+        <translation>道路に沿った点: すべてを合わせたsigma_along、sigma_across（m）、sigma_heading（度）と、情報源ごとの値（…_walls、…_markings、…_satellites）。誤差楕円のmajor、minor（m）とweakest（長軸の方位角）。undetermined（照合前の値のままの方向の数）とelsewhere（別の場所に収束するスキャンの割合）。alias_share、alias_distance、alias_bearing。points、n_walls、horizonとsky（壁面のある割合）、cell_rms、two_surfaces、satellites、pdop。classとstatus。</translation>
     </message>
     <message>
         <source>Localisation accuracy, raster</source>
@@ -4964,8 +4980,8 @@
         <translation>車線</translation>
     </message>
     <message>
-        <source>Lanes of “Lane map”.</source>
-        <translation>「車線地図」の車線。</translation>
+        <source>Lanes of “Lane map”; where one edge of a road was seen, they tell how far its carriageway goes.</source>
+        <translation>「車線地図」の車線。道路の片側の縁だけが見えたところでは、車道の範囲を示します。</translation>
     </message>
     <message>
         <source>Stop lines</source>
@@ -5140,8 +5156,8 @@
         <translation>道路沿いの地物</translation>
     </message>
     <message>
-        <source>PointZ at the foot: object_id, kind (pole, lamp post, signal, sign, tree), confidence (0 to 1), height over the ground, diameter, lean (degrees), azimuth (degrees, of a board's face or an arm), crown (diameter), board_width, board_height, board_z (height of the board's middle), sigma (east and north each, m), points, passes, status (measured, doubtful), reason.</source>
-        <translation>根元の PointZ。object_id、kind（種類: pole 柱、lamp post 街灯、signal 信号、sign 標識、tree 樹木）、confidence（確からしさ、0～1）、height（地表からの高さ）、diameter（直径）、lean（傾き、度）、azimuth（標識板の面または腕の方位、度）、crown（樹冠の直径）、board_width と board_height（標識板の幅と高さ）、board_z（標識板の中心の標高）、sigma（東・北それぞれの標準偏差、m）、points（点数）、passes（走行回数）、status（measured 計測、doubtful 不確か）、reason（理由）。</translation>
+        <source>PointZ at the foot: object_id, kind (pole, lamp post, signal, sign, tree), confidence (0 to 1), height over the ground, diameter, lean (degrees), azimuth (degrees, of a board's face or an arm), crown (diameter), arm and arm_height (length, and height over the ground), head_height (of what is at its end), board_width, board_height, board_z (height of the board's middle), sigma (east and north each, m), points, passes, status (measured, doubtful), reason.</source>
+        <translation>根元の PointZ: object_id、kind（pole 柱、lamp post 街路灯、signal 信号機、sign 標識、tree 樹木）、confidence（0～1）、地面からの height、diameter、lean（度）、azimuth（度、板面または腕木の向き）、crown（樹冠径）、arm と arm_height（腕木の長さと地面からの高さ）、head_height（腕木の先にあるものの高さ）、board_width、board_height、board_z（板の中心の標高）、sigma（東と北それぞれ、m）、points、passes、status（measured、doubtful）、reason。</translation>
     </message>
     <message>
         <source>Guard rails</source>
@@ -5198,6 +5214,14 @@
     <message>
         <source>Axes of roads of another map, in the CRS of the lines, with any of the fields oneway, lanes and speed_limit or maxspeed as OpenStreetMap has them: they tell directions where nothing else does, and speed limits.</source>
         <translation>別の地図の道路中心線。座標参照系は路面標示の線と同じとし、OpenStreetMapと同様のフィールドoneway、lanes、speed_limitまたはmaxspeedをもつことができます。ほかに情報がない場合の通行方向と、制限速度を与えます。</translation>
+    </message>
+    <message>
+        <source>Points of “Street objects”, in the CRS of the lines: posts, boards and signals go into the Lanelet2 and OpenDRIVE files, signals with the stop line above whose lanes they hang.</source>
+        <translation>「道路沿いの地物」の点。線と同じ座標参照系。柱、標識板、信号機を Lanelet2 と OpenDRIVE のファイルに書き、信号機には、その下の車線の停止線を対応させます。</translation>
+    </message>
+    <message>
+        <source>Lines of guard rails of “Street objects”, in the CRS of the lines, for the Lanelet2 and OpenDRIVE files.</source>
+        <translation>「道路沿いの地物」の防護柵の線。線と同じ座標参照系。Lanelet2 と OpenDRIVE のファイルに書きます。</translation>
     </message>
     <message>
         <source>Side of the traffic</source>
@@ -9522,6 +9546,38 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>建物の近くにMMS計測の点がありません。両者の場所とCRSが同じで、MMS計測が地図に位置合わせされているか確認してください。</translation>
     </message>
     <message>
+        <source>canopy</source>
+        <translation>庇</translation>
+    </message>
+    <message>
+        <source>sign band</source>
+        <translation>看板</translation>
+    </message>
+    <message>
+        <source>balcony</source>
+        <translation>バルコニー</translation>
+    </message>
+    <message>
+        <source>garden wall</source>
+        <translation>塀</translation>
+    </message>
+    <message>
+        <source>hoarding</source>
+        <translation>仮囲い</translation>
+    </message>
+    <message>
+        <source>post</source>
+        <translation>柱</translation>
+    </message>
+    <message>
+        <source>setback</source>
+        <translation>セットバック</translation>
+    </message>
+    <message>
+        <source>unclear</source>
+        <translation>不明</translation>
+    </message>
+    <message>
         <source>Outliers need at least one neighbour and a number of deviations above 0.</source>
         <translation>外れ値の除去には、1個以上の近傍点と、0より大きい標準偏差の倍数が必要です。</translation>
     </message>
@@ -9532,6 +9588,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Tolerance and minimum area of walls must be greater than 0.</source>
         <translation>壁面の許容誤差と最小面積は0より大きくしてください。</translation>
+    </message>
+    <message>
+        <source>{kind}, {before:.1f} m before the facade</source>
+        <translation>{kind}：壁面の {before:.1f} m 手前</translation>
+    </message>
+    <message>
+        <source>a wall at another depth may be the facade as well: a hoarding, or a storey that stands back</source>
+        <translation>別の奥行きの壁面が建物の壁面である可能性もあります：仮囲い、またはセットバックした階</translation>
     </message>
     <message>
         <source>only {points} points lie on it</source>
@@ -10926,6 +10990,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>道路沿いの地物：柱・信号・標識・樹木</translation>
     </message>
     <message>
+        <source>Road model of edges that the survey measured, step by step</source>
+        <translation>MMS 計測の縁による道路モデル（段階ごと）</translation>
+    </message>
+    <message>
+        <source>Road space in one run: measured road model and street objects</source>
+        <translation>道路空間（一括処理）：計測による道路モデルと道路付属物</translation>
+    </message>
+    <message>
         <source>Airborne laser points (LAS, LAZ) are missing: the surveying authority of the area has them; in Japan those of GSI and of the prefectures are at the G-Spatial Information Centre.</source>
         <translation>航空レーザ点群（LAS、LAZ）がありません。その地域の測量機関が提供しています。日本では国土地理院や都道府県のものがG空間情報センターにあります。</translation>
     </message>
@@ -10964,6 +11036,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The markings given are the reference; leave them out to make it from the images.</source>
         <translation>指定した路面標示を基準にします。画像から作成する場合は、それを外してください。</translation>
+    </message>
+    <message>
+        <source>The frames are corrected by the points measured in them; leave these out to take the orientation as it is.</source>
+        <translation>写真の外部標定要素を、写真上で測定した点で補正します。そのまま使う場合は、それらの点を外してください。</translation>
+    </message>
+    <message>
+        <source>The airborne points are shifted to the control points given for them; leave these out to take the points as they are.</source>
+        <translation>航空レーザ点群を、指定した調整点に合わせて平行移動します。そのまま使う場合は、調整点を外してください。</translation>
     </message>
     <message>
         <source>{part} count in degrees: open the layer in QGIS, save it with “Export” in {crs}, and add that file.</source>
@@ -11016,6 +11096,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Raster of another kind</source>
         <translation>その他のラスタ</translation>
+    </message>
+    <message>
+        <source>Control points of a point cloud</source>
+        <translation>点群の調整点</translation>
+    </message>
+    <message>
+        <source>Points in frames</source>
+        <translation>写真上の点</translation>
     </message>
     <message>
         <source>Times of a line image</source>
@@ -11262,6 +11350,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>小数の値であることから判定</translation>
     </message>
     <message>
+        <source>{name} says of no point where it lies in a cloud or what its role is.</source>
+        <translation>{name} には、点群内での位置も役割も書かれた点がありません。</translation>
+    </message>
+    <message>
         <source>{path} is no SBET file or is cut off: its length is no multiple of {itemsize} bytes.</source>
         <translation>{path}はSBETファイルではないか、途中で切れています。長さが {itemsize} バイトの倍数ではありません。</translation>
     </message>
@@ -11328,6 +11420,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>told by the names in it</source>
         <translation>中のファイル名から判定</translation>
+    </message>
+    <message>
+        <source>Control points of the airborne points</source>
+        <translation>航空レーザ点群の調整点</translation>
+    </message>
+    <message>
+        <source>Control points of the frames</source>
+        <translation>写真の標定点</translation>
     </message>
     <message>
         <source>{name} is used as a mobile survey, but no trajectory covers its times: add that of the same drive.</source>
@@ -12330,8 +12430,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>隠れた段差</translation>
     </message>
     <message>
-        <source>reference and survey disagree: one side of a step is wrong</source>
-        <translation>基準と計測の不一致：段差のどちらか一方の側が誤り</translation>
+        <source>reference and survey disagree: one side of a step may be wrong</source>
+        <translation>基準と計測の不一致：段差のどちらか一方の側が誤りかもしれません</translation>
     </message>
     <message>
         <source>the markings here changed: reference and survey disagree</source>
@@ -12882,12 +12982,16 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>線の座標参照系を、Lanelet2ファイルに必要な緯度経度に変換できません。PROJで扱える投影座標参照系を設定してください。</translation>
     </message>
     <message>
-        <source>Lane {one} leads to lane {other}, but OpenDRIVE knows one road or junction at the end of a road: the connection is missing in the OpenDRIVE file.</source>
-        <translation>車線{one}は車線{other}に通じていますが、OpenDRIVEでは道路の端に接続できる道路または交差点は1つだけです。この接続はOpenDRIVEファイルに含まれません。</translation>
+        <source>{number} objects stand beside no road of the map: they are missing in the OpenDRIVE file.</source>
+        <translation>{number} 個の地物は地図のどの道路の脇にもありません。OpenDRIVE のファイルには含まれません。</translation>
     </message>
     <message>
         <source>The lines' CRS cannot be written as a PROJ string, which OpenDRIVE needs: assign a projected CRS known to PROJ.</source>
         <translation>線の座標参照系を、OpenDRIVEに必要なPROJ文字列で表せません。PROJで扱える投影座標参照系を設定してください。</translation>
+    </message>
+    <message>
+        <source>Lane {one} leads to lane {other}, but OpenDRIVE knows one road or junction at the end of a road: the connection is missing in the OpenDRIVE file.</source>
+        <translation>車線{one}は車線{other}に通じていますが、OpenDRIVEでは道路の端に接続できる道路または交差点は1つだけです。この接続はOpenDRIVEファイルに含まれません。</translation>
     </message>
     <message>
         <source>No light or sign is known here: who yields is inferred ({reasons}) for {pairs} pairs of ways. Check it before anything drives by it.</source>
@@ -12992,6 +13096,22 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The points cover whole surfaces, not paint: give marking points, as road markings from mobile surveys make them, not the survey itself.</source>
         <translation>点が標示ではなく面全体を覆っています。計測そのものではなく、MMS計測の路面標示が作る路面標示点を指定してください。</translation>
+    </message>
+    <message>
+        <source>This signal hangs above no lane that leads away from a stop line: it is written as a pole alone.</source>
+        <translation>この信号機は、停止線から先へ続く車線の上にありません。柱としてだけ書きます。</translation>
+    </message>
+    <message>
+        <source>This signal is doubtful: it is written as a pole alone.</source>
+        <translation>この信号機は不確実です。柱としてだけ書きます。</translation>
+    </message>
+    <message>
+        <source>No arm tells where the head of this signal hangs: it is written as a pole alone.</source>
+        <translation>この信号機の灯器の位置を示す腕木がありません。柱としてだけ書きます。</translation>
+    </message>
+    <message>
+        <source>This signal hangs above lanes to {fits} stop lines of different directions: it is written as a pole alone.</source>
+        <translation>この信号機は、向きの異なる {fits} 本の停止線の車線の上にあります。柱としてだけ書きます。</translation>
     </message>
     <message>
         <source>half of its board may be hidden</source>
@@ -13102,16 +13222,40 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>公式データ</translation>
     </message>
     <message>
-        <source>The edges enclose no carriageway: of no road the survey shows both edges all along. Give the drives of both directions together.</source>
-        <translation>縁が車道を囲んでいません。計測で両側の縁が続けて見える道路がありません。両方向の走行を一緒に与えてください。</translation>
+        <source>Edge {row}: “{cell}” in the field {name} is no number that can be meant; repair the layer of edges.</source>
+        <translation>線 {row}: フィールド {name} の「{cell}」は値としてありえません。道路縁のレイヤーを直してください。</translation>
+    </message>
+    <message>
+        <source>Edge {row} lies at x = {x:g}, y = {y:g}, where no map reaches; repair the layer of edges.</source>
+        <translation>線 {row} の位置(x = {x:g}、y = {y:g})は地図上の位置としてありえません。道路縁のレイヤーを直してください。</translation>
+    </message>
+    <message>
+        <source>Edge {row} lies at a height of {height:g} m, where no road is; repair the layer of edges.</source>
+        <translation>線 {row} の高さが {height:g} m で、道路の高さとしてありえません。道路縁のレイヤーを直してください。</translation>
+    </message>
+    <message>
+        <source>The edges enclose no carriageway: of no road the survey shows both edges all along, and no lanes tell how far one goes. Give the drives of both directions together, or lanes.</source>
+        <translation>縁が車道を囲んでいません。計測で両側の縁が続けて見える道路がなく、車道の幅を示す車線もありません。両方向の走行を一緒に与えるか、車線を与えてください。</translation>
     </message>
     <message>
         <source>There are no kerbs or road borders among the edges: give the lines of “Road edges”.</source>
         <translation>道路縁に縁石も路端もありません。「道路縁」の線を指定してください。</translation>
     </message>
     <message>
+        <source>A short edge lies nearer than {distance:.0f} m beside a longer one: no carriageway runs between them, and it is left out.</source>
+        <translation>短い縁が、より長い縁から {distance:.0f} m 以内に並んでいます。その間に車道はないため、この縁は除きました。</translation>
+    </message>
+    <message>
         <source>The edge was not seen over {length:.1f} m and is drawn on here.</source>
         <translation>道路縁が {length:.1f} m にわたって見えず、ここでは延長しました。</translation>
+    </message>
+    <message>
+        <source>The edge on this side was not seen over {length:.0f} m: the carriageway is drawn to the outermost lane that was measured, and nothing beside it. Give the drive of the other direction, too.</source>
+        <translation>こちら側の縁は {length:.0f} m にわたって見えていません。車道は計測された最も外側の車線までとし、その外側には何も作りません。反対方向の走行も与えてください。</translation>
+    </message>
+    <message>
+        <source>Of {length:.0f} m of this edge neither the other edge nor a lane beside it was seen: no carriageway is made.</source>
+        <translation>この縁の {length:.0f} m では、反対側の縁も隣の車線も見えていません。車道は作りません。</translation>
     </message>
     <message>
         <source>{uncut} of {arms} roads that meet here have neither a corner nor a stop line at which to cut: cut them by hand.</source>
@@ -14918,6 +15062,18 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>樹冠の直径 (m)</translation>
     </message>
     <message>
+        <source>length of the arm (m)</source>
+        <translation>腕木の長さ (m)</translation>
+    </message>
+    <message>
+        <source>height of the arm over the ground (m)</source>
+        <translation>腕木の地面からの高さ (m)</translation>
+    </message>
+    <message>
+        <source>height of what is at the arm's end (m)</source>
+        <translation>腕木の先にあるものの高さ (m)</translation>
+    </message>
+    <message>
         <source>width of the board (m)</source>
         <translation>標識板の幅 (m)</translation>
     </message>
@@ -15016,6 +15172,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>weakest direction (°)</source>
         <translation>最も弱い方向 (°)</translation>
+    </message>
+    <message>
+        <source>directions not determined, 0 to 2</source>
+        <translation>決まらない方向の数、0～2</translation>
+    </message>
+    <message>
+        <source>scans that end elsewhere, 0 to 1</source>
+        <translation>別の場所に収束するスキャン、0～1</translation>
     </message>
     <message>
         <source>probability of other places, 0 to 1</source>
@@ -15528,6 +15692,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0}: this QGIS cannot show point clouds, so no layer is loaded; the file is {1}.</source>
         <translation>{0}：この QGIS は点群を表示できないため、レイヤは読み込まれません。ファイルは {1} です。</translation>
+    </message>
+    <message>
+        <source>not answered</source>
+        <translation>未回答</translation>
     </message>
     <message>
         <source>The style {0} could not be given to {1}: {2}</source>
@@ -16144,6 +16312,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The first {0} of {1} are shown; the layer holds all.</source>
         <translation>{1} 件のうち最初の {0} 件を示します。全件はレイヤにあります。</translation>
+    </message>
+    <message>
+        <source>{0} has no field kind; give the points of “Street objects”.</source>
+        <translation>{0} にフィールド kind がありません。「道路沿いの地物」の点を与えてください。</translation>
     </message>
     <message>
         <source>{0}: no building has a height; give solids or outlines with heights.</source>
@@ -17042,6 +17214,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>最も弱い方向のσの中央値、m</translation>
     </message>
     <message>
+        <source>Places with a direction not determined</source>
+        <translation>決まらない方向がある地点</translation>
+    </message>
+    <message>
+        <source>Median share of scans that end elsewhere, all directions determined</source>
+        <translation>別の場所に収束するスキャンの割合の中央値（すべての方向が決まる地点）</translation>
+    </message>
+    <message>
         <source>Places that look like others</source>
         <translation>他と紛らわしい地点</translation>
     </message>
@@ -17136,6 +17316,22 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Share of the rays to walls that were hidden</source>
         <translation>壁面への光線のうち遮られた割合</translation>
+    </message>
+    <message>
+        <source>Scans that end elsewhere</source>
+        <translation>別の場所に収束したスキャン</translation>
+    </message>
+    <message>
+        <source>Spearman's coefficient of scans that converge, directions determined</source>
+        <translation>収束したスキャンのスピアマン順位相関係数（すべての方向が決まる地点）</translation>
+    </message>
+    <message>
+        <source>Share of these within the 95 % ellipse</source>
+        <translation>そのうち95 %誤差楕円に入る割合</translation>
+    </message>
+    <message>
+        <source>Scans that end elsewhere ranked by the prediction, area under the ROC curve</source>
+        <translation>別の場所に収束したスキャンの予測による順位付け（ROC曲線下面積）</translation>
     </message>
     <message>
         <source>Scans that fit another place better</source>
@@ -17926,6 +18122,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>外周線の内側</translation>
     </message>
     <message>
+        <source>before the facade</source>
+        <translation>壁面の手前</translation>
+    </message>
+    <message>
+        <source>undecided</source>
+        <translation>判定不能</translation>
+    </message>
+    <message>
         <source>textured</source>
         <translation>テクスチャあり</translation>
     </message>
@@ -18304,6 +18508,18 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>junction not cut</source>
         <translation>交差部を区切れない</translation>
+    </message>
+    <message>
+        <source>other edge not seen</source>
+        <translation>反対側の縁が見えない</translation>
+    </message>
+    <message>
+        <source>edge without a carriageway</source>
+        <translation>車道のない縁</translation>
+    </message>
+    <message>
+        <source>edge beside another</source>
+        <translation>別の縁に並ぶ縁</translation>
     </message>
     <message>
         <source>arm not cut</source>

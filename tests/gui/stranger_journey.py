@@ -90,7 +90,7 @@ def logins_asked_for() -> dict:
     3.40.6 does not outlive them where it is left while they wait for more (half a minute), as it is at the end."""
     from qgis.core import QgsApplication, QgsTask
 
-    QgsApplication.authManager().configIds()  # opens the store of logins: several threads at once would wait for each other
+    QgsApplication.authManager().configIds()  # opens the store of logins, for which threads would wait for each other
     shortened, answers = rest_of_tasks_threads(200), []
     tasks = [QgsTask.fromFunction("logins", lambda task: [*QgsApplication.authManager().configIds()],
                                   on_finished=lambda *told: answers.append(told)) for _ in range(8)]
