@@ -410,6 +410,7 @@ FORMATS: dict[str, tuple[str, Callable, Callable]] = {
                            _of("aerial.markings.learning.answered_pieces", "read_learned")),
     "KML": ("a.kml", sound.kml, _recognised),
     "KMZ": ("a.kmz", sound.zipped("doc.kml", sound.kml), _recognised),
+    "points as text": ("a.xyz", sound.text_points, _recognised),
     "shapefile": ("a.shp", sound.shapefile(".shp"), _recognised),
     "shapefile's table": ("a.dbf", sound.shapefile(".dbf"), _recognised_beside),
     "shapefile's system": ("a.prj", sound.shapefile(".prj"), _recognised_beside),

@@ -183,6 +183,16 @@ def kml(path: Path, city: Path) -> Path:
     return path
 
 
+def text_points(path: Path, city: Path) -> Path:
+    """Points as rows of three numbers and an intensity, without names."""
+    import numpy as np
+
+    rng = np.random.default_rng(1)
+    rows = np.column_stack((rng.uniform(0, 50, (40, 2)), rng.uniform(10, 20, 40), rng.integers(0, 900, 40)))
+    np.savetxt(path, rows, "%.3f %.3f %.3f %d")
+    return path
+
+
 def zipped(name: str, make: Callable[[Path, Path], Path], within: str = "") -> Callable[[Path, Path], Path]:
     """A zip that holds a sound file under a name; `within` : name of a zip in the zip that holds it."""
 

@@ -143,13 +143,13 @@ def test_dialogs_are_in_japanese(speaking, data_words):
 
 
 SPOKEN = ("surfacefromals", "aerialmarkings", "segmentbuildings", "segmentroofs", "roofpolygons", "buildingmodels",
-          "wallsfrommms", "mergebuildingmodels", "exportcitymodel", "loadcitymodel", "markinglines", "vectormap",
-          "checkvectormap", "roadmarkingsfrommms", "registermms", "checkaccuracy", "acceptance", "rectifytrajectory",
-          "gnssreflections", "adjustwalls", "localisationaccuracy")
+          "wallsfrommms", "mergebuildingmodels", "exportcitymodel", "loadcitymodel", "markinglines", "streetobjects",
+          "vectormap", "checkvectormap", "roadmarkingsfrommms", "registermms", "checkaccuracy", "acceptance",
+          "rectifytrajectory", "gnssreflections", "adjustwalls", "localisationaccuracy")
 """Runs whose reports and messages are read: one of every kind of report that does not take long."""
 
 CITY_NAMES = {"building", "survey", "trajectory", "way", "node", "File", "Height", "SpeedLimit", "routing", "graph",
-              "status", "reason", "ele", "pass", "mms", "regulatory", "element"}
+              "status", "reason", "ele", "pass", "mms", "regulatory", "element", "creationDate"}
 """Names in the sample city's data, parts of codes and of lane maps, and fields to which a message points."""
 
 
