@@ -215,11 +215,14 @@ def activate(folder: str | os.PathLike) -> None:
     A package of ours that is found before in a version that does not work is taken from `folder` all the same.
     """
     entry = str(folder)
-    if entry not in sys.path and os.path.isdir(entry):
+    if not os.path.isdir(entry):
+        return
+    if entry in sys.path:  # packages may have come since: of newer Pythons this reads e-mail, for no start of QGIS
+        importlib.invalidate_caches()
+    else:
         sys.path.append(entry)
-    importlib.invalidate_caches()
-    if os.path.isdir(entry):
-        _OURS.prefer(Path(folder))
+        sys.path_importer_cache.pop(entry, None)
+    _OURS.prefer(Path(folder))
 
 
 def python_executable() -> str:

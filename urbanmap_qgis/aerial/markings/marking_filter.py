@@ -252,7 +252,7 @@ def _by_figures(judged: JudgedPieces, found: Candidates, pixel: float, settings:
                 ) -> np.ndarray:
     """Confidence (n,) of the pieces' pixels by the trained model or the rules, and by what answers taught."""
     counts, figures = figures_of_pieces(judged, found, pixel)
-    values = _by_model(judged, counts, figures, pixel) if settings.trained else by_rules
+    values = _by_model(judged, found, counts, figures, pixel, settings) if settings.trained else by_rules
     if settings.learned is None:
         return values
     corrected = np.zeros(len(counts), np.float32)
@@ -260,11 +260,12 @@ def _by_figures(judged: JudgedPieces, found: Candidates, pixel: float, settings:
     return _of_pieces(judged, corrected, pixel)
 
 
-def _by_model(judged: JudgedPieces, counts: np.ndarray, figures: PieceFigures, pixel: float) -> np.ndarray:
+def _by_model(judged: JudgedPieces, found: Candidates, counts: np.ndarray, figures: PieceFigures, pixel: float,
+              settings: CleanSettings) -> np.ndarray:
     """Confidence (n,) of the pieces' pixels by the trained model."""
     evidence = np.zeros(len(counts), np.float32)
     evidence[counts] = paint_model().evidence_of(figures.values, len(figures.pixels))[figures.cell]
-    return paint_model().probability(_of_pieces(judged, evidence, pixel))
+    return _no_specks(paint_model().probability(_of_pieces(judged, evidence, pixel)), judged, found, pixel, settings)
 
 
 def confidence_and_figures(found: Candidates, pixel: float, settings: CleanSettings, wanted: tuple[slice, slice]
@@ -273,7 +274,7 @@ def confidence_and_figures(found: Candidates, pixel: float, settings: CleanSetti
     confidence (k,) of their cells before any answer, and the cells' figures."""
     judged = judged_pieces(found, pixel, settings, wanted)
     counts, figures = figures_of_pieces(judged, found, pixel)
-    values = (_by_model(judged, counts, figures, pixel) if settings.trained
+    values = (_by_model(judged, found, counts, figures, pixel, settings) if settings.trained
               else _rules_of_pieces(judged, found, pixel, settings))
     places = shifted_places(judged.pieces.inside[counts], judged.near, found.core.shape)
     return places, figures.mean(values[counts]), figures
@@ -316,9 +317,14 @@ def _of_pieces(judged: JudgedPieces, values: np.ndarray, pixel: float) -> np.nda
 
 
 def _rules_of_pieces(judged: JudgedPieces, found: Candidates, pixel: float, settings: CleanSettings) -> np.ndarray:
-    """Confidence (n,) of the pieces' pixels by rules: none in shade off known roads, unless they hang together as a
-    straight stroke. There the sun falls through leaves, in specks that joined look like worn paint."""
-    values = _of_pieces(judged, judged.by_rules, pixel)
+    """Confidence (n,) of the pieces' pixels by rules."""
+    return _no_specks(_of_pieces(judged, judged.by_rules, pixel), judged, found, pixel, settings)
+
+
+def _no_specks(values: np.ndarray, judged: JudgedPieces, found: Candidates, pixel: float, settings: CleanSettings
+               ) -> np.ndarray:
+    """Confidence (n,) of the pieces' pixels: none in shade off known roads, unless they hang together as a straight
+    stroke. There the sun falls through leaves, in specks that joined look like worn paint."""
     if found.roads is not None:
         return values
     specks = judged.ground.in_shade(shifted_places(judged.pieces.inside, judged.near, judged.narrow.shape), pixel)
