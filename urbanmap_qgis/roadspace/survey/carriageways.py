@@ -15,6 +15,7 @@ from ..road_records import RoadFinding
 from ..road_surface import ClosingLimits, OpenEdgesError, surface_of
 from .area_records import EdgeLine
 from .one_sided import one_sided_carriageways
+from .tram_tracks import without_tracks
 
 
 @dataclass(frozen=True)
@@ -70,7 +71,7 @@ def carriageways_between(edges: Sequence[EdgeLine], lanes: Sequence[shapely.Poly
     if not edges:
         raise InputError(say("There are no kerbs or road borders among the edges: give the lines of “Road edges”."))
     findings: list[RoadFinding] = []
-    edges = _without_pieces(edges, findings)
+    edges = without_tracks(_without_pieces(edges, findings), findings, _surface_between)
     lines = [shapely.linestrings(_thinned(edge)) for edge in edges]
     measured = shapely.union_all(lines)
     bridges = _bridges(edges, findings)
@@ -83,6 +84,12 @@ def carriageways_between(edges: Sequence[EdgeLine], lanes: Sequence[shapely.Poly
         raise InputError(_one_sided())
     return Carriageways((*polygons, *others.polygons), measured, (*ends, *others.ends),
                         (*findings, *open_findings, *others.findings), others.open_sides, len(polygons))
+
+
+def _surface_between(edges: Sequence[EdgeLine]) -> list[shapely.Polygon]:
+    """Polygons that edges enclose; none where they enclose nothing."""
+    lines = [shapely.linestrings(_thinned(edge)) for edge in edges]
+    return _between_two([*lines, *_bridges(edges, [])])[0] if lines else []
 
 
 def _between_two(lines: Sequence[shapely.LineString]) -> tuple[list[shapely.Polygon], tuple[RoadFinding, ...]]:
