@@ -38,7 +38,7 @@ MATCH = 0.5  # m: what is found farther from anything true is false
 def scene_of(city: Path) -> Scene:
     """The scene of a sample city's folder."""
     made = json.loads((city / "truth" / "summary.json").read_text())
-    return make_scene(made["size"], made["scene"], made["seed"], made["faults"])
+    return make_scene(made["size"], made["scene"], made["seed"], made.get("faults", ()))
 
 
 def true_things(scene: Scene) -> dict[str, np.ndarray]:

@@ -78,3 +78,16 @@ def wall(rng, along, across, length, height=4.0):
     number = int(DENSITY * length * height)
     return np.column_stack([along + rng.uniform(0.0, length, number), np.full(number, across),
                             rng.uniform(0.0, height, number)])
+
+
+def leaves(rng, along, across, z, radius, density):
+    """Leaves in clusters of twelve in a ball, `density` for each m3."""
+    middle = rng.normal(size=(max(int(density * 4.19 * radius**3) // 12, 1), 3))
+    middle *= (radius * rng.uniform(0.0, 1.0, len(middle))**(1 / 3) / np.linalg.norm(middle, axis=1))[:, None]
+    return np.array([along, across, z]) + np.repeat(middle, 12, axis=0) + 0.08 * rng.normal(size=(12 * len(middle), 3))
+
+
+def leafy(rng, along, across, density, trunk=1.8, radius=1.9):
+    """A trunk and a crown of clusters of leaves."""
+    return np.concatenate([post(rng, along, across, trunk + 0.6, 0.25),
+                           leaves(rng, along, across, trunk + radius, radius, density)])

@@ -8,6 +8,7 @@ import numpy as np
 import shapely
 from scipy import ndimage
 
+from .crown_boards import face_in_crown
 from .object_records import Board, StemAxis
 
 
@@ -34,6 +35,8 @@ class HangingPartsLimits:
     wide: float = 0.15  # m that a board reaches beyond the stem's surface
     board_points: int = 12
     beside_post: float = 0.12  # m between an edge of a board and the axis of its post, where the post may hide the rest
+    trunk: float = 0.2  # m, from which a stem in leaves may be a trunk
+    fixed: float = 0.2  # m from its axis, within which the middle of a board on it lies
     arm: float = 0.4  # m, shortest arm
     flat: float = 0.9  # m, height over which an arm's points spread, with its head
 
@@ -87,7 +90,8 @@ def hanging_parts(place: np.ndarray, height: np.ndarray, axis: StemAxis, stem_to
     top = float(max(stem_top, np.percentile(up, 99.5)))
     crown = _crown(offset, away, up)
     if crown:
-        return HangingParts(top, crown, None, 0.0, np.nan, np.nan, (0.0, 0.0))
+        board = _board_in_crown(place, axis, seen_from)
+        return HangingParts(top, crown, board, 0.0, np.nan, np.nan, (0.0, 0.0))
     beside = away > axis.diameter / 2.0 + LIMITS.skin
     wall = (away > LIMITS.wall) & (up < min(stem_top, LIMITS.wall_top))
     aside = away > axis.diameter / 2.0 + LIMITS.frame
@@ -160,6 +164,17 @@ def _board(place: np.ndarray, beyond: np.ndarray, up: np.ndarray, axis: StemAxis
     if np.sqrt(max(spread[0], 0.0)) > LIMITS.thick or abs(normal[2]) > LIMITS.upright:
         return None
     return _outlined(place[near], normal, axis.plan_at(middle[2]), seen_from)
+
+
+def _board_in_crown(place: np.ndarray, axis: StemAxis, seen_from: np.ndarray) -> Board | None:
+    """The board of a sign that stands among leaves; None without one."""
+    face = face_in_crown(place, axis)
+    if face is None:
+        return None
+    board = _outlined(place[face[0]], face[1], axis.plan_at(place[face[0], 2].mean()), seen_from)
+    # What is as thick as a trunk is the post of a board only where that is fixed on it, not where a sign stands by.
+    aside = 0.0 if board is None else np.hypot(*(board.centre[:2] - axis.plan_at(board.centre[2])))
+    return board if axis.diameter < LIMITS.trunk or aside < LIMITS.fixed else None
 
 
 def _wide_slabs(beyond: np.ndarray, up: np.ndarray) -> np.ndarray:

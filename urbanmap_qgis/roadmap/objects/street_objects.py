@@ -123,7 +123,7 @@ def _objects_of_tile(tile: EdgeTile, height: np.ndarray, survey: EdgePoints,
         near = np.array(tree.query_ball_point(foot, AROUND.reach + 0.5), int)
         seen_from = survey.body(points["time"][stem.rows]).mean(axis=0)
         around = hanging_parts(place[near], height[near], axis, stem.high, seen_from)
-        beside = _beside_board(place[stem.rows], around.board)
+        beside = _beside_board(place[stem.rows], around.board, bool(around.crown))
         if beside is not None:
             axis = fit_axis(place[stem.rows[beside]], survey.body(points["time"][stem.rows[beside]]))
             foot = axis.plan_at(ground)
@@ -146,12 +146,13 @@ def _under_board(stem: Stem, around: HangingParts, axis: StemAxis, ground: float
     return bool(board.centre[2] - board.height / 2.0 - ground - stem.low > LIMITS.bare)
 
 
-def _beside_board(place: np.ndarray, board: Board | None) -> np.ndarray | None:
+def _beside_board(place: np.ndarray, board: Board | None, in_crown: bool) -> np.ndarray | None:
     """Rows of a stem's points (n, 3) over and under its board, whose points beside a thin post pass for the post's;
-    None where there is no board, or too little of the post without it."""
+    None where there is no board, or too little of the post without it. In a crown only those under it."""
     if board is None:
         return None
-    rows = np.flatnonzero(np.abs(place[:, 2] - board.centre[2]) > board.height / 2.0 + LIMITS.frame)
+    over = place[:, 2] - board.centre[2]
+    rows = np.flatnonzero((-over if in_crown else np.abs(over)) > board.height / 2.0 + LIMITS.frame)
     return rows if len(rows) >= LIMITS.few and np.ptp(place[rows, 2]) > LIMITS.bare else None
 
 
@@ -169,6 +170,10 @@ def _object(stem: Stem, axis: StemAxis, foot: np.ndarray, around: HangingParts, 
     lever = LIMITS.lean * (axis.middle[2] - foot[2])
     sigma = float(np.linalg.norm([np.sqrt(np.mean(axis.sigma**2)), lever, settings.survey_sigma]))
     reason = _doubt(stem, kind, crowd, around.wall)
+    if kind == SIGN and board is not None and around.crown:
+        # What hangs together with it there is the tree.
+        reason = say("it stands in the crown of a tree")
+        around = replace(around, top=board.centre[2] + board.height / 2.0 - foot[2], crown=0.0)
     if not reason and board is not None and not board.whole:
         reason = say("half of its board may be hidden")
     azimuth = board.azimuth if board else around.arm_azimuth if around.arm else None
