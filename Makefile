@@ -12,14 +12,19 @@
 
 PYTHON := .venv/bin/python
 PARTS := core algorithms cli gui real
-# Processes that share the tests of a part by files: 0 runs them one after another. Two virtual screens that start at
-# once can take the same number, so tests/gui stays in one.
+# Processes that share the tests of a part by files: 0 runs them one after another. The files with most slow tests begin
+# (tests/conftest.py), so that short ones fill the end. Two virtual screens that start at once can take the same number,
+# so tests/gui stays in one.
 WORKERS := 2
-PYTEST = $(PYTHON) -m pytest --dist loadfile -n
+PYTEST = $(PYTHON) -m pytest --dist loadfile --no-loadscope-reorder -n
 
 # QGIS takes the home of its Python from the first python3 on the path, which may be another one.
 export PATH := /usr/bin:/bin:$(PATH)
 export QGIS_NO_OVERRIDE_IMPORT := 1
+
+# Threads of the linear algebra wait for each other in loops, which takes a fifth of the time of tests that share the
+# processors. Runs in QGIS take one as well; tests of what more threads do set their own.
+test quick $(PARTS:%=test-%): export OPENBLAS_NUM_THREADS := 1
 
 .PHONY: setup judges qt6 demo quick test lint package docs translations bench soak clean $(PARTS:%=test-%)
 

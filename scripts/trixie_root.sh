@@ -116,7 +116,8 @@ copy_checkout() {
     if [ -d "$checkout/.git" ]; then cp -r "$checkout/.git" "$1/.git"; fi
 }
 
-# Home and temporary folder are new for every run; only downloads (pip's cache) stay in the root.
+# Home and temporary folder are new for every run; only downloads (pip's cache) stay in the root, and the cities that
+# tests read serve both systems (tests/stored.py): whichever needs one first makes it.
 run() {
     build
     copy_network_settings "$root"
@@ -129,6 +130,8 @@ run() {
     copy_checkout "$work/checkout"
     local mounts=("$work:/ci" "$work/tmp:/tmp")
     local shared=$checkout/../shared
+    mkdir -p "$checkout/build/test_cities"
+    mounts+=("$checkout/build/test_cities:/ci/checkout/build/test_cities")
     if [ -d "$shared" ]; then mounts+=("$(cd "$shared" && pwd):/ci/shared:ro"); fi
     local bundle=/etc/ssl/certs/ca-certificates.crt
     if [ -f "$bundle" ]; then mounts+=("$bundle:$bundle:ro"); fi
