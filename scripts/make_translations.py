@@ -192,7 +192,7 @@ def compiled(path: Path) -> bytes:
     command = shutil.which("lrelease") or shutil.which("lrelease-qt5")
     if command is None:
         raise SystemExit("lrelease is missing: install Qt's translation tools (Debian: qttools5-dev-tools).")
-    target = path.with_suffix(".qm")
+    target = path.with_name(f"{path.stem.rpartition('_')[2]}.qm")
     subprocess.run([command, "-silent", "-removeidentical", str(path), "-qm", str(target)], check=True)
     return target.read_bytes()
 

@@ -29,6 +29,19 @@ def test_every_text_is_translated():
     assert done.returncode == 0, f"{done.stdout[-3000:]}\n{done.stderr[-2000:]}\nrun scripts/make_translations.py"
 
 
+@pytest.mark.skipif(not Path("/proc/self/maps").is_file(), reason="no list of mapped files")
+def test_an_update_can_write_over_the_catalogue_in_use(qgis_app):
+    """QGIS unpacks a new version over the old one before it unloads that: a catalogue mapped into memory ended QGIS."""
+    from algorithms.framework.language.language import speak_language, stop_speaking
+
+    translator = speak_language("ja")
+    try:
+        assert translator.translate("UrbanMap", "Trajectory")
+        assert "ja.qm" not in Path("/proc/self/maps").read_text(encoding="utf-8")
+    finally:
+        stop_speaking(translator)
+
+
 @pytest.mark.parametrize("source", sorted(TRANSLATIONS.glob("*.ts")), ids=lambda path: path.stem)
 def test_the_compiled_file_says_what_its_source_says(qgis_app, source):
     from qgis.PyQt.QtCore import QCoreApplication, QTranslator
@@ -36,7 +49,7 @@ def test_the_compiled_file_says_what_its_source_says(qgis_app, source):
     from urbanmap_qgis.wording import read_catalogue
 
     translator = QTranslator()
-    assert translator.load(str(source.with_suffix(".qm"))) and QCoreApplication.installTranslator(translator)
+    assert translator.load(str(source.with_name("ja.qm"))) and QCoreApplication.installTranslator(translator)
     texts = read_catalogue(source)
     wrong = {text: told for text, told in texts.items() if QCoreApplication.translate("UrbanMap", text) != told}
     QCoreApplication.removeTranslator(translator)

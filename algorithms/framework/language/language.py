@@ -19,12 +19,14 @@ def speak_language(code: str = "") -> QTranslator | None:
 
     Qt and the core, which needs no Qt for it, read the same compiled file. The translator speaks as long as it is kept.
     """
-    compiled = TRANSLATIONS / f"urbanmap_{(code or QgsApplication.locale())[:2]}.qm"
+    compiled = TRANSLATIONS / f"{(code or QgsApplication.locale())[:2]}.qm"
     if not compiled.is_file():
         return None
     use_catalogue(compiled)
     translator = QTranslator()
-    translator.load(str(compiled))
+    # Qt would map the file into memory and QGIS die when an update writes over it: QGIS unpacks before it unloads.
+    translator.data = compiled.read_bytes()  # Qt does not copy it
+    translator.loadFromData(translator.data)
     QCoreApplication.installTranslator(translator)
     return translator
 
