@@ -19,6 +19,10 @@ class InputError(UrbanMapError):
     """The user's input cannot be used: a file, a parameter or their combination."""
 
 
+class PreviewNeeded(InputError):
+    """A table that only its user can tell how to read: in the window that imports tables, which shows its columns."""
+
+
 class InsufficientDataError(UrbanMapError):
     """The input is sound but holds too little to give an honest result."""
 

@@ -79,7 +79,7 @@ def test_japanese_tables_with_a_head_and_a_line_of_units_are_read(tmp_path, enco
 @pytest.mark.parametrize(("header", "sentence"), [
     ("image,X座標,Y座標,z,omega,phi,kappa", "X座標, Y座標 may count north or east"),
     ("image,x,y,z,omega[gon],phi[gon],kappa[gon]", "states the unit gon"),
-    ("image,longitude,latitude,altitude,omega,phi,kappa", "longitude and latitude: export it in the projected"),
+    ("image,longitude,latitude,altitude,omega,phi,kappa", "latitude and longitude .*Import table"),
     ("image,x,y,z,yaw,pitch,roll", "no column omega, phi, kappa"),
     ("photo,name,x,y,z,omega,phi,kappa", "several columns that could be image"),
 ])

@@ -14,6 +14,8 @@ from pyproj import CRS, Proj, Transformer
 from pyproj.exceptions import CRSError, ProjError
 
 from ..errors import InputError
+from ..io.files.columns import LATITUDE as LATITUDE_NAMES
+from ..io.files.columns import LONGITUDE as LONGITUDE_NAMES
 from ..io.files.named_table import WRITTEN_NUMBER
 from ..io.points.pointcloud import plan_crs
 from ..io.reference.plane_rectangular import zone_epsg, zone_numbers
@@ -25,8 +27,7 @@ POLAR = (*LATITUDE, *LONGITUDE)
 """Columns of places on the ellipsoid; minutes and seconds have columns of their own, or stand in one with degrees."""
 
 POLAR_ALIASES = {
-    **dict.fromkeys(("lat", "latdeg", "latitudedeg", "緯度", "緯度度", "北緯"), "latitude"),
-    **dict.fromkeys(("lon", "long", "lng", "londeg", "longdeg", "longitudedeg", "経度", "経度度", "東経"), "longitude"),
+    **dict.fromkeys(LATITUDE_NAMES[1:], "latitude"), **dict.fromkeys(LONGITUDE_NAMES[1:], "longitude"),
     **dict.fromkeys(("latmin", "latminutes", "latitudemin", "latitudeminutes", "緯度分"), "latitude_minutes"),
     **dict.fromkeys(("latsec", "latseconds", "latitudesec", "latitudeseconds", "緯度秒"), "latitude_seconds"),
     **dict.fromkeys(("lonmin", "longmin", "lonminutes", "longitudemin", "longitudeminutes", "経度分"),

@@ -17,6 +17,7 @@ from ..io.files.atomic import written_beside
 from ..io.files.columns import aliases_of, names_of
 from ..io.files.guard import first_not_finite, read_text, reads
 from ..io.files.named_table import known_columns, meanings, named_rows, number_table
+from ..io.files.plan_axes import order_note, x_counts_north
 from ..io.files.read_once import once
 from ..io.points.decoded_points import file_state
 from ..io.points.pointcloud import plan_crs
@@ -32,7 +33,14 @@ from .trajectory_accuracy import (
     stated_place_accuracy,
 )
 from .trajectory_glitches import require_drivable
-from .trajectory_reading import USUAL, TrajectoryReading, from_file_angles, judged_headings, to_file_angles
+from .trajectory_reading import (
+    USUAL,
+    TrajectoryReading,
+    axes_of_travel,
+    from_file_angles,
+    judged_headings,
+    to_file_angles,
+)
 
 COLUMNS = names_of(TRAJECTORY)
 
@@ -62,6 +70,7 @@ class TrajectoryFile:
     crs_wkt : of the map coordinates, where it was needed (SBET).
     reading : how its angles and heights were read, and are written.
     applied : sentences on what was done to its heights and what it states on its accuracy, "" for nothing.
+    x_north : whether its X counts north, where its columns are named so that it may (`plan_axes`); else None.
     """
 
     trajectory: Trajectory
@@ -73,6 +82,7 @@ class TrajectoryFile:
     crs_wkt: str | None = None
     reading: TrajectoryReading = USUAL
     applied: str = ""
+    x_north: bool | None = None
 
 
 @reads("a trajectory")
@@ -131,7 +141,8 @@ def trajectory_from_columns(columns: Mapping[str, Sequence], name: str = "The tr
     InputError : a column is missing or holds something else than numbers, fewer than two epochs, or one time with two
         different poses; or headings counted in another way.
     """
-    known = known_columns(columns, COLUMNS, _ALIASES, name)
+    known = known_columns(columns, COLUMNS, _ALIASES, name,
+                          lambda orders: _axes_of_travel(columns, orders, reading, name))
     missing = [column for column in COLUMNS if column not in known]
     if missing:
         raise InputError(say("{name} has no column {missing}: a trajectory needs {columns}.", name=name,
@@ -144,15 +155,34 @@ def trajectory_from_columns(columns: Mapping[str, Sequence], name: str = "The tr
         raise InputError(say("{name} has {table_count} epochs: give a trajectory of at least two.", name=name,
                              table_count=len(table)))
     order, notes = _order(table, name)
+    x_north = x_counts_north(columns, known)
+    notes += [] if x_north is None else [order_note(known, name)]
     used = {known[column] for column in COLUMNS}
     others = {key: [values[row] for row in order] for key, values in columns.items() if key not in used}
     if reading.geoid is not None:
         notes.append(say("{name}: a geoid is applied to the ellipsoidal heights of SBET only; these heights stay as "
                          "they are.", name=name))
     require_drivable(table, order, name, "row", 2)
-    trajectory = _checked(table[order], name, notes, others, reading)
+    trajectory = replace(_checked(table[order], name, notes, others, reading), x_north=x_north)
     return _with_sigma(trajectory, sigma_of_columns(others, reading.angles, name),
                        place_sigma_of_columns(others, name), name)
+
+
+def _axes_of_travel(columns: Mapping[str, Sequence], orders: Mapping[bool, Mapping[str, str]],
+                    reading: TrajectoryReading, name: str) -> bool | None:
+    """Whether X counts north by the headings; None where they do not tell or the table is no trajectory."""
+    if any(set(COLUMNS) - set(known) for known in orders.values()):
+        return None
+    found = {}
+    for x_north, known in orders.items():
+        table = number_table(columns, known, COLUMNS, name)
+        table = table[np.isfinite(table).all(axis=1)]
+        table = table[np.unique(table[:, 0], return_index=True)[1]]
+        if len(table) < 2:
+            return None
+        found[x_north] = Trajectory(table[:, 0], table[:, 1:4], unwrapped(from_file_angles(table[:, 4:7],
+                                                                                          reading.angles)))
+    return axes_of_travel(found)
 
 
 def _with_sigma(file: TrajectoryFile, angles: np.ndarray | None, places: np.ndarray | None,
@@ -305,7 +335,7 @@ def _csv_text(like: TrajectoryFile, trajectory: Trajectory) -> str:
     digits = {name: count + finer * (name in COLUMNS[4:]) for name, count in _DECIMALS.items()}
     text = {name: [f"{value:.{digits[name]}f}" for value in values[name]] for name in COLUMNS}
     # A column that the file has twice (a height, say) is written twice.
-    meant = meanings(like.header, COLUMNS, _ALIASES)
+    meant = meanings(like.header, COLUMNS, _ALIASES, like.x_north)
     columns = [text[meant[name]] if name in meant else like.columns[name] for name in like.header]
     out = io.StringIO()
     writer = csv.writer(out, delimiter=like.delimiter, lineterminator="\n")

@@ -6,6 +6,7 @@ north such a trajectory turns every lever arm. The direction of travel tells: a 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -106,6 +107,20 @@ def judged_headings(trajectory: Trajectory, angles: np.ndarray, counted: str, na
                     "axis does not point forward, the calibration must say the same; otherwise the headings are "
                     "wrong.", name=name, off=off)]
     return []
+
+
+def axes_of_travel(orders: Mapping[bool, Trajectory]) -> bool | None:
+    """Which of two orders of east and north lets headings go with the direction of travel; None where both or none do.
+
+    Parameters
+    ----------
+    orders : the trajectory as it is if X counts north (True), and if it counts east (False).
+    """
+    away = {x_north: _away(found, found.angles, "degrees") for x_north, found in orders.items()}
+    better = min(away, key=lambda x_north: away[x_north])
+    # Not known (NaN) is no answer either.
+    decided = away[better] <= LIMITS.agrees and away[not better] > max(LIMITS.strange, LIMITS.clearly * away[better])
+    return better if decided else None
 
 
 def _away(trajectory: Trajectory, angles: np.ndarray, counted: str) -> float:

@@ -36,7 +36,6 @@ _MATRIX = tuple(f"r{row}{column}" for row in (1, 2, 3) for column in (1, 2, 3))
 """Columns of the rotation from world to camera, which Metashape writes beside the angles."""
 
 _SAME = 1e-3  # of an element of a rotation that is written with some digits
-_GEOGRAPHIC = ("longitude", "latitude", "経度", "緯度")
 
 
 @reads("an exterior orientation")
@@ -82,9 +81,6 @@ def _columns(path: Path, unit: str) -> tuple[Mapping[str, Sequence[str]], Mappin
                for place, name in enumerate(header) if name}
     known = known_columns(columns, COLUMNS, _ALIASES, path.name)
     missing = [name for name in COLUMNS if name not in known]
-    if missing and any(word in plain_name(name) for name in columns for word in _GEOGRAPHIC) and "x" in missing:
-        raise InputError(say("{path} has its places in longitude and latitude: export it in the projected coordinate "
-                             "system of the points.", path=path.name))
     if missing:
         raise InputError(say("{path} has no column {missing}: an exterior orientation needs {columns}.",
                              path=path.name, missing=", ".join(missing), columns=",".join(COLUMNS)))

@@ -37,10 +37,16 @@ class Entry(Column):
 
 TIME = Column("time", "s", ("gpstime", "t", "gpsseconds", "gpssec", "sow", "weekseconds", "時刻", "時間", "gps時刻",
                             "gps時間", "gps秒"))
-EAST = Column("x", "m", ("easting", "east", "東", "東座標", "東距", "東西"))
-NORTH = Column("y", "m", ("northing", "north", "北", "北座標", "北距", "南北"))
+EAST = Column("x", "m", ("easting", "east", "東", "東座標", "東距", "東西", "e座標"))
+NORTH = Column("y", "m", ("northing", "north", "北", "北座標", "北距", "南北", "n座標"))
 UP = Column("z", "m", ("height", "altitude", "elevation", "ellipsoidheight", "ellipsoidalheight", "orthometricheight",
                        "hell", "hmsl", "標高", "高さ", "楕円体高", "z座標"))
+LATITUDE = ("latitude", "lat", "latdeg", "latitudedeg", "緯度", "緯度度", "北緯",
+            "y/latitude")
+LONGITUDE = ("longitude", "lon", "long", "lng", "londeg", "longdeg", "longitudedeg", "経度", "経度度", "東経",
+             "x/longitude")
+"""Names of columns of places in degrees, which tables are imported from."""
+
 ROLL = Column("roll", "degrees", ("ロール", "ロール角"))
 PITCH = Column("pitch", "degrees", ("ピッチ", "ピッチ角"))
 HEADING = Column("heading", "degrees", ("yaw", "azimuth", "ヘディング", "ヨー", "ヨー角", "方位", "方位角"))

@@ -9,12 +9,14 @@ from __future__ import annotations
 import csv
 import re
 import unicodedata
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 
 import numpy as np
 
-from ...errors import InputError
+from ...errors import InputError, PreviewNeeded
 from ...wording import say
+from .columns import LATITUDE, LONGITUDE
+from .plan_axes import NamedAxis, named_axes, order_of_numbers, stated_order
 
 DELIMITERS = ",;\t "
 WRITTEN_NUMBER = re.compile(r"^[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
@@ -27,7 +29,6 @@ _BRACKETS = re.compile(r"[(\[（［<][^(\[（［<)\]）］>]*[)\]）］>]")
 _OTHER_UNITS = {"rad": "radians", "radian": "radians", "radians": "radians", "ラジアン": "radians", "ft": "feet",
                 "feet": "feet", "foot": "feet", "usft": "feet", "gon": "gon", "grad": "gon", "dms": "degrees, minutes, "
                 "seconds", "mm": "millimetres", "cm": "centimetres", "km": "kilometres"}
-_NORTH_OR_EAST = re.compile(r"(計測|基準|参照|真)?([xy]座標|座標[xy]|平面直角[xy])|(計測|基準|参照)[xy]")
 _COMMENT = re.compile(r"^\ufeff?\s*#+\s*")
 
 
@@ -37,34 +38,74 @@ def plain_name(name: object) -> str:
     return re.sub(r"[\s_\-.:]+", "", text).lower()
 
 
-def known_columns(columns: Mapping[str, Sequence], needed: Sequence[str], aliases: Mapping[str, str],
-                  name: str) -> dict[str, str]:
+def known_columns(columns: Mapping[str, Sequence], needed: Sequence[str], aliases: Mapping[str, str], name: str,
+                  judge: Callable[[Mapping[bool, Mapping[str, str]]], bool | None] | None = None) -> dict[str, str]:
     """The file's column (its key) of each needed one that is there; one of just that name goes before another name.
 
     Parameters
     ----------
     aliases : the needed name by another one, written as `plain_name` gives it.
     name : of the file, for messages.
+    judge : says whether X counts north, where names and numbers do not, of the known columns if it does (True) and if
+        it does not (False); None where it cannot say.
 
     Raises
     ------
-    InputError : several columns could be meant and differ, or X and Y are named as in the Japanese plane rectangular
-        system, where X counts north.
+    InputError : several columns could be meant and differ.
+    PreviewNeeded : X and Y are named as in the Japanese plane rectangular system, where X counts north, and nothing
+        tells whether they are meant so; or places are latitudes and longitudes.
     """
+    axes = named_axes(columns)
     found: dict[str, list[str]] = {}
-    for key, meant in meanings(columns, needed, aliases).items():
+    for key, meant in meanings([key for key in columns if key not in axes], needed, aliases).items():
         found.setdefault(meant, []).append(key)
     for meant, keys in found.items():
         if any(list(columns[key]) != list(columns[keys[0]]) for key in keys[1:]):
             raise InputError(say("{name} has several columns that could be {meant} ({keys}): keep the right one, or "
                                  "call it {meant}.", name=name, meant=meant, keys=", ".join(map(str, keys))))
     known = {meant: keys[0] for meant, keys in found.items()}
-    japanese = [str(key) for key in columns if _NORTH_OR_EAST.fullmatch(plain_name(key))]
-    if japanese and not {key for key in needed if key[0] in "xy"} <= set(known):
-        raise InputError(say("{name}: {columns} may count north or east (in the Japanese plane rectangular system X "
-                             "counts north): call the column that counts east “東” or “east”, and the one that counts "
-                             "north “北” or “north”.", name=name, columns=", ".join(japanese)))
+    lacking = {key for key in needed if key[0] in "xy"} - set(known)
+    by_order = {x_north: _meant_axes(axes, aliases, lacking, x_north) for x_north in (True, False)}
+    if any(by_order.values()):
+        return {**known, **by_order[_x_north(columns, known, axes, by_order, aliases, name, judge)]}
+    _require_plane(columns, lacking, name)
     return known
+
+
+def _meant_axes(axes: Mapping[str, NamedAxis], aliases: Mapping[str, str], lacking: Collection[str],
+                x_north: bool) -> dict[str, str]:
+    """The columns of X and Y by what they are, of those that are `lacking`."""
+    meant = {aliases.get(axis.counts(x_north)): key for key, axis in axes.items()}
+    return {name: key for name, key in meant.items() if name in lacking}
+
+
+def _x_north(columns: Mapping[str, Sequence], known: Mapping[str, str], axes: Mapping[str, NamedAxis],
+             by_order: Mapping[bool, Mapping[str, str]], aliases: Mapping[str, str], name: str,
+             judge: Callable | None) -> bool:
+    """Whether X counts north: by the names, by the numbers, by what the reader knows besides."""
+    sure = {other: columns[known[meant]] for other, meant in aliases.items() if other[-1] in "東北" and meant in known}
+    order = stated_order(axes)
+    if order is None and len({axis.x_north for axis in axes.values()} - {None}) < 2:
+        order = order_of_numbers(axes, columns, sure)
+        if order is None and judge is not None:
+            order = judge({x_north: {**known, **meant} for x_north, meant in by_order.items()})
+    if order is None:
+        raise PreviewNeeded(say(
+            "{name}: {columns} may count north or east (in the Japanese plane rectangular system X counts north): "
+            "read it by “Import table…” in the menu UrbanMap, which shows the columns, or call the one that counts "
+            "east “東” or “east”, and the one that counts north “北” or “north”.", name=name,
+            columns=", ".join(map(str, axes))))
+    return order
+
+
+def _require_plane(columns: Collection[str], lacking: Collection[str], name: str) -> None:
+    """Refuse places in degrees where plane coordinates are lacking."""
+    degrees = [str(key) for key in columns if plain_name(key) in (*LATITUDE, *LONGITUDE)]
+    if degrees and {"x", "y"} <= set(lacking):
+        raise PreviewNeeded(say(
+            "{name} has its places in latitude and longitude ({columns}): read it by “Import table…” in the menu "
+            "UrbanMap, which lays them into the plane reference system of the survey.", name=name,
+            columns=", ".join(degrees)))
 
 
 def number_table(columns: Mapping[str, Sequence], known: Mapping[str, str], wanted: Sequence[str],
@@ -82,13 +123,19 @@ def number_table(columns: Mapping[str, Sequence], known: Mapping[str, str], want
                              error=error)) from error
 
 
-def meanings(keys: Iterable[str], needed: Iterable[str], aliases: Mapping[str, str]) -> dict[str, str]:
-    """The needed column that each key stands for, where it stands for one; other names give way to the name itself."""
+def meanings(keys: Iterable[str], needed: Iterable[str], aliases: Mapping[str, str],
+             x_north: bool | None = None) -> dict[str, str]:
+    """The needed column that each key stands for, where it stands for one; other names give way to the name itself.
+
+    X and Y of Japanese tables (`plan_axes`) count where it is said whether X is the one that counts north.
+    """
+    keys = list(keys)
+    axes = named_axes(keys) if x_north is not None else {}
     wanted = {plain_name(key): key for key in needed}
-    exact = {meant: key for key in keys if (meant := str(key).strip().lower()) in wanted.values()}
+    exact = {meant: key for key in keys if key not in axes and (meant := str(key).strip().lower()) in wanted.values()}
     found = {}
     for key in keys:
-        plain = plain_name(key)
+        plain = axes[key].counts(x_north) if key in axes else plain_name(key)
         meant = wanted.get(plain) or aliases.get(plain)
         if meant and exact.get(meant, key) == key:
             found[key] = meant
@@ -138,7 +185,9 @@ def _head(lines: Sequence[str], needed: Sequence[str], aliases: Mapping[str, str
     wanted = {plain_name(key) for key in needed}
     for number, line in enumerate(lines[:_HEAD_LINES]):
         for delimiter in DELIMITERS:
-            plain = [plain_name(cell) for cell in _cells([_COMMENT.sub("", line)], delimiter)[0]]
+            cells = _cells([_COMMENT.sub("", line)], delimiter)[0]
+            axes = named_axes(cells)
+            plain = [axes[cell].counts(True) if cell in axes else plain_name(cell) for cell in cells]
             if {plain_name(aliases.get(cell, cell)) for cell in plain} >= wanted:
                 return number, delimiter
     first = lines[0] if lines else ""
