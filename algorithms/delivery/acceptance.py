@@ -121,7 +121,9 @@ class Acceptance(EdgeRuns, UrbanMapAlgorithm):
         drawn = self.drawn_edges(models)
         if not parameters.get("INPUT"):
             return self.only_drawn(parameters, context, drawn, models)
-        table = self.read_vector(parameters, "INPUT", context, progress.part(0.0, 0.2))
+        from ...urbanmap_qgis.acceptance.check_points import check_point_columns
+
+        table = self.read_table(parameters, "INPUT", context, check_point_columns, progress.part(0.0, 0.2))
         points = self._points(parameters, context, table)
         limits, level = self._limits(parameters, context)
         found = criteria(points, limits, *self._needed(parameters, context))

@@ -119,11 +119,12 @@ class RectifyTrajectory(UrbanMapAlgorithm):
 
     def _tie_points(self, parameters, context, progress):
         """The layer's table and the core's tie points."""
-        from ...urbanmap_qgis.mobile.lines.tie_points import tie_points_from_columns
+        from ...urbanmap_qgis.mobile.lines.tie_points import tie_columns, tie_points_from_columns
 
-        table = self.read_vector(parameters, "TIE_POINTS", context, progress)
-        columns = {name.lower(): values for name, values in table.columns.items()}
-        if not {"x_mms", "x_ref"} & set(columns) and table.geometries is not None:
+        table = self.read_table(parameters, "TIE_POINTS", context, tie_columns, progress)
+        columns = dict(table.columns)
+        drawn = any(line is not None for line in table.geometries)
+        if drawn and not {"x_mms", "x_ref"} & {name.lower() for name in columns}:
             columns.update(line_ends(table.geometries))
         return table, tie_points_from_columns(columns, table.label)
 

@@ -19,17 +19,17 @@ def add_control(algorithm, optional: bool = False) -> None:
 
 def read_control(algorithm, parameters, context, progress):
     """The core's `ControlPoints` of CONTROL, and the WKT of their CRS ("" where none is known)."""
-    from ...urbanmap_qgis.mobile.control import control_from_columns
+    from ...urbanmap_qgis.mobile.control import control_columns, control_from_columns
 
-    table = algorithm.read_vector(parameters, "CONTROL", context, progress)
+    table = algorithm.read_table(parameters, "CONTROL", context, control_columns, progress)
     return control_from_columns(table.columns, table.label), _crs_wkt(algorithm, parameters, context, table)
 
 
 def read_check_points(algorithm, parameters, context, progress):
     """The same without points that the survey was adjusted to, and how many of these there are."""
-    from ...urbanmap_qgis.mobile.control import check_points_of, control_from_columns
+    from ...urbanmap_qgis.mobile.control import check_points_of, control_columns, control_from_columns
 
-    table = algorithm.read_vector(parameters, "CONTROL", context, progress)
+    table = algorithm.read_table(parameters, "CONTROL", context, control_columns, progress)
     control, adjusted = check_points_of(control_from_columns(table.columns, table.label), table.columns, table.label)
     return control, _crs_wkt(algorithm, parameters, context, table), adjusted
 

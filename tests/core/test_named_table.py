@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from urbanmap_qgis.aerial.frames.exterior_files import EXTERIOR
-from urbanmap_qgis.errors import InputError
+from urbanmap_qgis.aerial.frames.exterior_files import EXTERIOR, read_exterior
+from urbanmap_qgis.errors import InputError, PreviewNeeded
 from urbanmap_qgis.io.files.named_table import known_columns, named_rows, plain_name
 from urbanmap_qgis.mobile.control import read_control
 from urbanmap_qgis.mobile.image_poses import read_image_poses, write_image_poses
@@ -81,6 +81,73 @@ def test_x_and_y_of_the_plane_rectangular_system_are_not_guessed(tmp_path):
     text = "\n".join(["時刻,X座標,Y座標,標高,ロール,ピッチ,方位角", *ROWS])
     with pytest.raises(InputError, match="X座標, Y座標 may count north or east"):
         read_trajectory(written(tmp_path, text, "cp932"))
+
+
+def driven(north, east, heading):
+    """A trajectory's rows by an own formula: 40 epochs at 10 m/s towards a heading, north before east."""
+    step = np.arange(40.0)
+    way = step[:, None] * [np.cos(np.radians(heading)), np.sin(np.radians(heading))]
+    return [f"{10 + 0.1 * k:.1f},{north + n:.3f},{east + e:.3f},5,0,0,{heading}" for k, (n, e) in zip(step, way)]
+
+
+@pytest.mark.parametrize("names", ["X座標,Y座標", "Ｘ座標（m）,Ｙ座標（m）", "X,Y", "座標X,座標Y"])
+def test_headings_tell_which_coordinate_counts_north(tmp_path, names):
+    north_first = "\n".join([f"時刻,{names},標高,ロール,ピッチ,方位角", *driven(-35000.0, -8000.0, 70.0)])
+    read = read_trajectory(written(tmp_path, north_first, "cp932"))
+    assert np.allclose(read.trajectory.place[0], [-8000, -35000, 5]) and "counts north" in read.notes[0]
+    write_trajectory(tmp_path / "again.csv", read, read.trajectory)  # in the order that it came in
+    assert (tmp_path / "again.csv").read_text(encoding="utf-8").splitlines()[1].startswith("10.000000,-35000.0000,-80")
+    rows = [",".join([row[0], row[2], row[1], *row[3:]]) for row in
+            (line.split(",") for line in driven(-35000.0, -8000.0, 70.0))]
+    read = read_trajectory(written(tmp_path, "\n".join([f"時刻,{names},標高,ロール,ピッチ,方位角", *rows]), "cp932"))
+    assert np.allclose(read.trajectory.place[0], [-8000, -35000, 5])
+
+
+def test_headings_along_the_diagonal_tell_nothing(tmp_path):
+    text = "\n".join(["時刻,X座標,Y座標,標高,ロール,ピッチ,方位角", *driven(-35000.0, -8000.0, 45.0)])
+    with pytest.raises(PreviewNeeded, match="may count north or east"):
+        read_trajectory(written(tmp_path, text))
+
+
+@pytest.mark.parametrize("names", ["X座標(北),Y座標(東)", "平面直角X,平面直角Y", "X(N),Y(E)", "9系X座標,9系Y座標"])
+def test_names_that_say_which_coordinate_counts_north_are_read(tmp_path, names):
+    text = f"点名,{names},標高,時刻,計測東,計測北\nA,-35000,-8000,3,10,-8000.1,-35000.1\n"
+    assert np.allclose(read_control(written(tmp_path, text, "cp932")).true[0], [-8000, -35000, 3])
+
+
+def test_names_that_contradict_each_other_are_left_to_the_user(tmp_path):
+    text = "点名,X座標(北),Y座標(北),標高,時刻,計測東,計測北\nA,-35000,-8000,3,10,-8000.1,-35000.1\n"
+    with pytest.raises(PreviewNeeded):
+        read_control(written(tmp_path, text))
+
+
+def test_places_in_the_survey_tell_the_order_of_the_true_ones(tmp_path):
+    text = "点名,X座標,Y座標,標高,時刻,計測東,計測北\nA,-35000,-8000,3,10,-8000.1,-35000.1\n"
+    assert np.allclose(read_control(written(tmp_path, text)).true[0], [-8000, -35000, 3])
+    near = "点名,X座標,Y座標,標高,時刻,計測東,計測北\nA,-8000,-8050,3,10,-8000.1,-8050.1\n"  # both orders fit
+    with pytest.raises(PreviewNeeded):
+        read_control(written(tmp_path, near))
+
+
+def test_sizes_of_utm_tell_the_order(tmp_path):
+    text = "写真名,X座標,Y座標,標高,ω,φ,κ\nf1,412000,3950000,300,0,0,90\n"
+    pose, = read_exterior(written(tmp_path, text, "cp932"))
+    assert (pose.x, pose.y) == (412000.0, 3950000.0)
+
+
+def test_capital_letters_beside_japanese_names_are_not_taken_for_east_and_north(tmp_path):
+    text = "写真名,X,Y,標高,ω,φ,κ\nf1,-35000,-8000,300,0,0,90\n"
+    with pytest.raises(PreviewNeeded, match="X, Y may count north or east"):
+        read_exterior(written(tmp_path, text))
+    assert read_exterior(written(tmp_path, text.replace("X,Y", "x,y")))[0].x == -35000.0
+
+
+def test_degrees_are_sent_to_the_preview(tmp_path):
+    for read, header in ((read_control, "点名,緯度,経度,標高,時刻,計測東,計測北"),
+                         (read_trajectory, "時刻,緯度,経度,楕円体高,ロール,ピッチ,方位角"),
+                         (read_image_poses, "画像名,時刻,北緯,東経,標高,ロール,ピッチ,方位角")):
+        with pytest.raises(PreviewNeeded, match="latitude and longitude .*Import table"):
+            read(written(tmp_path, header + "\n" + ",".join("1" * (header.count(",") + 1)) + "\n", "cp932"))
 
 
 def test_the_name_itself_goes_before_another_name():

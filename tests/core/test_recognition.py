@@ -196,6 +196,28 @@ def test_control_points_of_clouds_and_frames(tmp_path, text, kind, count):
         assert parts_of(put_to_use([found], {found.source: "als_control"})).inputs == {"als_control": (str(path),)}
 
 
+@pytest.mark.parametrize("text, kind", [
+    ("点名,X座標,Y座標,標高,区分\nA,10,20,3,標定点\nB,11,21,4,検証点\n", "cloud_control"),
+    ("写真名,X座標,Y座標,標高,ω,φ,κ\nf1,10,20,300,0,0,90\nf2,11,21,300,0,0,90\n", "exterior"),
+    ("点名,緯度,経度,標高,区分\nA,35.1,139.2,3,標定点\n", "cloud_control"),
+    ("画像名,時刻,X座標,Y座標,Z座標,ロール,ピッチ,方位角\ni,5,1,2,3,0,0,90\n", "poses")])
+def test_tables_that_only_the_user_can_tell_say_where_to_tell_it(tmp_path, text, kind):
+    path = tmp_path / "成果.csv"
+    path.write_text(text, encoding="cp932")
+    found, = recognise_file(path)
+    assert found.kind == kind and "Import table" in found.problem
+
+
+def test_a_list_of_places_says_where_it_can_be_read(tmp_path):
+    path = tmp_path / "成果.csv"
+    path.write_text("点名,X座標,Y座標,標高\nA,10,20,3\nB,11,21,4\n", encoding="cp932")
+    found, = recognise_file(path)
+    assert (found.kind, found.problem) == ("table", "") and "Import table" in found.notes[0]
+    path.write_text("店名,緯度,経度\nA,35.1,139.2\nB,35.1,139.3\n", encoding="cp932")  # of no use here
+    found, = recognise_file(path)
+    assert (found.kind, found.notes) == ("table", ())
+
+
 def test_points_as_text(tmp_path):
     places = np.random.default_rng(1).uniform(0.0, 100.0, (500, 3))
     np.savetxt(tmp_path / "p.xyz", places, "%.3f")

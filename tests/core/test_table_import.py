@@ -11,9 +11,9 @@ from pyproj import Proj, Transformer
 from urbanmap_qgis.aerial.frames.camera import angles_from_usual_order
 from urbanmap_qgis.aerial.frames.exterior_files import read_exterior
 from urbanmap_qgis.errors import InputError
+from urbanmap_qgis.job.table_guess import guessed_import, guessed_target, told_order
 from urbanmap_qgis.job.table_import import (
     TableImport,
-    guessed_import,
     import_table,
     remember_import,
     remembered_imports,
@@ -214,7 +214,7 @@ def test_map_coordinates_go_before_degrees(tmp_path):
     (tmp_path / "t.csv").write_text("time,easting,northing,latitude,longitude,z,roll,pitch,heading\n"
                                     "1,2,3,4,5,6,7,8,9\n", encoding="utf-8")
     how = guessed_import(tmp_path / "t.csv", "trajectory")
-    assert not how.polar and how.columns["x"] == 1 and table_place(tmp_path / "t.csv", how) is None
+    assert not how.polar and how.columns["x"] == 1 and table_place(tmp_path / "t.csv", how) == ("", 2.0, 3.0)
 
 
 @pytest.mark.parametrize(("cells", "degrees"), [
@@ -256,3 +256,74 @@ def test_a_row_without_a_place_is_named(tmp_path):
     (tmp_path / "t.csv").write_text("\n".join(lines), encoding="utf-8")
     with pytest.raises(InputError, match="row 5 has no latitude and longitude"):
         import_table(tmp_path / "t.csv", guessed_import(tmp_path / "t.csv", "trajectory"), tmp_path / "out.csv")
+
+
+RESULTS = "点名,X座標,Y座標,標高\n1001,-35123.456,-8123.456,12.3\n1002,-35223.456,-8023.456,13.3\n"
+TABLES_OF_JAPAN = {
+    "als_control": (RESULTS, "id,x,y,z\n1001,-8123.456,-35123.456,12.3\n"),
+    "control": ("点名,X座標,Y座標,標高,時刻,計測X,計測Y,計測標高,役割\nA,10,20,3,100,10.1,20.2,3.1,検証点\n",
+                "id,x,y,z,time,x_mms,y_mms,z_mms,role\nA,20,10,3,100,20.2,10.1,3.1,検証点\n"),
+    "ties": ("組番号,時刻,計測X,計測Y,基準X,基準Y\n1,5,10,20,10.5,20.5\n",
+             "set,time,x_mms,y_mms,x_ref,y_ref\n1,5,20,10,20.5,10.5\n"),
+    "frame_control": ("点名,画像名,列,行,X座標,Y座標,標高\nA,f1,3,4,10,20,5\nT,f1,6,7,,,\n",
+                      "point,image,column,row,x,y,z\nA,f1,3,4,20,10,5\nT,f1,6,7,,,\n"),
+    "exterior": ("写真名,X座標,Y座標,標高,ω,φ,κ\nf1,10,20,300,0.1,0.2,0.3\n",
+                 "image,x,y,z,omega,phi,kappa\nf1,20.0000,10.0000,300.0000,0.100000,0.200000,0.300000\n"),
+    "poses": ("画像名,時刻,X,Y,Z,ロール,ピッチ,方位角\ni,5,10,20,3,0,0,90\n",
+              "id,time,x,y,z,roll,pitch,heading\ni,5.0000,20.0000,10.0000,3.0000,0.000000,0.000000,90.000000\n"),
+    "trajectory": ("時刻,X座標,Y座標,標高,ロール,ピッチ,方位角\n5,10,20,3,0,0,90\n6,10,21,3,0,0,90\n",
+                   "time,x,y,z,roll,pitch,heading\n5.000000,20.0000,10.0000,3.0000,0.000000,0.000000,90.000000\n")}
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "cp932"])
+@pytest.mark.parametrize("target", TABLES_OF_JAPAN)
+def test_tables_with_x_and_y_in_japanese_come_out_with_x_north(tmp_path, target, encoding):
+    """In the plane rectangular system X counts north; that nothing but this habit says so is told in the preview."""
+    path, (given, wanted) = tmp_path / "成果.csv", TABLES_OF_JAPAN[target]
+    path.write_text(given, encoding=encoding)
+    how = guessed_target(path)
+    assert how.target == target
+    assert "counts north" in told_order(path, how) and "does not say it" in told_order(path, how)
+    import_table(path, how, tmp_path / "out.csv")
+    assert (tmp_path / "out.csv").read_text(encoding="utf-8").startswith(wanted)
+
+
+def test_an_order_that_names_or_numbers_tell_is_not_doubted(tmp_path):
+    named, utm = tmp_path / "named.csv", tmp_path / "utm.csv"
+    named.write_text(RESULTS.replace("X座標", "X座標(東)").replace("Y座標", "Y座標(北)"), encoding="cp932")
+    utm.write_text("点名,X座標,Y座標,標高\nA,412345.6,3954321.0,12\n", encoding="cp932")
+    for path in (named, utm):
+        how = guessed_target(path)
+        assert (how.columns["x"], how.columns["y"]) == (1, 2) and told_order(path, how) == ""
+
+
+def test_swapped_columns_are_told_as_they_are_chosen(tmp_path):
+    path = tmp_path / "t.csv"
+    path.write_text(RESULTS, encoding="utf-8")
+    how = guessed_target(path)
+    swapped = replace(how, columns={**how.columns, "x": how.columns["y"], "y": how.columns["x"]})
+    assert told_order(path, swapped).startswith("Y座標 is taken as counting north and X座標 as counting east")
+    assert table_place(path, swapped) == ("", -35123.456, -8123.456)
+
+
+@pytest.mark.parametrize("target", ["control", "als_control", "frame_control", "poses"])
+def test_points_and_poses_in_degrees_are_laid_into_the_plane(tmp_path, target):
+    given, _ = TABLES_OF_JAPAN[target]
+    names, row, *more = given.replace("X座標", "緯度").replace("Y座標", "経度").replace("時刻,X,Y", "時刻,緯度,経度") \
+        .replace("計測X", "計測北").replace("計測Y", "計測東").replace("Z,", "標高,").splitlines()
+    cells = dict(zip(names.split(","), row.split(",")))
+    cells.update({"緯度": "35.6812", "経度": "139.7671"})
+    path = tmp_path / "t.csv"
+    path.write_text("\n".join([names, ",".join(cells.values()), *more[target == "als_control":]]), encoding="cp932")
+    how = replace(guessed_target(path), heights="sea level")
+    assert how.target == target
+    import_table(path, how, tmp_path / "out.csv")
+    lines = [line.split(",") for line in (tmp_path / "out.csv").read_text(encoding="utf-8").splitlines()]
+    found = dict(zip(lines[0], lines[1]))
+    x, y = Transformer.from_crs(6668, 6677, always_xy=True).transform(139.7671, 35.6812)
+    assert float(found["x"]) == pytest.approx(x, abs=1e-3) and float(found["y"]) == pytest.approx(y, abs=1e-3)
+    if target == "frame_control":  # a point of no known place stays so
+        assert dict(zip(lines[0], lines[2]))["x"] == ""
+    if target == "poses":  # headings count from true north
+        turn = Proj(6677).get_factors(139.7671, 35.6812).meridian_convergence
+        assert float(found["heading"]) == pytest.approx(90.0 - turn, abs=1e-5)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -9,7 +10,19 @@ import numpy as np
 import shapely
 
 from ..errors import InputError
+from ..io.files.columns import EAST, NORTH, UP, Column, aliases_of, names_of, needed_of
+from ..io.files.named_table import known_columns, table_columns
 from ..wording import say
+
+ROLE_NAMES = ("role", "use", "役割", "区分")
+CHECK_POINTS = (
+    Column("id", "", ("name", "point", "点名", "点番号", "測点名", "名称", "番号", "点"), needed=False),
+    EAST, NORTH, UP.optional(),
+    Column("x_product", "m", ("計測東", "製品東", "eastproduct")),
+    Column("y_product", "m", ("計測北", "製品北", "northproduct")),
+    Column("z_product", "m", ("計測標高", "計測高さ", "製品標高", "heightproduct"), needed=False),
+    Column("role", "", ROLE_NAMES[1:], needed=False))
+"""Check points with where they truly lie and where the product has them."""
 
 TRUE = ("x", "y", "z")
 IN_PRODUCT = ("x_product", "y_product", "z_product")
@@ -79,6 +92,8 @@ def check_points_from_columns(columns: Mapping[str, Sequence], places: np.ndarra
     InputError : columns are missing, a value is no number, or no check point is left.
     """
     lower = {key.strip().lower(): key for key in columns}
+    if not any(f"{ERRORS[0]}_{state}" in lower for state in STATES):
+        lower.update(known_columns(columns, names_of(CHECK_POINTS), aliases_of(CHECK_POINTS), name))
     true, errors, state = _errors(columns, lower, places, name)
     count = len(errors)
     ids = [str(value) for value in columns[lower["id"]]] if "id" in lower else [str(k + 1) for k in range(count)]
@@ -94,6 +109,16 @@ def check_points_from_columns(columns: Mapping[str, Sequence], places: np.ndarra
     if not len(points):
         raise no_check_point(name)
     return points
+
+
+def check_point_columns(path: str | os.PathLike) -> dict[str, list[str | None]]:
+    """The columns of a table of check points (CSV), by the names that they have there.
+
+    Raises
+    ------
+    InputError : it is no text.
+    """
+    return table_columns(path, needed_of(CHECK_POINTS), aliases_of(CHECK_POINTS), "check points (CSV)")
 
 
 def no_check_point(name: str) -> InputError:

@@ -1,4 +1,4 @@
-"""Tables of other programs made into the project's own trajectories and exterior orientations, as the user tells.
+"""Tables of other programs made into the project's own: trajectories, orientations, poses, points, as the user tells.
 
 What he tells (encoding, delimiter, lines before the names, which column is which, units and the way angles are counted)
 is kept under a name. The readers of the project check what comes out.
@@ -10,39 +10,26 @@ import csv
 import io
 import json
 import os
-import re
 import tempfile
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
 import numpy as np
 
-from ..aerial.frames.camera import ExteriorOrientation
-from ..aerial.frames.exterior_files import COLUMNS as EXTERIOR_COLUMNS
-from ..aerial.frames.exterior_files import EXTERIOR, read_exterior
 from ..errors import InputError
 from ..io.conversion.geoid import read_geoid
 from ..io.files.atomic import written_beside
-from ..io.files.columns import aliases_of
+from ..io.files.columns import needed_of
 from ..io.files.guard import read_json, reads
-from ..io.files.named_table import DELIMITERS, WRITTEN_NUMBER, meanings, plain_name
-from ..mobile.trajectory_files import COLUMNS as TRAJECTORY_COLUMNS
-from ..mobile.trajectory_files import TRAJECTORY, read_trajectory, write_trajectory
-from ..mobile.trajectory_reading import ANGLES, TrajectoryReading
+from ..io.files.named_table import WRITTEN_NUMBER, plain_name
 from ..wording import say
 from .table_places import LATITUDE, LONGITUDE, POLAR, POLAR_ALIASES, degrees_of, placed_in, suggested_crs
-
-TARGETS = {"trajectory": TRAJECTORY_COLUMNS, "exterior": EXTERIOR_COLUMNS}
-"""What a table is made into, with the columns that it needs."""
+from .table_targets import TABLES, TARGETS, write_checked
 
 ENCODINGS = ("utf-8-sig", "cp932", "utf-16")
 LENGTHS = {"m": 1.0, "mm": 1e-3, "ft": 0.3048}
 """Metres of one unit of coordinates and heights."""
-
-ANGLE_WAYS = {"trajectory": ANGLES, "exterior": tuple(f"{unit} {order}" for order in ("papers", "usual")
-                                                      for unit in ("degrees", "gon", "radians"))}
-"""Ways in which angles are counted, the first the project's own; of frames with the order of the rotations."""
 
 HEIGHTS = ("", "ellipsoidal", "sea level")
 """What heights count from; "": not said."""
@@ -50,10 +37,9 @@ HEIGHTS = ("", "ellipsoidal", "sea level")
 NORTHS = ("true", "grid")
 """From which north headings and kappas count where places are latitudes and longitudes."""
 
-_ALIASES = {"trajectory": {**aliases_of(TRAJECTORY), **POLAR_ALIASES},
-            "exterior": {**aliases_of(EXTERIOR), **POLAR_ALIASES}}
-_MOST_BEFORE = 200
-_ELLIPSOIDAL, _SEA_LEVEL = re.compile(r"ell|hae|楕円体"), re.compile(r"ortho|msl|geoid|標高")
+_TEXTS = ("image", "id", "set", "point", "role")
+MOST_BEFORE = 200
+"""Lines looked through for names and first numbers."""
 
 
 @dataclass(frozen=True)
@@ -91,13 +77,21 @@ class TableImport:
     @property
     def polar(self) -> bool:
         """Whether places are latitudes and longitudes."""
-        return not {"x", "y"} <= set(self.columns) and bool(set(self.columns) & {"latitude", "longitude"})
+        return ({"x", "y"} <= set(TARGETS[self.target]) and not {"x", "y"} <= set(self.columns)
+                and bool(set(self.columns) & {"latitude", "longitude"}))
 
     @property
     def needed(self) -> tuple[str, ...]:
         """Columns that must be chosen."""
         places = {"x": "longitude", "y": "latitude"} if self.polar else {}
-        return tuple(places.get(name, name) for name in TARGETS[self.target])
+        return tuple(places.get(name, name) for name in needed_of(TABLES[self.target]))
+
+    @property
+    def written(self) -> tuple[str, ...]:
+        """Columns that the project's table gets: the needed ones, and of the others those that were chosen."""
+        needed = needed_of(TABLES[self.target])
+        return tuple(name for name in TARGETS[self.target] if name in needed or name in self.columns
+                     or (self.polar and name in "xy"))
 
 
 @reads("a table")
@@ -116,13 +110,13 @@ def split_table(path: str | os.PathLike, how: TableImport,
                              skip=how.skip))
     cells = [line.split() for line in lines] if how.delimiter == " " else \
         list(csv.reader(lines, delimiter=how.delimiter, skipinitialspace=True))
-    cells[0] = _each_named(cells[0], max(map(len, cells[1:4]), default=0))
+    cells[0] = each_named(cells[0], max(map(len, cells[1:4]), default=0))
     if any(WRITTEN_NUMBER.match(cell.strip()) for cell in cells[0]):
         return [str(number) for number in range(1, len(cells[0]) + 1)], cells
     return [cell.strip() for cell in cells[0]], cells[1:]
 
 
-def _each_named(names: list[str], width: int) -> list[str]:
+def each_named(names: list[str], width: int) -> list[str]:
     """Names with minutes and seconds behind latitude and longitude, where rows have just so many values more."""
     polar = [POLAR_ALIASES.get(plain_name(name), plain_name(name)) for name in names]
     if width != len(names) + 4 or polar.count("latitude") != 1 or polar.count("longitude") != 1:
@@ -133,47 +127,20 @@ def _each_named(names: list[str], width: int) -> list[str]:
     return columns
 
 
-def guessed_import(path: str | os.PathLike, target: str) -> TableImport:
-    """How a table may be read, by its bytes and the names of its columns; what is not found is left out."""
-    data = Path(path).read_bytes()
-    encoding = next((name for name in ENCODINGS if _decodes(data, name)), ENCODINGS[0])
-    best = TableImport(target, encoding, angles=ANGLE_WAYS[target][0])
-    lines = [line for line in data.decode(encoding, "replace").splitlines() if line.strip()][:_MOST_BEFORE]
-    for skip in range(len(lines)):
-        for delimiter in DELIMITERS:
-            rows = [row.split() if delimiter == " " else next(csv.reader([row], delimiter=delimiter), [])
-                    for row in lines[skip:skip + 4]]
-            names = [cell.strip() for cell in _each_named(rows[0], max(map(len, rows[1:]), default=0))]
-            known = meanings(names, (*TARGETS[target], *POLAR), _ALIASES[target])
-            found = {meant: names.index(key) for key, meant in known.items()}
-            if len(found) > len(best.columns):
-                best = TableImport(target, encoding, delimiter, skip, found, ANGLE_WAYS[target][0],
-                                   heights=_heights_in(names[found["z"]]) if "z" in found else "")
-    return _with_one_place(best)
-
-
-def _heights_in(name: str) -> str:
-    """What heights count from by the name of their column."""
-    plain = plain_name(name)
-    return HEIGHTS[1] if _ELLIPSOIDAL.search(plain) else HEIGHTS[2] if _SEA_LEVEL.search(plain) else ""
-
-
-def _with_one_place(how: TableImport) -> TableImport:
-    """Map coordinates where a table has them, else latitudes and longitudes."""
-    left = POLAR if {"x", "y"} <= set(how.columns) else ("x", "y") if how.polar else ()
-    return replace(how, columns={name: column for name, column in how.columns.items() if name not in left})
-
-
 def table_place(path: str | os.PathLike, how: TableImport) -> tuple[str, float, float] | None:
     """The plane system into which the first latitude and longitude go, and x and y (m) there; None for a table without.
+
+    Of plane coordinates the system is "", and x and y are those of the first row.
 
     Raises
     ------
     InputError : no row holds them, or the system does not fit.
     """
+    if {"x", "y"} <= set(how.columns):
+        return _first_plane(path, how)
     if not how.polar or not {"latitude", "longitude"} <= set(how.columns):
         return None
-    for row in split_table(path, how, _MOST_BEFORE)[1]:
+    for row in split_table(path, how, MOST_BEFORE)[1]:
         found = _polar_of(row, how.columns)
         if None not in found:
             crs = how.crs or suggested_crs(*found)
@@ -183,22 +150,21 @@ def table_place(path: str | os.PathLike, how: TableImport) -> tuple[str, float, 
                          name=Path(path).name))
 
 
+def _first_plane(path: str | os.PathLike, how: TableImport) -> tuple[str, float, float] | None:
+    """"", x and y (m) of the first row that has both."""
+    for row in split_table(path, how, MOST_BEFORE)[1]:
+        cells = [row[how.columns[name]].strip() for name in "xy" if how.columns[name] < len(row)]
+        if len(cells) == 2 and all(map(WRITTEN_NUMBER.match, cells)):
+            return "", *(float(cell) * LENGTHS[how.length] for cell in cells)
+    return None
+
+
 def _polar_of(row: Sequence[str], columns: Mapping[str, int]) -> tuple[float | None, float | None]:
     """Longitude and latitude of a row, degrees; None where it has none."""
     longitude, latitude = (
         degrees_of([row[columns[name]] for name in names if name in columns and columns[name] < len(row)])
         for names in (LONGITUDE, LATITUDE))
     return longitude, latitude
-
-
-def _decodes(data: bytes, encoding: str) -> bool:
-    if encoding == "utf-16" and not data.startswith((b"\xff\xfe", b"\xfe\xff")):
-        return False
-    try:
-        data.decode(encoding)
-    except UnicodeError:
-        return False
-    return True
 
 
 def import_table(path: str | os.PathLike, how: TableImport, output: str | os.PathLike) -> tuple[str, ...]:
@@ -211,7 +177,7 @@ def import_table(path: str | os.PathLike, how: TableImport, output: str | os.Pat
     missing = [name for name in how.needed if name not in how.columns]
     if missing:
         raise InputError(say("No column is chosen for {missing}: choose one.", missing=", ".join(missing)))
-    if how.polar and not how.heights:
+    if how.polar and "z" in how.columns and not how.heights:
         raise InputError(say("Say what the heights count from: the ellipsoid, as GNSS measures them, or sea level."))
     name = Path(path).name
     rows = _chosen_values(split_table(path, how)[1], how, name)
@@ -219,30 +185,15 @@ def import_table(path: str | os.PathLike, how: TableImport, output: str | os.Pat
     with tempfile.TemporaryDirectory() as folder:
         plain = Path(folder) / f"{Path(path).stem}.csv"
         plain.write_text(_plain_text(rows, how), encoding="utf-8")
-        if how.target == "trajectory":
-            file = read_trajectory(plain, reading=TrajectoryReading(how.angles))
-            write_trajectory(output, replace(file, reading=TrajectoryReading()), file.trajectory)
-            return (*notes, *file.notes)
-        unit, order = how.angles.split(" ")
-        poses = [replace(pose, kappa=(pose.kappa + float(more) + 180.0) % 360.0 - 180.0)
-                 for pose, more in zip(read_exterior(plain, unit, order), turn)]
-    _write_exterior(output, poses)
+        notes += write_checked(plain, how.target, how.angles, turn, output)
     return tuple(notes)
-
-
-def _write_exterior(output: str | os.PathLike, poses: Sequence[ExteriorOrientation]) -> None:
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(EXTERIOR_COLUMNS)
-    writer.writerows([pose.image, *(f"{value:.4f}" for value in (pose.x, pose.y, pose.z)),
-                      *(f"{value:.6f}" for value in (pose.omega, pose.phi, pose.kappa))] for pose in poses)
-    with written_beside(output) as temporary:
-        temporary.write_text(text.getvalue(), encoding="utf-8")
 
 
 def _chosen_values(rows: list[list[str]], how: TableImport, name: str) -> list[dict[str, str]]:
     """The cells of the chosen columns by name, lengths in metres; a line of units is passed over."""
-    numeric = [key for key in how.needed if key not in ("image", *POLAR)]
+    numeric = [key for key in how.needed if key not in (*_TEXTS, *POLAR)]
+    lengths = {column.name for column in TABLES[how.target] if column.unit == "m"}
+    optional = how.polar and "latitude" not in how.needed
     chosen: list[dict[str, str]] = []
     for number, row in enumerate(rows, how.skip + 2):
         if max(how.columns.values()) >= len(row):
@@ -251,13 +202,15 @@ def _chosen_values(rows: list[list[str]], how: TableImport, name: str) -> list[d
                                  count=len(row)))
         values = {key: row[column].strip() for key, column in how.columns.items()}
         polar = _polar_of(row, how.columns) if how.polar else ()
+        if optional and not any(values[key] for key in POLAR if key in values):
+            polar = ("", "")  # a point whose place is not known
         if not chosen and (None in polar or not all(WRITTEN_NUMBER.match(values[key]) for key in numeric)):
             continue  # a line of units, or a rule under the names
         if None in polar:
             raise InputError(say("{name}: row {number} has no latitude and longitude: correct or remove it.",
                                  name=name, number=number))
-        values.update(zip(("x", "y"), map(repr, polar)))
-        for key in ("z",) if polar else ("x", "y", "z"):
+        values.update(zip(("x", "y"), (value and repr(value) for value in polar)))
+        for key in (lengths & set(values)) - ({"x", "y"} if polar else set()):
             if how.length != "m" and WRITTEN_NUMBER.match(values[key]):
                 values[key] = repr(float(np.float64(values[key]) * LENGTHS[how.length]))
         chosen.append(values)
@@ -276,16 +229,22 @@ def _placed_values(rows: list[dict[str, str]], how: TableImport, name: str) -> t
     """
     if not how.polar:
         return np.zeros(len(rows)), []
-    longitude, latitude = (np.array([float(values[key]) for values in rows]) for key in ("x", "y"))
+    turn = np.zeros(len(rows))
+    known = np.array([bool(values["x"]) for values in rows])
+    placed = [values for values in rows if values["x"]]
+    if not placed:
+        return turn, []
+    longitude, latitude = (np.array([float(values[key]) for values in placed]) for key in ("x", "y"))
     crs = how.crs or suggested_crs(float(np.median(longitude)), float(np.median(latitude)))
     x, y, convergence = placed_in(crs, longitude, latitude)
-    for values, *place in zip(rows, x.tolist(), y.tolist()):
+    for values, *place in zip(placed, x.tolist(), y.tolist()):
         values.update(zip(("x", "y"), map(repr, place)))
     notes = [say("{name}: latitudes and longitudes were laid into {crs}.", name=name, crs=crs)]
     if how.heights == "ellipsoidal":
-        notes.append(_lowered(rows, how, longitude, latitude, name))
-    turn = convergence if how.north == "true" else np.zeros(len(rows))
-    if how.target == "trajectory":
+        notes.append(_lowered(placed, how, longitude, latitude, name))
+    if how.north == "true":
+        turn[known] = convergence
+    if how.target in ("trajectory", "poses"):
         _turned(rows, how, turn)
     return turn, notes
 
@@ -299,6 +258,8 @@ def _lowered(rows: list[dict[str, str]], how: TableImport, longitude: np.ndarray
     geoid = read_geoid(how.geoid)
     above = geoid.interpolate(longitude, latitude)
     for number, (values, more) in enumerate(zip(rows, above.tolist()), 1):
+        if not values.get("z") and "z" not in how.needed:
+            continue
         if not WRITTEN_NUMBER.match(values["z"]):
             raise InputError(say("{name}: the height of line {number} of the values is no number: correct or remove "
                                  "it.", name=name, number=number))
@@ -320,8 +281,8 @@ def _plain_text(rows: list[dict[str, str]], how: TableImport) -> str:
     """A table with the project's names."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(TARGETS[how.target])
-    writer.writerows([values[key] for key in TARGETS[how.target]] for values in rows)
+    writer.writerow(how.written)
+    writer.writerows([values[key] for key in how.written] for values in rows)
     return text.getvalue()
 
 

@@ -9,11 +9,11 @@ from pathlib import Path
 
 import numpy as np
 
-from ..acceptance.check_points import are_check_points, no_check_point
+from ..acceptance.check_points import ROLE_NAMES, are_check_points, no_check_point
 from ..errors import InputError, InsufficientDataError
 from ..io.files.columns import aliases_of, names_of, needed_of
-from ..io.files.guard import read_text, reads
-from ..io.files.named_table import known_columns, named_rows
+from ..io.files.guard import reads
+from ..io.files.named_table import known_columns, plain_name, table_columns
 from ..wording import say
 from .gps_time import shift_between
 from .pose_correction import PoseCorrection
@@ -80,11 +80,17 @@ def read_control(path: str | os.PathLike) -> ControlPoints:
     ------
     InputError : it cannot be read, a column is missing, or a value is no number.
     """
-    text = read_text(path, "control points (CSV)")
-    header, rows, _ = named_rows(text, _NEEDED, _ALIASES, Path(path).name)
-    columns = {name: [row[place] if place < len(row) else None for row in rows]
-               for place, name in enumerate(header) if name}
-    return control_from_columns(columns, Path(path).name)
+    return control_from_columns(control_columns(path), Path(path).name)
+
+
+def control_columns(path: str | os.PathLike) -> dict[str, list[str | None]]:
+    """The columns of a table of control points (CSV), by the names that they have there.
+
+    Raises
+    ------
+    InputError : it is no text.
+    """
+    return table_columns(path, _NEEDED, _ALIASES, "control points (CSV)")
 
 
 def control_from_columns(columns: Mapping[str, Sequence], name: str = "The control points") -> ControlPoints:
@@ -116,7 +122,7 @@ def check_points_of(control: ControlPoints, columns: Mapping[str, Sequence], nam
     ------
     InputError : a role is not known, or none is a check point.
     """
-    field = next((key for key in columns if key.lower() == "role"), None)
+    field = next((key for key in columns if plain_name(key) in ROLE_NAMES), None)
     if field is None:
         return control, 0
     checks = are_check_points(columns[field], name)

@@ -50,6 +50,7 @@ class GuideDock(QDockWidget):
         self.wish, self.missing, self.place, self.pages = QComboBox(), QLabel(), QLabel(), QTabWidget()
         self._lay_out()
         self.files.changed.connect(self.plan)
+        self.files.preview_wanted.connect(self.import_table)
         self.wish.currentIndexChanged.connect(self.plan)
         self.steps.wanted.connect(self.open_step)
         self.steps.run_wanted.connect(self.run)
@@ -205,14 +206,16 @@ class GuideDock(QDockWidget):
         self.steps.show_job(job)
         self.pages.setCurrentIndex(1)
 
-    def import_table(self) -> None:
-        """Let the user import a trajectory or exterior orientation of another program, and take what comes out."""
+    def import_table(self, path: str = "") -> None:
+        """Let the user import a table of another program, with a preview of its columns, and take what comes out."""
         from ....urbanmap_qgis.job.agreement import common_system
 
         used = self.files.used()
         self.importing = ImportDialog(self, crs_text(common_system(used)) if used else "")
-        self.importing.imported.connect(lambda path: self.files.add([path]))
+        self.importing.imported.connect(lambda made: self.files.add([made]))
         self.importing.show()
+        if path:
+            self.importing.open_file(path)
 
     def _browse_job(self) -> None:
         path, _ = QFileDialog.getOpenFileName(self, tr("Open job…"), "", tr(JOB_FILTER))

@@ -34,6 +34,8 @@ _MANY = 6
 """Groups of more files stay folded."""
 _WIDEST = 230
 """Pixels of a column at first."""
+_TABLES = (".csv", ".txt", ".tsv", ".dat")
+"""Files whose columns are shown when wished."""
 _NOT_NEEDED = "–"
 """In the place of the part of a file that is ticked and plays none."""
 _BAD, _DOUBT = "#c0273a", "#a86400"
@@ -82,6 +84,7 @@ class FilesPanel(QWidget):
     """Files and folders given, what they are, and which of them are used; `changed` comes when any of it changes."""
 
     changed = pyqtSignal()
+    preview_wanted = pyqtSignal(str)
 
     def __init__(self, parent=None):
         super().__init__(parent)
@@ -92,7 +95,7 @@ class FilesPanel(QWidget):
         self.tree, self.map = FilesTree(), ExtentMap()
         self.hint = QLabel(tr("Drop files and folders here."))
         self.fit = QLabel()
-        self.use = QComboBox()
+        self.use, self.preview = QComboBox(), QPushButton(tr("Preview of columns…"))
         self.bar = QProgressBar()
         self.recognition = Recognition(self)
         self._lay_out()
@@ -101,6 +104,8 @@ class FilesPanel(QWidget):
         self.tree.currentItemChanged.connect(self._chosen)
         self.tree.itemSelectionChanged.connect(self._offer_uses)
         self.tree.customContextMenuRequested.connect(self._open_menu)
+        self.preview.clicked.connect(self._show_preview)
+        self.tree.itemDoubleClicked.connect(lambda _row, _column: self._show_preview())
         self.use.activated.connect(lambda row: self.put_to_use(self.use.itemData(row)))
         self.recognition.found.connect(self._show)
         self.recognition.moved.connect(lambda share: self.bar.setValue(int(100 * share)))
@@ -125,6 +130,7 @@ class FilesPanel(QWidget):
         uses = QHBoxLayout()
         uses.addWidget(QLabel(tr("Use the chosen file as")))
         uses.addWidget(self.use, 1)
+        uses.addWidget(self.preview)
         layout.addLayout(uses)
         layout.addWidget(self.map, 1)
         layout.addWidget(self.fit)
@@ -173,6 +179,15 @@ class FilesPanel(QWidget):
         chosen = {row.data(0, _FACTS) for row in self.tree.selectedItems()}
         return [item for item in self.findings.facts if item.source in chosen]
 
+    def _table_chosen(self) -> str:
+        """The one table of text that is chosen, "" where it is none or there are several."""
+        chosen = self._chosen_facts()
+        return str(chosen[0].path) if len(chosen) == 1 and chosen[0].path.suffix.lower() in _TABLES else ""
+
+    def _show_preview(self) -> None:
+        if self._table_chosen():
+            self.preview_wanted.emit(self._table_chosen())
+
     def _uses_offered(self) -> list[tuple[str, str]]:
         """Name and key of each use that fits all chosen files, first that it is left to the program."""
         from ....urbanmap_qgis.job.roles import use_name, uses_of
@@ -187,6 +202,7 @@ class FilesPanel(QWidget):
         for label, use in offered:
             self.use.addItem(label, use)
         self.use.setEnabled(bool(offered))
+        self.preview.setEnabled(bool(self._table_chosen()))
         said = {self.used_as.get(item.source, "") for item in self._chosen_facts()} if offered else set()
         if len(said) == 1:
             self.use.setCurrentIndex(max(self.use.findData(said.pop()), 0))
@@ -194,6 +210,8 @@ class FilesPanel(QWidget):
     def _open_menu(self, place) -> None:
         """The same uses as a menu at the row."""
         menu = QMenu(self.tree)
+        if self._table_chosen():
+            menu.addAction(self.preview.text()).triggered.connect(self._show_preview)
         for label, use in self._uses_offered():
             action = menu.addAction(label if not use else tr("Use as: {0}").format(label))
             action.triggered.connect(lambda _checked=False, use=use: self.put_to_use(use))

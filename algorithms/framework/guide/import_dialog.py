@@ -32,6 +32,12 @@ _ROWS = 12
 _HEIGHTS = (mark("Choose…"), mark("the ellipsoid, as GNSS measures"), mark("sea level (the geoid)"))
 _NORTHS = (mark("true north"), mark("grid north"))
 _GEOIDS = mark("Geoid models (*.tif *.gtx *.asc *.isg *.txt *.ver);;All files (*)")
+_TARGETS = {"trajectory": mark("Trajectory"), "exterior": mark("Exterior orientation"), "poses": mark("Image poses"),
+            "control": mark("Control points of a survey"), "als_control": mark("Control points of a point cloud"),
+            "frame_control": mark("Points in frames"), "ties": mark("Tie points")}
+_COLUMN_NAMES = {"x": mark("x (east)"), "y": mark("y (north)")}
+"""What is shown for columns whose name alone would mislead where X counts north."""
+_DOUBT = "#a86400"
 _DELIMITERS = ((",", ","), (";", ";"), ("\t", mark("Tab")), (" ", mark("Space")))
 
 
@@ -41,7 +47,7 @@ def imports_file() -> Path:
 
 
 class ImportDialog(QDialog):
-    """Makes a table into a trajectory or an exterior orientation; `imported` comes with the file written.
+    """Makes a table into one of the project's own; `imported` comes with the file written.
 
     `crs` is the job's plane system (a code), offered for latitudes and longitudes; "" offers that of their place.
     """
@@ -52,16 +58,16 @@ class ImportDialog(QDialog):
         super().__init__(parent)
         from ....urbanmap_qgis.job.table_import import ENCODINGS, HEIGHTS, LENGTHS, NORTHS
 
-        self.setWindowTitle(tr("Import a trajectory or exterior orientation"))
+        self.setWindowTitle(tr("Import a table"))
         self.path, self.target, self.kept = QLineEdit(), QComboBox(), QComboBox()
         self.encoding, self.delimiter, self.skip = QComboBox(), QComboBox(), QSpinBox()
         self.angles, self.length, self.name = QComboBox(), QComboBox(), QLineEdit()
         self.table, self.told = QTableWidget(), QLabel()
         self.crs, self.heights, self.north = QgsProjectionSelectionWidget(), QComboBox(), QComboBox()
-        self.geoid, self.placed = QgsFileWidget(), QLabel()
+        self.geoid, self.placed, self.order = QgsFileWidget(), QLabel(), QLabel()
         self._job_crs = crs
-        for word, label in (("trajectory", tr("Trajectory")), ("exterior", tr("Exterior orientation"))):
-            self.target.addItem(label, word)
+        for word, label in _TARGETS.items():
+            self.target.addItem(tr(label), word)
         self.encoding.addItems(ENCODINGS)
         self.length.addItems(LENGTHS)
         for words, box, names in ((HEIGHTS, self.heights, _HEIGHTS), (NORTHS, self.north, _NORTHS)):
@@ -91,7 +97,9 @@ class ImportDialog(QDialog):
         line.setContentsMargins(0, 0, 0, 0)
         line.addWidget(self.path, 1)
         line.addWidget(browse)
-        self.placed.setWordWrap(True)
+        for label in (self.placed, self.order):
+            label.setWordWrap(True)
+        self.order.setStyleSheet(f"color: {_DOUBT}")
         self.geoid.setFilter(tr(_GEOIDS))
         self.geoid.lineEdit().setPlaceholderText(tr("none: heights stay above the ellipsoid"))
         form = self.form = QFormLayout()
@@ -111,19 +119,22 @@ class ImportDialog(QDialog):
         layout.addLayout(form)
         layout.addWidget(QLabel(tr("Choose above each column what it is.")))
         layout.addWidget(self.table, 1)
-        layout.addWidget(self.placed)
-        layout.addWidget(self.told)
+        for label in (self.order, self.placed, self.told):
+            layout.addWidget(label)
         layout.addWidget(buttons)
         self.resize(760, 740)
 
     def open_file(self, path: str) -> None:
-        """Take a file and guess how it is read."""
+        """Take a file and guess what it is and how it is read."""
+        from ....urbanmap_qgis.job.table_guess import guessed_target
+
         self.path.setText(path)
-        self.guess()
+        if Path(path).is_file():
+            self.take(guessed_target(path))
 
     def guess(self) -> None:
         """Set everything as the file's content suggests."""
-        from ....urbanmap_qgis.job.table_import import guessed_import
+        from ....urbanmap_qgis.job.table_guess import guessed_import
 
         if Path(self.path.text()).is_file():
             self.take(guessed_import(self.path.text(), self.target.currentData()))
@@ -160,8 +171,9 @@ class ImportDialog(QDialog):
 
     def preview(self, columns) -> None:
         """Show the first rows, above each column what it is taken for."""
-        from ....urbanmap_qgis.job.table_import import TARGETS, split_table
+        from ....urbanmap_qgis.job.table_import import split_table
         from ....urbanmap_qgis.job.table_places import POLAR
+        from ....urbanmap_qgis.job.table_targets import TARGETS
 
         if self._busy or not Path(self.path.text()).is_file():
             return
@@ -181,7 +193,7 @@ class ImportDialog(QDialog):
             box = QComboBox()
             box.addItem("–", "")
             for needed in (*TARGETS[self.target.currentData()], *POLAR):
-                box.addItem(needed, needed)
+                box.addItem(tr(_COLUMN_NAMES[needed]) if needed in _COLUMN_NAMES else needed, needed)
             box.setCurrentIndex(max(box.findData(meant.get(column, "")), 0))
             box.currentIndexChanged.connect(lambda _row: self._show_place())
             self.table.setCellWidget(0, column, box)
@@ -192,6 +204,7 @@ class ImportDialog(QDialog):
 
     def _show_place(self) -> None:
         """Where the first latitude and longitude come to lie, with the fields that only such tables need."""
+        from ....urbanmap_qgis.job.table_guess import told_order
         from ....urbanmap_qgis.job.table_import import table_place
 
         if self._busy or not Path(self.path.text()).is_file():
@@ -201,15 +214,21 @@ class ImportDialog(QDialog):
                                (self.geoid, how.polar and how.heights == "ellipsoidal")):
             widget.setVisible(needed)
             self.form.labelForField(widget).setVisible(needed)
+        self.order.clear()
         try:
             place = table_place(self.path.text(), how)
+            self.order.setText(told_order(self.path.text(), how))
         except UrbanMapError as error:
             self.placed.setText(str(error))
             return
+        self.order.setVisible(bool(self.order.text()))
         self.placed.clear()
         if place is None:
             return
         crs, x, y = place
+        if not how.polar:
+            self.placed.setText(tr("First place: {0:.3f} m east, {1:.3f} m north.").format(x, y))
+            return
         if not how.crs:  # offered by its place; the user can choose another one
             self.crs.setCrs(QgsCoordinateReferenceSystem(crs))
             return
@@ -245,13 +264,16 @@ class ImportDialog(QDialog):
             self.open_file(path)
 
     def _fill_angles(self) -> None:
-        from ....urbanmap_qgis.job.table_import import ANGLE_WAYS
+        from ....urbanmap_qgis.job.table_targets import ANGLE_WAYS
         from ....urbanmap_qgis.mobile.trajectory_reading import ANGLE_NAMES, ANGLES
 
         names = dict(zip(ANGLES, ANGLE_NAMES))
         self.angles.clear()
-        for way in ANGLE_WAYS[self.target.currentData()]:
+        ways = ANGLE_WAYS[self.target.currentData()]
+        for way in ways:
             self.angles.addItem(tr(names.get(way, way)), way)
+        self.angles.setVisible(any(ways))
+        self.form.labelForField(self.angles).setVisible(any(ways))
 
     def _target_changed(self, *_ignored) -> None:
         if not self._busy:

@@ -23,7 +23,7 @@ from qgis.PyQt.QtCore import QObject, QTimer, pyqtSignal
 
 from ....urbanmap_qgis.errors import InputError
 from ..declaring.parameters import tr
-from ..jobs.job_steps import algorithm_of, filled_parameters
+from ..jobs.job_steps import algorithm_of, filled_parameters, short_id
 
 
 class StepFeedback(QgsProcessingFeedback):
@@ -208,7 +208,7 @@ class StepRunner(QObject):
         handleAlgorithmResults(self._algorithm, self._context, self._feedback, parameters=self._given)
         alike = sum(other.algorithm == step.algorithm for other in self.job.steps) > 1
         files = [str(results.get(one.name())) for one in self._algorithm.destinationParameterDefinitions()]
-        arrange_layers(set(QgsProject.instance().mapLayers()) - before, step.id if alike else "", files)
+        arrange_layers(set(QgsProject.instance().mapLayers()) - before, short_id(step.id) if alike else "", files)
         self.job = self.job.with_step(done_step(step, self._asked, results, seconds))
         self._next()
 

@@ -16,7 +16,7 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ..declaring.parameters import tr
-from ..jobs.job_steps import algorithm_of
+from ..jobs.job_steps import algorithm_of, short_id
 from .step_runner import StepRunner
 
 _STEP = Qt.ItemDataRole.UserRole
@@ -87,7 +87,7 @@ class StepsPanel(QWidget):
         for number, step in enumerate(steps, 1):
             title = algorithm_of(step.algorithm).displayName()
             if sum(other.algorithm == step.algorithm for other in steps) > 1:
-                title = f"{title} ({step.id})"
+                title = f"{title} ({short_id(step.id)})"
             state = tr("running") if step.id == self.runner.current else state_name(step.state)
             text = told_of(step)
             row = QTreeWidgetItem(self.tree, [f"{number}. {title}", state, text])

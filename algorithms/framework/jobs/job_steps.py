@@ -17,6 +17,12 @@ from ..declaring.parameters import tr
 _DESTINATIONS = ("sink", "rasterDestination", "fileDestination")
 
 
+def short_id(identifier: str) -> str:
+    """What tells a step from others of its algorithm: the survey's number, "2" of "survey_2", else the id."""
+    number = identifier.rpartition("_")[2]
+    return number if number.isdigit() else identifier
+
+
 def algorithm_of(identifier: str) -> QgsProcessingAlgorithm:
     """An algorithm of the provider by its id.
 

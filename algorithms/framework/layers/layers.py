@@ -153,6 +153,15 @@ def read_source(source: QgsProcessingFeatureSource, label: str, progress: Progre
     return VectorTable(label, source.sourceCrs(), np.array(ids, np.int64), geometries, fields, columns)
 
 
+def table_of_columns(columns: Mapping[str, list], label: str) -> VectorTable:
+    """A table without places, from named columns of text."""
+    import numpy as np
+
+    count = max(map(len, columns.values()), default=0)
+    return VectorTable(label, QgsCoordinateReferenceSystem(), np.arange(count), np.full(count, None, dtype=object),
+                       make_fields(*((name, "text") for name in columns)), columns)
+
+
 def read_polygon_source(source: QgsProcessingFeatureSource, label: str, progress: Progress = SILENT,
                         extent: tuple[float, float, float, float] | None = None, target_wkt: str = "") -> VectorTable:
     """Read polygons in a projected CRS in metres; those in another than `target_wkt`, where given, are taken into it.

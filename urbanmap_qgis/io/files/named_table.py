@@ -7,15 +7,18 @@ compared without case, blanks, marks and the unit in brackets, full-width letter
 from __future__ import annotations
 
 import csv
+import os
 import re
 import unicodedata
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from pathlib import Path
 
 import numpy as np
 
 from ...errors import InputError, PreviewNeeded
 from ...wording import say
 from .columns import LATITUDE, LONGITUDE
+from .guard import read_text
 from .plan_axes import NamedAxis, named_axes, order_of_numbers, stated_order
 
 DELIMITERS = ",;\t "
@@ -169,6 +172,19 @@ def named_rows(text: str, needed: Sequence[str], aliases: Mapping[str, str], nam
     cells = (cell for line in lines[at + 1:at + 1 + units] for cell in line.split())
     _check_units([*header, *cells], name, stated_units)
     return header, rows[units:], delimiter
+
+
+def table_columns(path: str | os.PathLike, needed: Sequence[str], aliases: Mapping[str, str],
+                  what: str) -> dict[str, list[str | None]]:
+    """The columns of a table of text by name, as `named_rows` finds them; None where a row is too short.
+
+    Raises
+    ------
+    InputError : it is no text, or a unit is stated that is not read; `what` it was read as.
+    """
+    name = Path(path).name
+    header, rows, _ = named_rows(read_text(path, what), needed, aliases, name)
+    return {key: [row[place] if place < len(row) else None for row in rows] for place, key in enumerate(header) if key}
 
 
 def _rows(lines: Sequence[str], delimiter: str, width: int) -> list[list[str]]:

@@ -1,7 +1,7 @@
 """X and Y in tables with Japanese names: in the plane rectangular system X counts north, in most programs east.
 
-Which it is is taken from the names ("X座標(北)", "平面直角X"), or from numbers that only one order explains; where neither
-tells, the reader asks what else it knows (a vehicle's headings), and then the table is left to the user and its preview.
+Which it is, the names tell ("X座標(北)", "平面直角X"), or numbers that only one order explains; where neither does, the
+reader asks what else it knows (a vehicle's headings), and then the table is left to the user and its preview.
 """
 
 from __future__ import annotations

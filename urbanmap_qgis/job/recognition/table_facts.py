@@ -18,7 +18,7 @@ import numpy as np
 from ...aerial.frames.exterior_files import read_exterior
 from ...aerial.orientation.cloud_points import read_cloud_points
 from ...aerial.orientation.image_points import read_image_points
-from ...errors import InputError, UrbanMapError
+from ...errors import InputError, PreviewNeeded, UrbanMapError
 from ...io.conversion.reprojection import epsg_wkt
 from ...io.files.guard import read_text
 from ...io.files.named_table import WRITTEN_NUMBER, plain_name
@@ -44,6 +44,7 @@ from ..file_facts import (
     TRAJECTORY,
     FileFacts,
 )
+from ..table_guess import guessed_target, missing_columns
 
 WHOLE_BYTES = 4_000_000
 """Tables up to this size are read whole; of longer ones rows from all over them."""
@@ -60,6 +61,8 @@ _SIGNATURES = {
     EXTERIOR: {"image", "x", "y", "z", "omega", "phi", "kappa"}, SCANS: {"time", "angle", "range"}}
 """Columns by which a table that its reader refuses is told all the same."""
 
+_KIND_OF_TARGET = {"trajectory": TRAJECTORY, "exterior": EXTERIOR, "poses": IMAGE_POSES, "control": CONTROL,
+                   "als_control": CLOUD_CONTROL, "frame_control": FRAME_CONTROL, "ties": TIE_POINTS}
 
 
 def _pose_facts(path: Path, sample: Path) -> FileFacts:
@@ -129,18 +132,31 @@ def table_facts(path: Path, head: bytes, packed: bool = False) -> list[FileFacts
         return [FileFacts(path, OTHER)]
     with tempfile.TemporaryDirectory() as folder:
         sample = _sample(path, head, Path(folder))
-        refusals = {}
+        refusals, previewed = {}, ""
         for kind, facts in _TRIED:
             try:
                 return [facts(path, sample)]
             except UrbanMapError as error:
                 refusals[kind] = str(error)
+                previewed = previewed or (str(error) if isinstance(error, PreviewNeeded) else "")
+        if previewed:
+            return [_to_preview(path, sample, previewed)]
         names = _names_in(head)
         near = [kind for kind, signature in _SIGNATURES.items() if signature <= names]
         if near:
             best = max(near, key=lambda kind: len(_SIGNATURES[kind]))
             return [FileFacts(path, best, problem=refusals[best])]
         return [_other_table(path, sample, names)]
+
+
+def _to_preview(path: Path, sample: Path, sentence: str) -> FileFacts:
+    """A table that only its user can tell how to read, with the sentence that says so."""
+    how = guessed_target(sample)
+    if missing_columns(how):
+        return FileFacts(path, TABLE)
+    if how.target == "als_control" and not {"role", "x_als"} & set(how.columns):  # a list of places may be anything
+        return FileFacts(path, TABLE, notes=(sentence,))
+    return FileFacts(path, _KIND_OF_TARGET[how.target], problem=sentence)
 
 
 def _sample(path: Path, head: bytes, folder: Path) -> Path:

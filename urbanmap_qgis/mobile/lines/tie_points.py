@@ -17,7 +17,7 @@ import shapely
 from ...errors import InputError
 from ...io.files.columns import aliases_of, names_of
 from ...io.files.guard import read_text, reads
-from ...io.files.named_table import known_columns, named_rows, number_table
+from ...io.files.named_table import known_columns, named_rows, number_table, table_columns
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..gps_time import shift_between
@@ -78,6 +78,16 @@ def read_tie_points(path: str | os.PathLike) -> TiePoints:
         raise InputError(say("{path}: not every row has as many values as the header; the file may be cut off.",
                              path=path.name))
     return tie_points_from_columns(dict(zip(header, zip(*rows))) if rows else dict.fromkeys(header, ()), path.name)
+
+
+def tie_columns(path: str | os.PathLike) -> dict[str, list[str | None]]:
+    """The columns of a table of tie points (CSV), by the names that they have there.
+
+    Raises
+    ------
+    InputError : it is no text.
+    """
+    return table_columns(path, COLUMNS, _ALIASES, "tie points (CSV)")
 
 
 def tie_points_from_columns(columns: Mapping[str, Sequence], name: str = "The tie points") -> TiePoints:
