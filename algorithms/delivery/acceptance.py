@@ -45,7 +45,7 @@ class Acceptance(EdgeRuns, UrbanMapAlgorithm):
         return super().flags() | self.Flag.FlagNoThreading
 
     def declare(self):
-        self.add_vector("INPUT", "Check points", "The residuals of “Check accuracy at control points”, or a table or "
+        self.add_table("INPUT", "Check points", "The residuals of “Check accuracy at control points”, or a table or "
                         "layer with x, y, z (true, metres) and x_product, y_product, z_product; id, and role (check or "
                         "adjusted), where there are such columns; or the table of edges with x, y, z filled in. "
                         "Without check points nothing is judged.", optional=True)

@@ -13,6 +13,7 @@ from qgis.core import (
     QgsProcessingException,
     QgsProcessingFeedback,
     QgsProcessingUtils,
+    QgsVectorLayer,
 )
 from qgis.PyQt.QtGui import QIcon
 
@@ -165,7 +166,7 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
             parameters = with_words(parameters, self.parameterDefinitions())
         except InputError as error:
             return False, str(error)
-        accepted, message = super().checkParameterValues(parameters, context)
+        accepted, message = super().checkParameterValues({**parameters, **self._stand_ins(parameters)}, context)
         if not accepted:
             return accepted, message
         message = self._packages_missing()
@@ -176,6 +177,11 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         except UrbanMapError as error:
             return False, str(error)
         return True, ""
+
+    def _stand_ins(self, parameters: Mapping) -> dict[str, QgsVectorLayer]:
+        """Empty tables for those of text that the core reads: QGIS would refuse what it cannot open itself."""
+        return {name: QgsVectorLayer("NoGeometry?field=id:string", name, "memory") for name in self.table_names()
+                if text_table(parameters, name)}
 
     def processAlgorithm(self, parameters, context, feedback):
         with at_work(feedback):
@@ -403,8 +409,8 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
 
         QGIS reads UTF-8 alone, and no lines before the names.
         """
-        text = str(parameters.get(name) or "")
-        if Path(text).suffix.lower() not in TEXT_TABLES or not Path(text).is_file():
+        text = text_table(parameters, name)
+        if not text:
             return self.read_vector(parameters, name, context, progress)
         return layers.table_of_columns(columns_of(text), Path(text).name)
 
@@ -477,6 +483,13 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
             raise InputError(tr("{0}: {1} cannot be opened as a vector layer; check the file and the layer name.")
                              .format(self.label_of(name), parameters.get(name)))
         return source
+
+
+def text_table(parameters: Mapping, name: str) -> str:
+    """The file of text that a parameter names, "" for a layer or none."""
+    text = parameters.get(name)
+    found = isinstance(text, str) and Path(text).suffix.lower() in TEXT_TABLES and Path(text).is_file()
+    return text if found else ""
 
 
 def _is_optional(definition) -> bool:

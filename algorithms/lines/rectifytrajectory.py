@@ -37,7 +37,7 @@ class RectifyTrajectory(UrbanMapAlgorithm):
     def declare(self):
         self.add_trajectory(help="The reported trajectory: CSV time,x,y,z,roll,pitch,heading (GPS seconds, metres, "
                             "degrees), Applanix SBET, or a point layer with these fields.")
-        self.add_vector("TIE_POINTS", "Tie points", "CSV or layer with set,time,x_mms,y_mms,x_ref,y_ref: name of the "
+        self.add_table("TIE_POINTS", "Tie points", "CSV or layer with set,time,x_mms,y_mms,x_ref,y_ref: name of the "
                         "set, when the survey measured the place (s), where it lies in the survey and in the reference "
                         "(m). In a line layer with set and time each line may run from survey to reference instead.")
         self.add_raster("GROUND", "Ground", "Heights of the ground, or a surface, along the course: then heights are "
@@ -119,9 +119,9 @@ class RectifyTrajectory(UrbanMapAlgorithm):
 
     def _tie_points(self, parameters, context, progress):
         """The layer's table and the core's tie points."""
-        from ...urbanmap_qgis.mobile.lines.tie_points import tie_columns, tie_points_from_columns
+        from ...urbanmap_qgis.mobile.lines.tie_points import tie_point_columns, tie_points_from_columns
 
-        table = self.read_table(parameters, "TIE_POINTS", context, tie_columns, progress)
+        table = self.read_table(parameters, "TIE_POINTS", context, tie_point_columns, progress)
         columns = dict(table.columns)
         drawn = any(line is not None for line in table.geometries)
         if drawn and not {"x_mms", "x_ref"} & {name.lower() for name in columns}:

@@ -13,7 +13,7 @@ CRS_HELP = ("Coordinate reference system of the control points, where their laye
 
 def add_control(algorithm, optional: bool = False) -> None:
     """Declare CONTROL and CRS."""
-    algorithm.add_vector("CONTROL", "Control points", HELP, optional)
+    algorithm.add_table("CONTROL", "Control points", HELP, optional)
     algorithm.add_crs("CRS", "Coordinate reference system", CRS_HELP, optional=True, advanced=True)
 
 

@@ -67,6 +67,18 @@ def test_accuracy_before_and_after(run, survey, read_layer, tmp_path):
     assert layer.crs().authid() == "EPSG:6677" and layer.renderer().type() == "RuleRenderer"
 
 
+def test_a_table_as_a_japanese_spreadsheet_saves_it_is_read(run, survey, tmp_path):
+    """Code page 932, a head, X as the northing: QGIS itself opens no such table."""
+    rows = [line.split(",") for line in (tmp_path / "control.csv").read_text(encoding="utf-8").splitlines()[1:]]
+    rows = [[i, y, x, z, t, y_mms, x_mms, z_mms, "検証点"] for i, x, y, z, t, x_mms, y_mms, z_mms in rows]
+    path = tmp_path / "成果　表.csv"
+    text = ["検証点成果表", "", "点名,X座標(北),Y座標(東),標高,時刻,計測X,計測Y,計測標高,区分", *map(",".join, rows)]
+    path.write_bytes("\r\n".join(text).encode("cp932"))
+    found = run("urbanmap:checkaccuracy", given(survey, "TRAJECTORY", CONTROL=str(path), CRS="EPSG:6677",
+                                                OUTPUT=str(tmp_path / "out.gpkg")))
+    assert found["MEAN_2D"] == pytest.approx(0.6, abs=1e-3) and found["POINTS_USED"] == 9
+
+
 def test_landmark_update_meets_the_control_points(run, survey, tmp_path):
     result = run("urbanmap:landmarkupdate", given(survey, "CONTROL", "TRAJECTORY", OUTPUT=str(tmp_path / "new.csv")))
     assert result["POINTS_USED"] == 9

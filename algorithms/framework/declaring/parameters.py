@@ -110,6 +110,12 @@ class Declarations:
             self._output_helps: dict[str, str] = {}
         return self._output_helps
 
+    def table_names(self) -> set[str]:
+        """Names of the parameters that take tables of text as well as layers."""
+        if not hasattr(self, "_table_names"):
+            self._table_names: set[str] = set()
+        return self._table_names
+
     def points_names(self) -> set[str]:
         """Names of the parameters that take point cloud files."""
         if not hasattr(self, "_points_names"):
@@ -160,6 +166,11 @@ class Declarations:
         """A vector layer or table of any kind, or of one `QgsProcessing.SourceType`; read with `read_vector`."""
         return self.declare_parameter(QgsProcessingParameterFeatureSource(
             name, tr(label), [source_type], None, optional), help)
+
+    def add_table(self, name: str, label: str, help: str, optional: bool = False):
+        """A layer or table, which may be a file of text as spreadsheets save it; read with `read_table`."""
+        self.table_names().add(name)
+        return self.add_vector(name, label, help, optional)
 
     def add_field(self, name: str, label: str, help: str, parent: str, default: str | None = None,
                   optional: bool = True, advanced: bool = False):
@@ -289,6 +300,8 @@ class Declarations:
             # its address for it.
             definition = type(definition)(definition)
             definition.setName(name)
+            if original in owner.table_names():
+                self.table_names().add(name)
             if label:
                 definition.setDescription(tr(label) + "".join(UNIT.findall(definition.description())))
             if help:

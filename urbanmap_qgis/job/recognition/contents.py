@@ -24,7 +24,8 @@ from .cloud_facts import cloud_facts
 from .gnss_facts import gnss_facts, is_gnss
 from .json_facts import json_facts
 from .raster_facts import is_raster, raster_facts
-from .table_facts import is_sbet, parquet_facts, sbet_facts, table_facts
+from .sbet_facts import is_sbet, sbet_facts
+from .table_facts import parquet_facts, table_facts
 from .vector_facts import geopackage_facts, shapefile_facts
 from .xml_facts import xml_facts, zip_facts
 

@@ -1,4 +1,4 @@
-"""Tables of text, and SBET: each of the project's readers is tried on a sample of rows, until one takes it.
+"""Tables of text: each of the project's readers is tried on a sample of rows, until one takes it.
 
 So a table counts as what it is read as later, with all the spellings of columns, delimiters and encodings that its
 reader knows.
@@ -19,15 +19,13 @@ from ...aerial.frames.exterior_files import read_exterior
 from ...aerial.orientation.cloud_points import read_cloud_points
 from ...aerial.orientation.image_points import read_image_points
 from ...errors import InputError, PreviewNeeded, UrbanMapError
-from ...io.conversion.reprojection import epsg_wkt
 from ...io.files.guard import read_text
 from ...io.files.named_table import WRITTEN_NUMBER, plain_name
 from ...mobile.control import read_control
-from ...mobile.gps_time import WEEK
 from ...mobile.image_poses import read_image_poses
 from ...mobile.lines.range_scans import read_scans
 from ...mobile.lines.tie_points import read_tie_points
-from ...mobile.trajectory_files import SBET_SUFFIXES, read_trajectory
+from ...mobile.trajectory_files import read_trajectory
 from ...wording import say
 from ..file_facts import (
     CLOUD_CONTROL,
@@ -50,8 +48,6 @@ WHOLE_BYTES = 4_000_000
 """Tables up to this size are read whole; of longer ones rows from all over them."""
 
 _BLOCKS, _BLOCK_BYTES = 64, 4096
-_SBET_BYTES = 136
-_WGS84 = 4326
 _MOST_HEAD = 60
 _SIGNATURES = {
     TRAJECTORY: {"time", "x", "y", "z", "roll", "pitch", "heading"},
@@ -206,36 +202,6 @@ def _other_table(path: Path, sample: Path, names: set[str]) -> FileFacts:
     with_numbers = [row for row in cells[1:_MOST_HEAD] if any(WRITTEN_NUMBER.match(cell) for cell in row)]
     counted = len(with_numbers) > 0.5 * len(widths) - 1
     return FileFacts(path, TABLE if delimiter and alike and counted else OTHER)
-
-
-def is_sbet(path: Path, head: bytes) -> bool:
-    """Whether a file holds records of an Applanix SBET: times that rise, latitudes and longitudes in radians."""
-    if path.stat().st_size < 2 * _SBET_BYTES or b"\0" not in head:
-        return False
-    records = np.frombuffer(head[:len(head) // _SBET_BYTES * _SBET_BYTES], "<f8").reshape(-1, 17)
-    return bool(np.isfinite(records).all() and (np.diff(records[:, 0]) > 0).all() and (records[:, 0] >= 0).all()
-                and (np.abs(records[:, 1]) < 1.6).all() and (np.abs(records[:, 2]) < 3.2).all()
-                and (np.abs(records[:, 3]) < 2e4).all() and (np.ptp(records[:, 0]) < WEEK))
-
-
-def sbet_facts(path: Path, _head: bytes) -> list[FileFacts]:
-    """What an SBET file is.
-
-    Raises
-    ------
-    InputError : it is cut off within a record.
-    """
-    if path.stat().st_size % _SBET_BYTES:
-        raise InputError(say("{path} is no SBET file or is cut off: its length is no multiple of {itemsize} bytes.",
-                             path=path.name, itemsize=_SBET_BYTES))
-    records = np.memmap(path, "<f8", "r").reshape(-1, 17)
-    some = records[:: max(len(records) // 1000, 1)]
-    places = np.degrees(some[:, [2, 1]])
-    notes = () if path.suffix.lower() in SBET_SUFFIXES else (say(
-        "{name} holds an SBET: let its name end in .out or .sbet, by which it is read.", name=path.name),)
-    return [FileFacts(path, TRAJECTORY, detail="SBET", crs_wkt=epsg_wkt(_WGS84), heights="ellipsoidal",
-                      extent=_box(places), times=(float(records[0, 0]), float(records[-1, 0])), count=len(records),
-                      notes=notes)]
 
 
 def parquet_facts(path: Path, _head: bytes) -> list[FileFacts]:

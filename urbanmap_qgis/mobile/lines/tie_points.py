@@ -80,7 +80,7 @@ def read_tie_points(path: str | os.PathLike) -> TiePoints:
     return tie_points_from_columns(dict(zip(header, zip(*rows))) if rows else dict.fromkeys(header, ()), path.name)
 
 
-def tie_columns(path: str | os.PathLike) -> dict[str, list[str | None]]:
+def tie_point_columns(path: str | os.PathLike) -> dict[str, list[str | None]]:
     """The columns of a table of tie points (CSV), by the names that they have there.
 
     Raises
