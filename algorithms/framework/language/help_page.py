@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from html import escape
+from functools import partial
+from html import escape as html_escape
 from pathlib import Path
 
 from qgis.core import QgsApplication
@@ -25,6 +26,9 @@ TUTORIALS = {"buildingsfromals": "tutorial_buildings.html", "aerialmarkings": "t
              "georeferencemms": "tutorial_survey.html", "checkaccuracy": "tutorial_survey.html",
              "lanemap": "tutorial_lanemap.html"}
 """Tutorial that leads through an algorithm, on the website."""
+
+escape = partial(html_escape, quote=False)
+"""Between tags: quotes stay as they are, since `qgis_process help` shows the text without reading it as HTML."""
 
 PICTURES = {
     "samplecity": "sample_city.jpg", "buildingmodels": "models_city.jpg", "buildingsfromals": "models_sloped.jpg",
