@@ -145,7 +145,7 @@ class RegisterMms(UrbanMapAlgorithm):
         """The core's settings."""
         from ...urbanmap_qgis.mobile.markings.extraction import ExtractionSettings
         from ...urbanmap_qgis.mobile.markings.plain_threshold import PlainThreshold
-        from ...urbanmap_qgis.mobile.registration.correction.adjustment import CorrectionSettings
+        from ...urbanmap_qgis.mobile.registration.correction.settings import CorrectionSettings
         from ...urbanmap_qgis.mobile.registration.records import RegistrationSettings
         from ...urbanmap_qgis.mobile.registration.run import RegistrationRun
 

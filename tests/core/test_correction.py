@@ -9,14 +9,12 @@ import pytest
 
 from tests.core.simulated_windows import shifted, simulate
 from urbanmap_qgis.errors import InsufficientDataError
-from urbanmap_qgis.mobile.registration.correction.adjustment import (
-    CorrectionSettings,
-    adjust_correction,
-    correct_trajectory,
-)
+from urbanmap_qgis.mobile.registration.correction.adjustment import adjust_correction
 from urbanmap_qgis.mobile.registration.correction.error_model import AttitudeError
 from urbanmap_qgis.mobile.registration.correction.gauss_markov import GaussMarkovDrift, path_parameters_of
+from urbanmap_qgis.mobile.registration.correction.patch_corrections import correct_trajectory
 from urbanmap_qgis.mobile.registration.correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED
+from urbanmap_qgis.mobile.registration.correction.settings import CorrectionSettings
 from urbanmap_qgis.mobile.registration.matching.block_chain import solve_chain
 from urbanmap_qgis.mobile.registration.records import NO_MARKINGS
 

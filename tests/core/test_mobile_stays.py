@@ -21,7 +21,7 @@ from urbanmap_qgis.mobile.markings.curve_report import doubts, facts_of, write_c
 from urbanmap_qgis.mobile.markings.extraction import ExtractionSettings
 from urbanmap_qgis.mobile.markings.markings_file import markings_to_file
 from urbanmap_qgis.mobile.pose_correction import correction_between
-from urbanmap_qgis.mobile.registration.correction.adjustment import CorrectionSettings
+from urbanmap_qgis.mobile.registration.correction.settings import CorrectionSettings
 from urbanmap_qgis.mobile.registration.records import RegistrationSettings
 from urbanmap_qgis.mobile.registration.registered_survey import patch_table, unregistered_sections
 from urbanmap_qgis.mobile.registration.report import write_registration_report

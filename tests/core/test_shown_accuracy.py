@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from urbanmap_qgis.mobile.registration.correction.shown_accuracy import shown_factor, with_shown_pitch
+from urbanmap_qgis.mobile.registration.correction.patch_corrections import shown_factor, with_shown_pitch
 
 
 @pytest.mark.parametrize("true", [0.5, 1.0, 2.0, 3.0])

@@ -10,7 +10,7 @@ from ...progress import Progress
 from ...wording import say
 from ..markings.records import MarkingPoints
 from ..trajectory import Trajectory
-from .correction.adjustment import Correction
+from .correction.patch_corrections import Correction
 from .correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED, STATUS_NAMES
 from .records import WindowResults
 

@@ -266,3 +266,16 @@ def smooth_between(nodes: np.ndarray, state: np.ndarray, path_parameter: np.ndar
     before, after = state[step], state[step + 1]
     return (before[:, :, 0] * (1 + 2 * t) * (1 - t) ** 2 + after[:, :, 0] * t**2 * (3 - 2 * t)
             + length * t * (1 - t) * (before[:, :, 1] * (1 - t) - after[:, :, 1] * t))
+
+
+@dataclass(frozen=True)
+class CorrectionCurve:
+    """The correction (m, 6) at path parameters (m,)."""
+
+    chain: NodeChain
+    state: np.ndarray
+
+    def __call__(self, path_parameter: np.ndarray) -> np.ndarray:
+        correction = np.zeros((len(path_parameter), 6))
+        correction[:, self.chain.normals.active] = smooth_between(self.chain.nodes, self.state, path_parameter)
+        return correction

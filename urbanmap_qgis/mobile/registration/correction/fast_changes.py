@@ -11,14 +11,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
 from .chain import NodeChain
-from .disagreements import Disagreements, NodeStep, step_tests
+from .disagreements import Disagreements, NodeStep, settle, step_tests
 from .error_model import PoseErrorModel
-from .robust_fit import Fit
+from .patch_status import MOST_SPAN
+from .robust_fit import Evaluate, Fit, adjusted_again, chain_likelihood
 from .second_witness import with_free_gaps
+from .settings import CorrectionSettings
 from .side_slip import SideSlip, with_denied_gaps
 from .slip_steps import with_slip_steps
 
@@ -103,6 +106,18 @@ def _change(chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.ndarr
     step = NodeStep(int(places[best] + first), change, np.eye(2), LIMITS.proof**2)
     return FastChange(int(part[0]), int(part[-1]) + 1, step, float(likelihoods[best] - reached(None, near.fast)),
                       float(likelihoods[best] - reached(None)))
+
+
+def with_steps(chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.ndarray, changes: list[FastChange],
+               slip: SideSlip, points: Evaluate | None, settings: CorrectionSettings) -> Disagreements:
+    """The adjustment with its steps found; those fast changes are suspects that are not spread over their stretch.
+
+    `allowed` : (k,) 0 to 1, how far the evidence at the nodes may be believed; `points` as in `adjust_correction`.
+    """
+    return settle(chain, fit, model, allowed,
+                  partial(adjusted_again, points=points, model=model, settings=settings),
+                  partial(chain_likelihood, model=model, settings=settings), MOST_SPAN, slip.denies,
+                  [change.step for change in changes if not change.spread])
 
 
 def by_slip(found: Disagreements, changes: Sequence[FastChange], model: PoseErrorModel,

@@ -12,8 +12,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ....wording import mark, say
-from .adjustment import Correction
 from .disagreements import CorrectionStep
+from .patch_corrections import Correction
 from .patch_status import BRIDGED, REGISTERED
 from .point_observations import PointObservations
 

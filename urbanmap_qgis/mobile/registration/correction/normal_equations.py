@@ -6,7 +6,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ....errors import InsufficientDataError
 from ....geometry.tolerances import LEAST_SQUARE
+from ....wording import say
 from ..records import WindowResults
 
 PLANE, SPACE = (0, 1, 5), (0, 1, 2, 3, 4, 5)
@@ -76,6 +78,10 @@ def normal_equations_of(windows: WindowResults, path_parameter: np.ndarray) -> N
     """The normal equations of windows' results at path parameters (n,): those of the patches' own points where given.
 
     Otherwise windows are rigid and share their points; each counts for its own patch, with its share of the points.
+
+    Raises
+    ------
+    InsufficientDataError : no window was registered.
     """
     active = SPACE if windows.three_d else PLANE
     pick = list(active)
@@ -88,6 +94,10 @@ def normal_equations_of(windows: WindowResults, path_parameter: np.ndarray) -> N
     information, gradient = _without_bends(information, gradient)
     information[~usable], gradient[~usable] = 0.0, 0.0
     present = usable & information.any(axis=(1, 2))
+    if not present.any():
+        raise InsufficientDataError(
+            say("No section of the survey could be registered to the reference markings: check that both show the "
+                "same streets in the same coordinate system, and that the survey has intensities that show paint."))
     return NormalEquations(active, path_parameter, place, gradient, information, present, windows.three_d)
 
 

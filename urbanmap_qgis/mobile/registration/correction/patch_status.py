@@ -7,7 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ....wording import say
+from ..records import WindowResults
 from .normal_equations import NormalEquations
+from .settings import CorrectionSettings
 
 REGISTERED, BRIDGED, DISTRUSTED = range(3)
 STATUS_NAMES = ("registered", "bridged", "not to be trusted")
@@ -82,6 +84,21 @@ def opposing_spread(residual: np.ndarray, opposed: np.ndarray) -> np.ndarray:
     """(n, 2, 2) m2 added where correction and window contradict each other: either may be right."""
     off = np.where(opposed[:, None], np.nan_to_num(residual), 0.0)
     return LIMITS.opposed_share**2 * off[:, :, None] * off[:, None, :]
+
+
+def only_own_mode_fits(windows: WindowResults, value: np.ndarray, covariance: np.ndarray,
+                        settings: CorrectionSettings) -> np.ndarray:
+    """Mask (n,) of patches of doubt whose own position lies where all sure ones say, and no other one does."""
+    inverse = np.linalg.inv(covariance[:, :2, :2] + np.eye(2) * settings.reference_sigma**2)
+
+    def away(place):
+        off = place - value[:, :2]
+        return np.einsum("ni,nij,nj->n", off, inverse, off)
+
+    others = [away(windows.modes[:, k]) for k in range(1, windows.modes.shape[1])]
+    nearest = np.min([np.where(np.isfinite(item), item, np.inf) for item in others], axis=0)
+    own_distance = away(windows.correction[:, :2])
+    return (own_distance < 9.0) & (nearest - own_distance > 2 * 3.0 * settings.min_margin)
 
 
 def evidence_spans(normals: NormalEquations, weight: np.ndarray, path_parameter: np.ndarray) -> np.ndarray:

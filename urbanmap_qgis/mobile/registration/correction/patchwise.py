@@ -13,8 +13,9 @@ from ....wording import say
 from ...trajectory import Trajectory, attitude_angles, rotations
 from ..records import AMBIGUOUS, NO_MARKINGS, NOT_CONVERGED, WEAK, WindowResults
 from ..start.patches import divide_path
-from .adjustment import Correction, CorrectionSettings
+from .patch_corrections import Correction
 from .patch_status import DISTRUSTED, REGISTERED, plan_sigma
+from .settings import CorrectionSettings
 
 _REASONS = {WEAK: "the markings of the window do not fix the position well",
             AMBIGUOUS: "another position of the markings fits as well or better",

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ....geometry.tolerances import LEAST_DIVISOR
-from ....progress import Progress
-from .chain import NodeChain
+from ....progress import SILENT, Progress
+from .chain import CorrectionCurve, NodeChain
 from .error_model import PoseErrorModel
 from .normal_equations import NormalEquations
 from .settings import CorrectionSettings
@@ -30,9 +31,15 @@ class RobustFitLimits:
     min_usual: float = 0.1  # reduced chi square of single pieces below which none is held against them
     min_noise: float = 0.3  # of the stated variance of the evidence, whatever the survey says
     min_blocks: int = 5  # from which the variance of the evidence can be told
+    searched: tuple[int, ...] = (1,)  # rounds on the points in which the size of the drift is looked for again
+    converged: float = 0.002  # m
 
 
 LIMITS = RobustFitLimits()
+
+Evaluate = Callable[[Callable[[np.ndarray], np.ndarray], float], NormalEquations]
+"""Normal equations about a correction curve (corrections (m, 6) at path parameters (m,)), the reference blurred by so
+many metres."""
 
 
 @dataclass(frozen=True)
@@ -163,3 +170,48 @@ def _block_shares(test: np.ndarray, noise: float, settings: CorrectionSettings) 
     test = np.nan_to_num(test, nan=0.0)
     share = np.minimum(1.0, settings.gross**2 / 6.0 / np.maximum(test, LEAST_DIVISOR))
     return np.where(test > settings.gross**2 / 2.0, 0.0, share), noise
+
+
+def onto_points(points: Evaluate, chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.ndarray,
+                settings: CorrectionSettings, progress: Progress, search: bool = True) -> tuple[NodeChain, Fit]:
+    """Gauss and Newton's method on the points' own normal equations, from the windows' correction.
+
+    With `search` the size of the drift is looked for; otherwise the model is taken as it is.
+    """
+    for number, blur in enumerate(settings.blurs):
+        progress.step(number / len(settings.blurs))
+        last, normals = fit.state, points(CorrectionCurve(chain, fit.state), blur)
+        chain = chain.with_normals(normals)
+        trusted = np.interp(normals.path_parameter, chain.nodes, allowed) > 0.5
+        if not (trusted & normals.present).any():
+            trusted = np.ones(len(trusted), bool)
+        if search and number in LIMITS.searched:
+            fit = robust_fit(chain, model, trusted.astype(float), settings, SILENT)
+        else:
+            likely = model.scaled(fit.drift_factor).with_heading(fit.heading_factor) if search else model
+            fit = replace(reweighted_fit(chain, likely, trusted.astype(float), settings)[0],
+                          drift_factor=fit.drift_factor, heading_factor=fit.heading_factor)
+        if blur == settings.blurs[-1] and np.abs(fit.state - last)[:, :2, 0].max() < LIMITS.converged:
+            break
+    return chain, fit
+
+
+def adjusted_again(chain: NodeChain, fit: Fit, allowed: np.ndarray, points: Evaluate | None, model: PoseErrorModel,
+                   settings: CorrectionSettings) -> tuple[NodeChain, Fit]:
+    """The adjustment of a chain that may jump elsewhere, its drift as found before."""
+    again = reweighted_fit(chain, model, _at_pieces(chain, allowed), settings)[0]
+    again = replace(again, drift_factor=fit.drift_factor, heading_factor=fit.heading_factor)
+    if points is None:
+        return chain, again
+    return onto_points(points, chain, again, model, allowed, settings, SILENT, search=False)
+
+
+def chain_likelihood(chain: NodeChain, allowed: np.ndarray, model: PoseErrorModel,
+                     settings: CorrectionSettings) -> float:
+    """Log-likelihood of a model of the drift with a chain's evidence."""
+    return reweighted_fit(chain, model, _at_pieces(chain, allowed), settings)[1]
+
+
+def _at_pieces(chain: NodeChain, allowed: np.ndarray) -> np.ndarray:
+    """(n,) 0 or 1, whether the evidence of the pieces may be believed, from the nodes (k,)."""
+    return (np.interp(chain.normals.path_parameter, chain.nodes, allowed) > 0.5).astype(float)

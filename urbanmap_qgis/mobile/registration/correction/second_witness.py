@@ -4,18 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Protocol
 
 import numpy as np
 
 from ....geometry.tolerances import LEAST_DIVISOR
 from ....wording import mark, say
-from .chain import NodeChain
-from .disagreements import CorrectionStep, Disagreements, NodeStep
+from ..records import WindowResults
+from .chain import CorrectionCurve, NodeChain
+from .disagreements import CorrectionStep, Disagreements, NodeStep, hidden_steps
 from .error_model import PoseErrorModel
 from .held_observations import HeldObservations
-from .patch_status import BRIDGED, REGISTERED
+from .patch_status import BRIDGED, MOST_SPAN, REGISTERED, evidence_spans, only_own_mode_fits
 from .robust_fit import Fit
+from .settings import CorrectionSettings
 
 AGAINST_WALLS = mark("markings and walls disagree")
 """Kind of a step: where a stretch begins in which the markings lie elsewhere than the walls want them."""
@@ -33,6 +36,7 @@ class SecondWitnessLimits:
     agreeing: float = 3.0
     agreeing_nodes: int = 10
     reach: float = 30.0  # m of path beyond a stretch that are told with it: walls and markings are seen so far ahead
+    rounds: int = 3  # in which the walls are matched anew
 
 
 LIMITS = SecondWitnessLimits()
@@ -194,3 +198,47 @@ def wall_shares(by_paint: np.ndarray, by_walls: np.ndarray) -> np.ndarray:
     """(n,) 0 to 1, share of the walls in what both know of a place in plan, information (n, 2, 2) each."""
     paint, walls = (np.einsum("nii->n", part) for part in (by_paint, by_walls))
     return walls / np.maximum(paint + walls, LEAST_DIVISOR)
+
+
+def where_walls_want_it(walls: Witness, chain: NodeChain, fit: Fit, model: PoseErrorModel, windows: WindowResults,
+                        at_patches: np.ndarray, settings: CorrectionSettings) -> np.ndarray:
+    """Mask (n,) of patches whose own position, and no other one of theirs, lies where the walls alone want it."""
+    model, curve = model.scaled(fit.drift_factor).with_heading(fit.heading_factor), CorrectionCurve(chain, fit.state)
+    walls = walls.fitted(chain, model, curve)
+    wall_observations = None if walls.course is None else walls.about(walls.course, chain.normals.active)
+    if wall_observations is None:
+        return np.zeros(len(windows), bool)
+    alone = walls.by_walls(chain.with_held(wall_observations), model)
+    node = np.searchsorted(0.5 * (chain.nodes[1:] + chain.nodes[:-1]), at_patches)
+    place = np.column_stack([np.interp(at_patches, chain.nodes, axis) for axis in alone.place.T])
+    return only_own_mode_fits(windows, place, alone.covariance[node], settings)
+
+
+def with_witness(walls: Witness, found: Disagreements, model: PoseErrorModel) -> tuple[Disagreements, WitnessConflict]:
+    """What was found with what the walls say of it: steps that break them, and where outlines want the survey."""
+    walls, none = walls.fitted(found.chain, model, CorrectionCurve(found.chain, found.fit.state)), WitnessConflict(())
+    wall_observations = None if walls.course is None else walls.about(walls.course, found.chain.normals.active)
+    if wall_observations is not None and not walls.alone:
+        found = without_astray(found, wall_observations, model, walls)
+    chain, fit = found.chain, found.fit
+    curve, marked = CorrectionCurve(chain, fit.state), walls.among(partial(_marked, chain, fit))
+    found = with_broken_walls(found, marked.jumps(curve))
+    if wall_observations is None:
+        return found, none
+    conflict = none if walls.alone else WitnessConflict(marked.stretches(curve))
+    if walls.alone:
+        silent = chain.unsoftened.softened(np.zeros(len(fit.weight)))
+        chain = chain.with_normals(replace(silent, present=np.zeros(len(fit.weight), bool)))
+    for _ in range(LIMITS.rounds):
+        chain = chain.with_held(wall_observations)
+        fit, eaves = settled_offset(chain, fit, model, fit.weight / fit.noise_factor)
+        walls = walls.with_eaves(eaves)
+        wall_observations = walls.about(CorrectionCurve(chain, fit.state), chain.normals.active)
+        if wall_observations is None:
+            break
+    return replace(found, chain=chain, fit=fit, hidden=hidden_steps(chain, model, fit, MOST_SPAN)), conflict
+
+
+def _marked(chain: NodeChain, fit: Fit, path_parameter: np.ndarray) -> np.ndarray:
+    """Mask (n,) of path parameters that markings hold: elsewhere walls contradict nothing but the drift's model."""
+    return evidence_spans(chain.normals, fit.weight, path_parameter) <= MOST_SPAN

@@ -1,0 +1,249 @@
+"""The correction at the patches: how accurate it is there, how it was found, and whether it is to be trusted."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from ....wording import say
+from ...trajectory import Trajectory, gaps, jumps
+from ..records import WindowResults
+from .chain import NodeChain, smooth_between
+from .disagreements import CorrectionStep, Disagreements, either_side, hidden_factor, with_disagreements
+from .error_model import PoseErrorModel
+from .gauss_markov import path_parameters_of
+from .patch_status import (
+    BRIDGED,
+    DISTRUSTED,
+    LEAST_MET,
+    MOST_SPAN,
+    REGISTERED,
+    contradicted,
+    evidence_spans,
+    opposing_spread,
+    own_information,
+    patch_statuses,
+    plan_sigma,
+    plan_sigma_of,
+)
+from .robust_fit import Fit
+from .second_witness import WitnessConflict, settled_offset, wall_shares, with_conflict
+from .settings import CorrectionSettings
+
+
+@dataclass(frozen=True)
+class PatchCorrectionLimits:
+    """Limits of the correction at the patches, each with its unit."""
+
+    around_step: float = 20.0  # m from a step within which quiet evidence is not believed
+    on_step: float = 10.0  # m from a step within which a patch counts as on it
+    step_support: float = 5.0  # m of path to either side whose markings must fix a patch on a step
+    # Of the stated variance in plan, whatever the survey says: by points, and by windows, which look quiet as they
+    # share theirs.
+    min_reported: float = 0.05
+    min_of_windows: float = 0.6
+    search_margin: float = 0.4  # m from the largest error looked for
+    search_share: float = 0.02  # of the patches that may be there
+    determined: float = 0.5  # of the stated variance: an angle that keeps less of it was measured
+
+
+LIMITS = PatchCorrectionLimits()
+
+_ROLL, _PITCH, _HEADING = 3, 4, 5
+
+
+@dataclass(frozen=True)
+class Correction:
+    """The correction along the path; what T_corrected has more than T_reported: place (m) and angles (degrees).
+
+    Attributes
+    ----------
+    time : (n,) s.
+    chainage : (n,) m, of the patches.
+    value : (n, 6) dx, dy, dz, droll, dpitch, dheading; 0 for what was not estimated.
+    covariance : (n, 6, 6), the reference's own error included; NaN for what was not estimated.
+    status : (n,) int8, REGISTERED, BRIDGED or DISTRUSTED.
+    reason : (n,) why it is not simply registered, or "".
+    weight : (n,) 0 to 1, of the patch's own evidence; NaN where it has none.
+    residual : (n, 6) the window's own correction less this one; NaN where there is none.
+    three_d : whether height, roll and pitch were estimated.
+    drift_factor : how many times as large as expected the drift is.
+    noise_factor : of the observations' variance.
+    heading_factor : how many times as large as stated the error of the heading was taken for, 1 as a rule.
+    steps : where reference and survey disagree, in the order driven.
+    walls : (n,) 0 to 1, share of the walls in what is known of the place in plan around; None where none were held.
+    """
+
+    time: np.ndarray
+    chainage: np.ndarray
+    value: np.ndarray
+    covariance: np.ndarray
+    status: np.ndarray
+    reason: np.ndarray
+    weight: np.ndarray
+    residual: np.ndarray
+    three_d: bool
+    drift_factor: float
+    noise_factor: float
+    heading_factor: float
+    _node_parameter: np.ndarray = field(repr=False)
+    _node_state: np.ndarray = field(repr=False)
+    _active: tuple[int, ...] = field(repr=False)
+    _time_weight: float = field(repr=False)
+    steps: tuple[CorrectionStep, ...] = ()
+    walls: np.ndarray | None = None
+
+    def __len__(self) -> int:
+        return len(self.time)
+
+    def sigma(self) -> np.ndarray:
+        """(n, 6) standard deviations, m and degrees."""
+        return np.sqrt(np.einsum("nii->ni", self.covariance))
+
+    def along(self, path_parameter: np.ndarray) -> np.ndarray:
+        """The correction (m, 6) at path parameters (m,)."""
+        change = np.zeros((len(path_parameter), 6))
+        change[:, self._active] = smooth_between(self._node_parameter, self._node_state, path_parameter)
+        return change
+
+    def plan_sigma(self) -> np.ndarray:
+        """(n,) standard deviation in the worst direction in plan, m."""
+        return plan_sigma(self.covariance)
+
+
+def correct_trajectory(trajectory: Trajectory, correction: Correction) -> Trajectory:
+    """The trajectory with the correction at all its epochs; before the first and after the last node it is rigid."""
+    path_parameter = path_parameters_of(trajectory, correction._time_weight)
+    change = correction.along(path_parameter)
+    return Trajectory(trajectory.time, trajectory.place + change[:, :3], trajectory.angles + change[:, 3:])
+
+
+def with_plan_noise(chain: NodeChain, fit: Fit, model: PoseErrorModel, on_points: bool) -> Fit:
+    """The fit with covariances in plan by the noise that the blocks' contradictions show."""
+    least = LIMITS.min_reported if on_points else LIMITS.min_of_windows
+    noise = np.where(chain.fast_near(chain.normals.path_parameter, LIMITS.around_step), max(fit.found_noise, 1.0),
+                     max(fit.found_noise, least))
+    quiet = (chain.solve(model, fit.weight / noise)[1] if chain.held is None
+             else settled_offset(chain, fit, model, fit.weight / noise)[0].covariance)
+    return replace(fit, covariance=_scaled_in_plan(chain, fit.covariance, quiet))
+
+
+def _scaled_in_plan(chain: NodeChain, covariance: np.ndarray, found: np.ndarray) -> np.ndarray:
+    """Covariances of the nodes with the variances east and north of others: heights and angles have noise of their own.
+
+    Parameters
+    ----------
+    covariance, found : (k, 2 d, 2 d) of (error, rate) of each parameter, in the chain's order.
+    """
+    size = np.ones(covariance.shape[:2])
+    east_north = slice(0, 2 * 2)
+    ratio = np.einsum("nii->ni", found) / np.einsum("nii->ni", covariance)
+    size[:, east_north] = np.sqrt(ratio[:, east_north])
+    return covariance * size[:, :, None] * size[:, None, :]
+
+
+def correction_at_patches(windows: WindowResults, found: Disagreements, at_patches: np.ndarray, doubtful: np.ndarray,
+                          settings: CorrectionSettings, conflict: WitnessConflict) -> Correction:
+    """The correction at the patches with its quality."""
+    chain, fit, n = found.chain, found.fit, len(windows)
+    normals = chain.normals
+    active = list(normals.active)
+    value, covariance = np.zeros((n, 6)), np.full((n, 6, 6), np.nan)
+    value[:, active], spread = chain.interpolate(fit.state, fit.covariance, at_patches)
+    floor = np.zeros(6)
+    floor[:2], floor[2] = settings.reference_sigma**2, settings.reference_sigma_z**2
+    covariance[np.ix_(range(n), active, active)] = spread + np.diag(floor[active])
+    piece = np.searchsorted(0.5 * (normals.path_parameter[1:] + normals.path_parameter[:-1]), at_patches)
+    weight = np.where(normals.present, fit.weight, np.nan)[piece]
+    residual = windows.correction - value
+    opposed = contradicted(residual[:, :2], covariance[:, :2, :2], windows.covariance[:, :2, :2], windows.usable)
+    covariance[:, :2, :2] += opposing_spread(residual[:, :2], opposed)
+    if windows.spread is not None:
+        covariance[doubtful, :2, :2] += windows.spread[doubtful]
+    covariance[:, :2, :2] *= hidden_factor(found.hidden, at_patches)[:, None, None]
+    beside, variance = either_side(found.two_sided, chain.nodes, at_patches)
+    covariance[:, :2, :2] += variance
+    against, either = conflict.mask_and_variance(windows.chainage)
+    covariance[:, :2, :2] += either
+    support = np.where(chain.fast_near(at_patches, LIMITS.on_step), LIMITS.step_support, settings.support_length)
+    by_paint = own_information(normals, fit.weight / fit.noise_factor, at_patches, support)
+    by_walls = chain.held.plan_information(at_patches, support) if chain.held else np.zeros_like(by_paint)
+    by_own_windows = plan_sigma_of(by_paint + by_walls)
+    status, reason = patch_statuses(by_own_windows, weight, plan_sigma(covariance), doubtful, settings.registered_sigma,
+                                    settings.trusted_sigma)
+    wide = evidence_spans(normals, fit.weight, at_patches) > MOST_SPAN
+    wide &= plan_sigma_of(by_walls) > settings.registered_sigma  # walls alone may fix the place
+    status, reason = _bridged(status, reason, wide, say("no markings just before or after the patch"))
+    if normals.met is not None:
+        few = normals.met[piece] < LEAST_MET
+        status, reason = _bridged(status, reason, few, say("few of the markings here are in the reference"))
+    status, reason = _bridged(status, reason, opposed, say("the window here contradicts the correction"))
+    status, reason = with_disagreements(status, reason, found, at_patches, beside)
+    status, reason = with_conflict(status, reason, against)
+    return Correction(windows.time, windows.chainage, value, covariance, status, reason, weight, residual,
+                      normals.three_d, fit.drift_factor, fit.noise_factor, fit.heading_factor, chain.nodes, fit.state,
+                      normals.active, settings.time_weight,
+                      walls=wall_shares(by_paint, by_walls) if chain.held else None)
+
+
+def _bridged(status: np.ndarray, reason: np.ndarray, mask: np.ndarray, why: str) -> tuple[np.ndarray, np.ndarray]:
+    """Statuses and reasons with registered patches of a mask (n,) bridged."""
+    changed = mask & (status == REGISTERED)
+    return np.where(changed, BRIDGED, status).astype(np.int8), np.where(changed, why, reason)
+
+
+def shown_factor(value: np.ndarray, covariance: np.ndarray, stated: np.ndarray) -> float:
+    """How many times as large as stated the errors of the measured angles are, 1 at least and where none was measured.
+
+    Parameters
+    ----------
+    value : (n,) degrees, corrections of one angle.
+    covariance : (n,) degrees2, their variances.
+    stated : (n,) degrees, standard deviations before.
+    """
+    measured = covariance < LIMITS.determined * stated**2
+    if not measured.any():
+        return 1.0
+    share = (value[measured] ** 2 + covariance[measured]) / stated[measured] ** 2
+    return max(1.0, float(np.sqrt(share.mean())))
+
+
+def with_shown_pitch(value: np.ndarray, covariance: np.ndarray, stated: np.ndarray,
+                     heading_factor: float) -> np.ndarray:
+    """Covariances (n, 6, 6), m and degrees, whose pitch is as accurate as roll and heading show the unit to be.
+
+    The points of a scanner lie in one line ahead of or behind the vehicle: the ground tells the roll, the markings tell
+    the heading, but the pitch mostly keeps what was reported, and with it the accuracy that was stated. One unit
+    measures all three: where roll or heading were off by more than stated, the pitch is taken for as much worse.
+
+    Parameters
+    ----------
+    value : (n, 6) corrections.
+    stated : (n, 3) degrees, of roll, pitch and heading before.
+    heading_factor : by which the heading was let loose: where over 1 it is a misaligned unit's, and shows nothing.
+    """
+    variance = np.einsum("nii->ni", covariance)
+    factors = [shown_factor(value[:, _ROLL], variance[:, _ROLL], stated[:, 0])]
+    if heading_factor == 1.0:
+        factors.append(shown_factor(value[:, _HEADING], variance[:, _HEADING], stated[:, 2]))
+    determined = variance[:, _PITCH] >= LIMITS.determined * stated[:, 1] ** 2
+    size = np.ones(covariance.shape[:2])
+    size[determined, _PITCH] = max(factors)
+    return covariance * size[:, :, None] * size[:, None, :]
+
+
+def with_distrusted(correction: Correction, trajectory: Trajectory, beyond: bool,
+                     settings: CorrectionSettings) -> Correction:
+    """The correction with patches distrusted where the trajectory is broken, or all of them beyond the search."""
+    status, reason = correction.status.copy(), correction.reason.copy()
+    for spans, extent, why in ((gaps(trajectory), 2 * settings.node_length, say("the trajectory has a gap here")),
+                              (jumps(trajectory), settings.support_length, say("the trajectory jumps here"))):
+        for start, end in spans:
+            ends = np.interp([start, end], correction.time, correction.chainage) + np.array([-extent, extent])
+            broken = (correction.chainage >= ends[0]) & (correction.chainage <= ends[1])
+            status[broken], reason[broken] = DISTRUSTED, why
+    reached = (np.abs(correction.value[:, :2]) > settings.search - LIMITS.search_margin).any(axis=1)
+    if beyond or reached.mean() > LIMITS.search_share:
+        status[:], reason[:] = DISTRUSTED, say("the correction reaches the largest error looked for")
+    return replace(correction, status=status, reason=reason)
