@@ -247,6 +247,14 @@ def test_worn_pieces_of_an_arrow_without_a_whole_head_are_an_arrow():
     assert area.heading == pytest.approx([np.cos(np.radians(23)), np.sin(np.radians(23))], abs=0.02)
 
 
+@pytest.mark.parametrize("length, half", [(2.6, 0.4), (2.8, 0.45), (2.6, 0.35)])
+def test_a_wedge_of_light_between_shadows_is_no_arrow(length, half):
+    lines = [shapely.box(-20, y - 0.075, 30, y + 0.075) for y in (-1.6, 1.6)]
+    wedge = shapely.Polygon([(0, -0.03), (0, 0.03), (0.9 * length, half), (length, 0.9 * half), (length, -0.8 * half),
+                             (0.92 * length, -half)])
+    assert not any(area.kind.startswith("arrow") for area in work_of([*lines, wedge]).areas)
+
+
 BROAD = {"straight": [(0.085, 0), (0.085, 3), (0.45, 3), (0, 5), (-0.45, 3), (-0.085, 3), (-0.085, 0)],
          "straight left": [(0.085, 0), (0.085, 3), (0.45, 3), (0, 5), (-0.45, 3), (-0.085, 3), (-0.085, 1.785),
                            (-0.455, 1.93), (-0.455, 2.44), (-1.15, 1.94), (-0.455, 0.94), (-0.455, 1.43), (-0.09, 1.24),

@@ -35,6 +35,9 @@ class SymbolsLimits:
     # place of that is there: where the paint is worn or hidden, so may be the head.
     most_branch: float = 0.05
     least_beside: float = 0.8
+    # So much of its shaft must be painted where the kind stays open: wedges of light between shadows have heads alone.
+    least_shaft: float = 0.6
+    head_margin: float = 0.05  # m about its heads, that is none of the shaft
     # Long and short side of what may be a diamond, m.
     diamond: tuple[tuple[float, ...], ...] = ((3.0, 6.5), (0.9, 2.2))
     # Long and short side of the worn pieces of an arrow together, how far apart and how large (m2) they may be, m.
@@ -208,6 +211,8 @@ def _symbol(place: np.ndarray, along: np.ndarray, wanted: str, tree: shapely.STR
     if not inside.any():
         return None
     kind, heading = _kind(fits, paint), _heading(fits, along)
+    if kind == UNKNOWN_ARROW and _shaft_share(best, paint) < LIMITS.least_shaft:
+        return None
     if kind == UNKNOWN_ARROW and best.kind != "arrow straight":
         heading = np.full(2, np.nan)  # the heads of a turn lie beside its shaft: told with its kind or not at all
     members = near[inside]
@@ -222,6 +227,16 @@ def _has_heads(match: PatternMatch, paint: Sequence[shapely.Geometry]) -> bool:
     painted = shapely.union_all(list(paint))
     shares = [flank.intersection(painted).area / flank.area for flank in match.flanks]
     return not shares or (min(shares) >= LIMITS.least_flank and float(np.mean(shares)) >= LIMITS.least_flanks)
+
+
+def _shaft_share(match: PatternMatch, paint: Sequence[shapely.Geometry]) -> float:
+    """Share of an arrow's shaft that is painted; 1 of a symbol without heads."""
+    sides = zip(match.flanks[::2], match.flanks[1::2])
+    heads = [shapely.convex_hull(shapely.union(one, other)) for one, other in sides]
+    shaft = shapely.difference(match.shape, shapely.buffer(shapely.union_all(heads), LIMITS.head_margin))
+    if not heads or shaft.is_empty:
+        return 1.0
+    return float(shapely.intersection(shaft, shapely.union_all(list(paint))).area / shaft.area)
 
 
 def _kind(fits: Sequence[PatternMatch], paint: Sequence[shapely.Geometry]) -> str:
