@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import laspy
 import numpy as np
 import pytest
 
@@ -179,3 +180,36 @@ def test_a_narrow_board_does_not_move_its_thin_post(tmp_path, aside, width):
     thing, = found.objects
     off = np.abs(placed(thing)[:2] - [15.0, 5.0])
     assert off.max() < 0.02 and (off < 3 * thing.sigma).all()
+
+
+@pytest.mark.parametrize("half, middle, width", [(-1.0, 5.0, 0.8), (1.0, 5.2, 0.4)],
+                         ids=["the half towards the drive", "the half away from it"])
+def test_what_its_post_hides_of_a_board_is_as_wide_as_what_shows(tmp_path, half, middle, width):
+    """Seen along its face a post hides the half behind it; a board that shows there alone reaches to that side."""
+    def sign(rng):
+        face = scene.board(rng, 14.95, 5.0, 2.4, 0.8, 0.6, 0.0)
+        return np.concatenate([scene.post(rng, 15.0, 5.0, 2.7, 0.08), face[half * (face[:, 1] - 5.0) > 0.0]])
+
+    thing, = found_of(tmp_path, sign).objects
+    assert np.abs(to_local(thing.board.centre[None], 0.0)[0] - [14.95, middle, 2.4]).max() < 0.06
+    assert thing.board.width == pytest.approx(width, abs=0.12)
+    assert (thing.kind, thing.status) == ("sign", "doubtful")
+
+
+def test_a_sign_behind_a_parked_car_where_no_ground_shows_is_found(tmp_path):
+    """The car hides the ground about the post; leaves over it are the lowest things there."""
+    def behind(rng):
+        whole = scene.sign(rng, 15.0, 6.5)
+        high = whole[whole[:, 2] > 0.9]
+        return np.concatenate([high,
+                               scene.leaves(rng, 15.5, 7.0, 6.6, 3.2, 40.0)])
+
+    trajectory = write_drive(tmp_path / "drive.las", FLAT, more=behind)
+    cloud = laspy.read(tmp_path / "drive.las")
+    place = to_local(np.column_stack([cloud.x, cloud.y, cloud.z]), 0.0)
+    hidden = (np.abs(place[:, 0] - 15.5) < 2.8) & (place[:, 1] > 3.5) & (place[:, 2] < 0.85)
+    cloud.points = cloud.points[~hidden]
+    cloud.write(tmp_path / "drive.las")
+    things = street_objects([tmp_path / "drive.las"], trajectory, SETTINGS).objects
+    sign, = [thing for thing in things if thing.kind == "sign"]
+    assert np.abs(placed(sign)[:2] - [15.0, 6.5]).max() < 0.05 and abs(placed(sign)[2] + 0.065) < 0.1

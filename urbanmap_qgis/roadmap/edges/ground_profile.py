@@ -20,6 +20,8 @@ class GroundProfileLimits:
 
     # Cells; what is narrower in some direction and rises above the ground stands on it: vehicles, rails, walls.
     widest: int = 7
+    shadow: int = 17
+    rise: float = 0.6  # m; retaining walls and steps of terraces are wider plateaus, or lower
     # m below and above the ground within which points may belong to it or to a kerb.
     near_below: float = 0.3
     near_above: float = 0.4
@@ -35,10 +37,12 @@ LIMITS = GroundProfileLimits()
 Heights = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
 
-def above_ground(points: np.ndarray, ground: Heights | None = None) -> np.ndarray:
+def above_ground(points: np.ndarray, ground: Heights | None = None, shaded: bool = False) -> np.ndarray:
     """Heights (n,), m, of points (`POINT`) above the ground; NaN where `ground` knows none.
 
     `ground` : heights at places x, y; without it the ground is found among the points.
+    `shaded` : whether what stands behind parked vehicles counts, where no point lies on the ground: what rises above
+    all around it by more than `rise` is none, then, up to `shadow` cells wide.
     """
     if not set(POINT.names) <= set(points.dtype.names or ()):
         raise TypeError(f"points are {points.dtype}, without the fields of POINT")
@@ -50,6 +54,9 @@ def above_ground(points: np.ndarray, ground: Heights | None = None) -> np.ndarra
     known = np.isfinite(low)
     nearest = distance_transform_edt(~known, return_distances=False, return_indices=True)
     surface = grey_opening(low[tuple(nearest)], LIMITS.widest, mode="nearest")
+    if shaded:
+        around = grey_opening(surface, LIMITS.shadow, mode="nearest")
+        surface = np.where(surface - around > LIMITS.rise, around, surface)
     return points["z"] - _smooth_at(surface, points, cell)
 
 

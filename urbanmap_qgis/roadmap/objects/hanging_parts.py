@@ -34,9 +34,10 @@ class HangingPartsLimits:
     board: tuple[float, float] = (0.25, 3.0)  # m, sides of a board
     wide: float = 0.15  # m that a board reaches beyond the stem's surface
     board_points: int = 12
-    beside_post: float = 0.12  # m between an edge of a board and the axis of its post, where the post may hide the rest
+    beside_post: float = 0.08  # m between an edge of a board and the face of its post, where the post may hide the rest
     trunk: float = 0.2  # m, from which a stem in leaves may be a trunk
     fixed: float = 0.2  # m from its axis, within which the middle of a board on it lies
+    shade: float = 0.12  # m from its face, that a post reaches behind a board
     arm: float = 0.4  # m, shortest arm
     flat: float = 0.9  # m, height over which an arm's points spread, with its head
 
@@ -163,7 +164,7 @@ def _board(place: np.ndarray, beyond: np.ndarray, up: np.ndarray, axis: StemAxis
         middle = place[near].mean(axis=0)
     if np.sqrt(max(spread[0], 0.0)) > LIMITS.thick or abs(normal[2]) > LIMITS.upright:
         return None
-    return _outlined(place[near], normal, axis.plan_at(middle[2]), seen_from)
+    return _outlined(place[near], normal, axis, seen_from)
 
 
 def _board_in_crown(place: np.ndarray, axis: StemAxis, seen_from: np.ndarray) -> Board | None:
@@ -171,7 +172,7 @@ def _board_in_crown(place: np.ndarray, axis: StemAxis, seen_from: np.ndarray) ->
     face = face_in_crown(place, axis)
     if face is None:
         return None
-    board = _outlined(place[face[0]], face[1], axis.plan_at(place[face[0], 2].mean()), seen_from)
+    board = _outlined(place[face[0]], face[1], axis, seen_from)
     # What is as thick as a trunk is the post of a board only where that is fixed on it, not where a sign stands by.
     aside = 0.0 if board is None else np.hypot(*(board.centre[:2] - axis.plan_at(board.centre[2])))
     return board if axis.diameter < LIMITS.trunk or aside < LIMITS.fixed else None
@@ -186,8 +187,8 @@ def _wide_slabs(beyond: np.ndarray, up: np.ndarray) -> np.ndarray:
     return farthest[slab] > LIMITS.wide
 
 
-def _outlined(place: np.ndarray, normal: np.ndarray, post: np.ndarray, seen_from: np.ndarray) -> Board | None:
-    """The board in which points of a plane lie; None where they make none. `post` (2,) its post's axis, m."""
+def _outlined(place: np.ndarray, normal: np.ndarray, axis: StemAxis, seen_from: np.ndarray) -> Board | None:
+    """The board in which points of a plane lie; None where they make none. `axis` of its post."""
     level = np.array([normal[0], normal[1]]) / np.hypot(*normal[:2])
     middle = place.mean(axis=0)
     if level @ (seen_from - middle[:2]) < 0:
@@ -195,18 +196,32 @@ def _outlined(place: np.ndarray, normal: np.ndarray, post: np.ndarray, seen_from
     across = (place[:, :2] - middle[:2]) @ np.array([-level[1], level[0]])
     up = place[:, 2] - middle[2]
     (left, right), (low, high) = np.percentile(across, [1, 99]), np.percentile(up, [1, 99])
-    width, tall = right - left, high - low
-    if not all(LIMITS.board[0] <= side <= LIMITS.board[1] for side in (width, tall)):
-        return None
-    hull = shapely.convex_hull(shapely.multipoints(np.column_stack([across, up])))
-    if hull.area < 0.5 * width * tall:
-        return None
-    centre = middle + np.array([*(np.array([-level[1], level[0]]) * (left + right) / 2.0), (low + high) / 2.0])
     # What ends at its post on one side and reaches far out on the other is often hidden by the post from behind.
-    at_post = (np.asarray(post) - middle[:2]) @ np.array([-level[1], level[0]])
-    one_sided = min(abs(left - at_post), abs(right - at_post)) < LIMITS.beside_post
+    side = np.array([-level[1], level[0]])
+    post = axis.plan_at(middle[2])
+    at_post = (post - middle[:2]) @ side
+    one_sided = min(abs(left - at_post), abs(right - at_post)) < axis.diameter / 2.0 + LIMITS.beside_post
+    shaded = one_sided and _shaded(left - at_post, right - at_post, side, level, seen_from - post)
+    hull = shapely.convex_hull(shapely.multipoints(np.column_stack([across, up])))
+    if hull.area < 0.5 * (right - left) * (high - low):
+        return None
+    if shaded:
+        reach = max(abs(left - at_post), abs(right - at_post))
+        left, right = at_post - reach, at_post + reach
+    width, tall = right - left, high - low
+    if not all(LIMITS.board[0] <= size <= LIMITS.board[1] for size in (width, tall)):
+        return None
+    centre = middle + np.array([*(side * (left + right) / 2.0), (low + high) / 2.0])
     return Board(centre, float(np.degrees(np.arctan2(level[0], level[1])) % 360.0), float(width), float(tall),
                  not one_sided)
+
+
+def _shaded(left: float, right: float, side: np.ndarray, level: np.ndarray, view: np.ndarray) -> bool:
+    """Whether the post hides the other half of a board that shows from `left` to `right` of it, m: the survey looked
+    along the face (`side`, `level` (2,): along and across it) from the half that shows; `view` (2,) to the survey."""
+    reach = right if abs(right) > abs(left) else left
+    along, off = float(view @ side), float(abs(view @ level))
+    return along * reach > 0.0 and off * abs(reach) < LIMITS.shade * abs(along)
 
 
 def _arm(offset: np.ndarray, away: np.ndarray, up: np.ndarray) -> tuple[float, float, float, tuple[float, float]]:

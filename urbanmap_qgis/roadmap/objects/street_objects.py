@@ -102,7 +102,7 @@ def street_objects(paths: Sequence[str | os.PathLike], trajectory: Trajectory, s
         survey.read(progress.part(0.0, 0.4))
         local = None if ground is None else lambda x, y: ground(x + survey.corner[0], y + survey.corner[1])
         for tile in survey.tiles(progress.part(0.4, 1.0)):
-            objects += _objects_of_tile(tile, above_ground(tile.points, local), survey, settings)
+            objects += _objects_of_tile(tile, above_ground(tile.points, local, shaded=True), survey, settings)
     return ObjectsFound(objects, float(survey.chainage[-1]), survey.read_points, survey.kept_points)
 
 
