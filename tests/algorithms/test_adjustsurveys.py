@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -73,11 +74,15 @@ def test_surveys_themselves_are_tied_by_planes_too(run, small_city, tmp_path):
 
 
 def test_without_control_the_drives_agree_and_the_place_is_called_relative(run, small_city, markings, feedback,
-                                                                           tmp_path):
-    result = run(ALGORITHM, given(small_city, markings, tmp_path))
+                                                                           read_layer, tmp_path):
+    """All results go into temporary places."""
+    places = dict.fromkeys(("OUTPUT", "OUTPUT_TIES", "OUTPUT_NODES", "OUTPUT_REPORT"), "TEMPORARY_OUTPUT")
+    result = run(ALGORITHM, given(small_city, markings, tmp_path, **places))
+    assert Path(result["OUTPUT_REPORT"]).is_file() and not list(tmp_path.iterdir())
+    assert read_layer(result["OUTPUT_TIES"]) and read_layer(result["OUTPUT_NODES"])
     assert result["RELATIVE"] == 1 and result["MEDIAN_SIGMA"] > 0.5
     assert any("only relative" in text for text in feedback.warnings)
-    first, second = errors(small_city, tmp_path / "corrected")
+    first, second = errors(small_city, Path(result["OUTPUT"]))
     assert np.hypot(*(first[:, :2].mean(axis=0) - second[:, :2].mean(axis=0))) < 0.10
 
 

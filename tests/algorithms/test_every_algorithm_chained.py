@@ -16,15 +16,7 @@ _SPEC.loader.exec_module(shared)
 every, place, made, inputs = shared.every, shared.place, shared.made, shared.inputs
 
 LONG = {"samplecity", "georeferencemms", "adjustsurveys", "calibratescanner"}
-"""More than four seconds: run into files and temporary places, but not as models of one step."""
-
-
-@pytest.mark.parametrize("name", [name for name in every.RECIPES if name in LONG])
-def test_into_temporary_places(run, inputs, name):
-    given = inputs(name)
-    asked = shared.wanted(name, given)
-    results = run(f"urbanmap:{name.split()[0]}", {**given, **asked})
-    assert_whole(run, shared.algorithm_of(name).destinationParameterDefinitions(), results, asked)
+"""More than four seconds: no models of one step here; their own tests run all but the city into temporary places."""
 
 
 @pytest.mark.parametrize("name", [name for name in every.RECIPES if name not in LONG])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -84,12 +85,13 @@ def test_without_heights_only_the_plan_changes(run, small_city, markings, tmp_pa
     assert "OUTPUT_PATCHES" not in result and "OUTPUT_REPORT" not in result
 
 
-def test_chain_gives_the_survey_itself(run, small_city, tmp_path):
+def test_chain_gives_the_survey_itself(run, small_city, read_layer):
     result = run("urbanmap:georeferencemms", given(
         small_city, POINTS=[survey(small_city)], CALIBRATION=str(small_city / "mms/calibration.json"),
         MARKINGS=reference(small_city), GROUND=str(small_city / "truth/ground.tif"),
-        IMAGES=str(small_city / "mms/survey_01_images.csv"), OUTPUT=str(tmp_path / "out.laz"),
-        OUTPUT_TRAJECTORY=str(tmp_path / "out.csv"), OUTPUT_IMAGES=str(tmp_path / "images.csv")))
+        IMAGES=str(small_city / "mms/survey_01_images.csv"), OUTPUT="TEMPORARY_OUTPUT",
+        OUTPUT_TRAJECTORY="TEMPORARY_OUTPUT", OUTPUT_IMAGES="TEMPORARY_OUTPUT", OUTPUT_PATCHES="TEMPORARY_OUTPUT",
+        OUTPUT_REPORT="TEMPORARY_OUTPUT"))
     checked = run("urbanmap:checkaccuracy", given(
         small_city, CONTROL=str(small_city / "truth/control_survey_01.csv"), CORRECTED=result["OUTPUT_TRAJECTORY"],
         OUTPUT="TEMPORARY_OUTPUT"))
@@ -98,7 +100,8 @@ def test_chain_gives_the_survey_itself(run, small_city, tmp_path):
 
     with laspy.open(survey(small_city)) as before, laspy.open(result["OUTPUT"]) as after:
         assert before.header.point_count == after.header.point_count
-    assert (tmp_path / "images.csv").is_file()
+    assert all(Path(result[name]).is_file() for name in ("OUTPUT_IMAGES", "OUTPUT_REPORT"))
+    assert read_layer(result["OUTPUT_PATCHES"])
 
 
 @pytest.mark.parametrize("heights", [False, True])
