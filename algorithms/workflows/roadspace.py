@@ -15,6 +15,7 @@ READING = ("ANGLES", "GEOID", "GEOID_HEIGHT", "POINTS_CRS")
 
 ROAD_LAYERS = ("OUTPUT", "OUTPUT_AREAS", "OUTPUT_STEPS", "OUTPUT_FINDINGS", "OUTPUT_CITYGML", "OUTPUT_REPORT")
 LANE_LAYERS = ("OUTPUT_LANES", "OUTPUT_BOUNDS")
+LANE_FILES = ("OUTPUT_LANELET2", "OUTPUT_OPENDRIVE")
 FIGURES = ("SURFACES", "JUNCTIONS", "FINDINGS")
 OBJECT_FIGURES = ("OBJECTS", "DOUBTFUL")
 
@@ -29,7 +30,8 @@ class RoadSpace(UrbanMapAlgorithm):
     HELP = (
         "Goes from a corrected mobile survey and reference markings to the road as a model, in one run: kerbs, lanes, "
         "and of them carriageways, junctions, sidewalks and islands with their steps; and what stands beside the road: "
-        "poles, lamp posts, signals, signs and trees. All as layers and as CityGML of PLATEAU.\n"
+        "poles, lamp posts, signals, signs and trees. All as layers and as CityGML of PLATEAU; the lanes with what "
+        "stands beside them as Lanelet2 and OpenDRIVE files, too.\n"
         "Several drives are given as one: their points together, their trajectories one after another in one file. "
         "What was not seen is a finding with its place, never made up."
     )
@@ -49,6 +51,7 @@ class RoadSpace(UrbanMapAlgorithm):
         self.add_from(StreetObjects, OUTPUT_OBJECT_REPORT="OUTPUT_REPORT", label="Report on the objects")
         self.add_from(RoadEdges, OUTPUT_EDGES="OUTPUT", optional=True, by_default=True)
         self.add_from(VectorMap, "OUTPUT_LANES", "OUTPUT_BOUNDS", optional=True, by_default=True)
+        self.add_from(VectorMap, *LANE_FILES)
         self.add_from(RoadModel, *FIGURES)
         self.add_from(StreetObjects, *OBJECT_FIGURES)
 
@@ -64,12 +67,13 @@ class RoadSpace(UrbanMapAlgorithm):
         edges = run("roadedges", **survey, OUTPUT=given.get("OUTPUT_EDGES") or "TEMPORARY_OUTPUT",
                     OUTPUT_TOPS="TEMPORARY_OUTPUT")
         objects = run("streetobjects", **survey, **given.pick("DATA_DATE"),
-                      OUTPUT=given.get("OUTPUT_OBJECTS") or "TEMPORARY_OUTPUT",
+                      OUTPUT=given.get("OUTPUT_OBJECTS") or "TEMPORARY_OUTPUT", OUTPUT_RAILS="TEMPORARY_OUTPUT",
                       **given.pick(OUTPUT_CITYGML="OUTPUT_FURNITURE", OUTPUT_REPORT="OUTPUT_OBJECT_REPORT"))
         lines = run("markinglines", **given.pick("MARKINGS", "GROUND"), OUTPUT="TEMPORARY_OUTPUT",
                     OUTPUT_AREAS="TEMPORARY_OUTPUT")
         lanes = run("vectormap", **given.pick("TRAFFIC"), LINES=lines["OUTPUT"], AREAS=lines["OUTPUT_AREAS"],
-                    EDGES=edges["OUTPUT"], TRAJECTORY=[given["TRAJECTORY"]],
+                    EDGES=edges["OUTPUT"], TRAJECTORY=[given["TRAJECTORY"]], OBJECTS=objects["OUTPUT"],
+                    RAILS=objects["OUTPUT_RAILS"], **given.pick(*LANE_FILES),
                     **{name: given.get(name) or "TEMPORARY_OUTPUT" for name in LANE_LAYERS})
         roads = run("roadmodel", **given.pick("ROADS", "GROUND", "FUNCTION", "DATA_DATE", *ROAD_LAYERS),
                     LOD=self.parameterAsString(parameters, "LOD", context),
@@ -79,6 +83,7 @@ class RoadSpace(UrbanMapAlgorithm):
         results |= {name: objects[name] for name in OBJECT_FIGURES}
         for made, renamed in ((objects, {"OUTPUT_OBJECTS": "OUTPUT", "OUTPUT_FURNITURE": "OUTPUT_CITYGML",
                                          "OUTPUT_OBJECT_REPORT": "OUTPUT_REPORT"}),
-                              (edges, {"OUTPUT_EDGES": "OUTPUT"}), (lanes, dict(zip(LANE_LAYERS, LANE_LAYERS)))):
+                              (edges, {"OUTPUT_EDGES": "OUTPUT"}),
+                              (lanes, {name: name for name in (*LANE_LAYERS, *LANE_FILES)})):
             results |= {name: made[own] for name, own in renamed.items() if own in made and name in given}
         return results

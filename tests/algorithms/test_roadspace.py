@@ -10,6 +10,7 @@ from pyproj import CRS
 
 from tests.core import object_scene as scene
 from tests.core.road_scene import Street, to_map, write_drive
+from urbanmap_qgis.io.osm import read_osm
 
 ALGORITHM = "urbanmap:roadspace"
 STREET = Street(length=60.0, rough=0.06)
@@ -38,6 +39,7 @@ def test_a_drive_becomes_areas_objects_and_city_models(run, read_layer, given, t
             "OUTPUT", "OUTPUT_AREAS", "OUTPUT_STEPS", "OUTPUT_FINDINGS", "OUTPUT_OBJECTS", "OUTPUT_EDGES",
             "OUTPUT_LANES")},
         "OUTPUT_CITYGML": str(tmp_path / "roads"), "OUTPUT_FURNITURE": str(tmp_path / "furniture"),
+        "OUTPUT_LANELET2": str(tmp_path / "map.osm"), "OUTPUT_OPENDRIVE": str(tmp_path / "map.xodr"),
         "OUTPUT_REPORT": str(tmp_path / "report.html"), "OUTPUT_OBJECT_REPORT": str(tmp_path / "objects.html")})
     rows = [row.attributes for row in read_layer(results["OUTPUT_AREAS"])]
     kinds = {row["kind"] for row in rows}
@@ -49,6 +51,9 @@ def test_a_drive_becomes_areas_objects_and_city_models(run, read_layer, given, t
     assert list((tmp_path / "furniture" / "udx" / "frn").glob("*.gml"))
     assert "LOD3.3" in (tmp_path / "report.html").read_text(encoding="utf-8")
     assert read_layer(results["OUTPUT_EDGES"])
+    ways = [way.tags.get("type") for way in read_osm(results["OUTPUT_LANELET2"]).ways.values()]
+    assert ways.count("pole") >= 1 and ways.count("traffic_sign") == 1
+    assert (tmp_path / "map.xodr").read_text(encoding="utf-8").count('type="-1"') >= 1
 
 
 def test_markings_are_needed(run, given):

@@ -7,7 +7,7 @@ import pyproj
 import pytest
 import shapely
 
-from tests.core.laid_out_roads import ANGLE, EAST, NORTH, avenue, drive, line, place
+from tests.core.laid_out_roads import ANGLE, EAST, NORTH, avenue, drive, lane_at, line, place
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.io.osm import read_osm, write_osm
 from urbanmap_qgis.roadmap.formats.lanelet_map import META, lanelet_elements
@@ -252,3 +252,24 @@ def test_two_way_axis_tells_only_where_the_numbers_of_lanes_agree_and_the_side_i
 def test_drive_is_believed_more_than_a_road_axis():
     built = build_vector_map(street("solid", "solid"), (), [drive((0, 1.7), (60, 1.7))], axes=axis_along(oneway="-1"))
     assert [course(lane) for lane in built.lanes] == [1.0]
+
+
+def test_kerbs_of_an_island_and_of_pavements_do_not_shorten_the_lanes():
+    """Lane lines are worn before the island; strips between kerbs and walls begin and end elsewhere."""
+    lines = [line(7.0, 0, 60), line(-7.0, 0, 60), line(3.5, 25, 60, "dashed"), line(-3.5, 25, 60, "dashed"),
+             line(0.0, 0, 12, "solid", "yellow"), line(0.0, 40, 60, "solid", "yellow")]
+    borders = [line(y, 14, 38, "road border", "") for y in (-0.4, 0.4)]
+    borders += [line(y, 6, 66, "road border", "") for y in (-9.5, 9.5, -12.9, 12.9)]
+    drives = [drive((-5, -5.2), (70, -5.2)), drive((70, 5.2), (-5, 5.2))]
+    built = build_vector_map([*lines, *borders], [], drives, MapSettings(traffic="right"))
+    for y in (-5.2, -1.9, 1.9, 5.2):
+        for x in (4.0, 26.0, 50.0):
+            assert course(built.lanes[lane_at(built, x, y)]) == (1.0 if y < 0 else -1.0)
+    assert all(abs(spot[1]) < 7.1 for lane in built.lanes if lane.kind == "lane"
+               for spot in _in_street(lane.centre))
+
+
+def _in_street(points):
+    """Points of the map in the street's own frame."""
+    x, y = points[:, 0] - EAST, points[:, 1] - NORTH
+    return np.column_stack([x * np.cos(ANGLE) + y * np.sin(ANGLE), y * np.cos(ANGLE) - x * np.sin(ANGLE)])

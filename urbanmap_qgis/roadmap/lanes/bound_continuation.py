@@ -47,8 +47,8 @@ def continued(tracks: Sequence[BoundTrack], axis: Axis, barriers: Sequence[shape
     for number in sorted(range(len(extended)), key=lambda k: extended[k].start - extended[k].end):
         for ahead in (False, True):
             others = [track for k, track in enumerate(extended) if k != number]
-            added = _beyond(extended[number], others, axis, ahead, tree, settings)
-            if added is not None:
+            # Where the nearest neighbour ends, as an island's kerb does, the next one may lead farther.
+            while (added := _beyond(extended[number], others, axis, ahead, tree, settings)) is not None:
                 extended[number] = _longer(extended[number], *added, ahead)
     return extended
 
@@ -81,7 +81,8 @@ def _beyond(track: BoundTrack, others: Sequence[BoundTrack], axis: Axis, ahead: 
     if any((np.abs(track.interpolate(onward) - other.interpolate(onward) - separation) < LIMITS.same_bound).any()
            for track in others):
         return None  # the bound itself goes on there: that gap was too long to be drawn through
-    length = min(reach, settings.bridge, (FARTHEST if inner else LIMITS.outermost) * seen)
+    most = min(settings.bridge, (FARTHEST if inner else LIMITS.outermost) * seen) - _unseen_end(track, ahead)
+    length = min(reach, most)
     if length < STEP:
         return None
     chainage = end + sign * np.append(np.arange(STEP, length, STEP), length)
@@ -94,6 +95,16 @@ def _beyond(track: BoundTrack, others: Sequence[BoundTrack], axis: Axis, ahead: 
     height = np.interp(chainage, other.chainage, other.points[:, 2])
     height += track.points[-1 if ahead else 0, 2] - np.interp(end, other.chainage, other.points[:, 2])
     return np.column_stack([plan, height])[:free], chainage[:free], offset[:free]
+
+
+def _unseen_end(track: BoundTrack, ahead: bool) -> float:
+    """Length by which a track goes on unseen at one of its ends, m."""
+    length = 0.0
+    for start, end, line in (reversed(track.pieces) if ahead else track.pieces):
+        if line is not None:
+            break
+        length += end - start
+    return length
 
 
 def _is_between(track: BoundTrack, others: Sequence[BoundTrack], settings: MapSettings) -> bool:

@@ -160,6 +160,7 @@ def _spans(mask: np.ndarray) -> np.ndarray:
 
 def _cuts(runs, section: RoadSection, stops: Sequence[np.ndarray], settings: MapSettings) -> np.ndarray:
     """Chainages of the section's cross-sections: ends of lanes, stop lines, changes between solid and dashed."""
+    runs = _with_paint(runs, section) or runs
     begins, ends = (np.array(sorted(run[side] for run in runs)) for side in (1, 2))
     used = {k for pair, *_ in runs for k in pair}
     changes = [piece[0] for k in used for piece in _changes(section.tracks[k], settings)]
@@ -180,6 +181,13 @@ def _cuts(runs, section: RoadSection, stops: Sequence[np.ndarray], settings: Map
     cuts = np.unique(cuts)
     keep = np.concatenate([[True], np.diff(cuts) >= settings.min_length])
     return cuts[keep]
+
+
+def _with_paint(runs, section: RoadSection) -> list:
+    """Those between bounds one of which at least is painted: strips between kerbs and walls are pavements."""
+    painted = [any(line is not None and line.kind != "road border" for _, _, line in track.pieces)
+               for track in section.tracks]
+    return [run for run in runs if painted[run[0][0]] or painted[run[0][1]]]
 
 
 def _without_near(cuts: Sequence[float], least_distance: float) -> list[float]:
