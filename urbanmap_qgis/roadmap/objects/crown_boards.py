@@ -16,7 +16,8 @@ class CrownBoardLimits:
 
     reach: float = 1.0  # m from the axis of the post, across
     off: float = 0.25  # m from the axis to the face
-    turn: float = 6.0  # degrees from one direction that is tried to the next
+    turn: float = 9.0  # degrees from one direction that is tried to the next
+    fuller: float = 1.5  # than the mean layer, that one with a board is
     layer: float = 0.02  # m, by which layers that are tried follow each other
     thin: float = 0.03  # m to either side of a face, that its points lie in
     beside: tuple[float, float] = (0.07, 0.16)  # m before and behind a face, where leaves would go on
@@ -52,11 +53,12 @@ def face_in_crown(place: np.ndarray, axis: StemAxis) -> tuple[np.ndarray, np.nda
 
 
 def _fullest(away: np.ndarray) -> np.ndarray:
-    """Distances from the axis at which layers have the most points, m: the two fullest."""
+    """Distances from the axis at which layers have the most points, m: the two fullest, where leaves are not as full."""
     number = int(2 * LIMITS.off / LIMITS.layer)
     count, borders = np.histogram(away, number, (-LIMITS.off, LIMITS.off))
     wide = ndimage.uniform_filter1d(count.astype(float), 3, mode="constant")
-    return (borders[:-1] + LIMITS.layer / 2.0)[np.argsort(-wide, kind="stable")[:2]]
+    first = np.argsort(-wide, kind="stable")[:2]
+    return (borders[:-1] + LIMITS.layer / 2.0)[first[wide[first] > LIMITS.fuller * wide.mean()]]
 
 
 def _full_part(flat: np.ndarray, inside: np.ndarray) -> np.ndarray:
