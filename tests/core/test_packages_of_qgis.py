@@ -12,8 +12,8 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 SYSTEM = Path("/usr/lib/python3/dist-packages")
-FILES = ("test_opendrive", "test_roadmap_lanes", "test_tile_codes", "test_edge", "test_acceptance",
-         "test_never_passed", "test_reprojection", "test_disagreements")
+FILES = ("test_opendrive", "test_roadmap_lanes", "test_tile_codes", "test_edge_sampling", "test_reprojection",
+         "test_job")
 
 
 @pytest.mark.slow
