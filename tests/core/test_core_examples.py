@@ -29,6 +29,10 @@ def test_examples_run(small_city, tmp_path, monkeypatch):
     assert len(names["given"]) > 0 and names["change"].mean == pytest.approx(36.7)
     assert names["lanes"].lanes and not [fault for fault in names["faults"] if fault.severity == "error"]
     assert names["edges"].length("kerb", "lowered kerb") > 50.0 and names["objects"].objects
+    assert names["calm"].pixels_shared > 0 and names["usual"].mean_2d < 0.05 and names["accepted"] == "passed"
+    assert 0.3 < names["street"].ground / names["street"].usable < 0.7 and names["within"] > 0.9
+    assert all(building.valid for building in names["merged"]) and abs(names["figures"].los_median) < 1.0
+    assert not names["changes"] and {piece.kind for piece in names["road"].pieces} == {"road", "junction"}
     assert {"trajectory", "camera", "calibration"} <= {item.kind for item in names["facts"]}
 
 

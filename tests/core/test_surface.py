@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from concurrent.futures import ThreadPoolExecutor
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -16,7 +17,7 @@ from urbanmap_qgis.terrain.cloth import ClothSettings
 from urbanmap_qgis.terrain.delaunay import triangulate
 from urbanmap_qgis.terrain.rasterise import rasterise
 from urbanmap_qgis.terrain.surface import ground_mask, ground_raster, ground_source, thin_highest, thin_mean
-from urbanmap_qgis.terrain.surface_files import SurfaceSettings, surfaces_from_files
+from urbanmap_qgis.terrain.surface_files import SurfaceSettings, _ground_source, surfaces_from_files
 
 X0, Y0 = -8_000.0, -34_000.0
 ROOFS = [(20, 20, 45, 50, 12.0), (60, 15, 95, 55, 30.0), (30, 70, 80, 100, 8.0)]
@@ -309,3 +310,12 @@ def test_a_point_far_outside_is_named_before_its_raster_is_laid_out(make_cloud, 
     with pytest.raises(InputError, match="some lie near 19[0-9]{5}, .* km from the others"):
         surfaces_from_files([cloud], tmp_path / "dsm.tif", settings=SurfaceSettings(resolution=1.0))
     assert not (tmp_path / "dsm.tif").exists()
+
+
+@pytest.mark.parametrize(("classes", "words"), [({"c2": 400, "c6": 600}, "Ground by classes: 400"),
+                                                ({"c1": 1000}, "Ground by the cloth filter")])
+def test_where_the_ground_comes_from_is_told(classes, words):
+    told = []
+    points = SimpleNamespace(class_counts=counts(**classes), settings=SurfaceSettings())
+    _ground_source(points, Progress(message=told.append))
+    assert len(told) == 1 and told[0].startswith(words)

@@ -37,6 +37,9 @@ def test_points_of_the_drive_are_accepted(make_cloud, tmp_path):
     made = cloud(make_cloud, tmp_path)
     require_survey(made, drive())
     assert survey_span(made, drive()) == pytest.approx((1000.0, 1100.0), abs=6.0)
+    weeks = 1500 * 604_800.0
+    later = cloud(make_cloud, tmp_path, later=weeks)
+    assert survey_span(later, drive()) == pytest.approx((1000.0, 1100.0), abs=6.0)
 
 
 @pytest.mark.parametrize(("change", "sentence"), [

@@ -1,0 +1,50 @@
+"""Steps of the plan of sloped roofs and of meshes, on shapes with known answers."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import shapely
+
+from urbanmap_qgis.buildings.mesh25d import node_heights
+from urbanmap_qgis.buildings.planes.candidate_segments import _intersections
+from urbanmap_qgis.buildings.planes.plan_faces import PlanFaces
+from urbanmap_qgis.buildings.planes.plane_partition import without_steep_slivers
+from urbanmap_qgis.buildings.polygons.partition_lines import LabelBoundaries
+
+
+@pytest.mark.parametrize(("ridge", "lies_there"), [(20.0, True), (26.0, False)])
+def test_a_ridge_is_drawn_where_planes_meet_at_their_border(ridge, lies_there):
+    """The labels change at x = 20 over 5 m; the planes meet at equal height at `ridge`."""
+    place = np.column_stack([np.full(10, 20.0), np.arange(10) * 0.5])
+    cracks = LabelBoundaries(place, np.zeros(10, int), np.ones(10, int))
+    planes = np.array([[0.3, 0.0, 0.0], [-0.3, 0.0, 0.6 * ridge]])
+    lines = []
+    drawn = SimpleNamespace(add=lambda line, *_: lines.append(line), reach=lambda line, along, pair: along)
+    assert (_intersections(drawn, cracks, planes, 0.5, 1.0) == lies_there).all()
+    assert len(lines) == lies_there
+    if lies_there:
+        assert np.abs(lines[0]) == pytest.approx([1.0, 0.0, 20.0])
+
+
+@pytest.mark.parametrize(("better", "width"), [(0, 0.2), (2, 0.2), (1, 3.0)])
+def test_a_steep_sliver_goes_to_the_better_plane_beside_it(better, width):
+    """A strip between two level roofs that is steep, as points on a wall make it; a wide one stays."""
+    polygons = np.array([shapely.box(0, 0, 5, 10), shapely.box(5, 0, 5 + width, 10), shapely.box(5 + width, 0, 12, 10)])
+    faces = PlanFaces(polygons, np.array([[0, 1], [1, 2]]), np.full(2, 10.0), np.zeros((2, 2, 2)))
+    planes = np.array([[0.0, 0.0, 5.0], [20.0, 0.0, -95.0], [0.0, 0.0, 9.0]])
+    cost = np.ones((3, 3))
+    cost[1, better] = 0.5
+    assert without_steep_slivers(np.arange(3), cost, faces, planes).tolist() == [0, better, 2]
+
+
+@pytest.mark.parametrize(("tolerance", "left"), [(5, [0, 2, 4]), (25, [0, 4])])
+def test_a_chain_keeps_the_node_that_lies_off_its_line(monkeypatch, tolerance, left):
+    """Five nodes in a row, the middle one 20 units above the line through the ends."""
+    heights = {(7, node): height for node, height in enumerate((0, 10, 20, 10, 0))}
+    kept = []
+    monkeypatch.setattr(node_heights, "_replace", lambda edges, chain, nodes: kept.append(nodes))
+    node_heights._simplify_chain(SimpleNamespace(cell={(0, 1): 7}), list(range(5)), heights, tolerance)
+    assert kept == [left]
