@@ -22,6 +22,7 @@ from tests.core.surveyed_scene import (
     road_height,
 )
 from urbanmap_qgis.errors import InputError
+from urbanmap_qgis.roadspace.survey import carriageways
 from urbanmap_qgis.roadspace.survey.area_city import faces_of, survey_road_objects
 from urbanmap_qgis.roadspace.survey.area_records import (
     CARRIAGEWAY,
@@ -34,6 +35,7 @@ from urbanmap_qgis.roadspace.survey.area_records import (
     UNDIVIDED,
     corner_of,
     kerb_edge_lines,
+    plan_parts,
     tops_by_number,
 )
 from urbanmap_qgis.roadspace.survey.survey_roads import SurveyInputs, surveyed_roads
@@ -252,13 +254,59 @@ def test_a_fence_across_the_road_is_no_kerb():
 @pytest.mark.parametrize(("field", "value", "words"), [
     ("height", 1e308, "Edge 1.*height"), ("sigma", "wide", "“wide” in the field sigma"),
     ("chain", float("inf"), "in the field chain"), ("z", -1e308, "Edge 1 lies at a height"),
-    ("z", 2e5, "where no road is"), ("x", 1e308, "where no map reaches")])
+    ("z", 2e5, "where no road is"), ("x", 1e308, "where no map reaches"), ("y", float("nan"), "where no map reaches"),
+    ("x", -5e6, "Edge 1: two of its corners .* lie 5000.0 km apart")])
 def test_figures_of_edges_that_cannot_be_meant_are_told(field, value, words):
     place = {"x": 0.0, "y": 0.0, "z": 0.0}
     columns = {"kind": ["kerb"]} | ({} if field in place else {field: [value]})
     line = shapely.LineString([tuple((place | {field: value})[axis] for axis in place), (9, 0, 0.0)])
     with pytest.raises(InputError, match=words):
         kerb_edge_lines([line], {}, columns)
+
+
+def test_unknown_figures_and_heights_of_edges_are_let_pass():
+    """NaN is how files say that a number is not known; a place without a height takes that of the others about."""
+    nan = float("nan")
+    edges = crossing()
+    edges[0].foot[3:6, 2] = nan
+    columns = {"height": [0.15, nan, 0.15, 0.15], "chain": [0, nan, 2, 3], "edge_id": [nan] * 4, "gap": [nan] * 4}
+    lines = kerb_edge_lines([shapely.linestrings(one.foot) for one in edges], {}, columns)
+    assert [line.height for line in lines] == [0.15, 0.0, 0.15, 0.15] and lines[1].chain == -2
+    assert np.isnan(lines[0].top[3:6, 2]).all()
+    model = surveyed_roads(lines, "3.0")
+    heights = np.concatenate([list(area.heights.values()) for area in model.areas])
+    assert np.isfinite(heights).all() and heights.min() == pytest.approx(9.6, abs=0.01)
+
+
+def test_edges_without_heights_make_level_2_and_are_refused_for_others():
+    lines = kerb_edge_lines([shapely.linestrings(one.foot[:, :2]) for one in crossing()], {}, {})
+    assert surveyed_roads(lines, "2").count(CARRIAGEWAY) == 4
+    with pytest.raises(InputError, match="no heights"):
+        surveyed_roads(lines, "3.0")
+
+
+def test_an_edge_whose_corners_are_shuffled_ends(monkeypatch):
+    """Thousands of faces: what lies about each chord is asked, not the whole survey for each face."""
+    edges = crossing()
+    order = np.random.default_rng(5).permutation(len(edges[0].foot))
+    edges[0] = replace(edges[0], foot=edges[0].foot[order], top=edges[0].top[order])
+    asked, buffer = [], shapely.buffer
+    monkeypatch.setattr(carriageways.shapely, "buffer", lambda shape, *rest, **more: (
+        asked.append(shapely.get_num_coordinates(shape)), buffer(shape, *rest, **more))[1])
+    polygon = shapely.box(0.0, 0.0, 40.0, 40.0)
+    known = shapely.STRtree(shapely.get_parts(shapely.union_all([shapely.linestrings(one.plan) for one in edges])))
+    carriageways._ends_of(polygon, known)
+    assert asked and max(asked) < 0.2 * sum(shapely.get_num_coordinates(known.geometries))
+
+
+@pytest.mark.parametrize(("kind", "count"), [("Polygon", 2), ("LineString", 0)])
+def test_lanes_that_cross_themselves_are_repaired_and_places_off_the_map_told(kind, count):
+    bow = shapely.Polygon([(0, 0), (4, 4), (4, 0), (0, 4)])
+    parts = plan_parts("Lanes", [None, bow], kind)
+    assert len(parts) == count and all(part.is_valid for part in parts)
+    assert sum(part.area for part in parts) == pytest.approx(4.0 * count)
+    with pytest.raises(InputError, match="Lanes: shape 2 .* no map"):
+        plan_parts("Lanes", [bow, shapely.LineString([(0, 0), (1e300, 3)])], kind)
 
 
 def test_upper_edges_without_a_number_are_left_out_and_words_are_told():

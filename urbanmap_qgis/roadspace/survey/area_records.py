@@ -26,8 +26,9 @@ FUNCTIONS = {CARRIAGEWAY: "1000", LANE: "1010", CROSSING: "1020", SIDEWALK: "200
 MEASURED, CONTINUED, OFFICIAL = mark("measured"), mark("continued"), mark("official")
 """Where a border comes from: a survey, drawn on where nothing was seen, or given edges of roads."""
 
-HIGHEST, LARGEST_NUMBER = 1e5, 1e12
-"""Height, m, that no edge of a road has (as of points of a cloud), and what no number of its fields can be."""
+HIGHEST, LARGEST_NUMBER, LONGEST = 1e5, 1e12, 1e3
+"""Height, m, that no edge of a road has (as of points of a cloud), what no number of its fields can be, and how far
+apart, m, no two places lie that follow each other along an edge, whose stations are half a metre apart."""
 
 LEVELS = ("2", "3.0", "3.1", "3.2", "3.3")
 WITH_LANES = LEVELS[2:]
@@ -212,6 +213,8 @@ def _figure(columns, name: str, row: int, otherwise: float) -> float:
         number = float(cell)
     except (TypeError, ValueError):
         number = np.inf
+    if np.isnan(number):
+        return otherwise
     if abs(number) > LARGEST_NUMBER:
         raise InputError(say("Edge {row}: “{cell}” in the field {name} is no number that can be meant; repair the "
                              "layer of edges.", row=row + 1, cell=cell, name=name))
@@ -220,10 +223,41 @@ def _figure(columns, name: str, row: int, otherwise: float) -> float:
 
 def _require_places(row: int, places: np.ndarray) -> None:
     """Refuse coordinates and heights that no place on the earth has; unknown heights (NaN) are let pass."""
-    far = np.abs(places[:, :2]) > LARGEST_NUMBER
+    far = _off_the_map(places)
     if far.any():
         raise InputError(say("Edge {row} lies at x = {x:g}, y = {y:g}, where no map reaches; repair the layer of "
-                             "edges.", row=row + 1, x=places[far.any(axis=1)][0, 0], y=places[far.any(axis=1)][0, 1]))
+                             "edges.", row=row + 1, x=places[far][0, 0], y=places[far][0, 1]))
+    longest = float(np.hypot(*np.diff(places[:, :2], axis=0).T).max())
+    if longest > LONGEST:
+        raise InputError(say("Edge {row}: two of its corners that follow each other lie {distance:.1f} km apart, which "
+                             "no edge of a road does; repair the layer of edges.", row=row + 1,
+                             distance=longest / 1000.0))
     if (np.abs(places[:, 2]) > HIGHEST).any():
         raise InputError(say("Edge {row} lies at a height of {height:g} m, where no road is; repair the layer of "
                              "edges.", row=row + 1, height=places[np.nanargmax(np.abs(places[:, 2])), 2]))
+
+
+def _off_the_map(places: np.ndarray) -> np.ndarray:
+    """Mask (n,) of places (n, 2 or more) whose x or y is no number, or one that no map has."""
+    return ~(np.abs(places[:, :2]) <= LARGEST_NUMBER).all(axis=1)
+
+
+def plan_parts(layer: str, shapes: Sequence[shapely.Geometry | None], kind: str) -> list[shapely.Geometry]:
+    """Parts in plan, of a kind ("Polygon", "LineString"), of the shapes of a layer; polygons repaired.
+
+    Raises
+    ------
+    InputError : a shape lies where no map reaches; the sentence names the layer and the row.
+    """
+    parts = []
+    for row, shape in enumerate(shapes):
+        if shape is None:
+            continue
+        if _off_the_map(shapely.get_coordinates(shape)).any():
+            raise InputError(say("{layer}: shape {row} has a corner where no map reaches; repair the layer.",
+                                 layer=layer, row=row + 1))
+        # What touches itself at a line falls into parts of several kinds.
+        valid = shapely.make_valid(shapely.force_2d(shape)) if kind == "Polygon" else shapely.force_2d(shape)
+        parts += [part for one in shapely.get_parts(valid) for part in shapely.get_parts(one)
+                  if part.geom_type == kind and not part.is_empty and part.length > 0]
+    return parts

@@ -76,7 +76,7 @@ def carriageways_between(edges: Sequence[EdgeLine], lanes: Sequence[shapely.Poly
     measured = shapely.union_all(lines)
     bridges = _bridges(edges, findings)
     polygons, open_findings = _between_two([*lines, *bridges])
-    known = shapely.union_all([measured, *bridges])
+    known = shapely.STRtree(shapely.get_parts(shapely.union_all([measured, *bridges])))
     ends = [end for polygon in polygons for end in _ends_of(polygon, known)]
     whole = [shapely.linestrings(edge.plan) for edge in edges]
     others = one_sided_carriageways([*whole, *bridges], lanes, polygons)
@@ -135,7 +135,10 @@ def _thinned(edge: EdgeLine) -> np.ndarray:
         shapely.linestrings(plan), LIMITS.smooth)).tolist()}
     marks = set()
     for heights in (edge.foot[:, 2], edge.top[:, 2] - edge.foot[:, 2]):
-        profile = shapely.simplify(shapely.linestrings(np.column_stack([along, heights])), LIMITS.smooth)
+        known = np.isfinite(heights)
+        if np.count_nonzero(known) < 2:
+            continue
+        profile = shapely.simplify(shapely.linestrings(np.column_stack([along, heights])[known]), LIMITS.smooth)
         marks |= set(shapely.get_coordinates(profile)[:, 0].tolist())
     return plan[[place in marks or tuple(point) in plan_corners for place, point in zip(along.tolist(), plan.tolist())]]
 
@@ -186,18 +189,23 @@ def _direction(line: np.ndarray, reach: float = 2.0) -> np.ndarray:
     return vector / max(np.hypot(*vector), 1e-12)
 
 
-def _ends_of(polygon: shapely.Polygon, known: shapely.Geometry) -> list[np.ndarray]:
-    """Parts of the border that neither were measured nor drawn on, across the road, as lines (2, 2)."""
+def _ends_of(polygon: shapely.Polygon, known: shapely.STRtree) -> list[np.ndarray]:
+    """Parts of the border that neither are among known lines nor near to one, across the road, as lines (2, 2)."""
     ends = []
-    near = shapely.buffer(known, LIMITS.on)
     corners = shapely.get_coordinates(polygon.exterior)[:-1]
     chords = np.roll(corners, -1, axis=0) - corners
     length = np.hypot(*chords.T)
     unit = chords / length[:, None]
     for number in np.flatnonzero(length > LIMITS.narrow):
         line = np.vstack([corners[number], corners[(number + 1) % len(corners)]])
-        open_length = shapely.length(shapely.difference(shapely.linestrings(line), near))
+        open_length = _open_length(shapely.linestrings(line), known)
         beside = max(abs(unit[number] @ unit[number - 1]), abs(unit[number] @ unit[(number + 1) % len(unit)]))
         if open_length > 0.5 * length[number] and (beside < LIMITS.across or length[number] > LIMITS.gap):
             ends.append(line)
     return ends
+
+
+def _open_length(line: shapely.LineString, known: shapely.STRtree) -> float:
+    """How much of a line, m, is farther than `on` from all known lines; only those about it are asked."""
+    near = known.geometries[known.query(line, predicate="dwithin", distance=LIMITS.on)]
+    return float(shapely.length(shapely.difference(line, shapely.buffer(shapely.union_all(near), LIMITS.on))))
