@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from qgis.core import QgsApplication, QgsProcessingModelAlgorithm
+from qgis.core import QgsApplication, QgsProcessingModelAlgorithm, QgsXmlUtils
+from qgis.PyQt.QtXml import QDomDocument
 
 from .declaring.parameters import UNIT, distance_unit, tr, with_choice_widget, with_files_widget
 from .language.language import translated_model
@@ -14,6 +15,10 @@ MODELS = Path(__file__).resolve().parents[2] / "resources" / "models"
 
 POINTS_NAMES = ("POINTS", "ALS")
 """Parameters of the models that take point clouds."""
+
+
+READ_KEYS = {"model_group", "parameterDefinitions", "children", "help"}
+"""What a model's file must have for its words to be translated."""
 
 
 class ShippedModel(QgsProcessingModelAlgorithm):
@@ -60,12 +65,15 @@ def read_model(path: Path, groups: Mapping[str, str]) -> ShippedModel | None:
     ----------
     groups : names of the groups by their ids.
     """
-    model = QgsProcessingModelAlgorithm()
-    if not model.fromFile(str(path)):
+    file = QDomDocument()
+    # Qt 5 and 6 say differently whether they could read it; what they could not is an empty document.
+    file.setContent(path.read_bytes())
+    content = QgsXmlUtils.readVariant(file.documentElement())
+    if not isinstance(content, dict) or not READ_KEYS <= content.keys():
         return None
-    group = model.groupId()
-    translated_model(model, groups.get(group, model.group()))
-    return ShippedModel(f"{path.stem.replace('_', '')}_model", group, model.toVariant())
+    group = content["model_group"]
+    return ShippedModel(f"{path.stem.replace('_', '')}_model", group,
+                        translated_model(content, groups.get(group, group)))
 
 
 def keep_earlier_id(model: ShippedModel) -> None:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from qgis.core import QgsApplication, QgsProcessingModelAlgorithm
+from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QCoreApplication, QTranslator
 
 from ....urbanmap_qgis.wording import use_catalogue
@@ -37,26 +37,24 @@ def stop_speaking(translator: QTranslator) -> None:
     use_catalogue(None)
 
 
-def translated_model(model: QgsProcessingModelAlgorithm, group: str) -> QgsProcessingModelAlgorithm:
-    """The model with its labels and help in the user's language; its name stays, for saved models say it."""
-    model.setGroup(tr(group))
-    choices = {definition.name(): definition.options() for definition in model.parameterDefinitions()
-               if definition.type() == "enum"}
-    for definition in model.parameterDefinitions():
-        if definition.name() in model.parameterComponents():
-            result = definition.clone()
-            result.setDescription(_label(result.description()))
-            result.setHelp(_help(result.help(), choices.get(result.name())))
-            model.updateModelParameter(result)
-    for child in model.childAlgorithms().values():
-        outputs = child.modelOutputs()
-        for output in outputs.values():
-            output.setDescription(tr(output.description()))
-        child.setModelOutputs(outputs)
-        model.setChildAlgorithm(child)
-    model.setHelpContent({key: _help(text, choices.get(key)) if isinstance(text, str) else text
-                          for key, text in model.helpContent().items()})
-    return model
+def translated_model(content: Mapping, group: str) -> dict:
+    """The content of a model's file with its labels and help in the user's language; its name stays, for saved models
+    say it.
+
+    The content is translated and not the model made of it: QGIS makes all of a model's steps anew for each question.
+    """
+    choices = {name: values["options"] for name, values in content["parameterDefinitions"].items()
+               if values["parameter_type"] == "enum"}
+    definitions = {name: {**values, "description": _label(values["description"]),
+                          "help": _help(values["help"], choices.get(name))}
+                   for name, values in content["parameterDefinitions"].items()}
+    children = {name: {**child, "outputs": {
+        output: {**values, "component_description": tr(values["component_description"])}
+        for output, values in (child["outputs"] or {}).items()}} for name, child in content["children"].items()}
+    helps = {key: _help(text, choices.get(key)) if isinstance(text, str) else text
+             for key, text in (content["help"] or {}).items()}
+    return {**content, "model_group": tr(group), "parameterDefinitions": definitions, "children": children,
+            "help": helps}
 
 
 def _help(text: str, values: Sequence[str] | None) -> str:
