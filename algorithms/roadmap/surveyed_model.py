@@ -39,13 +39,13 @@ def read_survey_roads(algorithm, parameters, context, progress):
 
 def _plans(table, field, wanted, kind):
     """Parts in plan of the features of a table whose field has a value; of all without that field."""
-    from ...urbanmap_qgis.roadspace.survey.area_records import plan_parts
+    from ...urbanmap_qgis.roadspace.survey.area_records import layer_parts
 
     if table is None:
         return ()
     chosen = [shape if field not in table.columns or table.columns[field][row] == wanted else None
               for row, shape in enumerate(table.geometries)]
-    return plan_parts(table.label, chosen, kind)
+    return layer_parts(table.label, chosen, kind)
 
 
 def write_area_layers(algorithm, parameters, context, model, crs) -> dict:

@@ -35,7 +35,7 @@ from urbanmap_qgis.roadspace.survey.area_records import (
     UNDIVIDED,
     corner_of,
     kerb_edge_lines,
-    plan_parts,
+    layer_parts,
     tops_by_number,
 )
 from urbanmap_qgis.roadspace.survey.survey_roads import SurveyInputs, surveyed_roads
@@ -302,11 +302,11 @@ def test_an_edge_whose_corners_are_shuffled_ends(monkeypatch):
 @pytest.mark.parametrize(("kind", "count"), [("Polygon", 2), ("LineString", 0)])
 def test_lanes_that_cross_themselves_are_repaired_and_places_off_the_map_told(kind, count):
     bow = shapely.Polygon([(0, 0), (4, 4), (4, 0), (0, 4)])
-    parts = plan_parts("Lanes", [None, bow], kind)
+    parts = layer_parts("Lanes", [None, bow], kind)
     assert len(parts) == count and all(part.is_valid for part in parts)
     assert sum(part.area for part in parts) == pytest.approx(4.0 * count)
     with pytest.raises(InputError, match="Lanes: shape 2 .* no map"):
-        plan_parts("Lanes", [bow, shapely.LineString([(0, 0), (1e300, 3)])], kind)
+        layer_parts("Lanes", [bow, shapely.LineString([(0, 0), (1e300, 3)])], kind)
 
 
 def test_upper_edges_without_a_number_are_left_out_and_words_are_told():

@@ -242,7 +242,7 @@ def _off_the_map(places: np.ndarray) -> np.ndarray:
     return ~(np.abs(places[:, :2]) <= LARGEST_NUMBER).all(axis=1)
 
 
-def plan_parts(layer: str, shapes: Sequence[shapely.Geometry | None], kind: str) -> list[shapely.Geometry]:
+def layer_parts(layer: str, shapes: Sequence[shapely.Geometry | None], kind: str) -> list[shapely.Geometry]:
     """Parts in plan, of a kind ("Polygon", "LineString"), of the shapes of a layer; polygons repaired.
 
     Raises

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import shapely
@@ -12,7 +13,7 @@ import shapely
 from ...errors import InputError
 from ...wording import say
 from ..road_records import RoadFinding
-from ..road_surface import ClosingLimits, OpenEdgesError, surface_of
+from ..road_surface import GRID, ClosingLimits, OpenEdgesError, surface_of
 from .area_records import EdgeLine
 from .one_sided import one_sided_carriageways
 from .tram_tracks import without_tracks
@@ -55,6 +56,21 @@ class Carriageways:
     findings: tuple[RoadFinding, ...]
     open_sides: shapely.Geometry
     between: int
+
+    @cached_property
+    def near(self) -> shapely.Geometry:
+        """What lies so near to a measured line that it is measured."""
+        return shapely.buffer(self.measured, LIMITS.on)
+
+    @cached_property
+    def border(self) -> shapely.Geometry:
+        """What lies on the border of a carriageway."""
+        return shapely.buffer(shapely.union_all([polygon.boundary for polygon in self.polygons]), GRID)
+
+    @cached_property
+    def end_zones(self) -> shapely.Geometry:
+        """What lies where the survey ends."""
+        return shapely.buffer(shapely.union_all([shapely.linestrings(end) for end in self.ends]), 5 * GRID)
 
 
 def carriageways_between(edges: Sequence[EdgeLine], lanes: Sequence[shapely.Polygon] = ()) -> Carriageways:

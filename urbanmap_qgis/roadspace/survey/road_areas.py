@@ -217,8 +217,7 @@ def _strip_width(polygon: shapely.Polygon) -> float:
 
 def _seen(polygon: shapely.Polygon, ways: Carriageways) -> float:
     """Share of a border that was measured."""
-    near = shapely.buffer(ways.measured, EDGE_LIMITS.on)
-    return shapely.length(shapely.intersection(polygon.exterior, near)) / polygon.exterior.length
+    return shapely.length(shapely.intersection(polygon.exterior, ways.near)) / polygon.exterior.length
 
 
 def _nearest_road(net: _Net, face: shapely.Polygon) -> int:
@@ -238,15 +237,12 @@ def _name_beside(net: _Net, ways: Carriageways, official: Sequence[shapely.Polyg
         return
     whole = shapely.union_all(list(ways.polygons))
     kerbs = whole.boundary
-    ends = shapely.union_all([shapely.linestrings(end) for end in ways.ends]) if ways.ends else None
-    kerbs = shapely.difference(kerbs, shapely.buffer(ways.open_sides, 5 * GRID))
-    if ends is not None:
-        kerbs = shapely.difference(kerbs, shapely.buffer(ends, 5 * GRID))
+    ends = shapely.union_all([shapely.linestrings(end) for end in ways.ends])
+    kerbs = shapely.difference(shapely.difference(kerbs, shapely.buffer(ways.open_sides, 5 * GRID)), ways.end_zones)
+    at_kerbs, at_ends = shapely.buffer(kerbs, GRID), shapely.buffer(ends, GRID)
     for number in _inside(net, shapely.union_all(list(official))):
         face = net.faces[number]
-        beside = shapely.length(shapely.intersection(face.boundary, shapely.buffer(kerbs, GRID)))
-        open_end = 0.0 if ends is None else shapely.length(
-            shapely.intersection(face.boundary, shapely.buffer(ends, GRID)))
+        beside, open_end = (shapely.length(shapely.intersection(face.boundary, zone)) for zone in (at_kerbs, at_ends))
         farthest = shapely.hausdorff_distance(face, shapely.intersection(whole, face.buffer(LIMITS.sidewalk))) if (
             beside) else np.inf
         sidewalk = beside > LIMITS.beside and open_end < EDGE_LIMITS.narrow and (
@@ -329,13 +325,8 @@ def _area(polygon: shapely.Polygon, kind: str, road: int, ways: Carriageways, si
     """An area with where its border comes from."""
     polygon = shapely.geometry.polygon.orient(polygon)
     seen = _seen(polygon, ways) if kind != UNDIVIDED else 0.0
-    kerb = shapely.intersection(polygon.exterior, shapely.buffer(shapely.union_all(
-        [one.boundary for one in ways.polygons]), GRID))
-    if ways.ends:
-        kerb = shapely.difference(kerb, shapely.buffer(shapely.union_all(
-            [shapely.linestrings(end) for end in ways.ends]), 5 * GRID))
-    near = shapely.buffer(ways.measured, EDGE_LIMITS.on)
-    unseen = shapely.length(shapely.difference(kerb, near))
+    kerb = shapely.difference(shapely.intersection(polygon.exterior, ways.border), ways.end_zones)
+    unseen = shapely.length(shapely.difference(kerb, ways.near))
     source = MEASURED
     if kind == UNDIVIDED:
         source = OFFICIAL
