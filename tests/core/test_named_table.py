@@ -51,6 +51,15 @@ def test_export_with_a_head_and_a_line_of_units_is_read(tmp_path):
     same_poses(read_trajectory(tmp_path / "out.csv"))
 
 
+def test_names_with_a_blank_between_many_blanks_are_read(tmp_path):
+    text = "\n".join(["Export of a smoothed solution", "Datum: JGD2011", "",
+                      "   TIME    EASTING   NORTHING   ELLIPSOID HEIGHT   ROLL  PITCH   HEADING",
+                      "   (sec)  (m)  (m)  (m)  (deg)  (deg)  (deg)", "", *(row.replace(",", "   ") for row in ROWS)])
+    read = read_trajectory(written(tmp_path, text, name="export.txt"))
+    same_poses(read)
+    assert read.header[3] == "ELLIPSOID HEIGHT"
+
+
 def test_two_different_heights_are_refused_by_name(tmp_path):
     text = EXPORT.replace("LONGITUDE, ELLIPSOID HEIGHT", "LONGITUDE, ORTHOMETRIC HEIGHT")
     text = text.replace(" 3.500  0.1", " 4.5 0.1")

@@ -327,3 +327,20 @@ def test_points_and_poses_in_degrees_are_laid_into_the_plane(tmp_path, target):
     if target == "poses":  # headings count from true north
         turn = Proj(6677).get_factors(139.7671, 35.6812).meridian_convergence
         assert float(found["heading"]) == pytest.approx(90.0 - turn, abs=1e-5)
+
+
+@pytest.mark.parametrize("place", ["35.6812000000   139.7671000000", "35 40 52.32000   139 46 01.56000"])
+def test_a_pospac_text_in_degrees_is_guessed_whole(tmp_path, place):
+    """Names stand between many blanks and hold one themselves, below a head and above a line of units."""
+    lines = ["POSPac MMS Export Utility", "Datum: JGD2011", "",
+             "   TIME      LATITUDE      LONGITUDE     ELLIPSOID HEIGHT   ROLL    PITCH   HEADING",
+             "   (sec)   (deg)   (deg)   (m)   (deg)   (deg)   (deg)", "",
+             *(f"  {100 + 0.1 * k:.4f}   {place}   48.5{k}   0.1   0.2   90.0" for k in range(5))]
+    path = tmp_path / "export.txt"
+    path.write_text("\n".join(lines), encoding="utf-8")
+    how = replace(guessed_target(path), heights="ellipsoidal")
+    assert how.target == "trajectory" and not set(how.needed) - set(how.columns)
+    assert table_place(path, how)[0] == "EPSG:6677"
+    if " 40 " not in place:
+        import_table(path, how, tmp_path / "out.csv")
+        assert read_trajectory(tmp_path / "out.csv").trajectory.place[0, 2] == pytest.approx(48.50)

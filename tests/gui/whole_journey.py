@@ -14,6 +14,7 @@ URBANMAP_WAY names its task.
 from __future__ import annotations
 
 import argparse
+import importlib
 import importlib.util
 import json
 import os
@@ -103,7 +104,7 @@ class Way:
     def _install_packages(self) -> None:
         from qgis.utils import plugins
 
-        module = sys.modules[f"{PLUGIN}.algorithms.framework.packages.install"]
+        module = importlib.import_module(f"{PLUGIN}.algorithms.framework.packages.install")
         dialog = module.InstallDialog()
         dialog.show()
         self.picture("02_packages", dialog)
@@ -114,7 +115,7 @@ class Way:
         assert plugins[PLUGIN] and not dialog.missing, dialog.label.text()
 
     def _link_packages(self) -> None:
-        module = sys.modules[f"{PLUGIN}.algorithms.framework.packages.dependencies"]
+        module = importlib.import_module(f"{PLUGIN}.algorithms.framework.packages.dependencies")
         place = Path(module.profile_packages())
         place.parent.mkdir(parents=True, exist_ok=True)
         place.symlink_to(self.task["packages"], target_is_directory=True)

@@ -8,7 +8,7 @@ import re
 from dataclasses import replace
 from pathlib import Path
 
-from ..io.files.named_table import DELIMITERS, meanings, plain_name
+from ..io.files.named_table import DELIMITERS, meanings, plain_name, split_blanks
 from ..io.files.plan_axes import NamedAxis, named_axes, order_of_numbers, stated_order
 from ..wording import say
 from .table_import import ENCODINGS, HEIGHTS, MOST_BEFORE, TableImport, each_named, split_table
@@ -26,8 +26,9 @@ def guessed_import(path: str | os.PathLike, target: str) -> TableImport:
     lines = [line for line in data.decode(encoding, "replace").splitlines() if line.strip()][:MOST_BEFORE]
     for skip in range(len(lines)):
         for delimiter in DELIMITERS:
-            rows = [row.split() if delimiter == " " else next(csv.reader([row], delimiter=delimiter), [])
-                    for row in lines[skip:skip + 4]]
+            few = lines[skip:skip + 4]
+            rows = split_blanks(few) if delimiter == " " else [
+                next(csv.reader([row], delimiter=delimiter), []) for row in few]
             names = [cell.strip() for cell in each_named(rows[0], max(map(len, rows[1:]), default=0))]
             known = meanings(names, (*TARGETS[target], *POLAR), ALIASES[target],
                              stated_order(named_axes(names)) is not False)

@@ -22,7 +22,7 @@ from ..io.conversion.geoid import read_geoid
 from ..io.files.atomic import written_beside
 from ..io.files.columns import needed_of
 from ..io.files.guard import read_json, reads
-from ..io.files.named_table import WRITTEN_NUMBER, plain_name
+from ..io.files.named_table import WRITTEN_NUMBER, plain_name, split_blanks
 from ..wording import say
 from .table_places import LATITUDE, LONGITUDE, POLAR, POLAR_ALIASES, degrees_of, placed_in, suggested_crs
 from .table_targets import TABLES, TARGETS, write_checked
@@ -108,7 +108,7 @@ def split_table(path: str | os.PathLike, how: TableImport,
     if not lines:
         raise InputError(say("{name} has no more than {skip} lines: leave fewer out.", name=Path(path).name,
                              skip=how.skip))
-    cells = [line.split() for line in lines] if how.delimiter == " " else \
+    cells = split_blanks(lines) if how.delimiter == " " else \
         list(csv.reader(lines, delimiter=how.delimiter, skipinitialspace=True))
     cells[0] = each_named(cells[0], max(map(len, cells[1:4]), default=0))
     if any(WRITTEN_NUMBER.match(cell.strip()) for cell in cells[0]):

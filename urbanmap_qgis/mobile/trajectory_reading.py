@@ -14,14 +14,14 @@ import numpy as np
 from ..errors import InputError
 from ..geometry.tolerances import ROUNDING
 from ..io.conversion.geoid import Geoid
-from ..wording import say
+from ..wording import known, mark, say
 from .trajectory import Trajectory, gaps, jumps, path_chainage, unwrapped
 
 ANGLES = ("degrees", "radians", "degrees_from_east", "radians_from_east")
 """Ways of counting: unit of all angles, and headings clockwise from grid north or counter-clockwise from grid east."""
 
-ANGLE_NAMES = ("degrees clockwise from grid north", "radians clockwise from grid north",
-               "degrees counter-clockwise from east", "radians counter-clockwise from east")
+ANGLE_NAMES = (mark("degrees clockwise from grid north"), mark("radians clockwise from grid north"),
+               mark("degrees counter-clockwise from east"), mark("radians counter-clockwise from east"))
 
 
 @dataclass(frozen=True)
@@ -97,8 +97,8 @@ def judged_headings(trajectory: Trajectory, angles: np.ndarray, counted: str, na
         raise InputError(say("{name}: the headings lie {off:.0f}° beside the direction of travel (median), but read "
                              "as {angle_names} they go with it ({away:.1f}°): say that the angles are counted so, or "
                              "convert them to {angle_names_2}.", name=name, off=off,
-                             angle_names=ANGLE_NAMES[ANGLES.index(best)], away=away[best],
-                             angle_names_2=ANGLE_NAMES[0]))
+                             angle_names=known(ANGLE_NAMES[ANGLES.index(best)]), away=away[best],
+                             angle_names_2=known(ANGLE_NAMES[0])))
     if off > 180.0 - LIMITS.agrees:
         return [say("{name}: the vehicle drove backwards, or its headings are half a turn off: they point against "
                     "the direction of travel.", name=name)]

@@ -30,6 +30,8 @@ from .recognition_thread import Findings, Recognition
 _FACTS = Qt.ItemDataRole.UserRole
 _GPS_START = datetime(1980, 1, 6)
 _WEEK = 604_800.0
+_SHOWN = 3
+"""Reasons why files cannot be used that are told below the map; all stand beside the files."""
 _MANY = 6
 """Groups of more files stay folded."""
 _WIDEST = 230
@@ -340,8 +342,12 @@ class FilesPanel(QWidget):
         self.map.show_boxes([(item.label, item.kind, extent) for item, extent in
                              zip(self.findings.facts, self.findings.extents) if extent and item.source in kept])
         told = disagreements(used)
-        if told:
-            self.fit.setText("\n".join([tr("Does not fit together:"), *(f"• {sentence}" for sentence in told)]))
+        problems = [item.problem for item in self.findings.facts if item.problem]
+        more = [tr("and {0} more").format(len(problems) - _SHOWN)] if len(problems) > _SHOWN else []
+        groups = ((tr("Does not fit together:"), told), (tr("Cannot be used:"), [*problems[:_SHOWN], *more]))
+        if told or problems:
+            self.fit.setText("\n".join(line for title, sentences in groups if sentences
+                                       for line in (title, *(f"• {sentence}" for sentence in sentences))))
             self.fit.setStyleSheet(f"color: {_BAD}")
         else:
             self.fit.setText(tr("As far as the files say, all fits together.") if used else "")

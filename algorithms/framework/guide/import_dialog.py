@@ -26,6 +26,7 @@ from qgis.PyQt.QtWidgets import (
 
 from ....urbanmap_qgis.errors import UrbanMapError
 from ....urbanmap_qgis.wording import mark
+from ..declaring.choice_words import CHOICE_WORDS
 from ..declaring.parameters import tr
 
 _ROWS = 12
@@ -35,8 +36,17 @@ _GEOIDS = mark("Geoid models (*.tif *.gtx *.asc *.isg *.txt *.ver);;All files (*
 _TARGETS = {"trajectory": mark("Trajectory"), "exterior": mark("Exterior orientation"), "poses": mark("Image poses"),
             "control": mark("Control points of a survey"), "als_control": mark("Control points of a point cloud"),
             "frame_control": mark("Points in frames"), "ties": mark("Tie points")}
-_COLUMN_NAMES = {"x": mark("x (east)"), "y": mark("y (north)")}
-"""What is shown for columns whose name alone would mislead where X counts north."""
+_COLUMN_NAMES = {
+    "time": mark("time"), "x": mark("east"), "y": mark("north"), "z": mark("height"), "roll": mark("roll"),
+    "pitch": mark("pitch"), "heading": mark("heading"), "image": mark("image"), "id": mark("name"),
+    "point": mark("point"), "set": mark("set"), "column": mark("column"), "row": mark("row"), "role": mark("role"),
+    "x_mms": mark("measured east"), "y_mms": mark("measured north"), "z_mms": mark("measured height"),
+    "x_als": mark("east in the cloud"), "y_als": mark("north in the cloud"), "z_als": mark("height in the cloud"),
+    "x_ref": mark("reference east"), "y_ref": mark("reference north"), "latitude": mark("latitude"),
+    "longitude": mark("longitude"), "latitude_minutes": mark("latitude, minutes"),
+    "latitude_seconds": mark("latitude, seconds"), "longitude_minutes": mark("longitude, minutes"),
+    "longitude_seconds": mark("longitude, seconds")}
+"""What the columns of the project's tables are, shown with their names."""
 _DOUBT = "#a86400"
 _DELIMITERS = ((",", ","), (";", ";"), ("\t", mark("Tab")), (" ", mark("Space")))
 
@@ -193,7 +203,8 @@ class ImportDialog(QDialog):
             box = QComboBox()
             box.addItem("–", "")
             for needed in (*TARGETS[self.target.currentData()], *POLAR):
-                box.addItem(tr(_COLUMN_NAMES[needed]) if needed in _COLUMN_NAMES else needed, needed)
+                words = tr(_COLUMN_NAMES[needed]) if needed in _COLUMN_NAMES else needed
+                box.addItem(words if words == needed else f"{words} ({needed})", needed)
             box.setCurrentIndex(max(box.findData(meant.get(column, "")), 0))
             box.currentIndexChanged.connect(lambda _row: self._show_place())
             self.table.setCellWidget(0, column, box)
@@ -267,11 +278,12 @@ class ImportDialog(QDialog):
         from ....urbanmap_qgis.job.table_targets import ANGLE_WAYS
         from ....urbanmap_qgis.mobile.trajectory_reading import ANGLE_NAMES, ANGLES
 
-        names = dict(zip(ANGLES, ANGLE_NAMES))
+        names = {way: tr(name) for way, name in zip(ANGLES, ANGLE_NAMES)}
         self.angles.clear()
         ways = ANGLE_WAYS[self.target.currentData()]
         for way in ways:
-            self.angles.addItem(tr(names.get(way, way)), way)
+            words = ", ".join(tr(CHOICE_WORDS[word]) for word in way.split(" ") if word)
+            self.angles.addItem(names.get(way, words), way)
         self.angles.setVisible(any(ways))
         self.form.labelForField(self.angles).setVisible(any(ways))
 

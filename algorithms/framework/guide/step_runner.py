@@ -73,6 +73,15 @@ def arrange_layers(layers: Collection[str], note: str, files: Sequence[str] = ()
         parent.removeChildNode(node)
 
 
+def tell_apart(layers: Collection[str], title: str) -> None:
+    """Give layers that were just loaded the step's title where another one of the project has the same name."""
+    project = QgsProject.instance()
+    others = {layer.name() for identity, layer in project.mapLayers().items() if identity not in layers}
+    for layer in map(project.mapLayer, layers):
+        if layer.name() in others:
+            layer.setName(f"{layer.name()} ({title})")
+
+
 def _depth(node, files: Sequence[str]) -> tuple[int, int, int]:
     """How far down a layer goes that is no raster: its kind, its file's place, and its own in the tree now."""
     kinds = (QgsWkbTypes.GeometryType.PointGeometry, QgsWkbTypes.GeometryType.LineGeometry,
@@ -208,7 +217,9 @@ class StepRunner(QObject):
         handleAlgorithmResults(self._algorithm, self._context, self._feedback, parameters=self._given)
         alike = sum(other.algorithm == step.algorithm for other in self.job.steps) > 1
         files = [str(results.get(one.name())) for one in self._algorithm.destinationParameterDefinitions()]
-        arrange_layers(set(QgsProject.instance().mapLayers()) - before, short_id(step.id) if alike else "", files)
+        loaded = set(QgsProject.instance().mapLayers()) - before
+        arrange_layers(loaded, short_id(step.id) if alike else "", files)
+        tell_apart(loaded, algorithm_of(step.algorithm).displayName())
         self.job = self.job.with_step(done_step(step, self._asked, results, seconds))
         self._next()
 

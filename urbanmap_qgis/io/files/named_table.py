@@ -162,7 +162,8 @@ def named_rows(text: str, needed: Sequence[str], aliases: Mapping[str, str], nam
     """
     lines = [line for line in text.splitlines() if line.strip()]
     at, delimiter = _head(lines, needed, aliases)
-    header = tuple(item.strip() for item in _cells([_COMMENT.sub("", lines[at])], delimiter)[0]) if lines else ()
+    header = tuple(item.strip() for item in _cells([_COMMENT.sub("", lines[at]), *lines[at + 1:at + 4]], delimiter)[0]
+                   ) if lines else ()
     lines = [*lines[:at + 1], *(line for line in lines[at + 1:] if not _COMMENT.match(line))]
     rows = _rows(lines[at + 1:], delimiter, len(header))
     units = 0
@@ -201,7 +202,7 @@ def _head(lines: Sequence[str], needed: Sequence[str], aliases: Mapping[str, str
     wanted = {plain_name(key) for key in needed}
     for number, line in enumerate(lines[:_HEAD_LINES]):
         for delimiter in DELIMITERS:
-            cells = _cells([_COMMENT.sub("", line)], delimiter)[0]
+            cells = _cells([_COMMENT.sub("", line), *lines[number + 1:number + 4]], delimiter)[0]
             axes = named_axes(cells)
             plain = [axes[cell].counts(True) if cell in axes else plain_name(cell) for cell in cells]
             if {plain_name(aliases.get(cell, cell)) for cell in plain} >= wanted:
@@ -215,8 +216,24 @@ def _head(lines: Sequence[str], needed: Sequence[str], aliases: Mapping[str, str
 
 def _cells(lines: Sequence[str], delimiter: str) -> list[list[str]]:
     if delimiter == " ":
-        return [line.split() for line in lines]
+        return split_blanks(lines)
     return list(csv.reader(lines, delimiter=delimiter, skipinitialspace=True))
+
+
+def split_blanks(lines: Sequence[str]) -> list[list[str]]:
+    """Cells between blanks; in the first line names with a blank of their own ("ELLIPSOID HEIGHT") stay whole.
+
+    They do where the lines behind it have as many cells as there are names with more than one blank between them, or
+    four more: minutes and seconds of latitude and longitude.
+    """
+    rows = [line.split() for line in lines]
+    if not rows:
+        return rows
+    wide = [cell for cell in re.split(r"\s{2,}|\t", lines[0].strip()) if cell]
+    widths = {len(row) - more for row in rows[1:4] for more in (0, 4)}
+    if len(wide) < len(rows[0]) and len(wide) in widths and len(rows[0]) not in widths:
+        rows[0] = wide
+    return rows
 
 
 def _is_number(cell: str) -> bool:
