@@ -208,6 +208,15 @@ def test_tables_that_only_the_user_can_tell_say_where_to_tell_it(tmp_path, text,
     assert found.kind == kind and "Import table" in found.problem
 
 
+def test_a_navigation_text_in_degrees_below_a_head_says_where_to_read_it(tmp_path):
+    path = tmp_path / "export.txt"
+    names = "  TIME   LATITUDE   LONGITUDE   ELLIPSOID HEIGHT   ROLL   PITCH   HEADING"
+    path.write_text("\n".join(["Export", "Datum: JGD2011", "", names, "", *(f"  {100 + k}  35.68 139.76 48.5 0 0 90" for k in range(5))]),
+                    encoding="utf-8")
+    found, = recognise_file(path)
+    assert found.kind == "trajectory" and "Import table" in found.problem
+
+
 def test_a_list_of_places_says_where_it_can_be_read(tmp_path):
     path = tmp_path / "成果.csv"
     path.write_text("点名,X座標,Y座標,標高\nA,10,20,3\nB,11,21,4\n", encoding="cp932")

@@ -45,6 +45,7 @@ class GuideDock(QDockWidget):
         self.setObjectName("UrbanMapGuide")
         self.job, self.path, self.dialog, self.importing = None, None, None, None
         self._loading = False
+        self._kept: bytes | None = None  # the job's file as this window wrote or read it last
         self.files, self.runner = FilesPanel(), StepRunner(self)
         self.steps = StepsPanel(self.runner)
         self.wish, self.missing, self.place, self.pages = QComboBox(), QLabel(), QLabel(), QTabWidget()
@@ -171,8 +172,14 @@ class GuideDock(QDockWidget):
             self.path = default_place(self.files.given)
         if self.path is None:
             return
+        if self._kept is not None and _bytes_of(self.path) not in (None, self._kept):
+            self.place.setText(tr(
+                "{0} was changed by another window of QGIS and is not written over: open it again, or save this job "
+                "under another name.").format(self.path))
+            return
         try:
             write_job(self.path, job)
+            self._kept = _bytes_of(self.path)
             self.place.setText(tr("Job: {0}").format(self.path))
         except UrbanMapError as error:
             self.place.setText(str(error))
@@ -180,7 +187,7 @@ class GuideDock(QDockWidget):
     def new_job(self) -> None:
         """Begin with nothing."""
         self.runner.cancel()
-        self.job, self.path = None, None
+        self.job, self.path, self._kept = None, None, None
         self.place.clear()
         self.wish.setCurrentIndex(0)
         self.files.clear()
@@ -197,7 +204,7 @@ class GuideDock(QDockWidget):
         except UrbanMapError as error:
             self.place.setText(str(error))
             return
-        self.job, self.path = job, Path(path)
+        self.job, self.path, self._kept = job, Path(path), _bytes_of(Path(path))
         self._loading = True
         self.wish.setCurrentIndex(max(self.wish.findData(job.wish), 0))
         self._loading = False
@@ -225,13 +232,21 @@ class GuideDock(QDockWidget):
     def _save_as(self) -> None:
         path, _ = QFileDialog.getSaveFileName(self, tr("Save job as…"), str(self.path or ""), tr(JOB_FILTER))
         if path and self.job is not None:
-            self.path = Path(path if path.endswith(".json") else f"{path}.urbanmap.json")
+            self.path, self._kept = Path(path if path.endswith(".json") else f"{path}.urbanmap.json"), None
             self._keep(self.job)
 
     def shut(self) -> None:
         """End what is at work, before the dock goes."""
         self.files.recognition.stop()
         self.runner.cancel()
+
+
+def _bytes_of(path: Path) -> bytes | None:
+    """What a file holds, None where it is not there."""
+    try:
+        return path.read_bytes()
+    except OSError:
+        return None
 
 
 def default_place(given: list[str]) -> Path:

@@ -161,7 +161,11 @@ class StepRunner(QObject):
         """Start a step as a task; what keeps it from running is raised."""
         from ....urbanmap_qgis.job.job_progress import resolved_parameters
 
-        self.folder.mkdir(parents=True, exist_ok=True)
+        try:
+            self.folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise InputError(tr("The folder of the results cannot be made ({0}): save the job in another folder by "
+                                "“Save job as…”.").format(error)) from error
         self._asked = resolved_parameters(self.job, step)
         self._algorithm = algorithm_of(step.algorithm)
         self._given = filled_parameters(self.job, step, self.folder)

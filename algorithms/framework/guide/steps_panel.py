@@ -145,7 +145,7 @@ class StepsPanel(QWidget):
 
     def _tell_time(self) -> None:
         """Which step is at work, and how long all still takes."""
-        if not self.runner.busy():
+        if not self.runner.busy() or self.job is None:
             return
         ids = [step.id for step in self.job.steps]
         step = self.job.step(self.runner.current)

@@ -38,6 +38,7 @@ def show_layer(context: QgsProcessingContext, path: Path, title: str, style: str
     hint = {".gpkg": "Vector", ".tif": "Raster"}.get(path.suffix.lower(), "PointCloud")
     details = QgsProcessingContext.LayerDetails(title, context.project(), "",
                                                 getattr(QgsProcessingUtils.LayerHint, hint))
+    details.forceName = True  # else QGIS calls a layer after its file
     place = final_text(str(path))
     context.addLayerToLoadOnCompletion(place, details)
     if style:

@@ -57,6 +57,8 @@ _SIGNATURES = {
     EXTERIOR: {"image", "x", "y", "z", "omega", "phi", "kappa"}, SCANS: {"time", "angle", "range"}}
 """Columns by which a table that its reader refuses is told all the same."""
 
+_DEGREES = re.compile(b"(?i)latitude|" + b"|".join(re.escape(word.encode(code)) for word in ("緯度", "北緯")
+                                                   for code in ("utf-8", "cp932")))
 _KIND_OF_TARGET = {"trajectory": TRAJECTORY, "exterior": EXTERIOR, "poses": IMAGE_POSES, "control": CONTROL,
                    "als_control": CLOUD_CONTROL, "frame_control": FRAME_CONTROL, "ties": TIE_POINTS}
 
@@ -142,7 +144,19 @@ def table_facts(path: Path, head: bytes, packed: bool = False) -> list[FileFacts
         if near:
             best = max(near, key=lambda kind: len(_SIGNATURES[kind]))
             return [FileFacts(path, best, problem=refusals[best])]
+        if _DEGREES.search(head):
+            return [_in_degrees(path, sample, names)]
         return [_other_table(path, sample, names)]
+
+
+def _in_degrees(path: Path, sample: Path, names: set[str]) -> FileFacts:
+    """A table below a head that may have its places in latitude and longitude, as navigation programs write it."""
+    how = guessed_target(sample)
+    if not how.polar or missing_columns(how):
+        return _other_table(path, sample, names)
+    return _to_preview(path, sample, say("{name} has its places in latitude and longitude: read it by “Import table…” "
+                                         "in the menu UrbanMap, which lays them into the plane reference system of "
+                                         "the survey.", name=path.name))
 
 
 def _to_preview(path: Path, sample: Path, sentence: str) -> FileFacts:
