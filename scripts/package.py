@@ -25,7 +25,7 @@ FOLDERS = ("algorithms", "urbanmap_qgis", "resources")
 PICTURES = (".jpg", ".png")
 # Least quality of WebP at which the text of windows is read, and largest width, pixels; of pictures without text, which
 # need not be wider than the help's column.
-WINDOWS, PHOTOGRAPHS = (18, 1000), (20, 800)
+WINDOWS, PHOTOGRAPHS = (17, 940), (20, 720)
 ICON_STYLES_FILES = ("brands.min.css", "fontawesome.min.css", "solid.min.css", "v4-font-face.min.css")
 ICON_STYLES = re.compile(r'<link href="[^"]*css/(?:brands|fontawesome|solid|v4-font-face)\.min\.css" rel="stylesheet">')
 TO_REFERENCE = re.compile(r'<a [^>]*href="(?:\.\./)*api/[^"]*"[^>]*>(.*?)</a>', re.DOTALL)

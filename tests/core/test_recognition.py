@@ -211,8 +211,8 @@ def test_tables_that_only_the_user_can_tell_say_where_to_tell_it(tmp_path, text,
 def test_a_navigation_text_in_degrees_below_a_head_says_where_to_read_it(tmp_path):
     path = tmp_path / "export.txt"
     names = "  TIME   LATITUDE   LONGITUDE   ELLIPSOID HEIGHT   ROLL   PITCH   HEADING"
-    path.write_text("\n".join(["Export", "Datum: JGD2011", "", names, "", *(f"  {100 + k}  35.68 139.76 48.5 0 0 90" for k in range(5))]),
-                    encoding="utf-8")
+    rows = [f"  {100 + k}  35.68 139.76 48.5 0 0 90" for k in range(5)]
+    path.write_text("\n".join(["Export", "Datum: JGD2011", "", names, "", *rows]), encoding="utf-8")
     found, = recognise_file(path)
     assert found.kind == "trajectory" and "Import table" in found.problem
 
