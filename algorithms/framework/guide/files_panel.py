@@ -31,7 +31,7 @@ _FACTS = Qt.ItemDataRole.UserRole
 _GPS_START = datetime(1980, 1, 6)
 _WEEK = 604_800.0
 _SHOWN = 3
-"""Reasons why files cannot be used that are told below the map; all stand beside the files."""
+"""Reasons why files cannot be used that are told below the table; all stand beside the files."""
 _MANY = 6
 """Groups of more files stay folded."""
 _WIDEST = 230
@@ -134,8 +134,8 @@ class FilesPanel(QWidget):
         uses.addWidget(self.use, 1)
         uses.addWidget(self.preview)
         layout.addLayout(uses)
-        layout.addWidget(self.map, 1)
         layout.addWidget(self.fit)
+        layout.addWidget(self.map, 1)
         self._offer_uses()
 
     def add(self, paths: Sequence[str]) -> None:
