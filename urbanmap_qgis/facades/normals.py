@@ -29,6 +29,9 @@ class NormalsLimits:
 
 LIMITS = NormalsLimits()
 
+_DIRECTIONS = [(x - 1, y - 1, z - 1) for x, y, z in np.ndindex(3, 3, 3) if (x, y, z) != (1, 1, 1)]
+"""To the 26 voxels round one, those in opposite directions equally far from both ends."""
+
 
 @dataclass(frozen=True, eq=False)
 class NormalVoxels:
@@ -70,32 +73,75 @@ def voxel_normals(points: np.ndarray, size: float = VOXEL) -> NormalVoxels:
     The first of `size`, 1.5 `size`, ... is taken in which half of the neighbourhoods have a dozen points.
     """
     while True:
-        voxels = _voxels(points, size)
-        if size * 1.5 > LIMITS.max_voxel or np.median(voxels.support) >= LIMITS.min_support:
-            return voxels
+        cells = _Cells.of(points, size)
+        if size * 1.5 > LIMITS.max_voxel or np.median(cells.support) >= LIMITS.min_support:
+            return _voxels(points, cells)
         size *= 1.5
 
 
-def _voxels(points: np.ndarray, size: float) -> NormalVoxels:
-    low = points.min(axis=0)
-    index = np.floor((points - low) / size).astype(np.int64) + 1
-    shape = index.max(axis=0) + 2
-    codes, of_point, count = numbered_cells((index[:, 0] * shape[1] + index[:, 1]) * shape[2] + index[:, 2],
-                                       int(shape.prod()))
-    local = points - low
+@dataclass(frozen=True, eq=False)
+class _Cells:
+    """Voxels of a side `size`, m, that hold points, and which of them lie side by side.
+
+    Attributes
+    ----------
+    low : (3,) m, lower corner of all.
+    index : (v, 3) whole coordinates.
+    of_point, count : see `NormalVoxels`.
+    beside : for each of the 26 directions (3,) the voxels that have another there, and the places of these.
+    support : (v,) points of each and all beside it.
+    """
+
+    size: float
+    low: np.ndarray
+    index: np.ndarray
+    of_point: np.ndarray
+    count: np.ndarray
+    beside: list[tuple[tuple[int, int, int], np.ndarray, np.ndarray]]
+    support: np.ndarray
+
+    @classmethod
+    def of(cls, points: np.ndarray, size: float) -> _Cells:
+        """The voxels of points (n, 3), m."""
+        low = points.min(axis=0)
+        index = np.floor((points - low) / size).astype(np.int64) + 1
+        shape = index.max(axis=0) + 2
+        codes, of_point, count = numbered_cells((index[:, 0] * shape[1] + index[:, 1]) * shape[2] + index[:, 2],
+                                                int(shape.prod()))
+        index = np.column_stack([codes // (shape[1] * shape[2]), codes // shape[2] % shape[1], codes % shape[2]])
+        beside = _beside(codes, shape)
+        support = count.copy()
+        for _, found, place in beside:
+            support[found] += count[place]
+        return cls(size, low, index, of_point, count, beside, support)
+
+
+def _beside(codes: np.ndarray, shape: np.ndarray) -> list[tuple[tuple[int, int, int], np.ndarray, np.ndarray]]:
+    """`_Cells.beside` of voxels by their codes; who has another on one side is on the other side of that."""
+    find = _places(codes, int(shape.prod()))
+    first = []
+    for direction in _DIRECTIONS[:len(_DIRECTIONS) // 2]:
+        dx, dy, dz = direction
+        first.append((direction, *find(codes + (dx * shape[1] + dy) * shape[2] + dz)))
+    return first + [((-dx, -dy, -dz), place, found) for (dx, dy, dz), found, place in reversed(first)]
+
+
+def _voxels(points: np.ndarray, cells: _Cells) -> NormalVoxels:
+    """The voxels with what is known of each."""
     # Sums about the voxel's corner, so that squares stay small.
-    corner = np.column_stack([codes // (shape[1] * shape[2]), codes // shape[2] % shape[1], codes % shape[2]]) * size
-    inside = local - corner[of_point]
-    sums = np.empty((len(codes), 10))
+    corner = cells.index * cells.size
+    inside = points - cells.low - corner[cells.of_point]
+    of_point, count = cells.of_point, cells.count
+    sums = np.empty((len(count), 10))
     sums[:, 0] = count
     for k in range(3):
-        sums[:, 1 + k] = np.bincount(of_point, inside[:, k], len(codes))
+        sums[:, 1 + k] = np.bincount(of_point, inside[:, k], len(count))
     for column, (i, j) in enumerate(((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)), 4):
-        sums[:, column] = np.bincount(of_point, inside[:, i] * inside[:, j], len(codes))
-    mean = low + corner + sums[:, 1:4] / count[:, None]
-    normal, thickness, extent, support = _neighbourhood_axes(codes, sums, shape, size)
-    return NormalVoxels(size, of_point, np.rint(corner / size).astype(np.int64), count, mean, normal, thickness, extent,
-                        support)
+        sums[:, column] = np.bincount(of_point, inside[:, i] * inside[:, j], len(count))
+    mean = cells.low + corner + sums[:, 1:4] / count[:, None]
+    normal, thickness, extent, support = _neighbourhood_axes(cells, sums)
+    return NormalVoxels(cells.size, of_point, np.rint(corner / cells.size).astype(np.int64), count, mean, normal,
+                        thickness, extent, support)
 
 
 def numbered_cells(code: np.ndarray, most: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -128,20 +174,14 @@ def _places(codes: np.ndarray, most: int) -> Callable[[np.ndarray], tuple[np.nda
     return look
 
 
-def _neighbourhood_axes(codes: np.ndarray, sums: np.ndarray, shape: np.ndarray, size: float):
+def _neighbourhood_axes(cells: _Cells, sums: np.ndarray):
     """Normal, extents across and along, and number of points of the 27 voxels round each."""
-    total, find = sums.copy(), _places(codes, int(shape.prod()))
-    for dx in (-1, 0, 1):
-        for dy in (-1, 0, 1):
-            for dz in (-1, 0, 1):
-                if dx == dy == dz == 0:
-                    continue
-                other = codes + (dx * shape[1] + dy) * shape[2] + dz
-                found, place = find(other)
-                total[found] += _shifted(sums[place], np.array([dx, dy, dz]) * size)
+    total = sums.copy()
+    for direction, found, place in cells.beside:
+        total[found] += _shifted(sums[place], np.array(direction) * cells.size)
     support = total[:, 0]
     mean = total[:, 1:4] / support[:, None]
-    covariance = np.empty((len(codes), 3, 3))
+    covariance = np.empty((len(sums), 3, 3))
     for column, (i, j) in enumerate(((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)), 4):
         covariance[:, i, j] = covariance[:, j, i] = total[:, column] / support - mean[:, i] * mean[:, j]
     values, vectors = np.linalg.eigh(covariance)
