@@ -278,6 +278,13 @@ def test_unknown_figures_and_heights_of_edges_are_let_pass():
     assert np.isfinite(heights).all() and heights.min() == pytest.approx(9.6, abs=0.01)
 
 
+def test_upper_edges_without_heights_are_as_high_as_their_kerb():
+    kerb = shapely.linestrings([[0.0, 0.0, 10.0], [5.0, 0.0, 10.5]])
+    flat = shapely.linestrings([[0.0, 0.1], [5.0, 0.1]])
+    (line,) = kerb_edge_lines([kerb], {3: flat}, {"edge_id": [3], "height": [0.15]})
+    assert line.plan[:, 1] == pytest.approx([0.05, 0.05]) and line.top[:, 2] == pytest.approx([10.15, 10.65])
+
+
 def test_edges_without_heights_make_level_2_and_are_refused_for_others():
     lines = kerb_edge_lines([shapely.linestrings(one.foot[:, :2]) for one in crossing()], {}, {})
     assert surveyed_roads(lines, "2").count(CARRIAGEWAY) == 4

@@ -187,6 +187,7 @@ def kerb_edge_lines(feet, tops, columns) -> list[EdgeLine]:
             top = None if other is None else shapely.get_coordinates(other, include_z=True)
             if top is None or len(top) != len(foot):
                 top = foot + np.array([0.0, 0.0, height])
+            top[:, 2] = np.where(np.isnan(top[:, 2]), foot[:, 2] + height, top[:, 2])
             _require_places(row, top)
             lines.append(EdgeLine(foot, top, height, value("sigma", row, np.nan), value("sigma_z", row, np.nan),
                                   int(value("chain", row, -1 - row)), value("gap", row, 0.0)))
