@@ -279,6 +279,38 @@ def placed() -> dict:
             "told": dialog.told.text(), "off": off}
 
 
+def previewed() -> dict:
+    """Control points as a Japanese spreadsheet saves them: told in the list, opened from it, imported."""
+    guide = plugin().guide
+    table = CITY / "成果　表.csv"
+    table.write_bytes("点名,X座標,Y座標,標高,区分\r\nA,-34000.5,-7000.5,3,標定点\r\nB,-34001,-7001,4,検証点".encode("cp932"))
+    drop([table])
+    wait_until(lambda: not guide.files.recognition.busy() and any(
+        item.path.name == table.name for item in guide.files.findings.facts), "the table was not recognised")
+    said = guide.files.fit.text()
+    row = next(item for item in guide.files._rows() if item.text(0) == table.name)
+    guide.files.tree.clearSelection()
+    row.setSelected(True)
+    guide.files.tree.itemDoubleClicked.emit(row, 0)
+    dialog = guide.importing
+    told, place, target = dialog.order.text(), dialog.placed.text(), dialog.way().target
+    written = dialog.write(str(CITY / "成果.csv"))
+    wait_until(lambda: not guide.files.recognition.busy(), "files were not recognised")
+    dialog.close()
+    return {"said": said, "told": told, "place": place, "target": target, "written": written,
+            "lines": (CITY / "成果.csv").read_text(encoding="utf-8").splitlines()[:2]}
+
+
+def changed_elsewhere() -> dict:
+    """The job's file changed by another window, then something changed here: that is not written over."""
+    guide = plugin().guide
+    path = guide.path
+    content = path.read_text(encoding="utf-8") + "\n"
+    path.write_text(content, encoding="utf-8")
+    wish("survey" if guide.wish.currentData() != "survey" else "buildings")
+    return {"kept": path.read_text(encoding="utf-8") == content, "told": guide.place.text()}
+
+
 def unloaded() -> dict:
     """The plugin taken away with the dock open, files just recognised and not yet shown, and loaded again."""
     from qgis import utils
@@ -297,7 +329,8 @@ def unloaded() -> dict:
     return {"left": left, "again": plugin().guide.isVisible()}
 
 
-STEPS = (opened, dropped, planned, ran, reopened, tuned, cancelled, unticked, used, imported, placed, unloaded)
+STEPS = (opened, dropped, planned, ran, reopened, tuned, cancelled, unticked, used, imported, placed, previewed,
+         changed_elsewhere, unloaded)
 
 
 def travel() -> None:

@@ -114,6 +114,19 @@ def test_table_in_degrees_is_laid_into_the_system_of_the_job(told):
     assert max(map(abs, found["off"])) < 0.001
 
 
+def test_a_table_that_only_the_user_can_tell_is_opened_from_the_list(told):
+    found = told("previewed")
+    assert "Cannot be used:" in found["said"] and "may count north or east" in found["said"]
+    assert found["target"] == "als_control" and found["told"].startswith("X座標 is taken as counting north")
+    assert found["place"] == "First place: -7000.500 m east, -34000.500 m north."
+    assert found["written"] and found["lines"] == ["id,x,y,z,role", "A,-7000.5,-34000.5,3,標定点"]
+
+
+def test_a_job_that_another_window_changed_is_not_written_over(told):
+    found = told("changed_elsewhere")
+    assert found["kept"] and "was changed by another window" in found["told"]
+
+
 def test_plugin_goes_with_the_dock_open(told):
     assert told("unloaded") == {"left": [], "again": True}
 
