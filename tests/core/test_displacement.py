@@ -94,7 +94,6 @@ def test_outlines_shifted_at_random_come_back(length):
     result = estimate_displacements(shifted(truth, shifts), evidence_of(truth), GRID)
     assert np.hypot(*(found(result) + shifts).T) == pytest.approx(np.zeros(len(truth)), abs=0.2)
     assert set(result.status) == {"moved"}
-    assert result.score_after.min() > 0.8 and result.score_before.mean() < 0.8
     assert (np.hypot(*(found(result) + shifts).T) < 3 * result.sigma).all()
 
 

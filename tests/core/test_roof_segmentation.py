@@ -169,8 +169,6 @@ def test_tree_over_a_corner_is_no_roof(returns_known):
     assert result.roofs.height[0] == pytest.approx(6.0, abs=0.02)
     assert (result.roof_of_point[len(seen):] == 0).mean() > 0.99
     assert label_at(result, 19, 19) == 1
-    row, column, _ = result.grid.cells(np.array([19.0]), np.array([19.0]))
-    assert not result.supported[row[0], column[0]]
 
 
 def test_open_courtyard_stays_open():
@@ -189,13 +187,11 @@ def test_courtyard_without_points_has_no_data():
     assert label_at(result, 15, 15) == 0
 
 
-def test_small_hole_in_the_data_is_filled_but_not_supported():
+def test_small_hole_in_the_data_is_filled():
     outline = shapely.box(0, 0, 20, 20)
     hole = shapely.box(8, 8, 12.8, 12.8)
     _, result = segment([scatter(outline - hole, 12.0)], outline)
     assert (result.roof_of_cell[result.inside] == 1).all()
-    row, column, _ = result.grid.cells(np.array([10.4]), np.array([10.4]))
-    assert not result.supported[row[0], column[0]]
 
 
 def test_neighbour_in_the_expanded_outline_is_left_out():

@@ -51,13 +51,13 @@ class ExportedBuildings:
     textured: int
 
 
-def unique_ids(values: Sequence[Any], first: int = 1) -> tuple[list[str], int]:
+def unique_ids(values: Sequence[Any]) -> tuple[list[str], int]:
     """Ids as text, each once: a second one of a name gets a number, an empty one its place; how many were changed."""
     taken = Counter(str(value).strip() for value in values if value is not None)
     unique: list[str] = []
     used: set[str] = set()
     changed = 0
-    for row, value in enumerate(values, first):
+    for row, value in enumerate(values, 1):
         text = "" if value is None else str(value).strip()
         name = text or f"building-{row}"
         number = 1

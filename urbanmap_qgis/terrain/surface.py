@@ -109,7 +109,6 @@ def ground_mask(x: np.ndarray, y: np.ndarray, z: np.ndarray, classification: np.
 
 
 def ground_raster(x: np.ndarray, y: np.ndarray, z: np.ndarray, classification: np.ndarray | None, grid: Grid,
-                  settings: ClothSettings = JAVANMARDI, wanted: str = "automatic",
                   progress: Progress = SILENT) -> np.ndarray:
     """Ground heights without gaps, (rows, columns) float32.
 
@@ -128,7 +127,7 @@ def ground_raster(x: np.ndarray, y: np.ndarray, z: np.ndarray, classification: n
     ------
     InsufficientDataError : no ground points can be had.
     """
-    ground = ground_mask(x, y, z, classification, settings, wanted, progress)
+    ground = ground_mask(x, y, z, classification, progress=progress)
     px, py, pz = thin_mean(x[ground], y[ground], z[ground], grid.cell)
     px, py, pz, triangles = with_frame(px, py, pz, grid.bounds)
     raster = np.full(grid.shape, np.nan, dtype=np.float32)

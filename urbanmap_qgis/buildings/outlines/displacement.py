@@ -69,7 +69,6 @@ class Displacements:
     ----------
     dx, dy : (n,) m, to be added to the outline.
     sigma : (n,) m, uncertainty of dx and of dy (each).
-    score_before, score_after : (n,) in [-1, 1], mean building evidence under the outline as given and as moved.
     status : (n,) of "kept", "moved", "not observable" (no building to be seen in reach: the outline follows the
         common shift of its connected set, which is mostly none).
     """
@@ -77,8 +76,6 @@ class Displacements:
     dx: np.ndarray
     dy: np.ndarray
     sigma: np.ndarray
-    score_before: np.ndarray
-    score_after: np.ndarray
     status: np.ndarray
 
 
@@ -113,7 +110,7 @@ def estimate_displacements(polygons: np.ndarray, evidence: np.ndarray, grid: Gri
                              coarse_step=COARSE_STEP))
     n = len(polygons)
     shifts, sigma = np.zeros((n, 2)), np.full(n, float(max_shift))
-    before, after, seen = np.zeros(n), np.zeros(n), np.zeros(n, bool)
+    seen = np.zeros(n, bool)
     sums = row_sums(np.nan_to_num(evidence), grid.cell)
     measured = None if surface is None else row_sums(np.isfinite(surface), grid.cell)
     usable = np.flatnonzero(shapely.is_geometry(polygons) & (shapely.area(polygons) > 0))
@@ -124,12 +121,12 @@ def estimate_displacements(polygons: np.ndarray, evidence: np.ndarray, grid: Gri
         progress.step(done / max(len(usable), 1))
         which = usable[members]
         part = _placed(polygons[which], own_pairs, sums, measured, grid, max_shift)
-        shifts[which], sigma[which], before[which], after[which], seen[which] = part
+        shifts[which], sigma[which], seen[which] = part
         done += len(members)
     progress.step(1.0)
     far = np.hypot(*shifts.T) >= LIMITS.moved_from
     status = np.where(seen, np.where(far, MOVED, KEPT), NOT_OBSERVABLE)
-    return Displacements(shifts[:, 0], shifts[:, 1], sigma, before, after, status)
+    return Displacements(shifts[:, 0], shifts[:, 1], sigma, status)
 
 
 def shifted_outlines(polygons: np.ndarray, displacements: Displacements) -> np.ndarray:
@@ -173,7 +170,7 @@ def _batches(n: int, pairs: np.ndarray) -> list[tuple[np.ndarray, np.ndarray]]:
 
 def _placed(polygons: np.ndarray, pairs: np.ndarray, sums: np.ndarray, measured: np.ndarray | None, grid: Grid,
             max_shift: float) -> tuple[np.ndarray, ...]:
-    """Shifts, sigma, scores before and after, and whether observable, of one batch."""
+    """Shifts, sigma, and whether observable, of one batch."""
     area = shapely.area(polygons)
     network = _network(polygons, area, pairs, sums, grid, max_shift)
     still = np.zeros((len(area), 1, 2))
@@ -197,11 +194,11 @@ def _placed(polygons: np.ndarray, pairs: np.ndarray, sums: np.ndarray, measured:
     shifts = separate_overlapping(network, drop_insignificant_shifts(network, shifts), area, cover, max_shift)
     shifts = np.where(seen[:, None], shifts, network.common)
     shifts = np.round(shifts * np.minimum(1, max_shift / np.maximum(np.hypot(*shifts.T), LEAST_DIVISOR))[:, None], 3)
-    scores = np.clip(network.cover(np.stack((np.zeros_like(shifts), shifts), axis=1)) / area[:, None], -1, 1)
+    score = np.clip(network.cover(shifts[:, None])[:, 0] / area, -1, 1)  # mean building evidence under the outline
     # What an outline covers wrongly even at its best place, as a strip along its boundary: it has another shape.
-    strip = area * (1 - scores[:, 1]) / network.perimeter
+    strip = area * (1 - score) / network.perimeter
     sigma = np.hypot(_sigma(beliefs[0], FINE_STEPS[0][0], max_shift), LIMITS.misfit * strip)
-    return shifts, np.where(seen, np.minimum(sigma, max_shift), max_shift), *scores.T, seen
+    return shifts, np.where(seen, np.minimum(sigma, max_shift), max_shift), seen
 
 
 def _wall_to_wall(network: OutlineNetwork, shifts: np.ndarray, max_shift: float) -> np.ndarray:

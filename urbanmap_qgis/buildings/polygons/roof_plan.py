@@ -35,7 +35,7 @@ class RoofPlanLimits:
     # Least cost of giving a cell to the wrong roof, where both have the same height, as a share of the full cost.
     min_confusion: float = 0.3
     max_lines: int = 62  # Sides of this many lines fit into one integer.
-    # Metres; label borders farther from a polygon's edge are clutter, which `agreement` counts.
+    # Metres; label borders farther from a polygon's edge are clutter.
     near_border: float = 1.5
 
 
@@ -73,20 +73,16 @@ class RoofPartition:
     ----------
     polygons : (k) Polygons; neighbours share exact edges and nodes.
     roof_numbers : (k,) roof of each polygon; one roof can have several. 0 where there is no data at all.
-    no_data_share : share of the outline's area without labelled cells.
     status : "ok"; "one roof"; "no data"; "lost roofs" (a roof larger than the least area found no place).
     coverage : (k,) share of each roof's area with labelled cells.
-    agreement : (k,) share of each roof's labelled area that is labelled as this roof.
     boundary_rms : (k,) metres, from the roof borders in the raster to the polygon's border, those within
         `LIMITS.near_border`; nan without any.
     """
 
     polygons: tuple[shapely.Polygon, ...]
     roof_numbers: np.ndarray
-    no_data_share: float
     status: str
     coverage: np.ndarray
-    agreement: np.ndarray
     boundary_rms: np.ndarray
 
 
@@ -178,8 +174,8 @@ def _undivided(outline: shapely.Geometry, numbers: np.ndarray, labelled_area: fl
     number = int(numbers[0]) if len(numbers) else 0
     share = min(labelled_area / outline.area, 1.0)
     k = len(parts)
-    return RoofPartition(parts, np.full(k, number), 1.0 - share, "one roof" if number else "no data",
-                         np.full(k, share), np.ones(k), np.full(k, np.nan))
+    return RoofPartition(parts, np.full(k, number), "one roof" if number else "no data", np.full(k, share),
+                         np.full(k, np.nan))
 
 
 def _divided(outline: shapely.Geometry, grid: Grid, labels: np.ndarray, numbers: np.ndarray,
@@ -215,8 +211,7 @@ def _divided(outline: shapely.Geometry, grid: Grid, labels: np.ndarray, numbers:
     quality = _quality(polygons, label_of, given, cells, boundaries, len(numbers))
     lost = set(left.tolist()) - set(label_of.tolist())
     moved = tuple(translate(polygon, *origin) for polygon in polygons)
-    return RoofPartition(moved, numbers[label_of], float(1.0 - np.mean(cells.certain)),
-                         "lost roofs" if lost else "ok", *quality)
+    return RoofPartition(moved, numbers[label_of], "lost roofs" if lost else "ok", *quality)
 
 
 def _with_lost_roofs(polygons: list, label_of: np.ndarray, given: np.ndarray, cells: _Cells, roofs: np.ndarray,
@@ -299,12 +294,9 @@ def _confusion(filled: np.ndarray, data: np.ndarray, heights: np.ndarray | None,
 
 
 def _quality(polygons: list, label_of: np.ndarray, given: np.ndarray, measured: _Cells, boundaries: LabelBoundaries,
-             k: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Coverage, agreement and boundary RMS of each polygon (a roof's figures go to all its polygons)."""
-    cells = np.bincount(given, minlength=k)
-    with_data = np.bincount(given, measured.certain, minlength=k)
-    agreeing = np.bincount(given, measured.certain & (given == measured.roof), minlength=k)
-    coverage, agreement = with_data / np.maximum(cells, 1), agreeing / np.maximum(with_data, 1)
+             k: int) -> tuple[np.ndarray, np.ndarray]:
+    """Coverage and boundary RMS of each polygon (a roof's figures go to all its polygons)."""
+    coverage = np.bincount(given, measured.certain, minlength=k) / np.maximum(np.bincount(given, minlength=k), 1)
     places = shapely.points(boundaries.xy)
     rms = np.full(len(polygons), np.nan)
     for i in range(k):
@@ -316,4 +308,4 @@ def _quality(polygons: list, label_of: np.ndarray, given: np.ndarray, measured: 
             distance = shapely.distance(border, places[near])
             distance = distance[distance < LIMITS.near_border]
             rms[mine] = np.sqrt(np.mean(distance ** 2)) if len(distance) else np.nan
-    return coverage[label_of], agreement[label_of], rms
+    return coverage[label_of], rms

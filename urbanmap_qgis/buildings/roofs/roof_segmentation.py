@@ -89,8 +89,6 @@ class RoofSegmentation:
     roofs : the table of the roofs.
     grid : place of the plan raster.
     roof_of_cell : (rows, columns) int32 roof of each cell, 0 = no roof.
-    supported : (rows, columns) bool, cells of a roof with its points in or right beside them. A cell with a roof
-        but without support lies inside the outline and was given the roof of the nearest supported cell.
     inside : (rows, columns) bool, cell centre inside the outline. Inside cells without a roof have no data or
         are open to the ground.
     status : OK, FEW_POINTS (one flat roof, from too few points to separate parts) or NO_POINTS (no roof).
@@ -100,7 +98,6 @@ class RoofSegmentation:
     roofs: RoofTable
     grid: Grid
     roof_of_cell: np.ndarray
-    supported: np.ndarray
     inside: np.ndarray
     status: str
 
@@ -325,8 +322,7 @@ def _numbered(z: np.ndarray, usable: np.ndarray, surface: RoofSurface, of_point:
                       area, points / np.maximum(firm, cell_area), np.sqrt(squares / points))
     roof_of_point = np.zeros(len(z), dtype=np.int32)
     roof_of_point[usable] = of_point
-    return RoofSegmentation(roof_of_point, table, surface.grid, of_cell, supported & (of_cell > 0),
-                            surface.inside, status)
+    return RoofSegmentation(roof_of_point, table, surface.grid, of_cell, surface.inside, status)
 
 
 def _one_roof(z: np.ndarray, usable: np.ndarray, surface: RoofSurface) -> RoofSegmentation:
@@ -346,5 +342,4 @@ def _no_roof(n: int, surface: RoofSurface) -> RoofSegmentation:
     nothing = np.empty(0)
     table = RoofTable(np.empty(0, np.int32), nothing, nothing, np.empty(0, np.int64), nothing, nothing, nothing)
     of_cell = np.zeros(surface.grid.shape, dtype=np.int32)
-    return RoofSegmentation(np.zeros(n, dtype=np.int32), table, surface.grid, of_cell, of_cell > 0,
-                            surface.inside, NO_POINTS)
+    return RoofSegmentation(np.zeros(n, dtype=np.int32), table, surface.grid, of_cell, surface.inside, NO_POINTS)

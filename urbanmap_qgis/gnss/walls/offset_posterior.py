@@ -80,7 +80,6 @@ class Offsets:
     wall : (k,) their numbers.
     offset : (k,) outwards, m.
     sigma : (k,) m.
-    own_sigma : (k,) part of sigma that does not come from errors shared within passes, m.
     rival : (k,) share of the probability that lies nearer to another maximum than to the best one.
     inlier : (v,) probability that each observation is neither NLOS-delayed nor an outlier.
     error : (v,) what is left of each observation, m.
@@ -90,7 +89,6 @@ class Offsets:
     wall: np.ndarray
     offset: np.ndarray
     sigma: np.ndarray
-    own_sigma: np.ndarray
     rival: np.ndarray
     inlier: np.ndarray
     error: np.ndarray
@@ -260,8 +258,7 @@ class _System:
         inlier = model.shares(error, self.observations.variance)[0]
         widened = spread * self._scatter(error, inlier, model)
         limit = LIMITS.facade**2 + LIMITS.antenna**2 / self._passes()
-        return Offsets(self.walls, mean, np.sqrt(widened + shared + limit), np.sqrt(widened),
-                       _rival(density), inlier, error, model)
+        return Offsets(self.walls, mean, np.sqrt(widened + shared + limit), _rival(density), inlier, error, model)
 
     def _passes(self) -> np.ndarray:
         """(k,) passes that have observations of each wall."""

@@ -48,7 +48,6 @@ class PassClock:
     covariance : (k, k) of the latent parameters, m2.
     white : (r,) variance of the clock at the epoch by noise alone, m2.
     fit : (r,) bool, the rows the clock was estimated from.
-    satellite_error : standard deviation of the lasting error of a satellite in this file, m.
     unit_weight : scatter of line-of-sight residuals over `Signals.sigma`.
     """
 
@@ -59,7 +58,6 @@ class PassClock:
     covariance: np.ndarray
     white: np.ndarray
     fit: np.ndarray
-    satellite_error: float
     unit_weight: float
 
 
@@ -111,7 +109,7 @@ def _pass_clock(signals: Signals, rows: np.ndarray, is_los: np.ndarray, least: i
     known = enough & ((design[:, :systems] == 0) | heard).all(axis=1) & fit.any()
     white = np.where(total > 0, 1.0 / np.where(total > 0, total, 1.0), np.nan)[epoch]
     return PassClock(rows, np.where(known, left, np.nan), np.where(known, whole, np.nan), design - mean[epoch],
-                     covariance, np.where(known, white, np.nan), fit, satellite_error, unit)
+                     covariance, np.where(known, white, np.nan), fit, unit)
 
 
 def _design(system: np.ndarray, satellite: np.ndarray, is_los: np.ndarray) -> tuple[np.ndarray, int]:

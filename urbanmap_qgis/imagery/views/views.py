@@ -262,16 +262,16 @@ def eight_bits(bands: np.ndarray) -> np.ndarray:
     return np.ascontiguousarray(pixels >> 8 if pixels.dtype == np.uint16 else pixels).astype(np.uint8, copy=False)
 
 
-def strip_sources(images: Sequence[str | os.PathLike], trajectory: Trajectory, calibration: str | os.PathLike,
-                  first: int = 0) -> list[StripSource]:
-    """Strip images with their calibration file as sources, numbered from `first`.
+def strip_sources(images: Sequence[str | os.PathLike], trajectory: Trajectory, calibration: str | os.PathLike
+                  ) -> list[StripSource]:
+    """Strip images with their calibration file as sources, numbered from 0.
 
     Raises
     ------
     InputError : an image, its table of times or its camera cannot be read, or do not fit together.
     """
     strips = read_strips(images, read_calibration(calibration))
-    return [strip_source(first + number, strip.path.name, strip, trajectory) for number, strip in enumerate(strips)]
+    return [strip_source(number, strip.path.name, strip, trajectory) for number, strip in enumerate(strips)]
 
 
 def frame_sources(images: Sequence[str | os.PathLike], camera: str | os.PathLike, exterior: str | os.PathLike,

@@ -131,7 +131,7 @@ def heights_of(wkt: str) -> HeightSystem:
 
 def same_heights(first: HeightSystem, second: HeightSystem) -> bool:
     """Whether heights of both count from the same surface; what is not known is not the same as anything."""
-    if not first.known or not second.known:
+    if not first.known:
         return False
     if first.kind != "other" or second.kind != "other":
         return first.kind == second.kind

@@ -79,8 +79,8 @@ def _camera_of(path: Path, calibration: Calibration) -> MountedCamera:
     return named[0]
 
 
-def read_strip(path: str | os.PathLike, camera: MountedCamera, times: str | os.PathLike | None = None) -> StripImage:
-    """One strip image with its times; `times` names their file where it is neither in the calibration nor beside.
+def read_strip(path: str | os.PathLike, camera: MountedCamera) -> StripImage:
+    """One strip image with its times, whose file the calibration names or lies beside.
 
     Raises
     ------
@@ -91,9 +91,8 @@ def read_strip(path: str | os.PathLike, camera: MountedCamera, times: str | os.P
     if rows != line_camera.rows:
         raise InputError(say("{path} has {rows} rows, its camera {id} has {rows_2}: choose the image of this camera.",
                              path=path.name, rows=rows, id=camera.id, rows_2=line_camera.rows))
-    if times is None:
-        named = camera.properties.get("times") if camera.properties.get("image") == path.name else None
-        times = path.with_name(str(named) if named else path.stem + TIMES_ENDING)
+    named = camera.properties.get("times") if camera.properties.get("image") == path.name else None
+    times = path.with_name(str(named) if named else path.stem + TIMES_ENDING)
     return StripImage(line_camera, read_times(times, columns, path.name), path)
 
 
