@@ -1,0 +1,53 @@
+"""Single steps with known answers, each on what lies on either side of its decision."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import shapely
+
+from urbanmap_qgis.aerial.orientation.cloud_control import CloudControl
+from urbanmap_qgis.facades.standing_before import _post
+from urbanmap_qgis.io.official import gsi_gml
+from urbanmap_qgis.mobile.markings.marking_points import _grid
+from urbanmap_qgis.samplecity.scene.paint import Paint
+
+
+@pytest.mark.parametrize(("off", "gaps", "places"), [(1e-9, 0, 4), (1e-6, 1, 5)])
+def test_a_ring_that_does_not_end_where_it_begins_is_closed(monkeypatch, off, gaps, places):
+    """By less than the last digit of the file it is rounding; more is a gap, which is told."""
+    line = [35.0, 139.0, 35.001, 139.0, 35.001, 139.001, 35.0 + off, 139.0]
+    monkeypatch.setattr(gsi_gml, "_curves", lambda boundary, harvest: [list(line)])
+    harvest = SimpleNamespace(gaps=[])
+    ring = gsi_gml._ring(None, harvest)
+    assert ring[:2] == ring[-2:] and len(harvest.gaps) == gaps and len(ring) == 2 * places
+
+
+def test_paint_is_where_it_was_put_and_nowhere_beyond():
+    marking = SimpleNamespace(wear=0.0, colour="white", plan=shapely.MultiPolygon([shapely.box(100, 200, 103, 201)]))
+    paint = Paint([marking])
+    x, y = np.array([(101, 200.5), (101, 100), (101, 900), (0, 200.5), (300, 200.5), (0, 0), (300, 0)], float).T
+    assert paint.marking_at(x, y).tolist() == [0, -1, -1, -1, -1, -1, -1]
+
+
+def test_half_a_metre_is_left_around_points():
+    x, y = np.array([3.0, 17.2]), np.array([-5.1, 8.0])
+    west, south, east, north = _grid(x, y).bounds
+    assert -1.0 < west <= 2.5 and 17.7 <= east < 21.0 and -9.0 < south <= -5.6 and 8.5 <= north < 12.0
+
+
+def test_errors_of_a_cloud_are_root_mean_squares():
+    errors = np.array([[3.0, 4.0, 0.3], [np.nan, np.nan, 0.4], [30.0, 40.0, 9.0]])
+    plan, height = CloudControl.rms(None, errors, np.array([True, True, False]))
+    assert (plan, height) == pytest.approx((5.0, np.sqrt(0.125)))
+
+
+@pytest.mark.parametrize(("low", "high", "stands"), [(0.0, 5.0, True), (3.0, 13.0, True), (8.0, 20.0, False)])
+def test_a_narrow_wall_before_a_large_one_as_high_is_a_post(low, high, stands):
+    """The large wall goes up to 9 m: more than half of a post's height must be before it."""
+    walls = [SimpleNamespace(contour=SimpleNamespace(polygon=shapely.box(0, 0, size, 9))) for size in (0.2, 20.0)]
+    seen = SimpleNamespace(left=np.array([5.0, 0.0]), right=np.array([5.2, 20.0]), low=np.array([low, 0.0]),
+                           high=np.array([high, 9.0]))
+    assert _post(walls, 0, np.array([1]), seen) == stands
