@@ -18,7 +18,7 @@ def declare_answers(algorithm):
     algorithm.add_polygons("LABELS", "Answers", "Markings of this orthophoto that you answered: polygons such as the "
                            "doubtful markings of an earlier run, with the field paint true (or 1, yes) where they are "
                            "paint and false (0, no) where not; those left empty do not count. The confidence is "
-                           "corrected by what they teach. At least five of each, better thirty, all over the "
+                           "corrected by what they teach. At least two of each, better thirty, all over the "
                            "image.", optional=True)
     algorithm.add_file("WEIGHTS", "Learned weights", "What an earlier run learned from answers in an orthophoto of the "
                        "same kind (camera, light and processing), with the same method.", WEIGHTS_FILTER,
@@ -28,8 +28,8 @@ def declare_answers(algorithm):
 def declare_answer_outputs(algorithm):
     """What is to be answered, and what was learned."""
     algorithm.add_layer_output("OUTPUT_DOUBTFUL", "Doubtful markings", "Markings with a confidence of 0.3 to 0.7, "
-                               "those nearest to a half first, with the empty field paint: answer some and give the "
-                               "layer as answers.", optional=True)
+                               "those with the most area in doubt first, with the empty field paint: answer some "
+                               "and give the layer as answers.", optional=True)
     algorithm.add_file_output("OUTPUT_WEIGHTS", "Weights", "What was learned from the answers, to be given for other "
                               "orthophotos of the same kind.", WEIGHTS_FILTER, optional=True)
 
@@ -106,14 +106,14 @@ def _answers(algorithm, parameters, context):
 
 
 def write_doubtful(algorithm, parameters, context, found, crs):
-    """The layer of what is to be answered, the most doubtful first."""
+    """The layer of what is to be answered, the most area in doubt first."""
     import numpy as np
 
     from ...urbanmap_qgis.aerial.markings.answered_markings import doubtful_markings
 
     if not parameters.get("OUTPUT_DOUBTFUL"):
         return None
-    chosen = doubtful_markings(found.confidence)
+    chosen = doubtful_markings(found.confidence, found.area)
     fields = make_fields(("paint", "int"), ("confidence", "real"), ("length", "real"), ("width", "real"),
                          ("colour", "text"))
     columns = {name: getattr(found, name)[chosen] for name in ("confidence", "length", "width", "colour")}

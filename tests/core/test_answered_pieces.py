@@ -10,7 +10,11 @@ import rasterio
 import shapely
 from rasterio.transform import Affine
 
-from urbanmap_qgis.aerial.markings.answered_markings import MarkingAnswers, learned_from_orthophoto
+from urbanmap_qgis.aerial.markings.answered_markings import (
+    MarkingAnswers,
+    doubtful_markings,
+    learned_from_orthophoto,
+)
 from urbanmap_qgis.aerial.markings.learning.answered_pieces import (
     AnsweredCells,
     LearnedAnswers,
@@ -76,6 +80,12 @@ def test_few_answers_are_refused():
     given = cells()
     with pytest.raises(InputError, match="20 yes and 0 no"):
         learned_from(replace(given, paint=np.ones(20, bool)), "profile")
+
+
+def test_what_has_the_most_area_in_doubt_is_asked_first():
+    """0.5 x 0.5 x 1 and 0.4 x 0.6 x 2 and 0.3 x 0.7 x 0.5; what is surer is not asked at all."""
+    confidence, area = np.array([0.5, 0.71, 0.4, 0.3, 0.29]), np.array([1.0, 9.0, 2.0, 0.5, 9.0])
+    assert doubtful_markings(confidence, area).tolist() == [2, 0, 3]
 
 
 def test_what_is_stored_is_the_same_and_other_files_are_refused(tmp_path):

@@ -47,6 +47,7 @@ def test_a_usual_result_is_good(found):
     ({"full": 200_000}, LOOK, "20% of the image are over-exposed"),
     ({"empty": 100_000}, LOOK, "10% of the image are black"),
     ({"colourless": 10 ** 6}, LOOK, "has no colours"),
+    ({"pale": 300_000}, LOOK, "30% of the image are nearly white"),
     ({"colder": 30_000}, LOOK, "38% of what looks like paint is bluer than the road"),
 ])
 def test_each_sign_of_the_image(found, change, grade, words):
@@ -72,6 +73,16 @@ def test_each_sign_of_the_result(found, change, words):
     assert len(made.reasons) == 1 and words in made.reasons[0]
 
 
+@pytest.mark.parametrize(("spacing", "grade"), [(1.6, LOOK), (3.2, GOOD), (6.4, LOOK)])
+def test_lanes_are_as_wide_as_lanes(found, spacing, grade):
+    boxes = np.array([shapely.box(0, spacing * k, 40, spacing * k + 0.15) for k in range(3)], object)
+    full = np.ones(3)
+    lines = MarkingPolygons(boxes, 6 * full, 40 * full, 0.15 * full, 80 * full, np.full(3, "white", object), 0.9 * full)
+    made = marking_verdict(replace(found, polygons=lines), 17.0)
+    assert made.grade == grade
+    assert grade == GOOD or f"Neighbouring lines lie {spacing} m apart" in made.reasons[0]
+
+
 @pytest.mark.parametrize("level, grade", [(None, GOOD), (1.2, GOOD), (1.3, LOOK)])
 def test_ground_may_be_too_light_for_paint(found, level, grade):
     made = marking_verdict(replace(found, paint_level=level), 17.0)
@@ -88,10 +99,11 @@ def test_light_is_counted_where_ground_is_seen():
     bands = np.full((3, 4, 5), 90, np.uint8)
     bands[:, 0] = 0
     bands[0, 1] = 255
+    bands[:, 2, 3:] = 195
     seen = np.ones((4, 5), bool)
     seen[:, 0] = False
     made = evidence_of_light(bands, seen, 255)
-    assert (made.seen, made.empty, made.full, made.colourless) == (16, 4, 4, 12)
+    assert (made.seen, made.empty, made.full, made.colourless, made.pale) == (16, 4, 4, 12, 2)
 
 
 def test_pieces_are_counted_in_the_rows_and_columns_asked_for():

@@ -72,10 +72,12 @@ def learned_from_orthophoto(path: str | os.PathLike, answers: MarkingAnswers, pl
                         "trained" if settings.cleaning.trained else "profile")
 
 
-def doubtful_markings(confidence: np.ndarray) -> np.ndarray:
-    """Numbers of markings by their confidence (n,) that are worth a question, those nearest to a half first."""
+def doubtful_markings(confidence: np.ndarray, area: np.ndarray) -> np.ndarray:
+    """Numbers of markings by their confidence (n,) and area (n,) that are worth a question, those with the most area in
+    doubt first: its variance, were all of a marking paint or none. Specks, which the eye can hardly tell, come last."""
     chosen = np.flatnonzero((confidence >= DOUBTFUL[0]) & (confidence <= DOUBTFUL[1]))
-    return chosen[np.argsort(np.abs(confidence[chosen] - 0.5), kind="stable")]
+    doubt = area[chosen] * confidence[chosen] * (1 - confidence[chosen])
+    return chosen[np.argsort(-doubt, kind="stable")]
 
 
 def _corners(scene: OrthophotoReader, rows: slice, columns: slice) -> list[tuple[float, float]]:

@@ -19,6 +19,7 @@ class SearchTallyLimits:
 
     straight: float = 2.0  # m: pieces of this length or more tell of lines
     slender: float = 0.25  # m: of these, the standard deviation across is less
+    pale: float = 0.75  # of the highest number that an image can hold, that all colours exceed in what is nearly white
 
 
 LIMITS = SearchTallyLimits()
@@ -36,6 +37,7 @@ class SearchTally:
     painted, unsure : of these, taken for paint, and left out by their confidence alone.
     clear, smooth : pixels of ground without paint; of these, smooth, grey and as bright as around.
     colder : of `narrow` (round tiles counted again), where only a colour bluer than the ground's speaks against paint.
+    pale : pixels of the image that are nearly white.
     straight, straight_unsure : pixels of slender straight pieces of `narrow`; of these, left out by their confidence.
     """
 
@@ -51,6 +53,7 @@ class SearchTally:
     straight: int = 0
     straight_unsure: int = 0
     colder: int = 0
+    pale: int = 0
 
     def __add__(self, other: SearchTally) -> SearchTally:
         return SearchTally(**{one.name: getattr(self, one.name) + getattr(other, one.name) for one in fields(self)})
@@ -61,9 +64,11 @@ def evidence_of_light(bands: np.ndarray, seen: np.ndarray, top: float) -> Search
     highest number that the image can hold."""
     colours = bands[:3]
     highest = colours.max(axis=0)
-    alike = highest == colours.min(axis=0)
+    lowest = colours.min(axis=0)
+    alike = highest == lowest
     return SearchTally(seen=np.count_nonzero(seen), empty=np.count_nonzero(seen & (highest <= 0)),
-                    full=np.count_nonzero(seen & (highest >= top)), colourless=np.count_nonzero(seen & alike))
+                    full=np.count_nonzero(seen & (highest >= top)), colourless=np.count_nonzero(seen & alike),
+                    pale=np.count_nonzero(seen & (lowest > LIMITS.pale * top)))
 
 
 def evidence_of_pieces(inside: np.ndarray, labels: np.ndarray, accepted: np.ndarray, good: np.ndarray,

@@ -14,6 +14,7 @@ from ...io.pages.report import BAD, GOOD, LOOK
 from ...wording import say
 from .marking_evidence import SearchTally
 from .marking_files import MarkingResult
+from .signs.lane_spacing import lane_spacing
 
 
 @dataclass(frozen=True)
@@ -33,7 +34,10 @@ class VerdictLimits:
     colourless: float = 0.99  # of the image
     # Times the highest number that the image can hold, that new paint would have on its median ground.
     paint_level: float = 1.25
+    pale: float = 0.25  # of the image, nearly white
     colder: float = 0.25  # of what but for its colour is paint
+    spacing: tuple[float, float] = (2.3, 5.0)  # m between neighbouring lines, within which lanes lie
+    beside: float = 60.0  # m over which lines have a neighbour, from which their spacing tells
     # m, median width of lines longer than `line` and narrower than `stroke`, weighted by length
     wide: float = 0.38
     line: float = 2.0
@@ -58,7 +62,7 @@ def marking_verdict(found: MarkingResult, contrast: float) -> Verdict:
     """Verdict on markings found with a contrast asked for, grey values."""
     evidence = found.evidence or SearchTally()
     lost = [*_lost(evidence), *_nothing(found)]
-    look = [*_light(evidence), *_light_ground(found), *_rejected(evidence, bool(lost)), *_result(found, contrast)]
+    look = [*_light(evidence), *_light_ground(found, evidence), *_rejected(evidence, bool(lost)), *_result(found, contrast)]
     return Verdict(BAD if lost else LOOK if look else GOOD, (*lost, *look))
 
 
@@ -117,10 +121,12 @@ def _light(evidence: SearchTally) -> list[str]:
     return reasons
 
 
-def _light_ground(found: MarkingResult) -> list[str]:
-    """Whether the ground is so light that paint cannot stand out from it as it does from asphalt."""
+def _light_ground(found: MarkingResult, evidence: SearchTally) -> list[str]:
+    """Whether the ground, or much of it, is so light that paint cannot stand out from it as it does from asphalt."""
     if found.paint_level is None or found.paint_level <= LIMITS.paint_level:
-        return []
+        pale = _share(evidence.pale, evidence.seen)
+        return [say("{pale:.0%} of the image are nearly white: snow, or light roofs and ground. Paint on ground so "
+                    "light is missed.", pale=pale)] if pale > LIMITS.pale else []
     return [say("Half of the image is so light that paint can hardly be lighter than it: snow, concrete or too much "
                 "light. Paint on such ground is missed.")]
 
@@ -143,6 +149,7 @@ def _result(found: MarkingResult, contrast: float) -> list[str]:
     if width > LIMITS.wide:
         reasons.append(say("Lines are {width:.2f} m wide (median): lane lines have 0.1 to 0.3 m. The pixel size may be "
                            "wrong, or the image out of focus.", width=width))
+    reasons += _spacing(found)
     sure = float(np.percentile(marks.confidence, 75)) if np.isfinite(marks.confidence).all() else 1.0
     if sure < LIMITS.sure:
         reasons.append(say("Few markings are sure: three quarters have a confidence below {sure:.2f}. Look at them "
@@ -155,6 +162,16 @@ def _result(found: MarkingResult, contrast: float) -> list[str]:
                            "sharpening make it: more paint is missed, and more else found.",
                            texture=found.road.texture))
     return reasons
+
+
+def _spacing(found: MarkingResult) -> list[str]:
+    """Whether lanes are as wide as lanes are."""
+    marks = found.polygons
+    lanes = lane_spacing(marks.polygons, marks.area, marks.length, marks.width)
+    if lanes.length < LIMITS.beside or LIMITS.spacing[0] <= lanes.spacing <= LIMITS.spacing[1]:
+        return []
+    return [say("Neighbouring lines lie {spacing:.1f} m apart (median): lanes are 2.5 to 4 m wide. The pixel size may "
+                "be wrong.", spacing=lanes.spacing)]
 
 
 def _weighted_median(values: np.ndarray, weights: np.ndarray) -> float:

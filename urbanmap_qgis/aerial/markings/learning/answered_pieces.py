@@ -24,7 +24,7 @@ from ....wording import say
 class AnswersLimits:
     """Limits of what is learned from answers, each with its unit."""
 
-    fewest: int = 5  # answers of each kind, with fewer nothing is learned
+    fewest: int = 2  # answers of each kind, with fewer nothing is learned
     surest: float = 0.98  # a confidence counts as this at most, and as no less than the rest to 1
     farthest: float = 3.0  # spreads from the centre, that figures are cut at
     # How surely no figure matters: inverse variance of a figure's weight. On two photographs 10 is a little better for

@@ -1,0 +1,1 @@
+"""Signs by which a result is judged without any truth."""
