@@ -93,8 +93,9 @@ class RegisterMms(UrbanMapAlgorithm):
         self.add_workers()
         self.add_trajectory_output()
         self.add_layer_output("OUTPUT_PATCHES", "Patches", "One point a patch at its corrected place, with correction "
-                              "(m, degrees), standard deviations, window, score, status and its reason; with walls the "
-                              "share of each witness (paint, walls).", optional=True,
+                              "(m, degrees), standard deviations (absolute with REFERENCE_SIGMA and what steps of the "
+                              "reference too small to be told add; sigma_relative without both), window, score, status "
+                              "and its reason; with walls the share of each witness (paint, walls).", optional=True,
                               source_type=QgsProcessing.SourceType.TypeVectorPoint, by_default=True)
         self.add_layer_output("OUTPUT_STEPS", "Disagreements", "One point a place where reference and survey disagree: "
                               "edges of markings that changed after the flight, a reference that jumps, steps hidden "

@@ -100,7 +100,8 @@ def test_gap_is_bridged_with_growing_sigma_and_told():
     drive = simulate(0, gaps=((200.0, 300.0),))
     made = adjust_correction(drive.windows, drive.reported)
     middle, inside = np.argmin(np.abs(made.chainage - 250)), (made.chainage > 220) & (made.chainage < 280)
-    assert made.plan_sigma()[middle] > 1.5 * np.median(made.plan_sigma()[~inside])
+    relative = made.relative_sigma()
+    assert relative[middle] > 1.5 * np.median(relative[~inside])
     assert (made.status[inside] != REGISTERED).all()
     assert set(made.reason[inside]) & {"no markings registered around the patch"}
     assert within_two_sigma(drive, made) >= 0.95

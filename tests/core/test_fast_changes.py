@@ -9,7 +9,8 @@ import pytest
 
 from tests.core.simulated_windows import shifted, simulate
 from urbanmap_qgis.mobile.registration.correction.adjustment import adjust_correction
-from urbanmap_qgis.mobile.registration.correction.disagreements import DISAGREEMENT, HIDDEN, UNDECIDED
+from urbanmap_qgis.mobile.registration.correction.disagreements import DISAGREEMENT, HIDDEN, UNDECIDED, NodeStep
+from urbanmap_qgis.mobile.registration.correction.fast_changes import LIMITS, _against
 from urbanmap_qgis.mobile.registration.correction.patch_status import REGISTERED
 
 CHANGE = (0.45, -0.3)
@@ -49,3 +50,21 @@ def test_a_drive_that_slips_by_its_change_mostly_stays_registered():
         if not told:
             registered.append((made.status == REGISTERED).mean())
     assert len(registered) >= 3 and min(registered) > 0.8
+
+
+def test_a_change_at_a_stop_beyond_its_wandering_is_told_and_neither_side_is_called_right():
+    """Whether the drive or the reference changed while the vehicle stood no marking tells."""
+    drive = simulate(4, waits={215.0: 12.0}, crossings=25.0, turn=None)
+    made = adjust_correction(drive.windows, drive.reported)
+    assert (made.status == REGISTERED).mean() > 0.8
+    moved = shifted(drive, 215.0, 600.0, CHANGE)
+    made = adjust_correction(moved.windows, drive.reported)
+    off = np.hypot(*(made.value - drive.error)[:, :2].T)
+    assert made.steps and not ((made.status == REGISTERED) & (off > 0.1)).any()
+
+
+@pytest.mark.parametrize(("size", "told"), [(0.0, False), (0.2, True), (0.5, False)])
+def test_markings_that_are_not_believed_are_told_where_the_sides_leave_room_for_a_step(size, told):
+    sides = NodeStep(100, np.array([0.02, 0.0]), 0.1**2 * np.eye(2), 0.04)
+    assert (_against(sides, np.array([size, 0.0])) < LIMITS.excluded**2 and size > LIMITS.least) == told
+    assert _against(sides, np.array([-size, 0.0])) == _against(sides, np.array([size, 0.0]))

@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from tests.core.simulated_windows import simulate
+from urbanmap_qgis.mobile.registration.correction.adjustment import adjust_correction
+from urbanmap_qgis.mobile.registration.correction.disagreements import NodeStep
+from urbanmap_qgis.mobile.registration.correction.error_steps import _expected, _times_as_likely
 from urbanmap_qgis.mobile.registration.correction.patch_corrections import shown_factor, with_shown_pitch
+from urbanmap_qgis.mobile.registration.correction.settings import CorrectionSettings
 
 
 @pytest.mark.parametrize("true", [0.5, 1.0, 2.0, 3.0])
@@ -46,3 +53,35 @@ def test_what_was_measured_stays():
     assert (after == before).all()
     before, after = made(0.0, 5.0)
     assert (after == before).all()
+
+
+def test_an_angle_that_nothing_measures_stays_as_it_was_reported():
+    """Heights of one line of points tell the roll; the pitch would follow what the ground is off by."""
+    drive = simulate(2, three_d=True)
+    information = drive.windows.information.copy()
+    information[:, 4, :], information[:, :, 4] = 0.0, 0.0
+    heights = 0.02 * np.sqrt(information[:, 2, 2] * 1e-3)
+    information[:, 4, 4], information[:, 2, 4], information[:, 4, 2] = heights**2, heights, heights
+    made = adjust_correction(replace(drive.windows, information=information), drive.reported)
+    assert np.abs(made.value[:, 4]).max() < 0.002
+    assert np.median(made.sigma()[:, 4]) >= CorrectionSettings().attitude_sigma[1]
+    whole = adjust_correction(drive.windows, drive.reported)  # lever arms of 6 m to either side measure it
+    assert np.abs(whole.value[:, 4]).max() > 0.01
+
+
+def test_steps_that_nothing_shows_are_unlikely_between_sides_that_agree_and_as_likely_as_none_between_open_ones():
+    close, open_ = (NodeStep(0, np.zeros(2), sigma**2 * np.eye(2), 0.0) for sigma in (0.01, 2.0))
+    assert _times_as_likely(close) == pytest.approx(0.0025, rel=0.01)
+    assert _times_as_likely(open_) == pytest.approx(1.0, abs=0.02)
+    apart = NodeStep(0, np.array([0.2, 0.0]), 0.05**2 * np.eye(2), 16.0)
+    assert _times_as_likely(apart) > 50.0
+    assert np.sqrt(2 * _expected(apart)[0, 0]) == pytest.approx(0.194, abs=0.002)
+
+
+def test_relative_sigma_is_without_what_the_reference_is_off_by():
+    drive = simulate(1, crossings=25.0, turn=None)
+    made, stated = (adjust_correction(drive.windows, drive.reported, CorrectionSettings(reference_sigma=sigma))
+                    for sigma in (0.0, 0.05))
+    assert stated.relative_sigma() == pytest.approx(made.relative_sigma(), rel=1e-6)
+    assert stated.plan_sigma() ** 2 == pytest.approx(made.plan_sigma() ** 2 + 0.05**2, rel=1e-6)
+    assert (made.relative_sigma() < made.plan_sigma()).all() and made.unseen.median < made.unseen.largest

@@ -49,3 +49,12 @@ def test_the_correction_goes_on_over_a_wait_without_markings():
     off = (made.value - error)[after, :2]
     assert np.hypot(*off.T).max() < 0.35  # of a metre; the smooth drift over 25 m is left
     assert (np.abs(off) < 3.0 * made.sigma()[after, :2]).all()
+
+
+def test_a_vehicle_whose_trajectory_goes_back_slowly_stands_and_one_that_creeps_ahead_drives():
+    back, (begin, end) = wandering({100.0: 10.0}, np.array([-2.0, 0.0, 0.0]), 100.0)
+    ahead, _ = wandering({100.0: 10.0}, np.array([2.0, 0.0, 0.0]), 100.0)
+    time = np.array([begin + 1.0, end - 1.0])  # 0.2 m/s: more than a standing vehicle's trajectory wanders as a rule
+    moved, none = (StopMovement.of(drive, time).moved.sum(axis=0) for drive in (back, ahead))
+    assert moved == pytest.approx([-1.6, 0.0, 0.0], abs=0.02)
+    assert np.abs(none[0]) < 0.1 * 1.6

@@ -369,6 +369,7 @@ _OF_STYLE: dict[tuple[str, str], FieldWords] = {
     ("boresight_corrections", "correction"): FieldWords(mark("correction, in the unit beside"), 4),
     ("boresight_corrections", "sigma"): FieldWords(mark("standard deviation, in the unit beside"), 4),
     ("mms_patches", "sigma"): FieldWords(mark("standard deviation in plan (m)"), 3),
+    ("mms_patches", "sigma_relative"): FieldWords(mark("standard deviation in plan, relative to the reference (m)"), 3),
     ("mms_patches", "residual"): FieldWords(mark("own correction less the smooth one (m)"), 3),
     ("mms_patches", "points"): FieldWords(mark("marking points")),
     ("rectification_sets", "east"): FieldWords(mark("correction east (m)"), 3),

@@ -124,6 +124,9 @@ def patch_table(survey: RegisteredSurvey) -> tuple[dict[str, object], np.ndarray
         "score": windows.score, "overlap": windows.overlap, "margin": np.where(np.isfinite(windows.margin),
                                                                               windows.margin, np.nan),
         "weight": correction.weight, "residual": np.hypot(correction.residual[:, 0], correction.residual[:, 1])})
+    relative = correction.relative_sigma()
+    if relative is not None:
+        columns["sigma_relative"] = relative
     if correction.walls is not None:
         columns.update({"paint": 1.0 - correction.walls, "walls": correction.walls})
     return columns, windows.place + correction.value[:, :3]
@@ -137,6 +140,11 @@ def tell_result(survey: RegisteredSurvey, progress: Progress) -> None:
               if np.isfinite(middle) else say("how accurate it is is not known"))
     progress.message(say("{share:.0f} % of the path is registered, {share_2:.0f} % bridged; {spread}.",
                          share=100 * survey.share(REGISTERED), share_2=100 * survey.share(BRIDGED), spread=spread))
+    if correction.unseen is not None and np.isfinite(correction.unseen.median):
+        progress.message(say("Steps of the reference are told from {median:.2f} m on (median along the path, "
+                             "{largest:.2f} m at most); standard deviations hold smaller ones and the {sigma:.1f} cm "
+                             "stated for the reference.", median=correction.unseen.median,
+                             largest=correction.unseen.largest, sigma=100 * correction.reference_sigma))
     if correction.heading_factor > 1.0:
         progress.warn(say("The reported heading contradicts the markings by {correction:.1f} degrees (median), much "
                           "more than its accuracy: it was corrected; check the calibration and the trajectory.",

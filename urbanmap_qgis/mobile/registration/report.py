@@ -82,6 +82,12 @@ def _summary(report: Report, survey: RegisteredSurvey) -> None:
             f"{up.mean():.3f}, {up[np.argmax(np.abs(up))]:.3f}")
         facts[mark("Standard deviation in height over the whole path, median and maximum (m)")] = _pair(
             middle_and_largest(correction.sigma()[:, 2]))
+    if correction.unseen is not None:
+        facts[mark("Standard deviation in plan relative to the reference, median and maximum (m)")] = _pair(
+            middle_and_largest(correction.relative_sigma()))
+        facts[mark("Stated accuracy of the reference in plan (m)")] = correction.reference_sigma
+        facts[mark("Steps of the reference are told from, median and maximum along the path (m)")] = _pair(
+            (correction.unseen.median, correction.unseen.largest))
     if np.isfinite(correction.drift_factor):
         facts[mark("Drift, times the expected one")] = correction.drift_factor
         facts[mark("Variance of the observations, times the stated one")] = correction.noise_factor
@@ -91,7 +97,9 @@ def _summary(report: Report, survey: RegisteredSurvey) -> None:
                          "nothing is bridged, and patches that are not to be trusted are moved all the same.")
     report.paragraph("Registered: found from markings around. Bridged: between or beyond registered parts, by how "
                      "trajectories drift. Not to be trusted: too far from them, or markings that contradict. Standard "
-                     "deviations include what the reference itself is off by.")
+                     "deviations are absolute as far as the stated accuracy of the reference is: they include it, and "
+                     "steps of the reference too small to be told. What all of the reference is off by no survey "
+                     "shows: measure a few control points, and state it.")
     if not correction.three_d:
         report.paragraph("Heights, roll and pitch were not touched.")
 

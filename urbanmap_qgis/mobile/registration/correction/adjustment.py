@@ -16,16 +16,18 @@ from ....progress import SILENT, Progress
 from ...trajectory import Trajectory, path_chainage
 from ..records import WindowResults
 from .chain import NodeChain, nodes_along
-from .error_steps import window_steps
-from .fast_changes import by_slip, fast_changes, with_steps
+from .error_steps import unseen_steps, window_steps
+from .fast_changes import by_slip, fast_changes, with_silences, with_steps
 from .gauss_markov import path_parameters_of
 from .normal_equations import normal_equations_of
 from .patch_corrections import (
     Correction,
     correction_at_patches,
+    unmeasured_angles,
     with_distrusted,
     with_plan_noise,
-    with_shown_pitch,
+    with_reported_angles,
+    with_shown_angles,
 )
 from .patch_status import only_own_mode_fits
 from .robust_fit import Evaluate, chain_likelihood, onto_points, robust_fit
@@ -79,14 +81,16 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
     changes = fast_changes(chain, fit, model, at_nodes, partial(chain_likelihood, settings=settings))
     found = with_steps(chain, fit, model, at_nodes, changes, slip, points, settings)
     found, conflict = with_witness(walls, found, model) if walls is not None else (found, WitnessConflict(()))
-    found = by_slip(found, changes, model, slip)
-    found = replace(found, fit=with_plan_noise(found.chain, found.fit, model, points is not None))
-    chain = found.chain
-    correction = correction_at_patches(windows, found, at_patches, doubtful, settings, conflict)
+    found = with_silences(by_slip(found, changes, model, slip), model, at_patches, windows.correction[:, :2])
+    chain, fit = found.chain, found.fit
+    unseen = unseen_steps(chain, model, fit, found.all_steps)
+    unmeasured = unmeasured_angles(chain, fit, model.attitude.sigma)
+    fit, model = with_reported_angles(chain, fit, model, unmeasured)
+    found = replace(found, fit=with_plan_noise(chain, fit, model, points is not None))
+    correction = correction_at_patches(windows, found, at_patches, doubtful, settings, conflict, unseen)
     if correction.three_d:
-        stated = _angle_sigma(trajectory, path_parameter, at_patches, settings)
-        correction = replace(correction, covariance=with_shown_pitch(correction.value, correction.covariance, stated,
-                                                                     correction.heading_factor))
+        correction = with_shown_angles(correction, _angle_sigma(trajectory, path_parameter, at_patches, settings),
+                                       unmeasured)
     steps = (*found.listed(partial(_along, trajectory, path_parameter)),
              *conflict.listed(windows.chainage, windows.time))
     correction = replace(correction, steps=tuple(sorted(steps, key=lambda step: step.place)))

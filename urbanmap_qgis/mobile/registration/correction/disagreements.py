@@ -9,7 +9,8 @@ other enclose markings that changed; of one alone nobody can say which side of i
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -37,6 +38,11 @@ _BORNE_OUT = 0.9  # of the evidence that a smooth correction believes there
 _SHARP = 0.85  # of all evidence there: a sharp step meets 0.9 to 1.0 of it, a re-fix over 20 m 0.3 to 0.5
 _DENIED = 0.6  # of all evidence there, where the trajectory's slip says that the step is not the drive's
 _LIKELIER = 5.0  # log-likelihood by which jumps must beat the drift that may change fast over 20 m
+_SILENT, _SILENCE = 0.5, 12.0  # weight of evidence that is hardly believed; m of path of it that a step may explain
+_AROUND = 60.0  # m to either side of such a silence, whose evidence a step there must make likelier
+_EVERY = 3  # nodes between the places where it is looked for first
+_USUAL = 0.4  # m, standard deviation of such a step
+_MOST_OFF = 1.0  # m that it has at most: markings that lie farther off slipped, by a dash or so
 _LEAST_KNOWN = 0.25  # 1 / m2: a jump known to less than 2 m tells nothing, and rounding spoils it
 _PLAN = (0, 2)  # places of the errors east and north among a state's values
 _UNDONE = 0.4  # of the smaller of two steps, that their sum has at most where they undo each other
@@ -233,6 +239,11 @@ class Disagreements:
         """All steps of which one side may be wrong, along the path."""
         return sorted([*self.steps, *self.undecided], key=lambda step: step.node)
 
+    @property
+    def all_steps(self) -> list[NodeStep]:
+        """Those of which one side may be wrong, and the edges of changed markings."""
+        return [*self.two_sided, *(step for pair in self.changed for step in pair)]
+
     def hides(self, step: NodeStep) -> bool:
         """Whether a step is believed to hide where no markings are; walls there change from building to building."""
         return step.square > (MOST_SHARP if self.chain.held is None else _PROVEN) ** 2
@@ -268,8 +279,8 @@ Adjust = Callable[[NodeChain, Fit, np.ndarray], tuple[NodeChain, Fit]]
 Denies = Callable[[float, float, NodeStep], bool]
 """Whether a change between two path parameters is not the drive's own."""
 
-Likelihood = Callable[[NodeChain, np.ndarray], float]
-"""Log-likelihood of a chain's model with such evidence."""
+Likelihood = Callable[[NodeChain, np.ndarray, PoseErrorModel], float]
+"""Log-likelihood of a model with such evidence of a chain."""
 
 
 def settle(chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.ndarray, adjust: Adjust,
@@ -283,8 +294,8 @@ def settle(chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.ndarra
     denies : see `SideSlip.denies`.
     likeliest : the likeliest steps instead of fast changes that may be steps.
     """
-    tests = step_tests(chain, model, fit, 1.0)
-    likely = suspects([*tests, *likeliest], chain.nodes)
+    silencing = silencing_steps(chain, model, fit, allowed, likelihood)
+    likely = suspects([*step_tests(chain, model, fit, 1.0), *likeliest, *silencing], chain.nodes)
     gaps = hidden_steps(chain, model, fit, longest)
     likely = [step for step in likely if not any(begin < chain.nodes[step.node] < end for begin, end, _ in gaps)]
     steps: list[NodeStep] = []
@@ -293,7 +304,9 @@ def settle(chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.ndarra
         free = with_free_steps(chain, likely)
         jumped = adjust(free, fit, allowed)
         steps = proven(likely, *jumped, (chain, fit), model, denies)
-        if steps and not _likelier(jumped[0].with_fast(chain.fast), steps, allowed, likelihood):
+        slips = [step.node for step in silencing]
+        steps = [step for step in steps if step.size < _MOST_OFF or step.node not in slips]
+        if steps and not _likelier(jumped[0].with_fast(chain.fast), steps, allowed, partial(likelihood, model=model)):
             steps = []
         changed = undone(steps, chain.nodes)
         paired = [step.node for pair in changed for step in pair]
@@ -307,7 +320,59 @@ def settle(chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.ndarra
     return Disagreements(chain, fit, steps, changed, hidden_steps(chain, model, fit, longest))
 
 
-def _likelier(drifting: NodeChain, steps: Sequence[NodeStep], allowed: np.ndarray, likelihood: Likelihood) -> bool:
+def silencing_steps(chain: NodeChain, model: PoseErrorModel, fit: Fit, allowed: np.ndarray,
+                    likelihood: Likelihood) -> list[NodeStep]:
+    """Steps that explain why evidence is hardly believed: with one of them it need not, on either side.
+
+    Evidence that slipped, or that moved between two places, stays silent on one side or the other of any one step.
+    """
+    silent = silences(chain, fit)
+    if not silent:
+        return []
+    tests = step_tests(chain, model, replace(fit, weight=chain.normals.present.astype(float)), 1.0)
+    found = []
+    for begin, end in silent:
+        node = _likeliest_node(begin, end, chain, model, allowed, likelihood)
+        step = None if node is None else tests[node]
+        if step is not None:
+            found.append(replace(step, square=max(step.square, _PROVEN**2)))
+    return found
+
+
+def silences(chain: NodeChain, fit: Fit) -> list[tuple[float, float]]:
+    """Path parameters between which no evidence is much believed although there is some, for a while."""
+    present = chain.normals.present
+    place, silent = chain.normals.path_parameter[present], fit.weight[present] < _SILENT
+    change = np.flatnonzero(np.diff(np.concatenate([[0], silent.astype(int), [0]])))
+    runs = [(float(place[first]), float(place[end - 1])) for first, end in zip(change[::2], change[1::2])]
+    return [(begin, end) for begin, end in runs if end - begin >= _SILENCE]
+
+
+def _likeliest_node(begin: float, end: float, chain: NodeChain, model: PoseErrorModel, allowed: np.ndarray,
+                    likelihood: Likelihood) -> int | None:
+    """Number of the node about a silence at which a step makes all evidence around likeliest; None if none does."""
+    nodes = chain.nodes
+    first, last = np.searchsorted(nodes, [begin - _AROUND, end + _AROUND])
+    first, last = int(first), min(int(last), len(nodes) - 1)
+    near = np.flatnonzero((nodes[first:last] >= begin - _APART) & (nodes[first:last] <= end + _APART))
+    part, model, believed = chain.between(first, last), model.between(first, last), allowed[first:last + 1]
+    still, number = part.fast.copy(), np.arange(last - first)
+    still[near] = 0.0
+    smooth = likelihood(part.hardened(), believed, model)
+
+    def gain(node: int) -> float:
+        jumping = part.with_fast(np.where(number == node, _USUAL, still))
+        return likelihood(jumping.hardened(), believed, model) - smooth
+
+    gains = {int(node): gain(node) for node in near[::_EVERY]}
+    best = max(gains, key=gains.__getitem__)
+    gains.update({int(node): gain(node) for node in near if 0 < abs(node - best) < _EVERY})
+    best = max(gains, key=gains.__getitem__)
+    return first + best if gains[best] > _LIKELIER else None
+
+
+def _likelier(drifting: NodeChain, steps: Sequence[NodeStep], allowed: np.ndarray,
+              likelihood: Callable[[NodeChain, np.ndarray], float]) -> bool:
     """Whether the steps make the survey likelier than the drift alone, which may change fast here and there."""
     jumping = with_free_steps(drifting, steps).hardened()
     gain = likelihood(jumping, allowed) - likelihood(drifting.hardened(), allowed)

@@ -1,13 +1,26 @@
-"""Where the windows' own curve changes faster than drift: the final correction may follow it there."""
+"""Where the windows' own curve changes faster than drift, and what steps of the reference nothing would show.
+
+The final correction may follow fast changes. One side of a place predicts the other through the model of the drift:
+what that leaves open, a frame of the reference may be off by (internal reliability, Baarda 1968). Where a place
+contradicts the model a little, or says little, a step of the reference is about as likely as none, and goes into the
+accuracy of both of its sides.
+"""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
 from ...trajectory import Trajectory
 from ..records import WindowResults
 from ..start.fast_drift import fast_drift_rate
+from .chain import NodeChain
+from .disagreements import NodeStep, step_tests
+from .error_model import PoseErrorModel
 from .gauss_markov import still_wandering
+from .robust_fit import Fit
 
 COHERENT = 4.0
 """m of path in which a step goes one way: over so much its change is the rate times it, not that of a random walk."""
@@ -47,3 +60,65 @@ def _rates(chainage: np.ndarray, shift: np.ndarray, least: float) -> np.ndarray:
     """Standard deviation (k,) m of the change of shifts (k + 1, 2) m where it is more than `least` m in 20 m."""
     rate = fast_drift_rate(chainage, shift, least)
     return np.maximum(rate[1:], rate[:-1]) * np.sqrt(np.diff(chainage) * COHERENT)
+
+
+@dataclass(frozen=True)
+class UnseenStepLimits:
+    """Limits of unseen steps, each with its unit."""
+
+    apart: float = 500.0  # m of path between two places where a reference changes its frame or strip
+    size: float = 0.2  # m, standard deviation of a step that is worth the name, in each direction
+    side: float = 30.0  # m of path with evidence that a side has at least
+    told: float = 4.5  # standard deviations from which a step is told
+    certain: float = 100.0  # log-likelihood beyond which a step is certain
+    either: float = 0.5  # of a step's variance, for each of its sides: one of the two is off by all of it
+
+
+LIMITS = UnseenStepLimits()
+
+
+@dataclass(frozen=True)
+class UnseenSteps:
+    """What a step of the reference that nothing shows would do.
+
+    Attributes
+    ----------
+    variance : (2, 2) m2, that it adds in plan on all of the path.
+    median, largest : m, the size from which a step is told, along the path; NaN where no two sides are seen.
+    """
+
+    variance: np.ndarray
+    median: float = np.nan
+    largest: float = np.nan
+
+
+def unseen_steps(chain: NodeChain, model: PoseErrorModel, fit: Fit, known: Sequence[NodeStep]) -> UnseenSteps:
+    """Steps that the adjustment would not show; those that are `known` are in its covariances."""
+    seen = chain.nodes[chain.marked(fit.weight)] if chain.held is None else chain.nodes
+    tests = [] if not len(seen) else [
+        step for step in step_tests(chain, model, fit, 1.0) if step is not None
+        and seen[0] + LIMITS.side <= chain.nodes[step.node] <= seen[-1] - LIMITS.side
+        and all(abs(chain.nodes[step.node] - chain.nodes[other.node]) >= LIMITS.side for other in known)]
+    if not tests:
+        return UnseenSteps(np.zeros((2, 2)))
+    chance = np.array([_times_as_likely(step) * (chain.nodes[step.node + 1] - chain.nodes[step.node])
+                       for step in tests]) / LIMITS.apart
+    chance /= 1.0 + chance.sum()
+    told = LIMITS.told * np.sqrt([np.linalg.eigvalsh(step.covariance)[-1] for step in tests])
+    return UnseenSteps(sum(share * _expected(step) for share, step in zip(chance, tests)), float(np.median(told)),
+                       float(told.max()))
+
+
+def _times_as_likely(step: NodeStep) -> float:
+    """How many times as likely a step of usual size makes what is seen across a place as none does."""
+    loose = step.covariance + LIMITS.size**2 * np.eye(2)
+    gain = step.square - step.change @ np.linalg.solve(loose, step.change)
+    return float(np.sqrt(np.linalg.det(step.covariance) / np.linalg.det(loose))
+                 * np.exp(min(0.5 * gain, LIMITS.certain)))
+
+
+def _expected(step: NodeStep) -> np.ndarray:
+    """(2, 2) m2, what a side is off by if there is a step of usual size: either none or all of it."""
+    left = np.linalg.inv(np.linalg.inv(step.covariance) + np.eye(2) / LIMITS.size**2)
+    likely = left @ np.linalg.solve(step.covariance, step.change)
+    return LIMITS.either * (left + np.outer(likely, likely))

@@ -16,7 +16,7 @@ from functools import partial
 import numpy as np
 
 from .chain import NodeChain
-from .disagreements import Disagreements, NodeStep, settle, step_tests
+from .disagreements import Disagreements, NodeStep, settle, silences, step_tests
 from .error_model import PoseErrorModel
 from .patch_status import MOST_SPAN
 from .robust_fit import Evaluate, Fit, adjusted_again, chain_likelihood
@@ -38,6 +38,10 @@ class FastChangeLimits:
     least: float = 0.1  # m: smaller changes leave nothing wrong that matters
     proof: float = 4.5  # standard deviations of a change across a stretch without markings
     fix: float = 20.0  # m driven, in which a trajectory can be fixed anew
+    standing: float = 1.0  # s, that a stop lasts at least
+    at_stop: float = 2.2  # standard deviations of a change at a stop, where the reported wandering is known
+    excluded: float = 3.0  # standard deviations beyond which both sides of a stretch deny a step
+    slipped: float = 1.0  # m: markings that windows find farther off slipped, by a dash or so
 
 
 LIMITS = FastChangeLimits()
@@ -116,7 +120,7 @@ def with_steps(chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.nd
     """
     return settle(chain, fit, model, allowed,
                   partial(adjusted_again, points=points, model=model, settings=settings),
-                  partial(chain_likelihood, model=model, settings=settings), MOST_SPAN, slip.denies,
+                  partial(chain_likelihood, settings=settings), MOST_SPAN, slip.denies,
                   [change.step for change in changes if not change.spread])
 
 
@@ -155,11 +159,74 @@ def with_undecided(found: Disagreements, changes: Sequence[FastChange], model: P
         if step.size > LIMITS.least and not slip.explains(begin, end, step) and not _near(known, begin, end):
             undecided.append(step)
             known.append(nodes[step.node])
+    for step in _at_stops(found, model):
+        begin, end = nodes[step.node:step.node + 2]
+        if not slip.explains(begin, end, step) and not _near(known, begin, end):
+            undecided.append(step)
+            known.append(nodes[step.node])
     for begin, end, step in short:
         sure = step.square > LIMITS.proof**2 and step.size > LIMITS.least
         if sure and not slip.explains(begin, end, step) and not _near(known, begin, end):
             undecided.append(step)
     return replace(found, undecided=sorted(undecided, key=lambda step: step.node))
+
+
+def _at_stops(found: Disagreements, model: PoseErrorModel) -> list[NodeStep]:
+    """The likeliest step at each stop that the correction makes more of than its wandering there explains.
+
+    What a standing vehicle's trajectory wanders is its own error: more can be a fault of either. Markings around few
+    stops tell a change to 4.5 standard deviations, so that less has to do for a doubt.
+    """
+    chain, steps = found.chain, []
+    if chain.stopped.sum() < LIMITS.standing:
+        return steps
+    tests = step_tests(chain, model, found.fit, 1.0)
+    stops = np.flatnonzero(np.diff(np.concatenate([[0], (chain.stopped > 0).astype(int), [0]])))
+    for first, end in zip(stops[::2], stops[1::2]):
+        here = [step for step in tests[first:end] if step is not None]
+        if here and chain.stopped[first:end].sum() >= LIMITS.standing:
+            step = max(here, key=lambda item: item.square)
+            if step.square > LIMITS.at_stop**2 and step.size > LIMITS.least:
+                steps.append(step)
+    return steps
+
+
+def with_silences(found: Disagreements, model: PoseErrorModel, at_patches: np.ndarray,
+                  windows_place: np.ndarray) -> Disagreements:
+    """What was found, with the stretches whose markings the correction does not believe, although windows find them.
+
+    They may belong to either side of a step of the reference where the sides leave room for one. Markings far off
+    slipped; walls tell which markings are right.
+
+    Parameters
+    ----------
+    windows_place : (n, 2) m, corrections in plan of the windows of patches at path parameters (n,); NaN for none.
+    """
+    chain, fit = found.chain, found.fit
+    silent = silences(chain, fit) if chain.held is None else []
+    if not silent:
+        return found
+    off = windows_place - chain.interpolate(fit.state, fit.covariance, at_patches)[0][:, :2]
+    tests = step_tests(chain, model, fit, 1.0)
+    known, steps = [chain.nodes[step.node] for step in found.two_sided], list(found.undecided)
+    for begin, end in silent:
+        here = off[(at_patches >= begin) & (at_patches <= end)]
+        here = here[np.isfinite(here).all(axis=1)]
+        if not len(here) or found.within_changed(np.array([0.5 * (begin + end)]))[0] or _near(known, begin, end):
+            continue
+        change = np.median(here, axis=0)
+        around = [step for step in tests if step is not None and _near([chain.nodes[step.node]], begin, end)]
+        if around and LIMITS.least < np.hypot(*change) < LIMITS.slipped:
+            step = min(around, key=lambda item: _against(item, change))
+            if _against(step, change) < LIMITS.excluded**2:
+                steps.append(replace(step, change=change, square=LIMITS.proof**2))
+    return replace(found, undecided=sorted(steps, key=lambda step: step.node))
+
+
+def _against(step: NodeStep, change: np.ndarray) -> float:
+    """Chi square of a step of the reference by a change (2,) m or its opposite, as both sides of a place see it."""
+    known = np.linalg.inv(step.covariance)
+    return min(float(off @ known @ off) for off in (step.change - change, step.change + change))
 
 
 def _near(places: Sequence[float], begin: float, end: float) -> bool:

@@ -20,6 +20,9 @@ trajectory wanders ahead: it may have crept."""
 
 MIN_STOP = 1.0  # s, of a stop whose wandering tells a speed
 
+NOT_AHEAD, AHEAD = 0.3, 0.5
+"""m/s, below which a vehicle stands whose trajectory goes ahead by less than this share of its way."""
+
 SLOW = 1.5
 """m/s, below which a vehicle counts as slowing down for a stop or leaving it: as fast as its trajectory wanders in the
 stop it may wander there, unseen. Half of that is taken for its error, with half of it as standard deviation."""
@@ -121,6 +124,17 @@ class StopMovement:
                    np.diff(np.interp(time, trajectory.time, spread)))
 
 
+def _goes_ahead(trajectory: Trajectory) -> np.ndarray:
+    """(e - 1,) mask of steps between epochs that go ahead for the most part, over about a second."""
+    time, heading = trajectory.time, np.unwrap(np.radians(trajectory.angles[:, 2]))
+    middle = 0.5 * (time[1:] + time[:-1])
+    begin, end = (np.column_stack([np.interp(middle + side, time, axis) for axis in trajectory.place[:, :2].T])
+                  for side in (-0.5, 0.5))
+    east, north = (end - begin).T
+    heading = np.interp(middle, time, heading)
+    return east * np.sin(heading) + north * np.cos(heading) > AHEAD * np.hypot(east, north)
+
+
 @dataclass(frozen=True)
 class _Stops:
     """Runs of slow steps of a trajectory, those about a stop.
@@ -144,7 +158,9 @@ class _Stops:
     @classmethod
     def of(cls, trajectory: Trajectory) -> _Stops:
         """The stops of a trajectory."""
-        still, slow = (np.diff(path_chainage(trajectory, *speed)) == 0 for speed in ((), (SLOW,)))
+        still, creeping, slow = (np.diff(path_chainage(trajectory, *speed)) == 0
+                                 for speed in ((), (NOT_AHEAD,), (SLOW,)))
+        still |= creeping & ~_goes_ahead(trajectory)
         slow |= still
         run = np.where(slow, np.cumsum(slow & ~np.concatenate([[False], slow[:-1]])), 0)
         step = np.diff(trajectory.place, axis=0) * still[:, None]

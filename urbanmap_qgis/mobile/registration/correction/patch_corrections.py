@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -11,7 +12,8 @@ from ...trajectory import Trajectory, gaps, jumps
 from ..records import WindowResults
 from .chain import NodeChain, smooth_between
 from .disagreements import CorrectionStep, Disagreements, either_side, hidden_factor, with_disagreements
-from .error_model import PoseErrorModel
+from .error_model import ANGLES, PoseErrorModel
+from .error_steps import UnseenSteps
 from .gauss_markov import path_parameters_of
 from .patch_status import (
     BRIDGED,
@@ -46,6 +48,7 @@ class PatchCorrectionLimits:
     search_margin: float = 0.4  # m from the largest error looked for
     search_share: float = 0.02  # of the patches that may be there
     determined: float = 0.5  # of the stated variance: an angle that keeps less of it was measured
+    as_reported: float = 1e-2  # of the stated accuracy: by so much an angle may change that stays as it was reported
 
 
 LIMITS = PatchCorrectionLimits()
@@ -73,6 +76,9 @@ class Correction:
     heading_factor : how many times as large as stated the error of the heading was taken for, 1 as a rule.
     steps : where reference and survey disagree, in the order driven.
     walls : (n,) 0 to 1, share of the walls in what is known of the place in plan around; None where none were held.
+    unseen : steps of the reference that nothing would show; the covariance has them. None where nobody asked.
+    reference_sigma : m in plan, what the reference itself was said to be off by; the covariance has it. NaN where it is
+        a floor only (J's patches).
     """
 
     time: np.ndarray
@@ -93,6 +99,8 @@ class Correction:
     _time_weight: float = field(repr=False)
     steps: tuple[CorrectionStep, ...] = ()
     walls: np.ndarray | None = None
+    unseen: UnseenSteps | None = None
+    reference_sigma: float = np.nan
 
     def __len__(self) -> int:
         return len(self.time)
@@ -110,6 +118,12 @@ class Correction:
     def plan_sigma(self) -> np.ndarray:
         """(n,) standard deviation in the worst direction in plan, m."""
         return plan_sigma(self.covariance)
+
+    def relative_sigma(self) -> np.ndarray | None:
+        """(n,) the same relative to the reference: without what that may be off by itself; None where not known."""
+        if self.unseen is None:
+            return None
+        return plan_sigma(self.covariance[:, :2, :2] - self.unseen.variance - self.reference_sigma**2 * np.eye(2))
 
 
 def correct_trajectory(trajectory: Trajectory, correction: Correction) -> Trajectory:
@@ -129,6 +143,46 @@ def with_plan_noise(chain: NodeChain, fit: Fit, model: PoseErrorModel, on_points
     return replace(fit, covariance=_scaled_in_plan(chain, fit.covariance, quiet))
 
 
+def unmeasured_angles(chain: NodeChain, fit: Fit, stated: np.ndarray) -> list[int]:
+    """Those of roll and pitch (3, 4) that the drive as a whole leaves about as unsure as stated.
+
+    What heights and markings would make of such an angle is their own error: it is better left as it was reported.
+
+    `stated` : (k, 3) degrees, of roll, pitch and heading at the nodes.
+    """
+    found = []
+    for number, angle in enumerate(chain.normals.active):
+        if angle in (_ROLL, _PITCH):
+            variance = fit.covariance[:, 2 * number, 2 * number]
+            if np.median(variance / stated[:, angle - ANGLES[0]] ** 2) >= LIMITS.determined:
+                found.append(angle)
+    return found
+
+
+def with_reported_angles(chain: NodeChain, fit: Fit, model: PoseErrorModel,
+                         angles: Sequence[int]) -> tuple[Fit, PoseErrorModel]:
+    """The fit, with the weights that it has, and the model with some angles as reported."""
+    if not angles:
+        return fit, model
+    size = np.where(np.isin(ANGLES, angles), LIMITS.as_reported, 1.0)
+    model = replace(model, attitude=replace(model.attitude, sigma=model.attitude.sigma * size))
+    weight = fit.weight / fit.noise_factor
+    if chain.held is not None:
+        return settled_offset(chain, fit, model, weight)[0], model
+    state, covariance, _ = chain.solve(model, weight)
+    return replace(fit, state=state, covariance=covariance), model
+
+
+def with_shown_angles(correction: Correction, stated: np.ndarray, unmeasured: Sequence[int]) -> Correction:
+    """The correction with the stated accuracy (n, 3), degrees, of angles as reported, and a pitch as the unit shows it.
+    """
+    covariance = correction.covariance.copy()
+    for angle in unmeasured:
+        covariance[:, angle, angle] = stated[:, angle - ANGLES[0]] ** 2
+    return replace(correction, covariance=with_shown_pitch(correction.value, covariance, stated,
+                                                           correction.heading_factor))
+
+
 def _scaled_in_plan(chain: NodeChain, covariance: np.ndarray, found: np.ndarray) -> np.ndarray:
     """Covariances of the nodes with the variances east and north of others: heights and angles have noise of their own.
 
@@ -144,7 +198,7 @@ def _scaled_in_plan(chain: NodeChain, covariance: np.ndarray, found: np.ndarray)
 
 
 def correction_at_patches(windows: WindowResults, found: Disagreements, at_patches: np.ndarray, doubtful: np.ndarray,
-                          settings: CorrectionSettings, conflict: WitnessConflict) -> Correction:
+                          settings: CorrectionSettings, conflict: WitnessConflict, unseen: UnseenSteps) -> Correction:
     """The correction at the patches with its quality."""
     chain, fit, n = found.chain, found.fit, len(windows)
     normals = chain.normals
@@ -163,7 +217,7 @@ def correction_at_patches(windows: WindowResults, found: Disagreements, at_patch
         covariance[doubtful, :2, :2] += windows.spread[doubtful]
     covariance[:, :2, :2] *= hidden_factor(found.hidden, at_patches)[:, None, None]
     beside, variance = either_side(found.two_sided, chain.nodes, at_patches)
-    covariance[:, :2, :2] += variance
+    covariance[:, :2, :2] += variance + unseen.variance
     against, either = conflict.mask_and_variance(windows.chainage)
     covariance[:, :2, :2] += either
     support = np.where(chain.fast_near(at_patches, LIMITS.on_step), LIMITS.step_support, settings.support_length)
@@ -184,7 +238,8 @@ def correction_at_patches(windows: WindowResults, found: Disagreements, at_patch
     return Correction(windows.time, windows.chainage, value, covariance, status, reason, weight, residual,
                       normals.three_d, fit.drift_factor, fit.noise_factor, fit.heading_factor, chain.nodes, fit.state,
                       normals.active, settings.time_weight,
-                      walls=wall_shares(by_paint, by_walls) if chain.held else None)
+                      walls=wall_shares(by_paint, by_walls) if chain.held else None, unseen=unseen,
+                      reference_sigma=settings.reference_sigma)
 
 
 def _bridged(status: np.ndarray, reason: np.ndarray, mask: np.ndarray, why: str) -> tuple[np.ndarray, np.ndarray]:
@@ -227,9 +282,9 @@ def with_shown_pitch(value: np.ndarray, covariance: np.ndarray, stated: np.ndarr
     factors = [shown_factor(value[:, _ROLL], variance[:, _ROLL], stated[:, 0])]
     if heading_factor == 1.0:
         factors.append(shown_factor(value[:, _HEADING], variance[:, _HEADING], stated[:, 2]))
-    determined = variance[:, _PITCH] >= LIMITS.determined * stated[:, 1] ** 2
+    undetermined = variance[:, _PITCH] >= LIMITS.determined * stated[:, 1] ** 2
     size = np.ones(covariance.shape[:2])
-    size[determined, _PITCH] = max(factors)
+    size[undetermined, _PITCH] = max(factors)
     return covariance * size[:, :, None] * size[:, None, :]
 
 
