@@ -269,7 +269,7 @@ def smooth_between(nodes: np.ndarray, state: np.ndarray, path_parameter: np.ndar
 
 
 @dataclass(frozen=True)
-class CorrectionCurve:
+class NodeCurve:
     """The correction (m, 6) at path parameters (m,)."""
 
     chain: NodeChain

@@ -9,7 +9,7 @@ import numpy as np
 
 from ....geometry.tolerances import LEAST_DIVISOR
 from ....progress import SILENT, Progress
-from .chain import CorrectionCurve, NodeChain
+from .chain import NodeChain, NodeCurve
 from .error_model import PoseErrorModel
 from .normal_equations import NormalEquations
 from .settings import CorrectionSettings
@@ -180,7 +180,7 @@ def onto_points(points: Evaluate, chain: NodeChain, fit: Fit, model: PoseErrorMo
     """
     for number, blur in enumerate(settings.blurs):
         progress.step(number / len(settings.blurs))
-        last, normals = fit.state, points(CorrectionCurve(chain, fit.state), blur)
+        last, normals = fit.state, points(NodeCurve(chain, fit.state), blur)
         chain = chain.with_normals(normals)
         trusted = np.interp(normals.path_parameter, chain.nodes, allowed) > 0.5
         if not (trusted & normals.present).any():

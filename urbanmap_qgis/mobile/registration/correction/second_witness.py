@@ -12,7 +12,7 @@ import numpy as np
 from ....geometry.tolerances import LEAST_DIVISOR
 from ....wording import mark, say
 from ..records import WindowResults
-from .chain import CorrectionCurve, NodeChain
+from .chain import NodeChain, NodeCurve
 from .disagreements import CorrectionStep, Disagreements, NodeStep, hidden_steps
 from .error_model import PoseErrorModel
 from .held_observations import HeldObservations
@@ -203,7 +203,7 @@ def wall_shares(by_paint: np.ndarray, by_walls: np.ndarray) -> np.ndarray:
 def where_walls_want_it(walls: Witness, chain: NodeChain, fit: Fit, model: PoseErrorModel, windows: WindowResults,
                         at_patches: np.ndarray, settings: CorrectionSettings) -> np.ndarray:
     """Mask (n,) of patches whose own position, and no other one of theirs, lies where the walls alone want it."""
-    model, curve = model.scaled(fit.drift_factor).with_heading(fit.heading_factor), CorrectionCurve(chain, fit.state)
+    model, curve = model.scaled(fit.drift_factor).with_heading(fit.heading_factor), NodeCurve(chain, fit.state)
     walls = walls.fitted(chain, model, curve)
     wall_observations = None if walls.course is None else walls.about(walls.course, chain.normals.active)
     if wall_observations is None:
@@ -216,12 +216,12 @@ def where_walls_want_it(walls: Witness, chain: NodeChain, fit: Fit, model: PoseE
 
 def with_witness(walls: Witness, found: Disagreements, model: PoseErrorModel) -> tuple[Disagreements, WitnessConflict]:
     """What was found with what the walls say of it: steps that break them, and where outlines want the survey."""
-    walls, none = walls.fitted(found.chain, model, CorrectionCurve(found.chain, found.fit.state)), WitnessConflict(())
+    walls, none = walls.fitted(found.chain, model, NodeCurve(found.chain, found.fit.state)), WitnessConflict(())
     wall_observations = None if walls.course is None else walls.about(walls.course, found.chain.normals.active)
     if wall_observations is not None and not walls.alone:
         found = without_astray(found, wall_observations, model, walls)
     chain, fit = found.chain, found.fit
-    curve, marked = CorrectionCurve(chain, fit.state), walls.among(partial(_marked, chain, fit))
+    curve, marked = NodeCurve(chain, fit.state), walls.among(partial(_marked, chain, fit))
     found = with_broken_walls(found, marked.jumps(curve))
     if wall_observations is None:
         return found, none
@@ -233,7 +233,7 @@ def with_witness(walls: Witness, found: Disagreements, model: PoseErrorModel) ->
         chain = chain.with_held(wall_observations)
         fit, eaves = settled_offset(chain, fit, model, fit.weight / fit.noise_factor)
         walls = walls.with_eaves(eaves)
-        wall_observations = walls.about(CorrectionCurve(chain, fit.state), chain.normals.active)
+        wall_observations = walls.about(NodeCurve(chain, fit.state), chain.normals.active)
         if wall_observations is None:
             break
     return replace(found, chain=chain, fit=fit, hidden=hidden_steps(chain, model, fit, MOST_SPAN)), conflict
