@@ -53,7 +53,7 @@ def face_in_crown(place: np.ndarray, axis: StemAxis) -> tuple[np.ndarray, np.nda
 
 
 def _fullest(away: np.ndarray) -> np.ndarray:
-    """Distances from the axis at which layers have the most points, m: the two fullest, where leaves are not as full."""
+    """Distances from the axis of the two fullest layers, m, where these are fuller than leaves."""
     number = int(2 * LIMITS.off / LIMITS.layer)
     count, borders = np.histogram(away, number, (-LIMITS.off, LIMITS.off))
     wide = ndimage.uniform_filter1d(count.astype(float), 3, mode="constant")
