@@ -196,6 +196,18 @@ def pilasters(front: Front, rng: np.random.Generator) -> None:
     front.before.append(("pilaster", -out))
 
 
+def ribbons(front: Front, rng: np.random.Generator) -> None:
+    """Bands of wall and of glass in turn, on columns before a ground floor that stands back."""
+    front.height = 3 * STOREY + 0.4
+    plain(front, rng, low=STOREY, kind=GLASS)
+    back = rng.uniform(1.2, 2.5)
+    front.faces += box(0.5, front.width - 0.5, back, front.depth, 0.0, STOREY)
+    for z in np.arange(STOREY, front.height, STOREY).tolist():
+        front.faces.append(upright(0.0, front.width, -0.06, z, min(z + 1.2, front.height)))
+    front.wall = [(0.0, front.width, -0.06)]
+    front.outer = list(front.wall)
+
+
 def street(front: Front, rng: np.random.Generator) -> None:
     """A garden wall, balconies and a canopy before one front."""
     balconies(front, rng)
@@ -210,7 +222,7 @@ KINDS: dict[str, Callable[[Front, np.random.Generator], None]] = {
     "plain": plain, "canopy": canopy, "sign band": sign_band, "garden wall": garden_wall, "hoarding": hoarding,
     "balconies": balconies, "pilotis": pilotis, "awning": awning, "bay": bay, "step 1.5 m": step_small,
     "step 3 m": step_large, "upper setback": upper_setback, "glass": glass, "pilasters": pilasters,
-    "garden wall, balconies": street}
+    "garden wall, balconies": street, "windows in ribbons": ribbons}
 """What makes a front of each kind."""
 
 

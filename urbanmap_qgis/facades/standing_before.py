@@ -16,14 +16,14 @@ from ..wording import mark
 from .plane_fit import WallPlane, component
 from .wall_contours import Contour, on_map
 
-WALL, CANOPY, SIGN, BALCONY, GARDEN_WALL, HOARDING, POST, SETBACK, UNCLEAR = (
+WALL, CANOPY, SIGN, BALCONY, GARDEN_WALL, HOARDING, POST, SETBACK, RECESS, UNCLEAR = (
     mark("wall"), mark("canopy"), mark("sign band"), mark("balcony"), mark("garden wall"), mark("hoarding"),
-    mark("post"), mark("setback"), mark("unclear"))
-"""Kinds of walls; `SETBACK`: of storeys that stand back over a ground floor; `UNCLEAR`: it or another at a different
-depth is the facade."""
+    mark("post"), mark("setback"), mark("recess"), mark("unclear"))
+"""Kinds of walls; `SETBACK`: of storeys that stand back over a ground floor; `RECESS`: of a ground floor that stands
+back under storeys on columns; `UNCLEAR`: it or another at a different depth is the facade."""
 
-GROUND_FLOOR = "ground floor"
-"""On the way: a wall that ends below storeys that stand back."""
+GROUND_FLOOR, UPPER_FLOORS = "ground floor", "upper floors"
+"""On the way: a wall that ends below storeys that stand back; one of storeys that hang in the air."""
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,11 @@ class StandingBeforeLimits:
     post_area: float = 4.0  # The wall behind posts is larger by this factor than one of them.
     beyond: float = 1.0  # What runs on so far past the ends of the outline's edge, m, is not the building's own.
     nearer: float = 0.5  # One of two walls is the outline's where it lies nearer to it than the other by this, m.
+    closed: float = 0.8  # Bands, panes and what else lies at one depth are a wall where they cover this of its height.
+    edge: float = 0.1  # Points so near to a band's edges, m, are of the band.
+    balcony: float = 2.5  # Depth of balconies, m.
     gap_points: int = 20
+    enough: int = 40_000  # Points of a building by which gaps are judged, evenly taken from all.
 
 
 LIMITS = StandingBeforeLimits()
@@ -103,11 +107,9 @@ def kinds_of_walls(walls: Sequence[PlacedWall], points: np.ndarray) -> list[tupl
                                                 include_z=True)[:4] for wall in walls]).reshape(-1, 4, 3)
     normals = np.array([wall.plane.normal for wall in walls]).reshape(-1, 3)
     facade = np.array([wall.facade for wall in walls], bool)
-    kinds = [(WALL, 0.0)] * len(walls)
-    for row, wall in enumerate(walls):
-        seen = _seen_from(wall.plane, corners, normals, facade)
-        if seen.behind.any():
-            kinds[row] = _kind(walls, row, seen, points)
+    points = points[::max(1, len(points) // LIMITS.enough)]
+    kinds = [_kind(walls, row, _seen_from(wall.plane, corners, normals, facade), points)
+             for row, wall in enumerate(walls)]
     _tell_those_behind(walls, kinds, corners, normals, facade)
     return kinds
 
@@ -116,17 +118,30 @@ def _tell_those_behind(walls: Sequence[PlacedWall], kinds: list[tuple[str, float
                        normals: np.ndarray, facade: np.ndarray) -> None:
     """Walls over a ground floor are set back; those behind what may be a hoarding or a ground floor are unclear too."""
     for row, (kind, _) in enumerate(list(kinds)):
-        if kind not in (UNCLEAR, GROUND_FLOOR):
+        if kind not in (UNCLEAR, GROUND_FLOOR, UPPER_FLOORS):
             continue
         seen = _seen_from(walls[row].plane, corners, normals, facade)
-        higher = seen.behind & (seen.high > seen.high[row] + 2 * LIMITS.goes_on)
-        higher &= (seen.left < seen.right[row]) & (seen.right > seen.left[row])
-        if kind == GROUND_FLOOR:
-            kinds[row] = (WALL, 0.0)
-            higher &= seen.low > seen.high[row] - LIMITS.goes_on
-        for other in np.flatnonzero(higher):
-            if kinds[other][0] == WALL:
-                kinds[other] = (UNCLEAR if kind == UNCLEAR else SETBACK, 0.0)
+        over = seen.behind & (seen.left < seen.right[row]) & (seen.right > seen.left[row])
+        if kind == UPPER_FLOORS:
+            told = _recessed(row, np.flatnonzero(over), seen)
+        elif kind == GROUND_FLOOR:
+            told = np.flatnonzero(over & (seen.low > seen.high[row] - LIMITS.goes_on))
+        else:
+            told = np.append(np.flatnonzero(over), _stacked(walls[row], row, seen))  # panes of it are as unclear
+        kinds[row] = (kind if kind == UNCLEAR else WALL, 0.0)
+        for other in told:
+            if kinds[other][0] in (WALL, UPPER_FLOORS):
+                kinds[other] = ({UPPER_FLOORS: RECESS, GROUND_FLOOR: SETBACK}.get(kind, UNCLEAR), 0.0)
+
+
+def _recessed(row: int, over: np.ndarray, seen: _Seen) -> np.ndarray:
+    """Those of the walls behind one that hangs (k,) that end below it, along half of their length, and do not go on."""
+    ends = over[seen.high[over] < seen.low[row] + LIMITS.goes_on]
+    common = np.minimum(seen.right[ends], seen.right[row]) - np.maximum(seen.left[ends], seen.left[row])
+    ends = ends[common > 0.5 * (seen.right[ends] - seen.left[ends])]
+    higher = over[seen.high[over] >= seen.low[row] + LIMITS.goes_on]
+    goes_on = np.abs(seen.depth[ends][:, None] - seen.depth[higher]) < LIMITS.same
+    return ends[~goes_on.any(axis=1)]
 
 
 def _seen_from(plane: WallPlane, corners: np.ndarray, normals: np.ndarray, facade: np.ndarray) -> _Seen:
@@ -140,25 +155,36 @@ def _seen_from(plane: WallPlane, corners: np.ndarray, normals: np.ndarray, facad
 
 
 def _kind(walls: Sequence[PlacedWall], row: int, seen: _Seen, points: np.ndarray) -> tuple[str, float]:
-    """Kind of one wall that has others behind it: that of the nearest depth at which it has one."""
+    """Kind of one wall: that of the nearest depth at which it has others behind it; bands may have none seen."""
     wall = walls[row]
+    foot, top = seen.low[row] - wall.ground, seen.high[row] - wall.ground
     for depth in np.unique(seen.depth[seen.behind]):
         members = np.flatnonzero(seen.behind & (np.abs(seen.depth - depth) < LIMITS.same))
         members = members[(seen.left[members] < seen.right[row] + LIMITS.post)
                           & (seen.right[members] > seen.left[row] - LIMITS.post)]
         if not len(members):
             continue
-        foot, top = seen.low[row] - wall.ground, seen.high[row] - wall.ground
         if _post(walls, row, members, seen):
             return POST, float(depth)
         kind = WALL
         if foot > LIMITS.in_air:
-            kind = _hanging(wall, row, members, seen, points)
+            kind = _hanging(wall, row, members, seen)
         elif foot < LIMITS.on_ground and top < LIMITS.ground_floor:
             kind = _standing(walls, row, members, seen)
         if kind != WALL:
             return kind, float(depth)
-    return WALL, 0.0
+    return _storeys(wall, row, seen, points) if foot > LIMITS.in_air else (WALL, 0.0)
+
+
+def _storeys(wall: PlacedWall, row: int, seen: _Seen, points: np.ndarray) -> tuple[str, float]:
+    """Kind of a wall in the air that is more than one band: balconies, or storeys."""
+    stacked = _stacked(wall, row, seen)
+    if seen.high[stacked].max() - seen.low[stacked].min() < LIMITS.storey:
+        return WALL, 0.0
+    behind = _behind_bands(wall, row, stacked, seen, points)
+    if np.isnan(behind):
+        return UPPER_FLOORS, 0.0
+    return (BALCONY, behind) if np.isfinite(behind) else (UNCLEAR, 0.0)
 
 
 def _post(walls: Sequence[PlacedWall], row: int, members: np.ndarray, seen: _Seen) -> bool:
@@ -172,19 +198,19 @@ def _post(walls: Sequence[PlacedWall], row: int, members: np.ndarray, seen: _See
                 and common > 0.5 * (seen.high[row] - seen.low[row]))
 
 
-def _hanging(wall: PlacedWall, row: int, members: np.ndarray, seen: _Seen, points: np.ndarray) -> str:
-    """Kind of a wall that hangs in the air before others: one band, or bands with what lies behind between them."""
-    bands = _bands(wall)
-    depth = float(seen.depth[members].mean())
-    if not len(bands) or np.diff(bands, axis=1).max() > LIMITS.storey:
+def _hanging(wall: PlacedWall, row: int, members: np.ndarray, seen: _Seen) -> str:
+    """Kind of a wall that hangs in the air alone: a band with a wall behind it that is seen below it."""
+    if seen.high[row] - seen.low[row] > LIMITS.storey or len(_stacked(wall, row, seen)) > 1:
         return WALL
     if seen.covered(row, members, -np.inf, seen.low[row]) < LIMITS.share:
         return WALL
-    stacked = ((np.abs(seen.depth) < LIMITS.same) & (seen.right > seen.left[row]) & (seen.left < seen.right[row])
-               & (seen.low > wall.ground + LIMITS.in_air))
-    if len(bands) == 1 and np.count_nonzero(stacked) == 1:
-        return CANOPY if depth > float(np.diff(bands[0])[0]) else SIGN
-    return WALL if _closed(wall, row, np.flatnonzero(stacked), seen, points, depth) else BALCONY
+    return CANOPY if seen.depth[members].mean() > seen.high[row] - seen.low[row] else SIGN
+
+
+def _stacked(wall: PlacedWall, row: int, seen: _Seen) -> np.ndarray:
+    """Walls in the air at the depth of one (k,), over or under it, and itself."""
+    return np.flatnonzero((np.abs(seen.depth) < LIMITS.same) & (seen.right > seen.left[row])
+                          & (seen.left < seen.right[row]) & (seen.low > wall.ground + LIMITS.in_air))
 
 
 def _bands(wall: PlacedWall) -> np.ndarray:
@@ -199,23 +225,34 @@ def _bands(wall: PlacedWall) -> np.ndarray:
     return low + LIMITS.row * change.reshape(-1, 2)
 
 
-def _closed(wall: PlacedWall, row: int, bands: np.ndarray, seen: _Seen, points: np.ndarray, depth: float) -> bool:
-    """Whether the space between bands (k,), this one among them, is a wall's: on their plane or beyond the one behind.
+def _behind_bands(wall: PlacedWall, row: int, stacked: np.ndarray, seen: _Seen, points: np.ndarray) -> float:
+    """Distance (m) of the wall behind bands (k,) between which it is open; NaN where they are of a wall, infinite where
+    too little was seen between them.
 
-    Between balconies they lie on the soffits and on the wall behind, behind windows on the panes and in the rooms.
+    Between balconies points lie on the soffits and on the wall behind; behind windows on the panes, on what is between
+    them, and deep in the rooms.
     """
+    tall = seen.high[row] - seen.low[row] > LIMITS.storey
+    bands = _bands(wall) + wall.plane.point[2] if tall else np.array([[seen.low[row], seen.high[row]]])
+    if len(stacked) + len(bands) < 3 or not len(bands) or np.diff(bands, axis=1).max() > LIMITS.storey:
+        return np.nan
     flat = points - wall.plane.point
     along, away = component(flat, wall.plane.axes[0]), -component(flat, wall.plane.normal)
-    near = (along > seen.left[row]) & (along < seen.right[row]) & (points[:, 2] > seen.low[bands].min())
-    near &= (points[:, 2] < seen.high[bands].max()) & (away > -LIMITS.before)
-    local = points[:, 2] - wall.plane.point[2]
-    for low, high in _bands(wall):
-        near &= (local < low) | (local > high)
-    for one in bands[bands != row]:
-        near &= (points[:, 2] < seen.low[one]) | (points[:, 2] > seen.high[one])
+    z = points[:, 2]
+    near = ((along > seen.left[row]) & (along < seen.right[row]) & (away > -LIMITS.before)
+            & (z > seen.low[stacked].min()) & (z < seen.high[stacked].max()))
+    others = np.column_stack([seen.low, seen.high])[stacked[stacked != row]]
+    for low, high in np.concatenate([bands, others]):
+        near &= (z < low - LIMITS.edge) | (z > high + LIMITS.edge)
+    heights = np.arange(seen.low[stacked].min(), seen.high[stacked].max(), LIMITS.edge)
+    covered = [(low <= heights) & (heights <= high) for low, high in np.concatenate([bands, others])]
+    if np.any(covered, axis=0).mean() > LIMITS.closed:
+        return np.nan  # slits at its edges tell nothing
     away = away[near]
-    between = np.count_nonzero((away > LIMITS.before) & (away < depth + LIMITS.same))
-    return bool(len(away) < LIMITS.gap_points or between < 0.5 * len(away))
+    between = away[(away > LIMITS.before) & (away < LIMITS.balcony)]
+    if len(away) < LIMITS.gap_points:
+        return np.inf
+    return np.nan if len(between) < LIMITS.filled * len(away) else float(np.quantile(between, 0.9))
 
 
 def _standing(walls: Sequence[PlacedWall], row: int, members: np.ndarray, seen: _Seen) -> str:

@@ -18,7 +18,7 @@ from ..wording import say
 from .building_plans import BuildingPlans, outline_edges
 from .facade_points import FacadePoints, FacadeSettings, facade_points
 from .plane_fit import WallPlane
-from .standing_before import BALCONY, SETBACK, UNCLEAR, WALL, PlacedWall, kinds_of_walls
+from .standing_before import BALCONY, RECESS, SETBACK, UNCLEAR, WALL, PlacedWall, kinds_of_walls
 from .wall_contours import Contour, ContourSettings, WallCoverage, in_plane, on_map, wall_contours, wall_coverage
 from .wall_planes import PlaneSettings, edge_distance, wall_segments
 
@@ -207,11 +207,12 @@ def _described(piece: _Piece, placed: PlacedWall, edge: int, kind: tuple[str, fl
     if depth > 0 and edge >= 0:
         depth = max(depth, -placed.offset)  # near a corner another edge is nearer than its own
     heights = float(z.min()) - foot, float(z.max()) - foot
-    inside = kind[0] == SETBACK or _inside(piece, placed, depth, heights, walls, settings)
+    inside = kind[0] in (SETBACK, RECESS) or _inside(piece, placed, depth, heights, walls, settings)
     if inside:
         foot = float(z.min())  # it stands on a roof
     seen = wall_coverage(plane, [contour], foot, top, piece.points.front)
-    standing = kind[0] not in (WALL, SETBACK, UNCLEAR) and not (kind[0] == BALCONY and settings.front == OUTERMOST)
+    own = (WALL, SETBACK, RECESS, UNCLEAR, *([BALCONY] if settings.front == OUTERMOST else []))
+    standing = kind[0] not in own
     status, note = _front_status(*kind) if standing or kind[0] == UNCLEAR else _status(
         plane, contour.points, seen, max(depth, _BEFORE) if inside else 0.0)
     return FacadeWall(piece.building_id, plane, polygon, contour.points, contour.openings, contour.filled,
