@@ -17,7 +17,7 @@ from urbanmap_qgis.aerial.markings.marking_verdict import marking_verdict
 from urbanmap_qgis.aerial.markings.road_model import RoadModel
 from urbanmap_qgis.io.pages.report import BAD, GOOD, LOOK
 
-USUAL = SearchTally(seen=10 ** 6, narrow=10 ** 5, painted=50_000, unsure=40_000, clear=600_000, smooth=300_000,
+USUAL = SearchTally(seen=10 ** 6, narrow=10 ** 5, painted=50_000, unsure=40_000, clear=600_000, smooth=300_000, green=20_000,
                  straight=20_000, straight_unsure=5_000)
 
 
@@ -43,10 +43,12 @@ def test_a_usual_result_is_good(found):
     ({"straight_unsure": 19_900}, BAD, "cannot be told"),
     ({"unsure": 91_000, "straight_unsure": 19_000}, BAD, "cannot be told"),
     ({"unsure": 85_000}, LOOK, "look for paint without an outline"),
+    ({"straight_unsure": 15_000}, LOOK, "75% of what is straight, bright and narrow was left out"),
     ({"full": 500_000}, BAD, "50% of it are over-exposed"),
     ({"full": 200_000}, LOOK, "20% of the image are over-exposed"),
     ({"empty": 100_000}, LOOK, "10% of the image are black"),
     ({"colourless": 10 ** 6}, LOOK, "has no colours"),
+    ({"green": 99}, LOOK, "Nothing in the image is green"),
     ({"pale": 300_000}, LOOK, "30% of the image are nearly white"),
     ({"colder": 30_000}, LOOK, "38% of what looks like paint is bluer than the road"),
 ])
@@ -100,10 +102,12 @@ def test_light_is_counted_where_ground_is_seen():
     bands[:, 0] = 0
     bands[0, 1] = 255
     bands[:, 2, 3:] = 195
+    bands[1, 3, 1:3] = 96, 95
+    bands[1, 0, 0] = 200
     seen = np.ones((4, 5), bool)
     seen[:, 0] = False
     made = evidence_of_light(bands, seen, 255)
-    assert (made.seen, made.empty, made.full, made.colourless, made.pale) == (16, 4, 4, 12, 2)
+    assert (made.seen, made.empty, made.full, made.colourless, made.pale, made.green) == (16, 4, 4, 10, 2, 1)
 
 
 def test_pieces_are_counted_in_the_rows_and_columns_asked_for():
@@ -125,10 +129,11 @@ def test_pieces_are_counted_in_the_rows_and_columns_asked_for():
 
 
 def test_a_dark_or_swapped_image_is_told(tmp_path):
-    """The same street by day, in a noisy night and with blue for red."""
+    """The same street with a tree by day, in a noisy night and with blue for red."""
     random = np.random.default_rng(2)
     day = np.full((3, 400, 600), 90.0)
     day[:, 100:103, 20:580] = day[:, 200:203, 20:580] = 220
+    day[:, 20:40, 20:40] = np.reshape((60, 90, 50), (3, 1, 1))
     night = np.clip(day * 0.08 + random.normal(0, 4, day.shape), 0, 255)
     day += random.normal(0, 1, day.shape)
     day[0] -= np.where(day[0] < 150, 6, 0)  # asphalt is a little blue

@@ -20,6 +20,7 @@ class SearchTallyLimits:
     straight: float = 2.0  # m: pieces of this length or more tell of lines
     slender: float = 0.25  # m: of these, the standard deviation across is less
     pale: float = 0.75  # of the highest number that an image can hold, that all colours exceed in what is nearly white
+    green: float = 1.06  # times red and blue, that green is in leaves
 
 
 LIMITS = SearchTallyLimits()
@@ -37,7 +38,7 @@ class SearchTally:
     painted, unsure : of these, taken for paint, and left out by their confidence alone.
     clear, smooth : pixels of ground without paint; of these, smooth, grey and as bright as around.
     colder : of `narrow` (round tiles counted again), where only a colour bluer than the ground's speaks against paint.
-    pale : pixels of the image that are nearly white.
+    pale, green : pixels of the image that are nearly white; that are green.
     straight, straight_unsure : pixels of slender straight pieces of `narrow`; of these, left out by their confidence.
     """
 
@@ -54,6 +55,7 @@ class SearchTally:
     straight_unsure: int = 0
     colder: int = 0
     pale: int = 0
+    green: int = 0
 
     def __add__(self, other: SearchTally) -> SearchTally:
         return SearchTally(**{one.name: getattr(self, one.name) + getattr(other, one.name) for one in fields(self)})
@@ -68,7 +70,16 @@ def evidence_of_light(bands: np.ndarray, seen: np.ndarray, top: float) -> Search
     alike = highest == lowest
     return SearchTally(seen=np.count_nonzero(seen), empty=np.count_nonzero(seen & (highest <= 0)),
                     full=np.count_nonzero(seen & (highest >= top)), colourless=np.count_nonzero(seen & alike),
-                    pale=np.count_nonzero(seen & (lowest > LIMITS.pale * top)))
+                    pale=np.count_nonzero(seen & (lowest > LIMITS.pale * top)), green=_green(colours, seen))
+
+
+def _green(colours: np.ndarray, seen: np.ndarray) -> int:
+    """Pixels of colours (1 or 3, rows, columns) where green is above red and blue."""
+    if len(colours) < 3:
+        return 0
+    other = np.maximum(colours[0], colours[2]).astype(np.float32)
+    other *= np.float32(LIMITS.green)
+    return np.count_nonzero(seen & (colours[1] > other))
 
 
 def evidence_of_pieces(inside: np.ndarray, labels: np.ndarray, accepted: np.ndarray, good: np.ndarray,

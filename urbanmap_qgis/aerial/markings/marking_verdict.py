@@ -26,6 +26,7 @@ class VerdictLimits:
     unsure: float = 0.8
     all_unsure: float = 0.96
     straight_unsure: float = 0.98
+    lines_unsure: float = 0.68  # of straight pieces: from where lines may be among them
     both_unsure: tuple[float, float] = (0.9, 0.92)
     # Of bright narrow pixels that lie in straight pieces: with fewer those tell nothing.
     straight: float = 0.005
@@ -35,6 +36,7 @@ class VerdictLimits:
     # Times the highest number that the image can hold, that new paint would have on its median ground.
     paint_level: float = 1.25
     pale: float = 0.25  # of the image, nearly white
+    green: float = 1e-4  # of the image, below which nothing in it is green
     colder: float = 0.25  # of what but for its colour is paint
     spacing: tuple[float, float] = (2.3, 5.0)  # m between neighbouring lines, within which lanes lie
     beside: float = 60.0  # m over which lines have a neighbour, from which their spacing tells
@@ -113,6 +115,9 @@ def _light(evidence: SearchTally) -> list[str]:
     if evidence.seen and evidence.colourless > LIMITS.colourless * evidence.seen:
         reasons.append(say("The image has no colours: earth, roofs and dry grass cannot be told from roads by their "
                            "colour, and more of them is taken for paint. Give roads."))
+    elif evidence.seen and evidence.green < LIMITS.green * evidence.seen:
+        reasons.append(say("Nothing in the image is green: it shows no plants, or infrared as a colour. Then leaves and "
+                           "earth cannot be told from roads by their colour; look for finds in them."))
     colder = _share(evidence.colder, evidence.colder + evidence.painted)
     if colder > LIMITS.colder:
         reasons.append(say("{colder:.0%} of what looks like paint is bluer than the road beside it and was left out: "
@@ -132,11 +137,16 @@ def _light_ground(found: MarkingResult, evidence: SearchTally) -> list[str]:
 
 
 def _rejected(evidence: SearchTally, lost: bool) -> list[str]:
-    unsure, _ = _shares_unsure(evidence)
-    if lost or unsure <= LIMITS.unsure:
+    unsure, straight = _shares_unsure(evidence)
+    if lost:
         return []
-    return [say("{unsure:.0%} of what is bright and narrow was left out, because the ground beside it is not smooth "
-                "and grey as a road is: look for paint without an outline, or give roads.", unsure=unsure)]
+    if unsure > LIMITS.unsure:
+        return [say("{unsure:.0%} of what is bright and narrow was left out, because the ground beside it is not "
+                    "smooth and grey as a road is: look for paint without an outline, or give roads.", unsure=unsure)]
+    if straight > LIMITS.lines_unsure:
+        return [say("{straight:.0%} of what is straight, bright and narrow was left out: look for lines without an "
+                    "outline; the order of the colours may be wrong, or roads be few.", straight=straight)]
+    return []
 
 
 def _result(found: MarkingResult, contrast: float) -> list[str]:
