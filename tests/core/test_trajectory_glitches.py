@@ -45,6 +45,16 @@ def test_a_time_weeks_away_is_named_also_in_a_file_out_of_order(tmp_path, value)
         read_trajectory(write(tmp_path / "t.csv", rows))
 
 
+@pytest.mark.parametrize(("column", "value"), [(4, 1e12), (5, -1e300), (6, 100_001.0)])
+def test_an_angle_that_is_none_is_named(tmp_path, column, value):
+    rows = drive()
+    rows[700, column] = value
+    with pytest.raises(InputError, match=r"t\.csv: row 702 .*has an angle of .* degrees, which no vehicle has"):
+        read_trajectory(write(tmp_path / "t.csv", rows))
+    rows[:, 4:] = [0.0, 0.0, 90.0 + 360.0 * 20]  # counted on over twenty turns
+    assert len(read_trajectory(write(tmp_path / "t.csv", rows)).trajectory) == 2000
+
+
 def test_what_navigation_does_is_let_pass(tmp_path):
     rows = drive()
     rows[1000:, 1] += 8.0  # it starts anew, in 10 ms

@@ -12,14 +12,17 @@ _FASTEST = 1000.0
 """m/s; nothing that surveys moves so fast."""
 _LARGEST_JUMP = 1000.0
 """m from one epoch to the next, however short: navigation that starts anew jumps by metres."""
+_LARGEST_ANGLE = 1e5
+"""Degrees; headings that count turns on reach thousands."""
 
 
 def require_drivable(table: np.ndarray, order: np.ndarray, name: str, unit: str, first: int) -> None:
-    """Refuse a row that lies where no vehicle can have been, or at a time weeks from its neighbours.
+    """Refuse a row that lies where no vehicle can have been, at a time weeks from its neighbours, or with an angle that
+    is none.
 
     Parameters
     ----------
-    table : (n, 4 or more) time (s), easting, northing, height (m).
+    table : (n, 4 or more) time (s), easting, northing, height (m), angles (degrees).
     order : (m,) its rows by time.
     unit, first : what a row is called in the file, "row" or "record", and the number of its first.
 
@@ -36,6 +39,12 @@ def require_drivable(table: np.ndarray, order: np.ndarray, name: str, unit: str,
         raise InputError(say("{name}: {unit} {row} (time {time:.4f} s) lies {length:.0f} km from its neighbour, where "
                              "no vehicle can have been: correct or remove it.", name=name, unit=unit,
                              row=int(order[row]) + first, time=time[row], length=step[far[0]] / 1000))
+    turned = np.flatnonzero((np.abs(table[order, 4:]) > _LARGEST_ANGLE).any(axis=1))
+    if len(turned):
+        row = turned[0]
+        raise InputError(say("{name}: {unit} {row} (time {time:.4f} s) has an angle of {angle:g} degrees, which no "
+                             "vehicle has: correct or remove it.", name=name, unit=unit, row=int(order[row]) + first,
+                             time=time[row], angle=np.abs(table[order[row], 4:]).max()))
     pause = np.flatnonzero(~(late <= WEEK))
     if len(pause):
         row = _farther(time[:, None], pause[0])
