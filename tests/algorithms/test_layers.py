@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 import shapely
 
+from tests.small_disk import small_disk
+
 
 @pytest.mark.parametrize("stored", [False, True])
 def test_batches_are_whole_and_in_order(plugin, tmp_path, stored):
@@ -39,3 +41,16 @@ def test_columns_of_different_length_are_refused(plugin):
     fields = module.make_fields(("number", "int"),)
     with pytest.raises(ValueError, match="differ in length"):
         list(module.features_of(fields, {"number": [1, 2]}, [shapely.box(0, 0, 1, 1)]))
+
+
+def test_a_layer_without_features_that_a_full_disk_cut_off_is_told(plugin, tmp_path):
+    from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingContext
+
+    algorithm = plugin("algorithms.roadmap.roadmodel").RoadModel().create()
+    module = plugin("algorithms.framework.layers.layers")
+    with small_disk(tmp_path / "disk", "40k"):
+        with pytest.raises(plugin("urbanmap_qgis.errors").OutputError, match="not written whole .*make room"):
+            algorithm.write_layer({"OUTPUT": str(tmp_path / "disk" / "roads.gpkg")}, "OUTPUT", QgsProcessingContext(),
+                                  module.make_fields(("kind", "text")), {"kind": []},
+                                  QgsCoordinateReferenceSystem("EPSG:6677"), [], "Polygon", "road_surfaces")
+        assert not list((tmp_path / "disk").iterdir())

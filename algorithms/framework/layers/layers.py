@@ -373,6 +373,9 @@ def _write_file(algorithm, parameters: Mapping, name: str, context: QgsProcessin
     except OSError as error:
         raise OutputError(tr("{0} cannot be written ({1}); close the program that has it open.").format(
             path, error.strerror or error)) from error
+    except sqlite3.Error as error:  # on a full disk QGIS says nothing of a GeoPackage without features
+        raise OutputError(tr("{0} was not written whole ({1}): make room on its disk, or choose another file.").format(
+            path, error)) from error
     place = str(folder / Path(written).name)
     if definition is not None and definition.destinationProject is not None:
         title = definition.destinationName or label
