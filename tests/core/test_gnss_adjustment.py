@@ -119,14 +119,16 @@ def simulated_clock(rng, epochs=60, count=10, lasting=0.4, noise=0.5):
                    sigma=np.full(len(signals), noise)), true, error
 
 
-@pytest.mark.parametrize("noise", [0.5, 5.0])
-def test_clock_and_offsets_of_systems_are_recovered(noise):
+@pytest.mark.parametrize(("noise", "stated"), [(0.5, 0.5), (5.0, 2.5)])
+def test_clock_and_offsets_of_systems_are_recovered(noise, stated):
+    """Where the signals scatter by twice what is stated of them, that is found."""
     rng = np.random.default_rng(5)
     signals, true, _ = simulated_clock(rng, lasting=0.05, noise=noise)
+    signals = replace(signals, sigma=np.full(len(signals), stated))
     (clock,) = pass_clocks(signals, np.ones(len(signals), bool))
     left = signals.residual - true
     assert np.std(clock.clock_corrected - left) < 0.6 * noise
-    assert clock.unit_weight == pytest.approx(1.0, abs=0.15)
+    assert clock.unit_weight == pytest.approx(noise / stated, rel=0.15)
 
 
 def test_error_of_the_clock_is_as_large_as_its_covariance_says():

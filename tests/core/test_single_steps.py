@@ -12,6 +12,8 @@ from urbanmap_qgis.aerial.orientation.cloud_control import CloudControl
 from urbanmap_qgis.facades.standing_before import _post
 from urbanmap_qgis.io.official import gsi_gml
 from urbanmap_qgis.mobile.markings.marking_points import _grid
+from urbanmap_qgis.roadmap.lanes import road_axes
+from urbanmap_qgis.roadmap.lines import line_work
 from urbanmap_qgis.samplecity.scene.paint import Paint
 
 
@@ -51,3 +53,24 @@ def test_a_narrow_wall_before_a_large_one_as_high_is_a_post(low, high, stands):
     seen = SimpleNamespace(left=np.array([5.0, 0.0]), right=np.array([5.2, 20.0]), low=np.array([low, 0.0]),
                            high=np.array([high, 9.0]))
     assert _post(walls, 0, np.array([1]), seen) == stands
+
+
+@pytest.mark.parametrize(("ways", "found"), [((1, 1), True), ((1, -1), False), ((1, 0), False), ((1, None), False)])
+def test_axes_that_differ_in_their_way_tell_nothing(monkeypatch, ways, found):
+    """Two axes beside a strip that runs to the east; one of them alone may say its way."""
+    monkeypatch.setattr(road_axes, "strip_middle", lambda section, strip: np.array([50.0, 0.0]))
+    axis = SimpleNamespace(chainage=lambda place: place[:, 0], frame=lambda chainage: (None, np.array([[1.0, 0.0]])))
+    lines = [shapely.LineString([(0, y), (100, y)]) for y in (0.5, -0.5)]
+    axes = [SimpleNamespace(plan=line, oneway=way) for line, way in zip(lines, ways)]
+    nearest, along = road_axes._nearest([None], SimpleNamespace(axis=axis), axes)
+    assert (nearest is axes[0], along) == ((True, 1) if found else (False, 0))
+
+
+@pytest.mark.parametrize(("colour", "width", "kind"), [("yellow", 0.3, "guiding strip"), ("yellow", 0.15, "solid"),
+                                                       ("white", 0.3, "solid")])
+def test_a_guiding_strip_is_yellow_and_wide(monkeypatch, colour, width, kind):
+    monkeypatch.setattr(line_work, "_colour", lambda *_: colour)
+    monkeypatch.setattr(line_work, "_piece", lambda line, section, start, end, name, *_: name)
+    line = SimpleNamespace(chain=None, fit=SimpleNamespace(width=width),
+                           sections=[SimpleNamespace(kind="solid", start=0.0, end=9.0)])
+    assert line_work._sections_of([line], [], [], SimpleNamespace(guide_width=0.25)) == [kind]

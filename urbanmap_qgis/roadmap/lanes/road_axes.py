@@ -123,7 +123,7 @@ def _nearest(group: Sequence[Strip], section: RoadSection,
         cosine = _course(axis.plan, place) @ course[0]
         if abs(cosine) > PARALLEL:
             near.append((axis, 1 if cosine > 0 else -1))
-    ways = {(axis.oneway or 0) * along if axis.oneway is not None else None for axis, along in near}
+    ways = {axis.oneway * along if axis.oneway is not None else None for axis, along in near}
     return near[0] if len(ways) == 1 else (None, 0)
 
 

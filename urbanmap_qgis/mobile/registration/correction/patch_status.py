@@ -1,4 +1,4 @@
-"""How each patch's correction was found, and whether it is to be trusted."""
+"""What is known of the place around each patch, and the status that this gives it."""
 
 from __future__ import annotations
 

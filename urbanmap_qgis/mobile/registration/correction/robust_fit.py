@@ -1,4 +1,7 @@
-"""The adjustment in which evidence that contradicts the rest loses its weight, and the sizes that make it likeliest."""
+"""The adjustment in which evidence that contradicts the rest loses its weight, and the sizes that make it likeliest.
+
+First by what the windows say, then by the points themselves, linearised about the curve found so far.
+"""
 
 from __future__ import annotations
 
