@@ -319,11 +319,13 @@ def _recognised(path: Path):
 
 
 def _imported(path: Path):
-    """A table of another program as the import dialog reads it, and the trajectory that it becomes."""
-    from urbanmap_qgis.job.table_import import guessed_import, import_table, split_table
+    """A table of another program as the import dialog reads it, and the project's own that it becomes."""
+    from urbanmap_qgis.job.table_guess import guessed_target, told_order
+    from urbanmap_qgis.job.table_import import import_table, split_table
 
-    how = guessed_import(path, "trajectory")
+    how = guessed_target(path)
     split_table(path, how, 20)
+    told_order(path, how)
     with tempfile.TemporaryDirectory(prefix="urbanmap-fuzz-") as folder:
         return import_table(path, how, Path(folder) / "trajectory.csv")
 
@@ -342,6 +344,7 @@ FORMATS: dict[str, tuple[str, Callable, Callable]] = {
     "SBET": ("a.sbet", sound.sbet, _trajectory),
     "image poses": ("a.csv", sound.poses, _of("mobile.image_poses", "read_image_poses")),
     "control points": ("a.csv", sound.copied("truth/control_survey_01.csv"), _of("mobile.control", "read_control")),
+    "control points of a Japanese spreadsheet": ("a.csv", sound.japanese_points, _imported),
     "tie points": ("a.csv", sound.copied("lines/tie_points.csv"), _of("mobile.lines.tie_points", "read_tie_points")),
     "times of columns": ("a.csv", sound.head("lines/camera_1_times.csv", 401), _times),
     "range scans CSV": ("a.csv", sound.head("lines/scans.csv.gz", 500), _scans),

@@ -47,6 +47,13 @@ def gsi_zip(path: Path, city: Path) -> Path:
     return path
 
 
+def japanese_points(path: Path, _city: Path) -> Path:
+    """Points as a Japanese spreadsheet saves them: code page 932, a head, X as the northing."""
+    rows = [f"A{k},{-34000.5 - k},{-7000.25 + k},{3 + k},{'検証点' if k % 3 else '標定点'}" for k in range(20)]
+    path.write_bytes("\r\n".join(["基準点成果表", "点名,X座標,Y座標,標高,区分", *rows]).encode("cp932"))
+    return path
+
+
 def sbet(path: Path, city: Path) -> Path:
     import numpy as np
 

@@ -5,10 +5,11 @@ from __future__ import annotations
 import csv
 import os
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from ..io.files.named_table import DELIMITERS, meanings, plain_name, split_blanks
+from ..io.files.named_table import DELIMITERS, WRITTEN_NUMBER, meanings, plain_name, split_blanks
 from ..io.files.plan_axes import NamedAxis, named_axes, order_of_numbers, stated_order
 from ..wording import say
 from .table_import import ENCODINGS, HEIGHTS, MOST_BEFORE, TableImport, each_named, split_table
@@ -20,22 +21,39 @@ _ELLIPSOIDAL, _SEA_LEVEL = re.compile(r"ell|hae|楕円体"), re.compile(r"ortho|
 
 def guessed_import(path: str | os.PathLike, target: str) -> TableImport:
     """How a table may be read, by its bytes and the names of its columns; what is not found is left out."""
+    return _guessed(path, target, *_headers(path))
+
+
+def _headers(path: str | os.PathLike) -> tuple[str, list[tuple[int, str, list[str]]]]:
+    """The encoding of a table, and what may be the names of its columns: lines before them, delimiter, names."""
     data = Path(path).read_bytes()
     encoding = next((name for name in ENCODINGS if _decodes(data, name)), ENCODINGS[0])
-    best = TableImport(target, encoding, angles=ANGLE_WAYS[target][0])
     lines = [line for line in data.decode(encoding, "replace").splitlines() if line.strip()][:MOST_BEFORE]
-    for skip in range(len(lines)):
+    headers = []
+    for skip, line in enumerate(lines):
         for delimiter in DELIMITERS:
+            cells = line.split(None if delimiter == " " else delimiter)
+            if len(cells) < 2 or 2 * sum(bool(WRITTEN_NUMBER.match(cell.strip())) for cell in cells) > len(cells):
+                continue
             few = lines[skip:skip + 4]
             rows = split_blanks(few) if delimiter == " " else [
                 next(csv.reader([row], delimiter=delimiter), []) for row in few]
-            names = [cell.strip() for cell in each_named(rows[0], max(map(len, rows[1:]), default=0))]
-            known = meanings(names, (*TARGETS[target], *POLAR), ALIASES[target],
-                             stated_order(named_axes(names)) is not False)
-            found = {meant: names.index(key) for key, meant in known.items()}
-            if len(found) > len(best.columns):
-                best = TableImport(target, encoding, delimiter, skip, found, ANGLE_WAYS[target][0],
-                                   heights=_heights_in(names[found["z"]]) if "z" in found else "")
+            headers.append((skip, delimiter, [cell.strip() for cell in each_named(
+                rows[0], max(map(len, rows[1:]), default=0))]))
+    return encoding, headers
+
+
+def _guessed(path: str | os.PathLike, target: str, encoding: str,
+             headers: Sequence[tuple[int, str, list[str]]]) -> TableImport:
+    """How a table may be read as a target: by the names of which the most are known."""
+    best = TableImport(target, encoding, angles=ANGLE_WAYS[target][0])
+    for skip, delimiter, names in headers:
+        known = meanings(names, (*TARGETS[target], *POLAR), ALIASES[target],
+                         stated_order(named_axes(names)) is not False)
+        found = {meant: names.index(key) for key, meant in known.items()}
+        if len(found) > len(best.columns):
+            best = TableImport(target, encoding, delimiter, skip, found, ANGLE_WAYS[target][0],
+                               heights=_heights_in(names[found["z"]]) if "z" in found else "")
     return _in_order(path, _with_one_place(best))
 
 
@@ -80,7 +98,8 @@ def told_order(path: str | os.PathLike, how: TableImport) -> str:
 
 def guessed_target(path: str | os.PathLike) -> TableImport:
     """How a table may be read as what it most likely is: the most of the needed columns found, the fewest missing."""
-    ways = [guessed_import(path, target) for target in TARGETS]
+    encoding, headers = _headers(path)
+    ways = [_guessed(path, target, encoding, headers) for target in TARGETS]
     return max(ways, key=lambda how: (len(how.needed) - 3 * len(missing_columns(how)), len(how.columns)))
 
 
