@@ -255,6 +255,14 @@ def test_a_wedge_of_light_between_shadows_is_no_arrow(length, half):
     assert not any(area.kind.startswith("arrow") for area in work_of([*lines, wedge]).areas)
 
 
+def test_yellow_paint_is_no_arrow():
+    """Worn paving for the blind may have the shape of one."""
+    lines = [shapely.box(-20, y - 0.075, 30, y + 0.075) for y in (-1.6, 1.6)]
+    for colour, found in (("yellow", []), ("white", ["arrow straight"]), ("", ["arrow straight"])):
+        work = work_of([*lines, arrow("straight")], ["white", "white", colour])
+        assert [area.kind for area in work.areas if area.kind.startswith("arrow")] == found
+
+
 BROAD = {"straight": [(0.085, 0), (0.085, 3), (0.45, 3), (0, 5), (-0.45, 3), (-0.085, 3), (-0.085, 0)],
          "straight left": [(0.085, 0), (0.085, 3), (0.45, 3), (0, 5), (-0.45, 3), (-0.085, 3), (-0.085, 1.785),
                            (-0.455, 1.93), (-0.455, 2.44), (-1.15, 1.94), (-0.455, 0.94), (-0.455, 1.43), (-0.09, 1.24),

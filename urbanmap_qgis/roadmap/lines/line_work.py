@@ -156,7 +156,9 @@ def line_work(polygons: Sequence[shapely.Polygon], colours: Sequence[str], setti
     crosswalks = find_crosswalks(strokes, polygons)
     in_rows = _in_crosswalks(strokes, crosswalks)
     bare = {stroke.polygon for stroke in strokes if stroke.whole and len(stroke.axis) == 2 and stroke.length >= 2.0}
-    symbols = find_symbols(polygons, strokes, {strokes[n].polygon for n in in_rows}, bare)
+    # Arrows and diamonds are white; yellow are lines and paving for the blind.
+    yellow = {n for n, colour in enumerate(colours) if colour == "yellow"}
+    symbols = find_symbols(polygons, strokes, yellow | {strokes[n].polygon for n in in_rows}, bare)
     of_symbols = {number for symbol in symbols for number in symbol.polygons}
     numbers = [n for n, stroke in enumerate(strokes) if n not in in_rows and stroke.polygon not in of_symbols and
                stroke.width <= settings.max_width and stroke.length >= 0.25]
