@@ -9,10 +9,11 @@ import pytest
 import shapely
 
 from urbanmap_qgis.aerial.orientation.cloud_control import CloudControl
+from urbanmap_qgis.buildings.merging.wall_match import MeasuredWall, _new_line
 from urbanmap_qgis.facades.standing_before import _post
 from urbanmap_qgis.io.official import gsi_gml
 from urbanmap_qgis.mobile.markings.marking_points import _grid
-from urbanmap_qgis.roadmap.lanes import road_axes
+from urbanmap_qgis.roadmap.lanes import junctions, road_axes
 from urbanmap_qgis.roadmap.lines import line_work
 from urbanmap_qgis.samplecity.scene.paint import Paint
 
@@ -74,3 +75,25 @@ def test_a_guiding_strip_is_yellow_and_wide(monkeypatch, colour, width, kind):
     line = SimpleNamespace(chain=None, fit=SimpleNamespace(width=width),
                            sections=[SimpleNamespace(kind="solid", start=0.0, end=9.0)])
     assert line_work._sections_of([line], [], [], SimpleNamespace(guide_width=0.25)) == [kind]
+
+
+@pytest.mark.parametrize("side", [0.5, -0.5])
+def test_a_wall_measured_over_a_short_part_moves_the_edge_to_itself(side):
+    """The edge runs to the east and looks south; half a metre of wall is parallel to it, outside or inside."""
+    edge = SimpleNamespace(ends=np.array([[0.0, 0.0], [10.0, 0.0]]), length=10.0,
+                           line=SimpleNamespace(along=np.array([1.0, 0.0]), outward=np.array([0.0, -1.0])))
+    wall = MeasuredWall(0, np.array([4.0, -side]), np.array([0.0, -1.0]), -0.25, 0.25, 0.0, 3.0, 1.5, 0.02, 0.01, 0.0)
+    line = _new_line(edge, wall, 0.05, 3.0)
+    assert line.point == pytest.approx([0.0, -side])
+
+
+@pytest.mark.parametrize(("degrees", "lanes"), [(30.0, [0]), (60.0, []), (180.0, [])])
+def test_a_drive_runs_in_lanes_of_its_direction(degrees, lanes):
+    """A lane 40 m wide to the east, driven through in steps of two metres at an angle."""
+    turn = np.radians(degrees)
+    places = np.column_stack([50.0 + np.arange(-9, 10) * 2 * np.cos(turn), np.arange(-9, 10) * 2 * np.sin(turn),
+                              np.zeros(19)])
+    centre = np.column_stack([np.arange(0, 101.0), np.zeros(101), np.zeros(101)])
+    built = SimpleNamespace(lanes=[SimpleNamespace(centre=centre)])
+    visits = junctions._visits(built, places, shapely.STRtree([shapely.box(0, -20, 100, 20)]))
+    assert [visit.lane for visit in visits] == lanes
