@@ -64,7 +64,8 @@ def marking_verdict(found: MarkingResult, contrast: float) -> Verdict:
     """Verdict on markings found with a contrast asked for, grey values."""
     evidence = found.evidence or SearchTally()
     lost = [*_lost(evidence), *_nothing(found)]
-    look = [*_light(evidence), *_light_ground(found, evidence), *_rejected(evidence, bool(lost)), *_result(found, contrast)]
+    look = [*_light(evidence), *_light_ground(found, evidence), *_rejected(evidence, bool(lost)),
+            *_result(found, contrast)]
     return Verdict(BAD if lost else LOOK if look else GOOD, (*lost, *look))
 
 
@@ -116,8 +117,8 @@ def _light(evidence: SearchTally) -> list[str]:
         reasons.append(say("The image has no colours: earth, roofs and dry grass cannot be told from roads by their "
                            "colour, and more of them is taken for paint. Give roads."))
     elif evidence.seen and evidence.green < LIMITS.green * evidence.seen:
-        reasons.append(say("Nothing in the image is green: it shows no plants, or infrared as a colour. Then leaves and "
-                           "earth cannot be told from roads by their colour; look for finds in them."))
+        reasons.append(say("Nothing in the image is green: it shows no plants, or infrared as a colour. Then leaves "
+                           "and earth cannot be told from roads by their colour; look for finds in them."))
     colder = _share(evidence.colder, evidence.colder + evidence.painted)
     if colder > LIMITS.colder:
         reasons.append(say("{colder:.0%} of what looks like paint is bluer than the road beside it and was left out: "

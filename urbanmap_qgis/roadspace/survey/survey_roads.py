@@ -47,8 +47,8 @@ def surveyed_roads(edges: Sequence[EdgeLine], level: str, inputs: SurveyInputs |
                              levels=", ".join(LEVELS)))
     inputs = inputs or SurveyInputs()
     if level != "2" and edges and not any(np.isfinite(edge.foot[:, 2]).any() for edge in edges):
-        raise InputError(say("The edges have no heights, of which this level of detail is made: give the lines of “Road "
-                             "edges” as they were made, or choose level 2."))
+        raise InputError(say("The edges have no heights, of which this level of detail is made: give the lines of "
+                             "“Road edges” as they were made, or choose level 2."))
     ways = carriageways_between(edges, inputs.lanes)
     progress.step(0.2)
     fine = level in WITH_LANES
