@@ -884,8 +884,8 @@
         <translation>回答</translation>
     </message>
     <message>
-        <source>Markings of this orthophoto that you answered: polygons such as the doubtful markings of an earlier run, with the field paint true (or 1, yes) where they are paint and false (0, no) where not; those left empty do not count. The confidence is corrected by what they teach. At least five of each, better thirty, all over the image.</source>
-        <translation>このオルソ画像で回答済みの路面標示。以前の実行の「疑わしい路面標示」などのポリゴンで、フィールドpaintが、標示なら真（または1、yes）、標示でなければ偽（0、no）。空のものは数えない。信頼度は回答から学んだことで補正される。それぞれ5個以上、できれば30個を画像全体から。</translation>
+        <source>Markings of this orthophoto that you answered: polygons such as the doubtful markings of an earlier run, with the field paint true (or 1, yes) where they are paint and false (0, no) where not; those left empty do not count. The confidence is corrected by what they teach. At least two of each, better thirty, all over the image.</source>
+        <translation>このオルソ画像で回答済みの路面標示。以前の実行の「疑わしい路面標示」などのポリゴンで、フィールドpaintが、標示なら真（または1、yes）、標示でなければ偽（0、no）。空のものは数えない。信頼度は回答から学んだことで補正される。それぞれ2個以上、できれば30個を画像全体から。</translation>
     </message>
     <message>
         <source>Learned weights</source>
@@ -944,8 +944,8 @@
         <translation>疑わしい路面標示</translation>
     </message>
     <message>
-        <source>Markings with a confidence of 0.3 to 0.7, those nearest to a half first, with the empty field paint: answer some and give the layer as answers.</source>
-        <translation>信頼度0.3～0.7の路面標示。0.5に近いものから順に並び、空のフィールドpaintを持つ。いくつかに回答し、このレイヤーを「回答」に与える。</translation>
+        <source>Markings with a confidence of 0.3 to 0.7, those with the most area in doubt first, with the empty field paint: answer some and give the layer as answers.</source>
+        <translation>信頼度0.3～0.7の路面標示。判断の分かれる面積が大きいものから順に並び、空のフィールドpaintを持つ。いくつかに回答し、このレイヤーを「回答」に与える。</translation>
     </message>
     <message>
         <source>Weights</source>
@@ -1792,8 +1792,8 @@
         <translation>パッチ</translation>
     </message>
     <message>
-        <source>One point a patch at its corrected place, with correction (m, degrees), standard deviations, window, score, status and its reason; with walls the share of each witness (paint, walls).</source>
-        <translation>パッチごとに、補正後の位置に1点です。補正量（m、度）、標準偏差、ウィンドウ、スコア、状態とその理由を持ちます。壁面を使うときは、それぞれの根拠の割合（paint、walls）も持ちます。</translation>
+        <source>One point a patch at its corrected place, with correction (m, degrees), standard deviations (absolute with REFERENCE_SIGMA and what steps of the reference too small to be told add; sigma_relative without both), window, score, status and its reason; with walls the share of each witness (paint, walls).</source>
+        <translation>パッチごとに補正後の位置に置いた点。補正量（m、度）、標準偏差（REFERENCE_SIGMA と検出できない基準の段差を含む絶対値。sigma_relative はどちらも含まない）、窓、スコア、状態とその理由。壁を使う場合は各証拠の割合（paint、walls）。</translation>
     </message>
     <message>
         <source>Disagreements</source>
@@ -5908,12 +5908,12 @@
         <translation>タイル処理</translation>
     </message>
     <message>
-        <source>Workflows</source>
-        <translation>一連の処理</translation>
-    </message>
-    <message>
         <source>Goes from aerial frames and airborne laser points to the reference that mobile surveys are tied to, in one run: surface and ground from ALS, orthophoto of the ground that the frames see, without moving vehicles, and road markings with their heights.&lt;/p&gt;&lt;p&gt;This is the same chain as “Road markings from aerial frames”, as a model: the menu Plugins &gt; UrbanMap &gt; Open a chain in the modeller opens a copy to look at and to change.</source>
         <translation>空中写真と航空レーザ点群から、MMS計測の位置の基準となる成果までを一度に作成します: 航空レーザからの表層と地表、写真に写る地表のオルソ画像（移動車両なし）、高さ付きの路面標示。&lt;/p&gt;&lt;p&gt;「空中写真からの路面標示」と同じ一連の処理をモデルとしたものです。メニュー「プラグイン &gt; UrbanMap &gt; 処理の流れをモデルデザイナーで開く」で複製を開き、各段階を確認し変更できます。</translation>
+    </message>
+    <message>
+        <source>Workflows</source>
+        <translation>一連の処理</translation>
     </message>
     <message>
         <source>Road markings from aerial frames (model)</source>
@@ -5926,6 +5926,10 @@
     <message>
         <source>Buildings from ALS (model)</source>
         <translation>航空レーザ点群からの建物（モデル）</translation>
+    </message>
+    <message>
+        <source>One point a patch at its corrected place, with correction (m, degrees), standard deviations, window, score, status and its reason; with walls the share of each witness (paint, walls).</source>
+        <translation>パッチごとに、補正後の位置に1点です。補正量（m、度）、標準偏差、ウィンドウ、スコア、状態とその理由を持ちます。壁面を使うときは、それぞれの根拠の割合（paint、walls）も持ちます。</translation>
     </message>
     <message>
         <source>Goes from a mobile survey to the same survey lying on the aerial reference, in one run: its road markings by intensity, their registration to the reference markings, and the points as the corrected trajectory places them.&lt;/p&gt;&lt;p&gt;This is the same chain as “Georeference mobile survey”, as a model: the menu Plugins &gt; UrbanMap &gt; Open a chain in the modeller opens a copy to look at and to change.</source>
@@ -5944,8 +5948,8 @@
         <translation>路面標示と走行からの車線地図（モデル）</translation>
     </message>
     <message>
-        <source>Goes from a corrected mobile survey and reference markings to the road as a model, in one run: kerbs, lanes, and of them carriageways, junctions, sidewalks and islands with their steps; and what stands beside the road: poles, lamp posts, signals, signs and trees. All as layers and as CityGML of PLATEAU.&lt;/p&gt;&lt;p&gt;This is the same chain as “Road space from a mobile survey”, as a model: the menu Plugins &gt; UrbanMap &gt; Open a chain in the modeller opens a copy to look at and to change.</source>
-        <translation>補正済みのMMS計測と基準の路面標示から、道路のモデルまでを一度に作ります。縁石、車線、それらから車道部、交差部、歩道部、島と段差、さらに道路脇の柱、街路灯、信号機、標識、樹木です。すべてレイヤと PLATEAU の CityGML になります。&lt;/p&gt;&lt;p&gt;「MMS から道路空間」と同じ一連の処理をモデルとしたものです。メニュー「プラグイン &gt; UrbanMap &gt; 処理の流れをモデルデザイナーで開く」で複製を開き、各段階を確認し変更できます。</translation>
+        <source>Goes from a corrected mobile survey and reference markings to the road as a model, in one run: kerbs, lanes, and of them carriageways, junctions, sidewalks and islands with their steps; and what stands beside the road: poles, lamp posts, signals, signs and trees. All as layers and as CityGML of PLATEAU; the lanes with what stands beside them as Lanelet2 and OpenDRIVE files, too.&lt;/p&gt;&lt;p&gt;This is the same chain as “Road space from a mobile survey”, as a model: the menu Plugins &gt; UrbanMap &gt; Open a chain in the modeller opens a copy to look at and to change.</source>
+        <translation>補正済みのMMS計測と基準の路面標示から、道路のモデルまでを一度に作ります。縁石、車線、それらから車道部、交差部、歩道部、島と段差、さらに道路脇の柱、街路灯、信号機、標識、樹木です。すべてレイヤと PLATEAU の CityGML になり、車線は道路脇のものとともに Lanelet2 と OpenDRIVE のファイルにもなります。&lt;/p&gt;&lt;p&gt;「MMS から道路空間」と同じ一連の処理をモデルとしたものです。メニュー「プラグイン &gt; UrbanMap &gt; 処理の流れをモデルデザイナーで開く」で複製を開き、各段階を確認し変更できます。</translation>
     </message>
     <message>
         <source>Road space from a mobile survey (model)</source>
@@ -7236,9 +7240,9 @@ Surfaces share their edges to the bit. Heights are 0, as the specification asks 
         <translation>道路付属物</translation>
     </message>
     <message>
-        <source>Goes from a corrected mobile survey and reference markings to the road as a model, in one run: kerbs, lanes, and of them carriageways, junctions, sidewalks and islands with their steps; and what stands beside the road: poles, lamp posts, signals, signs and trees. All as layers and as CityGML of PLATEAU.
+        <source>Goes from a corrected mobile survey and reference markings to the road as a model, in one run: kerbs, lanes, and of them carriageways, junctions, sidewalks and islands with their steps; and what stands beside the road: poles, lamp posts, signals, signs and trees. All as layers and as CityGML of PLATEAU; the lanes with what stands beside them as Lanelet2 and OpenDRIVE files, too.
 Several drives are given as one: their points together, their trajectories one after another in one file. What was not seen is a finding with its place, never made up.</source>
-        <translation>補正済みのMMS計測と基準の路面標示から、道路のモデルまでを一度に作ります。縁石、車線、それらから車道部、交差部、歩道部、島と段差、さらに道路脇の柱、街路灯、信号機、標識、樹木です。すべてレイヤと PLATEAU の CityGML になります。
+        <translation>補正済みのMMS計測と基準の路面標示から、道路のモデルまでを一度に作ります。縁石、車線、それらから車道部、交差部、歩道部、島と段差、さらに道路脇の柱、街路灯、信号機、標識、樹木です。すべてレイヤと PLATEAU の CityGML になり、車線は道路脇のものとともに Lanelet2 と OpenDRIVE のファイルにもなります。
 複数の走行は一つにまとめて与えます（点群は一緒に、軌跡は一つのファイルに続けて）。見えなかったものは位置とともに指摘事項になり、作り出すことはありません。</translation>
     </message>
     <message>
@@ -7958,10 +7962,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>角度の単位はdegrees、gon、radiansのいずれか、順序はpapersまたはusualとしてください（現在は {unit} と {order}）。</translation>
     </message>
     <message>
-        <source>{path} has its places in longitude and latitude: export it in the projected coordinate system of the points.</source>
-        <translation>{path} の位置は経緯度です。点群と同じ投影座標系で出力し直してください。</translation>
-    </message>
-    <message>
         <source>{path} has no column {missing}: an exterior orientation needs {columns}.</source>
         <translation>{path} に列 {missing} がありません。外部標定要素には {columns} が必要です。</translation>
     </message>
@@ -8126,8 +8126,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>画像の半分が非常に明るく（積雪、コンクリート、露出過多）、塗装がそれより明るく写る余地がほとんどありません。そのような場所の標示は抽出漏れになります。</translation>
     </message>
     <message>
-        <source>{unsure:.0%} of what is bright and narrow was left out, because the ground beside it is not smooth and grey as a road is: look for paint without an outline, or give roads.</source>
-        <translation>明るく細いもののうち {unsure:.0%} は、隣の地面が道路のように滑らかな灰色でないため除かれました。輪郭のない標示がないか確認するか、道路を指定してください。</translation>
+        <source>Neighbouring lines lie {spacing:.1f} m apart (median): lanes are 2.5 to 4 m wide. The pixel size may be wrong.</source>
+        <translation>隣り合う線の間隔（中央値）が {spacing:.1f} m です。車線の幅は 2.5～4 m です。画素寸法の指定が誤っている可能性があります。</translation>
     </message>
     <message>
         <source>Markings cannot be told in this image: {share:.0%} of what is bright and narrow was left out, because the ground beside it is not smooth and grey as a road is. Do not use the result. Check the pixel size, the order of the colours, light, noise and focus; or give roads.</source>
@@ -8154,6 +8154,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>標示に見えるもののうち {colder:.0%} は、隣の道路より青いため除かれました。色の順序が誤っている（赤と青の入れ替わり）か、画像が暖色に偏っている可能性があります。</translation>
     </message>
     <message>
+        <source>{unsure:.0%} of what is bright and narrow was left out, because the ground beside it is not smooth and grey as a road is: look for paint without an outline, or give roads.</source>
+        <translation>明るく細いもののうち {unsure:.0%} は、隣の地面が道路のように滑らかな灰色でないため除かれました。輪郭のない標示がないか確認するか、道路を指定してください。</translation>
+    </message>
+    <message>
+        <source>{straight:.0%} of what is straight, bright and narrow was left out: look for lines without an outline; the order of the colours may be wrong, or roads be few.</source>
+        <translation>直線状で明るく細いもののうち {straight:.0%} を除外しました。輪郭のない線がないか確認してください。色の順序が誤っているか、道路が少ない可能性があります。</translation>
+    </message>
+    <message>
         <source>Lines are {width:.2f} m wide (median): lane lines have 0.1 to 0.3 m. The pixel size may be wrong, or the image out of focus.</source>
         <translation>線の幅は {width:.2f} m（中央値）です。車線の線は 0.1～0.3 m です。画素の大きさが誤っているか、ピントが合っていない可能性があります。</translation>
     </message>
@@ -8168,6 +8176,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Smooth ground has a texture of {texture:.1f} grey values in this image, as noise or sharpening make it: more paint is missed, and more else found.</source>
         <translation>この画像では、滑らかな地面の粗さが {texture:.1f} 階調あります。ノイズや鮮鋭化によるものです。標示の見落としも、標示以外の検出も増えます。</translation>
+    </message>
+    <message>
+        <source>Nothing in the image is green: it shows no plants, or infrared as a colour. Then leaves and earth cannot be told from roads by their colour; look for finds in them.</source>
+        <translation>画像に緑色の部分がありません。植物が写っていないか、赤外線が色として表示されています。その場合、葉や土を色で道路と区別できません。そこでの検出結果を確認してください。</translation>
+    </message>
+    <message>
+        <source>{pale:.0%} of the image are nearly white: snow, or light roofs and ground. Paint on ground so light is missed.</source>
+        <translation>画像の {pale:.0%} がほぼ白色です（積雪、または明るい屋根や地面）。このように明るい地面の上の標示は見落とされます。</translation>
     </message>
     <message>
         <source>{path} has a colour table: convert it to red, green and blue first.</source>
@@ -9574,6 +9590,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>セットバック</translation>
     </message>
     <message>
+        <source>recess</source>
+        <translation>後退した1階</translation>
+    </message>
+    <message>
         <source>unclear</source>
         <translation>不明</translation>
     </message>
@@ -10370,8 +10390,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path}を{what}として読み込めません{reason}。JSONでないか、破損しています。再度出力してください。</translation>
     </message>
     <message>
-        <source>{name}: {columns} may count north or east (in the Japanese plane rectangular system X counts north): call the column that counts east “東” or “east”, and the one that counts north “北” or “north”.</source>
-        <translation>{name}：{columns} は北向きか東向きか決まりません（平面直角座標系では X が北向きです）。東向きの列を「東」または「east」、北向きの列を「北」または「north」としてください。</translation>
+        <source>{name}: {columns} may count north or east (in the Japanese plane rectangular system X counts north): read it by “Import table…” in the menu UrbanMap, which shows the columns, or call the one that counts east “東” or “east”, and the one that counts north “北” or “north”.</source>
+        <translation>{name}：{columns}が北方向か東方向か判別できません（平面直角座標系ではXが北方向です）。メニュー「UrbanMap」の「表の取り込み…」で列を確認して読み込むか、東方向の列名を「東」、北方向の列名を「北」にしてください。</translation>
+    </message>
+    <message>
+        <source>{name} has its places in latitude and longitude ({columns}): read it by “Import table…” in the menu UrbanMap, which lays them into the plane reference system of the survey.</source>
+        <translation>{name}の位置は緯度・経度（{columns}）です。メニュー「UrbanMap」の「表の取り込み…」で、計測の平面座標系に変換して読み込んでください。</translation>
     </message>
     <message>
         <source>{name} has several columns that could be {meant} ({keys}): keep the right one, or call it {meant}.</source>
@@ -10384,6 +10408,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{name} states the unit {unit}: metres, seconds and decimal degrees are read; export it in these.</source>
         <translation>{name} の単位が {unit} になっています。読めるのはメートル、秒、度（十進）です。これらの単位で書き出してください。</translation>
+    </message>
+    <message>
+        <source>{name}: {north} counts north and {east} east, by the names, the numbers or the headings of the table; if that is wrong, call the columns “東” and “北”.</source>
+        <translation>{name}：表の列名、数値または方位角から、{north}を北方向、{east}を東方向としました。違う場合は列名を「東」「北」にしてください。</translation>
     </message>
     <message>
         <source>No rule has a code that begins with {code}; the documentation lists them.</source>
@@ -11350,16 +11378,20 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>小数の値であることから判定</translation>
     </message>
     <message>
-        <source>{name} says of no point where it lies in a cloud or what its role is.</source>
-        <translation>{name} には、点群内での位置も役割も書かれた点がありません。</translation>
-    </message>
-    <message>
         <source>{path} is no SBET file or is cut off: its length is no multiple of {itemsize} bytes.</source>
         <translation>{path}はSBETファイルではないか、途中で切れています。長さが {itemsize} バイトの倍数ではありません。</translation>
     </message>
     <message>
         <source>{name} holds an SBET: let its name end in .out or .sbet, by which it is read.</source>
         <translation>{name}の内容はSBETです。読み込むには名前の末尾を.outまたは.sbetにしてください。</translation>
+    </message>
+    <message>
+        <source>{name} has its places in latitude and longitude: read it by “Import table…” in the menu UrbanMap, which lays them into the plane reference system of the survey.</source>
+        <translation>{name}の位置は緯度・経度です。メニュー「UrbanMap」の「表の取り込み…」で、計測の平面座標系に変換して読み込んでください。</translation>
+    </message>
+    <message>
+        <source>{name} says of no point where it lies in a cloud or what its role is.</source>
+        <translation>{name} には、点群内での位置も役割も書かれた点がありません。</translation>
     </message>
     <message>
         <source>told by its rows of three numbers or more</source>
@@ -11444,6 +11476,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{count} trajectories cover the times of {name}: {drive}, which lies nearest to it, is taken.</source>
         <translation>{name}の時刻を含む走行軌跡が{count}個あります。最も近い場所にある{drive}を使います。</translation>
+    </message>
+    <message>
+        <source>{north} is taken as counting north and {east} as counting east; the table does not say it. In the Japanese plane rectangular system X counts north; where X counts east, swap the two above the columns.</source>
+        <translation>{north}を北方向、{east}を東方向とみなしています。表には書かれていません。平面直角座標系ではXが北方向です。Xが東方向の場合は、列の上の選択を入れ替えてください。</translation>
     </message>
     <message>
         <source>{name}: ellipsoidal heights were lowered by {min:.3f} to {max:.3f} m to heights above the geoid ({geoid}).</source>
@@ -12386,34 +12422,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>補正後の軌跡は {time:.1f}～{time_2:.1f} s ですが、補正前の軌跡は {time_3:.1f}～{time_4:.1f} s です。同じ計測の2つを指定してください。</translation>
     </message>
     <message>
-        <source>no markings just before or after the patch</source>
-        <translation>パッチの直前または直後に路面標示がありません</translation>
-    </message>
-    <message>
-        <source>the window here contradicts the correction</source>
-        <translation>ここのウィンドウは補正量と矛盾します</translation>
-    </message>
-    <message>
-        <source>No section of the survey could be registered to the reference markings: check that both show the same streets in the same coordinate system, and that the survey has intensities that show paint.</source>
-        <translation>計測データのどの区間も、基準の路面標示に位置合わせできませんでした。両方が同じ道路を同じ座標系で示しているか、計測データの反射強度に標示が表れているか確認してください。</translation>
-    </message>
-    <message>
-        <source>few of the markings here are in the reference</source>
-        <translation>ここの路面標示は基準にほとんどありません</translation>
-    </message>
-    <message>
-        <source>the trajectory has a gap here</source>
-        <translation>ここに軌跡の欠測があります</translation>
-    </message>
-    <message>
-        <source>the trajectory jumps here</source>
-        <translation>ここで軌跡が跳んでいます</translation>
-    </message>
-    <message>
-        <source>the correction reaches the largest error looked for</source>
-        <translation>補正量が探索する最大誤差に達しています</translation>
-    </message>
-    <message>
         <source>step of the drive or of the reference</source>
         <translation>走行側または基準側の段差</translation>
     </message>
@@ -12448,6 +12456,34 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>a good part of the markings lies elsewhere by one shift</source>
         <translation>標示のかなりの部分が同じずれだけ別の位置にあります</translation>
+    </message>
+    <message>
+        <source>No section of the survey could be registered to the reference markings: check that both show the same streets in the same coordinate system, and that the survey has intensities that show paint.</source>
+        <translation>計測データのどの区間も、基準の路面標示に位置合わせできませんでした。両方が同じ道路を同じ座標系で示しているか、計測データの反射強度に標示が表れているか確認してください。</translation>
+    </message>
+    <message>
+        <source>no markings just before or after the patch</source>
+        <translation>パッチの直前または直後に路面標示がありません</translation>
+    </message>
+    <message>
+        <source>the window here contradicts the correction</source>
+        <translation>ここのウィンドウは補正量と矛盾します</translation>
+    </message>
+    <message>
+        <source>few of the markings here are in the reference</source>
+        <translation>ここの路面標示は基準にほとんどありません</translation>
+    </message>
+    <message>
+        <source>the trajectory has a gap here</source>
+        <translation>ここに軌跡の欠測があります</translation>
+    </message>
+    <message>
+        <source>the trajectory jumps here</source>
+        <translation>ここで軌跡が跳んでいます</translation>
+    </message>
+    <message>
+        <source>the correction reaches the largest error looked for</source>
+        <translation>補正量が探索する最大誤差に達しています</translation>
     </message>
     <message>
         <source>the markings do not fix the position well</source>
@@ -12520,6 +12556,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{share:.0f} % of the path is registered, {share_2:.0f} % bridged; {spread}.</source>
         <translation>走行経路の {share:.0f} % が位置合わせ済み、{share_2:.0f} % が補間です。{spread}。</translation>
+    </message>
+    <message>
+        <source>Steps of the reference are told from {median:.2f} m on (median along the path, {largest:.2f} m at most); standard deviations hold smaller ones and the {sigma:.1f} cm stated for the reference.</source>
+        <translation>基準の段差は {median:.2f} m 以上で検出されます（経路に沿った中央値、最大 {largest:.2f} m）。標準偏差には、それより小さい段差と、基準の精度として指定された {sigma:.1f} cm が含まれます。</translation>
     </message>
     <message>
         <source>The reported heading contradicts the markings by {correction:.1f} degrees (median), much more than its accuracy: it was corrected; check the calibration and the trajectory.</source>
@@ -12608,6 +12648,18 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Standard deviation in height over the whole path, median and maximum (m)</source>
         <translation>全経路の高さの標準偏差、中央値と最大（m）</translation>
+    </message>
+    <message>
+        <source>Standard deviation in plan relative to the reference, median and maximum (m)</source>
+        <translation>基準に対する水平位置の標準偏差、中央値と最大値（m）</translation>
+    </message>
+    <message>
+        <source>Stated accuracy of the reference in plan (m)</source>
+        <translation>指定された基準の水平精度（m）</translation>
+    </message>
+    <message>
+        <source>Steps of the reference are told from, median and maximum along the path (m)</source>
+        <translation>検出できる基準の段差の下限、経路に沿った中央値と最大値（m）</translation>
     </message>
     <message>
         <source>Drift, times the expected one</source>
@@ -12854,8 +12906,28 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name}：{unit} {row}（時刻 {time:.4f} 秒）は隣の行から {length:.0f} km 離れており、車両が走行できる位置ではありません。修正するか削除してください。</translation>
     </message>
     <message>
+        <source>{name}: {unit} {row} (time {time:.4f} s) has an angle of {angle:g} degrees, which no vehicle has: correct or remove it.</source>
+        <translation>{name}: {unit} {row}(時刻 {time:.4f} 秒)の角度 {angle:g} 度は車両としてありえません。直すか除いてください。</translation>
+    </message>
+    <message>
         <source>{name}: the time {time:.1f} s of {unit} {row} lies more than a week from its neighbour's: correct or remove it, or give surveys one by one.</source>
         <translation>{name}：{unit} {row} の時刻 {time:.1f} 秒は隣の行から 1 週間以上離れています。修正または削除するか、計測を 1 回ずつ指定してください。</translation>
+    </message>
+    <message>
+        <source>degrees clockwise from grid north</source>
+        <translation>度、方眼北から時計回り</translation>
+    </message>
+    <message>
+        <source>radians clockwise from grid north</source>
+        <translation>ラジアン、方眼北から時計回り</translation>
+    </message>
+    <message>
+        <source>degrees counter-clockwise from east</source>
+        <translation>度、東から反時計回り</translation>
+    </message>
+    <message>
+        <source>radians counter-clockwise from east</source>
+        <translation>ラジアン、東から反時計回り</translation>
     </message>
     <message>
         <source>{name}: angles of up to {max:.0f} are no radians: they are degrees; say so.</source>
@@ -13114,6 +13186,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>この信号機は、向きの異なる {fits} 本の停止線の車線の上にあります。柱としてだけ書きます。</translation>
     </message>
     <message>
+        <source>it stands in the crown of a tree</source>
+        <translation>樹冠の中に立っています</translation>
+    </message>
+    <message>
         <source>half of its board may be hidden</source>
         <translation>板の半分が隠れている可能性がある</translation>
     </message>
@@ -13230,8 +13306,16 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>線 {row} の位置(x = {x:g}、y = {y:g})は地図上の位置としてありえません。道路縁のレイヤーを直してください。</translation>
     </message>
     <message>
+        <source>Edge {row}: two of its corners that follow each other lie {distance:.1f} km apart, which no edge of a road does; repair the layer of edges.</source>
+        <translation>線 {row} の連続する2点が {distance:.1f} km 離れており、道路縁としてありえません。道路縁のレイヤーを直してください。</translation>
+    </message>
+    <message>
         <source>Edge {row} lies at a height of {height:g} m, where no road is; repair the layer of edges.</source>
         <translation>線 {row} の高さが {height:g} m で、道路の高さとしてありえません。道路縁のレイヤーを直してください。</translation>
+    </message>
+    <message>
+        <source>{layer}: shape {row} has a corner where no map reaches; repair the layer.</source>
+        <translation>{layer}: 図形 {row} に地図上の位置としてありえない頂点があります。レイヤーを直してください。</translation>
     </message>
     <message>
         <source>The edges enclose no carriageway: of no road the survey shows both edges all along, and no lanes tell how far one goes. Give the drives of both directions together, or lanes.</source>
@@ -13274,6 +13358,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>詳細度 {level} はありません。{levels} から選んでください。</translation>
     </message>
     <message>
+        <source>The edges have no heights, of which this level of detail is made: give the lines of “Road edges” as they were made, or choose level 2.</source>
+        <translation>道路縁の線に高さがなく、この詳細度(LOD)は作成できません。「道路縁」の出力の線をそのまま指定するか、レベル2を選んでください。</translation>
+    </message>
+    <message>
         <source>The survey ends here; the road goes on.</source>
         <translation>計測はここで終わります。道路は続きます。</translation>
     </message>
@@ -13296,6 +13384,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Roads meet here, but nothing tells where to cut them.</source>
         <translation>ここで道路が交差しますが、区切る位置を示すものがありません。</translation>
+    </message>
+    <message>
+        <source>A low edge, at most {height:.2f} m high, runs with another like a tram's track amid the carriageway: it bounds no island. Draw it as one by hand where it does.</source>
+        <translation>高さ {height:.2f} m 以下の低い縁が、もう 1 本の縁と路面電車の軌道のように車道内を並走しています。島の縁とはみなしません。島であれば手で描いてください。</translation>
     </message>
     <message>
         <source>Frame {number} of {exposures_count}</source>
@@ -14066,6 +14158,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>作業：{0}</translation>
     </message>
     <message>
+        <source>{0} was changed by another window of QGIS and is not written over: open it again, or save this job under another name.</source>
+        <translation>{0}は別のQGISで変更されたため、上書きしません。開き直すか、別の名前で保存してください。</translation>
+    </message>
+    <message>
         <source>Map of the files' extents</source>
         <translation>ファイルの範囲の図</translation>
     </message>
@@ -14098,6 +14194,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>時刻</translation>
     </message>
     <message>
+        <source>Preview of columns…</source>
+        <translation>列を確認して取り込む…</translation>
+    </message>
+    <message>
         <source>Clear</source>
         <translation>クリア</translation>
     </message>
@@ -14108,6 +14208,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Cannot be used</source>
         <translation>使用不可</translation>
+    </message>
+    <message>
+        <source>Does not fit together:</source>
+        <translation>整合しないもの：</translation>
+    </message>
+    <message>
+        <source>Cannot be used:</source>
+        <translation>使用できないファイル：</translation>
     </message>
     <message>
         <source>as recognised</source>
@@ -14122,8 +14230,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{1}個のファイルとレイヤのうち{0}個を使えます。使わないものはチェックを外してください。判別と違う用途に使うときは、選択して表の下で指定してください。</translation>
     </message>
     <message>
-        <source>Does not fit together:</source>
-        <translation>整合しないもの：</translation>
+        <source>and {0} more</source>
+        <translation>ほか{0}件</translation>
     </message>
     <message>
         <source>Use as: {0}</source>
@@ -14150,6 +14258,90 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>座標北</translation>
     </message>
     <message>
+        <source>Control points of a survey</source>
+        <translation>MMS計測の調整点・検証点</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>時刻</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>set</source>
+        <translation>組</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translation>列</translation>
+    </message>
+    <message>
+        <source>row</source>
+        <translation>行</translation>
+    </message>
+    <message>
+        <source>role</source>
+        <translation>役割</translation>
+    </message>
+    <message>
+        <source>measured east</source>
+        <translation>計測 東</translation>
+    </message>
+    <message>
+        <source>measured north</source>
+        <translation>計測 北</translation>
+    </message>
+    <message>
+        <source>measured height</source>
+        <translation>計測 高さ</translation>
+    </message>
+    <message>
+        <source>east in the cloud</source>
+        <translation>点群での東</translation>
+    </message>
+    <message>
+        <source>north in the cloud</source>
+        <translation>点群での北</translation>
+    </message>
+    <message>
+        <source>height in the cloud</source>
+        <translation>点群での高さ</translation>
+    </message>
+    <message>
+        <source>reference east</source>
+        <translation>基準 東</translation>
+    </message>
+    <message>
+        <source>reference north</source>
+        <translation>基準 北</translation>
+    </message>
+    <message>
+        <source>latitude</source>
+        <translation>緯度</translation>
+    </message>
+    <message>
+        <source>longitude</source>
+        <translation>経度</translation>
+    </message>
+    <message>
+        <source>latitude, minutes</source>
+        <translation>緯度（分）</translation>
+    </message>
+    <message>
+        <source>latitude, seconds</source>
+        <translation>緯度（秒）</translation>
+    </message>
+    <message>
+        <source>longitude, minutes</source>
+        <translation>経度（分）</translation>
+    </message>
+    <message>
+        <source>longitude, seconds</source>
+        <translation>経度（秒）</translation>
+    </message>
+    <message>
         <source>Tab</source>
         <translation>タブ</translation>
     </message>
@@ -14158,8 +14350,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>空白</translation>
     </message>
     <message>
-        <source>Import a trajectory or exterior orientation</source>
-        <translation>走行軌跡または外部標定要素の取り込み</translation>
+        <source>Import a table</source>
+        <translation>表の取り込み</translation>
     </message>
     <message>
         <source>none: heights stay above the ellipsoid</source>
@@ -14226,6 +14418,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{0} での最初の位置：東 {1:.3f} m、北 {2:.3f} m。</translation>
     </message>
     <message>
+        <source>First place: {0:.3f} m east, {1:.3f} m north.</source>
+        <translation>最初の点：東 {0:.3f} m、北 {1:.3f} m。</translation>
+    </message>
+    <message>
         <source>Written: {0}</source>
         <translation>書き込みました：{0}</translation>
     </message>
@@ -14244,6 +14440,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Step “{0}” ({1}) failed: {2}</source>
         <translation>手順「{0}」（{1}）が失敗しました：{2}</translation>
+    </message>
+    <message>
+        <source>The folder of the results cannot be made ({0}): save the job in another folder by “Save job as…”.</source>
+        <translation>結果のフォルダを作成できません（{0}）。「名前を付けて作業を保存…」で別のフォルダに保存してください。</translation>
     </message>
     <message>
         <source>Run</source>
@@ -14368,10 +14568,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>patch</source>
         <translation>パッチ</translation>
-    </message>
-    <message>
-        <source>set</source>
-        <translation>組</translation>
     </message>
     <message>
         <source>control point</source>
@@ -14660,10 +14856,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>frames that see it</source>
         <translation>写っている写真の数</translation>
-    </message>
-    <message>
-        <source>role</source>
-        <translation>役割</translation>
     </message>
     <message>
         <source>is it paint? (yes or no)</source>
@@ -15466,6 +15658,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>水平の標準偏差 (m)</translation>
     </message>
     <message>
+        <source>standard deviation in plan, relative to the reference (m)</source>
+        <translation>基準に対する水平位置の標準偏差（m）</translation>
+    </message>
+    <message>
         <source>own correction less the smooth one (m)</source>
         <translation>自身の補正量と平滑化後の差 (m)</translation>
     </message>
@@ -15532,10 +15728,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>fid in the GSI data</source>
         <translation>国土地理院データのfid</translation>
-    </message>
-    <message>
-        <source>name</source>
-        <translation>名称</translation>
     </message>
     <message>
         <source>existing since</source>
@@ -15636,6 +15828,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0} cannot be written ({1}); close the program that has it open.</source>
         <translation>{0}に書き込めません（{1}）。ファイルを開いているプログラムを閉じてください。</translation>
+    </message>
+    <message>
+        <source>{0} was not written whole ({1}): make room on its disk, or choose another file.</source>
+        <translation>{0} を最後まで書き込めませんでした({1})。ディスクの空きを増やすか、別のファイルを選んでください。</translation>
     </message>
     <message>
         <source>{0} cannot be written: {1}</source>
@@ -17862,8 +18058,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>MMS計測の位置合わせ</translation>
     </message>
     <message>
-        <source>Registered: found from markings around. Bridged: between or beyond registered parts, by how trajectories drift. Not to be trusted: too far from them, or markings that contradict. Standard deviations include what the reference itself is off by.</source>
-        <translation>位置合わせ済み: 周囲の標示から決定。補間: 位置合わせ済み区間の間または外側で、軌跡のドリフト特性により決定。信頼できない: 位置合わせ済み区間から遠すぎるか、標示が矛盾。標準偏差には基準自体の誤差を含みます。</translation>
+        <source>Registered: found from markings around. Bridged: between or beyond registered parts, by how trajectories drift. Not to be trusted: too far from them, or markings that contradict. Standard deviations are absolute as far as the stated accuracy of the reference is: they include it, and steps of the reference too small to be told. What all of the reference is off by no survey shows: measure a few control points, and state it.</source>
+        <translation>登録：周囲の標示から求めた位置。補間：登録された区間の間または先で、軌跡のドリフトの性質から求めた位置。信頼できない：それらから遠すぎる、または矛盾する標示。標準偏差は、指定された基準の精度の範囲で絶対的なものです。基準の精度と、検出できないほど小さい基準の段差を含みます。基準全体のずれはどの計測からも分かりません。いくつかの標定点を測り、その精度を指定してください。</translation>
     </message>
     <message>
         <source>Correction along the path</source>
