@@ -161,7 +161,8 @@ def with_undecided(found: Disagreements, changes: Sequence[FastChange], model: P
             known.append(nodes[step.node])
     for step in _at_stops(found, model):
         begin, end = nodes[step.node:step.node + 2]
-        if not slip.explains(begin, end, step) and not _near(known, begin, end):
+        room = any(gap_begin < begin < gap_end for gap_begin, gap_end, _ in long)
+        if not room and not slip.explains(begin, end, step) and not _near(known, begin, end):
             undecided.append(step)
             known.append(nodes[step.node])
     for begin, end, step in short:
