@@ -69,7 +69,7 @@ def read_model(path: Path, groups: Mapping[str, str]) -> ShippedModel | None:
     # Qt 5 and 6 say differently whether they could read it; what they could not is an empty document.
     file.setContent(path.read_bytes())
     content = QgsXmlUtils.readVariant(file.documentElement())
-    if not isinstance(content, dict) or not READ_KEYS <= content.keys():
+    if not isinstance(content, dict) or not content.keys() >= READ_KEYS:
         return None
     group = content["model_group"]
     return ShippedModel(f"{path.stem.replace('_', '')}_model", group,

@@ -5928,10 +5928,6 @@
         <translation>航空レーザ点群からの建物（モデル）</translation>
     </message>
     <message>
-        <source>One point a patch at its corrected place, with correction (m, degrees), standard deviations, window, score, status and its reason; with walls the share of each witness (paint, walls).</source>
-        <translation>パッチごとに、補正後の位置に1点です。補正量（m、度）、標準偏差、ウィンドウ、スコア、状態とその理由を持ちます。壁面を使うときは、それぞれの根拠の割合（paint、walls）も持ちます。</translation>
-    </message>
-    <message>
         <source>Goes from a mobile survey to the same survey lying on the aerial reference, in one run: its road markings by intensity, their registration to the reference markings, and the points as the corrected trajectory places them.&lt;/p&gt;&lt;p&gt;This is the same chain as “Georeference mobile survey”, as a model: the menu Plugins &gt; UrbanMap &gt; Open a chain in the modeller opens a copy to look at and to change.</source>
         <translation>MMS計測を空中写真の基準に合わせるまでを一度に行います: 反射強度による路面標示の抽出、基準の路面標示への位置合わせ、補正軌跡による点群の再配置。&lt;/p&gt;&lt;p&gt;「MMS計測の位置合わせ」と同じ一連の処理をモデルとしたものです。メニュー「プラグイン &gt; UrbanMap &gt; 処理の流れをモデルデザイナーで開く」で複製を開き、各段階を確認し変更できます。</translation>
     </message>
@@ -18716,6 +18712,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>edge beside another</source>
         <translation>別の縁に並ぶ縁</translation>
+    </message>
+    <message>
+        <source>tram track</source>
+        <translation>軌道敷</translation>
     </message>
     <message>
         <source>arm not cut</source>

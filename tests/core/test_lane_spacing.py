@@ -1,4 +1,4 @@
-"""Distance of neighbouring lane lines: drawn lines in metres and in feet, crossings and single lines that tell nothing."""
+"""Distance of neighbouring lane lines: lines in metres and in feet, crossings and single lines that tell nothing."""
 
 from __future__ import annotations
 

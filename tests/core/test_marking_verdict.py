@@ -17,8 +17,8 @@ from urbanmap_qgis.aerial.markings.marking_verdict import marking_verdict
 from urbanmap_qgis.aerial.markings.road_model import RoadModel
 from urbanmap_qgis.io.pages.report import BAD, GOOD, LOOK
 
-USUAL = SearchTally(seen=10 ** 6, narrow=10 ** 5, painted=50_000, unsure=40_000, clear=600_000, smooth=300_000, green=20_000,
-                 straight=20_000, straight_unsure=5_000)
+USUAL = SearchTally(seen=10 ** 6, narrow=10 ** 5, painted=50_000, unsure=40_000, clear=600_000, smooth=300_000,
+                 green=20_000, straight=20_000, straight_unsure=5_000)
 
 
 def marks(count=8, width=0.2, confidence=0.9, contrast=80.0):
