@@ -12,6 +12,7 @@ from urbanmap_qgis.mobile.registration.correction.adjustment import adjust_corre
 from urbanmap_qgis.mobile.registration.correction.disagreements import NodeStep
 from urbanmap_qgis.mobile.registration.correction.error_steps import _expected, _times_as_likely
 from urbanmap_qgis.mobile.registration.correction.patch_corrections import shown_factor, with_shown_pitch
+from urbanmap_qgis.mobile.registration.correction.patch_status import REGISTERED
 from urbanmap_qgis.mobile.registration.correction.settings import CorrectionSettings
 
 
@@ -85,3 +86,13 @@ def test_relative_sigma_is_without_what_the_reference_is_off_by():
     assert stated.relative_sigma() == pytest.approx(made.relative_sigma(), rel=1e-6)
     assert stated.plan_sigma() ** 2 == pytest.approx(made.plan_sigma() ** 2 + 0.05**2, rel=1e-6)
     assert (made.relative_sigma() < made.plan_sigma()).all() and made.unseen.median < made.unseen.largest
+
+
+def test_a_reference_of_little_accuracy_takes_no_patch_its_registration():
+    """Its markings fix the place on it as well as ever; the sigma tells the rest."""
+    drive = simulate(1, crossings=25.0, turn=None)
+    sure, stated = (adjust_correction(drive.windows, drive.reported, CorrectionSettings(reference_sigma=sigma))
+                    for sigma in (0.0, 0.5))
+    assert (sure.status == REGISTERED).mean() > 0.5
+    np.testing.assert_array_equal(stated.status, sure.status)
+    assert (stated.plan_sigma() > 0.5).all()

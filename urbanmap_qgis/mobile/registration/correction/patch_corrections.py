@@ -217,14 +217,16 @@ def correction_at_patches(windows: WindowResults, found: Disagreements, at_patch
         covariance[doubtful, :2, :2] += windows.spread[doubtful]
     covariance[:, :2, :2] *= hidden_factor(found.hidden, at_patches)[:, None, None]
     beside, variance = either_side(found.two_sided, chain.nodes, at_patches)
-    covariance[:, :2, :2] += variance + unseen.variance
     against, either = conflict.mask_and_variance(windows.chainage)
-    covariance[:, :2, :2] += either
+    covariance[:, :2, :2] += variance + either
+    # whether markings fix a place does not hang on how far the reference may be off
+    relative = plan_sigma(covariance[:, :2, :2] - np.diag(floor[:2]))
+    covariance[:, :2, :2] += unseen.variance
     support = np.where(chain.fast_near(at_patches, LIMITS.on_step), LIMITS.step_support, settings.support_length)
     by_paint = own_information(normals, fit.weight / fit.noise_factor, at_patches, support)
     by_walls = chain.held.plan_information(at_patches, support) if chain.held else np.zeros_like(by_paint)
     by_own_windows = plan_sigma_of(by_paint + by_walls)
-    status, reason = patch_statuses(by_own_windows, weight, plan_sigma(covariance), doubtful, settings.registered_sigma,
+    status, reason = patch_statuses(by_own_windows, weight, relative, doubtful, settings.registered_sigma,
                                     settings.trusted_sigma)
     wide = evidence_spans(normals, fit.weight, at_patches) > MOST_SPAN
     wide &= plan_sigma_of(by_walls) > settings.registered_sigma  # walls alone may fix the place
