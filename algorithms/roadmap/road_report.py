@@ -20,8 +20,8 @@ def write_road_report(path, built) -> None:
     else:
         doubtful = sum(piece.status != "made" for piece in built.pieces)
         report.verdict(LOOK if built.findings else GOOD, tr(
-            "{0} surfaces, {1} of them junctions; {2} surfaces are to be looked at, and {3} findings are listed "
-            "below.").format(len(built.pieces), built.count("junction"), doubtful, len(built.findings)))
+            "{0} surfaces, {1} of them junctions; to be looked at: {2} surfaces; findings: {3}.").format(
+                len(built.pieces), built.count("junction"), doubtful, len(built.findings)))
     _table(report, built)
     _pictures(report, built)
     _findings(report, built)
@@ -36,8 +36,8 @@ def write_survey_report(path, model) -> None:
     report = Report(tr("Road model"))
     unseen = sum(area.source == "continued" for area in model.areas)
     report.verdict(BAD if not model.areas else LOOK if model.findings else GOOD, tr(
-        "LOD{0}: {1} sections and {2} junctions in {3} areas; {4} areas have borders that were not seen all along, and "
-        "{5} findings are listed below.").format(
+        "LOD{0}: {1} sections and {2} junctions in {3} areas; borders not seen all along: {4} areas; "
+        "findings: {5}.").format(
             model.level, sum(piece.kind == "road" for piece in model.pieces),
             sum(piece.kind == "junction" for piece in model.pieces), len(model.areas), unseen, len(model.findings)))
     report.section(tr("Areas by kind"))

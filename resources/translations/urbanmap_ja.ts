@@ -16702,12 +16702,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>要確認の面</translation>
     </message>
     <message>
-        <source>LOD{0}: {1} sections and {2} junctions in {3} areas; {4} areas have borders that were not seen all along, and {5} findings are listed below.</source>
-        <translation>LOD{0}：単路部 {1}、交差部 {2}、区分面 {3}。境界の一部が見えなかった区分面 {4}。指摘 {5} 件を下に示します。</translation>
+        <source>LOD{0}: {1} sections and {2} junctions in {3} areas; borders not seen all along: {4} areas; findings: {5}.</source>
+        <translation>LOD{0}：単路部 {1}、交差部 {2}、区分面 {3}。境界の一部が見えなかった区分面：{4}。指摘事項：{5} 件。</translation>
     </message>
     <message>
-        <source>{0} surfaces, {1} of them junctions; {2} surfaces are to be looked at, and {3} findings are listed below.</source>
-        <translation>面 {0} 個、うち交差部 {1} 個。要確認の面は {2} 個で、指摘事項 {3} 件を下に示します。</translation>
+        <source>{0} surfaces, {1} of them junctions; to be looked at: {2} surfaces; findings: {3}.</source>
+        <translation>面 {0} 個、うち交差部 {1} 個。要確認の面：{2} 個、指摘事項：{3} 件。</translation>
     </message>
     <message>
         <source>Junction {0}, about {1:.0f}, {2:.0f}: look whether it is cut where the stop lines are.</source>
