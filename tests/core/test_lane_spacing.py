@@ -24,11 +24,11 @@ def dashes(at, count=8, step=9.0, dash=4.0):
 @pytest.mark.parametrize("turn", [0.0, 37.0, 90.0])
 @pytest.mark.parametrize("unit", [1.0, 0.3048])
 def test_neighbouring_lines(turn, unit):
-    """Each of three lines has its nearest neighbours 3.2 and 3.4 m away, which share all 8 dashes of 4 m."""
-    lines = [*dashes(0.0), *dashes(3.2), *dashes(6.6)]
+    """Of four lines the nearest neighbours are 3.2, 3.2 and 3.4 m away, which share all 8 dashes of 4 m."""
+    lines = [*dashes(0.0), *dashes(3.2), *dashes(6.4), *dashes(9.8)]
     made = drawn(lines, turn, unit)
     assert made.spacing == pytest.approx(3.2, abs=0.01)
-    assert made.length == pytest.approx(4 * 8 * 4.0, rel=0.01)
+    assert made.length == pytest.approx(6 * 8 * 4.0, rel=0.01)
     wider = drawn([*dashes(0.0), *dashes(3.4), *dashes(6.8)], turn, unit)
     assert wider.spacing == pytest.approx(3.4, abs=0.01)
 

@@ -360,15 +360,18 @@ def _likeliest_node(begin: float, end: float, chain: NodeChain, model: PoseError
     still[near] = 0.0
     smooth = likelihood(part.hardened(), believed, model)
 
-    def gain(node: int) -> float:
-        jumping = part.with_fast(np.where(number == node, _USUAL, still))
+    def gain(*steps: int) -> float:
+        jumping = part.with_fast(np.where(np.isin(number, steps), _USUAL, still))
         return likelihood(jumping.hardened(), believed, model) - smooth
 
     gains = {int(node): gain(node) for node in near[::_EVERY]}
     best = max(gains, key=gains.__getitem__)
     gains.update({int(node): gain(node) for node in near if 0 < abs(node - best) < _EVERY})
     best = max(gains, key=gains.__getitem__)
-    return first + best if gains[best] > _LIKELIER else None
+    edges = np.clip([np.searchsorted(nodes, begin, "right") - 2, np.searchsorted(nodes, end)], first, last - 1) - first
+    # where a change of the silent piece alone is about as likely, it keeps no weight, and takes none from its sides
+    surely = gains[best] > max(gain(*edges), 0.0) + _LIKELIER
+    return first + best if surely else None
 
 
 def _likelier(drifting: NodeChain, steps: Sequence[NodeStep], allowed: np.ndarray,
