@@ -5,7 +5,14 @@ from __future__ import annotations
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from ..framework.layers.layers import make_fields
-from ..framework.layers.outlines import BUILDING_ID, NOTE, building_names, footprints_of, open_points
+from ..framework.layers.outlines import (
+    BUILDING_ID,
+    NOTE,
+    building_names,
+    dated_columns,
+    footprints_of,
+    open_points,
+)
 from ..framework.layers.point_outputs import check_points_output, points_output
 from ..framework.layers.reprojection import with_heights_of_points
 from ..framework.running.workers import workers
@@ -23,7 +30,8 @@ class SegmentBuildings(UrbanMapAlgorithm):
         "inside. Where expanded outlines overlap, a point goes to the building whose own surface is nearest to it. "
         "Points of class 6 are used where the cloud is classified; elsewhere what stands high above the ground.\n"
         "The outlines in the result carry what was found: points, density, ground height, displacement and its "
-        "standard deviation. A building without points keeps its row and says so."
+        "standard deviation. A building without points keeps its row and says so, and so does one that is dated "
+        "after the flight or ended before it, where the points have full GPS times and the outlines their dates."
     )
 
     def declare(self):
@@ -61,6 +69,7 @@ class SegmentBuildings(UrbanMapAlgorithm):
         check_points_output(self, parameters, context)
 
     def compute(self, parameters, context, feedback):
+        from ...urbanmap_qgis.buildings.outlines.outline_dates import BEGINS, ENDS, dated_outlines
         from ...urbanmap_qgis.buildings.segmentation import SegmentationParameters, segment_buildings
 
         progress = self.progress(feedback)
@@ -78,7 +87,13 @@ class SegmentBuildings(UrbanMapAlgorithm):
             with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
                 buildings = segment_buildings(cloud, footprints, points, settings, ground, executor,
                                               progress.part(0.0, 0.95))
-            layer = self._write(parameters, context, table, footprints, buildings, progress.part(0.95, 1.0))
+            dates = dated_outlines(cloud, dated_columns(table, BEGINS + ENDS), len(footprints))
+            layer = self._write(parameters, context, table, footprints, buildings, dates, progress.part(0.95, 1.0))
+        if dates.younger.any() or dates.gone.any():
+            progress.message(tr("Flown {0} to {1}: {2} of {3} outlines are dated after it ({4} of them have no "
+                                "points), {5} had ended before it.").format(
+                *dates.flown, int(dates.younger.sum()), len(footprints),
+                int((dates.younger & (buildings.points == 0)).sum()), int(dates.gone.sum())))
         without = int((buildings.status != "ok").sum())
         if without:
             progress.warn(tr("{0} of {1} buildings have too few points for a model.").format(
@@ -88,7 +103,7 @@ class SegmentBuildings(UrbanMapAlgorithm):
             "BUILDINGS": len(footprints), "WITHOUT_POINTS": without, "POINT_COUNT": int(buildings.points.sum()),
         }
 
-    def _write(self, parameters, context, table, footprints, buildings, progress):
+    def _write(self, parameters, context, table, footprints, buildings, dates, progress):
         fields = make_fields((BUILDING_ID, "int"), ("points", "int"), ("density", "real"), ("ground", "real"),
                              ("shift_x", "real"), ("shift_y", "real"), ("shift_sigma", "real"),
                              ("shift_status", "text"), ("status", "text"), ("open_share", "real"),
@@ -100,13 +115,14 @@ class SegmentBuildings(UrbanMapAlgorithm):
                    "shift_status": buildings.shift_status, "status": buildings.status,
                    "open_share": buildings.open_share, "cloud_density": buildings.cloud_density,
                    "beyond": buildings.beyond,
-                   NOTE: [_note(*row) for row in zip(footprints.notes, footprints.usable, buildings.points)]}
+                   NOTE: [_note(*row) for row in zip(footprints.notes, footprints.usable, buildings.points,
+                                                  dates.notes(buildings.points))]}
         return self.write_layer(parameters, "OUTPUT_BUILDINGS", context, fields, columns, table.crs,
                                 buildings.outlines, "MultiPolygon", "segmented_buildings", progress,
                                 building_names(table))
 
 
-def _note(note: str, usable: bool, points: int) -> str:
-    """What is to be said of an outline: its flaws, and that nothing stands in it."""
+def _note(note: str, usable: bool, points: int, dated: str) -> str:
+    """What is to be said of an outline: its flaws, that nothing stands in it, and what its dates say of the flight."""
     nothing = "there are no points of a building in its outline" if usable and not points else ""
-    return "; ".join(filter(None, (note, nothing)))
+    return "; ".join(filter(None, (note, nothing, dated)))

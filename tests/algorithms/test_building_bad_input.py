@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+from datetime import date
 
+import laspy
 import numpy as np
 import pytest
 import shapely
@@ -157,6 +159,27 @@ def test_points_without_crs_take_that_of_the_outlines_and_say_so(run, good, clou
     result = run("urbanmap:segmentbuildings", {**parameters, "POINTS": [cloud(epsg=None)]})
     assert "EPSG:6677" in "".join(run.feedback.warnings)
     assert "Japan Plane Rectangular CS IX" in open_cloud([result["OUTPUT"]]).crs_wkt
+
+
+def test_outlines_younger_than_the_flight_say_so(run, good, save_outlines, make_cloud, tmp_path):
+    """The flight is of 2020-05-02 by its times; one outline is younger, one had ended, one holds nothing."""
+    seconds = (date(2020, 5, 2) - date(1980, 1, 6)).days * 86_400 + 36_000 - 1e9
+    las = laspy.read(good["cloud"])
+    las.gps_time = np.full(len(las.points), seconds)
+    las.header.global_encoding.gps_time_type = laspy.header.GpsTimeType.STANDARD
+    las.write(tmp_path / "flown.laz")
+    nothing = shapely.transform(HOUSE, lambda xy: np.add(xy, (0.0, 15.0)))
+    outlines = save_outlines(tmp_path / "dated.gpkg", [HOUSE, OTHER, nothing], {
+        "lfSpanFr": ["2001-01-01", "1990", "2021-03-01"], "lfSpanTo": ["", "2019-01-01", ""]})
+    result = run("urbanmap:segmentbuildings", {
+        **parameters_of("segmentbuildings", good, tmp_path), "POINTS": [str(tmp_path / "flown.laz")],
+        "FOOTPRINTS": str(outlines)})
+    from qgis.core import QgsVectorLayer
+
+    notes = [item["note"] or "" for item in QgsVectorLayer(result["OUTPUT_BUILDINGS"], "b", "ogr").getFeatures()]
+    assert notes[0] == "" and "ended on 2019-01-01, before the flight of 2020-05-02" in notes[1]
+    assert "dated 2021-03-01, after the flight" in notes[2]
+    assert "1 of 3 outlines are dated after it" in "".join(run.feedback.infos)
 
 
 # Points

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from qgis.core import QgsFields
+from qgis.PyQt.QtCore import Qt
 
 from ....urbanmap_qgis.errors import InputError
 from ....urbanmap_qgis.progress import SILENT, Progress
@@ -191,6 +192,13 @@ def building_numbers(table: VectorTable):
     """
     assigned = numbers(table, NUMBER)
     return numbers(table, BUILDING_ID) if assigned is None else assigned
+
+
+def dated_columns(table: VectorTable, fields: Sequence[str]) -> dict[str, list]:
+    """The columns of a table among `fields` (whatever their case), dates of QGIS as ISO text."""
+    wanted = {field.lower() for field in fields}
+    return {name: [value.toString(Qt.ISODate) if hasattr(value, "toString") else value for value in values]
+            for name, values in table.columns.items() if name.lower() in wanted}
 
 
 def footprints_of(table: VectorTable, progress: Progress = SILENT):
