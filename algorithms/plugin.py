@@ -75,6 +75,7 @@ class UrbanMapPlugin:
             self.guide = GuideDock(self.iface.mainWindow())
             self.guide.visibilityChanged.connect(self._guide_shown)
             self.iface.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self.guide)
+            self.guide.share_place(self.iface.mainWindow())
         self.guide.setVisible(shown)
 
     def _guide_shown(self, _visible):

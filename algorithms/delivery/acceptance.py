@@ -184,10 +184,11 @@ class Acceptance(EdgeRuns, UrbanMapAlgorithm):
 
     def _job(self, parameters, context, table):
         from ...urbanmap_qgis.acceptance.job import Job
+        from ...urbanmap_qgis.io.reference.system_names import local_name
 
         texts = {name: self.parameterAsString(parameters, name.upper(), context) for name in JOB}
         known = table is not None and table.crs.isValid()
-        reference = f"{table.crs.authid()} {table.crs.description()}".strip() if known else ""
+        reference = f"{table.crs.authid()} {local_name(table.crs.description())}".strip() if known else ""
         return Job(**texts, reference=reference)
 
     def _patches(self, parameters, context) -> dict:

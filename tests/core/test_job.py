@@ -68,9 +68,19 @@ def test_times_that_differ_are_told():
     drive = facts("t.csv", "trajectory", times=(5000.0, 6000.0))
     assert "times of the trajectories" in disagreements([cloud, drive])[0]
     assert disagreements([cloud, replace(drive, times=(604_890.0, 605_010.0))]) == []
+    used = facts("u.csv", "trajectory", times=(90.0, 210.0))
+    told, = disagreements([cloud, used, drive])  # another day's among the right ones
+    assert told.startswith("t.csv: nothing else was measured")
     observed = facts("o.obs", "observations", times=(1.39e9, 1.39e9 + 60.0))
     nav = facts("n.nav", "navigation", times=(1.38e9, 1.38e9 + 86_400.0))
     assert "navigation file of its day" in disagreements([observed, nav])[0]
+
+
+def test_of_several_orientations_the_one_beside_the_frames_is_taken():
+    found = [facts("a/other.csv", "exterior"), facts("b/frames/e.csv", "exterior"), facts("b/frames/1.tif", "frame"),
+             facts("a/camera.json", "camera"), facts("b/camera.json", "camera")]
+    inputs = parts_of(found).inputs
+    assert inputs["exterior"] == ("/data/b/frames/e.csv",) and inputs["camera"] == ("/data/b/camera.json",)
 
 
 def test_frames_without_a_pose_and_another_camera_are_told(small_city, tmp_path):

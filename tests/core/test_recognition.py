@@ -250,6 +250,16 @@ def test_polygons_without_names_are_told_by_size_with_a_doubt(tmp_path):
     assert all("told by the size" in item.doubt for item in found.values())
 
 
+def test_a_field_with_the_size_says_nothing_of_what_polygons_are(tmp_path):
+    import shapely
+
+    boxes = [shapely.box(30.0 * k, 0.0, 30.0 * k + 12.0, 10.0) for k in range(9)]
+    for name in ("路面標示　面", "建物"):
+        write_geopackage(tmp_path / f"{name}.gpkg", [Layer("polygons", boxes, {"area": [120.0] * 9})])
+    assert [recognise_file(tmp_path / f"{name}.gpkg")[0].kind for name in ("路面標示　面", "建物")] == [
+        "markings", "outlines"]
+
+
 def shapefile(place: Path, count: int = 4) -> Path:
     """A shapefile of squares of 12 m, written by the ESRI description."""
     records = b""

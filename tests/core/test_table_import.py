@@ -344,3 +344,24 @@ def test_a_pospac_text_in_degrees_is_guessed_whole(tmp_path, place):
     if " 40 " not in place:
         import_table(path, how, tmp_path / "out.csv")
         assert read_trajectory(tmp_path / "out.csv").trajectory.place[0, 2] == pytest.approx(48.50)
+
+
+@pytest.mark.parametrize(("names", "delimiter"), [
+    ("imageName X Y Z Omega Phi Kappa", " "), ("#Label,X/Easting,Y/Northing,Z/Altitude,Omega,Phi,Kappa", ","),
+    ("# PhotoID, X, Y, Z, Omega, Phi, Kappa", "\t")])
+def test_frames_of_metashape_and_pix4d_keep_their_rotations(tmp_path, names, delimiter):
+    rows = [delimiter.join(["a.tif", "1", "2", "700", "1.5", "-2.25", "88"]),
+            delimiter.join(["b.tif", "2", "3", "701", "-3", "4", "-91.5"])]
+    (tmp_path / "e.txt").write_text("\n".join([names, *rows]), encoding="utf-8")
+    assert guessed_target(tmp_path / "e.txt").target == "exterior"
+    import_table(tmp_path / "e.txt", guessed_import(tmp_path / "e.txt", "exterior"), tmp_path / "out.csv")
+    one, two = read_exterior(tmp_path / "out.csv")
+    assert (one.image, two.x) == ("a.tif", 2.0)
+    assert (one.omega, one.phi, one.kappa) == pytest.approx(angles_from_usual_order(1.5, -2.25, 88), abs=1e-5)
+    assert (two.omega, two.phi, two.kappa) == pytest.approx(angles_from_usual_order(-3, 4, -91.5), abs=1e-5)
+
+
+def test_angles_of_frames_in_gon_are_offered_as_gon(tmp_path):
+    rows = ["a.tif,1,2,700,0.1,0.2,100", "b.tif,2,3,700,0.1,0.2,-100", "c.tif,3,4,700,0.1,0.2,200"]
+    (tmp_path / "e.csv").write_text("\n".join(["image,x,y,z,omega,phi,kappa", *rows]), encoding="utf-8")
+    assert guessed_import(tmp_path / "e.csv", "exterior").angles == "gon papers"

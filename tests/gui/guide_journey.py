@@ -127,6 +127,25 @@ def ran() -> dict:
             "report": guide.steps.report.isEnabled()}
 
 
+def listed() -> dict:
+    """A report that a dialog made: QGIS opens its results viewer, which leaves the dock its height."""
+    from processing.core.ProcessingResults import resultsList
+    from qgis.PyQt.QtGui import QIcon
+    from qgis.PyQt.QtWidgets import QDockWidget
+    from qgis.utils import iface
+
+    guide, viewer = plugin().guide, iface.mainWindow().findChild(QDockWidget, "ResultsViewer")
+    before, report = guide.height(), guide.job.steps[0].outputs["OUTPUT_REPORT"]
+    resultsList.addResult(icon=QIcon(), name="Report", timestamp=time.localtime(), result=report)
+    settle(0.5)
+    opened = viewer.isVisible()
+    guide.raise_()
+    settle(0.2)
+    found = {"opened": opened, "before": before, "after": guide.height(), "hidden": guide.visibleRegion().isEmpty()}
+    viewer.hide()
+    return found
+
+
 def reopened() -> dict:
     """A new job, then the kept one opened and run again: nothing is done anew."""
     guide = plugin().guide
@@ -329,7 +348,7 @@ def unloaded() -> dict:
     return {"left": left, "again": plugin().guide.isVisible()}
 
 
-STEPS = (opened, dropped, planned, ran, reopened, tuned, cancelled, unticked, used, imported, placed, previewed,
+STEPS = (opened, dropped, planned, ran, listed, reopened, tuned, cancelled, unticked, used, imported, placed, previewed,
          changed_elsewhere, unloaded)
 
 

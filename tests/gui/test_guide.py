@@ -61,6 +61,11 @@ def test_run_loads_results_with_style_and_verdict(told):
         f"All steps are done.\n{verdict}"] * 2
 
 
+def test_results_viewer_leaves_the_steps_their_room(told):
+    found = told("listed")
+    assert found["opened"] and not found["hidden"] and found["after"] > 0.9 * found["before"]
+
+
 def test_opened_again_nothing_is_done_anew(told):
     found = told("reopened")
     assert found["empty"] == {} and found["steps"]["buildings"][0] == found["after"]["buildings"][0] == "done"

@@ -16,6 +16,7 @@ from ..geometry.earth import METRES_A_DEGREE
 from ..io.reference.crs_text import same_horizontal
 from ..io.reference.height_systems import refuse_other_heights
 from ..io.reference.plan_part import plan_part
+from ..io.reference.system_names import local_name
 from ..mobile.gps_time import shift_between
 from ..wording import say
 from .file_facts import (
@@ -66,8 +67,8 @@ def system_name(wkt: str) -> str:
         return ""
     crs = _crs(wkt)
     plan = plan_part(crs)
-    code = plan.to_epsg(min_confidence=70)
-    return f"EPSG:{code} {plan.name}" if code else plan.name
+    code, name = plan.to_epsg(min_confidence=70), local_name(plan.name)
+    return f"EPSG:{code} {name}" if code else name
 
 
 def is_geographic(wkt: str) -> bool:
@@ -177,6 +178,13 @@ def _times(facts: Sequence[FileFacts]) -> Iterator[str]:
     if drives and clouds and not any(times_overlap(cloud.times, drive.times) for cloud in clouds for drive in drives):
         yield say("No point cloud was measured in the times of the trajectories ({trajectories}): give those of one "
                   "survey.", trajectories=_some(drives))
+    elif clouds:
+        measured = [item for item in facts if item.times and item.kind not in (TRAJECTORY, NAVIGATION, ORBITS)]
+        idle = [drive for drive in drives if not any(times_overlap(item.times, drive.times) for item in measured)]
+        if idle:
+            yield say("{names}: nothing else was measured in these times; not used. Check whether it is of "
+                      "another day.",
+                      names=_some(idle))
 
 
 def _observed(item: FileFacts, facts: Sequence[FileFacts]) -> Iterator[str]:

@@ -151,9 +151,11 @@ def parts_of(facts: Sequence[FileFacts]) -> Parts:
     flown = tuple(item.source for item in clouds if item.source not in driven and item.use != SURVEY)
     if flown:
         inputs[ALS] = flown
+    frames = [item for item in sound if item.kind == FRAME]
     for role, kind in _SINGLE:
+        beside = frames[0] if frames and role in (CAMERA_ROLE, EXTERIOR_ROLE) else None
         found = sorted((item for item in sound if item.kind == kind), key=lambda item: (
-            not item.use, is_geographic(item.crs_wkt), bool(item.doubt)))
+            not item.use, is_geographic(item.crs_wkt), bool(item.doubt), beside and _folders_between(beside, item)))
         if found:
             inputs[role] = (found[0].source,)
         if len(found) > 1 and not found[0].use:
@@ -251,10 +253,14 @@ def _near(cloud: FileFacts, drive: FileFacts) -> bool:
 def nearest(item: FileFacts, others: Sequence[FileFacts]) -> FileFacts:
     """The file that lies nearest to another one among folders, then by the beginning of its name, then by name."""
     def rank(other: FileFacts) -> tuple[int, int, str]:
-        folder = os.path.relpath(other.path.parent.absolute(), item.path.parent.absolute())
-        steps = 0 if folder == "." else len(folder.split(os.sep))
         alike = next((place for place, (one, two) in enumerate(zip(item.path.name, other.path.name)) if one != two),
                      min(len(item.path.name), len(other.path.name)))
-        return steps, -alike, str(other.path)
+        return _folders_between(item, other), -alike, str(other.path)
 
     return min(others, key=rank)
+
+
+def _folders_between(one: FileFacts, other: FileFacts) -> int:
+    """Steps up and down from one file's folder to the other's."""
+    folder = os.path.relpath(other.path.parent.absolute(), one.path.parent.absolute())
+    return 0 if folder == "." else len(folder.split(os.sep))

@@ -9,6 +9,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
+
+from ..aerial.frames.exterior_files import COLUMNS as EXTERIOR_COLUMNS
+from ..aerial.frames.exterior_files import UNITS, angle_unit, stated_rotations
 from ..io.files.named_table import DELIMITERS, WRITTEN_NUMBER, meanings, plain_name, split_blanks
 from ..io.files.plan_axes import NamedAxis, named_axes, order_of_numbers, stated_order
 from ..wording import say
@@ -38,6 +42,9 @@ def _headers(path: str | os.PathLike) -> tuple[str, list[tuple[int, str, list[st
             few = lines[skip:skip + 4]
             rows = split_blanks(few) if delimiter == " " else [
                 next(csv.reader([row], delimiter=delimiter), []) for row in few]
+            if delimiter == "," and max(map(len, rows[1:]), default=0) == 1 < len(few[-1].split("\t")):
+                delimiter = "\t"  # Metashape writes names with commas over values with tabs
+                rows = [rows[0], *(row.split(delimiter) for row in few[1:])]
             headers.append((skip, delimiter, [cell.strip() for cell in each_named(
                 rows[0], max(map(len, rows[1:]), default=0))]))
     return encoding, headers
@@ -54,7 +61,25 @@ def _guessed(path: str | os.PathLike, target: str, encoding: str,
         if len(found) > len(best.columns):
             best = TableImport(target, encoding, delimiter, skip, found, ANGLE_WAYS[target][0],
                                heights=_heights_in(names[found["z"]]) if "z" in found else "")
-    return _in_order(path, _with_one_place(best))
+    best = _in_order(path, _with_one_place(best))
+    return replace(best, angles=_frame_angles(path, best)) if target == "exterior" and not missing_columns(best) \
+        else best
+
+
+def _frame_angles(path: str | os.PathLike, how: TableImport) -> str:
+    """Unit of the angles of frames by their looks, and the order that the table's names or matrices say."""
+    names, rows = split_table(path, how, MOST_BEFORE)
+    rows = [row for row in rows if len(row) == len(names) and all(
+        WRITTEN_NUMBER.match(row[how.columns[name]].strip()) for name in EXTERIOR_COLUMNS[1:] if name in how.columns)]
+    places = [name for name in EXTERIOR_COLUMNS[1:4] if name in how.columns]
+    if not rows:
+        return how.angles
+    angles = np.array([[float(row[how.columns[name]]) for name in EXTERIOR_COLUMNS[4:]] for row in rows])
+    unit = angle_unit(angles)
+    columns = {name: [row[place] for row in rows] for place, name in enumerate(names)}
+    known = {name: names[how.columns[name]] for name in ("image", *places)}
+    numbers = np.hstack([np.zeros((len(rows), 3)), angles * UNITS[unit]])
+    return f"{unit} {stated_rotations(columns, {'x': '', **known}, numbers) or how.angles.split(' ')[1]}"
 
 
 def _in_order(path: str | os.PathLike, how: TableImport) -> TableImport:

@@ -110,6 +110,8 @@ def split_table(path: str | os.PathLike, how: TableImport,
                              skip=how.skip))
     cells = split_blanks(lines) if how.delimiter == " " else \
         list(csv.reader(lines, delimiter=how.delimiter, skipinitialspace=True))
+    if len(cells[0]) == 1 < max(map(len, cells[1:4]), default=0):
+        cells[0] = next(csv.reader(lines[:1], skipinitialspace=True))  # names with commas over values with tabs
     cells[0] = each_named(cells[0], max(map(len, cells[1:4]), default=0))
     if any(WRITTEN_NUMBER.match(cell.strip()) for cell in cells[0]):
         return [str(number) for number in range(1, len(cells[0]) + 1)], cells
@@ -118,6 +120,7 @@ def split_table(path: str | os.PathLike, how: TableImport,
 
 def each_named(names: list[str], width: int) -> list[str]:
     """Names with minutes and seconds behind latitude and longitude, where rows have just so many values more."""
+    names = [names[0].lstrip("# "), *names[1:]] if names else names  # "#Label", as Metashape comments its names
     polar = [POLAR_ALIASES.get(plain_name(name), plain_name(name)) for name in names]
     if width != len(names) + 4 or polar.count("latitude") != 1 or polar.count("longitude") != 1:
         return names

@@ -34,6 +34,8 @@ from .step_runner import StepRunner
 from .steps_panel import StepsPanel
 
 NEEDED = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs", "cv2")
+RESULTS_VIEWER = "ResultsViewer"
+"""Name of the dock in which Processing lists reports."""
 JOB_FILTER = mark("UrbanMap job (*.urbanmap.json)")
 
 
@@ -162,6 +164,7 @@ class GuideDock(QDockWidget):
         step = self.job.step(identifier)
         self._keep(self.job.with_step(done_step(step, resolved_parameters(self.job, step), results, step.seconds)))
         self.steps.show_job(self.job)
+        self.raise_()  # QGIS has put its results viewer in front
 
     def _keep(self, job) -> None:
         """Take a job and write it beside the data."""
@@ -234,6 +237,14 @@ class GuideDock(QDockWidget):
         if path and self.job is not None:
             self.path, self._kept = Path(path if path.endswith(".json") else f"{path}.urbanmap.json"), None
             self._keep(self.job)
+
+    def share_place(self, window) -> None:
+        """Be a tab beside QGIS's results viewer where both lie on one side of the window: it opens by itself with the
+        first report of a dialog, and would take half of the dock's height, so that the steps are out of sight."""
+        viewer = window.findChild(QDockWidget, RESULTS_VIEWER)
+        if viewer is not None and not viewer.isFloating() and window.dockWidgetArea(viewer) == window.dockWidgetArea(
+                self):
+            window.tabifyDockWidget(viewer, self)
 
     def shut(self) -> None:
         """End what is at work, before the dock goes."""

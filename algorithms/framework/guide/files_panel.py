@@ -23,6 +23,7 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
+from ....urbanmap_qgis.wording import known
 from ..declaring.parameters import tr
 from .extent_map import ExtentMap
 from .recognition_thread import Findings, Recognition
@@ -266,12 +267,15 @@ class FilesPanel(QWidget):
 
     def _add_row(self, head: QTreeWidgetItem, item) -> None:
         from ....urbanmap_qgis.job.agreement import system_name
+        from ....urbanmap_qgis.job.chain_plan import WISHES
+        from ....urbanmap_qgis.job.file_facts import JOB
 
-        parts = (item.doubt and f"? {item.doubt}", item.detail, *item.notes)
+        detail = known(WISHES.get(item.detail, item.detail)) if item.kind == JOB else item.detail
+        parts = (item.doubt and f"? {item.doubt}", detail, *item.notes)
         remarks = item.problem or "; ".join(part for part in parts if part)
         system = system_name(item.crs_wkt)
         code = system.split(" ")[0] if system.startswith("EPSG:") else system
-        row = QTreeWidgetItem(head, [item.label, "", code, "" if item.heights == "unknown" else item.heights,
+        row = QTreeWidgetItem(head, [item.label, "", code, "" if item.heights == "unknown" else known(item.heights),
                                      span_text(item.times), remarks])
         row.setData(0, _FACTS, item.source)
         for column in range(6):

@@ -32,6 +32,8 @@ from ..declaring.parameters import tr
 _ROWS = 12
 _HEIGHTS = (mark("Choose…"), mark("the ellipsoid, as GNSS measures"), mark("sea level (the geoid)"))
 _NORTHS = (mark("true north"), mark("grid north"))
+_ANGLES_OF_ANY_NORTH = (mark("degrees clockwise from north"), mark("radians clockwise from north"),
+                        mark("degrees counter-clockwise from east"), mark("radians counter-clockwise from east"))
 _GEOIDS = mark("Geoid models (*.tif *.gtx *.asc *.isg *.txt *.ver);;All files (*)")
 _TARGETS = {"trajectory": mark("Trajectory"), "exterior": mark("Exterior orientation"), "poses": mark("Image poses"),
             "control": mark("Control points of a survey"), "als_control": mark("Control points of a point cloud"),
@@ -96,6 +98,7 @@ class ImportDialog(QDialog):
         for box in (self.encoding, self.delimiter):
             box.currentIndexChanged.connect(lambda _row: self.preview({}))
         self.skip.valueChanged.connect(lambda _value: self.preview({}))
+        self.length.currentIndexChanged.connect(lambda _row: self._show_place())
         self.crs.crsChanged.connect(lambda _crs: self._show_place())
         self.heights.currentIndexChanged.connect(lambda _row: self._show_place())
 
@@ -123,6 +126,9 @@ class ImportDialog(QDialog):
         self.name.setPlaceholderText(tr("not kept"))
         self.told.setWordWrap(True)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Close)
+        for which, label in ((QDialogButtonBox.StandardButton.Save, tr("Save…")),
+                             (QDialogButtonBox.StandardButton.Close, tr("Close"))):
+            buttons.button(which).setText(label)  # Qt's own words are English where its translation is not installed
         buttons.accepted.connect(self._save)
         buttons.rejected.connect(self.reject)
         layout = QVBoxLayout(self)
@@ -215,6 +221,7 @@ class ImportDialog(QDialog):
 
     def _show_place(self) -> None:
         """Where the first latitude and longitude come to lie, with the fields that only such tables need."""
+        from ....urbanmap_qgis.io.reference.system_names import local_name
         from ....urbanmap_qgis.job.table_guess import told_order
         from ....urbanmap_qgis.job.table_import import table_place
 
@@ -225,6 +232,7 @@ class ImportDialog(QDialog):
                                (self.geoid, how.polar and how.heights == "ellipsoidal")):
             widget.setVisible(needed)
             self.form.labelForField(widget).setVisible(needed)
+        self._name_angles(how.polar)
         self.order.clear()
         try:
             place = table_place(self.path.text(), how)
@@ -244,7 +252,7 @@ class ImportDialog(QDialog):
             self.crs.setCrs(QgsCoordinateReferenceSystem(crs))
             return
         self.placed.setText(tr("First place in {0}: {1:.3f} m east, {2:.3f} m north.").format(
-            QgsCoordinateReferenceSystem(crs).description() or crs, x, y))
+            local_name(QgsCoordinateReferenceSystem(crs).description()) or crs, x, y))
 
     def write(self, output: str) -> bool:
         """Write the file, and keep the way of reading where it has a name; whether it went well."""
@@ -276,16 +284,25 @@ class ImportDialog(QDialog):
 
     def _fill_angles(self) -> None:
         from ....urbanmap_qgis.job.table_targets import ANGLE_WAYS
-        from ....urbanmap_qgis.mobile.trajectory_reading import ANGLE_NAMES, ANGLES
 
-        names = {way: tr(name) for way, name in zip(ANGLES, ANGLE_NAMES)}
         self.angles.clear()
         ways = ANGLE_WAYS[self.target.currentData()]
         for way in ways:
-            words = ", ".join(tr(CHOICE_WORDS[word]) for word in way.split(" ") if word)
-            self.angles.addItem(names.get(way, words), way)
+            self.angles.addItem(way, way)
+        self._name_angles(False)
         self.angles.setVisible(any(ways))
         self.form.labelForField(self.angles).setVisible(any(ways))
+
+    def _name_angles(self, polar: bool) -> None:
+        """Name the ways of counting angles; where places are latitudes and longitudes, from which north is asked for
+        apart."""
+        from ....urbanmap_qgis.mobile.trajectory_reading import ANGLE_NAMES, ANGLES
+
+        names = dict(zip(ANGLES, _ANGLES_OF_ANY_NORTH if polar else ANGLE_NAMES))
+        for row in range(self.angles.count()):
+            way = self.angles.itemData(row)
+            words = ", ".join(tr(CHOICE_WORDS[word]) for word in way.split(" ") if word) if way not in names else ""
+            self.angles.setItemText(row, tr(names[way]) if way in names else words)
 
     def _target_changed(self, *_ignored) -> None:
         if not self._busy:

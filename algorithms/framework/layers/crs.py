@@ -8,6 +8,7 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsUnitTypes
 
 from ....urbanmap_qgis.errors import InputError
 from ....urbanmap_qgis.io.reference.renamed_crs import known_wkt
+from ....urbanmap_qgis.io.reference.system_names import local_name
 from ..declaring.parameters import tr
 
 _NONE = re.compile(r"^Undefined (geographic|[Cc]artesian) (SRS|coordinate reference system)")
@@ -98,7 +99,8 @@ def crs_name(crs: QgsCoordinateReferenceSystem | str | None) -> str:
     found = crs_from(crs)
     if not found.isValid():
         return tr("no CRS")
-    return f"{found.authid()} ({found.description()})" if found.authid() else found.description() or tr("unnamed")
+    name = local_name(found.description())
+    return f"{found.authid()} ({name})" if found.authid() else name or tr("unnamed")
 
 
 def metres_per_unit(crs: QgsCoordinateReferenceSystem | str) -> float:

@@ -29,8 +29,8 @@ COLUMNS, _ALIASES = names_of(EXTERIOR), aliases_of(EXTERIOR)
 UNITS = {"automatic": 1.0, "degrees": 1.0, "gon": 0.9, "radians": math.degrees(1.0)}
 """Degrees of one unit of the angles."""
 
-_PROGRAMS = ("photoid", "imagename")
-"""First columns of files of programs whose order of the angles is the usual one."""
+_PROGRAMS = ("photoid", "imagename", "x/easting", "x/east")
+"""Columns of files of programs (Metashape, Pix4D) whose order of the angles is the usual one."""
 
 _MATRIX = tuple(f"r{row}{column}" for row in (1, 2, 3) for column in (1, 2, 3))
 """Columns of the rotation from world to camera, which Metashape writes beside the angles."""
@@ -45,8 +45,8 @@ def read_exterior(path: str | os.PathLike, unit: str = "automatic", order: str =
     Parameters
     ----------
     unit : of the angles: "degrees", "gon", "radians", or "automatic": degrees, and an error where they look otherwise.
-    order : "papers" for R_omega R_phi R_kappa (J eq. 1), "usual" for R_kappa R_phi R_omega, which is converted. Files
-        of Metashape and Pix4D have the usual one by what these programs document.
+    order : "papers" for R_omega R_phi R_kappa (J eq. 1), "usual" for R_kappa R_phi R_omega, which is converted. What a
+        file says itself goes before it (`stated_rotations`).
 
     Raises
     ------
@@ -61,15 +61,39 @@ def read_exterior(path: str | os.PathLike, unit: str = "automatic", order: str =
     names, numbers = _exterior_rows(columns, known, path)
     if unit == "automatic":
         _require_degrees(numbers[:, 3:], path)
-    if plain_name(known["image"]) in _PROGRAMS:
-        order = "usual"
-    poses = []
-    for name, row in zip(names, numbers.tolist()):
-        angles = tuple(angle * UNITS[unit] for angle in row[3:])
-        poses.append(ExteriorOrientation(name, *row[:3],
-                                         *(angles_from_usual_order(*angles) if order == "usual" else angles)))
+    numbers[:, 3:] *= UNITS[unit]
+    poses = _poses(names, numbers, stated_rotations(columns, known, numbers) or order)
     _compare_matrices(columns, poses, path)
     return poses
+
+
+def _poses(names: Sequence[str], numbers: np.ndarray, order: str) -> list[ExteriorOrientation]:
+    """Poses of rows (n, 6) x, y, z, omega, phi, kappa in degrees of one of the orders."""
+    return [ExteriorOrientation(name, *row[:3], *(angles_from_usual_order(*row[3:]) if order == "usual" else row[3:]))
+            for name, row in zip(names, numbers.tolist())]
+
+
+def stated_rotations(columns: Mapping[str, Sequence[str]], known: Mapping[str, str], numbers: np.ndarray) -> str:
+    """Order of the rotations that a table says itself, "" where it says none.
+
+    The names of Metashape's and Pix4D's columns say the usual one, by what these programs document; of other tables
+    rotation matrices beside the angles say it, if one order fits them better.
+
+    Parameters
+    ----------
+    columns : the file's columns by name.
+    known : which of them is which of `COLUMNS`.
+    numbers : (n, 6) x, y, z and the angles in degrees.
+    """
+    if any(plain_name(known[name]) in _PROGRAMS for name in ("image", "x")):
+        return "usual"
+    matrices = _matrices(columns)
+    if matrices is None:
+        return ""
+    images = [str(number) for number in range(len(numbers))]
+    off = {order: _off_matrices(matrices, _poses(images, numbers, order)).max() for order in ("papers", "usual")}
+    best = min(off, key=lambda order: off[order])
+    return best if off[best] < _SAME and off[best] < 0.5 * max(off.values()) else ""
 
 
 def _columns(path: Path, unit: str) -> tuple[Mapping[str, Sequence[str]], Mapping[str, str]]:
@@ -110,17 +134,36 @@ def _exterior_rows(columns: Mapping[str, Sequence[str]], known: Mapping[str, str
     return names, table
 
 
-def _compare_matrices(columns: Mapping[str, Sequence[str]], poses: Sequence[ExteriorOrientation], path: Path) -> None:
-    """Hold the rotations of the angles against those that the file has beside them, either way round."""
+def _matrices(columns: Mapping[str, Sequence[str]]) -> np.ndarray | None:
+    """Rotations (n, 3, 3) that a table has beside the angles, None where it has none."""
     given = {plain_name(name): values for name, values in columns.items()}
     if not all(name in given for name in _MATRIX):
+        return None
+    return np.array([[float(value) for value in given[name]] for name in _MATRIX]).T.reshape(-1, 3, 3)
+
+
+def _off_matrices(matrices: np.ndarray, poses: Sequence[ExteriorOrientation]) -> np.ndarray:
+    """Largest difference (n,) of an element between matrices, either way round, and the rotations of poses."""
+    rotations = np.array([pose.rotation for pose in poses])
+    return np.minimum(*(np.abs(given - rotations).max(axis=(1, 2))
+                        for given in (matrices, matrices.transpose(0, 2, 1))))
+
+
+def _compare_matrices(columns: Mapping[str, Sequence[str]], poses: Sequence[ExteriorOrientation], path: Path) -> None:
+    """Hold the rotations of the angles against those that the file has beside them."""
+    matrices = _matrices(columns)
+    if matrices is None:
         return
-    for number, pose in enumerate(poses):
-        matrix = np.array([float(given[name][number]) for name in _MATRIX]).reshape(3, 3)
-        if min(np.abs(matrix - pose.rotation).max(), np.abs(matrix.T - pose.rotation).max()) > _SAME:
+    for pose, off in zip(poses, _off_matrices(matrices, poses)):
+        if off > _SAME:
             raise InputError(say("{path}: the rotation matrix of {image} contradicts its omega, phi and kappa: export "
                                  "it again, or say the order and the unit of the angles.", path=path.name,
                                  image=pose.image))
+
+
+def angle_unit(angles: np.ndarray) -> str:
+    """Unit that angles (n, 3) omega, phi, kappa are in by their looks: a key of `UNITS`."""
+    return _looks_like(angles) or "degrees"
 
 
 def _require_degrees(angles: np.ndarray, path: Path) -> None:

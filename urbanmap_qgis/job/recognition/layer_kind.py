@@ -37,6 +37,8 @@ _WORDS = (
 """What words in names of layers and fields say, the first that is there."""
 
 _OWN_FIELDS = ((TRAJECTORY, {"time", "roll", "pitch", "heading"}), (CONTROL, {"time", "x_mms", "y_mms"}))
+_MEASURES = {"area", "areas", "shape_area"}
+"""Fields with the size of each polygon, which say nothing of what it is."""
 _SMALLEST_BUILDING = 20.0
 """m2: half of the polygons of a building layer are larger, sheds and all."""
 _LARGEST_MARKING = 8.0
@@ -83,7 +85,8 @@ def kind_of_layer(sample: LayerSample, degrees: bool) -> tuple[str, str]:
 
 
 def _words(sample: LayerSample) -> set[str]:
-    return {unicodedata.normalize("NFKC", name).lower() for name in (*sample.names[1:], *sample.fields)}
+    names = (*sample.names[1:], *(name for name in sample.fields if name.lower() not in _MEASURES))
+    return {unicodedata.normalize("NFKC", name).lower() for name in names}
 
 
 def _said(words: set[str]) -> str:
