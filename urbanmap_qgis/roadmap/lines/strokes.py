@@ -68,13 +68,14 @@ def polygon_strokes(polygon: shapely.Polygon, number: int = 0) -> list[Stroke]:
     if polygon.area > LARGEST and 2.0 * polygon.area > WIDEST * polygon.length:
         return []
     paths = [piece for path in _axis_paths(polygon) for piece in _cut_at_corners(path)]
-    boundary = polygon.boundary
-    found = []
-    for path in paths:
-        middle = shapely.line_interpolate_point(shapely.LineString(path), np.linspace(0.2, 0.8, 7), normalized=True)
-        width = 2.0 * float(np.median(shapely.distance(middle, boundary)))
-        axis = _to_boundary(path, polygon, width)
-        found.append(Stroke(number, axis, width, len(paths) == 1))
+    if not paths:
+        return []
+    lines = shapely.linestrings(np.concatenate(paths), indices=np.repeat(np.arange(len(paths)), [len(path) for path in
+                                                                                                 paths]))
+    middles = shapely.line_interpolate_point(lines[:, None], np.linspace(0.2, 0.8, 7), normalized=True)
+    widths = 2.0 * np.median(shapely.distance(middles, polygon.boundary), axis=1)
+    axes = _to_boundary(paths, polygon, widths)
+    found = [Stroke(number, axis, float(width), len(paths) == 1) for axis, width in zip(axes, widths)]
     return sorted(found, key=lambda stroke: -stroke.length)
 
 
@@ -206,35 +207,43 @@ def _paths(near: dict[int, set[int]]) -> list[list[int]]:
 
 
 def _length(path: np.ndarray) -> float:
-    return float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum())
+    step = path[1:] - path[:-1]
+    return float(np.hypot(step[:, 0], step[:, 1]).sum())
 
 
 def _cut_at_corners(path: np.ndarray) -> list[np.ndarray]:
     """The path smoothed to a few centimetres and cut where it turns by more than `CORNER`."""
-    coarse = shapely.get_coordinates(shapely.LineString(path).simplify(0.12))
-    steps = np.diff(coarse, axis=0)
-    turn = np.abs(np.diff(np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))))
-    corners = coarse[1:-1][turn > CORNER]
-    fine = shapely.get_coordinates(shapely.LineString(path).simplify(0.04))
+    line = shapely.linestrings(path)
+    coarse = shapely.get_coordinates(shapely.simplify(line, 0.12))
+    corners = np.zeros((0, 2))
+    if len(coarse) > 2:
+        steps = np.diff(coarse, axis=0)
+        turn = np.abs(np.diff(np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))))
+        corners = coarse[1:-1][turn > CORNER]
     if not len(corners):
-        return [fine]
+        return [shapely.get_coordinates(shapely.simplify(line, 0.04))]
     cuts = [int(np.argmin(np.linalg.norm(path - corner, axis=1))) for corner in corners]
     borders = sorted({0, *cuts, len(path) - 1})
     pieces = [path[a:b + 1] for a, b in zip(borders[:-1], borders[1:])]
-    return [shapely.get_coordinates(shapely.LineString(piece).simplify(0.04)) for piece in pieces
+    return [shapely.get_coordinates(shapely.simplify(shapely.linestrings(piece), 0.04)) for piece in pieces
             if _length(piece) > 0.2]
 
 
-def _to_boundary(axis: np.ndarray, polygon: shapely.Polygon, width: float) -> np.ndarray:
-    """The axis prolonged at both tips to where the paint ends; the medial axis stops half a width before."""
-    rings = [shapely.get_coordinates(ring) for ring in (polygon.exterior, *polygon.interiors)]
-    start, end = (np.concatenate([ring[part] for ring in rings]) for part in (np.s_[:-1], np.s_[1:]))
-    ends = []
-    for tip, before in ((axis[0], axis[1]), (axis[-1], axis[-2])):
-        along = (tip - before) / max(np.linalg.norm(tip - before), LEAST_DIVISOR)
-        reach = _to_edges(tip, along, start, end) if shapely.contains_xy(polygon, *tip) else 0.0
-        ends.append(tip + along * min(reach, 0.75 * width))
-    return np.vstack([ends[0], axis, ends[1]])
+def _to_boundary(axes: Sequence[np.ndarray], polygon: shapely.Polygon, widths: np.ndarray) -> list[np.ndarray]:
+    """Axes prolonged at both tips to where the paint ends; the medial axis stops half a width before."""
+    edges, ring = shapely.get_coordinates(shapely.get_rings(polygon), return_index=True)
+    goes_on = ring[1:] == ring[:-1]
+    start, end = edges[:-1][goes_on], edges[1:][goes_on]
+    tips = np.array([(axis[0], axis[-1]) for axis in axes])
+    along = tips - np.array([(axis[1], axis[-2]) for axis in axes])
+    along /= np.maximum(np.linalg.norm(along, axis=2, keepdims=True), LEAST_DIVISOR)
+    within = shapely.contains_xy(polygon, tips[..., 0], tips[..., 1])
+    prolonged = []
+    for axis, tip, way, inside, width in zip(axes, tips, along, within, widths):
+        ends = [place + direction * min(_to_edges(place, direction, start, end) if paint else 0.0, 0.75 * width)
+                for place, direction, paint in zip(tip, way, inside)]
+        prolonged.append(np.vstack([ends[0], axis, ends[1]]))
+    return prolonged
 
 
 def _to_edges(place: np.ndarray, along: np.ndarray, start: np.ndarray, end: np.ndarray) -> float:

@@ -17,6 +17,9 @@ CELL = 0.1
 ROWS, COLUMNS = 128, 64
 """Of a window, cells: 12.8 m along, 6.4 m across."""
 
+_FINER, _FULL = 4, 240
+"""A cell is filled in so many parts each way, by a number that the parts of a cell divide: means are exact."""
+
 TOLERANCE, AROUND = 0.1, 0.7
 """By so much paint may lie beside the pattern; so far around it paint speaks against it, m."""
 
@@ -153,48 +156,57 @@ def _bank() -> _Bank:
 
 def raster(shapes: list[shapely.Geometry]) -> np.ndarray:
     """Share of each cell (ROWS, COLUMNS) float32 that shapes cover; 0, 0 is the middle of the window, rows go up."""
-    fine = np.zeros((4 * ROWS, 4 * COLUMNS), np.uint8)
+    fine = np.zeros((_FINER * ROWS, _FINER * COLUMNS), np.uint8)
     for part in shapely.get_parts(shapes):
         if part.geom_type != "Polygon":
             continue
         rings = [part.exterior, *part.interiors]
-        places = [(shapely.get_coordinates(ring) / CELL * 4 + (2 * COLUMNS, 2 * ROWS) - 0.5) * 16 for ring in rings]
+        middle = np.array((_FINER * COLUMNS, _FINER * ROWS)) / 2
+        places = [(shapely.get_coordinates(ring) / CELL * _FINER + middle - 0.5) * 16 for ring in rings]
         mask = np.zeros_like(fine) if len(rings) > 1 else fine
-        cv2.fillPoly(mask, [np.round(place).astype(np.int32) for place in places], 1, shift=4)
+        cv2.fillPoly(mask, [np.round(place).astype(np.int32) for place in places], _FULL, shift=4)
         if mask is not fine:
             np.maximum(fine, mask, out=fine)
-    return fine.reshape(ROWS, 4, COLUMNS, 4).mean(axis=(1, 3), dtype=np.float32)
+    return cv2.resize(fine, (COLUMNS, ROWS), interpolation=cv2.INTER_AREA) / np.float32(_FULL)
 
 
-def matches(paint: list[shapely.Geometry], least_complete: float) -> list[PatternMatch]:
+def matches(paint: list[shapely.Geometry], least_complete: float, least_score: float = 0.0) -> list[PatternMatch]:
     """The best place of each kind of symbol, best first.
 
     Parameters
     ----------
     paint : in the window's frame, the road along +y, its middle at 0, 0.
     least_complete : places where less of the pattern is painted do not count, 0 to 1.
+    least_score : kinds that agree less are left out.
     """
     bank = _bank()
     spectrum = scipy.fft.rfft2(raster(paint))
-    complete = _correlation(spectrum, bank.pattern)
-    complete /= bank.area[:, None, None]
-    np.clip(complete, 0.0, 1.0, out=complete)
-    painted = np.flatnonzero(complete.max(axis=(1, 2)) >= least_complete)  # mostly few
-    complete = complete[painted]
-    precise, at_all = (_correlation(spectrum, one[painted]) for one in (bank.grown, bank.around))
-    precise /= np.maximum(at_all, 1.0, out=at_all)
-    np.clip(precise, 0.0, 1.0, out=precise)
-    score = np.where(complete >= least_complete, 2 * complete * precise / np.maximum(complete + precise, 1e-6), 0.0)
-    best = score.reshape(len(score), ROWS * COLUMNS).argmax(axis=1)
-    found: dict[tuple[str, bool], tuple[float, int, int, int]] = {}
-    for place, flat in enumerate(best):
-        row, column = np.unravel_index(flat, score.shape[1:])
-        value, number = float(score[place, row, column]), int(painted[place])
+    overlap = _correlation(spectrum, bank.pattern)
+    wanted = np.float32(least_complete) * bank.area
+    painted = np.flatnonzero(overlap.max(axis=1) >= wanted)
+    overlap = overlap[painted]
+    row, shift = np.nonzero(overlap >= wanted[painted, None])  # few of the places
+    if not len(row):
+        return []
+    complete = np.clip(overlap[row, shift] / bank.area[painted[row]], 0.0, 1.0)
+    inside, at_all = (_correlation(spectrum, one[painted])[row, shift] for one in (bank.grown, bank.around))
+    precise = np.clip(inside / np.maximum(at_all, 1.0), 0.0, 1.0)
+    score = 2 * complete * precise / np.maximum(complete + precise, 1e-6)
+    found: dict[tuple[str, bool], int] = {}
+    for place in _best_of_each(row, score):
+        number = painted[row[place]]
         key = bank.kinds[number], bool(bank.backwards[number])
-        if value > 0.0 and (key not in found or value > found[key][0]):
-            found[key] = value, place, int(row), int(column)
-    return sorted((_match(bank, value, int(painted[at[0]]), *at[1:], float(complete[at]), float(precise[at]))
-                   for value, at in ((one[0], one[1:]) for one in found.values())), key=lambda match: -match.score)
+        if score[place] > max(least_score, 0.0) and (key not in found or score[place] > score[found[key]]):
+            found[key] = place
+    made = [_match(bank, float(score[k]), int(painted[row[k]]), *divmod(int(shift[k]), COLUMNS), float(complete[k]),
+                   float(precise[k])) for k in found.values()]
+    return sorted(made, key=lambda match: -match.score)
+
+
+def _best_of_each(row: np.ndarray, score: np.ndarray) -> np.ndarray:
+    """Places of the highest score of each row, the first of equal ones; `row` (n,) is in order."""
+    order = np.lexsort((np.arange(len(row)), -score, row))
+    return order[np.r_[True, np.diff(row[order]) > 0]]
 
 
 def _match(bank: _Bank, score: float, number: int, row: int, column: int, complete: float,
@@ -211,5 +223,6 @@ def _match(bank: _Bank, score: float, number: int, row: int, column: int, comple
 
 
 def _correlation(spectrum: np.ndarray, patterns: np.ndarray) -> np.ndarray:
-    """Sum over the window of cells (by their `spectrum`) times each pattern, by its shift (rows, columns), circular."""
-    return scipy.fft.irfft2(spectrum * patterns, s=(ROWS, COLUMNS))
+    """Sum over the window of cells (by their `spectrum`) times each pattern, by its shift, circular (row by row, of
+    `ROWS` x `COLUMNS`), (n, shifts)."""
+    return scipy.fft.irfft2(spectrum * patterns, s=(ROWS, COLUMNS), overwrite_x=True).reshape(len(patterns), -1)

@@ -200,9 +200,8 @@ def _symbol(place: np.ndarray, along: np.ndarray, wanted: str, tree: shapely.STR
     near = tree.query(shapely.Point(place).buffer(reach), predicate="intersects")
     matrix = [*across, *along, -across @ place, -along @ place]
     paint = [affinity.affine_transform(tree.geometries[k], matrix) for k in near]
-    fits = [match for match in matches(paint, LIMITS.least_complete)
-            if match.score >= LIMITS.least_score - LIMITS.least_lead]
-    fits = [match for match in fits if match.precise >= LIMITS.least_precise and _has_heads(match, paint)]
+    fits = [match for match in matches(paint, LIMITS.least_complete, LIMITS.least_score - LIMITS.least_lead)
+            if match.precise >= LIMITS.least_precise and _has_heads(match, paint)]
     if not fits or fits[0].score < LIMITS.least_score or not fits[0].kind.startswith(wanted):
         return None
     best = fits[0]
