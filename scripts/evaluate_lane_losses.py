@@ -25,12 +25,11 @@ sys.path.insert(0, str(ROOT))
 
 from scripts.demo.checks import read_layer  # noqa: E402
 from scripts.evaluate_roadmap import sampled  # noqa: E402
-from urbanmap_qgis.io.points.pointcloud import open_cloud  # noqa: E402
 from urbanmap_qgis.io.raster import RasterSampler  # noqa: E402
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory  # noqa: E402
 from urbanmap_qgis.roadmap.lanes.lane_strips import lane_strips  # noqa: E402
 from urbanmap_qgis.roadmap.lines.line_work import line_work, with_ground_heights  # noqa: E402
-from urbanmap_qgis.roadmap.lines.point_paint import cloud_polygons, hidden_paint  # noqa: E402
+from urbanmap_qgis.roadmap.lines.point_paint import drive_points, drive_polygons, hidden_paint  # noqa: E402
 from urbanmap_qgis.roadmap.map_records import DrivenPath, MapArea, MapLine, MapSettings, lines_of  # noqa: E402
 from urbanmap_qgis.roadmap.vector_map import build_vector_map, prepared_sections  # noqa: E402
 
@@ -122,9 +121,10 @@ def measured_lines(given, points, ground):
     geometries, (colours,) = read_layer(given, "colour")
     parts, owner = shapely.get_parts(shapely.force_2d(geometries), return_index=True)
     paint, names = list(parts), [colours[k] or "" for k in owner]
-    survey = cloud_polygons(open_cloud([Path(one) for one in points])) if points else []
+    drives = drive_points([Path(one) for one in points])
+    survey = drive_polygons(drives)
     added = hidden_paint(paint, survey)
-    work = line_work([*paint, *added], [*names, *[""] * len(added)])
+    work = line_work([*paint, *added], [*names, *[""] * len(added)], drives=drives)
     with RasterSampler(ground) as heights:
         return with_ground_heights(work, heights.sample), paint, survey
 

@@ -135,6 +135,7 @@ _WORDS = {
     "frames": FieldWords(mark("frames that see it")),
     "role": FieldWords(mark("role")),
     "paint": FieldWords(mark("is it paint? (yes or no)"), choices=(("1", mark("yes")), ("0", mark("no")))),
+    "width_sigma": FieldWords(mark("standard deviation of the width (m)"), 3),
     "sigmas": FieldWords(mark("standard deviations across, in metres, from vertex to vertex")),
     "yields_to": FieldWords(mark("lanes that it lets pass")),
     "yields_by": FieldWords(mark("why it yields")),

@@ -36,7 +36,8 @@ class FittedLine:
     axis : (n, 2) places at the stations, m, about `STATION` apart.
     chainage : (n,) distance along the axis, m.
     covered : (n,) whether there is paint of the line's width (the other stations are gaps).
-    width : of the paint, m (median).
+    width : of the paint's outlines, m (median).
+    ragged : spread of the single cross-sections' widths, m.
     sigma : of the axis across the line at the stations (n,), m, without what the markings' source is off.
     residual : spread of the single cross-sections' middles about the axis, m.
     """
@@ -45,6 +46,7 @@ class FittedLine:
     chainage: np.ndarray
     covered: np.ndarray
     width: float
+    ragged: float
     sigma: np.ndarray
     residual: float
 
@@ -80,7 +82,9 @@ def fit_centre_line(axis: np.ndarray, width: float, paint: shapely.STRtree) -> F
     sigma = np.hypot(doubt, 0.01 * np.maximum(0.0, beyond - 1.0))
     fitted = place + normal * smooth[:, None]
     chainage = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(fitted, axis=0), axis=1))])
-    return FittedLine(fitted, chainage, covered, float(np.median(across[good])), sigma, residual)
+    wide = float(np.median(across[good]))
+    ragged = SIGMA_OF_MAD * float(np.median(np.abs(across[good] - wide)))
+    return FittedLine(fitted, chainage, covered, wide, ragged, sigma, residual)
 
 
 def polyline(axis: np.ndarray) -> np.ndarray:

@@ -16,6 +16,7 @@ from .dash_consensus import with_common_patterns
 from .dash_pattern import Section, line_sections, painted_intervals, with_worn_ends
 from .line_chains import StrokeChain, link_strokes
 from .line_fit import STATION, FittedLine, fit_centre_line, polyline
+from .line_width import line_widths
 from .short_lines import supported_chains
 from .stop_lines import CROSSES, joined_bars, stop_line_confidence
 from .strokes import Stroke, all_strokes
@@ -54,7 +55,7 @@ class RoadLine:
     ----------
     points : (n, 3) centre line, m; heights NaN where unknown.
     kind : "solid", "dashed", "stop line" or "guiding strip".
-    width : of the paint, m.
+    width, width_sigma : of the paint and its standard deviation, m; NaN where it cannot be told to 3 cm.
     colour : "white", "yellow" or "".
     sigma : of its place across it, m (mean along the line).
     dashes : begins and ends (n, 2) of the painted stretches, m along it.
@@ -82,6 +83,7 @@ class RoadLine:
     confidence: float = 1.0
     placed: tuple[float, ...] = ()
     sigmas: tuple[float, ...] = ()
+    width_sigma: float = np.nan
 
     @property
     def plan(self) -> shapely.LineString:
@@ -138,13 +140,14 @@ class _Line:
 
 
 def line_work(polygons: Sequence[shapely.Polygon], colours: Sequence[str], settings: LineSettings | None = None,
-              progress: Progress = SILENT) -> LineWork:
+              progress: Progress = SILENT, drives: Sequence[np.ndarray] = ()) -> LineWork:
     """Lines, crosswalks and symbols of marking polygons.
 
     Parameters
     ----------
     polygons : outlines of the markings, in metres.
     colours : "white", "yellow" or "" for each.
+    drives : marking points (n, 2) of each drive, m: they tell how wide lines are.
 
     Returns
     -------
@@ -180,7 +183,7 @@ def line_work(polygons: Sequence[shapely.Polygon], colours: Sequence[str], setti
     pieces = _sections_of(lines, strokes, colours, settings)
     pieces += [replace(_whole(line, strokes, colours, settings, len(lines) + k), confidence=sure[k])
                for k, line in enumerate(stops)]
-    pieces = _with_partners(pieces)
+    pieces = _with_widths(_with_partners(pieces), drives)
     left = [n for n in _left_over(polygons, strokes, in_rows, [*lines, *stops]) if n not in of_symbols]
     areas = [RoadArea(row.area, "crosswalk", row.direction, row.fill, "white") for row in crosswalks]
     areas += [RoadArea(symbol.area, symbol.kind, symbol.heading, symbol.score, colours[symbol.polygons[0]])
@@ -331,7 +334,8 @@ def _piece(line: _Line, section: Section, start: float, end: float, kind: str, c
     by_station = np.interp(np.concatenate([[start], at[inner], [end]]), at, line.fit.sigma)
     return RoadLine(points, kind, line.fit.width, colour, sigma, within, section.period, section.dash, missing, number,
                     confidence=painted / max(painted + missing, LEAST_DIVISOR), placed=placed,
-                    sigmas=tuple(np.hypot(by_station[nearest], settings.source_sigma).tolist()))
+                    sigmas=tuple(np.hypot(by_station[nearest], settings.source_sigma).tolist()),
+                    width_sigma=line.fit.ragged)
 
 
 def _colour(chain: StrokeChain, strokes: Sequence[Stroke], colours: Sequence[str]) -> str:
@@ -359,6 +363,13 @@ def _with_partners(lines: Sequence[RoadLine]) -> list[RoadLine]:
                 partner = lines[other].chain
         paired.append(replace(line, partner=partner))
     return paired
+
+
+def _with_widths(lines: Sequence[RoadLine], drives: Sequence[np.ndarray]) -> list[RoadLine]:
+    """The lines with the width of their paint in place of that of its outlines, where it can be told."""
+    widths = line_widths([line.points[:, :2] for line in lines], np.array([line.width for line in lines]),
+                         np.array([line.width_sigma for line in lines]), drives)
+    return [replace(line, width=width, width_sigma=sigma) for line, (width, sigma) in zip(lines, widths.tolist())]
 
 
 def _left_over(polygons: Sequence[shapely.Polygon], strokes: Sequence[Stroke], in_rows: set[int],

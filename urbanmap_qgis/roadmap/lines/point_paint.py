@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 import cv2
 import numpy as np
@@ -12,7 +13,7 @@ from rasterio.features import shapes
 from rasterio.transform import Affine
 
 from ...errors import InputError
-from ...io.points.pointcloud import PointCloud, read_all
+from ...io.points.pointcloud import open_cloud, read_all
 from ...progress import SILENT, Progress
 from ...wording import say
 
@@ -82,10 +83,19 @@ def point_polygons(places: np.ndarray) -> list[shapely.Polygon]:
     return [shape for shape in smooth if shape.geom_type == "Polygon" and shape.is_valid and not shape.is_empty]
 
 
-def cloud_polygons(cloud: PointCloud, progress: Progress = SILENT) -> list[shapely.Polygon]:
-    """`point_polygons` of the points of a cloud."""
-    read = read_all(cloud, ("x", "y"), progress)
-    return point_polygons(np.column_stack([read["x"], read["y"]]))
+def drive_points(paths: Sequence[Path], progress: Progress = SILENT) -> list[np.ndarray]:
+    """Marking points (n, 2) of each file: each is a drive of its own, or part of one."""
+    drives = []
+    for number, path in enumerate(paths):
+        part = progress.part(number / len(paths), (number + 1) / len(paths))
+        read = read_all(open_cloud([path]), ("x", "y"), part)
+        drives.append(np.column_stack([read["x"], read["y"]]))
+    return drives
+
+
+def drive_polygons(drives: Sequence[np.ndarray]) -> list[shapely.Polygon]:
+    """`point_polygons` of the points (n, 2) of all drives together."""
+    return point_polygons(np.concatenate([np.zeros((0, 2)), *drives]))
 
 
 def _tile_pieces(cells: np.ndarray, low: np.ndarray, margin: int) -> list[shapely.Polygon]:
