@@ -117,7 +117,7 @@ copy_checkout() {
 }
 
 # Home and temporary folder are new for every run; only downloads (pip's cache) stay in the root, and the cities that
-# tests read serve both systems (tests/stored.py): whichever needs one first makes it.
+# tests read beside the checkout, for the next run: each system makes its own (tests/stored.py).
 run() {
     build
     copy_network_settings "$root"

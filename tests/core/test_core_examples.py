@@ -33,6 +33,13 @@ def test_examples_run(small_city, tmp_path, monkeypatch):
     assert 0.3 < names["street"].ground / names["street"].usable < 0.7 and names["within"] > 0.9
     assert all(building.valid for building in names["merged"]) and abs(names["figures"].los_median) < 1.0
     assert not names["changes"] and {piece.kind for piece in names["road"].pieces} == {"road", "junction"}
+    assert names["held"].rms(names["held"].followed) < 0.02 < names["held"].rms(names["held"].followed, before=True)
+    assert names["lifted"].shift == pytest.approx([0.0, 0.0, 0.1], abs=0.01)
+    assert names["network"].median_sigma() < 0.1 and len(names["network"].drives) == 2
+    assert names["facades"]["textured"] > 3 and names["window"].status == "measured"
+    assert names["overlaid"][0].edges[0] > 1000.0 and len(names["proposed"].ties) >= 2
+    assert set(names["reflecting"].walls.status) == {"not observable"}
+    assert [step.algorithm for step in names["chain"].steps] == ["aerialmarkings"] and not names["chain"].missing
     assert {"trajectory", "camera", "calibration"} <= {item.kind for item in names["facts"]}
 
 
