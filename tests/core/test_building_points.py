@@ -25,7 +25,10 @@ def test_buckets_keep_the_order_in_memory_and_on_disk(limit):
         for start in range(0, 1000, 130):
             buckets.add(keys[start:start + 130], records[start:start + 130])
         for key in range(5):
-            assert np.array_equal(buckets.read(key)["n"], np.flatnonzero(keys == key))
+            whole = np.flatnonzero(keys == key)
+            assert np.array_equal(buckets.read(key)["n"], whole)
+            for rows in (slice(3, 40), slice(150, None), slice(30, 30)):
+                assert np.array_equal(buckets.read(key, rows)["n"], whole[rows])
             assert np.array_equal(buckets.pop(key)["n"], np.flatnonzero(keys == key))
             assert len(buckets.read(key)) == 0
         assert len(buckets.read(99)) == 0 and len(buckets.pop(99)) == 0

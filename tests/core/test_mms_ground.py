@@ -84,7 +84,7 @@ def test_tiles_of_many_points_are_split_and_the_ground_stays(survey, tmp_path, m
     monkeypatch.setattr(survey_tiles, "Tiling", lambda cell, cells: seen.append(cells) or tiling(cell, cells))
     monkeypatch.setattr(survey_tiles, "_TILE_POINTS", 5_000)
     classify_ground_files([path], tmp_path / "split.laz")
-    assert seen[0] == 32 and seen[-1] < 32
+    assert seen[0] == 64 and seen[-1] < 64
     assert np.array_equal(classes(tmp_path / "whole.laz"), classes(tmp_path / "split.laz"))
 
 

@@ -28,6 +28,7 @@ def test_coordinates_come_back_to_the_last_digit(kinds):
         expected = np.concatenate([np.asarray(made[name]) for _, made in given])
         assert np.array_equal(packing.column(records, name), expected)
         assert np.array_equal(packing.column(records, name, rows), expected[rows])
+        assert packing.extent(records, name, rows) == (expected[rows].min(), expected[rows].max())
     assert packing.dtype.itemsize == (16 if len(kinds) == 1 else 20)
 
 

@@ -36,6 +36,7 @@ GROUND, UNASSIGNED = 2, 1
 UNDECIDED = (0, UNASSIGNED, GROUND)
 """Classes that say nothing of what a point is, or what the filter is to say anew."""
 
+_CLASSES = np.uint8(GROUND), np.uint8(UNASSIGNED)
 _MOST_NODES = 100_000_000
 
 
@@ -123,7 +124,7 @@ def _grounds(tiles: SurveyTiles, cloth: ClothSettings, executor: Executor | None
     share = 0.9 / tiles.passes.count
     for number, extent in enumerate(extents):
         part = progress.part(0.1 + share * number, 0.1 + share * (number + 1))
-        cloths.append(_ground(partial(tiles.points, sorted(extent), number), extent, tiles.tiling.side, cloth, executor,
+        cloths.append(_ground(partial(tiles.points, extent, number), extent, tiles.tiling.side, cloth, executor,
                               part) if extent else None)
     return cloths
 
@@ -147,8 +148,9 @@ def _ground(points: Callable[[float], Iterator[TilePoints]], extent: dict[int, t
         progress.step(0.5 * (step + 1) / len(table))
     first, trend, lowest = first_cloth(LowestHeights(*levels), cloth, progress.part(0.5, 0.6))
     layer = [np.full(grid.shape, np.inf)]
+    # Tiles are made of whole cells: of their neighbours no more is needed than what lies on their edges.
     work = partial(layer_of_tile, cloth_grid=grid, lowest=lowest, cloth=first)
-    for step, part in enumerate(in_order(work, points(cloth.resolution), executor, progress.check)):
+    for step, part in enumerate(in_order(work, points(0.0), executor, progress.check)):
         _put(layer, part)
         progress.step(0.6 + 0.3 * (step + 1) / len(table))
     converged = final_cloth(layer[0], trend, cloth, progress.part(0.9, 1.0))
@@ -173,7 +175,7 @@ def _write(cloud: PointCloud, output: str | os.PathLike, passes: SurveyPasses, g
             classes = np.asarray(chunk.classification)
             undecided = of_classes(chunk, UNDECIDED)
             candidates += int(np.count_nonzero(undecided & valid_points(chunk)))
-            writer.write(chunk, np.where(undecided, np.where(ground, GROUND, UNASSIGNED), classes))
+            writer.write(chunk, np.where(undecided, np.where(ground, *_CLASSES), classes))
         _check_share(total, candidates, min_share)
     return total
 
@@ -194,8 +196,9 @@ def _ground_of(chunk, passes: SurveyPasses, grounds: list[PassGround | None], th
     candidate = valid_points(chunk) & plausible(x, y, z) & of_classes(chunk, UNDECIDED)
     pass_number = passes.of(np.asarray(chunk["gps_time"])) if passes.count > 1 else np.zeros(len(z), dtype=int)
     found = np.zeros(len(z), dtype=bool)
-    for number in np.unique(pass_number[candidate]).tolist():
-        some = np.flatnonzero(candidate & (pass_number == number))
+    for number in np.flatnonzero(np.bincount(pass_number[candidate])).tolist():
+        mine = candidate & (pass_number == number)
+        some = slice(None) if mine.all() else np.flatnonzero(mine)
         if grounds[number] is not None:
             found[some] = grounds[number].mask(x[some], y[some], z[some], threshold)
     return found

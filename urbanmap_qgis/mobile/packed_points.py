@@ -51,7 +51,19 @@ class PackedPoints:
         else:
             kind = records["kind"][rows]
             scale, offset = (np.array([one[part][axis] for one in self._kinds])[kind] for part in (0, 1))
-        return whole * scale + offset
+        place = whole * scale
+        place += offset
+        return place
+
+    def extent(self, records: np.ndarray, name: str, rows: np.ndarray | slice = slice(None)) -> tuple[float, float]:
+        """Least and largest coordinate of records, or of some rows of them, m: of files of one kind without all."""
+        if len(self._kinds) > 1:
+            place = self.column(records, name, rows)
+        else:
+            whole = records[name.upper()][rows]
+            scale, offset = (corner["xyz".index(name)] for corner in self._kinds[0])
+            place = np.array([whole.min(), whole.max()]) * scale + offset
+        return place.min(), place.max()
 
     def passes(self, records: np.ndarray, passes: SurveyPasses) -> np.ndarray:
         """Number of the pass of each record, (n,): passes begin at whole blocks."""

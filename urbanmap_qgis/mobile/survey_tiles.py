@@ -23,7 +23,7 @@ from .passes import BlockPositions, SurveyPasses
 CHUNK = 250_000
 """Points read at a time."""
 
-_TILE = 64.0
+_TILE = 128.0
 _TILE_POINTS = 2_000_000
 _BUCKET_MEMORY = 120_000_000
 _HELD_MEMORY = 120_000_000
@@ -64,6 +64,8 @@ class SurveyTiles:
         self.keys: list[int] = []
         self.passes = SurveyPasses(np.empty(0))
         self.usable = 0
+        self._runs: dict[tuple[int, int], slice] = {}
+        """Rows of a tile's records that are those of a pass, for tiles and passes whose rows lie together."""
 
     def read(self, progress: Progress) -> None:
         """Sort the points into tiles and find the passes."""
@@ -110,31 +112,39 @@ class SurveyTiles:
             records = self.buckets.read(key)
             pass_number = self.packing.passes(records, self.passes)
             for number in np.flatnonzero(np.bincount(pass_number)).tolist():
-                mine = slice(None) if self.passes.count == 1 else np.flatnonzero(pass_number == number)
-                x, y = (self.packing.column(records, name, mine) for name in "xy")
-                found[number][key] = (len(x), x.min(), y.min(), x.max(), y.max())
+                rows = np.flatnonzero(pass_number == number)
+                if rows[-1] - rows[0] + 1 == len(rows):
+                    rows, count = slice(int(rows[0]), int(rows[-1]) + 1), len(rows)
+                    self._runs[key, number] = rows
+                else:
+                    count = len(rows)
+                (x_min, x_max), (y_min, y_max) = (self.packing.extent(records, name, rows) for name in "xy")
+                found[number][key] = (count, x_min, y_min, x_max, y_max)
             progress.step((step + 1) / len(self.keys))
         return found
 
-    def points(self, keys: list[int], pass_number: int, margin: float) -> Iterator[TilePoints]:
-        """The points of each tile and of a margin round it, of one pass."""
-        known, tiles = set(keys), _HeldTiles(partial(self._of_pass, pass_number=pass_number))
-        for key in keys:
-            box, (column, row) = self.tiling.box(key), self.tiling.column_row(key)
+    def points(self, extents: dict[int, tuple], pass_number: int, margin: float) -> Iterator[TilePoints]:
+        """The points of each tile and of a margin round it, of one pass with these `extents`; not to be changed."""
+        tiles = _HeldTiles(partial(self._of_pass, pass_number=pass_number))
+        for key in sorted(extents):
+            box = self.tiling.box(key)
+            around = box[0] - margin, box[1] - margin, box[2] + margin, box[3] + margin
             parts = [dict(tiles.get(key))]
-            for near in self.tiling.around(key)[1:]:
-                if near in known:
-                    other_column, other_row = self.tiling.column_row(near)
-                    parts.append(_beside(tiles.get(near), box, margin, other_column - column, other_row - row))
             in_tile = len(parts[0]["x"])
-            yield TilePoints({name: np.concatenate([part.pop(name) for part in parts]) for name in "xyz"}, in_tile, box)
+            for near in self.tiling.around(key)[1:]:
+                if near in extents and _meet(extents[near][1:], around):
+                    parts.append(_within(tiles.get(near), extents[near][1:], around))
+            if len(parts) > 1:
+                parts = [{name: np.concatenate([part.pop(name) for part in parts]) for name in "xyz"}]
+            yield TilePoints(parts[0], in_tile, box)
 
     def _of_pass(self, key: int, pass_number: int) -> dict[str, np.ndarray]:
         """Coordinates of the points of a tile that were measured in a pass, a column each."""
-        records = self.buckets.read(key)
-        if self.passes.count == 1:
-            return {name: self.packing.column(records, name) for name in "xyz"}
-        rows = np.flatnonzero(self.packing.passes(records, self.passes) == pass_number)
+        run = self._runs.get((key, pass_number))
+        records = self.buckets.read(key, run or slice(None))
+        rows = run and slice(None)
+        if rows is None:
+            rows = np.flatnonzero(self.packing.passes(records, self.passes) == pass_number)
         return {name: self.packing.column(records, name, rows) for name in "xyz"}
 
 
@@ -163,12 +173,18 @@ def _size(columns: dict[str, np.ndarray]) -> int:
     return sum(values.nbytes for values in columns.values())
 
 
-def _beside(columns: dict[str, np.ndarray], box: tuple[float, float, float, float], margin: float, right: int,
-            up: int) -> dict[str, np.ndarray]:
-    """The points of the tile `right` columns and `up` rows away that lie within a margin of a tile's box."""
+def _meet(extent: tuple[float, ...], box: tuple[float, ...]) -> bool:
+    """Whether two boxes (x_min, y_min, x_max, y_max) have a place in common."""
+    return extent[0] <= box[2] and extent[1] <= box[3] and extent[2] >= box[0] and extent[3] >= box[1]
+
+
+def _within(columns: dict[str, np.ndarray], extent: tuple[float, ...], box: tuple[float, ...]) -> dict[str, np.ndarray]:
+    """Those of points with an extent that lie in a box, its edges included."""
     near = np.ones(len(columns["x"]), dtype=bool)
-    for name, step, low, high in (("x", right, box[0], box[2]), ("y", up, box[1], box[3])):
-        if step:
-            near &= columns[name] <= high + margin if step > 0 else columns[name] >= low - margin
+    for name, axis in (("x", 0), ("y", 1)):
+        if extent[axis + 2] > box[axis + 2]:
+            near &= columns[name] <= box[axis + 2]
+        if extent[axis] < box[axis]:
+            near &= columns[name] >= box[axis]
     rows = np.flatnonzero(near)
     return {name: values[rows] for name, values in columns.items()}

@@ -69,9 +69,10 @@ def lowest_heights(x: np.ndarray, y: np.ndarray, z: np.ndarray, grid: Grid, neig
     height, lowest = without_ghosts(cell, height, grid.shape)
     limit = np.minimum(4.0, 0.05 * _around(count.reshape(grid.shape)))
     support = _support(lowest, cell, height)
+    found = _MembersOfFew(cell, size)
     for _ in range(4):
         loose = _loose(lowest.reshape(grid.shape), support.reshape(grid.shape), limit).ravel()
-        members = np.flatnonzero(loose[cell])
+        members = found.of(loose)
         if not len(members):
             break
         left = members[height[members] >= lowest[cell[members]] + _LOOSE_DEPTH]
@@ -84,6 +85,21 @@ def lowest_heights(x: np.ndarray, y: np.ndarray, z: np.ndarray, grid: Grid, neig
     second = extreme_in_cells(cell[upper], height[upper], size, highest=False)
     support = np.where(sparse, 0, support)
     return LowestHeights(*(values.reshape(grid.shape) for values in (lowest, second, support)))
+
+
+class _MembersOfFew:
+    """Points of few cells, asked for again and again: mostly of some of the cells asked for before."""
+
+    def __init__(self, cell: np.ndarray, cells: int):
+        self._cell, self._asked = cell, np.zeros(cells, bool)
+        self._members = np.zeros(0, np.int64)
+
+    def of(self, wanted: np.ndarray) -> np.ndarray:
+        """Ascending numbers of the points in the cells that `wanted` (cells,) marks."""
+        if (wanted & ~self._asked).any():
+            self._asked = self._asked | wanted
+            self._members = np.flatnonzero(self._asked[self._cell])
+        return self._members[wanted[self._cell[self._members]]]
 
 
 def _support(lowest: np.ndarray, cell: np.ndarray, height: np.ndarray) -> np.ndarray:

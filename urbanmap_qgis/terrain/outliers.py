@@ -39,7 +39,10 @@ def isolated(x: np.ndarray, y: np.ndarray, z: np.ndarray, voxel: float = VOXEL,
     column, columns = _steps(x, voxel)
     row, rows = _steps(y, voxel)
     level, levels = _levels(z, voxel)
-    index = (level * rows + row) * columns + column
+    index = level * rows
+    index += row
+    index *= columns
+    index += column
     count = np.bincount(index, minlength=levels * rows * columns).astype(np.int32)
     around = count.reshape(levels, rows, columns)
     for axis in range(3):
@@ -50,7 +53,10 @@ def isolated(x: np.ndarray, y: np.ndarray, z: np.ndarray, voxel: float = VOXEL,
 def _steps(coordinate: np.ndarray, voxel: float) -> tuple[np.ndarray, int]:
     """Voxel number along one axis, from 1, and how many there are with an empty one at both ends."""
     lowest = np.floor(coordinate.min() / voxel)
-    step = (np.floor(coordinate / voxel) - (lowest - 1)).astype(np.int32)
+    place = coordinate / voxel
+    np.floor(place, out=place)
+    place -= lowest - 1
+    step = place.astype(np.int32)
     return step, int(step.max()) + 2
 
 
@@ -60,6 +66,8 @@ def _levels(z: np.ndarray, voxel: float) -> tuple[np.ndarray, int]:
     used = np.bincount(step, minlength=count) > 0
     needed = used.copy()
     needed[:-1] |= used[1:]
+    if needed[:-1].all():
+        return step.astype(np.int64), count - 1
     return (np.cumsum(needed) - 1)[step], int(needed.sum())
 
 

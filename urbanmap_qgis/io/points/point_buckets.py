@@ -95,17 +95,23 @@ class PointBuckets:
             self._spill()
         return counts
 
-    def read(self, key: int) -> np.ndarray:
-        """All records of a bucket, in the order in which they came; empty if there are none."""
+    def read(self, key: int, rows: slice = slice(None)) -> np.ndarray:
+        """The records of a bucket, or some that follow each other, in the order in which they came; empty if none."""
         stored, waiting = self._path(key), self._pieces.get(key, [])
         on_disk = stored.stat().st_size // self.dtype.itemsize if stored and stored.exists() else 0
-        records = np.empty(on_disk + sum(map(len, waiting)), dtype=self.dtype)
-        if on_disk:
+        start, stop, _ = rows.indices(on_disk + sum(map(len, waiting)))
+        records = np.empty(max(stop - start, 0), dtype=self.dtype)
+        place = max(min(stop, on_disk) - start, 0)
+        if place:
             with stored.open("rb", buffering=0) as stream:
-                fill_from(stream, memoryview(records[:on_disk].view(np.uint8)))
-        place = on_disk
+                stream.seek(start * self.dtype.itemsize)
+                fill_from(stream, memoryview(records[:place].view(np.uint8)))
+        before = on_disk
         for piece in waiting:
-            place = put_records(records, place, piece)
+            wanted = piece[max(start - before, 0):max(stop - before, 0)]
+            before += len(piece)
+            if len(wanted):
+                place = put_records(records, place, wanted)
         return records
 
     def pop(self, key: int) -> np.ndarray:
