@@ -9,6 +9,7 @@ import numpy as np
 import shapely
 from rasterio.features import rasterize
 from rasterio.transform import Affine
+from scipy.ndimage import minimum_filter
 
 from ...io.raster import own_gdal
 from ..views.sight_lines import blocked_lines, sight_lines
@@ -18,6 +19,7 @@ CELL = 0.25
 
 _MOST_CELLS = 16_000_000
 _BELOW = 0.3  # m that a ray must run below a roof to be blocked
+_BESIDE = np.array([[0, 1, 0], [1, 1, 1], [0, 1, 0]], bool)  # a cell and those it shares a side with
 _UP = 0.1  # faces whose normals rise less are walls
 
 
@@ -57,7 +59,11 @@ NO_ROOFS = RoofHeights(np.zeros(2), CELL, np.empty((0, 0), np.float32))
 
 
 def roof_heights(geometries: Sequence[shapely.Geometry | None]) -> RoofHeights:
-    """Heights of the upward faces of models (polygons in space); where several lie above each other, the highest."""
+    """Heights of the upward faces of models (polygons in space); where several lie above each other, the highest.
+
+    Each cell has the lowest of its own and the heights beside it, so that none reaches out of its building: a ray
+    along a wall, as to an upright edge of the silhouette, would run through such cells for metres.
+    """
     parts = shapely.get_parts([item for item in geometries if item is not None and not shapely.is_empty(item)])
     planes, faces = [], []
     for face in parts[(shapely.get_type_id(parts) == 3) & shapely.has_z(parts)] if len(parts) else ():
@@ -85,4 +91,4 @@ def roof_heights(geometries: Sequence[shapely.Geometry | None]) -> RoofHeights:
     x, y = low[0] + (column + 0.5) * cell, low[1] + (row + 0.5) * cell
     top = np.full(shape, -np.inf, np.float32)
     top[row, column] = found[:, 0] * x + found[:, 1] * y + found[:, 2]
-    return RoofHeights(low, cell, top)
+    return RoofHeights(low, cell, minimum_filter(top, footprint=_BESIDE, mode="constant", cval=-np.inf))
