@@ -1,0 +1,271 @@
+"""Steps inside a stage, each alone with a known answer: in a whole stage the steps around them make up for a fault."""
+
+from __future__ import annotations
+
+import multiprocessing
+import re
+import time
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import shapely
+
+from urbanmap_qgis.aerial.markings.orthophoto_reader import _in_blocks
+from urbanmap_qgis.buildings.planes.plane_segmentation import _seen_inside, _spread, _without_strips
+from urbanmap_qgis.buildings.planes.step_lines import _longest
+from urbanmap_qgis.citymodel.tables.table_store import TableStore
+from urbanmap_qgis.execution import end_workers_but
+from urbanmap_qgis.gnss.walls.adjustment import ADJUSTED, HELD, LIKELY, NOT_OBSERVABLE, WallResult
+from urbanmap_qgis.gnss.walls.offset_posterior import ErrorModel, _learnt
+from urbanmap_qgis.mobile.adjustment.reference_steps import LIMITS as STEP_LIMITS
+from urbanmap_qgis.mobile.adjustment.reference_steps import MIN_CHANGE, _Course, _of_reference
+from urbanmap_qgis.mobile.lines.course_heights import _fitted, _inverse_bands, _most_likely, _solve
+from urbanmap_qgis.mobile.survey_tiles import _beside
+from urbanmap_qgis.roadmap.edges.assembly import LIMITS as EDGE_LIMITS
+from urbanmap_qgis.roadmap.edges.assembly import _carry_low
+from urbanmap_qgis.roadmap.lines.line_chains import StrokeChain
+from urbanmap_qgis.roadmap.lines.stop_lines import _at_end
+from urbanmap_qgis.roadmap.vector_map import STOP_REACH, _belongs
+from urbanmap_qgis.roadspace.road_surface import GRID, _crosses
+from urbanmap_qgis.samplecity.scene.markings import _bays
+from urbanmap_qgis.samplecity.scene.paint import value_noise
+from urbanmap_qgis.sources import sources_mark
+
+
+def test_running_core_has_the_mark_of_its_sources():
+    assert re.fullmatch(r"[0-9a-f]{16}", sources_mark())
+
+
+def test_only_workers_started_since_are_ended():
+    context = multiprocessing.get_context("fork")
+    before, after = (context.Process(target=time.sleep, args=(60,), daemon=True) for _ in range(2))
+    before.start()
+    others = set(multiprocessing.active_children())
+    after.start()
+    try:
+        end_workers_but(others)
+        after.join(10)
+        assert after.exitcode is not None and before.exitcode is None
+    finally:
+        before.kill()
+
+
+# GNSS
+
+
+def test_walls_that_are_adjusted_or_likely_are_moved():
+    walls = SimpleNamespace(status=np.array([ADJUSTED, LIKELY, NOT_OBSERVABLE, HELD]))
+    assert WallResult.is_moved.fget(walls).tolist() == [True, True, False, False]
+
+
+@pytest.mark.parametrize("count", [0, 7, 300])
+def test_learnt_shares_hold_the_prior_of_twenty_observations(count):
+    share = np.zeros((3, count))
+    share[0] = 1.0
+    model = _learnt(ErrorModel(), share, np.zeros(count), np.zeros(count), np.zeros(count))
+    assert model.nlos_share == pytest.approx(0.2 * 20 / (count + 20))
+    assert model.outlier_share == pytest.approx(0.1 * 20 / (count + 20))
+    assert model.nlos_mean_delay == pytest.approx(4.0)
+
+
+# Orthophotos
+
+
+@pytest.mark.parametrize("shape", [(6, 9), (7, 10), (5, 4)])
+def test_blocks_are_means_of_three_by_three_pixels_and_the_last_ones_go_over_the_edge(shape):
+    rng = np.random.default_rng(3)
+    band, seen = rng.integers(0, 255, shape).astype(np.uint8), rng.random(shape) < 0.9
+    (mean,), whole = _in_blocks(band[None], seen, 3)
+    assert mean.shape == whole.shape == (-(-shape[0] // 3), -(-shape[1] // 3))
+    padding = [(0, -size % 3) for size in shape]
+    wide, wide_seen = np.pad(band.astype(float), padding, "edge"), np.pad(seen, padding, "edge")
+    for row, column in np.ndindex(*mean.shape):
+        block = np.s_[3 * row:3 * row + 3, 3 * column:3 * column + 3]
+        assert mean[row, column] == pytest.approx(wide[block].mean(), abs=1e-3)
+        assert whole[row, column] == wide_seen[block].all()
+
+
+# Roofs
+
+
+def squares(*places):
+    """Points of level squares of 4 m at places, and of a strip 0.3 m wide, with their labels."""
+    x, y = (axis.ravel() for axis in np.meshgrid(np.arange(0, 4, 0.3), np.arange(0, 4, 0.3)))
+    points = [np.column_stack([x + east, y, np.full(len(x), height)]) for east, height in places]
+    strip = np.column_stack([np.full(14, 20.0), np.arange(14) * 0.3, np.full(14, 9.0)])
+    points.insert(1, strip)
+    return np.vstack(points), np.repeat(np.arange(len(points)), [len(part) for part in points])
+
+
+def test_planes_left_without_strips_are_numbered_on():
+    points, label = squares((0.0, 5.0), (30.0, 7.0))
+    left = _without_strips(points, label, 0.4)
+    assert np.array_equal(left, np.select([label == 0, label == 2], [0, 1], -1))
+
+
+def test_planes_left_without_neighbours_are_numbered_on():
+    label = np.repeat([0, 1, 2, -1], [10, 10, 10, 2])
+    inside = np.repeat([True, False, True, True], [10, 10, 10, 2])
+    assert np.array_equal(_seen_inside(label, inside), np.repeat([0, -1, 1, -1], [10, 10, 10, 2]))
+
+
+@pytest.mark.parametrize("slope", [(0.0, 0.0), (0.4, -0.2), (1.6, 0.3), (-2.5, 0.0)])
+def test_points_join_the_plane_that_they_lie_on_square_to_it(slope):
+    rng = np.random.default_rng(5)
+    xy = rng.uniform(0.0, 5.0, (200, 2))
+    chosen = np.column_stack([xy, xy @ slope + 3.0])
+    lean = np.hypot(1.0, np.hypot(*slope))
+    near, off = chosen.copy(), chosen.copy()
+    near[:, 2] += 0.15 * lean
+    off[:, 2] += 0.25 * lean
+    label = np.zeros(len(xy), int)
+    assert (_spread(near, chosen, label, 0.2) == 0).all() and (_spread(off, chosen, label, 0.2) == -1).all()
+
+
+def test_longest_line_of_cracks_takes_none_of_a_line_beside_it():
+    long, short = (np.column_stack([at, np.full(len(at), y)]) for at, y in ((np.arange(0, 10, 0.25), 2.0),
+                                                                            (np.arange(0, 4, 0.25), 6.0)))
+    xy = np.vstack([long, short])
+    angle = np.radians(np.arange(0, 180, 15))
+    normals = np.column_stack([np.cos(angle), np.sin(angle)])
+    line, chosen, length = _longest(xy, normals, np.ones(len(normals)), 0.25)
+    assert np.array_equal(chosen, np.arange(len(xy)) < len(long))
+    assert line == pytest.approx((0.0, 1.0, 2.0), abs=1e-9) and length == pytest.approx(9.75, abs=0.5)
+
+
+# Surveys
+
+
+@pytest.mark.parametrize(("right", "up", "kept"), [(1, 0, [0, 1]), (-1, 0, [1, 2]), (0, 1, [0, 1]), (0, -1, [1, 2]),
+                                                   (1, 1, [0, 1]), (-1, -1, [1, 2])])
+def test_a_tile_beside_gives_what_lies_within_the_margin(right, up, kept):
+    box, margin = (0.0, 0.0, 10.0, 10.0), 2.0
+    at = np.array([-5.0, 5.0, 15.0])
+    found = _beside({"x": at, "y": at, "z": np.arange(3.0)}, box, margin, right, up)
+    assert found["z"].tolist() == [float(row) for row in kept]
+
+
+def test_variance_of_a_walk_grows_by_what_neighbours_share_of_their_deviations():
+    time_, rough = np.arange(400.0), np.random.default_rng(2).normal(0.0, 0.05, 401)
+    error = (rough[1:] + rough[:-1]) / np.sqrt(2.0)
+    walk, used = _fitted(time_, error)
+    left = error[used] - walk.value
+    shared = (left[1:] @ left[:-1]) / (left @ left)
+    alone = _inverse_bands(_solve(time_[used], error[used], *_most_likely(time_[used], error[used]))[1])[0]
+    assert shared > 0.3
+    assert walk.variance == pytest.approx(alone * (1.0 + shared) / (1.0 - shared), rel=1e-9)
+
+
+def course(step):
+    """Values along 200 m that step by (2,) m in their middle."""
+    chainage = np.arange(0.0, 200.0, 2.0)
+    return _Course(chainage, np.where(chainage[:, None] > 100.0, step, 0.0) * np.ones(2))
+
+
+@pytest.mark.parametrize(("change", "tied", "other", "is_reference"), [
+    (2.0, 0.0, None, True), (2.0, 2.0, None, False), (0.5 * MIN_CHANGE, 0.0, None, False),
+    (2.0, 0.0, 2.0, True), (2.0, 0.0, 0.0, False), (2.0, 0.0, -2.0, False)])
+def test_a_step_is_the_references_when_a_tied_drive_has_none_of_its_own(change, tied, other, is_reference):
+    steps = np.array([change, 0.0])
+    way = _Course(course(0.0).chainage, course(0.0).chainage[:, None])
+    seen = None if other is None else course(np.array([other, 0.0]))
+    difference = course(np.array([tied, 0.0]))
+    assert STEP_LIMITS.fewest < 20
+    assert _of_reference(100.5, steps, (1, difference, way), seen) is is_reference
+
+
+# Roads
+
+
+def section(*offsets):
+    """Tracks of 100 m beside an axis along x."""
+    tracks = [SimpleNamespace(start=0.0, end=100.0, chainage=np.array([0.0, 100.0]), offset=np.array([offset, offset]))
+              for offset in offsets]
+    return SimpleNamespace(tracks=tracks, axis=SimpleNamespace(local=lambda xy: (xy[:, 0], xy[:, 1])))
+
+
+@pytest.mark.parametrize(("stop", "belongs"), [
+    (((50.0, -3.0), (50.0, 0.0)), True), (((50.0, 3.5), (50.0, 6.0)), True), (((50.0, 4.5), (50.0, 6.0)), False),
+    (((50.0, -6.0), (50.0, -3.5)), True), (((50.0, -6.0), (50.0, -4.5)), False),
+    (((100.0 + 0.9 * STOP_REACH, -3.0), (100.0 + 0.9 * STOP_REACH, 0.0)), True),
+    (((101.0 + STOP_REACH, -3.0), (101.0 + STOP_REACH, 0.0)), False), (((50.0, -1.0), (53.0, 0.0)), False)])
+def test_a_stop_line_belongs_to_the_section_that_it_lies_across(stop, belongs):
+    assert _belongs(section(-3.0, 0.0, 3.0), np.array([(*place, 0.0) for place in stop])) is belongs
+
+
+@pytest.mark.parametrize(("segment", "crosses"), [
+    ([(0, 0), (0, 4)], True), ([(0, 2), (0, 6)], False), ([(-5, 2), (5, 2)], True), ([(0, 3), (0, 6)], False),
+    ([(-12, 2), (-10, 2)], False), ([(9, 2), (9.5, 2)], True)])
+def test_a_closing_line_crosses_an_edge_but_may_end_on_it(segment, crosses):
+    net = shapely.LineString([(-10, 2), (10, 2)])
+    ends = np.array(segment, float)
+    assert _crosses(shapely.LineString(ends), net, ends) is crosses
+    assert 0 < GRID < 0.01
+
+
+def bar_and_line(begin, turned):
+    """A bar of 3 m along y at x = 0 and a line from `begin` that leads away from it by 40 m along x, then turns."""
+    axis = np.column_stack([begin + np.arange(0.0, 40.0), np.zeros(40)])
+    axis[31:, 1] = np.arange(9.0) * 4.0  # beyond what is looked at
+    chain = StrokeChain(np.array([[0.0, -1.5], [0.0, 1.5]]), [0], 3.0, 0.45)
+    line = StrokeChain(axis[[0, -1]], [1], 40.0, 0.15)
+    return chain, [(line, SimpleNamespace(width=0.15, axis=axis[::-1] if turned else axis))]
+
+
+@pytest.mark.parametrize("turned", [False, True])
+@pytest.mark.parametrize(("begin", "found"), [(0.3, (True, False)), (30.0, (False, False)), (-20.0, (False, True))])
+def test_a_line_ends_at_a_bar_or_goes_through_it(begin, turned, found):
+    assert _at_end(*bar_and_line(begin, turned)) == found
+
+
+def test_the_course_of_a_line_is_that_of_its_end_at_the_bar():
+    chain, ((line, fit),) = bar_and_line(0.3, False)
+    along_bar = np.vstack([[[0.3, 0.0]], np.column_stack([np.full(60, 0.3), 0.02 * np.arange(60)])])
+    away = np.column_stack([np.linspace(0.4, 60.0, 200), np.full(200, 1.2)])
+    for axis in (np.vstack([along_bar, away]), np.vstack([along_bar, away])[::-1]):
+        assert _at_end(chain, [(line, SimpleNamespace(width=fit.width, axis=axis))]) == (False, False)
+
+
+def test_a_low_step_lies_where_the_kerb_on_both_its_sides_leads():
+    count = 12
+    high, low = 2 * EDGE_LIMITS.low, 0.5 * EDGE_LIMITS.low
+    place = np.column_stack([0.5 * np.arange(count), np.zeros(count)])
+    true = 0.01 * np.arange(count)  # across, m
+    stations = SimpleNamespace(
+        place=place, normal=np.tile([0.0, 1.0], (count, 1)), foot=true.copy(), top=true.copy(),
+        height=np.full(count, high), sigma=np.full(count, 0.005))
+    stations.height[6] = low
+    stations.foot[6] = stations.top[6] = 0.4
+    _carry_low(stations, np.arange(count))
+    assert stations.foot == pytest.approx(true, abs=1e-9) and np.array_equal(stations.foot, stations.top)
+    assert stations.sigma[6] == EDGE_LIMITS.carried
+    stations.height[:4], stations.foot[1] = low, 0.3  # nothing before it
+    _carry_low(stations, np.arange(count))
+    assert stations.foot[1] == 0.3 and stations.sigma[1] == 2 * EDGE_LIMITS.unsure
+
+
+# Tables and the sample city
+
+
+def test_columns_of_mixed_values_become_text_and_others_stay():
+    with TableStore(False, False) as store:
+        store.columns = {"mixed": [1, "a", None], "whole": [1, 2, None],
+                         "FID": [1.5, None, 2.0], "yes": [True, None, False]}
+        assert store.more_fields(["whole_"]) == [("mixed", "text"), ("whole", "int"), ("FID_", "real"), ("yes", "bool")]
+        assert store.columns == {"mixed": ["1", "a", None], "whole": [1, 2, None], "FID_": [1.5, None, 2.0],
+                                 "yes": [True, None, False]}
+
+
+def test_noise_of_paint_has_no_steps_at_the_borders_of_its_cells():
+    at = np.arange(-3.0, 4.0)
+    for along in (lambda step: (at + step, np.full(7, 0.37)), lambda step: (np.full(7, 0.37), at + step)):
+        before, after = (value_noise(*along(step), 1.0) for step in (-1e-6, 1e-6))
+        assert before == pytest.approx(after, abs=1e-5) and np.ptp(before) > 0.1
+
+
+def test_bays_are_ten_centimetres_of_paint_every_two_and_a_half_metres():
+    ground = SimpleNamespace(to_local=lambda x, y: (x, y))
+    bays = _bays(ground, shapely.box(0, 0, 12.2, 20.0))
+    assert [bay.plan.area for bay in bays] == pytest.approx([0.1 * 5.0] * 5)
+    assert [bay.plan.centroid.x for bay in bays] == pytest.approx([0.6, 3.1, 5.6, 8.1, 10.6])
