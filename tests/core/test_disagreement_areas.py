@@ -47,6 +47,13 @@ def test_a_single_step_is_the_road_about_it_and_a_hidden_one_its_stretch():
     assert [shapely.get_coordinates(area)[:, 1].max() for area in areas] == pytest.approx([30.0, 320.0], abs=0.1)
 
 
+def test_an_area_is_as_wide_as_the_markings_of_its_whole_length():
+    drive = survey(step(100.0, CHANGED, (100.0, 180.0)))
+    drive.markings.x[drive.markings.y > 140.0] *= 2.0
+    _, (area,) = area_table(drive)
+    assert area.bounds == pytest.approx((1.0 - 2 * SIDE, 100.0, 1.0 + 2 * SIDE, 180.0), abs=0.1)
+
+
 def test_where_nothing_disagrees_there_is_no_area():
     columns, areas = area_table(survey())
     assert len(areas) == 0 and all(len(column) == 0 for column in columns.values())

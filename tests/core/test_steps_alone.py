@@ -21,9 +21,13 @@ from urbanmap_qgis.gnss.walls.offset_posterior import ErrorModel, _learnt
 from urbanmap_qgis.mobile.adjustment.reference_steps import LIMITS as STEP_LIMITS
 from urbanmap_qgis.mobile.adjustment.reference_steps import MIN_CHANGE, _Course, _of_reference
 from urbanmap_qgis.mobile.lines.course_heights import _fitted, _inverse_bands, _most_likely, _solve
+from urbanmap_qgis.mobile.lines.rectification import BETWEEN
+from urbanmap_qgis.mobile.lines.rectification_report import course_map
 from urbanmap_qgis.mobile.survey_tiles import _beside
+from urbanmap_qgis.mobile.trajectory import Trajectory
 from urbanmap_qgis.roadmap.edges.assembly import LIMITS as EDGE_LIMITS
 from urbanmap_qgis.roadmap.edges.assembly import _carry_low
+from urbanmap_qgis.roadmap.lanes import beyond_junctions
 from urbanmap_qgis.roadmap.lines.line_chains import StrokeChain
 from urbanmap_qgis.roadmap.lines.stop_lines import _at_end
 from urbanmap_qgis.roadmap.vector_map import STOP_REACH, _belongs
@@ -157,6 +161,23 @@ def test_variance_of_a_walk_grows_by_what_neighbours_share_of_their_deviations()
     assert walk.variance == pytest.approx(alone * (1.0 + shared) / (1.0 - shared), rel=1e-9)
 
 
+@pytest.mark.parametrize("extent", [(300.0, 20.0), (10.0, 200.0), (0.2, 0.1)])
+def test_a_course_fills_its_plan_and_the_scale_bar_is_as_long_as_it_says(extent):
+    count = 50
+    drive = Trajectory(np.arange(count, dtype=float), np.column_stack([np.linspace(0.0, size, count) for size in (
+        *extent, 1.0)]), np.zeros((count, 3)))
+    svg = course_map(drive, SimpleNamespace(trajectory=drive, status=np.full(count, BETWEEN), sets=()))
+    width, height = (int(value) for value in re.search(r'width="(\d+)" height="(\d+)"', svg).groups())
+    places = np.array(re.findall(r"[ML](-?[\d.]+) (-?[\d.]+)", svg.partition("#333")[0]), float)[:2 * count]
+    size = np.ptp(places, axis=0)
+    assert (places >= 19.9).all() and (places <= [width - 19.9, height - 19.9]).all()
+    begin, end, length = re.search(r'd="M([\d.]+) \d+H(\d+)".*>([\d.e-]+) m<', svg).groups()
+    metres = (float(end) - float(begin)) / float(length)  # pixels a metre
+    assert size == pytest.approx(np.array(extent) * metres, rel=0.02, abs=0.2)
+    assert max(size[0] / (width - 40), 1.3 * size[1] / (width - 40)) == pytest.approx(
+        1.0 if max(extent) > 1.0 else 0.2 / 1.3, rel=0.02)
+
+
 def course(step):
     """Values along 200 m that step by (2,) m in their middle."""
     chainage = np.arange(0.0, 200.0, 2.0)
@@ -204,6 +225,24 @@ def test_a_closing_line_crosses_an_edge_but_may_end_on_it(segment, crosses):
     assert 0 < GRID < 0.01
 
 
+def road_end(offsets, strips, double, outward, x):
+    """The end of a road at x with lines at offsets in y, some of them double."""
+    tracks = [SimpleNamespace(double=number in double, colour="white") for number in range(len(offsets))]
+    return SimpleNamespace(
+        section=SimpleNamespace(tracks=tracks), outward=np.array([outward, 0.0]),
+        strips=[SimpleNamespace(right=right, left=left) for right, left in strips],
+        track_end=lambda track: np.array([x, offsets[track]]))
+
+
+@pytest.mark.parametrize(("double", "straight_across"), [((), True), ((0,), True), ((3,), True), ((2,), False),
+                                                         ((1,), True)])
+def test_the_line_between_directions_leads_to_the_double_line_within_the_road(monkeypatch, double, straight_across):
+    monkeypatch.setattr(beyond_junctions, "colour_of", lambda track: track.colour)
+    known = road_end((-3.0, 0.0, 3.0), [(0, 1), (1, 2)], (1,), 1.0, 0.0)
+    end = road_end((-3.1, 0.1, 3.1, 6.1), [(0, 1), (1, 2), (2, 3)], double, -1.0, 20.0)
+    assert beyond_junctions._opposite(known, end, 1) is straight_across
+
+
 def bar_and_line(begin, turned):
     """A bar of 3 m along y at x = 0 and a line from `begin` that leads away from it by 40 m along x, then turns."""
     axis = np.column_stack([begin + np.arange(0.0, 40.0), np.zeros(40)])
@@ -240,6 +279,10 @@ def test_a_low_step_lies_where_the_kerb_on_both_its_sides_leads():
     _carry_low(stations, np.arange(count))
     assert stations.foot == pytest.approx(true, abs=1e-9) and np.array_equal(stations.foot, stations.top)
     assert stations.sigma[6] == EDGE_LIMITS.carried
+    stations.foot[:6] = stations.top[:6] = 0.0  # it lies between a kerb further right and one further left
+    stations.foot[7:] = stations.top[7:] = 0.1
+    _carry_low(stations, np.arange(count))
+    assert stations.foot[6] == pytest.approx(0.05, abs=1e-9) and stations.sigma[6] > EDGE_LIMITS.carried / 2
     stations.height[:4], stations.foot[1] = low, 0.3  # nothing before it
     _carry_low(stations, np.arange(count))
     assert stations.foot[1] == 0.3 and stations.sigma[1] == 2 * EDGE_LIMITS.unsure

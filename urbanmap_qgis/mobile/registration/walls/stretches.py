@@ -120,10 +120,10 @@ def _shift(outward: np.ndarray, outside: np.ndarray, sigma: np.ndarray,
     rows = np.column_stack([outward, -np.ones(len(outside))])
     prior = np.diag([LIMITS.most**-2, LIMITS.most**-2, eaves[1] ** -2])
     pull = np.array([0.0, 0.0, eaves[0] / eaves[1] ** 2])
-    share = sigma**-2
+    off = np.zeros(len(outside))
     for _ in range(LIMITS.rounds):
+        share = sigma**-2 / (1.0 + (off / LIMITS.soft) ** 2)
         inverse = np.linalg.inv((rows * share[:, None]).T @ rows + prior)
         solution = inverse @ ((rows * share[:, None]).T @ outside + pull)
         off = (outside - rows @ solution) / sigma
-        share = sigma**-2 / (1.0 + (off / LIMITS.soft) ** 2)
     return solution[:2], inverse[:2, :2] + LIMITS.shared**2 * np.eye(2), float(solution[2])
