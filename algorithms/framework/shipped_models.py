@@ -95,4 +95,6 @@ def editable_copy(model: ShippedModel) -> QgsProcessingModelAlgorithm:
         if child.algorithm() is not None:
             child.setDescription(child.algorithm().displayName())
             copy.setChildAlgorithm(child)
+    # QGIS 3.22 ends (signal 11) when its modeller runs a model that belongs to nobody.
+    copy.setProvider(QgsApplication.processingRegistry().providerById("model"))
     return copy

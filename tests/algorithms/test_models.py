@@ -66,6 +66,8 @@ def test_a_copy_to_change_is_a_plain_model_without_a_file(pair, plugin):
     copy = plugin("algorithms.framework.shipped_models").editable_copy(listed)
     assert type(copy) is QgsProcessingModelAlgorithm
     assert copy.validate() == (True, []) and copy.sourceFilePath() == "" and copy.name() == model.name()
+    # Run from the modeller of QGIS 3.22, a model of no provider ends QGIS.
+    assert copy.create().provider().id() == "model"
     assert set(copy.childAlgorithms()) == set(model.childAlgorithms())
     assert all(not copy.parameterDefinition(name).metadata() for name in copy.parameterComponents())
     for child in copy.childAlgorithms().values():
