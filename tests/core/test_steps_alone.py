@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import datetime
 import multiprocessing
 import re
 import time
 from types import SimpleNamespace
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -14,22 +16,28 @@ import shapely
 from urbanmap_qgis.aerial.markings.orthophoto_reader import _in_blocks
 from urbanmap_qgis.buildings.planes.plane_segmentation import _seen_inside, _spread, _without_strips
 from urbanmap_qgis.buildings.planes.step_lines import _longest
+from urbanmap_qgis.citymodel.citygml.value_reader import generic_value
+from urbanmap_qgis.citymodel.model import Measure
 from urbanmap_qgis.citymodel.tables.table_store import TableStore
 from urbanmap_qgis.execution import end_workers_but
 from urbanmap_qgis.gnss.walls.adjustment import ADJUSTED, HELD, LIKELY, NOT_OBSERVABLE, WallResult
-from urbanmap_qgis.gnss.walls.offset_posterior import ErrorModel, _learnt
+from urbanmap_qgis.gnss.walls.offset_posterior import ErrorModel, _derivatives, _learnt
+from urbanmap_qgis.localisation.places.place_status import GOOD, NONE, POOR
+from urbanmap_qgis.localisation.report import localisation_pictures
+from urbanmap_qgis.mobile.adjustment.planes import _Pair
 from urbanmap_qgis.mobile.adjustment.reference_steps import LIMITS as STEP_LIMITS
 from urbanmap_qgis.mobile.adjustment.reference_steps import MIN_CHANGE, _Course, _of_reference
 from urbanmap_qgis.mobile.lines.course_heights import _fitted, _inverse_bands, _most_likely, _solve
 from urbanmap_qgis.mobile.lines.rectification import BETWEEN
 from urbanmap_qgis.mobile.lines.rectification_report import course_map
-from urbanmap_qgis.mobile.survey_tiles import _beside
+from urbanmap_qgis.mobile.survey_tiles import _meet, _within
 from urbanmap_qgis.mobile.trajectory import Trajectory
 from urbanmap_qgis.roadmap.edges.assembly import LIMITS as EDGE_LIMITS
 from urbanmap_qgis.roadmap.edges.assembly import _carry_low
 from urbanmap_qgis.roadmap.lanes import beyond_junctions
 from urbanmap_qgis.roadmap.lines.line_chains import StrokeChain
 from urbanmap_qgis.roadmap.lines.stop_lines import _at_end
+from urbanmap_qgis.roadmap.objects import street_objects
 from urbanmap_qgis.roadmap.vector_map import STOP_REACH, _belongs
 from urbanmap_qgis.roadspace.road_surface import GRID, _crosses
 from urbanmap_qgis.samplecity.scene.markings import _bays
@@ -71,6 +79,17 @@ def test_learnt_shares_hold_the_prior_of_twenty_observations(count):
     assert model.nlos_share == pytest.approx(0.2 * 20 / (count + 20))
     assert model.outlier_share == pytest.approx(0.1 * 20 / (count + 20))
     assert model.nlos_mean_delay == pytest.approx(4.0)
+
+
+def test_slope_and_curvature_of_an_errors_density_are_those_of_its_parts():
+    model, variance, step = ErrorModel(), np.full(60, 0.04), 1e-4
+    error = np.linspace(-3.0, 12.0, 60)
+    logs = np.stack([model.log_parts(error + k * step, variance) for k in (-1, 0, 1)])
+    share = model.shares(error, variance)
+    slope, curvature = _derivatives(model, error, variance)
+    assert slope == pytest.approx(-(share * (logs[2] - logs[0])).sum(axis=0) / (2 * step), abs=1e-5)
+    bent = -(logs[2] - 2 * logs[1] + logs[0]) / step**2
+    assert curvature == pytest.approx((share * np.maximum(bent, 0.0)).sum(axis=0), abs=1e-4)
 
 
 # Orthophotos
@@ -141,13 +160,19 @@ def test_longest_line_of_cracks_takes_none_of_a_line_beside_it():
 # Surveys
 
 
-@pytest.mark.parametrize(("right", "up", "kept"), [(1, 0, [0, 1]), (-1, 0, [1, 2]), (0, 1, [0, 1]), (0, -1, [1, 2]),
-                                                   (1, 1, [0, 1]), (-1, -1, [1, 2])])
-def test_a_tile_beside_gives_what_lies_within_the_margin(right, up, kept):
-    box, margin = (0.0, 0.0, 10.0, 10.0), 2.0
-    at = np.array([-5.0, 5.0, 15.0])
-    found = _beside({"x": at, "y": at, "z": np.arange(3.0)}, box, margin, right, up)
+@pytest.mark.parametrize(("box", "kept"), [((-9, -9, 9, 9), [0, 1, 2]), ((0, -9, 9, 9), [1, 2]),
+                                           ((-9, -9, 0, 9), [0, 1]), ((-9, 0, 9, 9), [1, 2]), ((-9, -9, 9, 0), [0, 1]), ((-1, -1, 1, 1), [1])])
+def test_points_within_a_box_are_those_between_its_edges(box, kept):
+    at = np.array([-5.0, 0.0, 5.0])
+    found = _within({"x": at, "y": at, "z": np.arange(3.0)}, (-5.0, -5.0, 5.0, 5.0), box)
     assert found["z"].tolist() == [float(row) for row in kept]
+
+
+@pytest.mark.parametrize(("box", "meets"), [((5, 0, 9, 5), True), ((6, 0, 9, 5), False), ((-9, 0, 0, 5), True),
+                                            ((-9, 0, -1, 5), False), ((0, 6, 5, 9), False), ((0, -9, 5, -1), False),
+                                            ((1, 1, 2, 2), True)])
+def test_boxes_meet_where_they_have_a_place_in_common(box, meets):
+    assert _meet((0, 0, 5, 5), box) is meets and _meet(box, (0, 0, 5, 5)) is meets
 
 
 def test_variance_of_a_walk_grows_by_what_neighbours_share_of_their_deviations():
@@ -176,6 +201,23 @@ def test_a_course_fills_its_plan_and_the_scale_bar_is_as_long_as_it_says(extent)
     assert size == pytest.approx(np.array(extent) * metres, rel=0.02, abs=0.2)
     assert max(size[0] / (width - 40), 1.3 * size[1] / (width - 40)) == pytest.approx(
         1.0 if max(extent) > 1.0 else 0.2 / 1.3, rel=0.02)
+
+
+@pytest.mark.parametrize(("gap", "turn", "tied"), [(0.1, 0.0, True), (-0.2, 5.0, True), (0.3, 0.0, False),
+                                                   (0.1, 12.0, False)])
+def test_planes_of_two_passes_are_one_where_they_lie_near_and_parallel(gap, turn, tied):
+    angle = np.radians(turn)
+    moved = np.array([[5.0, 0.0, 1.0], [5.0 + gap, 0.1, 1.0]])
+    patches = SimpleNamespace(group=np.array([0, 1]), time=np.array([0.5, 7.5]),
+                              normal=np.array([[1.0, 0.0, 0.0], [-np.cos(angle), -np.sin(angle), 0.0]]))
+    drive = SimpleNamespace(time=np.array([0.0, 10.0]))
+    pair = _Pair(SimpleNamespace(patches=patches, drive=np.array([0, 1])), moved, 0, 1, [drive, drive], [drive, drive],
+                 [np.array([0.0, 100.0])] * 2)
+    assert len(pair.gap) == tied
+    if tied:
+        half = angle / 2  # its normal lies between both
+        assert pair.gap == pytest.approx(gap * np.cos(half) + 0.1 * np.sin(half))
+        assert pair.along.tolist() == [5.0] and [time_.tolist() for time_ in pair.time] == [[0.5], [7.5]]
 
 
 def course(step):
@@ -288,7 +330,47 @@ def test_a_low_step_lies_where_the_kerb_on_both_its_sides_leads():
     assert stations.foot[1] == 0.3 and stations.sigma[1] == 2 * EDGE_LIMITS.unsure
 
 
+def test_sigma_of_an_object_holds_what_its_stem_may_lean(monkeypatch):
+    monkeypatch.setattr(street_objects, "kind_of", lambda around, diameter: ("pole", 0.9, None))
+    monkeypatch.setattr(street_objects, "_doubt", lambda *given: "")
+    axis = SimpleNamespace(diameter=0.2, middle=np.array([1.0, 2.0, 6.0]), lean=np.array([0.3, 0.4]),
+                           sigma=np.array([0.01, 0.02]))
+    around = SimpleNamespace(wall=0, crown=0.0, arm=0.0, top=8.0)
+    found = street_objects._object(SimpleNamespace(rows=np.arange(40)), axis, np.array([1.0, 2.0, 1.0]), around, 0.0, 2,
+                                   np.array([100.0, 200.0, 0.0]), SimpleNamespace(survey_sigma=0.03))
+    lean = street_objects.LIMITS.lean * 5.0
+    assert found.sigma == pytest.approx(np.sqrt((0.01**2 + 0.02**2) / 2 + lean**2 + 0.03**2))
+    assert found.foot.tolist() == [101.0, 202.0, 1.0] and found.lean == pytest.approx(np.degrees(np.arctan(0.5)))
+
+
+def test_a_plan_of_accuracy_shows_each_place_where_it_lies(monkeypatch):
+    for name in ("_markings", "_walls"):
+        monkeypatch.setattr(localisation_pictures, name, lambda *given: "")
+    place = np.array([[1000.0, 5000.0], [1100.0, 5000.0], [1100.0, 5030.0]])
+    none = np.full(3, np.nan)
+    accuracy = SimpleNamespace(places=SimpleNamespace(place=place), kind=np.array([GOOD, POOR, NONE]),
+                               ellipse=SimpleNamespace(major=none, minor=none, bearing=none))
+    svg = localisation_pictures.accuracy_plan(None, accuracy, np.arange(3), 10.0, width=280, around=20.0)
+    assert re.findall(r'<circle cx="([\d.]+)" cy="([\d.]+)"', svg) == [("40.0", "100.0"), ("240.0", "100.0"),
+                                                                       ("240.0", "40.0")]
+
+
 # Tables and the sample city
+
+
+@pytest.mark.parametrize(("text", "value"), [
+    ("<g:stringAttribute name='a'><g:value> 1.50 </g:value></g:stringAttribute>", "1.50"),
+    ("<g:intAttribute name='a'><g:value>12</g:value></g:intAttribute>", 12),
+    ("<g:doubleAttribute name='a'><g:value>1.50</g:value></g:doubleAttribute>", 1.5),
+    ("<g:doubleAttribute name='a'><g:value>many</g:value></g:doubleAttribute>", "many"),
+    ("<g:dateAttribute name='a'><g:value>2026-04-01</g:value></g:dateAttribute>", datetime.date(2026, 4, 1)),
+    ("<g:measureAttribute name='a'><g:value uom='m'>2.5</g:value></g:measureAttribute>", Measure(2.5, "m")),
+    ("<g:stringAttribute name='a'/>", ""), ("<g:intAttribute name='a'/>", "")])
+def test_generic_attributes_have_values_of_their_kinds(text, value):
+    space = "xmlns:g='http://www.opengis.net/citygml/generics/2.0'"
+    element = ElementTree.fromstring(text.replace(" name", f" {space} name", 1))
+    found = generic_value(element, lambda name, code: "")
+    assert found == value and type(found) is type(value)
 
 
 def test_columns_of_mixed_values_become_text_and_others_stay():
