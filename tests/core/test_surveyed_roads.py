@@ -252,7 +252,8 @@ def test_a_fence_across_the_road_is_no_kerb():
 
 
 @pytest.mark.parametrize(("field", "value", "words"), [
-    ("height", 1e308, "Edge 1.*height"), ("sigma", "wide", "“wide” in the field sigma"),
+    ("height", 1e308, "Edge 1.*height"), ("height", 12.0, "“12.0” in the field height"),
+    ("sigma", "wide", "“wide” in the field sigma"),
     ("chain", float("inf"), "in the field chain"), ("z", -1e308, "Edge 1 lies at a height"),
     ("z", 2e5, "where no road is"), ("x", 1e308, "where no map reaches"), ("y", float("nan"), "where no map reaches"),
     ("x", -5e6, "Edge 1: two of its corners .* lie 5000.0 km apart")])

@@ -30,6 +30,9 @@ HIGHEST, LARGEST_NUMBER, LONGEST = 1e5, 1e12, 1e3
 """Height, m, that no edge of a road has (as of points of a cloud), what no number of its fields can be, and how far
 apart, m, no two places lie that follow each other along an edge, whose stations are half a metre apart."""
 
+TALLEST = 10.0
+"""m, a step that no kerb is: platforms of trams and trucks stay below 1.5 m, and walls are no kerbs."""
+
 LEVELS = ("2", "3.0", "3.1", "3.2", "3.3")
 WITH_LANES = LEVELS[2:]
 """Levels that divide carriageways into lanes and cut junctions at stop lines."""
@@ -182,7 +185,7 @@ def kerb_edge_lines(feet, tops, columns) -> list[EdgeLine]:
             if part.geom_type != "LineString" or len(foot) < 2 or part.length == 0:
                 continue
             _require_places(row, foot)
-            height = max(value("height", row, 0.0), 0.0) if kind != "road border" else 0.0
+            height = max(value("height", row, 0.0, TALLEST), 0.0) if kind != "road border" else 0.0
             other = tops.get(int(value("edge_id", row, -1)))
             top = None if other is None else shapely.get_coordinates(other, include_z=True)
             if top is None or len(top) != len(foot):
@@ -205,8 +208,8 @@ def tops_by_number(columns, shapes) -> dict[int, shapely.Geometry]:
     return {int(number): shape for number, shape in zip(numbers, shapes) if shape is not None and number >= 0}
 
 
-def _figure(columns, name: str, row: int, otherwise: float) -> float:
-    """A number of a row; `otherwise` where the field or its value is missing."""
+def _figure(columns, name: str, row: int, otherwise: float, largest: float = LARGEST_NUMBER) -> float:
+    """A number of a row, none beyond `largest`; `otherwise` where the field or its value is missing."""
     cell = columns[name][row] if name in columns else None
     if cell is None:
         return otherwise
@@ -216,7 +219,7 @@ def _figure(columns, name: str, row: int, otherwise: float) -> float:
         number = np.inf
     if np.isnan(number):
         return otherwise
-    if abs(number) > LARGEST_NUMBER:
+    if abs(number) > largest:
         raise InputError(say("Edge {row}: “{cell}” in the field {name} is no number that can be meant; repair the "
                              "layer of edges.", row=row + 1, cell=cell, name=name))
     return number

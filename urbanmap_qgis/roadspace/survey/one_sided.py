@@ -68,29 +68,32 @@ def one_sided_carriageways(edges: Sequence[shapely.LineString], lanes: Sequence[
     whole = shapely.union_all(list(known))
     lines = [line for line in shapely.get_parts(shapely.line_merge(shapely.union_all(list(edges), grid_size=GRID)))
              if line.geom_type == "LineString" and not line.is_empty]
-    room = shapely.union_all(list(lanes))
-    shapely.prepare(room)
-    strips = [] if room.is_empty else [strip for line in lines for strip in _strips(line, lines, room, whole)]
+    lanes = shapely.union_all(list(lanes))
+    strips = []
+    if lines and not lanes.is_empty:
+        met, room = _Segments(shapely.union_all(lines)), _Room(lanes)
+        strips = [strip for line in lines for strip in _strips(line, met, room, whole)]
     surface = shapely.difference(shapely.union_all([strip.polygon for strip in strips]), whole)
     polygons = [part for part in shapely.get_parts(surface)
                 if part.geom_type == "Polygon" and 2.0 * part.area > LIMITS.narrow * part.length]
-    border = shapely.union_all([polygon.exterior for polygon in polygons])
+    rings = [polygon.exterior for polygon in polygons]
+    border, tree = shapely.union_all(rings), shapely.STRtree(rings)
     ends = [end for strip in strips for end in (np.vstack([strip.near[k], strip.far[k]]) for k in (0, -1))
-            if _on(end, border)]
+            if _on(end, tree)]
     open_sides = shapely.difference(border, shapely.buffer(shapely.union_all(
         [*lines, *map(shapely.linestrings, ends), whole.boundary]), 0.03))
     return OneSided(tuple(polygons), open_sides, tuple(ends),
                     (*_open_findings(polygons, open_sides), *_lonely(lines, [*known, *polygons])))
 
 
-def _on(line: np.ndarray, border: shapely.Geometry) -> bool:
-    """Whether most of a line (2, 2) lies on a border."""
+def _on(line: np.ndarray, rings: shapely.STRtree) -> bool:
+    """Whether most of a line (2, 2) lies on a border, of which only the rings near it are looked at."""
     shape = shapely.linestrings(line)
-    return bool(shapely.length(shapely.intersection(shape, shapely.buffer(border, 2 * GRID))) > 0.5 * shape.length)
+    near = shapely.union_all(rings.geometries[rings.query(shapely.buffer(shape, 3 * GRID))])
+    return bool(shapely.length(shapely.intersection(shape, shapely.buffer(near, 2 * GRID))) > 0.5 * shape.length)
 
 
-def _strips(line: shapely.LineString, lines: Sequence[shapely.LineString], room: shapely.Geometry,
-            whole: shapely.Geometry) -> list[_Strip]:
+def _strips(line: shapely.LineString, edges: _Segments, room: _Room, whole: shapely.Geometry) -> list[_Strip]:
     """Strips along a line on the side on which lanes lie nearer to it."""
     places = shapely.get_coordinates(shapely.segmentize(line, LIMITS.chord))
     at = shapely.line_locate_point(line, shapely.points(places))
@@ -100,7 +103,7 @@ def _strips(line: shapely.LineString, lines: Sequence[shapely.LineString], room:
     across = np.column_stack([-course[:, 1], course[:, 0]])
     sides = []
     for side in (1.0, -1.0):
-        near, far = _reaches(places, side * across, lines, room)
+        near, far = _reaches(places, side * across, edges, room)
         far[_behind(places, side * across, whole)] = np.nan
         sides.append((np.count_nonzero(np.isfinite(far)), -float(np.nansum(near)), side, far))
     _, _, side, far = max(sides, key=lambda one: one[:2])
@@ -116,17 +119,13 @@ def _behind(places: np.ndarray, course: np.ndarray, whole: shapely.Geometry) -> 
     return on & ~shapely.contains(whole, shapely.points(places + LIMITS.beginning * course))
 
 
-def _reaches(places: np.ndarray, course: np.ndarray, lines: Sequence[shapely.LineString],
-             room: shapely.Geometry) -> tuple[np.ndarray, np.ndarray]:
+def _reaches(places: np.ndarray, course: np.ndarray, edges: _Segments, room: _Room) -> tuple[np.ndarray, np.ndarray]:
     """How far from each place (n, 2) along a unit vector lanes begin and the carriageway ends, m; NaN without lanes."""
     near, far = np.full(len(places), np.nan), np.full(len(places), np.nan)
-    net = shapely.union_all(list(lines))
-    rays = shapely.linestrings(np.stack([places + LIMITS.beginning * course, places + LIMITS.widest * course], axis=1))
-    for k, (ray, inside) in enumerate(zip(rays, shapely.intersection(rays, room))):
-        met = shapely.get_coordinates(shapely.intersection(ray, net))
-        wall = float(np.min((met - places[k]) @ course[k])) if len(met) else np.inf
-        spans = sorted(tuple(sorted(((shapely.get_coordinates(part) - places[k]) @ course[k])[[0, -1]].tolist()))
-                       for part in shapely.get_parts(inside) if part.geom_type == "LineString" and not part.is_empty)
+    rays = np.stack([places + LIMITS.beginning * course, places + LIMITS.widest * course], axis=1)
+    walls = edges.met(rays, places, course)
+    for k, (met, spans) in enumerate(zip(walls, room.spans(rays, places, course))):
+        wall = float(met.min()) if len(met) else np.inf
         spans = [(low, min(high, wall)) for low, high in spans if low < wall]
         if not spans or spans[0][0] > LIMITS.beside:
             continue
@@ -136,6 +135,51 @@ def _reaches(places: np.ndarray, course: np.ndarray, lines: Sequence[shapely.Lin
                 far[k] = max(far[k], high)
         far[k] = wall if wall - far[k] < LIMITS.beyond else far[k]
     return near, far
+
+
+class _Segments:
+    """The segments of lines, of which each ray is held to those near it: a city has many times as many."""
+
+    def __init__(self, lines: shapely.Geometry):
+        corners, line = shapely.get_coordinates(shapely.get_parts(lines), return_index=True)
+        first = np.flatnonzero(line[1:] == line[:-1])
+        self._segments = shapely.linestrings(np.stack([corners[first], corners[first + 1]], axis=1))
+        self._tree = shapely.STRtree(self._segments)
+
+    def met(self, rays: np.ndarray, places: np.ndarray, course: np.ndarray) -> list[np.ndarray]:
+        """Distances, m, from each place (n, 2) along a unit vector at which its ray (n, 2, 2) meets a line."""
+        lines = shapely.linestrings(rays)
+        ray, segment = self._tree.query(lines, predicate="intersects")
+        points, pair = shapely.get_coordinates(shapely.intersection(lines[ray], self._segments[segment]),
+                                               return_index=True)
+        ray = ray[pair]
+        order = np.argsort(ray, kind="stable")
+        distance = ((points - places[ray]) * course[ray]).sum(axis=1)[order]
+        return np.split(distance, np.searchsorted(ray[order], np.arange(1, len(rays))))
+
+
+class _Room:
+    """Where lanes are: what of a ray lies in them is told by its crossings of their border."""
+
+    def __init__(self, lanes: shapely.Geometry):
+        shapely.prepare(lanes)
+        self._lanes, self._border = lanes, _Segments(lanes.boundary)
+
+    def spans(self, rays: np.ndarray, places: np.ndarray, course: np.ndarray) -> list[list[tuple[float, float]]]:
+        """Spans (from, to), m, in lanes of each ray (n, 2, 2): distances from its place (n, 2) along a unit vector."""
+        ends = ((rays - places[:, None]) * course[:, None]).sum(axis=2)
+        cuts = [np.unique(np.concatenate([one, met])) for one, met in zip(ends, self._border.met(rays, places, course))]
+        owner = np.repeat(np.arange(len(cuts)), [len(cut) - 1 for cut in cuts])
+        low, high = (np.concatenate([cut[part] for cut in cuts]) for part in (np.s_[:-1], np.s_[1:]))
+        middle = places[owner] + (0.5 * (low + high))[:, None] * course[owner]
+        within = shapely.intersects_xy(self._lanes, *middle.T)
+        spans: list[list[tuple[float, float]]] = [[] for _ in cuts]
+        for number, start, end in zip(owner[within].tolist(), low[within].tolist(), high[within].tolist()):
+            mine = spans[number]
+            if mine and mine[-1][1] == start:
+                start = mine.pop()[0]
+            mine.append((start, end))
+        return spans
 
 
 def _open_findings(polygons: Sequence[shapely.Polygon], open_sides: shapely.Geometry) -> list[RoadFinding]:
