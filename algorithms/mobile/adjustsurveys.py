@@ -14,6 +14,7 @@ from ..framework.layers.trajectories import TABLE_SUFFIXES, write_trajectory_fil
 from .control_points import add_control, read_control
 from .drives import DriveInputs
 from .marking_reference import add_markings, read_reference
+from .wall_inputs import add_buildings, asked_features, read_edges
 
 TIE_FIELDS = (("kind", "text"), ("drive", "text"), ("other", "text"), ("time", "real"), ("chainage", "real"),
               ("east", "real"), ("north", "real"), ("up", "real"), ("plan", "real"), ("sigma", "real"),
@@ -33,8 +34,9 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
         "tie them to each other, and so do facades and road as planes; control points and reference markings place "
         "them. All go into one least-squares adjustment, in which each trajectory drifts as GNSS and inertial units "
         "do.\n"
-        "Without control points and reference markings the drives agree with each other, but their place is only "
-        "relative: the result says so.\n"
+        "With outlines or models of buildings the facades that the drives saw are laid on their walls; how far they "
+        "stand inside is found. Without control points, reference markings and buildings the drives agree with each "
+        "other, but their place is only relative: the result says so.\n"
         "The corrected trajectories keep the names, formats and epochs of those given; apply them with “Apply "
         "corrected trajectory”."
     )
@@ -49,6 +51,7 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
         add_markings(self, optional=True)
         self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres, for the reference markings.",
                         optional=True)
+        add_buildings(self)
         self.add_distance("CONTROL_SIGMA", "Accuracy of control in plan", "Standard deviation of control points and of "
                           "their measurement in the survey.", 0.02, 0.001, 10.0)
         self.add_distance("CONTROL_SIGMA_Z", "Accuracy of control in height", "The same in height.", 0.03, 0.001, 10.0)
@@ -65,10 +68,11 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
         self.add_layer_output("OUTPUT_NODES", "Corrections", "Points along the corrected paths, with correction, "
                               "standard deviations and status.", optional=True,
                               source_type=QgsProcessing.SourceType.TypeVectorPoint, by_default=True)
-        self.add_file_output("OUTPUT_REPORT", "Report", "Residuals by kind, corrections and their uncertainty, what to "
-                             "distrust.", HTML_FILTER, optional=True, by_default=True)
+        self.add_file_output("OUTPUT_REPORT", "Report", "Residuals by kind, the share of each witness, corrections and "
+                             "their uncertainty, what to distrust.", HTML_FILTER, optional=True, by_default=True)
         self.add_number_output("TIES", "Ties", "Number of ties between drives.")
         self.add_number_output("PLANE_TIES", "Ties by planes", "Number of ties by facades and road.")
+        self.add_number_output("WALLS", "Walls", "Number of observations on walls of buildings.")
         self.add_number_output("TIE_RMS", "RMS of ties in plan", "Of their residuals.", "m")
         self.add_number_output("MEDIAN_SIGMA", "Median standard deviation", "In plan, over all drives.", "m")
         self.add_number_output("RELATIVE", "Relative only", "1 where nothing fixes the place of the drives, otherwise "
@@ -103,7 +107,8 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
         result = adjust_surveys(clouds, [item.trajectory for item in files], names,
                                 self._control(parameters, context, crs, progress),
                                 self._reference(parameters, context, crs, progress), self._run(parameters, context),
-                                read_calibration(calibration) if calibration else None, progress.part(0.0, 0.95))
+                                read_calibration(calibration) if calibration else None, progress.part(0.0, 0.95),
+                                self._walls(parameters, context, crs, progress))
         results = self._write_layers(parameters, context, result, crs, progress)
         results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_network_report, result)
         targets[0].parent.mkdir(parents=True, exist_ok=True)
@@ -134,6 +139,14 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
         self.same_crs("POINTS", crs, "MARKINGS", reference_crs)
         return reference
 
+    def _walls(self, parameters, context, crs, progress):
+        """The core's `BuildingWalls`; None where paint alone is asked for, or no buildings are given."""
+        from ...urbanmap_qgis.mobile.adjustment.wall_observations import BuildingWalls
+
+        features = asked_features(self, parameters, context)
+        edges = None if features == "paint" else read_edges(self, parameters, context, crs, progress)
+        return None if edges is None else BuildingWalls(edges, features == "walls")
+
     def _run(self, parameters, context):
         """The core's settings."""
         from ...urbanmap_qgis.mobile.adjustment.records import AdjustmentRun
@@ -151,6 +164,7 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
         rows = {row[0]: row for row in made.residual_rows()}
         tied = rows.get("tie")
         figures = {"TIES": tied[1] if tied else 0, "PLANE_TIES": rows["plane"][1] if "plane" in rows else 0,
+                   "WALLS": rows["wall"][1] if "wall" in rows else 0,
                    "MEDIAN_SIGMA": made.median_sigma(), "RELATIVE": int(made.relative)}
         return {**figures, "TIE_RMS": tied[3]} if tied else figures
 

@@ -9,8 +9,8 @@ from ..framework.layers.building_layers import read_buildings
 FEATURES = ("automatic", "paint", "walls", "all")
 
 
-def add_walls(algorithm) -> None:
-    """Declare BUILDINGS, FEATURES and SURVEY."""
+def add_buildings(algorithm) -> None:
+    """Declare BUILDINGS and FEATURES."""
     algorithm.add_polygons("BUILDINGS", "Buildings", "Outlines, or models with their heights (MultiPolygonZ of "
                            "“Building models” or “Load city model”), whose walls are a second witness beside the "
                            "markings. How far facades stand inside them is found.", optional=True)
@@ -18,6 +18,11 @@ def add_walls(algorithm) -> None:
                          "buildings are given. Paint: the markings alone. Walls: the markings give the start only. "
                          "All: both; without buildings walls say only where the correction breaks them.", FEATURES,
                          "automatic", advanced=True)
+
+
+def add_walls(algorithm) -> None:
+    """Declare BUILDINGS, FEATURES and SURVEY."""
+    add_buildings(algorithm)
     algorithm.add_points("SURVEY", "Survey with its facades", "All points of the survey, where “Point clouds” holds "
                          "its markings alone.", optional=True)
 
@@ -26,27 +31,41 @@ def read_walls(algorithm, parameters, context, survey, run, progress):
     """The core's `WallWitness` of the survey (files, CRS, trajectory), None where paint alone is asked for."""
     from ...urbanmap_qgis.mobile.registration.walls.survey_walls import walls_of
 
-    features = algorithm.parameterAsString(parameters, "FEATURES", context)
-    buildings = parameters.get("BUILDINGS") is not None
-    if features == "paint" or (features == "automatic" and not buildings):
+    features = asked_features(algorithm, parameters, context)
+    if features == "paint":
         return None
     if algorithm.parameterAsString(parameters, "METHOD", context) == "paper":
-        if features == "automatic":
+        if algorithm.parameterAsString(parameters, "FEATURES", context) == "automatic":
             progress.warn(tr("The paper's method knows no walls: the buildings are not used."))
             return None
         raise InputError(tr("{0}: the paper's method knows no walls; choose paint, or the full method.").format(
             algorithm.label_of("FEATURES")))
-    if features == "walls" and not buildings:
-        raise InputError(tr("{0}: walls alone need buildings; give outlines or models of them.").format(
-            algorithm.label_of("BUILDINGS")))
     paths, crs, trajectory = survey
-    edges = _edges(algorithm, parameters, context, crs, progress) if buildings else None
+    edges = read_edges(algorithm, parameters, context, crs, progress)
     files = algorithm.point_files(parameters, "SURVEY", context) or paths
     return walls_of(files, trajectory, run.correction.time_weight, edges, features == "walls", progress)
 
 
-def _edges(algorithm, parameters, context, crs, progress):
-    """The core's `WallEdges` of BUILDINGS."""
+def asked_features(algorithm, parameters, context) -> str:
+    """What FEATURES asks for: paint, walls or all.
+
+    Raises
+    ------
+    InputError : walls alone are asked for, but no buildings are given.
+    """
+    features, given = algorithm.parameterAsString(parameters, "FEATURES", context), parameters.get("BUILDINGS")
+    if features == "automatic":
+        return "paint" if given is None else "all"
+    if features == "walls" and given is None:
+        raise InputError(tr("{0}: walls alone need buildings; give outlines or models of them.").format(
+            algorithm.label_of("BUILDINGS")))
+    return features
+
+
+def read_edges(algorithm, parameters, context, crs, progress):
+    """The core's `WallEdges` of BUILDINGS; None where none are given."""
+    if parameters.get("BUILDINGS") is None:
+        return None
     from ...urbanmap_qgis.facades.building_plans import building_plans, outline_edges
     from ...urbanmap_qgis.mobile.registration.walls.outline_walls import WallEdges
 

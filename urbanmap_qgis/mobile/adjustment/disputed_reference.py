@@ -34,7 +34,7 @@ def without_reference_steps(drives: Sequence[Drive], observations: NetworkObserv
     for step in steps:
         progress.warn(step.sentence(drives[step.drive].name))
     left = observations.select(undisputed(observations, chainage, steps))
-    if not len(left):
+    if len(observations) and not len(left):
         raise InsufficientDataError(say("The reference steps where the drives do not, and nothing else ties them: "
                                         "nothing can be adjusted."))
     return left, steps

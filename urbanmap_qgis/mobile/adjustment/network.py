@@ -3,7 +3,7 @@
 The correction of each drive is a Gauss-Markov process along its path (see `gauss_markov`). Ties state the difference of
 two corrections, control points and reference markings the correction itself. One sparse normal matrix holds them all;
 gross observations lose their weight (Cauchy). Place and heading are adjusted; roll and pitch stay as reported: they are
-better known from the inertial unit than from markings.
+better known from the inertial unit than from markings. How far facades stand inside the outlines is one unknown of all.
 """
 
 from __future__ import annotations
@@ -17,10 +17,13 @@ from scipy.sparse.linalg import splu
 
 from ..registration.correction.gauss_markov import GaussMarkovDrift
 
-TIE, CONTROL, REFERENCE, PLANE = range(4)
-KINDS = ("tie", "control point", "reference marking", "plane")
+TIE, CONTROL, REFERENCE, PLANE, WALL = range(5)
+KINDS = ("tie", "control point", "reference marking", "plane", "wall")
 RELATIVE_KINDS = (TIE, PLANE)
 """Kinds that state the difference of two corrections; the others place a drive."""
+
+ACROSS_KINDS = (PLANE, WALL)
+"""Kinds that are known in one direction in plan, and say next to nothing along it."""
 
 NONE = -1
 """Number of the other drive of an observation of one drive alone."""
@@ -78,7 +81,8 @@ class NetworkObservations:
     value : (n, 4) by how much `drive` moves the place more than `other`: east, north, up (m), and turns it, clockwise
         (degrees); NaN for what is not observed.
     covariance : (n, 4, 4), m and degrees.
-    kind : (n,) TIE, CONTROL, REFERENCE or PLANE.
+    kind : (n,) TIE, CONTROL, REFERENCE, PLANE or WALL.
+    outward : (n, 2) unit vectors of walls, by which a common offset of all of them moves what is observed; 0 of others.
     """
 
     drive: np.ndarray
@@ -90,6 +94,11 @@ class NetworkObservations:
     value: np.ndarray
     covariance: np.ndarray
     kind: np.ndarray
+    outward: np.ndarray | None = None
+
+    def __post_init__(self) -> None:
+        if self.outward is None:
+            object.__setattr__(self, "outward", np.zeros((len(self.drive), 2)))
 
     def __len__(self) -> int:
         return len(self.drive)
@@ -113,13 +122,18 @@ class NetworkObservations:
 
 
 def plan_residuals(observations: NetworkObservations, residual: np.ndarray) -> np.ndarray:
-    """Size (n,) in plan, m, of residuals (n, 4); of planes only across them, where they are known best."""
+    """Size (n,) in plan, m, of residuals (n, 4); of planes and walls only across them."""
     size = np.hypot(*residual[:, :2].T)
-    planes = observations.kind == PLANE
+    planes = np.isin(observations.kind, ACROSS_KINDS)
     if planes.any():
         across = np.linalg.eigh(observations.covariance[planes, :2, :2])[1][:, :, 0]
         size[planes] = np.abs((residual[planes, :2] * across).sum(axis=1))
     return size
+
+
+def plan_information(observations: NetworkObservations) -> np.ndarray:
+    """(n,) 1 / m2, what each row says of the place in plan, over both directions; nothing of the heading."""
+    return np.trace(_information(observations)[:, :2, :2], axis1=1, axis2=2)
 
 
 @dataclass(frozen=True)
@@ -132,11 +146,13 @@ class NetworkSettings:
     gross : standard deviations from which an observation loses its weight.
     least_noise : of the stated variance of the observations, however small their residuals: neighbouring ties share
         markings.
+    offset_sigma : m, standard deviation of the common offset of all walls before any observation.
     """
 
     model: GaussMarkovDrift
     gross: float = 3.0
     least_noise: float = 1.0
+    offset_sigma: float = 0.3
 
 
 @dataclass(frozen=True)
@@ -150,6 +166,7 @@ class Network:
     residual : (n, 4), observed less adjusted; NaN where not observed.
     weight : (n,) 0 to 1, by which gross observations were kept.
     drift_factor, noise_factor : found sizes of drift and of the observations' variance.
+    offset : m, by which all walls stand farther inside than their observations took them to; 0 without walls.
     """
 
     state: tuple[np.ndarray, ...]
@@ -158,6 +175,7 @@ class Network:
     weight: np.ndarray
     drift_factor: float
     noise_factor: float
+    offset: float = 0.0
 
 
 def adjust_network(drives: Sequence[DriveNodes], observations: NetworkObservations,
@@ -171,12 +189,12 @@ def adjust_network(drives: Sequence[DriveNodes], observations: NetworkObservatio
     fits = [_robust_fit(drives, design, observations, settings, factor) for factor in LIMITS.factors]
     best = max(fits, key=lambda fit: fit.likelihood)
     offsets = np.concatenate([[0], np.cumsum([len(drive) for drive in drives])])
-    state = best.solution.reshape(-1, _DIMENSIONS, 2)
+    state = best.solution[:2 * _DIMENSIONS * offsets[-1]].reshape(-1, _DIMENSIONS, 2)
     covariance = _covariances(best.factors, offsets[-1])
     parts = [slice(first, last) for first, last in zip(offsets[:-1], offsets[1:])]
     return Network(tuple(state[part] for part in parts), tuple(covariance[part] for part in parts),
                    np.where(np.isfinite(observations.value), best.residual, np.nan), best.weight, best.drift_factor,
-                   best.noise)
+                   best.noise, float(best.solution[2 * _DIMENSIONS * offsets[-1]:].sum()))
 
 
 @dataclass(frozen=True)
@@ -191,7 +209,7 @@ class _Fit:
 
 
 def _design(drives: Sequence[DriveNodes], observations: NetworkObservations) -> csc_matrix:
-    """Matrix (4 n, 8 k) that takes the states of all nodes to the observed differences."""
+    """Matrix (4 n, 8 k) that takes the states of all nodes to the observed differences; with walls (4 n, 8 k + 1)."""
     offsets = np.concatenate([[0], np.cumsum([len(drive) for drive in drives])])
     rows, columns, values = [], [], []
     heading = _DIMENSIONS - 1
@@ -209,12 +227,26 @@ def _design(drives: Sequence[DriveNodes], observations: NetworkObservations) -> 
                 rows += [of_drive * _DIMENSIONS + seen] * 2
                 columns += [column, column + 1]
                 values += [sign * factor, sign * factor * ahead]
-    size = (len(observations) * _DIMENSIONS, 2 * _DIMENSIONS * offsets[-1])
+    walls = np.flatnonzero(observations.kind == WALL)
+    for axis in range(2):
+        rows.append(walls * _DIMENSIONS + axis)
+        columns.append(np.full(len(walls), 2 * _DIMENSIONS * offsets[-1]))
+        values.append(observations.outward[walls, axis])
+    size = (len(observations) * _DIMENSIONS, 2 * _DIMENSIONS * offsets[-1] + _offsets(observations))
     return coo_matrix((np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), shape=size).tocsc()
 
 
-def _prior(drives: Sequence[DriveNodes], model: GaussMarkovDrift) -> tuple[csc_matrix, float]:
-    """Normal matrix (8 k, 8 k) of the drift of all drives, and the logarithm of its determinant."""
+def _offsets(observations: NetworkObservations) -> int:
+    """Number of unknowns behind those of the nodes: with walls their common offset."""
+    return int((observations.kind == WALL).any())
+
+
+def _prior(drives: Sequence[DriveNodes], model: GaussMarkovDrift, offsets: int,
+           offset_sigma: float) -> tuple[csc_matrix, float]:
+    """Normal matrix (8 k, 8 k) of the drift of all drives, and the logarithm of its determinant.
+
+    `offsets` more unknowns are known to `offset_sigma` m.
+    """
     rows, columns, values, determinant, first = [], [], [], 0.0, 0
     axes, active = np.arange(_DIMENSIONS), list(LIMITS.active)
     for nodes in drives:
@@ -237,7 +269,11 @@ def _prior(drives: Sequence[DriveNodes], model: GaussMarkovDrift) -> tuple[csc_m
         values.append(start.ravel())
         determinant += float(np.log(np.linalg.det(precision)).sum() + np.log(start).sum())
         first += k
-    size = 2 * _DIMENSIONS * first
+    last = np.arange(offsets) + 2 * _DIMENSIONS * first
+    rows.append(last)
+    columns.append(last)
+    values.append(np.full(offsets, offset_sigma**-2.0))
+    size = 2 * _DIMENSIONS * first + offsets
     matrix = coo_matrix((np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), shape=(size, size))
     return matrix.tocsc(), determinant
 
@@ -245,7 +281,7 @@ def _prior(drives: Sequence[DriveNodes], model: GaussMarkovDrift) -> tuple[csc_m
 def _robust_fit(drives: Sequence[DriveNodes], design: csc_matrix, observations: NetworkObservations,
                 settings: NetworkSettings, factor: float) -> _Fit:
     """The adjustment with one size of drift, weights and variance of the observations iterated to convergence."""
-    prior, log_prior = _prior(drives, settings.model.scaled(factor))
+    prior, log_prior = _prior(drives, settings.model.scaled(factor), _offsets(observations), settings.offset_sigma)
     information, value = _information(observations), np.nan_to_num(observations.value)
     weight, noise = np.ones(len(observations)), 1.0
     for _ in range(LIMITS.passes):
@@ -305,7 +341,7 @@ def _noise(misfit: np.ndarray, settings: NetworkSettings) -> float:
 def _covariances(factors, nodes: int) -> np.ndarray:
     """(nodes, 4, 4) covariance of the corrections at each node."""
     covariance = np.empty((nodes, _DIMENSIONS, _DIMENSIONS))
-    size = 2 * _DIMENSIONS * nodes
+    size = factors.shape[0]
     at_once = max(LIMITS.columns // _DIMENSIONS, 1)
     for first in range(0, nodes, at_once):
         chunk = np.arange(first, min(first + at_once, nodes))

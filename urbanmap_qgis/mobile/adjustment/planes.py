@@ -8,7 +8,7 @@ hardly along a street of even walls.
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -35,6 +35,7 @@ class AdjustmentPlanesLimits:
     near: float = 0.6  # m between middles of two planes that are compared
     normal_gap: float = 0.25  # m along the normal; more is another plane
     fewest: int = 12  # planes of a tie
+    upright: float = 0.12  # of a facade's normal, at most upwards: 7 degrees
     sigma: float = 0.015  # m, of two planes against each other: structure of facades, and their normals
     # m east, north, up of a tie, however many planes it has: facades turn with roll and pitch
     floor: tuple[float, ...] = 0.03, 0.03, 0.01
@@ -84,13 +85,15 @@ def planes_of(clouds: Sequence[Sequence[str | os.PathLike]], trajectories: Seque
 
 
 def plane_ties(planes: DrivePlanes, reported: Sequence[Trajectory], adjusted: Sequence[Trajectory],
-               time_weight: float) -> NetworkObservations:
+               time_weight: float, level: Collection[tuple[int, int]] | None = None) -> NetworkObservations:
     """Ties by planes between all pairs of passes.
 
     Parameters
     ----------
     adjusted : trajectories by which the drives agree to better than half a metre.
     time_weight : of the path's parameter, see `gauss_markov`.
+    level : pairs of drives, the lower number first, that agree in height too; of others only facades are compared.
+        None for all.
     """
     patches, moved = planes.patches, planes.patches.centroid.copy()
     for number, (before, after) in enumerate(zip(reported, adjusted)):
@@ -101,7 +104,7 @@ def plane_ties(planes: DrivePlanes, reported: Sequence[Trajectory], adjusted: Se
     parameters = [path_parameters_of(trajectory, time_weight) for trajectory in reported]
     parts = []
     for first, second in group_pairs(patches.group):
-        pair = _Pair(planes, moved, first, second, reported, adjusted, parameters)
+        pair = _Pair(planes, moved, first, second, reported, adjusted, parameters, level)
         parts += [pair.tie(piece) for piece in pair.pieces()]
     return NetworkObservations.joined([part for part in parts if part is not None])
 
@@ -110,7 +113,8 @@ class _Pair:
     """Planes that two passes have in common, by pieces of the first one."""
 
     def __init__(self, planes: DrivePlanes, moved: np.ndarray, first: int, second: int,
-                 reported: Sequence[Trajectory], adjusted: Sequence[Trajectory], parameters: Sequence[np.ndarray]):
+                 reported: Sequence[Trajectory], adjusted: Sequence[Trajectory], parameters: Sequence[np.ndarray],
+                 level: Collection[tuple[int, int]] | None):
         self.drives = int(planes.drive[first]), int(planes.drive[second])
         self.reported, self.adjusted = ([each[k] for k in self.drives] for each in (reported, adjusted))
         self.parameters = [parameters[k] for k in self.drives]
@@ -125,6 +129,9 @@ class _Pair:
         # By so much the first pass must move more than the second, along the normal.
         gap = ((moved[other] - moved[one]) * normal).sum(axis=1)
         good = (np.abs(cosine) >= _PARALLEL) & (np.abs(gap) <= LIMITS.normal_gap)
+        first_drive, last_drive = sorted(self.drives)
+        if level is not None and first_drive != last_drive and (first_drive, last_drive) not in level:
+            good &= np.abs(normal[:, 2]) <= LIMITS.upright
         self.normal, self.gap, self.place = normal[good], gap[good], moved[one][good]
         self.time = [patches.time[some][good] for some in (one, other)]
         self.along = np.interp(self.time[0], self.reported[0].time, self.parameters[0])

@@ -6,10 +6,11 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ...geometry.tolerances import LEAST_DIVISOR
 from ..registration.correction.gauss_markov import path_parameters_of
 from ..registration.run import RegistrationRun
 from ..trajectory import Trajectory
-from .network import KINDS, Network, NetworkObservations, plan_residuals
+from .network import KINDS, Network, NetworkObservations, plan_information, plan_residuals
 from .reference_steps import ReferenceStep
 
 PLACED, BRIDGED, RELATIVE, NOT_TIED = range(4)
@@ -96,6 +97,14 @@ class AdjustedSurvey:
     def median_sigma(self) -> float:
         """Median standard deviation in plan over all drives, m."""
         return float(np.median(np.concatenate([drive.plan_sigma() for drive in self.drives])))
+
+    def witness_shares(self, number: int) -> tuple[float, ...]:
+        """Share, 0 to 1, that each of `KINDS` has in what is observed of a drive in plan; 0 where nothing is."""
+        seen = self.observations
+        known = plan_information(seen) * self.network.weight
+        known = np.where((seen.drive == number) | (seen.other == number), known, 0.0)
+        of_kind = np.bincount(seen.kind, known, len(KINDS))
+        return tuple((of_kind / max(of_kind.sum(), LEAST_DIVISOR)).tolist())
 
     def residual_rows(self) -> list[tuple[str, int, int, float, float, float, float]]:
         """By kind: name, number, number that lost its weight, RMS and largest residual in plan and in height, m."""

@@ -27,6 +27,12 @@ def write_network_report(path: str | os.PathLike, survey: AdjustedSurvey) -> Non
     report.table(("Drive", "path length (m)", "mean correction in plan (m)", "median sigma in plan (m)",
                   "largest sigma in plan (m)", *(f"{known(name)} (%)" for name in STATUS_NAMES)),
                  [_drive_row(drive) for drive in survey.drives])
+    report.section("Witnesses")
+    report.table(("Drive", *(f"{known(name)} (%)" for name in KINDS)),
+                 [(drive.name, *(100.0 * share for share in survey.witness_shares(number)))
+                  for number, drive in enumerate(survey.drives)])
+    report.paragraph("Share that each kind of observation has in what is known of a drive in plan. Ties and planes lay drives "
+                "on each other; control points, reference markings and walls place them.")
     for drive in survey.drives:
         _profiles(report, drive)
     report.write(path)
@@ -34,8 +40,8 @@ def write_network_report(path: str | os.PathLike, survey: AdjustedSurvey) -> Non
 
 def _verdict(report: Report, survey: AdjustedSurvey) -> None:
     if survey.relative:
-        report.verdict(LOOK, "The drives agree with each other, but nothing fixes their place: give control points "
-                       "or reference markings, or use the result only for comparing drives.")
+        report.verdict(LOOK, "The drives agree with each other, but nothing fixes their place: give control points, "
+                       "reference markings or buildings, or use the result only for comparing drives.")
     else:
         sigma = np.concatenate([drive.plan_sigma() for drive in survey.drives])
         report.verdict(GOOD, say("The drives are placed with a standard deviation of {sigma:.1f} cm in plan (median; "

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..registration.correction.error_steps import MIN_CHANGE
 from ..registration.start.fast_drift import SPAN, fast_drift_rate
-from .network import PLANE, NetworkObservations
+from .network import ACROSS_KINDS, NetworkObservations
 
 _FEWEST = 4  # observations with one other drive
 _SPACING = 5.0  # m
@@ -53,7 +53,7 @@ def observed_steps(observations: NetworkObservations, number: int, parameter: np
 def _courses(observations: NetworkObservations, number: int) -> list[tuple[np.ndarray, np.ndarray]]:
     """What is observed of a drive with each other drive, and alone: path parameters (n,), rising, and values (n, 2) m.
     """
-    known = np.isfinite(observations.value[:, :2]).all(axis=1) & (observations.kind != PLANE)
+    known = np.isfinite(observations.value[:, :2]).all(axis=1) & ~np.isin(observations.kind, ACROSS_KINDS)
     sides = ((observations.drive, observations.parameter, observations.other, 1.0),
              (observations.other, observations.other_parameter, observations.drive, -1.0))
     found = []
