@@ -58,6 +58,17 @@ def test_fields_of_several_files_keep_presets(pair):
         assert field.metadata() == like.metadata()
 
 
+def test_comments_beside_the_steps_are_in_the_users_language(pair, plugin, monkeypatch):
+    from qgis.core import QgsProcessingModelAlgorithm
+
+    language = plugin("algorithms.framework.language.language")
+    monkeypatch.setattr(language, "tr", lambda text: f"<{text}>")
+    model = QgsProcessingModelAlgorithm()
+    assert model.loadVariant(language.translated_model(pair[0].toVariant(), "group"))
+    for name, child in pair[0].childAlgorithms().items():
+        assert model.childAlgorithm(name).comment().description() == f"<{child.comment().description()}>"
+
+
 def test_a_copy_to_change_is_a_plain_model_without_a_file(pair, plugin):
     from qgis.core import QgsApplication, QgsProcessingModelAlgorithm
 

@@ -38,8 +38,8 @@ def stop_speaking(translator: QTranslator) -> None:
 
 
 def translated_model(content: Mapping, group: str) -> dict:
-    """The content of a model's file with its labels and help in the user's language; its name stays, for saved models
-    say it.
+    """The content of a model's file with its labels, comments and help in the user's language; its name stays, for
+    saved models say it.
 
     The content is translated and not the model made of it: QGIS makes all of a model's steps anew for each question.
     """
@@ -48,13 +48,18 @@ def translated_model(content: Mapping, group: str) -> dict:
     definitions = {name: {**values, "description": _label(values["description"]),
                           "help": _help(values["help"], choices.get(name))}
                    for name, values in content["parameterDefinitions"].items()}
-    children = {name: {**child, "outputs": {
+    children = {name: {**child, "comment": _comment(child["comment"]), "outputs": {
         output: {**values, "component_description": tr(values["component_description"])}
         for output, values in (child["outputs"] or {}).items()}} for name, child in content["children"].items()}
     helps = {key: _help(text, choices.get(key)) if isinstance(text, str) else text
              for key, text in (content["help"] or {}).items()}
     return {**content, "model_group": tr(group), "parameterDefinitions": definitions, "children": children,
             "help": helps}
+
+
+def _comment(comment: Mapping) -> dict:
+    """The box beside a step that says what the step does."""
+    return {**comment, "component_description": tr(comment["component_description"])}
 
 
 def _help(text: str, values: Sequence[str] | None) -> str:
