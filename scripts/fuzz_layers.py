@@ -1,0 +1,367 @@
+#!/usr/bin/env python3
+"""Damaged layers of QGIS for the algorithms whose inputs are no files: what becomes of them, as a table.
+
+    .venv/bin/python scripts/fuzz_layers.py [--count 100] [--seed 1] [--first 0] [--layer EDGES]
+
+Each layer of `LAYERS` is damaged by a seeded generator (places that are not finite, far off, doubled, turned round or
+missing; fields of other types, empty, huge or gone; rows left out, doubled or put in another order) and given to its
+algorithm beside sound ones, in a process of its own that is started again where it hangs or ends. Columns: read as if
+sound, or refused in a sentence; and what must not be: tracebacks, sentences of the catch-all net, values that are not
+finite, hangs (90 s), ends of the process. The exit code is 1 where there is any.
+"""
+
+from __future__ import annotations
+
+import argparse
+import faulthandler
+import json
+import math
+import os
+import random
+import subprocess
+import sys
+import tempfile
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT))
+
+import numpy as np  # noqa: E402
+import shapely  # noqa: E402
+
+SECONDS = 90
+ORIGIN = np.array([-5000.0, -35000.0])
+CRS = "EPSG:6677"
+NUMBERS = (math.nan, math.inf, -math.inf, 1e308, -1e308, 1e15, -1e15, 1e6, -1.0, 0.0, 1e-300, -0.5, 2.0**31, 99999999.0)
+TEXTS = ("nan", "inf", "", "abc", "-inf", "1e999", "9" * 400, "\x00", "いいえ", "stop line", "lane", "kerb",
+         "lowered kerb", "road border", "0x10", "1_000", " 3 ")
+OUTCOMES = ("read", "sentence", "unnamed", "traceback", "not finite", "hang", "ended")
+GOOD = OUTCOMES[:2]
+EMPTY = {1: "LINESTRING EMPTY", 3: "POLYGON EMPTY", 5: "MULTILINESTRING EMPTY", 6: "MULTIPOLYGON EMPTY"}
+LINE, POLYGON = 1, 3
+"""Numbers of kinds of shapes in shapely."""
+
+
+@dataclass
+class Table:
+    """A layer: rows of a shape (or None) and its attributes, the fields with their types, and QGIS's kind of shape."""
+
+    rows: list[tuple[shapely.Geometry | None, dict]]
+    fields: list[tuple[str, type]]
+    kind: str
+
+
+# Damage
+
+def _other_corners(corners: np.ndarray, ch: random.Random) -> np.ndarray:
+    """Corners (n, 2 or 3) in one of a dozen ways no longer what they were."""
+    count, axes = corners.shape
+    one, axis, corners = ch.randrange(count), ch.randrange(axes), corners.copy()
+    ways: tuple[Callable[[], np.ndarray], ...] = (
+        lambda: np.where((np.arange(count)[:, None] == one) & (np.arange(axes) == axis), ch.choice(NUMBERS), corners),
+        lambda: np.where(np.arange(axes) == axis, ch.choice(NUMBERS), corners),
+        lambda: corners[:1].repeat(max(2, min(4, count)), axis=0),
+        lambda: corners[::-1],
+        lambda: corners.repeat(3, axis=0),
+        lambda: corners[ch.sample(range(count), count)],
+        lambda: corners[:2],
+        lambda: corners * ch.choice((1e-3, 1e3, -1, 1.0001)),
+        lambda: corners + np.array([ch.choice((0, 1, -1, 0.01, 100, 1e6, 1e8)), ch.choice((0, 1, -3, 1e7)), 0][:axes]),
+        lambda: np.where(np.arange(count)[:, None] == one, corners[ch.randrange(count)], corners),
+        lambda: corners + np.array([0, 0, ch.choice((0.5, -0.5, 30, -1000, 1e5))])[:axes],
+        lambda: np.round(corners, ch.choice((0, 1, -1, -2))),
+        lambda: corners + np.random.default_rng(ch.randrange(2**31)).normal(0, ch.choice((1e-9, 0.01, 1, 20)),
+                                                                              corners.shape))
+    return ch.choice(ways)()
+
+
+def _other_shape(shape: shapely.Geometry | None, ch: random.Random) -> shapely.Geometry | None:
+    """A shape with other corners, empty, of several parts, or none."""
+    kind, way = shapely.get_type_id(shape), ch.random()
+    if kind not in (LINE, POLYGON) or shape.is_empty:
+        return shape
+    if way < 0.07:
+        return None
+    if way < 0.14:
+        return shapely.from_wkt(EMPTY.get(kind, "LINESTRING EMPTY"))
+    if way < 0.2:
+        return shapely.multilinestrings([shape, shape]) if kind == LINE else shapely.multipolygons([shape, shape])
+    corners = _other_corners(shapely.get_coordinates(shape, include_z=shape.has_z), ch)
+    if kind == LINE:
+        return shapely.linestrings(corners) if len(corners) > 1 else None
+    try:
+        return shapely.polygons(np.vstack([corners, corners[:1]])) if len(corners) > 2 else None
+    except shapely.GEOSException:  # a ring is not closed where its first corner is no number
+        return None
+
+
+def _other_values(table: Table, ch: random.Random) -> None:
+    """One value of a field, or all, is another; or the field is of another type, or gone."""
+    place = ch.randrange(len(table.fields))
+    name, kind = table.fields[place]
+    way = ch.random()
+    if way < 0.6:
+        value = None if ch.random() < 0.15 else ch.choice(TEXTS if kind is str else NUMBERS)
+        for _shape, values in table.rows if ch.random() < 0.3 else [ch.choice(table.rows)]:
+            values[name] = value
+    elif way < 0.9:
+        table.fields[place] = (name, ch.choice((str, float, int)))
+        if table.fields[place][1] is str:
+            ch.choice(table.rows)[1][name] = ch.choice(TEXTS)
+    else:
+        del table.fields[place]
+
+
+def _other_rows(table: Table, ch: random.Random) -> None:
+    """Rows are doubled, left out, put in another order, or all moved and scaled."""
+    rows, one = table.rows, ch.randrange(len(table.rows))
+    way = ch.randrange(6)
+    if way == 0:
+        rows.append(rows[one])
+    elif way == 1:
+        del rows[one]
+    elif way == 2:
+        table.rows = rows * ch.choice((2, 3))
+    elif way == 3:
+        ch.shuffle(rows)
+    elif way == 4:
+        table.rows = rows[:ch.choice((0, 1, 2))]
+    else:
+        scale, shift = ch.choice((1e-3, 1e3, 1.0, -1)), ch.choice((0, 1e5, 30, 0.5))
+        table.rows = [(shape and shapely.transform(shape, lambda c: c * scale + shift), values)
+                      for shape, values in rows]
+
+
+def damaged(table: Table, ch: random.Random) -> Table:
+    """A layer that is no longer sound."""
+    table = Table([(shape, dict(values)) for shape, values in table.rows], list(table.fields), table.kind)
+    for _ in range(ch.choice((1, 1, 2, 4, 8))):
+        way = ch.random()
+        if not table.rows:
+            break
+        if way < 0.5:
+            one = ch.randrange(len(table.rows))
+            table.rows[one] = (_other_shape(table.rows[one][0], ch), table.rows[one][1])
+        elif way < 0.82 and table.fields:
+            _other_values(table, ch)
+        else:
+            _other_rows(table, ch)
+    return table
+
+
+# Sound layers
+
+def _moved(shape: shapely.Geometry) -> shapely.Geometry:
+    """A shape about 0, 0 where the grid of the survey is."""
+    return shapely.transform(shape, lambda c: c + np.append(ORIGIN, [0.0])[:c.shape[1]], include_z=shape.has_z)
+
+
+def road_layers(_folder: Path) -> dict[str, Table]:
+    """A crossing as `roadmodel` takes it."""
+    from tests.core.surveyed_scene import crossing, official
+
+    edges, tops = [], []
+    for number, line in enumerate(crossing()):
+        some = np.r_[0:len(line.foot) - 1:4, len(line.foot) - 1]
+        edges.append((_moved(shapely.linestrings(line.foot[some])), {
+            "edge_id": number, "kind": "kerb", "height": line.height, "sigma": line.sigma, "sigma_z": line.sigma_z,
+            "chain": line.chain, "gap": 0.0}))
+        tops.append((_moved(shapely.linestrings(line.top[some])), {"edge_id": number}))
+    stops = ([[-18, 0], [-18, 6]], [[18, 0], [18, -6]], [[0, 18], [4, 18]], [[0, -18], [-4, -18]])
+    lanes = ((-40, -6, -8, 0), (-40, 0, -8, 6), (8, -6, 40, 0), (8, 0, 40, 6), (-4, 8, 0, 40), (0, 8, 4, 40),
+             (-4, -40, 0, -8), (0, -40, 4, -8))
+    return {"EDGES": Table(edges, [("edge_id", int), ("kind", str), ("height", float), ("sigma", float),
+                                   ("sigma_z", float), ("chain", int), ("gap", float)], "LineStringZ"),
+            "TOPS": Table(tops, [("edge_id", int)], "LineStringZ"),
+            "ROADS": Table([(_moved(official()), {})], [], "Polygon"),
+            "STOP_LINES": Table([(_moved(shapely.LineString(one)), {"class": "stop line"}) for one in stops],
+                                [("class", str)], "LineString"),
+            "LANES": Table([(_moved(shapely.box(*one)), {"kind": "lane"}) for one in lanes], [("kind", str)],
+                           "Polygon")}
+
+
+def label_layers(folder: Path) -> dict[str, Table]:
+    """Answers to pieces of an orthophoto of strokes and bright patches, which is made in a folder."""
+    import rasterio
+
+    rng = np.random.default_rng(5)
+    ground, cell, rows = rng.normal(90, 4, (900, 900)), 0.02, []
+    for number in range(36):
+        top, left, width = 40 + number % 6 * 140, 40 + number // 6 * 140, 8 if number % 2 else 40
+        ground[top:top + 60, left:left + width] = rng.normal(200, 4, (60, width))
+        rows.append((_moved(shapely.box(left * cell, -(top + 60) * cell, (left + width) * cell, -top * cell)),
+                     {"paint": ("yes", "no")[number % 2]}))
+    place = rasterio.transform.from_origin(*ORIGIN, cell, cell)
+    with rasterio.open(folder / "photo.tif", "w", driver="GTiff", width=900, height=900, count=3, dtype="uint8",
+                       crs=CRS, transform=place) as photo:
+        photo.write(np.clip(ground, 0, 255).astype(np.uint8)[None].repeat(3, axis=0))
+    return {"LABELS": Table(rows, [("paint", str)], "Polygon")}
+
+
+def _road_outputs(folder: Path, ch: random.Random) -> dict:
+    outputs = dict.fromkeys(("OUTPUT", "OUTPUT_AREAS", "OUTPUT_STEPS", "OUTPUT_FINDINGS"), "memory:")
+    files = {"OUTPUT_CITYGML": str(folder / "city"), "OUTPUT_REPORT": str(folder / "report.html")}
+    return {**outputs, **(files if ch.random() < 0.15 else {}), "LOD": ch.choice(("3.3", "3.1", "3.0")),
+            "DATA_DATE": "2026-04-01"}
+
+
+def _label_outputs(folder: Path, _ch: random.Random) -> dict:
+    return {"INPUT": str(folder / "photo.tif"), "OUTPUT": str(folder / "mask.tif"), "OUTPUT_POLYGONS": "memory:",
+            "OUTPUT_WEIGHTS": str(folder / "weights.json")}
+
+
+ALGORITHMS = {"roadmodel": (road_layers, _road_outputs), "roadmarkingsfromorthophoto": (label_layers, _label_outputs)}
+LAYERS = {**dict.fromkeys(("EDGES", "TOPS", "ROADS", "STOP_LINES", "LANES"), "roadmodel"),
+          "LABELS": "roadmarkingsfromorthophoto"}
+"""Inputs that are damaged, and the algorithms that take them."""
+
+
+# A process that runs
+
+def _as_layer(table: Table):
+    """The table as a layer in memory."""
+    from qgis.core import QgsFeature, QgsGeometry, QgsVectorLayer
+
+    types = {int: "integer", float: "double", str: "string"}
+    layer = QgsVectorLayer("&".join([f"{table.kind}?crs={CRS}", *(f"field={name}:{types[kind]}"
+                                                                  for name, kind in table.fields)]), "layer", "memory")
+    features = []
+    for shape, values in table.rows:
+        feature = QgsFeature(layer.fields())
+        feature.setAttributes([_as_type(values.get(name), kind) for name, kind in table.fields])
+        if shape is not None:
+            geometry = QgsGeometry()
+            geometry.fromWkb(shapely.to_wkb(shape))
+            feature.setGeometry(geometry)
+        features.append(feature)
+    layer.dataProvider().addFeatures(features)
+    layer.updateExtents()
+    return layer
+
+
+def _as_type(value, kind: type):
+    """A value as a field of a type holds it; None where it cannot."""
+    if value is None or kind is str:
+        return value if value is None or isinstance(value, str) else repr(value)
+    try:
+        number = float(value)
+    except ValueError:
+        return None
+    if kind is float:
+        return number
+    return int(min(max(number, -2**31), 2**31 - 1)) if math.isfinite(number) else None
+
+
+def _not_finite(results: dict) -> bool:
+    """Whether a number or a place of a layer that was made is none."""
+    from qgis.core import QgsVectorLayer
+
+    for layer in results.values():
+        for feature in layer.getFeatures() if isinstance(layer, QgsVectorLayer) else ():
+            if any(isinstance(value, float) and not math.isfinite(value) for value in feature.attributes()):
+                return True
+            if not feature.geometry().isNull():
+                shape = shapely.from_wkb(bytes(feature.geometry().asWkb()))
+                if not np.isfinite(shapely.get_coordinates(shape, include_z=shape.has_z)).all():
+                    return True
+    return False
+
+
+def serve(name: str, first: int, count: int, seed: int) -> None:
+    """Give an algorithm `count` damaged layers; a line of JSON on each: number, outcome, what was said."""
+    sys.path.insert(0, str(ROOT / "tests" / "algorithms"))
+    import conftest
+
+    answers = os.fdopen(os.dup(1), "w")
+    with tempfile.TemporaryDirectory() as place:
+        folder = Path(place)
+        _application, _plugin = conftest.start_qgis(folder / "profile")
+        make, outputs = ALGORITHMS[LAYERS[name]]
+        sound = make(folder)
+        for number in range(first, first + count):
+            ch = random.Random(f"{name}-{seed}-{number}")
+            given = {one: _as_layer(damaged(table, ch) if one == name else table) for one, table in sound.items()}
+            print(json.dumps([number, "begun", ""]), file=answers, flush=True)
+            faulthandler.dump_traceback_later(SECONDS, exit=True)
+            outcome = _outcome(LAYERS[name], {**given, **outputs(folder, ch)})
+            faulthandler.cancel_dump_traceback_later()
+            print(json.dumps([number, *outcome]), file=answers, flush=True)
+    answers.flush()
+    os._exit(0)  # QGIS may crash where it is taken down
+
+
+def _outcome(algorithm: str, parameters: dict) -> tuple[str, str]:
+    """What became of one run, and what was said."""
+    import processing
+    from qgis.core import QgsProcessingException, QgsProcessingFeedback
+
+    try:
+        results = processing.run(f"urbanmap:{algorithm}", parameters, feedback=QgsProcessingFeedback(False))
+    except QgsProcessingException as error:
+        told = str(error)
+        outcome = ("traceback" if "Traceback" in told else "unnamed" if "damaged or of another kind" in told
+                   else "sentence")
+        return outcome, told[-400:]
+    except BaseException as error:  # what a panic is, too
+        return "traceback", f"{type(error).__name__}: {error}"[:400]
+    return ("not finite" if _not_finite(results) else "read"), ""
+
+
+# The table
+
+def trial(name: str, first: int, count: int, seed: int) -> tuple[Counter, list[str]]:
+    """Outcomes of one layer's damages, and a line on each that must not be."""
+    found, bad, following, last = Counter(), [], first, first + count
+    while following < last:
+        command = [sys.executable, __file__, "--serve", name, str(following), str(last - following), str(seed)]
+        begun = None
+        with tempfile.TemporaryFile("w+") as errors, subprocess.Popen(
+                command, stdout=subprocess.PIPE, stderr=errors, text=True,
+                env={**os.environ, "OPENBLAS_NUM_THREADS": "1"}) as process:
+            for line in process.stdout:
+                if not line.startswith("["):
+                    continue
+                number, outcome, told = json.loads(line)
+                begun, following = (number, following) if outcome == "begun" else (None, number + 1)
+                if outcome != "begun":
+                    found[outcome] += 1
+                if outcome not in ("begun", *GOOD):
+                    bad.append(f"{name} {number}: {outcome}: {told}")
+            process.wait()
+            errors.seek(0)
+            said = errors.read()
+        if following < last:
+            if begun is None:
+                sys.exit(f"{name}: the process ends before a layer is read: {said[-1000:]}")
+            outcome = "hang" if "Timeout" in said else "ended"
+            found[outcome] += 1
+            bad.append(f"{name} {begun}: {outcome}")
+            following = begun + 1
+    return found, bad
+
+
+def main() -> int:
+    """Damage the layers and print the table."""
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
+    parser.add_argument("--count", type=int, default=100)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--first", type=int, default=0, help="number of the first, to see one again")
+    parser.add_argument("--layer", choices=LAYERS, action="append")
+    options = parser.parse_args()
+    print("| layer | " + " | ".join(OUTCOMES) + " |\n|" + "---|" * (1 + len(OUTCOMES)))
+    all_bad: list[str] = []
+    for name in options.layer or LAYERS:
+        found, bad = trial(name, options.first, options.count, options.seed)
+        all_bad += bad
+        print(f"| {name} | " + " | ".join(str(found[outcome]) for outcome in OUTCOMES) + " |", flush=True)
+    print("\n".join(["", *all_bad]))
+    return 1 if all_bad else 0
+
+
+if __name__ == "__main__":
+    if sys.argv[1:2] == ["--serve"]:
+        serve(sys.argv[2], *map(int, sys.argv[3:6]))
+    sys.exit(main())
