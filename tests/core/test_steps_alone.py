@@ -16,10 +16,12 @@ import shapely
 from urbanmap_qgis.aerial.markings.orthophoto_reader import _in_blocks
 from urbanmap_qgis.buildings.planes.plane_segmentation import _seen_inside, _spread, _without_strips
 from urbanmap_qgis.buildings.planes.step_lines import _longest
+from urbanmap_qgis.buildings.segmentation import BUFFER, _ground_part
 from urbanmap_qgis.citymodel.citygml.value_reader import generic_value
 from urbanmap_qgis.citymodel.model import Measure
 from urbanmap_qgis.citymodel.tables.table_store import TableStore
 from urbanmap_qgis.execution import end_workers_but
+from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.gnss.walls.adjustment import ADJUSTED, HELD, LIKELY, NOT_OBSERVABLE, WallResult
 from urbanmap_qgis.gnss.walls.offset_posterior import ErrorModel, _derivatives, _learnt
 from urbanmap_qgis.localisation.places.place_status import GOOD, NONE, POOR
@@ -37,6 +39,7 @@ from urbanmap_qgis.roadmap.edges.assembly import _carry_low
 from urbanmap_qgis.roadmap.lanes import beyond_junctions
 from urbanmap_qgis.roadmap.lines.line_chains import StrokeChain
 from urbanmap_qgis.roadmap.lines.stop_lines import _at_end
+from urbanmap_qgis.roadmap.map_records import lines_of
 from urbanmap_qgis.roadmap.objects import street_objects
 from urbanmap_qgis.roadmap.vector_map import STOP_REACH, _belongs
 from urbanmap_qgis.roadspace.road_surface import GRID, _crosses
@@ -144,6 +147,16 @@ def test_points_join_the_plane_that_they_lie_on_square_to_it(slope):
     off[:, 2] += 0.25 * lean
     label = np.zeros(len(xy), int)
     assert (_spread(near, chosen, label, 0.2) == 0).all() and (_spread(off, chosen, label, 0.2) == -1).all()
+
+
+def test_ground_of_a_tile_reaches_beyond_its_outlines_to_all_sides():
+    grid, heights = Grid(0.0, 500.0, 5.0, 100, 100), np.arange(10000.0).reshape(100, 100)
+    part, below = _ground_part((grid, heights), np.array([shapely.box(240, 250, 260, 255)]))
+    assert part.x_min <= 240 - BUFFER < part.x_min + 7.5 and part.y_max - 7.5 < 255 + BUFFER <= part.y_max
+    assert 5 * part.columns >= 20 + 2 * BUFFER and 5 * part.rows >= 5 + 2 * BUFFER
+    assert below.shape == (part.rows, part.columns)
+    assert below[0, 0] == (500 - part.y_max) / 5 * 100 + part.x_min / 5
+    assert _ground_part((grid, heights), np.array([shapely.box(900, 50, 910, 60)])) is None
 
 
 def test_longest_line_of_cracks_takes_none_of_a_line_beside_it():
@@ -354,6 +367,14 @@ def test_a_plan_of_accuracy_shows_each_place_where_it_lies(monkeypatch):
     svg = localisation_pictures.accuracy_plan(None, accuracy, np.arange(3), 10.0, width=280, around=20.0)
     assert re.findall(r'<circle cx="([\d.]+)" cy="([\d.]+)"', svg) == [("40.0", "100.0"), ("240.0", "100.0"),
                                                                        ("240.0", "40.0")]
+
+
+def test_lines_of_a_layer_keep_their_chain_and_bound_and_official_edges_have_none():
+    line = shapely.LineString([(0, 0, 1), (9, 0, 1)])
+    columns = {"class": ["solid"], "chain": [7], "bound_id": [12]}
+    (own,), (official,) = (lines_of([line], columns, field) for field in ("class", None))
+    assert (own.kind, own.chain, own.identifier) == ("solid", 7, 12)
+    assert (official.kind, official.chain, official.identifier) == ("road border", -1, -1)
 
 
 # Tables and the sample city

@@ -81,7 +81,6 @@ class FacadeWall:
     seen : of the whole plane's rectangle.
     edge : number of the outline edge it runs along, -1 for none.
     offset : distance outwards from that edge, m.
-    height_known : whether the building's top was known, to which the rectangle reaches.
     status, note : in words.
     kind : wall, or what stands before the facade.
     """
@@ -95,7 +94,6 @@ class FacadeWall:
     seen: WallCoverage
     edge: int
     offset: float
-    height_known: bool
     status: str
     note: str
     kind: str = WALL
@@ -103,12 +101,10 @@ class FacadeWall:
 
 @dataclass(frozen=True)
 class WallCounts:
-    """What became of the buildings: those near points, with walls; points near them and on walls."""
+    """What became of the buildings: those near points, and with walls."""
 
     near: int
     with_walls: int
-    points: int
-    wall_points: int
 
 
 @dataclass(frozen=True, eq=False)
@@ -137,18 +133,17 @@ def find_walls(cloud: PointCloud, plans: BuildingPlans, settings: WallSettings =
     InsufficientDataError : no point lies near any building.
     """
     walls: list[FacadeWall] = []
-    near = with_walls = points = 0
+    near = with_walls = 0
     with facade_points(cloud, plans, settings.facade, ground, progress.part(0.0, 0.5)) as buildings:
         # A worker in another process cannot be asked to stop; between buildings it is.
         work = partial(_walls_of, settings=settings, check=progress if executor is None else None)
         counted = _pieces(buildings, plans, progress.part(0.5, 1.0))
-        for found, count in in_order(work, counted, executor, progress.check):
+        for found in in_order(work, counted, executor, progress.check):
             progress.check()
             near += 1
             with_walls += bool(found)
-            points += count
             walls.extend(found)
-    return walls, WallCounts(near, with_walls, points, sum(wall.points for wall in walls))
+    return walls, WallCounts(near, with_walls)
 
 
 def _pieces(buildings: Iterator[tuple[int, FacadePoints]], plans: BuildingPlans,
@@ -161,8 +156,8 @@ def _pieces(buildings: Iterator[tuple[int, FacadePoints]], plans: BuildingPlans,
         yield _Piece(int(plans.ids[row]), plans.plan[row], float(plans.top[row]), points)
 
 
-def _walls_of(piece: _Piece, settings: WallSettings, check: Progress | None) -> tuple[list[FacadeWall], int]:
-    """Walls of one building, and the number of its points."""
+def _walls_of(piece: _Piece, settings: WallSettings, check: Progress | None) -> list[FacadeWall]:
+    """Walls of one building."""
     ends, outward = outline_edges(piece.plan)
     given = piece.points
     planes = []
@@ -175,9 +170,7 @@ def _walls_of(piece: _Piece, settings: WallSettings, check: Progress | None) -> 
     kinds = kinds_of_walls(placed, given.points)
     on_front = [one for one, (kind, _) in zip(placed, kinds)
                 if kind in (WALL, UNCLEAR) or (kind == BALCONY and settings.front == OUTERMOST)]
-    walls = [_described(piece, one, edge, kind, on_front, settings)
-             for one, edge, kind in zip(placed, edges, kinds)]
-    return walls, len(given.points)
+    return [_described(piece, one, edge, kind, on_front, settings) for one, edge, kind in zip(placed, edges, kinds)]
 
 
 def _placed(piece: _Piece, planes: Sequence[tuple[WallPlane, Sequence[Contour]]], ends: np.ndarray,
@@ -216,7 +209,7 @@ def _described(piece: _Piece, placed: PlacedWall, edge: int, kind: tuple[str, fl
     status, note = _front_status(*kind) if standing or kind[0] == UNCLEAR else _status(
         plane, contour.points, seen, max(depth, _BEFORE) if inside else 0.0)
     return FacadeWall(piece.building_id, plane, polygon, contour.points, contour.openings, contour.filled,
-                      seen, edge, placed.offset, bool(np.isfinite(piece.top)), status, note, kind[0])
+                      seen, edge, placed.offset, status, note, kind[0])
 
 
 def _inside(piece: _Piece, placed: PlacedWall, depth: float, heights: tuple[float, float],

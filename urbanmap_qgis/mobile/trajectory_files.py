@@ -10,18 +10,17 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
-from pyproj import CRS, Proj, Transformer
 
 from ..errors import InputError
 from ..io.files.atomic import written_beside
 from ..io.files.columns import aliases_of, names_of
-from ..io.files.guard import first_not_finite, read_text, reads
+from ..io.files.guard import read_text, reads
 from ..io.files.named_table import known_columns, meanings, named_rows, number_table
 from ..io.files.plan_axes import order_note, x_counts_north
 from ..io.files.read_once import once
 from ..io.points.decoded_points import file_state
-from ..io.points.pointcloud import plan_crs
 from ..wording import say
+from .sbet import SBET_SUFFIXES, read_sbet, sbet_poses, sbet_records
 from .survey_columns import TRAJECTORY
 from .trajectory import Trajectory, gaps, jumps, unwrapped
 from .trajectory_accuracy import (
@@ -44,15 +43,9 @@ from .trajectory_reading import (
 
 COLUMNS = names_of(TRAJECTORY)
 
-SBET_SUFFIXES = (".out", ".sbet")
-
-_SBET = np.dtype([(name, "<f8") for name in (
-    "time", "latitude", "longitude", "altitude", "velocity_x", "velocity_y", "velocity_z", "roll", "pitch", "heading",
-    "wander", "acceleration_x", "acceleration_y", "acceleration_z", "rate_x", "rate_y", "rate_z")])
 _ALIASES = aliases_of(TRAJECTORY)
 _DECIMALS = {"time": 6, "x": 4, "y": 4, "z": 4, "roll": 6, "pitch": 6, "heading": 6}
 _SHOWN = 3
-_TURN = 6.4  # radians; no angle of a body is more
 
 
 @dataclass(frozen=True)
@@ -235,63 +228,17 @@ def _checked(table: np.ndarray, name: str, notes: list[str], columns: Mapping[st
 
 
 def _read_sbet(path: Path, crs_wkt: str | None, reading: TrajectoryReading) -> TrajectoryFile:
-    """An Applanix SBET: latitude, longitude in radians, angles in radians from true north, ellipsoidal heights."""
-    if not crs_wkt:
-        raise InputError(say("{path} is in latitude and longitude: the coordinate reference system of the survey "
-                             "must be known; store it in the point cloud or give it.", path=path.name))
-    size = path.stat().st_size
-    if size == 0 or size % _SBET.itemsize:
-        raise InputError(say("{path} is no SBET file or is cut off: its length is no multiple of {itemsize} bytes.",
-                             path=path.name, itemsize=_SBET.itemsize))
-    records = np.fromfile(path, _SBET)
-    if not (np.abs(records["latitude"]) < 1.6).all() or not (np.abs(records["longitude"]) < 6.3).all():
-        raise InputError(say("{path} is no SBET file: its latitudes are no angles in radians.", path=path.name))
-    bad = first_not_finite(records.view("<f8").reshape(len(records), -1))
-    if bad is not None:
-        raise InputError(say("{path} has no number in record {bad}: export it again, or remove the record.",
-                             path=path.name, bad=bad + 1))
-    if any(np.abs(records[name]).max() > _TURN for name in ("roll", "pitch", "heading")):
-        raise InputError(say("{path}: its angles are no radians, as those of an SBET are: export it again.",
-                             path=path.name))
-    x, y, convergence = _projected(records, crs_wkt)
-    height, applied = _heights(records, reading, path.name)
-    table = np.column_stack([records["time"], x, y, height, *np.degrees([records["roll"],
-                             records["pitch"]]), np.degrees(records["heading"]) - convergence])
-    bad = first_not_finite(table)
-    if bad is not None:
-        raise InputError(say("{path} lies outside the coordinate reference system of the survey at record {bad}: "
-                             "choose the right one.", path=path.name, bad=bad + 1))
+    records = read_sbet(path, crs_wkt)
+    table, applied = sbet_poses(records, crs_wkt, reading.geoid, path.name)
     order, notes = _order(table, path.name)
     require_drivable(table, order, path.name, "record", 1)
     read = TrajectoryReading(geoid=reading.geoid)
-    file = _checked(table[order], path.name, notes, {name: records[name][order] for name in _SBET.names}, read)
+    file = _checked(table[order], path.name, notes, {name: records[name][order] for name in records.dtype.names}, read)
     file = replace(file, format="sbet", header=(), delimiter="", crs_wkt=crs_wkt, applied=applied)
     beside = rms_file_of(path)
     if beside is None:
         return file
     return _with_sigma(file, *sigma_of_rms_file(beside, file.trajectory.time), beside.name)
-
-
-def _heights(records: np.ndarray, reading: TrajectoryReading, name: str) -> tuple[np.ndarray, str]:
-    """Heights (n,) of SBET records, above the geoid where one is given, and a sentence on it."""
-    if reading.geoid is None:
-        return records["altitude"], ""
-    above = reading.geoid.interpolate(np.degrees(records["longitude"]), np.degrees(records["latitude"]))
-    return records["altitude"] - above, (say("{name}: ellipsoidal heights were lowered by {min:.3f} to {max:.3f} m "
-                                             "to heights above the geoid ({geoid}).", name=name, min=above.min(),
-                                             max=above.max(), geoid=reading.geoid.name))
-
-
-def _projected(records: np.ndarray, crs_wkt: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Map coordinates and meridian convergence (degrees, grid north east of true north) of SBET records."""
-    crs = plan_crs(CRS.from_wkt(crs_wkt))
-    longitude, latitude = np.degrees(records["longitude"]), np.degrees(records["latitude"])
-    x, y = Transformer.from_crs(crs.geodetic_crs, crs, always_xy=True).transform(longitude, latitude)
-    return x, y, _convergence(crs, longitude, latitude)
-
-
-def _convergence(crs: CRS, longitude: np.ndarray, latitude: np.ndarray) -> np.ndarray:
-    return np.asarray(Proj(crs).get_factors(longitude, latitude).meridian_convergence)
 
 
 def write_trajectory(path: str | os.PathLike, like: TrajectoryFile, trajectory: Trajectory) -> None:
@@ -304,7 +251,7 @@ def write_trajectory(path: str | os.PathLike, like: TrajectoryFile, trajectory: 
     InputError : `like` is a layer, which the caller writes.
     """
     if like.format == "sbet":
-        data = _sbet_records(like, trajectory).tobytes()
+        data = sbet_records(trajectory, like.columns, like.crs_wkt, like.reading.geoid).tobytes()
     elif like.format == "csv":
         data = _csv_text(like, trajectory).encode()
     else:
@@ -342,19 +289,3 @@ def _csv_text(like: TrajectoryFile, trajectory: Trajectory) -> str:
     writer.writerow(like.header)
     writer.writerows(zip(*columns))
     return out.getvalue()
-
-
-def _sbet_records(like: TrajectoryFile, trajectory: Trajectory) -> np.ndarray:
-    records = np.empty(len(trajectory), _SBET)
-    for name in _SBET.names:
-        records[name] = like.columns[name]
-    crs = plan_crs(CRS.from_wkt(like.crs_wkt))
-    back = Transformer.from_crs(crs, crs.geodetic_crs, always_xy=True)
-    longitude, latitude = back.transform(trajectory.place[:, 0], trajectory.place[:, 1])
-    records["longitude"], records["latitude"] = np.radians(longitude), np.radians(latitude)
-    above = 0.0 if like.reading.geoid is None else like.reading.geoid.interpolate(longitude, latitude)
-    records["altitude"] = trajectory.place[:, 2] + above
-    heading = trajectory.angles[:, 2] + _convergence(crs, longitude, latitude)
-    records["roll"], records["pitch"] = np.radians(trajectory.angles[:, :2].T)
-    records["heading"] = np.radians((heading + 180.0) % 360.0 - 180.0)
-    return records

@@ -9,7 +9,7 @@ import numpy as np
 from ...errors import InputError
 from ...io.conversion.reprojection import epsg_wkt
 from ...mobile.gps_time import WEEK
-from ...mobile.trajectory_files import SBET_SUFFIXES
+from ...mobile.sbet import SBET_SUFFIXES
 from ...wording import say
 from ..file_facts import TRAJECTORY, FileFacts
 
