@@ -219,14 +219,15 @@ def test_a_course_fills_its_plan_and_the_scale_bar_is_as_long_as_it_says(extent)
 
 @pytest.mark.parametrize(("gap", "turn", "tied"), [(0.1, 0.0, True), (-0.2, 5.0, True), (0.3, 0.0, False),
                                                    (0.1, 12.0, False)])
-def test_planes_of_two_passes_are_one_where_they_lie_near_and_parallel(gap, turn, tied):
+@pytest.mark.parametrize("level", [None, ()])  # facades are compared of drives that disagree in height, too
+def test_planes_of_two_passes_are_one_where_they_lie_near_and_parallel(gap, turn, tied, level):
     angle = np.radians(turn)
     moved = np.array([[5.0, 0.0, 1.0], [5.0 + gap, 0.1, 1.0]])
     patches = SimpleNamespace(group=np.array([0, 1]), time=np.array([0.5, 7.5]),
                               normal=np.array([[1.0, 0.0, 0.0], [-np.cos(angle), -np.sin(angle), 0.0]]))
     drive = SimpleNamespace(time=np.array([0.0, 10.0]))
     pair = _Pair(SimpleNamespace(patches=patches, drive=np.array([0, 1])), moved, 0, 1, [drive, drive], [drive, drive],
-                 [np.array([0.0, 100.0])] * 2)
+                 [np.array([0.0, 100.0])] * 2, level)
     assert len(pair.gap) == tied
     if tied:
         half = angle / 2  # its normal lies between both
