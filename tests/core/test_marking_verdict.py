@@ -75,6 +75,21 @@ def test_each_sign_of_the_result(found, change, words):
     assert len(made.reasons) == 1 and words in made.reasons[0]
 
 
+@pytest.mark.parametrize(("count", "grade"), [(16, GOOD), (20, LOOK)])
+def test_much_paint_in_short_pieces_is_told(found, count, grade):
+    # Eight lines of 3 m and specks of 0.5 m: 25 and 29 % of the paint are theirs.
+    lines, specks = marks(8), marks(count)
+    length = np.concatenate([lines.length, np.full(count, 0.5)])
+    area = length * 0.2
+    both = MarkingPolygons(np.concatenate([lines.polygons, specks.polygons]), area, length,
+                           np.concatenate([lines.width, specks.width]), np.full(len(area), 80.0),
+                           np.full(len(area), "white", object), np.full(len(area), 0.9))
+    made = marking_verdict(replace(found, polygons=both), 17.0)
+    assert made.grade == grade
+    share = 0.5 * count / (0.5 * count + 24)
+    assert grade == GOOD or f"{share:.0%} of the found paint lies in pieces shorter than 2 m" in made.reasons[0]
+
+
 @pytest.mark.parametrize(("spacing", "grade"), [(1.6, LOOK), (3.2, GOOD), (6.4, LOOK)])
 def test_lanes_are_as_wide_as_lanes(found, spacing, grade):
     boxes = np.array([shapely.box(0, spacing * k, 40, spacing * k + 0.15) for k in range(3)], object)

@@ -258,7 +258,8 @@ def _side(length: int, most: int, step: int) -> int:
 
 def _write(target: rasterio.io.DatasetWriter, mask: np.ndarray, rows: slice, columns: slice, factor: int) -> None:
     values = np.where(mask, np.uint8(255), np.uint8(0))
-    values = np.repeat(np.repeat(values, factor, axis=0), factor, axis=1)
+    if factor > 1:
+        values = np.repeat(np.repeat(values, factor, axis=0), factor, axis=1)
     row, column = rows.start * factor, columns.start * factor
     values = values[:target.height - row, :target.width - column]
     target.write(values, 1, window=Window(column, row, values.shape[1], values.shape[0]))

@@ -349,34 +349,48 @@ def _narrow(found: Candidates, ratio: float) -> np.ndarray:
 def vehicle_zones(found: Candidates, ground: np.ndarray, pixel: float, settings: CleanSettings
                   ) -> tuple[np.ndarray, np.ndarray]:
     """What is near to bright bodies as large as a vehicle, and bodies far brighter than the ground with their rims;
-    bool (rows, columns)."""
-    bodies, bright = _bright_bodies(found, ground, pixel, settings)
-    near = _large_pieces(bodies, pixel, settings.vehicle_area, settings.max_length)
-    near = cv2.dilate(near, disc_kernel(2 * settings.vehicle_gap, pixel))
-    wide = cv2.morphologyEx(bright, cv2.MORPH_OPEN, disc_kernel(settings.body_width, pixel))
-    rims = _large_pieces(wide, pixel, settings.body_area, settings.max_length)
-    return near > 0, cv2.dilate(rims, disc_kernel(2 * settings.rim, pixel)) > 0
+    bool (rows, columns).
+
+    Bodies are wide: they are told on a grid of `coarse_step` pixels.
+    """
+    step, shape = coarse_step(settings.vehicle_width / pixel), found.core.shape
+    cell = step * pixel
+    bodies, bright = _bright_bodies(found, ground, step, pixel, settings)
+    near = _large_pieces(bodies, cell, settings.vehicle_area, settings.max_length)
+    wide = cv2.morphologyEx(bright, cv2.MORPH_OPEN, disc_kernel(settings.body_width, cell))
+    rims = _large_pieces(wide, cell, settings.body_area, settings.max_length)
+    return (_round_cells(near, step, shape, disc_kernel(2 * settings.vehicle_gap, pixel)),
+            _round_cells(rims, step, shape, disc_kernel(2 * settings.rim, pixel)))
 
 
-def _bright_bodies(found: Candidates, ground: np.ndarray, pixel: float, settings: CleanSettings
+def _round_cells(cells: np.ndarray, step: int, shape: tuple[int, int], disc: np.ndarray) -> np.ndarray:
+    """Pixels of an image of a shape within a disc round cells (uint8) of so many pixels, bool."""
+    if not cells.any():
+        return np.zeros(shape, bool)
+    size = cells.shape[1] * step, cells.shape[0] * step
+    fine = cv2.resize(cells, size, interpolation=cv2.INTER_NEAREST)[:shape[0], :shape[1]]
+    return cv2.dilate(np.ascontiguousarray(fine), disc).view(bool)
+
+
+def _bright_bodies(found: Candidates, ground: np.ndarray, step: int, pixel: float, settings: CleanSettings
                    ) -> tuple[np.ndarray, np.ndarray]:
-    """What is brighter than all that is wider than a vehicle, and what is far brighter than that and the ground; uint8
-    (rows, columns)."""
-    road, disc_pixel = found.road, settings.vehicle_width / pixel
-    step, opened = _opened_coarsely(road, disc_pixel)
-    bodies, bright = np.empty(road.shape, np.uint8), np.empty(road.shape, np.uint8)
-    for strip, _, _ in row_strips(len(road), 0, -(-STRIP // step) * step):
-        small = opened[strip.start // step:-(-strip.stop // step)]
-        around = cv2.resize(small, (small.shape[1] * step, small.shape[0] * step), interpolation=cv2.INTER_NEAREST)
-        around = around[:strip.stop - strip.start, :road.shape[1]]
-        limit = settings.top_hat_ratio * found.threshold[strip]
-        np.greater(road[strip] - around, limit, out=bodies[strip].view(bool))
-        np.maximum(around, ground[strip], out=around)
-        np.multiply(found.threshold[strip], settings.body_ratio, out=limit)
-        np.greater(road[strip] - around, limit, out=bright[strip].view(bool))
+    """Cells of so many pixels that are brighter than all that is wider than a vehicle, and that are far brighter than
+    that and the ground; uint8, 0 or 1. A cell is what its middle pixel is."""
+    road, threshold, under, seen = (_middles(values, step) for values in (
+        found.road, found.threshold, ground, found.seen))
+    around = _opened_coarsely(found.road, settings.vehicle_width / pixel)[1]
+    bodies = road - around > settings.top_hat_ratio * threshold
+    np.maximum(around, under, out=around)
+    bright = road - around > settings.body_ratio * threshold
     # What is not seen holds the mean of the paint beside it.
-    bright &= found.seen.view(np.uint8)
-    return bodies, bright
+    bright &= seen
+    return bodies.view(np.uint8), bright.view(np.uint8)
+
+
+def _middles(values: np.ndarray, step: int) -> np.ndarray:
+    """Values of the middle pixels of cells of so many, beginning with the first; at the ends the last there are."""
+    rows, columns = (np.minimum(np.arange(0, side, step) + step // 2, side - 1) for side in values.shape)
+    return values[rows][:, columns]
 
 
 def _large_pieces(flags: np.ndarray, pixel: float, least: float, max_length: float) -> np.ndarray:
@@ -394,7 +408,7 @@ def _large_pieces(flags: np.ndarray, pixel: float, least: float, max_length: flo
 
 
 def _opened_coarsely(image: np.ndarray, disc_pixel: float) -> tuple[int, np.ndarray]:
-    """Opening by a disc of many pixels, of an image shrunk so that the disc has about 13; by how much, and the opened
+    """Opening by a disc of many pixels, of an image shrunk so that the disc has about 10; by how much, and the opened
     one.
 
     Rows and columns are taken by fixed steps from the first; the caller keeps tiles on multiples of `coarse_step`.
@@ -410,4 +424,4 @@ def _opened_coarsely(image: np.ndarray, disc_pixel: float) -> tuple[int, np.ndar
 
 def coarse_step(disc_pixel: float) -> int:
     """Pixels that are taken together where a disc of a diameter in pixels opens an image."""
-    return max(int(disc_pixel / 13), 1)
+    return max(int(disc_pixel / 10), 1)

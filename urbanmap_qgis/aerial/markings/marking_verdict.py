@@ -47,6 +47,8 @@ class VerdictLimits:
     sure: float = 0.61  # confidence that a quarter of the markings exceeds
     contrast: float = 1.53  # times the contrast asked for, that half of the markings exceed
     rough: float = 5.0  # grey values, texture of the road
+    short: float = 2.0  # m, length of pieces; dashes, bars of crossings and arrows are longer
+    in_short: float = 0.26  # of the found paint, that lies in shorter pieces
 
 
 LIMITS = VerdictLimits()
@@ -168,6 +170,11 @@ def _result(found: MarkingResult, contrast: float) -> list[str]:
     if np.median(marks.contrast) < LIMITS.contrast * contrast:
         reasons.append(say("Half of the markings hardly stand out from the ground: worn paint, joints of paving, or "
                            "an image that is dim or out of focus."))
+    short = _share(float(marks.area[marks.length < LIMITS.short].sum()), float(marks.area.sum()))
+    if short > LIMITS.in_short:
+        reasons.append(say("{share:.0%} of the found paint lies in pieces shorter than {length:g} m, as rims, joints and "
+                           "specks of light do: much of it may be no paint. Look at it over the image, answer what is "
+                           "doubtful, or give roads.", share=short, length=LIMITS.short))
     if found.road is not None and found.road.texture > LIMITS.rough:
         reasons.append(say("Smooth ground has a texture of {texture:.1f} grey values in this image, as noise or "
                            "sharpening make it: more paint is missed, and more else found.",
