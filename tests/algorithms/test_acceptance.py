@@ -118,6 +118,15 @@ def test_registration_stands_in_the_pdf(run, checks, tmp_path):
     assert "0.111" in pages(tmp_path / "a.pdf")[0]
 
 
+def test_long_names_stand_whole_in_the_form(run, checks, tmp_path):
+    name = "".join(f"第{number}地区道路台帳附図更新（その{number}）、" for number in range(1, 9))
+    run("urbanmap:acceptance", {"INPUT": checks, "OUTPUT_PDF": str(tmp_path / "a.pdf"), "JOB": name,
+                                "OUTPUT_REPORT": str(tmp_path / "a.html"), "INSTRUMENT": "GNSS/IMU AP60"})
+    form = "".join(pages(tmp_path / "a.pdf")[0].split())
+    assert all(f"（その{number}）" in form for number in range(1, 9))
+    assert (tmp_path / "a.html").read_text(encoding="utf-8").count("<td>GNSS/IMU AP60</td>") == 2  # form and settings
+
+
 def test_patches_must_be_those_of_a_registration(run, checks):
     with pytest.raises(Exception, match="stand in a report on check points"):
         run("urbanmap:acceptance", {"BUILDINGS": checks, "PATCHES": checks})

@@ -101,3 +101,10 @@ def test_no_page_that_a_browser_prints_is_half_empty(tmp_path, count, area, page
     shares = shares_filled(tmp_path / "a.pdf", 14.0, PAGE_HEIGHT)
     assert len(shares) == pages
     assert all(share > 0.75 for share in shares[:-1]) and shares[-1] > 0.4, shares
+
+
+def test_a_table_that_stays_whole_goes_to_the_next_page():
+    broken, whole = (table_block([["figure", "mean"], *[["a", "1"]] * 4], True, kept) for kept in (False, True))
+    assert len(whole.pieces) == 1 and len(broken.pieces) == 4 and whole.pieces[0] == pytest.approx(sum(broken.pieces))
+    above = PrintedBlock((PAGE_HEIGHT - 0.7 * whole.pieces[0],))
+    assert fill_pages([above, broken]).last < fill_pages([above, whole]).last == pytest.approx(whole.pieces[0])

@@ -158,7 +158,7 @@ def _drawn_map(drawn: SampledEdges) -> Drawing:
 
 def _figures(report: Report, points: CheckPoints) -> None:
     report.section("Figures")
-    report.table(FIGURES_HEAD, [_row(name, figures) for name, figures in figure_rows(points)])
+    report.table(FIGURES_HEAD, [_row(name, figures) for name, figures in figure_rows(points)], whole=True)
     if points.state == "before":
         report.warning("These are the errors as reported: the layer has none after a correction.")
     if points.adjusted:
@@ -184,7 +184,7 @@ def _registration(report: Report, registration: Mapping[str, np.ndarray]) -> Non
     report.section("Registration")
     report.table((mark("Figure"), "patches", "mean (m)", "standard deviation (m)", "maximum (m)"), [
         (name, item.count, Fixed.of(item.mean, 3), Fixed.of(item.std, 3), Fixed.of(item.maximum, 3))
-        for name, item in _registration_rows(registration)])
+        for name, item in _registration_rows(registration)], whole=True)
 
 
 def _registration_rows(registration: Mapping[str, np.ndarray]) -> list[tuple[str, ErrorFigures]]:
@@ -209,8 +209,9 @@ def _spread(report: Report, points: CheckPoints) -> None:
 def pdf_content(points: CheckPoints, found: Sequence[Criterion], limits: Limits, level: int | None,
                 registration: Mapping[str, np.ndarray] | None = None) -> PdfContent:
     """What the PDF shows of check points; parameters as of `write_acceptance_report`."""
+    registered = [(f"{known('Registration')}: {name}", one) for name, one in _registration_rows(registration or {})]
     figures = [[name, str(one.count), *map(metres, (one.mean, one.rmse, one.std, one.maximum))]
-               for name, one in (*figure_rows(points), *_registration_rows(registration or {}))]
+               for name, one in (*figure_rows(points), *registered)]
     every = [[*row[:2], *map(metres, row[2:])] for row in point_rows(points)]
     return PdfContent(
         {"title": known("Acceptance: errors at check points"), "verdict": verdict(points, found, level)[1],

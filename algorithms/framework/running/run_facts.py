@@ -65,13 +65,18 @@ def _told(algorithm, parameters: Mapping, context: QgsProcessingContext, inputs:
         value = parameters.get(name, definition.defaultValue())
         words = definition.metadata().get("urbanmap_words", {})
         text = words.get(value, "") if isinstance(value, str) else ""
-        text = text or value_text(value, context)
+        text = text or (value if _is_free_text(definition, value) else value_text(value, context))
         if text:
             unit = UNIT.findall(definition.description()) if not inputs else []
             unit = unit or (["m"] if definition.type() == "distance" else [])
             label = UNIT.sub("", definition.description()) if unit else definition.description()
             values[label] = text + (f" {unit[0].strip(' ()')}" if unit else "")
     return values
+
+
+def _is_free_text(definition, value: object) -> bool:
+    """Whether a value is text as the user wrote it, where "GNSS/IMU" is no path."""
+    return definition.type() == "string" and isinstance(value, str) and not TEMPORARY_LAYER.search(value)
 
 
 def value_text(value: object, context: QgsProcessingContext) -> str:

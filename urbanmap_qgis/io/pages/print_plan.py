@@ -107,8 +107,9 @@ def heading_block(text: str) -> PrintedBlock:
     return PrintedBlock(((LINE * lines + 1.4) * HEADING * POINT,), with_next=True)
 
 
-def table_block(rows: Sequence[Sequence[str]], with_head: bool) -> PrintedBlock:
-    """Block of a table by the texts of its cells; the first row is repeated on each page if it is a head."""
+def table_block(rows: Sequence[Sequence[str]], with_head: bool, whole: bool = False) -> PrintedBlock:
+    """Block of a table by the texts of its cells; the first row is repeated on each page if it is a head. `whole`: it
+    does not break."""
     columns = list(zip(*rows))
     wide = [max(text_width(text, CELL) for text in column) + CELL_ROOM for column in columns]
     share = min(1.0, PAGE_WIDTH / sum(wide)) if wide else 1.0
@@ -117,6 +118,8 @@ def table_block(rows: Sequence[Sequence[str]], with_head: bool) -> PrintedBlock:
     heights = [max((text_lines(text, width, CELL) for text, width in zip(row, room)), default=1) * line
                + 0.24 * CELL * POINT + 0.27 for row in rows]
     margins = 0.4 * CELL * POINT
+    if whole:
+        return PrintedBlock((sum(heights) + margins,))
     if with_head and len(heights) > 1:  # a head alone at the foot of a page does not stand there
         return PrintedBlock((heights[0] + heights[1] + margins, *heights[2:]), head=heights[0])
     return PrintedBlock((*heights[:-1], *(height + margins for height in heights[-1:])))

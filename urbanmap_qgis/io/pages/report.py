@@ -83,7 +83,7 @@ figcaption { font-size: .9em; color: #555; }
   body { max-width: none; margin: 0; font-size: 10pt; }
   div.wide { overflow: visible; }
   h2 { break-after: avoid; }
-  figure, tr, p { break-inside: avoid; }
+  figure, tr, p, div.whole { break-inside: avoid; }
   table { font-size: 8pt; margin: .4em 0; }
   th, td { padding: .12em .6em; }
   thead { display: table-header-group; }
@@ -224,14 +224,16 @@ class Report:
         self._parts.append(_Part(f'<p class="warning">{html.escape(words)}</p>',
                                  lambda: paragraph_block(words, around=4.5)))
 
-    def table(self, header: Sequence[str], rows: Iterable[Sequence[Cell]]) -> None:
-        """Add a table; numbers are aligned right, missing ones (None, NaN) shown as a dash."""
+    def table(self, header: Sequence[str], rows: Iterable[Sequence[Cell]], whole: bool = False) -> None:
+        """Add a table; numbers are aligned right, missing ones (None, NaN) shown as a dash. `whole`: of few rows, not
+        to be broken over printed pages."""
         head, rows = [known(name) for name in header], list(rows)
         words = "".join(f"<th>{html.escape(name)}</th>" for name in head)
         body = "\n".join("<tr>" + "".join(map(_cell, row)) + "</tr>" for row in rows)
-        self._parts.append(_Part('<div class="wide"><table><thead><tr>'
+        self._parts.append(_Part(f'<div class="wide{" whole" if whole else ""}"><table><thead><tr>'
                                  f"{words}</tr></thead><tbody>\n{body}\n</tbody></table></div>",
-                                 lambda: table_block([head, *(list(map(_cell_text, row)) for row in rows)], True)))
+                                 lambda: table_block([head, *(list(map(_cell_text, row)) for row in rows)], True,
+                                                     whole)))
 
     def facts(self, facts: Mapping[str, Cell], form: bool = False) -> None:
         """Add a two-column table of names and values; nothing where there are none. `form`: as wide as the page, as
