@@ -20,7 +20,8 @@ from qgis.PyQt.QtXml import QDomDocument
 
 from ...urbanmap_qgis.errors import InputError, OutputError
 from ..framework.declaring.parameters import tr
-from .page_tables import LINE, fill_table, may_go_on, move_below, move_up_into, put_behind, room_below, text_lines
+from .cell_lines import LINE
+from .page_tables import fill_table, may_go_on, move_below, move_up_into, put_behind, room_below, text_lines
 
 LAYOUT = Path(__file__).resolve().parents[2] / "resources" / "layouts" / "acceptance.qpt"
 HISTOGRAMS = ("histogram_plan", "histogram_height")

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import math
-import re
 import unicodedata
-from collections.abc import Callable, Sequence
-from functools import partial
+from collections.abc import Sequence
 
 from qgis.core import (
     QgsLayoutFrame,
@@ -14,15 +12,11 @@ from qgis.core import (
     QgsLayoutPoint,
     QgsLayoutSize,
     QgsLayoutTableColumn,
-    QgsLayoutUtils,
     QgsTableCell,
-    QgsTextRenderer,
 )
 
-_TOKEN = re.compile(r"[!-~]+|.", re.DOTALL)
-"""What a line is not broken in: words of Latin letters; of Japanese every letter is one."""
-_NEVER_FIRST = "、。，．）」』】〕］｝〉》・：；？！ーぁぃぅぇぉっゃゅょァィゥェォッャュョ々〜～％"
-LINE = 0.345  # height of a line, mm a point of the letters' size
+from .cell_lines import broken_rows, row_heights
+
 SPARE = 5.0  # mm
 LEAST = 40.0  # mm that a picture keeps
 HIGHEST = 100.0  # mm of a histogram behind a table
@@ -40,8 +34,8 @@ def fill_table(layout, name: str, rows: list[list[str]], map_shape: float) -> No
     frame.setVisibility(bool(rows))
     if rows and len(rows[0]) < len(table.columnWidths()):
         table.setColumnWidths([sum(table.columnWidths()) / len(rows[0])] * len(rows[0]))
-    rows = _broken_rows(layout, table, rows)
-    heights = _row_heights(layout, table, rows)
+    rows = broken_rows(layout, table, rows)
+    heights = row_heights(layout, table, rows)
     if goes_on and rows:
         _repeat_head(table, rows[0])
     table.setTableContents([[QgsTableCell(text) for text in row] for row in (rows[1:] if goes_on else rows)])
@@ -143,7 +137,7 @@ def room_below(layout, name: str, rows: list[list[str]]) -> float:
     where it needs more."""
     table, frame = _table(layout, name)
     page = layout.pageCollection().page(frame.page()).pageSize().height() - 2 * frame.pagePos().x()
-    return page - sum(_row_heights(layout, table, rows)) - 3 * SPARE
+    return page - sum(row_heights(layout, table, rows)) - 3 * SPARE
 
 
 def put_behind(layout, name: str, items: Sequence) -> None:
@@ -180,61 +174,6 @@ def _put_map_behind(layout, table, first, lower: float, reached: float, shape: f
         page, top, wanted = pages.pageCount() - 1, left, max(wanted, LEAST_PAGE)
     item.attemptMove(QgsLayoutPoint(item.pagePos().x(), top), True, False, page)
     item.attemptResize(QgsLayoutSize(size.width(), min(bottom - top, wanted)))
-
-
-def _row_heights(layout, table, rows: Sequence[Sequence[str]]) -> list[float]:
-    """How high each row of a table is, mm."""
-    context = QgsLayoutUtils.createRenderContextForLayout(layout, None)
-    letters, unit = table.contentTextFormat(), context.scaleFactor()
-    line = LINE * letters.size()
-    room = [width * unit for width in table.columnWidths()]
-
-    def lines(text: str, width: float) -> int:
-        """Lines of a text, broken between words as QGIS does."""
-        count = 0
-        for part in text.split("\n"):
-            count, filled = count + 1, ""
-            for word in part.split(" "):
-                longer = f"{filled} {word}" if filled else word
-                if filled and QgsTextRenderer.textWidth(context, letters, [longer]) > width:
-                    count, filled = count + 1, word
-                else:
-                    filled = longer
-        return count
-
-    return [max(map(lines, row, room)) * line + 2 * table.cellMargin() + table.gridStrokeWidth() for row in rows]
-
-
-def _broken_rows(layout, table, rows: Sequence[Sequence[str]]) -> list[list[str]]:
-    """Rows with line ends in texts of which a word is wider than its column: QGIS breaks between words alone, and cuts
-    off what a Japanese text, which has none, does not have room for."""
-    context = QgsLayoutUtils.createRenderContextForLayout(layout, None)
-    letters, unit = table.contentTextFormat(), context.scaleFactor()
-    room = [0.99 * (width - 2 * table.cellMargin()) * unit for width in table.columnWidths()]
-
-    def fits(text: str, width: float) -> bool:
-        return QgsTextRenderer.textWidth(context, letters, [text]) <= width
-
-    return [[text if all(fits(word, width) for word in text.split(" "))
-             else "\n".join(broken_lines(text, partial(fits, width=width))) for text, width in zip(row, room)]
-            for row in rows]
-
-
-def broken_lines(text: str, fits: Callable[[str], bool]) -> list[str]:
-    """A text in lines that fit, broken between words and between Japanese letters, where no line begins with the end of
-    a bracket or a sentence."""
-    lines, line = [], ""
-    for token in _TOKEN.findall(text):
-        for piece in ([token] if fits(token) else token):
-            if not line or fits(line + piece):
-                line += piece
-            elif piece in _NEVER_FIRST and len(line) > 1:
-                lines.append(line[:-1])
-                line = line[-1] + piece
-            else:
-                lines.append(line.rstrip())
-                line = piece.lstrip()
-    return [*lines, line]
 
 
 def text_lines(text: str, width: float, letter: float) -> int:
