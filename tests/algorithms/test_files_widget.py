@@ -141,6 +141,22 @@ def test_field_takes_pasted_and_dropped_files(qgis_app, plugin):
                                Qt.KeyboardModifier.NoModifier))
     assert field.files == ["/data/d.laz"] == module.paths_in("file:///data/d.laz")
     assert module.paths_in(" /a.laz ; /b.laz\n/c.laz ") == ["/a.laz", "/b.laz", "/c.laz"]
+    assert module.paths_in("'/点 群/a.laz' '/b.laz' ") == ["/点 群/a.laz", "/b.laz"]
+    assert module.paths_in("/Mary's/a.laz;/Tom's/b.laz") == ["/Mary's/a.laz", "/Tom's/b.laz"]
+
+
+def test_what_is_pasted_beside_the_number_of_files_is_no_part_of_a_path(plugin, qgis_app):
+    module = plugin("algorithms.framework.declaring.files_widget")
+    field = module.FilesField("Points")
+    for pasted, files in (('"/a.laz" "/b.laz"', ["/a.laz", "/b.laz"]),
+                          ("/点 群/c.laz", ["/a.laz", "/b.laz", "/点 群/c.laz"])):
+        field.line.end(False)
+        field.line.insert(pasted)
+        field.line.editingFinished.emit()
+        assert field.files == files
+    field.line.clear()
+    field.line.editingFinished.emit()
+    assert field.files == [] and field.line.text() == ""
 
 
 def test_every_dialog_shows_the_right_files_first(qgis_app):

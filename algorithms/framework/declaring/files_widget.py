@@ -97,21 +97,30 @@ class FilesField(QWidget):
         event.acceptProposedAction()
 
     def _typed(self) -> None:
-        """Take paths that were typed or pasted for those that are chosen."""
-        if self.line.text() != self._shown():
-            self.set_files(paths_in(self.line.text()))
+        """Take paths that were typed or pasted for those that are chosen; beside the number of files, as more."""
+        text, shown = self.line.text(), self._shown()
+        if text == shown:
+            return
+        beside = len(self.files) > 1 and shown in text
+        more = paths_in(text.replace(shown, "\n")) if beside else paths_in(text)
+        self.set_files([*self.files, *(path for path in more if path not in self.files)] if beside else more)
 
     def _shown(self) -> str:
-        return self.files[0] if len(self.files) == 1 else tr("{0} files").format(len(self.files))
+        if len(self.files) > 1:
+            return tr("{0} files").format(len(self.files))
+        return self.files[0] if self.files else ""
 
     def _show(self) -> None:
         self.line.setText(self._shown())
+        self.line.setPlaceholderText(tr("{0} files").format(0))
         self.line.setToolTip("\n".join(self.files))
 
 
 def paths_in(text: str) -> list[str]:
     """Paths in a pasted text: in quotation marks, as file managers copy them, or between semicolons."""
     quoted = re.findall(r'"([^"]+)"', text)
+    if re.fullmatch(r"\s*'[^']+'(\s+'[^']+')*\s*", text):  # as terminals of Linux write them
+        quoted = re.findall(r"'([^']+)'", text)
     parts = quoted or re.split(r"[;\r\n]", text)
     urls = (part.strip() for part in parts)
     return [QUrl(part).toLocalFile() if part.startswith("file:") else part for part in urls if part]
