@@ -17,6 +17,7 @@ from urbanmap_qgis.aerial.markings.orthophoto_reader import _in_blocks
 from urbanmap_qgis.buildings.planes.plane_segmentation import _seen_inside, _spread, _without_strips
 from urbanmap_qgis.buildings.planes.step_lines import _longest
 from urbanmap_qgis.buildings.segmentation import BUFFER, _ground_part
+from urbanmap_qgis.citymodel.checks.feature_walk import _coordinates
 from urbanmap_qgis.citymodel.citygml.value_reader import generic_value
 from urbanmap_qgis.citymodel.model import Measure
 from urbanmap_qgis.citymodel.tables.table_store import TableStore
@@ -34,6 +35,7 @@ from urbanmap_qgis.mobile.lines.rectification import BETWEEN
 from urbanmap_qgis.mobile.lines.rectification_report import course_map
 from urbanmap_qgis.mobile.survey_tiles import _meet, _within
 from urbanmap_qgis.mobile.trajectory import Trajectory
+from urbanmap_qgis.roadmap.comparison.map_elements import _crosswalk, elements_of_lines
 from urbanmap_qgis.roadmap.edges.assembly import LIMITS as EDGE_LIMITS
 from urbanmap_qgis.roadmap.edges.assembly import _carry_low
 from urbanmap_qgis.roadmap.lanes import beyond_junctions
@@ -378,7 +380,32 @@ def test_lines_of_a_layer_keep_their_chain_and_bound_and_official_edges_have_non
     assert (official.kind, official.chain, official.identifier) == ("road border", -1, -1)
 
 
+@pytest.mark.parametrize(("columns", "name"), [({}, "2"), ({"id": [None, "a"]}, "a"), ({"bound_id": [1, None]}, "2"),
+                                               ({"line_id": [1, 4], "id": ["x", "y"]}, "4")])
+def test_lines_of_a_layer_are_named_by_their_ids_or_rows(columns, name):
+    line = shapely.LineString([(0, 0), (9, 0)])
+    (found,) = elements_of_lines([None, line], {"class": ["solid", "dashed"], "colour": ["", "yellow"], **columns})
+    assert (found.identifier, found.kind, found.colour, found.double) == (name, "dashed", "yellow", None)
+    assert np.isnan(found.sigma) and found.points.tolist() == [[0.0, 0.0], [9.0, 0.0]]
+
+
+@pytest.mark.parametrize("turned", [False, True])
+def test_a_crosswalk_is_the_area_between_its_bounds_and_leads_across_them(turned):
+    left, right = np.array([[0.0, 4.0], [5.0, 4.5], [10.0, 4.0]]), np.array([[0.0, 0.0], [6.0, -0.5], [10.0, 0.0]])
+    relation = SimpleNamespace(identifier=7, members=[("way", 1, "left"), ("way", 2, "right")])
+    found = _crosswalk(relation, {1: left, 2: right[::-1] if turned else right})
+    ring = shapely.Polygon(found.points)
+    assert ring.is_valid and ring.area == pytest.approx(40.0 + 2.5 + 2.5) and found.heading.tolist() == [0.0, 1.0]
+    assert _crosswalk(relation, {1: left}) is None
+
+
 # Tables and the sample city
+
+
+@pytest.mark.parametrize("ring", ["<r><posList>1 2 3 4 5 6</posList></r>", "<r><pos>1 2 3</pos><pos>4 5 6</pos></r>",
+                                  "<r><pos>1 2 3</pos><x><pos>4 5 6</pos></x></r>"])
+def test_coordinates_of_a_ring_stand_in_one_list_or_point_by_point(ring):
+    assert _coordinates(ElementTree.fromstring(ring)) == "1 2 3 4 5 6"
 
 
 @pytest.mark.parametrize(("text", "value"), [
