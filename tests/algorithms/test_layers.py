@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import sqlite3
+from contextlib import closing
+
 import numpy as np
 import pytest
 import shapely
@@ -54,3 +57,24 @@ def test_a_layer_without_features_that_a_full_disk_cut_off_is_told(plugin, tmp_p
                                   module.make_fields(("kind", "text")), {"kind": []},
                                   QgsCoordinateReferenceSystem("EPSG:6677"), [], "Polygon", "road_surfaces")
         assert not list((tmp_path / "disk").iterdir())
+
+
+def test_a_file_in_which_no_layer_was_entered_is_told(plugin, tmp_path, monkeypatch):
+    """As on a disk with room for the file of a GeoPackage and not for its layer's entry."""
+    from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingContext
+
+    algorithm = plugin("algorithms.roadmap.roadmodel").RoadModel().create()
+    module, styles = plugin("algorithms.framework.layers.layers"), plugin("algorithms.framework.layers.styles")
+    whole = styles.field_names
+
+    def without_entry(path):
+        with closing(sqlite3.connect(path)) as database, database:
+            database.execute("DELETE FROM gpkg_contents")
+        return whole(path)
+
+    monkeypatch.setattr(styles, "field_names", without_entry)
+    with pytest.raises(plugin("urbanmap_qgis.errors").OutputError, match="not written whole .*make room"):
+        algorithm.write_layer({"OUTPUT": str(tmp_path / "roads.gpkg")}, "OUTPUT", QgsProcessingContext(),
+                              module.make_fields(("kind", "text")), {"kind": []},
+                              QgsCoordinateReferenceSystem("EPSG:6677"), [], "Polygon", "road_surfaces")
+    assert not list(tmp_path.iterdir())

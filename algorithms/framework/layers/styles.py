@@ -180,10 +180,23 @@ def save_style(path: Path, style: str, own: Sequence[str], progress: Progress, e
         save_style_text(path, style or TABLE_STYLE, text)
 
 
+def _only_layer(database: sqlite3.Connection) -> str:
+    """Name of the only layer of a GeoPackage.
+
+    Raises
+    ------
+    sqlite3.DatabaseError : none is entered in it, as where a full disk let QGIS make the file and no more.
+    """
+    layers = database.execute("SELECT table_name FROM gpkg_contents").fetchall()
+    if len(layers) != 1:
+        raise sqlite3.DatabaseError("its layer is not entered in it")
+    return layers[0][0]
+
+
 def field_names(path: Path) -> list[str]:
     """Fields of the only layer of a GeoPackage, without its geometry."""
     with closing(sqlite3.connect(path)) as database:
-        (table,), = database.execute("SELECT table_name FROM gpkg_contents")
+        table = _only_layer(database)
         column = database.execute("SELECT column_name FROM gpkg_geometry_columns").fetchone()
         names = [row[1] for row in database.execute(f'PRAGMA table_info("{table}")')]
     return [name for name in names if column is None or name != column[0]]
@@ -192,7 +205,7 @@ def field_names(path: Path) -> list[str]:
 def save_style_text(path: Path, name: str, text: str) -> None:
     """Save QML into a GeoPackage as the default style of its only layer."""
     with closing(sqlite3.connect(path)) as database, database:
-        (table,), = database.execute("SELECT table_name FROM gpkg_contents")
+        table = _only_layer(database)
         column = database.execute("SELECT column_name FROM gpkg_geometry_columns").fetchone()
         database.execute(_STYLES_TABLE)
         database.execute("INSERT INTO gpkg_contents (table_name, data_type, identifier, last_change, srs_id) "
