@@ -50,12 +50,13 @@ def test_inputs_and_settings_are_in_the_users_words(stage, plugin, polygon_layer
 
 
 def test_temporary_results_are_not_told_by_their_names(plugin, qgis_app):
-    from qgis.core import QgsProcessingContext
+    from qgis.core import NULL, QgsProcessingContext
 
     facts = plugin("algorithms.framework.running.run_facts")
     text = facts.value_text("Outlines_1a2b3c4d_0000_1111_2222_123456789abc", QgsProcessingContext())
     assert text == "result of an earlier step"
     assert facts.value_text(["/a/b.laz", "/c/d.laz"], QgsProcessingContext()) == "b.laz, d.laz"
+    assert facts.value_text(NULL, QgsProcessingContext()) == ""  # what a window gives for a setting that was left out
     assert facts.value_text("/a/b.gpkg|layername=屋根", QgsProcessingContext()) == "b.gpkg, 屋根"
 
 

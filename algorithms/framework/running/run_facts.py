@@ -7,7 +7,7 @@ import re
 from collections.abc import Mapping
 from pathlib import Path
 
-from qgis.core import QgsProcessingContext, QgsProcessingUtils
+from qgis.core import NULL, QgsProcessingContext, QgsProcessingUtils
 
 from ..declaring.parameters import UNIT, tr
 from ..layers.crs import crs_from, crs_name, heights, horizontal
@@ -82,7 +82,7 @@ def _is_free_text(definition, value: object) -> bool:
 def value_text(value: object, context: QgsProcessingContext) -> str:
     """A parameter's value in words: of files and layers their names."""
     value = _plain(value)
-    if value is None or value == "":
+    if value is None or value == "" or value == NULL:
         return ""
     if isinstance(value, bool):
         return tr("yes") if value else tr("no")

@@ -73,7 +73,7 @@ figure.switch input:nth-of-type(3):checked ~ div img:nth-of-type(3) { display: b
 figcaption { font-size: .9em; color: #555; }
 @media (max-width: 30em) {
   body { margin: .6em auto; padding: 0 .6em; font-size: .95em; }
-  th, td { padding: .25em .4em; }
+  th, td { padding: .25em .4em; min-width: 3.6em; }
   figure.broad { overflow-x: auto; }
   figure.broad svg { min-width: 46rem; }
   figure.broad figcaption { position: sticky; left: 0; }
