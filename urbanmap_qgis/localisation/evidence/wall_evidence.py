@@ -9,7 +9,9 @@ from ..localisation_settings import LocalisationSettings
 from ..walls.wall_cells import PlanWallCells
 from ..walls.wall_map import WallMap
 from ..walls.wall_scan import WallScan
+from .effective_walls import robust_excess
 from .information import Evidence, SharedError, covariances_of_parts, surface_rows
+from .settled_place import settled_places
 
 
 def wall_evidence(walls: WallMap, scan: WallScan, sensor: np.ndarray, cells: PlanWallCells,
@@ -47,11 +49,24 @@ def walls_covariance(walls: WallMap, scan: WallScan, sensor: np.ndarray, heading
     turned = np.round(heading / (2 * np.pi) * azimuths).astype(np.int64)
     before = patterns[:, scan.layer, (scan.ray - turned[scan.of]) % azimuths]
     distance = np.linalg.norm(scan.offset, axis=1)
-    prior = settings.prior()
+    prior, masks = settings.prior(), [distance < reach for reach in before]
     total = np.zeros((len(sensor), 3, 3))
-    for each in covariances_of_parts(every, (distance < reach for reach in before), len(sensor), prior):
+    for each in covariances_of_parts(every, masks, len(sensor), prior):
         total += each
-    return total / len(patterns)
+    total /= len(patterns)
+    return total if settings.matcher == "ICP" else total + _of_ndt(walls, scan, sensor, cells, every, masks, settings)
+
+
+def _of_ndt(walls: WallMap, scan: WallScan, sensor: np.ndarray, cells: PlanWallCells, every: Evidence,
+            masks: list[np.ndarray], settings: LocalisationSettings) -> np.ndarray:
+    """(n, 3, 3) that an NDT adds to the linear match: it follows the strongest walls, and cells pull it aside."""
+    wall, prior = walls.walls.wall[scan.piece], settings.prior()
+    mixture = Mixture.of(settings.outliers, settings.cell, 2)
+    aside = settled_places(scan, sensor, cells, mixture, prior)
+    added = robust_excess(every, scan.weight, wall, walls.sigma[wall], masks, len(sensor), prior, mixture.sharpness)
+    values, vectors = np.linalg.eigh(added + np.einsum("ni,nj->nij", aside, aside))
+    # Chance makes the difference of moments small and negative where nothing is to be added.
+    return np.einsum("nij,nj,nkj->nik", vectors, np.maximum(values, 0.0), vectors)
 
 
 def _losses(weight: np.ndarray, sigma: np.ndarray, settings: LocalisationSettings) -> np.ndarray:

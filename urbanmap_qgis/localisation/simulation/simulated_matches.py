@@ -8,6 +8,7 @@ import numpy as np
 
 from ...mobile.registration.matching.ndt_map import NdtMap
 from ...mobile.registration.matching.ndt_match import Mixture, RigidMotion, match_points, rotation_matrix
+from ..evidence.effective_walls import LEVELS
 from ..localisation_settings import LocalisationSettings
 from ..map_aliases import EVIDENCE_OF_CELL, STEP, ScoreField
 from ..walls.wall_cells import space_cells, wall_plan_cells
@@ -18,8 +19,7 @@ from ..walls.wall_map import WallMap
 class SimulatedMatchesLimits:
     """Limits of simulated matches, each with its unit."""
 
-    # Least sigmas of the walls at the levels before the last, m: walls that are farther off still pull.
-    coarse: tuple[float, ...] = (1.0, 0.3)
+    coarse: tuple[float, ...] = LEVELS
     ground_sigma: float = 0.05
     same_start: float = 3.0  # Starts are looked for within so many sigmas.
     starts: int = 2  # Starts from which the NDT is tried; the likeliest result is kept.
