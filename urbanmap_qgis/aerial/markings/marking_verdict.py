@@ -173,9 +173,9 @@ def _result(found: MarkingResult, contrast: float) -> list[str]:
                            "an image that is dim or out of focus."))
     short = _share(float(marks.area[marks.length < LIMITS.short].sum()), float(marks.area.sum()))
     if cleaned and short > LIMITS.in_short:  # a plain threshold leaves specks in every image
-        reasons.append(say("{share:.0%} of the found paint lies in pieces shorter than {length:g} m, as rims, joints and "
-                           "specks of light do: much of it may be no paint. Look at it over the image, answer what is "
-                           "doubtful, or give roads.", share=short, length=LIMITS.short))
+        reasons.append(say("{share:.0%} of the found paint lies in pieces shorter than {length:g} m, as rims, joints "
+                           "and specks of light do: much of it may be no paint. Look at it over the image, answer "
+                           "what is doubtful, or give roads.", share=short, length=LIMITS.short))
     if found.road is not None and found.road.texture > LIMITS.rough:
         reasons.append(say("Smooth ground has a texture of {texture:.1f} grey values in this image, as noise or "
                            "sharpening make it: more paint is missed, and more else found.",
