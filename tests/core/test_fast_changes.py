@@ -63,6 +63,15 @@ def test_a_change_at_a_stop_beyond_its_wandering_is_told_and_neither_side_is_cal
     assert made.steps and not ((made.status == REGISTERED) & (off > 0.1)).any()
 
 
+@pytest.mark.parametrize(("gap", "told"), [((208.0, 222.0), True), ((185.0, 245.0), False)])
+def test_a_stop_in_a_stretch_without_markings_that_has_room_for_a_fix_takes_registration_from_neither_side(gap, told):
+    """The trajectory may be fixed anew within 20 m of it; a shorter one leaves no room."""
+    drive = simulate(5, waits={215.0: 12.0}, crossings=25.0, turn=None, gaps=(gap,))
+    made = adjust_correction(shifted(drive, 215.0, 600.0, (0.29, -0.19)).windows, drive.reported)
+    assert bool({step.kind for step in made.steps} & {UNDECIDED, DISAGREEMENT}) == told
+    assert ((made.status == REGISTERED).mean() > 0.8) == (not told)
+
+
 @pytest.mark.parametrize(("size", "told"), [(0.0, False), (0.2, True), (0.5, False)])
 def test_markings_that_are_not_believed_are_told_where_the_sides_leave_room_for_a_step(size, told):
     sides = NodeStep(100, np.array([0.02, 0.0]), 0.1**2 * np.eye(2), 0.04)

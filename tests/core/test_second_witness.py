@@ -129,6 +129,33 @@ def test_held_observations_and_their_offset_equal_the_dense_solution():
     assert sigma == pytest.approx(more**-0.5, rel=1e-4)
 
 
+def test_what_is_held_does_not_follow_a_shift_of_the_markings():
+    """By the difference of two adjustments; without walls all of the path follows all of the shift."""
+    drive = simulate(3, length=200.0, turn=None, gaps=((60.0, 140.0),))
+    along = path_parameters_of(drive.reported, 1.0)
+    at = np.interp(drive.windows.time, drive.reported.time, along)
+    normals, nodes = normal_equations_of(drive.windows, at), nodes_along(along, 2.0)
+    bare = NodeChain(normals, nodes, drive.reported, along, np.zeros(len(nodes) - 1))
+    model, weight = CorrectionSettings().error_model(np.tile([0.05, 0.05, 0.1], (len(nodes), 1))), np.ones(len(at))
+    held = HeldObservations(np.linspace(70.0, 130.0, 40), np.tile([[1.0, 0.3, 0.0], [-1.0, 0.5, 0.0]], (20, 1)),
+                            np.zeros(40), np.full(40, 50.0), 0.2, (0.3, 0.5))
+    chain = bare.with_held(held)
+
+    def solved(shift):
+        moved = chain.with_normals(replace(normals, place=normals.place + np.append(shift, 0.0)))
+        state = moved.solve(model, weight)[0]
+        offset, _, response = moved.offset_of_held(model, weight, state)
+        state = state + response * (offset - held.offset)
+        return chain.interpolate(state, np.zeros((len(nodes), 6, 6)), at)[0][:, :2]
+
+    expected = np.stack([(solved(np.eye(2)[axis]) - solved(np.zeros(2))) for axis in range(2)], axis=2)
+    found = chain.shift_response(model, weight, at)
+    assert found == pytest.approx(expected, abs=1e-6)
+    middle = (drive.windows.chainage > 90.0) & (drive.windows.chainage < 110.0)
+    assert found[middle, 0, 0].max() < 0.3 and found[0] == pytest.approx(np.eye(2), abs=0.05)
+    assert (bare.shift_response(model, weight, at) == np.eye(2)).all()
+
+
 def test_a_straight_wall_tells_a_jump_of_the_correction_and_only_that():
     x = np.arange(0.0, 60.0, 0.5)
     place = np.concatenate([np.column_stack([x, np.full(len(x), side)]) for side in (8.0, -8.0)])

@@ -135,7 +135,8 @@ def test_a_common_offset_of_opposite_walls_moves_nothing():
     outward, n, nothing = np.array([[0.0, 1.0], [0.0, -1.0]]), 2, np.zeros((2, 2))
     value = np.column_stack([0.2 * outward, np.full((2, 2), np.nan)])
     seen = NetworkObservations(np.zeros(n, int), np.full(n, 2.0), nothing, np.full(n, NONE), np.zeros(n), nothing,
-                               value, np.tile(np.diag([100.0, 0.04**2, 1.0, 1.0]), (n, 1, 1)), np.full(n, WALL), outward)
+                               value, np.tile(np.diag([100.0, 0.04**2, 1.0, 1.0]), (n, 1, 1)), np.full(n, WALL),
+                               outward)
     parameter = np.array([0.0, 4.0])
     made = adjust_network([DriveNodes(parameter, np.zeros(1), np.zeros(1))], seen, NetworkSettings(model))
     assert np.abs(made.state[0][:, :2, 0]).max() < 1e-9

@@ -31,8 +31,8 @@ def write_network_report(path: str | os.PathLike, survey: AdjustedSurvey) -> Non
     report.table(("Drive", *(f"{known(name)} (%)" for name in KINDS)),
                  [(drive.name, *(100.0 * share for share in survey.witness_shares(number)))
                   for number, drive in enumerate(survey.drives)])
-    report.paragraph("Share that each kind of observation has in what is known of a drive in plan. Ties and planes lay drives "
-                "on each other; control points, reference markings and walls place them.")
+    report.paragraph("Share that each kind of observation has in what is known of a drive in plan. Ties and planes lay "
+                     "drives on each other; control points, reference markings and walls place them.")
     for drive in survey.drives:
         _profiles(report, drive)
     report.write(path)

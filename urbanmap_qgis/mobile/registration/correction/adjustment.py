@@ -87,7 +87,7 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
     unmeasured = unmeasured_angles(chain, fit, model.attitude.sigma)
     fit, model = with_reported_angles(chain, fit, model, unmeasured)
     found = replace(found, fit=with_plan_noise(chain, fit, model, points is not None))
-    correction = correction_at_patches(windows, found, at_patches, doubtful, settings, conflict, unseen)
+    correction = correction_at_patches(windows, found, at_patches, doubtful, settings, conflict, unseen, model)
     if correction.three_d:
         correction = with_shown_angles(correction, _angle_sigma(trajectory, path_parameter, at_patches, settings),
                                        unmeasured)

@@ -150,18 +150,43 @@ class NodeChain:
         state : (k, d, 2) as solved with the offset that the observations have; they follow by (k, d, 2) a metre.
         """
         observed, (mean, sigma) = self.held, self.held.offset_prior
-        information, _, pull = self._held_sums
-        bare = copy(self)
-        bare.normals = replace(self.normals, gradient=np.zeros_like(self.normals.gradient),
-                               place=np.zeros_like(self.normals.place))
-        bare._held_sums = information, -pull, pull
-        bare._held, bare.stops = None, StopMovement(np.zeros_like(self.stops.moved), self.stops.variance)
-        response = bare._solved(model, weight)[0].state.reshape(pull.shape)
+        response, precision = self._offset_response(model, weight)
         node, ahead = self._next_node(observed.path_parameter)
         value = state[node, :, 0] + ahead[:, None] * state[node, :, 1]
         lean = float((observed.weight * observed.residual(value)).sum()) + (observed.offset - mean) / sigma**2
-        precision = float(observed.weight.sum()) + 1.0 / sigma**2 + float((pull * response).sum())
         return observed.offset - lean / precision, precision**-0.5, response
+
+    def _offset_response(self, model: PoseErrorModel, weight: np.ndarray) -> tuple[np.ndarray, float]:
+        """(k, d, 2) by which the states follow the offset of the held observations, a metre; the offset's precision."""
+        pull = self._held_sums[2]
+        response = self._followed(model, weight, np.zeros(self.size), -pull)
+        precision = float(self.held.weight.sum()) + self.held.offset_prior[1] ** -2.0 + float((pull * response).sum())
+        return response, precision
+
+    def _followed(self, model: PoseErrorModel, weight: np.ndarray, shift: np.ndarray,
+                  held_right: np.ndarray) -> np.ndarray:
+        """(k, d, 2) states of the evidence moved by `shift` (d,) alone, with a right side of what is held."""
+        bare = copy(self)
+        bare.normals = replace(self.normals, gradient=np.zeros_like(self.normals.gradient),
+                               place=np.broadcast_to(shift, self.normals.place.shape))
+        bare._held_sums = self._held_sums[0], held_right, self._held_sums[2]
+        bare._held, bare.stops = None, StopMovement(np.zeros_like(self.stops.moved), self.stops.variance)
+        return bare._solved(model, weight)[0].state.reshape(held_right.shape)
+
+    def shift_response(self, model: PoseErrorModel, weight: np.ndarray, path_parameter: np.ndarray) -> np.ndarray:
+        """(n, 2, 2) how far the place in plan at path parameters (n,) follows a shift in plan of all the evidence.
+
+        All of it without held observations; with them what they leave: they stay, but for their common offset.
+        """
+        if self.held is None:
+            return np.broadcast_to(np.eye(2), (len(path_parameter), 2, 2))
+        offset_response, precision = self._offset_response(model, weight)
+        pull, followed = self._held_sums[2], np.empty((len(path_parameter), 2, 2))
+        for axis in range(2):
+            states = self._followed(model, weight, np.eye(self.size)[axis], np.zeros_like(pull))
+            states = states - offset_response * (float((pull * states).sum()) / precision)
+            followed[:, :, axis] = smooth_between(self.nodes, states, path_parameter)[:, :2]
+        return followed
 
     def disturbances(self, model: PoseErrorModel, weight: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """How each step of the chain pulls at the model: (k - 1, p), with covariances (k - 1, p, p) where it holds.

@@ -83,13 +83,17 @@ class UnseenSteps:
 
     Attributes
     ----------
-    variance : (2, 2) m2, that it adds in plan on all of the path.
+    variance : (2, 2) m2, that it adds in plan to a place that the markings alone hold.
     median, largest : m, the size from which a step is told, along the path; NaN where no two sides are seen.
     """
 
     variance: np.ndarray
     median: float = np.nan
     largest: float = np.nan
+
+    def followed(self, response: np.ndarray) -> np.ndarray:
+        """(n, 2, 2) m2, that it adds where the place follows the markings by `response` (n, 2, 2)."""
+        return np.einsum("nij,jk,nlk->nil", response, self.variance, response)
 
 
 def unseen_steps(chain: NodeChain, model: PoseErrorModel, fit: Fit, known: Sequence[NodeStep]) -> UnseenSteps:

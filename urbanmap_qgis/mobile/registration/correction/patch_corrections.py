@@ -77,6 +77,7 @@ class Correction:
     steps : where reference and survey disagree, in the order driven.
     walls : (n,) 0 to 1, share of the walls in what is known of the place in plan around; None where none were held.
     unseen : steps of the reference that nothing would show; the covariance has them. None where nobody asked.
+    unseen_variance : (n, 2, 2) m2 of the covariance in plan that is theirs.
     reference_sigma : m in plan, what the reference itself was said to be off by; the covariance has it. NaN where it is
         a floor only (J's patches).
     """
@@ -100,6 +101,7 @@ class Correction:
     steps: tuple[CorrectionStep, ...] = ()
     walls: np.ndarray | None = None
     unseen: UnseenSteps | None = None
+    unseen_variance: np.ndarray | None = None
     reference_sigma: float = np.nan
 
     def __len__(self) -> int:
@@ -123,7 +125,7 @@ class Correction:
         """(n,) the same relative to the reference: without what that may be off by itself; None where not known."""
         if self.unseen is None:
             return None
-        return plan_sigma(self.covariance[:, :2, :2] - self.unseen.variance - self.reference_sigma**2 * np.eye(2))
+        return plan_sigma(self.covariance[:, :2, :2] - self.unseen_variance - self.reference_sigma**2 * np.eye(2))
 
 
 def correct_trajectory(trajectory: Trajectory, correction: Correction) -> Trajectory:
@@ -198,7 +200,8 @@ def _scaled_in_plan(chain: NodeChain, covariance: np.ndarray, found: np.ndarray)
 
 
 def correction_at_patches(windows: WindowResults, found: Disagreements, at_patches: np.ndarray, doubtful: np.ndarray,
-                          settings: CorrectionSettings, conflict: WitnessConflict, unseen: UnseenSteps) -> Correction:
+                          settings: CorrectionSettings, conflict: WitnessConflict, unseen: UnseenSteps,
+                          model: PoseErrorModel) -> Correction:
     """The correction at the patches with its quality."""
     chain, fit, n = found.chain, found.fit, len(windows)
     normals = chain.normals
@@ -221,7 +224,8 @@ def correction_at_patches(windows: WindowResults, found: Disagreements, at_patch
     covariance[:, :2, :2] += variance + either
     # whether markings fix a place does not hang on how far the reference may be off
     relative = plan_sigma(covariance[:, :2, :2] - np.diag(floor[:2]))
-    covariance[:, :2, :2] += unseen.variance
+    by_unseen = unseen.followed(chain.shift_response(model, fit.weight / fit.noise_factor, at_patches))
+    covariance[:, :2, :2] += by_unseen
     support = np.where(chain.fast_near(at_patches, LIMITS.on_step), LIMITS.step_support, settings.support_length)
     by_paint = own_information(normals, fit.weight / fit.noise_factor, at_patches, support)
     by_walls = chain.held.plan_information(at_patches, support) if chain.held else np.zeros_like(by_paint)
@@ -241,7 +245,7 @@ def correction_at_patches(windows: WindowResults, found: Disagreements, at_patch
                       normals.three_d, fit.drift_factor, fit.noise_factor, fit.heading_factor, chain.nodes, fit.state,
                       normals.active, settings.time_weight,
                       walls=wall_shares(by_paint, by_walls) if chain.held else None, unseen=unseen,
-                      reference_sigma=settings.reference_sigma)
+                      unseen_variance=by_unseen, reference_sigma=settings.reference_sigma)
 
 
 def _bridged(status: np.ndarray, reason: np.ndarray, mask: np.ndarray, why: str) -> tuple[np.ndarray, np.ndarray]:
