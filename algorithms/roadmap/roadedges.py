@@ -155,3 +155,8 @@ class RoadEdges(UrbanMapAlgorithm):
         if not found.length("kerb", "lowered kerb"):
             progress.warn(tr("No kerb was found along {0:.0f} m of path: the road has none, or the points are too "
                              "sparse or too noisy to show steps of a few centimetres.").format(found.path_length))
+        left, right = found.bare_sides
+        if max(left, right) >= 1.0:
+            progress.message(tr("No kerb was found beside {0:.0f} m of the path on the left and {1:.0f} m on the "
+                                "right: kerbs lower than about 6 cm all along are not seen, there may be such.").format(
+                left, right))

@@ -12,6 +12,7 @@ from ...io.points.point_buckets import PointBuckets
 from ...io.points.pointcloud import open_cloud
 from ...mobile.trajectory import Trajectory
 from ...progress import SILENT, Progress
+from .bare_sides import bare_sides
 from .edge_courses import edge_courses
 from .edge_lines import edge_lines
 from .edge_points import EdgePoints
@@ -30,12 +31,14 @@ class EdgesFound:
     edges : kerbs first, then rails and walls, then borders, each kind in the order in which it was found.
     path_length : m driven.
     points_read, points_used : of the survey.
+    bare_sides : m driven without a kerb within reach on the left and on the right.
     """
 
     edges: list[RoadEdge]
     path_length: float
     points_read: int
     points_used: int
+    bare_sides: tuple[float, float] = (0.0, 0.0)
 
     def length(self, *kinds: str) -> float:
         """Length of the edges of some kinds, m."""
@@ -63,7 +66,7 @@ def road_edges(paths: Sequence[str | os.PathLike], trajectory: Trajectory, setti
         courses = edge_courses(survey, settings, local, progress.part(0.4, 0.65))
         edges = edge_lines(courses, survey, settings, local, progress.part(0.65, 1.0))
     return EdgesFound([_placed(edge, settings) for edge in edges], float(survey.chainage[-1]), survey.read_points,
-                      survey.kept_points)
+                      survey.kept_points, bare_sides(edges, trajectory.place, settings.width))
 
 
 def _placed(edge: RoadEdge, settings: EdgeSettings) -> RoadEdge:
