@@ -8,13 +8,13 @@ from functools import partial
 from qgis.core import QgsLayoutUtils, QgsTextRenderer
 
 LINE = 0.345  # height of a line, mm a point of the letters' size
+NEXT_LINE = 0.38  # of each more line of a cell, likewise
 
 
 def row_heights(layout, table, rows: Sequence[Sequence[str]]) -> list[float]:
     """How high each row of a table is, mm."""
     context = QgsLayoutUtils.createRenderContextForLayout(layout, None)
     letters, unit = table.contentTextFormat(), context.scaleFactor()
-    line = LINE * letters.size()
     room = [width * unit for width in table.columnWidths()]
 
     def lines(text: str, width: float) -> int:
@@ -30,7 +30,8 @@ def row_heights(layout, table, rows: Sequence[Sequence[str]]) -> list[float]:
                     filled = longer
         return count
 
-    return [max(map(lines, row, room)) * line + 2 * table.cellMargin() + table.gridStrokeWidth() for row in rows]
+    return [(LINE + NEXT_LINE * (max(map(lines, row, room)) - 1)) * letters.size() + 2 * table.cellMargin()
+            + table.gridStrokeWidth() for row in rows]
 
 
 def broken_rows(layout, table, rows: Sequence[Sequence[str]]) -> list[list[str]]:
@@ -40,7 +41,7 @@ def broken_rows(layout, table, rows: Sequence[Sequence[str]]) -> list[list[str]]
 
     context = QgsLayoutUtils.createRenderContextForLayout(layout, None)
     letters, unit = table.contentTextFormat(), context.scaleFactor()
-    room = [0.99 * (width - 2 * table.cellMargin()) * unit for width in table.columnWidths()]
+    room = [0.99 * width * unit for width in table.columnWidths()]  # margins are not in them
 
     def fits(text: str, width: float) -> bool:
         return QgsTextRenderer.textWidth(context, letters, [text]) <= width

@@ -127,6 +127,14 @@ def test_long_names_stand_whole_in_the_form(run, checks, tmp_path):
     assert (tmp_path / "a.html").read_text(encoding="utf-8").count("<td>GNSS/IMU AP60</td>") == 2  # form and settings
 
 
+def test_no_point_is_lost_where_units_take_two_lines(run, tmp_path):
+    rows = [f"P{k},{k},{k},5,{k}.01,{k},5.01,第{k % 2}工区道路台帳附図更新業務" for k in range(90)]
+    (tmp_path / "a.csv").write_text("\n".join(["id,x,y,z,x_product,y_product,z_product,unit", *rows]), encoding="utf-8")
+    run("urbanmap:acceptance", {"INPUT": str(tmp_path / "a.csv"), "OUTPUT_PDF": str(tmp_path / "a.pdf")})
+    words = " ".join(pages(tmp_path / "a.pdf")[1:]).split()
+    assert [f"P{k}" for k in range(90) if f"P{k}" not in words] == []
+
+
 def test_patches_must_be_those_of_a_registration(run, checks):
     with pytest.raises(Exception, match="stand in a report on check points"):
         run("urbanmap:acceptance", {"BUILDINGS": checks, "PATCHES": checks})
