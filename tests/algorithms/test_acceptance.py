@@ -157,6 +157,10 @@ def test_edges_are_drawn_where_there_are_no_check_points(run, small_city, tmp_pa
     assert "Nothing was checked" in page and "第3工区" in page and "Accepted" not in page
     pdf = (tmp_path / "edges.pdf").read_bytes()
     assert pdf.startswith(b"%PDF") and pdf.count(b"/Type /Page\n") >= 2
+    if shutil.which("pdftotext"):
+        printed = " ".join(pages(tmp_path / "edges.pdf")).split()
+        assert [row for row in rows[1:] if row.partition(",")[0] not in printed] == []
+        assert rows[1].split(",")[3] in printed  # the unit's code in one line
     with pytest.raises(Exception, match="no errors to list: leave “All points” out"):
         run("urbanmap:acceptance", {"BUILDINGS": models, "OUTPUT_CSV": str(tmp_path / "all.csv")})
     # The table that nobody filled in is no check either.
