@@ -8,7 +8,7 @@ from functools import partial
 from qgis.core import QgsLayoutUtils, QgsTextRenderer
 
 LINE = 0.345  # height of a line, mm a point of the letters' size
-NEXT_LINE = 0.38  # of each more line of a cell, likewise
+NEXT_LINE = 0.46  # of each more line of a cell, likewise
 
 
 def row_heights(layout, table, rows: Sequence[Sequence[str]]) -> list[float]:

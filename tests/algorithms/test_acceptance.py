@@ -128,11 +128,12 @@ def test_long_names_stand_whole_in_the_form(run, checks, tmp_path):
 
 
 def test_no_point_is_lost_where_units_take_two_lines(run, tmp_path):
-    rows = [f"P{k},{k},{k},5,{k}.01,{k},5.01,第{k % 2}工区道路台帳附図更新業務" for k in range(90)]
+    rows = [f"P{k},{k},{k},5,{k}.01,{k},5.01,第{k % 2}工区道路台帳附図更新業務" for k in range(200)]
     (tmp_path / "a.csv").write_text("\n".join(["id,x,y,z,x_product,y_product,z_product,unit", *rows]), encoding="utf-8")
-    run("urbanmap:acceptance", {"INPUT": str(tmp_path / "a.csv"), "OUTPUT_PDF": str(tmp_path / "a.pdf")})
+    run("urbanmap:acceptance", {"INPUT": str(tmp_path / "a.csv"), "UNIT": "unit",
+                                "OUTPUT_PDF": str(tmp_path / "a.pdf")})
     words = " ".join(pages(tmp_path / "a.pdf")[1:]).split()
-    assert [f"P{k}" for k in range(90) if f"P{k}" not in words] == []
+    assert [f"P{k}" for k in range(200) if f"P{k}" not in words] == []
 
 
 def test_patches_must_be_those_of_a_registration(run, checks):
