@@ -116,9 +116,11 @@ def _drive_result(drive: Drive, parameter: np.ndarray, nodes: DriveNodes, time: 
 def _tell(survey: AdjustedSurvey, placed: Sequence[bool | None], progress: Progress) -> None:
     """Say what was reached, and warn of what is not placed."""
     for name, count, lost, plan, _, up, _ in survey.residual_rows():
+        facts = {"count": count, "name": known(name), "lost": lost, "plan": 100 * plan}
         progress.message(say("{count} observations ({name}), {lost} without weight; RMS residual {plan:.1f} cm in "
-                             "plan, {up:.1f} cm in height.", count=count, name=known(name), lost=lost, plan=100 * plan,
-                             up=100 * up))
+                             "plan, {up:.1f} cm in height.", **facts, up=100 * up) if np.isfinite(up) else
+                         say("{count} observations ({name}), {lost} without weight; RMS residual {plan:.1f} cm in "
+                             "plan.", **facts))
     relative = [drive.name for drive, item in zip(survey.drives, placed) if item is False]
     loose = [drive.name for drive, item in zip(survey.drives, placed) if item is None]
     if relative:

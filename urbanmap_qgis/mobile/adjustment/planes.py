@@ -130,7 +130,8 @@ class _Pair:
         gap = ((moved[other] - moved[one]) * normal).sum(axis=1)
         good = (np.abs(cosine) >= _PARALLEL) & (np.abs(gap) <= LIMITS.normal_gap)
         first_drive, last_drive = sorted(self.drives)
-        if level is not None and first_drive != last_drive and (first_drive, last_drive) not in level:
+        self.level = level is None or first_drive == last_drive or (first_drive, last_drive) in level
+        if not self.level:
             good &= np.abs(normal[:, 2]) <= LIMITS.upright
         self.normal, self.gap, self.place = normal[good], gap[good], moved[one][good]
         self.time = [patches.time[some][good] for some in (one, other)]
@@ -168,6 +169,8 @@ class _Pair:
             body = interpolate(after, time)
             arm.append((place - body.place[0])[None, :2])
             value += sign * (body.place[0] - interpolate(before, time).place[0] + _turned(before, after, time, arm[-1]))
+        if not self.level:
+            value[2] = np.nan  # facades say nothing of heights
         return NetworkObservations(np.array([self.drives[0]]), parameter[0], arm[0], np.array([self.drives[1]]),
                                    parameter[1], arm[1], np.append(value, np.nan)[None], covariance[None],
                                    np.array([PLANE]))
