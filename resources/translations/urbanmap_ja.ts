@@ -617,7 +617,7 @@
     </message>
     <message>
         <source>RMS error of the control points that do not contradict the others, in plan, as given.</source>
-        <translation>他の点と矛盾しない標定点の、与えられた標定での平面位置の RMS 誤差。</translation>
+        <translation>他の点と矛盾しない標定点の、与えられた標定での水平位置の RMS 誤差。</translation>
     </message>
     <message>
         <source>RMS error of the check points in plan, after.</source>
@@ -1224,6 +1224,30 @@
         <translation>基準の路面標示に与える地表の標高（m）です。</translation>
     </message>
     <message>
+        <source>Outlines, or models with their heights (MultiPolygonZ of “Building models” or “Load city model”), whose walls are a second witness beside the markings. How far facades stand inside them is found.</source>
+        <translation>外形線、または高さ付きのモデル（「建物モデル」や「都市モデルの読み込み」の MultiPolygonZ）。その壁面を標示と並ぶ第二の根拠とします。壁面が外形線よりどれだけ内側にあるかは推定します。</translation>
+    </message>
+    <message>
+        <source>Features</source>
+        <translation>地物</translation>
+    </message>
+    <message>
+        <source>road markings alone</source>
+        <translation>路面標示のみ</translation>
+    </message>
+    <message>
+        <source>walls</source>
+        <translation>壁面</translation>
+    </message>
+    <message>
+        <source>all: markings and walls</source>
+        <translation>すべて（標示と壁面）</translation>
+    </message>
+    <message>
+        <source>What the survey is laid by. Automatic: paint, and walls where buildings are given. Paint: the markings alone. Walls: the markings give the start only. All: both; without buildings walls say only where the correction breaks them. (automatic, paint, walls, all)</source>
+        <translation>位置合わせに使う地物。automatic：標示、建物が指定されていれば壁面も。paint：標示だけ。walls：標示は初期値だけに使う。all：両方。建物がなければ、壁面は補正によって折れる場所だけを示します。(automatic, paint, walls, all)</translation>
+    </message>
+    <message>
         <source>Accuracy of control in plan</source>
         <translation>基準点の水平精度</translation>
     </message>
@@ -1280,8 +1304,8 @@
         <translation>補正後の軌跡に沿う点です。補正量、標準偏差、状態を持ちます。</translation>
     </message>
     <message>
-        <source>Residuals by kind, corrections and their uncertainty, what to distrust.</source>
-        <translation>種類別の残差、補正量とその不確かさ、信頼できない箇所を示します。</translation>
+        <source>Residuals by kind, the share of each witness, corrections and their uncertainty, what to distrust.</source>
+        <translation>種類ごとの残差、各観測の寄与、補正量とその不確かさ、信頼できない箇所。</translation>
     </message>
     <message>
         <source>Number of ties between drives.</source>
@@ -1290,6 +1314,14 @@
     <message>
         <source>Number of ties by facades and road.</source>
         <translation>壁面と路面による結合の数です。</translation>
+    </message>
+    <message>
+        <source>Number of observations on walls of buildings.</source>
+        <translation>建物の壁による観測の数。</translation>
+    </message>
+    <message>
+        <source>Walls</source>
+        <translation>壁面</translation>
     </message>
     <message>
         <source>Of their residuals.</source>
@@ -1632,30 +1664,6 @@
         <translation>車両の位置です。CSV time,x,y,z,roll,pitch,heading（GPS秒、m、度。精度が分かる場合はsd_roll,sd_pitch,sd_headingも）、Applanix SBET（smrmsgファイルを同じ場所に置く）、またはこれらのフィールドを持つ点レイヤを指定します。</translation>
     </message>
     <message>
-        <source>Outlines, or models with their heights (MultiPolygonZ of “Building models” or “Load city model”), whose walls are a second witness beside the markings. How far facades stand inside them is found.</source>
-        <translation>外形線、または高さ付きのモデル（「建物モデル」や「都市モデルの読み込み」の MultiPolygonZ）。その壁面を標示と並ぶ第二の根拠とします。壁面が外形線よりどれだけ内側にあるかは推定します。</translation>
-    </message>
-    <message>
-        <source>Features</source>
-        <translation>地物</translation>
-    </message>
-    <message>
-        <source>road markings alone</source>
-        <translation>路面標示のみ</translation>
-    </message>
-    <message>
-        <source>walls</source>
-        <translation>壁面</translation>
-    </message>
-    <message>
-        <source>all: markings and walls</source>
-        <translation>すべて（標示と壁面）</translation>
-    </message>
-    <message>
-        <source>What the survey is laid by. Automatic: paint, and walls where buildings are given. Paint: the markings alone. Walls: the markings give the start only. All: both; without buildings walls say only where the correction breaks them. (automatic, paint, walls, all)</source>
-        <translation>位置合わせに使う地物。automatic：標示、建物が指定されていれば壁面も。paint：標示だけ。walls：標示は初期値だけに使う。all：両方。建物がなければ、壁面は補正によって折れる場所だけを示します。(automatic, paint, walls, all)</translation>
-    </message>
-    <message>
         <source>Survey with its facades</source>
         <translation>壁面を含む計測点群</translation>
     </message>
@@ -1865,7 +1873,7 @@
     </message>
     <message>
         <source>In plan, over the whole path.</source>
-        <translation>平面位置、全経路。</translation>
+        <translation>水平位置、全経路。</translation>
     </message>
     <message>
         <source>Maximum standard deviation</source>
@@ -2537,7 +2545,7 @@
     </message>
     <message>
         <source>Heights of a surface model (DSM) with its buildings, instead of outlines: cells of 0.5 m give corners to 0.1 m, of 1 m to 0.4 m.</source>
-        <translation>外周線の代わりに使う、建物を含む表層モデル（DSM）の標高。角の精度は、格子間隔0.5 mで0.1 m、1 mで0.4 mほどです。</translation>
+        <translation>外周線の代わりに使う、建物を含む表層モデル（DSM）の標高。角の精度は、グリッド間隔0.5 mで0.1 m、1 mで0.4 mほどです。</translation>
     </message>
     <message>
         <source>Maximum distance</source>
@@ -3194,10 +3202,6 @@
     <message>
         <source>CityJSON file with solids, in the coordinate system of the walls, instead of the layer.</source>
         <translation>レイヤの代わりに用いる、立体を含むCityJSONファイル。座標系は壁面と同じとします。</translation>
-    </message>
-    <message>
-        <source>Walls</source>
-        <translation>壁面</translation>
     </message>
     <message>
         <source>PolygonZ of “Walls from a mobile survey”. Walls of few points, rough ones, those inside the outlines and what stands before facades are left out.</source>
@@ -4784,8 +4788,8 @@
         <translation>路面標示の線</translation>
     </message>
     <message>
-        <source>Lines, with heights where a ground is given: class (solid, dashed, stop line, guiding strip), colour, width (m), sigma (m, across), length (m), bridged (m without paint that should be there), period and dash (m), dashes (begins and ends along the line, m), chain (sections of one line), partner (chain that makes it a double line), confidence (0 to 1: share of the paint that should be there and is seen; of a stop line less where only lines' ends or only a crosswalk show it), placed (ends among the dashes' that are worn and lie where whole dashes ask for them, m), sigmas (m, at each vertex, growing with the distance to the paint).</source>
-        <translation>ライン（地盤を与えれば高さ付き）：class（solid、dashed、stop line、guiding strip）、colour、width（m）、sigma（横方向、m）、length（m）、bridged（あるべき塗装のない長さ m）、period と dash（m）、dashes（線に沿った始点と終点 m）、chain（一続きの線の区間）、partner（二重線の相手の chain）、confidence（0～1：あるべき塗装のうち見えた割合。停止線は線の端または横断歩道だけが示す場合は小さい）、placed（摩耗していて、揃った破線から位置を定めた端 m）、sigmas（各頂点の標準偏差 m、塗装から離れるほど大きい）。</translation>
+        <source>Lines, with heights where a ground is given: class (solid, dashed, stop line, guiding strip), colour, width and width_sigma (m, of the paint; by marking points, or empty where nothing tells it to 3 cm), sigma (m, across), length (m), bridged (m without paint that should be there), period and dash (m), dashes (begins and ends along the line, m), chain (sections of one line), partner (chain that makes it a double line), confidence (0 to 1: share of the paint that should be there and is seen; of a stop line less where only lines' ends or only a crosswalk show it), placed (ends among the dashes' that are worn and lie where whole dashes ask for them, m), sigmas (m, at each vertex, growing with the distance to the paint).</source>
+        <translation>ライン（地盤を与えれば高さ付き）：class（solid、dashed、stop line、guiding strip）、colour、width と width_sigma（標示の幅とその標準偏差 m。マーキング点群による。3 cm の精度で決められなければ空欄）、sigma（横方向、m）、length（m）、bridged（あるべき塗装のない長さ m）、period と dash（m）、dashes（線に沿った始点と終点 m）、chain（一続きの線の区間）、partner（二重線の相手の chain）、confidence（0～1：あるべき塗装のうち見えた割合。停止線は線の端または横断歩道だけが示す場合は小さい）、placed（摩耗していて、揃った破線から位置を定めた端 m）、sigmas（各頂点の標準偏差 m、塗装から離れるほど大きい）。</translation>
     </message>
     <message>
         <source>Marking areas</source>
@@ -5908,6 +5912,18 @@
         <translation>タイル処理</translation>
     </message>
     <message>
+        <source>2. Lays the frames on the ground that they see, without moving vehicles.</source>
+        <translation>2. 写真を、写っている地表に正射投影します。走行車両は除きます。</translation>
+    </message>
+    <message>
+        <source>3. Finds the road markings, with their heights, and reports on them.</source>
+        <translation>3. 路面標示を標高とともに検出し、報告書を作成します。</translation>
+    </message>
+    <message>
+        <source>1. Makes the surface, which tells what hides the ground, and the bare ground.</source>
+        <translation>1. 地表を隠すものを示す表層と、地盤面を作成します。</translation>
+    </message>
+    <message>
         <source>Goes from aerial frames and airborne laser points to the reference that mobile surveys are tied to, in one run: surface and ground from ALS, orthophoto of the ground that the frames see, without moving vehicles, and road markings with their heights.&lt;/p&gt;&lt;p&gt;This is the same chain as “Road markings from aerial frames”, as a model: the menu Plugins &gt; UrbanMap &gt; Open a chain in the modeller opens a copy to look at and to change.</source>
         <translation>空中写真と航空レーザ点群から、MMS計測の位置の基準となる成果までを一度に作成します: 航空レーザからの表層と地表、写真に写る地表のオルソ画像（移動車両なし）、高さ付きの路面標示。&lt;/p&gt;&lt;p&gt;「空中写真からの路面標示」と同じ一連の処理をモデルとしたものです。メニュー「プラグイン &gt; UrbanMap &gt; 処理の流れをモデルデザイナーで開く」で複製を開き、各段階を確認し変更できます。</translation>
     </message>
@@ -5920,12 +5936,40 @@
         <translation>空中写真からの路面標示（モデル）</translation>
     </message>
     <message>
+        <source>4. Joins the roofs to closed solids on the ground, checks and measures each.</source>
+        <translation>4. 屋根を地盤面までの閉じた立体にし、それぞれを検査し計測します。</translation>
+    </message>
+    <message>
+        <source>3. Draws the polygon of each roof from its points.</source>
+        <translation>3. 屋根ごとに、点群からポリゴンを作成します。</translation>
+    </message>
+    <message>
+        <source>1. Moves each outline to its building and takes the points out of the cloud.</source>
+        <translation>1. 各外周線を建物の位置へ移動し、点群から建物の点を取り出します。</translation>
+    </message>
+    <message>
+        <source>2. Segments the roofs of each building: its planes, or level roofs.</source>
+        <translation>2. 建物ごとに屋根を平面または水平な屋根に分割します。</translation>
+    </message>
+    <message>
         <source>Goes from airborne laser points and rough outlines to closed 3D building models in one run: segment buildings, segment roofs, roof polygons, building models.&lt;/p&gt;&lt;p&gt;This is the same chain as “Buildings from ALS”, as a model: the menu Plugins &gt; UrbanMap &gt; Open a chain in the modeller opens a copy to look at and to change.</source>
         <translation>航空レーザ点群と概略の外周線から、閉じた3次元建物モデルまでを一度に作成します: 建物の抽出、屋根の分割、屋根ポリゴン、建物モデル。&lt;/p&gt;&lt;p&gt;「航空レーザ点群からの建物」と同じ一連の処理をモデルとしたものです。メニュー「プラグイン &gt; UrbanMap &gt; 処理の流れをモデルデザイナーで開く」で複製を開き、各段階を確認し変更できます。</translation>
     </message>
     <message>
         <source>Buildings from ALS (model)</source>
         <translation>航空レーザ点群からの建物（モデル）</translation>
+    </message>
+    <message>
+        <source>3. Moves the survey's points and images with the corrected trajectory.</source>
+        <translation>3. 補正した走行軌跡により、計測の点群と画像を移動します。</translation>
+    </message>
+    <message>
+        <source>2. Lays them on the reference markings: the corrected trajectory, and how sure it is.</source>
+        <translation>2. 基準の路面標示に位置合わせし、補正した走行軌跡とその精度を求めます。</translation>
+    </message>
+    <message>
+        <source>1. Takes the points on road markings out of the survey by their intensity.</source>
+        <translation>1. 反射強度により、計測から路面標示上の点を取り出します。</translation>
     </message>
     <message>
         <source>Goes from a mobile survey to the same survey lying on the aerial reference, in one run: its road markings by intensity, their registration to the reference markings, and the points as the corrected trajectory places them.&lt;/p&gt;&lt;p&gt;This is the same chain as “Georeference mobile survey”, as a model: the menu Plugins &gt; UrbanMap &gt; Open a chain in the modeller opens a copy to look at and to change.</source>
@@ -5936,12 +5980,40 @@
         <translation>MMS計測の位置合わせ（モデル）</translation>
     </message>
     <message>
+        <source>1. Makes line work of the markings: lines, stop lines, crosswalks and arrows.</source>
+        <translation>1. 標示から区画線、停止線、横断歩道、矢印の線を作成します。</translation>
+    </message>
+    <message>
+        <source>2. Makes lanes of the lines and the drives, and tells what is missing.</source>
+        <translation>2. 線と走行から車線を作成し、不足を示します。</translation>
+    </message>
+    <message>
         <source>Goes from reference markings and corrected drives to a lane map, in one run: line work of the markings, then lanes with their bounds, directions and connections, as layers, as Lanelet2 file for Autoware and as OpenDRIVE file.&lt;/p&gt;&lt;p&gt;This is the same chain as “Lane map from markings and drives”, as a model: the menu Plugins &gt; UrbanMap &gt; Open a chain in the modeller opens a copy to look at and to change.</source>
         <translation>基準の路面標示と補正済みの走行から、車線地図までを一度に作成します: 路面標示の線、次に境界、方向、接続をもつ車線を、レイヤ、Autoware用のLanelet2ファイル、OpenDRIVEファイルとして出力します。&lt;/p&gt;&lt;p&gt;「路面標示と走行からの車線地図」と同じ一連の処理をモデルとしたものです。メニュー「プラグイン &gt; UrbanMap &gt; 処理の流れをモデルデザイナーで開く」で複製を開き、各段階を確認し変更できます。</translation>
     </message>
     <message>
         <source>Lane map from markings and drives (model)</source>
         <translation>路面標示と走行からの車線地図（モデル）</translation>
+    </message>
+    <message>
+        <source>3. Makes line work of the markings.</source>
+        <translation>3. 標示から線を作成します。</translation>
+    </message>
+    <message>
+        <source>1. Finds kerbs and other edges along the drive.</source>
+        <translation>1. 走行に沿う縁石などの縁を検出します。</translation>
+    </message>
+    <message>
+        <source>5. Makes the areas of the road of edges, lanes and stop lines.</source>
+        <translation>5. 縁、車線、停止線から道路の面を作成します。</translation>
+    </message>
+    <message>
+        <source>2. Finds poles, lamp posts, signals, signs and trees.</source>
+        <translation>2. 柱、街灯、信号機、標識、樹木を検出します。</translation>
+    </message>
+    <message>
+        <source>4. Makes lanes of the lines and the drive.</source>
+        <translation>4. 線と走行から車線を作成します。</translation>
     </message>
     <message>
         <source>Goes from a corrected mobile survey and reference markings to the road as a model, in one run: kerbs, lanes, and of them carriageways, junctions, sidewalks and islands with their steps; and what stands beside the road: poles, lamp posts, signals, signs and trees. All as layers and as CityGML of PLATEAU; the lanes with what stands beside them as Lanelet2 and OpenDRIVE files, too.&lt;/p&gt;&lt;p&gt;This is the same chain as “Road space from a mobile survey”, as a model: the menu Plugins &gt; UrbanMap &gt; Open a chain in the modeller opens a copy to look at and to change.</source>
@@ -6125,10 +6197,10 @@ Give the corrected orientation to “Orthorectify frames” or “Road markings 
     </message>
     <message>
         <source>Corrects several drives of a mobile survey at once. Road markings that two drives saw, or one drive twice, tie them to each other, and so do facades and road as planes; control points and reference markings place them. All go into one least-squares adjustment, in which each trajectory drifts as GNSS and inertial units do.
-Without control points and reference markings the drives agree with each other, but their place is only relative: the result says so.
+With outlines or models of buildings the facades that the drives saw are laid on their walls; how far they stand inside is found. Without control points, reference markings and buildings the drives agree with each other, but their place is only relative: the result says so.
 The corrected trajectories keep the names, formats and epochs of those given; apply them with “Apply corrected trajectory”.</source>
         <translation>MMS計測の複数の走行を同時に補正します。2つの走行で、または1つの走行で2回見えた路面標示が走行どうしを結び付け、平面としての壁面と路面も同様に働きます。基準点と基準の路面標示がその位置を定めます。すべてを1つの最小二乗法による調整に入れ、各軌跡はGNSSと慣性装置に応じてドリフトするものとします。
-基準点と基準の路面標示がない場合、走行どうしは一致しますが、位置は相対的なものにとどまり、結果にその旨を示します。
+建物の外周線またはモデルを指定すると、走行で見えた壁面をその壁に合わせます。壁面が外周線のどれだけ内側にあるかも求めます。基準点、基準の路面標示、建物のいずれもない場合、走行どうしは一致しますが、位置は相対的なものにとどまり、結果にその旨を示します。
 補正軌跡は、入力した軌跡の名称、形式、エポックを保持します。「補正軌跡の適用」で適用してください。</translation>
     </message>
     <message>
@@ -6177,7 +6249,7 @@ The code measurement of a signal that a wall has reflected is too long by twice 
 Give as many passes as there are: with one or two nothing is moved, about ten are needed for a wall.</source>
         <translation>屋根から作った建物モデルの壁はパラペットの位置にあり、1 mほどずれています。反射した衛星信号から壁の位置を求めて動かします。
 壁で反射した信号のコード観測は、壁までの距離の2倍に余弦を掛けた分だけ長くなります。確実に遮られ、反射し得る壁がただ1枚の信号だけを使い、同じ衛星の30秒以内の信号は1つと数えます。観測が十分にあり、衛星とパスが複数で、答えが1つなら壁を「調整」します。決まらなくても十分に分かる場合は「推定」とし、大きめの標準偏差を付けて動かします。その他の壁は理由を付けて元の位置に残します。建物は閉じたままで、隣の辺も追従します。
-パスはあるだけ与えてください。1、2本では何も動かず、1枚の壁に10本ほど必要です。</translation>
+パスはあるだけ指定してください。1、2本では何も動かず、1枚の壁に10本ほど必要です。</translation>
     </message>
     <message>
         <source>Javanmardi 2018, 5.6</source>
@@ -6878,9 +6950,11 @@ Places that look alike within the search distance are told with their distance a
     <message>
         <source>Turns polygons of road markings into line work: centre lines with kind, width, colour and sigma, stop lines, crosswalks, and symbols such as arrows and diamonds.
 Pieces of paint that continue each other become one line, also across the gaps of dashes, of wear and of vehicles; how much was bridged is a field. A line is dashed where a periodic pattern explains its paint better than a solid line; begins and ends of the dashes are a field. Centre lines are fitted to cross-sections of the paint and smoothed over 3 m.
+How wide the paint is comes from marking points: outlines from images show where a line lies, not how wide it is. A line without points takes what the outlines of lines alike are too wide by; where nothing tells the width to 3 cm it is left empty.
 Arrows are told by their shape, and only where one shape is clearly better than the others. Paint that is neither line nor known shape keeps its polygon, with the class unknown.</source>
         <translation>路面標示のポリゴンを線に変換します。種別・幅・色・σをもつ中心線、停止線、横断歩道、および矢印やひし形などの記号を作成します。
 互いに続く標示の断片は、破線のすき間、摩耗、車両による途切れを越えて1本の線とします。補間した長さはフィールドに示します。実線よりも周期的なパターンのほうが標示をよく説明する場合に破線とし、破線の各線分の始点と終点をフィールドに示します。中心線は標示の横断面に当てはめ、3 mにわたって平滑化します。
+標示の幅はマーキング点群から求めます。画像から得た輪郭は線の位置を示しますが、幅は示しません。点群のない線には、似た線の輪郭が実際より広い分を差し引いた値を与えます。3 cm の精度で決められない幅は空欄とします。
 矢印は形状で判別し、1つの形状がほかより明らかに適合する場合に限ります。線でも既知の形状でもない標示は、クラスunknownとしてポリゴンのまま残します。</translation>
     </message>
     <message>
@@ -7402,10 +7476,10 @@ Walls hide satellites; trees, vehicles and bridges do not. Where walls of the mo
     <message>
         <source>Takes the laser points of each building out of a point cloud, with the help of rough outlines.
 Each outline is first moved to where the points show its building, then expanded, and takes the points inside. Where expanded outlines overlap, a point goes to the building whose own surface is nearest to it. Points of class 6 are used where the cloud is classified; elsewhere what stands high above the ground.
-The outlines in the result carry what was found: points, density, ground height, displacement and its standard deviation. A building without points keeps its row and says so.</source>
+The outlines in the result carry what was found: points, density, ground height, displacement and its standard deviation. A building without points keeps its row and says so, and so does one that is dated after the flight or ended before it, where the points have full GPS times and the outlines their dates.</source>
         <translation>概略の外周線を用いて、点群から建物ごとのレーザ点を取り出します。
 各外周線を、まず点が建物を示す位置へ移動し、次に拡張して、内側の点を取り出します。拡張した外周線が重なるところでは、点は自身の面が最も近い建物に属します。点群が分類済みの場合はクラス6の点を、それ以外では地表から高いものを用います。
-結果の外周線は、求めたもの（点数、密度、地盤の標高、変位とその標準偏差）をもちます。点のない建物も行を保ち、その旨を示します。</translation>
+結果の外周線は、求めたもの（点数、密度、地盤の標高、変位とその標準偏差）をもちます。点のない建物も行を保ち、その旨を示します。点群が完全な GPS 時刻を、外周線が日付をもつときは、撮影より後の日付の建物と、撮影より前に消滅した建物も、その旨を示します。</translation>
     </message>
     <message>
         <source>Segment roofs</source>
@@ -8047,7 +8121,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{path} holds no weights that were learned from answers: give the file that a run with answers wrote.</source>
-        <translation>{path} には回答から学習した重みがありません。回答を与えた実行が書いたファイルを与えてください。</translation>
+        <translation>{path} には回答から学習した重みがありません。回答を与えた実行が書いたファイルを指定してください。</translation>
     </message>
     <message>
         <source>{mask} does not cover all of {path}: where it does not, nothing is taken as hidden.</source>
@@ -8119,7 +8193,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Half of the image is so light that paint can hardly be lighter than it: snow, concrete or too much light. Paint on such ground is missed.</source>
-        <translation>画像の半分が非常に明るく（積雪、コンクリート、露出過多）、塗装がそれより明るく写る余地がほとんどありません。そのような場所の標示は抽出漏れになります。</translation>
+        <translation>画像の半分が非常に明るく（積雪、コンクリート、露出過多）、路面標示がそれより明るく写る余地がほとんどありません。そのような場所の標示は抽出漏れになります。</translation>
     </message>
     <message>
         <source>Neighbouring lines lie {spacing:.1f} m apart (median): lanes are 2.5 to 4 m wide. The pixel size may be wrong.</source>
@@ -8168,6 +8242,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Half of the markings hardly stand out from the ground: worn paint, joints of paving, or an image that is dim or out of focus.</source>
         <translation>標示の半分は地面とほとんど差がありません。摩耗した標示、舗装の目地、または暗い画像やピントの合わない画像です。</translation>
+    </message>
+    <message>
+        <source>{share:.0%} of the found paint lies in pieces shorter than {length:g} m, as rims, joints and specks of light do: much of it may be no paint. Look at it over the image, answer what is doubtful, or give roads.</source>
+        <translation>検出した標示の {share:.0%} は長さ {length:g} m 未満の断片にあります。縁や目地、木漏れ日がそのように現れるため、標示でないものが多く含まれる可能性があります。画像に重ねて確認し、疑わしいものに回答するか、道路を与えてください。</translation>
     </message>
     <message>
         <source>Smooth ground has a texture of {texture:.1f} grey values in this image, as noise or sharpening make it: more paint is missed, and more else found.</source>
@@ -8856,6 +8934,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>the outline has no area</source>
         <translation>外周線に面積がありません</translation>
+    </message>
+    <message>
+        <source>its outline is dated {begin}, after the flight of {flown}: what the points show may be what stood there before</source>
+        <translation>外周線の日付 {begin} は計測日 {flown} より後です。点が示すのは以前の建物かもしれません</translation>
+    </message>
+    <message>
+        <source>its outline ended on {end}, before the flight of {flown}: the building may be gone</source>
+        <translation>外周線は計測日 {flown} より前の {end} に消滅しています。建物はもうないかもしれません</translation>
     </message>
     <message>
         <source>its points lie on so many planes that they would cut its plan into about {faces:.0f} faces, more than {most}</source>
@@ -10958,6 +11044,18 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{label_a}の高さは{first}ですが、{label_b}の高さは{second}です。「高さの基準の変換」と対応する標高補正グリッドまたはジオイドモデルで一方を変換してください。</translation>
     </message>
     <message>
+        <source>{datum} / Japan Plane Rectangular CS {zone}</source>
+        <translation>{datum} / 平面直角座標系 第{zone}系</translation>
+    </message>
+    <message>
+        <source>{datum} / UTM zone {zone}N</source>
+        <translation>{datum} / UTM座標系 第{zone}帯（北半球）</translation>
+    </message>
+    <message>
+        <source>{datum} (vertical) height</source>
+        <translation>{datum} 標高</translation>
+    </message>
+    <message>
         <source>{names} and {count} more</source>
         <translation>{names}ほか{count}件</translation>
     </message>
@@ -10994,6 +11092,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>外部標定要素に{kind}（{names}）の記載がありません。この撮影のものを指定してください。</translation>
     </message>
     <message>
+        <source>{names}: nothing else was measured in these times; not used. Check whether it is of another day.</source>
+        <translation>{names}：この時間帯に計測したデータがほかにないため、使用しません。別の日のものでないか確認してください。</translation>
+    </message>
+    <message>
         <source>Aerial reference: road markings and ground</source>
         <translation>空中写真による基準：路面標示と地盤高</translation>
     </message>
@@ -11015,11 +11117,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Road model of edges that the survey measured, step by step</source>
-        <translation>MMS 計測の縁による道路モデル（段階ごと）</translation>
+        <translation>MMS計測の道路縁による道路モデル（段階ごと）</translation>
     </message>
     <message>
         <source>Road space in one run: measured road model and street objects</source>
-        <translation>道路空間（一括処理）：計測による道路モデルと道路付属物</translation>
+        <translation>道路空間（一括処理）：MMS計測による道路モデルと道路沿いの地物</translation>
     </message>
     <message>
         <source>Airborne laser points (LAS, LAZ) are missing: the surveying authority of the area has them; in Japan those of GSI and of the prefectures are at the G-Spatial Information Centre.</source>
@@ -11670,16 +11772,20 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>20 m 以内で走行間のずれがドリフトを超えて変化しています（軌跡の段差）。段差がある可能性のある走行は{stepped}で、どれであるかは基準点または基準データで決まります。</translation>
     </message>
     <message>
-        <source>{count} observations ({name}), {lost} without weight; RMS residual {plan:.1f} cm in plan, {up:.1f} cm in height.</source>
-        <translation>観測値 {count} 個（{name}）、うち重みなし {lost} 個。RMS残差は水平 {plan:.1f} cm、高さ {up:.1f} cm です。</translation>
-    </message>
-    <message>
         <source>No control point or reference marking fixes {relative}: these drives agree with each other, but their place is only relative.</source>
         <translation>{relative}を固定する基準点や基準の路面標示がありません。これらの走行は互いに整合していますが、位置は相対的なものです。</translation>
     </message>
     <message>
         <source>Nothing ties {loose} to anything: it stays as reported.</source>
         <translation>{loose}には結合する観測値がないため、補正前のままとします。</translation>
+    </message>
+    <message>
+        <source>{count} observations ({name}), {lost} without weight; RMS residual {plan:.1f} cm in plan, {up:.1f} cm in height.</source>
+        <translation>観測値 {count} 個（{name}）、うち重みなし {lost} 個。RMS残差は水平 {plan:.1f} cm、高さ {up:.1f} cm です。</translation>
+    </message>
+    <message>
+        <source>{count} observations ({name}), {lost} without weight; RMS residual {plan:.1f} cm in plan.</source>
+        <translation>観測値 {count} 個（{name}）、うち重みなし {lost} 個。RMS残差は水平 {plan:.1f} cm です。</translation>
     </message>
     <message>
         <source>Looking for planes that drives share.</source>
@@ -11720,6 +11826,22 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>No marking of {drive} could be registered to the reference markings.</source>
         <translation>{drive}の路面標示は、基準の路面標示に位置合わせできませんでした。</translation>
+    </message>
+    <message>
+        <source>Looking for facades on the walls of buildings.</source>
+        <translation>建物の壁に当たる壁面を探しています。</translation>
+    </message>
+    <message>
+        <source>Facades stand {eaves:.2f} m inside the outlines in the mean, and differ from it by {differ:.2f} m.</source>
+        <translation>壁面は外周線より平均 {eaves:.2f} m 内側にあり、個々の壁のばらつきは {differ:.2f} m です。</translation>
+    </message>
+    <message>
+        <source>The drives show no facade near the vehicle: give all their points, not the markings alone, or adjust them without buildings.</source>
+        <translation>計測点群の車両付近に壁面がありません。標示だけでなく全点を指定するか、建物を使わずに調整してください。</translation>
+    </message>
+    <message>
+        <source>No facade of the drives belongs to a building, and nothing else ties them: check that buildings and drives show the same streets.</source>
+        <translation>建物に対応する壁面がなく、ほかに走行を結び付けるものもありません。建物と走行が同じ街路を示すことを確認してください。</translation>
     </message>
     <message>
         <source>{output} must end in .laz or .las.</source>
@@ -12543,7 +12665,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>standard deviation in plan over the whole path {sigma:.1f} cm (median)</source>
-        <translation>全経路の平面位置の標準偏差 {sigma:.1f} cm（中央値）</translation>
+        <translation>全経路の水平位置の標準偏差 {sigma:.1f} cm（中央値）</translation>
     </message>
     <message>
         <source>how accurate it is is not known</source>
@@ -12571,7 +12693,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{registered:.0f} % of the path is registered. The standard deviation in plan over the whole path is {sigma:.1f} cm (median).</source>
-        <translation>経路の {registered:.0f} % が位置合わせ済みです。全経路の平面位置の標準偏差は {sigma:.1f} cm（中央値）です。</translation>
+        <translation>経路の {registered:.0f} % が位置合わせ済みです。全経路の水平位置の標準偏差は {sigma:.1f} cm（中央値）です。</translation>
     </message>
     <message>
         <source> {distrusted:.0f} % is not to be trusted: leave it out, or measure it otherwise; the table below tells where.</source>
@@ -12603,7 +12725,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Standard deviation in plan over the whole path, median and maximum (m)</source>
-        <translation>全経路の平面位置の標準偏差、中央値と最大（m）</translation>
+        <translation>全経路の水平位置の標準偏差、中央値と最大（m）</translation>
     </message>
     <message>
         <source>Correction of the reported positions. Look for steps and spikes: a trajectory drifts smoothly, and jumps only where its satellites were lost or found again.</source>
@@ -12746,6 +12868,26 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>計測点群の車両付近に壁面がありません。標示だけでなく全点を指定するか、標示だけで位置合わせしてください。</translation>
     </message>
     <message>
+        <source>{path} is in latitude and longitude: the coordinate reference system of the survey must be known; store it in the point cloud or give it.</source>
+        <translation>{path}は緯度・経度です。計測データの座標参照系が必要です。点群に保存するか、指定してください。</translation>
+    </message>
+    <message>
+        <source>{path} is no SBET file: its latitudes are no angles in radians.</source>
+        <translation>{path}はSBETファイルではありません。緯度がラジアンの角度ではありません。</translation>
+    </message>
+    <message>
+        <source>{path} has no number in record {bad}: export it again, or remove the record.</source>
+        <translation>{path}のレコード {bad} に数値がありません。再度出力するか、レコードを削除してください。</translation>
+    </message>
+    <message>
+        <source>{path}: its angles are no radians, as those of an SBET are: export it again.</source>
+        <translation>{path}: 角度がSBETのようなラジアンではありません。再度出力してください。</translation>
+    </message>
+    <message>
+        <source>{path} lies outside the coordinate reference system of the survey at record {bad}: choose the right one.</source>
+        <translation>{path}のレコード {bad} が計測データの座標参照系の範囲外にあります。正しい座標参照系を選択してください。</translation>
+    </message>
+    <message>
         <source>give both of one survey, in one coordinate reference system</source>
         <translation>同じ計測の両方を、同じ座標参照系で指定してください</translation>
     </message>
@@ -12866,26 +13008,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>で跳んでいます</translation>
     </message>
     <message>
-        <source>{path} is in latitude and longitude: the coordinate reference system of the survey must be known; store it in the point cloud or give it.</source>
-        <translation>{path}は緯度・経度です。計測データの座標参照系が必要です。点群に保存するか、指定してください。</translation>
-    </message>
-    <message>
-        <source>{path} is no SBET file: its latitudes are no angles in radians.</source>
-        <translation>{path}はSBETファイルではありません。緯度がラジアンの角度ではありません。</translation>
-    </message>
-    <message>
-        <source>{path} has no number in record {bad}: export it again, or remove the record.</source>
-        <translation>{path}のレコード {bad} に数値がありません。再度出力するか、レコードを削除してください。</translation>
-    </message>
-    <message>
-        <source>{path}: its angles are no radians, as those of an SBET are: export it again.</source>
-        <translation>{path}: 角度がSBETのようなラジアンではありません。再度出力してください。</translation>
-    </message>
-    <message>
-        <source>{path} lies outside the coordinate reference system of the survey at record {bad}: choose the right one.</source>
-        <translation>{path}のレコード {bad} が計測データの座標参照系の範囲外にあります。正しい座標参照系を選択してください。</translation>
-    </message>
-    <message>
         <source>{name} gives two different poses for the time {time:.4f} s: remove the wrong one.</source>
         <translation>{name}に時刻 {time:.4f} s の異なる位置姿勢が2つあります。誤っている方を削除してください。</translation>
     </message>
@@ -12911,11 +13033,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>degrees clockwise from grid north</source>
-        <translation>度、方眼北から時計回り</translation>
+        <translation>度、座標北から時計回り</translation>
     </message>
     <message>
         <source>radians clockwise from grid north</source>
-        <translation>ラジアン、方眼北から時計回り</translation>
+        <translation>ラジアン、座標北から時計回り</translation>
     </message>
     <message>
         <source>degrees counter-clockwise from east</source>
@@ -12971,7 +13093,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Give a map with marking lines, road borders or other bounds on the ground; virtual ones are not compared.</source>
-        <translation>標示の線、道路縁など地上の境界線のある地図を与えてください。仮想の境界線は比べません。</translation>
+        <translation>標示の線、道路縁など地上の境界線のある地図を指定してください。仮想の境界線は比べません。</translation>
     </message>
     <message>
         <source>symbol</source>
@@ -12983,7 +13105,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>One of the maps has only local coordinates (local_x, local_y), the other latitudes and longitudes: give both in one kind.</source>
-        <translation>一方の地図はローカル座標（local_x, local_y）だけ、他方は緯度・経度です。同じ種類の座標で与えてください。</translation>
+        <translation>一方の地図はローカル座標（local_x, local_y）だけ、他方は緯度・経度です。同じ種類の座標で指定してください。</translation>
     </message>
     <message>
         <source>The Lanelet2 file has only local coordinates (local_x, local_y): it can be compared with another such file, but not with layers or with latitudes and longitudes.</source>
@@ -13315,7 +13437,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>The edges enclose no carriageway: of no road the survey shows both edges all along, and no lanes tell how far one goes. Give the drives of both directions together, or lanes.</source>
-        <translation>縁が車道を囲んでいません。計測で両側の縁が続けて見える道路がなく、車道の幅を示す車線もありません。両方向の走行を一緒に与えるか、車線を与えてください。</translation>
+        <translation>縁が車道を囲んでいません。計測で両側の縁が続けて見える道路がなく、車道の幅を示す車線もありません。両方向の走行を一緒に与えるか、車線を指定してください。</translation>
     </message>
     <message>
         <source>There are no kerbs or road borders among the edges: give the lines of “Road edges”.</source>
@@ -13331,7 +13453,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>The edge on this side was not seen over {length:.0f} m: the carriageway is drawn to the outermost lane that was measured, and nothing beside it. Give the drive of the other direction, too.</source>
-        <translation>こちら側の縁は {length:.0f} m にわたって見えていません。車道は計測された最も外側の車線までとし、その外側には何も作りません。反対方向の走行も与えてください。</translation>
+        <translation>こちら側の縁は {length:.0f} m にわたって見えていません。車道は計測された最も外側の車線までとし、その外側には何も作りません。反対方向の走行も指定してください。</translation>
     </message>
     <message>
         <source>Of {length:.0f} m of this edge neither the other edge nor a lane beside it was seen: no carriageway is made.</source>
@@ -13703,7 +13825,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Give answers, or weights that were learned from answers, not both.</source>
-        <translation>回答か、回答から学習した重みのどちらか一方だけを与えてください。</translation>
+        <translation>回答か、回答から学習した重みのどちらか一方だけを指定してください。</translation>
     </message>
     <message>
         <source>Where roads are given, the confidence does not ask for the ground, and nothing is learned from answers: leave out the roads, or “{0}”.</source>
@@ -13715,7 +13837,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Over tiles each would learn for itself: run “{0}” on a part of the orthophoto with the answers first, and give its weights here.</source>
-        <translation>タイルごとの実行では各タイルが別々に学習してしまいます。先にオルソ画像の一部と回答で「{0}」を実行し、その重みをここに与えてください。</translation>
+        <translation>タイルごとの実行では各タイルが別々に学習してしまいます。先にオルソ画像の一部と回答で「{0}」を実行し、その重みをここに指定してください。</translation>
     </message>
     <message>
         <source>Learned from {0} markings that are paint and {1} that are not.</source>
@@ -13960,6 +14082,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0} of {1} buildings got no roof polygon.</source>
         <translation>建物{1}棟中{0}棟に屋根ポリゴンがありません。</translation>
+    </message>
+    <message>
+        <source>Flown {0} to {1}: {2} of {3} outlines are dated after it ({4} of them have no points), {5} had ended before it.</source>
+        <translation>計測日 {0} ～ {1}：{3} 件の外周線のうち {2} 件はそれより後の日付（うち点なし {4} 件）、{5} 件はそれより前に消滅しています。</translation>
     </message>
     <message>
         <source>{0} of {1} buildings have too few points for a model.</source>
@@ -14254,6 +14380,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>座標北</translation>
     </message>
     <message>
+        <source>degrees clockwise from north</source>
+        <translation>度、北から時計回り</translation>
+    </message>
+    <message>
+        <source>radians clockwise from north</source>
+        <translation>ラジアン、北から時計回り</translation>
+    </message>
+    <message>
         <source>Control points of a survey</source>
         <translation>MMS計測の調整点・検証点</translation>
     </message>
@@ -14404,6 +14538,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Keep this way of reading as</source>
         <translation>この読み込み方の保存名</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>保存…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
     </message>
     <message>
         <source>Choose above each column what it is.</source>
@@ -14856,6 +14998,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>is it paint? (yes or no)</source>
         <translation>標示ですか（はい・いいえ）</translation>
+    </message>
+    <message>
+        <source>standard deviation of the width (m)</source>
+        <translation>幅の標準偏差 (m)</translation>
     </message>
     <message>
         <source>standard deviations across, in metres, from vertex to vertex</source>
@@ -16303,11 +16449,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{0} has no field class; give marking lines or bounds of lanes.</source>
-        <translation>{0} に属性 class がありません。標示の線または車線の境界線を与えてください。</translation>
+        <translation>{0} に属性 class がありません。標示の線または車線の境界線を指定してください。</translation>
     </message>
     <message>
         <source>{0} has no field class; give the areas of “Lines from road markings”.</source>
-        <translation>{0} に属性 class がありません。「路面標示から線」の面を与えてください。</translation>
+        <translation>{0} に属性 class がありません。「路面標示から線」の面を指定してください。</translation>
     </message>
     <message>
         <source>{0}: an area goes with maps of which one is given as lines.</source>
@@ -16315,7 +16461,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Give the {0} either as Lanelet2 file or as lines.</source>
-        <translation>{0}を Lanelet2 ファイルまたは線のどちらか一方で与えてください。</translation>
+        <translation>{0}を Lanelet2 ファイルまたは線のどちらか一方で指定してください。</translation>
     </message>
     <message>
         <source>{0}: areas go with a map that is given as lines.</source>
@@ -16507,7 +16653,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{0} has no field kind; give the points of “Street objects”.</source>
-        <translation>{0} にフィールド kind がありません。「道路沿いの地物」の点を与えてください。</translation>
+        <translation>{0} にフィールド kind がありません。「道路沿いの地物」の点を指定してください。</translation>
     </message>
     <message>
         <source>{0}: no building has a height; give solids or outlines with heights.</source>
@@ -16728,6 +16874,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>No kerb was found along {0:.0f} m of path: the road has none, or the points are too sparse or too noisy to show steps of a few centimetres.</source>
         <translation>軌跡{0:.0f} mに沿って縁石が見つかりませんでした。道路に縁石がないか、点が疎またはノイズが大きく、数cmの段差を判別できません。</translation>
+    </message>
+    <message>
+        <source>No kerb was found beside {0:.0f} m of the path on the left and {1:.0f} m on the right: kerbs lower than about 6 cm all along are not seen, there may be such.</source>
+        <translation>走行軌跡の左側 {0:.0f} m、右側 {1:.0f} m では縁石が見つかりませんでした。全長にわたり約 6 cm より低い縁石は検出できないため、存在する可能性があります。</translation>
     </message>
     <message>
         <source>{0} is not given: it is what this level of detail is made of.</source>
@@ -17682,6 +17832,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>平面のσの最大値 (m)</translation>
     </message>
     <message>
+        <source>Witnesses</source>
+        <translation>観測の寄与</translation>
+    </message>
+    <message>
+        <source>Share that each kind of observation has in what is known of a drive in plan. Ties and planes lay drives on each other; control points, reference markings and walls place them.</source>
+        <translation>走行の平面位置の情報に占める、各種類の観測の割合です。タイと平面は走行どうしを合わせ、基準点、基準の路面標示、壁は位置を決めます。</translation>
+    </message>
+    <message>
         <source>Largest residuals</source>
         <translation>最大の残差</translation>
     </message>
@@ -17694,8 +17852,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>重み</translation>
     </message>
     <message>
-        <source>The drives agree with each other, but nothing fixes their place: give control points or reference markings, or use the result only for comparing drives.</source>
-        <translation>走行どうしは整合していますが、位置を固定するものがありません。基準点または基準となる路面標示を指定するか、結果を走行間の比較にのみ使用してください。</translation>
+        <source>The drives agree with each other, but nothing fixes their place: give control points, reference markings or buildings, or use the result only for comparing drives.</source>
+        <translation>走行どうしは一致していますが、位置を決めるものがありません。基準点、基準の路面標示または建物を指定するか、走行の比較だけに用いてください。</translation>
     </message>
     <message>
         <source>Distance between planes before, RMS (mm)</source>
@@ -18055,7 +18213,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Registered: found from markings around. Bridged: between or beyond registered parts, by how trajectories drift. Not to be trusted: too far from them, or markings that contradict. Standard deviations are absolute as far as the stated accuracy of the reference is: they include it, and steps of the reference too small to be told. What all of the reference is off by no survey shows: measure a few control points, and state it.</source>
-        <translation>登録：周囲の標示から求めた位置。補間：登録された区間の間または先で、軌跡のドリフトの性質から求めた位置。信頼できない：それらから遠すぎる、または矛盾する標示。標準偏差は、指定された基準の精度の範囲で絶対的なものです。基準の精度と、検出できないほど小さい基準の段差を含みます。基準全体のずれはどの計測からも分かりません。いくつかの標定点を測り、その精度を指定してください。</translation>
+        <translation>位置合わせ済み：周囲の標示から求めた位置。補間：位置合わせ済みの区間の間または先で、軌跡のドリフトの性質から求めた位置。信頼できない：それらから遠すぎる、または矛盾する標示。標準偏差は、指定された基準の精度の範囲で絶対的なものです。基準の精度と、検出できないほど小さい基準の段差を含みます。基準全体のずれはどの計測からも分かりません。いくつかの標定点を測り、その精度を指定してください。</translation>
     </message>
     <message>
         <source>Correction along the path</source>
