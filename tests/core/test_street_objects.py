@@ -29,6 +29,7 @@ def placed(thing, angle=0.0):
     return to_local(thing.foot[None], angle)[0]
 
 
+@pytest.mark.paper("J 6.2, objects")
 @pytest.mark.parametrize("angle", [0.0, 37.0, 160.0])
 def test_each_thing_is_what_it_is_where_it_stands(tmp_path, angle):
     found = found_of(tmp_path, lambda rng: scene.lamp(rng, 4.0, 5.0), lambda rng: scene.signal(rng, 10.0, -6.0),
