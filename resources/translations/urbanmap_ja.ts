@@ -11788,6 +11788,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>観測値 {count} 個（{name}）、うち重みなし {lost} 個。RMS残差は水平 {plan:.1f} cm です。</translation>
     </message>
     <message>
+        <source>control point</source>
+        <translation>基準点（調整点・検証点）</translation>
+    </message>
+    <message>
+        <source>reference marking</source>
+        <translation>基準の路面標示</translation>
+    </message>
+    <message>
         <source>Looking for planes that drives share.</source>
         <translation>走行間で共通する平面を探しています。</translation>
     </message>
@@ -14706,10 +14714,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>patch</source>
         <translation>パッチ</translation>
-    </message>
-    <message>
-        <source>control point</source>
-        <translation>基準点（調整点・検証点）</translation>
     </message>
     <message>
         <source>chain of parts</source>

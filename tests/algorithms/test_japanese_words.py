@@ -97,6 +97,14 @@ def test_translations_are_not_the_english_text():
     assert not same
 
 
+def test_kinds_of_observations_and_statuses_of_drives_are_translated():
+    from urbanmap_qgis.mobile.adjustment.network import KINDS
+    from urbanmap_qgis.mobile.adjustment.records import STATUS_NAMES
+    from urbanmap_qgis.wording import read_catalogue
+
+    assert not {*KINDS, *STATUS_NAMES} - set(read_catalogue(CATALOGUE))
+
+
 def test_no_sentence_goes_past_the_translation():
     raw = []
     for folder in ("urbanmap_qgis", "algorithms"):

@@ -15,10 +15,11 @@ import numpy as np
 from scipy.sparse import coo_matrix, csc_matrix
 from scipy.sparse.linalg import splu
 
+from ...wording import mark
 from ..registration.correction.gauss_markov import GaussMarkovDrift
 
 TIE, CONTROL, REFERENCE, PLANE, WALL = range(5)
-KINDS = ("tie", "control point", "reference marking", "plane", "wall")
+KINDS = (mark("tie"), mark("control point"), mark("reference marking"), mark("plane"), mark("wall"))
 RELATIVE_KINDS = (TIE, PLANE)
 """Kinds that state the difference of two corrections; the others place a drive."""
 
