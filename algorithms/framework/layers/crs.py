@@ -8,7 +8,6 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsUnitTypes
 
 from ....urbanmap_qgis.errors import InputError
 from ....urbanmap_qgis.io.reference.renamed_crs import known_wkt
-from ....urbanmap_qgis.io.reference.system_names import local_name
 from ..declaring.parameters import tr
 
 _NONE = re.compile(r"^Undefined (geographic|[Cc]artesian) (SRS|coordinate reference system)")
@@ -96,6 +95,8 @@ def horizontal(crs: QgsCoordinateReferenceSystem | str | None) -> QgsCoordinateR
 
 def crs_name(crs: QgsCoordinateReferenceSystem | str | None) -> str:
     """Name of a CRS for messages, such as "EPSG:6677 (JGD2011 / Japan Plane Rectangular CS IX)"."""
+    from ....urbanmap_qgis.io.reference.system_names import local_name
+
     found = crs_from(crs)
     if not found.isValid():
         return tr("no CRS")
