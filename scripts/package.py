@@ -23,9 +23,10 @@ READMES = ("README.md", "README.ja.md")
 FILES = ("metadata.txt", "__init__.py", "LICENSE", *READMES, "CHANGELOG.md")
 FOLDERS = ("algorithms", "urbanmap_qgis", "resources")
 PICTURES = (".jpg", ".png")
+NOT_FOUND = "404.html"  # a page for servers
 # Least quality of WebP at which the text of windows is read, and largest width, pixels; of pictures without text, which
 # need not be wider than the help's column.
-WINDOWS, PHOTOGRAPHS = (17, 940), (20, 720)
+WINDOWS, PHOTOGRAPHS = (17, 900), (18, 720)
 ICON_STYLES_FILES = ("brands.min.css", "fontawesome.min.css", "solid.min.css", "v4-font-face.min.css")
 ICON_STYLES = re.compile(r'<link href="[^"]*css/(?:brands|fontawesome|solid|v4-font-face)\.min\.css" rel="stylesheet">')
 TO_REFERENCE = re.compile(r'<a [^>]*href="(?:\.\./)*api/[^"]*"[^>]*>(.*?)</a>', re.DOTALL)
@@ -87,7 +88,8 @@ def website(site: Path) -> dict[str, bytes]:
     paths = [path for path in sorted(site.rglob("*")) if path.is_file() and not path.name.startswith("sitemap")
              and path.suffix not in (".map", ".inv") and path.parent.name != "webfonts"
              and "api" not in path.relative_to(site).parts
-             and path.name not in ICON_STYLES_FILES and (path.suffix not in PICTURES or path.name in pages)]
+             and path.name not in (*ICON_STYLES_FILES, NOT_FOUND)
+             and (path.suffix not in PICTURES or path.name in pages)]
     return {f"site/{packed_name(path.relative_to(site).as_posix())}": smaller(path) for path in paths}
 
 
