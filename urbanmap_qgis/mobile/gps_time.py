@@ -9,6 +9,9 @@ from ..io.points.pointcloud import PointCloud, iter_chunks
 from ..wording import say
 from .trajectory import Trajectory
 
+EPOCH = np.datetime64("1980-01-06", "D")
+"""Day from which full GPS seconds are counted."""
+
 WEEK = 604_800.0
 """Seconds of a GPS week."""
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from ...errors import InputError
 from ...io.points.pointcloud import PointCloud
-from ...mobile.gps_time import ADJUSTMENT, WEEK
+from ...mobile.gps_time import ADJUSTMENT, EPOCH, WEEK
 from ...mobile.markings.survey_points import sampled_span
 from ...wording import say
 
@@ -23,8 +23,6 @@ BEGINS = ("lfSpanFr", "yearOfConstruction", "oorspronkelijkbouwjaar", "start_dat
 
 ENDS = ("lfSpanTo", "yearOfDemolition", "end_date")
 """Fields of the day or year up to which it stood: GSI, CityGML, OpenStreetMap."""
-
-GPS_EPOCH = date(1980, 1, 6)
 
 _DAY = re.compile(r"\s*(\d{4})(?:[-/.]?(\d{2})[-/.]?(\d{2})|[-/.](\d{2}))?(?!\d)")
 
@@ -86,7 +84,7 @@ def flight_days(cloud: PointCloud) -> tuple[date, date] | None:
         return None
     if 0.0 <= first < WEEK:  # seconds of the week under a header that promises more
         return None
-    return tuple(GPS_EPOCH + timedelta(seconds=second + ADJUSTMENT) for second in (first, last))
+    return tuple(EPOCH.astype(date) + timedelta(seconds=second + ADJUSTMENT) for second in (first, last))
 
 
 def meant_days(value: object) -> tuple[date, date] | None:

@@ -6,20 +6,15 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ...mobile.gps_time import WEEK
+from ...mobile.gps_time import EPOCH, WEEK
 from ...wording import say
 
 DAY = 86400.0
 UNIX_START = 315964800.0
 """The start of GPS time in seconds of Unix time."""
 
-STANDARD_OFFSET = 1e9
-"""LAS files tell "adjusted standard GPS time": GPS seconds less this."""
-
 BEIDOU_OFFSET = 14.0
 """GPS time less BeiDou time, s."""
-
-_EPOCH = np.datetime64("1980-01-06", "D")
 
 # Days on which UTC fell back by one more second, from 1980 on (IERS Bulletin C).
 _LEAP_DAYS = np.array(["1981-07-01", "1982-07-01", "1983-07-01", "1985-07-01", "1988-01-01", "1990-01-01",
@@ -37,13 +32,13 @@ def calendar_seconds(year, month, day, hour, minute, second) -> np.ndarray:
     year = np.where(year < 80, year + 2000, np.where(year < 100, year + 1900, year))
     months = (year - 1970) * 12 + np.asarray(month, np.int64) - 1
     days = months.astype("datetime64[M]").astype("datetime64[D]") + (np.asarray(day, np.int64) - 1)
-    whole = (days - _EPOCH).astype(np.int64) * 86400 + np.asarray(hour, np.int64) * 3600
+    whole = (days - EPOCH).astype(np.int64) * 86400 + np.asarray(hour, np.int64) * 3600
     return whole + np.asarray(minute, np.int64) * 60 + np.asarray(second, float)
 
 
 def leap_seconds(utc: np.ndarray) -> np.ndarray:
     """GPS time less UTC, s, at times in seconds since 1980-01-06 counted in UTC's calendar."""
-    starts = (_LEAP_DAYS - _EPOCH).astype(np.int64) * 86400
+    starts = (_LEAP_DAYS - EPOCH).astype(np.int64) * 86400
     return np.searchsorted(starts, np.asarray(utc, float), side="right").astype(float)
 
 
@@ -71,7 +66,7 @@ def nearest_week(seconds_of_week: np.ndarray, near: np.ndarray) -> np.ndarray:
 
 def calendar_text(gps: float) -> str:
     """A GPS time (full seconds) for a sentence: "2019-04-28 12:44:34"."""
-    return str(_EPOCH.astype("datetime64[s]") + int(np.floor(gps))).replace("T", " ")
+    return str(EPOCH.astype("datetime64[s]") + int(np.floor(gps))).replace("T", " ")
 
 
 def span_text(first: float, last: float) -> str:

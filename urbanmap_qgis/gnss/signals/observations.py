@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ...errors import InputError, InsufficientDataError
-from ...mobile.gps_time import WEEK
+from ...mobile.gps_time import ADJUSTMENT, WEEK
 from ...mobile.trajectory import Trajectory, body_to_map, gaps
 from ...progress import SILENT, Progress
 from ...wording import say
@@ -28,7 +28,7 @@ from ..orbits.ephemeris import (
     read_navigation,
     sagnac_corrected,
 )
-from ..rinex.gnss_time import STANDARD_OFFSET, UNIX_START, leap_seconds, span_text, spans_text
+from ..rinex.gnss_time import UNIX_START, leap_seconds, span_text, spans_text
 from ..rinex.observation_file import Observations, read_observations
 from .antenna_height import estimate_height, grouped_median, strong_scatter, strong_signals
 from .atmosphere import ionosphere, nearest_model, troposphere
@@ -125,13 +125,13 @@ def trajectory_shift(trajectory: Trajectory, spans: Sequence[tuple[float, float]
     for low, high in spans:
         week = WEEK * np.floor(low / WEEK)
         unix = -UNIX_START + float(leap_seconds(np.array([low]))[0])
-        for shift in (week, week - WEEK, week + WEEK, 0.0, STANDARD_OFFSET, unix):
+        for shift in (week, week - WEEK, week + WEEK, 0.0, ADJUSTMENT, unix):
             if min(last + shift, high) - max(first + shift, low) >= 0:
                 return float(shift)
     start, end = min(span[0] for span in spans), max(span[1] for span in spans)
     week = WEEK * np.floor(start / WEEK)
     trajectory_span = (say("{first:.0f} to {last:.0f} s of week", first=first, last=last) if last < 2 * WEEK else
-                       span_text(*(time + (STANDARD_OFFSET if last < 0.9e9 else 0.0) for time in (first, last))))
+                       span_text(*(time + (ADJUSTMENT if last < 0.9e9 else 0.0) for time in (first, last))))
     raise InputError(say("Trajectory and {what} are not of one time: the trajectory covers {told}, the {what} cover "
                          "{span_text} GPS time ({start:.0f} to {end:.0f} s of week).", what=what, told=trajectory_span,
                          span_text=span_text(start, end), start=start - week, end=end - week))
