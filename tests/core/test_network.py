@@ -7,11 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from urbanmap_qgis.mobile.adjustment.drive_drift import DriveNodes
 from urbanmap_qgis.mobile.adjustment.network import (
     CONTROL,
     NONE,
     TIE,
-    DriveNodes,
     NetworkObservations,
     NetworkSettings,
     adjust_network,

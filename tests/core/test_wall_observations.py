@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from urbanmap_qgis.errors import InsufficientDataError
+from urbanmap_qgis.mobile.adjustment.drive_drift import DriveNodes
 from urbanmap_qgis.mobile.adjustment.network import (
+    CONTROL,
     KINDS,
     NONE,
     REFERENCE,
     WALL,
-    DriveNodes,
     NetworkObservations,
     NetworkSettings,
     adjust_network,
@@ -19,7 +22,7 @@ from urbanmap_qgis.mobile.adjustment.network import (
 from urbanmap_qgis.mobile.adjustment.records import AdjustmentRun
 from urbanmap_qgis.mobile.adjustment.ties import Drive
 from urbanmap_qgis.mobile.adjustment.wall_observations import BuildingWalls, DriveWalls
-from urbanmap_qgis.mobile.registration.correction.gauss_markov import GaussMarkovDrift
+from urbanmap_qgis.mobile.registration.correction.gauss_markov import GaussMarkovDrift, StopMovement
 from urbanmap_qgis.mobile.registration.matching.results import angle_rates
 from urbanmap_qgis.mobile.registration.walls.facade_planes import FacadePlanes
 from urbanmap_qgis.mobile.registration.walls.outline_walls import WallEdges
@@ -96,15 +99,64 @@ def test_walls_alone_place_drives_and_tell_the_eaves():
     assert not made.relative and made.median_sigma() < 0.05
 
 
-def test_a_wall_counts_once_however_often_it_is_passed():
-    drives, planes, _ = two_drives()
-    one, two = (DriveWalls(BuildingWalls(buildings()), planes[:n]).adjusted(drives[:n], NetworkObservations.none(), RUN,
-                                                                            SILENT) for n in (1, 2))
-    # Both drives hang on the same walls: a second one makes the first no surer than that it may drift less.
-    assert two.drives[0].plan_sigma() == pytest.approx(one.drives[0].plan_sigma(), rel=0.5)
-    total = [np.trace(np.linalg.inv(made.observations.covariance)[:, :2, :2], axis1=1, axis2=2).sum()
-             for made in (one, two)]
-    assert total[1] == pytest.approx(total[0], rel=0.02)
+MODEL = GaussMarkovDrift(np.full(6, 2e-3), 40.0, np.full(6, 1.5e-3), np.full(6, 3.0), 1.0, 0.1)
+
+
+def wall_rows(drive, wall, value, sigma=0.03):
+    """Walls that face north, seen by drives (n,) at the path's begin: they must move by `value` (n,) m."""
+    n, nothing = len(drive), np.zeros((len(drive), 2))
+    seen = np.column_stack([np.zeros(n), value, np.full((n, 2), np.nan)])
+    return NetworkObservations(np.array(drive), np.zeros(n), nothing, np.full(n, NONE), np.zeros(n), nothing, seen,
+                               np.tile(np.diag([100.0, sigma**2, 1.0, 1.0]), (n, 1, 1)), np.full(n, WALL),
+                               np.tile([0.0, 1.0], (n, 1)), np.column_stack([wall, wall]))
+
+
+def short_drives(count):
+    return [DriveNodes(np.array([0.0, 4.0]), np.zeros(1), np.zeros(1))] * count
+
+
+@pytest.mark.parametrize("times", [1, 9])
+def test_a_wall_counts_once_however_often_it_is_passed(times):
+    settings = NetworkSettings(MODEL, gross=1e6, differ=(0.2, 0.1))
+    made = adjust_network(short_drives(1), wall_rows([0] * times, [0] * times, np.zeros(times)), settings)
+    of_wall = 0.3**2 + 0.2**2 + 0.1**2 + 0.03**2 / times
+    assert made.covariance[0][0, 1, 1] == pytest.approx(1.0 / (3.0**-2 + 1.0 / of_wall), rel=1e-4)
+
+
+def test_walls_that_two_drives_saw_tie_them_however_far_off_they_are():
+    """The second drive lies 0.4 m north of the first one against the same wall, whose place is known to 0.37 m."""
+    settings = NetworkSettings(MODEL, gross=1e6, differ=(0.2, 0.1))
+    made = adjust_network(short_drives(2), wall_rows([0, 1], [0, 0], [0.7, 0.3]), settings)
+    apart = made.state[0][0, 1, 0] - made.state[1][0, 1, 0]
+    assert apart == pytest.approx(0.4, abs=0.001)
+    alone = adjust_network(short_drives(2), wall_rows([0, 1], [0, 1], [0.7, 0.3]), settings)
+    assert alone.state[0][0, 1, 0] - alone.state[1][0, 1, 0] == pytest.approx(
+        0.4 / (1.0 + (0.2**2 + 0.1**2 + 0.03**2) / 3.0**2), abs=0.001)
+
+
+def test_how_much_buildings_differ_is_found():
+    """A place known to a millimetre, 400 walls about it that differ by 0.2 m: their own size is what is found."""
+    offsets = np.random.default_rng(4).normal(0.0, 0.2, 400)
+    fixed = replace(wall_rows([0], [NONE], [0.0], 0.001), kind=np.array([CONTROL]), outward=np.zeros((1, 2)))
+    seen = NetworkObservations.joined([fixed, wall_rows([0] * 400, np.arange(400), offsets)])
+    differ = (0.3, 0.1)
+    for _ in range(60):
+        made = adjust_network(short_drives(1), seen, NetworkSettings(MODEL, gross=1e6, differ=differ))
+        differ = made.differ
+    assert np.hypot(*differ) == pytest.approx(0.2, rel=0.05)
+
+
+def test_what_a_trajectory_wanders_while_the_vehicle_stands_is_its_error():
+    """Right before a stop in which the trajectory wanders by 0.5 m to the east: after it the correction takes it back.
+    """
+    still = StopMovement(np.array([[0.5, 0.0, 0.0]]), np.array([1e-6]))
+    known = replace(wall_rows([0], [NONE], [0.0], 0.001), kind=np.array([CONTROL]), outward=np.zeros((1, 2)),
+                    value=np.array([[0.0, 0.0, 0.0, np.nan]]), covariance=np.eye(4)[None] * 1e-6)
+    for standing, east in ((still, -0.5), (None, 0.0)):
+        drive = DriveNodes(np.array([0.0, 1.0]), np.array([60.0]), np.zeros(1), standing=standing)
+        made = adjust_network([drive], known, NetworkSettings(MODEL))
+        assert made.state[0][1, 0, 0] == pytest.approx(east, abs=0.002)
+    assert made.covariance[0][1, 0, 0] > 0.1**2 * 60.0 * 0.99  # nothing known: it wanders by its own model
 
 
 def test_the_reference_gives_the_start_only_where_walls_are_to_place_the_drive_alone():
@@ -131,14 +183,14 @@ def test_drives_far_from_all_buildings_are_refused():
 
 def test_a_common_offset_of_opposite_walls_moves_nothing():
     """Two walls face each other across a street, both 0.2 m farther inside than expected: by hand, of one node pair."""
-    model = GaussMarkovDrift(np.full(6, 2e-3), 40.0, np.full(6, 1.5e-3), np.full(6, 3.0), 1.0, 0.1)
     outward, n, nothing = np.array([[0.0, 1.0], [0.0, -1.0]]), 2, np.zeros((2, 2))
     value = np.column_stack([0.2 * outward, np.full((2, 2), np.nan)])
     seen = NetworkObservations(np.zeros(n, int), np.full(n, 2.0), nothing, np.full(n, NONE), np.zeros(n), nothing,
                                value, np.tile(np.diag([100.0, 0.04**2, 1.0, 1.0]), (n, 1, 1)), np.full(n, WALL),
                                outward)
     parameter = np.array([0.0, 4.0])
-    made = adjust_network([DriveNodes(parameter, np.zeros(1), np.zeros(1))], seen, NetworkSettings(model))
+    alike = NetworkSettings(MODEL, differ=(1e-6, 1e-6))
+    made = adjust_network([DriveNodes(parameter, np.zeros(1), np.zeros(1))], seen, alike)
     assert np.abs(made.state[0][:, :2, 0]).max() < 1e-9
     weight = 2.0 * made.weight[0] / made.noise_factor / 0.04**2
     assert made.offset == pytest.approx(0.2 * weight / (weight + 0.3**-2), rel=1e-3)

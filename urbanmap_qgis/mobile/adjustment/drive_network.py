@@ -9,9 +9,10 @@ import numpy as np
 
 from ...progress import Progress
 from ...wording import known, say
-from ..registration.correction.gauss_markov import jump_steps, stop_steps
+from ..registration.correction.gauss_markov import StopMovement, jump_steps, stop_steps
 from ..trajectory import Trajectory, interpolate
-from .network import RELATIVE_KINDS, DriveNodes, NetworkObservations, NetworkSettings, adjust_network
+from .drive_drift import DriveNodes
+from .network import RELATIVE_KINDS, NetworkObservations, NetworkSettings, adjust_network
 from .records import (
     BRIDGED,
     COUNTED,
@@ -37,9 +38,12 @@ class DriveNetworkLimits:
 LIMITS = DriveNetworkLimits()
 
 
-def adjust_drives(drives: Sequence[Drive], observations: NetworkObservations, run: AdjustmentRun,
-                  progress: Progress) -> AdjustedSurvey:
-    """Solve the network and say of each node how it was placed."""
+def adjust_drives(drives: Sequence[Drive], observations: NetworkObservations, run: AdjustmentRun, progress: Progress,
+                  differ: tuple[float, float] = NetworkSettings.differ) -> AdjustedSurvey:
+    """Solve the network and say of each node how it was placed.
+
+    `differ` : m, of buildings and of their walls, as `NetworkSettings` has it.
+    """
     parameters = [run.path_parameters(drive.trajectory) for drive in drives]
     nodes, times = zip(*(_nodes(drive.trajectory, parameter, number, observations)
                          for number, (drive, parameter) in enumerate(zip(drives, parameters))))
@@ -49,7 +53,8 @@ def adjust_drives(drives: Sequence[Drive], observations: NetworkObservations, ru
                           "there, and control or reference says which does.", stepped=", ".join(stepped)))
     progress.message(say("Adjusting {drives_count} drives with {observations_count} observations.",
                          drives_count=len(drives), observations_count=len(observations)))
-    network = adjust_network(nodes, observations, NetworkSettings(run.registration.correction.model()))
+    network = adjust_network(nodes, observations, NetworkSettings(run.registration.correction.model(),
+                                                                 differ=differ))
     inlier = network.weight >= COUNTED
     placed = _networks(len(drives), observations, inlier)
     results = tuple(
@@ -73,7 +78,7 @@ def _nodes(trajectory: Trajectory, parameter: np.ndarray, number: int,
     rising = np.concatenate([[True], np.diff(parameter) > 0])
     time = np.interp(at, parameter[rising], trajectory.time[rising])
     return DriveNodes(at, stop_steps(trajectory, time), jump_steps(trajectory, time),
-                      observed_steps(observations, number, at)), time
+                      observed_steps(observations, number, at), StopMovement.of(trajectory, time)), time
 
 
 def _networks(count: int, observations: NetworkObservations, inlier: np.ndarray) -> list[bool | None]:

@@ -3,7 +3,8 @@
 The correction of each drive is a Gauss-Markov process along its path (see `gauss_markov`). Ties state the difference of
 two corrections, control points and reference markings the correction itself. One sparse normal matrix holds them all;
 gross observations lose their weight (Cauchy). Place and heading are adjusted; roll and pitch stay as reported: they are
-better known from the inertial unit than from markings. How far facades stand inside the outlines is one unknown of all.
+better known from the inertial unit than from markings. How far facades stand inside the outlines is one unknown of all;
+what a building and each of its walls differ from it by are unknowns too, which all that was seen of them shares.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from scipy.sparse.linalg import splu
 
 from ...wording import mark
 from ..registration.correction.gauss_markov import GaussMarkovDrift
+from .drive_drift import ACTIVE, DriftPrior, DriveNodes, drift_prior
 
 TIE, CONTROL, REFERENCE, PLANE, WALL = range(5)
 KINDS = (mark("tie"), mark("control point"), mark("reference marking"), mark("plane"), mark("wall"))
@@ -38,34 +40,12 @@ class AdjustmentNetworkLimits:
     passes: int = 30
     converged: float = 1e-3  # change of weights
     columns: int = 384  # of the covariance that are solved for at once
-    active: tuple[float, ...] = (0, 1, 2, 5)  # of the drift's parameters: east, north, up, heading
 
 
 LIMITS = AdjustmentNetworkLimits()
 
-_DIMENSIONS = len(LIMITS.active)
+_DIMENSIONS = len(ACTIVE)
 _RADIANS = np.pi / 180.0
-
-
-@dataclass(frozen=True)
-class DriveNodes:
-    """Nodes of a drive's correction.
-
-    Attributes
-    ----------
-    parameter : (k,) m, of the path with its stops (see `gauss_markov`), increasing.
-    stops : (k - 1,) s that the vehicle stands between nodes.
-    jumps : (k - 1,) m by which the trajectory jumps there.
-    fast : (k - 1,) m by which its error in plan changes there faster than drift; None for nowhere.
-    """
-
-    parameter: np.ndarray
-    stops: np.ndarray
-    jumps: np.ndarray
-    fast: np.ndarray | None = None
-
-    def __len__(self) -> int:
-        return len(self.parameter)
 
 
 @dataclass(frozen=True)
@@ -84,6 +64,7 @@ class NetworkObservations:
     covariance : (n, 4, 4), m and degrees.
     kind : (n,) TIE, CONTROL, REFERENCE, PLANE or WALL.
     outward : (n, 2) unit vectors of walls, by which a common offset of all of them moves what is observed; 0 of others.
+    owner : (n, 2) numbers of a wall's building and of the wall, whose own offsets move it too; NONE of others.
     """
 
     drive: np.ndarray
@@ -96,10 +77,13 @@ class NetworkObservations:
     covariance: np.ndarray
     kind: np.ndarray
     outward: np.ndarray | None = None
+    owner: np.ndarray | None = None
 
     def __post_init__(self) -> None:
         if self.outward is None:
             object.__setattr__(self, "outward", np.zeros((len(self.drive), 2)))
+        if self.owner is None:
+            object.__setattr__(self, "owner", np.full((len(self.drive), 2), NONE))
 
     def __len__(self) -> int:
         return len(self.drive)
@@ -148,12 +132,14 @@ class NetworkSettings:
     least_noise : of the stated variance of the observations, however small their residuals: neighbouring ties share
         markings.
     offset_sigma : m, standard deviation of the common offset of all walls before any observation.
+    differ : m, standard deviations of what buildings differ from it by, and walls from their building.
     """
 
     model: GaussMarkovDrift
     gross: float = 3.0
     least_noise: float = 1.0
     offset_sigma: float = 0.3
+    differ: tuple[float, float] = (0.3, 0.1)
 
 
 @dataclass(frozen=True)
@@ -168,6 +154,8 @@ class Network:
     weight : (n,) 0 to 1, by which gross observations were kept.
     drift_factor, noise_factor : found sizes of drift and of the observations' variance.
     offset : m, by which all walls stand farther inside than their observations took them to; 0 without walls.
+    differ : m, by how much buildings differ from it and walls from their building, as the observations show it (root of
+        the mean expected square); as stated where there are none.
     """
 
     state: tuple[np.ndarray, ...]
@@ -177,6 +165,7 @@ class Network:
     drift_factor: float
     noise_factor: float
     offset: float = 0.0
+    differ: tuple[float, float] = (0.3, 0.1)
 
 
 def adjust_network(drives: Sequence[DriveNodes], observations: NetworkObservations,
@@ -195,7 +184,7 @@ def adjust_network(drives: Sequence[DriveNodes], observations: NetworkObservatio
     parts = [slice(first, last) for first, last in zip(offsets[:-1], offsets[1:])]
     return Network(tuple(state[part] for part in parts), tuple(covariance[part] for part in parts),
                    np.where(np.isfinite(observations.value), best.residual, np.nan), best.weight, best.drift_factor,
-                   best.noise, float(best.solution[2 * _DIMENSIONS * offsets[-1]:].sum()))
+                   best.noise, *_wall_offsets(best, observations, settings))
 
 
 @dataclass(frozen=True)
@@ -210,7 +199,7 @@ class _Fit:
 
 
 def _design(drives: Sequence[DriveNodes], observations: NetworkObservations) -> csc_matrix:
-    """Matrix (4 n, 8 k) that takes the states of all nodes to the observed differences; with walls (4 n, 8 k + 1)."""
+    """Matrix (4 n, 8 k) that takes the states of all nodes to the observed differences; with walls more columns."""
     offsets = np.concatenate([[0], np.cumsum([len(drive) for drive in drives])])
     rows, columns, values = [], [], []
     heading = _DIMENSIONS - 1
@@ -228,66 +217,61 @@ def _design(drives: Sequence[DriveNodes], observations: NetworkObservations) -> 
                 rows += [of_drive * _DIMENSIONS + seen] * 2
                 columns += [column, column + 1]
                 values += [sign * factor, sign * factor * ahead]
+    owners, levels = _offset_unknowns(observations)
     walls = np.flatnonzero(observations.kind == WALL)
-    for axis in range(2):
-        rows.append(walls * _DIMENSIONS + axis)
-        columns.append(np.full(len(walls), 2 * _DIMENSIONS * offsets[-1]))
-        values.append(observations.outward[walls, axis])
-    size = (len(observations) * _DIMENSIONS, 2 * _DIMENSIONS * offsets[-1] + _offsets(observations))
+    for of_level in owners:
+        for axis in range(2):
+            rows.append(walls * _DIMENSIONS + axis)
+            columns.append(2 * _DIMENSIONS * offsets[-1] + of_level)
+            values.append(observations.outward[walls, axis])
+    size = (len(observations) * _DIMENSIONS, 2 * _DIMENSIONS * offsets[-1] + len(levels))
     return coo_matrix((np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), shape=size).tocsc()
 
 
-def _offsets(observations: NetworkObservations) -> int:
-    """Number of unknowns behind those of the nodes: with walls their common offset."""
-    return int((observations.kind == WALL).any())
+def _offset_unknowns(observations: NetworkObservations) -> tuple[list[np.ndarray], np.ndarray]:
+    """Unknowns behind those of the nodes: of each wall's row (w,) its column on every level, and each column's level.
 
-
-def _prior(drives: Sequence[DriveNodes], model: GaussMarkovDrift, offsets: int,
-           offset_sigma: float) -> tuple[csc_matrix, float]:
-    """Normal matrix (8 k, 8 k) of the drift of all drives, and the logarithm of its determinant.
-
-    `offsets` more unknowns are known to `offset_sigma` m.
+    Level 0 is the common offset of all walls, 1 what a building differs from it by, 2 what a wall differs from its
+    building.
     """
-    rows, columns, values, determinant, first = [], [], [], 0.0, 0
-    axes, active = np.arange(_DIMENSIONS), list(LIMITS.active)
-    for nodes in drives:
-        transition, precision = model.steps(nodes.parameter, nodes.stops, nodes.jumps, LIMITS.active,
-                                            0.0 if nodes.fast is None else nodes.fast)
-        k = len(nodes)
-        index = 2 * ((first + np.arange(k))[:, None, None] * _DIMENSIONS + axes[:, None]) + np.arange(2)  # (k, 4, 2)
-        # A step's error is state[i + 1] - F state[i]: blocks F'PF, -F'P, -PF, P.
-        carried = np.einsum("kji,kdjl->kdil", transition, precision)
-        blocks = ((index[:-1], index[:-1], np.einsum("kdil,klm->kdim", carried, transition)),
-                  (index[:-1], index[1:], -carried), (index[1:], index[:-1], -np.swapaxes(carried, 2, 3)),
-                  (index[1:], index[1:], precision))
-        for row, column, block in blocks:
-            rows.append(np.broadcast_to(row[..., :, None], block.shape).ravel())
-            columns.append(np.broadcast_to(column[..., None, :], block.shape).ravel())
-            values.append(block.ravel())
-        start = np.stack([model.initial_sigma[active], model.rate_sigma[active]], axis=1) ** -2.0
-        rows.append(index[0].ravel())
-        columns.append(index[0].ravel())
-        values.append(start.ravel())
-        determinant += float(np.log(np.linalg.det(precision)).sum() + np.log(start).sum())
-        first += k
-    last = np.arange(offsets) + 2 * _DIMENSIONS * first
-    rows.append(last)
-    columns.append(last)
-    values.append(np.full(offsets, offset_sigma**-2.0))
-    size = 2 * _DIMENSIONS * first + offsets
-    matrix = coo_matrix((np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), shape=(size, size))
-    return matrix.tocsc(), determinant
+    walls = observations.kind == WALL
+    if not walls.any():
+        return [], np.zeros(0, int)
+    columns, levels = [np.zeros(np.count_nonzero(walls), int)], [np.zeros(1, int)]
+    for level, number in enumerate(observations.owner[walls].T, start=1):
+        _, column = np.unique(number, return_inverse=True)
+        columns.append(sum(len(part) for part in levels) + column.ravel())
+        levels.append(np.full(column.max() + 1, level))
+    return columns, np.concatenate(levels)
+
+
+def _wall_offsets(fit: _Fit, observations: NetworkObservations,
+                  settings: NetworkSettings) -> tuple[float, tuple[float, float]]:
+    """The common offset, m, and by how much buildings and walls differ: of each the expected square, given all that was
+    observed, is what was found and its variance (expectation and maximisation: Dempster, Laird and Rubin 1977).
+    """
+    _, levels = _offset_unknowns(observations)
+    if not len(levels):
+        return 0.0, settings.differ
+    size = fit.factors.shape[0]
+    right = np.zeros((size, len(levels)))
+    right[size - len(levels):] = np.eye(len(levels))
+    square = fit.solution[size - len(levels):] ** 2 + np.diag(fit.factors.solve(right)[size - len(levels):])
+    buildings, walls = (float(np.sqrt(square[levels == level].mean())) for level in (1, 2))
+    return float(fit.solution[size - len(levels)]), (buildings, walls)
 
 
 def _robust_fit(drives: Sequence[DriveNodes], design: csc_matrix, observations: NetworkObservations,
                 settings: NetworkSettings, factor: float) -> _Fit:
     """The adjustment with one size of drift, weights and variance of the observations iterated to convergence."""
-    prior, log_prior = _prior(drives, settings.model.scaled(factor), _offsets(observations), settings.offset_sigma)
+    offset_sigma = np.array([settings.offset_sigma, *settings.differ])[_offset_unknowns(observations)[1]]
+    prior = drift_prior(drives, settings.model.scaled(factor), offset_sigma)
     information, value = _information(observations), np.nan_to_num(observations.value)
     weight, noise = np.ones(len(observations)), 1.0
     for _ in range(LIMITS.passes):
-        normal = (design.T @ _block_diagonal(information * (weight / noise)[:, None, None]) @ design + prior).tocsc()
-        right = design.T @ np.einsum("nij,nj->ni", information * (weight / noise)[:, None, None], value).ravel()
+        weighted = information * (weight / noise)[:, None, None]
+        normal = (design.T @ _block_diagonal(weighted) @ design + prior.matrix).tocsc()
+        right = design.T @ np.einsum("nij,nj->ni", weighted, value).ravel() + prior.right
         factors = splu(normal, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
         solution = factors.solve(right)
         residual = value - (design @ solution).reshape(-1, _DIMENSIONS)
@@ -298,16 +282,16 @@ def _robust_fit(drives: Sequence[DriveNodes], design: csc_matrix, observations: 
                                and abs(noise / noise_before - 1.0) < LIMITS.converged):
             break
     return _Fit(solution, factors, residual, weight, factor, noise,
-                _likelihood(solution, prior, log_prior, factors, misfit, noise, observations, settings))
+                _likelihood(solution, prior, factors, misfit, noise, observations, settings))
 
 
-def _likelihood(solution: np.ndarray, prior: csc_matrix, log_prior: float, factors, misfit: np.ndarray, noise: float,
+def _likelihood(solution: np.ndarray, prior: DriftPrior, factors, misfit: np.ndarray, noise: float,
                 observations: NetworkObservations, settings: NetworkSettings) -> float:
     """Logarithm of the evidence for a size of drift (Laplace), with the robust loss of the observations."""
     count = _observed(observations)
     loss = 0.5 * count * (settings.gross**2 * np.log1p(misfit / noise / settings.gross**2) + np.log(noise))
     log_normal = float(np.log(np.abs(factors.U.diagonal())).sum())
-    return 0.5 * (log_prior - log_normal) - 0.5 * float(solution @ (prior @ solution)) - float(loss.sum())
+    return 0.5 * (prior.determinant - log_normal) - 0.5 * prior.square(solution) - float(loss.sum())
 
 
 def _observed(observations: NetworkObservations) -> np.ndarray:

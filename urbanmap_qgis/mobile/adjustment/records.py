@@ -10,7 +10,7 @@ from ...geometry.tolerances import LEAST_DIVISOR
 from ..registration.correction.gauss_markov import path_parameters_of
 from ..registration.run import RegistrationRun
 from ..trajectory import Trajectory
-from .network import KINDS, Network, NetworkObservations, plan_information, plan_residuals
+from .network import KINDS, WALL, Network, NetworkObservations, plan_information, plan_residuals
 from .reference_steps import ReferenceStep
 
 PLACED, BRIDGED, RELATIVE, NOT_TIED = range(4)
@@ -102,6 +102,12 @@ class AdjustedSurvey:
         """Share, 0 to 1, that each of `KINDS` has in what is observed of a drive in plan; 0 where nothing is."""
         seen = self.observations
         known = plan_information(seen) * self.network.weight
+        # A wall tells of its place once, however often it was seen: no better than what walls differ.
+        wall = seen.kind == WALL
+        if wall.any():
+            _, same = np.unique(seen.owner[wall, 1], return_inverse=True)
+            of_wall = np.bincount(same.ravel(), known[wall])
+            known[wall] /= 1.0 + of_wall[same.ravel()] * float(np.square(self.network.differ).sum())
         known = np.where((seen.drive == number) | (seen.other == number), known, 0.0)
         of_kind = np.bincount(seen.kind, known, len(KINDS))
         return tuple((of_kind / max(of_kind.sum(), LEAST_DIVISOR)).tolist())

@@ -1,8 +1,8 @@
 """Facades of several drives on the walls of buildings: a second witness beside markings and control (J 6.2).
 
 A facade that a drive saw stands inside the outline of its building by eaves and what the outline is off by. The mean of
-it is one unknown of all drives; by how much single walls differ is found from the walls. All that any drive saw of a
-wall shares its difference, so that a wall counts once, however often it was passed.
+it is one unknown of all drives; what a building differs from it by, and a wall from its building, are unknowns too: a
+wall that was passed often tells of its place once, but ties all that saw it. Their size is found from the walls.
 """
 
 from __future__ import annotations
@@ -14,7 +14,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...errors import InsufficientDataError
-from ...geometry.tolerances import SIGMA_OF_MAD
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..registration.walls.facade_planes import FacadePlanes, facade_planes
@@ -35,6 +34,8 @@ class WallObservationLimits:
     rounds: int = 8  # at most, in which walls are matched anew, until the drives move by less than `settled` m
     settled: float = 0.02
     unknown: float = 10.0  # m, along a wall
+    differ: tuple[float, float] = (0.3, 0.1)  # m, of buildings, and of walls from their building, at first
+    least: tuple[float, float] = (0.03, 0.03)
 
 
 LIMITS = WallObservationLimits()
@@ -78,37 +79,33 @@ class DriveWalls:
         survey = adjust_drives(drives, observations, run, SILENT) if len(observations) else None
         others = observations.select(observations.kind != REFERENCE) if self.buildings.alone else observations
         corrections = [_reported] * len(drives) if survey is None else [_Course(item) for item in survey.drives]
-        eaves, differ, seen = WITNESS.eaves[0], WITNESS.differ[1], others
+        eaves, differ, seen = WITNESS.eaves[0], LIMITS.differ, others
         for _ in range(LIMITS.rounds):
-            found, differ = self._observations(corrections, eaves, differ)
-            seen = NetworkObservations.joined([others, found])
+            seen = NetworkObservations.joined([others, *self._observations(corrections, eaves)])
             if not len(seen):
                 raise InsufficientDataError(say("No facade of the drives belongs to a building, and nothing else ties "
                                                 "them: check that buildings and drives show the same streets."))
-            last, survey = survey, adjust_drives(drives, seen, run, SILENT)
+            last, survey = survey, adjust_drives(drives, seen, run, SILENT, differ)
             corrections = [_Course(item) for item in survey.drives]
             eaves = float(np.clip(WITNESS.eaves[0] + survey.network.offset, *WITNESS.possible))
+            differ = _within(survey.network.differ)
             if last is not None and _moved(last, survey) < LIMITS.settled:
                 break
         progress.message(say("Facades stand {eaves:.2f} m inside the outlines in the mean, and differ from it by "
-                             "{differ:.2f} m.", eaves=eaves, differ=differ))
-        return adjust_drives(drives, seen, run, progress)
+                             "{differ:.2f} m.", eaves=eaves, differ=float(np.hypot(*differ))))
+        return adjust_drives(drives, seen, run, progress, differ)
 
-    def _observations(self, corrections: Sequence, eaves: float, differ: float) -> tuple[NetworkObservations, float]:
-        """What walls say about courses of the drives, and by how much single walls differ, m."""
+    def _observations(self, corrections: Sequence, eaves: float) -> list[NetworkObservations]:
+        """What walls say about courses of the drives."""
         facades = [_MatchedFacades.of(number, planes, correction, self.buildings.edges, eaves)
                    for number, (planes, correction) in enumerate(zip(self.planes, corrections))]
-        edge, outside = (np.concatenate([getattr(item, name) for item in facades]) for name in ("edge", "outside"))
-        middle = np.array([np.median(outside[edge == wall]) for wall in np.unique(edge)])
-        if len(middle) >= WITNESS.walls:
-            spread = WITNESS.freedom * SIGMA_OF_MAD * float(np.median(np.abs(middle - np.median(middle))))
-            differ = float(np.clip(spread, WITNESS.differ[0], WITNESS.differ[2]))
-        pieces = [item.pieces() for item in facades]
-        count = np.bincount(np.concatenate([item.edge[first] for item, (first, _) in zip(facades, pieces)]),
-                            minlength=len(self.buildings.edges))
-        variance = (differ**2 + WITNESS.floor**2) * count
-        rows = [item.rows(which, variance) for item, (_, which) in zip(facades, pieces)]
-        return NetworkObservations.joined(rows), differ
+        return [item.rows(self.buildings.edges.building) for item in facades]
+
+
+def _within(differ: tuple[float, float]) -> tuple[float, float]:
+    """m, by which buildings and their walls differ, within what is possible."""
+    buildings, walls = (float(np.clip(size, least, WITNESS.differ[2])) for size, least in zip(differ, LIMITS.least))
+    return buildings, walls
 
 
 def walls_of_drives(buildings: BuildingWalls, clouds: Sequence[Sequence[str | os.PathLike]], drives: Sequence[Drive],
@@ -199,18 +196,13 @@ class _MatchedFacades:
         return cls(number, planes.select(known), edge[known], outward, outside[known],
                    moved - outside[known] - WITNESS.eaves[0])
 
-    def pieces(self) -> tuple[np.ndarray, np.ndarray]:
-        """First plane of each piece of a wall (p,), and the piece of each plane (n,)."""
-        key = np.column_stack([self.edge, (self.planes.path_parameter // LIMITS.piece).astype(int)])
-        _, first, piece = np.unique(key, axis=0, return_index=True, return_inverse=True)
-        return first, piece.ravel()
-
-    def rows(self, piece: np.ndarray, variance: np.ndarray) -> NetworkObservations:
-        """One observation a piece; `variance` (k,) m2 of those of each edge."""
-        if not len(piece):
+    def rows(self, building: np.ndarray) -> NetworkObservations:
+        """One observation a piece of a wall; `building` (k,) of each edge."""
+        if not len(self.edge):
             return NetworkObservations.none()
-        size, (_, first) = np.bincount(piece), np.unique(piece, return_index=True)
-        n, outward, nothing = len(size), self.outward[first], np.zeros((len(size), 2))
+        key = np.column_stack([self.edge, (self.planes.path_parameter // LIMITS.piece).astype(int)])
+        _, first, piece, size = np.unique(key, axis=0, return_index=True, return_inverse=True, return_counts=True)
+        piece, n, outward, nothing = piece.ravel(), len(size), self.outward[first], np.zeros((len(size), 2))
 
         def mean(values: np.ndarray) -> np.ndarray:
             return np.bincount(piece, values) / size
@@ -219,8 +211,9 @@ class _MatchedFacades:
         value[:, :2] = mean(self.value)[:, None] * outward
         covariance = np.tile(np.eye(4), (n, 1, 1))
         along = np.column_stack([-outward[:, 1], outward[:, 0]])
-        covariance[:, :2, :2] = (variance[self.edge[first], None, None] * outward[:, :, None] * outward[:, None, :]
+        covariance[:, :2, :2] = (WITNESS.floor**2 * outward[:, :, None] * outward[:, None, :]
                                  + LIMITS.unknown**2 * along[:, :, None] * along[:, None, :])
         arm = np.column_stack([mean(axis) for axis in self.planes.lever_arm[:, :2].T])
         return NetworkObservations(np.full(n, self.number), mean(self.planes.path_parameter), arm, np.full(n, NONE),
-                                   np.zeros(n), nothing, value, covariance, np.full(n, WALL), outward)
+                                   np.zeros(n), nothing, value, covariance, np.full(n, WALL), outward,
+                                   np.column_stack([building[self.edge[first]], self.edge[first]]))

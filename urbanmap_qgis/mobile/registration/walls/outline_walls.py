@@ -33,24 +33,31 @@ class WallEdges:
     ----------
     ends : (k, 2, 2) m.
     outward : (k, 2) unit vectors.
+    building : (k,) number of its building; each edge its own where none are given.
     """
 
     ends: np.ndarray
     outward: np.ndarray
+    building: np.ndarray | None = None
+
+    def __post_init__(self) -> None:
+        if self.building is None:
+            object.__setattr__(self, "building", np.arange(len(self.ends)))
 
     def __len__(self) -> int:
         return len(self.ends)
 
     @classmethod
-    def of(cls, ends: np.ndarray, outward: np.ndarray) -> WallEdges:
+    def of(cls, ends: np.ndarray, outward: np.ndarray, building: np.ndarray | None = None) -> WallEdges:
         """Those of edges (m, 2, 2) with their outward directions (m, 2) that are long enough to be walls."""
         long = np.hypot(*(ends[:, 1] - ends[:, 0]).T) >= LIMITS.shortest
-        return cls(ends[long], outward[long])
+        return cls(ends[long], outward[long], None if building is None else building[long])
 
     @classmethod
     def joined(cls, parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> WallEdges:
         """Those of several buildings: ends (m, 2, 2) and outward directions (m, 2) of each."""
-        return cls.of(*(np.concatenate(columns) for columns in zip(*parts)))
+        building = np.repeat(np.arange(len(parts)), [len(ends) for ends, _ in parts])
+        return cls.of(*(np.concatenate(columns) for columns in zip(*parts)), building)
 
     def matched(self, place: np.ndarray, normal: np.ndarray, eaves: float) -> tuple[np.ndarray, np.ndarray]:
         """Number of each plane's edge, -1 for none, and how far outside of it the plane lies, m.
