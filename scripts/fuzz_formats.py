@@ -137,12 +137,12 @@ def _orthophoto(path: Path):
 def _city(path: Path):
     from contextlib import ExitStack
 
-    from urbanmap_qgis.citymodel.citygml.reader import open_citygml
+    from urbanmap_qgis.citymodel.citygml.reader import ROADS, STREET_THINGS, open_citygml
     from urbanmap_qgis.citymodel.cityjson.reader import open_cityjson
     from urbanmap_qgis.citymodel.reading_notes import ReadingNotes
 
     with ExitStack() as stack:
-        model = (open_citygml(path, stack, ReadingNotes()) if path.suffix == ".gml"
+        model = (open_citygml(path, stack, ReadingNotes(), more=ROADS | STREET_THINGS) if path.suffix == ".gml"
                  else open_cityjson(path, ReadingNotes()))
         return [building.shapes for building in model.buildings]
 
@@ -385,6 +385,8 @@ FORMATS: dict[str, tuple[str, Callable, Callable]] = {
     "CityGML of PLATEAU zip": ("a.zip", sound.plateau_zip, _city_files),
     "CityGML in a zip's zip": ("a.zip", sound.zipped("udx/bldg/a.gml", sound.citygml, "b.zip"), _city_files),
     "CityGML, checked": ("a.gml", sound.plateau, _checked),
+    "city furniture": ("a.gml", sound.furniture, _city),
+    "trees": ("a.gml", sound.trees, _city),
     "city furniture, checked": ("a.gml", sound.furniture, _checked),
     "trees, checked": ("a.gml", sound.trees, _checked),
     "roads of PLATEAU": ("a.gml", sound.roads, _city_files),

@@ -15,6 +15,9 @@ COLUMNS = (("building_id", "text"), ("lod", "text"), ("ground", "real"), ("top",
            ("parts", "int"), ("note", "text"), ("attributes", "text"))
 ROADS = (("road_id", "text"), ("lod", "text"), ("class", "text"), ("function", "text"), ("usage", "text"),
          ("section", "text"), ("width", "real"), ("note", "text"), ("attributes", "text"))
+STREET_OBJECTS = (("object_id", "text"), ("kind", "text"), ("lod", "text"), ("class", "text"), ("function", "text"),
+                  ("usage", "text"), ("species", "text"), ("ground", "real"), ("top", "real"), ("height", "real"),
+                  ("note", "text"), ("attributes", "text"))
 SURFACES = (("building_id", "text"), ("roof_id", "int"), ("surface_type", "text"))
 
 
@@ -26,9 +29,9 @@ class LoadCityModel(UrbanMapAlgorithm):
     HELP = (
         "Loads buildings of city models as outlines with heights and all attributes, and their solids and surfaces, "
         "for the other steps.\n"
-        "CityGML as PLATEAU has it (.gml, .zip or its folder; roads where “Roads” is asked for, files of other things "
-        "are passed over), CityJSON "
-        "and CityJSONSeq are read, levels of detail 0 to 2. Codes get their meaning where the lists are beside the "
+        "CityGML as PLATEAU has it (.gml, .zip or its folder; roads where “Roads” is asked for, city furniture and "
+        "trees where “Street objects” is; files of other things are passed over), CityJSON and CityJSONSeq are read, "
+        "levels of detail 0 to 2. Codes get their meaning where the lists are beside the "
         "files. A building whose id is not its own, whose solid is not closed or whose parts cannot be read keeps its "
         "row; the field “note” says why. Nothing is read from the network."
     )
@@ -68,6 +71,11 @@ class LoadCityModel(UrbanMapAlgorithm):
             "MultiPolygon surfaces of the roads (tran:Road) of CityGML, of their plainest level of detail: road_id, "
             "lod, class, function, usage, section (code of the kind of section), width (m), note, attributes (all, as "
             "JSON).", optional=True)
+        self.add_layer_output(
+            "OUTPUT_OBJECTS", "Street objects",
+            "MultiPolygonZ, city furniture and single trees (frn, veg) of CityGML, the faces of their most detailed "
+            "level: object_id, kind (furniture, tree), lod, class, function, usage, species (codes), ground and top "
+            "(m), height (m, as given, else of the faces), note, attributes (all, as JSON).", optional=True)
         self.add_number_output("BUILDINGS", "Number of buildings", "Number of buildings written.")
         self.add_number_output("PROBLEMS", "Buildings with a note", "Buildings in which something is wrong.")
         self.add_text_output("HEIGHTS", "Height system", "As the model says it: unknown, JGD2011, JGD2024, ...")
@@ -87,6 +95,7 @@ class LoadCityModel(UrbanMapAlgorithm):
         from ...urbanmap_qgis.citymodel.reading_notes import ReadingNotes
         from ...urbanmap_qgis.citymodel.tables.building_table import TableNotes, building_rows
         from ...urbanmap_qgis.citymodel.tables.road_table import RoadTable
+        from ...urbanmap_qgis.citymodel.tables.street_table import StreetTable
         from ...urbanmap_qgis.citymodel.tables.table_store import TableStore
 
         progress = self.progress(feedback)
@@ -95,18 +104,20 @@ class LoadCityModel(UrbanMapAlgorithm):
         with ExitStack() as stack:
             model = open_city_model(self._paths(parameters, context), stack, reading,
                                     self._given(parameters, context), progress.part(0.0, 0.6),
-                                    bool(parameters.get("OUTPUT_ROADS")))
+                                    _modules(parameters))
             wkt, buildings, places = placed_model(model, wkt_of(wanted) or None, sentences)
             self.require_projected("CRS", wkt)
             store = stack.enter_context(TableStore(bool(parameters.get("OUTPUT_MODELS")),
                                                    bool(parameters.get("OUTPUT_SURFACES"))))
-            roads = RoadTable(places)
-            for row in building_rows(roads.without_roads(buildings), places, counts):
+            roads, things = RoadTable(places), StreetTable(places)
+            others = things.without_street_objects(roads.without_roads(buildings))
+            for row in building_rows(others, places, counts):
                 store.add(row)
             for sentence in sentences + reading.sentences():
                 progress.warn(sentence)
-            if roads.outlines and not counts.buildings:
-                progress.warn(tr("The files hold roads and no building: the layer of buildings is empty."))
+            if (roads.outlines or things.models) and not counts.buildings:
+                progress.warn(tr("The files hold roads or street objects and no building: the layer of buildings is "
+                                 "empty."))
             if counts.with_problems:
                 progress.warn(tr("{0} of {1} buildings have something wrong; the field “note” says what.").format(
                     counts.with_problems, counts.buildings))
@@ -117,6 +128,10 @@ class LoadCityModel(UrbanMapAlgorithm):
             results["OUTPUT_ROADS"] = self.write_layer(
                 parameters, "OUTPUT_ROADS", context, make_fields(*ROADS), roads.columns, wkt, roads.outlines,
                 "MultiPolygon", "loaded_roads")
+        if parameters.get("OUTPUT_OBJECTS"):
+            results["OUTPUT_OBJECTS"] = self.write_layer(
+                parameters, "OUTPUT_OBJECTS", context, make_fields(*STREET_OBJECTS), things.columns, wkt,
+                things.models, "MultiPolygonZ", "loaded_street_objects")
         return {**results, "BUILDINGS": counts.buildings, "PROBLEMS": counts.with_problems,
                 "HEIGHTS": model.reference.heights}
 
@@ -152,3 +167,12 @@ class LoadCityModel(UrbanMapAlgorithm):
         """The file and the folder, as far as they were given."""
         paths = (self.input_path(parameters, name, context) for name in ("INPUT", "INPUT_FOLDER"))
         return [path for path in paths if path is not None]
+
+
+def _modules(parameters) -> frozenset[str]:
+    """Modules of CityGML whose layers are asked for, besides the buildings."""
+    from ...urbanmap_qgis.citymodel.citygml.reader import ROADS as ROAD_MODULES
+    from ...urbanmap_qgis.citymodel.citygml.reader import STREET_THINGS
+
+    asked = {"OUTPUT_ROADS": ROAD_MODULES, "OUTPUT_OBJECTS": STREET_THINGS}
+    return frozenset().union(*(modules for name, modules in asked.items() if parameters.get(name)))

@@ -158,6 +158,15 @@ def loaded_roads(layer) -> None:
     layer.setMapTipTemplate("[% \"road_id\" %]<br>function [% \"function\" %], section [% \"section\" %]")
 
 
+def loaded_street_objects(layer) -> None:
+    """City furniture and trees of a city model."""
+    kinds = {"furniture": "#7a6a9b", "tree": "#5d9b4c"}
+    layer.setRenderer(QgsCategorizedSymbolRenderer("kind", [
+        QgsRendererCategory(kind, fill(colour), kind) for kind, colour in kinds.items()]))
+    layer.setMapTipTemplate("[% \"kind\" %] [% \"object_id\" %]<br>function [% \"function\" %], "
+                            "[% round(\"height\", 1) %] m")
+
+
 def road_axes(layer) -> None:
     """Middle lines of roads, thin through junctions."""
     kinds = {"road": 0.5, "bridge": 0.5, "tunnel": 0.5, "junction": 0.25}
@@ -238,6 +247,7 @@ FIELDS = {
                  "seen:double step:double sigma:double"),
     road_steps: ("LineStringZ", "area_id:integer height:double length:double"),
     loaded_roads: ("MultiPolygon", "road_id:string section:string function:string width:double"),
+    loaded_street_objects: ("MultiPolygonZ", "object_id:string kind:string function:string height:double"),
     road_axes: ("LineString", "road_id:integer kind:string width:double length:double"),
     road_findings: ("Point", "kind:string text:string"),
     map_findings: ("Point", "kind:string text:string"),

@@ -195,3 +195,24 @@ def test_roads_are_loaded_where_they_are_asked_for(run, read_layer, tmp_path, ot
         "road_id": "tran_1", "lod": "1", "class": "1040", "function": "4", "section": "4", "width": 5.5}
     assert row.geometry.area() == pytest.approx(100.4, rel=0.01)
     assert results["BUILDINGS"] == len(read_layer(results["OUTPUT"])) == bool(others)
+
+
+POST = ('<core:cityObjectMember><frn:CityFurniture xmlns:frn="http://www.opengis.net/citygml/cityfurniture/2.0" '
+        'gml:id="frn_1"><frn:class codeSpace="../../codelists/CityFurniture_class.xml">1000</frn:class>'
+        '<frn:function codeSpace="../../codelists/CityFurniture_function.xml">4800</frn:function>'
+        "<frn:lod2Geometry><gml:MultiSurface>{faces}</gml:MultiSurface></frn:lod2Geometry></frn:CityFurniture>"
+        "</core:cityObjectMember>")
+
+
+@pytest.mark.parametrize("others", ["", building("b1")])
+def test_furniture_is_loaded_where_it_is_asked_for(run, read_layer, tmp_path, others):
+    high = [(SOUTH, WEST, 10), (SOUTH, WEST + SIDE, 10), (SOUTH, WEST + SIDE, 14.5), (SOUTH, WEST, 14.5)]
+    path = tmp_path / "53394611_frn_6697_op.gml"
+    path.write_text(HEAD.format(srs=SRS) + others + POST.format(faces=polygon(high)) + "</core:CityModel>", "utf-8")
+    results = run(ALGORITHM, {"INPUT_FOLDER": str(tmp_path), "OUTPUT": str(tmp_path / "buildings.gpkg"),
+                              "OUTPUT_OBJECTS": str(tmp_path / "things.gpkg")})
+    row, = read_layer(results["OUTPUT_OBJECTS"])
+    assert {name: row.attributes[name] for name in ("object_id", "kind", "lod", "class", "function", "note")} == {
+        "object_id": "frn_1", "kind": "furniture", "lod": "2", "class": "1000", "function": "4800", "note": ""}
+    assert [row.attributes[name] for name in ("ground", "top", "height")] == pytest.approx([10.0, 14.5, 4.5])
+    assert results["BUILDINGS"] == len(read_layer(results["OUTPUT"])) == bool(others)

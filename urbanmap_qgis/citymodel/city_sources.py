@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
@@ -28,12 +28,13 @@ _JAPAN = (122.0, 20.0, 154.0, 46.0)
 
 
 def open_city_model(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: ReadingNotes,
-                    given: CityReference | None = None, progress: Progress = SILENT, roads: bool = False,
+                    given: CityReference | None = None, progress: Progress = SILENT, more: Collection[str] = (),
                     fittings: bool = False) -> CityModel:
     """Open city models: CityGML (.gml, .zip), CityJSON (.json), CityJSONSeq (.jsonl), or folders of them.
 
-    The buildings are read while they are walked through, once; `stack` must stay open until then. `roads` of CityGML
-    come among them where they are asked for; `fittings` (installations and rooms) are else counted as left out.
+    The buildings are read while they are walked through, once; `stack` must stay open until then. Of CityGML
+    the modules `more` come among them (`ROADS`, `STREET_THINGS` of the reader); `fittings` (installations and rooms)
+    are else counted as left out.
 
     Raises
     ------
@@ -45,7 +46,7 @@ def open_city_model(path: PathLike | Sequence[PathLike], stack: ExitStack, notes
               and not (item.is_dir() and _json_files(item) and not _gml_there(item))]
     models = [open_cityjson(file, notes, given, progress, fittings) for file in texts]
     if others:
-        models.insert(0, open_citygml(others, stack, notes, given, progress, roads, fittings))
+        models.insert(0, open_citygml(others, stack, notes, given, progress, more, fittings))
     if any(model.reference != models[0].reference for model in models):
         raise InputError(say("The city models are in different reference systems: load them in separate runs."))
     images = models[0].images if len(models) == 1 else {}

@@ -37,6 +37,12 @@ def plain_attributes(attributes: Mapping[str, Any]) -> dict[str, Any]:
     return plain
 
 
+def code_text(value: Any) -> str:
+    """Codes as text, several with commas."""
+    items = value if isinstance(value, list) else [] if value is None else [value]
+    return ",".join(str(item.value if isinstance(item, CodeValue) else item) for item in items)
+
+
 def _plain(value: Any) -> Any:
     if isinstance(value, AttributeGroup):
         return {**({"type": value.type} if value.type else {}), **plain_attributes(value.values)}

@@ -144,6 +144,7 @@ _WORDS = {
     "function": FieldWords(mark("function (code)")),
     "usage": FieldWords(mark("usage (code)")),
     "section": FieldWords(mark("kind of section (code)")),
+    "species": FieldWords(mark("species (code)")),
     "arms": FieldWords(mark("roads that meet")),
     "finding": FieldWords(mark("finding")),
     # Buildings.
@@ -325,6 +326,7 @@ _OF_STYLE: dict[tuple[str, str], FieldWords] = {
     ("road_surfaces", "source"): FieldWords(mark("where the edges are from")),
     ("road_edges", "height"): FieldWords(mark("height above the road (m)"), 3),
     ("street_objects", "object_id"): FieldWords(mark("number")),
+    ("loaded_street_objects", "object_id"): FieldWords(mark("object in the city model")),
     ("street_objects", "sigma"): FieldWords(mark("standard deviation east and north (m)"), 3),
     ("street_objects", "height"): FieldWords(mark("height above the ground (m)"), 2),
     ("street_objects", "azimuth"): FieldWords(mark("direction of board or arm (°)"), 0),

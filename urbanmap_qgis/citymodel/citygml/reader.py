@@ -9,7 +9,7 @@ import re
 import shutil
 import tempfile
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePosixPath
@@ -35,23 +35,22 @@ from .schema import (
     FITTING_ELEMENTS,
     FITTING_PROPERTIES,
     MEMBERS,
-    OBJECTS,
+    MODULE_OBJECTS,
     PART_PROPERTY,
     ROAD_PARTS,
-    ROADS,
 )
 from .shape_reader import GmlTextures, ShapeReader
 from .value_reader import add_value, addresses, extension_value, generic_value, id_of, leaf_value, split_tag
 
 MAKER = "a city model"
 LARGEST_BUILDING = 2**28
-_OTHER_THEME = re.compile(r"^[0-9]{6,10}_(?!bldg_)[a-z]{3,5}_", re.IGNORECASE)
-CITYGML = Wanted("city models (CityGML)", "give the files of the buildings (udx/bldg of PLATEAU)",
-                 lambda name: bool(_OTHER_THEME.match(name)), (".gml", ".citygml"))
-_NO_ROADS = re.compile(r"^[0-9]{6,10}_(?!bldg_|tran_)[a-z]{3,5}_", re.IGNORECASE)
-WITH_ROADS = replace(CITYGML, advice="give the files of the buildings or roads (udx/bldg, udx/tran of PLATEAU)",
-                     other=lambda name: bool(_NO_ROADS.match(name)))
+_THEME = re.compile(r"^[0-9]{6,10}_([a-z]{3,5})_", re.IGNORECASE)
+ROADS, STREET_THINGS = frozenset({"tran"}), frozenset({"frn", "veg"})
+"""Modules that are read beside the buildings where they are asked for."""
 _LARGEST_LIST = 100_000
+_KINDS = {**FITTING_ELEMENTS, **{name: kind for objects in MODULE_OBJECTS.values() for name, kind in objects.items()}}
+"""Kinds of objects of the record by their elements, of all modules."""
+
 _VERSION_3 = f"{{{CITYGML_SPACE}3."
 
 
@@ -65,6 +64,7 @@ class _File:
     textures: GmlTextures = field(default_factory=GmlTextures)
     fittings: bool = False
     lists: dict[str, dict[str, str]] = field(default_factory=dict)
+    prototypes: dict = field(default_factory=dict)
 
     def meaning(self, space: str, code: str) -> str:
         """What a list of codes beside the file says of a code."""
@@ -82,7 +82,7 @@ class _File:
 
 
 def open_citygml(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: ReadingNotes,
-                 given: CityReference | None = None, progress: Progress = SILENT, roads: bool = False,
+                 given: CityReference | None = None, progress: Progress = SILENT, more: Collection[str] = (),
                  fittings: bool = False) -> CityModel:
     """Open CityGML files: a .gml, a .zip or a folder of them.
 
@@ -92,7 +92,7 @@ def open_citygml(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: R
     ----------
     notes : filled while the buildings are walked through.
     given : reference of files that name none.
-    roads : whether roads come among the buildings, too; else they are passed over.
+    more : modules whose objects come among the buildings, too (`ROADS`, `STREET_THINGS`); else they are passed over.
     fittings : whether installations and rooms of buildings are read; else they are counted among what is left out.
 
     Raises
@@ -100,7 +100,8 @@ def open_citygml(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: R
     InputError : nothing is there to read, or the first file names no known reference system. While the buildings are
         walked through, too: a file is damaged, or in another reference system than the first.
     """
-    listing = list_sources(path, stack, WITH_ROADS if roads else CITYGML)
+    modules = frozenset({"bldg", *more})
+    listing = list_sources(path, stack, _wanted(modules))
     sources = listing.sources
     reference = _reference_of(sources[0], given)
     images = _Images({}, _unpacking(stack))
@@ -116,12 +117,23 @@ def open_citygml(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: R
                 raise InputError(say("{source} is in another reference system than {sources}: load them in separate "
                                      "runs.", source=source.name, sources=sources[0].name))
             part = progress.part(done / total, (done + source.size) / total)
-            for building in _buildings_of(source, of_file, notes, images, part, roads, fittings):
+            for building in _buildings_of(source, of_file, notes, images, part, modules, fittings):
                 yield _once(building, seen, notes)
             done += source.size
             notes.files.append(source.name)
 
     return CityModel(reference.reference, buildings(path), images.places, title=Path(sources[0].name).stem)
+
+
+def _wanted(modules: frozenset[str]) -> Wanted:
+    """Which files are looked at: not those whose names, as PLATEAU has them, are of another module."""
+    def other(name: str) -> bool:
+        found = _THEME.match(name)
+        return found is not None and found.group(1).lower() not in modules
+
+    folders = ", ".join(f"udx/{module}" for module in MODULE_OBJECTS if module in modules)
+    return Wanted("city models (CityGML)", say("give the files of what is asked for ({folders} of PLATEAU)",
+                                               folders=folders), other, (".gml", ".citygml"))
 
 
 @dataclass
@@ -199,7 +211,7 @@ def _reference_of(source: XmlSource, given: CityReference | None) -> NamedRefere
 
 
 def _buildings_of(source: XmlSource, reference: NamedReference, notes: ReadingNotes, images: _Images,
-                  progress: Progress, roads: bool, fittings: bool) -> Iterator[CityObject]:
+                  progress: Progress, modules: frozenset[str], fittings: bool) -> Iterator[CityObject]:
     textures = _textures(source)
     names = {}
     for image in sorted(set(textures.images.values())):
@@ -215,20 +227,20 @@ def _buildings_of(source: XmlSource, reference: NamedReference, notes: ReadingNo
             continue
         for element in member:
             prefix, name = split_tag(element.tag)
-            if (prefix == "bldg" and name in OBJECTS) or (roads and prefix == "tran" and name in ROADS):
+            if prefix in modules and name in MODULE_OBJECTS[prefix]:
                 yield _object(element, file)
             else:
                 notes.others[name] += 1
 
 
 def _object(element: Element, file: _File, identifier: str | None = None) -> CityObject:
-    """A building, a part, a road or a fitting with its attributes, shapes, parts and fittings.
+    """A building, a part, a road, a street object or a fitting with its attributes, shapes, parts and fittings.
 
     `identifier` : what it is called; its own id where none is given.
     """
     identifier = id_of(element) if identifier is None else identifier
     reader = ShapeReader(file.reference.swapped, file.textures, file.meaning,
-                         9 if file.reference.reference.geographic else 3, identifier or "building")
+                         9 if file.reference.reference.geographic else 3, identifier or "building", file.prototypes)
     attributes: dict = {}
     parts, areas, fittings = [], [], []
     for child in element:
@@ -248,9 +260,9 @@ def _object(element: Element, file: _File, identifier: str | None = None) -> Cit
             for address in found:
                 add_value(attributes, ADDRESS, address)
             reader.unread.update(unread)
-        elif name == BOUNDARY_PROPERTY or (prefix in ("bldg", "tran") and name.startswith("lod")):
+        elif name == BOUNDARY_PROPERTY or (prefix in MODULE_OBJECTS and name.startswith("lod")):
             continue
-        elif prefix in ("gml", "core", "bldg", "tran") and not len(child):
+        elif prefix in ("gml", "core", *MODULE_OBJECTS) and not len(child):
             add_value(attributes, name, leaf_value(child, file.meaning))
         elif prefix == "tran" and name in ROAD_PARTS:
             areas += list(child)
@@ -258,7 +270,7 @@ def _object(element: Element, file: _File, identifier: str | None = None) -> Cit
             reader.unread[name] += 1
     shapes = [shape for holder in (element, *areas) for shape in reader.shapes(holder)]
     file.notes.unread.update(reader.unread)
-    kind = {**OBJECTS, **ROADS, **FITTING_ELEMENTS}[split_tag(element.tag)[1]]
+    kind = _KINDS[split_tag(element.tag)[1]]
     return CityObject(identifier, attributes, tuple(shapes), kind, tuple(parts),
                       tuple(dict.fromkeys(reader.problems)), tuple(fittings))
 

@@ -70,6 +70,11 @@ FITTING_PROPERTIES: Mapping[tuple[bool, str], str] = MappingProxyType({
 ROADS: Mapping[str, str] = MappingProxyType({"Road": ROAD})
 """Kinds of objects of the record by the elements of the transportation module."""
 
+MODULE_OBJECTS: Mapping[str, Mapping[str, str]] = MappingProxyType({
+    "bldg": OBJECTS, "tran": ROADS, "frn": {"CityFurniture": CITY_FURNITURE},
+    "veg": {"SolitaryVegetationObject": SINGLE_TREE}})
+"""Kinds of objects of the record by the modules' prefixes and elements."""
+
 ROAD_PARTS = frozenset({"trafficArea", "auxiliaryTrafficArea"})
 """Properties of a road that hold its areas."""
 
@@ -110,6 +115,9 @@ GEOMETRY_NAMES: Mapping[tuple[str, str], str] = MappingProxyType(
 
 ANY_GEOMETRY: Mapping[str, str] = MappingProxyType({f"lod{lod}Geometry": lod for lod in "1234"})
 """Levels of detail of the properties of installations, furniture and trees, which hold geometry of any kind."""
+
+IMPLICIT_GEOMETRY: Mapping[str, str] = MappingProxyType({f"lod{lod}ImplicitRepresentation": lod for lod in "1234"})
+"""Levels of detail of the properties that hold a prototype, which stands where a matrix and a point put it."""
 
 LAST_BEFORE_BOUNDARIES = GEOMETRY_NAMES["2", MULTI_SURFACE]
 """The property behind which the schema has the boundary surfaces."""

@@ -16,7 +16,16 @@ from ...geometry.solid import FaceTexture
 from ...wording import say
 from ..model import BOUNDARY_KINDS, MULTI_SURFACE, OPENINGS, SOLID, CityShape, CitySurface
 from ..objects import unmatched_edges
-from .schema import ANY_GEOMETRY, BOUNDARY_PROPERTY, GEOMETRY, GML, OPENING_PROPERTY, XLINK_HREF
+from .schema import (
+    ANY_GEOMETRY,
+    BOUNDARY_PROPERTY,
+    GEOMETRY,
+    GML,
+    IMPLICIT_GEOMETRY,
+    MODULE_OBJECTS,
+    OPENING_PROPERTY,
+    XLINK_HREF,
+)
 from .value_reader import Meaning, generic_value, id_of, leaf_value, split_tag
 
 _DEEPEST = 24
@@ -40,6 +49,7 @@ class ShapeReader:
     textures : of the whole file.
     digits : of plane coordinates that tell corners apart, 3 of metres and 9 of degrees.
     owner : id of the object.
+    prototypes : surfaces of prototypes met in the file, in their own coordinates, by id.
     problems : what was found wrong.
     unread : elements that the record has no place for, by name.
     """
@@ -49,6 +59,7 @@ class ShapeReader:
     meaning: Meaning
     digits: int = 9
     owner: str = "building"
+    prototypes: dict[str, tuple[CitySurface, ...]] = field(default_factory=dict)
     problems: list[str] = field(default_factory=list)
     unread: Counter = field(default_factory=Counter)
     _unnamed: int = 0
@@ -64,7 +75,10 @@ class ShapeReader:
         used: set[int] = set()
         for child in element:
             prefix, name = split_tag(child.tag)
-            if prefix not in ("bldg", "tran") or not name.startswith("lod"):
+            if prefix not in MODULE_OBJECTS or not name.startswith("lod"):
+                continue
+            if name in IMPLICIT_GEOMETRY:
+                shapes += self._prototype(child, IMPLICIT_GEOMETRY[name])
                 continue
             found = GEOMETRY.get(name)
             lod = ANY_GEOMETRY.get(name) if found is None else found.lod
@@ -113,6 +127,43 @@ class ShapeReader:
         surfaces = tuple(self._surfaces(element, known))
         first = next(iter(element), None)
         return [CityShape(lod, kind, (surfaces,), id_of(first) if first is not None else "")] if surfaces else []
+
+    def _prototype(self, element: Element, lod: str) -> list[CityShape]:
+        """Surfaces of a prototype where it stands (OGC 12-019, 8.2): its own coordinates by the matrix, then the point.
+
+        Prototypes in files of their own, and those of files in degrees, are counted as unread.
+        """
+        parts = {split_tag(item.tag)[1]: item for implicit in element for item in implicit}
+        surfaces = self._prototype_surfaces(parts.get("relativeGMLGeometry"))
+        matrix = _numbers(parts.get("transformationMatrix"), 16)
+        point = _numbers(next(parts["referencePoint"].iter(f"{{{GML}}}pos"), None)
+                         if "referencePoint" in parts else None, 3)
+        if not surfaces or point is None or ("transformationMatrix" in parts and matrix is None) or self.digits != 3:
+            self.unread[split_tag(element.tag)[1]] += 1
+            return []
+        turn = np.eye(4) if matrix is None else matrix.reshape(4, 4)
+
+        def standing(ring: np.ndarray) -> np.ndarray:
+            corners = ring @ turn[:3, :3].T + turn[:3, 3] + point
+            return corners[:, [1, 0, 2]] if self.swapped else corners
+
+        placed = tuple(replace(surface, rings=tuple(map(standing, surface.rings))) for surface in surfaces)
+        return [CityShape(lod, MULTI_SURFACE, (placed,))]
+
+    def _prototype_surfaces(self, holder: Element | None) -> tuple[CitySurface, ...]:
+        """Surfaces of a prototype in its own coordinates, or of the one met before that it refers to."""
+        if holder is None:
+            return ()
+        reference = holder.get(XLINK_HREF) or ""
+        if reference:
+            return self.prototypes.get(reference.lstrip("#"), ())
+        own = ShapeReader(False, self.textures, self.meaning, owner=self.owner)
+        surfaces = tuple(own._surfaces(holder, {}))
+        self.problems += own.problems
+        for item in holder:
+            if id_of(item):
+                self.prototypes[id_of(item)] = surfaces
+        return surfaces
 
     def _solids(self, element: Element, lod: str, known: dict[str, CitySurface], used: set[int]) -> list[CityShape]:
         """Solids of one property; their faces are the polygons that boundaries gave, where they refer to them."""
@@ -219,6 +270,15 @@ def _turned(surface: CitySurface) -> CitySurface:
     if texture is not None:
         texture = replace(texture, uv=tuple(places[::-1] for places in texture.uv))
     return replace(surface, rings=tuple(ring[::-1] for ring in surface.rings), texture=texture)
+
+
+def _numbers(element: Element | None, count: int) -> np.ndarray | None:
+    """Finite numbers in an element; None where there are not so many."""
+    try:
+        values = np.array((element.text or "").split() if element is not None else [], dtype=float)
+    except ValueError:
+        return None
+    return values if len(values) == count and np.isfinite(values).all() else None
 
 
 def _children(element: Element, prefix: str, name: str) -> Iterator[Element]:

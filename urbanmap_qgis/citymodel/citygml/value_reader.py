@@ -15,12 +15,12 @@ from xml.etree.ElementTree import Element  # nosec B405 # elements alone, no par
 
 from ..model import ADDRESS_TYPE, AttributeGroup, CodeValue, Measure
 from .iur import kinds_of
-from .schema import EXTENSIONS, GENERIC_FIELDS, GENERIC_SET, GML, GML_3_2, module_of
+from .schema import EXTENSIONS, GENERIC_FIELDS, GENERIC_SET, GML, GML_3_2, MODULE_OBJECTS, module_of
 
 Meaning = Callable[[str, str], str]
 """Function from the name of a list of codes and a code to what the list says; empty where it is not known."""
 
-_KNOWN = ("core", "bldg", "tran", "gen", "app", *EXTENSIONS)
+_KNOWN = ("core", *MODULE_OBJECTS, "gen", "app", *EXTENSIONS)
 _INTEGER = re.compile(r"-?(0|[1-9]\d{0,17})\Z")
 _NUMBER = re.compile(r"-?\d+(\.\d+)?([eE][-+]?\d+)?\Z")
 _WHOLE = re.compile(r"[-+]?\d{1,18}\Z")

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterable, Iterator
-from typing import Any
 
 import numpy as np
 import shapely
 
-from ..model import ROAD, AttributeGroup, CityObject, CodeValue, Measure
-from ..plain_values import plain_attributes
+from ..model import ROAD, AttributeGroup, CityObject, Measure
+from ..plain_values import code_text, plain_attributes
 
 
 class RoadTable:
@@ -43,8 +42,8 @@ class RoadTable:
         more = structure.values if isinstance(structure, AttributeGroup) else {}
         width = more.get("uro:width")
         row = {"road_id": road.id, "lod": ",".join(sorted({shape.lod for shape in road.shapes})),
-               **{name: _code(road.attributes.get(name)) for name in ("class", "function", "usage")},
-               "section": _code(more.get("uro:sectionType")),
+               **{name: code_text(road.attributes.get(name)) for name in ("class", "function", "usage")},
+               "section": code_text(more.get("uro:sectionType")),
                "width": width.value if isinstance(width, Measure) else None, "note": "; ".join(road.problems),
                "attributes": json.dumps(plain_attributes(road.attributes), ensure_ascii=False)}
         for name, column in self.columns.items():
@@ -59,9 +58,3 @@ class RoadTable:
             outer, *inner = (self._places(ring)[:, :2] for ring in surface.rings)
             polygons.append(shapely.Polygon(outer, inner))
         return shapely.multipolygons(polygons) if polygons else None
-
-
-def _code(value: Any) -> str:
-    """Codes as text, several with commas."""
-    items = value if isinstance(value, list) else [] if value is None else [value]
-    return ",".join(str(item.value if isinstance(item, CodeValue) else item) for item in items)
