@@ -3076,6 +3076,14 @@
         <translation>CityGML の道路（tran:Road）の、最も簡略な LOD の面（MultiPolygon）：road_id、lod、class、function、usage、section（道路構造の種別のコード）、width（m）、note、attributes（全属性、JSON）。</translation>
     </message>
     <message>
+        <source>Street objects</source>
+        <translation>道路沿いの地物</translation>
+    </message>
+    <message>
+        <source>MultiPolygonZ, city furniture and single trees (frn, veg) of CityGML, the faces of their most detailed level: object_id, kind (furniture, tree), lod, class, function, usage, species (codes), ground and top (m), height (m, as given, else of the faces), note, attributes (all, as JSON).</source>
+        <translation>MultiPolygonZ。CityGML の都市設備と単独木（frn、veg）の、最も詳細な LOD の面。object_id、kind（furniture は都市設備、tree は樹木）、lod、class、function、usage、species（コード）、ground と top（m）、height（m。属性にあればその値、なければ面から）、note、attributes（全属性の JSON）。</translation>
+    </message>
+    <message>
         <source>Number of buildings written.</source>
         <translation>書き出した建物の数です。</translation>
     </message>
@@ -5156,10 +5164,6 @@
         <translation>計測全体の位置の精度（m）。すべての地物の標準偏差に加わります。</translation>
     </message>
     <message>
-        <source>Street objects</source>
-        <translation>道路沿いの地物</translation>
-    </message>
-    <message>
         <source>PointZ at the foot: object_id, kind (pole, lamp post, signal, sign, tree), confidence (0 to 1), height over the ground, diameter, lean (degrees), azimuth (degrees, of a board's face or an arm), crown (diameter), arm and arm_height (length, and height over the ground), head_height (of what is at its end), board_width, board_height, board_z (height of the board's middle), sigma (east and north each, m), points, passes, status (measured, doubtful), reason.</source>
         <translation>根元の PointZ: object_id、kind（pole 柱、lamp post 街路灯、signal 信号機、sign 標識、tree 樹木）、confidence（0～1）、地面からの height、diameter、lean（度）、azimuth（度、板面または腕木の向き）、crown（樹冠径）、arm と arm_height（腕木の長さと地面からの高さ）、head_height（腕木の先にあるものの高さ）、board_width、board_height、board_z（板の中心の標高）、sigma（東と北それぞれ、m）、points、passes、status（measured、doubtful）、reason。</translation>
     </message>
@@ -6803,9 +6807,9 @@ Markings and ground are what “Road markings from aerial frames” makes; traje
     </message>
     <message>
         <source>Loads buildings of city models as outlines with heights and all attributes, and their solids and surfaces, for the other steps.
-CityGML as PLATEAU has it (.gml, .zip or its folder; roads where “Roads” is asked for, files of other things are passed over), CityJSON and CityJSONSeq are read, levels of detail 0 to 2. Codes get their meaning where the lists are beside the files. A building whose id is not its own, whose solid is not closed or whose parts cannot be read keeps its row; the field “note” says why. Nothing is read from the network.</source>
+CityGML as PLATEAU has it (.gml, .zip or its folder; roads where “Roads” is asked for, city furniture and trees where “Street objects” is; files of other things are passed over), CityJSON and CityJSONSeq are read, levels of detail 0 to 2. Codes get their meaning where the lists are beside the files. A building whose id is not its own, whose solid is not closed or whose parts cannot be read keeps its row; the field “note” says why. Nothing is read from the network.</source>
         <translation>3D都市モデルの建物を、高さと全属性を持つ外周線、立体、面として読み込み、ほかの処理で使えるようにします。
-PLATEAU の CityGML（.gml、.zip、そのフォルダ。「道路」を指定したときは道路も読み、その他のファイルは読み飛ばします）、CityJSON、CityJSONSeq の LOD0〜2 を読みます。コードリストがファイルのそばにあれば、コードに意味が付きます。ID が重複する建物、立体が閉じていない建物、読めない部分のある建物も行は残り、フィールド「note」に理由が入ります。ネットワークからは何も読みません。</translation>
+PLATEAU の CityGML（.gml、.zip、そのフォルダ。「道路」を指定したときは道路も、「道路沿いの地物」を指定したときは都市設備と樹木も読み、その他のファイルは読み飛ばします）、CityJSON、CityJSONSeq の LOD0〜2 を読みます。コードリストがファイルのそばにあれば、コードに意味が付きます。ID が重複する建物、立体が閉じていない建物、読めない部分のある建物も行は残り、フィールド「note」に理由が入ります。ネットワークからは何も読みません。</translation>
     </message>
     <message>
         <source>OGC 12-019 (CityGML 2.0), CityJSON 2.0.1</source>
@@ -9368,6 +9372,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>コード {code} の市区町村はありません。13101のような5桁で指定してください。</translation>
     </message>
     <message>
+        <source>give the files of what is asked for ({folders} of PLATEAU)</source>
+        <translation>求めるもののファイル（PLATEAU の {folders}）を指定してください</translation>
+    </message>
+    <message>
         <source>it has no id</source>
         <translation>IDがありません</translation>
     </message>
@@ -9566,6 +9574,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>its corners lie {extent} km apart, so that a coordinate is wrong</source>
         <translation>頂点が {extent} km 離れており、座標値に誤りがあります</translation>
+    </message>
+    <message>
+        <source>it has no surface that could be read</source>
+        <translation>読み取れる面がありません</translation>
     </message>
     <message>
         <source>The temporary file {path} is cut off: make room on the disk of temporary files, and run again.</source>
@@ -14024,8 +14036,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>ファイルが指定されていません。都市モデル（.gml, .json, .jsonl, .zip）またはフォルダを選択してください。</translation>
     </message>
     <message>
-        <source>The files hold roads and no building: the layer of buildings is empty.</source>
-        <translation>ファイルには道路だけがあり、建物がありません。建物のレイヤは空です。</translation>
+        <source>The files hold roads or street objects and no building: the layer of buildings is empty.</source>
+        <translation>ファイルには道路か道路沿いの地物があり、建物はありません。建物のレイヤは空です。</translation>
     </message>
     <message>
         <source>{0} buildings in {1}, heights: {2}</source>
@@ -15036,6 +15048,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>区間の種別（コード）</translation>
     </message>
     <message>
+        <source>species (code)</source>
+        <translation>樹種（コード）</translation>
+    </message>
+    <message>
         <source>roads that meet</source>
         <translation>交わる道路の数</translation>
     </message>
@@ -15670,6 +15686,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>height above the road (m)</source>
         <translation>路面からの高さ (m)</translation>
+    </message>
+    <message>
+        <source>object in the city model</source>
+        <translation>都市モデルでの地物 ID</translation>
     </message>
     <message>
         <source>standard deviation east and north (m)</source>
@@ -18586,6 +18606,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>others</source>
         <translation>その他</translation>
+    </message>
+    <message>
+        <source>furniture</source>
+        <translation>都市設備</translation>
     </message>
     <message>
         <source>nothing can be said</source>
