@@ -48,7 +48,7 @@ h1 { font-size: 1.6em; border-bottom: 3px solid #2f6f8f; padding-bottom: .3em; }
 h2 { font-size: 1.2em; margin-top: 2em; color: #2f6f8f; }
 div.wide { overflow-x: auto; }
 table { border-collapse: collapse; margin: 1em 0; font-size: .92em; overflow-wrap: normal; }
-th, td { border-bottom: 1px solid #ddd; padding: .3em .8em; text-align: left; vertical-align: top; }
+th, td { border-bottom: 1px solid #ddd; padding: .3em .8em; text-align: left; vertical-align: top; min-width: 3.1em; }
 th { background: #eef4f7; }
 td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 td.long { min-width: 15em; }
@@ -85,7 +85,7 @@ figcaption { font-size: .9em; color: #555; }
   h2 { break-after: avoid; }
   figure, tr, p, div.whole { break-inside: avoid; }
   table { font-size: 8pt; margin: .4em 0; }
-  th, td { padding: .12em .6em; }
+  th, td { padding: .12em .6em; min-width: 0; }
   thead { display: table-header-group; }
   h2 { margin: 1em 0 .4em; }
   figure { margin: .4em 0; }
