@@ -9,7 +9,7 @@ import pytest
 from urbanmap_qgis.acceptance.acceptance_report import error_map, verdict, write_acceptance_report, write_points_csv
 from urbanmap_qgis.acceptance.check_points import check_points_from_columns
 from urbanmap_qgis.acceptance.criteria import FAILED, HEIGHT, NOT_CHECKED, PASSED, PLAN, criteria, outcome
-from urbanmap_qgis.acceptance.error_figures import point_figures, signed_figures
+from urbanmap_qgis.acceptance.error_figures import across_figures, point_figures, signed_figures
 from urbanmap_qgis.acceptance.job import Job
 from urbanmap_qgis.acceptance.map_levels import MAP_LEVELS, Limits
 from urbanmap_qgis.acceptance.pdf_content import metres
@@ -48,6 +48,41 @@ def test_the_bound_holds_in_95_of_100_samples():
     draws = np.random.default_rng(3).normal(0.0, 0.2, (4000, 8))
     held = np.mean([signed_figures(row).bound >= 0.2 for row in draws])
     assert held == pytest.approx(0.95, abs=0.012)
+
+
+@pytest.mark.parametrize(("across", "turned", "shared"), [
+    (1.0, 0.0, 0.0), (0.5, 0.6, 0.0), (0.1, 0.6, 0.0), (0.1, 0.0, 0.5)])
+def test_the_bound_in_plan_holds_however_errors_lie(across, turned, shared):
+    """With 2 n degrees of freedom it would hold in 86 to 88 % of samples where errors lie along one line."""
+    draws = np.random.default_rng(4).normal(0.0, 1.0, (4000, 10, 2)) * [0.2, 0.2 * across] + [0.2 * shared, 0.0]
+    turn = np.array([[np.cos(turned), -np.sin(turned)], [np.sin(turned), np.cos(turned)]])
+    all_places = 0.2 * np.sqrt(1.0 + across ** 2 + shared ** 2)
+    held = np.mean([point_figures(np.column_stack([row @ turn, row[:, 0]])).plan.bound >= all_places for row in draws])
+    assert 0.93 <= held <= 0.975
+
+
+def test_the_bound_in_plan_is_that_of_chi_square_with_the_components_that_vary():
+    from scipy.stats import chi2
+
+    along = np.array([0.1, -0.3, 0.2, -0.1, 0.25, 0.3])
+    line = point_figures(np.column_stack([along, 2.0 * along, along])).plan
+    assert line.bound == pytest.approx(line.rmse * np.sqrt(6.0 / chi2.ppf(0.05, 6)))
+    cross = np.vstack([np.column_stack([along, 0.0 * along]), np.column_stack([0.0 * along, along])])
+    both = point_figures(np.column_stack([cross, cross[:, 0]])).plan
+    assert both.bound == pytest.approx(both.rmse * np.sqrt(24.0 / chi2.ppf(0.05, 24)))
+    none = point_figures(np.zeros((4, 3))).plan
+    assert (none.rmse, none.bound) == (0.0, 0.0)
+
+
+@pytest.mark.parametrize(("many", "few"), [(10, 10), (27, 3)])
+def test_the_bound_across_edges_holds_where_few_run_the_other_way(many, few):
+    """Three edges decide as much as 27 of the other direction; counted as 30 the bound would hold in 84 %."""
+    normals = np.vstack([np.tile([1.0, 0.0], (many, 1)), np.tile([0.0, 1.0], (few, 1))])
+    draws = np.random.default_rng(5).normal(0.0, 0.2, (4000, many + few))
+    found = [across_figures(normals, row) for row in draws]
+    held = np.mean([figures.bound >= 0.2 * np.sqrt(2.0) for figures in found])
+    assert held >= 0.94
+    assert np.mean([figures.rmse ** 2 for figures in found]) == pytest.approx(0.08, rel=0.03)
 
 
 def test_one_error_alone_has_no_deviation_about_its_mean():

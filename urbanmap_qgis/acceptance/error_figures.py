@@ -46,8 +46,8 @@ class PointFigures:
 def point_figures(errors: np.ndarray) -> PointFigures:
     """Figures of errors (n, 3), m; those without a height count in plan only."""
     plan = np.hypot(errors[:, 0], errors[:, 1])
-    return PointFigures(signed_figures(errors[:, 0]), signed_figures(errors[:, 1]), _figures(plan, 2 * len(plan)),
-                        signed_figures(errors[:, 2]))
+    return PointFigures(signed_figures(errors[:, 0]), signed_figures(errors[:, 1]),
+                        _figures(plan, _plan_freedom(errors[:, :2])), signed_figures(errors[:, 2]))
 
 
 def signed_figures(errors: np.ndarray) -> ErrorFigures:
@@ -71,10 +71,22 @@ def across_figures(normals: np.ndarray, errors: np.ndarray) -> ErrorFigures:
         return replace(_figures(errors, len(errors)), rmse=np.nan, bound=np.nan)
     leverage = np.einsum("ij,jk,ik->i", normals, np.linalg.inv(moment), normals)
     rmse = float(np.sqrt(leverage @ errors ** 2))
-    return replace(_figures(errors, len(errors)), rmse=rmse, bound=rmse * _bound_factor(len(errors)))
+    freedom = float(leverage.sum() ** 2 / (leverage @ leverage))  # n where all edges say as much
+    return replace(_figures(errors, len(errors)), rmse=rmse, bound=rmse * _bound_factor(freedom))
 
 
-def _figures(values: np.ndarray, freedom: int) -> ErrorFigures:
+def _plan_freedom(errors: np.ndarray) -> float:
+    """Degrees of freedom of the mean square in plan of errors (n, 2): 2 n where they are alike in all directions.
+
+    Where one direction holds most of the error it says little more than n errors along a line. Effective number after
+    F. E. Satterthwaite, An approximate distribution of estimates of variance components (1946).
+    """
+    moment = errors.T @ errors
+    size = float(np.sum(moment ** 2))
+    return len(errors) * float(np.trace(moment)) ** 2 / size if size > 0.0 else 2.0 * len(errors)
+
+
+def _figures(values: np.ndarray, freedom: float) -> ErrorFigures:
     if not len(values):
         return ErrorFigures(0, *[np.nan] * 5)
     rmse = float(np.sqrt(np.mean(values ** 2)))
@@ -83,7 +95,7 @@ def _figures(values: np.ndarray, freedom: int) -> ErrorFigures:
                         rmse * _bound_factor(freedom))
 
 
-def _bound_factor(freedom: int) -> float:
+def _bound_factor(freedom: float) -> float:
     """Upper bound of a standard deviation as a multiple of the one found with so many degrees of freedom.
 
     The sum of squares over the variance is chi-square distributed, so that the variance is at most the sum over the
