@@ -34,19 +34,19 @@ def write_survey_report(path, model) -> None:
     from ...urbanmap_qgis.roadspace.survey.area_pictures import area_picture, areas_extent, junction_windows
 
     report = Report(tr("Road model"))
-    unseen = sum(area.source == "continued" for area in model.areas)
+    unseen = sum(area.source in ("continued", "doubtful") for area in model.areas)
     report.verdict(BAD if not model.areas else LOOK if model.findings else GOOD, tr(
-        "LOD{0}: {1} sections and {2} junctions in {3} areas; borders not seen all along: {4} areas; "
+        "LOD{0}: {1} sections and {2} junctions in {3} areas; borders doubtful or not seen all along: {4} areas; "
         "findings: {5}.").format(
             model.level, sum(piece.kind == "road" for piece in model.pieces),
             sum(piece.kind == "junction" for piece in model.pieces), len(model.areas), unseen, len(model.findings)))
     report.section(tr("Areas by kind"))
-    rows = []
+    rows, sources = [], ("measured", "doubtful", "continued", "official")
     for kind in dict.fromkeys(area.kind for area in model.areas):
         some = [area for area in model.areas if area.kind == kind]
         rows.append((tr(kind), len(some), f"{sum(area.polygon.area for area in some):.1f}",
-                     *(sum(area.source == name for area in some) for name in ("measured", "continued", "official"))))
-    report.table((tr("Kind"), tr("Number"), tr("Area (m²)"), tr("measured"), tr("continued"), tr("official")), rows)
+                     *(sum(area.source == name for area in some) for name in sources)))
+    report.table((tr("Kind"), tr("Number"), tr("Area (m²)"), *map(tr, sources)), rows)
     if model.areas:
         report.section(tr("Map"))
         report.figure(area_picture(model, areas_extent(model)), tr(

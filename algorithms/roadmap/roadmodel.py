@@ -82,9 +82,9 @@ class RoadModel(UrbanMapAlgorithm):
                               "source (official, measured), status (made, to look at), finding.")
         self.add_layer_output("OUTPUT_AREAS", "Areas of roads", "PolygonZ, of LOD2 and finer: area_id, road_id of its "
                               "surface, kind (carriageway, junction, lane, sidewalk, island; road, not surveyed), "
-                              "function (code), width (m), area (m²), source (measured, continued, official: the "
-                              "weakest of its border), seen (share of the border measured as a kerb), step (highest, "
-                              "m), sigma (m).", optional=True, by_default=True)
+                              "function (code), width (m), area (m²), source (measured, doubtful, continued, "
+                              "official: the weakest of its border), seen (share of the border measured as a kerb "
+                              "without doubt), step (highest, m), sigma (m).", optional=True, by_default=True)
         self.add_layer_output("OUTPUT_STEPS", "Steps", "LineStringZ along the upper edge of each face: area_id, "
                               "height, length (m); of LOD3.2 and 3.3.", optional=True, source_type=line)
         self.add_layer_output("OUTPUT_AXES", "Middle lines of roads", "Lines equally far from both edges: road_id of "

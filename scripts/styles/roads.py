@@ -133,9 +133,11 @@ def road_areas(layer) -> None:
     """Areas of a surveyed road by kind, as the specification draws them; dashed edges where not all was measured."""
     colours = {"carriageway": "#c8c8c8", "junction": "#f6c48f", "lane": "#abdcea", "sidewalk": "#bddcaa",
                "island": "#6aa55e", "road, not surveyed": "#f0f0f0"}
-    layer.setRenderer(QgsCategorizedSymbolRenderer("\"kind\" || if(\"source\" = 'continued', ', continued', '')", [
+    layer.setRenderer(QgsCategorizedSymbolRenderer(
+        "\"kind\" || if(\"source\" in ('continued', 'doubtful'), ', ' || \"source\", '')", [
         QgsRendererCategory(kind + more, fill(colour, pen=pen), kind + more)
-        for more, pen in (("", "solid"), (", continued", "dash")) for kind, colour in colours.items()]))
+        for more, pen in (("", "solid"), (", continued", "dash"), (", doubtful", "dot"))
+        for kind, colour in colours.items()]))
     layer.setMapTipTemplate(
         "[% \"kind\" %] [% \"area_id\" %], [% round(\"area\", 1) %] m², width [% round(\"width\", 2) %] m<br>"
         "[% \"source\" %], sigma [% round(\"sigma\", 3) %] m, step [% round(\"step\", 3) %] m")
@@ -176,7 +178,8 @@ def road_axes(layer) -> None:
 
 def road_findings(layer) -> None:
     """Points by what is to be looked at."""
-    surveyed = {"edge continued": "#e09a2b", "end of the survey": "#8c8c8c", "not surveyed": "#8c8c8c",
+    surveyed = {"edge continued": "#e09a2b", "edge doubtful": "#e09a2b",
+                "end of the survey": "#8c8c8c", "not surveyed": "#8c8c8c",
                 "no sidewalks": "#8c8c8c", "no lanes": "#8c8c8c", "no stop line": "#e09a2b",
                 "island not shown": "#d7263d", "island's height": "#e09a2b", "junction not cut": "#d7263d",
                 "other edge not seen": "#e09a2b", "edge without a carriageway": "#8c8c8c",

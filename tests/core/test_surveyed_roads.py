@@ -28,6 +28,7 @@ from urbanmap_qgis.roadspace.survey.area_records import (
     CARRIAGEWAY,
     CONTINUED,
     CROSSING,
+    DOUBTFUL,
     ISLAND,
     LANE,
     MEASURED,
@@ -322,3 +323,34 @@ def test_upper_edges_without_a_number_are_left_out_and_words_are_told():
     assert list(tops_by_number({"edge_id": [4, None, 6]}, [line, line, None])) == [4]
     with pytest.raises(InputError, match="“left” in the field edge_id"):
         tops_by_number({"edge_id": ["left"]}, [line])
+
+
+def test_doubtful_kerbs_make_doubtful_areas_and_are_told_with_their_place():
+    """The kerb in the north-east is doubtful from 25 m on: the arm to the east says so, the others do not."""
+    whole, reason = corner_line(1, 1), "its face is not seen"
+    doubtful = replace(edge([whole[0], [25.0, HALF_EAST]], chain=7, sigma=0.06), doubt=reason)
+    rest = edge(np.vstack([[25.0, HALF_EAST], whole[1:]]), chain=7)
+    model = surveyed_roads([*crossing()[1:], doubtful, rest], "3.3", SurveyInputs([official()], ground=road_height))
+    east = [area for area in of_kind(model, CARRIAGEWAY) if area.polygon.centroid.x > 10]
+    assert [area.source for area in east] == [DOUBTFUL] and east[0].seen < 0.62
+    walk = [area for area in of_kind(model, SIDEWALK) if min(shapely.get_coordinates(
+        shapely.centroid(area.polygon))[0]) > 0]
+    assert [area.source for area in walk] == [DOUBTFUL]
+    others = [area for area in of_kind(model, CARRIAGEWAY) if area.polygon.centroid.x < 10]
+    assert {area.source for area in others} == {MEASURED} and len(others) == 3
+    told = [finding for finding in model.findings if finding.kind == "edge doubtful"]
+    assert [(finding.x, finding.y) for finding in told] == [pytest.approx((32.5, HALF_EAST), abs=0.01)]
+    assert reason in told[0].text and "15.0 m" in told[0].text
+    # The shapes are those that edges without doubt would make.
+    sure = surveyed_roads([*crossing()[1:], replace(doubtful, doubt=""), rest], "3.3",
+                          SurveyInputs([official()], ground=road_height))
+    assert [area.polygon.wkb for area in sure.areas] == [area.polygon.wkb for area in model.areas]
+    assert DOUBTFUL not in {area.source for area in sure.areas}
+    assert "edge doubtful" not in {finding.kind for finding in sure.findings}
+
+
+def test_doubt_is_read_from_the_status_of_the_edges():
+    lines = [shapely.linestrings([[0.0, y, 10.0], [9.0, y, 10.0]]) for y in (0.0, 5.0, 9.0)]
+    columns = {"kind": ["kerb"] * 3, "status": ["measured", "doubtful", "doubtful"], "reason": ["", "hidden", None]}
+    assert [line.doubt for line in kerb_edge_lines(lines, {}, columns)] == ["", "hidden", "doubtful"]
+    assert [line.doubt for line in kerb_edge_lines(lines, {}, {"kind": ["kerb"] * 3})] == [""] * 3

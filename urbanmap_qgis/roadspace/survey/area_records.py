@@ -23,8 +23,9 @@ KINDS = (CARRIAGEWAY, CROSSING, LANE, SIDEWALK, ISLAND, UNDIVIDED)
 FUNCTIONS = {CARRIAGEWAY: "1000", LANE: "1010", CROSSING: "1020", SIDEWALK: "2000", ISLAND: "3000"}
 """Codes of `TrafficArea_function`; that of islands of `AuxiliaryTrafficArea_function`."""
 
-MEASURED, CONTINUED, OFFICIAL = mark("measured"), mark("continued"), mark("official")
-"""Where a border comes from: a survey, drawn on where nothing was seen, or given edges of roads."""
+MEASURED, DOUBTFUL, CONTINUED, OFFICIAL = mark("measured"), mark("doubtful"), mark("continued"), mark("official")
+"""Where a border comes from: a survey, the survey's doubtful edges, drawn on where nothing was seen, or given edges of
+roads."""
 
 HIGHEST, LARGEST_NUMBER, LONGEST = 1e5, 1e12, 1e3
 """Height, m, that no edge of a road has (as of points of a cloud), what no number of its fields can be, and how far
@@ -61,6 +62,7 @@ class EdgeLine:
     sigma, sigma_z : m.
     chain : number that the parts of one edge share.
     gap : m to the next part of its chain; 0 where there is none.
+    doubt : why the survey calls it doubtful; empty where it does not.
     """
 
     foot: np.ndarray
@@ -70,6 +72,7 @@ class EdgeLine:
     sigma_z: float
     chain: int
     gap: float
+    doubt: str = ""
 
     @property
     def plan(self) -> np.ndarray:
@@ -86,8 +89,8 @@ class TrafficSurface:
     polygon : in plan, m, outer ring counterclockwise; shares its corners with those beside it to the bit.
     kind : one of `KINDS`.
     road : number of the section or junction that it belongs to.
-    source : `MEASURED`, `CONTINUED` or `OFFICIAL`, the weakest of what more than a tenth of its border is.
-    seen : share of its border that was measured.
+    source : `MEASURED`, `DOUBTFUL`, `CONTINUED` or `OFFICIAL`, the weakest of what more than a tenth of its border is.
+    seen : share of its border that was measured without doubt.
     width : of a strip with the same area and border, m.
     heights : z (n,) of the polygon's corners by place, m; empty where there are none.
     sigma : of its border, m; NaN where nothing was measured.
@@ -168,7 +171,8 @@ def kerb_edge_lines(feet, tops, columns) -> list[EdgeLine]:
     ----------
     feet : lines with heights along the foot, one a row; None for none.
     tops : likewise along the top by the edge's number (`edge_id`); empty where not given.
-    columns : lists by field: kind, height, sigma, sigma_z, chain, gap, edge_id; what is missing is not known.
+    columns : lists by field: kind, height, sigma, sigma_z, chain, gap, edge_id, status, reason; what is missing is not
+        known.
 
     Raises
     ------
@@ -193,8 +197,14 @@ def kerb_edge_lines(feet, tops, columns) -> list[EdgeLine]:
             top[:, 2] = np.where(np.isnan(top[:, 2]), foot[:, 2] + height, top[:, 2])
             _require_places(row, top)
             lines.append(EdgeLine(foot, top, height, value("sigma", row, np.nan), value("sigma_z", row, np.nan),
-                                  int(value("chain", row, -1 - row)), value("gap", row, 0.0)))
+                                  int(value("chain", row, -1 - row)), value("gap", row, 0.0), _doubt(columns, row)))
     return lines
+
+
+def _doubt(columns, row: int) -> str:
+    """Why an edge is doubtful; empty where its status is another one or none."""
+    status, reason = (columns[name][row] if name in columns else None for name in ("status", "reason"))
+    return str(reason or DOUBTFUL) if status == DOUBTFUL else ""
 
 
 def tops_by_number(columns, shapes) -> dict[int, shapely.Geometry]:

@@ -44,6 +44,7 @@ class Carriageways:
     ----------
     polygons : with islands as holes.
     measured : all measured lines as one geometry.
+    sure : those of them that are not doubtful.
     ends : lines (2, 2) across the road where the survey ends.
     findings : on the way.
     open_sides : borders that are no kerb, as nobody saw what lies beyond.
@@ -52,6 +53,7 @@ class Carriageways:
 
     polygons: tuple[shapely.Polygon, ...]
     measured: shapely.Geometry
+    sure: shapely.Geometry
     ends: tuple[np.ndarray, ...]
     findings: tuple[RoadFinding, ...]
     open_sides: shapely.Geometry
@@ -61,6 +63,11 @@ class Carriageways:
     def near(self) -> shapely.Geometry:
         """What lies so near to a measured line that it is measured."""
         return shapely.buffer(self.measured, LIMITS.on)
+
+    @cached_property
+    def near_sure(self) -> shapely.Geometry:
+        """What lies so near to a line without doubt that it is measured."""
+        return shapely.buffer(self.sure, LIMITS.on)
 
     @cached_property
     def border(self) -> shapely.Geometry:
@@ -90,6 +97,7 @@ def carriageways_between(edges: Sequence[EdgeLine], lanes: Sequence[shapely.Poly
     edges = without_tracks(_without_pieces(edges, findings), findings, _surface_between)
     lines = [shapely.linestrings(_thinned(edge)) for edge in edges]
     measured = shapely.union_all(lines)
+    sure = shapely.union_all([line for line, edge in zip(lines, edges) if not edge.doubt])
     bridges = _bridges(edges, findings)
     polygons, open_findings = _between_two([*lines, *bridges])
     known = shapely.STRtree(shapely.get_parts(shapely.union_all([measured, *bridges])))
@@ -98,8 +106,23 @@ def carriageways_between(edges: Sequence[EdgeLine], lanes: Sequence[shapely.Poly
     others = one_sided_carriageways([*whole, *bridges], lanes, polygons)
     if not polygons and not others.polygons:
         raise InputError(_one_sided())
-    return Carriageways((*polygons, *others.polygons), measured, (*ends, *others.ends),
-                        (*findings, *open_findings, *others.findings), others.open_sides, len(polygons))
+    made = (*polygons, *others.polygons)
+    return Carriageways(made, measured, sure, (*ends, *others.ends), (
+        *findings, *open_findings, *others.findings, *_doubts(edges, lines, made)), others.open_sides, len(polygons))
+
+
+def _doubts(edges: Sequence[EdgeLine], lines: Sequence[shapely.LineString],
+            polygons: Sequence[shapely.Polygon]) -> list[RoadFinding]:
+    """One for each doubtful edge on the border of a carriageway, at the middle of it."""
+    border = shapely.STRtree(shapely.get_parts(shapely.union_all([polygon.boundary for polygon in polygons])))
+    found = []
+    for edge, line in zip(edges, lines):
+        if edge.doubt and _open_length(line, border) < 0.5 * line.length:
+            found.append(RoadFinding("edge doubtful", say(
+                "{length:.1f} m of this edge are doubtful ({reason}): the border is drawn along them; look at the "
+                "points or the place.", length=line.length, reason=edge.doubt),
+                *shapely.get_coordinates(shapely.line_interpolate_point(line, 0.5, normalized=True))[0].tolist()))
+    return found
 
 
 def _surface_between(edges: Sequence[EdgeLine]) -> list[shapely.Polygon]:

@@ -15,6 +15,7 @@ from .area_records import (
     CARRIAGEWAY,
     CONTINUED,
     CROSSING,
+    DOUBTFUL,
     ISLAND,
     LANE,
     MEASURED,
@@ -145,7 +146,7 @@ def _name_ways(net: _Net, ways: Carriageways, cut: Sequence[CutJunctions], findi
                 net.kinds[number] = CROSSING if nodes else CARRIAGEWAY
         for ring in polygon.interiors:
             hole = shapely.Polygon(ring)
-            shown = _seen(hole, ways)
+            shown = _seen(hole, ways.near)
             for number in _inside(net, hole):
                 net.kinds[number] = ISLAND if shown > 0.5 else UNDIVIDED
                 net.roads[number] = _nearest_road(net, net.faces[number])
@@ -215,9 +216,9 @@ def _strip_width(polygon: shapely.Polygon) -> float:
     return float((half - np.sqrt(max(half**2 - 4.0 * polygon.area, 0.0))) / 2.0)
 
 
-def _seen(polygon: shapely.Polygon, ways: Carriageways) -> float:
-    """Share of a border that was measured."""
-    return shapely.length(shapely.intersection(polygon.exterior, ways.near)) / polygon.exterior.length
+def _seen(polygon: shapely.Polygon, near: shapely.Geometry) -> float:
+    """Share of a border that lies in what is near to measured lines."""
+    return shapely.length(shapely.intersection(polygon.exterior, near)) / polygon.exterior.length
 
 
 def _nearest_road(net: _Net, face: shapely.Polygon) -> int:
@@ -324,14 +325,16 @@ def _without_slivers(areas: list[tuple[shapely.Polygon, str, int]]) -> list[tupl
 def _area(polygon: shapely.Polygon, kind: str, road: int, ways: Carriageways, sigma_at) -> TrafficSurface:
     """An area with where its border comes from."""
     polygon = shapely.geometry.polygon.orient(polygon)
-    seen = _seen(polygon, ways) if kind != UNDIVIDED else 0.0
+    seen = _seen(polygon, ways.near_sure) if kind != UNDIVIDED else 0.0
     kerb = shapely.difference(shapely.intersection(polygon.exterior, ways.border), ways.end_zones)
-    unseen = shapely.length(shapely.difference(kerb, ways.near))
+    unseen, unsure = (shapely.length(shapely.difference(kerb, near)) for near in (ways.near, ways.near_sure))
     source = MEASURED
     if kind == UNDIVIDED:
         source = OFFICIAL
     elif kerb.length and unseen > LIMITS.weak * kerb.length:
         source = CONTINUED
+    elif kerb.length and unsure > LIMITS.weak * kerb.length:
+        source = DOUBTFUL
     elif kind == SIDEWALK:
         source = OFFICIAL  # its outer border is that of the given roads
     sigma = float(sigma_at(shapely.get_coordinates(shapely.centroid(polygon))[0])) if kind != UNDIVIDED else np.nan
