@@ -58,8 +58,10 @@ def _not_finite(value: object, depth: int = 0) -> bool:
 
 
 def _is_unnamed(error: Exception, name: str) -> bool:
-    """Whether a sentence is that of `guard.reads` on a cause that must have had a row or an element."""
+    """Whether a sentence is that of `guard.reads` on a cause that had a row or an element, or Python's own words."""
     cause = error.__cause__
+    if "could not convert" in str(error) and " line " not in str(error):
+        return True
     rows = isinstance(cause, (ArithmeticError, AttributeError, LookupError, TypeError, ValueError))
     return (rows and not isinstance(cause, (UnicodeError, json.JSONDecodeError)) and not name.startswith(WITHOUT_ROWS)
             and "it is damaged or of another kind" in str(error))

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import importlib.util
+import json
 import os
 import subprocess
 import sys
 import zipfile
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -20,7 +22,7 @@ import sys
 from distributed import LocalCluster
 if __name__ == "__main__":
     with LocalCluster(n_workers=int(sys.argv[1]), threads_per_worker=1, processes=True, dashboard_address=None,
-                      host="127.0.0.1") as cluster:
+                      host=sys.argv[2], protocol=sys.argv[2].partition(":")[0]) as cluster:
         print(cluster.scheduler_address, flush=True)
         sys.stdin.read()
 """
@@ -28,15 +30,16 @@ if __name__ == "__main__":
 
 @pytest.fixture(scope="module")
 def serve(tmp_path_factory):
-    """`serve(workers)`: address of a cluster that ends with the module."""
+    """`serve(workers)`: address of a cluster that ends with the module; `config`: folder of Dask's configuration."""
     script = tmp_path_factory.mktemp("cluster") / "serve.py"
     script.write_text(SERVE, encoding="utf-8")
     started = []
 
-    def start(workers):
-        process = subprocess.Popen([sys.executable, str(script), str(workers)], stdin=subprocess.PIPE,
+    def start(workers, host="tcp://127.0.0.1", config=""):
+        process = subprocess.Popen([sys.executable, str(script), str(workers), host], stdin=subprocess.PIPE,
                                    stdout=subprocess.PIPE, text=True, cwd=script.parent,
-                                   env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})
+                                   env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path),
+                                        **({"DASK_CONFIG": str(config)} if config else {})})
         started.append(process)
         return process.stdout.readline().strip()
 
@@ -152,6 +155,43 @@ def test_a_cluster_without_workers_is_refused(run, serve, town):
 
     with pytest.raises(QgsProcessingException, match="no workers"):
         run("urbanmap:segmentbuildings", {**town, **NO_OUTPUTS, "SCHEDULER": serve(0)})
+
+
+@pytest.fixture
+def certificates(tmp_path):
+    """Dask's settings `distributed.comm.tls`, with a certificate that nobody else has."""
+    pytest.importorskip("cryptography", reason="cryptography, which makes the certificates, is not installed")
+    from distributed.security import Security
+
+    made, files = Security.temporary(), {}
+    for name in ("tls_ca_file", "tls_client_cert", "tls_client_key"):
+        files[name] = tmp_path / f"{name}.pem"
+        files[name].write_text(getattr(made, name), encoding="ascii")
+    pair = {"cert": str(files["tls_client_cert"]), "key": str(files["tls_client_key"])}
+    return {"ca-file": str(files["tls_ca_file"]), "scheduler": pair, "worker": pair, "client": pair}
+
+
+def test_a_cluster_with_tls_works_and_nobody_else_is_let_in(run, serve, town, certificates, tmp_path):
+    """What the page on tiles advises: `tls://`, the certificates in Dask's configuration."""
+    import dask
+    from qgis.core import QgsProcessingException
+
+    page = (Path(__file__).resolve().parents[2] / "docs" / "tiles.md").read_text(encoding="utf-8")
+    assert all(word in page for word in ("without TLS runs whatever anybody sends", "`tls://host:8786`",
+                                         "`distributed.comm.tls`", "never open its port to the internet"))
+    settings = {"distributed": {"comm": {"tls": certificates}}}
+    (tmp_path / "dask.yaml").write_text(json.dumps(settings), encoding="utf-8")
+    address = serve(1, "tls://127.0.0.1", tmp_path / "dask.yaml")
+    assert address.startswith("tls://")
+    with dask.config.set({"distributed.comm.tls.ca-file": certificates["ca-file"],
+                          **{f"distributed.comm.tls.client.{name}": certificates["client"][name]
+                             for name in ("cert", "key")}}):
+        found = run("urbanmap:segmentbuildings", {**town, **NO_OUTPUTS, "SCHEDULER": address})
+    assert found["BUILDINGS"] == 6
+    with pytest.raises(QgsProcessingException, match=r"no certificates here .*distributed\.comm\.tls"):
+        run("urbanmap:segmentbuildings", {**town, **NO_OUTPUTS, "SCHEDULER": address})
+    with pytest.raises(QgsProcessingException, match="No Dask scheduler answers"):
+        run("urbanmap:segmentbuildings", {**town, **NO_OUTPUTS, "SCHEDULER": address.replace("tls:", "tcp:")})
 
 
 def test_tiles_whose_pieces_go_to_a_cluster_are_the_same_bytes(run, serve, town, tmp_path, plugin, monkeypatch):

@@ -142,7 +142,7 @@ def test_residuals_after_the_correction_are_taken_before_those_as_reported():
 
 @pytest.mark.parametrize(("columns", "said"), [
     ({"a": [1]}, "no column x, y, x_product, y_product"),
-    ({**table([(0, 0, 0)]), "x_product": ["far"]}, "x_product holds something that is no number"),
+    ({**table([(0, 0, 0)]), "x_product": ["far"]}, "“far” in row 1 of the column x_product is no number"),
     ({**table([(0, 0, 0)]), "x_product": [None]}, "no check point"),
 ])
 def test_wrong_tables_are_told_in_a_sentence(columns, said):

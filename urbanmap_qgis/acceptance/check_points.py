@@ -11,7 +11,7 @@ import shapely
 
 from ..errors import InputError
 from ..io.files.columns import EAST, NORTH, UP, Column, aliases_of, names_of, needed_of
-from ..io.files.named_table import known_columns, table_columns
+from ..io.files.named_table import known_columns, numbers_of, table_columns
 from ..wording import say
 
 ROLE_NAMES = ("role", "use", "役割", "区分")
@@ -159,11 +159,7 @@ def _errors(columns: Mapping[str, Sequence], lower: Mapping[str, str], places: n
 
 def _numbers(values: Sequence, field: str, name: str) -> np.ndarray:
     """A column as numbers, NaN where it is empty."""
-    try:
-        return np.array([np.nan if _text(value) in ("", "NULL") else float(value) for value in values])
-    except (TypeError, ValueError) as error:
-        raise InputError(say("{name}: the column {column} holds something that is no number ({error}).", name=name,
-                             column=field, error=error)) from error
+    return numbers_of(values, field, name, first=1, may_lack=True)
 
 
 def are_check_points(roles: Sequence, name: str) -> np.ndarray:

@@ -13,7 +13,7 @@ from ..acceptance.check_points import ROLE_NAMES, are_check_points, no_check_poi
 from ..errors import InputError, InsufficientDataError
 from ..io.files.columns import aliases_of, names_of, needed_of
 from ..io.files.guard import reads
-from ..io.files.named_table import known_columns, plain_name, table_columns
+from ..io.files.named_table import known_columns, numbers_of, plain_name, table_columns
 from ..wording import say
 from .gps_time import shift_between
 from .pose_correction import PoseCorrection
@@ -133,12 +133,7 @@ def check_points_of(control: ControlPoints, columns: Mapping[str, Sequence], nam
 
 def _numbers(values: Sequence, column: str, name: str) -> np.ndarray:
     """A column as numbers; heights may be empty."""
-    empty = [value is None or (isinstance(value, str) and not value.strip()) for value in values]
-    try:
-        numbers = np.array([np.nan if gone else float(value) for gone, value in zip(empty, values)])
-    except (TypeError, ValueError) as error:
-        raise InputError(say("{name}: the column {column} holds something that is no number ({error}).", name=name,
-                             column=column, error=error)) from error
+    numbers = numbers_of(values, column, name, first=1, may_lack=True)
     wrong = np.flatnonzero(~np.isfinite(numbers))
     if len(wrong) and column not in _HEIGHTS:
         raise InputError(say("{name}: row {wrong} has no number in the column {column}.", name=name, wrong=wrong[0] + 1,

@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from ..errors import InputError
+from ..io.files.named_table import number_table, numbers_of
 from ..wording import say
 
 SIGMA_COLUMNS = ("sd_roll", "sd_pitch", "sd_heading")
@@ -45,11 +46,7 @@ def sigma_of_columns(columns: Mapping[str, Sequence], counted: str, name: str) -
     if missing:
         raise InputError(say("{name} has {there} but no {missing}: give the standard deviations of all three angles, "
                              "or of none.", name=name, there=", ".join(present), missing=", ".join(missing)))
-    try:
-        sigma = np.array([np.asarray(columns[known[column]], float) for column in SIGMA_COLUMNS]).T
-    except (TypeError, ValueError) as error:
-        raise InputError(say("{name} holds a standard deviation that is no number ({error}): correct it.", name=name,
-                             error=error)) from error
+    sigma = number_table(columns, known, SIGMA_COLUMNS, name)
     return _checked(np.degrees(sigma) if counted.startswith("radians") else sigma, name)
 
 
@@ -67,11 +64,7 @@ def place_sigma_of_columns(columns: Mapping[str, Sequence], name: str) -> np.nda
     if None in found:
         raise InputError(say("{name} states the accuracy of {there} alone: give those of easting and northing "
                              "(sd_x, sd_y), or none.", name=name, there=found[0] or found[1]))
-    try:
-        sigma = np.array([np.asarray(columns[column], float) for column in found]).T
-    except (TypeError, ValueError) as error:
-        raise InputError(say("{name} holds a standard deviation that is no number ({error}): correct it.", name=name,
-                             error=error)) from error
+    sigma = np.array([numbers_of(columns[column], column, name) for column in found]).T
     return _checked_places(sigma, name)
 
 

@@ -147,6 +147,11 @@ def _client(address: str):
                             "to {0}.").format(address)) from None
     try:
         client = Client(address, timeout=PATIENCE, set_as_default=False)
+    except TypeError:
+        if not address.startswith("tls://"):
+            raise
+        raise InputError(tr("Dask has no certificates here for {0}; name them in its configuration, "
+                            "distributed.comm.tls (ca-file, client.cert, client.key).").format(address)) from None
     except (OSError, ValueError) as error:
         raise InputError(tr("No Dask scheduler answers at {0} ({1}); check the address, such as tcp://host:8786.")
                          .format(address, str(error).strip() or type(error).__name__)) from None

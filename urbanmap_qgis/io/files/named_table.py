@@ -7,6 +7,7 @@ compared without case, blanks, marks and the unit in brackets, full-width letter
 from __future__ import annotations
 
 import csv
+import math
 import os
 import re
 import unicodedata
@@ -119,11 +120,31 @@ def number_table(columns: Mapping[str, Sequence], known: Mapping[str, str], want
     ------
     InputError : a value is no number.
     """
+    return np.array([numbers_of(columns[known[column]], known[column], name) for column in wanted]).T
+
+
+def numbers_of(values: Sequence, column: str, name: str, first: int = 2, may_lack: bool = False) -> np.ndarray:
+    """Values (n,) of a column as numbers; NaN where it is empty and may be so (`may_lack`).
+
+    `first` : what the first row is called, 2 below the names of a file's columns.
+
+    Raises
+    ------
+    InputError : a value is no number; it names row and column.
+    """
+    given = [_if_there(value) for value in values] if may_lack else values
     try:
-        return np.array([np.asarray(columns[known[column]], float) for column in wanted]).T
-    except (TypeError, ValueError) as error:
-        raise InputError(say("{name} holds a value that is no number ({error}): correct it.", name=name,
-                             error=error)) from error
+        return np.asarray(given, float)
+    except (OverflowError, TypeError, ValueError) as error:
+        row = next((row for row, value in enumerate(given) if not _is_number(value)), 0)
+        raise InputError(say("{name}: “{text}” in row {row} of the column {column} is no number: correct or remove it.",
+                             name=name, text=str(values[row])[:40], row=row + first, column=column)) from error
+
+
+def _if_there(value: object) -> object:
+    """The value, NaN where it is empty."""
+    empty = value is None or (isinstance(value, str) and not value.strip())
+    return math.nan if empty or str(value) == "NULL" else value
 
 
 def meanings(keys: Iterable[str], needed: Iterable[str], aliases: Mapping[str, str],
@@ -236,10 +257,10 @@ def split_blanks(lines: Sequence[str]) -> list[list[str]]:
     return rows
 
 
-def _is_number(cell: str) -> bool:
+def _is_number(cell: object) -> bool:
     try:
         float(cell)
-    except ValueError:
+    except (OverflowError, TypeError, ValueError):
         return False
     return True
 

@@ -14,6 +14,7 @@ from rasterio.windows import Window
 
 from ...errors import InputError
 from ...io.files.guard import reads
+from ...io.files.named_table import numbers_of
 from ...io.raster import OPENING_ERRORS, own_gdal
 from ...wording import say
 from ..calibration import Calibration, MountedCamera
@@ -141,12 +142,7 @@ def read_times(path: str | os.PathLike, columns: int, image: str = "the image") 
                              error=error)) from error
     if not rows or not {"column", "time"} <= set(rows[0]):
         raise InputError(say("{path} must have the columns column and time.", path=path.name))
-    try:
-        number = np.array([float(row["column"]) for row in rows])
-        time = np.array([float(row["time"]) for row in rows])
-    except (TypeError, ValueError) as error:
-        raise InputError(say("{path} holds something that is no number ({error}): correct it.", path=path.name,
-                             error=error)) from error
+    number, time = (numbers_of([row[column] for row in rows], column, path.name) for column in ("column", "time"))
     whole = np.sort(number)
     if len(number) != columns or not np.array_equal(whole, np.arange(columns)):
         raise InputError(say("{path} gives times for {unique_count} columns, {image} has {columns}: each column "
