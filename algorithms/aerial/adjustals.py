@@ -66,16 +66,16 @@ class AdjustAls(UrbanMapAlgorithm):
         self.require_projected("POINTS", cloud.crs_wkt)
         points = measured_heights(read_cloud_points(self.input_path(parameters, "CONTROL", context)), cloud,
                                   progress.part(0.0, 0.4))
-        made = control_cloud(points, self.parameterAsDouble(parameters, "CONTROL_SIGMA", context),
+        adjusted = control_cloud(points, self.parameterAsDouble(parameters, "CONTROL_SIGMA", context),
                              (cloud.maximum - cloud.minimum)[:2])
-        for sentence in made.findings:
+        for sentence in adjusted.findings:
             progress.warn(sentence)
         output = self.output_path(parameters, "OUTPUT", context)
-        write_shifted(cloud, made.shift, output, progress.part(0.4, 0.95))
-        progress.message(tr("Shifted by {0:.3f} m east, {1:.3f} m north, {2:.3f} m up.").format(*made.shift))
-        return {"OUTPUT": str(output), **_figures(made), **self._tell(parameters, context, made, cloud.crs_wkt)}
+        write_shifted(cloud, adjusted.shift, output, progress.part(0.4, 0.95))
+        progress.message(tr("Shifted by {0:.3f} m east, {1:.3f} m north, {2:.3f} m up.").format(*adjusted.shift))
+        return {"OUTPUT": str(output), **_figures(adjusted), **self._tell(parameters, context, adjusted, cloud.crs_wkt)}
 
-    def _tell(self, parameters, context, made, crs_wkt) -> dict:
+    def _tell(self, parameters, context, adjusted, crs_wkt) -> dict:
         """Write the layer of residuals and the report."""
         import shapely
 
@@ -83,18 +83,19 @@ class AdjustAls(UrbanMapAlgorithm):
         from ...urbanmap_qgis.aerial.orientation.cloud_report import write_cloud_report
 
         results = {}
-        layer = self.write_layer(parameters, "OUTPUT_POINTS", context, make_fields(*FIELDS), residual_rows(made),
-                                 crs_wkt, shapely.points(made.points.true), "PointZ", style="control_residuals")
+        layer = self.write_layer(parameters, "OUTPUT_POINTS", context, make_fields(*FIELDS), residual_rows(adjusted),
+                                 crs_wkt, shapely.points(adjusted.points.true), "PointZ", style="control_residuals")
         if layer:
             results["OUTPUT_POINTS"] = layer
-        results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_cloud_report, made)
+        results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_cloud_report, adjusted)
         return results
 
 
-def _figures(made) -> dict:
-    control = made.used.any(axis=1)
-    figures = {f"SHIFT_{axis}": float(value) for axis, value in zip(AXES, made.shift)}
-    figures |= {"RMS_BEFORE": made.rms(made.points.errors, control)[1], "RMS_AFTER": made.rms(made.after, control)[1],
-                "RMS_LEFT_OUT": made.rms(made.left_out, control)[1],
-                "RMS_CHECK": made.rms(made.after, made.points.check)[1], "WRONG": int(made.wrong.sum())}
+def _figures(adjusted) -> dict:
+    control = adjusted.used.any(axis=1)
+    figures = {f"SHIFT_{axis}": float(value) for axis, value in zip(AXES, adjusted.shift)}
+    figures |= {"RMS_BEFORE": adjusted.rms(adjusted.points.errors, control)[1],
+                "RMS_AFTER": adjusted.rms(adjusted.after, control)[1],
+                "RMS_LEFT_OUT": adjusted.rms(adjusted.left_out, control)[1],
+                "RMS_CHECK": adjusted.rms(adjusted.after, adjusted.points.check)[1], "WRONG": int(adjusted.wrong.sum())}
     return {name: value for name, value in figures.items() if math.isfinite(value)}

@@ -82,33 +82,33 @@ class AdjustFrames(UrbanMapAlgorithm):
         write_exterior(output, result.adjusted)
         return {"OUTPUT": str(output), **self._figures(result, progress), **self._tell(parameters, context, result)}
 
-    def _figures(self, made, progress) -> dict:
-        points = made.points
-        results = {"POINTS": int(points.control.sum()), "RMS_BEFORE": made.rms(made.followed, before=True),
-                   "RMS_AFTER": made.rms(made.followed), "WRONG": int(made.wrong.sum())}
+    def _figures(self, adjusted, progress) -> dict:
+        points = adjusted.points
+        results = {"POINTS": int(points.control.sum()), "RMS_BEFORE": adjusted.rms(adjusted.followed, before=True),
+                   "RMS_AFTER": adjusted.rms(adjusted.followed), "WRONG": int(adjusted.wrong.sum())}
         progress.message(tr("{0} control points: {1:.3f} m off in plan as given, {2:.3f} m after (RMS).").format(
-            int(made.followed.sum()), results["RMS_BEFORE"], results["RMS_AFTER"]))
-        left_out, checks = made.left_out_rms(), points.known & points.check
+            int(adjusted.followed.sum()), results["RMS_BEFORE"], results["RMS_AFTER"]))
+        left_out, checks = adjusted.left_out_rms(), points.known & points.check
         if math.isfinite(left_out):
             results["RMS_LEFT_OUT"] = left_out
             progress.message(tr("Each control point left out in turn: {0:.3f} m.").format(left_out))
         if checks.any():
-            results["RMS_CHECK"] = made.rms(checks)
+            results["RMS_CHECK"] = adjusted.rms(checks)
         return results
 
-    def _tell(self, parameters, context, made) -> dict:
+    def _tell(self, parameters, context, adjusted) -> dict:
         """Write the layer of residuals and the report."""
         import shapely
 
         from ...urbanmap_qgis.aerial.orientation.report import write_control_report
         from ...urbanmap_qgis.aerial.orientation.stage import residual_columns
 
-        results, columns = {}, residual_columns(made)
-        places = shapely.points(made.points.place[made.points.known])
+        results, columns = {}, residual_columns(adjusted)
+        places = shapely.points(adjusted.points.place[adjusted.points.known])
         layer = self.write_layer(parameters, "OUTPUT_POINTS", context, make_fields(*FIELDS), columns,
                                  self.parameterAsCrs(parameters, "CRS", context), places, "PointZ",
                                  style="control_residuals")
         if layer:
             results["OUTPUT_POINTS"] = layer
-        results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_control_report, made)
+        results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_control_report, adjusted)
         return results

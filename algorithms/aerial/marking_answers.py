@@ -100,9 +100,9 @@ def _answers(algorithm, parameters, context):
     if strange:
         raise InputError(tr("{0}: “{1}” in the field paint is no answer; write true or false, 1 or 0, yes or "
                             "no.").format(algorithm.label_of("LABELS"), strange[0]))
-    told = [k for k, word in enumerate(words) if word and table.geometries[k] is not None]
-    return MarkingAnswers(np.array([table.geometries[k] for k in told], object),
-                          np.array([words[k] in YES for k in told], bool))
+    answered = [k for k, word in enumerate(words) if word and table.geometries[k] is not None]
+    return MarkingAnswers(np.array([table.geometries[k] for k in answered], object),
+                          np.array([words[k] in YES for k in answered], bool))
 
 
 def write_doubtful(algorithm, parameters, context, found, crs):

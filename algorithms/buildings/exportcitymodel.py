@@ -149,26 +149,26 @@ class ExportCityModel(UrbanMapAlgorithm):
         return SurfaceRows(surfaces.geometries[present], [kinds[row] for row in present],
                            [roofs[row] for row in present], known_remarks(said, present))
 
-    def _tell(self, made, textures, progress):
+    def _tell(self, exported, textures, progress):
         """What the user should know of the models."""
-        bare = sum(not any(part.shapes for part in item.objects()) for item in made.objects)
-        if bare == len(made.objects):
+        bare = sum(not any(part.shapes for part in item.objects()) for item in exported.objects)
+        if bare == len(exported.objects):
             raise InputError(tr("{0}: no feature has faces with heights; give building models (MultiPolygonZ), such as "
                                 "those of “Building models”.").format(self.label_of("BUILDINGS")))
         if bare:
             progress.message(tr("{0} of {1} buildings have no model and are written without a shape.").format(
-                bare, len(made.objects)))
-        if made.renamed:
+                bare, len(exported.objects)))
+        if exported.renamed:
             progress.warn(tr("{0} of {1} ids were empty or there more than once; they got a number.").format(
-                made.renamed, len(made.objects)))
-        flawed = sum(bool(item.problems) for item in made.objects)
+                exported.renamed, len(exported.objects)))
+        flawed = sum(bool(item.problems) for item in exported.objects)
         if flawed:
             progress.warn(tr("{0} of {1} buildings have a solid that is not closed or not valid; it is written as "
-                             "surfaces, and the field “problems” says why.").format(flawed, len(made.objects)))
+                             "surfaces, and the field “problems” says why.").format(flawed, len(exported.objects)))
         if textures is not None and textures.missing:
             progress.warn(tr("{0} images of textures are missing ({1}); their faces have none.").format(
                 len(textures.missing), ", ".join(textures.missing[:3])))
-        if textures is not None and not made.textured:
+        if textures is not None and not exported.textured:
             progress.warn(tr("No face of {0} has a texture in {1}; check that both are of the same buildings.").format(
                 self.label_of("BUILDINGS"), self.label_of("TEXTURES")))
 
@@ -193,22 +193,23 @@ class ExportCityModel(UrbanMapAlgorithm):
         return {**results, "BUILDINGS_WRITTEN": len(model.buildings),
                 "NOT_CLOSED": sum(bool(item.problems) for item in model.buildings)}
 
-    def _write_files(self, parameters, context, made, reference, textures, date, progress):
+    def _write_files(self, parameters, context, exported, reference, textures, date, progress):
         """The files that are wanted, by output name."""
         from ...urbanmap_qgis.citymodel.model import CityModel
 
-        model = CityModel(reference, made.objects, textures.images if textures is not None else {},
+        model = CityModel(reference, exported.objects, textures.images if textures is not None else {},
                           self.parameterAsString(parameters, "TITLE", context), date)
         return write_files(self, parameters, context, FILES, model, progress)
 
-    def _write_layer(self, parameters, context, table, made, date, progress):
+    def _write_layer(self, parameters, context, table, exported, date, progress):
         """The layer with the figures, where wanted."""
         from ...urbanmap_qgis.buildings.model_figures import FIGURES, figure_columns
 
         if not parameters.get("OUTPUT"):
             return None
-        columns = {**table.columns, **figure_columns(made.figures), "city_id": [item.id for item in made.objects],
-                   "problems": ["; ".join(item.problems) for item in made.objects],
+        columns = {**table.columns, **figure_columns(exported.figures),
+                   "city_id": [item.id for item in exported.objects],
+                   "problems": ["; ".join(item.problems) for item in exported.objects],
                    "data_date": [date or None] * len(table)}
         fields = make_fields(("city_id", "text"), *FIGURES, ("data_date", "text"), ("problems", "text"),
                              base=table.fields)

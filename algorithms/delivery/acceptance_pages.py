@@ -128,7 +128,7 @@ def _put_map_to_the_figures(layout, name: str, rows: list[list[str]], content) -
 
 def _fill_pictures(layout, drawings: Mapping, folder: Path) -> None:
     """Show drawings by id, each in the shape of its item; an item without one goes."""
-    from ...urbanmap_qgis.acceptance.pdf_content import PIXELS
+    from ...urbanmap_qgis.io.pages.report import PIXELS
 
     for name, drawing in drawings.items():
         item = layout.itemById(name)

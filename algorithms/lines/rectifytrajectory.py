@@ -153,22 +153,22 @@ class RectifyTrajectory(UrbanMapAlgorithm):
                 self.same_crs("GROUND", raster.crs_wkt, "TRAJECTORY", crs)
             return rectify(trajectory, ties, raster.sample, settings, progress)
 
-    def _write_layers(self, parameters, context, before, made, crs, progress):
+    def _write_layers(self, parameters, context, before, rectified, crs, progress):
         """Places of the optional layers, by output."""
         import shapely
 
         results = {}
         if parameters.get("OUTPUT_SETS"):
             columns = list(zip(*((item.name, item.time, item.pairs, item.before, item.after, *item.shift, item.heading,
-                                  item.misfit, item.predicted, item.status) for item in made.sets)))
+                                  item.misfit, item.predicted, item.status) for item in rectified.sets)))
             results["OUTPUT_SETS"] = self.write_layer(
                 parameters, "OUTPUT_SETS", context, make_fields(*SET_FIELDS),
                 dict(zip((name for name, _ in SET_FIELDS), columns)), crs,
-                shapely.points([item.place for item in made.sets]), "PointZ", "rectification_sets", progress)
+                shapely.points([item.place for item in rectified.sets]), "PointZ", "rectification_sets", progress)
         if parameters.get("OUTPUT_EPOCHS"):
             results["OUTPUT_EPOCHS"] = self.write_layer(
-                parameters, "OUTPUT_EPOCHS", context, make_fields(*EPOCH_FIELDS), epoch_columns(before, made), crs,
-                shapely.points(made.trajectory.place), "PointZ", "rectification_epochs", progress)
+                parameters, "OUTPUT_EPOCHS", context, make_fields(*EPOCH_FIELDS), epoch_columns(before, rectified), crs,
+                shapely.points(rectified.trajectory.place), "PointZ", "rectification_epochs", progress)
         return results
 
 
@@ -194,18 +194,18 @@ def line_ends(lines) -> dict:
     return ends_of(lines)
 
 
-def epoch_columns(before, made) -> dict:
+def epoch_columns(before, rectified) -> dict:
     """Columns of `EPOCH_FIELDS`."""
     import numpy as np
 
-    change = made.trajectory.place - before.place
+    change = rectified.trajectory.place - before.place
     unknown = np.full(len(before), np.nan)
-    status = np.where(made.status == 1, "between sets", "carried on")
-    columns = (before.time, *change.T, made.trajectory.angles[:, 2] - before.angles[:, 2], made.plan_sigma,
-               unknown if made.heights is None else made.heights.sigma, made.heading_sigma, status)
+    status = np.where(rectified.status == 1, "between sets", "carried on")
+    columns = (before.time, *change.T, rectified.trajectory.angles[:, 2] - before.angles[:, 2], rectified.plan_sigma,
+               unknown if rectified.heights is None else rectified.heights.sigma, rectified.heading_sigma, status)
     return dict(zip((name for name, _ in EPOCH_FIELDS), columns))
 
 
-def numbers_of(made) -> dict:
+def numbers_of(rectified) -> dict:
     """The numbers among the results."""
-    return {"SETS": len(made.sets), "SETS_USED": len(made.used), **made.figures()}
+    return {"SETS": len(rectified.sets), "SETS_USED": len(rectified.used), **rectified.figures()}

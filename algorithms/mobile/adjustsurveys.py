@@ -160,23 +160,23 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
                              self.parameterAsBool(parameters, "PLANES", context), number("CONTROL_SIGMA"),
                              number("CONTROL_SIGMA_Z"))
 
-    def _figures(self, made) -> dict:
-        rows = {row[0]: row for row in made.residual_rows()}
+    def _figures(self, adjusted) -> dict:
+        rows = {row[0]: row for row in adjusted.residual_rows()}
         tied = rows.get("tie")
         figures = {"TIES": tied[1] if tied else 0, "PLANE_TIES": rows["plane"][1] if "plane" in rows else 0,
                    "WALLS": rows["wall"][1] if "wall" in rows else 0,
-                   "MEDIAN_SIGMA": made.median_sigma(), "RELATIVE": int(made.relative)}
+                   "MEDIAN_SIGMA": adjusted.median_sigma(), "RELATIVE": int(adjusted.relative)}
         return {**figures, "TIE_RMS": tied[3]} if tied else figures
 
-    def _write_layers(self, parameters, context, made, crs, progress) -> dict:
+    def _write_layers(self, parameters, context, adjusted, crs, progress) -> dict:
         import shapely
 
         from ...urbanmap_qgis.mobile.adjustment.tables import node_columns, tie_columns
 
         results = {}
         for name, fields, (columns, places), style in (
-                ("OUTPUT_TIES", TIE_FIELDS, tie_columns(made), "adjustment_ties"),
-                ("OUTPUT_NODES", NODE_FIELDS, node_columns(made), "adjustment_nodes")):
+                ("OUTPUT_TIES", TIE_FIELDS, tie_columns(adjusted), "adjustment_ties"),
+                ("OUTPUT_NODES", NODE_FIELDS, node_columns(adjusted), "adjustment_nodes")):
             layer = self.write_layer(parameters, name, context, make_fields(*fields), columns, crs,
                                      shapely.points(places), "PointZ", style=style, progress=progress)
             if layer:

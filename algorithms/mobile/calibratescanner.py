@@ -79,21 +79,21 @@ class CalibrateScanner(DriveInputs, UrbanMapAlgorithm):
         write_calibration(output, source, result)
         return {"OUTPUT": str(output), **self._figures(result), **self._tell(parameters, context, result, progress)}
 
-    def _figures(self, made) -> dict:
-        found = made.boresights
+    def _figures(self, calibrated) -> dict:
+        found = calibrated.boresights
         return {"PAIRS": found.pairs, "RMS_BEFORE": found.rms_before, "RMS_AFTER": found.rms_after,
                 "DETERMINED": int(found.determined.sum())}
 
-    def _tell(self, parameters, context, made, progress) -> dict:
+    def _tell(self, parameters, context, calibrated, progress) -> dict:
         """Write table and report."""
         from ...urbanmap_qgis.mobile.boresight.report import write_boresight_report
 
         results = {}
-        columns = dict(zip((name for name, _ in FIELDS), zip(*made.rows())))
+        columns = dict(zip((name for name, _ in FIELDS), zip(*calibrated.rows())))
         columns = {name: list(values) for name, values in columns.items()}
         table = self.write_layer(parameters, "OUTPUT_TABLE", context, make_fields(*FIELDS), columns, "",
                                  style="boresight_corrections", progress=progress)
         if table:
             results["OUTPUT_TABLE"] = table
-        results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_boresight_report, made)
+        results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_boresight_report, calibrated)
         return results

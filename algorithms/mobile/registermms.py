@@ -179,38 +179,38 @@ class RegisterMms(UrbanMapAlgorithm):
             attitude_sigma=(attitude, attitude, 2.0 * attitude)),
             ExtractionSettings(plain=PlainThreshold() if paper else None))
 
-    def _figures(self, made):
+    def _figures(self, registered):
         import numpy as np
 
         from ...urbanmap_qgis.mobile.registration.correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED
 
-        length = np.hypot(made.correction.value[:, 0], made.correction.value[:, 1])
-        middle, largest = made.plan_accuracy()
-        return {"WAY": float(made.correction.chainage[-1]), "MEAN_CORRECTION": float(length.mean()),
-                "MAX_CORRECTION": float(length.max()), "REGISTERED_SHARE": made.share(REGISTERED),
-                "BRIDGED_SHARE": made.share(BRIDGED), "DISTRUSTED_SHARE": made.share(DISTRUSTED),
+        length = np.hypot(registered.correction.value[:, 0], registered.correction.value[:, 1])
+        middle, largest = registered.plan_accuracy()
+        return {"WAY": float(registered.correction.chainage[-1]), "MEAN_CORRECTION": float(length.mean()),
+                "MAX_CORRECTION": float(length.max()), "REGISTERED_SHARE": registered.share(REGISTERED),
+                "BRIDGED_SHARE": registered.share(BRIDGED), "DISTRUSTED_SHARE": registered.share(DISTRUSTED),
                 "MEDIAN_SIGMA": middle if np.isfinite(middle) else None,
                 "MAX_SIGMA": largest if np.isfinite(largest) else None}
 
-    def _write_patches(self, parameters, context, made, crs, progress):
+    def _write_patches(self, parameters, context, registered, crs, progress):
         import shapely
 
         from ...urbanmap_qgis.mobile.registration.registered_survey import patch_table
 
-        columns, places = patch_table(made)
+        columns, places = patch_table(registered)
         kinds = {"patch": "int", "features": "int", "points": "int", "status": "text", "reason": "text"}
         fields = make_fields(*((name, kinds.get(name, "real")) for name in columns))
         layer = self.write_layer(parameters, "OUTPUT_PATCHES", context, fields, columns, crs, shapely.points(places),
                                  "PointZ", style="mms_patches", progress=progress)
         return {"OUTPUT_PATCHES": layer} if layer else {}
 
-    def _write_disagreements(self, parameters, context, made, crs, progress):
+    def _write_disagreements(self, parameters, context, registered, crs, progress):
         import shapely
 
         from ...urbanmap_qgis.mobile.registration.disagreement_areas import area_table
         from ...urbanmap_qgis.mobile.registration.registered_survey import step_table
 
-        (steps, places), (areas, roads), results = step_table(made), area_table(made), {}
+        (steps, places), (areas, roads), results = step_table(registered), area_table(registered), {}
         for name, columns, at, kind, style in (("OUTPUT_STEPS", steps, shapely.points(places), "PointZ", "mms_steps"),
                                                ("OUTPUT_AREAS", areas, roads, "Polygon", "mms_areas")):
             fields = make_fields(*((column, "text" if column == "kind" else "real") for column in columns))

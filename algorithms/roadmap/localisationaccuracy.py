@@ -111,7 +111,7 @@ class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgo
             **{f"LENGTH_{name.upper()}": value for name, value in length.items()},
             "REPEATED": int((result.alias_share >= settings.alias_share).sum())}
 
-    def _simulated(self, parameters, context, city, made, settings, crs, progress):
+    def _simulated(self, parameters, context, city, accuracy, settings, crs, progress):
         """The core's check of the prediction; None where it is not asked for."""
         if not self.parameterAsBool(parameters, "SIMULATE", context):
             return None
@@ -121,7 +121,7 @@ class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgo
         if city.walls is None:
             progress.warn(tr("Nothing was simulated: no building has a height."))
             return None
-        return check_prediction(city.walls, made, settings,
+        return check_prediction(city.walls, accuracy, settings,
                                 self.parameterAsInt(parameters, "SIMULATE_EVERY", context),
                                 self.parameterAsInt(parameters, "DRAWS", context),
                                 self.parameterAsInt(parameters, "SEED", context), truth, progress)
@@ -188,13 +188,13 @@ class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgo
             self.same_crs("GROUND", ground.crs_wkt, "BUILDINGS", table.crs)
             return replace(places, ground=ground_under_places(ground, places))
 
-    def _raster(self, parameters, context, made, crs, results):
+    def _raster(self, parameters, context, accuracy, crs, results):
         from ...urbanmap_qgis.io.raster import write_raster
         from ...urbanmap_qgis.localisation.report.accuracy_tables import accuracy_raster
 
         path = self.output_layer_path(parameters, "OUTPUT_RASTER", context, style="localisation_raster")
         if path:
-            values, grid = accuracy_raster(made, self.parameterAsDouble(parameters, "SPACING", context))
+            values, grid = accuracy_raster(accuracy, self.parameterAsDouble(parameters, "SPACING", context))
             write_raster(path, values, grid, crs.toWkt())
             results["OUTPUT_RASTER"] = str(path)
 

@@ -81,9 +81,10 @@ class RoadSpace(UrbanMapAlgorithm):
                     STOP_LINES=lines["OUTPUT"])
         results = {name: roads[name] for name in (*ROAD_LAYERS, *FIGURES) if name in roads}
         results |= {name: objects[name] for name in OBJECT_FIGURES}
-        for made, renamed in ((objects, {"OUTPUT_OBJECTS": "OUTPUT", "OUTPUT_FURNITURE": "OUTPUT_CITYGML",
-                                         "OUTPUT_OBJECT_REPORT": "OUTPUT_REPORT"}),
-                              (edges, {"OUTPUT_EDGES": "OUTPUT"}),
-                              (lanes, {name: name for name in (*LANE_LAYERS, *LANE_FILES)})):
-            results |= {name: made[own] for name, own in renamed.items() if own in made and name in given}
+        for outputs, stage_names in ((objects, {"OUTPUT_OBJECTS": "OUTPUT", "OUTPUT_FURNITURE": "OUTPUT_CITYGML",
+                                                "OUTPUT_OBJECT_REPORT": "OUTPUT_REPORT"}),
+                                     (edges, {"OUTPUT_EDGES": "OUTPUT"}),
+                                     (lanes, {name: name for name in (*LANE_LAYERS, *LANE_FILES)})):
+            results |= {name: outputs[stage_name] for name, stage_name in stage_names.items()
+                        if stage_name in outputs and name in given}
         return results

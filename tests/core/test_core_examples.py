@@ -32,6 +32,10 @@ def test_examples_run(small_city, tmp_path, monkeypatch):
     assert names["calm"].pixels_shared > 0 and names["usual"].mean_2d < 0.05 and names["accepted"] == "passed"
     assert 0.3 < names["street"].ground / names["street"].usable < 0.7 and names["within"] > 0.9
     assert all(building.valid for building in names["merged"]) and abs(names["figures"].los_median) < 1.0
+    calibrated = names["mounted"].boresights
+    assert calibrated.determined[:, :2].all() and calibrated.rms_after < 0.5 * calibrated.rms_before
+    assert (names["official_ground"].lowest, names["official_ground"].highest) == pytest.approx((30.0, 32.0), abs=0.5)
+    assert names["official_ground"].system == "JGD2011"
     assert not names["changes"] and {piece.kind for piece in names["road"].pieces} == {"road", "junction"}
     assert names["held"].rms(names["held"].followed) < 0.02 < names["held"].rms(names["held"].followed, before=True)
     assert names["lifted"].shift == pytest.approx([0.0, 0.0, 0.1], abs=0.01)

@@ -8,10 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from ..geometry.tolerances import LEAST_FACE
 from ..io.points.pointcloud import PointCloud, iter_chunks, valid_points
 from ..progress import SILENT, Progress
-
-_LEAST_PLAN = 1e-4  # m2 of a face's plan, below which it is a wall
 
 
 @dataclass(frozen=True)
@@ -115,7 +114,7 @@ class ModelSurface:
         """Faces of a building that have a plan, and their planes (n, 5): slopes, height and the place of that."""
         if row not in self._faces:
             faces = shapely.get_parts(self._models[row])
-            faces = faces[shapely.area(faces) > _LEAST_PLAN]
+            faces = faces[shapely.area(faces) > LEAST_FACE]  # others are walls
             planes = np.array([_plane(face) for face in faces]).reshape(-1, 5)
             shapely.prepare(faces)
             self._faces[row] = faces, planes

@@ -13,9 +13,6 @@ from ..io.pages.svg import bars
 from ..wording import known
 from .criteria import OUTCOMES, Criterion
 
-PIXELS = 4.0
-"""Of a drawing, in a millimetre of the page: letters of 11 pixels are then as large as those of the tables."""
-
 Drawing = Callable[..., str]
 """A drawing (SVG) by its `width` and `height`, pixels (both may be left out): it takes the shape of the room that the
 page has for it."""

@@ -9,7 +9,7 @@ import numpy as np
 import shapely
 
 from ..geometry.solid import volume
-from ..io.pages.report import BAD, GOOD, LOOK, Report
+from ..io.pages.report import BAD, GOOD, LOOK, WORST, Report
 from ..io.pages.svg import plan_map
 from ..wording import mark, say
 from .building_model import BuildingModel, roof_remarks
@@ -30,9 +30,6 @@ SURFACE_COLUMNS = (("building_id", "int"), ("roof_id", "int"), ("surface_type", 
                    ("sigma", "real"))
 """Names and kinds of the columns of the faces: of roofs the share that the points have seen, and the expected error of
 the height, m."""
-
-WORST = 10
-"""Buildings that the report lists as the worst."""
 
 
 def model_columns(models: Sequence[BuildingModel]) -> dict[str, list]:

@@ -9,11 +9,8 @@ import numpy as np
 import shapely
 
 from ..errors import InputError, InsufficientDataError
-from ..geometry.tolerances import LEAST_FACE
+from ..geometry.tolerances import LEAST_FACE, MILLIMETRE
 from ..wording import say
-
-_SEAM = 0.001
-"""Faces are joined on a lattice of this step, m, so that no hair lines are left between them."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,7 +70,7 @@ def _plan(geometry: shapely.Geometry) -> shapely.Geometry | None:
         return None
     bad = ~shapely.is_valid(parts)
     parts[bad] = shapely.make_valid(parts[bad])
-    union = shapely.union_all(parts, grid_size=_SEAM)
+    union = shapely.union_all(parts, grid_size=MILLIMETRE)  # no hair lines are left between faces
     pieces = shapely.get_parts(union)
     pieces = pieces[shapely.get_type_id(pieces) == 3]
     return None if not len(pieces) else pieces[0] if len(pieces) == 1 else shapely.multipolygons(pieces)

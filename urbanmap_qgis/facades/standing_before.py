@@ -123,13 +123,13 @@ def _tell_those_behind(walls: Sequence[PlacedWall], kinds: list[tuple[str, float
         seen = _seen_from(walls[row].plane, corners, normals, facade)
         over = seen.behind & (seen.left < seen.right[row]) & (seen.right > seen.left[row])
         if kind == UPPER_FLOORS:
-            told = _recessed(row, np.flatnonzero(over), seen)
+            behind_it = _recessed(row, np.flatnonzero(over), seen)
         elif kind == GROUND_FLOOR:
-            told = np.flatnonzero(over & (seen.low > seen.high[row] - LIMITS.goes_on))
+            behind_it = np.flatnonzero(over & (seen.low > seen.high[row] - LIMITS.goes_on))
         else:
-            told = np.append(np.flatnonzero(over), _stacked(walls[row], row, seen))  # panes of it are as unclear
+            behind_it = np.append(np.flatnonzero(over), _stacked(walls[row], row, seen))  # panes of it are as unclear
         kinds[row] = (kind if kind == UNCLEAR else WALL, 0.0)
-        for other in told:
+        for other in behind_it:
             if kinds[other][0] in (WALL, UPPER_FLOORS):
                 kinds[other] = ({UPPER_FLOORS: RECESS, GROUND_FLOOR: SETBACK}.get(kind, UNCLEAR), 0.0)
 

@@ -204,8 +204,8 @@ def _described(piece: _Piece, placed: PlacedWall, edge: int, kind: tuple[str, fl
     if inside:
         foot = float(z.min())  # it stands on a roof
     seen = wall_coverage(plane, [contour], foot, top, piece.points.front)
-    own = (WALL, SETBACK, RECESS, UNCLEAR, *([BALCONY] if settings.front == OUTERMOST else []))
-    standing = kind[0] not in own
+    of_facade = (WALL, SETBACK, RECESS, UNCLEAR, *([BALCONY] if settings.front == OUTERMOST else []))
+    standing = kind[0] not in of_facade
     status, note = _front_status(*kind) if standing or kind[0] == UNCLEAR else _status(
         plane, contour.points, seen, max(depth, _BEFORE) if inside else 0.0)
     return FacadeWall(piece.building_id, plane, polygon, contour.points, contour.openings, contour.filled,

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+WGS84 = 4326
+"""EPSG code of longitude and latitude on its ellipsoid."""
+
 SEMI_MAJOR = 6378137.0
 """Of WGS 84 and of GRS 80, m."""
 

@@ -7,12 +7,10 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ..io.pages.report import LOOK, Fixed, Report
+from ..io.pages.report import LOOK, WORST, Fixed, Report
 from ..io.pages.svg_profile import COLOURS, Series, profile
 from ..wording import say
 from .control import Accuracy, ControlPoints, accuracy
-
-_WORST = 10
 
 
 def write_accuracy_report(path: str | os.PathLike, control: ControlPoints, errors: Mapping[str, np.ndarray],
@@ -61,7 +59,7 @@ def write_accuracy_report(path: str | os.PathLike, control: ControlPoints, error
 
 def _worst(report: Report, control: ControlPoints, name: str, errors: np.ndarray, plan: np.ndarray) -> None:
     report.section(say("The worst control points, {name}", name=name))
-    worst = np.argsort(-plan)[:_WORST]
+    worst = np.argsort(-plan)[:WORST]
     report.table(("Control point", "time (s)", "east (m)", "north (m)", "up (m)", "2D (m)"),
                  [(control.id[k], Fixed.of(control.time[k]), *map(float, errors[k]), float(plan[k])) for k in worst])
 

@@ -21,6 +21,7 @@ from ..wording import say
 from .gps_time import time_shift
 from .image_poses import ImagePoses, move_images, read_image_poses, write_image_poses
 from .pose_correction import PoseCorrection, correction_between
+from .survey_tiles import CHUNK
 from .trajectory import Trajectory
 
 OUTSIDE = ("move", "keep", "refuse")
@@ -31,7 +32,6 @@ COARSEST_SCALE = 0.001
 """m: files stored coarser are written with this step, or the correction would be rounded away."""
 
 _LARGEST = 2**31 - 1
-_CHUNK = 250_000
 _COPC = ("copc",)
 
 
@@ -83,7 +83,7 @@ def apply_correction(paths: Sequence[str | os.PathLike], reported: Trajectory, c
         compress = Path(output).suffix.lower() == ".laz"
         with laspy.open(temporary, mode="w", header=writing.header, do_compress=compress,
                         encoding_errors=NAMES_NOT_ASCII) as writer:
-            for chunk in iter_chunks(cloud, progress, _CHUNK):
+            for chunk in iter_chunks(cloud, progress, CHUNK):
                 writer.write_points(writing.transformed(chunk, np.asarray(chunk.gps_time) + shift, outside, statistics))
             _write_evlrs(writer, _evlrs(cloud))
     moved = statistics.result()

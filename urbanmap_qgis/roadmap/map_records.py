@@ -8,6 +8,9 @@ from dataclasses import dataclass, field
 import numpy as np
 import shapely
 
+TURNS = ("straight", "left", "right")
+"""Ways on through a junction, as Lanelet2 names them."""
+
 
 @dataclass(frozen=True)
 class MapLine:

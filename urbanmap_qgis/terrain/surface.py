@@ -17,9 +17,8 @@ from .delaunay import highest_in_cells, triangulate
 from .outliers import plausible
 from .rasterise import rasterise
 
-__all__ = ["NODATA", "ground_mask", "ground_raster", "ground_source", "sample", "thin_highest", "thin_mean"]
+__all__ = ["ground_mask", "ground_raster", "ground_source", "sample", "thin_highest", "thin_mean"]
 
-NODATA = -9999.0
 GROUND_CLASSES = (2, 8, 10, 11)
 """LAS classes that are ground: ground, key points of it, rail beds, roads. Water (9) is left out: it lies below
 the quays and would pull the ground under waterside buildings down."""

@@ -129,9 +129,9 @@ class BuildingNames:
             return fields
         kind = "int" if all(isinstance(value, int) for value in self.own.values()) else "text"
         result = QgsFields()
-        own = make_fields((BUILDING_ID, kind), (NUMBER, "int"))
+        id_fields = make_fields((BUILDING_ID, kind), (NUMBER, "int"))
         for item in fields:
-            for new in own if item.name() == BUILDING_ID else [item] if item.name() != NUMBER else []:
+            for new in id_fields if item.name() == BUILDING_ID else [item] if item.name() != NUMBER else []:
                 result.append(new)
         return result
 

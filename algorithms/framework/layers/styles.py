@@ -63,15 +63,16 @@ def style_text(style: str, fields: Sequence[str] = (), own: Sequence[str] = (), 
     text = style_path(style).read_text(encoding="utf-8") if style else TABLE_ONLY
     text = _LEGEND.sub(lambda found: found[1] + escape(tr(unescape(found[2]))) + found[3] if found[2] else found[0],
                        text)
-    kept = {name: words for name, words in earlier if name in fields and name not in own}
-    table = _table_elements(fields, own, style, kept)
+    earlier_words = {name: words for name, words in earlier if name in fields and name not in own}
+    table = _table_elements(fields, own, style, earlier_words)
     return text.replace("</qgis>", f"{table}</qgis>") if table else text
 
 
-def _table_elements(fields: Sequence[str], own: Sequence[str], style: str, kept: Mapping[str, FieldWords]) -> str:
+def _table_elements(fields: Sequence[str], own: Sequence[str], style: str,
+                    earlier_words: Mapping[str, FieldWords]) -> str:
     """Aliases, decimals and order of a table's columns as elements of QML."""
     titled = {name: words for name in own
-              if name in fields and (words := words_of(name, style)) is not None} | kept
+              if name in fields and (words := words_of(name, style)) is not None} | earlier_words
     if not titled:
         return ""
     lines = ["  <aliases>", *(f'    <alias index="{fields.index(name)}" field="{escape(name)}" '
@@ -80,7 +81,7 @@ def _table_elements(fields: Sequence[str], own: Sequence[str], style: str, kept:
     lines += ["  <fieldConfiguration>", *(_rounded(name, words) for name, words in titled.items()
                                           if words.decimals is not None),
               *(_chosen(name, words) for name, words in titled.items() if words.choices), "  </fieldConfiguration>"]
-    order = sorted(fields, key=lambda name: 0 if name in own else 1 if name in kept else 2)
+    order = sorted(fields, key=lambda name: 0 if name in own else 1 if name in earlier_words else 2)
     lines += ["  <attributetableconfig>", "    <columns>",
               *(f'      <column type="field" name="{escape(name)}" hidden="{int(name == "fid")}" width="-1"/>'
                 for name in order), "    </columns>", "  </attributetableconfig>"]

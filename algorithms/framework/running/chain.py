@@ -15,7 +15,7 @@ class GivenParameters(dict):
     def pick(self, *names: str, **renamed: str) -> dict:
         """Those of some names; `renamed` ones, stage's name = own name, under the name that the stage has for them."""
         wanted = {**dict(zip(names, names)), **renamed}
-        return {name: self[own] for name, own in wanted.items() if own in self}
+        return {name: self[own_name] for name, own_name in wanted.items() if own_name in self}
 
 
 @contextmanager

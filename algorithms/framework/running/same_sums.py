@@ -85,9 +85,9 @@ def _loads() -> tuple[int, int] | None:
     counted = []
 
     @ctypes.CFUNCTYPE(ctypes.c_int, ctypes.POINTER(_Loads), ctypes.c_size_t, ctypes.c_void_p)
-    def first(told, size: int, _data) -> int:
+    def first(loads, size: int, _data) -> int:
         if size >= ctypes.sizeof(_Loads):
-            counted.append((told.contents.loaded, told.contents.unloaded))
+            counted.append((loads.contents.loaded, loads.contents.unloaded))
         return 1  # all tell the same numbers
 
     walk(first, None)

@@ -68,8 +68,8 @@ def dated_outlines(cloud: PointCloud, columns: Mapping[str, Sequence], count: in
     names = {name.lower(): name for name in columns}
 
     def days(fields: tuple[str, ...]) -> tuple[tuple[date, date] | None, ...]:
-        held = [columns[names[field.lower()]] for field in fields if field.lower() in names]
-        return tuple(next(filter(None, (meant_days(column[row]) for column in held)), None) for row in range(count))
+        given = [columns[names[field.lower()]] for field in fields if field.lower() in names]
+        return tuple(next(filter(None, (meant_days(column[row]) for column in given)), None) for row in range(count))
 
     return DatedOutlines(flight_days(cloud), days(BEGINS), days(ENDS))
 

@@ -15,7 +15,7 @@ from ...geometry.grid import Grid
 from ...geometry.tolerances import SIGMA_OF_MAD
 from ...wording import say
 from .roof_levels import MAX_PARAPET_WIDTH, RoofLevels, RoofParameters, roof_levels
-from .roof_surface import RoofSurface, roof_surface, sorted_within
+from .roof_surface import NEIGHBOURHOOD, RoofSurface, roof_surface, sorted_within
 
 OK, FEW_POINTS, NO_POINTS = "ok", "few points", "no roof points"
 """What `RoofSegmentation.status` can be."""
@@ -48,8 +48,6 @@ PARAPET_SHARE = 0.15
 """Hits in that range for each cell of the roof's border strip that make a parapet."""
 
 DEFAULTS = RoofParameters()
-
-_NEIGHBOURHOOD = np.ones((3, 3), np.uint8)
 
 
 @dataclass(frozen=True)
@@ -254,7 +252,7 @@ def _open_cells(surface: RoofSurface, x: np.ndarray, y: np.ndarray, parameters: 
     ground &= surface.count == 0
     if not ground.any():
         return ground
-    ground = cv2.morphologyEx(ground.astype(np.uint8), cv2.MORPH_CLOSE, _NEIGHBOURHOOD) > 0
+    ground = cv2.morphologyEx(ground.astype(np.uint8), cv2.MORPH_CLOSE, NEIGHBOURHOOD) > 0
     ground &= surface.count == 0
     part, _ = ndimage.label(ground)
     large = np.bincount(part.ravel()) * surface.grid.cell**2 >= parameters.small_roof_area
@@ -267,7 +265,7 @@ def _complete(plan: RoofLevels, surface: RoofSurface, roof_of_point: np.ndarray,
     """Roof of each cell, with the gaps inside the outline filled, and whether points support it."""
     hit = np.zeros(surface.grid.shape, dtype=np.uint8)
     hit.ravel()[surface.cell_of_point[roof_of_point > 0]] = 1
-    supported = (cv2.morphologyEx(hit, cv2.MORPH_CLOSE, _NEIGHBOURHOOD) > 0) & (plan.labels > 0)
+    supported = (cv2.morphologyEx(hit, cv2.MORPH_CLOSE, NEIGHBOURHOOD) > 0) & (plan.labels > 0)
     distance, nearest = ndimage.distance_transform_edt(~supported, return_indices=True)
     under_clutter = (surface.count > 0) | (plan.labels > 0)
     near = distance * surface.grid.cell <= LIMITS.gap_fill

@@ -34,7 +34,7 @@ class RoofSurfaceLimits:
 
 LIMITS = RoofSurfaceLimits()
 
-_NEIGHBOURHOOD = np.ones((3, 3), np.uint8)
+NEIGHBOURHOOD = np.ones((3, 3), np.uint8)
 
 
 @dataclass(frozen=True)
@@ -156,6 +156,6 @@ def _roughness(x: np.ndarray, y: np.ndarray, z: np.ndarray, cell: np.ndarray, gr
     # Three parameters are fitted: n - 3 degrees of freedom.
     variance = np.maximum(zz - explained, 0) * some / np.maximum(some - 3, 1)
     variance[n < 4] = np.inf
-    variance = cv2.erode(variance, _NEIGHBOURHOOD, borderType=cv2.BORDER_CONSTANT, borderValue=np.inf)
+    variance = cv2.erode(variance, NEIGHBOURHOOD, borderType=cv2.BORDER_CONSTANT, borderValue=np.inf)
     variance[~np.isfinite(variance)] = np.nan
     return np.sqrt(variance)

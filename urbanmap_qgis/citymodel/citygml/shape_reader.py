@@ -157,9 +157,9 @@ class ShapeReader:
         reference = holder.get(XLINK_HREF) or ""
         if reference:
             return self.prototypes.get(reference.lstrip("#"), ())
-        own = ShapeReader(False, self.textures, self.meaning, owner=self.owner)
-        surfaces = tuple(own._surfaces(holder, {}))
-        self.problems += own.problems
+        reader = ShapeReader(False, self.textures, self.meaning, owner=self.owner)
+        surfaces = tuple(reader._surfaces(holder, {}))
+        self.problems += reader.problems
         for item in holder:
             if id_of(item):
                 self.prototypes[id_of(item)] = surfaces

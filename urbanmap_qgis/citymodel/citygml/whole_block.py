@@ -13,12 +13,11 @@ import numpy as np
 import shapely
 from shapely.geometry.polygon import orient
 
+from ...geometry.tolerances import MILLIMETRE
 from ..model import GROUND_SURFACE, ROOF_SURFACE, SOLID, WALL_SURFACE, CityObject, CityShape, CitySurface
 
 _OWN = ("1.2", "1.3")
 """Levels that this program makes; a part's level "1" was read so from a file and stays as it was."""
-
-_MILLIMETRE = 0.001
 
 
 def with_whole_block(building: CityObject) -> tuple[CityObject, bool]:
@@ -48,7 +47,7 @@ def _block(blocks: list[CityShape]) -> CityShape | None:
              for surface in block.shells[0] if surface.kind == ROOF_SURFACE]
     if not grounds or not roofs:
         return None
-    whole = shapely.union_all([plan for plan, _ in grounds], grid_size=_MILLIMETRE)
+    whole = shapely.union_all([plan for plan, _ in grounds], grid_size=MILLIMETRE)
     if whole.geom_type != "Polygon" or whole.is_empty:
         return None
     foot = min(float(surface.rings[0][:, 2].min()) for _, surface in grounds)

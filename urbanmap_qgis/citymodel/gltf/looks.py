@@ -13,6 +13,7 @@ import numpy as np
 
 from ...errors import InputError
 from ...geometry.solid import GROUND, INNER_WALL, OUTER_WALL, OVERHANG, ROOF
+from ...geometry.tolerances import LEAST_SQUARE
 from ...geometry.triangulation import triangulate_face
 from ...wording import say
 from ..images import web_image
@@ -27,7 +28,6 @@ SURFACE_COLOURS = {ROOF: (0.72, 0.28, 0.22), OUTER_WALL: (0.85, 0.82, 0.75), INN
 _REPEAT_NOT, _LINEAR, _SMALLER = 33071, 9729, 9987
 _SAMPLER = {"magFilter": _LINEAR, "minFilter": _SMALLER, "wrapS": _REPEAT_NOT, "wrapT": _REPEAT_NOT}
 _IMAGE = "image:"
-_NO_AREA = 1e-12
 
 
 def look_of(surface: CitySurface, textured: bool = True) -> str:
@@ -68,7 +68,7 @@ def add_primitive(buffer: GlbBuffer, material: int, corners: np.ndarray, places:
     """
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     length = np.linalg.norm(normal, axis=1, keepdims=True)
-    normal = np.where(length > _NO_AREA, normal / np.maximum(length, _NO_AREA), (0.0, 0.0, 1.0))
+    normal = np.where(length > LEAST_SQUARE, normal / np.maximum(length, LEAST_SQUARE), (0.0, 0.0, 1.0))
     attributes = {"POSITION": buffer.accessor(_y_up(corners.reshape(-1, 3)), True),
                   "NORMAL": buffer.accessor(_y_up(np.repeat(normal, 3, axis=0)))}
     if owner is not None:

@@ -114,7 +114,10 @@ _LONG = 30
 
 Cell = object
 
-_PIXELS = 4.0
+WORST = 10
+"""So many of the worst are shown in a table or on a map."""
+
+PIXELS = 4.0
 """Of a drawing whose height in print is planned, in a millimetre of the page."""
 _TITLE = 16.0
 """Size of the letters of a page's title in print, points."""
@@ -303,7 +306,7 @@ class Report:
         heading, frame = heading_block(asked.heading), figure_block(0.0, asked.caption)
         picture = page_map((heading, frame), asked.shape)
         place, height = place_picture([*top, *blocks], [len(top) + first, len(top) + second], picture)
-        svg = asked.drawing(width=round(_PIXELS * PAGE_WIDTH), height=round(_PIXELS * height))
+        svg = asked.drawing(width=round(PIXELS * PAGE_WIDTH), height=round(PIXELS * height))
         svg = _SIZE.sub(r'<svg\1viewBox="0 0 \2 \3" width="\2" height="\3"', svg, count=1)
         part = _Part(f'<figure class="broad planned">{svg}<figcaption>{html.escape(asked.caption)}</figcaption>'
                      "</figure>", lambda: figure_block(height, asked.caption))

@@ -9,6 +9,7 @@ import numpy as np
 from pyproj import Transformer
 
 from ...errors import InputError
+from ...geometry.earth import WGS84
 from ...gnss.orbits.sp3 import read_sp3
 from ...gnss.rinex.compact import is_compact
 from ...gnss.rinex.gnss_time import calendar_seconds
@@ -21,7 +22,7 @@ from ..file_facts import NAVIGATION, OBSERVATIONS, ORBITS, OTHER, FileFacts
 _SP3 = re.compile(rb"^#[a-d][PV ]\d{4} ")
 _EPOCH_3 = re.compile(r"^> (\d{4}) ([ \d]\d) ([ \d]\d) ([ \d]\d) ([ \d]\d) *(\d+\.\d+)")
 _EPOCH_2 = re.compile(r"^ ([ \d]\d) ([ \d]\d) ([ \d]\d) ([ \d]\d) ([ \d]\d) ([ \d]\d\.\d{7})  [01]")
-_WGS84, _EARTH_FIXED = 4326, 4978
+_EARTH_FIXED = 4978
 _LEAST_RADIUS = 6.0e6  # m; an approximate position nearer to the Earth's centre is none
 
 
@@ -66,7 +67,7 @@ def _observations(path: Path, file: RinexFile, detail: str) -> FileFacts:
                              name=path.name))
     last = _seconds(stamp.groups())
     place = _place(file)
-    return FileFacts(path, OBSERVATIONS, detail=detail, crs_wkt=epsg_wkt(_WGS84) if place else "",
+    return FileFacts(path, OBSERVATIONS, detail=detail, crs_wkt=epsg_wkt(WGS84) if place else "",
                      heights="ellipsoidal" if place else "unknown", extent=place, count=epochs,
                      times=(last if first is None else first, last), notes=tuple(file.notes))
 

@@ -12,6 +12,7 @@ from pyproj import CRS
 from pyproj.exceptions import CRSError
 
 from ...aerial.frames.camera import read_camera
+from ...geometry.earth import WGS84
 from ...io.conversion.reprojection import epsg_wkt
 from ...io.files.guard import read_json
 from ...io.reference.height_systems import heights_of
@@ -23,8 +24,6 @@ from .vector_facts import SAMPLE, layer_facts
 
 JOB_MARK = "urbanmap_job"
 """Key that tells a job file."""
-
-_LONGITUDE_LATITUDE = 4326
 
 
 def json_facts(path: Path, _head: bytes) -> list[FileFacts]:
@@ -85,7 +84,7 @@ def _cityjson(path: Path, content: Mapping) -> FileFacts:
 
 def _geojson(path: Path, content: Mapping) -> FileFacts:
     named = ((content.get("crs") or {}).get("properties") or {}).get("name", "")
-    crs = _system(str(named)) if named else epsg_wkt(_LONGITUDE_LATITUDE)
+    crs = _system(str(named)) if named else epsg_wkt(WGS84)
     features = content.get("features") or []
     shapes = [shapely.geometry.shape(item["geometry"]) for item in features[:SAMPLE] if item.get("geometry")]
     everything = np.array([shapely.geometry.shape(item["geometry"]) for item in features if item.get("geometry")],
@@ -102,7 +101,7 @@ def _system(text: str) -> str:
     words = text.replace("/", ":").rstrip(":").split(":")
     try:
         if "CRS84" in words:
-            return epsg_wkt(_LONGITUDE_LATITUDE)
+            return epsg_wkt(WGS84)
         return epsg_wkt(int(words[-1])) if words[-1].isdigit() else CRS.from_user_input(text).to_wkt()
     except (CRSError, ValueError):
         return ""

@@ -15,15 +15,16 @@ import numpy as np
 import shapely
 
 from ...errors import InputError
+from ...geometry.earth import WGS84
 from ...io.conversion.reprojection import epsg_wkt
 from ...wording import say
 from ..file_facts import AREAS, LINES, OTHER, PLACES, FileFacts
 from .layer_kind import LayerSample, kind_of_layer
+from .vector_facts import SAMPLE
 
-_WGS84 = 4326
-_LARGEST_READ = 1 << 26
-"""Bytes of KML that are looked through; of a longer file only so many."""
-_SAMPLE = 200
+LARGEST_READ = 1 << 26
+"""Bytes of XML that are looked through; of a longer file only so many."""
+
 _NOTHING = np.zeros((0, 2))
 
 _GEOMETRY = re.compile(rb"<(?:\w+:)?(Polygon|LineString|LinearRing|Point|Track)[\s>](.*?)</(?:\w+:)?\1>", re.DOTALL)
@@ -58,7 +59,7 @@ def kml_facts(path: Path, data: bytes, detail: str = "KML") -> FileFacts:
     counts = ", ".join(f"{len(group)} {kind}" for kind, group in found.items())
     shape = next(kind for kind in ("Polygon", "LineString", "Point") if kind in found)
     kind, doubt = _kind(path, shape, found[shape], data)
-    return FileFacts(path, kind, detail=f"{detail}: {counts}", crs_wkt=epsg_wkt(_WGS84), extent=extent,
+    return FileFacts(path, kind, detail=f"{detail}: {counts}", crs_wkt=epsg_wkt(WGS84), extent=extent,
                      count=len(found[shape]), doubt=doubt, notes=(_advice(path, kind),))
 
 
@@ -89,7 +90,7 @@ def _places(tuples: list[list[bytes]], path: Path) -> np.ndarray:
 def _kind(path: Path, shape: str, group: list[np.ndarray], data: bytes) -> tuple[str, str]:
     if shape != "Polygon":
         return (LINES if shape == "LineString" else PLACES), ""
-    shapes = [shapely.Polygon(ring) for ring in group[:_SAMPLE] if len(ring) >= 4]
+    shapes = [shapely.Polygon(ring) for ring in group[:SAMPLE] if len(ring) >= 4]
     names = [html.unescape(text.decode("utf-8", "replace")) for text in _NAME.findall(data)[:2]]
     fields = tuple(dict.fromkeys(text.decode("utf-8", "replace") for text in _FIELD.findall(data)))
     return kind_of_layer(LayerSample((path.stem, *names), fields, "Polygon", shapes), degrees=True)
@@ -119,8 +120,8 @@ def kmz_facts(path: Path, archive: zipfile.ZipFile, names: list[str]) -> Iterato
     """
     for name in [name for name in archive.namelist() if name in names and name.lower().endswith(".kml")][:1]:
         with archive.open(name) as stream:
-            data = stream.read(_LARGEST_READ)
-        if b"</kml" not in data[-4096:] and archive.getinfo(name).file_size <= _LARGEST_READ:
+            data = stream.read(LARGEST_READ)
+        if b"</kml" not in data[-4096:] and archive.getinfo(name).file_size <= LARGEST_READ:
             raise InputError(say("{name} is cut off: its end is missing; copy or download it again.", name=path.name))
         yield kml_facts(path, data, "KMZ")
 
@@ -128,4 +129,4 @@ def kmz_facts(path: Path, archive: zipfile.ZipFile, names: list[str]) -> Iterato
 def whole_kml(path: Path) -> bytes:
     """The text of a KML file, as far as it is looked through."""
     with path.open("rb") as stream:
-        return stream.read(_LARGEST_READ)
+        return stream.read(LARGEST_READ)

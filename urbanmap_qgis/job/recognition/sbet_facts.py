@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from ...errors import InputError
+from ...geometry.earth import WGS84
 from ...io.conversion.reprojection import epsg_wkt
 from ...mobile.gps_time import WEEK
 from ...mobile.sbet import SBET_SUFFIXES
@@ -14,7 +15,6 @@ from ...wording import say
 from ..file_facts import TRAJECTORY, FileFacts
 
 _SBET_BYTES = 136
-_WGS84 = 4326
 
 
 def is_sbet(path: Path, head: bytes) -> bool:
@@ -42,7 +42,7 @@ def sbet_facts(path: Path, _head: bytes) -> list[FileFacts]:
     places = np.degrees(some[:, [2, 1]])
     notes = () if path.suffix.lower() in SBET_SUFFIXES else (say(
         "{name} holds an SBET: let its name end in .out or .sbet, by which it is read.", name=path.name),)
-    return [FileFacts(path, TRAJECTORY, detail="SBET", crs_wkt=epsg_wkt(_WGS84), heights="ellipsoidal",
+    return [FileFacts(path, TRAJECTORY, detail="SBET", crs_wkt=epsg_wkt(WGS84), heights="ellipsoidal",
                       extent=(*map(float, places.min(axis=0)), *map(float, places.max(axis=0))),
                       times=(float(records[0, 0]), float(records[-1, 0])), count=len(records),
                       notes=notes)]

@@ -13,7 +13,7 @@ from ...io.osm import read_osm
 from ...io.reference.height_systems import heights_of
 from ...wording import say
 from ..file_facts import CITY_MODEL, GSI_DEM, GSI_OTHER, GSI_OUTLINES, LANE_MAP, OTHER, FileFacts
-from .kml_facts import kml_facts, kmz_facts, whole_kml
+from .kml_facts import LARGEST_READ, kml_facts, kmz_facts, whole_kml
 
 _ROOT = re.compile(rb"<(?![?!])([\w.-]+:)?([\w.-]+)[\s/>]")
 _SYSTEMS = {b"jgd2000.bl": 4612, b"jgd2011.bl": 6668, b"jgd2024.bl": 6668}
@@ -23,8 +23,6 @@ _SRS = re.compile(rb"srsName=[\"'][^\"']*?(\d{4,5})[\"']")
 _PLACE = re.compile(rb"(?:<gml:pos>|<gml:posList>|^)\s*(\d+\.\d+) (\d+\.\d+)\s", re.MULTILINE)
 _TAIL = 4096
 _BLOCK = 1 << 20
-_LARGEST_READ = 1 << 26
-"""Bytes of XML that are looked through; of a longer file only so many."""
 
 
 def xml_facts(path: Path, head: bytes) -> list[FileFacts]:
@@ -61,7 +59,7 @@ def _of_root(path: Path, root: bytes, head: bytes) -> FileFacts:
 
 def _pieces(path: Path) -> Iterator[bytes]:
     with path.open("rb") as stream:
-        for _ in range(_LARGEST_READ // _BLOCK):
+        for _ in range(LARGEST_READ // _BLOCK):
             piece = stream.read(_BLOCK)
             if not piece:
                 return

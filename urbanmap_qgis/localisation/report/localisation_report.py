@@ -7,7 +7,7 @@ from collections import Counter
 
 import numpy as np
 
-from ...io.pages.report import BAD, GOOD, LOOK, Report
+from ...io.pages.report import BAD, GOOD, LOOK, WORST, Report
 from ...wording import say
 from ..accuracy_records import SOURCES, AccuracyMap, LocalisationMap
 from ..places.place_status import NONE
@@ -18,7 +18,6 @@ from .localisation_pictures import accuracy_plan, agreement_plot
 STRETCH = 50.0
 """Length of road, m, that is ranked as one."""
 
-_WORST = 10
 _DRAWN = 3000
 
 
@@ -95,7 +94,7 @@ def _worst(report: Report, city: LocalisationMap, accuracy: AccuracyMap) -> None
     report.section("Worst squares of 50 m" if accuracy.places.of_an_area else "Worst stretches")
     parts = [rows for rows in stretches(accuracy) if np.isfinite(accuracy.ellipse.major[rows]).any()]
     score = np.array([np.sqrt(np.nanmean(accuracy.ellipse.major[rows] ** 2)) for rows in parts])
-    worst = np.argsort(-score, kind="stable")[:_WORST]
+    worst = np.argsort(-score, kind="stable")[:WORST]
     where = ((say("east, m"), say("north, m"), say("places")) if accuracy.places.of_an_area else
              (say("street"), say("from, m"), say("to, m")))
     report.table([*where, "sigma of the weakest direction, m", "bearing, degrees", "status"], [

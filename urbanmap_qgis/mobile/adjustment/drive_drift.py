@@ -42,10 +42,10 @@ class DriveNodes:
 
     def changes(self) -> np.ndarray:
         """(k - 1, 4) m, degrees, by which the correction changes between nodes as the vehicle stands there."""
-        made = np.zeros((len(self) - 1, len(ACTIVE)))
+        change = np.zeros((len(self) - 1, len(ACTIVE)))
         if self.standing is not None:
-            made[:, :3] = -self.standing.moved
-        return made
+            change[:, :3] = -self.standing.moved
+        return change
 
     def steps(self, model: GaussMarkovDrift) -> tuple[np.ndarray, np.ndarray]:
         """Transitions (k - 1, 2, 2) and precisions (k - 1, 4, 2, 2) of the drift between the nodes."""

@@ -45,7 +45,6 @@ class AdjustmentNetworkLimits:
 LIMITS = AdjustmentNetworkLimits()
 
 _DIMENSIONS = len(ACTIVE)
-_RADIANS = np.pi / 180.0
 
 
 @dataclass(frozen=True)
@@ -211,7 +210,7 @@ def _design(drives: Sequence[DriveNodes], observations: NetworkObservations) -> 
             ahead = parameter[of_drive] - nodes.parameter[node]
             # Clockwise rotation moves what lies north to the east, and what lies east to the south.
             terms = [(axis, axis, np.ones(len(of_drive))) for axis in range(_DIMENSIONS)]
-            terms += [(0, heading, _RADIANS * arm[of_drive, 1]), (1, heading, -_RADIANS * arm[of_drive, 0])]
+            terms += [(0, heading, np.radians(arm[of_drive, 1])), (1, heading, -np.radians(arm[of_drive, 0]))]
             for seen, axis, factor in terms:
                 column = 2 * ((offsets[number] + node) * _DIMENSIONS + axis)
                 rows += [of_drive * _DIMENSIONS + seen] * 2

@@ -6,13 +6,11 @@ import os
 
 import numpy as np
 
-from ...io.pages.report import GOOD, LOOK, Report
+from ...io.pages.report import GOOD, LOOK, WORST, Report
 from ...io.pages.svg_profile import COLOURS, Series, profile
 from ...wording import known, mark, say
 from .network import KINDS, plan_residuals
 from .records import STATUS_NAMES, AdjustedDrive, AdjustedSurvey
-
-_WORST = 10
 
 
 def write_network_report(path: str | os.PathLike, survey: AdjustedSurvey) -> None:
@@ -64,7 +62,7 @@ def _drive_row(drive: AdjustedDrive) -> tuple:
 def _worst(report: Report, survey: AdjustedSurvey) -> None:
     seen, network = survey.observations, survey.network
     plan = plan_residuals(seen, network.residual)
-    worst = np.argsort(-plan)[:_WORST]
+    worst = np.argsort(-plan)[:WORST]
     report.section("Largest residuals")
     names = [drive.name for drive in survey.drives]
     report.table(("Observation", "drive", "chainage (m)", "other drive", "in plan (m)", "in height (m)", "weight"),

@@ -153,10 +153,10 @@ class _Course:
         self.drive = drive
 
     def __call__(self, path_parameter: np.ndarray) -> np.ndarray:
-        made = np.zeros((len(path_parameter), 6))
+        correction = np.zeros((len(path_parameter), 6))
         for axis, place in enumerate((0, 1, 2, 5)):
-            made[:, place] = np.interp(path_parameter, self.drive.chainage, self.drive.correction[:, axis])
-        return made
+            correction[:, place] = np.interp(path_parameter, self.drive.chainage, self.drive.correction[:, axis])
+        return correction
 
 
 def _moved(before: AdjustedSurvey, after: AdjustedSurvey) -> float:

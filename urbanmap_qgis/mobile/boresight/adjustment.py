@@ -39,8 +39,6 @@ class BoresightAdjustmentLimits:
 
 LIMITS = BoresightAdjustmentLimits()
 
-_RADIANS = np.pi / 180.0
-
 
 @dataclass(frozen=True)
 class BoresightSettings:
@@ -151,19 +149,19 @@ def adjust_boresights(patches: PlanePatches, poses: PatchPoses, node_pass: np.nd
 
 def _units() -> np.ndarray:
     """(6,) radians in the degrees of the angles, 1 for the lever arm."""
-    return np.array([1.0, 1.0, 1.0, _RADIANS, _RADIANS, _RADIANS])
+    return np.array([1.0] * 3 + [np.radians(1.0)] * 3)
 
 
 def _prior_of_scanner(settings: BoresightSettings) -> np.ndarray:
     """(6,) weights of a scanner's parameters, m and radians."""
-    return np.repeat([settings.lever_arm, settings.boresight * _RADIANS], 3) ** -2.0
+    return np.repeat([settings.lever_arm, np.radians(settings.boresight)], 3) ** -2.0
 
 
 def _prior(node_pass: np.ndarray, scanners: int, settings: BoresightSettings) -> csc_matrix:
     """Normal matrix of what is known before: priors of scanners, and passes whose error is a random walk."""
-    angles = np.array([settings.tilt, settings.tilt, settings.heading]) * _RADIANS
+    angles = np.radians([settings.tilt, settings.tilt, settings.heading])
     start = np.concatenate([np.full(3, settings.place), angles]) ** -2.0
-    walk = np.repeat([settings.place_walk, settings.attitude_walk * _RADIANS], 3) ** -2.0
+    walk = np.repeat([settings.place_walk, np.radians(settings.attitude_walk)], 3) ** -2.0
     rows, columns, values = [], [], []
 
     def add(row: np.ndarray, column: np.ndarray, weights: np.ndarray) -> None:
@@ -210,7 +208,7 @@ def skew(vectors: np.ndarray) -> np.ndarray:
 
 def _pairs(patches: PlanePatches, moved: np.ndarray, gate: float) -> tuple[np.ndarray, np.ndarray]:
     """Numbers of planes of different groups that face alike and lie near each other, each with its nearest."""
-    least = np.cos(LIMITS.max_angle * _RADIANS)
+    least = np.cos(np.radians(LIMITS.max_angle))
     found: list[tuple[np.ndarray, np.ndarray]] = [(np.zeros(0, int), np.zeros(0, int))]
     members = {number: np.flatnonzero(patches.group == number) for number in np.unique(patches.group).tolist()}
     trees = {number: cKDTree(moved[rows]) for number, rows in members.items()}

@@ -20,6 +20,7 @@ from ...wording import say
 from ..calibration import Calibration
 from ..gps_time import time_range, time_shift
 from ..passes import BlockPositions
+from ..survey_tiles import CHUNK
 from ..trajectory import Trajectory, gaps, path_chainage
 from .ranges import Tracks, ranges
 
@@ -52,7 +53,6 @@ _ABOVE, _BELOW = 0.5, 4.5
 _RISE = 0.15
 _PLACES, _PROBE = 6, 20_000
 _FEW = 0.05
-_CHUNK = 250_000  # points: columns of them stay in memory that is used again
 
 
 @dataclass
@@ -111,7 +111,7 @@ class SurveyPoints:
         ------
         InputError : no intensity, a scanner that the calibration does not know, or no point near the trajectory.
         """
-        for chunk in iter_chunks(self.cloud, progress, _CHUNK):
+        for chunk in iter_chunks(self.cloud, progress, CHUNK):
             first = self.read_counts.points
             self.read_counts.points += len(chunk)
             keep = valid_points(chunk)

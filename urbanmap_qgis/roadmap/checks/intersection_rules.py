@@ -9,10 +9,10 @@ import shapely
 
 from ...geometry.tolerances import LEAST_DIVISOR
 from ..formats.lanelet_tags import as_number
+from ..map_records import TURNS
 from .inspection import CheckedLane, CheckedRule, MapInspection
 from .rule_table import Broken, MapRule, broken, rule
 
-TURNS = ("straight", "left", "right")
 SIGNAL_BEFORE = 15.0
 """Turn signals are set so far before a turn where the lanelet does not tell, m."""
 

@@ -10,7 +10,7 @@ import shapely
 
 from ...geometry.tolerances import LEAST_DIVISOR
 from ...wording import known, mark, say
-from ..map_records import Finding, MapArea, MapLane, VectorMap
+from ..map_records import TURNS, Finding, MapArea, MapLane, VectorMap
 from .junctions import about_curve, append_way
 from .movement_confidence import LIMITS as CONFIDENCE
 from .movement_confidence import ArrowStatistics, arrow_statistics, forced_turns, rule_confidence
@@ -39,7 +39,6 @@ LIMITS = MovementLimits()
 BY_ARROW, BY_RULE = mark("inferred from arrows"), mark("inferred from the rule of the road")
 """Evidence of ways that no drive shows."""
 
-TURNS = ("straight", "left", "right")
 _TURN_WORDS = {"straight": mark("straight on"), "left": mark("to the left"), "right": mark("to the right")}
 
 

@@ -61,8 +61,8 @@ def line_widths(courses: Sequence[np.ndarray], outlined: np.ndarray, ragged: np.
     outlined = np.asarray(outlined, float)
     found = np.array([_measured(course, width, trees) for course, width in zip(courses, outlined)]).reshape(-1, 2)
     found = _as_lines_alike(found, outlined)
-    sharp = np.isnan(found[:, 0]) & (3.0 * np.asarray(ragged) <= LIMITS.known)
-    return np.where(sharp[:, None], np.column_stack([outlined, ragged]), found)
+    sharp_outline = np.isnan(found[:, 0]) & (3.0 * np.asarray(ragged) <= LIMITS.known)
+    return np.where(sharp_outline[:, None], np.column_stack([outlined, ragged]), found)
 
 
 def _measured(course: np.ndarray, rough: float, trees: Sequence[cKDTree]) -> tuple[float, float]:
@@ -149,7 +149,7 @@ def _falls_to(bins: np.ndarray, density: np.ndarray, middle: float, level: float
 def _as_lines_alike(found: np.ndarray, rough: np.ndarray) -> np.ndarray:
     """Widths with those of lines that are not measured, by the outlines of lines alike that are."""
     known = np.isfinite(found[:, 0])
-    told = found.copy()
+    widths = found.copy()
     for number in np.flatnonzero(~known):
         alike = known & (np.abs(rough - rough[number]) <= LIMITS.alike * rough[number])
         if alike.sum() < LIMITS.least_lines:
@@ -159,5 +159,5 @@ def _as_lines_alike(found: np.ndarray, rough: np.ndarray) -> np.ndarray:
         spread = float(np.std(excess, ddof=1) * np.sqrt(1.0 + 1.0 / alike.sum()))
         spread = float(np.hypot(spread, np.median(found[alike, 1])))
         if spread <= LIMITS.known:
-            told[number] = rough[number] - usual, spread
-    return told
+            widths[number] = rough[number] - usual, spread
+    return widths

@@ -198,9 +198,9 @@ def matches(paint: list[shapely.Geometry], least_complete: float, least_score: f
         key = bank.kinds[number], bool(bank.backwards[number])
         if score[place] > max(least_score, 0.0) and (key not in found or score[place] > score[found[key]]):
             found[key] = place
-    made = [_match(bank, float(score[k]), int(painted[row[k]]), *divmod(int(shift[k]), COLUMNS), float(complete[k]),
+    matches = [_match(bank, float(score[k]), int(painted[row[k]]), *divmod(int(shift[k]), COLUMNS), float(complete[k]),
                    float(precise[k])) for k in found.values()]
-    return sorted(made, key=lambda match: -match.score)
+    return sorted(matches, key=lambda match: -match.score)
 
 
 def _best_of_each(row: np.ndarray, score: np.ndarray) -> np.ndarray:

@@ -112,16 +112,16 @@ def _paired_chains(low: _Places) -> set[int]:
     ahead = np.einsum("ij,ij->i", offset, low.along[one])
     away = np.abs(offset[:, 0] * low.along[one, 1] - offset[:, 1] * low.along[one, 0])
     towards = np.einsum("ij,ij->i", offset, low.rise[one]), -np.einsum("ij,ij->i", offset, low.rise[other])
-    facing, apart = (towards[0] > 0) & (towards[1] > 0), (towards[0] < 0) & (towards[1] < 0)
-    like_track = (_within(away, LIMITS.rails) | (_within(away, LIMITS.bed) & ~apart)
+    facing, opposed = (towards[0] > 0) & (towards[1] > 0), (towards[0] < 0) & (towards[1] < 0)
+    like_track = (_within(away, LIMITS.rails) | (_within(away, LIMITS.bed) & ~opposed)
                   | (_within(away, LIMITS.beds) & facing)) & (np.abs(ahead) < LIMITS.beside)
     nearest = np.full(len(low.place), np.inf)
     np.minimum.at(nearest, one[like_track], away[like_track])
     found = set()
     for chain in np.unique(low.chain).tolist():
-        own = nearest[low.chain == chain]
-        met = own[np.isfinite(own)]
-        if len(met) >= LIMITS.paired * len(own) and np.std(met) < LIMITS.even:
+        distance = nearest[low.chain == chain]
+        met = distance[np.isfinite(distance)]
+        if len(met) >= LIMITS.paired * len(distance) and np.std(met) < LIMITS.even:
             found.add(chain)
     return found
 

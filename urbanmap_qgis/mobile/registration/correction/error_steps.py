@@ -66,10 +66,10 @@ def _rates(chainage: np.ndarray, shift: np.ndarray, least: float) -> np.ndarray:
 class UnseenStepLimits:
     """Limits of unseen steps, each with its unit."""
 
-    apart: float = 500.0  # m of path between two places where a reference changes its frame or strip
+    between_changes: float = 500.0  # m of path between two places where a reference changes its frame or strip
     size: float = 0.2  # m, standard deviation of a step that is worth the name, in each direction
     side: float = 30.0  # m of path with evidence that a side has at least
-    told: float = 4.5  # standard deviations from which a step is told
+    detectable: float = 4.5  # standard deviations from which a step is told
     certain: float = 100.0  # log-likelihood beyond which a step is certain
     either: float = 0.5  # of a step's variance, for each of its sides: one of the two is off by all of it
 
@@ -106,11 +106,11 @@ def unseen_steps(chain: NodeChain, model: PoseErrorModel, fit: Fit, known: Seque
     if not tests:
         return UnseenSteps(np.zeros((2, 2)))
     chance = np.array([_times_as_likely(step) * (chain.nodes[step.node + 1] - chain.nodes[step.node])
-                       for step in tests]) / LIMITS.apart
+                       for step in tests]) / LIMITS.between_changes
     chance /= 1.0 + chance.sum()
-    told = LIMITS.told * np.sqrt([np.linalg.eigvalsh(step.covariance)[-1] for step in tests])
-    return UnseenSteps(sum(share * _expected(step) for share, step in zip(chance, tests)), float(np.median(told)),
-                       float(told.max()))
+    detectable = LIMITS.detectable * np.sqrt([np.linalg.eigvalsh(step.covariance)[-1] for step in tests])
+    return UnseenSteps(sum(share * _expected(step) for share, step in zip(chance, tests)), float(np.median(detectable)),
+                       float(detectable.max()))
 
 
 def _times_as_likely(step: NodeStep) -> float:

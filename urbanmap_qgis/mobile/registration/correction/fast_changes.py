@@ -184,9 +184,9 @@ def _at_stops(found: Disagreements, model: PoseErrorModel) -> list[NodeStep]:
     tests = step_tests(chain, model, found.fit, 1.0)
     stops = np.flatnonzero(np.diff(np.concatenate([[0], (chain.stopped > 0).astype(int), [0]])))
     for first, end in zip(stops[::2], stops[1::2]):
-        here = [step for step in tests[first:end] if step is not None]
-        if here and chain.stopped[first:end].sum() >= LIMITS.standing:
-            step = max(here, key=lambda item: item.square)
+        at_stop = [step for step in tests[first:end] if step is not None]
+        if at_stop and chain.stopped[first:end].sum() >= LIMITS.standing:
+            step = max(at_stop, key=lambda item: item.square)
             if step.square > LIMITS.at_stop**2 and step.size > LIMITS.least:
                 steps.append(step)
     return steps
@@ -211,11 +211,11 @@ def with_silences(found: Disagreements, model: PoseErrorModel, at_patches: np.nd
     tests = step_tests(chain, model, fit, 1.0)
     known, steps = [chain.nodes[step.node] for step in found.two_sided], list(found.undecided)
     for begin, end in silent:
-        here = off[(at_patches >= begin) & (at_patches <= end)]
-        here = here[np.isfinite(here).all(axis=1)]
-        if not len(here) or found.within_changed(np.array([0.5 * (begin + end)]))[0] or _near(known, begin, end):
+        offsets = off[(at_patches >= begin) & (at_patches <= end)]
+        offsets = offsets[np.isfinite(offsets).all(axis=1)]
+        if not len(offsets) or found.within_changed(np.array([0.5 * (begin + end)]))[0] or _near(known, begin, end):
             continue
-        change = np.median(here, axis=0)
+        change = np.median(offsets, axis=0)
         around = [step for step in tests if step is not None and _near([chain.nodes[step.node]], begin, end)]
         if around and LIMITS.least < np.hypot(*change) < LIMITS.slipped:
             step = min(around, key=lambda item: _against(item, change))
