@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 from pathlib import Path
 
@@ -55,3 +56,22 @@ def test_numbers_are_those_expected(folder):
     wanted = {column: count for column, count in expected(folder).items() if number(faults, column) is not None}
     assert wanted
     assert {column: number(faults, column) for column in wanted} == wanted
+
+
+def told(folder: Path, name: str) -> list[dict[str, str]]:
+    """Rows of one of a case's tables of expected faults."""
+    with open(folder / name, encoding="utf-8-sig", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+@pytest.mark.skipif(not CASES.is_dir(), reason="no cases in ../shared/data/rules/plateau4")
+@pytest.mark.parametrize(("case", "table", "rule"), [
+    ("01-01-common/L01", "01_共通_L01エラー.csv", "L01"),
+    ("03-tran/Z-TRAN-01-surface-orientation", "03_交通_面の向き不正.csv", "L10")])
+def test_cases_without_a_summary_have_the_faults_of_their_table(case, table, rule):
+    """Each row is a fault, at the object that it names; the case has no other one."""
+    rows = told(CASES / case, table)
+    faults = check_city(CASES / case, check_solid).faults
+    assert rows and {one.rule for one in faults} == {rule} and len(faults) == len(rows)
+    named = {(row["FeatureType"], row["LOD"]) for row in rows if "LOD" in row}
+    assert not named or {(one.type, str(one.lod)) for one in faults} == named

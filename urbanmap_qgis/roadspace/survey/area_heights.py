@@ -25,6 +25,7 @@ from .area_records import (
     TrafficSurface,
     corner_of,
 )
+from .short_sides import SHORTEST
 
 Heights = Callable[[np.ndarray, np.ndarray], np.ndarray]
 """Heights (m), NaN where unknown, of places x, y."""
@@ -86,7 +87,8 @@ def raised_areas(areas: Sequence[TrafficSurface], edges: EdgeHeights, level: str
             continue
         top, sigma = high.heights_at(corners), low.sigma(corners)
         beside = np.array([corner in road for corner in corners], bool)
-        step = beside & (top - foot >= least - np.maximum(LIMITS.sigmas * sigma, LIMITS.least_sigma))
+        step = beside & (top - foot >= np.maximum(
+            least - np.maximum(LIMITS.sigmas * sigma, LIMITS.least_sigma), SHORTEST))
         heights = np.where(beside & ~step, foot, top)
         raised.append(replace(area, heights=dict(zip(corners, heights.tolist()))))
         feet = dict(zip(corners, foot.tolist()))

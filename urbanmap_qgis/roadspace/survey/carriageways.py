@@ -14,6 +14,7 @@ from ...errors import InputError
 from ...wording import say
 from ..road_records import RoadFinding
 from ..road_surface import GRID, ClosingLimits, OpenEdgesError, surface_of
+from .above import roads_above
 from .area_records import EdgeLine
 from .one_sided import one_sided_carriageways
 from .tram_tracks import without_tracks
@@ -108,7 +109,8 @@ def carriageways_between(edges: Sequence[EdgeLine], lanes: Sequence[shapely.Poly
         raise InputError(_one_sided())
     made = (*polygons, *others.polygons)
     return Carriageways(made, measured, sure, (*ends, *others.ends), (
-        *findings, *open_findings, *others.findings, *_doubts(edges, lines, made)), others.open_sides, len(polygons))
+        *findings, *open_findings, *others.findings, *_doubts(edges, lines, made), *roads_above(edges)),
+        others.open_sides, len(polygons))
 
 
 def _doubts(edges: Sequence[EdgeLine], lines: Sequence[shapely.LineString],

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 import shapely
@@ -26,6 +26,7 @@ from .area_records import (
 )
 from .carriageways import LIMITS as EDGE_LIMITS
 from .carriageways import Carriageways
+from .short_sides import without_short_sides
 from .stop_cuts import CutJunctions
 
 
@@ -77,7 +78,10 @@ def road_areas(ways: Carriageways, cut: Sequence[CutJunctions], official: Sequen
     _divide_lanes(net, lanes)
     merged = _without_slivers(_merged(net))
     areas = [_area(polygon, kind, road, ways, sigma_at) for polygon, kind, road in merged]
-    return net.pieces, areas, findings
+    polygons = without_short_sides([*(piece.polygon for piece in net.pieces), *(area.polygon for area in areas)])
+    pieces = [replace(piece, polygon=polygon) for piece, polygon in zip(net.pieces, polygons)]
+    areas = [replace(area, polygon=polygon) for area, polygon in zip(areas, polygons[len(pieces):])]
+    return pieces, areas, findings
 
 
 def _faces(ways: Carriageways, cut: Sequence[CutJunctions], official: Sequence[shapely.Polygon],

@@ -1,0 +1,55 @@
+"""Sides shorter than city models have them, taken out of surfaces that share them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import shapely
+
+from tests.core.surveyed_scene import crossing, edge, official, road_height
+from urbanmap_qgis.roadspace.survey.area_records import LANE
+from urbanmap_qgis.roadspace.survey.short_sides import SHORTEST, without_short_sides
+from urbanmap_qgis.roadspace.survey.survey_roads import SurveyInputs, surveyed_roads
+
+
+def shortest_side(polygons):
+    rings = [shapely.get_coordinates(ring) for polygon in polygons for ring in (polygon.exterior, *polygon.interiors)]
+    return min(float(np.hypot(*np.diff(ring, axis=0).T).min()) for ring in rings)
+
+
+def test_corners_a_few_millimetres_apart_become_one_in_all_that_share_them():
+    left = shapely.Polygon([(0, 0), (4, 0), (4, 2), (4, 2.004), (4, 5), (0, 5)])
+    right = shapely.Polygon([(4, 0), (8, 0), (8, 5), (4, 5), (4, 2.004), (4, 2)])
+    beside = shapely.Polygon([(10, 0), (11, 0), (11, 1)])
+    made = without_short_sides([left, right, beside])
+    assert shortest_side(made) >= 1.0 and made[2] is beside
+    assert shapely.union_all(made[:2]).area == shapely.area(made[:2]).sum() == 40.0
+
+
+def test_a_dense_curve_keeps_its_shape():
+    angle = np.linspace(0.0, 2.0 * np.pi, 3000)[:-1]
+    circle = shapely.Polygon(2.0 * np.column_stack([np.cos(angle), np.sin(angle)]))
+    (made,) = without_short_sides([circle])
+    assert shortest_side([made]) >= SHORTEST
+    assert shapely.hausdorff_distance(made, circle) < SHORTEST
+
+
+def test_what_would_be_nothing_is_left():
+    sliver = shapely.Polygon([(0, 0), (5, 0), (5, 0.004)])
+    assert without_short_sides([sliver]) == [sliver]
+
+
+def test_road_models_have_no_short_side_and_still_share_their_borders():
+    """Lanes that end some millimetres beside a cut and beside each other."""
+    lanes = [shapely.box(-35.0, 0.003, -18.0, 3.25), shapely.box(-35.003, -3.25, -18.004, -0.002)]
+    stops = [shapely.linestrings(np.array([[-18.0, 0.0], [-18.0, 6.0]]))]
+    model = surveyed_roads(crossing(), "3.3", SurveyInputs([official()], lanes, stops, road_height))
+    assert model.count(LANE) == 2
+    shapes = [area.polygon for area in model.areas]
+    assert shortest_side([*shapes, *(piece.polygon for piece in model.pieces)]) >= SHORTEST
+    assert shapely.union_all(shapes).area == pytest.approx(shapely.area(shapes).sum(), rel=1e-9)
+
+
+def test_steps_lower_than_a_side_may_be_short_are_none():
+    low = [edge(shapely.get_coordinates(shapely.linestrings(one.plan)), 0.008, one.chain) for one in crossing()]
+    assert not surveyed_roads(low, "3.3", SurveyInputs([official()], ground=road_height)).steps

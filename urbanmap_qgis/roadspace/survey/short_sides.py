@@ -1,0 +1,86 @@
+"""Sides too short for a city model taken out of surfaces that share their borders, alike in all of them.
+
+Source: Project PLATEAU, standard product specification of 3D city models 5.0, 6.3.2 L07: neighbouring vertices lie
+0.01 m apart at least.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+import shapely
+
+SHORTEST = 0.012
+"""m; the specification's centimetre, and what coordinates are rounded by."""
+
+_ROUNDS = 12  # each at least halves the corners of a dense curve
+
+Corner = tuple[float, float]
+
+
+def without_short_sides(polygons: Sequence[shapely.Polygon]) -> list[shapely.Polygon]:
+    """The polygons with corners nearer than `SHORTEST` that follow each other made one, wherever they are corners.
+
+    What would not be valid any more by it keeps its corners, and so do those that share them.
+
+    Parameters
+    ----------
+    polygons : m; they may share corners to the bit.
+    """
+    made, kept = list(polygons), set()
+    for _ in range(_ROUNDS):
+        moves = _moves(made, kept)
+        if not moves:
+            break
+        changed = [_moved(polygon, moves) for polygon in made]
+        spoilt = {corner for polygon, other in zip(made, changed) if not _whole(other)
+                  for corner in _corners(polygon) if corner in moves}
+        kept |= spoilt | {moves[corner] for corner in spoilt}
+        if not spoilt:
+            made = changed
+    return made
+
+
+def _corners(polygon: shapely.Polygon) -> Iterable[Corner]:
+    return map(tuple, shapely.get_coordinates(polygon).tolist())
+
+
+def _moves(polygons: Sequence[shapely.Polygon], kept: set[Corner]) -> dict[Corner, Corner]:
+    """Where corners go to: the corner of more surfaces stays; of a chain of short sides every other one."""
+    count = Counter(corner for polygon in polygons for corner in set(_corners(polygon)))
+    short: dict[tuple[Corner, Corner], float] = {}
+    for polygon in polygons:
+        for ring in (polygon.exterior, *polygon.interiors):
+            places = shapely.get_coordinates(ring)
+            length = np.hypot(*np.diff(places, axis=0).T)
+            for k in np.flatnonzero((length > 0) & (length < SHORTEST)).tolist():
+                one, other = sorted((tuple(places[k].tolist()), tuple(places[k + 1].tolist())),
+                                    key=lambda corner: (-count[corner], corner))
+                short[one, other] = float(length[k])
+    moves: dict[Corner, Corner] = {}
+    touched = set(kept)
+    for one, other in sorted(short, key=lambda pair: (short[pair], pair)):
+        if one not in touched and other not in touched:
+            moves[other] = one
+            touched |= {one, other}
+    return moves
+
+
+def _moved(polygon: shapely.Polygon, moves: dict[Corner, Corner]) -> shapely.Polygon | None:
+    """The polygon with its corners moved; itself where none does, None where nothing of a ring would be left."""
+    if not any(corner in moves for corner in _corners(polygon)):
+        return polygon
+    rings = []
+    for ring in (polygon.exterior, *polygon.interiors):
+        corners = [moves.get(corner, corner) for corner in map(tuple, shapely.get_coordinates(ring).tolist())]
+        places = [corner for corner, before in zip(corners[1:], corners[:-1]) if corner != before]
+        if len(places) < 3:
+            return None
+        rings.append([places[-1], *places])
+    return shapely.Polygon(rings[0], rings[1:])
+
+
+def _whole(polygon: shapely.Polygon | None) -> bool:
+    return polygon is not None and bool(polygon.is_valid)
