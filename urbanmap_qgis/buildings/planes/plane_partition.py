@@ -95,12 +95,12 @@ def partition_planes(outline: shapely.Geometry, points: np.ndarray, roof: np.nda
     step = -(-len(points) // LIMITS.most_points)
     polygons, labels, planes, number = _divided(local, raster, planes, points[::step], of_point[::step])
     numbers = numbers[number]
-    lifted = meeting_polygons(polygons, planes[labels])
+    lifted, met = meeting_polygons(polygons, planes[labels])
     shift = np.array([*origin, 0.0])
     moved = tuple(shapely.set_coordinates(polygon, shapely.get_coordinates(polygon, include_z=True) + shift)
                   for polygon in lifted)
     status = ONE_PLANE if len(planes) == 1 else OK
-    return PlanePartition(moved, numbers[labels], planes[labels], origin, _coverage(raster, polygons), status)
+    return PlanePartition(moved, numbers[labels], met, origin, _coverage(raster, polygons), status)
 
 
 def without_steep_strips(points: np.ndarray, roof: np.ndarray) -> np.ndarray:
