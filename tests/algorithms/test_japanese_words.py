@@ -97,6 +97,24 @@ def test_translations_are_not_the_english_text():
     assert not same
 
 
+SURVEYORS = {
+    "登録済": "位置合わせ済み", "レジストレーション": "位置合わせ", "移動計測": "MMS計測", "標高系": "高さの基準",
+    "キャリブレーション": "校正", "遮蔽マップ": "遮蔽図", "格子": "グリッド",
+    "信頼不可": "信頼できない", "不健康": "使用不可",
+}
+"""Words that no surveyor writes, or that stand beside another for the same thing, and the one that is used."""
+
+
+@pytest.mark.parametrize("word", SURVEYORS)
+def test_words_are_those_that_surveyors_write(word):
+    from urbanmap_qgis.wording import read_catalogue
+
+    pages = [ROOT / "README.ja.md", *sorted((ROOT / "docs" / "ja").glob("*.md"))]
+    said = [*read_catalogue(CATALOGUE).values(), *(path.read_text(encoding="utf-8") for path in pages)]
+    assert len(pages) > 4
+    assert not [text[:80] for text in said if word in text], f"use {SURVEYORS[word]}"
+
+
 def test_kinds_of_observations_and_statuses_of_drives_are_translated():
     from urbanmap_qgis.mobile.adjustment.network import KINDS
     from urbanmap_qgis.mobile.adjustment.records import STATUS_NAMES

@@ -14,6 +14,7 @@ from urbanmap_qgis.acceptance.job import Job
 from urbanmap_qgis.acceptance.map_levels import MAP_LEVELS, Limits
 from urbanmap_qgis.acceptance.pdf_content import metres
 from urbanmap_qgis.errors import InputError
+from urbanmap_qgis.io.pages.report import Fixed
 from urbanmap_qgis.io.pages.svg_vectors import vector_map, vector_map_shape
 
 
@@ -201,3 +202,27 @@ def test_a_map_has_the_shape_of_its_points():
         found = np.array(re.findall(r'<circle cx="(\S+)" cy="(\S+)"', drawing), float)
         # The points reach from one margin to the other both ways.
         assert np.allclose(np.ptp(found, axis=0), [720 - 148, height - 148 - 30], atol=2.0)
+
+
+def test_names_on_the_map_stay_on_it_and_clear_of_each_other():
+    places = np.array([(0.0, 0.0), (500.0, 200.0), (495.0, 199.0), (250.0, 0.0), (260.0, 1.0), (400.0, 100.0)])
+    names = [f"検-{k:03d} 交差点北西角" for k in range(5)] + ["名" * 90]
+    drawing = vector_map(places, np.zeros((6, 2)), names, width=720, height=400)
+    points = np.array(re.findall(r'<circle cx="(\S+)" cy="(\S+)"', drawing), float)
+    texts = re.findall(r'<text x="(\S+)" y="(\S+)" fill="#444">(.*?)<', drawing)
+    shown = {name: (float(x), float(y)) for x, y, name in texts}
+    # Wide letters are as wide as high, 11 pixels; the name that is longer than the map is left out.
+    spans = {name: (x, x + 7 * 11 + 6 * 6) for name, (x, _) in shown.items()}
+    assert names[0] in shown and names[1] in shown and names[5] not in shown
+    assert all(begin >= 0 and end <= 720 for begin, end in spans.values())
+    assert shown[names[0]][0] > points[0, 0] and spans[names[1]][1] < points[1, 0]
+    for one in shown:
+        for other in shown:
+            if one < other and abs(shown[one][1] - shown[other][1]) < 11:
+                assert spans[one][1] <= spans[other][0] or spans[other][1] <= spans[one][0]
+
+
+@pytest.mark.parametrize(("value", "text"), [
+    (-0.0004, "0.000"), (-0.0, "0.000"), (-0.0005001, "-0.001"), (10.0, "10.000"), (np.nan, "–")])
+def test_no_figure_is_minus_nothing(value, text):
+    assert Fixed.of(value, 3) == text

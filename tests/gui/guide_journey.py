@@ -99,13 +99,22 @@ def dropped() -> dict:
 
 
 def planned() -> dict:
-    """Buildings wished for."""
+    """Buildings wished for; the first step's own dialog could run at once."""
+    from qgis.core import QgsProcessingContext
+
     picture("files")
     guide = plugin().guide
     guide.pages.setCurrentIndex(1)
     wish("buildings")
     picture("planned")
-    return {"steps": states(), "missing": guide.missing.text(), "job": str(guide.path), "kept": guide.path.is_file()}
+    found = {"steps": states(), "missing": guide.missing.text(), "job": str(guide.path), "kept": guide.path.is_file()}
+    guide.open_step("buildings")
+    settle(0.5)
+    window = guide.dialog.window
+    found["first"] = window.algorithm().checkParameterValues(guide.dialog.before, QgsProcessingContext())
+    window.close()
+    settle(0.2)
+    return found
 
 
 def ran() -> dict:

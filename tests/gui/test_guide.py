@@ -49,6 +49,7 @@ def test_chain_is_planned_and_kept_beside_the_data(told):
     found = told("planned")
     assert found["steps"] == {"buildings": ["to run", ""]} and found["missing"].startswith("Nothing is missing.")
     assert found["kept"] and found["job"].endswith("city/city.urbanmap.json")
+    assert found["first"] == [True, ""]
 
 
 def test_run_loads_results_with_style_and_verdict(told):

@@ -24,7 +24,7 @@ from qgis.PyQt.QtWidgets import (
 from ....urbanmap_qgis.errors import UrbanMapError
 from ....urbanmap_qgis.wording import mark
 from ..declaring.parameters import tr
-from ..jobs.job_steps import algorithms_there, results_folder
+from ..jobs.job_steps import algorithms_there, make_results_folder, results_folder
 from ..packages.dependencies import refusal
 from ..running.native_libraries import PACKAGES_WITH_LIBRARIES, import_apart
 from .files_panel import FilesPanel
@@ -144,6 +144,10 @@ class GuideDock(QDockWidget):
     def open_step(self, identifier: str) -> None:
         """Open a step's own dialog, filled in."""
         folder = results_folder(self.path or default_place(self.files.given))
+        try:
+            make_results_folder(folder)
+        except UrbanMapError as error:
+            self.steps.told.setText(str(error))
         self.dialog = StepDialog(self.job, self.job.step(identifier), folder, self)
         self.dialog.taken.connect(self._take)
         self.dialog.done.connect(self._take_results)

@@ -23,7 +23,7 @@ from qgis.PyQt.QtCore import QObject, QTimer, pyqtSignal
 
 from ....urbanmap_qgis.errors import InputError
 from ..declaring.parameters import tr
-from ..jobs.job_steps import algorithm_of, filled_parameters, short_id
+from ..jobs.job_steps import algorithm_of, filled_parameters, make_results_folder, short_id
 
 
 class StepFeedback(QgsProcessingFeedback):
@@ -161,11 +161,7 @@ class StepRunner(QObject):
         """Start a step as a task; what keeps it from running is raised."""
         from ....urbanmap_qgis.job.job_progress import resolved_parameters
 
-        try:
-            self.folder.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise InputError(tr("The folder of the results cannot be made ({0}): save the job in another folder by "
-                                "“Save job as…”.").format(error)) from error
+        make_results_folder(self.folder)
         self._asked = resolved_parameters(self.job, step)
         self._algorithm = algorithm_of(step.algorithm)
         self._given = filled_parameters(self.job, step, self.folder)

@@ -51,6 +51,15 @@ def results_folder(job_path: Path) -> Path:
     return job_path.parent / f"{name}{RESULTS_ENDING}"
 
 
+def make_results_folder(folder: Path) -> None:
+    """Make the folder of a job's results, without which no algorithm writes there; InputError where that fails."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError(tr("The folder of the results cannot be made ({0}): save the job in another folder by "
+                            "“Save job as…”.").format(error)) from error
+
+
 def filled_parameters(job, step, folder: Path) -> dict:
     """Parameters with which a step runs: its own, and a place in `folder` for each result.
 

@@ -389,7 +389,8 @@ class Fixed(str):
 
     @classmethod
     def of(cls, value: float, decimals: int = 2) -> Fixed:
-        return cls(f"{value:.{decimals}f}" if math.isfinite(value) else "–")
+        text = f"{value:.{decimals}f}" if math.isfinite(value) else "–"
+        return cls(text if text.strip("-0.") else text.lstrip("-"))  # nothing is -0
 
 
 def percent(share: float) -> Fixed:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import html
+import unicodedata
 from collections.abc import Sequence
 
 import numpy as np
@@ -12,6 +13,7 @@ from .svg import scale_bar
 
 _LONGEST = 60.0  # pixels of the vector that the scale is chosen by
 _MARGIN, _SCALES = _LONGEST + 14, 30  # pixels around the points, and for the scale bars below
+_LETTER, _LINE, _BESIDE = 11.0, 12.0, 5.0  # pixels: height of letters, of their lines, from a point to its name
 _GOOD, _BAD = "#2f6f8f", "#d7263d"
 
 
@@ -38,13 +40,13 @@ def vector_map(places: np.ndarray, vectors: np.ndarray, names: Sequence[str], li
     parts = _coordinate_lines(middle, scale, width, height)
     parts += [_arrow(start, vector * (magnified, -magnified), _BAD if limit is not None and length > limit else _GOOD)
              for start, vector, length in zip(pixels, vectors, lengths)]
-    parts += [f'<text x="{x + 5:.1f}" y="{y - 5:.1f}" fill="#444">{html.escape(name)}</text>'
-              for (x, y), name in zip(pixels[_with_room(pixels)], np.array(names)[_with_room(pixels)])]
+    parts += [f'<text x="{left:.1f}" y="{pixels[row, 1] - 5:.1f}" fill="#444">{html.escape(names[row])}</text>'
+              for row, left in _places_of_names(pixels, names, width).items()]
     parts.append(scale_bar(scale, width, height - 12))
     if lengths.any():
         parts.append(_vector_scale(typical, magnified, height - 12))
     return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" role="img" '
-            f'font-family="sans-serif" font-size="11"><rect width="{width}" height="{height}" fill="#fbfbf9" '
+            f'font-family="sans-serif" font-size="{_LETTER:g}"><rect width="{width}" height="{height}" fill="#fbfbf9" '
             f'stroke="#ccc"/>{"".join(parts)}</svg>')
 
 
@@ -92,13 +94,24 @@ def _arrow(start: np.ndarray, vector: np.ndarray, colour: str) -> str:
             f'<path d="M{x:.1f} {y:.1f}L{ex:.1f} {ey:.1f}" stroke="{colour}" stroke-width="1.6"/>{head}')
 
 
-def _with_room(pixels: np.ndarray) -> np.ndarray:
-    """Points (mask) whose names do not run into those of points before them."""
-    shown: list[int] = []
+def _places_of_names(pixels: np.ndarray, names: Sequence[str], width: int) -> dict[int, float]:
+    """Where the names begin that have room, by row, pixels: right of their point, else left of it, on the drawing and
+    clear of the names of points before them."""
+    shown: dict[int, tuple[float, float]] = {}
     for row, (x, y) in enumerate(pixels):
-        if all(abs(x - pixels[other][0]) > 46 or abs(y - pixels[other][1]) > 12 for other in shown):
-            shown.append(row)
-    return np.isin(np.arange(len(pixels)), shown)
+        length = _length_of(names[row])
+        for left in (x + _BESIDE, x - _BESIDE - length):
+            if 0 <= left <= width - length and all(
+                    abs(y - pixels[other, 1]) > _LINE or left > end or left + length < begin
+                    for other, (begin, end) in shown.items()):
+                shown[row] = (left, left + length)
+                break
+    return {row: begin for row, (begin, _) in shown.items()}
+
+
+def _length_of(text: str) -> float:
+    """About how long a text is, pixels: letters of East Asian scripts are as wide as high."""
+    return sum(_LETTER if unicodedata.east_asian_width(letter) in "WFA" else 0.62 * _LETTER for letter in text)
 
 
 def _vector_scale(typical: float, magnified: float, y: int) -> str:
