@@ -169,6 +169,17 @@ def test_citygml_refers_to_what_is_there_and_to_each_once(tmp_path, image):
         write_citygml(tmp_path / "again", replace(town(images=image), images={}))
 
 
+def test_textures_of_citygml_come_back_on_their_faces(tmp_path, image):
+    write_citygml(tmp_path / "out", town(images=image))
+    path, _ = parsed(tmp_path / "out")
+    with ExitStack() as stack:
+        faces = [surface for building in open_citygml(path, stack, ReadingNotes()).buildings
+                 for shape in building.shapes for surface in shape.surfaces if surface.texture is not None]
+    assert faces and {face.texture.image.rpartition("/")[2] for face in faces} == {"wall.jpg"}
+    assert all(len(places) in (len(ring), len(ring) + 1) and 0 <= places.min() <= places.max() <= 1
+               for face in faces for ring, places in zip(face.rings, face.texture.uv))
+
+
 @pytest.mark.parametrize("text", ["[[[[[[", "0 0 1 nan", "0 0 1"])
 def test_a_texture_whose_places_are_no_numbers_is_told_and_left_out(tmp_path, image, text):
     write_citygml(tmp_path / "out", town(images=image))
