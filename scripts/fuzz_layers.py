@@ -18,6 +18,7 @@ import json
 import math
 import os
 import random
+import re
 import subprocess
 import sys
 import tempfile
@@ -40,8 +41,12 @@ TEXTS = ("nan", "inf", "", "abc", "-inf", "1e999", "9" * 400, "\x00", "いいえ
          "lowered kerb", "road border", "0x10", "1_000", " 3 ")
 OUTCOMES = ("read", "sentence", "unnamed", "traceback", "not finite", "hang", "ended")
 GOOD = OUTCOMES[:2]
-EMPTY = {1: "LINESTRING EMPTY", 3: "POLYGON EMPTY", 5: "MULTILINESTRING EMPTY", 6: "MULTIPOLYGON EMPTY"}
-LINE, POLYGON = 1, 3
+OBJECT_FIELDS = [("kind", str), ("status", str), *((name, float) for name in (
+    "height", "diameter", "azimuth", "arm", "arm_height", "head_height", "board_width", "board_height", "board_z"))]
+EMPTY = {0: "POINT EMPTY", 1: "LINESTRING EMPTY", 3: "POLYGON EMPTY", 5: "MULTILINESTRING EMPTY",
+         6: "MULTIPOLYGON EMPTY"}
+_NO_NUMBER = re.compile(r'"-?(nan|inf)"')
+POINT, LINE, POLYGON = 0, 1, 3
 """Numbers of kinds of shapes in shapely."""
 
 
@@ -81,15 +86,18 @@ def _other_corners(corners: np.ndarray, ch: random.Random) -> np.ndarray:
 def _other_shape(shape: shapely.Geometry | None, ch: random.Random) -> shapely.Geometry | None:
     """A shape with other corners, empty, of several parts, or none."""
     kind, way = shapely.get_type_id(shape), ch.random()
-    if kind not in (LINE, POLYGON) or shape.is_empty:
+    if kind not in (POINT, LINE, POLYGON) or shape.is_empty:
         return shape
     if way < 0.07:
         return None
     if way < 0.14:
         return shapely.from_wkt(EMPTY.get(kind, "LINESTRING EMPTY"))
     if way < 0.2:
-        return shapely.multilinestrings([shape, shape]) if kind == LINE else shapely.multipolygons([shape, shape])
+        return {POINT: shapely.multipoints, LINE: shapely.multilinestrings, POLYGON: shapely.multipolygons}[kind](
+            [shape, shape])
     corners = _other_corners(shapely.get_coordinates(shape, include_z=shape.has_z), ch)
+    if kind == POINT:
+        return shapely.points(corners[0]) if len(corners) else None
     if kind == LINE:
         return shapely.linestrings(corners) if len(corners) > 1 else None
     try:
@@ -183,6 +191,26 @@ def road_layers(_folder: Path) -> dict[str, Table]:
                            "Polygon")}
 
 
+def map_layers(_folder: Path) -> dict[str, Table]:
+    """Two lanes to a stop line with the things beside them, as `vectormap` takes them."""
+    def line(*points):
+        return _moved(shapely.LineString([(x, y, 12.0) for x, y in points]))
+
+    kinds = {0.0: "solid", 3.25: "dashed", 6.5: "solid"}
+    bounds = [(line((0, y), (60, y)), {"class": kind}) for y, kind in kinds.items()]
+    stop = (line((59.7, 0.1), (59.7, 3.2)), {"class": "stop line"})
+    unknown = dict.fromkeys((name for name, _ in OBJECT_FIELDS))
+    things = [("signal", 62.0, 9.0, {"azimuth": 180.0, "arm": 5.0, "arm_height": 5.5, "head_height": 5.0}),
+              ("sign", 20.0, 9.0, {"azimuth": 270.0, "board_width": 0.8, "board_height": 0.8, "board_z": 2.4}),
+              ("tree", 30.0, 9.5, {"diameter": 0.3}), ("lamp post", 40.0, 9.0, {}), ("pole", 50.0, -3.0, {})]
+    objects = [(_moved(shapely.Point(x, y, 12.0)), {**unknown, "height": 6.0, "status": "ok", **more, "kind": kind})
+               for kind, x, y, more in things]
+    rails = [(line(*((x, y) for x in range(5, 56, 5))), {"height": 0.7, "length": 50.0}) for y in (7.5, -1.0)]
+    return {"LINES": Table([*bounds, stop], [("class", str)], "LineStringZ"),
+            "OBJECTS": Table(objects, OBJECT_FIELDS, "PointZ"),
+            "RAILS": Table(rails, [("height", float), ("length", float)], "LineStringZ")}
+
+
 def label_layers(folder: Path) -> dict[str, Table]:
     """Answers to pieces of an orthophoto of strokes and bright patches, which is made in a folder."""
     import rasterio
@@ -208,14 +236,20 @@ def _road_outputs(folder: Path, ch: random.Random) -> dict:
             "DATA_DATE": "2026-04-01"}
 
 
+def _map_outputs(folder: Path, _ch: random.Random) -> dict:
+    outputs = dict.fromkeys(("OUTPUT_LANES", "OUTPUT_BOUNDS", "OUTPUT_FINDINGS"), "memory:")
+    return {**outputs, "OUTPUT_LANELET2": str(folder / "map.osm"), "OUTPUT_OPENDRIVE": str(folder / "map.xodr")}
+
+
 def _label_outputs(folder: Path, _ch: random.Random) -> dict:
     return {"INPUT": str(folder / "photo.tif"), "OUTPUT": str(folder / "mask.tif"), "OUTPUT_POLYGONS": "memory:",
             "OUTPUT_WEIGHTS": str(folder / "weights.json")}
 
 
-ALGORITHMS = {"roadmodel": (road_layers, _road_outputs), "roadmarkingsfromorthophoto": (label_layers, _label_outputs)}
+ALGORITHMS = {"roadmodel": (road_layers, _road_outputs), "vectormap": (map_layers, _map_outputs),
+              "roadmarkingsfromorthophoto": (label_layers, _label_outputs)}
 LAYERS = {**dict.fromkeys(("EDGES", "TOPS", "ROADS", "STOP_LINES", "LANES"), "roadmodel"),
-          "LABELS": "roadmarkingsfromorthophoto"}
+          **dict.fromkeys(("LINES", "OBJECTS", "RAILS"), "vectormap"), "LABELS": "roadmarkingsfromorthophoto"}
 """Inputs that are damaged, and the algorithms that take them."""
 
 
@@ -256,10 +290,12 @@ def _as_type(value, kind: type):
 
 
 def _not_finite(results: dict) -> bool:
-    """Whether a number or a place of a layer that was made is none."""
+    """Whether a number or a place of a layer, or a number of a map's file, that was made is none."""
     from qgis.core import QgsVectorLayer
 
     for layer in results.values():
+        if str(layer).endswith((".osm", ".xodr")) and _NO_NUMBER.search(Path(layer).read_text(encoding="utf-8")):
+            return True
         for feature in layer.getFeatures() if isinstance(layer, QgsVectorLayer) else ():
             if any(isinstance(value, float) and not math.isfinite(value) for value in feature.attributes()):
                 return True

@@ -112,9 +112,28 @@ def installed_version(package: Package) -> str:
 
     OpenCV comes under several names (opencv-python, a distribution's own build): any of them will do.
     """
-    if package.import_name in _OURS.names:
-        return _version_in(package, [str(_OURS.folder)])
-    return _version_in(package, None)
+    path = [str(_OURS.folder)] if package.import_name in _OURS.names else None
+    state = _folder_state(package.import_name), path, tuple(sys.path)
+    if _VERSIONS.get(package.import_name, (None, ""))[0] != state or state[0] is None:
+        _VERSIONS[package.import_name] = state, _version_in(package, path)
+    return _VERSIONS[package.import_name][1]
+
+
+_VERSIONS: dict[str, tuple[object, str]] = {}
+"""Versions by module, and where they were read: chains ask before each of their steps, and records are slow to read."""
+
+
+def _folder_state(name: str) -> tuple[str, int] | None:
+    """The folder in which a module lies, and when a package last came into it or left it; None where it has none."""
+    spec = importlib.util.find_spec(name)
+    places = list(spec.submodule_search_locations or ()) if spec is not None else []
+    if not places:
+        return None
+    folder = os.path.dirname(places[0])
+    try:
+        return folder, os.stat(folder).st_mtime_ns
+    except OSError:
+        return None
 
 
 def _version_in(package: Package, path: list[str] | None) -> str:

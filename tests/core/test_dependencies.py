@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import base64
 import hashlib
+import importlib
 import importlib.metadata
 import sys
+import time
 import zipfile
 from pathlib import Path
 
@@ -227,6 +229,7 @@ def test_requirements_file_says_the_same():
 
 OLD_FIRST = """
 import sys
+import time
 sys.path.insert(0, {system!r})
 from urbanmap_qgis import dependencies
 {before}
@@ -267,3 +270,23 @@ def test_what_was_installed_wins_over_an_older_copy_before_it(tmp_path):
 def test_an_older_copy_that_is_loaded_already_is_named(tmp_path):
     told, version = run_with_old_shapely(tmp_path, "import shapely")
     assert version == "1.8.5" and "1.8.5 was loaded before from" in told and str(tmp_path / "system") in told
+
+
+def test_a_version_is_read_again_when_packages_come_or_go(tmp_path, monkeypatch):
+    """Not before each step of a chain."""
+    folder, asked = tmp_path / "packages", []
+    (folder / "lazrs").mkdir(parents=True)
+    (folder / "lazrs" / "__init__.py").write_text("")
+    (folder / "lazrs-0.5.1.dist-info").mkdir()
+    (folder / "lazrs-0.5.1.dist-info" / "METADATA").write_text("Metadata-Version: 2.1\nName: lazrs\nVersion: 0.5.1\n")
+    monkeypatch.syspath_prepend(folder)
+    monkeypatch.delitem(sys.modules, "lazrs", raising=False)
+    read = dependencies._version_in
+    monkeypatch.setattr(dependencies, "_version_in", lambda *given: asked.append(1) or read(*given))
+    package = PACKAGES["lazrs"]
+    assert [dependencies.installed_version(package) for _ in range(3)] == ["0.5.1"] * 3 and len(asked) == 1
+    time.sleep(0.02)  # clocks of file systems have steps
+    (folder / "lazrs-0.5.1.dist-info").rename(folder / "lazrs-0.6.0.dist-info")
+    (folder / "lazrs-0.6.0.dist-info" / "METADATA").write_text("Metadata-Version: 2.1\nName: lazrs\nVersion: 0.6.0\n")
+    importlib.invalidate_caches()
+    assert dependencies.installed_version(package) == "0.6.0"

@@ -24,6 +24,9 @@ class BuildingsQualityLimits:
 
 LIMITS = BuildingsQualityLimits()
 
+_AT_ONCE = 20_000
+"""Points times edges whose distances are found at once: they stay in the processor's cache."""
+
 PARAPET_HEIGHT, PARAPET_REACH = 1.5, 1.0
 """A point up to so much over a roof (m) and so near to its edge (m) is its parapet, which the model leaves out."""
 
@@ -183,17 +186,22 @@ def _roof_distances(x: np.ndarray, y: np.ndarray, z: np.ndarray, cell: RoofCell,
 
 def _edge_distances(points: np.ndarray, cell: RoofCell) -> np.ndarray:
     """Distances (n,) of points (n, 3) to the edges of a roof, m."""
+    rings = shapely.get_rings(cell.polygon)
+    coordinates, ring = shapely.get_coordinates(rings, return_index=True)
+    corners = np.column_stack([*coordinates.T, cell.heights(*coordinates.T)])
+    starts = np.flatnonzero(ring[1:] == ring[:-1])
+    alongs = corners[starts + 1] - corners[starts]
+    squares = np.maximum(alongs[:, 0] ** 2 + alongs[:, 1] ** 2 + alongs[:, 2] ** 2, LEAST_SQUARE)
     nearest = np.full(len(points), np.inf)
-    for ring in shapely.get_rings(cell.polygon):
-        x, y = shapely.get_coordinates(ring).T
-        corners = np.column_stack([x, y, cell.heights(x, y)])
-        for start, end in zip(corners[:-1], corners[1:]):
-            along = end - start
-            from_start = points - start
-            # Summed by hand: a matrix product's last digit depends on where the arrays lie in memory.
-            run = from_start[:, 0] * along[0] + from_start[:, 1] * along[1] + from_start[:, 2] * along[2]
-            share = np.clip(run / max(along[0] ** 2 + along[1] ** 2 + along[2] ** 2, LEAST_SQUARE), 0.0, 1.0)
-            nearest = np.minimum(nearest, np.linalg.norm(from_start - share[:, None] * along, axis=1))
+    several = max(1, _AT_ONCE // max(len(points), 1))
+    for first in range(0, len(starts), several):
+        edges = slice(first, first + several)
+        along = alongs[edges, None]
+        from_start = points - corners[starts[edges], None]
+        # Summed by hand: a matrix product's last digit depends on where the arrays lie in memory.
+        run = sum(from_start[..., axis] * along[..., axis] for axis in range(3))
+        share = np.clip(run / squares[edges, None], 0.0, 1.0)
+        nearest = np.minimum(nearest, np.linalg.norm(from_start - share[..., None] * along, axis=2).min(axis=0))
     return nearest
 
 

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import shapely
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 
+from .linked_groups import linked_groups
 from .ring_products import cross_with_next
 from .solid import GROUND, OUTER_WALL, ROOF, Face, Solid
 from .tolerances import MILLIMETRE
@@ -79,9 +78,7 @@ def _groups(faces: list[Face]) -> np.ndarray:
              for pair in zip(ring, (*ring[1:], ring[0]))]
     table = np.array(edges)
     _, edge = np.unique(table[:, :2], axis=0, return_inverse=True)
-    joins = coo_matrix((np.ones(len(table)), (table[:, 2], len(faces) + edge.ravel())),
-                       shape=(len(faces) + edge.max() + 1,) * 2)
-    group = connected_components(joins, directed=False)[1][:len(faces)]
+    group = linked_groups(table[:, 2], len(faces) + edge.ravel(), len(faces) + int(edge.max()) + 1)[1][:len(faces)]
     return np.unique(group, return_inverse=True)[1]
 
 

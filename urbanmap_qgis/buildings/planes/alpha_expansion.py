@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Protocol
 
 import numpy as np
-from scipy.sparse import coo_matrix
+from scipy.sparse import coo_matrix, csr_matrix
 from scipy.sparse.csgraph import breadth_first_order, maximum_flow
 
 from ...execution import checkpoint
@@ -17,6 +17,9 @@ from ...geometry.tolerances import LEAST_SQUARE
 
 _LARGEST = 2_000_000
 """Sum of the capacities at one node: whole numbers that 32 bits hold with room for their sums."""
+
+_SMALL = 400
+"""Nodes up to which a whole table of what is left of the capacities is made."""
 
 _SWEEPS = 4
 
@@ -142,10 +145,22 @@ def _cut(n: int, keep: np.ndarray, take: np.ndarray, one: np.ndarray, two: np.nd
     whole = np.minimum(np.rint(weight * scale), _LARGEST).astype(np.int32)
     graph = coo_matrix((whole, (start, end)), shape=(n + 2, n + 2)).tocsr()
     graph.sum_duplicates()
-    flow = maximum_flow(graph, source, sink).flow
+    return ~_reached(graph, maximum_flow(graph, source, sink).flow, source)[:n]
+
+
+def _reached(graph: csr_matrix, flow: csr_matrix, source: int) -> np.ndarray:
+    """Mask of the nodes that are reached from the source where capacity is left."""
+    if graph.shape[0] <= _SMALL:  # whole tables cost less than sparse ones
+        left = graph.toarray() > flow.toarray()
+        reached = np.zeros(len(left), bool)
+        fresh = np.arange(len(left)) == source
+        while fresh.any():
+            reached |= fresh
+            fresh = left[fresh].any(axis=0) & ~reached
+        return reached
     left = graph - flow
     left.data = np.maximum(left.data, 0)
     left.eliminate_zeros()
-    reached = np.zeros(n + 2, bool)
+    reached = np.zeros(graph.shape[0], bool)
     reached[breadth_first_order(left, source, directed=True, return_predecessors=False)] = True
-    return ~reached[:n]
+    return reached

@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 import shapely
 from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 
+from ...geometry.linked_groups import linked_groups
 from ..polygons.partition_lines import edge_rows
 from ..polygons.piece_labels import without_small_parts
 from ..polygons.plan_arrangement import dissolve
@@ -182,8 +182,7 @@ def without_steep_slivers(chosen: np.ndarray, cost: np.ndarray, faces: PlanFaces
     graph = coo_matrix((np.ones(len(one), bool), (one, two)), shape=(n, n)).tocsr()
     graph = graph + graph.T
     same = chosen[one] == chosen[two]
-    count, part = connected_components(coo_matrix((np.ones(same.sum(), bool), (one[same], two[same])), shape=(n, n)),
-                                       directed=False)
+    count, part = linked_groups(one[same], two[same], n)
     members = np.split(np.argsort(part, kind="stable"), np.cumsum(np.bincount(part, minlength=count))[:-1])
     chosen = chosen.copy()
     for number, group in enumerate(members):

@@ -7,8 +7,8 @@ import heapq
 import numpy as np
 import shapely
 from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 
+from ...geometry.linked_groups import linked_groups
 from .plan_arrangement import Arrangement
 
 MIN_WIDTH = 0.5
@@ -89,8 +89,7 @@ class _Parts:
     def __init__(self, chosen: np.ndarray, cost: np.ndarray, pairs: np.ndarray, worth: np.ndarray, area: np.ndarray):
         n = len(chosen)
         same = chosen[pairs[:, 0]] == chosen[pairs[:, 1]]
-        graph = coo_matrix((np.ones(same.sum(), bool), tuple(pairs[same].T)), shape=(n, n))
-        count, number = connected_components(graph, directed=False)
+        count, number = linked_groups(*pairs[same].T, n)
         first = np.full(count, n)
         np.minimum.at(first, number, np.arange(n))
         self.part = first[number]

@@ -14,11 +14,10 @@ from typing import Protocol
 
 import numpy as np
 import shapely
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from ...errors import InputError
+from ...geometry.linked_groups import linked_groups
 from ...geometry.tolerances import SAME_PLACE
 from ...wording import say
 from .self_intersection import crossing_pairs
@@ -171,8 +170,7 @@ def _joined(points: np.ndarray, snap: float) -> np.ndarray:
     pairs = tree.query_pairs(snap * (1 + 1e-6), output_type="ndarray") if tree else np.empty((0, 2))
     if not len(pairs):
         return np.arange(len(points))
-    links = coo_matrix((np.ones(len(pairs)), pairs.T), shape=(len(points),) * 2)
-    _, group = connected_components(links, directed=False)
+    _, group = linked_groups(*pairs.T, len(points))
     _, first, inverse = np.unique(group, return_index=True, return_inverse=True)
     return first[inverse.ravel()]
 
@@ -312,7 +310,7 @@ def _umbrellas(mesh: _Mesh, one: np.ndarray, two: np.ndarray) -> list[Problem]:
     links = (np.concatenate([np.arange(n), one, after_one]),
              np.concatenate([_arriving_beside(mesh) + n, np.where(along, two, after_two),
                              np.where(along, after_two, two)]))
-    _, fan = _components_of(links, 2 * n)
+    _, fan = linked_groups(*links, 2 * n)
     _, corner = np.unique(fan[:n], return_index=True)
     fans = np.bincount(mesh.vertex[corner], minlength=len(mesh.points))
     return [mesh.problem(303, np.flatnonzero(mesh.vertex == v)[0], say("Faces touch each other only in this point."))
@@ -350,16 +348,10 @@ def _directions(mesh: _Mesh, face: int, corners: np.ndarray, towards: np.ndarray
 
 def _components(mesh: _Mesh, one: np.ndarray, two: np.ndarray) -> list[Problem]:
     """305: faces that do not hang together."""
-    count, group = _components_of((mesh.face_of[one], mesh.face_of[two]), mesh.face_count)
+    count, group = linked_groups(mesh.face_of[one], mesh.face_of[two], mesh.face_count)
     _, face = np.unique(group, return_index=True)
     return [mesh.in_face(305, mesh.first_ring[f], say("and others are not connected to the rest of the shell"))
             for f in face[1:count]]
-
-
-def _components_of(links: tuple[np.ndarray, np.ndarray], count: int) -> tuple[int, np.ndarray]:
-    """Number of groups of linked things, and the group of each."""
-    weights = np.ones(len(links[0]), dtype=np.int8)
-    return connected_components(coo_matrix((weights, links), shape=(count, count)), directed=False)
 
 
 def _solid_problems(mesh: _Mesh, _planarity: float, _normals: float) -> list[Problem]:
