@@ -290,3 +290,11 @@ def test_a_version_is_read_again_when_packages_come_or_go(tmp_path, monkeypatch)
     (folder / "lazrs-0.6.0.dist-info" / "METADATA").write_text("Metadata-Version: 2.1\nName: lazrs\nVersion: 0.6.0\n")
     importlib.invalidate_caches()
     assert dependencies.installed_version(package) == "0.6.0"
+
+
+def test_the_page_says_that_checksums_are_not_compared(tmp_path):
+    """As long as the installer does not: who needs it finds the command there."""
+    command = install_command([Missing(PACKAGES["laspy"])], tmp_path)
+    page = " ".join((Path(__file__).resolve().parents[2] / "docs" / "problems.md").read_text(encoding="utf-8").split())
+    assert "--require-hashes" not in command and "--target" in command
+    assert "does not compare checksums" in page and "pip install --require-hashes --target FOLDER" in page
