@@ -53,7 +53,8 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
                         "paint is left out. Paper: the plain adaptive Gaussian threshold of the grey image after a "
                         "level adjustment, as in the paper; only block size and contrast matter then. Trained: as "
                         "profile, with the confidence of a model trained on made-up streets; raise the minimum "
-                        "confidence (up to 0.35) where too much is found.", METHODS,
+                        "confidence (up to 0.35) where too much is found. In hard light profile takes that model "
+                        "too.", METHODS,
                         "profile", advanced=True)
         self.add_distance("BLOCK_SIZE", "Block size", "Side of the block over which the mean is taken.", 2.5, 0.5, 50.0)
         self.add_number("CONTRAST", "Contrast", "How much brighter than the mean paint is, in grey values of an image "

@@ -15,9 +15,9 @@ def ortho(tmp_path):
     """`ortho(name, epsg, pixel)`: a grey street of 36 m with six white dashes of 3 m."""
     from osgeo import gdal, osr
 
-    def make(name="正射.tif", epsg=6677, pixel=PIXEL, paint=210, bands=3):
+    def make(name="正射.tif", epsg=6677, pixel=PIXEL, paint=210, bands=3, noise=2):
         rng = np.random.default_rng(0)
-        image = 90 + rng.normal(0, 2, (300, 300))
+        image = 90 + rng.normal(0, noise, (300, 300))
         for row in range(30, 30 + 40 * LINES, 40):
             image[row:row + 2, 100:125] = paint
         path = tmp_path / name
@@ -124,19 +124,20 @@ def test_styles_are_readable(qgis_app, ortho, tmp_path):
     assert {item.value: item.color.alpha() for item in layer.renderer().classes()} == {0: 0, 255: 255}
 
 
-def test_trained_method_has_a_confidence_of_its_own(run, ortho, tmp_path):
+@pytest.mark.parametrize(("noise", "same"), [(1, False), (2, True)])
+def test_trained_method_has_a_confidence_of_its_own_but_in_hard_light(run, ortho, tmp_path, noise, same):
     from qgis.core import QgsVectorLayer
 
     confidence = []
     for method in ("profile", "trained"):
-        result = run(ALGORITHM, {"INPUT": str(ortho()), "METHOD": method, "MIN_CONFIDENCE": 0.05,
+        result = run(ALGORITHM, {"INPUT": str(ortho(noise=noise)), "METHOD": method, "MIN_CONFIDENCE": 0.05,
                                  "OUTPUT": str(tmp_path / f"{method}.tif"),
                                  "OUTPUT_POLYGONS": str(tmp_path / f"{method}.gpkg")})
         assert result["COUNT"] == LINES
         layer = QgsVectorLayer(str(tmp_path / f"{method}.gpkg"))
         confidence.append(sorted(feature["confidence"] for feature in layer.getFeatures()))
     assert all(0.05 <= value <= 1 for values in confidence for value in values)
-    assert not np.allclose(*confidence)
+    assert np.allclose(*confidence) == same
 
 
 def test_paper_is_the_plain_threshold(run, ortho, tmp_path):

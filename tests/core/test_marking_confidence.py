@@ -6,6 +6,7 @@ import cv2
 import numpy as np
 import pytest
 import rasterio
+import shapely
 from rasterio.transform import Affine
 
 from urbanmap_qgis.aerial.markings.marking_confidence import clear_of_paint, texture
@@ -60,6 +61,28 @@ def test_the_trained_model_parts_the_same_scene(tmp_path):
     assert mask[200:, 310:].sum() < 0.05 * every[200:, 310:].sum()
     sure = made.polygons.confidence[[shape.centroid.x < 10 for shape in made.polygons.polygons]]
     assert len(sure) and (sure > 0.3).all()
+
+
+def hard(image, seed=4):
+    """A scene with ground as rough as in hard light."""
+    rough = image + np.random.default_rng(seed).normal(0, 6, image.shape[:2])[..., None]
+    return np.clip(rough, 0, 255).astype(np.uint8)
+
+
+def test_the_trained_model_is_taken_in_hard_light_alone(tmp_path):
+    soft, rough = ([found_in(tmp_path, image, trained=trained) for trained in (False, True)]
+                   for image in (scene(), hard(scene())))
+    assert not np.array_equal(soft[0][0].polygons.confidence, soft[1][0].polygons.confidence)
+    assert np.array_equal(rough[0][0].polygons.confidence, rough[1][0].polygons.confidence)
+    assert np.array_equal(rough[0][1], rough[1][1]) and rough[0][1][60:100, 60:62].mean() > 0.8
+    assert CleanSettings().confidence.hard_light(rough[0][0].road)
+    assert not CleanSettings().confidence.hard_light(soft[0][0].road)
+
+
+def test_known_roads_need_no_model_in_hard_light(tmp_path):
+    """With roads the confidence asks for the contrast alone: 0.5 at least."""
+    made, _ = found_in(tmp_path, hard(scene()), SearchArea(roads=[shapely.box(0, -40, 30, 0)]))
+    assert len(made.polygons) and (made.polygons.confidence >= 0.5).all()
 
 
 def in_blue_shade(image):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.aerial.markings.marking_confidence import GroundBeside
-from urbanmap_qgis.aerial.markings.paint_model import FILE, PaintModel, paint_model
+from urbanmap_qgis.aerial.markings.paint_model import FILE, KindOfLight, PaintModel, paint_model
 from urbanmap_qgis.aerial.markings.road_model import RoadModel
 from urbanmap_qgis.aerial.markings.surroundings import cells_of, figures_at, sums_over
 
@@ -30,6 +30,14 @@ def test_evidence_is_the_mean_of_trees_and_rules():
     likely = 1 / (1 + np.exp(-11.5))
     assert two_trees().evidence_of(figures, 2) == pytest.approx(np.sqrt([0.25 * likely, 0.02 * likely]))
     assert two_trees().probability(np.array([0.0, 0.25, 0.5, 1.0])) == pytest.approx([0.1, 0.5, 0.9, 0.9])
+
+
+def test_rules_count_less_and_paint_is_rarer_in_another_light():
+    figures, light = {"a": np.zeros(2), "b": np.zeros(2), "rules": np.array([0.25, 0.0])}, KindOfLight(0.5, 0.25)
+    likely = 1 / (1 + np.exp(-11.5))
+    assert two_trees().evidence_of(figures, 2, light) == pytest.approx(np.sqrt([0.5 * likely, 0.02 ** 0.5 * likely]))
+    # odds of 1 to 9, 1 to 1 and 9 to 1, a quarter each
+    assert two_trees().probability(np.array([0.0, 0.25, 0.5]), light) == pytest.approx([1 / 37, 1 / 5, 9 / 13])
 
 
 def test_a_stored_model_is_the_same(tmp_path):

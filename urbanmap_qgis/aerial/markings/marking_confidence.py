@@ -66,6 +66,15 @@ class ConfidenceSettings:
     blue: tuple[float, float] = (0.1, 0.15)
     surely: float = 0.5
 
+    def max_texture(self, model: RoadModel) -> float:
+        """Texture that smooth ground of an image has at most, grey values after level adjustment."""
+        return max(self.min_texture, self.texture_factor * model.texture - self.texture_less)
+
+    def hard_light(self, model: RoadModel) -> bool:
+        """Whether an image's own road is as rough as in hard light or sharpened images."""
+        return self.max_texture(model) > self.min_texture
+
+
 GROUND_REACH = 9.2
 """m round a pixel that the ground beside it is told by: half the boxes below for its texture and, twice, brightness."""
 
@@ -210,7 +219,7 @@ def _grey_and_smooth(bands: np.ndarray, image: np.ndarray, clear: np.ndarray, pi
     smooth, even = np.empty_like(clear), np.empty_like(clear)
     shades, violet = (np.empty(clear.shape, np.int16), np.empty_like(clear)) if len(bands) >= 3 else (None, None)
     halo = _box_pixels(LIMITS.texture_box, pixel) // 2 + _lag_pixels(settings.texture_lag, pixel)
-    limit = max(settings.min_texture, settings.texture_factor * model.texture - settings.texture_less)
+    limit = settings.max_texture(model)
     warmest = max(settings.max_warmth, model.warmth + settings.warmer_than_road)
     for strip, wide, inner in row_strips(len(clear), max(halo, 2)):
         weight = clear[wide].astype(np.float32)

@@ -96,6 +96,7 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
             progress.warn(say("{mask} does not cover all of {path}: where it does not, nothing is taken as hidden.",
                               mask=Path(places.mask).name, path=scene.path.name))
         levels = sampled_levels(scene, settings, progress.part(0.0, 0.1))
+        settings = _of_image(settings, levels, places, progress)
         profile = {"driver": "GTiff", "width": scene.source.width, "height": scene.source.height, "count": 1,
                    "dtype": "uint8", "transform": scene.source.transform, "crs": scene.source.crs, "tiled": True,
                    "blockxsize": LIMITS.mask_block, "blockysize": LIMITS.mask_block, "compress": "deflate",
@@ -116,6 +117,18 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
         except RasterioError as error:
             raise OutputError(say("{output} cannot be written ({error}): choose another output.",
                                   output=Path(output).name, error=error)) from error
+
+
+def _of_image(settings: MarkingSettings, levels: LevelAdjustment | None, places: SearchArea, progress: Progress
+              ) -> MarkingSettings:
+    """Settings for an image by its own road; with roads given the ground beside paint is not asked for."""
+    if levels is None or not settings.cleaning or places.roads is not None:
+        return settings
+    cleaning = settings.cleaning.of_image(levels.road)
+    if cleaning.trained and not settings.cleaning.trained:
+        progress.message(say("The image's own road is as rough as in hard light: the trained model tells the "
+                             "confidence."))
+    return replace(settings, cleaning=cleaning)
 
 
 def levels_of_orthophoto(path: str | os.PathLike, places: SearchArea | None = None,

@@ -32,7 +32,7 @@ from .marking_pieces import (
     piece_figures,
     straight_strokes,
 )
-from .paint_model import paint_model
+from .paint_model import HARD_LIGHT, SOFT_LIGHT, paint_model
 from .road_model import RoadModel
 from .surroundings import REACH
 
@@ -58,7 +58,8 @@ class CleanSettings:
     min_confidence : pieces (parts of long ones) with less confidence that they are paint on a road are left out.
     confidence : how it is measured.
     fill_width : paint up to this width, such as arrow heads, is filled.
-    trained : whether the confidence is told by the trained model, see `paint_model`, or by rules alone.
+    trained : whether the confidence is told by the trained model, see `paint_model`, or by rules alone; see also
+        `of_image`.
     learned : what a user's answers taught, by which that confidence is corrected; None for nothing.
     """
 
@@ -88,6 +89,13 @@ class CleanSettings:
     def asks_figures(self) -> bool:
         """Whether figures of the surroundings are asked for, which are told by cells."""
         return self.trained or self.learned is not None
+
+    def of_image(self, model: RoadModel) -> CleanSettings:
+        """Rules for an image by its own road: in hard light the trained model tells the confidence, as it finds as much
+        paint there with less else; not where answers correct it, as these hold for the method that was asked for."""
+        if self.learned is None and self.confidence.hard_light(model):
+            return replace(self, trained=True)
+        return self
 
     @property
     def reach(self) -> float:
@@ -263,9 +271,11 @@ def _by_figures(judged: JudgedPieces, found: Candidates, pixel: float, settings:
 def _by_model(judged: JudgedPieces, found: Candidates, counts: np.ndarray, figures: PieceFigures, pixel: float,
               settings: CleanSettings) -> np.ndarray:
     """Confidence (n,) of the pieces' pixels by the trained model."""
+    light = HARD_LIGHT if settings.confidence.hard_light(found.model) else SOFT_LIGHT
     evidence = np.zeros(len(counts), np.float32)
-    evidence[counts] = paint_model().evidence_of(figures.values, len(figures.pixels))[figures.cell]
-    return _no_specks(paint_model().probability(_of_pieces(judged, evidence, pixel)), judged, found, pixel, settings)
+    evidence[counts] = paint_model().evidence_of(figures.values, len(figures.pixels), light)[figures.cell]
+    values = paint_model().probability(_of_pieces(judged, evidence, pixel), light)
+    return _no_specks(values, judged, found, pixel, settings)
 
 
 def confidence_and_figures(found: Candidates, pixel: float, settings: CleanSettings, wanted: tuple[slice, slice]

@@ -23,6 +23,27 @@ LEAST = 0.02
 
 
 @dataclass(frozen=True)
+class KindOfLight:
+    """How the model is read in a kind of light.
+
+    Attributes
+    ----------
+    trust_in_rules : exponent of the rules' confidence, against that of the trees.
+    odds : of paint, times those of the made-up scenes.
+    """
+
+    trust_in_rules: float
+    odds: float
+
+
+SOFT_LIGHT = KindOfLight(1.0, 1.0)
+
+HARD_LIGHT = KindOfLight(0.5, 0.65)
+"""The rules for the ground beside are told less by rough, sharpened ground, and more of what looks like paint is none.
+Chosen on the tiles us 0 and us 12 of `scripts/score_image_kinds.py`."""
+
+
+@dataclass(frozen=True)
 class PaintModel:
     """Boosted trees and what turns their sum into a probability.
 
@@ -57,15 +78,16 @@ class PaintModel:
             total += value.take(row)
         return total
 
-    def evidence_of(self, figures: Mapping[str, np.ndarray], count: int) -> np.ndarray:
+    def evidence_of(self, figures: Mapping[str, np.ndarray], count: int, light: KindOfLight = SOFT_LIGHT) -> np.ndarray:
         """Evidence (count,) float32, 0 to 1, that it is paint on a road: the geometric mean of what the trees and what
         the rules say, because either alone is misled by other things."""
         likely = 1 / (1 + np.exp(-self.score(figures, count)))
-        return np.sqrt(likely * np.maximum(figures[RULES], LEAST)).astype(np.float32)
+        return np.sqrt(likely * np.maximum(figures[RULES], LEAST) ** light.trust_in_rules).astype(np.float32)
 
-    def probability(self, evidence: np.ndarray) -> np.ndarray:
+    def probability(self, evidence: np.ndarray, light: KindOfLight = SOFT_LIGHT) -> np.ndarray:
         """Probability (n,) float32 of evidence."""
-        return np.interp(evidence, self.evidence, self.shares).astype(np.float32)
+        share = np.interp(evidence, self.evidence, self.shares)
+        return (share * light.odds / (share * light.odds + 1 - share)).astype(np.float32)
 
     def write(self, path: Path) -> None:
         """Store the model."""
