@@ -10,16 +10,30 @@ import pytest
 import rasterio
 import shapely
 from rasterio.transform import Affine
+from scipy.spatial import cKDTree
 
 from urbanmap_qgis.aerial.markings import marking_report
 from urbanmap_qgis.aerial.markings.marking_confidence import GroundBeside
 from urbanmap_qgis.aerial.markings.marking_pieces import MarkingPieces, PieceImage, piece_figures
 from urbanmap_qgis.aerial.markings.road_model import RoadModel
 from urbanmap_qgis.aerial.markings.surroundings import cells_of, figures_at
+from urbanmap_qgis.buildings.city_export import _level
+from urbanmap_qgis.buildings.mesh25d.mesh_points import BUILDING_CLASS, _chosen
+from urbanmap_qgis.buildings.model_status import NOT_MODELLED
+from urbanmap_qgis.buildings.model_table import _verdict
 from urbanmap_qgis.gnss.walls.offset_posterior import _rival
 from urbanmap_qgis.io.conversion.geoid import _whole_seconds
+from urbanmap_qgis.io.conversion.reprojection import resampled
+from urbanmap_qgis.io.pages.report import BAD, GOOD, LOOK
 from urbanmap_qgis.io.points.point_buckets import PointBuckets
+from urbanmap_qgis.mobile.adjustment import planes
+from urbanmap_qgis.mobile.adjustment.network import _likelihood
+from urbanmap_qgis.mobile.registration import report as registration_report
+from urbanmap_qgis.roadmap.edges.edge_points import EdgeTile
+from urbanmap_qgis.roadmap.edges.uprights import upright_candidates
 from urbanmap_qgis.roadmap.lanes.right_of_way import LANES, STOP_LINE, WIDTH, _minor, _Road
+from urbanmap_qgis.roadmap.lines.line_fit import fit_centre_line
+from urbanmap_qgis.roadmap.lines.line_work import RoadArea
 from urbanmap_qgis.roadmap.objects.object_records import POLE, TREE, Stem
 from urbanmap_qgis.roadmap.objects.street_objects import _doubt
 
@@ -107,3 +121,117 @@ def test_records_that_come_in_order_are_not_copied():
         assert buckets.add(np.array([1, 1, 4, 4, 4, 9]), records) == {1: 2, 4: 3, 9: 1}
         assert all(np.shares_memory(piece, records) for pieces in buckets._pieces.values() for piece in pieces)
         assert buckets.add(np.array([4, 1]), records[:2]) == {1: 1, 4: 1} and len(buckets.read(4)) == 4
+
+
+@pytest.mark.parametrize(("status", "seen", "grade", "words"), [
+    (["ok", "ok"], True, GOOD, ()), (["ok", "ok"], False, LOOK, ("no points were given",)),
+    (["ok", "odd", NOT_MODELLED, NOT_MODELLED], True, LOOK, ("With a remark: 1;", "Without a model: 2;")),
+    ([NOT_MODELLED, NOT_MODELLED], True, BAD, ("Without a model: 2;",))])
+def test_what_a_report_of_models_says_first(status, seen, grade, words):
+    said = []
+    _verdict(SimpleNamespace(verdict=lambda *args: said.append(args)), np.array(status, object), seen)
+    assert said[0][0] == grade and all(word in str(said[0][1]) for word in words)
+    assert ("remark" in str(said[0][1])) == ("odd" in status)
+
+
+@pytest.mark.parametrize(("kind", "rise", "level"), [("roof", 0.0, "1.3"), ("roof", 1.0, "2.2"),
+                                                     ("wall", 1.0, "1.3")])
+def test_a_sloped_roof_makes_level_two(kind, rise, level):
+    solid = SimpleNamespace(vertices=np.array([[0, 0, 5], [4, 0, 5], [4, 3, 5 + rise]], float), faces=[((0, 1, 2),)],
+                            surface_type=(kind,))
+    assert _level(SimpleNamespace(solids=[solid])) == level
+
+
+def test_only_polygons_of_an_area_are_its_outline():
+    parts = shapely.geometrycollections([shapely.box(0, 0, 1, 1), shapely.linestrings([(0, 0), (5, 5)]),
+                                         shapely.box(3, 0, 4, 2)])
+    area = RoadArea(parts, "unknown", np.full(2, np.nan), np.nan, "white")
+    assert area.multipolygon.geom_type == "MultiPolygon" and area.multipolygon.area == 3.0
+
+
+@pytest.mark.parametrize(("points", "cells"), [(3, 14), (2, 0)])
+def test_a_cell_with_few_points_is_no_upright(points, cells):
+    """A rail along y at x = 5.05, so many points in each cell from 0.3 to 0.9 m; its ends tell no direction."""
+    along, up = np.meshgrid(2.05 + 0.1 * np.arange(16), np.linspace(0.3, 0.9, points), indexing="ij")
+    record = np.zeros(along.size, [("x", "<f8"), ("y", "<f8"), ("z", "<f8")])
+    record["x"], record["y"] = 5.05, along.ravel()
+    found = upright_candidates(EdgeTile(np.zeros(2), record), up.ravel(), cKDTree([[0.0, 3.0]]))
+    assert len(found.place) == cells and (found.normal[:, 0] > 0.99).all()
+
+
+def test_planes_of_three_ways_tie_two_passes_in_place(monkeypatch):
+    """The shift is theirs, and its variance that of so many planes of their scatter, with the floor of a tie."""
+    shift, rng = np.array([0.2, -0.1, 0.05]), np.random.default_rng(5)
+    pair = planes._Pair.__new__(planes._Pair)
+    pair.normal = np.repeat(np.eye(3), 100, axis=0)
+    pair.gap = pair.normal @ shift + rng.normal(0, 0.002, 300)
+    monkeypatch.setattr(planes._Pair, "_observation", lambda self, some, shift, covariance: (shift, covariance))
+    found, covariance = pair.tie(np.arange(300))
+    scatter = 1.4826 * np.median(np.abs(pair.gap - np.median(pair.gap)))
+    assert found == pytest.approx(shift, abs=0.001) and pair.tie(np.arange(11)) is None
+    assert np.sqrt(np.diag(covariance)[:3]) == pytest.approx(np.hypot(scatter / 10, planes.LIMITS.floor), rel=0.02)
+
+
+class _Correction(SimpleNamespace):
+    def __len__(self):
+        return len(self.value)
+
+
+def test_the_summary_of_a_registration_tells_the_whole_path():
+    facts = {}
+    report = SimpleNamespace(facts=facts.update, paragraph=lambda text: None)
+    correction = _Correction(value=np.array([[3.0, 4.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.0]]), three_d=False,
+                             unseen=None, chainage=np.array([0.0, 40.0, 90.0]), drift_factor=np.nan)
+    registration_report._summary(report, SimpleNamespace(
+        correction=correction, markings=range(7), share=lambda state: 0.25,
+        plan_accuracy=lambda: (0.02, 0.05)))
+    assert facts["Path length (m)"] == 90.0 and facts["Patches"] == 3 and facts["Marking points"] == 7
+    assert facts["Correction in plan, mean and maximum (m)"] == "2.000, 5.000" and facts["Bridged (%)"] == 25.0
+
+
+def test_sides_that_are_not_seen_tell_nothing():
+    image, narrow, ground = stripe()
+    ground.clear[:, 212:] = 0
+    values = around(image, narrow, ground)
+    assert all(values[name + far] == -1 for name in ("sided", "poorer", "rougher", "lighter") for far in ("1.5", "2.6"))
+    assert values["hidden1.5"] == 0.0
+
+
+def test_points_of_a_building_for_a_mesh():
+    """Thirty each: of the building's class on and off its outline, of no class on it; ground beside it at 2 m."""
+    record = np.zeros(120, [("x", "<f8"), ("y", "<f8"), ("z", "<f8"), ("class", "u1")])
+    record["x"] = np.repeat([5.0, 25.0, 6.0, 26.0], 30)
+    record["y"], record["z"] = 5.0, np.repeat([9.0, 9.0, 7.0, 2.0], 30)
+    record["class"] = np.repeat([BUILDING_CLASS, BUILDING_CLASS, 1, 2], 30)
+    points, ground = _chosen(record, shapely.box(0, 0, 10, 10), False)
+    assert set(points[:, 0]) == {5.0} and len(points) == 30 and ground == 2.0
+    assert set(_chosen(record, shapely.box(0, 0, 10, 10), True)[0][:, 0]) == {5.0, 6.0}
+    assert set(_chosen(record[60:], shapely.box(0, 0, 10, 10), False)[0][:, 0]) == {6.0}
+
+
+def test_cells_in_another_system_are_as_large_as_at_the_middle_of_the_box():
+    """North there is y^2 + x y: a cell of 0.1 at x = 15, y = 5 is 2.51 high."""
+    def curved(x, y, inverse=False):
+        return (x, 0.5 * (np.sqrt(x * x + 4 * y) - x)) if inverse else (x, y * y + x * y)
+
+    source = SimpleNamespace(grid=SimpleNamespace(cell=0.1), sample=lambda x, y: 10 * x + y)
+    grid, heights = resampled(source, curved, (10.0, 90.0, 20.0, 110.0))
+    columns, rows = grid.centres()
+    assert grid.cell == pytest.approx(2.51)
+    assert heights[3, 2] == pytest.approx(10 * columns[2] + curved(columns[2], rows[3], inverse=True)[1])
+
+
+def test_half_a_stroke_covers_a_line_and_does_not_draw_it():
+    """20 m of paint 0.15 m wide along y = 0, of which the upper half is left for 4 m: its middle lies 4 cm up."""
+    paint = [shapely.box(0, -0.075, 8, 0.075), shapely.box(8, 0.005, 12, 0.075), shapely.box(12, -0.075, 20, 0.075)]
+    line = fit_centre_line(np.array([[0.0, 0.0], [20.0, 0.0]]), 0.15, shapely.STRtree(paint))
+    assert line.covered.all() and np.abs(line.axis[:, 1]).max() < 0.005 and line.width == pytest.approx(0.15, abs=0.001)
+
+
+def test_the_evidence_for_a_size_of_drift():
+    """Half of what the prior's determinant has more than the normal matrix', less half the square and the loss."""
+    prior = SimpleNamespace(determinant=3.0, square=lambda solution: 1.0)
+    factors = SimpleNamespace(U=SimpleNamespace(diagonal=lambda: np.array([np.e, -np.e])))
+    value = _likelihood(np.zeros(2), prior, factors, np.array([0.0, 4.0]), 1.0,
+                        SimpleNamespace(value=np.array([[1.0, 1.0, np.nan, np.nan]] * 2)), SimpleNamespace(gross=2.0))
+    assert value == pytest.approx(0.5 * (3.0 - 2.0) - 0.5 - 4.0 * np.log(2.0))

@@ -208,15 +208,11 @@ def cancel_twins(edges: np.ndarray) -> np.ndarray:
     if not len(edges):
         return edges
     low, high = edges.min(axis=1), edges.max(axis=1)
-    base = int(high.max()) + 1
-    if base < 3_000_000_000:
-        key = low.astype(np.uint64) * np.uint64(base) + high.astype(np.uint64)
-        order = np.argsort(key, kind="stable")
-        ordered = key[order]
-        same = ordered[1:] == ordered[:-1]
-    else:
-        order = np.lexsort((high, low))
-        same = (low[order][1:] == low[order][:-1]) & (high[order][1:] == high[order][:-1])
+    # Squares of fewer than 3,000 million corners fit: more were never in memory.
+    key = low.astype(np.uint64) * np.uint64(int(high.max()) + 1) + high.astype(np.uint64)
+    order = np.argsort(key, kind="stable")
+    ordered = key[order]
+    same = ordered[1:] == ordered[:-1]
     paired = np.zeros(len(edges), dtype=bool)
     paired[1:] |= same
     paired[:-1] |= same

@@ -72,7 +72,7 @@ def fit_centre_line(axis: np.ndarray, width: float, paint: shapely.STRtree) -> F
     usual = float(np.median(across[across > 0])) if (across > 0).any() else width
     usual = float(np.clip(usual, 0.7 * width, 1.3 * width))
     covered = across >= 0.4 * usual
-    good = covered & (across >= 0.6 * usual) & (across <= 1.6 * usual)
+    good = (across >= 0.6 * usual) & (across <= 1.6 * usual)
     if good.sum() < 3:
         return None
     smooth, residual = _smoothed(offset, good)
