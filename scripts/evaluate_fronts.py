@@ -5,7 +5,8 @@
 
 A made vehicle scans each front (`front_scenes`); walls are found and models over the map's outline are merged with
 them. A front is `good` where 90 % of its length lie within 5 cm of its facade, `wrong` where half a metre or more of it
-moved onto (or fits) anything else, else `marked`: what was not decided stayed and says so. Needs no QGIS.
+moved onto (or fits) anything else, else `marked`: what was not decided stayed and says so. The last column is the mean
+difference between what each facade says is hidden and rays to each of its cells. Needs no QGIS.
 """
 
 from __future__ import annotations
@@ -25,7 +26,15 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from scripts.front_scenes.fronts import KINDS, Front, make_front  # noqa: E402
-from scripts.front_scenes.scan import Survey, local, scan, turned, write_survey  # noqa: E402
+from scripts.front_scenes.scan import (  # noqa: E402
+    Survey,
+    hidden_share,
+    local,
+    scan,
+    trajectory,
+    turned,
+    write_survey,
+)
 from urbanmap_qgis.buildings.merging.merge_stage import MergedBuilding, MergeSettings, merge_models  # noqa: E402
 from urbanmap_qgis.buildings.merging.wall_match import KEPT, MOVED, measured_wall  # noqa: E402
 from urbanmap_qgis.buildings.solids.plan_partition import Cell  # noqa: E402
@@ -33,7 +42,10 @@ from urbanmap_qgis.buildings.solids.solid import building_solids  # noqa: E402
 from urbanmap_qgis.facades.building_plans import building_plans  # noqa: E402
 from urbanmap_qgis.facades.wall_stage import (  # noqa: E402
     MAIN,
+    OK,
     OUTERMOST,
+    PARTLY,
+    WALL,
     FacadeWall,
     WallSettings,
     contour_area,
@@ -66,7 +78,8 @@ def trial(kind: str, seed: int, folder: Path, wanted: str = MAIN) -> Trial:
     plan = on_map(front.outline, seed)
     model = multipolygon(building_solids([Cell(plan, 0, 20.0 + front.height)], 20.0))
     started = time.process_time()
-    walls, _ = find_walls(open_cloud([path]), building_plans([model], [1]), WallSettings(front=wanted))
+    walls, _ = find_walls(open_cloud([path]), building_plans([model], [1]), WallSettings(front=wanted),
+                          trajectory=trajectory(survey, seed))
     cpu = time.process_time() - started
     measured = [measured_wall(row, wall.contour, wall.plane.rmse, wall.plane.sigma, wall.points)
                 for row, wall in enumerate(walls) if wall.status in ("ok", "partly seen")]
@@ -112,6 +125,22 @@ def samples(front: Front, seed: int, model: MergedBuilding) -> list[tuple[float,
     return found
 
 
+def street_walls(one: Trial) -> list[FacadeWall]:
+    """Facades that look towards the street."""
+    def looks_there(wall: FacadeWall) -> bool:
+        y = local(wall.plane.point[None] + np.array([[0, 0, 0], wall.plane.normal]), one.seed)[:, 1]
+        return bool(y[1] - y[0] < -0.9)
+
+    return [wall for wall in one.walls if wall.kind == WALL and wall.status in (OK, PARTLY) and looks_there(wall)]
+
+
+def hidden_differences(one: Trial) -> list[float]:
+    """Share that each of the street's walls says is hidden, less that by a ray to each of its cells."""
+    places = [local(shapely.get_coordinates(wall.contour, include_z=True), one.seed) for wall in street_walls(one)]
+    return [wall.seen.hidden - hidden_share(one.front, one.survey, place)
+            for wall, place in zip(street_walls(one), places)]
+
+
 def lines_of(one: Trial) -> list[str]:
     """What was found of a front, in words."""
     front = one.front
@@ -139,19 +168,26 @@ def main() -> None:
     parser.add_argument("--front", default=MAIN, choices=(MAIN, OUTERMOST))
     parser.add_argument("--each", action="store_true", help="say what was found of each front that is not good")
     given = parser.parse_args()
-    total, cpu = Counter(), 0.0
-    print(f"{'kind':26s}  good marked wrong   CPU")
+    total, cpu, hidden = Counter(), 0.0, []
+    print(f"{'kind':26s}  good marked wrong   CPU  hidden")
     for kind in given.kinds:
         with tempfile.TemporaryDirectory() as folder:
             trials = [trial(kind, seed, Path(folder), given.front) for seed in given.seeds]
         counts = Counter(one.verdict for one in trials)
         total.update(counts)
         cpu += sum(one.cpu for one in trials)
+        differences = np.abs([value for one in trials for value in hidden_differences(one)])
+        hidden.append(differences)
         print(f"{kind:26s} {counts['good']:5d} {counts['marked']:6d} {counts['wrong']:5d} "
-              f"{sum(one.cpu for one in trials):5.1f}", flush=True)
+              f"{sum(one.cpu for one in trials):5.1f} {_mean(differences)}", flush=True)
         if given.each:
             print("\n".join(line for one in trials if one.verdict != "good" for line in lines_of(one)))
-    print(f"{'all':26s} {total['good']:5d} {total['marked']:6d} {total['wrong']:5d} {cpu:5.1f}")
+    print(f"{'all':26s} {total['good']:5d} {total['marked']:6d} {total['wrong']:5d} {cpu:5.1f} "
+          f"{_mean(np.concatenate(hidden))}")
+
+
+def _mean(values: np.ndarray) -> str:
+    return f"{values.mean():7.3f}" if len(values) else "       "
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from contextlib import nullcontext
 from dataclasses import replace
+from pathlib import Path
 
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
@@ -12,9 +13,10 @@ from ..framework.layers.crs import crs_name
 from ..framework.layers.layers import make_fields
 from ..framework.layers.outlines import building_names
 from ..framework.running.workers import workers
+from ..mobile.drives import DriveInputs
 
 
-class WallsFromMms(UrbanMapAlgorithm):
+class WallsFromMms(DriveInputs, UrbanMapAlgorithm):
     ID = "wallsfrommms"
     NAME = "Walls from a mobile survey"
     SOURCE = "Javanmardi 2018, 5.7"
@@ -43,6 +45,10 @@ class WallsFromMms(UrbanMapAlgorithm):
                         "stand on columns, it is their wall in both.", ("main", "outermost"), "main")
         self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres. Without it the ground is taken "
                         "from the lowest points round each building.", optional=True)
+        self.add_trajectories("Where the vehicle was while it measured these points, in their time, CRS and heights, "
+                              "such as the corrected trajectory of each drive: CSV, SBET, or point layers. With them "
+                              "each wall tells what hid it along the lines of sight, and where beams went through it "
+                              "(glass, openings); without them, hidden is a guess from what stands in front.", True)
         self.add_distance("REACH", "Tolerance of the outlines", "How far the outlines may be off, in metres: walls are "
                           "looked for up to this far from the edges. Inside, setbacks are found at any distance.", 2.0,
                           0.25, 6.0, advanced=True)
@@ -59,7 +65,8 @@ class WallsFromMms(UrbanMapAlgorithm):
                               "area (m2), height, length (m), azimuth and tilt (degrees), normal_x, normal_y, "
                               "normal_z, points, passes, rmse, sigma, pass_spread (m), coverage, hidden, unseen, "
                               "openings, filled (shares), edge and offset (outline edge, and m before it), kind "
-                              "(wall, or what stands before the facade).")
+                              "(wall, or what stands before the facade), through (share that beams went through; "
+                              "empty without a trajectory).")
         self.add_number_output("WALLS", "Walls", "Number of contours.")
         self.add_number_output("BUILDINGS_WITH_WALLS", "Buildings with walls", "Buildings of which a wall was found.")
         self.add_number_output("BUILDINGS_NEAR", "Buildings reached", "Buildings near points of the survey.")
@@ -79,12 +86,13 @@ class WallsFromMms(UrbanMapAlgorithm):
         plans = building_plans(table.geometries, building_names(table).numbers)
         cloud = self._cloud(parameters, context, table, progress)
         path = self.raster_path(parameters, "GROUND", context)
+        trajectory = self._trajectory(parameters, context, table, progress)
         with (RasterSampler(path) if path else nullcontext() as ground,
               workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor):
             if ground is not None:
                 self.same_crs("GROUND", ground.crs_wkt, "BUILDINGS", table.crs)
             walls, counts = find_walls(cloud, plans, self._settings(parameters, context), ground, executor,
-                                       progress.part(0.0, 0.95))
+                                       progress.part(0.0, 0.95), trajectory)
         if counts.with_walls < counts.near:
             progress.message(tr("{0} of {1} buildings near the survey show no wall.").format(
                 counts.near - counts.with_walls, counts.near))
@@ -115,6 +123,16 @@ class WallsFromMms(UrbanMapAlgorithm):
         self.require_projected("POINTS", cloud.crs_wkt)
         self.same_crs("POINTS", cloud.crs_wkt, "BUILDINGS", table.crs)
         return cloud
+
+    def _trajectory(self, parameters, context, table, progress):
+        """One trajectory of all that were given, None where there is none."""
+        from ...urbanmap_qgis.mobile.trajectory import joined_trajectory
+
+        if not any(self.parameterAsFileList(parameters, "TRAJECTORY", context)):
+            return None
+        read = self.read_trajectories(parameters, context, table.crs_wkt, progress)
+        names = [Path(text.split("|")[0]).name for text in self.trajectory_texts(parameters, context)]
+        return joined_trajectory([item.trajectory for item in read], names)
 
     def _settings(self, parameters, context):
         from ...urbanmap_qgis.facades.facade_points import FacadeSettings

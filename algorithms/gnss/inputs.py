@@ -104,7 +104,7 @@ class GnssInputs(Declarations):
 
     def read_trajectories(self, parameters: Mapping, context: QgsProcessingContext, crs_wkt: str, progress: Progress):
         """One trajectory of all that were given, in the CRS of the buildings."""
-        from ...urbanmap_qgis.gnss.signals.passes import joined_trajectory
+        from ...urbanmap_qgis.mobile.trajectory import joined_trajectory
 
         return joined_trajectory(*self._each_trajectory(parameters, context, crs_wkt, progress))
 

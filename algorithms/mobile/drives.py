@@ -12,12 +12,12 @@ from ..framework.layers.trajectories import TrajectoryParameters, tell_of, traje
 class DriveInputs(TrajectoryParameters):
     """Methods with which an algorithm declares and reads the trajectories of several drives."""
 
-    def add_trajectories(self) -> None:
+    def add_trajectories(self, help: str = "", optional: bool = False) -> None:
         """Declare TRAJECTORY and how all of them are read."""
         self.declare_parameter(QgsProcessingParameterMultipleLayers(
-            "TRAJECTORY", tr("Trajectories"), QgsProcessing.SourceType.TypeFile),
-            "The trajectory of each drive, with which its points were placed: CSV time,x,y,z,roll,pitch,heading, SBET, "
-            "or point layers.")
+            "TRAJECTORY", tr("Trajectories"), QgsProcessing.SourceType.TypeFile, None, optional),
+            help or "The trajectory of each drive, with which its points were placed: CSV "
+            "time,x,y,z,roll,pitch,heading, SBET, or point layers.")
         self.add_trajectory_reading()
 
     def trajectory_texts(self, parameters, context) -> list[str]:

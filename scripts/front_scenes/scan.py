@@ -77,6 +77,28 @@ def scan(front: Front, seed: int) -> Survey:
     return Survey(origin[keep] + distance[keep, None] * direction[keep], time[keep], path, path_time)
 
 
+def hidden_share(front: Front, survey: Survey, wall: np.ndarray, cell: float = 0.25) -> float:
+    """Share of a wall that neither scanner saw because something stood before it, by a ray from each to each cell.
+
+    `wall`: (n, 3) local places on it; its rectangle goes from the ground to the front's top at their mean y.
+    """
+    left, right, y = wall[:, 0].min(), wall[:, 0].max(), wall[:, 1].mean()
+    x, z = np.meshgrid(np.arange(left + cell / 2, right, cell),
+                       np.arange(min(0.0, wall[:, 2].min()) + cell / 2, max(front.height, wall[:, 2].max()), cell))
+    cells = np.column_stack([x.ravel(), np.full(x.size, y), z.ravel()])
+    free, blocked = np.zeros(len(cells), bool), np.zeros(len(cells), bool)
+    lane, above = survey.path[0, 1:]
+    for side in (1.0, -1.0):  # the scanners look 45 degrees to the front and to the back
+        origin = np.column_stack([cells[:, 0] - side * (y - lane), np.full((len(cells), 2), (lane, above))])
+        away = cells - origin
+        distance = np.linalg.norm(away, axis=1)
+        _, first = _met(front.faces, origin, away / distance[:, None])
+        passed = (origin[:, 0] >= survey.path[0, 0]) & (origin[:, 0] <= survey.path[-1, 0])
+        blocked |= passed & (first < distance - 0.35)
+        free |= passed & (first >= distance - 0.35)
+    return float((blocked & ~free).mean())
+
+
 def _met(faces: list[Face], origin: np.ndarray, direction: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Number (n,) of the face that each beam meets, -1 for none, and its distance (n,)."""
     best = np.full(len(direction), RANGE + 10.0)

@@ -52,6 +52,29 @@ def rows_of(features):
     return [feature.attributes for feature in features]
 
 
+def test_with_the_drives_each_wall_tells_what_beams_went_through(run, survey, models, read_layer, tmp_path):
+    """Two drives one after the other; one of another day is refused in a sentence."""
+    from qgis.core import QgsProcessingException
+
+    def drive(first, last, name):
+        time = np.linspace(first, last, 60)
+        rows = [f"{t:.3f},{X0 - 5 + t / 2:.3f},{Y0 - 8:.3f},{GROUND + 2:.3f},0,0,90" for t in time]
+        path = tmp_path / name
+        path.write_text("\n".join(["time,x,y,z,roll,pitch,heading", *rows]) + "\n", encoding="utf-8")
+        return str(path)
+
+    given = {"POINTS": [str(survey())], "BUILDINGS": models, "OUTPUT": str(tmp_path / "walls.gpkg")}
+    found = run(WALLS, {**given, "TRAJECTORY": [drive(0, 29.9, "走行1.csv"), drive(30, 60, "走行2.csv")]})
+    rows = rows_of(read_layer(found["OUTPUT"]))
+    for row in rows:
+        assert row["coverage"] + row["hidden"] + row["unseen"] + row["through"] == pytest.approx(1.0, abs=1e-6)
+    assert {row["status"] for row in rows} == {"ok"}
+    without = rows_of(read_layer(run(WALLS, given)["OUTPUT"]))
+    assert not any(isinstance(row["through"], float) for row in without) and len(without) == len(rows)
+    with pytest.raises(QgsProcessingException, match="no point near a building"):
+        run(WALLS, {**given, "TRAJECTORY": [drive(90_000, 90_060, "other.csv")]})
+
+
 def test_walls_then_merged_models(run, survey, models, read_layer, tmp_path):
     found = run(WALLS, {"POINTS": [str(survey())], "BUILDINGS": models, "OUTPUT": str(tmp_path / "壁.gpkg")})
     assert found["WALLS"] == 2 and found["BUILDINGS_WITH_WALLS"] == 1 and found["MEDIAN_SIGMA"] < 0.01

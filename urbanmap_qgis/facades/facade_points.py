@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections import OrderedDict
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -80,7 +80,8 @@ class FacadePoints:
     ----------
     points : (n, 3) m, below the height and within tolerance.
     time : (n,) GPS seconds, NaN where the cloud has none.
-    front : (k, 3) thinned places of what stands before it.
+    front : (k, 3) thinned places of what stands before it, and of itself.
+    front_time : (k,) GPS seconds, NaN where the cloud has none.
     ground : (3,) plane of the ground round it, z = a + b x + c y, from `origin`; NaN where it is not known.
     origin : (2,) x and y.
     kept_share : share of the points that were kept.
@@ -89,6 +90,7 @@ class FacadePoints:
     points: np.ndarray
     time: np.ndarray
     front: np.ndarray
+    front_time: np.ndarray
     ground: np.ndarray
     origin: np.ndarray
     kept_share: float = 1.0
@@ -343,12 +345,12 @@ def _buildings(rows: list[int], buckets: PointBuckets, plans: BuildingPlans, set
         plane = planes[row]
         if not np.isfinite(plane[0]) and np.isfinite(plans.base[row]):
             plane = np.array([plans.base[row], 0.0, 0.0])
-        facade = FacadePoints(_xyz(records), records["time"], _xyz(front), plane, origin[row], share)
+        facade = FacadePoints(_xyz(records), records["time"], _xyz(front), front["time"], plane, origin[row], share)
         keep = np.ones(len(records), bool)
         if np.isfinite(plane[0]):
             height = facade.height(facade.points)
             keep = (height > -LIMITS.margin_below) & (height <= settings.max_height)
-        yield row, FacadePoints(facade.points[keep], facade.time[keep], facade.front, plane, origin[row], share)
+        yield row, replace(facade, points=facade.points[keep], time=facade.time[keep])
 
 
 def _xyz(records: np.ndarray) -> np.ndarray:

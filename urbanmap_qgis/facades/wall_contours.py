@@ -18,6 +18,7 @@ from ..errors import InputError
 from ..geometry.alpha_shape import alpha_shape, signed_area
 from ..io.points.point_buckets import stable_order
 from ..wording import say
+from .laser_beams import LaserBeams, crossed_cells
 from .normals import numbered_cells
 from .plane_fit import WallPlane, component
 
@@ -103,12 +104,15 @@ class WallCoverage:
     coverage : share within the contour.
     hidden : share outside of it, or in its openings, with something standing in front.
     unseen : share that neither is seen nor has anything in front.
+    through : share outside of it, or in its openings, that beams went through: glass, openings, or no wall; NaN where
+        the lines of sight are not known.
     """
 
     area: float
     coverage: float
     hidden: float
     unseen: float
+    through: float = float("nan")
 
 
 def in_plane(plane: WallPlane, points: np.ndarray) -> np.ndarray:
@@ -251,13 +255,14 @@ def _without_small_holes(polygon: shapely.Polygon, least: float) -> tuple[shapel
     return cleaned, float(filled / cleaned.area)
 
 
-def wall_coverage(plane: WallPlane, contours: list[Contour], foot: float, top: float,
-                  front: np.ndarray) -> WallCoverage:
+def wall_coverage(plane: WallPlane, contours: list[Contour], foot: float, top: float, front: np.ndarray,
+                  beams: LaserBeams | None = None) -> WallCoverage:
     """How much of the wall between heights `foot` and `top` (m) its contours cover, and what stands before the rest.
 
     Parameters
     ----------
     front : (k, 3) thinned places of everything near the building.
+    beams : lines of sight to them; with them what hides the wall is what beams ended at, else what stands in front.
     """
     shape = shapely.union_all([contour.measured for contour in contours])
     left, low, right, high = shape.bounds
@@ -267,6 +272,10 @@ def wall_coverage(plane: WallPlane, contours: list[Contour], foot: float, top: f
     u, v = np.meshgrid(left + (np.arange(columns) + 0.5) * LIMITS.cell, low + (np.arange(rows) + 0.5) * LIMITS.cell)
     shapely.prepare(shape)
     seen = shapely.contains_xy(shape, u, v)
+    if beams is not None:
+        before, through = crossed_cells(beams, plane, (left, low), (rows, columns), LIMITS.cell)
+        through &= ~seen
+        return _shares((right - left) * (high - low), seen, before & ~through, float(through.mean()))
     before = np.zeros_like(seen)
     if len(front):
         off = plane.distance(front)
@@ -276,5 +285,11 @@ def wall_coverage(plane: WallPlane, contours: list[Contour], foot: float, top: f
         before[place[inside, 1], place[inside, 0]] = True
         # It is seen aslant: what stands in front hides something to its sides and above.
         before = ndimage.binary_dilation(before, np.ones((2 * LIMITS.sidewards + 1, 2 * LIMITS.sidewards + 1)))
+    return _shares((right - left) * (high - low), seen, before)
+
+
+def _shares(area: float, seen: np.ndarray, before: np.ndarray, through: float = float("nan")) -> WallCoverage:
+    """Shares of a wall's cells: seen, hidden by what stands before it, the rest; `through` was counted already."""
     covered, hidden = float(seen.mean()), float((before & ~seen).mean())
-    return WallCoverage((right - left) * (high - low), covered, hidden, max(1.0 - covered - hidden, 0.0))
+    rest = 1.0 - covered - hidden - (through if np.isfinite(through) else 0.0)
+    return WallCoverage(area, covered, hidden, max(rest, 0.0), through)

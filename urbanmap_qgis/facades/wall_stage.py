@@ -13,10 +13,14 @@ import shapely
 from ..execution import in_order
 from ..io.points.pointcloud import PointCloud
 from ..io.raster import RasterSampler
+from ..mobile.trajectory import Trajectory
 from ..progress import SILENT, Progress
 from ..wording import say
+from .beam_checks import BeamFacts, check_beams
 from .building_plans import BuildingPlans, outline_edges
+from .facade_points import LIMITS as POINT_LIMITS
 from .facade_points import FacadePoints, FacadeSettings, facade_points
+from .laser_beams import LaserBeams, laser_beams
 from .plane_fit import WallPlane
 from .standing_before import BALCONY, RECESS, SETBACK, UNCLEAR, WALL, PlacedWall, kinds_of_walls
 from .wall_contours import Contour, ContourSettings, WallCoverage, in_plane, on_map, wall_contours, wall_coverage
@@ -115,11 +119,13 @@ class _Piece:
     plan: shapely.Geometry
     top: float
     points: FacadePoints
+    beams: LaserBeams | None
 
 
 def find_walls(cloud: PointCloud, plans: BuildingPlans, settings: WallSettings = WallSettings(),
                ground: RasterSampler | None = None, executor: Executor | None = None,
-               progress: Progress = SILENT) -> tuple[list[FacadeWall], WallCounts]:
+               progress: Progress = SILENT, trajectory: Trajectory | None = None
+               ) -> tuple[list[FacadeWall], WallCounts]:
     """Walls of buildings from a survey that lies on the map.
 
     Parameters
@@ -127,9 +133,12 @@ def find_walls(cloud: PointCloud, plans: BuildingPlans, settings: WallSettings =
     cloud : the survey.
     plans : the buildings, in its CRS.
     ground : heights of the ground, m.
+    trajectory : of the vehicle, in the points' time, CRS and heights: tells what hid a wall and where beams went
+        through it.
 
     Raises
     ------
+    InputError : the trajectory is not that of the points.
     InsufficientDataError : no point lies near any building.
     """
     walls: list[FacadeWall] = []
@@ -137,7 +146,7 @@ def find_walls(cloud: PointCloud, plans: BuildingPlans, settings: WallSettings =
     with facade_points(cloud, plans, settings.facade, ground, progress.part(0.0, 0.5)) as buildings:
         # A worker in another process cannot be asked to stop; between buildings it is.
         work = partial(_walls_of, settings=settings, check=progress if executor is None else None)
-        counted = _pieces(buildings, plans, progress.part(0.5, 1.0))
+        counted = _pieces(buildings, plans, trajectory, progress.part(0.5, 1.0))
         for found in in_order(work, counted, executor, progress.check):
             progress.check()
             near += 1
@@ -146,14 +155,21 @@ def find_walls(cloud: PointCloud, plans: BuildingPlans, settings: WallSettings =
     return walls, WallCounts(near, with_walls)
 
 
-def _pieces(buildings: Iterator[tuple[int, FacadePoints]], plans: BuildingPlans,
+def _pieces(buildings: Iterator[tuple[int, FacadePoints]], plans: BuildingPlans, trajectory: Trajectory | None,
             progress: Progress) -> Iterator[_Piece]:
+    facts: list[BeamFacts] = []
     for row, points in buildings:
         progress.step(row / len(plans))
         if points.kept_share < 1:
             progress.warn(say("Building {ids}: only {kept_share:.0f} % of its points were used, as there are more "
                               "than fit into memory.", ids=plans.ids[row], kept_share=100 * points.kept_share))
-        yield _Piece(int(plans.ids[row]), plans.plan[row], float(plans.top[row]), points)
+        beams = None
+        if trajectory is not None:
+            beams = laser_beams(points.front, points.front_time, trajectory, POINT_LIMITS.front_cell)
+            facts.append(BeamFacts.of(beams, points))
+        yield _Piece(int(plans.ids[row]), plans.plan[row], float(plans.top[row]), points, beams)
+    if trajectory is not None:
+        check_beams(facts, trajectory, progress)
 
 
 def _walls_of(piece: _Piece, settings: WallSettings, check: Progress | None) -> list[FacadeWall]:
@@ -203,7 +219,7 @@ def _described(piece: _Piece, placed: PlacedWall, edge: int, kind: tuple[str, fl
     inside = kind[0] in (SETBACK, RECESS) or _inside(piece, placed, depth, heights, walls, settings)
     if inside:
         foot = float(z.min())  # it stands on a roof
-    seen = wall_coverage(plane, [contour], foot, top, piece.points.front)
+    seen = wall_coverage(plane, [contour], foot, top, piece.points.front, piece.beams)
     of_facade = (WALL, SETBACK, RECESS, UNCLEAR, *([BALCONY] if settings.front == OUTERMOST else []))
     standing = kind[0] not in of_facade
     status, note = _front_status(*kind) if standing or kind[0] == UNCLEAR else _status(
@@ -327,9 +343,17 @@ def _status(plane: WallPlane, points: int, seen: WallCoverage, depth: float) -> 
         return INSIDE, say("it lies {depth:.1f} m inside the outline: a setback, or a room seen through a window",
                            depth=depth)
     if seen.coverage < LIMITS.half:
-        why = say("something stands in front") if seen.hidden > seen.unseen else say("the survey did not see the rest")
-        return PARTLY, say("{coverage:.0f} % of it was seen; {why}", coverage=100 * seen.coverage, why=why)
+        return PARTLY, say("{coverage:.0f} % of it was seen; {why}", coverage=100 * seen.coverage, why=_why(seen))
     return OK, ""
+
+
+def _why(seen: WallCoverage) -> str:
+    """Why most of the rest of a wall was not seen."""
+    if seen.through > max(seen.hidden, seen.unseen):
+        return say("beams went through most of the rest: glass, or openings")
+    if seen.hidden > seen.unseen:
+        return say("something stands in front")
+    return say("the survey did not see the rest")
 
 
 WALL_COLUMNS: tuple[tuple[str, str], ...] = (
@@ -338,6 +362,7 @@ WALL_COLUMNS: tuple[tuple[str, str], ...] = (
     ("normal_y", "real"), ("normal_z", "real"), ("points", "int"), ("passes", "int"), ("rmse", "real"),
     ("sigma", "real"), ("pass_spread", "real"), ("coverage", "real"), ("hidden", "real"), ("unseen", "real"),
     ("openings", "real"), ("filled", "real"), ("edge", "int"), ("offset", "real"), ("kind", "text"),
+    ("through", "real"),
 )
 """Names and kinds of the columns of a layer of walls, in order."""
 
@@ -365,7 +390,7 @@ def _row(wall: FacadeWall, number: int) -> dict:
         "points": wall.points, "passes": plane.passes, "rmse": plane.rmse, "sigma": plane.sigma,
         "pass_spread": plane.pass_spread, "coverage": seen.coverage, "hidden": seen.hidden, "unseen": seen.unseen,
         "openings": wall.openings, "filled": wall.filled, "edge": wall.edge if wall.edge >= 0 else None,
-        "offset": wall.offset, "kind": wall.kind,
+        "offset": wall.offset, "kind": wall.kind, "through": seen.through if np.isfinite(seen.through) else None,
     }
 
 

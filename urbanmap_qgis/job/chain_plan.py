@@ -284,7 +284,9 @@ class _Planning:
     def walls(self) -> None:
         models = self.buildings()
         surveys = [_result(step) for step in self.surveys()]
-        self.add("walls", "wallsfrommms", POINTS=surveys, BUILDINGS=models, GROUND=self.reference()["ground"])
+        drives = [_result(step, "OUTPUT_TRAJECTORY") for step in self.surveys()]
+        self.add("walls", "wallsfrommms", POINTS=surveys, BUILDINGS=models, GROUND=self.reference()["ground"],
+                 TRAJECTORY=drives)
         self.add("merged", "mergebuildingmodels", MODELS=models, WALLS=_result("walls"), OUTPUT_REPORT=WANTED,
                  OUTPUT_CITYJSON=WANTED)
 

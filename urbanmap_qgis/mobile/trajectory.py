@@ -6,6 +6,7 @@ roll right side down, pitch nose up, heading clockwise from grid north. The map 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -188,6 +189,26 @@ def _speeds(trajectory: Trajectory) -> np.ndarray:
     ends = [np.clip(middle + sign * half, time[0], time[-1]) for sign in (-1, 1)]
     start, end = (np.column_stack([np.interp(at, time, axis) for axis in trajectory.place[:, :2].T]) for at in ends)
     return np.hypot(*(end - start).T) / np.maximum(ends[1] - ends[0], LEAST_DIVISOR)
+
+
+def joined_trajectory(trajectories: Sequence[Trajectory], names: Sequence[str] = ()) -> Trajectory:
+    """One trajectory of several that follow each other in time, in any order.
+
+    Between two of them there is a gap, over which no pose is known.
+
+    Raises
+    ------
+    InputError : two overlap in time.
+    """
+    order = sorted(range(len(trajectories)), key=lambda number: trajectories[number].time[0])
+    for before, after in zip(order[:-1], order[1:]):
+        if trajectories[after].time[0] <= trajectories[before].time[-1]:
+            who = " and ".join(names[number] for number in (before, after)) if names else "Two trajectories"
+            raise InputError(say("{who} overlap in time: give times that count on over the weeks (full GPS seconds), "
+                                 "or each place of the vehicle once.", who=who))
+    parts = [trajectories[number] for number in order]
+    return Trajectory(np.concatenate([part.time for part in parts]), np.concatenate([part.place for part in parts]),
+                      unwrapped(np.concatenate([part.angles for part in parts])))
 
 
 def gaps(trajectory: Trajectory, max_step: float = 1.0) -> np.ndarray:

@@ -201,6 +201,7 @@ _WORDS = {
     "pass_spread": FieldWords(mark("spread between passes (m)"), 3),
     "hidden": FieldWords(mark("hidden by what stands in front, 0 to 1"), 2),
     "openings": FieldWords(mark("openings, 0 to 1"), 2),
+    "through": FieldWords(mark("beams went through, 0 to 1"), 2),
     "filled": FieldWords(mark("filled gaps, 0 to 1"), 2),
     "turn": FieldWords(mark("turn (°)"), 2),
     "seen": FieldWords(mark("share seen, 0 to 1"), 2),

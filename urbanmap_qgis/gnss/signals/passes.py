@@ -6,10 +6,8 @@ import os
 from collections.abc import Sequence
 from pathlib import Path
 
-import numpy as np
-
 from ...errors import InputError
-from ...mobile.trajectory import Trajectory, unwrapped
+from ...mobile.trajectory import Trajectory, joined_trajectory
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..rinex.observation_file import read_observations
@@ -52,26 +50,6 @@ def load_passes(observation_paths: Sequence[str | os.PathLike], navigation_paths
         part = progress.part(0.2 + 0.8 * number / len(groups), 0.2 + 0.8 * (number + 1) / len(groups))
         parts.append(load(paths, trajectories[owner], part))
     return join_signals(parts)
-
-
-def joined_trajectory(trajectories: Sequence[Trajectory], names: Sequence[str] = ()) -> Trajectory:
-    """One trajectory of several that follow each other in time, in any order.
-
-    Between two of them there is a gap, in which no observation is used.
-
-    Raises
-    ------
-    InputError : two overlap in time.
-    """
-    order = sorted(range(len(trajectories)), key=lambda number: trajectories[number].time[0])
-    for before, after in zip(order[:-1], order[1:]):
-        if trajectories[after].time[0] <= trajectories[before].time[-1]:
-            who = " and ".join(names[number] for number in (before, after)) if names else "Two trajectories"
-            raise InputError(say("{who} overlap in time: give times that count on over the weeks (full GPS seconds), "
-                                 "or each place of the vehicle once.", who=who))
-    parts = [trajectories[number] for number in order]
-    return Trajectory(np.concatenate([part.time for part in parts]), np.concatenate([part.place for part in parts]),
-                      unwrapped(np.concatenate([part.angles for part in parts])))
 
 
 def _spans(paths: Sequence[str | os.PathLike], settings: SignalSettings, progress: Progress) -> list[Span]:
