@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import argparse
 import configparser
+import io
 import re
 import subprocess
 import sys
@@ -103,19 +104,29 @@ def smaller(path: Path) -> bytes:
     what is left out."""
     data = path.read_bytes()
     if path.suffix == ".html":
-        page = ICON_STYLES.sub("", TO_REFERENCE.sub(r"\1", data.decode("utf-8")))
+        page = without_indents(ICON_STYLES.sub("", TO_REFERENCE.sub(r"\1", data.decode("utf-8"))))
         return re.sub(r'((?:src|href)="[^":]+)\.jpg"', r'\1.webp"', page).encode("utf-8")
     if path.suffix != ".jpg":
         return data
     import cv2
     import numpy as np
+    from PIL import Image
 
     picture = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_COLOR)
     quality, widest = WINDOWS if path.parent.name == "tutorials" else PHOTOGRAPHS
     if picture.shape[1] > widest:
         height = round(picture.shape[0] * widest / picture.shape[1])
         picture = cv2.resize(picture, (widest, height), interpolation=cv2.INTER_AREA)
-    return cv2.imencode(".webp", picture, [cv2.IMWRITE_WEBP_QUALITY, quality])[1].tobytes()
+    packed = io.BytesIO()
+    # The slowest way of WebP is a twentieth smaller at the same quality; OpenCV does not offer it.
+    Image.fromarray(picture[:, :, ::-1]).save(packed, "WEBP", quality=quality, method=6)
+    return packed.getvalue()
+
+
+def without_indents(page: str) -> str:
+    """A page without the blanks at the begin of its lines, but for blocks of code; packed a twenty-fifth smaller."""
+    return "".join(part if part.startswith("<pre") else re.sub(r"\n\s+", "\n", part)
+                   for part in re.split(r"(<pre.*?</pre>)", page, flags=re.DOTALL))
 
 
 def readme(text: str, names: set[str]) -> bytes:

@@ -71,8 +71,8 @@ def parse_arguments(arguments: list[str] | None = None) -> argparse.Namespace:
     return options
 
 
-def ensure_screen() -> None:
-    """Start this script again on a virtual screen when there is none: the 3D engine needs OpenGL."""
+def ensure_screen(script: Path = Path(__file__)) -> None:
+    """Start a script again on a virtual screen when there is none: the 3D engine needs OpenGL."""
     if os.environ.get("DISPLAY"):
         os.environ.pop("QT_QPA_PLATFORM", None)
         return
@@ -81,8 +81,8 @@ def ensure_screen() -> None:
         sys.exit("No screen, and no virtual one: install it with 'apt install xvfb libgl1-mesa-dri'.")
     os.environ.pop("QT_QPA_PLATFORM", None)
     os.environ["LIBGL_ALWAYS_SOFTWARE"] = "1"
-    script = [sys.executable, str(Path(__file__).resolve()), *sys.argv[1:]]
-    os.execv(xvfb, [xvfb, "-a", "-s", "-screen 0 1280x1024x24", *script])
+    command = [sys.executable, str(script.resolve()), *sys.argv[1:]]
+    os.execv(xvfb, [xvfb, "-a", "-s", "-screen 0 1280x1024x24", *command])
 
 
 def open_layer(path: Path, name: str | None):

@@ -184,7 +184,7 @@ def road_findings(layer) -> None:
                 "island not shown": "#d7263d", "island's height": "#e09a2b", "junction not cut": "#d7263d",
                 "other edge not seen": "#e09a2b", "edge without a carriageway": "#8c8c8c",
                 "edge beside another": "#8c8c8c", "tram track": "#e09a2b",
-                "road above a road": "#d7263d"}
+                "road above a road": "#d7263d", "given roads moved": "#e09a2b"}
     kinds = {**surveyed, "arm not cut": "#d7263d", "junctions not parted": "#e09a2b", "edge not closed": "#4a8fe7",
              "sides contradict": "#8a6bb0", "surface repaired": "#b8b03a"}
     layer.setRenderer(QgsCategorizedSymbolRenderer("kind", [

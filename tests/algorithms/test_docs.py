@@ -58,7 +58,7 @@ def test_the_japanese_readme_has_the_commands_algorithms_and_pictures_of_the_eng
                 re.findall(r"!\[[^]]*\]\((docs/images/\w+\.\w+)\)", text))
 
     commands, algorithms, pictures = said("README.md")
-    assert len(algorithms) > 40 and len(pictures) == 2 and commands.count("scripts/urbanmap") >= 6
+    assert len(algorithms) > 40 and len(pictures) == 3 and commands.count("scripts/urbanmap") >= 6
     assert said("README.ja.md") == (commands, algorithms, pictures)
 
 
@@ -75,7 +75,7 @@ def test_japanese_tutorials_have_the_commands_and_pictures_of_the_english_ones(p
 
 def test_every_tutorial_and_the_start_page_are_there_in_japanese():
     wanted = {"index.md", *(path.name for path in (ROOT / "docs").glob("tutorial_*.md"))}
-    assert {path.name for path in (ROOT / "docs/ja").glob("*.md")} == wanted and len(wanted) == 5
+    assert {path.name for path in (ROOT / "docs/ja").glob("*.md")} == wanted and len(wanted) == 6
 
 
 def test_help_in_japanese_opens_japanese_pages(plugin, tmp_path, monkeypatch, algorithms):

@@ -60,3 +60,14 @@ def test_markings_are_needed(run, given):
     given.pop("MARKINGS")
     with pytest.raises(Exception, match="MARKINGS|[Mm]arkings"):
         run(ALGORITHM, {**given, "OUTPUT": "memory:"})
+
+
+def test_snow_over_the_kerbs_is_refused_in_a_sentence(run, given, tmp_path):
+    """20 cm of snow: neither the kerb nor the border of the verge shows, and the surface is rough all over."""
+    write_drive(tmp_path / "snow.las", Street(length=60.0, kerb=0.0, rough=0.0, verge=20.0))
+    cloud = laspy.read(tmp_path / "snow.las")
+    cloud.z = np.asarray(cloud.z) + 0.2 + 0.01 * np.random.default_rng(3).standard_normal(len(cloud.z))
+    cloud.header.add_crs(CRS.from_epsg(6677))
+    cloud.write(tmp_path / "drive.las")
+    with pytest.raises(Exception, match="no kerbs or road borders among the edges"):
+        run(ALGORITHM, {**given, "OUTPUT": "memory:"})

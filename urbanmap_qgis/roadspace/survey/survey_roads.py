@@ -19,6 +19,7 @@ from ..road_records import RoadFinding
 from .area_heights import EdgeHeights, Heights, raised_areas
 from .area_records import CROSSING, ISLAND, LEVELS, STEPS, WITH_LANES, EdgeLine, SurveyedRoads
 from .carriageways import Carriageways, carriageways_between
+from .given_roads import laid_on_kerbs
 from .road_areas import road_areas
 from .stop_cuts import CutJunctions, junction_cuts
 
@@ -58,11 +59,12 @@ def surveyed_roads(edges: Sequence[EdgeLine], level: str, inputs: SurveyInputs |
     progress.step(0.5)
     places = cKDTree(np.concatenate([edge.plan for edge in edges]))
     sigmas = np.concatenate([np.full(len(edge.plan), edge.sigma) for edge in edges])
-    pieces, areas, findings = road_areas(ways, cuts, inputs.official, inputs.lanes if fine else (),
+    official, moved = laid_on_kerbs(inputs.official, ways.measured)
+    pieces, areas, findings = road_areas(ways, cuts, official, inputs.lanes if fine else (),
                                          lambda place: sigmas[places.query(place)[1]])
     progress.step(0.8)
     areas, steps = raised_areas(areas, EdgeHeights.of(edges), level, inputs.ground)
-    findings = [*ways.findings, *findings, *_missing(ways, cuts, areas, inputs, level)]
+    findings = [*ways.findings, *moved, *findings, *_missing(ways, cuts, areas, inputs, level)]
     return SurveyedRoads(level, tuple(pieces), tuple(areas), tuple(steps), tuple(findings))
 
 

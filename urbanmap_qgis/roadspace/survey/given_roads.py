@@ -1,0 +1,101 @@
+"""Given roads whose border is the kerb itself, but lies beside the measured one: moved onto it, and told.
+
+Edges of the GSI at scale 1:2500 lie up to 1.75 m off. Without this, what lies between a kerb and its own drawing
+would be a sidewalk that is not there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from scipy.spatial import cKDTree
+
+from ...wording import say
+from ..road_records import RoadFinding
+
+
+@dataclass(frozen=True)
+class MoveLimits:
+    """Limits of moving given roads, each with its unit."""
+
+    step: float = 0.5  # m between places along both borders
+    search: float = 3.0  # m; maps at 1:2500 keep 1.75 m (standard deviation)
+    least: float = 0.1  # m; nearer borders stay
+    same: float = 0.2  # m between the moved border and a kerb that it is
+    share: float = 0.7  # of the kerbs' places that have the border so near
+    places: int = 20
+    rounds: int = 30
+
+
+LIMITS = MoveLimits()
+
+
+def laid_on_kerbs(official: Sequence[shapely.Polygon], kerbs: shapely.Geometry,
+                  ) -> tuple[Sequence[shapely.Polygon], list[RoadFinding]]:
+    """Given roads moved so that their border lies on the kerbs, where one shift does that; else as they are.
+
+    Parameters
+    ----------
+    official : surfaces of roads, m.
+    kerbs : measured lines, m.
+
+    Returns
+    -------
+    The surfaces, and a finding where they were moved. Roads with sidewalks stay: no shift lays both of their borders
+    on kerbs.
+    """
+    if not official or kerbs.is_empty:
+        return official, []
+    border = _places(shapely.union_all([shape.boundary for shape in official]))
+    measured = _places(kerbs)
+    shift = _shift(measured, border)
+    if len(measured) < LIMITS.places or np.hypot(*shift) < LIMITS.least:
+        return official, []
+    away = cKDTree(border + shift).query(measured)[0]
+    if np.mean(away < LIMITS.same) < LIMITS.share:
+        return official, []
+    moved = [shapely.transform(shape, lambda corners: corners + shift) for shape in official]
+    x, y = measured[int(np.argmin(np.hypot(*(measured - measured.mean(axis=0)).T)))].tolist()
+    return moved, [RoadFinding("given roads moved", say(
+        "The given roads lay {distance:.2f} m beside the measured kerbs ({east:+.2f} m to the east, {north:+.2f} m to "
+        "the north are put on them): their border was taken for the kerb.", distance=float(np.hypot(*shift)),
+        east=float(shift[0]), north=float(shift[1])), x, y)]
+
+
+def _places(lines: shapely.Geometry) -> np.ndarray:
+    """Places (n, 2) along lines, m."""
+    parts = [shapely.segmentize(part, LIMITS.step) for part in shapely.get_parts(lines)]
+    return np.concatenate([shapely.get_coordinates(part) for part in parts])
+
+
+def _shift(measured: np.ndarray, border: np.ndarray) -> np.ndarray:
+    """Shift (2,) of the border onto the measured places, m: medians across both, those near each other alone."""
+    shift, reach = np.zeros(2), LIMITS.search
+    course = _courses(border)
+    for _ in range(LIMITS.rounds):
+        away, at = cKDTree(border + shift).query(measured)
+        near = away < reach
+        if np.count_nonzero(near) < LIMITS.places:
+            return np.zeros(2)
+        across = np.column_stack([-course[at[near], 1], course[at[near], 0]])
+        off = ((measured[near] - border[at[near]] - shift) * across).sum(axis=1)
+        # Robust least squares across the border alone: along a straight road nothing tells.
+        weight = 1.0 / np.maximum(np.abs(off), LIMITS.least)
+        normal = (across * weight[:, None]).T @ across + 1e-6 * np.eye(2) * weight.sum()
+        change = np.linalg.solve(normal, (across * weight[:, None]).T @ off)
+        shift = shift + change
+        if np.hypot(*change) < 1e-3:
+            break
+    return shift
+
+
+def _courses(places: np.ndarray) -> np.ndarray:
+    """Unit vectors (n, 2) from each place to the one after it; of the one before where rings meet."""
+    chord = np.diff(places, axis=0, append=places[-1:])
+    length = np.hypot(*chord.T)
+    far = (length == 0) | (length > 2.0 * LIMITS.step)
+    chord[far] = np.roll(chord, 1, axis=0)[far]
+    return chord / np.maximum(np.hypot(*chord.T), 1e-12)[:, None]
