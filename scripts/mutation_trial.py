@@ -6,9 +6,9 @@
 One change at a time: an operator (+ and -, * and /, & and |, a sign), a comparison (turned to its opposite), a branch
 (its condition negated, "and" and "or"), a constant (a whole number plus one, a decimal number doubled, True and False).
 For each change those core tests run that enter the changed function (for a line outside functions: any function of its
-module), fastest first, to the first failure, as many as fit into the budget of seconds. Which test enters which
-function is measured in a run of the core tests, kept in build/mutation and measured again for tests that changed.
-Slow tests are left out; `--slow` then tries them, and them alone, on what has survived.
+module), fastest first, then the others of their files, to the first failure, as many as fit into the budget of seconds.
+Which test enters which function is measured in a run of the core tests, kept in build/mutation and measured again for
+tests that changed. Slow tests are left out; `--slow` then tries them, and them alone, on what has survived.
 
 All goes in slices: outcomes are kept while core and tests are the same, and `--minutes` ends a slice; the same command
 goes on.
@@ -285,7 +285,7 @@ def function_names(path: Path) -> dict[int, str]:
 
 
 def tests_of(change: Change, reach: dict[str, dict], users: dict[str, set[str]]) -> list[tuple[float, str]]:
-    """Seconds and name of the tests that enter the changed function, the fastest first.
+    """Seconds and name of the tests that enter the changed function, the fastest first, then of those beside them.
 
     For a line outside functions (a constant of the module, a default, a field): those that enter any function of the
     module, or of the modules that import it.
@@ -299,7 +299,10 @@ def tests_of(change: Change, reach: dict[str, dict], users: dict[str, set[str]])
         places = {place, *(f"{user.partition('.')[2].replace('.', '/')}.py" for user in users.get(change.module, ()))}
         found = [(seconds, test) for seconds, test, functions in tests
                  if any(function.partition(":")[0] in places for function in functions)]
-    return sorted(found)
+    # What fixtures of a file make counts for the first test that asks for them: the others see it as well.
+    files = {test.partition("::")[0] for _, test in found}
+    beside = {(seconds, test) for seconds, test, _ in tests if test.partition("::")[0] in files} - set(found)
+    return sorted(found) + sorted(beside)
 
 
 # The trial
@@ -310,7 +313,7 @@ def try_change(change: Change, folder: Path, tests: list[tuple[float, str]], bud
     chosen, seconds = [], 0.0
     for lasted, test in tests:
         if chosen and seconds + lasted > budget:
-            break
+            continue
         chosen.append(test)
         seconds += lasted
     if not chosen:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from types import SimpleNamespace
 
 import cv2
@@ -21,6 +22,7 @@ from urbanmap_qgis.buildings.city_export import _level
 from urbanmap_qgis.buildings.mesh25d.mesh_points import BUILDING_CLASS, _chosen
 from urbanmap_qgis.buildings.model_status import NOT_MODELLED
 from urbanmap_qgis.buildings.model_table import _verdict
+from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.gnss.walls.offset_posterior import _rival
 from urbanmap_qgis.io.conversion.geoid import _whole_seconds
 from urbanmap_qgis.io.conversion.reprojection import resampled
@@ -36,6 +38,8 @@ from urbanmap_qgis.roadmap.lines.line_fit import fit_centre_line
 from urbanmap_qgis.roadmap.lines.line_work import RoadArea
 from urbanmap_qgis.roadmap.objects.object_records import POLE, TREE, Stem
 from urbanmap_qgis.roadmap.objects.street_objects import _doubt
+from urbanmap_qgis.roadspace.junctions import _skew
+from urbanmap_qgis.terrain import cloud_tiles
 
 PIXEL = 0.12
 
@@ -235,3 +239,24 @@ def test_the_evidence_for_a_size_of_drift():
     value = _likelihood(np.zeros(2), prior, factors, np.array([0.0, 4.0]), 1.0,
                         SimpleNamespace(value=np.array([[1.0, 1.0, np.nan, np.nan]] * 2)), SimpleNamespace(gross=2.0))
     assert value == pytest.approx(0.5 * (3.0 - 2.0) - 0.5 - 4.0 * np.log(2.0))
+
+
+@pytest.mark.parametrize(("left", "right", "skew"), [((10, 4), (10, -4), 0.0), ((14, 4), (6, -4), 45.0),
+                                                     ((7.69, 4), (12.31, -4), 30.0), ((110, 4), (110, -4), 0.0)])
+def test_by_how_much_a_cut_leaves_the_cross_direction(left, right, skew):
+    """Of an arm that runs east; its cuts lie where they lie, wherever the coordinates begin."""
+    place = (left[0] + right[0]) / 2
+    branch = SimpleNamespace(points=np.array([[0.0, 0.0], [200.0, 0.0]]), clearance=np.array([4.0, 4.0]))
+    cut = SimpleNamespace(left=np.array(left, float), right=np.array(right, float), place=place)
+    assert _skew(SimpleNamespace(branch=branch), cut) == pytest.approx(skew, abs=0.1)
+
+
+def test_a_strange_place_among_points_is_named():
+    """Most points lie in square (500, 500), one a thousand squares west and a million north of it."""
+    size = cloud_tiles.LIMITS.place
+    squares = Counter({complex(500, 500): 90, complex(501, 500): 40, complex(-500, 10**6 - 500): 1})
+    away = f"{np.hypot(1000, 10**6 - 1000) * size / 1000:.0f} km"
+    place = f"{-499.5 * size:.0f}, {(10**6 - 499.5) * size:.0f}"
+    with pytest.raises(InputError, match=f"near {place}, {away} from the others"):
+        cloud_tiles._require_filled(squares)
+    cloud_tiles._require_filled(Counter({complex(500, 500): 90, complex(501, 500): 40}))
