@@ -13,7 +13,7 @@ from urbanmap_qgis.mobile.markings.records import MarkingPoints
 from urbanmap_qgis.mobile.registration.correction.adjustment import adjust_correction
 from urbanmap_qgis.mobile.registration.correction.chain import NodeChain, nodes_along
 from urbanmap_qgis.mobile.registration.correction.gauss_markov import path_parameters_of
-from urbanmap_qgis.mobile.registration.correction.held_observations import HeldObservations
+from urbanmap_qgis.mobile.registration.correction.held_observations import HeldObservations, OwnOffsets
 from urbanmap_qgis.mobile.registration.correction.moved_markings import moved_markings, with_moved
 from urbanmap_qgis.mobile.registration.correction.normal_equations import normal_equations_of
 from urbanmap_qgis.mobile.registration.correction.patch_status import REGISTERED
@@ -100,33 +100,42 @@ def test_planes_belong_to_the_edge_that_they_stand_behind():
     assert outside[:3] == pytest.approx([-0.4, 0.3, -0.5])
 
 
-def test_held_observations_and_their_offset_equal_the_dense_solution():
+def test_held_observations_and_their_offsets_equal_the_dense_solution():
+    """By the slope of the sum of squares over each offset, of which the states are solved again and again."""
     drive = simulate(2, length=60.0, turn=None)
     along = path_parameters_of(drive.reported, 1.0)
     normals = normal_equations_of(drive.windows, np.interp(drive.windows.time, drive.reported.time, along))
     nodes = nodes_along(along, 2.0)
     chain = NodeChain(normals, nodes, drive.reported, along, np.zeros(len(nodes) - 1))
     rng = np.random.default_rng(0)
+    column = np.column_stack([rng.integers(0, 3, 40), 3 + rng.integers(0, 5, 40)])
+    own = OwnOffsets(column, rng.uniform(4.0, 30.0, 8), np.repeat([0, 1], [3, 5]), rng.uniform(5.0, 30.0, 40))
     held = HeldObservations(np.sort(rng.uniform(0, along[-1], 40)), rng.normal(size=(40, 3)), rng.normal(size=40),
-                            rng.uniform(1, 9, 40), 0.2, (0.3, 0.5))
+                            rng.uniform(1, 9, 40), 0.2, (0.3, 0.5), own)
     model = CorrectionSettings().error_model(np.tile([0.05, 0.05, 0.1], (len(chain.nodes), 1)))
     weight = np.ones(len(normals.present))
 
-    def objective_slope(offset):
-        other = replace(held, target=held.target - (offset - held.offset), offset=offset)
-        state = chain.with_held(other).solve(model, weight)[0]
+    def slope(offsets):
+        """Of the common offset and the eight, and the states."""
+        moved = (offsets[0] - held.offset) + offsets[1:][column].sum(axis=1)
+        other = replace(held, target=held.target - moved, weight=own.weight, own=None)
+        state, covariance, _ = chain.with_held(other).solve(model, weight)
         node, ahead = chain._next_node(held.path_parameter)
-        value = state[node, :, 0] + ahead[:, None] * state[node, :, 1]
-        return float((other.weight * other.residual(value)).sum()) + (offset - 0.3) / 0.5**2, state
+        off = other.weight * other.residual(state[node, :, 0] + ahead[:, None] * state[node, :, 1])
+        of_own = np.bincount(column.ravel(), np.repeat(off, 2), 8) + own.precision * offsets[1:]
+        return np.append(off.sum() + (offsets[0] - 0.3) / 0.5**2, of_own), state, covariance
 
-    ready = chain.with_held(held)
-    state = ready.solve(model, weight)[0]
-    offset, sigma, response = ready.offset_of_held(model, weight, state)
-    slope, best = objective_slope(offset)
-    assert slope == pytest.approx(0.0, abs=1e-6)
-    assert state + response * (offset - held.offset) == pytest.approx(best, abs=1e-7)
-    more = objective_slope(offset + 0.01)[0] / 0.01
-    assert sigma == pytest.approx(more**-0.5, rel=1e-4)
+    made = chain.with_held(held).settled(model, weight)
+    best = np.append(made.offset, made.own)
+    at_best, state, spread = slope(best)
+    assert at_best == pytest.approx(0.0, abs=1e-6)
+    assert made.state == pytest.approx(state, abs=1e-7)
+    beside = [slope(best + 0.01 * unit) for unit in np.eye(9)]
+    inverse = np.linalg.inv(np.array([item[0] for item in beside]) / 0.01)
+    follow = np.array([(item[1] - state).reshape(len(state), -1) for item in beside]) / 0.01
+    assert made.own_variance == pytest.approx(np.diag(inverse)[1:], rel=1e-4)
+    assert made.covariance == pytest.approx(spread + np.einsum("aki,ab,bkj->kij", follow, inverse, follow), rel=1e-4,
+                                            abs=1e-9)
 
 
 def test_what_is_held_does_not_follow_a_shift_of_the_markings():
@@ -143,9 +152,7 @@ def test_what_is_held_does_not_follow_a_shift_of_the_markings():
 
     def solved(shift):
         moved = chain.with_normals(replace(normals, place=normals.place + np.append(shift, 0.0)))
-        state = moved.solve(model, weight)[0]
-        offset, _, response = moved.offset_of_held(model, weight, state)
-        state = state + response * (offset - held.offset)
+        state = moved.settled(model, weight).state
         return chain.interpolate(state, np.zeros((len(nodes), 6, 6)), at)[0][:, :2]
 
     expected = np.stack([(solved(np.eye(2)[axis]) - solved(np.zeros(2))) for axis in range(2)], axis=2)

@@ -12,7 +12,7 @@ from ...trajectory import Trajectory
 from ..matching.block_chain import ChainSolution, solve_chain
 from .error_model import PoseErrorModel
 from .gauss_markov import StopMovement, jump_steps, stop_steps
-from .held_observations import HeldObservations
+from .held_observations import HeldObservations, HeldSystem
 from .normal_equations import NormalEquations
 
 _SINGULAR = 1e-6  # ratio of information below which a direction is not observed
@@ -40,6 +40,24 @@ class _Prior:
     square: float
 
 
+@dataclass(frozen=True)
+class SettledChain:
+    """The nodes with what is held, its offsets most likely.
+
+    Attributes
+    ----------
+    state, covariance : (k, d, 2), (k, 2 d, 2 d) of the nodes.
+    offset : m, the common one of all that is held.
+    own, own_variance : (m,) m, m2, the other offsets (see `OwnOffsets`).
+    """
+
+    state: np.ndarray
+    covariance: np.ndarray
+    offset: float
+    own: np.ndarray
+    own_variance: np.ndarray
+
+
 class NodeChain:
     """The normal equations: nodes along the path, the observations on the node next to each piece."""
 
@@ -47,7 +65,7 @@ class NodeChain:
                  fast: np.ndarray, fast_up: np.ndarray | float = 0.0):
         self.nodes, self.fast, self.fast_up = nodes, fast, fast_up
         self.held: HeldObservations | None = None
-        self._held_sums: tuple[np.ndarray, np.ndarray, np.ndarray] | None = None
+        self._held_sums: tuple[np.ndarray, np.ndarray] | None = None
         rising = np.concatenate([[True], np.diff(path_parameter) > 0])
         time = np.interp(nodes, path_parameter[rising], trajectory.time[rising])
         self.stopped, self.jump = stop_steps(trajectory, time), jump_steps(trajectory, time)
@@ -127,6 +145,14 @@ class NodeChain:
     def _solved(self, model: PoseErrorModel, weight: np.ndarray) -> tuple[ChainSolution, np.ndarray, _Prior]:
         """The solution, the right side (k, d, 2) and the prior."""
         k, d = len(self.nodes), self.size
+        diagonal, right, prior = self._equations(model, weight)
+        if self._held_sums is not None:
+            diagonal, right = diagonal + self._held_sums[0], right + self._held_sums[1]
+        return solve_chain(diagonal.reshape(k, 2 * d, 2 * d), prior.ahead.reshape(k - 1, 2 * d, 2 * d),
+                           right.reshape(k, 2 * d)), right, prior
+
+    def _equations(self, model: PoseErrorModel, weight: np.ndarray) -> tuple[np.ndarray, np.ndarray, _Prior]:
+        """Blocks on the diagonal (k, d, 2, d, 2) and right side (k, d, 2) without what is held, and the prior."""
         prior = self._prior_of(model)
         diagonal, right = prior.diagonal.copy(), prior.right.copy()
         weighted = self.normals.information * weight[:, None, None]
@@ -136,57 +162,43 @@ class NodeChain:
         right[filled] += np.add.reduceat(gradient[:, :, None] * steps[:, None], first, axis=0)
         products = weighted[:, :, None, :, None] * (steps[:, :, None] * steps[:, None])[:, None, :, None]
         diagonal[filled] += np.add.reduceat(products, first, axis=0)
-        if self._held_sums is not None:
-            diagonal, right = diagonal + self._held_sums[0], right + self._held_sums[1]
-        return solve_chain(diagonal.reshape(k, 2 * d, 2 * d), prior.ahead.reshape(k - 1, 2 * d, 2 * d),
-                           right.reshape(k, 2 * d)), right, prior
+        return diagonal, right, prior
 
-    def offset_of_held(self, model: PoseErrorModel, weight: np.ndarray,
-                       state: np.ndarray) -> tuple[float, float, np.ndarray]:
-        """The most likely offset of the held observations, its standard deviation, m, and how it moves the states.
+    def settled(self, model: PoseErrorModel, weight: np.ndarray) -> SettledChain:
+        """Most likely states with what is held, at the most likely offsets of it, which are unknown too."""
+        system = self._held_system(model, weight)
+        state, offset, fixed = system.settled()
+        covariance = fixed.covariance.copy()
+        for columns in system.followers():
+            covariance += columns @ np.swapaxes(columns, 1, 2)
+        return SettledChain(state.reshape(len(self.nodes), self.size, 2), covariance, self.held.offset + offset[0],
+                            offset[1:], np.diag(system.offset_covariance)[1:])
 
-        Parameters
-        ----------
-        state : (k, d, 2) as solved with the offset that the observations have; they follow by (k, d, 2) a metre.
-        """
-        observed, (mean, sigma) = self.held, self.held.offset_prior
-        response, precision = self._offset_response(model, weight)
-        node, ahead = self._next_node(observed.path_parameter)
-        value = state[node, :, 0] + ahead[:, None] * state[node, :, 1]
-        lean = float((observed.weight * observed.residual(value)).sum()) + (observed.offset - mean) / sigma**2
-        return observed.offset - lean / precision, precision**-0.5, response
-
-    def _offset_response(self, model: PoseErrorModel, weight: np.ndarray) -> tuple[np.ndarray, float]:
-        """(k, d, 2) by which the states follow the offset of the held observations, a metre; the offset's precision."""
-        pull = self._held_sums[2]
-        response = self._followed(model, weight, np.zeros(self.size), -pull)
-        precision = float(self.held.weight.sum()) + self.held.offset_prior[1] ** -2.0 + float((pull * response).sum())
-        return response, precision
-
-    def _followed(self, model: PoseErrorModel, weight: np.ndarray, shift: np.ndarray,
-                  held_right: np.ndarray) -> np.ndarray:
-        """(k, d, 2) states of the evidence moved by `shift` (d,) alone, with a right side of what is held."""
-        bare = copy(self)
-        bare.normals = replace(self.normals, gradient=np.zeros_like(self.normals.gradient),
-                               place=np.broadcast_to(shift, self.normals.place.shape))
-        bare._held_sums = self._held_sums[0], held_right, self._held_sums[2]
-        bare._held, bare.stops = None, StopMovement(np.zeros_like(self.stops.moved), self.stops.variance)
-        return bare._solved(model, weight)[0].state.reshape(held_right.shape)
+    def _held_system(self, model: PoseErrorModel, weight: np.ndarray) -> HeldSystem:
+        """The equations with what is held and its offsets."""
+        k, p = len(self.nodes), 2 * self.size
+        diagonal, right, prior = self._equations(model, weight)
+        equations = self.held.offset_equations(*self._next_node(self.held.path_parameter), k)
+        return HeldSystem(diagonal.reshape(k, p, p), prior.ahead.reshape(k - 1, p, p), right.reshape(k, p), equations)
 
     def shift_response(self, model: PoseErrorModel, weight: np.ndarray, path_parameter: np.ndarray) -> np.ndarray:
         """(n, 2, 2) how far the place in plan at path parameters (n,) follows a shift in plan of all the evidence.
 
-        All of it without held observations; with them what they leave: they stay, but for their common offset.
+        All of it without held observations; with them what they leave: they stay, but for their offsets.
         """
         if self.held is None:
             return np.broadcast_to(np.eye(2), (len(path_parameter), 2, 2))
-        offset_response, precision = self._offset_response(model, weight)
-        pull, followed = self._held_sums[2], np.empty((len(path_parameter), 2, 2))
-        for axis in range(2):
-            states = self._followed(model, weight, np.eye(self.size)[axis], np.zeros_like(pull))
-            states = states - offset_response * (float((pull * states).sum()) / precision)
-            followed[:, :, axis] = smooth_between(self.nodes, states, path_parameter)[:, :2]
-        return followed
+        k, d, sides = len(self.nodes), self.size, []
+        for shift in np.eye(d)[:2]:
+            bare = copy(self)
+            bare.normals = replace(self.normals, gradient=np.zeros_like(self.normals.gradient),
+                                   place=np.broadcast_to(shift, self.normals.place.shape))
+            bare._held, bare.stops = None, StopMovement(np.zeros_like(self.stops.moved), self.stops.variance)
+            sides.append(bare._equations(model, weight)[1].ravel())
+        states = self._held_system(model, weight).response(np.column_stack(sides))
+        followed = [smooth_between(self.nodes, states[..., axis].reshape(k, d, 2), path_parameter)[:, :2]
+                    for axis in range(2)]
+        return np.stack(followed, axis=2)
 
     def disturbances(self, model: PoseErrorModel, weight: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """How each step of the chain pulls at the model: (k - 1, p), with covariances (k - 1, p, p) where it holds.
@@ -195,7 +207,12 @@ class NodeChain:
         and rate in turn. A jump that the model does not know stands out in them, wherever the evidence is.
         """
         k, d = len(self.nodes), self.size
-        solution = self._solved(model, weight)[0]
+        if self.held is None:
+            system, solution = None, self._solved(model, weight)[0]
+            state = solution.state
+        else:
+            system = self._held_system(model, weight)
+            state, _, solution = system.settled()
         transition, small = self._steps(model)
         whole, precision = np.zeros((2, k - 1, d, 2, d, 2))
         axis = np.arange(d)
@@ -204,9 +221,12 @@ class NodeChain:
         whole, precision = (part.reshape(k - 1, 2 * d, 2 * d) for part in (whole, precision))
         before, after = solution.covariance[:-1], solution.covariance[1:]
         carried = whole @ solution.gain @ after  # minus F C(k, k + 1)
-        found = solution.state[1:] - np.einsum("kij,kj->ki", whole, solution.state[:-1])
+        found = state[1:] - np.einsum("kij,kj->ki", whole, state[:-1])
         found[:, ::2] -= self.stop_changes()
         spread = after + whole @ before @ np.swapaxes(whole, 1, 2) + carried + np.swapaxes(carried, 1, 2)
+        for columns in () if system is None else system.followers():
+            follows = columns[1:] - whole @ columns[:-1]
+            spread += follows @ np.swapaxes(follows, 1, 2)
         return np.einsum("kij,kj->ki", precision, found), precision - precision @ spread @ precision
 
     def _prior_of(self, model: PoseErrorModel) -> _Prior:

@@ -9,7 +9,7 @@ accuracy of both of its sides.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -99,6 +99,8 @@ class UnseenSteps:
 def unseen_steps(chain: NodeChain, model: PoseErrorModel, fit: Fit, known: Sequence[NodeStep]) -> UnseenSteps:
     """Steps that the adjustment would not show; those that are `known` are in its covariances."""
     seen = chain.nodes[chain.marked(fit.weight)] if chain.held is None else chain.nodes
+    if chain.held is not None:  # walls show steps of the drive: of the reference's they tell with their own offsets
+        chain = chain.with_held(replace(chain.held, own=None))
     tests = [] if not len(seen) else [
         step for step in step_tests(chain, model, fit, 1.0) if step is not None
         and seen[0] + LIMITS.side <= chain.nodes[step.node] <= seen[-1] - LIMITS.side

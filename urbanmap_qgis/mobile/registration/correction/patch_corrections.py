@@ -215,6 +215,9 @@ def correction_at_patches(windows: WindowResults, found: Disagreements, at_patch
     weight = np.where(normals.present, fit.weight, np.nan)[piece]
     residual = windows.correction - value
     opposed = contradicted(residual[:, :2], covariance[:, :2, :2], windows.covariance[:, :2, :2], windows.usable)
+    wide = evidence_spans(normals, fit.weight, at_patches) > MOST_SPAN
+    if chain.held is not None:  # where no markings are, walls hold the place, and the windows reach for others
+        opposed, doubtful = opposed & ~wide, doubtful & ~wide
     covariance[:, :2, :2] += opposing_spread(residual[:, :2], opposed)
     if windows.spread is not None:
         covariance[doubtful, :2, :2] += windows.spread[doubtful]
@@ -229,14 +232,14 @@ def correction_at_patches(windows: WindowResults, found: Disagreements, at_patch
     support = np.where(chain.fast_near(at_patches, LIMITS.on_step), LIMITS.step_support, settings.support_length)
     by_paint = own_information(normals, fit.weight / fit.noise_factor, at_patches, support)
     by_walls = chain.held.plan_information(at_patches, support) if chain.held else np.zeros_like(by_paint)
-    by_own_windows = plan_sigma_of(by_paint + by_walls)
+    near_walls = np.where(np.einsum("nii->n", by_walls) > 0, relative, np.inf)
+    by_own_windows = np.minimum(plan_sigma_of(by_paint + by_walls), near_walls)
     status, reason = patch_statuses(by_own_windows, weight, relative, doubtful, settings.registered_sigma,
                                     settings.trusted_sigma)
-    wide = evidence_spans(normals, fit.weight, at_patches) > MOST_SPAN
-    wide &= plan_sigma_of(by_walls) > settings.registered_sigma  # walls alone may fix the place
+    wide &= near_walls > settings.registered_sigma  # walls alone may fix the place
     status, reason = _bridged(status, reason, wide, say("no markings just before or after the patch"))
     if normals.met is not None:
-        few = normals.met[piece] < LEAST_MET
+        few = (normals.met[piece] < LEAST_MET) & (near_walls > settings.registered_sigma)
         status, reason = _bridged(status, reason, few, say("few of the markings here are in the reference"))
     status, reason = _bridged(status, reason, opposed, say("the window here contradicts the correction"))
     status, reason = with_disagreements(status, reason, found, at_patches, beside)

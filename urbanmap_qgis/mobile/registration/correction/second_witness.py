@@ -107,11 +107,8 @@ def settled_offset(chain: NodeChain, fit: Fit, model: PoseErrorModel, weight: np
 
     `weight` : (n,) of the markings' evidence.
     """
-    state, covariance, _ = chain.solve(model, weight)
-    offset, sigma, response = chain.offset_of_held(model, weight, state)
-    flat = response.reshape(len(response), -1)
-    return replace(fit, state=state + response * (offset - chain.held.offset),
-                   covariance=covariance + sigma**2 * flat[:, :, None] * flat[:, None, :]), offset
+    settled = chain.settled(model, weight)
+    return replace(fit, state=settled.state, covariance=settled.covariance), settled.offset
 
 
 def with_free_gaps(found: Disagreements, model: PoseErrorModel) -> Disagreements:

@@ -19,7 +19,7 @@ class ChainSolution:
 
     Attributes
     ----------
-    state : (n, p).
+    state : (n, p), or (n, p, r) of as many right sides.
     covariance : (n, p, p) of each state, given all.
     log_determinant : of the matrix.
     gain : (n - 1, p, p); the covariance of a state and the next one is -gain[k] @ covariance[k + 1].
@@ -34,16 +34,17 @@ class ChainSolution:
 def solve_chain(diagonal: np.ndarray, ahead: np.ndarray, right: np.ndarray) -> ChainSolution:
     """Solve the symmetric positive definite system with blocks `diagonal` (n, p, p) and `ahead` (n - 1, p, p).
 
-    `ahead[k]` stands in row k, column k + 1; `right` is (n, p).
+    `ahead[k]` stands in row k, column k + 1; `right` is (n, p), or (n, p, r) for r right sides.
     """
     count = len(right)
     scale = 1.0 / np.sqrt(np.einsum("kii->ki", diagonal))  # states in their own units
     diagonal = diagonal * scale[:, :, None] * scale[:, None, :]
     ahead = ahead * scale[:-1, :, None] * scale[1:, None, :]
-    state = right * scale
+    of_right = scale if right.ndim == 2 else scale[:, :, None]
+    state = right * of_right
     inverse = np.empty_like(diagonal)  # of each pivot, the states before eliminated
     gain = np.empty_like(ahead)
-    roots = np.empty_like(state)
+    roots = np.empty_like(scale)
     pivot = diagonal[0]
     for k in range(count):
         if k:
@@ -64,5 +65,5 @@ def solve_chain(diagonal: np.ndarray, ahead: np.ndarray, right: np.ndarray) -> C
     for k in range(count - 2, -1, -1):
         state[k] = inverse[k] @ state[k] - gain[k] @ state[k + 1]
         covariance[k] += gain[k] @ covariance[k + 1] @ gain[k].T
-    return ChainSolution(state * scale, covariance * scale[:, :, None] * scale[:, None, :], log_determinant,
+    return ChainSolution(state * of_right, covariance * scale[:, :, None] * scale[:, None, :], log_determinant,
                          gain * scale[:-1, :, None] / scale[1:, None, :])

@@ -1,8 +1,9 @@
 """What walls say of a correction: where it breaks them, and where the outlines want them.
 
 Eaves, balconies and what an outline is off by stand between a facade and its outline: how far facades stand inside the
-outlines in the mean is one unknown of the whole drive, and how much single walls differ from it is found from the walls
-alone. All planes of a wall share its difference, so that a wall counts as one observation however many planes it has.
+outlines in the mean is one unknown of the whole drive, by how much each building differs from it and each wall from its
+building are unknowns too: the walls of a building share its eaves, and a wall tells of its place once however many
+planes it has, but of how the correction changes along it by each of them. Their sizes are found from the walls alone.
 """
 
 from __future__ import annotations
@@ -13,9 +14,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ....geometry.tolerances import SIGMA_OF_MAD
-from ..correction.chain import NodeChain, smooth_between
+from ..correction.chain import NodeChain, SettledChain, smooth_between
 from ..correction.error_model import PoseErrorModel
-from ..correction.held_observations import HeldObservations
+from ..correction.held_observations import HeldObservations, OwnOffsets
 from .facade_planes import FacadePlanes
 from .outline_walls import MatchedWalls, WallEdges
 from .straightness import WallJump, own_walls, wall_jumps
@@ -39,6 +40,10 @@ class WitnessLimits:
     rounds: int = 10  # at most, until the walls' own course moves by less than `settled` m
     settled: float = 0.02
     freedom: float = 1.25  # by which walls differ more than from a course that follows them
+    piece: float = 10.0  # m of path whose planes of a wall are one observation
+    # m, of buildings from the mean, and of walls from their building: at first, and at least
+    sizes: tuple[float, float] = (0.3, 0.1)
+    least: float = 0.03
 
 
 LIMITS = WitnessLimits()
@@ -63,6 +68,7 @@ class WallWitness:
     alone : whether markings give the start only, and walls the correction.
     eaves : m, by which facades stand inside the outlines in the mean, as taken at last.
     differ : m, standard deviation of single walls about it.
+    sizes : m, by how much buildings differ from it, and walls from their building.
     course : the correction by the walls alone, once it is fitted.
     """
 
@@ -71,6 +77,7 @@ class WallWitness:
     alone: bool = False
     eaves: float = LIMITS.eaves[0]
     differ: float = LIMITS.differ[1]
+    sizes: tuple[float, float] = LIMITS.sizes
     course: Curve | None = None
 
     def among(self, marked: Callable[[np.ndarray], np.ndarray]) -> WallWitness:
@@ -95,13 +102,15 @@ class WallWitness:
         """The walls' observations about a curve; None where no facade belongs to an outline."""
         if self.edges is None or not len((found := self.matched(curve)).planes):
             return None
-        wall, count, middle = found.by_wall()
+        pieces = _WallPieces.of(found)
         sigma2 = self.differ**2 + LIMITS.floor**2
-        weight = 1.0 / (sigma2 * count * (1.0 + (middle + self.eaves) ** 2 / (LIMITS.soft**2 * sigma2)) ** 2)
-        rate = found.planes.rates(found.outward)[:, list(active)]
-        value = curve(found.planes.path_parameter)[:, list(active)]
-        target = (rate * value).sum(axis=1) - found.outside - self.eaves
-        return HeldObservations(found.planes.path_parameter, rate, target, weight[wall], self.eaves, LIMITS.eaves)
+        trust = 1.0 / (1.0 + (pieces.middle + self.eaves) ** 2 / (LIMITS.soft**2 * sigma2)) ** 2
+        weight = trust / (sigma2 * np.bincount(pieces.wall))
+        rate = pieces.mean(found.planes.rates(found.outward)[:, list(active)])
+        value = pieces.mean((found.planes.rates(found.outward) * curve(found.planes.path_parameter)).sum(axis=1))
+        target = value - pieces.outside - self.eaves
+        return HeldObservations(pieces.mean(found.planes.path_parameter), rate, target, weight[pieces.wall], self.eaves,
+                                LIMITS.eaves, pieces.offsets(self.edges.building, self.sizes, trust))
 
     def fitted(self, chain: NodeChain, model: PoseErrorModel, curve: Curve) -> WallWitness:
         """With eaves and differences as the walls alone tell them, and the course that they want, from a curve on.
@@ -114,11 +123,9 @@ class WallWitness:
             if observations is None:
                 return witness
             alone = chain.with_held(observations)
-            state = alone.solve(model, none)[0]
-            eaves, _, response = alone.offset_of_held(model, none, state)
-            state = state + response * (eaves - observations.offset)
-            curve = node_curve(chain, state)
-            witness = replace(witness.with_eaves(eaves), course=curve)
+            settled = alone.settled(model, none)
+            state, curve = settled.state, node_curve(chain, settled.state)
+            witness = replace(witness.with_eaves(settled.offset), course=curve, sizes=_sizes(settled, observations))
             witness = replace(witness, differ=witness._differences(curve))
             if last is not None and np.abs(state - last)[:, :2, 0].max() < LIMITS.settled:
                 break
@@ -152,11 +159,78 @@ class WallWitness:
     def by_walls(self, chain: NodeChain, model: PoseErrorModel) -> WallsAlone:
         """The correction that the walls held by a chain give without any markings."""
         none = np.zeros(len(chain.normals.present))
-        state, spread, _ = chain.solve(model, none)
-        offset, sigma, response = chain.offset_of_held(model, none, state)
-        state = state + response * (offset - chain.held.offset)
-        plan = response[:, :2, 0]
-        return WallsAlone(state[:, :2, 0], in_plan(spread) + sigma**2 * plan[:, :, None] * plan[:, None, :])
+        settled = chain.settled(model, none)
+        return WallsAlone(settled.state[:, :2, 0], in_plan(settled.covariance))
+
+
+def _sizes(settled: SettledChain, held: HeldObservations) -> tuple[float, float]:
+    """m, by how much buildings and walls differ: of each the expected square, given all that was observed, is what was
+    found and its variance (expectation and maximisation: Dempster, Laird and Rubin 1977). Walls that stand out count
+    as little as they are believed.
+    """
+    square, found = settled.own**2 + settled.own_variance, []
+    for level in range(2):
+        mine = held.own.level == level
+        share = held.own.precision[mine] / held.own.precision[mine].max()
+        found.append(float(np.clip(np.sqrt((share * square[mine]).sum() / share.sum()), LIMITS.least,
+                                   LIMITS.differ[2])))
+    return found[0], found[1]
+
+
+@dataclass(frozen=True)
+class _WallPieces:
+    """Planes of walls by pieces of the path, along it.
+
+    Attributes
+    ----------
+    piece : (n,) number of each plane's piece.
+    count : (p,) planes.
+    outside : (p,) m, median of how far outside of the outline they lie.
+    wall : (p,) number of the wall, from 0.
+    edge, middle : (w,) of each wall, the number of its edge, and its planes' median place, m.
+    """
+
+    piece: np.ndarray
+    count: np.ndarray
+    outside: np.ndarray
+    wall: np.ndarray
+    edge: np.ndarray
+    middle: np.ndarray
+
+    @classmethod
+    def of(cls, found: MatchedWalls) -> _WallPieces:
+        """Those of planes along the path."""
+        wall, _, middle = found.by_wall()
+        part = (found.planes.path_parameter // LIMITS.piece).astype(np.int64)
+        _, first, piece, count = np.unique(np.column_stack([part, wall]), axis=0, return_index=True,
+                                           return_inverse=True, return_counts=True)
+        along = np.argsort(np.bincount(piece.ravel(), found.planes.path_parameter) / count, kind="stable")
+        place = np.empty(len(along), int)
+        place[along] = np.arange(len(along))
+        piece, first, count = place[piece.ravel()], first[along], count[along]
+        order = np.lexsort((found.outside, piece))
+        ends = np.cumsum(count)
+        edge = np.empty(len(middle), int)
+        edge[wall] = found.edge
+        return cls(piece, count, found.outside[order][(2 * ends - count) // 2], wall[first], edge, middle)
+
+    def mean(self, values: np.ndarray) -> np.ndarray:
+        """(p, ...) of the planes' values (n, ...)."""
+        flat = values.reshape(len(values), -1)
+        made = np.column_stack([np.bincount(self.piece, axis) for axis in flat.T]) / self.count[:, None]
+        return made.reshape(len(self.count), *values.shape[1:])
+
+    def offsets(self, building: np.ndarray, sizes: tuple[float, float], trust: np.ndarray) -> OwnOffsets:
+        """Of buildings (k,) of the edges and of walls that differ by `sizes` m, walls more where `trust` (w,) is less.
+        """
+        _, owner = np.unique(building[self.edge], return_inverse=True)
+        owner, buildings = owner.ravel(), int(owner.max()) + 1
+        precision = np.concatenate([np.full(buildings, sizes[0] ** -2.0), trust * sizes[1] ** -2.0])
+        off = np.abs(self.outside - self.middle[self.wall])
+        scatter = max(LIMITS.floor, SIGMA_OF_MAD * float(np.median(off)))
+        weight = 1.0 / (scatter**2 * (1.0 + (off / (LIMITS.soft * scatter)) ** 2))
+        return OwnOffsets(np.column_stack([owner[self.wall], buildings + self.wall]), precision,
+                          np.repeat([0, 1], [buildings, len(trust)]), weight)
 
 
 def in_plan(covariance: np.ndarray) -> np.ndarray:
