@@ -33,31 +33,37 @@ WIDE = 9.0
 """m from the middle of the street to its facades."""
 
 
-def street(drive, eaves=0.4, differ=0.1, seed=1):
-    """Facades on both sides of a straight drive to the east, every fourth building with a side wall; and outlines."""
+def street(drive, eaves=0.4, differ=0.1, seed=1, shared=False):
+    """Facades on both sides of a straight drive to the east, every fourth building with a side wall; and outlines.
+
+    `shared` : the side wall has the eaves of its building.
+    """
     rng = np.random.default_rng(seed)
     true, length = drive.true, path_chainage(drive.true)[-1]
     origin = true.place[0, :2]
-    ends, outward, place, normal = [], [], [], []
+    ends, outward, place, normal, building = [], [], [], [], []
     for side in (1.0, -1.0):
         for number, begin in enumerate(np.arange(-20.0, length + 20.0, 20.0)):
             inside = eaves + rng.normal(0.0, differ)
             ends.append(np.array([[begin, side * WIDE], [begin + 18.0, side * WIDE]]) + origin)
             outward.append([0.0, -side])
+            building.append(number + 1000 * (side > 0))
             x = np.arange(begin + 0.4, begin + 18.0, 0.8)
             place.append(np.column_stack([origin[0] + x, np.full(len(x), origin[1] + side * (WIDE + inside))]))
             normal.append(np.tile([0.0, -side], (len(x), 1)))
             if number % 4 == 0:
                 ends.append(np.array([[begin, side * WIDE], [begin, side * (WIDE + 10.0)]]) + origin)
                 outward.append([-1.0, 0.0])
+                building.append(building[-1])
                 y = np.arange(1.0, 8.0, 0.8)
-                at = origin[0] + begin + eaves + rng.normal(0.0, differ)
+                at = origin[0] + begin + (inside if shared else eaves + rng.normal(0.0, differ))
                 place.append(np.column_stack([np.full(len(y), at), origin[1] + side * (WIDE + y)]))
                 normal.append(np.tile([-1.0, 0.0], (len(y), 1)))
     place, normal = np.concatenate(place), np.concatenate(normal)
     chainage = np.clip(place[:, 0] - origin[0] - 4.0, 0.0, length - 0.1)
     order = np.argsort(chainage, kind="stable")
-    return seen(drive, place[order], normal[order], chainage[order]), WallEdges.of(np.array(ends), np.array(outward))
+    edges = WallEdges.of(np.array(ends), np.array(outward), np.array(building) if shared else None)
+    return seen(drive, place[order], normal[order], chainage[order]), edges
 
 
 def seen(drive, place, normal, chainage):
@@ -192,6 +198,19 @@ def test_walls_hold_a_street_without_paint(eaves):
     ratio = np.abs(held.value - drive.error)[inside, :2] / held.sigma()[inside, :2]
     assert (ratio < 3).mean() > 0.95
     assert held.plan_sigma()[inside].max() < bare.plan_sigma()[inside].max()
+
+
+def test_walls_of_a_building_share_its_eaves():
+    """Along the street few walls say anything: what the fronts tell of their buildings' eaves holds for these, too."""
+    drive = simulate(3, length=400.0, turn=None, gaps=((60.0, 340.0),))
+    planes, edges = street(drive, differ=0.3, shared=True)
+    apart = replace(edges, building=np.arange(len(edges)))
+    inside = (drive.windows.chainage > 60) & (drive.windows.chainage < 340)
+    made, alone = (adjusted(drive, WallWitness(planes, item)) for item in (edges, apart))
+    along, of_alone = (np.abs(item.value - drive.error)[inside, 0] for item in (made, alone))
+    assert along.mean() < 0.7 * of_alone.mean() and along.mean() < 0.05
+    assert (along < 3 * made.sigma()[inside, 0]).mean() > 0.95
+    assert (made.status == REGISTERED)[inside].mean() > 0.1  # without any paint
 
 
 def test_paint_that_lies_elsewhere_than_the_walls_want_it_is_not_registered():

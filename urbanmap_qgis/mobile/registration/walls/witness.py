@@ -106,8 +106,10 @@ class WallWitness:
         sigma2 = self.differ**2 + LIMITS.floor**2
         trust = 1.0 / (1.0 + (pieces.middle + self.eaves) ** 2 / (LIMITS.soft**2 * sigma2)) ** 2
         weight = trust / (sigma2 * np.bincount(pieces.wall))
-        rate = pieces.mean(found.planes.rates(found.outward)[:, list(active)])
-        value = pieces.mean((found.planes.rates(found.outward) * curve(found.planes.path_parameter)).sum(axis=1))
+        rates = found.planes.rates(found.outward)
+        rates[:, 3:] = 0.0  # an outline's direction is off by more than a heading is: it turns nobody
+        rate = pieces.mean(rates[:, list(active)])
+        value = pieces.mean((rates * curve(found.planes.path_parameter)).sum(axis=1))
         target = value - pieces.outside - self.eaves
         return HeldObservations(pieces.mean(found.planes.path_parameter), rate, target, weight[pieces.wall], self.eaves,
                                 LIMITS.eaves, pieces.offsets(self.edges.building, self.sizes, trust))
