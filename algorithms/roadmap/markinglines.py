@@ -96,6 +96,7 @@ class MarkingLines(UrbanMapAlgorithm):
             with RasterSampler(ground) as heights:
                 self.same_crs("GROUND", heights.crs_wkt, source, crs)
                 work = with_ground_heights(work, heights.sample)
+            self._tell_heights(work, progress)
         self._tell(work, progress)
         lines = self._write_lines(parameters, context, work, crs, ground is not None, progress.part(0.8, 0.9))
         areas = self._write_areas(parameters, context, work, crs, ground is not None, progress.part(0.9, 1.0))
@@ -120,7 +121,12 @@ class MarkingLines(UrbanMapAlgorithm):
         files = self.point_files(parameters, "POINTS", context)
         if files:
             from ...urbanmap_qgis.io.points.pointcloud import open_cloud
-            from ...urbanmap_qgis.roadmap.lines.point_paint import drive_points, drive_polygons, hidden_paint
+            from ...urbanmap_qgis.roadmap.lines.point_paint import (
+                check_same_place,
+                drive_points,
+                drive_polygons,
+                hidden_paint,
+            )
 
             cloud = open_cloud(files)
             self.require_projected("POINTS", cloud.crs_wkt)
@@ -128,6 +134,7 @@ class MarkingLines(UrbanMapAlgorithm):
                 crs, source = cloud.crs_wkt, "POINTS"
             self.same_crs("POINTS", cloud.crs_wkt, source, crs)
             drives = drive_points(files, progress.part(0.5, 0.8))
+            check_same_place(polygons, drives)
             added = hidden_paint(polygons, drive_polygons(drives))
             progress.message(tr("Marking points add {0} pieces of paint, {1} m².").format(
                 len(added), round(sum(shape.area for shape in added), 1)))
@@ -173,6 +180,15 @@ class MarkingLines(UrbanMapAlgorithm):
                                 [area.multipolygon for area in areas],
                                 "MultiPolygonZ" if has_heights else "MultiPolygon", style="marking_areas",
                                 progress=progress)
+
+    def _tell_heights(self, work, progress):
+        share = work.share_without_heights()
+        if share == 1.0 and work.lines:
+            raise InputError(tr("{0} has no value at any line: check that it is of the same place as the "
+                                "markings.").format(self.label_of("GROUND")))
+        if share > 0.0:
+            progress.warn(tr("{0} has no value at {1} % of the lines' places: they stay without heights.").format(
+                self.label_of("GROUND"), max(1, round(100 * share))))
 
     def _tell(self, work, progress):
         kinds = Counter(line.kind for line in work.lines)

@@ -95,7 +95,7 @@ class RoadEdges(UrbanMapAlgorithm):
         settings = EdgeSettings(*(self.parameterAsDouble(parameters, name, context) for name in (
             "WIDTH", "MIN_HEIGHT", "MAX_HEIGHT", "MIN_LENGTH", "SIGMA")))
         found = self._find(parameters, context, paths, crs, read.trajectory, settings, progress.part(0.0, 0.9))
-        self._tell(found, progress)
+        self._tell(found, settings, progress)
         results = self._write(parameters, context, found, crs, carried, progress.part(0.9, 1.0))
         sigmas = [edge.sigma for edge in found.edges if edge.kind == KERB and edge.status == MEASURED]
         return {**results, "EDGES": len(found.edges), "KERB_LENGTH": found.length("kerb", "lowered kerb"),
@@ -149,7 +149,9 @@ class RoadEdges(UrbanMapAlgorithm):
             results["OUTPUT_PACKAGE"] = str(package)
         return {name: place for name, place in results.items() if place}
 
-    def _tell(self, found, progress):
+    def _tell(self, found, settings, progress):
+        import numpy as np
+
         for (kind, status), count in sorted(Counter((edge.kind, edge.status) for edge in found.edges).items()):
             progress.message(tr("{0}, {1}: {2}").format(tr(kind), tr(status), count))
         if not found.length("kerb", "lowered kerb"):
@@ -158,5 +160,9 @@ class RoadEdges(UrbanMapAlgorithm):
         left, right = found.bare_sides
         if max(left, right) >= 1.0:
             progress.message(tr("No kerb was found beside {0:.0f} m of the path on the left and {1:.0f} m on the "
-                                "right: kerbs lower than about 6 cm all along are not seen, there may be such.").format(
-                left, right))
+                                "right.").format(left, right))
+            if np.isfinite(found.least_step):
+                progress.message(tr("Steps lower than {0:.1f} cm do not show surely in this survey, by the number and "
+                                    "the scatter of its points on the ground and the lowest kerb asked for, {1:.1f} "
+                                    "cm: there may be lower kerbs.").format(
+                    100 * found.least_step, 100 * settings.min_height))

@@ -15,6 +15,7 @@ from .map_report import write_map_report
 
 TRAFFIC = ("auto", "left", "right")
 PROJECTORS = ("TransverseMercator", "MGRS")
+CLASSES = ("solid", "dashed", "stop line", "guiding strip", "road border", "virtual")
 DIALECTS = ("lanelet2", "autoware")
 OSM_FILTER = "Lanelet2 (*.osm)"
 XODR_FILTER = "OpenDRIVE (*.xodr)"
@@ -146,7 +147,7 @@ class VectorMap(UrbanMapAlgorithm):
         built = build_vector_map(lines, self._areas(parameters, context, table), drives, settings,
                                  progress.part(0.1, 0.8), self._axes(parameters, context, table))
         add_street_objects(self, parameters, context, built, table)
-        self._tell(built, drives, progress)
+        self._tell(built, lines, drives, progress)
         results = write_map_layers(self, parameters, context, built, table.crs, bound_ids(built, lines))
         results |= write_map_files(self, parameters, context, built, table.crs_wkt,
                                    self._limit(parameters, context), progress)
@@ -161,7 +162,14 @@ class VectorMap(UrbanMapAlgorithm):
         if kind_field is not None and kind_field not in table.columns:
             raise InputError(tr("{0} has no field class; give the lines of “Lines from road markings”.").format(
                 table.label))
-        return lines_of(table.geometries, table.columns, kind_field)
+        lines = lines_of(table.geometries, table.columns, kind_field)
+        if len(table) and not lines:
+            raise InputError(tr("{0}: none of the {1} features has a line; choose a line layer.").format(
+                table.label, len(table)))
+        if kind_field is not None and lines and not any(line.kind in CLASSES for line in lines):
+            raise InputError(tr("{0}: the field class holds none of the words {1}; give the lines of “Lines from road "
+                                "markings”, or write these words.").format(table.label, ", ".join(CLASSES)))
+        return lines
 
     def _areas(self, parameters, context, lines):
         from ...urbanmap_qgis.roadmap.map_records import areas_of
@@ -188,12 +196,14 @@ class VectorMap(UrbanMapAlgorithm):
         given = parameters.get("SPEED_LIMIT") not in (None, "")
         return self.parameterAsDouble(parameters, "SPEED_LIMIT", context) if given else None
 
-    def _tell(self, built, drives, progress):
+    def _tell(self, built, lines, drives, progress):
         for kind, count in sorted(Counter(finding.kind for finding in built.findings).items()):
             progress.message(f"{tr(kind)}: {count}")
         if not drives:
             progress.warn(tr("Without trajectories only arrows and stop lines tell directions: most strips stay "
                              "findings, and ways through junctions are inferred."))
-        if drives and not any(lane.kind == "lane" for lane in built.lanes):
+        if not lines:
+            progress.warn(tr("There are no marking lines: no lane can be made."))
+        elif drives and not any(lane.kind == "lane" for lane in built.lanes):
             progress.warn(tr("No lane was made: the drives run beside all lines; check that both are of one place, in "
                              "one CRS, and that the trajectories are corrected."))

@@ -69,9 +69,12 @@ def test_a_road_without_kerbs_says_so(run, read_layer, drive, feedback, tmp_path
     results = run(ALGORITHM, {**drive(Street(length=30.0, kerb=0.0)), **outputs(tmp_path)})
     assert results["EDGES"] == 0 and not read_layer(results["OUTPUT"]) and results["MEDIAN_SIGMA"] is None
     assert any("No kerb was found" in text for text in feedback.warnings)
-    (told,) = [text for text in feedback.infos if "lower than about 6 cm" in text]
+    (told,) = [text for text in feedback.infos if "No kerb was found beside" in text]
     left, right = re.search(r"beside ([0-9]+) m .* and ([0-9]+) m on", told).groups()
     assert left == right and int(left) > 20
+    (told,) = [text for text in feedback.infos if "do not show surely" in text]
+    least, asked = map(float, re.search(r"lower than ([0-9.]+) cm .* asked for, ([0-9.]+) cm", told).groups())
+    assert asked == 3.0 and 3.5 < least < 4.5
 
 
 def test_trajectory_of_another_place_is_refused(run, drive, tmp_path):

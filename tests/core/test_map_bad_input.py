@@ -81,6 +81,14 @@ def test_drive_against_the_traffic_is_told_and_where_drives_contradict_no_lane_i
     assert told in {finding.text for finding in built.findings if finding.kind == "direction contradicts"}
 
 
+@pytest.mark.parametrize(("traffic", "told"), [("left", 1), ("right", 0), ("auto", 0)])
+def test_one_drive_beyond_the_centre_line_is_told_where_the_side_of_the_traffic_is_known(traffic, told):
+    built = build_vector_map(roads.avenue(0, 60), (), [roads.drive((70, 5.2), (-10, 5.2))],
+                             MapSettings(traffic=traffic))
+    assert roads.course(built.lanes[roads.lane_at(built, 30, 5.2)]) == -1.0
+    assert sum("other direction's side" in finding.text for finding in built.findings) == told
+
+
 def test_lanes_that_would_keep_to_the_wrong_side_are_not_inferred():
     """Both sides of a yellow line have arrows as if traffic were on the right, where drives show the left."""
     lines = [*roads.avenue(0, 60), *roads.avenue(200, 260)]

@@ -39,6 +39,27 @@ def test_a_kerb_lies_where_it_is_whatever_its_direction(tmp_path, angle):
 
 
 @pytest.mark.slow
+def test_a_kerb_low_all_along_is_measured_where_steps_of_its_height_show(tmp_path):
+    found = edges_of(tmp_path, Street(kerb=0.05))
+    kerb, = found.edges
+    assert (kerb.kind, kerb.status) == ("kerb", "measured") and kerb.length > 55.0
+    assert 0.03 < found.least_step < 0.05 and kerb.height == pytest.approx(0.05, abs=0.003)
+    off = across(kerb, 0.0) - KERB_AT
+    assert np.abs(off).max() < 0.02 and (np.abs(off) < 2 * kerb.sigma).all()
+
+
+def test_a_kerb_of_two_centimetres_is_not_found_and_is_lower_than_the_least_step(tmp_path):
+    found = edges_of(tmp_path, Street(kerb=0.02, length=30.0))
+    assert not found.edges and found.least_step > 0.03
+
+
+def test_the_least_step_grows_with_the_noise_and_with_fewer_points(tmp_path, monkeypatch):
+    street = Street(kerb=0.0, length=30.0)
+    usual, sparse = (edges_of(tmp_path, one).least_step for one in (street, replace(street, spacing=0.15)))
+    monkeypatch.setattr("tests.core.road_scene.NOISE", 0.015)
+    assert min(sparse, edges_of(tmp_path, street).least_step) > usual + 0.01
+
+
 def test_two_passes_are_surer_than_one(tmp_path):
     once, = edges_of(tmp_path, Street(length=30.0)).edges
     twice, = edges_of(tmp_path, Street(length=30.0), passes=2).edges

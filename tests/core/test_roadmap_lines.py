@@ -247,6 +247,29 @@ def test_worn_pieces_of_an_arrow_without_a_whole_head_are_an_arrow():
     assert area.heading == pytest.approx([np.cos(np.radians(23)), np.sin(np.radians(23))], abs=0.02)
 
 
+def worn_arrow(y):
+    """An arrow in the lane at y with one side of its head and most of its shaft left."""
+    return list(shapely.get_parts(affinity.translate(arrow("straight").difference(shapely.union_all([
+        shapely.box(1.0, -1, 1.6, 1), shapely.box(2.9, -1, 6, -0.02)])), 0.0, y)))
+
+
+def test_worn_arrow_is_known_in_a_row_with_another_one_only():
+    lines = [shapely.box(-20, y - 0.075, 30, y + 0.075) for y in (-4.85, -1.6, 1.6)]
+    along = pytest.approx([np.cos(np.radians(23)), np.sin(np.radians(23))], abs=0.02)
+    alone, in_row, before = ([area for area in work_of([*lines, *worn_arrow(-3.25), *more]).areas
+                              if area.kind.startswith("arrow")]
+                             for more in ([], [arrow("straight")], [affinity.translate(arrow("straight"), 3.0)]))
+    assert not alone and [area.kind for area in before] == ["arrow straight"]
+    assert sorted(area.kind for area in in_row) == ["arrow straight", "arrow, kind unknown"]
+    assert all(area.heading == along for area in in_row)
+
+
+def test_bar_without_a_head_is_no_arrow_in_a_row():
+    lines = [shapely.box(-20, y - 0.075, 30, y + 0.075) for y in (-4.85, -1.6, 1.6)]
+    work = work_of([*lines, arrow("straight"), shapely.box(0.0, -3.33, 3.4, -3.17)])
+    assert [area.kind for area in work.areas if area.kind.startswith("arrow")] == ["arrow straight"]
+
+
 @pytest.mark.parametrize("length, half", [(2.6, 0.4), (2.8, 0.45), (2.6, 0.35)])
 def test_a_wedge_of_light_between_shadows_is_no_arrow(length, half):
     lines = [shapely.box(-20, y - 0.075, 30, y + 0.075) for y in (-1.6, 1.6)]

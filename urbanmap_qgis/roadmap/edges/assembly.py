@@ -29,6 +29,7 @@ class EdgesAssemblyLimits:
     tallest: float = 1.2  # share of the highest kerb
     fewest: int = 3  # stations
     low: float = 0.06  # m; so low a step hardly shows where it is
+    high_share: float = 0.2  # With fewer sure stations higher than that a kerb is low all along.
     carried: float = 0.02  # m, least sigma of a place that is carried over from the kerb beside
     few: float = 0.6  # completeness
     scale: float = 1.3  # profiles of neighbouring stations share points and the shape of the road
@@ -118,10 +119,15 @@ def _expected(stations: Stations, rows: np.ndarray, number: int, use: np.ndarray
 
 
 def _carry_low(stations: Stations, rows: np.ndarray) -> None:
-    """Steps too low to show their place lie where the kerb beside them leads."""
+    """Steps too low to show their place lie where the kerb beside them leads; a kerb that is low all along lies where
+    its own profiles show it."""
     middle = 0.5 * (stations.foot + stations.top)
     height = stations.height
     sure = np.isfinite(stations.sigma[rows]) & (height[rows] >= LIMITS.low) & (stations.sigma[rows] < LIMITS.carried)
+    if sure.sum() < LIMITS.high_share * np.isfinite(stations.foot[rows]).sum():
+        own = stations.sigma[rows]
+        stations.sigma[rows] = np.where(np.isnan(own), 2 * LIMITS.unsure, np.fmax(own, LIMITS.carried))
+        return
     for number in np.flatnonzero(np.isfinite(stations.foot[rows]) & ~sure & (height[rows] < LIMITS.low)).tolist():
         row = rows[number]
         wide = np.flatnonzero(sure)

@@ -23,11 +23,15 @@ _SPARSE = 8.0  # points a square metre of tiles at the path below which no edge 
 
 @dataclass(frozen=True)
 class EdgeCourses:
-    """Courses of kerbs, of upright faces (rails and walls) and of verges, the borders without a step."""
+    """Courses of kerbs, of upright faces (rails and walls) and of verges, the borders without a step.
+
+    `least_step` : m, so low a step shows at half of the smooth places beside the path; NaN where there are none.
+    """
 
     kerbs: list[Course]
     faces: list[Course]
     verges: list[Course]
+    least_step: float
 
 
 def edge_courses(survey: EdgePoints, settings: EdgeSettings, ground: Heights | None, progress: Progress
@@ -42,26 +46,32 @@ def edge_courses(survey: EdgePoints, settings: EdgeSettings, ground: Heights | N
     ------
     InsufficientDataError : too few points to tell edges.
     """
-    return EdgeCourses(*(_courses(found) for found in _candidates(survey, settings, ground, progress)))
+    *found, least = _candidates(survey, settings, ground, progress)
+    return EdgeCourses(*(_courses(one) for one in found), least)
 
 
 def _candidates(survey: EdgePoints, settings: EdgeSettings, ground: Heights | None, progress: Progress
-                ) -> tuple[EdgeCandidates, ...]:
-    """Candidates of steps, of upright faces and of borders without a step within the width of the path."""
-    steps, uprights, borders, density = [], [], [], []
+                ) -> tuple[EdgeCandidates | float, ...]:
+    """Candidates of steps, of upright faces and of borders without a step within the width of the path, and the least
+    step that shows, m."""
+    steps, uprights, borders, density, least = [], [], [], [], [np.zeros(0)]
     for tile in survey.tiles(progress):
         height = above_ground(tile.points, ground)
         low = near_ground(tile.points, height)
-        steps.append(_beside(step_candidates(tile, low, settings), survey))
+        found, shown = step_candidates(tile, low, settings)
+        steps.append(_beside(found, survey))
+        least.append(shown)
         uprights.append(_beside(upright_candidates(tile, height, survey.path_tree), survey))
         borders.append(_beside(border_candidates(tile, low, survey.path_tree), survey))
         density += _densities(tile, low, survey)
     if not density or np.median(density) < _SPARSE:
-        found = float(np.median(density)) if density else 0.0
+        median = float(np.median(density)) if density else 0.0
         raise InsufficientDataError(say("There are {found:.1f} ground points a square metre beside the path: edges "
                                         "need {sparse:.0f} or more; give the whole survey, not a thinned one.",
-                                        found=found, sparse=_SPARSE))
-    return tuple(joined_candidates(parts) for parts in (steps, uprights, borders))
+                                        found=median, sparse=_SPARSE))
+    shown = np.concatenate(least)
+    return (*(joined_candidates(parts) for parts in (steps, uprights, borders)),
+            float(np.median(shown)) if len(shown) else np.nan)
 
 
 def _densities(tile: EdgeTile, low: np.ndarray, survey: EdgePoints) -> list[int]:

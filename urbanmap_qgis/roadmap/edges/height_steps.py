@@ -31,6 +31,7 @@ class HeightStepsLimits:
     slope_sigma: float = 0.04
     noise: float = 0.01
     smooth: float = 0.03  # m: a rougher side is no made surface
+    rough_share: float = 0.35  # of the step, at most as rough
     significant: float = 4.0
     fewest: int = 3  # points of a side
     separation: int = 4  # cells between two candidates of a strip
@@ -49,24 +50,28 @@ class Side:
     number: np.ndarray
 
 
-def step_candidates(tile: EdgeTile, near_ground: np.ndarray, settings: EdgeSettings) -> EdgeCandidates:
-    """Candidates of a tile, in each pass for itself.
+def step_candidates(tile: EdgeTile, near_ground: np.ndarray, settings: EdgeSettings
+                    ) -> tuple[EdgeCandidates, np.ndarray]:
+    """Candidates of a tile, in each pass for itself, and the least steps (n,), m, that its places would show.
 
     Parameters
     ----------
     near_ground : (n,) which of the tile's points lie at the ground or a kerb's height above it.
     """
-    found = []
+    found, least = [], [np.zeros(0)]
     points = tile.points[near_ground]
     for drive in np.unique(points["drive"]).tolist():
         place = np.column_stack([points[name][points["drive"] == drive] for name in "xyz"])
         for number in range(DIRECTIONS):
             angle = np.pi * number / DIRECTIONS
             along = np.array([np.cos(angle), np.sin(angle)])
-            found.append(_in_strips(place, along, settings))
+            candidates, shown = _in_strips(place, along, settings)
+            found.append(candidates)
+            least.append(shown)
     every = joined_candidates(found)
     mine = tile.owns(every.place)
-    return EdgeCandidates(every.place[mine], every.normal[mine], every.height[mine], every.score[mine])
+    return (EdgeCandidates(every.place[mine], every.normal[mine], every.height[mine], every.score[mine]),
+            np.concatenate(least))
 
 
 @dataclass(frozen=True)
@@ -104,18 +109,20 @@ class Strips:
                               np.sign(of_peak)[:, None] * self.along, np.abs(of_peak), score[strip, cell])
 
 
-def _in_strips(place: np.ndarray, along: np.ndarray, settings: EdgeSettings) -> EdgeCandidates:
-    """Candidates of points (n, 3) whose normals run along the direction (2,) or against it."""
+def _in_strips(place: np.ndarray, along: np.ndarray, settings: EdgeSettings) -> tuple[EdgeCandidates, np.ndarray]:
+    """Candidates of points (n, 3) whose normals run along the direction (2,) or against it, and the least steps (k,)
+    that would show."""
     if len(place) < 4 * LIMITS.fewest:
-        return joined_candidates([])
+        return joined_candidates([]), np.zeros(0)
     strips = Strips.of(place, along)
-    height, score = _steps(*strips.sides(*LIMITS.spans[0]), settings)
+    height, score, least = _steps(*strips.sides(*LIMITS.spans[0]), settings)
     for span in LIMITS.spans[1:]:
         # A wider span only speaks where the narrower one has too few points.
-        wide_height, wide_score = _steps(*strips.sides(*span), settings)
-        score = np.where(np.isnan(height), wide_score, score)
+        wide_height, wide_score, wide_least = _steps(*strips.sides(*span), settings)
+        score, least = (np.where(np.isnan(height), wide, narrow)
+                        for narrow, wide in ((score, wide_score), (least, wide_least)))
         height = np.where(np.isnan(height), wide_height, height)
-    return strips.peaks(height, score)
+    return strips.peaks(height, score), least[np.isfinite(least)]
 
 
 def _moments(a: np.ndarray, strip: np.ndarray, z: np.ndarray) -> np.ndarray:
@@ -131,16 +138,18 @@ def _moments(a: np.ndarray, strip: np.ndarray, z: np.ndarray) -> np.ndarray:
     return sums
 
 
-def _steps(before: Side, after: Side, settings: EdgeSettings) -> tuple[np.ndarray, np.ndarray]:
-    """Height of the step (strips, borders), m, NaN where points lack, and its score, 0 where there is none."""
+def _steps(before: Side, after: Side, settings: EdgeSettings) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Height of the step (strips, borders), m, NaN where points lack; its score, 0 where there is none; and the least
+    step that would show there, m, NaN where points lack or the ground is no made surface."""
     enough = (before.number >= LIMITS.fewest) & (after.number >= LIMITS.fewest)
     height = np.where(enough, after.height - before.height, np.nan)
     size = np.abs(np.where(enough, height, 0.0))
-    rough = np.maximum(before.rough, after.rough)
-    good = (enough & (size >= settings.min_height) & (size <= settings.max_height)
-            & (size > LIMITS.significant * np.hypot(before.sigma, after.sigma))
-            & (rough < np.minimum(LIMITS.smooth, 0.35 * size)))
-    return height, np.where(good, size / (0.01 + rough), 0.0)
+    rough, sigma = np.maximum(before.rough, after.rough), np.hypot(before.sigma, after.sigma)
+    asked = np.maximum(np.maximum(settings.min_height, LIMITS.significant * sigma), rough / LIMITS.rough_share)
+    good = enough & (size >= asked) & (size <= settings.max_height) & (rough < LIMITS.smooth)
+    # Noise makes half of the steps as high as is asked look lower: two sigma more are seen nearly always.
+    least = np.where(enough & (rough < LIMITS.smooth), asked + 2.0 * sigma, np.nan)
+    return height, np.where(good, size / (0.01 + rough), 0.0), least
 
 
 def _side(sums: np.ndarray, start: np.ndarray, end: np.ndarray) -> Side:

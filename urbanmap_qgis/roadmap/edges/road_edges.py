@@ -32,6 +32,8 @@ class EdgesFound:
     path_length : m driven.
     points_read, points_used : of the survey.
     bare_sides : m driven without a kerb within reach on the left and on the right.
+    least_step : m; lower steps do not show at half of the smooth places beside the path, by the scatter and the number
+        of their points. NaN where there are none.
     """
 
     edges: list[RoadEdge]
@@ -39,6 +41,7 @@ class EdgesFound:
     points_read: int
     points_used: int
     bare_sides: tuple[float, float] = (0.0, 0.0)
+    least_step: float = float("nan")
 
     def length(self, *kinds: str) -> float:
         """Length of the edges of some kinds, m."""
@@ -66,7 +69,8 @@ def road_edges(paths: Sequence[str | os.PathLike], trajectory: Trajectory, setti
         courses = edge_courses(survey, settings, local, progress.part(0.4, 0.65))
         edges = edge_lines(courses, survey, settings, local, progress.part(0.65, 1.0))
     return EdgesFound([_placed(edge, settings) for edge in edges], float(survey.chainage[-1]), survey.read_points,
-                      survey.kept_points, bare_sides(edges, trajectory.place, settings.width))
+                      survey.kept_points, bare_sides(edges, trajectory.place, settings.width),
+                      courses.least_step)
 
 
 def _placed(edge: RoadEdge, settings: EdgeSettings) -> RoadEdge:

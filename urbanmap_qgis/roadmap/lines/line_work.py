@@ -129,6 +129,11 @@ class LineWork:
     polygons: int = 0
     notes: tuple[str, ...] = field(default=())
 
+    def share_without_heights(self) -> float:
+        """Share of the lines' vertices whose height is not known; 0 where there are no lines."""
+        heights = np.concatenate([np.zeros(0), *(line.points[:, 2] for line in self.lines)])
+        return float(np.isnan(heights).mean()) if len(heights) else 0.0
+
 
 @dataclass(frozen=True)
 class _Line:

@@ -39,6 +39,7 @@ class PointPaintLimits:
     # inside.
     surface: float = 0.6
     most_surface: float = 0.3
+    apart: float = 50.0  # Points of the markings' own place lie nearer to their box, m.
     stairs: float = 0.025  # The border follows the cells' edges to within so much, m.
 
 
@@ -91,6 +92,22 @@ def drive_points(paths: Sequence[Path], progress: Progress = SILENT) -> list[np.
         read = read_all(open_cloud([path]), ("x", "y"), part)
         drives.append(np.column_stack([read["x"], read["y"]]))
     return drives
+
+
+def check_same_place(polygons: Sequence[shapely.Polygon], drives: Sequence[np.ndarray]) -> None:
+    """Refuse marking points (n, 2) that lie nowhere near the polygons of the markings: one of both is of another place.
+
+    Raises
+    ------
+    InputError : no point lies within the box of all polygons, widened by `LIMITS.apart`.
+    """
+    if not len(polygons) or not any(len(points) for points in drives):
+        return
+    low_x, low_y, high_x, high_y = shapely.total_bounds(np.asarray(polygons, object))
+    low, high = np.array([low_x, low_y]) - LIMITS.apart, np.array([high_x, high_y]) + LIMITS.apart
+    if not any(((points >= low) & (points <= high)).all(axis=1).any() for points in drives):
+        raise InputError(say("No marking point lies near the road markings: check that both are of the same place and "
+                             "that their coordinate reference systems are right."))
 
 
 def drive_polygons(drives: Sequence[np.ndarray]) -> list[shapely.Polygon]:

@@ -33,6 +33,9 @@ BLUR, BESIDE, OFF = 0.12, 0.45, 0.055
 """Paint of one head may reach so far beyond it; paint so near a second head tells whether that can be seen; a pattern
 may lie so far beside its paint, m."""
 
+HALF = 2.5
+"""Of a pattern's length in its usual size, m: tails lie so far behind the middle."""
+
 SCALES = (0.9, 1.0, 1.15)
 """Sizes of symbols against the usual ones."""
 
@@ -62,6 +65,7 @@ class PatternMatch:
     shape : the pattern at its place.
     backwards : read against the direction given.
     flanks : the two sides of each arrow's head, beyond the width of a shaft.
+    tail : place (2,) of the end at which it begins.
     branches : what each arrow ahead and to a side has more at this place, and the part of `shape` beside that; none
         where `shape` is such an arrow itself.
     """
@@ -73,18 +77,20 @@ class PatternMatch:
     shape: shapely.Geometry
     backwards: bool
     flanks: tuple[shapely.Geometry, ...]
+    tail: np.ndarray
     branches: tuple[tuple[shapely.Geometry, shapely.Geometry], ...] = ()
 
 
 @dataclass(frozen=True)
 class _Bank:
-    """All patterns as rasters with their tail in the window's middle, transformed for correlation."""
+    """All patterns as rasters about the window's middle, transformed for correlation; `tail` (n,) m ahead of it."""
 
     kinds: tuple[str, ...]
     shapes: tuple[shapely.Geometry, ...]
     flanks: tuple[tuple[shapely.Geometry, ...], ...]
     branches: tuple[tuple[tuple[shapely.Geometry, shapely.Geometry], ...], ...]
     backwards: np.ndarray
+    tail: np.ndarray
     area: np.ndarray
     pattern: np.ndarray
     grown: np.ndarray
@@ -134,7 +140,7 @@ def _bank() -> _Bank:
     for kind, form, heads in _forms():
         sides = [side for head in heads for side in _flanks(head)]
         for scale in SCALES:
-            placed = [affinity.translate(affinity.scale(one, scale, scale, origin=(0, 0)), 0.0, -2.5 * scale)
+            placed = [affinity.translate(affinity.scale(one, scale, scale, origin=(0, 0)), 0.0, -HALF * scale)
                       for one in (form, *sides)]
             for turned in (False, True) if kind != "diamond" else (False,):
                 shape, *beside = (affinity.rotate(one, 180.0, origin=(0, 0)) if turned else one for one in placed)
@@ -150,6 +156,7 @@ def _bank() -> _Bank:
     grown = np.stack([raster([shape.buffer(TOLERANCE)]) for shape in shapes])
     around = np.stack([raster([shape.buffer(AROUND)]) for shape in shapes])
     return _Bank(tuple(kinds), tuple(shapes), tuple(flanks), tuple(branches), np.array(backwards),
+                 np.array(sizes) * np.where(backwards, HALF, -HALF),
                  rasters.sum(axis=(1, 2)),
                  *(np.conj(scipy.fft.rfft2(one)) for one in (rasters, grown, around)))
 
@@ -170,7 +177,8 @@ def raster(shapes: list[shapely.Geometry]) -> np.ndarray:
     return cv2.resize(fine, (COLUMNS, ROWS), interpolation=cv2.INTER_AREA) / np.float32(_FULL)
 
 
-def matches(paint: list[shapely.Geometry], least_complete: float, least_score: float = 0.0) -> list[PatternMatch]:
+def matches(paint: list[shapely.Geometry], least_complete: float, least_score: float = 0.0,
+            tails: tuple[float, float, float, float] | None = None) -> list[PatternMatch]:
     """The best place of each kind of symbol, best first.
 
     Parameters
@@ -178,6 +186,7 @@ def matches(paint: list[shapely.Geometry], least_complete: float, least_score: f
     paint : in the window's frame, the road along +y, its middle at 0, 0.
     least_complete : places where less of the pattern is painted do not count, 0 to 1.
     least_score : kinds that agree less are left out.
+    tails : least and greatest place to the right and ahead of patterns' tails; without it they may lie anywhere.
     """
     bank = _bank()
     spectrum = scipy.fft.rfft2(raster(paint))
@@ -186,6 +195,11 @@ def matches(paint: list[shapely.Geometry], least_complete: float, least_score: f
     painted = np.flatnonzero(overlap.max(axis=1) >= wanted)
     overlap = overlap[painted]
     row, shift = np.nonzero(overlap >= wanted[painted, None])  # few of the places
+    if tails is not None:
+        up, right = _offsets(shift)
+        ahead = up * CELL + bank.tail[painted[row]]
+        inside = (right * CELL >= tails[0]) & (right * CELL <= tails[1]) & (ahead >= tails[2]) & (ahead <= tails[3])
+        row, shift = row[inside], shift[inside]
     if not len(row):
         return []
     complete = np.clip(overlap[row, shift] / bank.area[painted[row]], 0.0, 1.0)
@@ -198,8 +212,8 @@ def matches(paint: list[shapely.Geometry], least_complete: float, least_score: f
         key = bank.kinds[number], bool(bank.backwards[number])
         if score[place] > max(least_score, 0.0) and (key not in found or score[place] > score[found[key]]):
             found[key] = place
-    matches = [_match(bank, float(score[k]), int(painted[row[k]]), *divmod(int(shift[k]), COLUMNS), float(complete[k]),
-                   float(precise[k])) for k in found.values()]
+    matches = [_match(bank, float(score[k]), int(painted[row[k]]), int(shift[k]), float(complete[k]), float(precise[k]))
+            for k in found.values()]
     return sorted(matches, key=lambda match: -match.score)
 
 
@@ -209,17 +223,21 @@ def _best_of_each(row: np.ndarray, score: np.ndarray) -> np.ndarray:
     return order[np.r_[True, np.diff(row[order]) > 0]]
 
 
-def _match(bank: _Bank, score: float, number: int, row: int, column: int, complete: float,
-           precise: float) -> PatternMatch:
+def _offsets(shift: np.ndarray | int) -> tuple[np.ndarray, np.ndarray]:
+    """Cells ahead and to the right that shifts of a correlation stand for."""
+    row, column = np.divmod(shift, COLUMNS)
+    return (row + ROWS // 2) % ROWS - ROWS // 2, (column + COLUMNS // 2) % COLUMNS - COLUMNS // 2
+
+
+def _match(bank: _Bank, score: float, number: int, shift: int, complete: float, precise: float) -> PatternMatch:
     """A pattern of the bank at a shift."""
-    up = (row + ROWS // 2) % ROWS - ROWS // 2
-    right = (column + COLUMNS // 2) % COLUMNS - COLUMNS // 2
+    up, right = (int(cells) for cells in _offsets(shift))
     flanks, branches = bank.flanks[number], bank.branches[number]
     parts = np.array([bank.shapes[number], *flanks, *(part for pair in branches for part in pair)], object)
     shape, *placed = shapely.transform(parts, lambda xy: np.add(xy, (right * CELL, up * CELL)))
     beside, rest = tuple(placed[:len(flanks)]), placed[len(flanks):]
     return PatternMatch(bank.kinds[number], score, complete, precise, shape, bool(bank.backwards[number]), beside,
-                        tuple(zip(rest[::2], rest[1::2])))
+                        np.array([right * CELL, up * CELL + bank.tail[number]]), tuple(zip(rest[::2], rest[1::2])))
 
 
 def _correlation(spectrum: np.ndarray, patterns: np.ndarray) -> np.ndarray:

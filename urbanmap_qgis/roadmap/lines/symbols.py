@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
 from shapely import affinity
 
 from .strokes import Stroke
-from .symbol_patterns import CELL, COLUMNS, ROWS, PatternMatch, matches
+from .symbol_patterns import CELL, COLUMNS, HALF, ROWS, PatternMatch, matches
 
 
 @dataclass(frozen=True)
@@ -31,6 +31,16 @@ class SymbolsLimits:
     # So much of each side of an arrow's heads must be painted, and so much of them in the mean.
     least_flank: float = 0.2
     least_flanks: float = 0.5
+    # What must be painted of an arrow that stands in a row with another one, shares as above, and of its heads so much
+    # of the better side; two of which neither is sure by itself need the higher score in one of them.
+    row_score: float = 0.6
+    row_seed: float = 0.7
+    row_complete: float = 0.35
+    row_precise: float = 0.7
+    row_flank: float = 0.3
+    # Arrows of a row lie side by side at a lane's width, their tails so near to one cross-section, m.
+    lane_width: tuple[float, float] = (2.4, 4.2)
+    row_along: float = 0.6
     # An arrow has one head only where no more of a second one is painted, and so much of the paint beside the
     # place of that is there: where the paint is worn or hidden, so may be the head.
     most_branch: float = 0.05
@@ -73,6 +83,9 @@ class Symbol:
     polygons : numbers of the polygons that it is made of.
     heading : direction (2,) in which it is read, NaN where unknown.
     score : 0 to 1, how well paint and pattern agree.
+    tail : place (2,) where it begins as it is read best.
+    course : direction (2,) in which it is read best, sure or not.
+    sure : it shows enough by itself; else only in a row with another one.
     """
 
     kind: str
@@ -80,6 +93,9 @@ class Symbol:
     polygons: tuple[int, ...]
     heading: np.ndarray
     score: float
+    tail: np.ndarray
+    course: np.ndarray
+    sure: bool = True
 
 
 def find_symbols(polygons: Sequence[shapely.Polygon], strokes: Sequence[Stroke], taken: set[int],
@@ -104,20 +120,48 @@ def find_symbols(polygons: Sequence[shapely.Polygon], strokes: Sequence[Stroke],
     heads = _heads(shapes[free])
     places = [*heads, *_pieces(shapes[free], heads), *_diamonds(shapes[free])]
     free = np.concatenate([free, _shafts(shapes, sorted(bars - taken), places)])
-    tree, direction_near = shapely.STRtree(shapes[free]), _direction_of(strokes)
-    found = []
-    for place, wanted in places:
-        along = direction_near(place)
-        if along is not None:
-            symbol = _symbol(place, along, wanted, tree, free)
-            found += [symbol] if symbol is not None else []
-    used: set[int] = set()
-    accepted = []
-    for symbol in sorted(found, key=lambda one: -one.score):
+    search, direction_near = _Search(shapes, free), _direction_of(strokes)
+    courses = [direction_near(place) for place, _ in places]
+    found = [search.at(place, course, wanted) for (place, wanted), course in zip(places, courses) if course is not None]
+    found = [symbol for symbol in found if symbol is not None]
+    accepted = _disjoint([symbol for symbol in found if symbol.sure], [])
+    shafts = [n for n in sorted(bars - taken - set(free.tolist())) if _sides(shapes[n])[0] <= LIMITS.longest_shaft]
+    rows = _Search(shapes, np.concatenate([free, np.array(shafts, np.int64)]))
+    return _with_rows(accepted, [symbol for symbol in found if not symbol.sure], rows)
+
+
+def _disjoint(symbols: Sequence[Symbol], accepted: Sequence[Symbol]) -> list[Symbol]:
+    """The accepted ones and, best first, those that share no paint with any before them."""
+    used = {n for symbol in accepted for n in symbol.polygons}
+    taken = list(accepted)
+    for symbol in sorted(symbols, key=lambda one: -one.score):
         if used.isdisjoint(symbol.polygons):
             used |= set(symbol.polygons)
-            accepted.append(symbol)
-    return accepted
+            taken.append(symbol)
+    return taken
+
+
+def _with_rows(accepted: Sequence[Symbol], unsure: Sequence[Symbol], search: _Search) -> list[Symbol]:
+    """The accepted symbols and the arrows that stand in a row with one of them or with each other, lane beside lane.
+
+    A row tells the heading too.
+    """
+    taken = list(accepted)
+    waiting = [symbol for symbol in _disjoint(unsure, taken) if symbol.kind.startswith("arrow")]
+    while waiting:
+        seed = waiting.pop(0)
+        mates = [mate for side in (-1.0, 1.0) if (mate := search.beside(seed, side)) is not None]
+        if not (seed.sure or mates):
+            continue
+        settled = replace(seed, sure=True, heading=seed.course if mates else seed.heading)
+        known = len(taken)
+        if seed.sure:
+            taken = [settled if one is seed else one for one in taken]
+        else:
+            taken = _disjoint([settled], taken)
+        taken = _disjoint(mates, taken)
+        waiting += [one for one in taken[known:] if one is not settled]
+    return taken
 
 
 def _heads(shapes: np.ndarray) -> list[tuple[np.ndarray, str]]:
@@ -151,19 +195,23 @@ def _shafts(shapes: np.ndarray, bars: Sequence[int], places: Sequence[tuple[np.n
     tree = shapely.STRtree(shapely.points([place for place, _ in places]))
     shafts = []
     for number in bars:
-        box = shapely.get_coordinates(shapely.minimum_rotated_rectangle(shapes[number]))[:4]
-        edge = box[1:3] - box[:2]
-        length = np.linalg.norm(edge, axis=1)
-        if length.max() > LIMITS.longest_shaft:
+        length, along, middle = _sides(shapes[number])
+        if length > LIMITS.longest_shaft:
             continue
-        along = edge[length.argmax()] / length.max()
-        middle = box.mean(axis=0)
-        for near in tree.query(shapely.Point(middle), predicate="dwithin", distance=length.max() / 2 + LIMITS.beyond):
+        for near in tree.query(shapely.Point(middle), predicate="dwithin", distance=length / 2 + LIMITS.beyond):
             off = places[near][0] - middle
-            if abs(off @ along) > length.max() / 2 - LIMITS.joined and abs(off @ [-along[1], along[0]]) < LIMITS.beside:
+            if abs(off @ along) > length / 2 - LIMITS.joined and abs(off @ [-along[1], along[0]]) < LIMITS.beside:
                 shafts.append(number)
                 break
     return np.array(shafts, np.int64)
+
+
+def _sides(shape: shapely.Geometry) -> tuple[float, np.ndarray, np.ndarray]:
+    """Length of a bar, m, its direction (2,) and its middle (2,)."""
+    box = shapely.get_coordinates(shapely.minimum_rotated_rectangle(shape))[:4]
+    edge = box[1:3] - box[:2]
+    length = np.linalg.norm(edge, axis=1)
+    return float(length.max()), edge[length.argmax()] / length.max(), box.mean(axis=0)
 
 
 def _diamonds(shapes: np.ndarray) -> list[tuple[np.ndarray, str]]:
@@ -192,33 +240,75 @@ def _direction_of(strokes: Sequence[Stroke]) -> Callable[[np.ndarray], np.ndarra
     return direction
 
 
-def _symbol(place: np.ndarray, along: np.ndarray, wanted: str, tree: shapely.STRtree,
-            free: np.ndarray) -> Symbol | None:
-    """The symbol at a place, None where no pattern fits or the best is not what was looked for."""
-    across = np.array([along[1], -along[0]])
-    reach = np.hypot(ROWS, COLUMNS) * CELL / 2
-    near = tree.query(shapely.Point(place).buffer(reach), predicate="intersects")
-    matrix = [*across, *along, -across @ place, -along @ place]
-    paint = [affinity.affine_transform(tree.geometries[k], matrix) for k in near]
-    fits = [match for match in matches(paint, LIMITS.least_complete, LIMITS.least_score - LIMITS.least_lead)
-            if match.precise >= LIMITS.least_precise and _has_heads(match, paint)]
-    if not fits or fits[0].score < LIMITS.least_score or not fits[0].kind.startswith(wanted):
-        return None
-    best = fits[0]
-    reached = best.shape.buffer(LIMITS.member)
-    inside = np.array([shape.intersection(reached).area >= 0.5 * shape.area for shape in paint])
-    if not inside.any():
-        return None
-    kind, heading = _kind(fits, paint), _heading(fits, along)
-    if kind == UNKNOWN_ARROW and _shaft_share(best, paint) < LIMITS.least_shaft:
-        return None
-    if kind == UNKNOWN_ARROW and best.kind != "arrow straight":
-        heading = np.full(2, np.nan)  # the heads of a turn lie beside its shaft: told with its kind or not at all
-    members = near[inside]
-    back = [across[0], along[0], across[1], along[1], *place]
-    area = shapely.union_all([shape.intersection(reached) for shape in np.array(paint, object)[inside]])
-    return Symbol(kind, affinity.affine_transform(area, back), tuple(int(free[k]) for k in members), heading,
-                  best.score)
+class _Search:
+    """Symbols in the polygons `free` (numbers) of all `shapes`."""
+
+    def __init__(self, shapes: np.ndarray, free: np.ndarray):
+        self.free, self.tree = free, shapely.STRtree(shapes[free])
+
+    def at(self, place: np.ndarray, along: np.ndarray, wanted: str) -> Symbol | None:
+        """The symbol at a place of a road along a direction, None where no pattern fits or the best is not wanted.
+
+        An arrow that would not do by itself but may in a row is not `sure`.
+        """
+        near, paint = self._window(place, along)
+        fits = matches(paint, LIMITS.least_complete, LIMITS.least_score - LIMITS.least_lead)
+        sure = [match for match in fits if match.precise >= LIMITS.least_precise and _has_heads(match, paint)]
+        if sure and sure[0].score >= LIMITS.least_score and sure[0].kind.startswith(wanted):
+            symbol = self._symbol(sure, place, along, near, paint)
+            if symbol is not None and (symbol.kind != UNKNOWN_ARROW
+                                       or _shaft_share(sure[0], paint) >= LIMITS.least_shaft):
+                return symbol
+        unsure = _in_row(fits, paint) if wanted == "arrow" else []
+        if not unsure or unsure[0].score < LIMITS.row_seed:
+            return None
+        symbol = self._symbol(unsure, place, along, near, paint)
+        return None if symbol is None else replace(symbol, sure=False)
+
+    def beside(self, seed: Symbol, side: float) -> Symbol | None:
+        """The arrow in a row with one, a lane's width to its right (1) or left (-1), read as it is."""
+        along = seed.course
+        low, high = LIMITS.lane_width
+        place = seed.tail + HALF * along + side * (low + high) / 2.0 * np.array([along[1], -along[0]])
+        near, paint = self._window(place, along)
+        spare = (high - low) / 2.0
+        box = (-spare, spare, -HALF - LIMITS.row_along, -HALF + LIMITS.row_along)
+        fits = _in_row([match for match in matches(paint, LIMITS.row_complete, LIMITS.row_score, box)
+                        if not match.backwards], paint)
+        symbol = self._symbol(fits, place, along, near, paint) if fits else None
+        return symbol if symbol is None or symbol.kind != UNKNOWN_ARROW else replace(symbol, heading=along)
+
+    def _window(self, place: np.ndarray, along: np.ndarray) -> tuple[np.ndarray, list[shapely.Geometry]]:
+        """Which polygons lie about a place, and they in its frame."""
+        across = np.array([along[1], -along[0]])
+        reach = np.hypot(ROWS, COLUMNS) * CELL / 2
+        near = self.tree.query(shapely.Point(place).buffer(reach), predicate="intersects")
+        matrix = [*across, *along, -across @ place, -along @ place]
+        return near, [affinity.affine_transform(self.tree.geometries[k], matrix) for k in near]
+
+    def _symbol(self, fits: Sequence[PatternMatch], place: np.ndarray, along: np.ndarray, near: np.ndarray,
+                paint: Sequence[shapely.Geometry]) -> Symbol | None:
+        """The symbol that the best of the matches is, None where no polygon lies in it."""
+        best, across = fits[0], np.array([along[1], -along[0]])
+        reached = best.shape.buffer(LIMITS.member)
+        inside = np.array([shape.intersection(reached).area >= 0.5 * shape.area for shape in paint])
+        if not inside.any():
+            return None
+        kind, heading = _kind(fits, paint), _heading(fits, along)
+        if kind == UNKNOWN_ARROW and best.kind != "arrow straight":
+            heading = np.full(2, np.nan)  # the heads of a turn lie beside its shaft: told with its kind or not at all
+        back = [across[0], along[0], across[1], along[1], *place]
+        area = shapely.union_all([shape.intersection(reached) for shape in np.array(paint, object)[inside]])
+        return Symbol(kind, affinity.affine_transform(area, back), tuple(int(self.free[k]) for k in near[inside]),
+                      heading, best.score, place + best.tail[0] * across + best.tail[1] * along,
+                      -along if best.backwards else along)
+
+
+def _in_row(fits: Sequence[PatternMatch], paint: Sequence[shapely.Geometry]) -> list[PatternMatch]:
+    """The matches of arrows that show enough of themselves where another one stands beside them."""
+    painted = shapely.union_all(list(paint))
+    return [match for match in fits if match.flanks and match.precise >= LIMITS.row_precise and max(
+        flank.intersection(painted).area / flank.area for flank in match.flanks) >= LIMITS.row_flank]
 
 
 def _has_heads(match: PatternMatch, paint: Sequence[shapely.Geometry]) -> bool:
