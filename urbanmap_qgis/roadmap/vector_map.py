@@ -28,7 +28,6 @@ from .lanes.movements import add_movements
 from .lanes.narrow_places import narrow_places
 from .lanes.road_axes import RoadAxis, add_axes, add_speed_limits
 from .lanes.road_sections import RoadSection, road_sections
-from .lanes.wrong_side import wrong_side_findings
 from .map_cleaning import clean_map
 from .map_records import DrivenPath, Finding, MapArea, MapLine, MapSettings, VectorMap
 
@@ -76,7 +75,6 @@ def build_vector_map(lines: Sequence[MapLine], areas: Sequence[MapArea] = (), dr
         for section, strips, _ in worked:
             built.findings += spread_directions(strips, section, built.left_hand is not False)
     for section, strips, _ in worked:
-        built.findings += wrong_side_findings(section, strips, built.left_hand)
         add_section(built, section, strips)
     if not drives:
         built.findings.append(_without_drives(lines))

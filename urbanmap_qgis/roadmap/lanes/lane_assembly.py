@@ -12,13 +12,18 @@ from ...wording import say
 from ..map_records import Bound, Finding, MapLane, MapLine, VectorMap
 from .lane_strips import Strip, strip_middle
 from .road_sections import BoundTrack, RoadSection
+from .wrong_side import wrong_side_findings
 
 NEAREST = 0.15
 """Nodes of a bound do not lie nearer than this, m (validators refuse points that fall together)."""
 
 
 def add_section(built: VectorMap, section: RoadSection, strips: Sequence[Strip]) -> None:
-    """Put the strips whose direction is known into the map as lanes; the others become findings."""
+    """Put the strips whose direction is known into the map as lanes; the others become findings.
+
+    So does a drive on the other direction's side of the centre line.
+    """
+    built.findings += wrong_side_findings(section, strips, built.left_hand)
     nodes: dict[tuple[int, float], int] = {}
     bounds: dict[tuple[int, float], int] = {}
     lane_of_strip: dict[int, int] = {}

@@ -42,10 +42,15 @@ class SymbolsLimits:
     lane_width: tuple[float, float] = (2.4, 4.2)
     row_along: float = 0.6
     # An arrow has one head only where no more of a second one is painted, and so much of the paint beside the
-    # place of that is there: where the paint is worn or hidden, so may be the head.
+    # place of that is there: where the paint is worn or hidden, so may be the head. A head wears in so many places by
+    # themselves, each as likely as the paint beside it: all of them together are gone with the chance told.
     most_branch: float = 0.05
     least_beside: float = 0.8
-    # So much of its shaft must be painted where the kind stays open: wedges of light between shadows have heads alone.
+    head_places: int = 4
+    head_gone: float = 0.03
+    longest_bare: float = 0.5  # A longer bare piece of the paint beside, m, may have hidden the head too.
+    # So much of its shaft must be painted where less of the paint beside is there: wedges of light between shadows have
+    # heads alone.
     least_shaft: float = 0.6
     head_margin: float = 0.05  # m about its heads, that is none of the shaft
     # Long and short side of what may be a diamond, m.
@@ -256,8 +261,9 @@ class _Search:
         sure = [match for match in fits if match.precise >= LIMITS.least_precise and _has_heads(match, paint)]
         if sure and sure[0].score >= LIMITS.least_score and sure[0].kind.startswith(wanted):
             symbol = self._symbol(sure, place, along, near, paint)
-            if symbol is not None and (symbol.kind != UNKNOWN_ARROW
-                                       or _shaft_share(sure[0], paint) >= LIMITS.least_shaft):
+            clear = symbol is not None and symbol.kind != UNKNOWN_ARROW and _beside_heads(
+                sure[0], paint) >= LIMITS.least_beside
+            if symbol is not None and (clear or _shaft_share(sure[0], paint) >= LIMITS.least_shaft):
                 return symbol
         unsure = _in_row(fits, paint) if wanted == "arrow" else []
         if not unsure or unsure[0].score < LIMITS.row_seed:
@@ -328,14 +334,31 @@ def _shaft_share(match: PatternMatch, paint: Sequence[shapely.Geometry]) -> floa
     return float(shapely.intersection(shaft, shapely.union_all(list(paint))).area / shaft.area)
 
 
+def _beside_heads(match: PatternMatch, paint: Sequence[shapely.Geometry]) -> float:
+    """The least share of the paint beside the places of second heads that is there; 1 where there are none."""
+    painted = shapely.union_all(list(paint))
+    return min((beside.intersection(painted).area / beside.area for _, beside in match.branches), default=1.0)
+
+
+def _longest_bare(shape: shapely.Geometry, painted: shapely.Geometry) -> float:
+    """The longest stretch along y on which nothing of a shape is painted, m."""
+    _, low, _, high = shape.bounds
+    parts = shapely.bounds(shapely.get_parts(shape.intersection(painted)))
+    parts = parts[np.argsort(parts[:, 1])]
+    reached = np.maximum.accumulate(np.concatenate([[low], parts[:, 3]]))
+    return float((np.append(parts[:, 1], high) - reached).max())
+
+
 def _kind(fits: Sequence[PatternMatch], paint: Sequence[shapely.Geometry]) -> str:
     """Kind of the best match, `UNKNOWN_ARROW` where another kind fits about as well or may have another head."""
     best = fits[0]
     painted = shapely.union_all(list(paint))
-    for branch, beside in best.branches:
-        if (branch.intersection(painted).area > LIMITS.most_branch * branch.area or
-                beside.intersection(painted).area < LIMITS.least_beside * beside.area):
-            return UNKNOWN_ARROW
+    if any(branch.intersection(painted).area > LIMITS.most_branch * branch.area for branch, _ in best.branches):
+        return UNKNOWN_ARROW
+    there = _beside_heads(best, paint)
+    if there < LIMITS.least_beside and ((1.0 - there)**LIMITS.head_places > LIMITS.head_gone or any(
+            _longest_bare(beside, painted) > LIMITS.longest_bare for _, beside in best.branches)):
+        return UNKNOWN_ARROW
     rivals = {match.kind for match in fits if match.score > best.score - LIMITS.least_lead} - {best.kind}
     return UNKNOWN_ARROW if rivals and best.kind.startswith("arrow") else best.kind
 
