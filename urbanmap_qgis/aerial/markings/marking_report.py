@@ -108,7 +108,7 @@ def write_marking_report(path: str | os.PathLike, orthophoto: str | os.PathLike,
     if judged.grade == BAD:
         report.verdict(BAD, (count if len(found.polygons) else "") + doubts[0])
     elif doubts:
-        report.verdict(LOOK, count + say("{doubts_count} things are to be looked at first.", doubts_count=len(doubts)))
+        report.verdict(LOOK, count + say("To be looked at first: {doubts_count}.", doubts_count=len(doubts)))
     else:
         report.verdict(GOOD, count + say("Nothing stands out; check some markings against the picture all the same."))
     notes = standing_notes(found, evidence)
