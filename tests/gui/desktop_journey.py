@@ -103,9 +103,9 @@ def run_in(window) -> dict:
 
 def told(layer) -> dict:
     """A layer's name, size, whether it lives in the window's thread, and how it is drawn."""
-    from qgis.core import QgsApplication, QgsMapLayerType
+    from qgis.core import QgsApplication, QgsVectorLayer
 
-    vector, renderer = layer.type() == QgsMapLayerType.VectorLayer, layer.renderer()
+    vector, renderer = isinstance(layer, QgsVectorLayer), layer.renderer()
     items = [item.label() for item in renderer.legendSymbolItems()] if vector and renderer else \
         [label for label, _ in renderer.legendSymbologyItems()] if renderer else []
     return {"name": layer.name(), "size": layer.featureCount() if vector else layer.width(),

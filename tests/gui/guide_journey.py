@@ -71,11 +71,11 @@ def states() -> dict:
 
 def loaded() -> list:
     """Name, size and renderer of the project's layers."""
-    from qgis.core import QgsMapLayerType, QgsProject
+    from qgis.core import QgsProject, QgsVectorLayer
 
     found = []
     for layer in QgsProject.instance().mapLayers().values():
-        vector = layer.type() == QgsMapLayerType.VectorLayer
+        vector = isinstance(layer, QgsVectorLayer)
         found.append([layer.name(), layer.featureCount() if vector else layer.width(), layer.renderer().type()])
     return sorted(found)
 

@@ -10,7 +10,7 @@ from html import escape, unescape
 from pathlib import Path
 from threading import Lock
 
-from qgis.core import QgsMapLayerType, QgsProcessingContext, QgsProcessingLayerPostProcessorInterface
+from qgis.core import QgsProcessingContext, QgsProcessingLayerPostProcessorInterface, QgsVectorLayer
 from qgis.PyQt import sip
 from qgis.PyQt.QtXml import QDomDocument
 
@@ -137,7 +137,7 @@ class StylePostProcessor(QgsProcessingLayerPostProcessorInterface):
         self.text = text
 
     def postProcessLayer(self, layer, context, feedback):
-        fields = [field.name() for field in layer.fields()] if layer.type() == QgsMapLayerType.VectorLayer else []
+        fields = [field.name() for field in layer.fields()] if isinstance(layer, QgsVectorLayer) else []
         document = QDomDocument()
         try:
             document.setContent(self.text or style_text(self.style, fields, self.own, self.earlier))
