@@ -15,6 +15,7 @@ from scripts.demo import street_checks as street
 from scripts.demo.checks import Figure
 from scripts.demo.city_checks import city_files
 from scripts.demo.lane_checks import lane_map
+from scripts.demo.road_checks import road_space
 
 CITY = Path("city")
 ALS = CITY / "als/als.laz"
@@ -92,6 +93,14 @@ def _street_stages() -> list[Stage]:
                "OUTPUT_FINDINGS": Path("lane_findings.gpkg"), "OUTPUT_LINES": Path("marking_lines.gpkg"),
                "OUTPUT_AREAS": Path("marking_areas.gpkg"), "OUTPUT_LANELET2": Path("lanes.osm"),
                "OUTPUT_OPENDRIVE": Path("lanes.xodr"), "OUTPUT_REPORT": Path("lanes.html")}, lane_map),
+        Stage("Road model and street objects", "urbanmap:roadspace",
+              {"POINTS": Path("survey_01.laz"), "TRAJECTORY": Path("survey_01_trajectory.csv"),
+               "MARKINGS": Path("markings.gpkg"), "GROUND": Path("ground.tif"), "TRAFFIC": "left",
+               "DATA_DATE": "2026-04-01", "OUTPUT": Path("road_surfaces.gpkg"),
+               "OUTPUT_AREAS": Path("road_areas.gpkg"), "OUTPUT_STEPS": Path("road_steps.gpkg"),
+               "OUTPUT_OBJECTS": Path("street_objects.gpkg"), "OUTPUT_FINDINGS": Path("road_findings.gpkg"),
+               "OUTPUT_CITYGML": Path("road_citygml"), "OUTPUT_FURNITURE": Path("furniture_citygml"),
+               "OUTPUT_REPORT": Path("road_model.html")}, road_space),
         Stage("Walls from the mobile survey", "urbanmap:wallsfrommms",
               {"POINTS": Path("survey_01.laz"), "BUILDINGS": Path("models.gpkg"), "GROUND": Path("ground.tif"),
                "OUTPUT": Path("walls.gpkg")}, street.measured_walls),

@@ -24,6 +24,8 @@ SANE["Mobile survey onto the markings"] = [
     ("control points after, greatest", 0.0, 0.10), ("control points after, mean in space", 0.0, 0.05)]
 SANE["Lane map from markings and the drive"] = [
     ("lanes between", 1, 60), ("true lanes on", 0.05, 1), ("area of the lanes", 0, 0.1)]
+SANE["Road model and street objects"] = [
+    ("area of the road", 100, 5000), ("share of it", 0.98, 1), ("border near", 0, 0.1)]
 SANE["Walls from the mobile survey"] = [("measured walls", 0.5, 1), ("their distance", 0.0, 0.05),
                                         ("share of them", 0.6, 1)]
 SANE["Models merged with the walls"] = [("buildings with", 1, 1000), ("merged models", 1, 1), ("overlap", 0.9, 1)]
