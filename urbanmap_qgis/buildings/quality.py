@@ -8,6 +8,7 @@ import numpy as np
 import shapely
 
 from ..execution import checkpoint
+from ..geometry.polygon_rings import polygon_rings
 from ..geometry.tolerances import LEAST_SQUARE, SAME_PLACE
 
 
@@ -186,8 +187,7 @@ def _roof_distances(x: np.ndarray, y: np.ndarray, z: np.ndarray, cell: RoofCell,
 
 def _edge_distances(points: np.ndarray, cell: RoofCell) -> np.ndarray:
     """Distances (n,) of points (n, 3) to the edges of a roof, m."""
-    rings = shapely.get_rings(cell.polygon)
-    coordinates, ring = shapely.get_coordinates(rings, return_index=True)
+    coordinates, ring = shapely.get_coordinates(polygon_rings(cell.polygon)[0], return_index=True)
     corners = np.column_stack([*coordinates.T, cell.heights(*coordinates.T)])
     starts = np.flatnonzero(ring[1:] == ring[:-1])
     alongs = corners[starts + 1] - corners[starts]

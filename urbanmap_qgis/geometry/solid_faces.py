@@ -6,6 +6,7 @@ import numpy as np
 import shapely
 
 from .linked_groups import linked_groups
+from .polygon_rings import polygon_rings
 from .ring_products import cross_with_next
 from .solid import GROUND, OUTER_WALL, ROOF, Face, Solid
 from .tolerances import MILLIMETRE
@@ -54,7 +55,7 @@ def area_vector(vertices: np.ndarray, face: Face) -> np.ndarray:
 
 def _indexed(polygons: np.ndarray) -> tuple[np.ndarray, list[Face]]:
     """Shared vertices (V, 3) and the faces as rings of their numbers."""
-    rings, owner = shapely.get_rings(polygons, return_index=True)
+    rings, owner = polygon_rings(polygons)
     coordinates, ring_of = shapely.get_coordinates(rings, include_z=True, return_index=True)
     if not len(coordinates):
         return np.empty((0, 3)), []

@@ -8,6 +8,7 @@ import numpy as np
 import shapely
 
 from ...errors import InputError
+from ...geometry.polygon_rings import polygon_rings
 from ...wording import say
 
 
@@ -116,7 +117,7 @@ def _clean(geometry: shapely.Geometry | None) -> tuple[shapely.Geometry | None, 
 
 def has_curved_walls(outline: shapely.Geometry) -> bool:
     """Whether a quarter of an outline's length, or more, lies in short edges that turn the same way step by step."""
-    for ring in shapely.get_rings(outline):
+    for ring in polygon_rings(outline)[0]:
         edge = np.diff(shapely.get_coordinates(ring), axis=0)
         length = np.hypot(*edge.T)
         edge, length = edge[length > 0], length[length > 0]

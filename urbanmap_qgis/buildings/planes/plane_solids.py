@@ -6,6 +6,7 @@ import numpy as np
 import shapely
 
 from ...errors import InputError
+from ...geometry.polygon_rings import polygon_rings
 from ...geometry.solid import Solid
 from ...geometry.tolerances import SAME_PLACE
 from ...wording import say
@@ -72,7 +73,7 @@ def is_sloped(polygon: shapely.Geometry) -> bool:
 def is_coverage(polygons: np.ndarray) -> bool:
     """Whether polygons lie edge by edge beside each other, with common nodes and without overlap."""
     flat = shapely.force_2d(polygons)
-    xy, ring = shapely.get_coordinates(shapely.get_rings(flat), return_index=True)
+    xy, ring = shapely.get_coordinates(polygon_rings(flat)[0], return_index=True)
     same = ring[1:] == ring[:-1]
     start, end = xy[:-1][same], xy[1:][same]
     low, high = np.minimum(start, end), np.maximum(start, end)

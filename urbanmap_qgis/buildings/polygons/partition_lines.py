@@ -13,6 +13,7 @@ import numpy as np
 import shapely
 from shapely.geometry.polygon import orient
 
+from ...geometry.polygon_rings import polygon_rings
 from .hough_lines import HoughAccumulator, fit_line
 from .regularisation import main_directions
 
@@ -109,7 +110,7 @@ def main_axes(outline: shapely.Geometry) -> np.ndarray:
 
 def edge_rows(outline: shapely.Geometry) -> np.ndarray:
     """Edges as rows (x, y, dx, dy)."""
-    xy, ring = shapely.get_coordinates(shapely.get_rings(shapely.get_parts(outline)), return_index=True)
+    xy, ring = shapely.get_coordinates(polygon_rings(shapely.get_parts(outline))[0], return_index=True)
     same = ring[1:] == ring[:-1]
     return np.column_stack([xy[:-1], np.diff(xy, axis=0)])[same]
 

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from ...geometry.polygon_rings import polygon_rings
+
 GRID = 1e-4
 """Metres; nodes are rounded to it, so that lines along an outline edge make no slivers."""
 
@@ -50,7 +52,7 @@ def arrange(outline: shapely.Geometry, lines: np.ndarray) -> Arrangement:
 
 def ring_segments(polygons: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Distinct vertices (m, 2), and for each ring segment the vertex numbers of its ends and its polygon."""
-    rings, polygon_of_ring = shapely.get_rings(polygons, return_index=True)
+    rings, polygon_of_ring = polygon_rings(polygons)
     xy, ring = shapely.get_coordinates(rings, return_index=True)
     vertices, number = np.unique(xy[:, 0] + 1j * xy[:, 1], return_inverse=True)
     same = ring[1:] == ring[:-1]
@@ -110,8 +112,8 @@ def _clean(polygons: np.ndarray, outline: shapely.Geometry) -> list:
 
 
 def _ring_vertices(polygons: np.ndarray, xy: np.ndarray, rounded: np.ndarray) -> list[np.ndarray]:
-    """Vertex numbers of every ring, open, in the order of `shapely.get_rings`."""
-    coordinates, ring = shapely.get_coordinates(shapely.get_rings(polygons), return_index=True)
+    """Vertex numbers of every ring, open, in the order of `polygon_rings`."""
+    coordinates, ring = shapely.get_coordinates(polygon_rings(polygons)[0], return_index=True)
     _, number = np.unique(coordinates[:, 0] + 1j * coordinates[:, 1], return_inverse=True)
     return [part[:-1] for part in np.split(number, np.flatnonzero(np.diff(ring)) + 1)]
 

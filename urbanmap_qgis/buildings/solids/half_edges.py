@@ -13,6 +13,8 @@ from dataclasses import dataclass, field
 import numpy as np
 import shapely
 
+from ...geometry.polygon_rings import polygon_rings
+
 OUTSIDE = -1
 """What lies at the left of a directed edge that no cell owns."""
 
@@ -74,7 +76,7 @@ def half_edges(polygons: np.ndarray, origin: tuple[float, float], resolution: fl
     ------
     ValueError : two polygons lie at the same side of an edge, so they overlap.
     """
-    rings, owner = shapely.get_rings(polygons, return_index=True)
+    rings, owner = polygon_rings(polygons)
     outer = np.ones(len(rings), dtype=bool)
     outer[1:] = owner[1:] != owner[:-1]
     flip = shapely.is_ccw(rings) != outer
