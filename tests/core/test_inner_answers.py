@@ -22,15 +22,19 @@ from urbanmap_qgis.buildings.city_export import _level
 from urbanmap_qgis.buildings.mesh25d.mesh_points import BUILDING_CLASS, _chosen
 from urbanmap_qgis.buildings.model_status import NOT_MODELLED
 from urbanmap_qgis.buildings.model_table import _verdict
-from urbanmap_qgis.errors import InputError
+from urbanmap_qgis.errors import InputError, InsufficientDataError
+from urbanmap_qgis.gnss.rinex.observation_file import _numbers
 from urbanmap_qgis.gnss.walls.offset_posterior import _rival
 from urbanmap_qgis.io.conversion.geoid import _whole_seconds
 from urbanmap_qgis.io.conversion.reprojection import resampled
-from urbanmap_qgis.io.pages.report import BAD, GOOD, LOOK
+from urbanmap_qgis.io.pages import print_plan
+from urbanmap_qgis.io.pages.report import BAD, GOOD, LOOK, Report
 from urbanmap_qgis.io.points.point_buckets import PointBuckets
 from urbanmap_qgis.mobile.adjustment import planes
 from urbanmap_qgis.mobile.adjustment.network import _likelihood
 from urbanmap_qgis.mobile.registration import report as registration_report
+from urbanmap_qgis.mobile.registration.records import RegistrationSettings
+from urbanmap_qgis.mobile.registration.virtual_control import virtual_control
 from urbanmap_qgis.roadmap.edges.edge_points import EdgeTile
 from urbanmap_qgis.roadmap.edges.uprights import upright_candidates
 from urbanmap_qgis.roadmap.lanes.right_of_way import LANES, STOP_LINE, WIDTH, _minor, _Road
@@ -260,3 +264,35 @@ def test_a_strange_place_among_points_is_named():
     with pytest.raises(InputError, match=f"near {place}, {away} from the others"):
         cloud_tiles._require_filled(squares)
     cloud_tiles._require_filled(Counter({complex(500, 500): 90, complex(501, 500): 40}))
+
+
+def test_rows_in_print_are_as_high_as_their_lines_and_padding():
+    letter = print_plan.CELL * print_plan.POINT
+    row = (print_plan.LINE + 0.24) * letter + 0.27
+    assert print_plan.table_block([["a", "b"], ["c", "d"]], False).pieces == pytest.approx((row, row + 0.4 * letter))
+
+
+def test_numbers_of_observations_are_read_in_their_columns_and_elsewhere():
+    texts = ["  20000000.123", "12345678901234", "      -1.250  ", " " * 14, "    1234.5 78 "]
+    values, unread = _numbers(np.frombuffer("".join(texts).encode(), np.uint8).reshape(-1, 14))
+    assert values == pytest.approx([20000000.123, 12345678901234.0, -1.25, np.nan, np.nan], nan_ok=True) and unread == 1
+
+
+def test_a_note_of_settings_is_a_table_and_another_a_paragraph(tmp_path):
+    for text, table in (("cell: 0.5 m; method: planes", True), ("looked at: by hand", False), ("a; b", False)):
+        report = Report("Title")
+        report.note(text)
+        report.write(tmp_path / "a.html")
+        assert ("<td" in (tmp_path / "a.html").read_text(encoding="utf-8")) == table
+
+
+def test_the_background_grows_with_the_odds_of_outliers():
+    one, other = (RegistrationSettings(outlier_share=share).background for share in (0.5, 0.2))
+    assert 0.0 < one <= 1.0 and other == pytest.approx(one / 4)
+
+
+@pytest.mark.parametrize(("seen", "known"), [(0, 3), (3, 0)])
+def test_without_corners_there_is_no_virtual_control(seen, known):
+    survey = SimpleNamespace(time=np.zeros(seen), place=np.zeros((seen, 3)))
+    with pytest.raises(InsufficientDataError, match="no bar among the markings"):
+        virtual_control(survey, np.zeros((known, 3)), None)

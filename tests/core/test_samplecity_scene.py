@@ -162,3 +162,11 @@ def test_true_lines_lie_in_the_middle_of_their_paint_and_join_dashes(canyon):
         middles = [line.interpolate(sum(map(float, dash.split("-"))) / 2) for dash in dashes]
         edge = shapely.distance(middles, painted.boundary)
         assert edge == pytest.approx(0.075, abs=1e-3)
+
+
+def test_rails_stand_every_15_m_within_the_city(canyon):
+    boxes = [shapely.minimum_rotated_rectangle(thing.plan) for thing in canyon.furniture]
+    rails = [box for box in boxes if box.length == pytest.approx(2 * (6.0 + 0.08), abs=1e-3)]
+    along = np.array([canyon.ground.to_local(box.centroid.x, box.centroid.y) for box in rails])
+    off = np.abs((along + 91.0 + 7.5) % 15.0 - 7.5)  # the first begins 6 m inside, each is 6 m long
+    assert len(rails) > 8 and np.abs(along).max() < 100.0 and (off.min(axis=1) < 1e-3).all()
