@@ -6,9 +6,13 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.mobile.adjustment.network import NONE, PLANE, TIE, NetworkObservations, plan_residuals
+from urbanmap_qgis.mobile.adjustment.plane_observations import plane_observations
 from urbanmap_qgis.mobile.adjustment.planes import plane_ties, planes_of
+from urbanmap_qgis.mobile.adjustment.records import AdjustmentRun
 from urbanmap_qgis.mobile.adjustment.steps import away_from_steps, observed_steps
+from urbanmap_qgis.mobile.adjustment.ties import Drive
 from urbanmap_qgis.mobile.trajectory import Trajectory
+from urbanmap_qgis.progress import SILENT
 
 LENGTH = 60.0
 
@@ -75,6 +79,22 @@ def test_ties_that_are_adjusted_already_say_the_same(make_cloud, tmp_path):
     found = plane_ties(planes, reported, true, 0.1)
     assert len(found) >= 5
     assert np.median(np.abs(found.value[:, :3] - (shift[1] - shift[0])), axis=0) == pytest.approx(np.zeros(3), abs=0.02)
+
+
+@pytest.mark.slow
+def test_drives_that_share_no_markings_are_brought_together_by_planes(make_cloud, tmp_path):
+    """As reported they lie a metre and a half apart. Along the street one wall looks like the next: nothing is said."""
+    shift = np.array([[0.9, 0.8, 0.3], [-0.6, -0.7, -0.2]])
+    true = [drive(100.0), drive(200.0, True)]
+    made = [survey(make_cloud, tmp_path, f"d{k}", true[k], shift[k], True, k) for k in (0, 1)]
+    paths, reported = zip(*made)
+    drives = [Drive(f"d{k}", trajectory, None) for k, trajectory in enumerate(reported)]
+    found = plane_observations([[path] for path in paths], drives, NetworkObservations.none(), AdjustmentRun(), SILENT)
+    off = found.value[:, :3] - (shift[1] - shift[0])
+    assert len(found) >= 5
+    assert np.abs(off[:, 1]).max() < 0.05 and np.abs(off[:, 2]).max() < 0.05
+    sigma = np.sqrt(found.covariance[:, [0, 1, 2], [0, 1, 2]])
+    assert sigma[:, 0].min() > 5.0 and sigma[:, 1].max() < 0.1 and sigma[:, 2].max() < 0.05
 
 
 def ties(value, number=0, other=1):

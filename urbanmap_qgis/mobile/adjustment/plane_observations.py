@@ -10,7 +10,7 @@ from ...wording import say
 from ..trajectory import Trajectory
 from .drive_network import adjust_drives
 from .network import NetworkObservations
-from .planes import plane_ties, planes_of
+from .planes import LIMITS, plane_ties, planes_of
 from .records import AdjustmentRun
 from .steps import away_from_steps
 from .ties import Drive, pairs_of
@@ -22,7 +22,10 @@ _STEP_REACH = 30.0
 def plane_observations(clouds: Sequence[Sequence[str | os.PathLike]], drives: Sequence[Drive],
                        ties: NetworkObservations, run: AdjustmentRun, progress: Progress,
                        placed: Sequence[Trajectory] | None = None) -> NetworkObservations:
-    """Ties by planes; drives that share markings are brought together by these first.
+    """Ties by planes; drives that share markings are brought together by these first, others by planes themselves.
+
+    Drives as reported lie metres apart: compared within decimetres, planes would tie them where they happen to lie on
+    each other. So they are compared from farther first, and the drives brought together by that.
 
     `placed` : trajectories that walls have brought together already, with or without shared markings.
     """
@@ -31,10 +34,19 @@ def plane_observations(clouds: Sequence[Sequence[str | os.PathLike]], drives: Se
     planes = planes_of(clouds, reported, progress)
     adjusted = reported if placed is None else placed
     if placed is None and len(ties):
-        preliminary = adjust_drives(drives, ties, run, SILENT)
-        adjusted = [drive.corrected for drive in preliminary.drives]
+        adjusted = _adjusted(drives, ties, run)
     # Walls place drives in plan only: where nothing else ties two of them, their roads may lie a metre apart.
-    level = None if placed is None else set(pairs_of(ties))
-    found = plane_ties(planes, reported, adjusted, run.registration.correction.time_weight, level)
+    tied, weight = set(pairs_of(ties)), run.registration.correction.time_weight
+    level, together = (None, tied) if placed is None else (tied, None)
+    if placed is None and len(tied) < len(drives) * (len(drives) - 1) // 2:
+        for reach in LIMITS.apart:
+            found = plane_ties(planes, reported, adjusted, weight, level, together, reach)
+            adjusted = _adjusted(drives, NetworkObservations.joined([ties, found]), run)
+    found = plane_ties(planes, reported, adjusted, weight, level, together)
     # Beside a step the drives are not together well enough to tell which planes are the same.
     return found.select(away_from_steps(found, ties, _STEP_REACH))
+
+
+def _adjusted(drives: Sequence[Drive], observations: NetworkObservations, run: AdjustmentRun) -> list[Trajectory]:
+    """The drives' trajectories by observations."""
+    return [drive.corrected for drive in adjust_drives(drives, observations, run, SILENT).drives]

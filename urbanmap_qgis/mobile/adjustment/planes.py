@@ -32,8 +32,12 @@ class AdjustmentPlanesLimits:
 
     piece: float = 10.0  # m of path between plane ties.
     reach: float = 25.0  # m from the vehicle; farther planes turn with its heading
-    near: float = 0.6  # m between middles of two planes that are compared
-    normal_gap: float = 0.25  # m along the normal; more is another plane
+    # m between middles of two planes that are compared, and along the normal, where more is another plane
+    together: tuple[float, float] = (0.6, 0.25)  # of drives that lie on each other
+    apart: tuple[tuple[float, float], ...] = ((3.0, 2.5), (1.5, 0.8))  # of drives as reported, in turn
+    passes: int = 8
+    of_kind: int = 6  # planes of one direction from which their scatter can be told
+    candidates: int = 12  # nearest planes among which the first parallel one is taken
     fewest: int = 12  # planes of a tie
     upright: float = 0.12  # of a facade's normal, at most upwards: 7 degrees
     sigma: float = 0.015  # m, of two planes against each other: structure of facades, and their normals
@@ -85,15 +89,20 @@ def planes_of(clouds: Sequence[Sequence[str | os.PathLike]], trajectories: Seque
 
 
 def plane_ties(planes: DrivePlanes, reported: Sequence[Trajectory], adjusted: Sequence[Trajectory],
-               time_weight: float, level: Collection[tuple[int, int]] | None = None) -> NetworkObservations:
+               time_weight: float, level: Collection[tuple[int, int]] | None = None,
+               together: Collection[tuple[int, int]] | None = None,
+               reach: tuple[float, float] = LIMITS.together) -> NetworkObservations:
     """Ties by planes between all pairs of passes.
 
     Parameters
     ----------
-    adjusted : trajectories by which the drives agree to better than half a metre.
+    adjusted : trajectories by which the drives agree to better than `reach`.
     time_weight : of the path's parameter, see `gauss_markov`.
     level : pairs of drives, the lower number first, that agree in height too; of others only facades are compared.
         None for all.
+    together : pairs of drives that something else than planes has brought together. Of others only what lies across
+        most of their facades counts: along a street one pillar or front looks like the next. None for all.
+    reach : m between middles of two planes that are compared, and along their normal.
     """
     patches, moved = planes.patches, planes.patches.centroid.copy()
     for number, (before, after) in enumerate(zip(reported, adjusted)):
@@ -104,9 +113,43 @@ def plane_ties(planes: DrivePlanes, reported: Sequence[Trajectory], adjusted: Se
     parameters = [path_parameters_of(trajectory, time_weight) for trajectory in reported]
     parts = []
     for first, second in group_pairs(patches.group):
-        pair = _Pair(planes, moved, first, second, reported, adjusted, parameters, level)
+        pair = _Pair(planes, moved, first, second, reported, adjusted, parameters, level, together, reach)
         parts += [pair.tie(piece) for piece in pair.pieces()]
     return NetworkObservations.joined([part for part in parts if part is not None])
+
+
+def _directions(normal: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(n,) 0, 1, 2: facades that face as most of them do, facades across these, and road, by unit vectors (n, 3); and
+    the direction in plan (2,) in which the fewest face.
+    """
+    upright = np.abs(normal[:, 2]) <= LIMITS.upright
+    plan = normal[upright, :2]
+    least = np.linalg.eigh(plan.T @ plan)[1][:, 0]
+    return np.where(upright, (np.abs(normal[:, :2] @ least) > np.sqrt(0.5)).astype(int), 2), least
+
+
+def _scatter(off: np.ndarray) -> float:
+    """m, standard deviation of planes by what is left of them (n,) m; `unknown` of too few."""
+    if len(off) < LIMITS.of_kind:
+        return LIMITS.unknown
+    return max(SIGMA_OF_MAD * float(np.median(off)), LIMITS.sigma)
+
+
+def _nearest_parallel(ones: tuple[np.ndarray, ...], others: tuple[np.ndarray, ...],
+                      near: float) -> tuple[np.ndarray, np.ndarray]:
+    """Numbers of planes and of the nearest parallel ones of others, for those that have one within `near` m.
+
+    `ones`, `others` : places and normals (n, 3), and numbers (n,).
+    """
+    distance, place = cKDTree(others[0]).query(ones[0], k=min(LIMITS.candidates, len(others[0])),
+                                               distance_upper_bound=near)
+    distance, place = (part.reshape(len(ones[0]), -1) for part in (distance, place))
+    found = np.isfinite(distance)
+    cosine = np.abs(np.einsum("ni,nji->nj", ones[1], others[1][np.where(found, place, 0)]))
+    parallel = found & (cosine >= _PARALLEL)
+    some = parallel.any(axis=1)
+    first = np.argmax(parallel, axis=1)
+    return ones[2][some], others[2][place[some, first[some]]]
 
 
 class _Pair:
@@ -114,23 +157,24 @@ class _Pair:
 
     def __init__(self, planes: DrivePlanes, moved: np.ndarray, first: int, second: int,
                  reported: Sequence[Trajectory], adjusted: Sequence[Trajectory], parameters: Sequence[np.ndarray],
-                 level: Collection[tuple[int, int]] | None):
+                 level: Collection[tuple[int, int]] | None, together: Collection[tuple[int, int]] | None = None,
+                 reach: tuple[float, float] = LIMITS.together):
         self.drives = int(planes.drive[first]), int(planes.drive[second])
         self.reported, self.adjusted = ([each[k] for k in self.drives] for each in (reported, adjusted))
         self.parameters = [parameters[k] for k in self.drives]
         patches = planes.patches
         one, other = (np.flatnonzero(patches.group == group) for group in (first, second))
-        distance, near = cKDTree(moved[other]).query(moved[one], distance_upper_bound=LIMITS.near)
-        found = np.isfinite(distance)
-        one, other = one[found], other[near[found]]
+        one, other = _nearest_parallel((moved[one], patches.normal[one], one), (moved[other], patches.normal[other],
+                                                                                other), reach[0])
         cosine = (patches.normal[one] * patches.normal[other]).sum(axis=1)
         normal = patches.normal[one] + np.sign(cosine)[:, None] * patches.normal[other]
         normal /= np.maximum(np.linalg.norm(normal, axis=1), LEAST_DIVISOR)[:, None]
         # By so much the first pass must move more than the second, along the normal.
         gap = ((moved[other] - moved[one]) * normal).sum(axis=1)
-        good = (np.abs(cosine) >= _PARALLEL) & (np.abs(gap) <= LIMITS.normal_gap)
-        first_drive, last_drive = sorted(self.drives)
-        self.level = level is None or first_drive == last_drive or (first_drive, last_drive) in level
+        good = np.abs(gap) <= reach[1]
+        pair = tuple(sorted(self.drives))
+        self.level, tied = (some is None or pair[0] == pair[1] or pair in some for some in (level, together))
+        self.apart = not tied
         if not self.level:
             good &= np.abs(normal[:, 2]) <= LIMITS.upright
         self.normal, self.gap, self.place = normal[good], gap[good], moved[one][good]
@@ -145,16 +189,21 @@ class _Pair:
 
     def tie(self, some: np.ndarray) -> NetworkObservations | None:
         """One observation by some of the planes; None where they are too few."""
-        middle = np.median(self.gap[some])
-        scatter = max(SIGMA_OF_MAD * np.median(np.abs(self.gap[some] - middle)), LIMITS.sigma)
         normal, distance = self.normal[some], self.gap[some]
         if len(some) < LIMITS.fewest:
             return None
-        weight = np.ones(len(some))
-        for _ in range(5):
-            information = (normal * weight[:, None]).T @ normal / scatter**2 + np.eye(3) / LIMITS.unknown**2
-            shift = np.linalg.solve(information, (normal * weight[:, None]).T @ distance / scatter**2)
-            weight = 1.0 / (1.0 + ((distance - normal @ shift) / (3.0 * scatter)) ** 2)
+        kind, along = _directions(normal)
+        weight = np.where((kind == 1) & self.apart, 0.0, LIMITS.sigma**-2.0)
+        if self.apart or np.count_nonzero(kind == 1) < LIMITS.of_kind:  # slanting normals tell nothing along a street
+            even = kind != 1
+            normal[even, :2] -= np.outer(normal[even, :2] @ along, along)
+        for _ in range(LIMITS.passes):
+            information = (normal * weight[:, None]).T @ normal + np.eye(3) / LIMITS.unknown**2
+            shift = np.linalg.solve(information, (normal * weight[:, None]).T @ distance)
+            off = np.abs(distance - normal @ shift)
+            scatter = np.array([_scatter(off[kind == number]) for number in range(3)])[kind]
+            weight = 1.0 / (scatter**2 * (1.0 + (off / (3.0 * scatter)) ** 2))
+            weight[(kind == 1) & self.apart] = 0.0
         covariance = np.eye(4)
         covariance[:3, :3] = np.linalg.inv(information) + np.diag(LIMITS.floor) ** 2
         return self._observation(some, shift, covariance)
