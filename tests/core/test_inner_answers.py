@@ -18,11 +18,13 @@ from urbanmap_qgis.aerial.markings.marking_confidence import GroundBeside
 from urbanmap_qgis.aerial.markings.marking_pieces import MarkingPieces, PieceImage, piece_figures
 from urbanmap_qgis.aerial.markings.road_model import RoadModel
 from urbanmap_qgis.aerial.markings.surroundings import cells_of, figures_at
+from urbanmap_qgis.aerial.orthophotos.orthorectification import OrthorectifiedFrame
 from urbanmap_qgis.buildings.city_export import _level
 from urbanmap_qgis.buildings.mesh25d.mesh_points import BUILDING_CLASS, _chosen
 from urbanmap_qgis.buildings.model_status import NOT_MODELLED
 from urbanmap_qgis.buildings.model_table import _verdict
 from urbanmap_qgis.errors import InputError, InsufficientDataError
+from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.gnss.rinex.observation_file import _numbers
 from urbanmap_qgis.gnss.walls.offset_posterior import _rival
 from urbanmap_qgis.io.conversion.geoid import _whole_seconds
@@ -43,6 +45,7 @@ from urbanmap_qgis.roadmap.lines.line_work import RoadArea
 from urbanmap_qgis.roadmap.objects.object_records import POLE, TREE, Stem
 from urbanmap_qgis.roadmap.objects.street_objects import _doubt
 from urbanmap_qgis.roadspace.junctions import _skew
+from urbanmap_qgis.roadspace.survey import road_areas
 from urbanmap_qgis.terrain import cloud_tiles
 
 PIXEL = 0.12
@@ -296,3 +299,21 @@ def test_without_corners_there_is_no_virtual_control(seen, known):
     survey = SimpleNamespace(time=np.zeros(seen), place=np.zeros((seen, 3)))
     with pytest.raises(InsufficientDataError, match="no bar among the markings"):
         virtual_control(survey, np.zeros((known, 3)), None)
+
+
+def test_the_ground_beyond_the_lines_of_sight_is_seen_as_its_edge():
+    """Twenty columns are all seen; bits that fill up the last byte are no ground."""
+    frame = OrthorectifiedFrame.__new__(OrthorectifiedFrame)
+    frame._seen = Grid(0.0, 4.0, 1.0, 4, 20), np.packbits(np.ones((4, 20), bool), axis=1)
+    seen = frame._sees(np.array([[12.5, 15.0, 19.5, 20.0, 20.4]]), np.array([[1.5]]))
+    assert seen.all()
+    frame._seen[1][:, 0] = 0b11110111
+    assert frame._sees(np.array([[2.5, 3.7, 4.5, 6.5]]), np.array([[2.5]])).tolist() == [[True, False, False, True]]
+
+
+def test_slivers_go_to_the_neighbour_with_the_longest_border():
+    areas = [(shapely.box(0, 0, 10, 10), "carriageway", 0), (shapely.box(10, 0, 20, 10), "footway", 1),
+             (shapely.box(0, 10, 10, 10.05), "carriageway", 2), (shapely.box(50, 0, 50.05, 9), "footway", 3)]
+    found = road_areas._without_slivers(areas)
+    assert [(kind, road, round(polygon.area, 6)) for polygon, kind, road in found] == [
+        ("carriageway", 0, 100.5), ("footway", 1, 100.0)]
