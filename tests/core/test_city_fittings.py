@@ -10,12 +10,13 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.citymodel.city_files import write_city_files
-from urbanmap_qgis.citymodel.city_sources import open_city_model
+from urbanmap_qgis.citymodel.city_sources import open_city_model, placed_model
 from urbanmap_qgis.citymodel.citygml.writer import write_citygml
 from urbanmap_qgis.citymodel.model import ADDRESS, CityModel, CityReference
 from urbanmap_qgis.citymodel.objects import unique_objects
 from urbanmap_qgis.citymodel.reading_notes import ReadingNotes
 from urbanmap_qgis.citymodel.tables.building_table import TableNotes, building_rows
+from urbanmap_qgis.errors import InputError
 
 TOOLS = Path(__file__).resolve().parents[3] / "shared" / "tools"
 HEAD = """<?xml version="1.0" encoding="UTF-8"?>
@@ -196,6 +197,18 @@ def test_layers_count_what_they_leave_out(tmp_path):
     (row,) = building_rows(iter(model.buildings), lambda corners: corners, TableNotes())
     assert row.values["address_Country_CountryName"] == "日本" and row.kinds.count("outer wall") == 5
     assert not [name for name in row.values if "@" in name]
+
+
+@pytest.mark.filterwarnings("error")
+def test_a_corner_far_outside_is_refused_by_the_id_of_its_building(tmp_path):
+    """A corner at 1e11 degrees: neither a warning of a number that no integer holds, nor a sentence without a name."""
+    text = building()
+    at = text.index("<gml:posList>") + len("<gml:posList>")
+    path = write(tmp_path, f"{text[:at]}1e11 {text[at:].split(maxsplit=1)[1]}")
+    model, _ = read(path)
+    _, buildings, places = placed_model(model, None, [])
+    with pytest.raises(InputError, match="'house' has corners"):
+        list(building_rows(buildings, places, TableNotes()))
 
 
 def test_an_address_of_cityjson_becomes_lines_of_an_address(tmp_path):

@@ -40,11 +40,21 @@ def rings_of(building: CityObject) -> list[np.ndarray]:
 
 
 def placed(building: CityObject, places: Places) -> CityObject:
-    """A building with its parts and fittings in another reference: all its corners at once."""
+    """A building with its parts and fittings in another reference: all its corners at once.
+
+    Raises
+    ------
+    InputError : a corner has no place there; the sentence names the building.
+    """
     rings = rings_of(building)
     if not rings:
         return building
-    moved_rings = iter(np.split(places(np.concatenate(rings)), np.cumsum([len(ring) for ring in rings])[:-1]))
+    try:
+        moved = places(np.concatenate(rings))
+    except InputError as error:
+        raise InputError(say("'{id}' has corners where its reference system cannot be computed: check the system, and "
+                             "the corners by “Check city model”.", id=building.id)) from error
+    moved_rings = iter(np.split(moved, np.cumsum([len(ring) for ring in rings])[:-1]))
 
     def with_places(item: CityObject) -> CityObject:
         shapes = tuple(replace(shape, shells=tuple(
@@ -75,7 +85,7 @@ def unmatched_edges(shell: tuple[CitySurface, ...], digits: int) -> int:
     places = np.array([digits, digits, 3])
     for surface in shell:
         for ring in surface.rings:
-            corners = list(map(tuple, np.rint(ring * 10.0**places).astype(np.int64).tolist()))
+            corners = list(map(tuple, np.rint(ring * 10.0**places).tolist()))
             for start, end in zip(corners, corners[1:] + corners[:1]):
                 if start != end:
                     count[start, end] += 1
