@@ -13,6 +13,7 @@ import shapely
 from rasterio.transform import Affine
 from scipy.spatial import cKDTree
 
+from urbanmap_qgis.aerial.frames.occlusion import RaisedCells, _lift
 from urbanmap_qgis.aerial.markings import marking_report
 from urbanmap_qgis.aerial.markings.marking_confidence import GroundBeside
 from urbanmap_qgis.aerial.markings.marking_pieces import MarkingPieces, PieceImage, piece_figures
@@ -317,3 +318,10 @@ def test_slivers_go_to_the_neighbour_with_the_longest_border():
     found = road_areas._without_slivers(areas)
     assert [(kind, road, round(polygon.area, 6)) for polygon, kind, road in found] == [
         ("carriageway", 0, 100.5), ("footway", 1, 100.0)]
+
+
+def test_raised_cells_are_put_into_the_window_that_they_lie_in():
+    raised = RaisedCells(np.array([2, 5, 5, 6]), np.array([3, 11, 30, 12]), np.array([1.0, 7.0, 8.0, 9.0]))
+    z, high = np.zeros((3, 4)), np.zeros((3, 4), bool)
+    _lift(z, high, raised, slice(4, 7), slice(10, 14))
+    assert z.tolist() == [[0, 0, 0, 0], [0, 7, 0, 0], [0, 0, 9, 0]] and np.array_equal(high, z > 0)

@@ -123,7 +123,7 @@ def _data_costs(faces: PlanFaces, raster: LabelRaster, planes: np.ndarray, point
     column = np.searchsorted(raster.x + raster.cell / 2, labelled[:, 0])
     row = np.searchsorted(-raster.y + raster.cell / 2, -labelled[:, 1])
     cell = row * len(raster.x) + column
-    weight = raster.cell**2 / np.bincount(cell, minlength=raster.label.size + len(raster.x) + 1)[cell]
+    weight = raster.cell**2 / np.bincount(cell)[cell]
 
     def of_points(place: np.ndarray, plane: np.ndarray) -> np.ndarray:
         return np.minimum(np.abs(labelled[place, 2] - _heights(planes, plane, labelled[place])),
