@@ -31,6 +31,7 @@ from urbanmap_qgis.gnss.walls.offset_posterior import _rival
 from urbanmap_qgis.io.conversion.geoid import _whole_seconds
 from urbanmap_qgis.io.conversion.reprojection import resampled
 from urbanmap_qgis.io.pages import print_plan
+from urbanmap_qgis.io.pages import report as page_report
 from urbanmap_qgis.io.pages.report import BAD, GOOD, LOOK, Report
 from urbanmap_qgis.io.points.point_buckets import PointBuckets
 from urbanmap_qgis.mobile.adjustment import planes
@@ -38,6 +39,7 @@ from urbanmap_qgis.mobile.adjustment.network import _likelihood
 from urbanmap_qgis.mobile.registration import report as registration_report
 from urbanmap_qgis.mobile.registration.records import RegistrationSettings
 from urbanmap_qgis.mobile.registration.virtual_control import virtual_control
+from urbanmap_qgis.roadmap.checks.lane_rules import _nearest_on
 from urbanmap_qgis.roadmap.edges.edge_points import EdgeTile
 from urbanmap_qgis.roadmap.edges.uprights import upright_candidates
 from urbanmap_qgis.roadmap.lanes.right_of_way import LANES, STOP_LINE, WIDTH, _minor, _Road
@@ -176,10 +178,11 @@ def test_planes_of_three_ways_tie_two_passes_in_place(monkeypatch):
     shift, rng = np.array([0.2, -0.1, 0.05]), np.random.default_rng(5)
     pair = planes._Pair.__new__(planes._Pair)
     pair.normal = np.repeat(np.eye(3), 100, axis=0)
+    pair.apart = False
     pair.gap = pair.normal @ shift + rng.normal(0, 0.002, 300)
     monkeypatch.setattr(planes._Pair, "_observation", lambda self, some, shift, covariance: (shift, covariance))
     found, covariance = pair.tie(np.arange(300))
-    scatter = 1.4826 * np.median(np.abs(pair.gap - np.median(pair.gap)))
+    scatter = planes.LIMITS.sigma  # theirs is less
     assert found == pytest.approx(shift, abs=0.001) and pair.tie(np.arange(11)) is None
     assert np.sqrt(np.diag(covariance)[:3]) == pytest.approx(np.hypot(scatter / 10, planes.LIMITS.floor), rel=0.02)
 
@@ -325,3 +328,18 @@ def test_raised_cells_are_put_into_the_window_that_they_lie_in():
     z, high = np.zeros((3, 4)), np.zeros((3, 4), bool)
     _lift(z, high, raised, slice(4, 7), slice(10, 14))
     assert z.tolist() == [[0, 0, 0, 0], [0, 7, 0, 0], [0, 0, 9, 0]] and np.array_equal(high, z > 0)
+
+
+def test_the_nearest_point_of_a_path_has_the_height_there():
+    path = np.array([[0.0, 0.0, 1.0], [10.0, 0.0, 3.0], [10.0, 0.0, 3.0], [10.0, 8.0, 7.0]])
+    assert _nearest_on(path, np.array([4.0, -2.0])).tolist() == [4.0, 0.0, 1.8]
+    assert _nearest_on(path, np.array([11.0, 6.0])).tolist() == [10.0, 6.0, 6.0]
+    assert _nearest_on(path, np.array([-5.0, 0.0])).tolist() == [0.0, 0.0, 1.0]
+
+
+@pytest.mark.parametrize(("box", "half", "high"), [("96 48", False, 12.7), ("2000 500", True, 0.49 * 0.25),
+                                                    ("96 960", False, 110.0)])
+def test_drawings_keep_their_shape_in_print(box, half, high):
+    """96 units are an inch; a wide one takes the page, half of a pair 0.49 of it; none is higher than 110 mm."""
+    found = page_report._printed_height(f'<svg viewBox="0 0 {box}">', half)
+    assert found == pytest.approx(high * print_plan.PAGE_WIDTH if half else high)
