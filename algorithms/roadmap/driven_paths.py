@@ -46,7 +46,7 @@ def add_street_objects(algorithm, parameters, context, built, lines) -> None:
     if objects is not None:
         if "kind" not in objects.columns:
             raise InputError(tr("{0} has no field kind; give the points of “Street objects”.").format(objects.label))
-        built.objects = objects_of(objects.geometries, objects.columns)
+        built.objects = objects_of(objects.geometries, objects.columns, objects.label)
         built.findings += signals_of_stop_lines(built)[1]
     if rails is not None:
-        built.rails = rails_of(rails.geometries, rails.columns)
+        built.rails = rails_of(rails.geometries, rails.columns, rails.label)

@@ -9,6 +9,7 @@ import shapely
 
 from tests.core import laid_out_roads as roads
 from tests.core.lane_map_judges import judge, loaded_by, opendrive_issues
+from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.io.osm import read_osm, write_osm
 from urbanmap_qgis.roadmap.checks.map_check import check_map
 from urbanmap_qgis.roadmap.formats.lanelet_map import META, lanelet_elements
@@ -151,3 +152,13 @@ def test_objects_of_a_table_are_known_kinds_with_what_is_known():
     assert found.head == pytest.approx([5.0, 2.0, 8.0])
     (rail,) = rails_of([shapely.LineString([(0, 0, 1), (3, 0, 1)])], {"height": [0.8]})
     assert rail.tolist() == [[0, 0, 1, 0.8], [3, 0, 1, 0.8]]
+
+
+@pytest.mark.parametrize("cell", ["abc", "0x10", "いいえ"])
+def test_a_value_of_an_object_or_rail_that_is_no_number_is_refused_with_its_row(cell):
+    with pytest.raises(InputError, match=f"posts: “{cell}” in row 2 of the column arm is no number"):
+        objects_of([shapely.Point(1, 2, 3)] * 2, {"kind": ["pole"] * 2, "arm": [None, cell]}, "posts")
+    with pytest.raises(InputError, match=f"“{cell}” in row 1 of the column height is no number"):
+        rails_of([shapely.LineString([(0, 0, 1), (3, 0, 1)])], {"height": [cell]})
+    (found,) = objects_of([shapely.Point(1, 2, 3)], {"kind": ["pole"], "arm": [""], "height": ["6.5"]})
+    assert np.isnan(found.arm[0]) and found.height == 6.5

@@ -8,11 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from ..io.files.named_table import numbers_of
 from ..wording import say
 from .map_records import Finding, VectorMap
 
 POLE, LAMP, SIGNAL, SIGN, TREE = "pole", "lamp post", "signal", "sign", "tree"
 KINDS = (POLE, LAMP, SIGNAL, SIGN, TREE)
+_NUMBERS = ("height", "diameter", "azimuth", "arm", "arm_height", "head_height", "board_width", "board_height",
+            "board_z")
 
 
 @dataclass(frozen=True)
@@ -67,11 +70,19 @@ class RoadsideObject:
         return self.foot + np.array([*(self.arm[0] * self.facing), self.arm[1]])
 
 
-def objects_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[str, Sequence]) -> list[RoadsideObject]:
-    """Objects of a table of street objects, with a field kind; other kinds are left out, missing fields unknown."""
-    def value(name: str, row: int) -> float:
-        cell = columns[name][row] if name in columns else None
-        return np.nan if cell is None else float(cell)
+def objects_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[str, Sequence],
+               name: str = "The street objects") -> list[RoadsideObject]:
+    """Objects of a table of street objects, with a field kind; other kinds are left out, missing fields unknown.
+
+    Raises
+    ------
+    InputError : a value is no number; it names its row in the table `name`.
+    """
+    numbers = {field: numbers_of(columns[field], field, name, first=1, may_lack=True) for field in _NUMBERS
+               if field in columns}
+
+    def value(field: str, row: int) -> float:
+        return float(numbers[field][row]) if field in numbers else np.nan
 
     found = []
     for row, shape in enumerate(geometries):
@@ -87,15 +98,22 @@ def objects_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[s
     return found
 
 
-def rails_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[str, Sequence]) -> list[np.ndarray]:
-    """Lines (n, 4) along rails: their foot and their height over it, m; NaN where unknown."""
+def rails_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[str, Sequence],
+             name: str = "The guard rails") -> list[np.ndarray]:
+    """Lines (n, 4) along rails: their foot and their height over it, m; NaN where unknown.
+
+    Raises
+    ------
+    InputError : a height is no number; it names its row in the table `name`.
+    """
+    heights = (numbers_of(columns["height"], "height", name, first=1, may_lack=True) if "height" in columns
+               else np.full(len(geometries), np.nan))
     found = []
-    for row, shape in enumerate(geometries):
-        height = columns["height"][row] if "height" in columns else None
+    for height, shape in zip(heights, geometries):
         for part in shapely.get_parts(shape) if shape is not None else ():
             foot = shapely.get_coordinates(part, include_z=True)
             if part.geom_type == "LineString" and part.length > 0:
-                found.append(np.column_stack([foot, np.full(len(foot), np.nan if height is None else float(height))]))
+                found.append(np.column_stack([foot, np.full(len(foot), height)]))
     return found
 
 
