@@ -42,7 +42,7 @@ class StandingBeforeLimits:
     row: float = 0.25  # Rows, m, of which bands are made up.
     filled: float = 0.5  # A row of a band is filled to this share.
     post: float = 1.2  # Width of a post, m.
-    post_area: float = 4.0  # The wall behind posts is larger by this factor than one of them.
+    large: float = 4.0  # The wall behind posts, or above a band, is larger by this factor than one of them.
     beyond: float = 1.0  # What runs on so far past the ends of the outline's edge, m, is not the building's own.
     nearer: float = 0.5  # One of two walls is the outline's where it lies nearer to it than the other by this, m.
     closed: float = 0.8  # Bands, panes and what else lies at one depth are a wall where they cover this of its height.
@@ -168,7 +168,7 @@ def _kind(walls: Sequence[PlacedWall], row: int, seen: _Seen, points: np.ndarray
             return POST, float(depth)
         kind = WALL
         if foot > LIMITS.in_air:
-            kind = _hanging(wall, row, members, seen)
+            kind = _hanging(walls, row, members, seen)
         elif foot < LIMITS.on_ground and top < LIMITS.ground_floor:
             kind = _standing(walls, row, members, seen)
         if kind != WALL:
@@ -194,15 +194,21 @@ def _post(walls: Sequence[PlacedWall], row: int, members: np.ndarray, seen: _See
     area = sum(walls[one].contour.polygon.area for one in members)
     low, high = seen.low[members].min(), seen.high[members].max()
     common = min(high, seen.high[row]) - max(low, seen.low[row])
-    return bool(area > LIMITS.post_area * walls[row].contour.polygon.area
+    return bool(area > LIMITS.large * walls[row].contour.polygon.area
                 and common > 0.5 * (seen.high[row] - seen.low[row]))
 
 
-def _hanging(wall: PlacedWall, row: int, members: np.ndarray, seen: _Seen) -> str:
-    """Kind of a wall that hangs in the air alone: a band with a wall behind it that is seen below it."""
-    if seen.high[row] - seen.low[row] > LIMITS.storey or len(_stacked(wall, row, seen)) > 1:
+def _hanging(walls: Sequence[PlacedWall], row: int, members: np.ndarray, seen: _Seen) -> str:
+    """Kind of a wall that hangs in the air alone: a band with a wall behind it that is seen below it, or, where a
+    hoarding hides it there, a storey above it and many times as large."""
+    if seen.high[row] - seen.low[row] > LIMITS.storey or len(_stacked(walls[row], row, seen)) > 1:
         return WALL
-    if seen.covered(row, members, -np.inf, seen.low[row]) < LIMITS.share:
+    below = seen.covered(row, members, -np.inf, seen.low[row])
+    higher = members[seen.high[members] > seen.high[row] + LIMITS.storey]
+    area = sum(walls[one].contour.polygon.area for one in higher)
+    above = seen.covered(row, higher, seen.high[row], np.inf) if (
+        area > LIMITS.large * walls[row].contour.polygon.area) else 0.0
+    if max(below, above) < LIMITS.share:
         return WALL
     return CANOPY if seen.depth[members].mean() > seen.high[row] - seen.low[row] else SIGN
 

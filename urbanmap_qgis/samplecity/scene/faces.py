@@ -238,13 +238,13 @@ def _add_gable(faces: FaceList, building: Building, number: int, part: RoofPart,
 
 
 def furniture_faces(furniture: Sequence[Furniture]) -> Faces:
-    """Boxes of the street's furniture; those of a bridge with their bottom."""
+    """Boxes of the street's furniture; those of a bridge and before fronts with their bottom."""
     faces = FaceList()
     for thing in furniture:
         ring = ring_of(thing.plan)
         tilt = (ring - ring.mean(axis=0)) @ np.array(thing.slope)
         faces.add_prism(ring, thing.z_low + tilt, thing.z_high + tilt, thing.material, thing.kind,
-                        bottom=thing.kind == FaceKind.BRIDGE)
+                        bottom=thing.kind in (FaceKind.BRIDGE, FaceKind.FRONT))
     return faces.faces()
 
 

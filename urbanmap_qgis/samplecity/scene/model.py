@@ -54,6 +54,7 @@ class FaceKind(IntEnum):
     FURNITURE = 6
     VEHICLE = 7
     BRIDGE = 8
+    FRONT = 9
 
 
 @dataclass(frozen=True)
@@ -261,3 +262,26 @@ class Furniture:
     kind: FaceKind = FaceKind.FURNITURE
     slope: tuple[float, float] = field(default=(0.0, 0.0))
     """Rise of its top and bottom per metre of x and y, from the plan's centroid (the deck of a bridge)."""
+
+
+@dataclass(frozen=True)
+class StandingBefore:
+    """What stands before a building's front, and is no wall of it.
+
+    Attributes
+    ----------
+    building : id of the building.
+    kind : "canopy", "sign band", "garden wall", "hoarding", "balcony" or "awning".
+    line : its outer face from above, at the height of its foot.
+    before : how far that lies before the wall, m.
+    z_low, z_high : heights of the face.
+    boxes : what it is made of.
+    """
+
+    building: int
+    kind: str
+    line: shapely.MultiLineString
+    before: float
+    z_low: float
+    z_high: float
+    boxes: tuple[Furniture, ...]

@@ -19,10 +19,24 @@ from ...wording import say
 from ..faults import checked_faults, fault_rng
 from .buildings import make_buildings
 from .faces import Boxes, building_faces, furniture_faces, join, vehicle_boxes
+from .fronts import standing_before
 from .furniture import make_furniture, make_parked, make_traffic, make_trees, rails_and_decks
 from .ground import Ground, Surface
 from .markings import beside_islands, make_markings, worn_and_patched
-from .model import AERIAL, GROUND, Building, Crowns, Faces, Furniture, Lane, Marking, Material, Tree, Vehicle
+from .model import (
+    AERIAL,
+    GROUND,
+    Building,
+    Crowns,
+    Faces,
+    Furniture,
+    Lane,
+    Marking,
+    Material,
+    StandingBefore,
+    Tree,
+    Vehicle,
+)
 from .paint import Paint
 from .signs import signs_and_bollards
 from .streets import lowered_kerbs, make_ground, make_lanes, median_islands
@@ -48,6 +62,7 @@ class Scene:
     ground : `Ground` (height, kerbs, axes u and v of the streets: `to_local`, `to_world`, `streets`).
     buildings, markings, trees, furniture, lanes, vehicles : the things in it.
     faults : of `faults.FAULTS`, that its surveys have.
+    before_fronts : what stands before the fronts; its boxes are furniture too.
     """
 
     name: str
@@ -60,6 +75,7 @@ class Scene:
     lanes: tuple[Lane, ...]
     vehicles: tuple[Vehicle, ...]
     faults: tuple[str, ...] = ()
+    before_fronts: tuple[StandingBefore, ...] = ()
 
     @cached_property
     def extent(self) -> shapely.Polygon:
@@ -176,8 +192,10 @@ def make_scene(size: float = 200.0, scene: str = "canyon", seed: int | np.random
         furniture = (*furniture, *rails_and_decks(ground, size))
     if "signs" in faults:
         furniture = (*furniture, *signs_and_bollards(ground, size, fault_rng("signs", sequence)))
+    before_fronts = standing_before(ground, buildings, fault_rng("fronts", sequence)) if "fronts" in faults else ()
+    furniture = (*furniture, *(box for thing in before_fronts for box in thing.boxes))
     return Scene(scene, float(size), ground, buildings, markings, trees, furniture, lanes,
-                 (*make_parked(ground, size, parked), *make_traffic(lanes, driven)), faults)
+                 (*make_parked(ground, size, parked), *make_traffic(lanes, driven)), faults, before_fronts)
 
 
 def check_size(size: float) -> None:

@@ -8,6 +8,7 @@ import numpy as np
 import shapely
 
 from ..scene.ground import KERB_HEIGHT, KERB_RADIUS
+from ..scene.model import FaceKind
 from ..scene.world import Scene
 from .geopackage import Layer
 
@@ -59,7 +60,8 @@ def true_rails(scene: Scene) -> Layer:
     for thing in scene.furniture:
         corners = shapely.get_coordinates(shapely.minimum_rotated_rectangle(thing.plan))
         sides = np.hypot(*np.diff(corners[:4], axis=0).T)
-        if min(sides[:2]) > LIMITS.rail_width or max(sides[:2]) < LIMITS.rail_length:
+        narrow = min(sides[:2]) <= LIMITS.rail_width and max(sides[:2]) >= LIMITS.rail_length
+        if not narrow or thing.kind == FaceKind.FRONT:
             continue
         first = 0 if sides[0] < sides[1] else 1
         ends = np.array([corners[first:first + 2].mean(axis=0), corners[first + 2:first + 4].mean(axis=0)])

@@ -36,6 +36,8 @@ def write_truth(scene: Scene, folder: Path) -> dict:
     write_geopackage(truth / "lanes.gpkg", [true_lanes(scene)])
     write_geopackage(truth / "edges.gpkg", [true_kerbs(scene), true_rails(scene)])
     write_geopackage(truth / "lines.gpkg", [true_lines(scene, AERIAL), true_lines(scene, GROUND)])
+    if scene.before_fronts:
+        write_geopackage(truth / "fronts.gpkg", [_before_fronts(scene)])
     _write_ground(scene, truth / "ground.tif")
     return {"buildings": len(scene.buildings), "roofs": sum(len(building.parts) for building in scene.buildings),
             "markings": len(scene.markings), "trees": len(scene.trees), "vehicles": len(scene.vehicles)}
@@ -78,6 +80,15 @@ def _wall_lines(scene: Scene) -> Layer:
     return Layer("wall_lines", shapely.linestrings(faces.corners[rows, :2]), {
         "building": faces.building[rows], "part": faces.part[rows], "z_foot": faces.corners[rows, 0, 2],
         "z_top": faces.corners[rows, 2, 2]})
+
+
+def _before_fronts(scene: Scene) -> Layer:
+    """Outer faces of what stands before the fronts."""
+    things = scene.before_fronts
+    return Layer("fronts", [thing.line for thing in things], {
+        "building": [thing.building for thing in things], "kind": [thing.kind for thing in things],
+        "before": [thing.before for thing in things], "z_low": [thing.z_low for thing in things],
+        "z_high": [thing.z_high for thing in things]})
 
 
 def _footprints(scene: Scene) -> Layer:
