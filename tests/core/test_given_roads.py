@@ -45,3 +45,10 @@ def test_kerbs_of_another_place_and_too_few_move_nothing():
     few = [shifted(carriageway(), 1.0, 0.0)]
     assert laid_on_kerbs(few, shapely.linestrings([[30.0, 6.0], [35.0, 6.0]])) == (few, [])
     assert laid_on_kerbs((), KERBS) == ((), [])
+
+
+def test_one_kerb_beside_its_sidewalk_moves_nothing():
+    """The border 2.5 m behind the one kerb that was seen is that of a sidewalk, or of a road drawn beside its place."""
+    kerb = shapely.linestrings([[-30.0, 6.0], [30.0, 6.0]])
+    roads = [shapely.box(-40.0, -9.0, 40.0, 8.5)]
+    assert laid_on_kerbs(roads, kerb) == (roads, [])

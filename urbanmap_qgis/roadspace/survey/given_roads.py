@@ -26,6 +26,7 @@ class MoveLimits:
     least: float = 0.1  # m; nearer borders stay
     same: float = 0.2  # m between the moved border and a kerb that it is
     share: float = 0.7  # of the kerbs' places that have the border so near
+    side: float = 0.3  # of the kerbs across the shift on one side of roads, those on the other at least
     places: int = 20
     rounds: int = 30
 
@@ -49,13 +50,14 @@ def laid_on_kerbs(official: Sequence[shapely.Polygon], kerbs: shapely.Geometry,
     """
     if not official or kerbs.is_empty:
         return official, []
-    border = _places(shapely.union_all([shape.boundary for shape in official]))
-    measured = _places(kerbs)
+    border = _places([ring for shape in official for ring in _rings(shape)])
+    measured = _places(shapely.get_parts(kerbs))
     shift = _shift(measured, border)
     if len(measured) < LIMITS.places or np.hypot(*shift) < LIMITS.least:
         return official, []
-    away = cKDTree(border + shift).query(measured)[0]
-    if np.mean(away < LIMITS.same) < LIMITS.share:
+    away, at = cKDTree(border + shift).query(measured)
+    same = away < LIMITS.same
+    if np.mean(same) < LIMITS.share or not _both_sides(_courses(border)[at[same]], shift):
         return official, []
     moved = [shapely.transform(shape, lambda corners: corners + shift) for shape in official]
     x, y = measured[int(np.argmin(np.hypot(*(measured - measured.mean(axis=0)).T)))].tolist()
@@ -65,9 +67,23 @@ def laid_on_kerbs(official: Sequence[shapely.Polygon], kerbs: shapely.Geometry,
         east=float(shift[0]), north=float(shift[1])), x, y)]
 
 
-def _places(lines: shapely.Geometry) -> np.ndarray:
+def _rings(shape: shapely.Polygon) -> list[shapely.LinearRing]:
+    """Rings of a surface, which lies to their left."""
+    whole = shapely.geometry.polygon.orient(shape)
+    return [whole.exterior, *whole.interiors]
+
+
+def _both_sides(courses: np.ndarray, shift: np.ndarray) -> bool:
+    """Whether the kerbs (n, 2, unit vectors, the road to their left) lie on both sides of roads across a shift: of one
+    side alone a sidewalk is moved as well as a road."""
+    outwards = np.column_stack([courses[:, 1], -courses[:, 0]]) @ (shift / np.hypot(*shift))
+    ahead, behind = np.count_nonzero(outwards > 0.5), np.count_nonzero(outwards < -0.5)
+    return min(ahead, behind) >= LIMITS.side * max(ahead, behind, 1)
+
+
+def _places(lines: Sequence[shapely.Geometry]) -> np.ndarray:
     """Places (n, 2) along lines, m."""
-    parts = [shapely.segmentize(part, LIMITS.step) for part in shapely.get_parts(lines)]
+    parts = [shapely.segmentize(part, LIMITS.step) for part in lines]
     return np.concatenate([shapely.get_coordinates(part) for part in parts])
 
 
