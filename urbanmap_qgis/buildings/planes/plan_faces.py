@@ -67,7 +67,9 @@ def plan_faces(outline: shapely.Geometry, segments: np.ndarray) -> PlanFaces:
         raise InsufficientDataError(say("its points lie on so many planes that they would cut its plan into about "
                                         "{faces:.0f} faces, more than {most}", faces=expected, most=MOST_FACES))
     network = shapely.union_all(np.append(shapely.linestrings(segments), shapely.boundary(outline)), grid_size=GRID)
+    checkpoint()
     pieces = shapely.get_parts(shapely.polygonize([network]))
+    checkpoint()
     inside = shapely.get_coordinates(shapely.point_on_surface(pieces))
     shapely.prepare(outline)
     pieces = pieces[shapely.contains_xy(outline, inside[:, 0], inside[:, 1])]
@@ -117,7 +119,9 @@ def label_faces(faces: PlanFaces, raster: LabelRaster, planes: np.ndarray, point
 def _data_costs(faces: PlanFaces, raster: LabelRaster, planes: np.ndarray, points: np.ndarray,
                 label: np.ndarray) -> np.ndarray:
     """Cubic metres (n, k) between the points and each plane, over each face; infinite for planes that lie far."""
+    checkpoint()
     near = _near_planes(faces, raster, len(planes))
+    checkpoint()
     data = np.where(near, 0.0, np.inf)
     labelled = points[label >= 0]
     column = np.searchsorted(raster.x + raster.cell / 2, labelled[:, 0])
