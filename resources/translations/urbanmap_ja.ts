@@ -52,8 +52,8 @@
         <translation>不適合</translation>
     </message>
     <message>
-        <source>Faults of real surveys to put in, with commas between them: steps (in the trajectories), stops (a long wait), ghosts (points below the road), rings (lasers that differ), ground (heights of the airborne points that are off), rails (and decks), driveways (lowered kerbs), signs (boards and bollards), islands (in the avenue), paint (worn and patched), surface (wet and concrete stretches). Without any the city is as ever.</source>
-        <translation>実際の計測に見られる不具合を、コンマ区切りで加えます：steps（軌跡の段差）、stops（長い停車）、ghosts（路面より下の点）、rings（特性の異なるレーザ）、ground（航空レーザ点の標高のずれ）、rails（レールと床版）、driveways（縁石の切下げ）、signs（標識板とボラード）、islands（大通りの島）、paint（摩耗や補修のある標示）、surface（濡れた区間とコンクリート区間）。指定しなければ通常の都市です。</translation>
+        <source>Faults of real surveys to put in, with commas between them: steps (in the trajectories), stops (a long wait), ghosts (points below the road), rings (lasers that differ), ground (heights of the airborne points that are off), rails (and decks), driveways (lowered kerbs), signs (boards and bollards), islands (in the avenue), paint (worn and patched), surface (wet and concrete stretches), fronts (canopies, signs, garden walls, hoardings, balconies and awnings before buildings). Without any the city is as ever.</source>
+        <translation>実際の計測に見られる不具合を、コンマ区切りで加えます：steps（軌跡の段差）、stops（長い停車）、ghosts（路面より下の点）、rings（特性の異なるレーザ）、ground（航空レーザ点の標高のずれ）、rails（レールと床版）、driveways（縁石の切下げ）、signs（標識板とボラード）、islands（大通りの島）、paint（摩耗や補修のある標示）、surface（濡れた区間とコンクリート区間）、fronts（建物の前の庇、看板、塀、仮囲い、バルコニー、日よけ）。指定しなければ通常の都市です。</translation>
     </message>
     <message>
         <source>Workers</source>
@@ -816,8 +816,8 @@
         <translation>模擬街路で学習したモデルによる</translation>
     </message>
     <message>
-        <source>Profile: paint must stand out from the road on both sides, and what is no paint is left out. Paper: the plain adaptive Gaussian threshold of the grey image after a level adjustment, as in the paper; only block size and contrast matter then. Trained: as profile, with the confidence of a model trained on made-up streets; raise the minimum confidence (up to 0.35) where too much is found. (profile, paper, trained)</source>
-        <translation>profile：標示が両側の路面より明るいことを条件とし、標示でないものを除きます。paper：論文どおり、レベル補正後のグレー画像に適応的閾値処理だけを行います。この場合はブロックサイズとコントラストだけが有効です。trained：profileと同じ処理に、模擬した街路で学習したモデルの信頼度を用います。検出が多すぎるところでは、最小信頼度を0.35まで上げてください。（profile, paper, trained）</translation>
+        <source>Profile: paint must stand out from the road on both sides, and what is no paint is left out. Paper: the plain adaptive Gaussian threshold of the grey image after a level adjustment, as in the paper; only block size and contrast matter then. Trained: as profile, with the confidence of a model trained on made-up streets; raise the minimum confidence (up to 0.35) where too much is found. In hard light profile takes that model too. (profile, paper, trained)</source>
+        <translation>profile：標示が両側の路面より明るいことを条件とし、標示でないものを除きます。paper：論文どおり、レベル補正後のグレー画像に適応的閾値処理だけを行います。この場合はブロックサイズとコントラストだけが有効です。trained：profileと同じ処理に、模擬した街路で学習したモデルの信頼度を用います。検出が多すぎるところでは、最小信頼度を0.35まで上げてください。強い日差しの画像では、profileもこのモデルを用います。（profile, paper, trained）</translation>
     </message>
     <message>
         <source>Block size</source>
@@ -1045,7 +1045,7 @@
     </message>
     <message>
         <source>Triangles of the surface with a longer side in plan, in metres, are left out, so that water and gaps stay empty; 0 keeps all.</source>
-        <translation>平面でこれより長い辺（m）を持つ表層の三角形を除き、水面や欠測部を空けておきます。0の場合はすべて残します。</translation>
+        <translation>水平距離でこれより長い辺（m）を持つ表層の三角形を除き、水面や欠測部を空けておきます。0の場合はすべて残します。</translation>
     </message>
     <message>
         <source>Ground in gaps</source>
@@ -3692,6 +3692,10 @@
         <translation>地表の標高（メートル）。ない場合は各建物の周囲の最も低い点から求めます。</translation>
     </message>
     <message>
+        <source>Where the vehicle was while it measured these points, in their time, CRS and heights, such as the corrected trajectory of each drive: CSV, SBET, or point layers. With them each wall tells what hid it along the lines of sight, and where beams went through it (glass, openings); without them, hidden is a guess from what stands in front.</source>
+        <translation>これらの点を計測したときの車両の位置です。点と同じ時刻系・座標参照系・高さで、各走行の補正済み軌跡などを CSV、SBET、または点レイヤで指定します。指定すると、各壁面について視線上で何が隠していたか、ビームがどこを通り抜けたか（ガラス、開口部）が示されます。指定しない場合、hidden は手前にある物からの推定です。</translation>
+    </message>
+    <message>
         <source>Tolerance of the outlines</source>
         <translation>外周線の許容誤差</translation>
     </message>
@@ -3728,8 +3732,8 @@
         <translation>輪郭内のこれより小さい穴は埋め、その割合を報告します。</translation>
     </message>
     <message>
-        <source>PolygonZ, one feature a contour: building_id, wall_id, status, note, area (m2), height, length (m), azimuth and tilt (degrees), normal_x, normal_y, normal_z, points, passes, rmse, sigma, pass_spread (m), coverage, hidden, unseen, openings, filled (shares), edge and offset (outline edge, and m before it), kind (wall, or what stands before the facade).</source>
-        <translation>PolygonZ、輪郭ごとに1地物: building_id、wall_id、status、note、area（m2）、height、length（m）、azimuthとtilt（度）、normal_x、normal_y、normal_z、points、passes、rmse、sigma、pass_spread（m）、coverage、hidden、unseen、openings、filled（割合）、edgeとoffset（外周線の辺と、その前方へのm）、kind（壁面、または壁面の前にある物の種別）。</translation>
+        <source>PolygonZ, one feature a contour: building_id, wall_id, status, note, area (m2), height, length (m), azimuth and tilt (degrees), normal_x, normal_y, normal_z, points, passes, rmse, sigma, pass_spread (m), coverage, hidden, unseen, openings, filled (shares), edge and offset (outline edge, and m before it), kind (wall, or what stands before the facade), through (share that beams went through; empty without a trajectory).</source>
+        <translation>PolygonZ、輪郭ごとに1地物: building_id、wall_id、status、note、area（m2）、height、length（m）、azimuthとtilt（度）、normal_x、normal_y、normal_z、points、passes、rmse、sigma、pass_spread（m）、coverage、hidden、unseen、openings、filled（割合）、edgeとoffset（外周線の辺と、その前方へのm）、kind（壁面、または壁面の前にある物の種別）、through（ビームが通り抜けた割合。軌跡がなければ空欄）。</translation>
     </message>
     <message>
         <source>Number of contours.</source>
@@ -4797,7 +4801,7 @@
     </message>
     <message>
         <source>Lines, with heights where a ground is given: class (solid, dashed, stop line, guiding strip), colour, width and width_sigma (m, of the paint; by marking points, or empty where nothing tells it to 3 cm), sigma (m, across), length (m), bridged (m without paint that should be there), period and dash (m), dashes (begins and ends along the line, m), chain (sections of one line), partner (chain that makes it a double line), confidence (0 to 1: share of the paint that should be there and is seen; of a stop line less where only lines' ends or only a crosswalk show it), placed (ends among the dashes' that are worn and lie where whole dashes ask for them, m), sigmas (m, at each vertex, growing with the distance to the paint).</source>
-        <translation>ライン（地盤を与えれば高さ付き）：class（solid、dashed、stop line、guiding strip）、colour、width と width_sigma（標示の幅とその標準偏差 m。マーキング点群による。3 cm の精度で決められなければ空欄）、sigma（横方向、m）、length（m）、bridged（あるべき塗装のない長さ m）、period と dash（m）、dashes（線に沿った始点と終点 m）、chain（一続きの線の区間）、partner（二重線の相手の chain）、confidence（0～1：あるべき塗装のうち見えた割合。停止線は線の端または横断歩道だけが示す場合は小さい）、placed（摩耗していて、揃った破線から位置を定めた端 m）、sigmas（各頂点の標準偏差 m、塗装から離れるほど大きい）。</translation>
+        <translation>ライン（地盤を与えれば高さ付き）：class（solid、dashed、stop line、guiding strip）、colour、width と width_sigma（標示の幅とその標準偏差 m。マーキング点群による。3 cm の精度で決められなければ空欄）、sigma（横方向、m）、length（m）、bridged（あるべき標示のない長さ m）、period と dash（m）、dashes（線に沿った始点と終点 m）、chain（一続きの線の区間）、partner（二重線の相手の chain）、confidence（0～1：あるべき標示のうち見えた割合。停止線は線の端または横断歩道だけが示す場合は小さい）、placed（摩耗していて、揃った破線から位置を定めた端 m）、sigmas（各頂点の標準偏差 m、標示から離れるほど大きい）。</translation>
     </message>
     <message>
         <source>Marking areas</source>
@@ -5076,8 +5080,8 @@
         <translation>道路の区分面</translation>
     </message>
     <message>
-        <source>PolygonZ, of LOD2 and finer: area_id, road_id of its surface, kind (carriageway, junction, lane, sidewalk, island; road, not surveyed), function (code), width (m), area (m²), source (measured, continued, official: the weakest of its border), seen (share of the border measured as a kerb), step (highest, m), sigma (m).</source>
-        <translation>LOD2 以上の PolygonZ。area_id、属する道路面の road_id、kind（車道部、交差部、車線、歩道部、島、未計測の道路）、function（コード）、width（m）、area（m²）、source（計測・延長・公的資料：境界のうち最も弱いもの）、seen（縁石として計測した境界の割合）、step（最大の段差、m）、sigma（m）。</translation>
+        <source>PolygonZ, of LOD2 and finer: area_id, road_id of its surface, kind (carriageway, junction, lane, sidewalk, island; road, not surveyed), function (code), width (m), area (m²), source (measured, doubtful, continued, official: the weakest of its border), seen (share of the border measured as a kerb without doubt), step (highest, m), sigma (m).</source>
+        <translation>LOD2 以上の PolygonZ。area_id、属する道路面の road_id、kind（車道部、交差部、車線、歩道部、島、未計測の道路）、function（コード）、width（m）、area（m²）、source（計測・不確か・延長・公的資料：境界のうち最も弱いもの）、seen（縁石として確かに計測した境界の割合）、step（最大の段差、m）、sigma（m）。</translation>
     </message>
     <message>
         <source>Steps</source>
@@ -7840,10 +7844,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name}: role列の値「{role}」は未対応です。検証点は「check」（検証点）、調整に用いた点は「adjusted」（調整点）とします。</translation>
     </message>
     <message>
-        <source>{name}: the column {column} holds something that is no number ({error}).</source>
-        <translation>{name}: 列{column}に数値でない値があります（{error}）。</translation>
-    </message>
-    <message>
         <source>passed</source>
         <translation>合格</translation>
     </message>
@@ -8128,6 +8128,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path} には回答から学習した重みがありません。回答を与えた実行が書いたファイルを指定してください。</translation>
     </message>
     <message>
+        <source>The image's own road is as rough as in hard light: the trained model tells the confidence.</source>
+        <translation>画像内の路面が強い日差しの画像のように粗いため、学習済みモデルで信頼度を求めます。</translation>
+    </message>
+    <message>
         <source>{mask} does not cover all of {path}: where it does not, nothing is taken as hidden.</source>
         <translation>{mask} は {path} の全体を覆っていません。覆われていないところでは、遮蔽はないものとします。</translation>
     </message>
@@ -8180,8 +8184,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>オルソ画像上の路面標示（緑）。輪郭のない標示と、屋根・縁石・車両上の輪郭を探してください。</translation>
     </message>
     <message>
-        <source>{doubts_count} things are to be looked at first.</source>
-        <translation>先に確認すべき点が {doubts_count} 件あります。</translation>
+        <source>To be looked at first: {doubts_count}.</source>
+        <translation>先に確認すべき点：{doubts_count} 件。</translation>
     </message>
     <message>
         <source>Nothing stands out; check some markings against the picture all the same.</source>
@@ -8249,7 +8253,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{share:.0%} of the found paint lies in pieces shorter than {length:g} m, as rims, joints and specks of light do: much of it may be no paint. Look at it over the image, answer what is doubtful, or give roads.</source>
-        <translation>検出した標示の {share:.0%} は長さ {length:g} m 未満の断片にあります。縁や目地、木漏れ日がそのように現れるため、標示でないものが多く含まれる可能性があります。画像に重ねて確認し、疑わしいものに回答するか、道路を与えてください。</translation>
+        <translation>検出した標示の {share:.0%} は長さ {length:g} m 未満の断片にあります。縁や目地、木漏れ日がそのように現れるため、標示でないものが多く含まれる可能性があります。画像に重ねて確認し、疑わしいものに回答するか、道路を指定してください。</translation>
     </message>
     <message>
         <source>Smooth ground has a texture of {texture:.1f} grey values in this image, as noise or sharpening make it: more paint is missed, and more else found.</source>
@@ -9536,6 +9540,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>メッシュファイル{target}の拡張子は .obj にしてください。</translation>
     </message>
     <message>
+        <source>'{id}' has corners where its reference system cannot be computed: check the system, and the corners by “Check city model”.</source>
+        <translation>「{id}」に参照系で計算できない頂点があります。参照系を確認し、頂点は「3D都市モデルの検査」で調べてください。</translation>
+    </message>
+    <message>
         <source>Two buildings have the id '{id}': give each building its own.</source>
         <translation>2つの建物のidが同じ '{id}' です。建物ごとに異なるidを付けてください。</translation>
     </message>
@@ -9644,6 +9652,22 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>ディスクの空き容量がありません。出力先と一時ファイルのディスクを空けて、再度実行してください。</translation>
     </message>
     <message>
+        <source>The trajectory runs from {first:.0f} to {last:.0f} s, but no point near a building was measured then: give the trajectory of this survey, in the time of its points.</source>
+        <translation>軌跡の時刻は {first:.0f}～{last:.0f} 秒ですが、その間に計測された建物付近の点がありません。この計測の軌跡を、点と同じ時刻系で指定してください。</translation>
+    </message>
+    <message>
+        <source>The trajectory lies {distance:.0f} m from what was measured at its times: check that it is in the coordinate reference system of the points.</source>
+        <translation>軌跡は、同じ時刻に計測された点から {distance:.0f} m 離れています。軌跡が点と同じ座標参照系であるか確認してください。</translation>
+    </message>
+    <message>
+        <source>The trajectory lies {height:.0f} m above the ground beside the buildings: check its heights (give GEOID where they are ellipsoidal); what hides walls is wrong else.</source>
+        <translation>軌跡は建物脇の地盤から {height:.0f} m の高さにあります。高さを確認してください（楕円体高の場合は GEOID を指定）。そのままでは壁面を隠す物の判定が誤ります。</translation>
+    </message>
+    <message>
+        <source>Round {count} buildings some points were measured when no trajectory tells a pose: what hides their walls may be counted as unseen.</source>
+        <translation>{count} 棟の周囲では、軌跡に位置のない時刻に計測された点があります。壁面を隠す物が「未計測」に数えられることがあります。</translation>
+    </message>
+    <message>
         <source>No building has a polygon: choose a layer of outlines or building models.</source>
         <translation>ポリゴンをもつ建物がありません。建物外周線または建物モデルのレイヤを選択してください。</translation>
     </message>
@@ -9704,8 +9728,20 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>壁面の許容誤差と最小面積は0より大きくしてください。</translation>
     </message>
     <message>
+        <source>the survey did not see the rest</source>
+        <translation>残りは計測されていません</translation>
+    </message>
+    <message>
         <source>{kind}, {before:.1f} m before the facade</source>
         <translation>{kind}：壁面の {before:.1f} m 手前</translation>
+    </message>
+    <message>
+        <source>beams went through most of the rest: glass, or openings</source>
+        <translation>残りの大部分はビームが通り抜けています：ガラスまたは開口部</translation>
+    </message>
+    <message>
+        <source>something stands in front</source>
+        <translation>手前に物があります</translation>
     </message>
     <message>
         <source>a wall at another depth may be the facade as well: a hoarding, or a storey that stands back</source>
@@ -9722,14 +9758,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>it lies {depth:.1f} m inside the outline: a setback, or a room seen through a window</source>
         <translation>外周線の {depth:.1f} m 内側にあります：セットバック、または窓越しの室内</translation>
-    </message>
-    <message>
-        <source>something stands in front</source>
-        <translation>手前に物があります</translation>
-    </message>
-    <message>
-        <source>the survey did not see the rest</source>
-        <translation>残りは計測されていません</translation>
     </message>
     <message>
         <source>{coverage:.0f} % of it was seen; {why}</source>
@@ -10124,10 +10152,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>低い</translation>
     </message>
     <message>
-        <source>{who} overlap in time: give times that count on over the weeks (full GPS seconds), or each place of the vehicle once.</source>
-        <translation>時刻が重複しています（{who}）。週をまたいで連続する時刻（通算GPS秒）で与えるか、車両の各位置を1回だけ指定してください。</translation>
-    </message>
-    <message>
         <source>{path} is of the time of none of the trajectories: give the trajectory of that drive, or leave the file out.</source>
         <translation>{path}の時刻はどの軌跡とも一致しません。その走行の軌跡を与えるか、このファイルを除いてください。</translation>
     </message>
@@ -10496,8 +10520,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name} には {meant} とみなせる列が複数あります（{keys}）。正しい列だけを残すか、その列名を {meant} にしてください。</translation>
     </message>
     <message>
-        <source>{name} holds a value that is no number ({error}): correct it.</source>
-        <translation>{name}に数値でない値があります（{error}）。修正してください。</translation>
+        <source>{name}: “{text}” in row {row} of the column {column} is no number: correct or remove it.</source>
+        <translation>{name}：{row} 行目、列 {column} の「{text}」は数値ではありません。修正するか削除してください。</translation>
     </message>
     <message>
         <source>{name} states the unit {unit}: metres, seconds and decimal degrees are read; export it in these.</source>
@@ -12380,10 +12404,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path}を時刻の表として読み込めません: {error}。</translation>
     </message>
     <message>
-        <source>{path} holds something that is no number ({error}): correct it.</source>
-        <translation>{path}に数値でない値があります（{error}）。修正してください。</translation>
-    </message>
-    <message>
         <source>No corner of a building lies within {max_distance:.0f} m of the course: give outlines or a surface of the same place and coordinate reference system.</source>
         <translation>走行軌跡から {max_distance:.0f} m 以内に建物の角がありません。同じ場所・同じ座標参照系の外周線または表層を指定してください。</translation>
     </message>
@@ -12960,6 +12980,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>軌跡は {time:.3f}～{time_2:.3f} s ですが、{worst:.3f} s の位置姿勢が必要です。計測全体の軌跡を指定してください。</translation>
     </message>
     <message>
+        <source>{who} overlap in time: give times that count on over the weeks (full GPS seconds), or each place of the vehicle once.</source>
+        <translation>時刻が重複しています（{who}）。週をまたいで連続する時刻（通算GPS秒）で与えるか、車両の各位置を1回だけ指定してください。</translation>
+    </message>
+    <message>
         <source>{name} states the accuracy of its places: {usual:.2f} m (median), at most {most:.2f} m.</source>
         <translation>{name}の示す位置の精度：{usual:.2f} m（中央値）、最大{most:.2f} m。</translation>
     </message>
@@ -12990,10 +13014,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{name} holds a standard deviation of a place that is not above 0 m: correct or remove it.</source>
         <translation>{name}に0 m以下の位置の標準偏差があります。修正するか除いてください。</translation>
-    </message>
-    <message>
-        <source>{name} holds a standard deviation that is no number ({error}): correct it.</source>
-        <translation>{name}に数値でない標準偏差があります（{error}）。修正してください。</translation>
     </message>
     <message>
         <source>{name} has no column {missing}: a trajectory needs {columns}.</source>
@@ -13304,8 +13324,16 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>進入してくる側</translation>
     </message>
     <message>
+        <source>The drive keeps to the other direction's side of the centre line here; the lane was made as it was driven.</source>
+        <translation>ここでは走行が中央線の反対方向の側を通っています。車線は走行どおりに作りました。</translation>
+    </message>
+    <message>
         <source>The points cover whole surfaces, not paint: give marking points, as road markings from mobile surveys make them, not the survey itself.</source>
         <translation>点が標示ではなく面全体を覆っています。計測そのものではなく、MMS計測の路面標示が作る路面標示点を指定してください。</translation>
+    </message>
+    <message>
+        <source>No marking point lies near the road markings: check that both are of the same place and that their coordinate reference systems are right.</source>
+        <translation>標示の点が路面標示の近くに一つもありません。両方が同じ場所のものか、座標参照系が正しいか確認してください。</translation>
     </message>
     <message>
         <source>This signal hangs above no lane that leads away from a stop line: it is written as a pole alone.</source>
@@ -13412,6 +13440,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>この区画の周囲の縁からは、どちら側が道路か決まりません。道路縁が欠けているか、道路縁でない線が含まれています。</translation>
     </message>
     <message>
+        <source>Edges cross here with {height:.1f} m between them: one road runs above another, and the surfaces here are a mixture of both. Give the edges of each road in a run of its own.</source>
+        <translation>ここでは道路縁が {height:.1f} m の高低差で交差しています。道路の上を別の道路が通っていて、この付近の面は両者の混ざったものです。道路縁を道路ごとに分けて実行してください。</translation>
+    </message>
+    <message>
         <source>carriageway</source>
         <translation>車道部</translation>
     </message>
@@ -13464,12 +13496,20 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>道路縁に縁石も路端もありません。「道路縁」の線を指定してください。</translation>
     </message>
     <message>
+        <source>{length:.1f} m of this edge are doubtful ({reason}): the border is drawn along them; look at the points or the place.</source>
+        <translation>この道路縁の {length:.1f} m は不確かです（{reason}）。境界はこれに沿って引いてあります。点群か現地を確認してください。</translation>
+    </message>
+    <message>
         <source>A short edge lies nearer than {distance:.0f} m beside a longer one: no carriageway runs between them, and it is left out.</source>
         <translation>短い縁が、より長い縁から {distance:.0f} m 以内に並んでいます。その間に車道はないため、この縁は除きました。</translation>
     </message>
     <message>
         <source>The edge was not seen over {length:.1f} m and is drawn on here.</source>
         <translation>道路縁が {length:.1f} m にわたって見えず、ここでは延長しました。</translation>
+    </message>
+    <message>
+        <source>The given roads lay {distance:.2f} m beside the measured kerbs ({east:+.2f} m to the east, {north:+.2f} m to the north are put on them): their border was taken for the kerb.</source>
+        <translation>与えられた道路は計測した縁石から {distance:.2f} m ずれていました（東へ {east:+.2f} m、北へ {north:+.2f} m 動かしました）。その境界を縁石とみなしています。</translation>
     </message>
     <message>
         <source>The edge on this side was not seen over {length:.0f} m: the carriageway is drawn to the outermost lane that was measured, and nothing beside it. Give the drive of the other direction, too.</source>
@@ -14600,10 +14640,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>手順「{0}」（{1}）が失敗しました：{2}</translation>
     </message>
     <message>
-        <source>The folder of the results cannot be made ({0}): save the job in another folder by “Save job as…”.</source>
-        <translation>結果のフォルダを作成できません（{0}）。「名前を付けて作業を保存…」で別のフォルダに保存してください。</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>実行</translation>
     </message>
@@ -14650,6 +14686,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0}: “{1}” takes one file, but the job gives {2}: leave one.</source>
         <translation>{0}：「{1}」に指定できるのは1ファイルですが、作業では{2}ファイルです。1つにしてください。</translation>
+    </message>
+    <message>
+        <source>The folder of the results cannot be made ({0}): save the job in another folder by “Save job as…”.</source>
+        <translation>結果のフォルダを作成できません（{0}）。「名前を付けて作業を保存…」で別のフォルダに保存してください。</translation>
     </message>
     <message>
         <source>Name</source>
@@ -14825,7 +14865,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>in plan (m)</source>
-        <translation>平面 (m)</translation>
+        <translation>水平 (m)</translation>
     </message>
     <message>
         <source>roll (°)</source>
@@ -15262,6 +15302,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>openings, 0 to 1</source>
         <translation>開口部の割合、0～1</translation>
+    </message>
+    <message>
+        <source>beams went through, 0 to 1</source>
+        <translation>ビームが通り抜けた割合、0～1</translation>
     </message>
     <message>
         <source>filled gaps, 0 to 1</source>
@@ -16148,6 +16192,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>パッケージdistributedがありません。{0}に処理を送るにはインストールしてください（pip install distributed）。</translation>
     </message>
     <message>
+        <source>Dask has no certificates here for {0}; name them in its configuration, distributed.comm.tls (ca-file, client.cert, client.key).</source>
+        <translation>{0} に接続するための証明書が、ここの Dask の設定にありません。設定 distributed.comm.tls（ca-file、client.cert、client.key）に指定してください。</translation>
+    </message>
+    <message>
         <source>No Dask scheduler answers at {0} ({1}); check the address, such as tcp://host:8786.</source>
         <translation>{0}でDaskスケジューラが応答しません（{1}）。tcp://host:8786のようなアドレスを確認してください。</translation>
     </message>
@@ -16808,6 +16856,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>路面標示点により標示 {0} 片、{1} m² が加わりました。</translation>
     </message>
     <message>
+        <source>{0} has no value at any line: check that it is of the same place as the markings.</source>
+        <translation>{0}にはどの線の位置にも値がありません。標示と同じ場所のものか確認してください。</translation>
+    </message>
+    <message>
+        <source>{0} has no value at {1} % of the lines' places: they stay without heights.</source>
+        <translation>{0}には線の位置の{1} %で値がありません。そこは高さなしのままになります。</translation>
+    </message>
+    <message>
         <source>No line was found in the {0} polygons: check that they are road markings in metres, and lower the minimum line length for short ones.</source>
         <translation>ポリゴン{0}件から線が見つかりませんでした。メートル単位の路面標示であることを確認し、短い線の場合は最小線長を小さくしてください。</translation>
     </message>
@@ -16872,8 +16928,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>要確認の面</translation>
     </message>
     <message>
-        <source>LOD{0}: {1} sections and {2} junctions in {3} areas; borders not seen all along: {4} areas; findings: {5}.</source>
-        <translation>LOD{0}：単路部 {1}、交差部 {2}、区分面 {3}。境界の一部が見えなかった区分面：{4}。指摘事項：{5} 件。</translation>
+        <source>LOD{0}: {1} sections and {2} junctions in {3} areas; borders doubtful or not seen all along: {4} areas; findings: {5}.</source>
+        <translation>LOD{0}：単路部 {1}、交差部 {2}、区分面 {3}。境界の一部が不確かか見えなかった区分面：{4}。指摘事項：{5} 件。</translation>
     </message>
     <message>
         <source>{0} surfaces, {1} of them junctions; to be looked at: {2} surfaces; findings: {3}.</source>
@@ -16900,8 +16956,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>軌跡{0:.0f} mに沿って縁石が見つかりませんでした。道路に縁石がないか、点が疎またはノイズが大きく、数cmの段差を判別できません。</translation>
     </message>
     <message>
-        <source>No kerb was found beside {0:.0f} m of the path on the left and {1:.0f} m on the right: kerbs lower than about 6 cm all along are not seen, there may be such.</source>
-        <translation>走行軌跡の左側 {0:.0f} m、右側 {1:.0f} m では縁石が見つかりませんでした。全長にわたり約 6 cm より低い縁石は検出できないため、存在する可能性があります。</translation>
+        <source>No kerb was found beside {0:.0f} m of the path on the left and {1:.0f} m on the right.</source>
+        <translation>走行経路の左側{0:.0f} m、右側{1:.0f} mで縁石が見つかりませんでした。</translation>
+    </message>
+    <message>
+        <source>Steps lower than {0:.1f} cm do not show surely in this survey, by the number and the scatter of its points on the ground and the lowest kerb asked for, {1:.1f} cm: there may be lower kerbs.</source>
+        <translation>地面の点の数とばらつき、および指定した最低の縁石（{1:.1f} cm）から、この計測では{0:.1f} cmより低い段差は確実には現れません。それより低い縁石があるかもしれません。</translation>
     </message>
     <message>
         <source>{0} is not given: it is what this level of detail is made of.</source>
@@ -16932,12 +16992,24 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>軌跡がないと、方向は矢印と停止線だけから判断します。多くの帯は指摘事項のまま残り、交差点内の進路は推定によります。</translation>
     </message>
     <message>
+        <source>There are no marking lines: no lane can be made.</source>
+        <translation>標示の線がありません。車線は作れません。</translation>
+    </message>
+    <message>
         <source>No lane was made: the drives run beside all lines; check that both are of one place, in one CRS, and that the trajectories are corrected.</source>
         <translation>車線は作成されませんでした。走行がすべての線から外れています。両者が同じ場所・同じ座標参照系で、軌跡が補正済みであることを確認してください。</translation>
     </message>
     <message>
         <source>{0} has no field class; give the lines of “Lines from road markings”.</source>
         <translation>{0}にフィールドclassがありません。「路面標示からの線」の線を指定してください。</translation>
+    </message>
+    <message>
+        <source>{0}: none of the {1} features has a line; choose a line layer.</source>
+        <translation>{0}：{1}個の地物のどれにも線がありません。ラインレイヤを選んでください。</translation>
+    </message>
+    <message>
+        <source>{0}: the field class holds none of the words {1}; give the lines of “Lines from road markings”, or write these words.</source>
+        <translation>{0}：フィールドclassに{1}のどの語もありません。「路面標示からの線」の線を与えるか、これらの語を書いてください。</translation>
     </message>
     <message>
         <source>{0} has no fields class and heading; give the areas of “Lines from road markings”.</source>
@@ -17673,11 +17745,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Median observed error in plan, m</source>
-        <translation>観測された平面誤差の中央値、m</translation>
+        <translation>観測された水平誤差の中央値、m</translation>
     </message>
     <message>
         <source>Median predicted error in plan, m</source>
-        <translation>予測された平面誤差の中央値、m</translation>
+        <translation>予測された水平誤差の中央値、m</translation>
     </message>
     <message>
         <source>Share of the rays to walls that were hidden</source>
@@ -17705,7 +17777,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Root mean square errors in plan of each place; those above the picture are drawn at its edge.</source>
-        <translation>各地点の平面の二乗平均平方根誤差です。図の範囲を超えるものは縁に描いています。</translation>
+        <translation>各地点の水平位置の二乗平均平方根誤差です。図の範囲を超えるものは縁に描いています。</translation>
     </message>
     <message>
         <source>way, m</source>
@@ -17817,11 +17889,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>RMS in plan (m)</source>
-        <translation>平面のRMS (m)</translation>
+        <translation>水平のRMS (m)</translation>
     </message>
     <message>
         <source>largest in plan (m)</source>
-        <translation>平面の最大値 (m)</translation>
+        <translation>水平の最大値 (m)</translation>
     </message>
     <message>
         <source>RMS in height (m)</source>
@@ -17845,15 +17917,15 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>mean correction in plan (m)</source>
-        <translation>平面の平均補正量 (m)</translation>
+        <translation>水平の平均補正量 (m)</translation>
     </message>
     <message>
         <source>median sigma in plan (m)</source>
-        <translation>平面のσの中央値 (m)</translation>
+        <translation>水平のσの中央値 (m)</translation>
     </message>
     <message>
         <source>largest sigma in plan (m)</source>
-        <translation>平面のσの最大値 (m)</translation>
+        <translation>水平のσの最大値 (m)</translation>
     </message>
     <message>
         <source>Witnesses</source>
@@ -17861,7 +17933,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Share that each kind of observation has in what is known of a drive in plan. Ties and planes lay drives on each other; control points, reference markings and walls place them.</source>
-        <translation>走行の平面位置の情報に占める、各種類の観測の割合です。タイと平面は走行どうしを合わせ、基準点、基準の路面標示、壁は位置を決めます。</translation>
+        <translation>走行の水平位置の情報に占める、各種類の観測の割合です。タイと平面は走行どうしを合わせ、基準点、基準の路面標示、壁は位置を決めます。</translation>
     </message>
     <message>
         <source>Largest residuals</source>
@@ -18812,6 +18884,30 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>未計測の道路（延長）</translation>
     </message>
     <message>
+        <source>carriageway, doubtful</source>
+        <translation>車道部（不確か）</translation>
+    </message>
+    <message>
+        <source>junction, doubtful</source>
+        <translation>交差部（不確か）</translation>
+    </message>
+    <message>
+        <source>lane, doubtful</source>
+        <translation>車線（不確か）</translation>
+    </message>
+    <message>
+        <source>sidewalk, doubtful</source>
+        <translation>歩道部（不確か）</translation>
+    </message>
+    <message>
+        <source>island, doubtful</source>
+        <translation>島（不確か）</translation>
+    </message>
+    <message>
+        <source>road, not surveyed, doubtful</source>
+        <translation>未計測の道路（不確か）</translation>
+    </message>
+    <message>
         <source>kerb, measured</source>
         <translation>縁石（計測）</translation>
     </message>
@@ -18854,6 +18950,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>edge continued</source>
         <translation>道路縁を延長</translation>
+    </message>
+    <message>
+        <source>edge doubtful</source>
+        <translation>不確かな道路縁</translation>
     </message>
     <message>
         <source>end of the survey</source>
@@ -18902,6 +19002,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>tram track</source>
         <translation>軌道敷</translation>
+    </message>
+    <message>
+        <source>road above a road</source>
+        <translation>道路の立体交差</translation>
+    </message>
+    <message>
+        <source>given roads moved</source>
+        <translation>与えられた道路を移動</translation>
     </message>
     <message>
         <source>arm not cut</source>

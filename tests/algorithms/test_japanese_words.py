@@ -101,6 +101,7 @@ SURVEYORS = {
     "登録済": "位置合わせ済み", "レジストレーション": "位置合わせ", "移動計測": "MMS計測", "標高系": "高さの基準",
     "キャリブレーション": "校正", "遮蔽マップ": "遮蔽図", "格子": "グリッド",
     "信頼不可": "信頼できない", "不健康": "使用不可",
+    "塗装": "標示", "与えてください": "指定してください",
 }
 """Words that no surveyor writes, or that stand beside another for the same thing, and the one that is used."""
 
