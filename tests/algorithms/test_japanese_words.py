@@ -38,7 +38,7 @@ FORMULA = set("""
 """.split())  # noqa: SIM905
 
 OUTSIDE = set("""
-    sudo apt pip python lasinfo repair Drape PatchJGD Rules withheld
+    sudo apt pip python lasinfo repair Drape PatchJGD Rules withheld ca
 """.split())  # noqa: SIM905
 """Words of commands, of other programs and of a page's title that help and messages name."""
 
