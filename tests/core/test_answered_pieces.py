@@ -131,6 +131,7 @@ def confidences(found, boxes):
     return total / np.maximum(count, 1)
 
 
+@pytest.mark.slow
 def test_the_rest_of_an_image_is_judged_by_what_was_answered(street, tmp_path):
     path, boxes, white = street
     every = replace(SETTINGS, cleaning=CleanSettings(min_confidence=0.0))

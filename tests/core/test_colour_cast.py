@@ -51,6 +51,7 @@ def image(tmp_path):
     return path
 
 
+@pytest.mark.slow
 def test_lines_are_found_at_both_ends(image, tmp_path):
     levels = levels_of_orthophoto(image)
     assert levels.cast is not None

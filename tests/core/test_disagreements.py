@@ -84,6 +84,7 @@ def test_a_step_that_hides_where_there_are_no_markings():
     assert adjust_correction(calm.windows, calm.reported).steps == ()
 
 
+@pytest.mark.slow
 def test_a_hidden_step_that_the_drive_did_not_slip_by_is_the_references():
     drive = shifted(simulate(4, crossings=25.0, turn=None, gaps=((200.0, 285.0),)), 285.0, 600.0, (1.2, -0.9))
     made = adjust_correction(drive.windows, drive.reported)

@@ -112,6 +112,7 @@ def test_displaced_models_give_their_displacement_within_sigma(town, clouds, shi
     assert np.nanmedian(edges.up) == pytest.approx(shift[2], abs=0.03)
 
 
+@pytest.mark.slow
 def test_right_models_keep_level_500_and_displaced_ones_do_not(town, clouds):
     right = compared(town, clouds[10])
     found = edge_criteria(right, MAP_LEVELS[500], independent=True)
@@ -121,6 +122,7 @@ def test_right_models_keep_level_500_and_displaced_ones_do_not(town, clouds):
     assert [item.outcome for item in off] == [FAILED, FAILED]
 
 
+@pytest.mark.slow
 def test_sparse_points_say_sigma_and_judge_no_sharp_level(town, clouds):
     wide, sharp = compared(town, clouds[2], MAP_LEVELS[1000]), compared(town, clouds[2])
     off = wide.across[wide.shown]

@@ -39,6 +39,7 @@ def test_nobody_calls_a_side_right_where_no_evidence_tells_whose_a_step_is(seed)
     assert (off < 3 * made.plan_sigma()).mean() > 0.98
 
 
+@pytest.mark.slow
 def test_a_drive_that_slips_by_its_change_mostly_stays_registered():
     """Where the noise of the slip leaves it open the change is told as anybody's, and nothing wrong is registered."""
     registered = []

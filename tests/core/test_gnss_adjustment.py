@@ -440,6 +440,7 @@ def test_open_sky_and_far_walls_are_named_as_such():
     assert walls.reason[far].startswith("too far") and "no antenna in front" in walls.reason[hidden]
 
 
+@pytest.mark.slow
 def test_strays_in_large_numbers_are_not_believed(passes):
     rng = np.random.default_rng(9)
     whole = joined_signals(passes)

@@ -103,6 +103,7 @@ def test_map_without_any_height_says_so_and_has_none():
     assert not any("ele" in node.tags for node in elements.nodes.values())
 
 
+@pytest.mark.slow
 def test_asams_checker_and_sumo_read_the_opendrive_file(built, tmp_path):
     tree, _ = opendrive_tree(built, WKT, 40.0)
     write_opendrive(tmp_path / "map.xodr", tree)

@@ -97,6 +97,7 @@ def test_prediction_holds_what_is_simulated(walls, places):
     assert np.array_equal(some.errors, again.errors)
 
 
+@pytest.mark.slow
 def test_scans_that_end_in_the_next_gap_of_a_row_of_houses_do_not_converge():
     """Started 3 m off in a row that repeats every 6 m; where walls stand on one side alone, along it nothing counts."""
     shapes = np.array([shapely.box(x, y, x + 3, y + 5) for x in range(-72, 73, 6) for y in (5, -10)], object)

@@ -180,6 +180,7 @@ def test_outside_of_the_common_area_nothing_is_added_or_removed():
     assert found.outside_new == pytest.approx(0.3 * 4135, rel=0.02)
 
 
+@pytest.mark.slow
 def test_an_area_that_is_given_tells_what_is_gone():
     new = [one for one in town() if one.identifier[0] != "D"]
     assert not compare_maps(town(), new).changes
@@ -219,6 +220,7 @@ def test_two_lines_beside_each_other_that_move_together_keep_their_order():
                                                                                       ("Ab", "Ab", 0.2)}
 
 
+@pytest.mark.slow
 def test_a_double_line_drawn_as_one_line():
     new = [replace(one, points=one.points + (0.15, 0.0) * (one.identifier[0] in "AB"), double=True, sigma=0.1)
            if one.identifier[1:] == "a" and one.identifier[0] in "AB" else one
@@ -254,6 +256,7 @@ def noisy(elements, random, sigma, stated):
 
 
 @pytest.mark.parametrize("stated", [True, False])
+@pytest.mark.slow
 def test_noise_alone_is_told_in_less_than_three_of_a_thousand(stated):
     lines, shifts, things, shifted, offsets = 0.0, 0.0, 0, 0, 0
     for seed in range(20):
@@ -315,6 +318,7 @@ def test_every_kind_of_change_is_named():
     assert CHANGES == (MOVED, ADDED, REMOVED, REPAINTED)
 
 
+@pytest.mark.slow
 def test_outlines_that_scatter_at_each_corner_have_not_moved():
     random = np.random.default_rng(2)
     def scattered(elements):

@@ -70,6 +70,7 @@ def test_the_trajectory_steps_and_nothing_else_of_it_changes(cities):
     assert true[0] == true[1]
 
 
+@pytest.mark.slow
 def test_ghosts_lie_below_the_road_in_clusters(cities):
     (plain, _), (faulty, labels) = survey(cities["none"]), survey(cities["points"])
     ghost = labels["material"] == 0

@@ -71,6 +71,7 @@ def test_the_truth_tells_them(scene, tmp_path):
     assert np.array([row[2:] for row in rows]) == pytest.approx(np.array([one[2:] for one in wanted]))
 
 
+@pytest.mark.slow
 def test_walls_are_the_facades_and_not_what_stands_before_them(scene, tmp_path):
     """True places of both surveys; what the street's drives did not see is left out of the count."""
     write_mms(scene, tmp_path, np.random.SeedSequence([7, 102]), SILENT)

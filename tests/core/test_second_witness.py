@@ -213,6 +213,7 @@ def test_walls_of_a_building_share_its_eaves():
     assert (made.status == REGISTERED)[inside].mean() > 0.1  # without any paint
 
 
+@pytest.mark.slow
 def test_paint_that_lies_elsewhere_than_the_walls_want_it_is_not_registered():
     drive = shifted(simulate(4, crossings=25.0, turn=None), 0.0, 500.0, (0.0, 0.5))
     planes, edges = street(drive)
@@ -222,6 +223,7 @@ def test_paint_that_lies_elsewhere_than_the_walls_want_it_is_not_registered():
     assert off(drive, heard).mean() < 3 * np.median(heard.plan_sigma())
 
 
+@pytest.mark.slow
 def test_walls_that_agree_leave_the_paint_registered():
     drive = simulate(5, crossings=25.0, turn=None)
     planes, edges = street(drive)
@@ -258,6 +260,7 @@ def test_markings_of_which_a_part_lies_elsewhere_by_one_shift(moved_share):
     assert (made.status == REGISTERED).any() and not (told.status == REGISTERED).any() and len(told.steps) == 1
 
 
+@pytest.mark.slow
 def test_walls_decide_against_markings_that_slipped_by_metres():
     drive = shifted(simulate(7, crossings=25.0, turn=None), 350.0, 501.0, (0.2, 3.0))
     planes, edges = street(drive)

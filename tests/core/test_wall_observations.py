@@ -134,6 +134,7 @@ def test_walls_that_two_drives_saw_tie_them_however_far_off_they_are():
         0.4 / (1.0 + (0.2**2 + 0.1**2 + 0.03**2) / 3.0**2), abs=0.001)
 
 
+@pytest.mark.slow
 def test_how_much_buildings_differ_is_found():
     """A place known to a millimetre, 400 walls about it that differ by 0.2 m: their own size is what is found."""
     offsets = np.random.default_rng(4).normal(0.0, 0.2, 400)
