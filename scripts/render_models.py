@@ -312,27 +312,34 @@ def write_image(image, path: Path) -> None:
     os.replace(name, path)
 
 
+def draw(layer, vertices: np.ndarray, foot: float | None, options: argparse.Namespace) -> None:
+    """Render a layer to the picture of the options, over a plane at a height (m); without one where that is None."""
+    from qgis.core import QgsProject
+
+    view = fit_view(vertices, options)
+    style_models(layer)
+    layers = [layer] if foot is None else [layer, ground_plane(layer, foot)]
+    QgsProject.instance().setCrs(layer.crs())
+    QgsProject.instance().addMapLayers(layers)
+    image = render(scene_settings(layers, view), view, tuple(options.size))
+    write_image(image, options.output)
+    print(f"{options.output}: {options.size[0]} x {options.size[1]} pixels, {layer.featureCount()} features")
+    sys.stdout.flush()
+    QgsProject.instance().clear()
+
+
 def main() -> None:
     options = parse_arguments()
     ensure_screen()
     from qgis import _3d as engine
-    from qgis.core import QgsApplication, QgsProject
+    from qgis.core import QgsApplication
 
     application = QgsApplication([], True)
     application.initQgis()
     engine.Qgs3D.initialize()
     layer = open_layer(options.input, options.layer)
     vertices, ground = read_vertices(layer)
-    view = fit_view(vertices, options)
-    style_models(layer)
-    layers = [layer] if options.no_ground else [layer, ground_plane(layer, ground - 0.05)]
-    QgsProject.instance().setCrs(layer.crs())
-    QgsProject.instance().addMapLayers(layers)
-    image = render(scene_settings(layers, view), view, options.size)
-    write_image(image, options.output)
-    print(f"{options.output}: {options.size[0]} x {options.size[1]} pixels, {layer.featureCount()} features")
-    sys.stdout.flush()
-    QgsProject.instance().clear()
+    draw(layer, vertices, None if options.no_ground else ground - 0.05, options)
     application.exitQgis()
 
 

@@ -88,7 +88,7 @@ def main() -> None:
     models.ensure_screen(Path(__file__))
     models.SURFACE_COLOURS.update(COLOURS)
     from qgis import _3d as engine
-    from qgis.core import QgsApplication, QgsCoordinateReferenceSystem, QgsProject, QgsVectorLayer
+    from qgis.core import QgsApplication, QgsCoordinateReferenceSystem, QgsVectorLayer
 
     application = QgsApplication([], True)
     application.initQgis()
@@ -97,16 +97,7 @@ def main() -> None:
     crs = QgsVectorLayer(str(options.areas), "areas", "ogr").crs()
     layer.setCrs(crs if crs.isValid() else QgsCoordinateReferenceSystem("EPSG:6677"))
     vertices, _ = models.read_vertices(layer)
-    view = models.fit_view(vertices, options)
-    models.style_models(layer)
-    layers = [layer, models.ground_plane(layer, float(np.nanmin(vertices[:, 2])) - 0.5)]
-    QgsProject.instance().setCrs(layer.crs())
-    QgsProject.instance().addMapLayers(layers)
-    image = models.render(models.scene_settings(layers, view), view, tuple(options.size))
-    models.write_image(image, options.output)
-    print(f"{options.output}: {layer.featureCount()} surfaces")
-    sys.stdout.flush()
-    QgsProject.instance().clear()
+    models.draw(layer, vertices, float(np.nanmin(vertices[:, 2])) - 0.5, options)
     application.exitQgis()
 
 
