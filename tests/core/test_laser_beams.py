@@ -1,15 +1,19 @@
 """What hid a wall and where beams went through it, against walls, hedges and glass of exact geometry."""
 
+import laspy
 import numpy as np
 import pytest
 import shapely
 
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.facades.beam_checks import BeamFacts, check_beams
+from urbanmap_qgis.facades import wall_stage
+from urbanmap_qgis.facades.beam_checks import BeamFacts, check_beams, check_start
+from urbanmap_qgis.facades.building_plans import building_plans
 from urbanmap_qgis.facades.facade_points import FacadePoints
 from urbanmap_qgis.facades.laser_beams import LaserBeams, crossed_cells, laser_beams
 from urbanmap_qgis.facades.plane_fit import WallPlane
 from urbanmap_qgis.facades.wall_contours import Contour, wall_coverage
+from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.mobile.trajectory import Trajectory
 from urbanmap_qgis.progress import Progress
 
@@ -125,3 +129,39 @@ def test_a_trajectory_that_is_not_that_of_the_points_is_refused_or_told():
     check_beams([facts(0.0, 37.0)[0]], drive, progress)
     check_beams([good, facts(0.0, 0.0, 2.0)[0]], drive, progress)
     assert len(warned) == 2 and "39 m above" in warned[0] and "1 buildings" in warned[1]
+
+
+@pytest.mark.parametrize("east, late, words", [
+    (0.0, 1e6, "1000000 to 1000005 s, but the points were measured from"),
+    (400_000.0, 0.0, r"3999\d\d m from what was measured at its times"),
+])
+def test_a_wrong_trajectory_is_refused_before_the_points_are_read(tmp_path, monkeypatch, east, late, words):
+    monkeypatch.setattr(wall_stage, "facade_points", lambda *_: pytest.fail("the points were read"))
+    time = np.linspace(0.0, 5.0, 101)
+    header = laspy.LasHeader(version="1.4", point_format=6)
+    header.scales = np.full(3, 0.001)
+    las = laspy.LasData(header)
+    las.x, las.y, las.z, las.gps_time = 10 * time, np.full(101, 4.0), np.zeros(101), time
+    las.write(tmp_path / "street.laz")
+    las.gps_time = time + 50.0
+    las.write(tmp_path / "later.laz")
+    drive = Trajectory(time + late, np.column_stack([10 * time + east, np.zeros(101), np.full(101, 2.0)]),
+                       np.zeros((101, 3)))
+    plans = building_plans([shapely.box(0.0, 4.0, 50.0, 14.0)], [1])
+    cloud = open_cloud([tmp_path / "street.laz", tmp_path / "later.laz"])
+    with pytest.raises(InputError, match=words):
+        wall_stage.find_walls(cloud, plans, trajectory=drive)
+
+
+def test_the_trajectory_of_one_file_of_several_is_taken(tmp_path):
+    time = np.linspace(0.0, 5.0, 101)
+    las = laspy.LasData(laspy.LasHeader(version="1.4", point_format=6))
+    las.x, las.y, las.z = 10 * time, np.full(101, 4.0), np.zeros(101)
+    paths = [tmp_path / f"{number}.las" for number in range(30)]
+    for number, path in enumerate(paths):
+        las.gps_time = time + 100.0 * number
+        las.write(path)
+    places = np.column_stack([10 * time, np.zeros(101), np.full(101, 2.0)])
+    check_start(open_cloud(paths), Trajectory(time + 2900.0, places, np.zeros((101, 3))))
+    with pytest.raises(InputError, match="give the trajectory of this survey"):
+        check_start(open_cloud(paths), Trajectory(time + 2910.0, places, np.zeros((101, 3))))

@@ -16,7 +16,7 @@ from ..io.raster import RasterSampler
 from ..mobile.trajectory import Trajectory
 from ..progress import SILENT, Progress
 from ..wording import say
-from .beam_checks import BeamFacts, check_beams
+from .beam_checks import BeamFacts, check_beams, check_start
 from .building_plans import BuildingPlans, outline_edges
 from .facade_points import LIMITS as POINT_LIMITS
 from .facade_points import FacadePoints, FacadeSettings, facade_points
@@ -141,6 +141,8 @@ def find_walls(cloud: PointCloud, plans: BuildingPlans, settings: WallSettings =
     InputError : the trajectory is not that of the points.
     InsufficientDataError : no point lies near any building.
     """
+    if trajectory is not None:
+        check_start(cloud, trajectory)
     walls: list[FacadeWall] = []
     near = with_walls = 0
     with facade_points(cloud, plans, settings.facade, ground, progress.part(0.0, 0.5)) as buildings:
