@@ -62,5 +62,5 @@ def test_a_trajectory_of_another_day_is_refused(tmp_path):
     survey = scan(front, 2)
     path = write_survey(tmp_path / "front.laz", survey, 2)
     later = dataclasses.replace(trajectory(survey, 2), time=survey.path_time + 86_400.0)
-    with pytest.raises(InputError, match="no point near a building was measured then"):
+    with pytest.raises(InputError, match="but the points were measured from"):
         find_walls(open_cloud([path]), building_plans([on_map(front.outline, 2)], [1]), trajectory=later)
