@@ -61,6 +61,14 @@ def test_a_tower_left_out_is_not_explained():
     assert model.quality < 0.1
 
 
+@pytest.mark.parametrize(("sloped", "status"), [(True, POOR_FIT), (False, OK)])
+def test_roofs_that_may_slope_are_held_to_half_a_metre(sloped, status):
+    points = grid_points(0, 0, 20, 10, 8.0)
+    inner = (np.abs(points[:, 0] - 10) < 4) & (np.abs(points[:, 1] - 5) < 2.5)  # a fifth of the plan
+    points[inner, 2] += 1.6
+    assert made(BOX, roofs_of((BOX, 8.0)), points=points, sloped=sloped).status == status
+
+
 def test_parapets_are_explained():
     inside = grid_points(1, 1, 19, 9, 8.0)
     ring = grid_points(0, 0, 20, 10, 9.0)

@@ -16,6 +16,8 @@ from .model_status import (
     GROUND_UNKNOWN,
     LOST_AREA,
     LOST_ROOFS,
+    MAX_RMSE,
+    MAX_RMSE_SLOPED,
     MAX_UNSEEN,
     MAX_UNSEEN_EXACT,
     NOT_MODELLED,
@@ -212,7 +214,8 @@ def _judged(model: BuildingModel, outline: shapely.Geometry | None, lost: bool,
                        fit.points if fit else math.nan, fit.not_explained if fit else math.nan, model.unseen,
                        fit.rmse_z95 if fit else math.nan,
                        lost, outline is not None and has_curved_walls(outline), model.beyond,
-                       MAX_UNSEEN if model.seen is None else MAX_UNSEEN_EXACT)
+                       MAX_UNSEEN if model.seen is None else MAX_UNSEEN_EXACT,
+                       MAX_RMSE_SLOPED if model.lod == SLOPED_LOD else MAX_RMSE)
     status, reason = judge(model.status, model.reason, facts)
     doubt = math.nan if model.seen is None else model.seen.doubt
     figure = quality(status, fit.rmse_z, fit.rmse_z95, fit.not_explained, model.unseen, doubt) if fit else math.nan

@@ -34,8 +34,9 @@ STATUSES = {
 MAX_NOT_EXPLAINED = 0.25
 """Share of the candidate points farther than `quality.EXPLAINED` from the model from which the fit is poor."""
 
-MAX_RMSE = 1.0
-"""RMSE of height (m) of the best 95 % of the candidate points from which the fit is poor."""
+MAX_RMSE, MAX_RMSE_SLOPED = 1.0, 0.5
+"""RMSE of height (m) of the best 95 % of the candidate points from which the fit is poor: of level roofs, which cut slopes
+into steps, and of roofs that may slope."""
 
 LOST_AREA = 4.0
 """Area (m2) of a roof without a polygon from which it is lost, where no other surface explains its points."""
@@ -75,6 +76,7 @@ class ModelFacts:
     curved : the outline has curved walls.
     beyond : share of the outline beyond the cloud's edge.
     most_unseen : share of the plan that may be unseen.
+    most_rmse : `rmse_z95` that the model may have, m.
     """
 
     height: float
@@ -88,6 +90,7 @@ class ModelFacts:
     curved: bool = False
     beyond: float = math.nan
     most_unseen: float = MAX_UNSEEN
+    most_rmse: float = MAX_RMSE
 
 
 def judge(status: str, reason: str, facts: ModelFacts) -> tuple[str, str]:
@@ -107,7 +110,7 @@ def judge(status: str, reason: str, facts: ModelFacts) -> tuple[str, str]:
 
 def _flaws(facts: ModelFacts):
     """Statuses that the facts give, with their reasons."""
-    if facts.not_explained > MAX_NOT_EXPLAINED or facts.rmse_z95 > MAX_RMSE:
+    if facts.not_explained > MAX_NOT_EXPLAINED or facts.rmse_z95 > facts.most_rmse:
         yield POOR_FIT, (say("{not_explained:.0f} % of the points that can be roof are not explained by the model, "
                              "RMSE of height (best 95 %) {rmse_z95:.1f} m", not_explained=100 * facts.not_explained,
                              rmse_z95=facts.rmse_z95))
