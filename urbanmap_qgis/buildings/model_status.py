@@ -35,8 +35,8 @@ MAX_NOT_EXPLAINED = 0.25
 """Share of the candidate points farther than `quality.EXPLAINED` from the model from which the fit is poor."""
 
 MAX_RMSE, MAX_RMSE_SLOPED = 1.0, 0.5
-"""RMSE of height (m) of the best 95 % of the candidate points from which the fit is poor: of level roofs, which cut slopes
-into steps, and of roofs that may slope."""
+"""RMSE of height (m) of the best 95 % of the candidate points from which the fit is poor: of level roofs, which cut
+slopes into steps, and of roofs that may slope."""
 
 LOST_AREA = 4.0
 """Area (m2) of a roof without a polygon from which it is lost, where no other surface explains its points."""
