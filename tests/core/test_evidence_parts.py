@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.localisation.evidence.information import Evidence, SharedError, covariance, covariances_of_parts
+from urbanmap_qgis.localisation.evidence.symmetric_systems import solved
 
 PLACES = 23
 
@@ -37,8 +38,25 @@ def by_hand(given, place, prior):
 def test_a_part_is_what_its_rows_alone_give(share):
     whole, prior = evidence(slice(None)), np.diag([1.0, 1.0, 0.1])
     mask = np.random.default_rng(3).random(900) < share
-    part, = covariances_of_parts(whole, [mask], PLACES, prior)
+    part, = covariances_of_parts(whole, [mask.astype(float)], PLACES, prior)
     alone = evidence(mask)
     assert np.array_equal(part, covariance(alone, PLACES, prior))
     for place in range(PLACES):
         assert part[place] == pytest.approx(by_hand(alone, place, prior), rel=1e-9, abs=1e-15)
+
+
+def test_a_share_of_a_row_is_a_row_of_fewer_measurements():
+    whole, prior = evidence(slice(None)), np.diag([1.0, 1.0, 0.1])
+    share = np.random.default_rng(4).uniform(0.1, 1.0, 900)
+    part, = covariances_of_parts(whole, [share], PLACES, prior)
+    fewer = Evidence(whole.of, whole.row, whole.weight * share, whole.noise / np.sqrt(share), whole.shared)
+    assert part == pytest.approx(covariance(fewer, PLACES, prior), rel=1e-9, abs=1e-15)
+
+
+def test_small_systems_are_solved_as_the_library_does():
+    rng = np.random.default_rng(5)
+    root = rng.normal(size=(400, 3, 3)) * [1.0, 30.0, 900.0]
+    matrix, right = root @ np.swapaxes(root, 1, 2) + np.diag([1.0, 1.0, 800.0]), rng.normal(size=(400, 3))
+    upper = np.stack([matrix[:, i, j] for i in range(3) for j in range(i, 3)])
+    expected = np.linalg.solve(matrix, right[..., None])[..., 0]
+    assert np.allclose(solved(upper, right.T).T, expected, rtol=1e-6, atol=1e-9)

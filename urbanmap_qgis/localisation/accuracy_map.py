@@ -62,7 +62,7 @@ def _aliases(evidence: BlockEvidence, prepared: PreparedMap, city: LocalisationM
         surface = np.zeros((2 * most + 1, 2 * most + 1))
         if scan is not None:
             of_place = slice(ends[number], ends[number + 1])
-            surface += prepared.wall_field.shifted(sensor[number, :2] + scan.offset[of_place, :2], most)
+            surface += prepared.wall_field.shifted(sensor[number, :2] + scan.offset[of_place], most)
         if seen is not None:
             surface += prepared.marking_field.shifted(city.markings.xy[seen[1][seen[0] == number]], most)
         if surface.any():

@@ -72,24 +72,26 @@ def information(evidence: Evidence, count: int) -> np.ndarray:
 
 def covariance(evidence: Evidence, count: int, prior: np.ndarray) -> np.ndarray:
     """(count, 3, 3) covariance of east, north (m2) and turn (rad2) at each place; `prior` (3, 3) is P."""
-    return next(covariances_of_parts(evidence, [np.ones(len(evidence.of), bool)], count, prior))
+    return next(covariances_of_parts(evidence, [np.ones(len(evidence.of))], count, prior))
 
 
-def covariances_of_parts(evidence: Evidence, masks: Iterable[np.ndarray], count: int,
+def covariances_of_parts(evidence: Evidence, parts: Iterable[np.ndarray], count: int,
                          prior: np.ndarray) -> Iterator[np.ndarray]:
-    """`covariance` of the rows of each mask (m,) bool; to the last digit, as a row left out adds nothing."""
+    """`covariance` of the rows of which only shares (m,), 0 to 1, of the measurements are there, for each of the parts.
+
+    A row of several measurements at one place loses weight with each that is hidden, and its noise grows.
+    """
     both = np.column_stack([_products(evidence.row, evidence.weight),
                             _products(evidence.row, (evidence.weight * evidence.noise) ** 2)])
     order = np.argsort(evidence.of, kind="stable")
     starts = np.searchsorted(evidence.of[order], np.arange(count + 1))
     groups = [_Groups.of(evidence, error) for error in evidence.shared]
-    for mask in masks:
-        weight = mask.astype(float)
+    for share in parts:
         # Row by row in their order: the sums that numpy's bincount gives, of all columns at once.
-        sums = csr_matrix((weight[order], order, starts), (count, len(order))) @ both
+        sums = csr_matrix((share[order], order, starts), (count, len(order))) @ both
         h, middle = _symmetric(sums[:, :6]) + prior, _symmetric(sums[:, 6:]) + prior
         for group in groups:
-            middle += group.summed(weight, count)
+            middle += group.summed(share, count)
         inverse = np.linalg.inv(h)
         yield inverse @ middle @ inverse
 

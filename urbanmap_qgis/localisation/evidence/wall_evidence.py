@@ -32,7 +32,7 @@ def wall_evidence(walls: WallMap, scan: WallScan, sensor: np.ndarray, cells: Pla
     if settings.common_sigma > 0:
         common = np.full(len(wall), settings.common_sigma)
         shared += [SharedError(pieces.building[scan.piece], grown * normal[:, axis], common) for axis in range(2)]
-    return Evidence(scan.of, surface_rows(normal, scan.offset[:, :2]), weight, noise, tuple(shared))
+    return Evidence(scan.of, surface_rows(normal, scan.offset), weight, noise, tuple(shared))
 
 
 def walls_covariance(walls: WallMap, scan: WallScan, sensor: np.ndarray, heading: np.ndarray, cells: PlanWallCells,
@@ -47,23 +47,24 @@ def walls_covariance(walls: WallMap, scan: WallScan, sensor: np.ndarray, heading
     every = wall_evidence(walls, scan, sensor, cells, settings)
     azimuths = patterns.shape[2]
     turned = np.round(heading / (2 * np.pi) * azimuths).astype(np.int64)
-    before = patterns[:, scan.layer, (scan.ray - turned[scan.of]) % azimuths]
-    distance = np.linalg.norm(scan.offset, axis=1)
-    prior, masks = settings.prior(), [distance < reach for reach in before]
+    ray = (scan.ray - turned[scan.of]) % azimuths
+    every_layer = scan.layers.sum(axis=1)
+    parts = [(scan.layers & (scan.distance < np.ascontiguousarray(reach.T)[ray])).sum(axis=1) / every_layer
+             for reach in patterns]
     total = np.zeros((len(sensor), 3, 3))
-    for each in covariances_of_parts(every, masks, len(sensor), prior):
+    for each in covariances_of_parts(every, parts, len(sensor), settings.prior()):
         total += each
     total /= len(patterns)
-    return total if settings.matcher == "ICP" else total + _of_ndt(walls, scan, sensor, cells, every, masks, settings)
+    return total if settings.matcher == "ICP" else total + _of_ndt(walls, scan, sensor, cells, every, parts, settings)
 
 
 def _of_ndt(walls: WallMap, scan: WallScan, sensor: np.ndarray, cells: PlanWallCells, every: Evidence,
-            masks: list[np.ndarray], settings: LocalisationSettings) -> np.ndarray:
+            parts: list[np.ndarray], settings: LocalisationSettings) -> np.ndarray:
     """(n, 3, 3) that an NDT adds to the linear match: it follows the strongest walls, and cells pull it aside."""
     wall, prior = walls.walls.wall[scan.piece], settings.prior()
     mixture = Mixture.of(settings.outliers, settings.cell, 2)
     aside = settled_places(scan, sensor, cells, mixture, prior)
-    added = robust_excess(every, scan.weight, wall, walls.sigma[wall], masks, len(sensor), prior, mixture.sharpness)
+    added = robust_excess(every, scan.weight, wall, walls.sigma[wall], parts, len(sensor), prior, mixture.sharpness)
     values, vectors = np.linalg.eigh(added + np.einsum("ni,nj->nij", aside, aside))
     # Chance makes the difference of moments small and negative where nothing is to be added.
     return np.einsum("nij,nj,nkj->nik", vectors, np.maximum(values, 0.0), vectors)
@@ -86,7 +87,7 @@ def _point_weights(walls: WallMap, scan: WallScan, sensor: np.ndarray, cells: Pl
     normal, sigma = walls.walls.normal[scan.piece], walls.sigma[walls.walls.wall[scan.piece]]
     if settings.matcher == "ICP":
         return np.full(len(normal), 1.0 / (np.median(walls.sigma) ** 2 + settings.scanner.noise ** 2))
-    number = cells.of(sensor[scan.of, :2] + scan.offset[:, :2])
+    number = cells.of(sensor[scan.of, :2] + scan.offset)
     inverse = cells.ndt.inverse[np.maximum(number, 0)]
     along_normal = np.einsum("mi,mij,mj->m", normal, inverse, normal)
     # Walls that no cell holds, such as those above a podium, are weighed by their own accuracy.
@@ -111,13 +112,13 @@ def representation(walls: WallMap, scan: WallScan, sensor: np.ndarray, cells: Pl
         walls' own sigma.
     two : (count,) share of the points in cells where two surfaces meet. Both NaN where nothing is seen.
     """
-    number = cells.of(sensor[scan.of, :2] + scan.offset[:, :2])
+    number = cells.of(sensor[scan.of, :2] + scan.offset)
     seen = np.flatnonzero(number >= 0)
-    number, of = number[seen], scan.of[seen]
+    number, of, rays = number[seen], scan.of[seen], scan.weight[seen]
     normal = walls.walls.normal[scan.piece[seen]]
     sigma = walls.sigma[walls.walls.wall[scan.piece[seen]]]
     beyond = np.einsum("mi,mij,mj->m", normal, _spreads(cells, number), normal) - sigma ** 2
-    points = np.bincount(of, minlength=count).astype(float)
+    points = np.bincount(of, rays, count).astype(float)
     points[points == 0] = np.nan
-    return (np.sqrt(np.bincount(of, np.maximum(beyond, 0.0), count) / points),
-            np.bincount(of, cells.two[number], count) / points)
+    return (np.sqrt(np.bincount(of, rays * np.maximum(beyond, 0.0), count) / points),
+            np.bincount(of, rays * cells.two[number], count) / points)

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import shapely
 from scipy.spatial import cKDTree
 
+from ...gnss.rays.ray_fans import FanObstacles
 from ...gnss.rays.tracing import WallObstacles
 from ...gnss.rays.wall_faces import WallPieces, building_walls, is_solid, wall_table
 
@@ -36,6 +38,11 @@ class WallMap:
     def of(cls, walls: WallPieces, sigma: np.ndarray) -> WallMap:
         """Map of walls with their standard deviations (walls,), m."""
         return cls(walls, WallObstacles.of(walls), np.asarray(sigma, float))
+
+    @cached_property
+    def fans(self) -> FanObstacles:
+        """The same walls for fans of rays around places."""
+        return FanObstacles.of(self.walls)
 
     def feet(self, xy: np.ndarray, reach: float) -> np.ndarray:
         """(n,) median height of the feet of the walls nearest to places (n, 2), m; NaN farther away than `reach`.
