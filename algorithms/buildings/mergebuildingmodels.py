@@ -12,6 +12,7 @@ from ..framework.layers.layers import make_fields
 from ..framework.layers.outlines import BuildingNames, building_names, column, numbers
 from ..framework.layers.overlays import add_orthophoto, orthophoto_pictures
 from ..framework.running.workers import workers
+from .gnss_walls import add_gnss_walls, read_gnss_walls
 
 _USABLE = ("ok", "partly seen")
 
@@ -27,7 +28,7 @@ class MergeBuildingModels(UrbanMapAlgorithm):
         "lie where the survey found them, above it the models stay as they were.\n"
         "Walls move within stated limits and never into a neighbour. A roof that stands out over the measured wall "
         "stays, with a level underside; so does what stands out at the height. Walls that were not driven past stay "
-        "and are marked.\n"
+        "and are marked; where satellites tell them (“Adjust walls by GNSS”), they move, weighed by their sigma.\n"
         "Every result is checked: closed, planar, oriented outwards, no self-intersection. A building that cannot be "
         "merged keeps its model and says why."
     )
@@ -39,6 +40,7 @@ class MergeBuildingModels(UrbanMapAlgorithm):
                       "system of the walls, instead of the layer.", CITYJSON_FILTER, optional=True)
         self.add_polygons("WALLS", "Walls", "PolygonZ of “Walls from a mobile survey”. Walls of few points, rough "
                           "ones, those inside the outlines and what stands before facades are left out.")
+        add_gnss_walls(self)
         self.add_distance("HEIGHT", "Height", "Height in metres above the ground of each model up to which measured "
                           "walls are taken.", 20.0, 1.0, 500.0)
         self.add_distance("MAX_OFFSET", "Maximum offset", "Maximum distance in metres by which a wall moves to the "
@@ -94,10 +96,12 @@ class MergeBuildingModels(UrbanMapAlgorithm):
             raise InputError(tr("{0}: the walls have no field status, which tells how well each was measured; give the "
                                 "result of “Walls from a mobile survey”.").format(walls_table.label))
         settings = MergeSettings(*(self.parameterAsDouble(parameters, name, context) for name in (
-            "HEIGHT", "MAX_OFFSET", "MAX_TURN", "LEAST_SHARE", "OVERHANG")))
+            "HEIGHT", "MAX_OFFSET", "MAX_TURN", "LEAST_SHARE", "OVERHANG")),
+            model_sigma=self.parameterAsDouble(parameters, "MODEL_SIGMA", context))
+        satellites = read_gnss_walls(self, parameters, context, walls_table.crs, progress)
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
             merged = merge_models(names.numbers.tolist(), list(models), walls, settings, executor,
-                                  progress.part(0.0, 0.85))
+                                  progress.part(0.0, 0.85), satellites)
         columns, edges = merged_columns(merged), edge_columns(merged)
         left = sum(building.status == NOT_MERGED for building in merged)
         if left:

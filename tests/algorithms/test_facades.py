@@ -71,7 +71,7 @@ def test_with_the_drives_each_wall_tells_what_beams_went_through(run, survey, mo
     assert {row["status"] for row in rows} == {"ok"}
     without = rows_of(read_layer(run(WALLS, given)["OUTPUT"]))
     assert not any(isinstance(row["through"], float) for row in without) and len(without) == len(rows)
-    with pytest.raises(QgsProcessingException, match="no point near a building"):
+    with pytest.raises(QgsProcessingException, match="but the points were measured from"):
         run(WALLS, {**given, "TRAJECTORY": [drive(90_000, 90_060, "other.csv")]})
 
 
@@ -106,6 +106,29 @@ def test_walls_then_merged_models(run, survey, models, read_layer, tmp_path):
                         "OUTPUT": "TEMPORARY_OUTPUT"})
     assert again["NOT_MERGED"] == 1, "a merged model with an overhang is no plain model any more"
     assert again["VALID"] == 2
+
+
+def test_walls_by_gnss_move_what_the_street_did_not_show(run, survey, models, polygon_layer, read_layer, tmp_path):
+    """The east front, 0.6 m inside by likely observations; known to a decimetre it hardly moves."""
+    from qgis.core import QgsProcessingException
+
+    walls = run(WALLS, {"POINTS": [str(survey())], "BUILDINGS": models, "OUTPUT": str(tmp_path / "walls.gpkg")})
+    line = f"LineStringZ ({X0 + 19.4} {Y0} {GROUND}, {X0 + 19.4} {Y0 + 12} {GROUND})"
+    gnss = polygon_layer([line, line], fields={"status": ["not observable", "likely"], "sigma": [0.1, 0.4]},
+                         kind="LineStringZ")
+    given = {"MODELS": models, "WALLS": walls["OUTPUT"], "GNSS_WALLS": gnss, "OUTPUT": str(tmp_path / "merged.gpkg"),
+             "OUTPUT_WALLS": str(tmp_path / "merged_walls.gpkg")}
+    moved = []
+    for sigma in (1.0, 0.1):
+        made = run(MERGE, {**given, "MODEL_SIGMA": sigma})
+        assert made["WALLS_MOVED"] == 3 and made["VALID"] == 2
+        row, = (row for row in rows_of(read_layer(made["OUTPUT_WALLS"])) if "by satellites (likely)" in row["note"])
+        assert row["status"] == "moved" and "sigma 0.40 m" in row["note"]
+        moved.append((row["offset"], row["sigma"]))
+    assert moved[0] == pytest.approx((-0.6, 0.4), abs=1e-6)
+    assert -0.05 < moved[1][0] < -0.02 and moved[1][1] < 0.1
+    with pytest.raises(QgsProcessingException, match="no walls with status and sigma"):
+        run(MERGE, {**given, "GNSS_WALLS": walls["OUTPUT"]})
 
 
 def test_outlines_without_heights_and_a_lower_limit(run, survey, polygon_layer, read_layer):

@@ -30,6 +30,7 @@ from .cut_solid import cut_height, on_the_grid, with_sloped_top
 from .layered_solid import Prism, layered_solids, solid_volume
 from .model_parts import ModelParts, model_parts
 from .plan_edges import Line, PlanEdges
+from .satellite_walls import SatelliteIndex, SatelliteWall, with_satellites
 from .wall_match import (
     FOLDED,
     JAVANMARDI,
@@ -124,13 +125,14 @@ class _Plan:
 
 def merge_models(ids: Sequence[int], models: Sequence[shapely.Geometry | None], walls: Sequence[MeasuredWall],
                  settings: MergeSettings = JAVANMARDI, executor: Executor | None = None,
-                 progress: Progress = SILENT) -> list[MergedBuilding]:
+                 progress: Progress = SILENT, satellites: Sequence[SatelliteWall] = ()) -> list[MergedBuilding]:
     """Merge models with measured walls, in the order given.
 
     Parameters
     ----------
     ids, models : number of each building and all faces of its solids (MultiPolygonZ), None without a model.
     walls : measured walls in the same CRS.
+    satellites : walls by satellites, which move edges along which nothing was measured.
 
     Raises
     ------
@@ -146,13 +148,13 @@ def merge_models(ids: Sequence[int], models: Sequence[shapely.Geometry | None], 
     if flat:
         raise InputError(say("Building {flat} has no heights: give building models (MultiPolygonZ), not outlines.",
                              flat=flat[0]))
-    index = WallIndex(walls)
+    index, weak = WallIndex(walls), SatelliteIndex(satellites)
     boxes = [shapely.box(*model.bounds) for model in models if model is not None and not model.is_empty]
     if boxes and not len(index.tree.query(boxes, predicate="dwithin", distance=settings.max_offset)[0]):
         raise InsufficientDataError(say("No measured wall lies near any model: check that both are of the same "
                                         "place, and that the survey has been put on the map."))
     plans = []
-    work = partial(_matched, index=index, settings=settings)
+    work = partial(_matched, index=index, weak=weak, settings=settings)
     for number, plan in enumerate(in_order(work, zip(ids, models), executor, progress.check)):
         plans.append(plan)
         progress.step(0.4 * number / len(ids))
@@ -164,7 +166,8 @@ def merge_models(ids: Sequence[int], models: Sequence[shapely.Geometry | None], 
     return merged
 
 
-def _matched(piece: tuple[int, shapely.Geometry | None], index: WallIndex, settings: MergeSettings) -> _Plan:
+def _matched(piece: tuple[int, shapely.Geometry | None], index: WallIndex, weak: SatelliteIndex,
+             settings: MergeSettings) -> _Plan:
     """A building's plan with what was measured of each outer edge; edges that would fold the plan are left."""
     building_id, geometry = piece
     if geometry is None or geometry.is_empty:
@@ -187,7 +190,8 @@ def _matched(piece: tuple[int, shapely.Geometry | None], index: WallIndex, setti
     if breaks:
         edges = PlanEdges(parts.cells, np.array(breaks))
         heights = [min(top, parts.base + settings.height) for top in _tops(edges, parts)]
-    matches = tuple(match_edge(edge, index, parts.base, top, settings) for edge, top in zip(edges.edges, heights))
+    matches = tuple(with_satellites(edge, match_edge(edge, index, parts.base, top, settings), weak, settings)
+                    for edge, top in zip(edges.edges, heights))
     plan = _Plan(building_id, geometry, parts, edges, matches, cut=cut)
     while plan.lines and edges.moved_polygons(plan.lines) is None:
         weakest = _weakest(plan)
@@ -418,7 +422,8 @@ def merged_columns(buildings: Sequence[MergedBuilding]) -> dict[str, list]:
     rows = []
     for building in buildings:
         moved = [edge for edge in building.edges if edge.match.status == MOVED]
-        on_walls = sum(edge.length for edge in building.edges if edge.match.status in (MOVED, KEPT))
+        on_walls = sum(edge.length for edge in building.edges
+                       if edge.match.status in (MOVED, KEPT) and edge.match.wall.number >= 0)
         whole = sum(edge.length for edge in building.edges)
         offsets = [abs(edge.match.offset) for edge in moved]
         top = max((float(solid.vertices[:, 2].max()) for solid in building.solids), default=math.nan)
@@ -430,14 +435,16 @@ def merged_columns(buildings: Sequence[MergedBuilding]) -> dict[str, list]:
 
 
 def edge_columns(buildings: Sequence[MergedBuilding]) -> dict[str, list]:
-    """Columns of `EDGE_COLUMNS`, one entry an outer edge; `wall` is the row of the measured wall, from 1."""
+    """Columns of `EDGE_COLUMNS`, one entry an outer edge; `wall` is the row of the measured wall, from 1, empty
+    where satellites tell it."""
     rows = []
     for building in buildings:
         for number, edge in enumerate(building.edges, 1):
             match, wall = edge.match, edge.match.wall
             rows.append((building.building_id, number, match.status, match.note,
-                         wall.number + 1 if wall else None, edge.length, match.offset, match.rotation, match.measured,
-                         wall.rmse if wall else math.nan, wall.sigma if wall else math.nan))
+                         wall.number + 1 if wall and wall.number >= 0 else None, edge.length, match.offset,
+                         match.rotation, match.measured, wall.rmse if wall else math.nan,
+                         wall.sigma if wall else math.nan))
     return _columns(EDGE_COLUMNS, rows)
 
 

@@ -56,6 +56,8 @@ class MergeSettings:
     overhang : a roof that stands out over the measured wall by more than this stays as it is, m; below, it follows.
     slab : height of the roof's edge over an overhang, m, where the top of the measured wall does not tell it.
     max_rmse : walls whose points scatter more are not used, m.
+    model_sigma : how well the model's own walls are known, m (standard deviation): what walls by satellites are weighed
+        against.
     """
 
     height: float = 20.0
@@ -65,8 +67,11 @@ class MergeSettings:
     overhang: float = 0.3
     slab: float = 0.3
     max_rmse: float = 0.1
+    model_sigma: float = 1.0
 
     def __post_init__(self) -> None:
+        if not self.model_sigma > 0:
+            raise InputError(say("The sigma of the models' walls must be greater than 0."))
         if not (self.height > 0 and self.max_offset > 0 and 0 < self.max_rotation <= 20 and 0 < self.min_share <= 1):
             raise InputError(say("Height, maximum offset and rotation (up to 20 degrees) and the share of a wall "
                                  "must be greater than 0."))
@@ -78,7 +83,7 @@ class MeasuredWall:
 
     Attributes
     ----------
-    number : row in the layer.
+    number : row in the layer; -1 where satellites tell the wall.
     point, normal : (2,) of its trace in plan at half its height, the normal outwards.
     left, right : extent along its trace from the point, m, seen from in front.
     foot, top : heights, m.
