@@ -66,8 +66,8 @@ class SampleCity(UrbanMapAlgorithm):
                       "ground (heights of the airborne points that are off), rails (and decks), "
                       "driveways (lowered kerbs), signs (boards and bollards), islands (in the avenue), paint (worn "
                       "and patched), surface (wet and concrete stretches), "
-                      "fronts (canopies, signs, garden walls, hoardings, balconies and awnings before buildings). "
-                      "Without any the city is as ever.", "", optional=True,
+                      "fronts (canopies, signs, garden walls, hoardings, balconies, awnings and storeys on columns "
+                      "before buildings). Without any the city is as ever.", "", optional=True,
                       advanced=True)
         self.add_number("WORKERS", "Workers", "Number of sensors that measure at the same time. The result does not "
                         "depend on it.", 2, 1, 16, integer=True, advanced=True)

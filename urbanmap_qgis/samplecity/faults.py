@@ -27,7 +27,7 @@ FAULTS = {
     "islands": "raised islands in the middle of the avenue",
     "paint": "worn markings, and patches of new asphalt over them between the flights and the drives",
     "surface": "wet and concrete stretches of road, dark and bright to the mobile scanners",
-    "fronts": "canopies, sign bands, garden walls, hoardings, balconies and awnings before the fronts",
+    "fronts": "canopies, sign bands, garden walls, hoardings, balconies, awnings, storeys on columns before the fronts",
 }
 """What each fault is, by name."""
 

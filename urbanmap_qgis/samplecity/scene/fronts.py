@@ -1,4 +1,5 @@
-"""What stands before the fronts of buildings towards a street: canopies, signs, garden walls, hoardings, balconies."""
+"""What stands before the fronts of buildings towards a street: canopies, signs, garden walls, hoardings, balconies,
+storeys on columns."""
 
 from __future__ import annotations
 
@@ -12,8 +13,8 @@ from .faces import ring_of
 from .ground import Ground
 from .model import Building, FaceKind, Furniture, Material, StandingBefore
 
-KINDS = ("canopy", "sign band", "garden wall", "hoarding", "balcony", "awning")
-"""What may stand before a front; each front has one of them."""
+KINDS = ("canopy", "sign band", "garden wall", "hoarding", "balcony", "awning", "pilotis")
+"""What may stand before a front; each front has one of them. Of pilotis the storeys over the columns are the facade."""
 
 
 @dataclass(frozen=True)
@@ -31,6 +32,8 @@ class FrontLimits:
     sink: float = 0.2  # Walls on the ground go so deep into it.
     cloth: float = 0.05
     fall: float = 0.4  # Of an awning, m per m.
+    column: float = 0.4
+    bay: float = 5.0  # Widest between columns.
 
 
 LIMITS = FrontLimits()
@@ -67,7 +70,7 @@ def standing_before(ground: Ground, buildings: Sequence[Building], rng: np.rando
     fronts = [front for building in buildings for front in _fronts(ground, building, buildings)]
     first = int(rng.integers(len(KINDS)))
     made = {"canopy": _canopy, "sign band": _sign_band, "garden wall": _garden_wall, "hoarding": _hoarding,
-            "balcony": _balconies, "awning": _awning}
+            "balcony": _balconies, "awning": _awning, "pilotis": _pilotis}
     return tuple(thing for number, front in enumerate(fronts)
                  for thing in made[KINDS[(first + number) % len(KINDS)]](front, rng))
 
@@ -189,3 +192,14 @@ def _awning(front: _Front, rng: np.random.Generator) -> Iterator[StandingBefore]
     yield _made(front, "awning", [(left, right)], before, (low, low + LIMITS.fall * before + LIMITS.cloth), [
         Furniture(front.plan(left, right, 0.02, before), middle, middle + LIMITS.cloth, Material.WOOD, FaceKind.FRONT,
                   (float(fall[0]), float(fall[1])))])
+
+
+def _pilotis(front: _Front, rng: np.random.Generator) -> Iterator[StandingBefore]:
+    """Upper storeys on columns along the whole front, up to its top; the ground floor is the building's own wall."""
+    before = _depth(front, 0.8, 1.6, rng)
+    low = front.foot + float(rng.uniform(2.7, 3.3))
+    bays = int(np.ceil(front.width / LIMITS.bay))
+    columns = [_box(front, left, left + LIMITS.column, before - LIMITS.column, before, front.foot - LIMITS.sink, low)
+               for left in np.linspace(0.0, front.width - LIMITS.column, bays + 1)]
+    yield _made(front, "pilotis", [(0.0, front.width)], before, (low, front.top),
+                [_box(front, 0.0, front.width, 0.02, before, low, front.top), *columns])

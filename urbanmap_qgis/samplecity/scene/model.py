@@ -266,12 +266,12 @@ class Furniture:
 
 @dataclass(frozen=True)
 class StandingBefore:
-    """What stands before a building's front, and is no wall of it.
+    """What stands before a building's front, and is no wall of it but for the storeys over pilotis.
 
     Attributes
     ----------
     building : id of the building.
-    kind : "canopy", "sign band", "garden wall", "hoarding", "balcony" or "awning".
+    kind : "canopy", "sign band", "garden wall", "hoarding", "balcony", "awning" or "pilotis".
     line : its outer face from above, at the height of its foot.
     before : how far that lies before the wall, m.
     z_low, z_high : heights of the face.
