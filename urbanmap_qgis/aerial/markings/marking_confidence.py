@@ -102,6 +102,9 @@ class MarkingConfidenceLimits:
 
 LIMITS = MarkingConfidenceLimits()
 
+ALONG_REACH = LIMITS.mean_box / 2
+"""m round a pixel of a long piece over which its confidence is a mean."""
+
 _PRIOR = np.float32(0.03)  # share of the box that weighs as much as the stand-in
 _SIDE_PRIOR = np.float32(0.1)  # the same for a side, whose box is small
 

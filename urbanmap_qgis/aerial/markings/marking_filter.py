@@ -16,6 +16,7 @@ from .disc_opening import disc_opened
 from .image_strips import STRIP, flat_places, grown, row_strips, shifted_places, within
 from .learning.answered_pieces import LearnedAnswers
 from .marking_confidence import (
+    ALONG_REACH,
     GROUND_REACH,
     ConfidenceSettings,
     GroundBeside,
@@ -32,7 +33,7 @@ from .marking_pieces import (
     piece_figures,
     straight_strokes,
 )
-from .paint_model import HARD_LIGHT, SOFT_LIGHT, paint_model
+from .paint_model import HARD_LIGHT, SOFT_LIGHT, KindOfLight, paint_model
 from .road_model import RoadModel
 from .surroundings import REACH
 
@@ -170,10 +171,12 @@ def remove_non_markings(found: Candidates, pixel: float, settings: CleanSettings
     counted = counted or wanted
     judged = judged_pieces(found, pixel, settings, wanted)
     near, ground, mask, pieces = judged.near, judged.ground, judged.mask, judged.pieces
-    by_rules = values = _rules_of_pieces(judged, found, pixel, settings)
+    specks = _specks(judged, found, pixel, settings)
+    rules = _of_pieces(judged, judged.by_rules, pixel)
+    by_rules = values = np.where(specks, np.float32(0), rules)
     accepted = judged.accepted[pieces.labels]
     if settings.asks_figures and found.roads is None:
-        values = _by_figures(judged, found, pixel, settings, by_rules)
+        values = _by_figures(judged, found, pixel, settings, rules, specks, within(wanted, near))
     good = accepted & (values >= settings.min_confidence)
     evidence = SearchTally(colder=judged.colder, clear=np.count_nonzero(ground.clear[counted]),
                            smooth=np.count_nonzero(ground.smooth[counted]))
@@ -247,20 +250,26 @@ def _by_rules(found: Candidates, narrow: np.ndarray, ground: GroundBeside, pixel
     return confidence, int(np.count_nonzero(colder))
 
 
-def figures_of_pieces(judged: JudgedPieces, found: Candidates, pixel: float) -> tuple[np.ndarray, PieceFigures]:
-    """Which pixels of the pieces belong to accepted ones, bool (n,), and the figures of their cells."""
-    counts = judged.accepted[judged.pieces.labels]
+def figures_of_pieces(judged: JudgedPieces, found: Candidates, pixel: float, counts: np.ndarray | None = None
+                      ) -> tuple[np.ndarray, PieceFigures]:
+    """Which pixels of the pieces belong to accepted ones, bool (n,), or those given; and the figures of their cells."""
+    counts = judged.accepted[judged.pieces.labels] if counts is None else counts
     places = shifted_places(judged.pieces.inside[counts], judged.near, found.core.shape)
     image = PieceImage(found.bands, found.image, judged.narrow, judged.ground, found.model, found.scale, found.contrast)
     return counts, piece_figures(image, places, judged.relief[counts], judged.by_rules[counts], judged.pieces,
                                  judged.pieces.labels[counts], pixel)
 
 
-def _by_figures(judged: JudgedPieces, found: Candidates, pixel: float, settings: CleanSettings, by_rules: np.ndarray
-                ) -> np.ndarray:
-    """Confidence (n,) of the pieces' pixels by the trained model or the rules, and by what answers taught."""
-    counts, figures = figures_of_pieces(judged, found, pixel)
-    values = _by_model(judged, found, counts, figures, pixel, settings) if settings.trained else by_rules
+def _by_figures(judged: JudgedPieces, found: Candidates, pixel: float, settings: CleanSettings, rules: np.ndarray,
+                specks: np.ndarray, window: tuple[slice, slice]) -> np.ndarray:
+    """Confidence (n,) of the pieces' pixels by the trained model or the rules (n,), and by what answers taught; of
+    those that do not matter in a window of the mask it may be 0."""
+    counts = judged.accepted[judged.pieces.labels] & _matters(judged, window, specks, pixel)
+    if settings.trained and settings.learned is None:
+        counts &= rules >= _light(found, settings).least_rules
+    counts, figures = figures_of_pieces(judged, found, pixel, counts)
+    values = (_by_model(judged, found, counts, figures, specks, pixel, settings) if settings.trained
+              else np.where(specks, np.float32(0), rules))
     if settings.learned is None:
         return values
     corrected = np.zeros(len(counts), np.float32)
@@ -268,14 +277,29 @@ def _by_figures(judged: JudgedPieces, found: Candidates, pixel: float, settings:
     return _of_pieces(judged, corrected, pixel)
 
 
-def _by_model(judged: JudgedPieces, found: Candidates, counts: np.ndarray, figures: PieceFigures, pixel: float,
-              settings: CleanSettings) -> np.ndarray:
+def _matters(judged: JudgedPieces, window: tuple[slice, slice], specks: np.ndarray, pixel: float) -> np.ndarray:
+    """Which of the pieces' pixels the result in a window of the mask depends on, bool (n,): pieces that reach into it
+    and are more than specks, and of those too long to be judged as one what lies at it."""
+    pieces = judged.pieces
+    wide = grown(window, math.ceil(ALONG_REACH / pixel) + 1, judged.mask.shape)
+    rows, columns = np.divmod(pieces.inside, judged.mask.shape[1])
+    at = ((rows >= wide[0].start) & (rows < wide[0].stop) & (columns >= wide[1].start) & (columns < wide[1].stop))
+    reaching = np.bincount(pieces.labels, at & ~specks, minlength=len(pieces.size)) > 0
+    return np.where(pieces.long[pieces.labels], at, reaching[pieces.labels])
+
+
+def _light(found: Candidates, settings: CleanSettings) -> KindOfLight:
+    return HARD_LIGHT if settings.confidence.hard_light(found.model) else SOFT_LIGHT
+
+
+def _by_model(judged: JudgedPieces, found: Candidates, counts: np.ndarray, figures: PieceFigures, specks: np.ndarray,
+              pixel: float, settings: CleanSettings) -> np.ndarray:
     """Confidence (n,) of the pieces' pixels by the trained model."""
-    light = HARD_LIGHT if settings.confidence.hard_light(found.model) else SOFT_LIGHT
+    light = _light(found, settings)
     evidence = np.zeros(len(counts), np.float32)
     evidence[counts] = paint_model().evidence_of(figures.values, len(figures.pixels), light)[figures.cell]
     values = paint_model().probability(_of_pieces(judged, evidence, pixel), light)
-    return _no_specks(values, judged, found, pixel, settings)
+    return np.where(specks, np.float32(0), values)
 
 
 def confidence_and_figures(found: Candidates, pixel: float, settings: CleanSettings, wanted: tuple[slice, slice]
@@ -283,9 +307,10 @@ def confidence_and_figures(found: Candidates, pixel: float, settings: CleanSetti
     """Places (n,) in the flat image of accepted pieces' pixels that reach into the rows and columns wanted, the
     confidence (k,) of their cells before any answer, and the cells' figures."""
     judged = judged_pieces(found, pixel, settings, wanted)
+    specks = _specks(judged, found, pixel, settings)
     counts, figures = figures_of_pieces(judged, found, pixel)
-    values = (_by_model(judged, found, counts, figures, pixel, settings) if settings.trained
-              else _rules_of_pieces(judged, found, pixel, settings))
+    values = (_by_model(judged, found, counts, figures, specks, pixel, settings) if settings.trained
+              else np.where(specks, np.float32(0), _of_pieces(judged, judged.by_rules, pixel)))
     places = shifted_places(judged.pieces.inside[counts], judged.near, found.core.shape)
     return places, figures.mean(values[counts]), figures
 
@@ -326,23 +351,16 @@ def _of_pieces(judged: JudgedPieces, values: np.ndarray, pixel: float) -> np.nda
                     mean[pieces.labels].astype(np.float32))
 
 
-def _rules_of_pieces(judged: JudgedPieces, found: Candidates, pixel: float, settings: CleanSettings) -> np.ndarray:
-    """Confidence (n,) of the pieces' pixels by rules."""
-    return _no_specks(_of_pieces(judged, judged.by_rules, pixel), judged, found, pixel, settings)
-
-
-def _no_specks(values: np.ndarray, judged: JudgedPieces, found: Candidates, pixel: float, settings: CleanSettings
-               ) -> np.ndarray:
-    """Confidence (n,) of the pieces' pixels: none in shade off known roads, unless they hang together as a straight
-    stroke. There the sun falls through leaves, in specks that joined look like worn paint."""
+def _specks(judged: JudgedPieces, found: Candidates, pixel: float, settings: CleanSettings) -> np.ndarray:
+    """Which of the pieces' pixels (bool, n) lie in shade off known roads and do not hang together as a straight stroke.
+    There the sun falls through leaves, in specks that joined look like worn paint."""
     if found.roads is not None:
-        return values
+        return np.zeros(len(judged.pieces.inside), bool)
     specks = judged.ground.in_shade(shifted_places(judged.pieces.inside, judged.near, judged.narrow.shape), pixel)
-    if not specks.any():
-        return values
-    whole = marking_pieces_of(judged.mask, judged.mask.view(np.uint8), pixel, settings.max_length)
-    specks &= ~straight_strokes(whole, judged.mask.shape[1], pixel, settings.max_width)[whole.labels]
-    return np.where(specks, np.float32(0), values)
+    if specks.any():
+        whole = marking_pieces_of(judged.mask, judged.mask.view(np.uint8), pixel, settings.max_length)
+        specks &= ~straight_strokes(whole, judged.mask.shape[1], pixel, settings.max_width)[whole.labels]
+    return specks
 
 
 def _narrow(found: Candidates, ratio: float) -> np.ndarray:

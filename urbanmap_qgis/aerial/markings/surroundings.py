@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
+from .image_strips import STRIP, row_strips
 from .marking_confidence import GroundBeside
 from .road_model import RoadModel
 
@@ -25,6 +26,7 @@ class SurroundingsLimits:
     sides: tuple[float, ...] = (0.8, 1.5, 2.6)  # m to either side of a stroke
     along: tuple[float, ...] = (2.0, 3.5, 5.0, 7.0, 9.0, 11.0, 14.0)  # m before and behind
     spacings: tuple[float, ...] = (2.2, 2.7, 3.2, 3.7, 4.2)  # m at which neighbouring lines lie
+    bars: tuple[float, ...] = (0.8, 1.0, 1.2)  # m at which bars of crossings do
     turned: float = 40.0  # degrees, directions in which lines are looked for to compare
     dark: float = 0.55  # times the road's brightness
     light: float = 1.4
@@ -98,21 +100,39 @@ def cells_of(bands: np.ndarray, image: np.ndarray, narrow: np.ndarray, ground: G
     scale : levelled grey values in one of the bands' steps.
     """
     size = cell_pixels(pixel)
-    clear = ground.clear.astype(np.float32)
-    whole = np.clip(np.rint(image), -500, 1000)
-    step = LIMITS.steepest
-    across = np.clip(cv2.filter2D(whole, cv2.CV_32F, np.float32([[-1, 0, 1]]), borderType=cv2.BORDER_REPLICATE),
-                     -step, step)
-    down = np.clip(cv2.filter2D(whole, cv2.CV_32F, np.float32([[-1], [0], [1]]), borderType=cv2.BORDER_REPLICATE),
-                   -step, step)
-    steep = (across * across, down * down)
-    colours = {}
-    if len(bands) >= 3:
-        colours = {name: sums_over(np.rint(bands[band].astype(np.float32) * np.float32(scale)) * clear, size)
-                   for band, name in enumerate(("red", "green", "blue"))}
-    return Cells(size, sums_over(clear, size), sums_over(ground.smooth, size), sums_over(narrow.view(np.uint8), size),
-                 sums_over(whole * clear, size), sums_over((steep[0] + steep[1]) * clear, size),
-                 *(sums_over(values, size) for values in (*steep, across * down)), **colours)
+    names = ["clear", "smooth", "narrow", "light", "rough", "xx", "yy", "xy"]
+    names += ["red", "green", "blue"] if len(bands) >= 3 else []
+    shape = tuple(-(-side // size) for side in image.shape)
+    sums = {name: np.empty(shape, np.float32) for name in names}
+    for strip, wide, inner in row_strips(len(image), 1, max(STRIP // size, 1) * size):
+        clear = ground.clear[strip].astype(np.float32)
+        whole = np.rint(image[wide])
+        np.minimum(np.maximum(whole, np.float32(-500), out=whole), np.float32(1000), out=whole)
+        across, down = (_steps(whole, kernel)[inner] for kernel in (_ACROSS, _ACROSS.T))
+        xy = across * down
+        across *= across
+        down *= down
+        values = {"clear": clear, "smooth": ground.smooth[strip], "narrow": narrow[strip].view(np.uint8),
+                  "light": whole[inner] * clear, "rough": (across + down) * clear, "xx": across, "yy": down, "xy": xy}
+        for name, band in zip(names[8:], bands):
+            values[name] = band[strip].astype(np.float32)
+            values[name] *= np.float32(scale)
+            np.rint(values[name], out=values[name])
+            values[name] *= clear
+        place = slice(strip.start // size, -(-strip.stop // size))
+        for name in names:
+            sums[name][place] = sums_over(values[name], size)
+    return Cells(size, **sums)
+
+
+_ACROSS = np.float32([[-1, 0, 1]])
+
+
+def _steps(whole: np.ndarray, kernel: np.ndarray) -> np.ndarray:
+    """Gradients of whole grey values along a kernel, cut at the steepest."""
+    steps = cv2.filter2D(whole, cv2.CV_32F, kernel, borderType=cv2.BORDER_REPLICATE)
+    steepest = np.float32(LIMITS.steepest)
+    return np.minimum(np.maximum(steps, -steepest, out=steps), steepest, out=steps)
 
 
 class _Around:
@@ -216,16 +236,15 @@ def _of_sides(rows: np.ndarray, columns: np.ndarray, across: np.ndarray, down: n
               around: _Around, model: RoadModel, pixel: float, threshold: float) -> dict[str, np.ndarray]:
     """How the ground on both sides of a stroke differs, and the poorer side's share of smooth ground."""
     figures = {}
-    side = cells.size * pixel
-    clear, smooth, light, rough = (cv2.boxFilter(values, cv2.CV_64F, (3, 3), normalize=False,
-                                                 borderType=cv2.BORDER_REPLICATE)
+    near = _Shifted(rows, columns, cells.size * pixel)
+    clear, smooth, light, rough = (near.grid(cv2.boxFilter(values, cv2.CV_64F, (3, 3), normalize=False,
+                                                           borderType=cv2.BORDER_REPLICATE))
                                    for values in (cells.clear, cells.smooth, cells.light, cells.rough))
     whole = 9.0 * cells.size ** 2
     for distance in LIMITS.sides:
         name = f"{distance:g}"
         two = []
-        for sign in (1, -1):
-            place = _shifted(rows, columns, sign * distance / side * down, sign * distance / side * across, clear.shape)
+        for place in near.both_ways(distance * across, distance * down):
             some = np.maximum(clear.take(place), 1)
             two.append((clear.take(place) / whole, smooth.take(place) / some, light.take(place) / some,
                         np.sqrt(rough.take(place) / some)))
@@ -242,40 +261,57 @@ def _of_sides(rows: np.ndarray, columns: np.ndarray, across: np.ndarray, down: n
 def _of_lines(rows: np.ndarray, columns: np.ndarray, across: np.ndarray, down: np.ndarray, cells: Cells,
               around: _Around, pixel: float) -> dict[str, np.ndarray]:
     """Whether strokes of the same direction lie before and behind, and beside, and how that is in other directions."""
-    side = cells.size * pixel
     turned, other, strength = (around.total(values, 0.4) for values in _doubled(cells))
     narrow = around.total(cells.narrow, 0.4) > 0
     scale = np.maximum(strength, 1)
-    cosine, sine = turned / scale * narrow, other / scale * narrow
-    direction = across * across - down * down, 2 * across * down
+    near = _Shifted(rows, columns, cells.size * pixel)
+    strokes = near.grid(((turned + 1j * other) / scale * narrow).astype(np.complex64))
+    direction = (across * across - down * down).astype(np.float32), (2 * across * down).astype(np.float32)
+    across, down = across.astype(np.float32), down.astype(np.float32)
 
-    def like(right: np.ndarray, below: np.ndarray) -> np.ndarray:
-        """How much a stroke so many metres off runs the same way, 0 to 1."""
-        place = _shifted(rows, columns, below / side, right / side, narrow.shape)
-        return np.maximum(cosine.take(place) * direction[0] + sine.take(place) * direction[1], 0)
+    def like(right: np.ndarray, below: np.ndarray) -> list[np.ndarray]:
+        """How much strokes so many metres off, and as many the other way, run the same way, 0 to 1."""
+        found = (strokes.take(place) for place in near.both_ways(right, below))
+        return [np.maximum(one.real * direction[0] + one.imag * direction[1], np.float32(0)) for one in found]
 
     def row(turn: float) -> tuple[np.ndarray, np.ndarray]:
         """Of strokes both ways in a direction so many degrees off the own: mean, and that of the better half."""
-        angle = np.deg2rad(turn)
-        right = -down * np.cos(angle) - across * np.sin(angle)
-        below = across * np.cos(angle) - down * np.sin(angle)
-        ways = [np.mean([like(sign * right * far, sign * below * far) for far in LIMITS.along], axis=0)
-                for sign in (1, -1)]
+        cosine, sine = np.float32(np.cos(np.deg2rad(turn))), np.float32(np.sin(np.deg2rad(turn)))
+        right, below = -down * cosine - across * sine, across * cosine - down * sine
+        ways = [sum(way) / np.float32(len(LIMITS.along)) for way in zip(*(
+            like(np.float32(far) * right, np.float32(far) * below) for far in LIMITS.along))]
         return (ways[0] + ways[1]) / 2, np.maximum(*ways)
+
+    def best(distances: tuple[float, ...]) -> list[np.ndarray]:
+        """Of strokes beside, at the likest of some distances to each side."""
+        return [np.max(way, axis=0) for way in zip(*(
+            like(np.float32(far) * across, np.float32(far) * down) for far in distances))]
 
     mean, better = row(0.0)
     elsewhere = 0.5 * (row(LIMITS.turned)[0] + row(-LIMITS.turned)[0])
-    beside = [np.max([like(sign * across * far, sign * down * far) for far in LIMITS.spacings], axis=0)
-              for sign in (1, -1)]
-    bars = [np.max([like(sign * across * far, sign * down * far) for far in (0.8, 1.0, 1.2)], axis=0)
-            for sign in (1, -1)]
+    beside, bars = best(LIMITS.spacings), best(LIMITS.bars)
     return {"inline": mean, "inline_one_way": better, "inline_elsewhere": elsewhere,
             "beside_both": np.minimum(*beside), "beside_one": np.maximum(*beside),
             "bars_both": np.minimum(*bars), "bars_one": np.maximum(*bars)}
 
 
-def _shifted(rows: np.ndarray, columns: np.ndarray, down: np.ndarray, right: np.ndarray, shape: tuple[int, int]
-             ) -> np.ndarray:
-    """Places in the flat grid of cells so many cells off, kept inside."""
-    return (np.clip(np.rint(rows + down).astype(np.intp), 0, shape[0] - 1) * shape[1]
-            + np.clip(np.rint(columns + right).astype(np.intp), 0, shape[1] - 1))
+class _Shifted:
+    """Cells that lie so far from others, in grids that go on beyond their edges with these."""
+
+    def __init__(self, rows: np.ndarray, columns: np.ndarray, side: float):
+        self._rows, self._columns, self._side = rows, columns, np.float32(side)
+        self._rim = int(max(*LIMITS.along, *LIMITS.spacings, *LIMITS.sides) / side) + 2
+        self._across, self._start = 0, rows
+
+    def grid(self, values: np.ndarray) -> np.ndarray:
+        """Values with a rim, to take places from; all grids are of one shape."""
+        self._across = values.shape[1] + 2 * self._rim
+        self._start = (self._rows + self._rim) * self._across + self._columns + self._rim
+        return np.pad(values, self._rim, mode="edge")
+
+    def both_ways(self, right: np.ndarray, below: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Places in the flat grid of cells so many metres off (n,), and as many the other way."""
+        step = np.rint(below / self._side).astype(np.intp)
+        step *= self._across
+        step += np.rint(right / self._side).astype(np.intp)
+        return self._start + step, self._start - step
