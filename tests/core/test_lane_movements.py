@@ -95,6 +95,18 @@ def test_an_arrow_leaves_the_lane_beyond_it_one_turn():
     assert "straight" not in {turn for turn, _ in ways(built, 30, 5.2)}
 
 
+def test_the_one_lane_whose_arrow_is_open_leads_straight_on_where_no_other_does():
+    arrows = [arrow(50, 5.2, "arrow left"), arrow(50, 1.7, "arrow, kind unknown")]
+    built = build_vector_map([*arms(), *stops()], arrows, drives())
+    assert ways(built, 30, 1.7) == {("straight", lane_at(built, 120, 1.7))}
+    (way,) = built.lanes[lane_at(built, 30, 1.7)].successors
+    assert built.lanes[way].evidence == "inferred from the rule of the road"
+    assert 0.9 < built.lanes[way].confidence < 0.98
+    ends = build_vector_map([line for line in [*arms(), *stops()] if line.points[:, 0].max() < place([(85.0, 0.0)])[
+        0, 0]], arrows, drives())
+    assert not ways(ends, 30, 1.7)
+
+
 def test_where_most_lanes_have_arrows_one_without_is_not_trusted():
     few, many = ArrowStatistics(20, 0), ArrowStatistics(20, 12, {"only": 6}, {("only", "straight"): 3})
     assert few.painted() < 0.1 and many.painted() > 0.9

@@ -196,6 +196,16 @@ def test_stop_line_that_lane_lines_and_wear_cut_is_one():
     assert 0.6 < stop.confidence <= 0.7
 
 
+def test_worn_stop_line_in_narrow_and_slanting_pieces_is_one():
+    lines = [shapely.box(0, y - 0.075, 40, y + 0.075) for y in (0.0, 3.25)]
+    pieces = [affinity.rotate(shapely.box(40.3, 0.15, 40.7, 1.55), 6.0), shapely.box(40.45, 1.8, 40.65, 2.3),
+              affinity.rotate(shapely.box(40.3, 2.45, 40.65, 3.15), -4.0)]
+    (stop,) = [line for line in work_of([*lines, *pieces]).lines if line.kind == "stop line"]
+    assert np.ptp(back(stop.points)[:, 1]) == pytest.approx(3.0, abs=0.15)
+    assert back(stop.points)[:, 0] == pytest.approx(40.5, abs=0.12)
+    assert not [line for line in work_of([*lines, *pieces[1:2], pieces[2]]).lines if line.kind == "stop line"]
+
+
 def test_stop_line_before_a_crosswalk_needs_no_line_and_a_short_bar_alone_is_none():
     bars = [shapely.box(20.0, y, 24.0, y + 0.45) for y in np.arange(-4.0, 4.0, 0.9)]
     (stop,) = work_of([*bars, shapely.box(17.5, -3.8, 17.95, -0.4)]).lines
@@ -262,6 +272,36 @@ def test_worn_arrow_is_known_in_a_row_with_another_one_only():
     assert not alone and [area.kind for area in before] == ["arrow straight"]
     assert sorted(area.kind for area in in_row) == ["arrow straight", "arrow, kind unknown"]
     assert all(area.heading == along for area in in_row)
+
+
+def repeated(*lanes):
+    """Arrows 14 m from each other in the lanes at y, the later one as given, and the lines of the lanes."""
+    lines = [shapely.box(-20, y - 0.075, 50, y + 0.075) for y in (-14.6, -11.35, -4.85, -1.6, 1.6, 4.85)]
+    drawn = [affinity.translate(shape, x, y) for y, *pair in lanes for x, shape in zip((0.0, 14.0), pair)]
+    return [*lines, *(part for shape in drawn for part in shapely.get_parts(shape))]
+
+
+HEADLESS = arrow("straight").difference(shapely.union_all([
+    shapely.box(1.0, -1, 1.5, 1), shapely.box(3.1, 0.1, 6, 1), shapely.box(3.1, -1, 6, -0.1)]))
+"""What is left of an arrow without the sides of its head."""
+
+
+def test_arrow_without_a_head_is_known_where_it_repeats_a_sure_one_as_others_are_repeated():
+    whole, along = arrow("straight"), pytest.approx([np.cos(np.radians(23)), np.sin(np.radians(23))], abs=0.02)
+    others = [(0.0, whole, whole), (-3.25, whole, whole)]
+    for pair, steps, told in (((whole, HEADLESS), others, 6), ((whole, HEADLESS), [], 1),
+                              ((HEADLESS, HEADLESS), others, 4)):
+        areas = [area for area in work_of(repeated(*steps, (-13.0, *pair))).areas if area.kind.startswith("arrow")]
+        assert len(areas) == told and all(area.kind == "arrow straight" for area in areas)
+        assert all(area.heading == along for area in areas)
+
+
+def test_an_open_kind_is_that_of_the_arrow_that_it_repeats():
+    worn = broad("straight left").difference(shapely.box(0.9, -2, 1.5, 2)).difference(shapely.box(0.9, 0.15, 2.6, 2))
+    pairs = [(y, broad(kind), broad(kind)) for y, kind in ((0.0, "straight"), (-3.25, "straight left"))]
+    kinds = [[area.kind for area in work_of(repeated(*pairs, (-13.0, one, worn))).areas if area.kind.startswith("arrow")
+              and back(shapely.get_coordinates(area.polygon))[0, 1] < -10.0] for one in (broad("straight left"), worn)]
+    assert kinds == [["arrow straight left"] * 2, ["arrow, kind unknown"] * 2]
 
 
 def test_bar_without_a_head_is_no_arrow_in_a_row():

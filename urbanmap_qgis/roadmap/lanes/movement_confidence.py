@@ -22,6 +22,9 @@ class ConfidenceLimits:
     arrow: float = 0.98
     # Without arrows a movement of the rule of the road is allowed; signs forbid the others.
     lawful: float = 0.97
+    # The one lane of an approach whose arrow is not told leads straight on where the road does and no other lane may:
+    # else nobody could go there.
+    only_straight: float = 0.95
     # A painted arrow before a stop line is found at least so often (36 to 75 % of single ones).
     found: float = 0.45
     # What is usual counts as so many lanes with arrows.
@@ -114,13 +117,13 @@ def forced_turns(approach: Sequence[int], turns_of: Mapping[int, set[str]]) -> d
 
 
 def rule_confidence(statistics: ArrowStatistics, built: VectorMap, approach: Sequence[int], lane: int, turn: str,
-                    any_told: bool) -> float:
-    """How likely a movement of the rule of the road is allowed for a lane whose arrow is not told.
-
-    Parameters
-    ----------
-    any_told : another lane of the approach has a told arrow; then this one has arrows too.
-    """
-    painted = 1.0 if any_told or has_arrow(built, lane) else statistics.painted()
+                    turns_of: Mapping[int, set[str]]) -> float:
+    """How likely a movement of the rule of the road is allowed for a lane whose arrow is not told, where a road lies
+    to that side."""
+    others = [turns_of[other] for other in approach if other != lane]
+    if turn == "straight" and others and all(others) and not any("straight" in turns for turns in others):
+        return LIMITS.only_straight
+    # Where another lane of the approach has a told arrow this one has arrows too.
+    painted = 1.0 if any(others) or has_arrow(built, lane) else statistics.painted()
     by_arrows = statistics.by_arrows(place_of(approach, lane), turn)
     return painted * by_arrows + (1.0 - painted) * LIMITS.lawful

@@ -64,9 +64,9 @@ def add_movements(built: VectorMap, stops: Sequence[np.ndarray], crosswalks: Seq
 
     A lane whose arrows are told leads where they point. Where none is told in all lanes of an approach, each leads
     straight on and the outermost ones turn to their side; where only those of others are told, it leads straight on,
-    or where theirs leave it. Such movements have a confidence; those below `least` are not made but become findings.
-    A turn needs a junction: a stop line, a crosswalk or a driven way at the approach. A way that would lie in other
-    lanes is not made.
+    or where theirs leave it; it must where none of them does. Such movements have a confidence; those below `least` are
+    not made but become findings. A turn needs a junction: a stop line, a crosswalk or a driven way at the approach. A
+    way that would lie in other lanes is not made.
     """
     approaches = [side for side in _sides(built, -1) if _is_junction(built, side, stops, crosswalks)]
     departures = _sides(built, 0)
@@ -168,7 +168,7 @@ def _allowed_turns(built: VectorMap, approach: _Side, turns_of: Mapping[int, set
             turns.add("left")
         if not any_told and lane == approach.lanes[-1]:
             turns.add("right")
-        allowed[lane] = {turn: (rule_confidence(statistics, built, approach.lanes, lane, turn, any_told), BY_RULE)
+        allowed[lane] = {turn: (rule_confidence(statistics, built, approach.lanes, lane, turn, turns_of), BY_RULE)
                          for turn in turns}
     return allowed
 

@@ -174,7 +174,9 @@ def line_work(polygons: Sequence[shapely.Polygon], colours: Sequence[str], setti
     progress.step(0.6)
     paint = shapely.STRtree(polygons)
     bars = joined_bars([chain for chain in chains if chain.width >= settings.stop_width and
-                        0.6 <= chain.length <= 16.0])
+                        0.6 <= chain.length <= 16.0],
+                       [chain for chain in chains if chain.width < settings.stop_width and
+                        0.25 <= chain.length <= 4.0])
     long = [chain for chain in chains if _is_line(chain, strokes, settings) and not
             (chain.width >= settings.stop_width and chain.length <= 8.0)]
     lines = [line for line in (_fitted(chain, paint) for chain in long) if line is not None]

@@ -29,7 +29,8 @@ class StopLinesLimits:
     # Bars in one line are one stop line so far apart, and so much beside each other, m: lane lines and wear cut
     # them.
     joint: float = 1.5
-    joint_offset: float = 0.25
+    joint_offset: float = 0.2
+    crumbs: float = 1.0  # Narrow pieces of worn bars continue one so near, m.
     beside: tuple[float, ...] = (0.5, 7.0)  # A stop line lies so far before a crosswalk, m.
     # Confidence of a wholly painted stop line that only lines' ends or only a crosswalk show.
     one_evidence: float = 0.7
@@ -59,10 +60,27 @@ def stop_line_confidence(chain: StrokeChain, lines: Sequence[tuple[StrokeChain, 
     return painted * (0.0, LIMITS.one_evidence, 1.0)[evidence]
 
 
-def joined_bars(bars: Sequence[StrokeChain]) -> list[StrokeChain]:
-    """The bars, those in one line with short gaps between them made one."""
+def joined_bars(bars: Sequence[StrokeChain], crumbs: Sequence[StrokeChain] = ()) -> list[StrokeChain]:
+    """The bars, those in one line with short gaps between them made one.
+
+    Narrower pieces (`crumbs`), as wear leaves them, continue a bar but make none by themselves.
+    """
     if not len(bars):
         return []
+    whole = _joined(bars)
+    free = shapely.STRtree([shapely.LineString(crumb.axis) for crumb in crumbs])
+    used: set[int] = set()
+    for k, bar in enumerate(whole):
+        near = free.query(shapely.LineString(bar.axis), predicate="dwithin", distance=LIMITS.crumbs)
+        for number in sorted(near, key=lambda n: shapely.distance(free.geometries[n], shapely.LineString(bar.axis))):
+            one = None if number in used else _one_bar(whole[k], crumbs[number], worn=True)
+            if one is not None:
+                whole[k] = one
+                used.add(int(number))
+    return _joined(whole)
+
+
+def _joined(bars: Sequence[StrokeChain]) -> list[StrokeChain]:
     tree = shapely.STRtree([shapely.LineString(bar.axis) for bar in bars])
     a, b = tree.query(tree.geometries, predicate="dwithin", distance=LIMITS.joint)
     label = connected_components(coo_matrix((np.ones(len(a)), (a, b)), shape=(len(bars),) * 2), directed=False)[1]
@@ -86,16 +104,18 @@ def _joined_near(bars: Sequence[StrokeChain]) -> list[StrokeChain]:
     return left
 
 
-def _one_bar(one: StrokeChain, other: StrokeChain) -> StrokeChain | None:
-    """Two bars as one, None where the shorter does not continue the longer."""
+def _one_bar(one: StrokeChain, other: StrokeChain, worn: bool = False) -> StrokeChain | None:
+    """Two bars as one, None where the shorter does not continue the longer; worn ones may be narrower."""
     if np.linalg.norm(one.axis.mean(axis=0) - other.axis.mean(axis=0)) > (one.length + other.length) / 2 + LIMITS.joint:
         return None
-    along, origin = _course(one.axis), one.axis[0]
-    place, beside = (other.axis - origin) @ along, (other.axis - origin) @ np.array([-along[1], along[0]])
+    # Short ragged pieces point aside: what they have in common is told by the line through all four ends.
+    tips = np.vstack([one.axis[[0, -1]], other.axis[[0, -1]]])
+    along = np.linalg.svd(tips - tips.mean(axis=0))[2][0]
+    along = along if (one.axis[-1] - one.axis[0]) @ along > 0 else -along
+    place, beside = (other.axis - one.axis[0]) @ along, (tips - tips.mean(axis=0)) @ np.array([-along[1], along[0]])
     gap = max(place.min() - one.length, -place.max())
-    wide = max(one.width, other.width) <= 1.6 * min(one.width, other.width)
-    if not (-1.0 <= gap <= LIMITS.joint and wide
-            and np.abs(beside[[0, -1]]).max() <= LIMITS.joint_offset + 0.03 * one.length):
+    wide = worn or max(one.width, other.width) <= 1.6 * min(one.width, other.width)
+    if not (-1.0 <= gap <= LIMITS.joint and wide and np.abs(beside).max() <= LIMITS.joint_offset):
         return None
     after = other.axis if place[0] < place[-1] else other.axis[::-1]
     axis = np.vstack([one.axis, after] if place.mean() > 0 else [after, one.axis])

@@ -41,6 +41,13 @@ class SymbolsLimits:
     # Arrows of a row lie side by side at a lane's width, their tails so near to one cross-section, m.
     lane_width: tuple[float, float] = (2.4, 4.2)
     row_along: float = 0.6
+    # Arrows are repeated in their lane: steps (m) of so many pairs of sure ones that agree to the next (m); one is
+    # looked for so near (m) beside the course of the one that it repeats, with its kind.
+    repeat: tuple[float, float] = (7.0, 40.0)
+    repeat_pairs: int = 2
+    repeat_same: float = 0.4
+    repeat_across: float = 0.35
+    repeat_course: float = 0.995  # cosine of the angle between them
     # An arrow has one head only where no more of a second one is painted, and so much of the paint beside the
     # place of that is there: where the paint is worn or hidden, so may be the head. A head wears in so many places by
     # themselves, each as likely as the paint beside it: all of them together are gone with the chance told.
@@ -147,15 +154,20 @@ def _disjoint(symbols: Sequence[Symbol], accepted: Sequence[Symbol]) -> list[Sym
 
 
 def _with_rows(accepted: Sequence[Symbol], unsure: Sequence[Symbol], search: _Search) -> list[Symbol]:
-    """The accepted symbols and the arrows that stand in a row with one of them or with each other, lane beside lane.
+    """The accepted symbols and the arrows that stand in a row with one of them or with each other, lane beside lane,
+    or repeat a sure one in its lane.
 
     A row tells the heading too.
     """
     taken = list(accepted)
+    steps = _steps_of_repeats(taken)
     waiting = [symbol for symbol in _disjoint(unsure, taken) if symbol.kind.startswith("arrow")]
     while waiting:
         seed = waiting.pop(0)
         mates = [mate for side in (-1.0, 1.0) if (mate := search.beside(seed, side)) is not None]
+        if seed.sure:
+            mates += [mate for step in steps for way in (-step, step)
+                      if (mate := search.repeated(seed, way)) is not None]
         if not (seed.sure or mates):
             continue
         settled = replace(seed, sure=True, heading=seed.course if mates else seed.heading)
@@ -166,7 +178,47 @@ def _with_rows(accepted: Sequence[Symbol], unsure: Sequence[Symbol], search: _Se
             taken = _disjoint([settled], taken)
         taken = _disjoint(mates, taken)
         waiting += [one for one in taken[known:] if one is not settled]
-    return taken
+    return _with_kinds_of_repeats(taken, steps)
+
+
+def _with_kinds_of_repeats(symbols: Sequence[Symbol], steps: Sequence[float]) -> list[Symbol]:
+    """The symbols; an arrow whose kind is open takes that of those repeated in its lane, where these agree."""
+    settled = []
+    for symbol in symbols:
+        kinds = {other.kind for other in symbols if any(_repeats(symbol, other, step) for step in steps)}
+        kinds -= {UNKNOWN_ARROW, "diamond"}
+        if symbol.kind == UNKNOWN_ARROW and len(kinds) == 1:
+            symbol = replace(symbol, kind=kinds.pop(), heading=symbol.course)
+        settled.append(symbol)
+    return settled
+
+
+def _in_lane(one: Symbol, other: Symbol) -> float:
+    """How far (m) another symbol lies ahead of one in its lane, read alike; NaN where it does not."""
+    way = other.tail - one.tail
+    across = abs(way @ [-one.course[1], one.course[0]])
+    alike = one.course @ other.course > LIMITS.repeat_course
+    return float(way @ one.course) if alike and across < LIMITS.repeat_across else np.nan
+
+
+def _repeats(one: Symbol, other: Symbol, step: float) -> bool:
+    """Whether two symbols lie a step (m) from each other in one lane."""
+    return abs(abs(_in_lane(one, other)) - step) < LIMITS.row_along
+
+
+def _steps_of_repeats(symbols: Sequence[Symbol]) -> list[float]:
+    """Distances (m) at which arrows of one lane are repeated in this map, the usual one first."""
+    arrows = [symbol for symbol in symbols if symbol.kind.startswith("arrow") and np.isfinite(symbol.heading).all()]
+    ahead = np.array([_in_lane(one, other) for one in arrows for other in arrows])
+    left, usual = np.sort(ahead[(ahead > LIMITS.repeat[0]) & (ahead < LIMITS.repeat[1])]), []
+    while len(left):
+        alike = np.abs(left[:, None] - left) < LIMITS.repeat_same
+        best = alike[np.argmax(alike.sum(axis=1))]
+        if best.sum() < LIMITS.repeat_pairs:
+            break
+        usual.append(float(np.median(left[best])))
+        left = left[~best]
+    return usual
 
 
 def _heads(shapes: np.ndarray) -> list[tuple[np.ndarray, str]]:
@@ -283,6 +335,20 @@ class _Search:
                         if not match.backwards], paint)
         symbol = self._symbol(fits, place, along, near, paint) if fits else None
         return symbol if symbol is None or symbol.kind != UNKNOWN_ARROW else replace(symbol, heading=along)
+
+    def repeated(self, seed: Symbol, step: float) -> Symbol | None:
+        """The arrow of a seed's lane and kind, a step (m) ahead of it or behind."""
+        along = seed.course
+        place = seed.tail + (HALF + step) * along
+        near, paint = self._window(place, along)
+        box = (-LIMITS.repeat_across, LIMITS.repeat_across, -HALF - LIMITS.row_along, -HALF + LIMITS.row_along)
+        fits = [match for match in matches(paint, LIMITS.row_complete, LIMITS.row_score, box)
+                if not match.backwards and match.precise >= LIMITS.row_precise and match.flanks
+                and seed.kind in (match.kind, UNKNOWN_ARROW)]
+        symbol = self._symbol(fits, place, along, near, paint) if fits else None
+        if symbol is None:
+            return None
+        return replace(symbol, heading=along, kind=symbol.kind if seed.kind == UNKNOWN_ARROW else seed.kind)
 
     def _window(self, place: np.ndarray, along: np.ndarray) -> tuple[np.ndarray, list[shapely.Geometry]]:
         """Which polygons lie about a place, and they in its frame."""
