@@ -286,16 +286,17 @@ def buildings_of(city: Path, kind: str) -> np.ndarray:
 
 
 def walls_near(city: Path, survey: DrivenSurvey, kind: str) -> WallWitness | None:
-    """The survey's facades, with a city's outlines or (kind "own") without; None of kind "none"."""
+    """The survey's facades, with a city's outlines, laser points ("als") or ("own") neither; None of kind "none"."""
     if kind == "none":
         return None
     edges = None
-    if kind != "own":
+    if kind not in ("own", "als"):
         plans = buildings_of(city, kind)
         plans = building_plans(plans, np.arange(len(plans))).plan
         edges = WallEdges.joined([outline_edges(plan) for plan in plans if plan is not None])
     begin = time.process_time()
-    walls = walls_of([city / "mms" / f"{survey.name}.laz"], survey.reported, CorrectionSettings().time_weight, edges)
+    walls = walls_of([city / "mms" / f"{survey.name}.laz"], survey.reported, CorrectionSettings().time_weight, edges,
+                     laser=[city / "als" / "als.laz"] if kind == "als" else None)
     spent = (time.process_time() - begin) / path_chainage(survey.reported)[-1]
     print(f"{len(walls.planes)} planes of facades, {1000 * spent:.1f} ms of CPU a metre", flush=True)
     return walls
@@ -322,8 +323,9 @@ def main() -> int:
     parser.add_argument("--city", nargs=2, type=Path, action="append", required=True, metavar=("FOLDER", "GROUND"))
     parser.add_argument("--cases", default=",".join(CASES))
     parser.add_argument("--survey", default="survey_01")
-    parser.add_argument("--buildings", choices=("none", "own", "map", "roofs"), default="none",
-                        help="walls as a second witness: straight by themselves (own), official outlines, roof edges")
+    parser.add_argument("--buildings", choices=("none", "own", "map", "roofs", "als"), default="none",
+                        help="walls as a second witness: straight by themselves (own), official outlines, roof edges, "
+                             "airborne laser points")
     parser.add_argument("--cache", type=Path, help="folder that keeps extracted markings")
     parser.add_argument("--output", type=Path, help="Markdown file")
     given = parser.parse_args()

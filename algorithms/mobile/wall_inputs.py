@@ -21,8 +21,11 @@ def add_buildings(algorithm) -> None:
 
 
 def add_walls(algorithm) -> None:
-    """Declare BUILDINGS, FEATURES and SURVEY."""
+    """Declare BUILDINGS, FEATURES, ALS and SURVEY."""
     add_buildings(algorithm)
+    algorithm.add_points("ALS", "Airborne laser points", "Instead of buildings: walls stand where these points "
+                         "step from roof to ground beside facades that the survey saw. In the height system of the "
+                         "survey.", optional=True)
     algorithm.add_points("SURVEY", "Survey with its facades", "All points of the survey, where “Point clouds” holds "
                          "its markings alone.", optional=True)
 
@@ -41,9 +44,25 @@ def read_walls(algorithm, parameters, context, survey, run, progress):
         raise InputError(tr("{0}: the paper's method knows no walls; choose paint, or the full method.").format(
             algorithm.label_of("FEATURES")))
     paths, crs, trajectory = survey
+    laser = _read_laser(algorithm, parameters, context, crs)
     edges = read_edges(algorithm, parameters, context, crs, progress)
     files = algorithm.point_files(parameters, "SURVEY", context) or paths
-    return walls_of(files, trajectory, run.correction.time_weight, edges, features == "walls", progress)
+    return walls_of(files, trajectory, run.correction.time_weight, edges, features == "walls", progress, laser)
+
+
+def _read_laser(algorithm, parameters, context, crs):
+    """The core's `PointCloud` of ALS, in the CRS of the survey; None where none is given."""
+    from ...urbanmap_qgis.io.points.pointcloud import open_cloud
+
+    files = algorithm.point_files(parameters, "ALS", context)
+    if not files:
+        return None
+    if parameters.get("BUILDINGS") is not None:
+        raise InputError(tr("{0}: the walls are taken from buildings or from airborne laser points; give one of "
+                            "both.").format(algorithm.label_of("ALS")))
+    cloud = open_cloud(files)
+    algorithm.same_crs("POINTS", crs, "ALS", cloud.crs_wkt)
+    return cloud
 
 
 def asked_features(algorithm, parameters, context) -> str:
@@ -51,12 +70,13 @@ def asked_features(algorithm, parameters, context) -> str:
 
     Raises
     ------
-    InputError : walls alone are asked for, but no buildings are given.
+    InputError : walls alone are asked for, but neither buildings nor airborne points are given.
     """
-    features, given = algorithm.parameterAsString(parameters, "FEATURES", context), parameters.get("BUILDINGS")
+    features = algorithm.parameterAsString(parameters, "FEATURES", context)
+    given = parameters.get("BUILDINGS") is not None or bool(parameters.get("ALS"))
     if features == "automatic":
-        return "paint" if given is None else "all"
-    if features == "walls" and given is None:
+        return "all" if given else "paint"
+    if features == "walls" and not given:
         raise InputError(tr("{0}: walls alone need buildings; give outlines or models of them.").format(
             algorithm.label_of("BUILDINGS")))
     return features

@@ -95,6 +95,15 @@ def test_walls_on_one_plane_far_apart_are_two():
     assert len(segments_of(points, shapely.box(0, 0, 20, 10), max_gap=8.0)) == 1
 
 
+def test_edges_of_a_building_of_two_parts_are_those_of_both():
+    apart = shapely.multipolygons([shapely.box(0, 0, 5, 5), shapely.box(8, 0, 12, 5)])
+    ends, outward = outline_edges(apart)
+    assert len(ends) == 8 and sorted(set(ends[:, :, 0].ravel())) == [0, 5, 8, 12]
+    middle = ends.mean(axis=1)
+    assert not shapely.contains_xy(apart, *(middle + 0.1 * outward).T).any()
+    assert shapely.contains_xy(apart, *(middle - 0.1 * outward).T).all()
+
+
 def test_nothing_from_nothing():
     ends, outward = outline_edges(shapely.box(0, 0, 5, 5))
     assert wall_segments(np.zeros((0, 3)), np.zeros(0), ends, outward) == []

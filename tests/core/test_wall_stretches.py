@@ -17,7 +17,7 @@ def readings(seed, change=(0.0, 0.0), begin=0.0, end=0.0, length=600.0, every=4.
     outward = np.array([[0.0, 1.0], [0.0, -1.0], [1.0, 0.0], [-1.0, 0.0]])[np.arange(len(chainage)) % 4]
     off = np.where(((chainage >= begin) & (chainage < end))[:, None], change, 0.0)
     outside = (outward * off).sum(axis=1) - 0.1 + rng.normal(0.0, 0.03, len(chainage))
-    return WallReadings(chainage, outward, outside, np.full(len(chainage), 0.05))
+    return WallReadings(chainage, outward, outside, np.full(len(chainage), 0.05), 0.04)
 
 
 @pytest.mark.parametrize("seed", range(3))

@@ -84,7 +84,7 @@ def outline_edges(plan: shapely.Geometry) -> tuple[np.ndarray, np.ndarray]:
     (k, 2, 2) ends, the building at the left, and (k, 2) unit vectors outwards. Edges run on over nodes at which
     they do not turn.
     """
-    rings = shapely.get_rings(shapely.normalize(shapely.simplify(plan, 0.005)))
+    rings = shapely.get_rings(shapely.get_parts(shapely.normalize(shapely.simplify(plan, 0.005))))
     ends, outward = [], []
     for ring in rings:
         xy = shapely.get_coordinates(ring)

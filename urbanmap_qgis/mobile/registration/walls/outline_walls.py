@@ -17,6 +17,7 @@ class OutlineWallsLimits:
 
     shortest: float = 1.5  # m: shorter edges are niches and pillars
     before: float = 0.9  # m outside the outline, at most, that a facade of it stands
+    shared: float = 0.04  # m, that the outlines of a neighbourhood are off by alike
     behind: float = 1.7  # m inside of it: eaves, and what survey and outline are off by
     beyond: float = 0.3  # m past an edge's ends
     facing: float = 0.985  # cosine of the largest angle between a plane and its edge: 10 degrees
@@ -34,15 +35,21 @@ class WallEdges:
     ends : (k, 2, 2) m.
     outward : (k, 2) unit vectors.
     building : (k,) number of its building; each edge its own where none are given.
+    sigma : (k,) m, of each edge's place across it beside what all walls differ by; 0 where none are given.
+    shared : m, that all edges of a neighbourhood are off by alike.
     """
 
     ends: np.ndarray
     outward: np.ndarray
     building: np.ndarray | None = None
+    sigma: np.ndarray | None = None
+    shared: float = LIMITS.shared
 
     def __post_init__(self) -> None:
         if self.building is None:
             object.__setattr__(self, "building", np.arange(len(self.ends)))
+        if self.sigma is None:
+            object.__setattr__(self, "sigma", np.zeros(len(self.ends)))
 
     def __len__(self) -> int:
         return len(self.ends)

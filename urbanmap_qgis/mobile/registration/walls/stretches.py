@@ -20,7 +20,6 @@ class StretchesLimits:
     walls: int = 5  # of a stretch
     proof: float = 4.0  # standard deviations of a shift that is believed: many stretches are tried
     least: float = 0.06  # m
-    shared: float = 0.04  # m, that the outlines of a neighbourhood are off by alike
     most: float = 1.0  # m, standard deviation of a shift before any wall is seen
     soft: float = 2.5  # standard deviations from which a wall loses weight
     rounds: int = 3
@@ -41,12 +40,19 @@ class WallReadings:
     chainage : (w,) m, where it was seen, not falling.
     outward : (w, 2).
     outside, sigma : (w,) m.
+    shared : m, that the outlines of a neighbourhood are off by alike.
     """
 
     chainage: np.ndarray
     outward: np.ndarray
     outside: np.ndarray
     sigma: np.ndarray
+    shared: float
+
+    def select(self, which: np.ndarray | slice) -> WallReadings:
+        """Some of them."""
+        return replace(self, chainage=self.chainage[which], outward=self.outward[which], outside=self.outside[which],
+                       sigma=self.sigma[which])
 
 
 @dataclass(frozen=True)
@@ -78,7 +84,7 @@ def shifted_stretches(walls: WallReadings, eaves: tuple[float, float]) -> list[S
             part = slice(*np.searchsorted(walls.chainage, [begin, end]))
             if end - begin < LIMITS.shortest or part.stop - part.start < LIMITS.walls:
                 continue
-            change, covariance, _ = _shift(walls.outward[part], walls.outside[part], walls.sigma[part], eaves)
+            change, covariance, _ = _shift(walls.select(part), eaves)
             square = float(change @ np.linalg.solve(covariance, change))
             if square > LIMITS.proof**2 and np.hypot(*change) > LIMITS.least:
                 found.append(ShiftedStretch(float(begin), float(end), change, covariance, square))
@@ -104,7 +110,7 @@ def _without_remnants(stretches: list[ShiftedStretch], first: float, last: float
 def _extended(item: ShiftedStretch, walls: WallReadings, eaves: tuple[float, float]) -> ShiftedStretch:
     """A stretch to either side as far as no walls deny its shift: the step lies somewhere before these."""
     inside = (walls.chainage >= item.begin) & (walls.chainage <= item.end)
-    _, _, behind = _shift(walls.outward[inside], walls.outside[inside], walls.sigma[inside], eaves)
+    _, _, behind = _shift(walls.select(inside), eaves)
     off = [(walls.outside + behind - shift) / walls.sigma for shift in (0.0, walls.outward @ item.change)]
     without, shifted = (np.minimum(np.abs(part), LIMITS.most_denied) ** 2 for part in off)
     gain, ends = 0.5 * (without - shifted), []
@@ -114,10 +120,10 @@ def _extended(item: ShiftedStretch, walls: WallReadings, eaves: tuple[float, flo
     return replace(item, begin=float(ends[0]), end=float(ends[1]))
 
 
-def _shift(outward: np.ndarray, outside: np.ndarray, sigma: np.ndarray,
-           eaves: tuple[float, float]) -> tuple[np.ndarray, np.ndarray, float]:
+def _shift(walls: WallReadings, eaves: tuple[float, float]) -> tuple[np.ndarray, np.ndarray, float]:
     """The shift (2,) that walls want together with the eaves of all, its covariance (2, 2), and these eaves, m."""
-    rows = np.column_stack([outward, -np.ones(len(outside))])
+    outside, sigma = walls.outside, walls.sigma
+    rows = np.column_stack([walls.outward, -np.ones(len(outside))])
     prior = np.diag([LIMITS.most**-2, LIMITS.most**-2, eaves[1] ** -2])
     pull = np.array([0.0, 0.0, eaves[0] / eaves[1] ** 2])
     off = np.zeros(len(outside))
@@ -126,4 +132,4 @@ def _shift(outward: np.ndarray, outside: np.ndarray, sigma: np.ndarray,
         inverse = np.linalg.inv((rows * share[:, None]).T @ rows + prior)
         solution = inverse @ ((rows * share[:, None]).T @ outside + pull)
         off = (outside - rows @ solution) / sigma
-    return solution[:2], inverse[:2, :2] + LIMITS.shared**2 * np.eye(2), float(solution[2])
+    return solution[:2], inverse[:2, :2] + walls.shared**2 * np.eye(2), float(solution[2])

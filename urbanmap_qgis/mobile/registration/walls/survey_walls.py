@@ -6,17 +6,20 @@ import os
 from collections.abc import Sequence
 
 from ....errors import InsufficientDataError
+from ....io.points.pointcloud import PointCloud
 from ....progress import SILENT, Progress
 from ....wording import say
 from ...trajectory import Trajectory
 from ..correction.gauss_markov import path_parameters_of
 from .facade_planes import facade_planes
+from .laser_walls import laser_walls
 from .outline_walls import WallEdges
 from .witness import WallWitness
 
 
 def walls_of(paths: Sequence[str | os.PathLike], trajectory: Trajectory, time_weight: float,
-             edges: WallEdges | None = None, alone: bool = False, progress: Progress = SILENT) -> WallWitness:
+             edges: WallEdges | None = None, alone: bool = False, progress: Progress = SILENT,
+             laser: Sequence[str | os.PathLike] | PointCloud | None = None) -> WallWitness:
     """The facades of a survey as a second witness beside its markings.
 
     Parameters
@@ -24,14 +27,17 @@ def walls_of(paths: Sequence[str | os.PathLike], trajectory: Trajectory, time_we
     time_weight : of the path parameter, see `path_parameters_of`, m/s.
     edges : of buildings; without them walls say only whether they stay straight.
     alone : the markings give the start only, the walls the correction.
+    laser : airborne points, in which the walls are looked for where no edges are given.
 
     Raises
     ------
-    InsufficientDataError : the survey shows no facade.
+    InsufficientDataError : the survey shows no facade, or the airborne points no wall there.
     """
     along = path_parameters_of(trajectory, time_weight)
-    planes = facade_planes(paths, trajectory, along, progress)
+    planes = facade_planes(paths, trajectory, along, progress if laser is None else progress.part(0.0, 0.7))
     if not len(planes):
         raise InsufficientDataError(say("The survey shows no facade near the vehicle: give all its points, not the "
                                         "markings alone, or register it by its markings."))
+    if edges is None and laser is not None:
+        edges = laser_walls(planes, laser, progress.part(0.7, 1.0))
     return WallWitness(planes, edges, alone)

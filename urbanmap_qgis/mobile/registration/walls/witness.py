@@ -103,7 +103,7 @@ class WallWitness:
         if self.edges is None or not len((found := self.matched(curve)).planes):
             return None
         pieces = _WallPieces.of(found)
-        sigma2 = self.differ**2 + LIMITS.floor**2
+        sigma2 = self.differ**2 + LIMITS.floor**2 + self.edges.sigma[pieces.edge] ** 2
         trust = 1.0 / (1.0 + (pieces.middle + self.eaves) ** 2 / (LIMITS.soft**2 * sigma2)) ** 2
         weight = trust / (sigma2 * np.bincount(pieces.wall))
         rates = found.planes.rates(found.outward)
@@ -112,7 +112,7 @@ class WallWitness:
         value = pieces.mean((rates * curve(found.planes.path_parameter)).sum(axis=1))
         target = value - pieces.outside - self.eaves
         return HeldObservations(pieces.mean(found.planes.path_parameter), rate, target, weight[pieces.wall], self.eaves,
-                                LIMITS.eaves, pieces.offsets(self.edges.building, self.sizes, trust))
+                                LIMITS.eaves, pieces.offsets(self.edges, self.sizes, trust))
 
     def fitted(self, chain: NodeChain, model: PoseErrorModel, curve: Curve) -> WallWitness:
         """With eaves and differences as the walls alone tell them, and the course that they want, from a curve on.
@@ -155,8 +155,11 @@ class WallWitness:
         chainage = np.bincount(wall, found.planes.chainage) / count
         outward = np.column_stack([np.bincount(wall, axis) / count for axis in found.outward.T])
         order = np.argsort(chainage, kind="stable")
-        sigma = np.full(len(count), np.hypot(self.differ, LIMITS.floor))
-        return shifted_stretches(WallReadings(chainage[order], outward[order], middle[order], sigma), LIMITS.eaves)
+        edge = np.empty(len(count), int)
+        edge[wall] = found.edge
+        sigma = np.sqrt(self.differ**2 + LIMITS.floor**2 + self.edges.sigma[edge] ** 2)
+        readings = WallReadings(chainage[order], outward[order], middle[order], sigma[order], self.edges.shared)
+        return shifted_stretches(readings, LIMITS.eaves)
 
     def by_walls(self, chain: NodeChain, model: PoseErrorModel) -> WallsAlone:
         """The correction that the walls held by a chain give without any markings."""
@@ -222,12 +225,12 @@ class _WallPieces:
         made = np.column_stack([np.bincount(self.piece, axis) for axis in flat.T]) / self.count[:, None]
         return made.reshape(len(self.count), *values.shape[1:])
 
-    def offsets(self, building: np.ndarray, sizes: tuple[float, float], trust: np.ndarray) -> OwnOffsets:
-        """Of buildings (k,) of the edges and of walls that differ by `sizes` m, walls more where `trust` (w,) is less.
-        """
-        _, owner = np.unique(building[self.edge], return_inverse=True)
+    def offsets(self, edges: WallEdges, sizes: tuple[float, float], trust: np.ndarray) -> OwnOffsets:
+        """Of the edges' buildings and of walls that differ by `sizes` m, walls more where `trust` (w,) is less."""
+        _, owner = np.unique(edges.building[self.edge], return_inverse=True)
         owner, buildings = owner.ravel(), int(owner.max()) + 1
-        precision = np.concatenate([np.full(buildings, sizes[0] ** -2.0), trust * sizes[1] ** -2.0])
+        of_wall = trust / (sizes[1] ** 2 + edges.sigma[self.edge] ** 2)
+        precision = np.concatenate([np.full(buildings, sizes[0] ** -2.0), of_wall])
         off = np.abs(self.outside - self.middle[self.wall])
         scatter = max(LIMITS.floor, SIGMA_OF_MAD * float(np.median(off)))
         weight = 1.0 / (scatter**2 * (1.0 + (off / (LIMITS.soft * scatter)) ** 2))
