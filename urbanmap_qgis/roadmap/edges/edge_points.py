@@ -13,7 +13,7 @@ from ...io.points.point_buckets import PointBuckets
 from ...io.points.pointcloud import PointCloud, iter_chunks, valid_points
 from ...mobile.gps_time import time_shift
 from ...mobile.markings.survey_points import STOPPED, breaks, sampled_span
-from ...mobile.trajectory import Trajectory, gaps, interpolate, path_chainage
+from ...mobile.trajectory import Trajectory, gaps, path_chainage
 from ...progress import SILENT, Progress
 from ...wording import say
 from .edge_records import POINT
@@ -119,9 +119,9 @@ class EdgePoints:
         return known & ~((now - before < LIMITS.creep) & (time - STOPPED > self.trajectory.time[0]))
 
     def _add(self, place: np.ndarray, time: np.ndarray, more: dict[str, np.ndarray]) -> None:
-        body = interpolate(self.trajectory, time, "hold").place
-        away = np.hypot(*(place - body)[:, :2].T)
-        height = (place - body)[:, 2]
+        east, north, height = (axis - np.interp(time, self.trajectory.time, body)
+                               for axis, body in zip(place.T, self.trajectory.place.T))
+        away = np.hypot(east, north)
         near = ((away <= self.width + LIMITS.ahead) & (height <= self.reach.above + LIMITS.slope * away)
                 & (height >= -LIMITS.below - LIMITS.slope * away))
         place, time = place[near] - self.corner, time[near]
@@ -134,9 +134,8 @@ class EdgePoints:
         record["drive"] = np.searchsorted(self.breaks, time).astype(np.uint16)
         column, row = (np.floor(axis / self.reach.tile).astype(np.int64) for axis in place[:, :2].T)
         keys = column * LIMITS.row + row
-        self.keys.update(np.unique(keys).tolist())
         self.kept_points += len(record)
-        self.buckets.add(keys, record)
+        self.keys.update(self.buckets.add(keys, record))
 
     def body(self, time: np.ndarray) -> np.ndarray:
         """Places (n, 2) of the vehicle at some times (s), relative to the corner, m."""

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.ndimage import distance_transform_edt, grey_opening
 
+from ...io.points.point_buckets import stable_order
 from .edge_records import POINT
 
 CELL = 0.5
@@ -89,7 +90,8 @@ def _lowest(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     row = (np.floor(points["y"] / CELL) - corner[1]).astype(np.int64)
     shape = (int(row.max()) + 1, int(column.max()) + 1)
     flat = row * shape[1] + column
-    order = np.lexsort((points["z"], flat))
+    by_height = np.argsort(points["z"])
+    order = by_height[stable_order(flat[by_height])]
     count = np.bincount(flat, minlength=shape[0] * shape[1])
     start = np.concatenate([[0], np.cumsum(count)[:-1]])
     full = np.flatnonzero(count >= LIMITS.ghosts)

@@ -30,6 +30,9 @@ class CrownBoardLimits:
 
 LIMITS = CrownBoardLimits()
 
+_IN_LAYER = np.zeros((3, 3, 3), bool)
+_IN_LAYER[1] = ndimage.generate_binary_structure(2, 1)
+
 
 def face_in_crown(place: np.ndarray, axis: StemAxis) -> tuple[np.ndarray, np.ndarray] | None:
     """Rows of the points of a board and its unit normal (3,); None where there is none.
@@ -40,42 +43,74 @@ def face_in_crown(place: np.ndarray, axis: StemAxis) -> tuple[np.ndarray, np.nda
     """
     offset = place[:, :2] - axis.plan_at(place[:, 2])
     near = np.flatnonzero(np.hypot(*offset.T) < LIMITS.reach)
-    best: tuple[float, np.ndarray, np.ndarray] = (0.0, near[:0], np.zeros(3))
-    for angle in np.radians(np.arange(0.0, 180.0, LIMITS.turn)):
-        normal = np.array([np.cos(angle), np.sin(angle)])
-        away = offset[near] @ normal
-        flat = np.column_stack([offset[near] @ [-normal[1], normal[0]], place[near, 2]])
-        for at in _fullest(away):
-            rows = _full_part(flat, np.abs(away - at) < LIMITS.thin)
-            if len(rows) > best[0]:
-                best = float(len(rows)), near[rows], np.array([*normal, 0.0])
-    return _checked(place, offset, near, best[1]) if len(best[1]) else None
+    angle = np.radians(np.arange(0.0, 180.0, LIMITS.turn))
+    normal = np.column_stack([np.cos(angle), np.sin(angle)])
+    away = normal @ offset[near].T
+    layers = []
+    for number, places in enumerate(_fullest(away)):
+        across = offset[near] @ [-normal[number, 1], normal[number, 0]]
+        layers += [_Layer(across, place[near, 2], np.flatnonzero(np.abs(away[number] - at) < LIMITS.thin))
+                   for at in places]
+    parts = _full_parts(layers)
+    fullest = max(parts, key=len, default=near[:0])
+    return _checked(place, offset, near, near[fullest]) if len(fullest) else None
 
 
-def _fullest(away: np.ndarray) -> np.ndarray:
-    """Distances from the axis of the two fullest layers, m, where these are fuller than leaves."""
+def _fullest(away: np.ndarray) -> list[np.ndarray]:
+    """Distances from the axis of the two fullest layers in each direction, m, where these are fuller than leaves.
+
+    Parameters
+    ----------
+    away : (directions, n) of the points from the axis in each direction, m.
+    """
     number = int(2 * LIMITS.off / LIMITS.layer)
-    count, borders = np.histogram(away, number, (-LIMITS.off, LIMITS.off))
-    wide = ndimage.uniform_filter1d(count.astype(float), 3, mode="constant")
-    first = np.argsort(-wide, kind="stable")[:2]
-    return (borders[:-1] + LIMITS.layer / 2.0)[first[wide[first] > LIMITS.fuller * wide.mean()]]
+    layer = np.floor((away + LIMITS.off) / LIMITS.layer).astype(np.int64)
+    layer = np.where((layer >= 0) & (layer < number), layer, number) + (number + 1) * np.arange(len(away))[:, None]
+    count = np.bincount(layer.ravel(), minlength=len(away) * (number + 1)).reshape(len(away), number + 1)[:, :number]
+    wide = ndimage.uniform_filter1d(count.astype(float), 3, axis=1, mode="constant")
+    first = np.argsort(-wide, axis=1, kind="stable")[:, :2]
+    middle = (np.arange(number) + 0.5) * LIMITS.layer - LIMITS.off
+    return [middle[two[row[two] > LIMITS.fuller * row.mean()]] for two, row in zip(first, wide)]
 
 
-def _full_part(flat: np.ndarray, inside: np.ndarray) -> np.ndarray:
-    """Rows of the largest part of a layer that is full everywhere and wider than a post; none if too small."""
-    rows = np.flatnonzero(inside)
-    if len(rows) < LIMITS.taken:
-        return rows[:0]
-    cells = np.floor(flat[rows] / LIMITS.cell).astype(np.int64)
+@dataclass(frozen=True)
+class _Layer:
+    """Points near an upright plane: places (n,) of all points `across` and `up` along it, m, and the `rows` (m,) of
+    those that lie in it."""
+
+    across: np.ndarray
+    up: np.ndarray
+    rows: np.ndarray
+
+
+def _full_parts(layers: list[_Layer]) -> list[np.ndarray]:
+    """Rows of the largest part of each layer that is full everywhere and wider than a post; none if too small."""
+    layers = [layer for layer in layers if len(layer.rows) >= LIMITS.taken]
+    if not layers:
+        return []
+    cells = np.column_stack([np.floor(np.concatenate([getattr(layer, name)[layer.rows] for layer in layers])
+                                      / LIMITS.cell).astype(np.int64) for name in ("across", "up")])
     cells += 1 - cells.min(axis=0)
-    taken = np.zeros(cells.max(axis=0) + 2, int)
-    taken[tuple(cells.T)] = 1
-    part = ndimage.label(ndimage.convolve(taken, np.ones((3, 3), int), mode="constant") >= LIMITS.taken)[0]
-    sizes = np.bincount(part.ravel())[1:]
-    if not len(sizes) or sizes.max() < LIMITS.cells:
-        return rows[:0]
-    face = ndimage.binary_dilation(part == 1 + int(np.argmax(sizes)), np.ones((3, 3), bool))
-    return rows[face[tuple(cells.T)]]
+    ends = np.cumsum([len(layer.rows) for layer in layers])
+    number = np.repeat(np.arange(len(layers)), np.diff(ends, prepend=0))
+    taken = np.zeros((len(layers), *(cells.max(axis=0) + 2)), np.int8)
+    taken[number, cells[:, 0], cells[:, 1]] = 1
+    in_rows = taken[:, :-2] + taken[:, 1:-1] + taken[:, 2:]
+    full = np.zeros(taken.shape, bool)
+    full[:, 1:-1, 1:-1] = in_rows[:, :, :-2] + in_rows[:, :, 1:-1] + in_rows[:, :, 2:] >= LIMITS.taken
+    part, count = ndimage.label(full, _IN_LAYER)
+    sizes = np.bincount(part.ravel(), minlength=count + 1)
+    at = np.flatnonzero(full)
+    layer_of = np.zeros(count + 1, np.int64)
+    layer_of[part.ravel()[at]] = at // (full.shape[1] * full.shape[2])
+    found = []
+    for k, (layer, rows) in enumerate(zip(layers, np.split(cells, ends[:-1]))):
+        own = 1 + np.flatnonzero(layer_of[1:] == k)
+        largest = own[np.argmax(sizes[own])] if len(own) else 0
+        if largest and sizes[largest] >= LIMITS.cells:
+            face = ndimage.binary_dilation(part[k] == largest, np.ones((3, 3), bool))
+            found.append(layer.rows[face[tuple(rows.T)]])
+    return found
 
 
 def _checked(place: np.ndarray, offset: np.ndarray, near: np.ndarray,
@@ -89,9 +124,10 @@ def _checked(place: np.ndarray, offset: np.ndarray, near: np.ndarray,
         across = np.array([-level[1], level[0], 0.0])
         flat = (place[near] - middle) @ np.column_stack([across, [0.0, 0.0, 1.0]])
         away = (place[near] - middle) @ normal
-        part = _full_part(flat, np.abs(away) < LIMITS.thin)
-        if not len(part):
+        parts = _full_parts([_Layer(*flat.T, np.flatnonzero(np.abs(away) < LIMITS.thin))])
+        if not parts:
             return None
+        part = parts[0]
         rows = near[part]
     low, high = np.percentile(flat[part], [2, 98], axis=0)
     framed = ((flat >= low) & (flat <= high)).all(axis=1)

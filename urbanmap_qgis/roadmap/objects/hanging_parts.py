@@ -134,7 +134,8 @@ def _crown(offset: np.ndarray, away: np.ndarray, up: np.ndarray) -> float:
     cells = np.floor(np.column_stack([offset, up])[leaves] / LIMITS.voxel).astype(np.int64)
     sector = ((np.arctan2(offset[leaves, 1], offset[leaves, 0]) / (2.0 * np.pi) + 0.5)
               * LIMITS.sectors).astype(np.int64) % LIMITS.sectors
-    voxels = len(np.unique(cells, axis=0))
+    cells -= cells.min(axis=0)
+    voxels = len(np.unique(np.ravel_multi_index(cells.T, cells.max(axis=0) + 1)))
     filled = np.count_nonzero(np.bincount(sector, minlength=LIMITS.sectors) >= 3)
     if voxels < LIMITS.crown_voxels or filled < LIMITS.filled:
         return 0.0

@@ -32,7 +32,7 @@ class StemLimits:
 LIMITS = StemLimits()
 
 
-def find_stems(points: np.ndarray, height: np.ndarray, widest: float) -> list[Stem]:
+def find_stems(points: np.ndarray, height: np.ndarray, widest: float, where: np.ndarray) -> list[Stem]:
     """Stems among a tile's points.
 
     Parameters
@@ -40,8 +40,9 @@ def find_stems(points: np.ndarray, height: np.ndarray, widest: float) -> list[St
     points : (n,) with fields x, y, m.
     height : (n,) above the ground, m.
     widest : m, extent in plan of a stem's visible part.
+    where : (n,) mask of points that are looked at.
     """
-    band = np.flatnonzero((height > LIMITS.lowest) & (height < LIMITS.highest))
+    band = np.flatnonzero(where & (height > LIMITS.lowest) & (height < LIMITS.highest))
     if len(band) < LIMITS.fewest * LIMITS.slabs:
         return []
     plan = np.column_stack([points["x"][band], points["y"][band]])
@@ -70,7 +71,8 @@ def find_stems(points: np.ndarray, height: np.ndarray, widest: float) -> list[St
 
 def _parts_of_slabs(plan: np.ndarray, slab: np.ndarray) -> np.ndarray:
     """Number (n,) of the connected part of its slab to which each point belongs."""
-    cells = np.column_stack([np.floor((plan - plan.min(axis=0)) / LIMITS.cell).astype(np.int64), slab])
+    cells = np.column_stack([np.floor(plan / LIMITS.cell).astype(np.int64), slab])
+    cells[:, :2] -= cells[:, :2].min(axis=0)
     full = np.zeros(cells.max(axis=0) + 1, bool)
     full[tuple(cells.T)] = True
     beside = np.zeros((3, 3, 3), bool)

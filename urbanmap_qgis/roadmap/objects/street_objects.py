@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.spatial import cKDTree
 
 from ...io.points.point_buckets import PointBuckets
 from ...io.points.pointcloud import open_cloud
@@ -33,7 +32,9 @@ from .object_records import (
     StemAxis,
     StreetObject,
 )
+from .stems import LIMITS as STEM_LIMITS
 from .stems import find_stems
+from .sweep_index import SweepIndex
 
 DEFAULTS = ObjectSettings()
 REACH = Reach(tile=40.0, margin=6.0, above=16.0)
@@ -55,6 +56,7 @@ class StreetObjectLimits:
     broken: float = 0.75  # share of its slabs in which a clear stem shows
     frame: float = 0.05  # m over and under a board, where its points pass for its post's
     bare: float = 0.6  # m of height that a post shows without its board, to be placed by that alone
+    stem_reach: float = 1.5  # m in plan from the foot of a stem, within which all of it stands
     same: float = 0.5  # m; stems closer than this, over each other, are one thing
 
 
@@ -109,18 +111,19 @@ def street_objects(paths: Sequence[str | os.PathLike], trajectory: Trajectory, s
 def _objects_of_tile(tile: EdgeTile, height: np.ndarray, survey: EdgePoints,
                      settings: ObjectSettings) -> list[StreetObject]:
     """Objects whose feet belong to a tile."""
-    known = np.isfinite(height)
-    points, height = tile.points[known], height[known]
+    # Nothing here looks at what lies lower: most of a survey's points are the road's.
+    over = np.flatnonzero(height > STEM_LIMITS.lowest)
+    points, height = tile.points[over], height[over]
     place = np.column_stack([points[name] for name in "xyz"])
-    tree = cKDTree(place[:, :2])
+    index = SweepIndex(place[:, :2])
     found: list[StreetObject] = []
-    for stem in find_stems(points, height, settings.max_diameter):
+    for stem in find_stems(points, height, settings.max_diameter, _may_stand(place, tile, survey)):
         axis = fit_axis(place[stem.rows], survey.body(points["time"][stem.rows]))
         ground = float(np.median(place[stem.rows, 2] - height[stem.rows]))
         foot = axis.plan_at(ground)
         if not tile.owns(foot[None])[0] or not survey.within(foot[None])[0] or axis.diameter > settings.max_diameter:
             continue
-        near = np.array(tree.query_ball_point(foot, AROUND.reach + 0.5), int)
+        near = index.near(foot, AROUND.reach + 0.5)
         seen_from = survey.body(points["time"][stem.rows]).mean(axis=0)
         around = hanging_parts(place[near], height[near], axis, stem.high, seen_from)
         beside = _beside_board(place[stem.rows], around.board, bool(around.crown))
@@ -136,6 +139,18 @@ def _objects_of_tile(tile: EdgeTile, height: np.ndarray, survey: EdgePoints,
         found.append(_object(stem, axis, np.array([*foot, ground]), around, crowd,
                              len(np.unique(points["drive"][stem.rows])), survey.corner, settings))
     return _without_doubles(found)
+
+
+def _may_stand(place: np.ndarray, tile: EdgeTile, survey: EdgePoints) -> np.ndarray:
+    """Mask (n,) of points that may be of a stem whose foot the tile owns, within the width of the path."""
+    low, side = tile.low - LIMITS.stem_reach, int(np.ceil(tile.side + 2.0 * LIMITS.stem_reach))
+    column, row = np.meshgrid(np.arange(side), np.arange(side), indexing="ij")
+    middles = low + 0.5 + np.column_stack([column.ravel(), row.ravel()])
+    beside = (survey.path_tree.query(middles)[0] < survey.width + LIMITS.stem_reach + 0.71).reshape(side, side)
+    cells = np.floor(place[:, :2] - low).astype(np.int64)
+    inside = ((cells >= 0) & (cells < side)).all(axis=1)
+    inside[inside] = beside[tuple(cells[inside].T)]
+    return inside
 
 
 def _under_board(stem: Stem, around: HangingParts, axis: StemAxis, ground: float) -> bool:
