@@ -97,6 +97,23 @@ def test_drives_that_share_no_markings_are_brought_together_by_planes(make_cloud
     assert sigma[:, 0].min() > 5.0 and sigma[:, 1].max() < 0.1 and sigma[:, 2].max() < 0.05
 
 
+@pytest.mark.slow
+def test_roads_tie_the_heights_of_drives_that_walls_have_placed(make_cloud, tmp_path):
+    """Walls put both where they are in plan; in height they lie 0.8 m apart still."""
+    shift = np.array([[0.9, 0.8, 0.5], [-0.6, -0.7, -0.3]])
+    true = [drive(100.0), drive(200.0, True)]
+    made = [survey(make_cloud, tmp_path, f"d{k}", true[k], shift[k], True, k) for k in (0, 1)]
+    paths, reported = zip(*made)
+    drives = [Drive(f"d{k}", trajectory, None) for k, trajectory in enumerate(reported)]
+    placed = [Trajectory(one.time, one.place + [0.0, 0.0, up], one.angles) for one, up in zip(true, shift[:, 2])]
+    found = plane_observations([[path] for path in paths], drives, NetworkObservations.none(), AdjustmentRun(), SILENT,
+                               placed)
+    off = found.value[:, :3] - (shift[1] - shift[0])
+    assert len(found) >= 5
+    assert np.abs(off[:, 1]).max() < 0.05 and np.abs(off[:, 2]).max() < 0.05
+    assert np.median(np.abs(off[:, 0])) < 0.05  # placed already, the walls across the street count too
+
+
 def ties(value, number=0, other=1):
     n = len(value)
     parameter, none = 10.0 * np.arange(n), np.zeros((n, 2))

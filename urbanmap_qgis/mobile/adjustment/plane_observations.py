@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
 
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..trajectory import Trajectory
 from .drive_network import adjust_drives
 from .network import NetworkObservations
-from .planes import LIMITS, plane_ties, planes_of
+from .planes import LIMITS, DrivePlanes, plane_ties, planes_of
 from .records import AdjustmentRun
 from .steps import away_from_steps
 from .ties import Drive, pairs_of
@@ -35,9 +38,11 @@ def plane_observations(clouds: Sequence[Sequence[str | os.PathLike]], drives: Se
     adjusted = reported if placed is None else placed
     if placed is None and len(ties):
         adjusted = _adjusted(drives, ties, run)
-    # Walls place drives in plan only: where nothing else ties two of them, their roads may lie a metre apart.
     tied, weight = set(pairs_of(ties)), run.registration.correction.time_weight
-    level, together = (None, tied) if placed is None else (tied, None)
+    level, together = None, tied
+    if placed is not None:
+        adjusted, level = _levelled(planes, drives, ties, run, adjusted)
+        together = None
     if placed is None and len(tied) < len(drives) * (len(drives) - 1) // 2:
         for reach in LIMITS.apart:
             found = plane_ties(planes, reported, adjusted, weight, level, together, reach)
@@ -45,6 +50,31 @@ def plane_observations(clouds: Sequence[Sequence[str | os.PathLike]], drives: Se
     found = plane_ties(planes, reported, adjusted, weight, level, together)
     # Beside a step the drives are not together well enough to tell which planes are the same.
     return found.select(away_from_steps(found, ties, _STEP_REACH))
+
+
+def _levelled(planes: DrivePlanes, drives: Sequence[Drive], ties: NetworkObservations, run: AdjustmentRun,
+              placed: Sequence[Trajectory]) -> tuple[list[Trajectory], set[tuple[int, int]]]:
+    """Trajectories that walls have placed in plan, brought together in height by the roads that the drives share, and
+    the pairs of drives that are so. Where nothing else ties two drives, their roads may lie a metre apart.
+    """
+    level = set(pairs_of(ties))
+    for reach in LIMITS.apart:
+        found = plane_ties(planes, [drive.trajectory for drive in drives], placed,
+                           run.registration.correction.time_weight, None, None, reach)
+        pairs = np.sort(np.column_stack([found.drive, found.other]), axis=1)
+        apart = np.array([tuple(pair) not in level for pair in pairs.tolist()], bool)
+        found = found.select(apart & np.isfinite(found.value[:, 2]))
+        if not len(found):
+            break
+        value = found.value.copy()
+        value[:, :2] = np.nan
+        heights = _adjusted(drives, NetworkObservations.joined([ties, replace(found, value=value)]), run)
+        placed = [replace(old, place=np.column_stack([old.place[:, :2], new.place[:, 2]]))
+                  for old, new in zip(placed, heights)]
+        known = set(pairs_of(found))
+    else:
+        level |= known
+    return list(placed), level
 
 
 def _adjusted(drives: Sequence[Drive], observations: NetworkObservations, run: AdjustmentRun) -> list[Trajectory]:
