@@ -105,7 +105,8 @@ def test_roads_tie_the_heights_of_drives_that_walls_have_placed(make_cloud, tmp_
     made = [survey(make_cloud, tmp_path, f"d{k}", true[k], shift[k], True, k) for k in (0, 1)]
     paths, reported = zip(*made)
     drives = [Drive(f"d{k}", trajectory, None) for k, trajectory in enumerate(reported)]
-    placed = [Trajectory(one.time, one.place + [0.0, 0.0, up], one.angles) for one, up in zip(true, shift[:, 2])]
+    placed = [Trajectory(one.time, one.place + np.array([0.0, 0.0, up]), one.angles)
+              for one, up in zip(true, shift[:, 2])]
     found = plane_observations([[path] for path in paths], drives, NetworkObservations.none(), AdjustmentRun(), SILENT,
                                placed)
     off = found.value[:, :3] - (shift[1] - shift[0])
