@@ -19,7 +19,7 @@ from .label_raster import LabelRaster
 class LowPatchLimits:
     """Limits of low patches, each with its unit."""
 
-    least_area: float = 1.0  # Area (m2) of a patch.
+    least_area: float = 0.25  # Area (m2) of a patch.
     below: float = 0.5  # Points so far (m) under the lowest roof point are no roof.
     near: float = 0.5  # A point within this height (m) of a patch belongs to it.
 

@@ -33,7 +33,7 @@ class PlanePartitionLimits:
     strip_width: float = 0.5
     strip_slope: float = 0.1
     # A smaller piece stays where its neighbours would miss its points by so much more (m3).
-    strong: float = 1.0
+    strong: float = 0.5
     # Times that low patches are looked for, and faces of a plan above which none are: it would be divided anew.
     patch_rounds: int = 2
     patch_faces: int = 10_000
