@@ -9,7 +9,7 @@ from qgis.core import QgsProcessing, QgsProcessingParameterExtent, QgsProcessing
 from ...urbanmap_qgis.errors import InputError
 from ..framework.declaring.parameters import Declarations, tr
 from ..framework.layers.building_layers import read_buildings
-from ..framework.layers.outlines import numbers
+from ..framework.layers.outlines import column, numbers
 from ..framework.layers.trajectories import trajectory_exists, trajectory_of
 
 SIGMA_FIELDS = ("wall_sigma", "sigma_xy")
@@ -100,6 +100,7 @@ class LocalisationInputs(Declarations):
         buildings that have none; None where no buildings were given."""
         if not parameters.get("BUILDINGS"):
             return None
+        from ...urbanmap_qgis.localisation.walls.measured_walls import sigmas_of_moved
         from ...urbanmap_qgis.localisation.walls.wall_map import WallMap, building_sigmas, wall_sigmas
 
         table, pieces, without, building, sigma = self.read_pieces(parameters, "BUILDINGS", context, progress)
@@ -113,7 +114,7 @@ class LocalisationInputs(Declarations):
             if "sigma" not in measured.columns:
                 raise InputError(tr("{0} has no field sigma; give walls whose accuracy was measured.").format(
                     measured.label))
-            shapes, known = measured.geometries, numbers(measured, "sigma")
+            shapes, known = measured.geometries, sigmas_of_moved(numbers(measured, "sigma"), column(measured, "status"))
         sigma = wall_sigmas(pieces, self.parameterAsDouble(parameters, "WALL_SIGMA", context), accuracy, shapes, known)
         return table, WallMap.of(pieces, sigma), without
 

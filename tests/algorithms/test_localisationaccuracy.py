@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import json
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -57,6 +60,24 @@ def test_larger_sigmas_of_walls_make_larger_sigmas(run, inputs, small_city):
     drive = {"TRAJECTORY": [str(small_city / "truth" / "survey_01_trajectory.csv")], "SPACING": 10.0}
     small, large = (run(ALGORITHM, inputs | drive | {"WALL_SIGMA": sigma})["MEDIAN_SIGMA"] for sigma in (0.1, 0.4))
     assert 2.5 < large / small < 4.5
+
+
+def test_measured_walls_count_where_the_map_has_them(run, inputs, small_city, tmp_path):
+    models = json.loads(Path(inputs["BUILDINGS"]).read_text())
+    edges = [list(edge) for feature in models["features"] for ring in feature["geometry"]["coordinates"]
+             for edge in zip(ring, ring[1:])]
+
+    def median(sigma, status):
+        features = [{"type": "Feature", "geometry": {"type": "LineString", "coordinates": edge},
+                     "properties": {"sigma": sigma, "status": status}} for edge in edges]
+        walls = tmp_path / f"{status}.geojson"
+        walls.write_text(json.dumps({**models, "features": features}))
+        drive = {"TRAJECTORY": [str(small_city / "truth" / "survey_01_trajectory.csv")], "SPACING": 20.0}
+        return run(ALGORITHM, inputs | drive | {"WALLS": str(walls)})["MEDIAN_SIGMA"]
+
+    left = median(0.05, "not observable")
+    assert median(0.05, "likely") < 0.5 * left
+    assert median(0.9, "held") == pytest.approx(left)
 
 
 def test_markings_alone(run, inputs, small_city):

@@ -26,6 +26,7 @@ from urbanmap_qgis.localisation.places.place_status import (
     TUNNEL,
 )
 from urbanmap_qgis.localisation.places.road_places import places_on_drive, places_on_grid, places_on_roads, tunnels
+from urbanmap_qgis.localisation.walls.measured_walls import sigmas_of_moved
 from urbanmap_qgis.localisation.walls.wall_map import WallMap, building_sigmas, wall_sigmas, walls_with_heights
 
 PRIOR = np.diag([1e-6, 1e-6, 1e-6])
@@ -112,6 +113,20 @@ def test_walls_with_measured_sigma_take_it():
     assert np.sum(sigma == 0.05) == 1 and np.sum(sigma == 0.3) == len(sigma) - 1
     assert building_sigmas(np.array([0, 0, 1]), np.array([0.1, 0.4, np.nan])) == pytest.approx([0.4, np.nan],
                                                                                             nan_ok=True)
+
+
+def test_walls_that_were_left_where_they_were_keep_their_sigma():
+    # What `adjustwalls` and `mergebuildingmodels` write: only walls that stand on their measurements take these' sigma.
+    moved = ["adjusted", "likely", "moved", "fits", "ok", None]
+    left = ["not observable", "held", "not seen", "too far", "neighbour", "does not fit"]
+    sigma = sigmas_of_moved(np.full(12, 0.4), moved + left)
+    assert (sigma[:6] == 0.4).all() and np.isnan(sigma[6:]).all()
+    assert (sigmas_of_moved(np.array([0.1, 0.2]), None) == [0.1, 0.2]).all()
+    walls = canyon(0.3).walls
+    line = [shapely.LineString([(-200, 10.4), (200, 10.4)])]
+    placed, kept = (wall_sigmas(walls, 0.3, None, line, sigmas_of_moved(np.array([0.8]), [status]))
+                    for status in ("likely", "not observable"))
+    assert np.sum(placed == 0.8) == 1 and (kept == 0.3).all()
 
 
 def test_markings_tell_across_by_edges_and_along_by_ends():
