@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import shapely
@@ -174,3 +176,17 @@ def test_an_area_without_roads_is_ranked_by_squares_with_their_places(walls, tmp
     write_localisation_report(tmp_path / "r.html", LocalisationMap(walls), made, None)
     page = (tmp_path / "r.html").read_text(encoding="utf-8")
     assert "Worst squares of 50 m" in page and "Worst stretches" not in page and "about east" in page
+
+
+def test_a_worst_stretch_has_the_status_of_the_places_that_are_ranked(walls, tmp_path):
+    made = accuracy_map(LocalisationMap(walls), places_on_grid(Grid(-100, 100, 25.0, 8, 8), np.zeros((8, 8))),
+                        LocalisationSettings())
+    # Three of the four places of each square say nothing.
+    silent = np.arange(64).reshape(8, 8) % 2 + np.arange(8)[:, None] % 2 > 0
+    major = np.where(silent.ravel(), np.nan, 0.4)
+    status = np.where(silent.ravel(), "inside a building", "ok").astype(object)
+    mixed = replace(made, ellipse=replace(made.ellipse, major=major), status=status)
+    write_localisation_report(tmp_path / "r.html", LocalisationMap(walls), mixed, None)
+    page = (tmp_path / "r.html").read_text(encoding="utf-8")
+    worst = page[page.index("Worst squares"):page.index("Median sigma of the weakest direction, m")]
+    assert "Scans that end elsewhere" in worst and "inside a building" not in worst

@@ -97,9 +97,11 @@ def _worst(report: Report, city: LocalisationMap, accuracy: AccuracyMap) -> None
     worst = np.argsort(-score, kind="stable")[:WORST]
     where = ((say("east, m"), say("north, m"), say("places")) if accuracy.places.of_an_area else
              (say("street"), say("from, m"), say("to, m")))
-    report.table([*where, "sigma of the weakest direction, m", "bearing, degrees", "status"], [
+    report.table([*where, "sigma of the weakest direction, m", "bearing, degrees",
+                  "Places with a direction not determined", "Scans that end elsewhere", "status"], [
         [*_where(accuracy, rows), float(score[number]), _median(accuracy.ellipse.bearing[rows]),
-         Counter(map(str, accuracy.status[rows])).most_common(1)[0][0]]
+         int((accuracy.undetermined[rows] > 0).sum()), _median(accuracy.elsewhere[rows]),
+         _usual_status(accuracy, rows)]
         for number, rows in ((number, parts[number]) for number in worst)])
     for place, number in enumerate(worst, 1):
         rows = parts[number]
@@ -108,6 +110,12 @@ def _worst(report: Report, city: LocalisationMap, accuracy: AccuracyMap) -> None
     if without:
         report.paragraph(say("Of {without_count} stretches nothing can be said: see the statuses above and the layer.",
                              without_count=len(without)))
+
+
+def _usual_status(accuracy: AccuracyMap, rows: np.ndarray) -> str:
+    """The commonest status of the places of a stretch that have a sigma: it is theirs that is ranked."""
+    known = rows[np.isfinite(accuracy.ellipse.major[rows])]
+    return Counter(map(str, accuracy.status[known])).most_common(1)[0][0]
 
 
 def _where(accuracy: AccuracyMap, rows: np.ndarray) -> list[float]:
