@@ -2,11 +2,12 @@
 """Predicted against simulated accuracy of localisation: on buildings and drives, and on streets that repeat.
 
     python3 scripts/evaluate_localisation.py BUILDINGS TRAJECTORY.csv [--sigma 0.3] [--scanner multi-layer]
+    python3 scripts/evaluate_localisation.py BUILDINGS TRAJECTORY.csv --matcher ICP --markings markings.gpkg
     python3 scripts/evaluate_localisation.py --streets 60
 
 BUILDINGS is a vector file of outlines with z_top and z_base or of solids. Without --truth every scan has a true city of
-its own, the map displaced by its sigmas. --streets: rows of houses at equal and at unequal distances, on which the
-places that look alike are counted.
+its own, the map displaced by its sigmas. --markings: these are simulated instead of scans. --streets: rows of houses at
+equal and at unequal distances, on which the places that look alike are counted.
 """
 
 from __future__ import annotations
@@ -25,9 +26,11 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from urbanmap_qgis.gnss.rays.wall_faces import building_walls
 from urbanmap_qgis.localisation.accuracy_map import accuracy_map
 from urbanmap_qgis.localisation.accuracy_records import LocalisationMap
+from urbanmap_qgis.localisation.evidence.marking_map import MarkingMap, marking_map
 from urbanmap_qgis.localisation.localisation_settings import LocalisationSettings, VehicleScanner
 from urbanmap_qgis.localisation.places.road_places import joined_places, places_on_drive, places_on_roads
-from urbanmap_qgis.localisation.simulation.prediction_check import check_prediction
+from urbanmap_qgis.localisation.simulation.marking_check import check_marking_prediction
+from urbanmap_qgis.localisation.simulation.prediction_check import PredictionCheck, check_prediction
 from urbanmap_qgis.localisation.walls.wall_map import WallMap, wall_sigmas, walls_with_heights
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 
@@ -52,23 +55,54 @@ def read_walls(path: str):
     return walls_with_heights(np.array(shapes, object), building, np.array(top, float), np.array(base, float))[0]
 
 
+def read_markings(path: str, sigma: float) -> MarkingMap:
+    """Markings of a vector file."""
+    from osgeo import ogr
+
+    name, _, layer = path.partition("|")
+    source = ogr.Open(name)
+    table = source.GetLayerByName(layer) if layer else source.GetLayer(0)
+    shapes = [shapely.from_wkb(bytes(feature.GetGeometryRef().ExportToWkb())) for feature in table]
+    return marking_map(np.array(shapes, object), np.full(len(shapes), sigma))
+
+
+def on_markings(given) -> dict:
+    """Figures of the markings of a city."""
+    markings = read_markings(given.markings, given.marking_sigma)
+    places = places_of(given)
+    places = places.with_heights(np.full(len(places), np.nanmedian(markings.height)))
+    settings = LocalisationSettings(start_sigma=given.start)
+    made = accuracy_map(LocalisationMap(None, markings), places, settings)
+    return figures_of(check_marking_prediction(markings, made, settings, given.every, given.draws, given.seed))
+
+
+def places_of(given):
+    """Places on the drives, without heights."""
+    drives = [read_trajectory(path).trajectory for path in given.trajectory]
+    places = joined_places([places_on_drive(drive.place, drive.time, given.spacing, number)
+                            for number, drive in enumerate(drives)])
+    return places.with_heights(np.full(len(places), np.nan))
+
+
 def on_city(given) -> dict:
     """Figures of a city."""
     walls = read_walls(given.buildings)
     rng = np.random.default_rng(5)
     sigma = rng.choice([0.05, 0.15, 0.3, 0.6], walls.count) if given.mixed else wall_sigmas(walls, given.sigma)
     city = WallMap.of(walls, sigma)
-    drives = [read_trajectory(path).trajectory for path in given.trajectory]
-    places = joined_places([places_on_drive(drive.place, drive.time, given.spacing, number)
-                            for number, drive in enumerate(drives)])
-    places = places.with_heights(np.full(len(places), np.nan))
-    settings = LocalisationSettings(VehicleScanner(given.scanner))
+    places = places_of(given)
+    settings = LocalisationSettings(VehicleScanner(given.scanner), given.matcher, start_sigma=given.start)
     begin = time.process_time()
     made = accuracy_map(LocalisationMap(city), places, settings)
     speed = len(places) / (time.process_time() - begin)
     truth = read_walls(given.truth) if given.truth else None
     found = check_prediction(city, made, settings, given.every, given.draws, given.seed, truth)
-    return {"places": len(places), "places a second": speed, "simulated": len(found.rows), "scans": given.draws,
+    return {"places": len(places), "places a second": speed} | figures_of(found)
+
+
+def figures_of(found: PredictionCheck) -> dict:
+    """What a check says."""
+    return {"simulated": len(found.rows), "scans": found.errors.shape[1],
             "rank": found.rank, "rank in street": found.rank_in_street, "inside": found.inside,
             "observed": float(np.median(found.observed)), "predicted": float(np.median(found.predicted)),
             "hidden": float(found.hidden.mean()), "beyond 1 m": float((np.hypot(
@@ -120,12 +154,17 @@ def main() -> None:
     parser.add_argument("--scanner", default="2D")
     parser.add_argument("--mixed", action="store_true", help="sigmas of 5, 15, 30 and 60 cm, drawn by wall")
     parser.add_argument("--streets", type=int, default=0)
-    for name, usual in (("sigma", 0.3), ("spacing", 2.0)):
+    parser.add_argument("--matcher", default="NDT", choices=("NDT", "ICP"))
+    parser.add_argument("--markings", default="", help="vector file of polygons or lines of paint, FILE or FILE|LAYER")
+    for name, usual in (("sigma", 0.3), ("marking-sigma", 0.05), ("start", 1.0), ("spacing", 2.0)):
         parser.add_argument(f"--{name}", type=float, default=usual)
     for name, usual in (("every", 5), ("draws", 20), ("seed", 1)):
         parser.add_argument(f"--{name}", type=int, default=usual)
     given = parser.parse_args()
-    made = on_streets(given.streets, given.seed, given.draws) if given.streets else on_city(given)
+    if given.streets:
+        made = on_streets(given.streets, given.seed, given.draws)
+    else:
+        made = on_markings(given) if given.markings else on_city(given)
     print(json.dumps(made, indent=1))
 
 

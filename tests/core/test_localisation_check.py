@@ -13,12 +13,20 @@ from urbanmap_qgis.gnss.rays.tracing import WallObstacles
 from urbanmap_qgis.gnss.rays.wall_faces import building_walls
 from urbanmap_qgis.localisation.accuracy_map import accuracy_map
 from urbanmap_qgis.localisation.accuracy_records import LocalisationMap
+from urbanmap_qgis.localisation.evidence.marking_map import marking_map
 from urbanmap_qgis.localisation.localisation_settings import LocalisationSettings, VehicleScanner
 from urbanmap_qgis.localisation.places.road_places import places_on_grid, places_on_roads
 from urbanmap_qgis.localisation.prepared_map import field_of_walls
 from urbanmap_qgis.localisation.report.localisation_report import stretches, write_localisation_report
+from urbanmap_qgis.localisation.simulation.line_matches import wall_lines
+from urbanmap_qgis.localisation.simulation.marking_check import check_marking_prediction
 from urbanmap_qgis.localisation.simulation.prediction_check import check_prediction, compared, rank_agreement
-from urbanmap_qgis.localisation.simulation.simulated_matches import match_error, plan_matching_map, space_matching_map
+from urbanmap_qgis.localisation.simulation.simulated_matches import (
+    match_error,
+    plan_matching_map,
+    settled_error,
+    space_matching_map,
+)
 from urbanmap_qgis.localisation.simulation.simulated_scans import displaced, ray_directions, simulated_scans
 from urbanmap_qgis.localisation.walls.wall_map import WallMap, wall_sigmas
 
@@ -190,3 +198,39 @@ def test_a_worst_stretch_has_the_status_of_the_places_that_are_ranked(walls, tmp
     page = (tmp_path / "r.html").read_text(encoding="utf-8")
     worst = page[page.index("Worst squares"):page.index("Median sigma of the weakest direction, m")]
     assert "Scans that end elsewhere" in worst and "inside a building" not in worst
+
+
+@pytest.mark.slow
+def test_scans_are_registered_by_icp_where_that_is_how_vehicles_match(walls, places):
+    exact = WallMap.of(walls.walls, np.full(walls.walls.count, 0.01))
+    by_icp = replace(settings(), matcher="ICP", start_sigma=0.3)
+    lines = wall_lines(exact, field_of_walls(exact, places, by_icp), by_icp)
+    rng = np.random.default_rng(5)
+    sensor = np.array([2.0, 1.0, 2.0])
+    scan, = simulated_scans(exact.obstacles, sensor[None], np.zeros(1), by_icp.scanner, 360, rng)
+    errors = np.array([match_error(scan.offset, sensor, lines, by_icp, rng) for _ in range(10)])
+    assert np.abs(errors[:, :2]).max() < 0.01 and np.abs(errors[:, 2]).max() < 0.001
+    assert np.abs(settled_error(scan.offset, sensor, lines)[:2]).max() < 0.01
+    made = accuracy_map(LocalisationMap(walls), places, by_icp)
+    check = check_prediction(walls, made, by_icp, 2, 60, 3)
+    assert check.observed == pytest.approx(check.predicted, rel=0.35)
+    assert check.inside_converged > 0.88 and check.converged.mean() > 0.95
+
+
+@pytest.mark.slow
+def test_markings_are_measured_and_registered():
+    # A street with dashes, edge lines and a stop line, and one across it.
+    paint = [shapely.box(x, y - 0.07, x + 5, y + 0.07) for x in range(-60, 60, 12) for y in (-3.1, 0.2)]
+    paint += [shapely.box(14.9, -3.0, 15.3, 0.1), shapely.box(-18.2, -3.0, -17.8, 0.1)]
+    markings = marking_map(np.array(paint, object), np.full(len(paint), 0.05))
+    by_paint = replace(settings(), start_sigma=0.4)
+    road = places_on_roads([shapely.LineString([(-20, -1.4, 0), (20, -1.4, 0)])], 8.0)
+    made = accuracy_map(LocalisationMap(None, markings), road, by_paint)
+    check = check_marking_prediction(markings, made, by_paint, 1, 60, 2)
+    assert check.converged.mean() > 0.9
+    assert check.observed_parts[:, :2] == pytest.approx(check.predicted_parts[:, :2], rel=0.6)
+    assert check.inside_converged > 0.8
+    sure = marking_map(np.array(paint, object), np.full(len(paint), 0.005))
+    still = replace(by_paint, marking_common=0.0, marking_noise=0.001, start_sigma=0.1)
+    exact = check_marking_prediction(sure, accuracy_map(LocalisationMap(None, sure), road, still), still, 1, 10, 2)
+    assert exact.observed.max() < 0.02

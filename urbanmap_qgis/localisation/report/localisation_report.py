@@ -140,7 +140,7 @@ def _caption(accuracy: AccuracyMap, place: int, rows: np.ndarray) -> str:
 def _check(report: Report, accuracy: AccuracyMap, check: PredictionCheck) -> None:
     report.section("Predicted against observed")
     report.paragraph("Scans were simulated at some of the places, with noise, vehicles and trees in the way, and "
-                     "registered to the map with the plugin's own NDT.")
+                     "registered to the map as vehicles match them: by the plugin's own NDT, or by ICP.")
     report.facts({"Places": len(check.rows), "Scans a place": check.errors.shape[1],
                   "Spearman's coefficient over all places": check.rank,
                   "Median of it within a street": check.rank_in_street,

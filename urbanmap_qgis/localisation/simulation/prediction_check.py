@@ -18,6 +18,7 @@ from ..map_aliases import EVIDENCE_OF_CELL, STEP, alias_modes
 from ..places.place_status import undetermined_directions
 from ..prepared_map import field_of_walls
 from ..walls.wall_map import WallMap
+from .line_matches import LineMap, wall_lines
 from .simulated_matches import MatchingMap, match_error, plan_matching_map, settled_error, space_matching_map
 from .simulated_scans import displaced, simulated_scans
 
@@ -91,8 +92,9 @@ def check_prediction(walls: WallMap, accuracy: AccuracyMap, settings: Localisati
         scans = simulated_scans(WallObstacles.of(city), sensor, heading, settings.scanner, azimuths, rng)
         for number, scan in enumerate(scans):
             progress.step((draw + number / len(scans)) / draws)
-            errors[number, draw] = match_error(scan.offset, sensor[number], maps[number], settings, rng)
-            settled[number, draw] = settled_error(scan.offset, sensor[number], maps[number])
+            points = _on_walls(scan.offset, settings) if settings.matcher == "ICP" else scan.offset
+            errors[number, draw] = match_error(points, sensor[number], maps[number], settings, rng)
+            settled[number, draw] = settled_error(points, sensor[number], maps[number])
             hidden[number, draw] = scan.hidden
             elsewhere[number, draw] = _fits_elsewhere(maps[number], scan.offset, sensor[number], settings)
     converged = np.hypot(*np.moveaxis((errors - settled)[:, :, :2], 2, 0)) <= STEP
@@ -100,32 +102,41 @@ def check_prediction(walls: WallMap, accuracy: AccuracyMap, settings: Localisati
     return compared(rows, errors, hidden.mean(axis=1), elsewhere.mean(axis=1), accuracy, converged, free == 0)
 
 
-def _fits_elsewhere(city: MatchingMap, scan: np.ndarray, sensor: np.ndarray, settings: LocalisationSettings) -> bool:
+def _fits_elsewhere(city: MatchingMap | LineMap, scan: np.ndarray, sensor: np.ndarray, settings: LocalisationSettings
+                    ) -> bool:
     """Whether another place than its own has more of the probability of a scan."""
     most = int(settings.search / STEP)
     if most < 1:
         return False
-    walls = scan[scan[:, 2] > -0.8 * settings.scanner.height, :2]
-    surface = city.field.shifted(sensor[:2] + walls, most)
+    surface = city.field.shifted(sensor[:2] + _on_walls(scan, settings)[:, :2], most)
     return bool(alias_modes(EVIDENCE_OF_CELL * surface, APART).share.sum() > 0.5)
 
 
-def _maps(walls: WallMap, accuracy: AccuracyMap, rows: np.ndarray, settings: LocalisationSettings) -> list[MatchingMap]:
+def _on_walls(scan: np.ndarray, settings: LocalisationSettings) -> np.ndarray:
+    """Points (m, 3) of a scan above the road."""
+    return scan[scan[:, 2] > -0.8 * settings.scanner.height]
+
+
+def _maps(walls: WallMap, accuracy: AccuracyMap, rows: np.ndarray, settings: LocalisationSettings
+          ) -> list[MatchingMap | LineMap]:
     field = field_of_walls(walls, accuracy.places, settings)
+    if settings.matcher == "ICP":
+        return [wall_lines(walls, field, settings)] * len(rows)
     if settings.scanner.kind == "2D":
         return [plan_matching_map(walls, field, settings)] * len(rows)
     return [space_matching_map(walls, field, settings, place[:2], place[2]) for place in accuracy.places.place[rows]]
 
 
 def compared(rows: np.ndarray, errors: np.ndarray, hidden: np.ndarray, elsewhere: np.ndarray, accuracy: AccuracyMap,
-             converged: np.ndarray | None = None, determined: np.ndarray | None = None) -> PredictionCheck:
-    """Observed errors (k, draws, 3) at rows of a map of accuracy against its prediction by walls.
+             converged: np.ndarray | None = None, determined: np.ndarray | None = None, source: str = "walls"
+             ) -> PredictionCheck:
+    """Observed errors (k, draws, 3) at rows of a map of accuracy against its prediction by a source.
 
     `converged` : (k, draws), by default all; `determined` : (k,), by default what the map says of all sources together.
     """
     converged = np.ones(errors.shape[:2], bool) if converged is None else converged
     determined = accuracy.undetermined[rows] == 0 if determined is None else determined
-    expected = accuracy.by_source["walls"][rows]
+    expected = accuracy.by_source[source][rows]
     heading = accuracy.places.heading[rows]
     square = np.einsum("kdi,kdj->kij", errors, errors) / errors.shape[1]
     distance = np.einsum("kdi,kij,kdj->kd", errors[:, :, :2], np.linalg.inv(expected[:, :2, :2]), errors[:, :, :2])

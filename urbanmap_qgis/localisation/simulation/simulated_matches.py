@@ -1,4 +1,4 @@
-"""Simulated scans registered to the map as it was surveyed, with our own NDT (J 6.2)."""
+"""Simulated scans registered to the map as it was surveyed, with our own NDT or by ICP (J 6.2)."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from ..localisation_settings import LocalisationSettings
 from ..map_aliases import EVIDENCE_OF_CELL, STEP, ScoreField
 from ..walls.wall_cells import space_cells, wall_plan_cells
 from ..walls.wall_map import WallMap
+from .line_matches import LineMap
 
 
 @dataclass(frozen=True)
@@ -39,6 +40,19 @@ class MatchingMap:
     levels: tuple[NdtMap, ...]
     mixture: Mixture
 
+    @property
+    def dimensions(self) -> int:
+        """2 or 3."""
+        return self.levels[0].dimensions
+
+    def registered(self, points: np.ndarray, pose: RigidMotion) -> tuple[RigidMotion, float]:
+        """Pose of points (m, d) after the NDT of each level, coarse first, and the score in the last."""
+        for level in self.levels:
+            local = RigidMotion(pose.centre, pose.translation - level.origin, pose.rotation)
+            found = match_points(points, local, replace(level, origin=np.zeros(level.dimensions)), self.mixture)
+            pose = RigidMotion(pose.centre, found.pose.translation + level.origin, found.pose.rotation)
+        return pose, found.derivatives.value
+
 
 def plan_matching_map(walls: WallMap, field: ScoreField, settings: LocalisationSettings) -> MatchingMap:
     """Map for scans of one layer."""
@@ -62,14 +76,14 @@ def _levels(walls: WallMap) -> list[WallMap]:
             if walls.sigma.min() < least] + [walls]
 
 
-def match_error(scan: np.ndarray, place: np.ndarray, city: MatchingMap, settings: LocalisationSettings,
+def match_error(scan: np.ndarray, place: np.ndarray, city: MatchingMap | LineMap, settings: LocalisationSettings,
                 rng: np.random.Generator) -> np.ndarray:
     """Error (3,) of the registered place, east and north, m, and turn, rad, of a scan (m, 3) taken at `place` (3,).
 
     The start is off by what was known before; the best start near it is found by correlation, then the NDT's levels
-    follow, all as a vehicle does.
+    or the ICP follow, all as a vehicle does.
     """
-    dimensions = city.levels[0].dimensions
+    dimensions = city.dimensions
     shift = rng.normal(0.0, settings.start_sigma, 2)
     turn = np.radians(rng.normal(0.0, settings.start_heading))
     points = (scan @ rotation_matrix(np.array([0.0, 0.0, turn])).T)[:, :dimensions]
@@ -80,7 +94,7 @@ def match_error(scan: np.ndarray, place: np.ndarray, city: MatchingMap, settings
         begin = start.copy()
         begin[:2] += moved
         rotation = rotation_matrix(np.array([0.0, 0.0, turned]))[:dimensions, :dimensions]
-        found, value = _through_levels(points, RigidMotion(np.zeros(dimensions), begin, rotation), city)
+        found, value = city.registered(points, RigidMotion(np.zeros(dimensions), begin, rotation))
         turned = np.arctan2(found.rotation[1, 0], found.rotation[0, 0])
         away = ((found.translation - start)[:2] ** 2).sum() / settings.start_sigma ** 2
         away += (turned / np.radians(settings.start_heading)) ** 2
@@ -90,21 +104,12 @@ def match_error(scan: np.ndarray, place: np.ndarray, city: MatchingMap, settings
     return best[1]
 
 
-def settled_error(scan: np.ndarray, place: np.ndarray, city: MatchingMap) -> np.ndarray:
+def settled_error(scan: np.ndarray, place: np.ndarray, city: MatchingMap | LineMap) -> np.ndarray:
     """Error (3,) as of `match_error` of a scan whose search begins at the true place."""
-    dimensions = city.levels[0].dimensions
+    dimensions = city.dimensions
     start = RigidMotion(np.zeros(dimensions), place[:dimensions].copy(), np.eye(dimensions))
-    found = _through_levels(scan[:, :dimensions], start, city)[0]
+    found = city.registered(scan[:, :dimensions], start)[0]
     return np.array([*(found.translation[:2] - place[:2]), np.arctan2(found.rotation[1, 0], found.rotation[0, 0])])
-
-
-def _through_levels(points: np.ndarray, pose: RigidMotion, city: MatchingMap) -> tuple[RigidMotion, float]:
-    """Pose after the NDT of each level, coarse first, and the score in the last."""
-    for level in city.levels:
-        local = RigidMotion(pose.centre, pose.translation - level.origin, pose.rotation)
-        found = match_points(points, local, replace(level, origin=np.zeros(level.dimensions)), city.mixture)
-        pose = RigidMotion(pose.centre, found.pose.translation + level.origin, found.pose.rotation)
-    return pose, found.derivatives.value
 
 
 def _starts(points: np.ndarray, start: np.ndarray, field: ScoreField, settings: LocalisationSettings
