@@ -18,7 +18,7 @@ from urbanmap_qgis.localisation.localisation_settings import LocalisationSetting
 from urbanmap_qgis.localisation.places.road_places import places_on_grid, places_on_roads
 from urbanmap_qgis.localisation.prepared_map import field_of_walls
 from urbanmap_qgis.localisation.report.localisation_report import stretches, write_localisation_report
-from urbanmap_qgis.localisation.simulation.line_matches import wall_lines
+from urbanmap_qgis.localisation.simulation.line_matches import lines_of_walls
 from urbanmap_qgis.localisation.simulation.marking_check import check_marking_prediction
 from urbanmap_qgis.localisation.simulation.prediction_check import check_prediction, compared, rank_agreement
 from urbanmap_qgis.localisation.simulation.simulated_matches import (
@@ -204,7 +204,7 @@ def test_a_worst_stretch_has_the_status_of_the_places_that_are_ranked(walls, tmp
 def test_scans_are_registered_by_icp_where_that_is_how_vehicles_match(walls, places):
     exact = WallMap.of(walls.walls, np.full(walls.walls.count, 0.01))
     by_icp = replace(settings(), matcher="ICP", start_sigma=0.3)
-    lines = wall_lines(exact, field_of_walls(exact, places, by_icp), by_icp)
+    lines = lines_of_walls(exact, field_of_walls(exact, places, by_icp), by_icp)
     rng = np.random.default_rng(5)
     sensor = np.array([2.0, 1.0, 2.0])
     scan, = simulated_scans(exact.obstacles, sensor[None], np.zeros(1), by_icp.scanner, 360, rng)

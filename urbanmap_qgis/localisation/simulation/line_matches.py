@@ -94,7 +94,7 @@ def _pose(before: RigidMotion, translation: np.ndarray, angle: float) -> RigidMo
     return RigidMotion(before.centre, translation, np.array([[c, -s], [s, c]]))
 
 
-def wall_lines(walls: WallMap, field: ScoreField, settings: LocalisationSettings) -> LineMap:
+def lines_of_walls(walls: WallMap, field: ScoreField, settings: LocalisationSettings) -> LineMap:
     """Walls at the height of the scanner as lines."""
     points, piece = wall_points(walls.walls, pieces_at_height(walls.walls, settings.scanner.height))
     sigma = float(np.hypot(walls.sigma.max(), settings.scanner.noise))

@@ -18,7 +18,7 @@ from ..map_aliases import EVIDENCE_OF_CELL, STEP, alias_modes
 from ..places.place_status import undetermined_directions
 from ..prepared_map import field_of_walls
 from ..walls.wall_map import WallMap
-from .line_matches import LineMap, wall_lines
+from .line_matches import LineMap, lines_of_walls
 from .simulated_matches import MatchingMap, match_error, plan_matching_map, settled_error, space_matching_map
 from .simulated_scans import displaced, simulated_scans
 
@@ -121,7 +121,7 @@ def _maps(walls: WallMap, accuracy: AccuracyMap, rows: np.ndarray, settings: Loc
           ) -> list[MatchingMap | LineMap]:
     field = field_of_walls(walls, accuracy.places, settings)
     if settings.matcher == "ICP":
-        return [wall_lines(walls, field, settings)] * len(rows)
+        return [lines_of_walls(walls, field, settings)] * len(rows)
     if settings.scanner.kind == "2D":
         return [plan_matching_map(walls, field, settings)] * len(rows)
     return [space_matching_map(walls, field, settings, place[:2], place[2]) for place in accuracy.places.place[rows]]
