@@ -165,6 +165,10 @@ DAMAGES = {
     "misspelt subtype": ("mapping.unknown_tag_values", {"relations": {200: relation(200, subtype="rood")}}),
     "misspelt location": ("mapping.unknown_tag_values", {"relations": {200: relation(200, location="urbn")}}),
     "misspelt subtype of a line": ("mapping.unknown_tag_values", {"ways": {111: way(111, subtype="solidd")}}),
+    "misspelt participant": ("mapping.unknown_tag_values", {"relations": {
+        200: relation(200, participant__vehicel="yes")}}),
+    "misspelt type of a lanelet": ("mapping.unknown_tag_values", {"relations": {200: relation(200, type="lanelt")}}),
+    "misspelt type of a rule": ("mapping.unknown_tag_values", {"relations": {300: relation(300, type="regulatory")}}),
     "exchanged latitude and longitude": ("File.Coordinates-001", {"nodes": {
         number: replace(one, latitude=one.longitude + 139.0) for number, one in sound_map().nodes.items()}}),
     "swapped sides": ("routing.graph-001", {"relations": {200: replace(relation(200), members=(
@@ -189,6 +193,15 @@ def test_every_rule_has_a_function_and_a_text_with_the_same_fields_in_both_langu
 
 def test_page_of_the_documentation_is_that_of_the_table():
     assert PAGE.read_text(encoding="utf-8") == rules_page()
+
+
+def test_a_node_off_the_earth_in_a_map_without_local_coordinates_is_told_and_the_rest_is_checked():
+    plain = {number: replace(one, tags={"ele": "1"}) for number, one in sound_map().nodes.items()}
+    bent = {**plain, 98: OsmNode(98, 139.0, plain[11].longitude, {"ele": "1"})}
+    ways = {111: replace(way(111), nodes=(11, 98, 12)), 132: way(132, type="line_thinn")}
+    found = {fault.rule for fault in check_map(changed(nodes=bent, ways=ways))}
+    assert {"File.Coordinates-001", "mapping.unknown_tag_values"} <= found
+    assert not {rule for rule in found if rule.startswith(("Lanelet2.Load-002", "Shape.", "File.M"))}
 
 
 def test_rules_can_be_left_out_by_code_or_its_begin():

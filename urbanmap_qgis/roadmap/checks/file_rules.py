@@ -14,6 +14,7 @@ from ..formats.lanelet_tags import (
     FASTEST,
     LANELET2_RULES,
     LINE_SUBTYPES,
+    PARTICIPANTS,
     TAGS,
     VEHICLE_SUBTYPES,
     YES_NO,
@@ -28,6 +29,9 @@ APART = 3.0
 
 FAR = 20000.0
 """A node so far from the middle one, and from every other, is not of the map, m."""
+
+RELATIONS, ROLES = ("lanelet", "regulatory_element", "multipolygon"), {"left", "right", "refers", "ref_line"}
+"""Types of relations that Lanelet2 reads, and roles by which a member shows that one of the first two is meant."""
 
 SPIKE, STEEP = 1.0, 0.15
 """A node that leaves both neighbours on a bound by more than this (m) and more steeply (rise over run) is a spike;
@@ -290,9 +294,15 @@ def _unknown_values(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]
             one = declared.get((element, key))
             if one is not None and not one.allows(value):
                 yield broken(kind, number, tag=key, value=value)
+            elif key.startswith("participant:") and key.split(":", 1)[1] not in PARTICIPANTS:
+                yield broken(kind, number, tag="participant", value=key.split(":", 1)[1])
         subtypes = LINE_SUBTYPES.get(tags.get("type", ""), ()) if kind == "way" else ()
         if subtypes and "subtype" in tags and tags["subtype"] not in subtypes:
             yield broken(kind, number, tag="subtype", value=tags["subtype"])
+    for number, relation in inspected.content.relations.items():
+        # Relations of other kinds may lie in the file too; what has the members of a lanelet or a rule is meant as one.
+        if relation.tags.get("type") not in RELATIONS and not ROLES.isdisjoint(role for *_, role in relation.members):
+            yield broken("relation", number, tag="type", value=relation.tags.get("type", ""))
 
 
 @rule("mapping.bool_tags")

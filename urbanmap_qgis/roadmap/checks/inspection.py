@@ -85,6 +85,8 @@ class MapInspection:
         self.projected = _projected(self.degrees)
         whole = len(nodes) > 0 and bool(np.isfinite(self.local).all())
         self.metres = np.column_stack([self.local if whole else self.projected, height])
+        off = ~np.isfinite(self.metres[:, :2]).all(axis=1)
+        self._off_the_earth = frozenset(np.array(list(self.row))[off].tolist() if off.any() and not off.all() else ())
         self.lanes = {lane.number: lane for lane in map(self._lane, content.relations.values()) if lane is not None}
         self.computed: dict[str, dict] = {}
         self._conflicts: dict[tuple[int, bool], dict[int, float]] = {}
@@ -104,9 +106,10 @@ class MapInspection:
         return CheckedLane(relation.identifier, relation.tags, left, right, (sides[0][0], sides[1][0]), rules)
 
     def line(self, way: int) -> tuple[int, ...]:
-        """Node ids of a way that are there; empty where there are fewer than two or the way is missing."""
+        """Node ids of a way that are there and on the earth; empty where they are fewer than two, or it is missing."""
         element = self.content.ways.get(way)
-        nodes = tuple(number for number in element.nodes if number in self.row) if element else ()
+        nodes = tuple(number for number in element.nodes
+                      if number in self.row and number not in self._off_the_earth) if element else ()
         return nodes if len(nodes) >= 2 else ()
 
     def _aligned(self, left: tuple[int, ...], right: tuple[int, ...]) -> tuple[tuple[int, ...], tuple[int, ...]]:
