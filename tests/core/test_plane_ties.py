@@ -7,10 +7,12 @@ import pytest
 
 from urbanmap_qgis.mobile.adjustment.network import NONE, PLANE, TIE, NetworkObservations, plan_residuals
 from urbanmap_qgis.mobile.adjustment.plane_observations import plane_observations
-from urbanmap_qgis.mobile.adjustment.planes import plane_ties, planes_of
+from urbanmap_qgis.mobile.adjustment.planes import DrivePlanes, _directions, plane_ties, planes_of
 from urbanmap_qgis.mobile.adjustment.records import AdjustmentRun
 from urbanmap_qgis.mobile.adjustment.steps import away_from_steps, observed_steps
 from urbanmap_qgis.mobile.adjustment.ties import Drive
+from urbanmap_qgis.mobile.boresight.plane_patches import PlanePatches
+from urbanmap_qgis.mobile.registration.correction.gauss_markov import path_parameters_of, stilled
 from urbanmap_qgis.mobile.trajectory import Trajectory
 from urbanmap_qgis.progress import SILENT
 
@@ -136,3 +138,40 @@ def test_a_step_is_seen_where_it_is_and_drift_is_none():
     away = away_from_steps(stepped, stepped, 30.0)
     assert not away[14] and not away[15] and away[2] and away[-3]
     assert away_from_steps(ties(drift), ties(drift), 30.0).all()
+
+
+def test_at_a_corner_facades_of_one_street_count_and_not_the_mean_of_both():
+    """40 facades face north within 3 degrees, 39 east: their common axis would lie at 45 degrees."""
+    turn = np.radians(np.linspace(-3.0, 3.0, 40))
+    north = np.column_stack([np.sin(turn), np.cos(turn), 0 * turn])
+    east = np.column_stack([np.cos(turn), np.sin(turn), 0 * turn])[:39]
+    kind, along = _directions(np.concatenate([north, east, [[0.0, 0.0, 1.0]]]))
+    assert np.abs(along) == pytest.approx([1.0, 0.0], abs=1e-3)
+    assert (kind == [0] * 40 + [1] * 39 + [2]).all()
+
+
+def test_planes_seen_over_a_stop_say_less_where_the_vehicle_may_have_crept():
+    """Two drives meet the same facades; the first one stands for 20 s among them, its trajectory wanders by 0.4 m."""
+    rng = np.random.default_rng(1)
+    time = np.linspace(0.0, 32.0, 641)
+    x = np.interp(time, [0.0, 6.0, 26.0, 32.0], [0.0, 30.0, 30.0, 60.0])
+    true = Trajectory(time, np.column_stack([x, 0 * x - 2.0, 0 * x + 2.0]), np.tile([0.0, 0.0, 90.0], (641, 1)))
+    wander = np.interp(time, [6.0, 26.0], [0.0, 0.4])
+    reported = Trajectory(time, true.place + np.outer(wander, [1.0, 1.0, 0.0]), true.angles)
+    along = np.sort(rng.uniform(0, 60, 600))
+    side = rng.choice([-8.0, 8.0], 600)
+    seen = np.interp(along, [0.0, 29.0, 31.0, 60.0], [0.0, 5.9, 26.1, 32.0])
+    place = np.column_stack([along, side, rng.uniform(1, 6, 600)])
+    other = drive(100.0)
+    groups = np.repeat([0, 1], 600)
+    times = np.concatenate([seen, np.interp(along, other.place[:, 0], other.time)])
+    first = place + np.outer(np.interp(seen, time, wander), [1.0, 1.0, 0.0])
+    normal = np.tile([0.0, 1.0, 0.0], (1200, 1))
+    patches = PlanePatches(groups, times, np.concatenate([first, place]), normal, np.full(1200, 0.003),
+                           np.zeros((1200, 0)))
+    both = [reported, other]
+    found = plane_ties(DrivePlanes(patches, np.array([0, 1])), both, [stilled(item) for item in both], 1.0)
+    sigma = np.sqrt(found.covariance[:, 1, 1])
+    wanted = -np.interp(np.interp(found.parameter, path_parameters_of(reported, 1.0), time), time, wander)
+    assert np.abs(found.value[:, 1] - wanted).max() < 0.02
+    assert sigma.max() > 1.3 * sigma.min()

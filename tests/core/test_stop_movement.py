@@ -8,8 +8,14 @@ import numpy as np
 import pytest
 
 from tests.core.simulated_windows import simulate, trajectory
+from urbanmap_qgis.mobile.adjustment.drive_network import adjust_drives
+from urbanmap_qgis.mobile.adjustment.network import CONTROL, NONE, NetworkObservations
+from urbanmap_qgis.mobile.adjustment.records import AdjustmentRun
+from urbanmap_qgis.mobile.adjustment.ties import Drive
 from urbanmap_qgis.mobile.registration.correction.adjustment import adjust_correction
 from urbanmap_qgis.mobile.registration.correction.gauss_markov import STILL, StopMovement
+from urbanmap_qgis.mobile.trajectory import interpolate
+from urbanmap_qgis.progress import SILENT
 
 WANDERED = np.array([0.3, -0.4, 0.1])
 
@@ -58,3 +64,18 @@ def test_a_vehicle_whose_trajectory_goes_back_slowly_stands_and_one_that_creeps_
     moved, none = (StopMovement.of(drive, time).moved.sum(axis=0) for drive in (back, ahead))
     assert moved == pytest.approx([-1.6, 0.0, 0.0], abs=0.02)
     assert np.abs(none[0]) < 0.1 * 1.6
+
+
+def test_what_is_observed_amid_a_stop_places_a_drive_before_and_after_it():
+    """Nodes lie 5 m of path apart, 5 s of a stop: in between the correction goes as the trajectory wanders."""
+    reported, (begin, end) = wandering({100.0: 20.0}, WANDERED, 100.0)
+    true = trajectory(300.0, {100.0: 20.0}, None)[0]
+    drive, run = Drive("A", reported, None), AdjustmentRun()
+    time = np.array([begin + 7.0, begin + 11.0, 20.0])
+    value = np.column_stack([interpolate(true, time).place - interpolate(reported, time).place, np.full(3, np.nan)])
+    parameter = np.interp(time, reported.time, run.path_parameters(reported))
+    seen = NetworkObservations(np.zeros(3, int), parameter, np.zeros((3, 2)), np.full(3, NONE), np.zeros(3),
+                               np.zeros((3, 2)), value, np.tile(1e-6 * np.eye(4), (3, 1, 1)), np.full(3, CONTROL))
+    made = adjust_drives([drive], seen, run, SILENT).drives[0]
+    stop = (reported.time > begin + 1.0) & (reported.time < end - 1.0)
+    assert np.abs(made.corrected.place - true.place)[stop].max() < 0.02

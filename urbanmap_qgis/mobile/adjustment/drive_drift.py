@@ -40,6 +40,10 @@ class DriveNodes:
     def __len__(self) -> int:
         return len(self.parameter)
 
+    def nearest(self, parameter: np.ndarray) -> np.ndarray:
+        """(n,) number of the node nearest to path parameters (n,)."""
+        return np.searchsorted(0.5 * (self.parameter[1:] + self.parameter[:-1]), parameter)
+
     def changes(self) -> np.ndarray:
         """(k - 1, 4) m, degrees, by which the correction changes between nodes as the vehicle stands there."""
         change = np.zeros((len(self) - 1, len(ACTIVE)))

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ...progress import Progress
 from ...wording import known, say
-from ..registration.correction.gauss_markov import StopMovement, jump_steps, stop_steps
+from ..registration.correction.gauss_markov import StopMovement, jump_steps, still_wandering, stop_steps
 from ..trajectory import Trajectory, interpolate
 from .drive_drift import DriveNodes
 from .network import RELATIVE_KINDS, NetworkObservations, NetworkSettings, adjust_network
@@ -53,12 +53,13 @@ def adjust_drives(drives: Sequence[Drive], observations: NetworkObservations, ru
                           "there, and control or reference says which does.", stepped=", ".join(stepped)))
     progress.message(say("Adjusting {drives_count} drives with {observations_count} observations.",
                          drives_count=len(drives), observations_count=len(observations)))
-    network = adjust_network(nodes, observations, NetworkSettings(run.registration.correction.model(),
-                                                                 differ=differ))
+    wandering = [_Wandering(drive.trajectory, parameter) for drive, parameter in zip(drives, parameters)]
+    network = adjust_network(nodes, _at_nodes(observations, nodes, wandering),
+                             NetworkSettings(run.registration.correction.model(), differ=differ))
     inlier = network.weight >= COUNTED
     placed = _networks(len(drives), observations, inlier)
     results = tuple(
-        _drive_result(drives[k], parameters[k], nodes[k], times[k], network.state[k], network.covariance[k],
+        _drive_result(drives[k], wandering[k], nodes[k], times[k], network.state[k], network.covariance[k],
                       _node_status(nodes[k], k, observations, inlier, placed[k]))
         for k in range(len(drives)))
     times_of = [np.interp([c], parameters[d], results[d].reported.time)
@@ -68,6 +69,29 @@ def adjust_drives(drives: Sequence[Drive], observations: NetworkObservations, ru
     survey = AdjustedSurvey(results, observations, network, place, not any(item is True for item in placed))
     _tell(survey, placed, progress)
     return survey
+
+
+class _Wandering:
+    """What a trajectory wandered in stops, m, up to path parameters (n,): the correction takes it back at once."""
+
+    def __init__(self, trajectory: Trajectory, parameter: np.ndarray):
+        self.parameter, self._wandered = parameter, still_wandering(trajectory)
+
+    def __call__(self, parameter: np.ndarray) -> np.ndarray:
+        return np.column_stack([np.interp(parameter, self.parameter, axis) for axis in self._wandered.T])
+
+
+def _at_nodes(observations: NetworkObservations, nodes: Sequence[DriveNodes],
+              wandering: Sequence[_Wandering]) -> NetworkObservations:
+    """The observations as their nearest nodes have them: what is wandered in a stop between both is no drift."""
+    value = observations.value.copy()
+    for sign, drive, parameter in ((1.0, observations.drive, observations.parameter),
+                                   (-1.0, observations.other, observations.other_parameter)):
+        for number, (of_drive, wandered) in enumerate(zip(nodes, wandering)):
+            mine = np.flatnonzero(drive == number)
+            nearest = of_drive.parameter[of_drive.nearest(parameter[mine])]
+            value[mine, :3] += sign * (wandered(parameter[mine]) - wandered(nearest))
+    return replace(observations, value=value)
 
 
 def _nodes(trajectory: Trajectory, parameter: np.ndarray, number: int,
@@ -104,18 +128,27 @@ def _node_status(nodes: DriveNodes, number: int, observations: NetworkObservatio
     return np.where(near, PLACED, BRIDGED)
 
 
-def _drive_result(drive: Drive, parameter: np.ndarray, nodes: DriveNodes, time: np.ndarray, state: np.ndarray,
+def _drive_result(drive: Drive, wandering: _Wandering, nodes: DriveNodes, time: np.ndarray, state: np.ndarray,
                   covariance: np.ndarray, status: np.ndarray) -> AdjustedDrive:
     """A drive with its correction at all epochs."""
     if status[0] == NOT_TIED:
         state = np.zeros_like(state)
-    value = np.column_stack([np.interp(parameter, nodes.parameter, axis) for axis in state[:, :, 0].T])
-    angles = np.zeros((len(parameter), 3))
+    value = _between_nodes(state[:, :, 0], nodes.parameter, wandering, status[0] != NOT_TIED)
+    angles = np.zeros((len(value), 3))
     angles[:, 2] = value[:, 3]
     reported = drive.trajectory
     corrected = Trajectory(reported.time, reported.place + value[:, :3], reported.angles + angles)
     return AdjustedDrive(drive.name, reported, corrected, time, nodes.parameter, interpolate(corrected, time).place,
                          state[:, :, 0], covariance, status)
+
+
+def _between_nodes(correction: np.ndarray, parameter: np.ndarray, wandering: _Wandering, tied: bool) -> np.ndarray:
+    """(e, 4) m, degrees, at all epochs of corrections (k, 4) of nodes: in a stop it goes as the trajectory wanders."""
+    still = correction.copy()
+    still[:, :3] += tied * wandering(parameter)
+    value = np.column_stack([np.interp(wandering.parameter, parameter, axis) for axis in still.T])
+    value[:, :3] -= tied * wandering(wandering.parameter)
+    return value
 
 
 def _tell(survey: AdjustedSurvey, placed: Sequence[bool | None], progress: Progress) -> None:

@@ -206,7 +206,7 @@ def _design(drives: Sequence[DriveNodes], observations: NetworkObservations) -> 
                                     (observations.other, observations.other_parameter, observations.other_arm, -1.0)):
         for number, nodes in enumerate(drives):
             of_drive = np.flatnonzero(drive == number)
-            node = np.searchsorted(0.5 * (nodes.parameter[1:] + nodes.parameter[:-1]), parameter[of_drive])
+            node = nodes.nearest(parameter[of_drive])
             ahead = parameter[of_drive] - nodes.parameter[node]
             # Clockwise rotation moves what lies north to the east, and what lies east to the south.
             terms = [(axis, axis, np.ones(len(of_drive))) for axis in range(_DIMENSIONS)]

@@ -10,6 +10,7 @@ import numpy as np
 
 from ...progress import SILENT, Progress
 from ...wording import say
+from ..registration.correction.gauss_markov import stilled
 from ..trajectory import Trajectory
 from .drive_network import adjust_drives
 from .network import NetworkObservations
@@ -35,7 +36,8 @@ def plane_observations(clouds: Sequence[Sequence[str | os.PathLike]], drives: Se
     progress.message(say("Looking for planes that drives share."))
     reported = [drive.trajectory for drive in drives]
     planes = planes_of(clouds, reported, progress)
-    adjusted = reported if placed is None else placed
+    # In a stop planes are seen from places that the trajectory wanders through, while the vehicle does not.
+    adjusted = [stilled(trajectory) for trajectory in reported] if placed is None else placed
     if placed is None and len(ties):
         adjusted = _adjusted(drives, ties, run)
     tied, weight = set(pairs_of(ties)), run.registration.correction.time_weight

@@ -10,6 +10,7 @@ from __future__ import annotations
 import os
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -21,7 +22,7 @@ from ..apply_correction import survey_time_shift
 from ..boresight.plane_patches import PatchSearch, PlanePatches, group_pairs
 from ..markings.extraction import WEIGHT
 from ..passes import BlockPositions
-from ..registration.correction.gauss_markov import path_parameters_of
+from ..registration.correction.gauss_markov import path_parameters_of, standing_variance
 from ..trajectory import Trajectory, interpolate, move_points
 from .network import PLANE, NetworkObservations
 
@@ -49,6 +50,7 @@ class AdjustmentPlanesLimits:
 LIMITS = AdjustmentPlanesLimits()
 
 _PARALLEL = np.cos(np.radians(8.0))
+_ALIKE = np.cos(np.radians(10.0))  # of facades that face one way
 
 
 @dataclass(frozen=True)
@@ -120,12 +122,20 @@ def plane_ties(planes: DrivePlanes, reported: Sequence[Trajectory], adjusted: Se
 
 def _directions(normal: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(n,) 0, 1, 2: facades that face as most of them do, facades across these, and road, by unit vectors (n, 3); and
-    the direction in plan (2,) in which the fewest face.
+    the direction in plan (2,) along which the first ones run.
+
+    At a corner as many face one way as the other: the mean of all would lie between both, so the largest set counts.
     """
     upright = np.abs(normal[:, 2]) <= LIMITS.upright
+    kind = np.where(upright, 1, 2)
+    if not upright.any():
+        return kind, np.array([1.0, 0.0])
     plan = normal[upright, :2]
-    least = np.linalg.eigh(plan.T @ plan)[1][:, 0]
-    return np.where(upright, (np.abs(normal[:, :2] @ least) > np.sqrt(0.5)).astype(int), 2), least
+    alike = np.abs(plan @ plan.T) > _ALIKE
+    most = plan[alike[np.argmax(alike.sum(axis=1))]]
+    along, facing = np.linalg.eigh(most.T @ most)[1].T
+    kind[upright] = (np.abs(plan @ facing) <= np.sqrt(0.5)).astype(int)
+    return kind, along
 
 
 def _scatter(off: np.ndarray) -> float:
@@ -206,7 +216,23 @@ class _Pair:
             weight[(kind == 1) & self.apart] = 0.0
         covariance = np.eye(4)
         covariance[:3, :3] = np.linalg.inv(information) + np.diag(LIMITS.floor) ** 2
+        covariance[:2, :2] += self._moved_within(some) * np.eye(2)
         return self._observation(some, shift, covariance)
+
+    @cached_property
+    def _standing(self) -> list[np.ndarray]:
+        """(e,) m2 of each of the two drives, see `standing_variance`."""
+        return [standing_variance(trajectory) for trajectory in self.reported]
+
+    def _moved_within(self, some: np.ndarray) -> float:
+        """m2, of what the vehicles may have moved unseen between the planes of a tie: it has one time of each."""
+        variance = 0.0
+        for number in (0, 1):
+            time = self.time[number][some]
+            seen, middle = (np.interp(at, self.reported[number].time, self._standing[number])
+                            for at in (time, np.median(time)))
+            variance += float(np.abs(seen - middle).mean())
+        return variance
 
     def _observation(self, some: np.ndarray, shift: np.ndarray, covariance: np.ndarray) -> NetworkObservations:
         """The row of a tie: what the adjusted trajectories say of its place already, and the shift."""

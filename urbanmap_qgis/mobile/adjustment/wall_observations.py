@@ -78,7 +78,7 @@ class DriveWalls:
         """
         survey = adjust_drives(drives, observations, run, SILENT) if len(observations) else None
         others = observations.select(observations.kind != REFERENCE) if self.buildings.alone else observations
-        corrections = [_reported] * len(drives) if survey is None else [_Course(item) for item in survey.drives]
+        corrections = [_reported] * len(drives) if survey is None else [_Course(item, run) for item in survey.drives]
         eaves, differ, seen = WITNESS.eaves[0], LIMITS.differ, others
         for _ in range(LIMITS.rounds):
             seen = NetworkObservations.joined([others, *self._observations(corrections, eaves)])
@@ -86,7 +86,7 @@ class DriveWalls:
                 raise InsufficientDataError(say("No facade of the drives belongs to a building, and nothing else ties "
                                                 "them: check that buildings and drives show the same streets."))
             last, survey = survey, adjust_drives(drives, seen, run, SILENT, differ)
-            corrections = [_Course(item) for item in survey.drives]
+            corrections = [_Course(item, run) for item in survey.drives]
             eaves = float(np.clip(WITNESS.eaves[0] + survey.network.offset, *WITNESS.possible))
             differ = _within(survey.network.differ)
             if last is not None and _moved(last, survey) < LIMITS.settled:
@@ -149,14 +149,13 @@ def _reported(path_parameter: np.ndarray) -> np.ndarray:
 class _Course:
     """The correction (n, 6), m and degrees, of an adjusted drive at path parameters (n,)."""
 
-    def __init__(self, drive: AdjustedDrive):
-        self.drive = drive
+    def __init__(self, drive: AdjustedDrive, run: AdjustmentRun):
+        before, after = drive.reported, drive.corrected
+        self.parameter = run.path_parameters(before)
+        self.correction = np.column_stack([after.place - before.place, after.angles - before.angles])
 
     def __call__(self, path_parameter: np.ndarray) -> np.ndarray:
-        correction = np.zeros((len(path_parameter), 6))
-        for axis, place in enumerate((0, 1, 2, 5)):
-            correction[:, place] = np.interp(path_parameter, self.drive.chainage, self.drive.correction[:, axis])
-        return correction
+        return np.column_stack([np.interp(path_parameter, self.parameter, axis) for axis in self.correction.T])
 
 
 def _moved(before: AdjustedSurvey, after: AdjustedSurvey) -> float:

@@ -117,9 +117,7 @@ class StopMovement:
     @classmethod
     def of(cls, trajectory: Trajectory, time: np.ndarray) -> StopMovement:
         """Of a trajectory between times (k + 1,)."""
-        stops = _Stops.of(trajectory)
-        wandered = still_wandering(trajectory)
-        spread = np.concatenate([[0.0], np.cumsum(stops.variance())])
+        wandered, spread = still_wandering(trajectory), standing_variance(trajectory)
         return cls(np.diff(np.column_stack([np.interp(time, trajectory.time, axis) for axis in wandered.T]), axis=0),
                    np.diff(np.interp(time, trajectory.time, spread)))
 
@@ -192,6 +190,16 @@ def still_wandering(trajectory: Trajectory) -> np.ndarray:
     step = np.diff(trajectory.place, axis=0) * stops.still[:, None]
     step += 0.5 * stops.speed()[stops.run] * (stops.span * stops.beside)[:, None]
     return np.concatenate([np.zeros((1, 3)), np.cumsum(step, axis=0)])
+
+
+def standing_variance(trajectory: Trajectory) -> np.ndarray:
+    """(e,) m2, of what the vehicle itself may have moved up to each epoch in all that counts as standing."""
+    return np.concatenate([[0.0], np.cumsum(_Stops.of(trajectory).variance())])
+
+
+def stilled(trajectory: Trajectory) -> Trajectory:
+    """The trajectory without what it wandered in stops: later places move by all that was wandered before."""
+    return replace(trajectory, place=trajectory.place - still_wandering(trajectory))
 
 
 def jump_steps(trajectory: Trajectory, time: np.ndarray) -> np.ndarray:
