@@ -64,3 +64,10 @@ def test_a_trajectory_of_another_day_is_refused(tmp_path):
     later = dataclasses.replace(trajectory(survey, 2), time=survey.path_time + 86_400.0)
     with pytest.raises(InputError, match="but the points were measured from"):
         find_walls(open_cloud([path]), building_plans([on_map(front.outline, 2)], [1]), trajectory=later)
+
+
+@pytest.mark.parametrize("kind, seed", [("balconies", 602), ("garden wall, balconies", 401)])
+def test_where_the_outermost_front_is_wanted_a_wall_ends_where_balconies_begin(tmp_path, kind, seed):
+    """Of the wall behind them more is seen than of the balconies."""
+    assert trial(kind, seed, tmp_path, "outermost").verdict == "good"
+    assert trial(kind, seed, tmp_path, "main").verdict == "good"

@@ -21,6 +21,7 @@ from .building_plans import BuildingPlans, outline_edges
 from .facade_points import LIMITS as POINT_LIMITS
 from .facade_points import FacadePoints, FacadeSettings, facade_points
 from .laser_beams import LaserBeams, laser_beams
+from .outermost_fronts import cut_behind_balconies
 from .plane_fit import WallPlane
 from .standing_before import BALCONY, RECESS, SETBACK, UNCLEAR, WALL, PlacedWall, kinds_of_walls
 from .wall_contours import Contour, ContourSettings, WallCoverage, in_plane, on_map, wall_contours, wall_coverage
@@ -186,6 +187,8 @@ def _walls_of(piece: _Piece, settings: WallSettings, check: Progress | None) -> 
             planes.append((segment.plane, contours))
     placed, edges = _placed(piece, planes, ends, outward, settings)
     kinds = kinds_of_walls(placed, given.points)
+    if settings.front == OUTERMOST:
+        placed, edges, kinds = cut_behind_balconies(placed, edges, kinds)
     on_front = [one for one, (kind, _) in zip(placed, kinds)
                 if kind in (WALL, UNCLEAR) or (kind == BALCONY and settings.front == OUTERMOST)]
     return [_described(piece, one, edge, kind, on_front, settings) for one, edge, kind in zip(placed, edges, kinds)]
