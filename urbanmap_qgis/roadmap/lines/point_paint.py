@@ -76,11 +76,12 @@ def point_polygons(places: np.ndarray) -> list[shapely.Polygon]:
         pieces += _tile_pieces(in_tile, low, margin)
     joined = shapely.get_parts(shapely.union_all(pieces))  # in whole cells: tiles meet without a slit
     joined = shapely.transform(joined, lambda cell: cell * (CELL / LIMITS.finer))
-    inside = shapely.area(shapely.buffer(joined, -LIMITS.surface, quad_segs=2)).sum()
+    smooth = shapely.simplify(joined[shapely.area(joined) >= LIMITS.least_area], LIMITS.stairs)
+    # Of the smooth outlines: the stairs of the cells take ten times as long.
+    inside = shapely.area(shapely.buffer(smooth, -LIMITS.surface, quad_segs=2)).sum()
     if inside > LIMITS.most_surface * shapely.area(joined).sum():
         raise InputError(say("The points cover whole surfaces, not paint: give marking points, as road markings from "
                              "mobile surveys make them, not the survey itself."))
-    smooth = shapely.simplify(joined[shapely.area(joined) >= LIMITS.least_area], LIMITS.stairs)
     return [shape for shape in smooth if shape.geom_type == "Polygon" and shape.is_valid and not shape.is_empty]
 
 
