@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
+from scipy.spatial import cKDTree
 from shapely import affinity
 
 from .strokes import Stroke
@@ -183,41 +184,46 @@ def _with_rows(accepted: Sequence[Symbol], unsure: Sequence[Symbol], search: _Se
 
 def _with_kinds_of_repeats(symbols: Sequence[Symbol], steps: Sequence[float]) -> list[Symbol]:
     """The symbols; an arrow whose kind is open takes that of those repeated in its lane, where these agree."""
-    settled = []
-    for symbol in symbols:
-        kinds = {other.kind for other in symbols if any(_repeats(symbol, other, step) for step in steps)}
-        kinds -= {UNKNOWN_ARROW, "diamond"}
-        if symbol.kind == UNKNOWN_ARROW and len(kinds) == 1:
-            symbol = replace(symbol, kind=kinds.pop(), heading=symbol.course)
-        settled.append(symbol)
+    one, other, ahead = _in_lanes(symbols)
+    repeats = (np.abs(np.abs(ahead)[:, None] - np.asarray(steps)) < LIMITS.row_along).any(axis=1)
+    kinds: dict[int, set[str]] = {}
+    for symbol, mate in zip(one[repeats].tolist(), other[repeats].tolist()):
+        kinds.setdefault(symbol, set()).add(symbols[mate].kind)
+    settled = list(symbols)
+    for number, found in kinds.items():
+        found -= {UNKNOWN_ARROW, "diamond"}
+        if symbols[number].kind == UNKNOWN_ARROW and len(found) == 1:
+            settled[number] = replace(symbols[number], kind=found.pop(), heading=symbols[number].course)
     return settled
 
 
-def _in_lane(one: Symbol, other: Symbol) -> float:
-    """How far (m) another symbol lies ahead of one in its lane, read alike; NaN where it does not."""
-    way = other.tail - one.tail
-    across = abs(way @ [-one.course[1], one.course[0]])
-    alike = one.course @ other.course > LIMITS.repeat_course
-    return float(way @ one.course) if alike and across < LIMITS.repeat_across else np.nan
-
-
-def _repeats(one: Symbol, other: Symbol, step: float) -> bool:
-    """Whether two symbols lie a step (m) from each other in one lane."""
-    return abs(abs(_in_lane(one, other)) - step) < LIMITS.row_along
+def _in_lanes(symbols: Sequence[Symbol]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Symbols of one lane, read alike: pairs of their numbers both ways, and how far (m) the other lies ahead."""
+    if len(symbols) < 2:
+        return np.empty(0, np.int64), np.empty(0, np.int64), np.empty(0)
+    tail, course = np.array([one.tail for one in symbols]), np.array([one.course for one in symbols])
+    pairs = cKDTree(tail).query_pairs(LIMITS.repeat[1] + LIMITS.row_along, output_type="ndarray")
+    one, other = np.vstack([pairs, pairs[:, ::-1]]).T
+    way, along = tail[other] - tail[one], course[one]
+    across = np.abs(way[:, 1] * along[:, 0] - way[:, 0] * along[:, 1])
+    alike = np.einsum("ij,ij->i", along, course[other]) > LIMITS.repeat_course
+    near = alike & (across < LIMITS.repeat_across)
+    return one[near], other[near], np.einsum("ij,ij->i", way, along)[near]
 
 
 def _steps_of_repeats(symbols: Sequence[Symbol]) -> list[float]:
     """Distances (m) at which arrows of one lane are repeated in this map, the usual one first."""
     arrows = [symbol for symbol in symbols if symbol.kind.startswith("arrow") and np.isfinite(symbol.heading).all()]
-    ahead = np.array([_in_lane(one, other) for one in arrows for other in arrows])
+    ahead = _in_lanes(arrows)[2]
     left, usual = np.sort(ahead[(ahead > LIMITS.repeat[0]) & (ahead < LIMITS.repeat[1])]), []
     while len(left):
-        alike = np.abs(left[:, None] - left) < LIMITS.repeat_same
-        best = alike[np.argmax(alike.sum(axis=1))]
-        if best.sum() < LIMITS.repeat_pairs:
+        first = np.searchsorted(left, left - LIMITS.repeat_same, side="right")
+        after = np.searchsorted(left, left + LIMITS.repeat_same, side="left")
+        best = int(np.argmax(after - first))
+        if after[best] - first[best] < LIMITS.repeat_pairs:
             break
-        usual.append(float(np.median(left[best])))
-        left = left[~best]
+        usual.append(float(np.median(left[first[best]:after[best]])))
+        left = np.concatenate([left[:first[best]], left[after[best]:]])
     return usual
 
 
