@@ -42,9 +42,10 @@ def _table(report, objects, doubtful) -> None:
     rows = []
     for kind, count in sorted(Counter(thing.kind for thing in objects).items()):
         some = [thing for thing in objects if thing.kind == kind]
+        known = [thing.diameter for thing in some if thing.diameter is not None]
         rows.append((tr(kind), count, sum(thing.status == doubtful for thing in some),
                      f"{np.median([thing.height for thing in some]):.1f}",
-                     f"{np.median([thing.diameter for thing in some]):.2f}",
+                     f"{np.median(known):.2f}" if known else "–",
                      f"{np.median([thing.sigma for thing in some]):.3f}"))
     report.table((tr("Kind"), tr("Number"), tr("Doubtful"), tr("Median height (m)"), tr("Median diameter (m)"),
                   tr("Median sigma (m)")), rows)

@@ -25,6 +25,8 @@ class CrownBoardLimits:
     taken: int = 7  # of a cell and the eight about it that hold points, where the cell is within a face
     cells: int = 4  # within a face, that hang together by their sides
     denser: float = 4.0  # than what lies before and behind it, for the same thickness
+    shared: float = 0.5  # of a part in larger ones, from which it is another view of these
+    tried: int = 4  # parts that are looked at, the largest first
     flat: float = 0.02  # m, standard deviation of its points
 
 
@@ -52,8 +54,31 @@ def face_in_crown(place: np.ndarray, axis: StemAxis) -> tuple[np.ndarray, np.nda
         layers += [_Layer(across, place[near, 2], np.flatnonzero(np.abs(away[number] - at) < LIMITS.thin))
                    for at in places]
     parts = _full_parts(layers)
-    fullest = max(parts, key=len, default=near[:0])
-    return _checked(place, offset, near, near[fullest]) if len(fullest) else None
+    for rows in _apart(parts, len(near)):
+        face = _checked(place, offset, near, near[rows])
+        if face is not None:
+            return face
+    return None
+
+
+def face_at(place: np.ndarray, axis: StemAxis, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray] | None:
+    """As `face_in_crown`, for the one face in whose plane some `rows` (m,) of the points lie."""
+    offset = place[:, :2] - axis.plan_at(place[:, 2])
+    return _checked(place, offset, np.flatnonzero(np.hypot(*offset.T) < LIMITS.reach), rows)
+
+
+def _apart(parts: list[np.ndarray], number: int) -> list[np.ndarray]:
+    """The largest of some parts, of `number` rows, without those that are mostly in a larger one: a trunk or a wall
+    beside a board may be larger than that."""
+    first: list[np.ndarray] = []
+    in_one = np.zeros(number, bool)
+    for rows in sorted(parts, key=len, reverse=True):
+        if np.mean(in_one[rows]) < LIMITS.shared:
+            first.append(rows)
+            in_one[rows] = True
+        if len(first) == LIMITS.tried:
+            break
+    return first
 
 
 def _fullest(away: np.ndarray) -> list[np.ndarray]:

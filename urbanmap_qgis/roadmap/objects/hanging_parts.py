@@ -165,7 +165,7 @@ def _board(place: np.ndarray, beyond: np.ndarray, up: np.ndarray, axis: StemAxis
         middle = place[near].mean(axis=0)
     if np.sqrt(max(spread[0], 0.0)) > LIMITS.thick or abs(normal[2]) > LIMITS.upright:
         return None
-    return _outlined(place[near], normal, axis, seen_from)
+    return outlined_board(place[near], normal, axis, seen_from)
 
 
 def _board_in_crown(place: np.ndarray, axis: StemAxis, seen_from: np.ndarray) -> Board | None:
@@ -173,7 +173,7 @@ def _board_in_crown(place: np.ndarray, axis: StemAxis, seen_from: np.ndarray) ->
     face = face_in_crown(place, axis)
     if face is None:
         return None
-    board = _outlined(place[face[0]], face[1], axis, seen_from)
+    board = outlined_board(place[face[0]], face[1], axis, seen_from)
     # What is as thick as a trunk is the post of a board only where that is fixed on it, not where a sign stands by.
     aside = 0.0 if board is None else np.hypot(*(board.centre[:2] - axis.plan_at(board.centre[2])))
     return board if axis.diameter < LIMITS.trunk or aside < LIMITS.fixed else None
@@ -188,8 +188,8 @@ def _wide_slabs(beyond: np.ndarray, up: np.ndarray) -> np.ndarray:
     return farthest[slab] > LIMITS.wide
 
 
-def _outlined(place: np.ndarray, normal: np.ndarray, axis: StemAxis, seen_from: np.ndarray) -> Board | None:
-    """The board in which points of a plane lie; None where they make none. `axis` of its post."""
+def outlined_board(place: np.ndarray, normal: np.ndarray, axis: StemAxis | None, seen_from: np.ndarray) -> Board | None:
+    """The board in which points of a plane lie; None where they make none. `axis` of its post, None without one."""
     level = np.array([normal[0], normal[1]]) / np.hypot(*normal[:2])
     middle = place.mean(axis=0)
     if level @ (seen_from - middle[:2]) < 0:
@@ -199,10 +199,12 @@ def _outlined(place: np.ndarray, normal: np.ndarray, axis: StemAxis, seen_from: 
     (left, right), (low, high) = np.percentile(across, [1, 99]), np.percentile(up, [1, 99])
     # What ends at its post on one side and reaches far out on the other is often hidden by the post from behind.
     side = np.array([-level[1], level[0]])
-    post = axis.plan_at(middle[2])
-    at_post = (post - middle[:2]) @ side
-    one_sided = min(abs(left - at_post), abs(right - at_post)) < axis.diameter / 2.0 + LIMITS.beside_post
-    shaded = one_sided and _shaded(left - at_post, right - at_post, side, level, seen_from - post)
+    at_post, one_sided, shaded = 0.0, False, False
+    if axis is not None:
+        post = axis.plan_at(middle[2])
+        at_post = (post - middle[:2]) @ side
+        one_sided = min(abs(left - at_post), abs(right - at_post)) < axis.diameter / 2.0 + LIMITS.beside_post
+        shaded = one_sided and _shaded(left - at_post, right - at_post, side, level, seen_from - post)
     hull = shapely.convex_hull(shapely.multipoints(np.column_stack([across, up])))
     if hull.area < 0.5 * (right - left) * (high - low):
         return None

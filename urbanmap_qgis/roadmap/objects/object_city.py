@@ -105,7 +105,7 @@ def _whole_plan(thing: StreetObject) -> shapely.Polygon:
     """The plan of all parts of an object."""
     if thing.kind == TREE:
         return _round_plan(thing.foot, max(thing.crown or 0.0, thing.diameter))
-    parts = [_round_plan(thing.foot, thing.diameter)]
+    parts = [] if thing.diameter is None else [_round_plan(thing.foot, thing.diameter)]
     if thing.arm is not None:
         parts.append(_arm_plan(thing))
     if thing.board is not None:
@@ -136,7 +136,9 @@ def _board_ends(thing: StreetObject) -> np.ndarray:
 
 def _parts(thing: StreetObject) -> tuple[CitySurface, ...]:
     """Faces of the post, its arm and its board."""
-    surfaces = _prism(_round_plan(thing.foot, thing.diameter), thing.foot[2], thing.height)
+    surfaces: tuple[CitySurface, ...] = ()
+    if thing.diameter is not None:
+        surfaces = _prism(_round_plan(thing.foot, thing.diameter), thing.foot[2], thing.height)
     if thing.arm is not None:
         surfaces += _prism(_arm_plan(thing), thing.foot[2] + thing.arm[1] - ARM_WIDTH / 2.0, ARM_WIDTH)
     if thing.board is not None:

@@ -102,8 +102,8 @@ class StreetObject:
     confidence : 0 to 1, how clearly its points show that kind.
     foot : (3,) where its axis meets the ground, m.
     height : of its highest point over the foot, m.
-    diameter : of its stem, m.
-    lean : degrees from the plumb line.
+    diameter : of its stem, m; None where that is not seen.
+    lean : degrees from the plumb line; None where its stem is not seen.
     azimuth : degrees, of a board's face or an arm; None without one.
     crown : diameter of a tree's crown, m; None without one.
     arm : length and height over the foot of an arm, m; None without one.
@@ -119,8 +119,8 @@ class StreetObject:
     confidence: float
     foot: np.ndarray
     height: float
-    diameter: float
-    lean: float
+    diameter: float | None
+    lean: float | None
     azimuth: float | None
     crown: float | None
     arm: tuple[float, float] | None

@@ -18,6 +18,7 @@ from ..edges.ground_profile import Heights, above_ground
 from .axis_fit import fit_axis
 from .hanging_parts import LIMITS as AROUND
 from .hanging_parts import HangingParts, hanging_parts
+from .lone_boards import board_on, lone_boards, stands_alone
 from .object_kind import kind_of
 from .object_records import (
     DOUBTFUL,
@@ -57,6 +58,8 @@ class StreetObjectLimits:
     frame: float = 0.05  # m over and under a board, where its points pass for its post's
     bare: float = 0.6  # m of height that a post shows without its board, to be placed by that alone
     stem_reach: float = 1.5  # m in plan from the foot of a stem, within which all of it stands
+    trunk: float = 0.2  # m, from which a stem in leaves is a trunk, not the post of a sign that stands by
+    post_in_width: float = 4.0  # of a board, over which its post is one standard deviation from its middle
     same: float = 0.5  # m; stems closer than this, over each other, are one thing
 
 
@@ -116,8 +119,10 @@ def _objects_of_tile(tile: EdgeTile, height: np.ndarray, survey: EdgePoints,
     points, height = tile.points[over], height[over]
     place = np.column_stack([points[name] for name in "xyz"])
     index = SweepIndex(place[:, :2])
+    where = _may_stand(place, tile, survey)
+    boards = lone_boards(place, height, index, survey.body(points["time"]), where)
     found: list[StreetObject] = []
-    for stem in find_stems(points, height, settings.max_diameter, _may_stand(place, tile, survey)):
+    for stem in find_stems(points, height, settings.max_diameter, where):
         axis = fit_axis(place[stem.rows], survey.body(points["time"][stem.rows]))
         ground = float(np.median(place[stem.rows, 2] - height[stem.rows]))
         foot = axis.plan_at(ground)
@@ -125,12 +130,12 @@ def _objects_of_tile(tile: EdgeTile, height: np.ndarray, survey: EdgePoints,
             continue
         near = index.near(foot, AROUND.reach + 0.5)
         seen_from = survey.body(points["time"][stem.rows]).mean(axis=0)
-        around = hanging_parts(place[near], height[near], axis, stem.high, seen_from)
+        around = _with_board(hanging_parts(place[near], height[near], axis, stem.high, seen_from), boards, axis)
         beside = _beside_board(place[stem.rows], around.board, bool(around.crown))
         if beside is not None:
             axis = fit_axis(place[stem.rows[beside]], survey.body(points["time"][stem.rows[beside]]))
             foot = axis.plan_at(ground)
-            around = hanging_parts(place[near], height[near], axis, stem.high, seen_from)
+            around = _with_board(hanging_parts(place[near], height[near], axis, stem.high, seen_from), boards, axis)
         short = stem.high - stem.low < LIMITS.post and not around.crown and not _under_board(stem, around, axis, ground)
         wall = around.straight and around.wall > LIMITS.wall * len(stem.rows)
         if short or wall or max(around.top, stem.high) < settings.min_height:
@@ -138,7 +143,34 @@ def _objects_of_tile(tile: EdgeTile, height: np.ndarray, survey: EdgePoints,
         crowd = _crowd(place[near], height[near], stem, axis)
         found.append(_object(stem, axis, np.array([*foot, ground]), around, crowd,
                              len(np.unique(points["drive"][stem.rows])), survey.corner, settings))
-    return _without_doubles(found)
+    found = _without_doubles(found)
+    return found + [_sign_without_post(board, place, height, survey.corner, settings) for board in boards
+                    if tile.owns(board.centre[None, :2])[0] and survey.within(board.centre[None, :2])[0]
+                    and all(np.linalg.norm(thing.board.centre - survey.corner - board.centre) > LIMITS.same
+                            for thing in found if thing.board is not None)
+                    and stands_alone(place, height, board)]
+
+
+def _with_board(around: HangingParts, boards: list[Board], axis: StemAxis) -> HangingParts:
+    """What hangs on a stem, with the board found before it where its own points show none."""
+    if around.board is not None:
+        return around
+    board = board_on(boards, axis)
+    if board is None or (around.crown and axis.diameter > LIMITS.trunk):
+        return around
+    return replace(around, board=board)
+
+
+def _sign_without_post(board: Board, place: np.ndarray, height: np.ndarray, corner: np.ndarray,
+                       settings: ObjectSettings) -> StreetObject:
+    """A sign of which the board alone shows: its post stands somewhere behind that."""
+    near = np.argmin(np.hypot(*(place[:, :2] - board.centre[:2]).T))
+    foot = np.array([*board.centre[:2], place[near, 2] - height[near]])
+    on = np.count_nonzero(np.linalg.norm(place - board.centre, axis=1) < board.height / 2.0)
+    sigma = float(np.hypot(board.width / LIMITS.post_in_width, settings.survey_sigma))
+    return StreetObject(SIGN, 0.3, foot + corner, float(board.centre[2] + board.height / 2.0 - foot[2]), None,
+                        None, board.azimuth, None, None, replace(board, centre=board.centre + corner), sigma, int(on),
+                        1, DOUBTFUL, say("its post is not seen"), None)
 
 
 def _may_stand(place: np.ndarray, tile: EdgeTile, survey: EdgePoints) -> np.ndarray:
