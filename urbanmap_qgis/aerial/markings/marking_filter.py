@@ -298,7 +298,7 @@ def _by_model(judged: JudgedPieces, found: Candidates, counts: np.ndarray, figur
     light = _light(found, settings)
     evidence = np.zeros(len(counts), np.float32)
     evidence[counts] = paint_model().evidence_of(figures.values, len(figures.pixels), light)[figures.cell]
-    values = paint_model().probability(_of_pieces(judged, evidence, pixel), light)
+    values = paint_model().probability(_of_pieces(judged, evidence, pixel, counts), light)
     return np.where(specks, np.float32(0), values)
 
 
@@ -343,12 +343,19 @@ def _accepted(pieces: MarkingPieces, vehicles: np.ndarray, border: np.ndarray, p
     return accepted
 
 
-def _of_pieces(judged: JudgedPieces, values: np.ndarray, pixel: float) -> np.ndarray:
-    """Means (n,) of values of the pieces' pixels over their piece, or the part of a long one."""
+def _of_pieces(judged: JudgedPieces, values: np.ndarray, pixel: float, known: np.ndarray | None = None) -> np.ndarray:
+    """Means (n,) of values of the pieces' pixels over their piece, or the part of a long one; there of those that are
+    known, bool (n,), by default all."""
     pieces = judged.pieces
     mean = np.bincount(pieces.labels, values, minlength=len(pieces.size)) / np.maximum(pieces.size, 1)
-    return np.where(pieces.long[pieces.labels], along_strokes(values, judged.mask, pixel),
-                    mean[pieces.labels].astype(np.float32))
+    along = np.zeros(len(values), np.float32)
+    if known is None:
+        along = along_strokes(values, judged.mask, pixel)
+    else:
+        strokes = np.zeros(judged.mask.shape, bool)
+        strokes.ravel()[pieces.inside[known]] = True
+        along[known] = along_strokes(values[known], strokes, pixel)
+    return np.where(pieces.long[pieces.labels], along, mean[pieces.labels].astype(np.float32))
 
 
 def _specks(judged: JudgedPieces, found: Candidates, pixel: float, settings: CleanSettings) -> np.ndarray:

@@ -49,7 +49,8 @@ def stop_line_confidence(chain: StrokeChain, lines: Sequence[tuple[StrokeChain, 
     It is one where it lies across the end of a line or along a crosswalk, and no line goes through it. Both together
     give the share of its length that is painted; one alone `LIMITS.one_evidence` of it.
     """
-    beside = any(_beside(chain, row) for row in crosswalks)
+    bar = shapely.LineString(chain.axis)
+    beside = any(_beside(chain, bar, row) for row in crosswalks)
     if not (LIMITS.shortest_at_crosswalk if beside else LIMITS.shortest) <= chain.length <= LIMITS.longest:
         return 0.0
     at_end, crossed = _at_end(chain, lines)
@@ -127,10 +128,13 @@ def _one_bar(one: StrokeChain, other: StrokeChain, worn: bool = False) -> Stroke
 def _at_end(chain: StrokeChain, lines: Sequence[tuple[StrokeChain, FittedLine]]) -> tuple[bool, bool]:
     """Whether a line ends at the bar, and whether one goes through it."""
     bar = shapely.LineString(chain.axis)
+    low, high = chain.axis.min(axis=0) - LIMITS.near_stop, chain.axis.max(axis=0) + LIMITS.near_stop
     along, strokes = _course(chain.axis), set(chain.strokes)
     at_end = False
     for other, fit in lines:
         if fit.width >= 0.8 * chain.width or not strokes.isdisjoint(other.strokes):
+            continue
+        if (fit.axis.max(axis=0) < low).any() or (fit.axis.min(axis=0) > high).any():
             continue
         axis = shapely.LineString(fit.axis)
         if axis.distance(bar) > LIMITS.near_stop:
@@ -148,11 +152,11 @@ def _at_end(chain: StrokeChain, lines: Sequence[tuple[StrokeChain, FittedLine]])
     return at_end, False
 
 
-def _beside(chain: StrokeChain, row: Crosswalk) -> bool:
+def _beside(chain: StrokeChain, bar: shapely.LineString, row: Crosswalk) -> bool:
     """Whether the bar lies before a crosswalk, along its row of bars."""
-    bar = shapely.LineString(chain.axis)
-    near = LIMITS.beside[0] < bar.distance(row.area) < LIMITS.beside[1]
-    if abs(_course(chain.axis) @ row.direction) > 0.35 or not near:
+    if abs(_course(chain.axis) @ row.direction) > 0.35:
+        return False
+    if not LIMITS.beside[0] < bar.distance(row.area) < LIMITS.beside[1]:
         return False
     normal = np.array([-row.direction[1], row.direction[0]])
     reach = shapely.get_coordinates(row.area.exterior) @ normal
