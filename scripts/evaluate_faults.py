@@ -118,6 +118,15 @@ def faulty(survey: DrivenSurvey, fault: Fault) -> DrivenSurvey:
     return replace(survey, markings=replace(markings, x=place[:, 0], y=place[:, 1], z=place[:, 2]), reported=wrong)
 
 
+def moved_walls(walls: WallWitness | None, before: Trajectory, after: Trajectory) -> WallWitness | None:
+    """Facades as another trajectory places them."""
+    if walls is None:
+        return None
+    planes = walls.planes
+    time_seen = np.interp(planes.chainage, path_chainage(before), before.time)
+    return replace(walls, planes=replace(planes, place=move_points(planes.place, time_seen, before, after)))
+
+
 @dataclass(frozen=True)
 class Outcome:
     """What came out of one run, at the patches: error (n, 6), sigma (n, 6), status (n,), near the step (n,) bool.
@@ -144,11 +153,7 @@ def run(survey: DrivenSurvey, fault: Fault, reference: Reference, settings: Regi
         walls: WallWitness | None = None) -> Outcome | str:
     """The survey with the fault, registered, also by its walls where they are given; or why it was refused."""
     wrong = faulty(survey, fault)
-    if walls is not None:
-        planes = walls.planes
-        time_seen = np.interp(planes.chainage, path_chainage(survey.reported), survey.reported.time)
-        place = move_points(planes.place, time_seen, survey.reported, wrong.reported)
-        walls = replace(walls, planes=replace(planes, place=place))
+    walls = moved_walls(walls, survey.reported, wrong.reported)
     begin = time.process_time()
     try:
         made = register_markings(wrong.markings, wrong.reported, reference, RegistrationRun(settings), walls=walls)

@@ -22,7 +22,18 @@ from pathlib import Path
 
 import numpy as np
 import shapely
-from evaluate_faults import DrivenSurvey, Fault, Outcome, constant_fault, percent, read_survey, run, step_fault, table
+from evaluate_faults import (
+    DrivenSurvey,
+    Fault,
+    Outcome,
+    constant_fault,
+    moved_walls,
+    percent,
+    read_survey,
+    run,
+    step_fault,
+    table,
+)
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
@@ -309,8 +320,9 @@ def evaluate(city: Path, ground: Path, name: str, cases: list[str], cache: Path 
     walls = walls_near(city, scene.survey, buildings)
     for title, change, fault in [item for kind in cases for item in CASES[kind]]:
         wrong = change(scene)
-        made = run(wrong.survey, fault, Reference.from_polygons(wrong.marks.polygons, ground),
-                   RegistrationSettings(three_d=True), walls)
+        made = "no marking of these kinds" if not len(wrong.marks.kind) else run(
+            wrong.survey, fault, Reference.from_polygons(wrong.marks.polygons, ground),
+            RegistrationSettings(three_d=True), moved_walls(walls, scene.survey.reported, wrong.survey.reported))
         for found, row in zip((rows, sigmas), rows_of(title, f"{city.name} {name}", made)):
             found.append(row)
         print("\n".join([*table(HEADER, rows[-1:])[2:3], *table(SIGMA_HEADER, sigmas[-1:])[2:3]]), flush=True)
