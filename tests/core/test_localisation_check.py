@@ -20,13 +20,13 @@ from urbanmap_qgis.localisation.prepared_map import field_of_walls
 from urbanmap_qgis.localisation.report.localisation_report import stretches, write_localisation_report
 from urbanmap_qgis.localisation.simulation.line_matches import lines_of_walls
 from urbanmap_qgis.localisation.simulation.marking_check import check_marking_prediction
-from urbanmap_qgis.localisation.simulation.prediction_check import check_prediction, compared, rank_agreement
-from urbanmap_qgis.localisation.simulation.simulated_matches import (
-    match_error,
-    plan_matching_map,
-    settled_error,
-    space_matching_map,
+from urbanmap_qgis.localisation.simulation.prediction_check import (
+    check_prediction,
+    compared,
+    ends_at_place,
+    rank_agreement,
 )
+from urbanmap_qgis.localisation.simulation.simulated_matches import match_error, plan_matching_map, space_matching_map
 from urbanmap_qgis.localisation.simulation.simulated_scans import displaced, ray_directions, simulated_scans
 from urbanmap_qgis.localisation.walls.wall_map import WallMap, wall_sigmas
 
@@ -210,7 +210,6 @@ def test_scans_are_registered_by_icp_where_that_is_how_vehicles_match(walls, pla
     scan, = simulated_scans(exact.obstacles, sensor[None], np.zeros(1), by_icp.scanner, 360, rng)
     errors = np.array([match_error(scan.offset, sensor, lines, by_icp, rng) for _ in range(10)])
     assert np.abs(errors[:, :2]).max() < 0.01 and np.abs(errors[:, 2]).max() < 0.001
-    assert np.abs(settled_error(scan.offset, sensor, lines)[:2]).max() < 0.01
     made = accuracy_map(LocalisationMap(walls), places, by_icp)
     check = check_prediction(walls, made, by_icp, 2, 60, 3)
     assert check.observed == pytest.approx(check.predicted, rel=0.35)
@@ -234,3 +233,12 @@ def test_markings_are_measured_and_registered():
     still = replace(by_paint, marking_common=0.0, marking_noise=0.001, start_sigma=0.1)
     exact = check_marking_prediction(sure, accuracy_map(LocalisationMap(None, sure), road, still), still, 1, 10, 2)
     assert exact.observed.max() < 0.02
+
+
+def test_a_scan_ends_at_its_place_within_two_cells_or_three_sigmas():
+    expected = np.stack([np.diag([0.1, 0.1, 0.01]) ** 2, np.diag([0.1, 0.5, 0.01]) ** 2])
+    beside = np.array([0.0, 0.99, 1.01, 1.49, 1.51])
+    errors = np.zeros((2, 5, 3))
+    errors[:, :, 0] = beside
+    assert ends_at_place(errors, expected).tolist() == [[True, True, False, False, False],
+                                                        [True, True, True, True, False]]

@@ -15,6 +15,9 @@ _MARGIN = 4
 _SAME = 2
 """A search that ends so many cells from the place, or nearer, has found it."""
 
+BESIDE = _SAME * STEP
+"""The same, m."""
+
 _NEIGHBOURS = [each for each in itertools.product((-1, 0, 1), repeat=2) if each != (0, 0)]
 
 

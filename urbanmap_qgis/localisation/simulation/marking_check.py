@@ -10,9 +10,9 @@ from ...progress import SILENT, Progress
 from ..accuracy_records import AccuracyMap
 from ..evidence.marking_map import LIMITS, MarkingMap, visible_markings
 from ..localisation_settings import LocalisationSettings
-from ..map_aliases import STEP, ScoreField
+from ..map_aliases import ScoreField
 from .line_matches import LineMap
-from .prediction_check import PredictionCheck, compared
+from .prediction_check import PredictionCheck, compared, ends_at_place
 
 
 def check_marking_prediction(markings: MarkingMap, accuracy: AccuracyMap, settings: LocalisationSettings, every: int,
@@ -28,7 +28,7 @@ def check_marking_prediction(markings: MarkingMap, accuracy: AccuracyMap, settin
     spread = float(np.hypot(np.hypot(markings.sigma.max(), settings.marking_common), settings.marking_noise))
     no_start = ScoreField(0.0, 0.0, np.zeros((1, 1), np.float32))
     lines = LineMap.of(no_start, markings.xy, markings.normal, spread, True)
-    errors, settled = np.zeros((2, len(rows), draws, 3))
+    errors = np.zeros((len(rows), draws, 3))
     for draw in range(draws):
         rng = np.random.default_rng([seed, draw])
         moved = _displaced(markings, settings, rng)
@@ -38,9 +38,7 @@ def check_marking_prediction(markings: MarkingMap, accuracy: AccuracyMap, settin
             start = np.array([*rng.normal(0.0, settings.start_sigma, 2),
                               np.radians(rng.normal(0.0, settings.start_heading))])
             errors[row, draw] = _error(measured, place[row, :2], lines, start)
-            settled[row, draw] = _error(measured, place[row, :2], lines, np.zeros(3))
-    converged = np.hypot(*np.moveaxis((errors - settled)[:, :, :2], 2, 0)) <= STEP
-    nothing = np.zeros(len(rows))
+    converged, nothing = ends_at_place(errors, accuracy.by_source["markings"][rows]), np.zeros(len(rows))
     return compared(rows, errors, nothing, nothing, accuracy, converged, source="markings")
 
 

@@ -17,9 +17,10 @@ from ..localisation_settings import LocalisationSettings
 from ..map_aliases import EVIDENCE_OF_CELL, STEP, alias_modes
 from ..places.place_status import undetermined_directions
 from ..prepared_map import field_of_walls
+from ..start_basins import BESIDE
 from ..walls.wall_map import WallMap
 from .line_matches import LineMap, lines_of_walls
-from .simulated_matches import MatchingMap, match_error, plan_matching_map, settled_error, space_matching_map
+from .simulated_matches import MatchingMap, match_error, plan_matching_map, space_matching_map
 from .simulated_scans import displaced, simulated_scans
 
 ELLIPSE_95 = 5.991
@@ -44,7 +45,7 @@ class PredictionCheck:
     rank : Spearman's coefficient of observed and predicted over all places; NaN with fewer than three.
     rank_in_street : median over the streets with eight places or more; NaN without one.
     inside : share of all errors within the 95 % ellipses.
-    converged : (k, draws) whether a scan ends where it does when its search begins at the true place.
+    converged : (k, draws) whether a scan ends at the place, see `ends_at_place`.
     determined : (k,) whether walls tell of all directions in plan.
     rank_converged, inside_converged : the same of scans that converge at places with all directions determined.
     failures_ranked : probability that a scan there that does not converge has a larger predicted share of such scans
@@ -84,7 +85,7 @@ def check_prediction(walls: WallMap, accuracy: AccuracyMap, settings: Localisati
     sensor = accuracy.places.place[rows] + np.array([0.0, 0.0, settings.scanner.height])
     heading = accuracy.places.heading[rows]
     maps = _maps(walls, accuracy, rows, settings)
-    errors, settled, hidden, elsewhere = (np.zeros((len(rows), draws, *more)) for more in ((3,), (3,), (), ()))
+    errors, hidden, elsewhere = (np.zeros((len(rows), draws, *more)) for more in ((3,), (), ()))
     azimuths = _AZIMUTHS_PLAN if settings.scanner.kind == "2D" else _AZIMUTHS_SPACE
     for draw in range(draws):
         rng = np.random.default_rng([seed, draw])
@@ -94,12 +95,21 @@ def check_prediction(walls: WallMap, accuracy: AccuracyMap, settings: Localisati
             progress.step((draw + number / len(scans)) / draws)
             points = _on_walls(scan.offset, settings) if settings.matcher == "ICP" else scan.offset
             errors[number, draw] = match_error(points, sensor[number], maps[number], settings, rng)
-            settled[number, draw] = settled_error(points, sensor[number], maps[number])
             hidden[number, draw] = scan.hidden
             elsewhere[number, draw] = _fits_elsewhere(maps[number], scan.offset, sensor[number], settings)
-    converged = np.hypot(*np.moveaxis((errors - settled)[:, :, :2], 2, 0)) <= STEP
-    free = undetermined_directions(plan_ellipses(accuracy.by_source["walls"][rows]), settings)
-    return compared(rows, errors, hidden.mean(axis=1), elsewhere.mean(axis=1), accuracy, converged, free == 0)
+    expected = accuracy.by_source["walls"][rows]
+    free = undetermined_directions(plan_ellipses(expected), settings)
+    return compared(rows, errors, hidden.mean(axis=1), elsewhere.mean(axis=1), accuracy,
+                    ends_at_place(errors, expected), free == 0)
+
+
+def ends_at_place(errors: np.ndarray, expected: np.ndarray) -> np.ndarray:
+    """(k, draws) whether errors (k, draws, 3), m, are those of scans that end where they were taken.
+
+    That is within the two cells that `start_basins.share_elsewhere` takes for the place, or within three sigmas of the
+    weakest direction of the expected covariances (k, 3, 3): these cut off 1 % of normal errors at most.
+    """
+    return np.hypot(errors[:, :, 0], errors[:, :, 1]) <= np.maximum(BESIDE, 3 * plan_ellipses(expected).major)[:, None]
 
 
 def _fits_elsewhere(city: MatchingMap | LineMap, scan: np.ndarray, sensor: np.ndarray, settings: LocalisationSettings

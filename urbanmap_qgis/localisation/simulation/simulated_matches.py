@@ -104,14 +104,6 @@ def match_error(scan: np.ndarray, place: np.ndarray, city: MatchingMap | LineMap
     return best[1]
 
 
-def settled_error(scan: np.ndarray, place: np.ndarray, city: MatchingMap | LineMap) -> np.ndarray:
-    """Error (3,) as of `match_error` of a scan whose search begins at the true place."""
-    dimensions = city.dimensions
-    start = RigidMotion(np.zeros(dimensions), place[:dimensions].copy(), np.eye(dimensions))
-    found = city.registered(scan[:, :dimensions], start)[0]
-    return np.array([*(found.translation[:2] - place[:2]), np.arctan2(found.rotation[1, 0], found.rotation[0, 0])])
-
-
 def _starts(points: np.ndarray, start: np.ndarray, field: ScoreField, settings: LocalisationSettings
             ) -> list[tuple[np.ndarray, float]]:
     """Shifts (2,), m, and turns, rad, that fit best, what was known before taken into account."""
