@@ -188,6 +188,13 @@ def test_a_wall_does_not_run_into_the_neighbour():
     assert shapely.intersection(lowest_plan(first), lowest_plan(second)).area == 0
 
 
+@pytest.mark.parametrize(("overlap", "status"), [(0.015, "moved"), (0.05, "neighbour")])
+def test_neighbours_that_overlap_by_what_walls_are_measured_to_do_not_stop_a_wall(overlap, status):
+    models = [model((box(0, 0, 20, 10), 30.0)), model((box(19.9, 0, 10, 10), 30.0))]
+    first, _ = one(models, [wall((20.0 + overlap, 0), (20.0 + overlap, 10))])
+    assert status in states(first)
+
+
 def test_a_facade_of_facets_does_not_pull_a_long_edge_to_one_of_them():
     facets = [wall((0, -0.2), (7, -0.9)), wall((7, -0.9), (13, -0.9)), wall((13, -0.9), (20, -0.2))]
     building = one([model((box(0, 0, 20, 10), 30.0))], facets, max_rotation=4.0)

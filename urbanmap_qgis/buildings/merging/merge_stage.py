@@ -55,7 +55,8 @@ class MergeStageLimits:
 
     # A roof up to this far above the height (m) belongs below it: no thin slice of the old plan stays on top.
     low: float = 0.5
-    touch: float = 0.02  # Neighbours may share this much plan more than before, m2: the rounding of their nodes.
+    # Neighbours may share a strip this wide (m) more than before: walls are measured to no less.
+    touch: float = 0.02
     max_iterations: int = 20
     lift: float = 0.01
 
@@ -229,10 +230,10 @@ def _clear_of_neighbours(plans: list[_Plan], progress: Progress) -> list[_Plan]:
             if i == j or not plans[one].lines:
                 continue
             # Above the height the plans are as they were: only what lies below can run into each other.
-            common = shapely.intersection(after[one], after[two])
-            if common.area - shapely.intersection(before[one], before[two]).area <= LIMITS.touch:
+            gained = _gained(before[one], before[two], after[one], after[two])
+            if gained.is_empty:
                 continue
-            intruding = _intruding(plans[one], common)
+            intruding = _intruding(plans[one], gained)
             if intruding:
                 plans[one] = plans[one].stopped(intruding, NEIGHBOUR, say("the measured wall lies in the neighbour "
                                                                           "{building_id}",
@@ -242,6 +243,16 @@ def _clear_of_neighbours(plans: list[_Plan], progress: Progress) -> list[_Plan]:
         if not changed:
             return plans
     return plans
+
+
+def _gained(before: shapely.Geometry, beside_before: shapely.Geometry, after: shapely.Geometry,
+            beside_after: shapely.Geometry) -> shapely.Geometry:
+    """Place that two neighbours share and did not share before; empty where they share no more in all, or a strip that
+    is nowhere wider than `LIMITS.touch`: rough outlines overlap by metres, whose borders turn with the walls."""
+    shared, common = shapely.intersection(before, beside_before), shapely.intersection(after, beside_after)
+    gained = shapely.difference(common, shared)
+    more = common.area > shared.area and not shapely.is_empty(shapely.buffer(gained, -LIMITS.touch / 2))
+    return gained if more else shapely.Polygon()
 
 
 def _union(plan: _Plan) -> shapely.Geometry:
