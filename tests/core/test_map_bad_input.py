@@ -8,10 +8,11 @@ import pytest
 import shapely
 
 from tests.core import laid_out_roads as roads
+from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.roadmap.checks.map_check import check_map
 from urbanmap_qgis.roadmap.formats.lanelet_map import lanelet_elements
 from urbanmap_qgis.roadmap.formats.opendrive_map import opendrive_tree
-from urbanmap_qgis.roadmap.map_records import DrivenPath, MapLine, MapSettings
+from urbanmap_qgis.roadmap.map_records import DrivenPath, MapLine, MapSettings, lines_of
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
 
 WKT = pyproj.CRS.from_epsg(6677).to_wkt()
@@ -39,6 +40,15 @@ def test_without_drives_paint_alone_tells_and_ways_through_junctions_are_inferre
     far = [lane for lane in built.lanes if lane.centre[:, :2].mean(axis=0)[0] > roads.place([(80, 0)])[0, 0]]
     assert {lane.evidence for lane in far} <= {"beyond the junction", "beside a dashed line", "across the centre line"}
     assert {roads.course(built.lanes[roads.lane_at(built, 120, y)]) for y in (5.2, 1.7)} == {1.0}
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
+def test_a_corner_that_is_no_place_is_refused_by_its_line(bad):
+    sound = shapely.LineString([(0, 0, np.nan), (10, 0, np.nan)])
+    damaged = shapely.from_wkb(shapely.to_wkb(shapely.LineString([(0, 0, 1), (5, bad, 1), (9, 0, 1)])))
+    assert len(lines_of([sound], {"class": ["stop line"]})) == 1
+    with pytest.raises(InputError, match="Line 2 "):
+        lines_of([sound, damaged], {"class": ["stop line", "solid"]})
 
 
 def test_drives_of_another_place_change_nothing():

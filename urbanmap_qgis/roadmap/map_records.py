@@ -8,6 +8,9 @@ from dataclasses import dataclass, field
 import numpy as np
 import shapely
 
+from ..errors import InputError
+from ..wording import say
+
 TURNS = ("straight", "left", "right")
 """Ways on through a junction, as Lanelet2 names them."""
 
@@ -244,6 +247,10 @@ def lines_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[str
     Parameters
     ----------
     kind_field : field with the kind; None makes every line a road border.
+
+    Raises
+    ------
+    InputError : a line has a corner whose place is no number.
     """
     def value(name: str, row: int, otherwise):
         cell = columns[name][row] if name in columns else None
@@ -255,6 +262,9 @@ def lines_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[str
             points = shapely.get_coordinates(part, include_z=True)
             if part.geom_type != "LineString" or len(points) < 2 or part.length == 0:
                 continue
+            if not np.isfinite(points[:, :2]).all():
+                raise InputError(say("Line {row} of the layer has a corner whose east or north is no number: mend the "
+                                     "corner or delete the line.", row=row + 1))
             kind = "road border" if kind_field is None else str(columns[kind_field][row])
             chain = int(value("chain", row, -1)) if kind_field is not None else -1
             lines.append(MapLine(points, kind, str(value("colour", row, "")), float(value("width", row, 0.15)),
