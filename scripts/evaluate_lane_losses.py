@@ -24,12 +24,10 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from scripts.demo.checks import read_layer  # noqa: E402
-from scripts.evaluate_roadmap import sampled  # noqa: E402
+from scripts.evaluate_roadmap import measured_lines, sampled  # noqa: E402
 from urbanmap_qgis.io.raster import RasterSampler  # noqa: E402
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory  # noqa: E402
 from urbanmap_qgis.roadmap.lanes.lane_strips import lane_strips  # noqa: E402
-from urbanmap_qgis.roadmap.lines.line_work import line_work, with_ground_heights  # noqa: E402
-from urbanmap_qgis.roadmap.lines.point_paint import drive_points, drive_polygons, hidden_paint  # noqa: E402
 from urbanmap_qgis.roadmap.map_records import DrivenPath, MapArea, MapLine, MapSettings, lines_of  # noqa: E402
 from urbanmap_qgis.roadmap.vector_map import build_vector_map, prepared_sections  # noqa: E402
 
@@ -114,19 +112,6 @@ class Losses:
         cause = np.where(lacking == "", lined, cause)
         cause = np.where((lacking != "") & (off | against), np.char.add(cause, ", lane elsewhere"), cause)
         return np.where(good, "", cause)
-
-
-def measured_lines(given, points, ground):
-    """Line work of polygons with the marking points' paint added, and that paint."""
-    geometries, (colours,) = read_layer(given, "colour")
-    parts, owner = shapely.get_parts(shapely.force_2d(geometries), return_index=True)
-    paint, names = list(parts), [colours[k] or "" for k in owner]
-    drives = drive_points([Path(one) for one in points])
-    survey = drive_polygons(drives)
-    added = hidden_paint(paint, survey)
-    work = line_work([*paint, *added], [*names, *[""] * len(added)], drives=drives)
-    with RasterSampler(ground) as heights:
-        return with_ground_heights(work, heights.sample), paint, survey
 
 
 def main() -> None:

@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
 """Lines, symbols and lanes against the truth of a city: what the road map's algorithms reach from found markings.
 
-    python3 scripts/evaluate_roadmap.py CITY MARKINGS.gpkg [GROUND.tif]
+    python3 scripts/evaluate_roadmap.py CITY MARKINGS.gpkg [GROUND.tif] [--points LAZ ...] [--drives CSV ...]
 
 CITY is a sample city or another folder with truth/markings.gpkg, truth/survey_*_trajectory.csv and, for lanes,
-truth/lanes.gpkg. MARKINGS are the polygons found in it. Lines are compared by their painted length; lanes with the true
-trajectories as drives. Needs a Python that sees QGIS's GDAL.
+truth/lanes.gpkg. MARKINGS are the polygons found in it, points the marking points of its surveys. Lines are compared by
+their painted length; without drives the true trajectories are taken. Needs a Python that sees QGIS's GDAL.
 """
 
 from __future__ import annotations
 
+import argparse
 import sys
 import time
 from collections import Counter
@@ -27,6 +28,7 @@ from scripts.demo.checks import read_layer  # noqa: E402
 from urbanmap_qgis.io.raster import RasterSampler  # noqa: E402
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory  # noqa: E402
 from urbanmap_qgis.roadmap.lines.line_work import LineWork, line_work, with_ground_heights  # noqa: E402
+from urbanmap_qgis.roadmap.lines.point_paint import drive_points, drive_polygons, hidden_paint  # noqa: E402
 from urbanmap_qgis.roadmap.lines.symbol_patterns import matches  # noqa: E402
 from urbanmap_qgis.roadmap.lines.symbols import UNKNOWN_ARROW  # noqa: E402
 from urbanmap_qgis.roadmap.map_records import DrivenPath, MapArea, MapLine, VectorMap  # noqa: E402
@@ -238,19 +240,35 @@ def lane_figures(built: VectorMap, city: Path) -> dict[str, float]:
         shapely.union_all(inside).difference(true).area / max(shapely.union_all(inside).area, 1e-9))}
 
 
+def measured_lines(given, points, ground=None):
+    """Line work of polygons with the marking points' paint added, the polygons, and those of the points."""
+    geometries, (colours,) = read_layer(given, "colour")
+    parts, owner = shapely.get_parts(shapely.force_2d(geometries), return_index=True)
+    paint, names = list(parts), [colours[k] or "" for k in owner]
+    drives = drive_points([Path(one) for one in points])
+    survey = drive_polygons(drives)
+    added = hidden_paint(paint, survey)
+    work = line_work([*paint, *added], [*names, *[""] * len(added)], drives=drives)
+    if ground is None:
+        return work, paint, survey
+    with RasterSampler(ground) as heights:
+        return with_ground_heights(work, heights.sample), paint, survey
+
+
 def main() -> None:
     """Print the figures of one city."""
-    city, found = Path(sys.argv[1]), Path(sys.argv[2])
-    geometries, (colours,) = read_layer(found, "colour")
-    parts, owner = shapely.get_parts(shapely.force_2d(geometries), return_index=True)
-    started = time.process_time()
-    work = line_work(list(parts), [colours[k] or "" for k in owner])
-    if len(sys.argv) > 3:
-        with RasterSampler(sys.argv[3]) as ground:
-            work = with_ground_heights(work, ground.sample)
+    parser = argparse.ArgumentParser()
+    parser.add_argument("city", type=Path)
+    parser.add_argument("markings")
+    parser.add_argument("ground", nargs="?")
+    for name in ("points", "drives"):
+        parser.add_argument(f"--{name}", nargs="*", default=[])
+    given = parser.parse_args()
+    city, started = given.city, time.process_time()
+    work, paint, survey = measured_lines(given.markings, given.points, given.ground)
     lines_done = time.process_time()
-    drives = [DrivenPath(read_trajectory(path).trajectory.place)
-              for path in sorted((city / "truth").glob("survey_*_trajectory.csv"))]
+    paths = given.drives or sorted((city / "truth").glob("survey_*_trajectory.csv"))
+    drives = [DrivenPath(read_trajectory(Path(path)).trajectory.place) for path in paths]
     lines = [MapLine(line.points, line.kind, line.colour, line.width, line.sigma, line.chain, line.partner,
                      confidence=line.confidence, sigmas=line.sigmas)
              for line in work.lines]
@@ -258,7 +276,7 @@ def main() -> None:
     done = time.process_time()
     shapes, (kinds,) = read_layer(city / "truth/markings.gpkg", "kind", layer="aerial")
     kinds = np.array(kinds)
-    figures = {**line_figures(work, shapes, kinds, parts), **course_figures(work, city),
+    figures = {**line_figures(work, shapes, kinds, [*paint, *survey]), **course_figures(work, city),
                **area_figures(work, shapes, kinds),
                **lane_figures(built, city), **side_figures(built, shapes, kinds),
                "CPU s, lines": lines_done - started, "CPU s, lanes": done - lines_done,
