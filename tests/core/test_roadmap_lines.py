@@ -206,6 +206,14 @@ def test_worn_stop_line_in_narrow_and_slanting_pieces_is_one():
     assert not [line for line in work_of([*lines, *pieces[1:2], pieces[2]]).lines if line.kind == "stop line"]
 
 
+def test_a_piece_beside_a_worn_stop_line_does_not_shorten_it_and_one_across_does_not_lengthen_it():
+    lines = [shapely.box(0, y - 0.075, 40, y + 0.075) for y in (0.0, 3.25)]
+    pieces = [shapely.box(40.3, 0.15, 40.6, 3.1), shapely.box(40.63, 0.6, 40.75, 1.6),
+              shapely.box(40.2, 3.6, 40.6, 3.7)]
+    (stop,) = [line for line in work_of([*lines, *pieces]).lines if line.kind == "stop line"]
+    assert np.ptp(back(stop.points)[:, 1]) == pytest.approx(2.95, abs=0.1)
+
+
 def test_stop_line_before_a_crosswalk_needs_no_line_and_a_short_bar_alone_is_none():
     bars = [shapely.box(20.0, y, 24.0, y + 0.45) for y in np.arange(-4.0, 4.0, 0.9)]
     (stop,) = work_of([*bars, shapely.box(17.5, -3.8, 17.95, -0.4)]).lines

@@ -30,7 +30,9 @@ class StopLinesLimits:
     # them.
     joint: float = 1.5
     joint_offset: float = 0.2
-    crumbs: float = 1.0  # Narrow pieces of worn bars continue one so near, m.
+    # Narrow pieces of worn bars continue one so near, m, with a course whose cosine with its own is so much.
+    crumbs: float = 1.0
+    crumb_course: float = 0.85
     beside: tuple[float, ...] = (0.5, 7.0)  # A stop line lies so far before a crosswalk, m.
     # Confidence of a wholly painted stop line that only lines' ends or only a crosswalk show.
     one_evidence: float = 0.7
@@ -111,17 +113,17 @@ def _one_bar(one: StrokeChain, other: StrokeChain, worn: bool = False) -> Stroke
         return None
     # Short ragged pieces point aside: what they have in common is told by the line through all four ends.
     tips = np.vstack([one.axis[[0, -1]], other.axis[[0, -1]]])
-    along = np.linalg.svd(tips - tips.mean(axis=0))[2][0]
-    along = along if (one.axis[-1] - one.axis[0]) @ along > 0 else -along
-    place, beside = (other.axis - one.axis[0]) @ along, (tips - tips.mean(axis=0)) @ np.array([-along[1], along[0]])
-    gap = max(place.min() - one.length, -place.max())
-    wide = worn or max(one.width, other.width) <= 1.6 * min(one.width, other.width)
-    if not (-1.0 <= gap <= LIMITS.joint and wide and np.abs(beside).max() <= LIMITS.joint_offset):
+    middle = tips.mean(axis=0)
+    along = np.linalg.svd(tips - middle)[2][0]
+    place, beside = (tips - middle) @ along, (tips - middle) @ np.array([-along[1], along[0]])
+    gap = max(place[:2].min() - place[2:].max(), place[2:].min() - place[:2].max())
+    wide = max(one.width, other.width) <= 1.6 * min(one.width, other.width)
+    askew = worn and abs(_course(other.axis) @ along) < LIMITS.crumb_course
+    if not (-1.0 <= gap <= LIMITS.joint and (wide or worn) and np.abs(beside).max() <= LIMITS.joint_offset) or askew:
         return None
-    after = other.axis if place[0] < place[-1] else other.axis[::-1]
-    axis = np.vstack([one.axis, after] if place.mean() > 0 else [after, one.axis])
+    axis = middle + np.array([[place.min()], [place.max()]]) * along
     painted = one.painted + other.painted
-    return StrokeChain(axis[[0, -1]], [*one.strokes, *other.strokes], painted,
+    return StrokeChain(axis, [*one.strokes, *other.strokes], painted,
                        (one.painted * one.width + other.painted * other.width) / max(painted, LEAST_DIVISOR))
 
 
