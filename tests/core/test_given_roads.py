@@ -52,3 +52,11 @@ def test_one_kerb_beside_its_sidewalk_moves_nothing():
     kerb = shapely.linestrings([[-30.0, 6.0], [30.0, 6.0]])
     roads = [shapely.box(-40.0, -9.0, 40.0, 8.5)]
     assert laid_on_kerbs(roads, kerb) == (roads, [])
+
+
+@pytest.mark.parametrize("far", [1e15, -1e12, 1e308])
+def test_a_road_with_a_corner_far_away_shows_no_shift_and_hinders_none(far):
+    spike = shapely.Polygon([(0, 0), (30, 0), (far, 20), (0, 8)])
+    assert laid_on_kerbs([spike], KERBS) == ([spike], [])
+    moved, told = laid_on_kerbs([spike, shifted(carriageway(), 1.0, 0.0)], KERBS)
+    assert [one.kind for one in told] == ["given roads moved"] and moved[1].distance(carriageway()) == 0

@@ -29,6 +29,7 @@ class MoveLimits:
     side: float = 0.3  # of the kerbs across the shift on one side of roads, those on the other at least
     places: int = 20
     rounds: int = 30
+    longest: float = 10_000.0  # m; a border with a straight side longer than this is damaged and shows no shift
 
 
 LIMITS = MoveLimits()
@@ -52,6 +53,8 @@ def laid_on_kerbs(official: Sequence[shapely.Polygon], kerbs: shapely.Geometry,
         return official, []
     border = _places([ring for shape in official for ring in _rings(shape)])
     measured = _places(shapely.get_parts(kerbs))
+    if not len(border):
+        return official, []
     shift = _shift(measured, border)
     if len(measured) < LIMITS.places or np.hypot(*shift) < LIMITS.least:
         return official, []
@@ -82,9 +85,15 @@ def _both_sides(courses: np.ndarray, shift: np.ndarray) -> bool:
 
 
 def _places(lines: Sequence[shapely.Geometry]) -> np.ndarray:
-    """Places (n, 2) along lines, m."""
-    parts = [shapely.segmentize(part, LIMITS.step) for part in lines]
-    return np.concatenate([shapely.get_coordinates(part) for part in parts])
+    """Places (n, 2) along lines, m, of those without a side longer than any road's."""
+    parts = [shapely.segmentize(part, LIMITS.step) for part in lines if _longest_side(part) < LIMITS.longest]
+    return np.concatenate([np.zeros((0, 2)), *(shapely.get_coordinates(part) for part in parts)])
+
+
+def _longest_side(line: shapely.Geometry) -> float:
+    """m, inf where a corner is no place."""
+    sides = np.hypot(*np.diff(shapely.get_coordinates(line), axis=0).T)
+    return float(sides.max(initial=0.0)) if np.isfinite(sides).all() else np.inf
 
 
 def _shift(measured: np.ndarray, border: np.ndarray) -> np.ndarray:
