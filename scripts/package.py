@@ -30,7 +30,12 @@ NOT_FOUND = "404.html"  # a page for servers
 WINDOWS, PHOTOGRAPHS = (17, 900), (18, 720)
 ICON_STYLES_FILES = ("brands.min.css", "fontawesome.min.css", "solid.min.css", "v4-font-face.min.css")
 ICON_STYLES = re.compile(r'<link href="[^"]*css/(?:brands|fontawesome|solid|v4-font-face)\.min\.css" rel="stylesheet">')
-TO_REFERENCE = re.compile(r'<a [^>]*href="(?:\.\./)*api/[^"]*"[^>]*>(.*?)</a>', re.DOTALL)
+FOR_PROGRAMMERS = ("architecture", "developer", "testing")  # pages
+TO_PROGRAMMERS = (r'<a [^>]*href="(?:\.\./)*(?:api/[^"]*|(?:' + "|".join(FOR_PROGRAMMERS)
+                  + r')\.html[^"]*)"[^>]*>(.*?)</a>')
+LINK = re.compile(TO_PROGRAMMERS, re.DOTALL)
+MENU = re.compile(r'<li class="nav-item dropdown">\s*<a href="#"[^>]*>[^<]*</a>\s*<ul class="dropdown-menu">'
+                  rf'(?:\s*<li>\s*{TO_PROGRAMMERS}\s*</li>)+\s*</ul>\s*</li>')
 REQUIRED = ("name", "qgisMinimumVersion", "description", "about", "version", "author")
 PUBLISHED = ("email", "repository", "tracker", "homepage", "changelog")
 
@@ -82,15 +87,17 @@ def metadata(root: Path, repository: str = "", email: str = "") -> bytes:
 def website(site: Path) -> dict[str, bytes]:
     """The documentation as a website by name in the zip, where `make docs` has built it: the help that is in it.
 
-    Left out are what holds times, what is for programmers (source maps, the reference of the core), fonts and styles
-    of symbols that `site.css` hides, and pictures that no page shows.
+    Left out are what holds times, what is for programmers (source maps, the reference of the core and the pages about
+    the code), fonts and styles of symbols that `site.css` hides, and pictures that no page shows.
     """
-    pages = "".join(path.read_text(encoding="utf-8") for path in site.rglob("*.html"))
+    pages = "".join(path.read_text(encoding="utf-8") for path in site.rglob("*.html")
+                    if path.stem not in FOR_PROGRAMMERS)
     paths = [path for path in sorted(site.rglob("*")) if path.is_file() and not path.name.startswith("sitemap")
              and path.suffix not in (".map", ".inv") and path.parent.name != "webfonts"
              and "api" not in path.relative_to(site).parts
              and path.name not in (*ICON_STYLES_FILES, NOT_FOUND)
-             and (path.suffix not in PICTURES or path.name in pages)]
+             and not (path.suffix == ".html" and path.stem in FOR_PROGRAMMERS)
+             and (path.suffix not in (*PICTURES, ".svg") or path.name in pages)]
     return {f"site/{packed_name(path.relative_to(site).as_posix())}": smaller(path) for path in paths}
 
 
@@ -104,7 +111,8 @@ def smaller(path: Path) -> bytes:
     what is left out."""
     data = path.read_bytes()
     if path.suffix == ".html":
-        page = without_indents(ICON_STYLES.sub("", TO_REFERENCE.sub(r"\1", data.decode("utf-8"))))
+        page = LINK.sub(r"\1", MENU.sub("", ICON_STYLES.sub("", data.decode("utf-8"))))
+        page = without_indents(page)
         return re.sub(r'((?:src|href)="[^":]+)\.jpg"', r'\1.webp"', page).encode("utf-8")
     if path.suffix != ".jpg":
         return data

@@ -80,6 +80,21 @@ def test_zip_is_small_and_holds_one_copy_of_the_help(package):
     assert not [name for name in names if name.endswith((".ts", ".map")) or "/docs/" in name]
 
 
+def test_help_in_the_zip_leaves_out_what_is_for_programmers(unpacked):
+    page = (unpacked / "site" / "algorithms" / "registermms.html").read_text(encoding="utf-8")
+    assert "Glossary" in page and "The core" not in page and "Developers" not in page
+    assert not (unpacked / "site" / "developer.html").exists()
+
+
+def test_script_of_the_help_asks_for_nothing_that_pages_lack(unpacked):
+    page = (unpacked / "site" / "algorithms" / "registermms.html").read_text(encoding="utf-8")
+    script = (unpacked / "site" / "js" / "base.js").read_text(encoding="utf-8")
+    assert not [name for name in re.findall(r'getElementById\(["\']([^"\']+)', script) if f'id="{name}"' not in page]
+    classes = [name for query in re.findall(r'querySelector(?:All)?\("([^"]+)', script)
+               for name in re.findall(r"\.([a-z-]+)", query)]
+    assert classes and not [name for name in classes if not re.search(rf'class="[^"]*\b{name}\b', page)]
+
+
 @pytest.mark.parametrize("page", ["README.md", "README.ja.md"])
 def test_links_of_the_readme_lead_to_files_of_the_zip(unpacked, page):
     links = re.findall(r"\]\(([^)\s]+)\)", (unpacked / page).read_text(encoding="utf-8"))
