@@ -180,6 +180,8 @@ def test_planes_of_three_ways_tie_two_passes_in_place(monkeypatch):
     pair.normal = np.repeat(np.eye(3), 100, axis=0)
     pair.apart = False
     pair.gap = pair.normal @ shift + rng.normal(0, 0.002, 300)
+    pair.time, pair.reported = (np.zeros(300),) * 2, (SimpleNamespace(time=np.array([0.0, 1.0])),) * 2
+    pair._standing = [np.zeros(2)] * 2  # neither vehicle stands
     monkeypatch.setattr(planes._Pair, "_observation", lambda self, some, shift, covariance: (shift, covariance))
     found, covariance = pair.tie(np.arange(300))
     scatter = planes.LIMITS.sigma  # theirs is less
