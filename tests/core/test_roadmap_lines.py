@@ -282,6 +282,16 @@ def test_worn_arrow_is_known_in_a_row_with_another_one_only():
     assert all(area.heading == along for area in in_row)
 
 
+def test_worn_edge_line_beside_a_row_of_arrows_is_no_arrow():
+    """What is left of it has a wide place, as one side of a head; but it is longer than an arrow."""
+    lines = [shapely.box(-20, y - 0.075, 30, y + 0.075) for y in (-1.6, 1.6)]
+    (left,) = [piece for piece in worn_arrow(-3.25) if piece.bounds[2] > 4.0]
+    for begin, end, found in ((0.0, 5.0, 2), (-2.5, 7.0, 1)):
+        edge = shapely.union(left, shapely.box(begin, -3.325, end, -3.175))
+        areas = work_of([*lines, arrow("straight"), edge]).areas
+        assert len([area for area in areas if area.kind.startswith("arrow")]) == found
+
+
 def repeated(*lanes):
     """Arrows 14 m from each other in the lanes at y, the later one as given, and the lines of the lanes."""
     lines = [shapely.box(-20, y - 0.075, 50, y + 0.075) for y in (-14.6, -11.35, -4.85, -1.6, 1.6, 4.85)]

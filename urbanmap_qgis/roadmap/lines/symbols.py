@@ -339,7 +339,7 @@ class _Search:
         box = (-spare, spare, -HALF - LIMITS.row_along, -HALF + LIMITS.row_along)
         fits = _in_row([match for match in matches(paint, LIMITS.row_complete, LIMITS.row_score, box)
                         if not match.backwards], paint)
-        symbol = self._symbol(fits, place, along, near, paint) if fits else None
+        symbol = self._no_line(self._symbol(fits, place, along, near, paint)) if fits else None
         return symbol if symbol is None or symbol.kind != UNKNOWN_ARROW else replace(symbol, heading=along)
 
     def repeated(self, seed: Symbol, step: float) -> Symbol | None:
@@ -351,10 +351,17 @@ class _Search:
         fits = [match for match in matches(paint, LIMITS.row_complete, LIMITS.row_score, box)
                 if not match.backwards and match.precise >= LIMITS.row_precise and match.flanks
                 and seed.kind in (match.kind, UNKNOWN_ARROW)]
-        symbol = self._symbol(fits, place, along, near, paint) if fits else None
+        symbol = self._no_line(self._symbol(fits, place, along, near, paint)) if fits else None
         if symbol is None:
             return None
         return replace(symbol, heading=along, kind=symbol.kind if seed.kind == UNKNOWN_ARROW else seed.kind)
+
+    def _no_line(self, symbol: Symbol | None) -> Symbol | None:
+        """The symbol; None where a piece of it is longer than an arrow, as worn lines beside a row of arrows are."""
+        if symbol is None:
+            return None
+        pieces = self.tree.geometries[np.isin(self.free, symbol.polygons)]
+        return symbol if all(_sides(piece)[0] <= LIMITS.along[1] for piece in pieces) else None
 
     def _window(self, place: np.ndarray, along: np.ndarray) -> tuple[np.ndarray, list[shapely.Geometry]]:
         """Which polygons lie about a place, and they in its frame."""
