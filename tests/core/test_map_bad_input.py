@@ -51,6 +51,13 @@ def test_a_corner_that_is_no_place_is_refused_by_its_line(bad):
         lines_of([sound, damaged], {"class": ["stop line", "solid"]})
 
 
+def test_a_corner_that_lies_beyond_any_road_is_refused_by_its_line():
+    """Followed metre by metre it took minutes."""
+    stray = shapely.LineString([(0, 0, 1), (5, 99_999_999.0, 1), (9, 0, 1)])
+    with pytest.raises(InputError, match="Line 1 .*100000 km"):
+        lines_of([stray], {"class": ["solid"]})
+
+
 def test_drives_of_another_place_change_nothing():
     lines = roads.avenue(0, 60)
     far = DrivenPath(roads.drive((0, 5.2), (60, 5.2)).places + np.array([5000.0, 5000.0, 0.0]))

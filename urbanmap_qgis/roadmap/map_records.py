@@ -11,6 +11,9 @@ import shapely
 from ..errors import InputError
 from ..wording import say
 
+LONGEST_SIDE = 100_000.0
+"""No line of a road runs straight on for longer, m; lines are followed metre by metre."""
+
 TURNS = ("straight", "left", "right")
 """Ways on through a junction, as Lanelet2 names them."""
 
@@ -250,7 +253,7 @@ def lines_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[str
 
     Raises
     ------
-    InputError : a line has a corner whose place is no number.
+    InputError : a line has a corner whose place is no number, or so far off that no road leads there straight.
     """
     def value(name: str, row: int, otherwise):
         cell = columns[name][row] if name in columns else None
@@ -265,6 +268,10 @@ def lines_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[str
             if not np.isfinite(points[:, :2]).all():
                 raise InputError(say("Line {row} of the layer has a corner whose east or north is no number: mend the "
                                      "corner or delete the line.", row=row + 1))
+            side = float(np.hypot(*np.diff(points[:, :2], axis=0).T).max())
+            if side > LONGEST_SIDE:
+                raise InputError(say("Line {row} of the layer has a straight side of {side:.0f} km, longer than any "
+                                     "road's: mend its corners or delete the line.", row=row + 1, side=side / 1000.0))
             kind = "road border" if kind_field is None else str(columns[kind_field][row])
             chain = int(value("chain", row, -1)) if kind_field is not None else -1
             lines.append(MapLine(points, kind, str(value("colour", row, "")), float(value("width", row, 0.15)),
