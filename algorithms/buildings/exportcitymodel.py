@@ -36,8 +36,8 @@ class ExportCityModel(UrbanMapAlgorithm):
         self.add_polygons("BUILDINGS", "Building models", "MultiPolygonZ with all faces of each building, such as "
                           "those of “Building models”. Without it give a city model.", optional=True)
         self.add_file("CITY_MODEL", "City model", "CityGML (.gml, .zip) or CityJSON file instead of the layer: its "
-                      "buildings are written with all that they hold, and nothing is added.", CITY_MODEL_FILTER,
-                      optional=True)
+                      "buildings are written with all that they hold, and nothing is added. Of CityGML roads, city "
+                      "furniture and trees are written, too.", CITY_MODEL_FILTER, optional=True)
         self.add_vector("SURFACES", "Surfaces", "Surfaces of “Building models”, for the roofs' ids and the types of "
                         "walls; without them types are told by the faces.", optional=True)
         self.add_file("TEXTURES", "Textured model", "CityJSON file of “Facade textures” of the same buildings: its "
@@ -177,6 +177,8 @@ class ExportCityModel(UrbanMapAlgorithm):
         from contextlib import ExitStack
 
         from ...urbanmap_qgis.citymodel.city_sources import open_city_model
+        from ...urbanmap_qgis.citymodel.citygml.reader import STREET_SPACE_MODULES
+        from ...urbanmap_qgis.citymodel.model import STREET_SPACE
         from ...urbanmap_qgis.citymodel.reading_notes import ReadingNotes
 
         if parameters.get("OUTPUT"):
@@ -185,13 +187,14 @@ class ExportCityModel(UrbanMapAlgorithm):
         notes = ReadingNotes()
         with ExitStack() as stack:
             model = open_city_model(self.input_path(parameters, "CITY_MODEL", context), stack, notes,
-                                    progress=progress.part(0.0, 0.5), fittings=True)
+                                    progress=progress.part(0.0, 0.5), more=STREET_SPACE_MODULES, fittings=True)
             model = replace(model, buildings=list(model.buildings))
             for sentence in notes.sentences():
                 progress.warn(sentence)
             results = write_files(self, parameters, context, FILES, model, progress.part(0.5, 1.0))
-        return {**results, "BUILDINGS_WRITTEN": len(model.buildings),
-                "NOT_CLOSED": sum(bool(item.problems) for item in model.buildings)}
+        buildings = [item for item in model.buildings if item.type not in STREET_SPACE]
+        return {**results, "BUILDINGS_WRITTEN": len(buildings),
+                "NOT_CLOSED": sum(bool(item.problems) for item in buildings)}
 
     def _write_files(self, parameters, context, exported, reference, textures, date, progress):
         """The files that are wanted, by output name."""

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
 import shapely
 
-from tests.city_models import PLACE, court, gable_house, wall_texture
+from tests.city_models import PLACE, court, gable_house, town, wall_texture
+from urbanmap_qgis.citymodel.city_files import write_city_files
 from urbanmap_qgis.geometry.solid import multipolygon
 
 from .conftest import make_feedback
@@ -246,6 +249,86 @@ def test_a_city_model_goes_from_format_to_format(models, tmp_path):
                     and element.tag.endswith("posList")) for file in (path, again)]
     assert [[float(value) for value in text.split()] for text in texts[0]] == [
         [float(value) for value in text.split()] for text in texts[1]]
+
+
+def street_space():
+    """A road of a carriageway and an island, a post, a tree, and one of which no surface is known."""
+    from urbanmap_qgis.citymodel.model import (
+        AUXILIARY_AREA,
+        CITY_FURNITURE,
+        MULTI_SURFACE,
+        ROAD,
+        SINGLE_TREE,
+        TRAFFIC_AREA,
+        CityObject,
+        CityShape,
+        CitySurface,
+        CodeValue,
+    )
+
+    def area(name, kind, west, east, function):
+        corners = np.array([[west, -9, 3.0], [east, -9, 3.0], [east, -3, 3.0], [west, -3, 3.0]])
+        ring = corners + PLACE
+        shape = CityShape("3", MULTI_SURFACE, ((CitySurface((ring,), id=f"poly_{name}"),),))
+        return CityObject(name, {"function": CodeValue(function)}, (shape,), kind)
+
+    areas = area("lane", TRAFFIC_AREA, 0, 30, "1020"), area("island", AUXILIARY_AREA, 30, 34, "3000")
+    whole = area("whole", TRAFFIC_AREA, 0, 34, "").shapes[0].surfaces[0].rings
+    plain = CityShape("1", MULTI_SURFACE, ((CitySurface(whole),),))
+    post = area("post", TRAFFIC_AREA, 40, 41, "").shapes[0].surfaces[0].rings
+    return [CityObject("road", {}, (plain,), ROAD, fittings=areas),
+            CityObject("post", {"gen:kind": "pole"}, (CityShape("2", MULTI_SURFACE, ((CitySurface(post),),)),),
+                       CITY_FURNITURE),
+            CityObject("tree", {"height": 4.5}, (plain,), SINGLE_TREE), CityObject("bare", {}, (), SINGLE_TREE)]
+
+
+def city_of(tmp_path, objects):
+    """A folder of CityGML of objects, outside of Japan, where what has no place is written too."""
+    model = town(epsg=32633, heights="unknown")
+    write_city_files(replace(model, buildings=objects), citygml=tmp_path / "city")
+    return str(tmp_path / "city")
+
+
+def test_roads_and_street_things_go_to_all_formats(qgis_app, tmp_path):
+    city = city_of(tmp_path, street_space())
+    feedback = make_feedback()
+    results = run(CITY_MODEL=city, OUTPUT_CITYJSON=str(tmp_path / "a.city.json"), OUTPUT_TILES=str(tmp_path / "tiles"),
+                  OUTPUT_CITYJSONSEQ=str(tmp_path / "a.city.jsonl"), OUTPUT_CITYGML=str(tmp_path / "gml"),
+                  feedback=feedback)
+    assert (results["BUILDINGS_WRITTEN"], results["NOT_CLOSED"]) == (0, 0)
+    assert any("1 roads, 3 things" in line for line in feedback.infos)
+    assert any("1 of the roads" in line for line in feedback.warnings)
+    objects = json.loads((tmp_path / "a.city.json").read_text(encoding="utf-8"))["CityObjects"]
+    assert {name: item["type"] for name, item in objects.items()} == {
+        "road": "Road", "post": "CityFurniture", "tree": "SolitaryVegetationObject",
+        "bare": "SolitaryVegetationObject"}
+    plain, divided = objects["road"]["geometry"]
+    assert (plain["lod"], len(plain["boundaries"]), divided["lod"], len(divided["boundaries"])) == ("1", 1, "3", 2)
+    assert [(item["type"], item["id"], item["function"]) for item in divided["semantics"]["surfaces"]] == [
+        ("TrafficArea", "lane", 1020), ("AuxiliaryTrafficArea", "island", 3000)]
+    assert "problems" not in objects["road"]["attributes"] and objects["bare"]["geometry"] == []
+    assert len((tmp_path / "a.city.jsonl").read_text(encoding="utf-8").splitlines()) == 5
+    assert len(list((tmp_path / "tiles" / "tiles").glob("*_details.glb"))) == 1
+    for name in ("roads.gml", "furniture.gml", "trees.gml"):
+        first, second = ((Path(folder) / name).read_text(encoding="utf-8") for folder in (city, tmp_path / "gml"))
+        assert second.partition("</gml:name>")[2] == first.partition("</gml:name>")[2]  # but for the title
+
+
+def test_buildings_beside_roads_are_written_as_those_alone(qgis_app, tmp_path):
+    buildings = list(town(epsg=32633, heights="unknown").buildings)
+    alone, mixed = (city_of(tmp_path / name, objects) for name, objects in (
+        ("alone", buildings), ("mixed", [*street_space(), *buildings])))
+    found = []
+    for name, city in (("alone", alone), ("mixed", mixed)):
+        results = run(CITY_MODEL=city, OUTPUT_CITYJSON=str(tmp_path / f"{name}.city.json"), CITY_CODE="13101",
+                      OUTPUT_CITYGML=str(tmp_path / f"{name}_gml"))
+        assert results["BUILDINGS_WRITTEN"] == len(buildings)
+        objects = json.loads((tmp_path / f"{name}.city.json").read_text(encoding="utf-8"))["CityObjects"]
+        found.append({key for key, item in objects.items() if item["type"].startswith("Building")})
+    assert found[0] == found[1] and found[0]
+    assert (tmp_path / "alone_gml" / "buildings.gml").read_bytes() == (
+        tmp_path / "mixed_gml" / "buildings.gml").read_bytes()
+    assert b"bldgDataQuality" not in (tmp_path / "mixed_gml" / "roads.gml").read_bytes()
 
 
 def test_either_a_layer_or_a_city_model(models, tmp_path):

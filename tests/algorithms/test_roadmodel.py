@@ -153,6 +153,14 @@ def test_a_survey_gives_areas_steps_citygml_and_report(run, read_layer, tmp_path
     assert "LOD3.3" in (tmp_path / "report.html").read_text(encoding="utf-8")
     checked = run("urbanmap:checkcitymodel", {"INPUT_FOLDER": str(tmp_path / "city"), "OUTPUT": "memory:"})
     assert (checked["OBJECTS"], checked["ERRORS"], checked["WARNINGS"]) == (5, 0, 0)
+    run("urbanmap:exportcitymodel", {"CITY_MODEL": str(tmp_path / "city"), "OUTPUT_CITYGML": str(tmp_path / "again"),
+                                     "OUTPUT_CITYJSON": str(tmp_path / "roads.city.json")})
+    roads = json.loads((tmp_path / "roads.city.json").read_text(encoding="utf-8"))["CityObjects"].values()
+    areas = [area for road in roads for shape in road["geometry"] for area in shape.get("semantics", {}).get(
+        "surfaces", ())]
+    assert len(roads) == 5 and len(areas) == sum(row["kind"] != "road, not surveyed" for row in rows)
+    checked = run("urbanmap:checkcitymodel", {"INPUT_FOLDER": str(tmp_path / "again"), "OUTPUT": "memory:"})
+    assert (checked["OBJECTS"], checked["ERRORS"], checked["WARNINGS"]) == (5, 0, 0)
 
 
 def test_a_level_without_what_it_is_made_of_is_refused(run, tmp_path):

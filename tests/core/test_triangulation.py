@@ -47,3 +47,9 @@ def test_a_ring_without_an_inside_is_refused():
     place = {0: (0.0, 0.0), 1: (0.0, 4.0), 2: (4.0, 4.0), 3: (4.0, 0.0)}
     with pytest.raises(ValueError, match="cannot be cut"):
         clip_ears(place, [[0, 1, 2, 3]])
+
+
+def test_a_face_whose_hole_leaves_it_is_refused():
+    outer = [(0, 0, 0), (4, 0, 0), (4, 4, 0), (0, 4, 0)]
+    with pytest.raises(ValueError, match="cannot be cut"):
+        triangulate_face(np.array([*outer, *outer], float), [(0, 1, 2, 3), (7, 6, 5, 4)])

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import os
 import shutil
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from itertools import chain
 from pathlib import Path
 from typing import Union
 
@@ -15,12 +16,13 @@ from ..io.reference.height_systems import ELLIPSOIDAL, UNKNOWN
 from ..progress import SILENT, Progress
 from ..wording import known, say
 from .city_sources import placed_model
+from .citygml.codelists import lists_of_module
 from .citygml.plateau import PlateauDelivery, with_plateau_attributes
 from .citygml.writer import write_citygml
 from .cityjson.writer import write_model_cityjson, write_model_cityjsonseq
 from .images import images_beside, with_images_there
-from .model import FITTINGS, CityModel, CityObject
-from .objects import placed
+from .model import FITTINGS, ROAD, STREET_KINDS, STREET_SPACE, CityModel, CityObject
+from .objects import placed, street_counts
 from .reference import PLATEAU_SYSTEMS, city_reference
 from .tiles.tiles_writer import write_tiles
 
@@ -43,6 +45,7 @@ def write_city_files(model: CityModel, cityjson: _Place = None, cityjsonseq: _Pl
     delivery = delivery or PlateauDelivery()
     delivery = replace(delivery, created=delivery.created or model.date)
     model = with_images_there(model, progress)
+    _tell_of_streets(model, progress)
     _warn_of_heights(model, citygml is not None, tiles is not None and geoid is None, progress)
     for number, (path, write) in enumerate(((cityjson, write_model_cityjson), (cityjsonseq, write_model_cityjsonseq))):
         if path is not None:
@@ -50,10 +53,13 @@ def write_city_files(model: CityModel, cityjson: _Place = None, cityjsonseq: _Pl
             write(path, images_beside(plane, path), progress)
         progress.step((number + 1) / 4)
     if citygml is not None:
-        buildings: Sequence[CityObject] = tuple(model.buildings)
+        objects: Sequence[CityObject] = tuple(model.buildings)
+        buildings = tuple(item for item in objects if item.type not in STREET_SPACE)
         ready = (with_plateau_attributes(item, number, delivery, model.reference.epsg in PLATEAU_SYSTEMS)
                  for number, item in enumerate(buildings, 1))
-        write_citygml(citygml, replace(model, buildings=ready), progress, delivery.version, delivery.lists)
+        others = (item for item in objects if item.type in STREET_SPACE)
+        write_citygml(citygml, replace(model, buildings=chain(ready, others)), progress, delivery.version,
+                      {**delivery.lists, **_street_lists(objects)})
         if delivery.schemas is not None and model.reference.epsg in PLATEAU_SYSTEMS:
             copy_schemas(delivery.schemas, citygml, delivery.version)
         missing = sum(not any(part.shapes for part in item.objects()) for item in buildings)
@@ -69,6 +75,13 @@ def write_city_files(model: CityModel, cityjson: _Place = None, cityjsonseq: _Pl
         heights = geoid.interpolate if geoid is not None and model.reference.heights != ELLIPSOIDAL.word else None
         write_tiles(tiles, model, heights, progress)
     progress.step(1.0)
+
+
+def _street_lists(objects: Sequence[CityObject]) -> dict[str, Mapping[str, str]]:
+    """Lists of codes of the modules that roads and what stands in a street need, where there are such."""
+    kinds = {item.type for item in objects}
+    return {name: codes for module, wanted in (("tran", {ROAD}), ("frn", set(STREET_KINDS))) if kinds & wanted
+            for name, codes in lists_of_module(module).items()}
 
 
 def copy_schemas(source: str | os.PathLike, folder: str | os.PathLike, version: str) -> None:
@@ -112,6 +125,17 @@ def model_in_plane(model: CityModel, progress: Progress = SILENT) -> CityModel:
         progress.warn(note)
     reference = city_reference(wkt)
     return replace(model, reference=reference, buildings=(placed(item, places) for item in buildings))
+
+
+def _tell_of_streets(model: CityModel, progress: Progress) -> None:
+    """Say how many roads and street things go along, and how many have no surface that could be drawn."""
+    roads, things, bare = street_counts(model.buildings)
+    if roads or things:
+        progress.message(say("{roads} roads, {things} things of city furniture and trees are written, too.",
+                             roads=roads, things=things))
+    if bare:
+        progress.warn(say("{bare} of the roads, city furniture and trees have no surfaces: CityJSON has them without a "
+                          "shape, 3D Tiles and PLATEAU's CityGML leave them out.", bare=bare))
 
 
 def _warn_of_heights(model: CityModel, plateau: bool, bare: bool, progress: Progress) -> None:

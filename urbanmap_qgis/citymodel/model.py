@@ -24,6 +24,9 @@ CITY_FURNITURE, SINGLE_TREE = "CityFurniture", "SolitaryVegetationObject"
 STREET_KINDS = (CITY_FURNITURE, SINGLE_TREE)
 """What stands in a street: posts, lamps, signals, signs; trees."""
 
+STREET_SPACE = (ROAD, *STREET_KINDS)
+"""What a city model may hold besides buildings."""
+
 INSTALLATION, INNER_INSTALLATION = "BuildingInstallation", "IntBuildingInstallation"
 BUILDING_ROOM, FURNITURE = "BuildingRoom", "BuildingFurniture"
 FITTINGS = (INSTALLATION, INNER_INSTALLATION, BUILDING_ROOM, FURNITURE)

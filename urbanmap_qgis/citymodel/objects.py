@@ -11,7 +11,7 @@ import numpy as np
 from ..errors import InputError
 from ..geometry.solid import FaceTexture
 from ..wording import say
-from .model import CityObject, CitySurface
+from .model import MULTI_SURFACE, ROAD, ROAD_AREAS, STREET_SPACE, CityObject, CityShape, CitySurface
 
 Places = Callable[[np.ndarray], np.ndarray]
 """Function from corners (n, 3) as read to corners in another reference."""
@@ -65,6 +65,29 @@ def placed(building: CityObject, places: Places) -> CityObject:
                        fittings=tuple(with_places(fitting) for fitting in item.fittings))
 
     return with_places(building)
+
+
+def with_area_surfaces(road: CityObject) -> CityObject:
+    """A road whose areas are semantic surfaces of its own, a shape a level of detail, as CityJSON and 3D Tiles have
+    them; any other object as it is."""
+    if road.type != ROAD or not road.fittings:
+        return road
+    levels: dict[str, list[CitySurface]] = {}
+    for area in (item for item in road.fittings if item.type in ROAD_AREAS):
+        for shape in area.shapes:
+            levels.setdefault(shape.lod, []).extend(
+                replace(surface, kind=area.type, group=area.id, attributes=area.attributes)
+                for surface in shape.surfaces)
+    return replace(road, shapes=(*road.shapes, *(CityShape(lod, MULTI_SURFACE, (tuple(surfaces),))
+                                                 for lod, surfaces in sorted(levels.items()))),
+                   fittings=tuple(item for item in road.fittings if item.type not in ROAD_AREAS))
+
+
+def street_counts(objects: Iterable[CityObject]) -> tuple[int, int, int]:
+    """How many roads there are, how many street things, and how many of both have no surface."""
+    found = [item for item in objects if item.type in STREET_SPACE]
+    roads = sum(item.type == ROAD for item in found)
+    return roads, len(found) - roads, sum(not rings_of(item) for item in found)
 
 
 def retextured(item: CityObject, names: Mapping[str, str]) -> CityObject:

@@ -6,10 +6,12 @@ from collections.abc import Sequence
 
 import numpy as np
 import shapely
+from shapely.errors import GEOSException
 
 from .ring_products import cross_with_next
 
 Triangle = tuple[int, int, int]
+_CROSSING = "The face cannot be cut into triangles: its rings cross each other."
 
 
 def triangulate_face(vertices: np.ndarray, face: Sequence[Sequence[int]]) -> list[Triangle]:
@@ -19,6 +21,10 @@ def triangulate_face(vertices: np.ndarray, face: Sequence[Sequence[int]]) -> lis
     ----------
     vertices : (V, 3) coordinates of the solid.
     face : rings of vertex indices, not closed, outer ring first, holes turning the other way.
+
+    Raises
+    ------
+    ValueError : its rings cross each other.
     """
     if len(face) == 1 and len(face[0]) == 3:
         return [tuple(face[0])]
@@ -39,7 +45,11 @@ def _delaunay(place: dict[int, tuple[float, float]], face: Sequence[Sequence[int
     """Constrained Delaunay triangles, counterclockwise, each from its lowest vertex, in order."""
     polygon = shapely.Polygon([place[v] for v in face[0]], [[place[v] for v in ring] for ring in face[1:]])
     name = {point: vertex for vertex, point in place.items()}
-    corners = shapely.get_coordinates(shapely.constrained_delaunay_triangles(polygon)).reshape(-1, 4, 2)
+    try:
+        cut = shapely.constrained_delaunay_triangles(polygon)
+    except GEOSException as error:
+        raise ValueError(_CROSSING) from error
+    corners = shapely.get_coordinates(cut).reshape(-1, 4, 2)
     triangles = []
     for a, b, c in corners[:, :3].tolist():
         triangle = [name[tuple(a)], name[tuple(b)], name[tuple(c)]]
@@ -63,7 +73,7 @@ def clip_ears(place: dict[int, tuple[float, float]], face: Sequence[Sequence[int
     while len(ring) > 2:
         ear = next((i for i in range(len(ring)) if _is_ear(place, ring, i)), None)
         if ear is None:
-            raise ValueError("The face cannot be cut into triangles: its rings cross each other.")
+            raise ValueError(_CROSSING)
         triangles.append((ring[ear - 1], ring[ear], ring[(ear + 1) % len(ring)]))
         del ring[ear]
     return triangles

@@ -24,7 +24,7 @@ from ...io.official.gsi_sources import PathLike, Wanted, XmlSource, list_sources
 from ...io.official.xml_stream import root_children
 from ...progress import SILENT, Progress
 from ...wording import say
-from ..model import ADDRESS, CityModel, CityObject, CityReference
+from ..model import ADDRESS, ROAD_AREAS, CityModel, CityObject, CityReference
 from ..named_reference import NamedReference, named_reference
 from ..reading_notes import ReadingNotes
 from .schema import (
@@ -47,8 +47,11 @@ LARGEST_BUILDING = 2**28
 _THEME = re.compile(r"^[0-9]{6,10}_([a-z]{3,5})_", re.IGNORECASE)
 ROADS, STREET_THINGS = frozenset({"tran"}), frozenset({"frn", "veg"})
 """Modules that are read beside the buildings where they are asked for."""
+
+STREET_SPACE_MODULES = ROADS | STREET_THINGS
 _LARGEST_LIST = 100_000
-_KINDS = {**FITTING_ELEMENTS, **{name: kind for objects in MODULE_OBJECTS.values() for name, kind in objects.items()}}
+_KINDS = {**FITTING_ELEMENTS, **dict(zip(ROAD_AREAS, ROAD_AREAS)),
+          **{name: kind for objects in MODULE_OBJECTS.values() for name, kind in objects.items()}}
 """Kinds of objects of the record by their elements, of all modules."""
 
 _VERSION_3 = f"{{{CITYGML_SPACE}3."
@@ -93,7 +96,8 @@ def open_citygml(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: R
     notes : filled while the buildings are walked through.
     given : reference of files that name none.
     more : modules whose objects come among the buildings, too (`ROADS`, `STREET_THINGS`); else they are passed over.
-    fittings : whether installations and rooms of buildings are read; else they are counted among what is left out.
+    fittings : whether installations and rooms of buildings are read, and areas of roads as objects of their own; else
+        those of buildings are counted among what is left out, and areas are surfaces of their road.
 
     Raises
     ------
@@ -266,9 +270,12 @@ def _object(element: Element, file: _File, identifier: str | None = None) -> Cit
             add_value(attributes, name, leaf_value(child, file.meaning))
         elif prefix == "tran" and name in ROAD_PARTS:
             areas += list(child)
+            if file.fittings:
+                fittings += [_object(area, file, id_of(area) or f"{identifier}_{name}{len(areas)}") for area in child]
         elif prefix != "app":
             reader.unread[name] += 1
-    shapes = [shape for holder in (element, *areas) for shape in reader.shapes(holder)]
+    reader.elsewhere.update(id_of(item) for area in areas for item in area.iter() if id_of(item))
+    shapes = [shape for holder in (element, *(() if file.fittings else areas)) for shape in reader.shapes(holder)]
     file.notes.unread.update(reader.unread)
     kind = _KINDS[split_tag(element.tag)[1]]
     return CityObject(identifier, attributes, tuple(shapes), kind, tuple(parts),

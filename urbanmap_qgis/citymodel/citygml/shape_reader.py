@@ -50,6 +50,7 @@ class ShapeReader:
     digits : of plane coordinates that tell corners apart, 3 of metres and 9 of degrees.
     owner : id of the object.
     prototypes : surfaces of prototypes met in the file, in their own coordinates, by id.
+    elsewhere : ids of surfaces that belong to areas of the object: its own references to them are no surfaces more.
     problems : what was found wrong.
     unread : elements that the record has no place for, by name.
     """
@@ -60,6 +61,7 @@ class ShapeReader:
     digits: int = 9
     owner: str = "building"
     prototypes: dict[str, tuple[CitySurface, ...]] = field(default_factory=dict)
+    elsewhere: set[str] = field(default_factory=set)
     problems: list[str] = field(default_factory=list)
     unread: Counter = field(default_factory=Counter)
     _unnamed: int = 0
@@ -196,6 +198,8 @@ class ShapeReader:
             reference = child.get(XLINK_HREF) or ""
             if reference:
                 found = known.get(reference.rpartition("#")[2]) if reference.startswith("#") else None
+                if found is None and reference.startswith("#") and reference[1:] in self.elsewhere:
+                    continue
                 if found is None:
                     self.problems.append(say("it refers to the surface {reference}, which it does not have",
                                              reference=reference[:60]))

@@ -100,11 +100,12 @@ def _area_polygons(item: CityObject) -> dict[str, str]:
     if item.type != ROAD:
         return {}
     found: dict[str, str] = {}
+    own = {shape.lod[:1] for shape in item.shapes}
     for area in item.fittings:
         for shape in area.shapes:
             found[shape.lod[:1]] = found.get(shape.lod[:1], "") + "".join(
                 f'<gml:surfaceMember xlink:href="#{surface.id}"/>' for surface in shape.surfaces if surface.id)
-    return found
+    return {level: members for level, members in found.items() if members and level not in own}
 
 
 def _written_levels(item: CityObject) -> dict[str, list[CityShape]]:

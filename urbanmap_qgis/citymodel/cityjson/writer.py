@@ -33,7 +33,7 @@ from ..model import (
     CityShape,
     CitySurface,
 )
-from ..objects import unique_objects
+from ..objects import unique_objects, with_area_surfaces
 from ..plain_values import plain_attributes
 from ..reference import compound_epsg
 from .vertices import VertexList, json_text, write_end
@@ -65,7 +65,7 @@ def write_model_cityjson(path: str | os.PathLike, model: CityModel, progress: Pr
         for building in unique_objects(model.buildings):
             progress.check()
             count += 1
-            for identifier, item in _entries(building, vertices, appearance):
+            for identifier, item in _entries(with_area_surfaces(building), vertices, appearance):
                 file.write((",\n" if written else "\n") + f"{json_text(identifier)}:{json_text(item)}")
                 written = True
         file.write("\n}")
@@ -86,7 +86,7 @@ def write_model_cityjsonseq(path: str | os.PathLike, model: CityModel, progress:
     _require_metres(model.reference)
     count, origin = 0, None
     with written_beside(path) as temporary, open(temporary, "w", encoding="utf-8", newline="\n") as file:
-        for building in unique_objects(model.buildings):
+        for building in map(with_area_surfaces, unique_objects(model.buildings)):
             progress.check()
             if origin is None:
                 origin = _write_head(file, model, _corner(building))

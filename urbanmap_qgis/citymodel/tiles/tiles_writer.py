@@ -23,7 +23,7 @@ from ...progress import SILENT, Progress
 from ...wording import say
 from ..gltf.looks import is_image, look_of, surface_triangles
 from ..model import MULTI_SURFACE, SOLID, CityModel, CityObject, CityReference, CityShape
-from ..objects import unique_objects
+from ..objects import unique_objects, with_area_surfaces
 from ..plain_values import plain_attributes
 from .tile_content import TileBuilding, write_tile
 from .tile_scratch import append_building, stored_buildings
@@ -91,7 +91,7 @@ def write_tiles(folder: str | os.PathLike, model: CityModel, geoid: GeoidHeights
     with tempfile.TemporaryDirectory(prefix="urbanmap-") as scratch:
         for building in unique_objects(model.buildings):
             progress.check()
-            _sort_in(building, to_degrees, geoid, cells, Path(scratch))
+            _sort_in(with_area_surfaces(building), to_degrees, geoid, cells, Path(scratch))
         for (column, row), cell in cells.items():
             progress.check()
             origin = (cell.low + cell.high) / 2.0
