@@ -42,7 +42,7 @@ def test_without_drives_paint_alone_tells_and_ways_through_junctions_are_inferre
     assert {roads.course(built.lanes[roads.lane_at(built, 120, y)]) for y in (5.2, 1.7)} == {1.0}
 
 
-@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf, 1e308, -1e15])
 def test_a_corner_that_is_no_place_is_refused_by_its_line(bad):
     sound = shapely.LineString([(0, 0, np.nan), (10, 0, np.nan)])
     damaged = shapely.from_wkb(shapely.to_wkb(shapely.LineString([(0, 0, 1), (5, bad, 1), (9, 0, 1)])))

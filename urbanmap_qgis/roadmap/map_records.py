@@ -11,6 +11,9 @@ import shapely
 from ..errors import InputError
 from ..wording import say
 
+FARTHEST_CORNER = 1e9
+"""No map's coordinates on the earth are greater, m or feet."""
+
 LONGEST_SIDE = 100_000.0
 """No line of a road runs straight on for longer, m; lines are followed metre by metre."""
 
@@ -253,7 +256,8 @@ def lines_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[str
 
     Raises
     ------
-    InputError : a line has a corner whose place is no number, or so far off that no road leads there straight.
+    InputError : a line has a corner whose place is no number or off the earth, or so far off that no road leads there
+        straight.
     """
     def value(name: str, row: int, otherwise):
         cell = columns[name][row] if name in columns else None
@@ -265,9 +269,9 @@ def lines_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[str
             points = shapely.get_coordinates(part, include_z=True)
             if part.geom_type != "LineString" or len(points) < 2 or part.length == 0:
                 continue
-            if not np.isfinite(points[:, :2]).all():
-                raise InputError(say("Line {row} of the layer has a corner whose east or north is no number: mend the "
-                                     "corner or delete the line.", row=row + 1))
+            if not (np.abs(points[:, :2]) < FARTHEST_CORNER).all():
+                raise InputError(say("Line {row} of the layer has a corner whose east or north is no number or off the "
+                                     "earth: mend the corner or delete the line.", row=row + 1))
             side = float(np.hypot(*np.diff(points[:, :2], axis=0).T).max())
             if side > LONGEST_SIDE:
                 raise InputError(say("Line {row} of the layer has a straight side of {side:.0f} km, longer than any "
