@@ -166,13 +166,9 @@ class NodeChain:
 
     def settled(self, model: PoseErrorModel, weight: np.ndarray) -> SettledChain:
         """Most likely states with what is held, at the most likely offsets of it, which are unknown too."""
-        system = self._held_system(model, weight)
-        state, offset, fixed = system.settled()
-        covariance = fixed.covariance.copy()
-        for columns in system.followers():
-            covariance += columns @ np.swapaxes(columns, 1, 2)
-        return SettledChain(state.reshape(len(self.nodes), self.size, 2), covariance, self.held.offset + offset[0],
-                            offset[1:], np.diag(system.offset_covariance)[1:])
+        made = self._held_system(model, weight).solved()
+        return SettledChain(made.state.reshape(len(self.nodes), self.size, 2), made.covariance,
+                            self.held.offset + made.offset[0], made.offset[1:], made.offset_variance[1:])
 
     def _held_system(self, model: PoseErrorModel, weight: np.ndarray) -> HeldSystem:
         """The equations with what is held and its offsets."""
@@ -208,11 +204,12 @@ class NodeChain:
         """
         k, d = len(self.nodes), self.size
         if self.held is None:
-            system, solution = None, self._solved(model, weight)[0]
-            state = solution.state
+            solution = self._solved(model, weight)[0]
+            lagged = -solution.gain @ solution.covariance[1:]
         else:
-            system = self._held_system(model, weight)
-            state, _, solution = system.settled()
+            solution = self._held_system(model, weight).solved()
+            lagged = solution.lagged
+        state = solution.state
         transition, small = self._steps(model)
         whole, precision = np.zeros((2, k - 1, d, 2, d, 2))
         axis = np.arange(d)
@@ -220,13 +217,10 @@ class NodeChain:
             part, small.shape), 1, 0) for part in (transition, small))
         whole, precision = (part.reshape(k - 1, 2 * d, 2 * d) for part in (whole, precision))
         before, after = solution.covariance[:-1], solution.covariance[1:]
-        carried = whole @ solution.gain @ after  # minus F C(k, k + 1)
+        carried = whole @ lagged
         found = state[1:] - np.einsum("kij,kj->ki", whole, state[:-1])
         found[:, ::2] -= self.stop_changes()
-        spread = after + whole @ before @ np.swapaxes(whole, 1, 2) + carried + np.swapaxes(carried, 1, 2)
-        for columns in () if system is None else system.followers():
-            follows = columns[1:] - whole @ columns[:-1]
-            spread += follows @ np.swapaxes(follows, 1, 2)
+        spread = after + whole @ before @ np.swapaxes(whole, 1, 2) - carried - np.swapaxes(carried, 1, 2)
         return np.einsum("kij,kj->ki", precision, found), precision - precision @ spread @ precision
 
     def _prior_of(self, model: PoseErrorModel) -> _Prior:

@@ -8,10 +8,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.sparse import coo_matrix, csr_matrix
 
-from ..matching.block_chain import ChainSolution, solve_chain
+from ..matching.offset_chain import OffsetChain, touched_states
 
 _COLUMNS = 256
 """Right sides that are solved for at once: memory grows with them and the path alone."""
+
+_MOST_NODES = 100
+"""Nodes over which an offset is eliminated along the chain; one that is met again later is solved for beside it."""
 
 
 @dataclass(frozen=True)
@@ -28,7 +31,7 @@ class OffsetEquations:
     information: np.ndarray
     node_right: np.ndarray
     pull: csr_matrix
-    normal: np.ndarray
+    normal: csr_matrix
     right: np.ndarray
 
 
@@ -103,18 +106,20 @@ class HeldObservations:
         precision = np.array([sigma**-2.0]) if self.own is None else np.append(sigma**-2.0, self.own.precision)
         full = self.rate[:, :, None] * np.stack([np.ones(len(self)), ahead], axis=1)[:, None]
         known = replace(self, weight=weight).on_nodes(node, ahead, nodes)
-        normal, right = np.diag(precision), np.zeros(len(precision))
+        right, each = np.zeros(len(precision)), np.arange(len(precision))
         right[0] = (mean - self.offset) * precision[0]
         places = node[:, None] * (2 * size) + np.arange(2 * size)
         of_node = (weight[:, None, None] * full).reshape(len(self), -1)
         for of_level in column.T:
             right += np.bincount(of_level, weight * self.target, len(precision))
-            for other in column.T:
-                np.add.at(normal, (of_level, other), weight)
-        pull = coo_matrix((np.tile(of_node.ravel(), column.shape[1]), (
-            np.tile(places.ravel(), column.shape[1]), np.repeat(column.T.ravel(), 2 * size))),
+        levels = column.shape[1]
+        normal = coo_matrix((np.append(precision, np.tile(weight, levels**2)), (
+            np.append(each, np.repeat(column.T, levels, axis=0).ravel()),
+            np.append(each, np.tile(column.T, (levels, 1)).ravel()))), shape=(len(precision), len(precision)))
+        pull = coo_matrix((np.tile(of_node.ravel(), levels), (
+            np.tile(places.ravel(), levels), np.repeat(column.T.ravel(), 2 * size))),
             shape=(nodes * 2 * size, len(precision)))
-        return OffsetEquations(known[0], known[1], pull.tocsr(), normal, right)
+        return OffsetEquations(known[0], known[1], pull.tocsr(), normal.tocsr(), right)
 
     def residual(self, value: np.ndarray) -> np.ndarray:
         """(n,) m, what corrections (n, d) leave."""
@@ -129,8 +134,29 @@ class HeldObservations:
         return running[high] - running[low]
 
 
+@dataclass(frozen=True)
+class HeldSolution:
+    """What `HeldSystem` finds.
+
+    Attributes
+    ----------
+    state, covariance : (k, p), (k, p, p) of the nodes.
+    lagged : (k - 1, p, p) covariance of each node and the next one.
+    offset, offset_variance : (m,) m, m2.
+    """
+
+    state: np.ndarray
+    covariance: np.ndarray
+    lagged: np.ndarray
+    offset: np.ndarray
+    offset_variance: np.ndarray
+
+
 class HeldSystem:
-    """Normal equations of nodes and of the offsets of what is held, the offsets eliminated.
+    """Normal equations of nodes and of the offsets of what is held.
+
+    Offsets that few nodes share are eliminated along the chain; the common one and those met again later, `far`, stand
+    in a border of it.
 
     Parameters
     ----------
@@ -138,41 +164,53 @@ class HeldSystem:
     """
 
     def __init__(self, diagonal: np.ndarray, ahead: np.ndarray, right: np.ndarray, equations: OffsetEquations):
-        shape = diagonal.shape
-        self._diagonal, self._ahead = diagonal + equations.information.reshape(shape), ahead
-        self.right, self._equations = right + equations.node_right.reshape(right.shape), equations
-        self._covariance: np.ndarray | None = None
+        self.right = right + equations.node_right.reshape(right.shape)
+        pull, normal = equations.pull.tocsc(), equations.normal
+        first, last = touched_states(pull, right.shape[1])
+        far = last - first > _MOST_NODES
+        far[0] = True
+        self._near, self._far = np.flatnonzero(~far), np.flatnonzero(far)
+        of_near, of_far = normal[self._near], normal[self._far]
+        self._chain = OffsetChain(diagonal + equations.information.reshape(diagonal.shape), ahead,
+                                  pull[:, self._near].tocsr(), of_near[:, self._near])
+        self._pull, self._tie = pull[:, self._far], of_near[:, self._far].tocsc()
+        self._offset_right = equations.right
+        cross = [self._on_far(*self._solve(*part)) for part in self._border(np.eye(len(self._far)))]
+        self._far_covariance = np.linalg.inv(of_far[:, self._far].toarray() - np.concatenate(cross, axis=1))
 
-    def _solve(self, sides: np.ndarray) -> ChainSolution:
-        """The nodes for right sides (k p, r), the offsets fixed."""
-        return solve_chain(self._diagonal, self._ahead, sides.reshape(*self.right.shape, -1))
+    def _solve(self, sides: np.ndarray, near: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Nodes (k, p, r) and near offsets for right sides (k p, r) and (n, r), the far offsets fixed."""
+        return self._chain.solve(sides.reshape(*self.right.shape, -1), near)
 
-    @property
-    def offset_covariance(self) -> np.ndarray:
-        """(m, m) m2, given all."""
-        if self._covariance is None:
-            pull, cross = self._equations.pull, []
-            for first in range(0, pull.shape[1], _COLUMNS):
-                followed = self._solve(pull[:, first:first + _COLUMNS].toarray()).state
-                cross.append(pull.T @ followed.reshape(pull.shape[0], -1))
-            self._covariance = np.linalg.inv(self._equations.normal - np.concatenate(cross, axis=1))
-        return self._covariance
+    def _border(self, columns: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+        """What far offsets (f, r) do to the right sides of nodes and near offsets, some columns at a time."""
+        for begin in range(0, columns.shape[1], _COLUMNS):
+            some = columns[:, begin:begin + _COLUMNS]
+            yield self._pull @ some, self._tie @ some
 
-    def settled(self) -> tuple[np.ndarray, np.ndarray, ChainSolution]:
-        """States (k, p), offsets (m,), and the nodes' solution with the offsets as their observations have them."""
-        pull = self._equations.pull
-        fixed = self._solve(self.right.ravel())
-        offset = self.offset_covariance @ (self._equations.right - pull.T @ fixed.state.ravel())
-        return self._solve(self.right.ravel() - pull @ offset).state[..., 0], offset, fixed
+    def _on_far(self, state: np.ndarray, near: np.ndarray) -> np.ndarray:
+        """(f, r) what nodes (k, p, r) and near offsets (n, r) do to the right sides of the far offsets."""
+        return self._pull.T @ state.reshape(self._pull.shape[0], -1) + self._tie.T @ near
 
-    def followers(self) -> Iterator[np.ndarray]:
-        """Columns (k, p, r), some at a time: the sum of their products is what unknown offsets add to covariances."""
-        pull, root = self._equations.pull, np.linalg.cholesky(self.offset_covariance)
-        for first in range(0, root.shape[1], _COLUMNS):
-            yield self._solve(pull @ root[:, first:first + _COLUMNS]).state
+    def solved(self) -> HeldSolution:
+        """States and offsets, both unknown, with their covariances."""
+        chain, right = self._chain, self._offset_right
+        sides, near = self.right.reshape(-1, 1), right[self._near, None]
+        far = self._far_covariance @ (right[self._far, None] - self._on_far(*self._solve(sides, near)))
+        state, found = self._solve(sides - self._pull @ far, near - self._tie @ far)
+        offset, variance = np.empty((2, len(right)))
+        offset[self._near], offset[self._far] = found[:, 0], far[:, 0]
+        covariance, lagged, near_variance = chain.covariance.copy(), chain.lagged.copy(), chain.offset_variance.copy()
+        for part in self._border(np.linalg.cholesky(self._far_covariance)):
+            columns, of_near = self._solve(*part)
+            covariance += columns @ np.swapaxes(columns, 1, 2)
+            lagged += columns[:-1] @ np.swapaxes(columns[1:], 1, 2)
+            near_variance += (of_near**2).sum(axis=1)
+        variance[self._near], variance[self._far] = near_variance, np.diag(self._far_covariance)
+        return HeldSolution(state[..., 0], covariance, lagged, offset, variance)
 
     def response(self, sides: np.ndarray) -> np.ndarray:
         """(k, p, r) states for right sides (k p, r) of the nodes alone, the offsets following them."""
-        pull = self._equations.pull
-        fixed = self._solve(sides).state.reshape(sides.shape)
-        return self._solve(sides + pull @ (self.offset_covariance @ (pull.T @ fixed))).state
+        near = np.zeros((len(self._near), sides.shape[1]))
+        far = self._far_covariance @ self._on_far(*self._solve(sides, near))
+        return self._solve(sides + self._pull @ far, self._tie @ far)[0]

@@ -78,21 +78,28 @@ def shifted_stretches(walls: WallReadings, eaves: tuple[float, float]) -> list[S
         return []
     first, last = walls.chainage[0], walls.chainage[-1]
     ends = np.append(np.arange(first, last, LIMITS.every), last + 1e-6)
-    found = []
-    for number, begin in enumerate(ends):
-        for end in ends[number + 1:]:
-            part = slice(*np.searchsorted(walls.chainage, [begin, end]))
-            if end - begin < LIMITS.shortest or part.stop - part.start < LIMITS.walls:
-                continue
-            change, covariance, _ = _shift(walls.select(part), eaves)
-            square = float(change @ np.linalg.solve(covariance, change))
-            if square > LIMITS.proof**2 and np.hypot(*change) > LIMITS.least:
-                found.append(ShiftedStretch(float(begin), float(end), change, covariance, square))
+    found = [item for number, begin in enumerate(ends)
+             for item in _believed(walls, float(begin), ends[number + 1:], eaves)]
     chosen: list[ShiftedStretch] = []
     for item in sorted(found, key=lambda item: -item.square):
         if not any(item.begin < other.end and other.begin < item.end for other in chosen):
             chosen.append(_extended(item, walls, eaves))
     return _without_remnants(chosen, float(first), float(last))
+
+
+def _believed(walls: WallReadings, begin: float, ends: np.ndarray,
+              eaves: tuple[float, float]) -> list[ShiftedStretch]:
+    """Stretches from one chainage to others (e,) that a shift explains and chance does not; all are solved at once."""
+    first, stop = np.searchsorted(walls.chainage, begin), np.searchsorted(walls.chainage, ends)
+    tried = (ends - begin >= LIMITS.shortest) & (stop - first >= LIMITS.walls)
+    if not tried.any():
+        return []
+    ends, walls = ends[tried], walls.select(slice(first, None))
+    change, covariance, _ = _shifts(walls, np.arange(len(walls.chainage)) < (stop[tried] - first)[:, None], eaves)
+    square = (change * np.linalg.solve(covariance, change[:, :, None])[:, :, 0]).sum(axis=1)
+    believed = (square > LIMITS.proof**2) & (np.hypot(*change.T) > LIMITS.least)
+    return [ShiftedStretch(begin, float(ends[row]), change[row], covariance[row], float(square[row]))
+            for row in np.flatnonzero(believed)]
 
 
 def _without_remnants(stretches: list[ShiftedStretch], first: float, last: float) -> list[ShiftedStretch]:
@@ -110,7 +117,7 @@ def _without_remnants(stretches: list[ShiftedStretch], first: float, last: float
 def _extended(item: ShiftedStretch, walls: WallReadings, eaves: tuple[float, float]) -> ShiftedStretch:
     """A stretch to either side as far as no walls deny its shift: the step lies somewhere before these."""
     inside = (walls.chainage >= item.begin) & (walls.chainage <= item.end)
-    _, _, behind = _shift(walls.select(inside), eaves)
+    behind = float(_shifts(walls.select(inside), np.ones((1, np.count_nonzero(inside)), bool), eaves)[2][0])
     off = [(walls.outside + behind - shift) / walls.sigma for shift in (0.0, walls.outward @ item.change)]
     without, shifted = (np.minimum(np.abs(part), LIMITS.most_denied) ** 2 for part in off)
     gain, ends = 0.5 * (without - shifted), []
@@ -120,16 +127,20 @@ def _extended(item: ShiftedStretch, walls: WallReadings, eaves: tuple[float, flo
     return replace(item, begin=float(ends[0]), end=float(ends[1]))
 
 
-def _shift(walls: WallReadings, eaves: tuple[float, float]) -> tuple[np.ndarray, np.ndarray, float]:
-    """The shift (2,) that walls want together with the eaves of all, its covariance (2, 2), and these eaves, m."""
+def _shifts(walls: WallReadings, inside: np.ndarray,
+            eaves: tuple[float, float]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The shift (e, 2) that the walls `inside` (e, w) each of e stretches want, together with the eaves of all; its
+    covariance (e, 2, 2), and these eaves (e,), m.
+    """
     outside, sigma = walls.outside, walls.sigma
     rows = np.column_stack([walls.outward, -np.ones(len(outside))])
+    products = (rows[:, :, None] * rows[:, None, :]).reshape(-1, 9)
     prior = np.diag([LIMITS.most**-2, LIMITS.most**-2, eaves[1] ** -2])
     pull = np.array([0.0, 0.0, eaves[0] / eaves[1] ** 2])
-    off = np.zeros(len(outside))
+    off = np.zeros(inside.shape)
     for _ in range(LIMITS.rounds):
-        share = sigma**-2 / (1.0 + (off / LIMITS.soft) ** 2)
-        inverse = np.linalg.inv((rows * share[:, None]).T @ rows + prior)
-        solution = inverse @ ((rows * share[:, None]).T @ outside + pull)
-        off = (outside - rows @ solution) / sigma
-    return solution[:2], inverse[:2, :2] + walls.shared**2 * np.eye(2), float(solution[2])
+        share = inside * sigma**-2 / (1.0 + (off / LIMITS.soft) ** 2)
+        inverse = np.linalg.inv((share @ products).reshape(-1, 3, 3) + prior)
+        solution = np.einsum("eij,ej->ei", inverse, share @ (rows * outside[:, None]) + pull)
+        off = (outside - solution @ rows.T) / sigma
+    return solution[:, :2], inverse[:, :2, :2] + walls.shared**2 * np.eye(2), solution[:, 2]
