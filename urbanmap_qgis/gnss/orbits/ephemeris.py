@@ -15,7 +15,9 @@ import numpy as np
 from ...errors import InputError
 from ...io.files.guard import reads
 from ...wording import say
+from ..rinex.civil_delays import NO_DELAYS, CivilDelays
 from ..rinex.navigation import GlonassRecords, Ionosphere, KeplerRecords, NavigationRecords, read_navigation_files
+from ..rinex.observation_file import BESIDE_ONLY
 from .earth_fixed import SPEED_OF_LIGHT
 from .sp3 import PreciseOrbits, interpolate_orbits, is_sp3, read_sp3
 
@@ -59,6 +61,7 @@ class Navigation:
     precise : SP3 orbits, used before the broadcast ones where they extend.
     ionosphere : coefficients of the files.
     notes : sentences on damage.
+    civil : group delays of GPS's and QZSS's civil signals.
     """
 
     kepler: KeplerRecords
@@ -66,6 +69,7 @@ class Navigation:
     precise: tuple[PreciseOrbits, ...]
     ionosphere: tuple[Ionosphere, ...]
     notes: tuple[str, ...]
+    civil: CivilDelays = NO_DELAYS
 
     def satellites(self) -> np.ndarray:
         """Names of all satellites with an orbit."""
@@ -147,7 +151,7 @@ def read_navigation(paths: Sequence[str | os.PathLike]) -> Navigation:
     precise = [path for path in paths if is_sp3(path)]
     records: NavigationRecords = read_navigation_files([path for path in paths if path not in precise])
     return Navigation(records.kepler, records.glonass, tuple(read_sp3(path) for path in precise), records.ionosphere,
-                      records.notes)
+                      records.notes, records.civil)
 
 
 def satellite_states(navigation: Navigation, satellite: np.ndarray, time: np.ndarray,
@@ -168,6 +172,7 @@ def satellite_states(navigation: Navigation, satellite: np.ndarray, time: np.nda
     states = SatelliteStates(np.full((count, 3), np.nan), np.full(count, np.nan), np.zeros(count),
                              np.full(count, np.nan), np.zeros(count), np.full(count, NO_EPHEMERIS))
     _from_kepler(navigation.kepler, satellite, time, bands, second_bands or {}, states)
+    _with_civil_delays(navigation.civil, satellite, time, bands, second_bands or {}, states)
     _from_glonass(navigation.glonass, satellite, time, states)
     for orbits in navigation.precise:
         _from_precise(orbits, satellite, time, states)
@@ -362,9 +367,26 @@ def _delay_between(records: KeplerRecords, bands: dict[str, str], second_bands: 
             # Delays of E5a and of E5b against E1, whichever message the clock comes from.
             delays = {"1": 0.0, "5": (_GAMMA["E", "5"] - 1) * one, "7": (_GAMMA["E", "7"] - 1) * other}
             between[of_system] = delays[second] - delays[first]
-        elif (name, "2") in _GAMMA:
+        elif (name, "2") in _GAMMA and "5" not in (first, second):
             between[of_system] = (_GAMMA[name, "2"] - 1) * one * (1 if second == "2" else -1)
     return between
+
+
+def _with_civil_delays(civil: CivilDelays, satellite: np.ndarray, time: np.ndarray, bands: dict[str, str],
+                       second_bands: dict[str, str], states: SatelliteStates) -> None:
+    """Group delays of the first band and of L5 beside it where CNAV tells them: T_GD less the signal's own correction,
+    so that the two without the ionosphere make the range of IS-GPS-705, 20.3.3.3.1.2.2."""
+    with_five = [name for name, second in second_bands.items() if second == BESIDE_ONLY.get(name)]
+    rows = np.flatnonzero(np.isin(satellite.astype("U1"), with_five))
+    if not len(rows) or not len(civil.satellite):
+        return
+    row = nearest_record(civil.satellite, civil.time, satellite[rows], time[rows])
+    rows, row = rows[row >= 0], row[row >= 0]
+    on_second = np.array([bands[name[0]] == "2" for name in satellite[rows]], bool)
+    first = civil.tgd[row] - np.where(on_second, civil.isc_l2c[row], civil.isc_l1ca[row])
+    between = civil.tgd[row] - civil.isc_l5[row] - first
+    told = np.isfinite(between) & (states.status[rows] == OK)
+    states.delay[rows[told]], states.second_delay[rows[told]] = first[told], between[told]
 
 
 def _from_precise(orbits: PreciseOrbits, satellite: np.ndarray, time: np.ndarray, states: SatelliteStates) -> None:

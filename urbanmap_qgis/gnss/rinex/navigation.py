@@ -1,8 +1,8 @@
 """Reads RINEX 2.11, 3.x and 4.x navigation files: orbits and clocks of the satellites, coefficients of the ionosphere.
 
 Layouts by the IGS's RINEX 2.11, 3.05 and 4.02. Records of GPS, QZSS, Galileo and BeiDou are Keplerian, those of GLONASS
-are state vectors. Of RINEX 4 the messages that RINEX 3 has too are used; the same satellites' newer messages (CNAV and
-its fellows, which have columns of their own), times and earth rotation are passed over.
+are state vectors. Of RINEX 4 the messages that RINEX 3 has too are used, and the group delays of the newer ones of GPS
+and QZSS (CNAV and CNV2); the other new messages, times and earth rotation are passed over.
 """
 
 from __future__ import annotations
@@ -18,6 +18,8 @@ from ...errors import InputError
 from ...io.files.guard import reads
 from ...mobile.gps_time import WEEK
 from ...wording import say
+from .civil_delays import MESSAGES as CIVIL_MESSAGES
+from .civil_delays import NO_DELAYS, CivilDelays, civil_delays, joined_delays
 from .gnss_time import BEIDOU_OFFSET, calendar_seconds, leap_seconds, nearest_week, to_gps
 from .text_lines import RinexFile, read_rinex
 
@@ -132,6 +134,7 @@ class NavigationRecords:
     glonass: GlonassRecords
     ionosphere: tuple[Ionosphere, ...]
     notes: tuple[str, ...]
+    civil: CivilDelays = NO_DELAYS
 
 
 @reads("RINEX navigation")
@@ -148,7 +151,8 @@ def read_navigation_files(paths: Sequence[str | os.PathLike]) -> NavigationRecor
     return NavigationRecords(_joined(KeplerRecords, [part.kepler for part in parts]),
                              _joined(GlonassRecords, [part.glonass for part in parts]),
                              tuple(model for part in parts for model in part.ionosphere),
-                             tuple(note for part in parts for note in part.notes))
+                             tuple(note for part in parts for note in part.notes),
+                             joined_delays(part.civil for part in parts))
 
 
 def _joined(kind: type, parts: list):
@@ -188,11 +192,24 @@ def _read_one(path: str | os.PathLike) -> NavigationRecords:
                              file=file.name))
     kepler, glonass = _kepler(records["K"]), _glonass(records["R"])
     middle = float(np.median(np.concatenate([kepler.toe, glonass.toe])))
-    return NavigationRecords(kepler, glonass, tuple(_ionosphere(file, middle)), notes)
+    return NavigationRecords(kepler, glonass, tuple(_ionosphere(file, middle)), notes,
+                             civil_delays(_civil_records(file)))
 
 
-def _records(file: RinexFile) -> Iterator[tuple[str, str, list[list[str]]]]:
-    """Satellite, time and the number fields, row by row, of each record."""
+def _civil_records(file: RinexFile) -> Iterator[tuple[str, float, list[list[float]]]]:
+    """Satellite, calendar seconds and numbers, NaN where blank, of the messages with delays of civil signals."""
+    if file.version < 4:
+        return
+    for name, stamp, rows in _records(file, CIVIL_MESSAGES):
+        try:
+            yield name, _stamp_seconds(stamp), [[_number(field) if field.strip() else np.nan for field in row]
+                                                for row in rows]
+        except ValueError:
+            continue  # Its orbit is not used: what it lacks is a delay that is not told.
+
+
+def _records(file: RinexFile, messages: set[str] = _MESSAGES) -> Iterator[tuple[str, str, list[list[str]]]]:
+    """Satellite, time and the number fields, row by row, of each record; in RINEX 4 of these messages."""
     lead = 4 if file.version >= 3 else 3
     system = _KINDS_2.get(file.kind, "G")
     name, stamp, rows = "", "", []
@@ -201,7 +218,7 @@ def _records(file: RinexFile) -> Iterator[tuple[str, str, list[list[str]]]]:
         line = file.line(i)
         if line[:1] == ">" and file.version >= 4:
             kind, _, message = [*line[1:].split(), "", "", ""][:3]
-            used = kind == "EPH" and message in _MESSAGES
+            used = kind == "EPH" and message in messages
             continue
         if not used:
             continue

@@ -22,9 +22,13 @@ from .gnss_time import calendar_seconds, known_scale, to_gps
 from .text_lines import RinexFile, read_rinex
 
 MEGAHERTZ = {
-    "G": {"1": 1575.42, "2": 1227.60}, "J": {"1": 1575.42, "2": 1227.60}, "R": {"1": 1602.0},
+    "G": {"1": 1575.42, "2": 1227.60, "5": 1176.45}, "J": {"1": 1575.42, "2": 1227.60, "5": 1176.45},
+    "R": {"1": 1602.0},
     "E": {"1": 1575.42, "7": 1207.14, "5": 1176.45}, "C": {"2": 1561.098, "7": 1207.14, "6": 1268.52}}
 """Carriers (MHz) whose group delay is broadcast, by system and RINEX 3 band, the preferred one first."""
+
+BESIDE_ONLY = {"G": "5", "J": "5"}
+"""Bands whose group delay only the CNAV messages tell: they serve as second ones."""
 
 _ATTRIBUTES = "CSLXBAPWIQYMDNZ"
 _BATCH = 200_000
@@ -379,10 +383,12 @@ def _values(file: RinexFile, rows: _Rows, types: list[dict[str, list[str]]], sys
         mine = np.flatnonzero(letter == system)
         found, bad = _bands(file, rows.line[mine], rows.types[mine], system, types, factors, progress)
         unread += bad
-        band = _best_band(system, found)
-        if band:
-            code[mine], cn0[mine] = found.pop(band)
-            bands[system] = band
+        beside = BESIDE_ONLY.get(system)
+        band = _best_band(system, {name: columns for name, columns in found.items() if name != beside})
+        if not band:
+            continue
+        code[mine], cn0[mine] = found.pop(band)
+        bands[system] = band
         other = _best_band(system, found)
         if other:
             second[mine] = found[other][0]

@@ -4,7 +4,8 @@ The difference of two codes of one satellite holds the ionosphere, the receiver'
 nothing else: clocks, orbits, troposphere and the detour of a reflection are the same on both. So it is measured for
 reflected signals too. The broadcast model is the start; what the differences add to it is a layer over the place
 (vertical delay, its change with time, its slopes northwards and eastwards), a bias for each system and a lasting
-deviation for each satellite, which also holds the error of its broadcast group delay.
+deviation for each satellite, which also holds the error of its broadcast group delay. Where that is not broadcast (L5
+without CNAV) it is an unknown of the satellite, apart from the ionosphere.
 """
 
 from __future__ import annotations
@@ -39,6 +40,9 @@ class MeasuredIonosphereLimits:
     usual_deviation: float = 0.5  # of a satellite, m, as if so many satellites had told it
     usual_count: float = 4.0
     least_deviation: float = 0.1  # m
+    # Standard deviation, m, of a satellite's delay between the bands where it is not broadcast (some 5 ns among
+    # satellites).
+    unknown_delay: float = 2.0
     code_noise: float = 0.5  # m, of a code on the second band
     usual_noise: float = 10.0  # pieces of evidence that the expected noise of codes counts as
     rounds: int = 12
@@ -60,6 +64,7 @@ class MeasuredIonosphere:
     vertical, vertical_sigma : delay at the zenith in the middle of the time, m at GPS's L1.
     modelled : the same by the broadcast model, m.
     satellites : that were measured on two bands.
+    calibrated : of these, whose delay between the bands is broadcast.
     """
 
     delay: np.ndarray
@@ -68,6 +73,12 @@ class MeasuredIonosphere:
     vertical_sigma: float
     modelled: float
     satellites: int
+    calibrated: int
+
+    @property
+    def is_calibrated(self) -> bool:
+        """Whether enough satellites have known delays for the vertical delay to be measured, not only its slopes."""
+        return self.calibrated >= LIMITS.fewest
 
 
 @dataclass(frozen=True)
@@ -86,6 +97,7 @@ class TwoBands:
         where there is no second band.
     noise : standard deviation of a code on the first band, m.
     bands, second_bands : of the systems.
+    known : whether the satellite's delay between the bands is known; None where all are.
     """
 
     time: np.ndarray
@@ -99,6 +111,7 @@ class TwoBands:
     noise: np.ndarray
     bands: dict[str, str]
     second_bands: dict[str, str]
+    known: np.ndarray | None = None
 
 
 def layer_mapping(elevation: np.ndarray) -> np.ndarray:
@@ -124,12 +137,15 @@ def measure_ionosphere(signals: TwoBands) -> MeasuredIonosphere | None:
     noise = np.hypot(signals.noise, LIMITS.code_noise) / spread / scale
     vertical = np.median((signals.modelled / scale) / layer_mapping(signals.elevation))
     start = _start_error(float(vertical), signals.has_model)
-    latent, covariance = _estimate(design, observed, noise, _blocks(signals, number), satellites, start)
+    known = measured if signals.known is None else measured & signals.known
+    delays = per_satellite * (LIMITS.unknown_delay / spread / scale * ~known)[:, None]
+    latent, covariance = _estimate(design, delays, observed, noise, _blocks(signals, number), satellites, start)
     shared = _system_means(design, number, satellites)
     contrast = design - shared
     sigma = np.sqrt(((contrast @ covariance) * contrast).sum(axis=1))
     return MeasuredIonosphere(signals.modelled + scale * (design @ latent), scale * sigma, float(vertical + latent[0]),
-                              float(np.sqrt(covariance[0, 0])), float(vertical), len(seen))
+                              float(np.sqrt(covariance[0, 0])), float(vertical), len(seen),
+                              len(np.unique(number[known])))
 
 
 def _band_factors(signals: TwoBands) -> tuple[np.ndarray, np.ndarray]:
@@ -177,18 +193,22 @@ def _system_means(design: np.ndarray, number: np.ndarray, satellites: np.ndarray
     return means[system]
 
 
-def _estimate(design: np.ndarray, observed: np.ndarray, noise: np.ndarray, block: np.ndarray, satellites: np.ndarray,
-              start: float) -> tuple[np.ndarray, np.ndarray]:
-    """Latent parameters of the design's columns and their covariance, the systems' biases estimated along."""
-    rows, values, sigma = _block_means(design, observed, noise, block)
+def _estimate(design: np.ndarray, delays: np.ndarray, observed: np.ndarray, noise: np.ndarray, block: np.ndarray,
+              satellites: np.ndarray, start: float) -> tuple[np.ndarray, np.ndarray]:
+    """Latent parameters of the design's columns and their covariance, with the systems' biases and the satellites'
+    delays between the bands (columns by their expected size) estimated along."""
+    unknown = (delays > 0).any(axis=0)
+    rows, values, sigma = _block_means(np.column_stack([design, delays[:, unknown]]), observed, noise, block)
+    rows, delays = rows[:, :design.shape[1]], rows[:, design.shape[1]:]
     layer = design.shape[1] - len(satellites)
     letters, system = np.unique(satellites.astype("U1"), return_inverse=True)
     biases = rows[:, layer:] @ np.eye(len(letters))[system.ravel()]
-    whole = np.column_stack([rows, biases])
+    whole = np.column_stack([rows, biases, delays])
     heard = (rows[:, layer:] > 0).any(axis=0)
     deviation, unit, weight = LIMITS.usual_deviation, 1.0, np.ones(len(values))
     for _ in range(LIMITS.rounds):
-        prior = np.r_[np.full(layer, start), np.full(len(satellites), deviation), np.full(len(letters), LIMITS.bias)]
+        prior = np.r_[np.full(layer, start), np.full(len(satellites), deviation), np.full(len(letters), LIMITS.bias),
+                      np.ones(delays.shape[1])]
         scaled = weight / (unit * sigma) ** 2
         covariance = np.linalg.inv((whole * scaled[:, None]).T @ whole + np.diag(prior**-2.0))
         latent = covariance @ ((whole * scaled[:, None]).T @ values)

@@ -29,7 +29,7 @@ from ..orbits.ephemeris import (
     sagnac_corrected,
 )
 from ..rinex.gnss_time import UNIX_START, leap_seconds, span_text, spans_text
-from ..rinex.observation_file import Observations, read_observations
+from ..rinex.observation_file import BESIDE_ONLY, Observations, read_observations
 from .antenna_height import estimate_height, grouped_median, strong_scatter, strong_signals
 from .atmosphere import ionosphere, nearest_model, troposphere
 from .measured_ionosphere import MeasuredIonosphere, TwoBands, layer_mapping, measure_ionosphere
@@ -149,7 +149,8 @@ def _check_same_days(files: Sequence[Observations], navigation: Navigation) -> N
 class _Measured:
     """Observations of one file that have a place and a satellite; rows n, epochs e.
 
-    `difference` (n,) is the code on the second band less that on the first, without the satellite's delay, m.
+    `difference` (n,) is the code on the second band less that on the first, without the satellite's delay, m, as far
+    as that is `known`.
     """
 
     time: np.ndarray
@@ -160,6 +161,7 @@ class _Measured:
     code: np.ndarray
     cn0: np.ndarray
     difference: np.ndarray
+    known: np.ndarray
     states: SatelliteStates
     bands: dict[str, str]
     second_bands: dict[str, str]
@@ -199,9 +201,12 @@ def _measured(file: Observations, navigation: Navigation, trajectory: Trajectory
     received = np.clip(time - late, trajectory.time[0], trajectory.time[-1])
     place = body_to_map(trajectory, received, arm)
     states = SatelliteStates(*(getattr(paths.states, name)[good] for name in SatelliteStates.__dataclass_fields__))
-    difference = file.second_code[rows][good] - code[good] - SPEED_OF_LIGHT * states.second_delay
+    known = np.isfinite(states.second_delay)
+    beside = [name for name, band in file.second_bands.items() if band == BESIDE_ONLY.get(name)]
+    second_delay = np.where(~known & np.isin(satellite[good].astype("U1"), beside), 0.0, states.second_delay)
+    difference = file.second_code[rows][good] - code[good] - SPEED_OF_LIGHT * second_delay
     return _Measured(time, gps_time, place, epoch[good], satellite[good], code[good], file.cn0[rows][good], difference,
-                     states, file.bands, file.second_bands, left_out, unplaced)
+                     known, states, file.bands, file.second_bands, left_out, unplaced)
 
 
 def within_trajectory(trajectory: Trajectory, time: np.ndarray, max_gap: float) -> np.ndarray:
@@ -246,10 +251,11 @@ def _gathered(parts: Sequence[_Measured], files: Sequence[Observations], navigat
                     np.repeat(np.arange(len(parts)), [len(part.time) for part in parts]))
     row = columns_of_all["epoch"]
     notes = (*_notes(files, navigation, model is None and None in airs, parts),
-             *_ionosphere_notes(airs))
+             *_ionosphere_notes(airs, parts))
     return Signals(epochs=epochs, time=epochs.time[row], place=epochs.place[row],
                    system=columns_of_all["satellite"].astype("U1"), clock_datum=np.array(datum),
-                   geoid_separation=separation, ionosphere_measured=None not in airs, left_out=dict(left_out),
+                   geoid_separation=separation, left_out=dict(left_out),
+                   ionosphere_measured=all(air is not None and air.is_calibrated for air in airs),
                    notes=notes, **columns_of_all)
 
 
@@ -281,7 +287,8 @@ def _modelled(part: _Measured, frame: MapFrame, model, separation: float,
     noise = expected_code_noise(part.cn0[visible], system)
     air = measure_ionosphere(TwoBands(
         part.gps_time[epoch], part.place[epoch], part.satellite[visible], elevation, north, free, model is not None,
-        part.difference[visible], noise, part.bands, part.second_bands)) if settings.two_bands else None
+        part.difference[visible], noise, part.bands, part.second_bands,
+        part.known[visible])) if settings.two_bands else None
     if air is not None:
         free, free_sigma = air.delay, air.sigma
     clock = SPEED_OF_LIGHT * (part.states.clock[visible] - part.states.delay[visible])
@@ -319,16 +326,22 @@ def expected_sigma(noise: np.ndarray, elevation: np.ndarray, ionosphere_sigma: n
     return np.sqrt(0.7 ** 2 + noise ** 2 + air ** 2 + ionosphere_sigma ** 2)
 
 
-def _ionosphere_notes(airs: Sequence[MeasuredIonosphere | None]) -> tuple[str, ...]:
+def _ionosphere_notes(airs: Sequence[MeasuredIonosphere | None], parts: Sequence[_Measured]) -> tuple[str, ...]:
     """What two bands say of the ionosphere, in the mean of the files that have them."""
     found = [air for air in airs if air is not None]
     if not found:
         return ()
-    return (say("The ionosphere is measured on two bands in {count} of {files} observation files: {vertical:.1f} m at "
-                "the zenith (sigma {sigma:.1f} m) where the broadcast model says {modelled:.1f} m.",
-                count=len(found), files=len(airs), vertical=float(np.mean([air.vertical for air in found])),
-                sigma=float(np.sqrt(np.mean([air.vertical_sigma**2 for air in found]))),
-                modelled=float(np.mean([air.modelled for air in found]))),)
+    unknown = sorted({str(name) for air, part in zip(airs, parts) if air is not None
+                      for name in np.unique(part.satellite[np.isfinite(part.difference) & ~part.known])})
+    notes = [say("L5 is measured, but no navigation file tells its group delays (they are in the CNAV messages of "
+                 "RINEX 4): they are estimated for {names}, which is less sure.",
+                 names=", ".join(unknown))] if unknown else []
+    return (*notes, say("The ionosphere is measured on two bands in {count} of {files} observation files: "
+                        "{vertical:.1f} m at the zenith (sigma {sigma:.1f} m) where the broadcast model says "
+                        "{modelled:.1f} m.",
+                        count=len(found), files=len(airs), vertical=float(np.mean([air.vertical for air in found])),
+                        sigma=float(np.sqrt(np.mean([air.vertical_sigma**2 for air in found]))),
+                        modelled=float(np.mean([air.modelled for air in found]))))
 
 
 def _notes(files: Sequence[Observations], navigation: Navigation, without_ionosphere: bool,

@@ -87,7 +87,8 @@ class Signals:
     geoid_sigma : its standard deviation where it was estimated from the signals, m; NaN where it was given.
     left_out : observations that were not used, counted by reason (a sentence fragment).
     notes : sentences about the files for the user and the report.
-    ionosphere_measured : whether the delays of the ionosphere are measured in all files, not only modelled.
+    ionosphere_measured : whether the delays of the ionosphere are measured in all files, by satellites whose delays
+        between the bands are known, not only modelled.
     """
 
     epochs: Epochs
