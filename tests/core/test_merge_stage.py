@@ -312,3 +312,15 @@ def test_models_of_a_cityjson_file(tmp_path):
     path.write_text(json.dumps(content), encoding="utf-8")
     _, faces, names = models_from_cityjson(path)
     assert names == ["building-31", "building-7"] and faces[0] is not None, "a building has the solids of its part"
+
+
+def test_a_wall_that_stops_a_centimetre_beside_another_leaves_no_step():
+    """As the specification asks: neighbouring corners lie 1 cm apart at least."""
+    house = model((box(0, 0, 6, 8), 10.0), (box(6, 0.3, 6, 8), 10.0))
+    merged = one([house], [wall((0, 0), (6, 0)), wall((6, 0.01), (12, 0.01), number=1)])
+    assert merged.status == MERGED and sum(edge.match.status == "moved" for edge in merged.edges) == 1
+    (solid,) = merged.solids
+    sides = [np.linalg.norm(np.diff(solid.vertices[[*ring, ring[0]]], axis=0), axis=1)
+             for face in solid.faces for ring in face]
+    assert min(side.min() for side in sides) >= 0.012
+    assert merged.volume == pytest.approx(merged.volume_before + 6 * 0.29 * 10, abs=6 * 0.01 * 10 + 1e-6)

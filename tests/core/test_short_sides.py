@@ -7,8 +7,8 @@ import pytest
 import shapely
 
 from tests.core.surveyed_scene import crossing, edge, official, road_height
+from urbanmap_qgis.geometry.short_sides import SHORTEST, without_short_edges, without_short_sides
 from urbanmap_qgis.roadspace.survey.area_records import LANE
-from urbanmap_qgis.roadspace.survey.short_sides import SHORTEST, without_short_sides
 from urbanmap_qgis.roadspace.survey.survey_roads import SurveyInputs, surveyed_roads
 
 
@@ -37,6 +37,25 @@ def test_a_dense_curve_keeps_its_shape():
 def test_what_would_be_nothing_is_left():
     sliver = shapely.Polygon([(0, 0), (5, 0), (5, 0.004)])
     assert without_short_sides([sliver]) == [sliver]
+
+
+def test_a_face_of_a_centimetre_goes_into_those_beside_it():
+    below, strip, above = shapely.box(0, 0, 5, 2), shapely.box(0, 2, 5, 2.01), shapely.box(0, 2.01, 5, 4)
+    one, gone, other = without_short_edges([below, strip, above])
+    assert gone is None and shapely.union_all([one, other]).area == one.area + other.area == 20.0
+    assert without_short_edges([below]) == [below]
+
+
+def test_faces_that_would_lie_over_each_other_stay():
+    """One has a corner on the other's side, which turns when its end goes a centimetre down."""
+    end, near = (5, -1), (5, -1.01)
+    faces = [shapely.Polygon([(0, 0), (5, 0), end, (0, -1)]),
+             shapely.Polygon([(0, -1), (2.5, -1), end, near, (5, -2), (0, -2)]),
+             shapely.Polygon([(5, 0), (6, 0), (6, -1.01), near, end]),
+             shapely.Polygon([near, (6, -1.01), (6, -2), (5, -2)])]
+    assert without_short_edges(faces) == faces
+    faces[1] = shapely.Polygon([(0, -1), end, near, (5, -2), (0, -2)])
+    assert shortest_side(without_short_edges(faces)) > 0.9
 
 
 def test_road_models_have_no_short_side_and_still_share_their_borders():

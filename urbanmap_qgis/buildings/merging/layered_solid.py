@@ -15,6 +15,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from ...errors import InputError
+from ...geometry.short_sides import without_short_edges
 from ...geometry.solid import GROUND, INNER_WALL, OUTER_WALL, OVERHANG, ROOF, Face, Solid
 from ...geometry.tolerances import GRID, UNITS
 from ...wording import say
@@ -33,13 +34,14 @@ class Prism:
     roof_id: Hashable = None
 
 
-def layered_solids(prisms: Sequence[Prism], lift: float = 0.0) -> tuple[Solid, ...]:
+def layered_solids(prisms: Sequence[Prism], lift: float = 0.0, short_sides: bool = True) -> tuple[Solid, ...]:
     """The union of prisms as solids, one for each connected piece.
 
     Parameters
     ----------
     lift : undersides that hang free are put this much higher (m). Where a ledge and an overhang of one height meet in
         an edge, four faces meet there; a centimetre between them repairs that.
+    short_sides : whether corners of the plan may lie nearer than `SHORTEST`, as where a wall moved by a centimetre.
 
     Raises
     ------
@@ -66,7 +68,9 @@ def layered_solids(prisms: Sequence[Prism], lift: float = 0.0) -> tuple[Solid, .
             filled[f].append((bottom, top))
             if prisms[p].roof_id is not None:
                 roof_of[f].setdefault(top, prisms[p].roof_id)
-    filled_faces = [f for f in range(len(faces)) if filled[f]]
+    if not short_sides:
+        faces = np.array(without_short_edges(faces), object)
+    filled_faces = [f for f in range(len(faces)) if filled[f] and faces[f] is not None]
     if not filled_faces:
         raise InputError(say("The model has no part with a volume."))
     edges = half_edges(faces[filled_faces], (0.0, 0.0), GRID)

@@ -9,6 +9,7 @@ cannot be merged keeps its model and says why.
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Sequence
 from concurrent.futures import Executor
@@ -20,6 +21,7 @@ import shapely
 
 from ...errors import InputError, InsufficientDataError
 from ...execution import in_order
+from ...geometry.short_sides import without_short_sides
 from ...geometry.solid import Solid
 from ...geometry.solid_faces import solids_of
 from ...progress import SILENT, Progress
@@ -304,10 +306,14 @@ def _merged(plan: _Plan, settings: MergeSettings) -> MergedBuilding:
 def _checked(plan: _Plan, settings: MergeSettings) -> tuple[tuple[Solid, ...], str]:
     """The solids of a plan with its edges moved, and what the check says against them, "" if nothing."""
     problem = ""
-    for lift in (0.0,) if plan.parts.sloped and plan.cut is None else (0.0, LIMITS.lift):
+    lifts = (0.0,) if plan.parts.sloped and plan.cut is None else (0.0, LIMITS.lift)
+    # Corners a centimetre apart are made one where a valid solid comes of it, else they stay.
+    for short_sides, lift in itertools.product((False, True), lifts):
         try:
-            solids = _plan_solids(plan, settings, lift)
+            solids = _plan_solids(plan, settings, lift, short_sides)
         except (InputError, ValueError) as error:
+            if not short_sides:
+                continue
             return (), str(error)
         problems = [problem for solid in solids for problem in check_solid(solid)]
         if not problems:
@@ -316,19 +322,21 @@ def _checked(plan: _Plan, settings: MergeSettings) -> tuple[tuple[Solid, ...], s
     return (), problem
 
 
-def _plan_solids(plan: _Plan, settings: MergeSettings, lift: float) -> tuple[Solid, ...]:
+def _plan_solids(plan: _Plan, settings: MergeSettings, lift: float, short_sides: bool) -> tuple[Solid, ...]:
     """The solids of a plan with its edges moved: of level roofs, under sloped ones, or cut at a height."""
     if plan.cut is not None:
-        return _cut_solids(plan, settings, lift)
-    return _under_slopes(plan) if plan.parts.sloped else layered_solids(_prisms(plan, settings), lift)
+        return _cut_solids(plan, settings, lift, short_sides)
+    if plan.parts.sloped:
+        return _under_slopes(plan, short_sides)
+    return layered_solids(_prisms(plan, settings), lift, short_sides)
 
 
-def _cut_solids(plan: _Plan, settings: MergeSettings, lift: float) -> tuple[Solid, ...]:
+def _cut_solids(plan: _Plan, settings: MergeSettings, lift: float, short_sides: bool) -> tuple[Solid, ...]:
     """Measured walls up to the cut, and above it the sloped roofs as they were."""
     parts, cut = plan.parts, plan.cut
     tall = [cell.height > cut for cell in parts.cells]
     level = tuple(replace(cell, height=cut + 4 * LIMITS.low) if high else cell for cell, high in zip(parts.cells, tall))
-    lower = layered_solids(_prisms(replace(plan, parts=replace(parts, cells=level)), settings), lift)
+    lower = layered_solids(_prisms(replace(plan, parts=replace(parts, cells=level)), settings), lift, short_sides)
     roofs = [SlopedCell(piece, cell.roof_id, plane, parts.origin)
              for cell, plane, high in zip(parts.cells, parts.planes, tall) if high
              for piece in _pieces(cell.polygon)]
@@ -348,11 +356,13 @@ def _why_unchanged(plan: _Plan) -> str:
     return say("its measured walls are beyond the limits")
 
 
-def _under_slopes(plan: _Plan) -> tuple[Solid, ...]:
+def _under_slopes(plan: _Plan, short_sides: bool) -> tuple[Solid, ...]:
     """Solids under sloped roofs, whose planes go on to the moved walls."""
     moved = plan.edges.moved_polygons(plan.lines)
     if moved is None:
         raise InputError(say("the plan would fold over itself"))
+    if not short_sides:
+        moved = without_short_sides(moved)
     parts = plan.parts
     return sloped_solids([SlopedCell(piece, cell.roof_id, plane, parts.origin)
                           for polygon, cell, plane in zip(moved, parts.cells, parts.planes)

@@ -13,6 +13,7 @@ import numpy as np
 import shapely
 from scipy.spatial import cKDTree
 
+from ...geometry.short_sides import SHORTEST
 from .area_records import (
     CARRIAGEWAY,
     CROSSING,
@@ -25,7 +26,6 @@ from .area_records import (
     TrafficSurface,
     corner_of,
 )
-from .short_sides import SHORTEST
 
 Heights = Callable[[np.ndarray, np.ndarray], np.ndarray]
 """Heights (m), NaN where unknown, of places x, y."""

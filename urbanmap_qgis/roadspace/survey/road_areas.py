@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 import shapely
 
+from ...geometry.short_sides import without_short_sides
 from ...wording import say
 from ..road_records import JUNCTION, ROAD, RoadFinding, RoadPiece
 from ..road_surface import GRID
@@ -26,7 +27,6 @@ from .area_records import (
 )
 from .carriageways import LIMITS as EDGE_LIMITS
 from .carriageways import Carriageways
-from .short_sides import without_short_sides
 from .stop_cuts import CutJunctions
 
 

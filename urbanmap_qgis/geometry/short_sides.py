@@ -43,6 +43,28 @@ def without_short_sides(polygons: Sequence[shapely.Polygon]) -> list[shapely.Pol
     return made
 
 
+def without_short_edges(faces: Sequence[shapely.Polygon]) -> list[shapely.Polygon | None]:
+    """Faces of a plane that share all their borders to the bit, likewise; a face that is no wider goes into those
+    beside it (None). All stay as they are where they would lie over each other.
+
+    Parameters
+    ----------
+    faces : m, with corners wherever another's border ends.
+    """
+    made: list[shapely.Polygon | None] = list(faces)
+    for _ in range(_ROUNDS):
+        there = [face for face in made if face is not None]
+        moves = _moves(there, set())
+        if not moves:
+            break
+        made = [face and _moved(face, moves) for face in made]
+    left = [face for face in made if face is not None]
+    if not all(map(_whole, left)):
+        return list(faces)
+    overlap = sum(face.area for face in left) - shapely.union_all(left).area
+    return made if abs(overlap) < SHORTEST**2 else list(faces)
+
+
 def _corners(polygon: shapely.Polygon) -> Iterable[Corner]:
     return map(tuple, shapely.get_coordinates(polygon).tolist())
 
