@@ -83,7 +83,11 @@ class PatternMatch:
 
 @dataclass(frozen=True)
 class _Bank:
-    """All patterns as rasters about the window's middle, transformed for correlation; `tail` (n,) m ahead of it."""
+    """All patterns as rasters about the window's middle; `tail` (n,) m ahead of it.
+
+    `columns` (n, COLUMNS) is what each has in each column; `pattern` (n, 1, ...) and `grown_around` (n, 2, ...) are
+    transformed for correlation.
+    """
 
     kinds: tuple[str, ...]
     shapes: tuple[shapely.Geometry, ...]
@@ -92,9 +96,9 @@ class _Bank:
     backwards: np.ndarray
     tail: np.ndarray
     area: np.ndarray
+    columns: np.ndarray
     pattern: np.ndarray
-    grown: np.ndarray
-    around: np.ndarray
+    grown_around: np.ndarray
 
 
 def _mirrored(ring: list[tuple[float, float]]) -> list[tuple[float, float]]:
@@ -157,8 +161,8 @@ def _bank() -> _Bank:
     around = np.stack([raster([shape.buffer(AROUND)]) for shape in shapes])
     return _Bank(tuple(kinds), tuple(shapes), tuple(flanks), tuple(branches), np.array(backwards),
                  np.array(sizes) * np.where(backwards, HALF, -HALF),
-                 rasters.sum(axis=(1, 2)),
-                 *(np.conj(scipy.fft.rfft2(one)) for one in (rasters, grown, around)))
+                 rasters.sum(axis=(1, 2)), rasters.sum(axis=1),
+                 *(np.conj(_spectrum(np.stack(ones, axis=1))) for ones in ((rasters,), (grown, around))))
 
 
 def raster(shapes: list[shapely.Geometry]) -> np.ndarray:
@@ -188,39 +192,46 @@ def matches(paint: list[shapely.Geometry], least_complete: float, least_score: f
     least_score : kinds that agree less are left out.
     tails : least and greatest place to the right and ahead of patterns' tails; without it they may lie anywhere.
     """
-    bank = _bank()
-    spectrum = scipy.fft.rfft2(raster(paint))
-    overlap = _correlation(spectrum, bank.pattern)
-    wanted = np.float32(least_complete) * bank.area
-    painted = np.flatnonzero(overlap.max(axis=1) >= wanted)
-    overlap = overlap[painted]
-    row, shift = np.nonzero(overlap >= wanted[painted, None])  # few of the places
+    bank, painted = _bank(), raster(paint)
+    spectrum, wanted = _spectrum(painted), np.float32(least_complete) * bank.area
+    number, column = np.nonzero(_most_in_columns(painted.sum(axis=0), bank.columns) >= wanted[:, None])
     if tails is not None:
-        up, right = _offsets(shift)
-        ahead = up * CELL + bank.tail[painted[row]]
-        inside = (right * CELL >= tails[0]) & (right * CELL <= tails[1]) & (ahead >= tails[2]) & (ahead <= tails[3])
-        row, shift = row[inside], shift[inside]
-    if not len(row):
+        right = _offsets(column)[1] * CELL
+        near = (right >= tails[0]) & (right <= tails[1])
+        number, column = number[near], column[near]
+    overlap = _correlation(spectrum, bank.pattern, number, column)[0]
+    pair, row = np.nonzero(overlap >= wanted[number, None])  # few of the places
+    if tails is not None:
+        ahead = _offsets(row * COLUMNS)[0] * CELL + bank.tail[number[pair]]
+        near = (ahead >= tails[2]) & (ahead <= tails[3])
+        pair, row = pair[near], row[near]
+    if not len(pair):
         return []
-    complete = np.clip(overlap[row, shift] / bank.area[painted[row]], 0.0, 1.0)
-    inside, at_all = (_correlation(spectrum, one[painted])[row, shift] for one in (bank.grown, bank.around))
+    overlap = overlap[pair, row]
+    kept, pair = np.unique(pair, return_inverse=True)
+    number, column = number[kept], column[kept]
+    inside, at_all = _correlation(spectrum, bank.grown_around, number, column)[:, pair, row]
+    number, shift = number[pair], row * COLUMNS + column[pair]
+    complete = np.clip(overlap / bank.area[number], 0.0, 1.0)
     precise = np.clip(inside / np.maximum(at_all, 1.0), 0.0, 1.0)
     score = 2 * complete * precise / np.maximum(complete + precise, 1e-6)
     found: dict[tuple[str, bool], int] = {}
-    for place in _best_of_each(row, score):
-        number = painted[row[place]]
-        key = bank.kinds[number], bool(bank.backwards[number])
+    for place in _best_of_each(number, shift, score):
+        key = bank.kinds[number[place]], bool(bank.backwards[number[place]])
         if score[place] > max(least_score, 0.0) and (key not in found or score[place] > score[found[key]]):
             found[key] = place
-    matches = [_match(bank, float(score[k]), int(painted[row[k]]), int(shift[k]), float(complete[k]), float(precise[k]))
+    matches = [_match(bank, float(score[k]), int(number[k]), int(shift[k]), float(complete[k]), float(precise[k]))
             for k in found.values()]
     return sorted(matches, key=lambda match: -match.score)
 
 
-def _best_of_each(row: np.ndarray, score: np.ndarray) -> np.ndarray:
-    """Places of the highest score of each row, the first of equal ones; `row` (n,) is in order."""
-    order = np.lexsort((np.arange(len(row)), -score, row))
-    return order[np.r_[True, np.diff(row[order]) > 0]]
+def _best_of_each(number: np.ndarray, shift: np.ndarray, score: np.ndarray) -> np.ndarray:
+    """Places of the highest score of each number, the least shift of equal ones; `number` (n,) is in order."""
+    first = np.flatnonzero(np.r_[True, np.diff(number) > 0])
+    highest = np.repeat(np.maximum.reduceat(score, first), np.diff(np.r_[first, len(number)]))
+    best = np.flatnonzero(score == highest)
+    best = best[np.lexsort((shift[best], number[best]))]
+    return best[np.r_[True, np.diff(number[best]) > 0]]
 
 
 def _offsets(shift: np.ndarray | int) -> tuple[np.ndarray, np.ndarray]:
@@ -240,7 +251,33 @@ def _match(bank: _Bank, score: float, number: int, shift: int, complete: float, 
                         np.array([right * CELL, up * CELL + bank.tail[number]]), tuple(zip(rest[::2], rest[1::2])))
 
 
-def _correlation(spectrum: np.ndarray, patterns: np.ndarray) -> np.ndarray:
-    """Sum over the window of cells (by their `spectrum`) times each pattern, by its shift, circular (row by row, of
-    `ROWS` x `COLUMNS`), (n, shifts)."""
-    return scipy.fft.irfft2(spectrum * patterns, s=(ROWS, COLUMNS), overwrite_x=True).reshape(len(patterns), -1)
+def _spectrum(cells: np.ndarray) -> np.ndarray:
+    """Of rasters (..., ROWS, COLUMNS), by frequency across and, half of them, along."""
+    return scipy.fft.rfft2(np.ascontiguousarray(np.swapaxes(cells, -1, -2)))
+
+
+def _most_in_columns(cells: np.ndarray, columns: np.ndarray) -> np.ndarray:
+    """No shift along makes the paint in patterns more than this, by the shift across, (n, COLUMNS): in each column it
+    is no more than what the paint (`cells`, COLUMNS) and what the pattern (`columns`) has there."""
+    used = np.flatnonzero(columns.any(axis=0))
+    moved = cells[(used + np.arange(COLUMNS)[:, None]) % COLUMNS]
+    return np.minimum(moved[None], columns[:, None, used]).sum(axis=2)
+
+
+_ACROSS = (np.exp(2j * np.pi / COLUMNS * np.outer(np.arange(COLUMNS), np.arange(COLUMNS))) / COLUMNS).astype(
+    np.complex64)
+"""Back from frequencies across to columns."""
+
+
+def _correlation(spectrum: np.ndarray, patterns: np.ndarray, number: np.ndarray, column: np.ndarray) -> np.ndarray:
+    """Sum over the window of cells (by their `spectrum`) times patterns, by their shift, circular.
+
+    Of each pattern only some shifts across are worth the transform back: `number` (p,), in order, and `column` (p,)
+    tell which. By what `patterns` (n, k, ...) hold, by pair, by shift along: (k, p, ROWS).
+    """
+    along = np.empty((patterns.shape[1], len(number), spectrum.shape[-1]), np.complex64)
+    borders = np.searchsorted(number, np.arange(len(patterns) + 1))
+    for one, first, last in zip(patterns, borders[:-1], borders[1:]):
+        if last > first:
+            along[:, first:last] = _ACROSS[column[first:last]] @ (spectrum * one)
+    return scipy.fft.irfft(along, n=ROWS, axis=-1, overwrite_x=True)

@@ -315,18 +315,22 @@ class _Search:
         An arrow that would not do by itself but may in a row is not `sure`.
         """
         near, paint = self._window(place, along)
-        fits = matches(paint, LIMITS.least_complete, LIMITS.least_score - LIMITS.least_lead)
-        sure = [match for match in fits if match.precise >= LIMITS.least_precise and _has_heads(match, paint)]
+        fits = [match for match in matches(paint, LIMITS.least_complete, LIMITS.least_score - LIMITS.least_lead)
+                if match.precise >= min(LIMITS.least_precise, LIMITS.row_precise)]
+        if not fits:
+            return None
+        painted = shapely.union_all(paint)
+        sure = [match for match in fits if match.precise >= LIMITS.least_precise and _has_heads(match, painted)]
         if sure and sure[0].score >= LIMITS.least_score and sure[0].kind.startswith(wanted):
-            symbol = self._symbol(sure, place, along, near, paint)
+            symbol = self._symbol(sure, place, along, near, paint, painted)
             clear = symbol is not None and symbol.kind != UNKNOWN_ARROW and _beside_heads(
-                sure[0], paint) >= LIMITS.least_beside
-            if symbol is not None and (clear or _shaft_share(sure[0], paint) >= LIMITS.least_shaft):
+                sure[0], painted) >= LIMITS.least_beside
+            if symbol is not None and (clear or _shaft_share(sure[0], painted) >= LIMITS.least_shaft):
                 return symbol
-        unsure = _in_row(fits, paint) if wanted == "arrow" else []
+        unsure = _in_row(fits, painted) if wanted == "arrow" else []
         if not unsure or unsure[0].score < LIMITS.row_seed:
             return None
-        symbol = self._symbol(unsure, place, along, near, paint)
+        symbol = self._symbol(unsure, place, along, near, paint, painted)
         return None if symbol is None else replace(symbol, sure=False)
 
     def beside(self, seed: Symbol, side: float) -> Symbol | None:
@@ -337,9 +341,12 @@ class _Search:
         near, paint = self._window(place, along)
         spare = (high - low) / 2.0
         box = (-spare, spare, -HALF - LIMITS.row_along, -HALF + LIMITS.row_along)
-        fits = _in_row([match for match in matches(paint, LIMITS.row_complete, LIMITS.row_score, box)
-                        if not match.backwards], paint)
-        symbol = self._no_line(self._symbol(fits, place, along, near, paint)) if fits else None
+        fits = [match for match in matches(paint, LIMITS.row_complete, LIMITS.row_score, box) if not match.backwards]
+        if not fits:
+            return None
+        painted = shapely.union_all(paint)
+        fits = _in_row(fits, painted)
+        symbol = self._no_line(self._symbol(fits, place, along, near, paint, painted)) if fits else None
         return symbol if symbol is None or symbol.kind != UNKNOWN_ARROW else replace(symbol, heading=along)
 
     def repeated(self, seed: Symbol, step: float) -> Symbol | None:
@@ -351,7 +358,9 @@ class _Search:
         fits = [match for match in matches(paint, LIMITS.row_complete, LIMITS.row_score, box)
                 if not match.backwards and match.precise >= LIMITS.row_precise and match.flanks
                 and seed.kind in (match.kind, UNKNOWN_ARROW)]
-        symbol = self._no_line(self._symbol(fits, place, along, near, paint)) if fits else None
+        if not fits:
+            return None
+        symbol = self._no_line(self._symbol(fits, place, along, near, paint, shapely.union_all(paint)))
         if symbol is None:
             return None
         return replace(symbol, heading=along, kind=symbol.kind if seed.kind == UNKNOWN_ARROW else seed.kind)
@@ -372,14 +381,15 @@ class _Search:
         return near, [affinity.affine_transform(self.tree.geometries[k], matrix) for k in near]
 
     def _symbol(self, fits: Sequence[PatternMatch], place: np.ndarray, along: np.ndarray, near: np.ndarray,
-                paint: Sequence[shapely.Geometry]) -> Symbol | None:
-        """The symbol that the best of the matches is, None where no polygon lies in it."""
+                paint: Sequence[shapely.Geometry], painted: shapely.Geometry) -> Symbol | None:
+        """The symbol that the best of the matches is, None where no polygon of the paint (`painted` as one) lies in
+        it."""
         best, across = fits[0], np.array([along[1], -along[0]])
         reached = best.shape.buffer(LIMITS.member)
         inside = np.array([shape.intersection(reached).area >= 0.5 * shape.area for shape in paint])
         if not inside.any():
             return None
-        kind, heading = _kind(fits, paint), _heading(fits, along)
+        kind, heading = _kind(fits, painted), _heading(fits, along)
         if kind == UNKNOWN_ARROW and best.kind != "arrow straight":
             heading = np.full(2, np.nan)  # the heads of a turn lie beside its shaft: told with its kind or not at all
         back = [across[0], along[0], across[1], along[1], *place]
@@ -389,33 +399,30 @@ class _Search:
                       -along if best.backwards else along)
 
 
-def _in_row(fits: Sequence[PatternMatch], paint: Sequence[shapely.Geometry]) -> list[PatternMatch]:
+def _in_row(fits: Sequence[PatternMatch], painted: shapely.Geometry) -> list[PatternMatch]:
     """The matches of arrows that show enough of themselves where another one stands beside them."""
-    painted = shapely.union_all(list(paint))
     return [match for match in fits if match.flanks and match.precise >= LIMITS.row_precise and max(
         flank.intersection(painted).area / flank.area for flank in match.flanks) >= LIMITS.row_flank]
 
 
-def _has_heads(match: PatternMatch, paint: Sequence[shapely.Geometry]) -> bool:
+def _has_heads(match: PatternMatch, painted: shapely.Geometry) -> bool:
     """Whether both sides of each of an arrow's heads are painted: lines and bars have none."""
-    painted = shapely.union_all(list(paint))
     shares = [flank.intersection(painted).area / flank.area for flank in match.flanks]
     return not shares or (min(shares) >= LIMITS.least_flank and float(np.mean(shares)) >= LIMITS.least_flanks)
 
 
-def _shaft_share(match: PatternMatch, paint: Sequence[shapely.Geometry]) -> float:
+def _shaft_share(match: PatternMatch, painted: shapely.Geometry) -> float:
     """Share of an arrow's shaft that is painted; 1 of a symbol without heads."""
     sides = zip(match.flanks[::2], match.flanks[1::2])
     heads = [shapely.convex_hull(shapely.union(one, other)) for one, other in sides]
     shaft = shapely.difference(match.shape, shapely.buffer(shapely.union_all(heads), LIMITS.head_margin))
     if not heads or shaft.is_empty:
         return 1.0
-    return float(shapely.intersection(shaft, shapely.union_all(list(paint))).area / shaft.area)
+    return float(shapely.intersection(shaft, painted).area / shaft.area)
 
 
-def _beside_heads(match: PatternMatch, paint: Sequence[shapely.Geometry]) -> float:
+def _beside_heads(match: PatternMatch, painted: shapely.Geometry) -> float:
     """The least share of the paint beside the places of second heads that is there; 1 where there are none."""
-    painted = shapely.union_all(list(paint))
     return min((beside.intersection(painted).area / beside.area for _, beside in match.branches), default=1.0)
 
 
@@ -428,13 +435,12 @@ def _longest_bare(shape: shapely.Geometry, painted: shapely.Geometry) -> float:
     return float((np.append(parts[:, 1], high) - reached).max())
 
 
-def _kind(fits: Sequence[PatternMatch], paint: Sequence[shapely.Geometry]) -> str:
+def _kind(fits: Sequence[PatternMatch], painted: shapely.Geometry) -> str:
     """Kind of the best match, `UNKNOWN_ARROW` where another kind fits about as well or may have another head."""
     best = fits[0]
-    painted = shapely.union_all(list(paint))
     if any(branch.intersection(painted).area > LIMITS.most_branch * branch.area for branch, _ in best.branches):
         return UNKNOWN_ARROW
-    there = _beside_heads(best, paint)
+    there = _beside_heads(best, painted)
     if there < LIMITS.least_beside and ((1.0 - there)**LIMITS.head_places > LIMITS.head_gone or any(
             _longest_bare(beside, painted) > LIMITS.longest_bare for _, beside in best.branches)):
         return UNKNOWN_ARROW
