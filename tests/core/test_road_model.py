@@ -186,8 +186,9 @@ def test_what_is_wrong_with_the_edges_is_told():
         surface_of([shapely.LineString([(0, 0), (300, 0)])])
     with pytest.raises(InputError, match="no polygons or lines"):
         surface_of([None, shapely.Point(1, 2)])
-    with pytest.raises(InputError, match="no numbers"):
-        surface_of([shapely.Polygon([(0, 0), (10, np.nan), (10, 10)])])
+    for bad in (np.nan, 1e308, -1e15):
+        with pytest.raises(InputError, match="no numbers or off the earth"):
+            surface_of([shapely.Polygon([(0, 0), (10, bad), (10, 10)])])
 
 
 def test_functions_are_those_of_the_surfaces_that_cover_most():

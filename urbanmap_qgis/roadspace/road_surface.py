@@ -18,6 +18,9 @@ from ..errors import InputError
 from ..wording import say
 from .road_records import RoadFinding
 
+FARTHEST = 1e9
+"""No map's coordinates on the earth are greater, m or feet."""
+
 GRID = 0.001
 """Corners nearer to each other than this are one, m: files of degrees have them so."""
 
@@ -65,8 +68,9 @@ def surface_of(geometries: Sequence[shapely.Geometry | None], limits: ClosingLim
     if not polygons and not lines:
         raise InputError(say("The layer holds no polygons or lines: give surfaces of roads, or lines along both of "
                              "their edges."))
-    if any(not np.isfinite(shapely.get_coordinates(one)).all() for one in (*polygons, *lines)):
-        raise InputError(say("A road has a corner whose coordinates are no numbers: repair the layer first."))
+    if any(not (np.abs(shapely.get_coordinates(one)) < FARTHEST).all() for one in (*polygons, *lines)):
+        raise InputError(say("A road has a corner whose coordinates are no numbers or off the earth: repair the layer "
+                             "first."))
     findings: list[RoadFinding] = []
     faces = _valid_polygons(polygons, findings) + (_faces_between(lines, limits, findings) if lines else [])
     if not faces:
