@@ -10,6 +10,7 @@ import pytest
 import shapely
 
 from tests.solid_files import write_solids
+from urbanmap_qgis.buildings.planes import alpha_expansion
 from urbanmap_qgis.buildings.planes.alpha_expansion import expand_labels
 from urbanmap_qgis.buildings.planes.plane_detection import PlaneParameters, detect_planes
 from urbanmap_qgis.buildings.planes.plane_moments import azimuth_degrees, moments, slope_degrees, solve
@@ -123,6 +124,28 @@ def test_alpha_expansion_finds_the_least_energy(seed):
     best = min(energy_of(data, borders, np.array(labels)) for labels in itertools.product(range(k), repeat=n))
     found = energy_of(data, borders, expand_labels(data, borders, data.argmin(axis=1)))
     assert found == pytest.approx(best, rel=0.02)
+
+
+@pytest.mark.parametrize("few", [0, 1000])
+@pytest.mark.parametrize("seed", range(5))
+def test_labels_tried_together_are_as_if_each_came_alone(monkeypatch, seed, few):
+    monkeypatch.setattr(alpha_expansion, "_FEW", few)
+    rng = np.random.default_rng(seed)
+    n, k = 120, 30  # a row of faces, in which a label is known on a short part
+    place = rng.uniform(0, n, k)
+    data = np.where(np.abs(np.arange(n)[:, None] - place) < 9, rng.uniform(0, 1, (n, k)), np.inf)
+    data[np.isinf(data).all(axis=1), 0] = 0.5
+    pairs = np.column_stack([np.arange(n - 1), np.arange(1, n)])
+    borders = TableBorders(pairs, rng.uniform(0, 0.6, n - 1)[:, None, None] * (1 - np.eye(k)))
+    able = np.isfinite(data)
+    groups = alpha_expansion._independent(able, pairs)
+    assert sorted(np.concatenate(groups).tolist()) == list(range(k)) and len(groups) < k
+    beside = able | np.roll(able, 1, axis=0) & (np.arange(n) > 0)[:, None]  # on a face or on the one after it
+    for group in groups:
+        assert (beside[:, group].sum(axis=1) <= 1).all()
+    together = expand_labels(data, borders, data.argmin(axis=1))
+    monkeypatch.setattr(alpha_expansion, "_independent", lambda able, pairs: [np.array([one]) for one in range(k)])
+    assert together.tolist() == expand_labels(data, borders, data.argmin(axis=1)).tolist()
 
 
 @pytest.mark.parametrize("density", [8.0, 3.0])

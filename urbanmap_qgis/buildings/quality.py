@@ -213,11 +213,16 @@ def _wall_distances(x: np.ndarray, y: np.ndarray, z: np.ndarray, walls: np.ndarr
     reach, nearest = limit + SAME_PLACE, np.full(len(x), np.inf)
     least, most = np.minimum(walls[:, [0, 1, 4]], walls[:, [2, 3, 5]]), np.maximum(walls[:, [0, 1, 6]],
                                                                                   walls[:, [2, 3, 7]])
-    near = np.ones((len(x), len(walls)), bool)
+    inside = np.ones(len(x), bool)
+    for axis, place in enumerate((x, y, z)):  # first those near any of the walls: few where there are many walls
+        inside &= (place + reach >= least[:, axis].min()) & (place - reach <= most[:, axis].max())
+    inside = np.flatnonzero(inside)
+    near = np.ones((len(inside), len(walls)), bool)
     for axis, place in enumerate((x, y, z)):
-        near &= (place + reach)[:, None] >= least[:, axis]
-        near &= (place - reach)[:, None] <= most[:, axis]
+        near &= (place + reach)[inside, None] >= least[:, axis]
+        near &= (place - reach)[inside, None] <= most[:, axis]
     point, wall = np.nonzero(near)
+    point = inside[point]
     if len(point):
         distance = _distances_to_own(x[point], y[point], z[point], walls[wall])
         first = np.flatnonzero(np.r_[True, point[1:] != point[:-1]])

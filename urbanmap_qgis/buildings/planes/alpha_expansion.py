@@ -1,11 +1,13 @@
 """Labels of least energy by alpha expansion on the minimum cut of scipy (Boykov, Veksler, Zabih 2001).
 
 Costs between neighbours are computed when they are asked for, and each expansion looks only at the faces that it can
-change: memory is that of the faces, and time that of the faces that are in doubt.
+change: memory is that of the faces, and time that of the faces that are in doubt. Labels that have nothing to do with
+each other are tried in one cut.
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
@@ -20,6 +22,9 @@ _LARGEST = 2_000_000
 
 _SMALL = 400
 """Nodes up to which a whole table of what is left of the capacities is made."""
+
+_FEW = 50
+"""Labels up to which a whole table of the faces that can have them costs less than a sparse one."""
 
 _SWEEPS = 4
 
@@ -43,21 +48,44 @@ def expand_labels(data: np.ndarray, borders: Borders, start: np.ndarray) -> np.n
     data : (n, k) cost of each label.
     start : (n,) labels to begin with.
     """
-    search = _Search(np.asfortranarray(data), borders, start.copy())
-    count = data.shape[1]
-    for turn in range(_SWEEPS * count):
-        checkpoint()
-        search.expand(turn % count, turn)
-        if turn - search.last_success >= count:
+    search = _Search(data, borders, start.copy())
+    for sweep in range(_SWEEPS):
+        before = search.labels
+        for together in search.independent:
+            checkpoint()
+            search.expand(together, sweep)
+        if (search.labels == before).all():
             break
     return search.labels
+
+
+def _independent(able: np.ndarray, pairs: np.ndarray) -> list[np.ndarray]:
+    """Labels in groups, one after the other: those of a group share no face and no border, and each comes after all
+    lower ones that it shares some with, so that the result is as if each came alone.
+
+    Parameters
+    ----------
+    able : (n, k) whether a face can have a label.
+    pairs : (m, 2) faces beside each other.
+    """
+    count, (one, two) = able.shape[1], pairs.T
+    if able.all():
+        return [np.array([alpha]) for alpha in range(count)]
+    able = able.astype(np.float32) if count <= _FEW else csr_matrix(able.astype(np.int32))
+    shared = able.T @ able + able[one].T @ able[two]
+    shared = (shared if count <= _FEW else shared.toarray()) > 0
+    shared |= shared.T
+    turn = np.zeros(count, np.int64)
+    for alpha in range(1, count):
+        turn[alpha] = turn[:alpha][shared[alpha, :alpha]].max(initial=-1) + 1
+    return [np.flatnonzero(turn == one) for one in range(turn.max(initial=-1) + 1)]
 
 
 class _Search:
     """The labels so far, and what each expansion needs to know of the turns before."""
 
     def __init__(self, data: np.ndarray, borders: Borders, labels: np.ndarray):
-        self.data, self.borders, self.labels = data, borders, labels
+        self.borders, self.labels, self.count = borders, labels, data.shape[1]
         n, (one, two) = len(labels), borders.pairs.T
         self.limit = np.bincount(one, borders.most, n) + np.bincount(two, borders.most, n)
         # The borders of each face, as in a sparse matrix: rows of `pairs`, from `first` of the face on.
@@ -65,43 +93,60 @@ class _Search:
         order = np.argsort(borders.pairs.T.ravel(), kind="stable")
         self.border = rows[order]
         self.first = np.concatenate([[0], np.cumsum(np.bincount(borders.pairs.ravel(), minlength=n))])
+        # The faces that can have each label, and what it costs there, from `start` of the label on.
+        able = np.isfinite(data)
+        label, self.face = np.nonzero(able.T)
+        self.cost = data[self.face, label]
+        self.start = np.concatenate([[0], np.cumsum(np.bincount(label, minlength=self.count))])
+        self.independent = _independent(able, borders.pairs)
         self.lowest_cost = data[np.arange(n), labels]
-        self.changed = np.zeros(n, np.int64)
-        self.tried = np.full(data.shape[1], -1)
-        self.last_success = -1
+        self.changed = np.full(n, -1)
+        self.tried = np.full(self.count, -1)
 
-    def expand(self, alpha: int, turn: int) -> None:
-        """Give `alpha` to the faces that lower the energy most by taking it."""
-        take = self.data[:, alpha]
+    def expand(self, alphas: np.ndarray, sweep: int) -> None:
+        """Give each of some independent labels to the faces that lower the energy most by taking it."""
+        place, group = _ranges(self.start[alphas], self.start[alphas + 1])
+        face = self.face[place]
         # A face whose data lose more than all its borders can win back keeps its label.
-        doubtful = np.flatnonzero((take - self.lowest_cost <= self.limit) & (self.labels != alpha))
-        before, self.tried[alpha] = self.tried[alpha], turn
-        if not len(doubtful):
+        doubtful = self.cost[place] - self.lowest_cost[face] <= self.limit[face]
+        doubtful &= self.labels[face] != alphas[group]
+        before, turns = self.tried[alphas], sweep * self.count + alphas
+        self.tried[alphas] = turns
+        if not doubtful.any():
             return
-        rows = self._borders_of(doubtful)
-        pairs = self.borders.pairs[rows]
-        if before >= 0 and self.changed[pairs].max(initial=-1) <= before and self.changed[doubtful].max() <= before:
-            return  # as when it was tried before
-        self._expand_among(alpha, turn, doubtful, rows, pairs)
+        doubt = _Doubt(face[doubtful], self.cost[place[doubtful]], group[doubtful])
+        rows, owner = self._borders_of(doubt)
+        latest = np.maximum(_largest(self.changed[doubt.face], doubt.group, len(alphas), -1),
+                            _largest(self.changed[self.borders.pairs[rows]].max(axis=1), owner, len(alphas), -1))
+        fresh = (before < 0) | (latest > before)  # the others are as when they were tried before
+        if not fresh.all():
+            left = fresh[doubt.group]
+            doubt = _Doubt(doubt.face[left], doubt.take[left], doubt.group[left])
+            rows, owner = rows[fresh[owner]], owner[fresh[owner]]
+        if len(doubt.face):
+            self._expand_among(alphas, turns, doubt, rows, owner)
 
-    def _borders_of(self, faces: np.ndarray) -> np.ndarray:
-        """Ascending rows of the borders of faces."""
-        start, length = self.first[faces], self.first[faces + 1] - self.first[faces]
-        place = np.arange(length.sum()) + np.repeat(start - np.concatenate([[0], np.cumsum(length)[:-1]]), length)
-        return np.unique(self.border[place])
+    def _borders_of(self, doubt: _Doubt) -> tuple[np.ndarray, np.ndarray]:
+        """Rows of the borders of faces, ascending in each group, and the group of each."""
+        place, face = _ranges(self.first[doubt.face], self.first[doubt.face + 1])
+        count = max(len(self.borders.pairs), 1)
+        group, rows = np.divmod(np.unique(doubt.group[face] * count + self.border[place]), count)
+        return rows, group
 
-    def _expand_among(self, alpha: int, turn: int, faces: np.ndarray, rows: np.ndarray, pairs: np.ndarray) -> None:
+    def _expand_among(self, alphas: np.ndarray, turns: np.ndarray, doubt: _Doubt, rows: np.ndarray,
+                      owner: np.ndarray) -> None:
         number = np.full(len(self.labels), -1)
-        number[faces] = np.arange(len(faces))
+        number[doubt.face] = np.arange(len(doubt.face))
+        pairs, alpha = self.borders.pairs[rows], alphas[owner]
         one, two = self.labels[pairs].T
         both = self.borders.cost(rows, one, two)
         first = self.borders.cost(rows, one, alpha)  # the first keeps its label, the second takes alpha
         second = self.borders.cost(rows, alpha, two)
-        keep, take = self.lowest_cost[faces].copy(), self.data[faces, alpha].copy()
+        keep, take = self.lowest_cost[doubt.face].copy(), doubt.take.copy()
         near, far = number[pairs].T
         inner = (near >= 0) & (far >= 0)
         # E(keep, keep) = both, E(keep, take) = first, E(take, keep) = second, E(take, take) = 0; the others keep.
-        count = len(faces)
+        count = len(keep)
         keep += np.bincount(near[inner], both[inner], count)
         take += np.bincount(near[inner], second[inner], count) - np.bincount(far[inner], second[inner], count)
         for side, other, taken in ((near, far, second), (far, near, first)):
@@ -112,37 +157,67 @@ class _Search:
             return  # nothing flows: all keep
         floor = np.minimum(keep, take)
         capacity = np.maximum(first + second - both, 0.0)[inner]
-        taking = _cut(count, keep - floor, take - floor, near[inner], far[inner], capacity)
+        taking = _cut(keep - floor, take - floor, doubt.group, near[inner], far[inner], capacity)
         if taking.any():
-            self._take_if_better(alpha, turn, faces[taking], rows, pairs, both)
+            self._take_if_better(alphas, turns, doubt, taking, rows, owner, both)
 
-    def _take_if_better(self, alpha: int, turn: int, faces: np.ndarray, rows: np.ndarray, pairs: np.ndarray,
-                        before: np.ndarray) -> None:
+    def _take_if_better(self, alphas: np.ndarray, turns: np.ndarray, doubt: _Doubt, taking: np.ndarray,
+                        rows: np.ndarray, owner: np.ndarray, before: np.ndarray) -> None:
         """Take the new labels where they lower the energy: rounded capacities can miss by a little."""
         tried = self.labels.copy()
-        tried[faces] = alpha
-        gain = self.lowest_cost[faces].sum() - self.data[faces, alpha].sum()
-        gain += before.sum() - self.borders.cost(rows, *tried[pairs].T).sum()
-        if gain > 1e-9:
-            self.labels = tried
-            self.lowest_cost[faces] = self.data[faces, alpha]
-            self.changed[faces] = turn
-            self.last_success = turn
+        tried[doubt.face[taking]] = alphas[doubt.group[taking]]
+        won = before - self.borders.cost(rows, *tried[self.borders.pairs[rows]].T)
+        gain = np.bincount(doubt.group, taking * (self.lowest_cost[doubt.face] - doubt.take), len(alphas))
+        better = gain + np.bincount(owner, won, len(alphas)) > 1e-9
+        taking = taking & better[doubt.group]
+        face, group = doubt.face[taking], doubt.group[taking]
+        self.labels = self.labels.copy()
+        self.labels[face] = alphas[group]
+        self.lowest_cost[face] = doubt.take[taking]
+        self.changed[face] = turns[group]
 
 
-def _cut(n: int, keep: np.ndarray, take: np.ndarray, one: np.ndarray, two: np.ndarray,
+@dataclass(frozen=True)
+class _Doubt:
+    """Faces (m,) that may take a label: what it costs there, and the number of the label in its group of labels."""
+
+    face: np.ndarray
+    take: np.ndarray
+    group: np.ndarray
+
+
+def _ranges(start: np.ndarray, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The numbers of ranges (r,) one after the other, and the range of each."""
+    length = end - start
+    row = np.repeat(np.arange(len(length)), length)
+    return np.arange(len(row)) + (start - (np.cumsum(length) - length))[row], row
+
+
+def _largest(values: np.ndarray, group: np.ndarray, count: int, least: float) -> np.ndarray:
+    """Largest of the values (m,) of each of `count` ascending groups, and at least `least`."""
+    largest = np.full(count, least)
+    if len(values):
+        first = np.flatnonzero(np.r_[True, group[1:] != group[:-1]])
+        largest[group[first]] = np.maximum(np.maximum.reduceat(values, first), least)
+    return largest
+
+
+def _cut(keep: np.ndarray, take: np.ndarray, group: np.ndarray, one: np.ndarray, two: np.ndarray,
          capacity: np.ndarray) -> np.ndarray:
     """Which nodes (n,) lie on the sink's side of the minimum cut: those that change.
 
-    A node that keeps pays `keep`, one that changes pays `take`; first kept and second changed pays `capacity`.
+    A node that keeps pays `keep`, one that changes pays `take`; first kept and second changed pays `capacity`. Nodes
+    of one `group` have no border with those of another, and each group is rounded as if it were alone.
     """
-    source, sink = n, n + 1
-    nodes = np.arange(n)
+    n = len(keep)
+    source, sink, nodes = n, n + 1, np.arange(n)
     start = np.concatenate([np.full(n, source), nodes, one])
     end = np.concatenate([nodes, np.full(n, sink), two])
-    weight = np.concatenate([take, keep, capacity])
-    scale = _LARGEST / max(float(weight.max(initial=0.0)), LEAST_SQUARE)
-    whole = np.minimum(np.rint(weight * scale), _LARGEST).astype(np.int32)
+    weight, groups = np.concatenate([take, keep, capacity]), np.concatenate([group, group, group[one]])
+    count = group[-1] + 1
+    scale = _LARGEST / np.maximum(_largest(np.maximum(take, keep), group, count, LEAST_SQUARE),
+                                  _largest(capacity, group[one], count, LEAST_SQUARE))
+    whole = np.minimum(np.rint(weight * scale[groups]), _LARGEST).astype(np.int32)
     graph = coo_matrix((whole, (start, end)), shape=(n + 2, n + 2)).tocsr()
     graph.sum_duplicates()
     return ~_reached(graph, maximum_flow(graph, source, sink).flow, source)[:n]

@@ -193,6 +193,7 @@ def _add_sums(data: np.ndarray, near: np.ndarray, tree: shapely.STRtree, xy: np.
     count = near.sum(axis=1)
     plane_of = np.nonzero(near)[1]
     first = np.cumsum(count) - count
+    sums = data[near]
     for start in range(0, len(xy), _AT_ONCE):
         checkpoint()
         place, face = tree.query(shapely.points(xy[start:start + _AT_ONCE]), predicate="intersects")
@@ -200,6 +201,5 @@ def _add_sums(data: np.ndarray, near: np.ndarray, tree: shapely.STRtree, xy: np.
             times = count[face[part]]
             point_row = np.repeat(place[part] + start, times)
             at = np.arange(times.sum()) + np.repeat(first[face[part]] - (np.cumsum(times) - times), times)
-            plane, polygon = plane_of[at], np.repeat(face[part], times)
-            sums = np.bincount(polygon * data.shape[1] + plane, cost(point_row, plane), data.size)
-            data += factor * sums.reshape(data.shape)
+            sums += factor * np.bincount(at, cost(point_row, plane_of[at]), len(sums))
+    data[near] = sums

@@ -109,13 +109,15 @@ def without_steep_strips(points: np.ndarray, roof: np.ndarray) -> np.ndarray:
     Where that would leave no plane, all stay.
     """
     left = roof.copy()
-    for number in np.unique(roof[roof > 0]):
-        centred = points[roof == number] - points[roof == number].mean(axis=0)
+    order = np.argsort(roof, kind="stable")
+    order = order[np.searchsorted(roof[order], 1):]
+    for members in np.split(order, np.flatnonzero(np.diff(roof[order])) + 1) if len(order) else ():
+        centred = points[members] - points[members].mean(axis=0)
         spread = np.linalg.eigvalsh(np.cov(centred[:, :2].T)) if len(centred) > 2 else np.zeros(2)
         slope = np.linalg.lstsq(centred[:, :2], centred[:, 2], rcond=1e-6)[0]
         # Evenly spread points lie on 3.5 standard deviations.
         if np.sqrt(12.0 * max(spread[0], 0.0)) < LIMITS.strip_width and np.hypot(*slope) > LIMITS.strip_slope:
-            left[roof == number] = 0
+            left[members] = 0
     return left if (left > 0).any() else roof
 
 

@@ -67,14 +67,16 @@ def _divided(building: RoofedBuilding, parameters: PolygonParameters) -> RoofPol
     found, table = partition_planes(building.outline, xyz, roof), RoofPolygons()
     lost = has_lost_plane(found.polygons, found.roof_numbers, xyz, roof, building.density, LOST_AREA)
     status = building.stated(LOST_ROOFS if lost else found.status)
-    for polygon, roof_id, plane, coverage in zip(found.polygons, found.roof_numbers.tolist(), found.planes,
-                                                 found.coverage.tolist()):
-        members = roof == roof_id
+    order = np.argsort(roof, kind="stable")
+    starts, ends = (np.searchsorted(roof[order], found.roof_numbers, side) for side in ("left", "right"))
+    for polygon, roof_id, plane, coverage, start, end in zip(found.polygons, found.roof_numbers.tolist(), found.planes,
+                                                             found.coverage.tolist(), starts, ends):
+        members = xyz[order[start:end]]
         flat = shapely.force_2d(polygon)
         shapely.prepare(flat)
-        members[members] = shapely.contains_xy(flat, *xyz[members, :2].T)
-        z = xyz[members, 2]
-        off = z - (xyz[members, :2] - found.origin) @ plane[:2] - plane[2]
+        members = members[shapely.contains_xy(flat, *members[:, :2].T)]
+        z = members[:, 2]
+        off = z - (members[:, :2] - found.origin) @ plane[:2] - plane[2]
         height = float((np.array(flat.centroid.coords[0]) - found.origin) @ plane[:2] + plane[2])
         top = float(z.max()) if len(z) else height
         table.add(building.number, DrawnRoof(roof_id, polygon, top if parameters.height == MAXIMUM else height, top, z,
