@@ -29,6 +29,9 @@ def test_a_board_without_its_post_is_a_doubtful_sign(tmp_path, turned):
     assert (sign.kind, sign.status, sign.reason) == ("sign", "doubtful", "its post is not seen")
     assert sign.diameter is None and sign.lean is None and sign.confidence < 0.5
     assert np.abs(to_local(sign.board.centre[None], 0.0)[0] - [15.0, 5.0, 2.4]).max() < 0.05
+    behind = sign.foot[:2] - sign.board.centre[:2]
+    azimuth = np.radians(sign.azimuth)
+    assert behind == pytest.approx([-0.04 * np.sin(azimuth), -0.04 * np.cos(azimuth)])
     assert (sign.board.width, sign.board.height) == pytest.approx((0.8, 0.6), abs=0.08)
     # The post stands somewhere behind the board: that is what its sigma says, not the accuracy of the board.
     assert 0.15 < sign.sigma < 0.3

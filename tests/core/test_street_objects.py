@@ -166,6 +166,28 @@ def test_the_axis_of_a_round_post_seen_from_two_sides():
     assert np.all(axis.lean == 0.0) and np.all(axis.sigma < 0.025)
 
 
+def test_what_stands_low_against_a_post_does_not_move_it(tmp_path):
+    """A hedge or a box within 0.15 m hangs together with the post: where it ends, the post shows alone."""
+    found = found_of(tmp_path, lambda rng: scene.post(rng, 15.0, 5.0, 6.0, 0.18),
+                     lambda rng: scene.box(rng, 15.25, 5.0, 0.5, (0.25, 0.12, 1.0)))
+    thing, = found.objects
+    assert np.abs(placed(thing)[:2] - [15.0, 5.0]).max() < 0.02 and thing.diameter == pytest.approx(0.18, abs=0.03)
+
+
+def half_seen(rng, turn, lean):
+    """A round trunk of 0.4 m, whose seen half turns about it with height, by `turn` radians for each m."""
+    z = rng.uniform(0.0, 3.0, 900)
+    angle = turn * (z - 1.5) + rng.uniform(-np.pi / 2, np.pi / 2, len(z))
+    place = np.column_stack([50.0 + 0.2 * np.cos(angle), 20.0 + 0.2 * np.sin(angle) + lean * z, z])
+    return place + 0.005 * rng.standard_normal(place.shape), np.tile([60.0, 20.0], (len(z), 1))
+
+
+def test_other_sides_at_other_heights_are_no_lean():
+    rng = np.random.default_rng(5)
+    assert np.all(fit_axis(*half_seen(rng, 0.3, 0.0)).lean == 0.0)
+    assert fit_axis(*half_seen(rng, 0.0, 0.05)).lean == pytest.approx([0.0, 0.05], abs=0.01)
+
+
 def test_the_map_shows_every_object(tmp_path):
     found = found_of(tmp_path, lambda rng: scene.lamp(rng, 4.0, 5.0),
                      lambda rng: scene.post(rng, 15.0, 5.0, 4.0, low=1.7))

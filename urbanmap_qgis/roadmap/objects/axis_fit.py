@@ -16,6 +16,7 @@ class AxisFitLimits:
     rounds: int = 4
     plumb: float = 0.02  # standard deviation of leans, m for each metre up
     leaning: float = 0.017  # 1 degree: a smaller lean cannot be told from other sides seen at other heights
+    thinner: float = 0.3  # of what a lean moves the top over the foot, by which a stem gets thinner without the lean
     share: float = 0.05  # of the points, that a view needs
     noise: float = 0.006  # m, least scatter of points
     edges: float = 4.0  # % of the points left out at either edge of what is seen
@@ -25,6 +26,10 @@ class AxisFitLimits:
     unround: float = 0.12  # standard deviation of that, radii
     spot: float = 0.001  # m by which a wide beam makes a post look thicker, for each metre away
     view: float = 25.0  # degrees: views from directions closer than this see the same side
+    slab: float = 0.3  # m of height, in each of which a stem is as wide as in the others
+    sure: int = 8  # points of a slab that tell how wide a stem is
+    wider: float = 1.5  # times as wide as most slabs are those where something else stands against the stem
+    most: float = 50.0  # % of the slabs that are no wider
 
 
 LIMITS = AxisFitLimits()
@@ -41,6 +46,8 @@ def fit_axis(place: np.ndarray, from_where: np.ndarray) -> StemAxis:
     place : (n, 3) points of the stem, m.
     from_where : (n, 2) places from which they were measured, m.
     """
+    bare = _bare(place)
+    place, from_where = place[bare], from_where[bare]
     z = float(place[:, 2].mean())
     sight = place[:, :2].mean(axis=0) - from_where
     sight /= np.linalg.norm(sight, axis=1)[:, None]
@@ -53,6 +60,21 @@ def fit_axis(place: np.ndarray, from_where: np.ndarray) -> StemAxis:
     diameter = float(np.average([view.width for view in seen], weights=[view.number for view in seen]))
     middle, sigma = _placed(seen, diameter)
     return StemAxis(np.array([*middle, z]), lean, diameter, sigma)
+
+
+def _bare(place: np.ndarray) -> np.ndarray:
+    """Mask (n,) of the points in slabs of height where nothing else stands against the stem: those are no wider than
+    the others."""
+    slab = np.floor((place[:, 2] - place[:, 2].min()) / LIMITS.slab).astype(np.int64)
+    order = np.argsort(slab, kind="stable")
+    starts = np.flatnonzero(np.diff(slab[order], prepend=-1))
+    low, high = (extreme.reduceat(place[order, :2], starts) for extreme in (np.minimum, np.maximum))
+    width = np.hypot(*(high - low).T)
+    sure = np.diff(np.append(starts, len(order))) >= LIMITS.sure
+    if not sure.any():
+        return np.ones(len(place), bool)
+    wide = width > LIMITS.wider * np.percentile(width[sure], LIMITS.most)
+    return ~wide[np.searchsorted(slab[order][starts], slab)]
 
 
 @dataclass(frozen=True)
@@ -112,7 +134,22 @@ def _lean(place: np.ndarray, views: np.ndarray) -> np.ndarray:
         scatter = max(float(np.median(away)), LIMITS.noise)
         weight = 1.0 / (1.0 + (away / (2.0 * scatter))**2)
         lean = (weight * up) @ plan / ((weight * up) @ up + (scatter / LIMITS.plumb)**2)
-    return lean if np.hypot(*lean) > LIMITS.leaning else np.zeros(2)
+    return lean if np.hypot(*lean) > LIMITS.leaning and _shows(lean, plan, up, view) else np.zeros(2)
+
+
+def _shows(lean: np.ndarray, plan: np.ndarray, up: np.ndarray, view: np.ndarray) -> bool:
+    """Whether a stem is thinner without its lean, in the lean's direction, as it is where that is none of sides seen
+    one after the other at other heights. `plan` (n, 2) and `up` (n,) from the middle of each `view` (n,), m."""
+    towards = lean / np.hypot(*lean)
+    saved = moved = 0.0
+    for number in range(view.max() + 1):
+        own = view == number
+        plumb, level = plan[own] @ towards, up[own] * np.hypot(*lean)
+        (first, last), (left, right), (low, high) = (
+            np.percentile(value, [LIMITS.edges, 100.0 - LIMITS.edges]) for value in (plumb, plumb - level, level))
+        saved += np.count_nonzero(own) * ((last - first) - (right - left))
+        moved += np.count_nonzero(own) * (high - low)
+    return bool(saved > LIMITS.thinner * moved)
 
 
 def _views(sight: np.ndarray) -> np.ndarray:

@@ -59,6 +59,7 @@ class StreetObjectLimits:
     bare: float = 0.6  # m of height that a post shows without its board, to be placed by that alone
     stem_reach: float = 1.5  # m in plan from the foot of a stem, within which all of it stands
     trunk: float = 0.2  # m, from which a stem in leaves is a trunk, not the post of a sign that stands by
+    behind: float = 0.04  # m behind a board that hides its post, where that stands: half of what such posts measure
     post_in_width: float = 4.0  # of a board, over which its post is one standard deviation from its middle
     same: float = 0.5  # m; stems closer than this, over each other, are one thing
 
@@ -152,20 +153,19 @@ def _objects_of_tile(tile: EdgeTile, height: np.ndarray, survey: EdgePoints,
 
 
 def _with_board(around: HangingParts, boards: list[Board], axis: StemAxis) -> HangingParts:
-    """What hangs on a stem, with the board found before it where its own points show none."""
-    if around.board is not None:
-        return around
-    board = board_on(boards, axis)
-    if board is None or (around.crown and axis.diameter > LIMITS.trunk):
-        return around
-    return replace(around, board=board)
+    """What hangs on a stem, with the board found before it where its own points show none. A trunk has none."""
+    if around.crown and axis.diameter > LIMITS.trunk:
+        return replace(around, board=None)
+    return around if around.board is not None else replace(around, board=board_on(boards, axis))
 
 
 def _sign_without_post(board: Board, place: np.ndarray, height: np.ndarray, corner: np.ndarray,
                        settings: ObjectSettings) -> StreetObject:
     """A sign of which the board alone shows: its post stands somewhere behind that."""
-    near = np.argmin(np.hypot(*(place[:, :2] - board.centre[:2]).T))
-    foot = np.array([*board.centre[:2], place[near, 2] - height[near]])
+    towards = np.radians(board.azimuth)
+    post = board.centre[:2] - LIMITS.behind * np.array([np.sin(towards), np.cos(towards)])
+    near = np.argmin(np.hypot(*(place[:, :2] - post).T))
+    foot = np.array([*post, place[near, 2] - height[near]])
     on = np.count_nonzero(np.linalg.norm(place - board.centre, axis=1) < board.height / 2.0)
     sigma = float(np.hypot(board.width / LIMITS.post_in_width, settings.survey_sigma))
     return StreetObject(SIGN, 0.3, foot + corner, float(board.centre[2] + board.height / 2.0 - foot[2]), None,
