@@ -52,8 +52,8 @@
         <translation>不適合</translation>
     </message>
     <message>
-        <source>Faults of real surveys to put in, with commas between them: steps (in the trajectories), stops (a long wait), ghosts (points below the road), rings (lasers that differ), ground (heights of the airborne points that are off), rails (and decks), driveways (lowered kerbs), signs (boards and bollards), islands (in the avenue), paint (worn and patched), surface (wet and concrete stretches), fronts (canopies, signs, garden walls, hoardings, balconies and awnings before buildings). Without any the city is as ever.</source>
-        <translation>実際の計測に見られる不具合を、コンマ区切りで加えます：steps（軌跡の段差）、stops（長い停車）、ghosts（路面より下の点）、rings（特性の異なるレーザ）、ground（航空レーザ点の標高のずれ）、rails（レールと床版）、driveways（縁石の切下げ）、signs（標識板とボラード）、islands（大通りの島）、paint（摩耗や補修のある標示）、surface（濡れた区間とコンクリート区間）、fronts（建物の前の庇、看板、塀、仮囲い、バルコニー、日よけ）。指定しなければ通常の都市です。</translation>
+        <source>Faults of real surveys to put in, with commas between them: steps (in the trajectories), stops (a long wait), ghosts (points below the road), rings (lasers that differ), ground (heights of the airborne points that are off), rails (and decks), driveways (lowered kerbs), signs (boards and bollards), islands (in the avenue), paint (worn and patched), surface (wet and concrete stretches), fronts (canopies, signs, garden walls, hoardings, balconies, awnings and storeys on columns before buildings). Without any the city is as ever.</source>
+        <translation>実際の計測に見られる不具合を、コンマ区切りで加えます：steps（軌跡の段差）、stops（長い停車）、ghosts（路面より下の点）、rings（特性の異なるレーザ）、ground（航空レーザ点の標高のずれ）、rails（レールと床版）、driveways（縁石の切下げ）、signs（標識板とボラード）、islands（大通りの島）、paint（摩耗や補修のある標示）、surface（濡れた区間とコンクリート区間）、fronts（建物の前の庇、看板、塀、仮囲い、バルコニー、日よけ、ピロティ）。指定しなければ通常の都市です。</translation>
     </message>
     <message>
         <source>Workers</source>
@@ -1664,6 +1664,14 @@
         <translation>車両の位置です。CSV time,x,y,z,roll,pitch,heading（GPS秒、m、度。精度が分かる場合はsd_roll,sd_pitch,sd_headingも）、Applanix SBET（smrmsgファイルを同じ場所に置く）、またはこれらのフィールドを持つ点レイヤを指定します。</translation>
     </message>
     <message>
+        <source>Airborne laser points</source>
+        <translation>航空レーザ点群</translation>
+    </message>
+    <message>
+        <source>Instead of buildings: walls stand where these points step from roof to ground beside facades that the survey saw. In the height system of the survey.</source>
+        <translation>建物の代わりに使います。計測に写った建物正面のそばで、この点群が屋根から地面へ段差をなす位置を壁とします。高さの基準は計測と同じものにします。</translation>
+    </message>
+    <message>
         <source>Survey with its facades</source>
         <translation>壁面を含む計測点群</translation>
     </message>
@@ -2908,8 +2916,8 @@
         <translation>都市モデル (*.gml *.GML *.zip *.json *.jsonl *.xml);;すべてのファイル (*)</translation>
     </message>
     <message>
-        <source>CityGML (.gml, .zip) or CityJSON file instead of the layer: its buildings are written with all that they hold, and nothing is added.</source>
-        <translation>レイヤの代わりのCityGML（.gml, .zip）またはCityJSONファイルです。建物は持っている内容をすべて含めて書き出し、何も追加しません。</translation>
+        <source>CityGML (.gml, .zip) or CityJSON file instead of the layer: its buildings are written with all that they hold, and nothing is added. Of CityGML roads, city furniture and trees are written, too.</source>
+        <translation>レイヤの代わりとするCityGML（.gml、.zip）またはCityJSONのファイル。建物は持つものすべてとともに書き出され、何も加えられません。CityGMLの道路、都市設備、樹木も書き出されます。</translation>
     </message>
     <message>
         <source>Surfaces of “Building models”, for the roofs' ids and the types of walls; without them types are told by the faces.</source>
@@ -3214,6 +3222,22 @@
     <message>
         <source>PolygonZ of “Walls from a mobile survey”. Walls of few points, rough ones, those inside the outlines and what stands before facades are left out.</source>
         <translation>「MMS計測の壁面」のPolygonZ。点の少ない壁面、粗い壁面、外周線の内側にある壁面、壁面の前にある物は除かれます。</translation>
+    </message>
+    <message>
+        <source>Walls by GNSS</source>
+        <translation>GNSSによる壁面</translation>
+    </message>
+    <message>
+        <source>Walls of “Adjust walls by GNSS” from these models: where nothing was measured from the street, adjusted and likely ones move the models' walls, weighed by their sigma; where they contradict a measured wall, the note tells it.</source>
+        <translation>このモデルから「GNSSによる壁面の調整」で得た壁面。道路から計測されていない所では、調整済みと推定の壁面が標準偏差に応じてモデルの壁面を動かします。計測された壁面と矛盾する場合は備考に示します。</translation>
+    </message>
+    <message>
+        <source>Sigma of the models' walls</source>
+        <translation>モデルの壁面の標準偏差</translation>
+    </message>
+    <message>
+        <source>How well the models' own walls are known (standard deviation): walls by GNSS move them little where they are known better.</source>
+        <translation>モデルの壁面の位置がどの程度正確か（標準偏差）。正確なほど、GNSSによる壁面ではわずかしか動きません。</translation>
     </message>
     <message>
         <source>Height</source>
@@ -5640,10 +5664,6 @@
         <translation>精度管理表</translation>
     </message>
     <message>
-        <source>Airborne laser points</source>
-        <translation>航空レーザ点群</translation>
-    </message>
-    <message>
         <source>Vote and darkest: our way, with that vehicle filter. Paper: as in the paper, frames masked by their occlusion maps, the darkest of them, and the plain adaptive threshold (in the model set the method of the markings too). (vote, darkest, paper)</source>
         <translation>voteとdarkest: 本プラグインの方法で、指定した車両除去を行います。paper: 論文のとおり、写真を遮蔽図でマスクし、最も暗い画素を採用して、単純な適応的閾値処理を行います（モデルでは路面標示の方法も設定してください）。(vote, darkest, paper)</translation>
     </message>
@@ -6971,10 +6991,10 @@ Arrows are told by their shape, and only where one shape is clearly better than 
     </message>
     <message>
         <source>Joins building models from airborne scanning with walls measured from the street: below a height the walls lie where the survey found them, above it the models stay as they were.
-Walls move within stated limits and never into a neighbour. A roof that stands out over the measured wall stays, with a level underside; so does what stands out at the height. Walls that were not driven past stay and are marked.
+Walls move within stated limits and never into a neighbour. A roof that stands out over the measured wall stays, with a level underside; so does what stands out at the height. Walls that were not driven past stay and are marked; where satellites tell them (“Adjust walls by GNSS”), they move, weighed by their sigma.
 Every result is checked: closed, planar, oriented outwards, no self-intersection. A building that cannot be merged keeps its model and says why.</source>
         <translation>航空レーザ測量による建物モデルと、道路から計測した壁面を統合します。指定の高さより下では壁面を計測された位置に置き、それより上ではモデルをそのまま保ちます。
-壁面は指定の限度内で移動し、隣の建物に入り込むことはありません。計測壁面から張り出す屋根は、下面を水平にして残します。指定の高さで張り出す部分も同様です。そばを走行していない壁面はそのまま残り、その旨を示します。
+壁面は指定の限度内で移動し、隣の建物に入り込むことはありません。計測壁面から張り出す屋根は、下面を水平にして残します。指定の高さで張り出す部分も同様です。そばを走行していない壁面はそのまま残り、その旨を示します。衛星から位置が分かる壁面（「GNSSによる壁面の調整」）は、その標準偏差に応じて移動します。
 すべての結果について、閉じていること、平面であること、外向きであること、自己交差がないことを検査します。統合できない建物は元のモデルを保ち、理由を示します。</translation>
     </message>
     <message>
@@ -8692,6 +8712,26 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>傾斜面が平面ではありません</translation>
     </message>
     <message>
+        <source>satellites put it {away:.1f} m {value} of there (sigma {sigma:.2f} m)</source>
+        <translation>衛星によればそこから{away:.1f} m {value}です（標準偏差 {sigma:.2f} m）</translation>
+    </message>
+    <message>
+        <source>by satellites ({status}): {offset:+.2f} m, sigma {sigma:.2f} m</source>
+        <translation>衛星による（{status}）：{offset:+.2f} m、標準偏差 {sigma:.2f} m</translation>
+    </message>
+    <message>
+        <source>A wall by satellites needs a sigma greater than 0.</source>
+        <translation>衛星による壁面には0より大きい標準偏差が必要です。</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>外側</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>内側</translation>
+    </message>
+    <message>
         <source>moved</source>
         <translation>移動</translation>
     </message>
@@ -8736,16 +8776,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>端の移動量が大きすぎます</translation>
     </message>
     <message>
+        <source>The sigma of the models' walls must be greater than 0.</source>
+        <translation>モデルの壁面の標準偏差は0より大きくしてください。</translation>
+    </message>
+    <message>
         <source>Height, maximum offset and rotation (up to 20 degrees) and the share of a wall must be greater than 0.</source>
         <translation>高さ、最大オフセット、回転角（20度以下）、壁面の割合は0より大きくしてください。</translation>
-    </message>
-    <message>
-        <source>outside</source>
-        <translation>外側</translation>
-    </message>
-    <message>
-        <source>inside</source>
-        <translation>内側</translation>
     </message>
     <message>
         <source>only {points_count} points lie in it</source>
@@ -9320,6 +9356,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>検査できる地物がありません（ファイルだけを検査しました）。</translation>
     </message>
     <message>
+        <source>{roads} roads, {things} things of city furniture and trees are written, too.</source>
+        <translation>道路{roads}件、都市設備と樹木{things}件も書き出されます。</translation>
+    </message>
+    <message>
+        <source>{bare} of the roads, city furniture and trees have no surfaces: CityJSON has them without a shape, 3D Tiles and PLATEAU's CityGML leave them out.</source>
+        <translation>道路、都市設備、樹木のうち{bare}件には面がありません。CityJSONには形状なしで書かれ、3D TilesとPLATEAUのCityGMLには含まれません。</translation>
+    </message>
+    <message>
         <source>CityGML states heights in JGD2011 (EPSG:6697), but those of the models are {heights}: give the height system, or convert the heights, if they are others.</source>
         <translation>CityGMLでは標高をJGD2011（EPSG:6697）としますが、モデルの高さの基準は {heights} です。異なる場合は、高さの基準を指定するか、標高を変換してください。</translation>
     </message>
@@ -9652,12 +9696,16 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>ディスクの空き容量がありません。出力先と一時ファイルのディスクを空けて、再度実行してください。</translation>
     </message>
     <message>
-        <source>The trajectory runs from {first:.0f} to {last:.0f} s, but no point near a building was measured then: give the trajectory of this survey, in the time of its points.</source>
-        <translation>軌跡の時刻は {first:.0f}～{last:.0f} 秒ですが、その間に計測された建物付近の点がありません。この計測の軌跡を、点と同じ時刻系で指定してください。</translation>
+        <source>The trajectory runs from {first:.0f} to {last:.0f} s, but the points were measured from {start:.0f} to {end:.0f} s: give the trajectory of this survey, in the time of its points.</source>
+        <translation>軌跡の時刻は {first:.0f}～{last:.0f} 秒ですが、点群は {start:.0f}～{end:.0f} 秒に計測されています。この計測の軌跡を、点群と同じ時刻系で指定してください。</translation>
     </message>
     <message>
         <source>The trajectory lies {distance:.0f} m from what was measured at its times: check that it is in the coordinate reference system of the points.</source>
         <translation>軌跡は、同じ時刻に計測された点から {distance:.0f} m 離れています。軌跡が点と同じ座標参照系であるか確認してください。</translation>
+    </message>
+    <message>
+        <source>The trajectory runs from {first:.0f} to {last:.0f} s, but no point near a building was measured then: give the trajectory of this survey, in the time of its points.</source>
+        <translation>軌跡の時刻は {first:.0f}～{last:.0f} 秒ですが、その間に計測された建物付近の点がありません。この計測の軌跡を、点と同じ時刻系で指定してください。</translation>
     </message>
     <message>
         <source>The trajectory lies {height:.0f} m above the ground beside the buildings: check its heights (give GEOID where they are ellipsoidal); what hides walls is wrong else.</source>
@@ -10086,6 +10134,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>No observation can be used ({value}): check that observations, navigation and trajectory belong together.</source>
         <translation>使用できる観測値がありません（{value}）。観測データ、航法ファイル、軌跡が対応しているか確認してください。</translation>
+    </message>
+    <message>
+        <source>L5 is measured, but no navigation file tells its group delays (they are in the CNAV messages of RINEX 4): they are estimated for {names}, which is less sure.</source>
+        <translation>L5が観測されていますが、その群遅延を含む航法ファイルがありません（群遅延はRINEX 4のCNAVメッセージにあります）。{names}については群遅延を推定しますが、確かさは下がります。</translation>
     </message>
     <message>
         <source>The navigation files tell no coefficients of the ionosphere: its delay, some metres, is not taken off; give a navigation file of GPS.</source>
@@ -12904,6 +12956,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>計測データの路面標示の角で、基準の路面標示の角に近いものがありません。</translation>
     </message>
     <message>
+        <source>The airborne laser points show no wall where the survey saw facades: check that both lie in one place and have one height system.</source>
+        <translation>計測に建物正面が写った場所で、航空レーザ点群に壁が見つかりません。両者の場所と高さの基準が同じであることを確認してください。</translation>
+    </message>
+    <message>
         <source>The survey shows no facade near the vehicle: give all its points, not the markings alone, or register it by its markings.</source>
         <translation>計測点群の車両付近に壁面がありません。標示だけでなく全点を指定するか、標示だけで位置合わせしてください。</translation>
     </message>
@@ -13352,6 +13408,18 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>この信号機は、向きの異なる {fits} 本の停止線の車線の上にあります。柱としてだけ書きます。</translation>
     </message>
     <message>
+        <source>Line {row} of the layer has a corner whose east or north is no number or off the earth: mend the corner or delete the line.</source>
+        <translation>レイヤの {row} 行目の線に、座標が数値でない、または地球上にあり得ない頂点があります。頂点を修正するか、その線を削除してください。</translation>
+    </message>
+    <message>
+        <source>Line {row} of the layer has a straight side of {side:.0f} km, longer than any road's: mend its corners or delete the line.</source>
+        <translation>レイヤの {row} 行目の線に、道路としてあり得ない長さ（{side:.0f} km）の直線区間があります。頂点を修正するか、その線を削除してください。</translation>
+    </message>
+    <message>
+        <source>its post is not seen</source>
+        <translation>支柱が見えていない</translation>
+    </message>
+    <message>
         <source>it stands in the crown of a tree</source>
         <translation>樹冠の中に立っています</translation>
     </message>
@@ -13420,8 +13488,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>レイヤにポリゴンも線もありません。道路面、または道路両側の縁の線を指定してください。</translation>
     </message>
     <message>
-        <source>A road has a corner whose coordinates are no numbers: repair the layer first.</source>
-        <translation>座標が数値でない頂点を持つ道路があります。先にレイヤを修正してください。</translation>
+        <source>A road has a corner whose coordinates are no numbers or off the earth: repair the layer first.</source>
+        <translation>道路に、座標が数値でない、または地球上にあり得ない頂点があります。先にレイヤを修正してください。</translation>
     </message>
     <message>
         <source>The lines enclose no surface: give the lines along both edges of the roads, joined at their ends, or surfaces.</source>
@@ -14070,6 +14138,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0} is not written from a city model; for a layer use “Load city model”.</source>
         <translation>都市モデルから{0}は書き出されません。レイヤにするには「都市モデルの読込」を使用してください。</translation>
+    </message>
+    <message>
+        <source>{0} of {1} walls by GNSS are adjusted or likely and are used.</source>
+        <translation>GNSSによる壁面 {1} 件のうち、調整済みまたは推定の {0} 件を使います。</translation>
+    </message>
+    <message>
+        <source>{0}: these are no walls with status and sigma; give the layer of walls of “Adjust walls by GNSS”.</source>
+        <translation>{0}：status と sigma を持つ壁面ではありません。「GNSSによる壁面の調整」の壁面レイヤを指定してください。</translation>
     </message>
     <message>
         <source>No file was given: choose a city model (.gml, .json, .jsonl, .zip) or a folder.</source>
@@ -16432,6 +16508,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{0}：論文の方法は壁面を使いません。paint を選ぶか、full の方法にしてください。</translation>
     </message>
     <message>
+        <source>{0}: the walls are taken from buildings or from airborne laser points; give one of both.</source>
+        <translation>{0}：壁は建物と航空レーザ点群のどちらか一方から取ります。一方だけを指定してください。</translation>
+    </message>
+    <message>
         <source>{0}: walls alone need buildings; give outlines or models of them.</source>
         <translation>{0}：壁面だけで位置合わせするには建物が必要です。外形線またはモデルを指定してください。</translation>
     </message>
@@ -17724,12 +17804,16 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>方位、度</translation>
     </message>
     <message>
+        <source>Scans that end elsewhere</source>
+        <translation>別の場所に収束したスキャン</translation>
+    </message>
+    <message>
         <source>Predicted against observed</source>
         <translation>予測と観測の比較</translation>
     </message>
     <message>
-        <source>Scans were simulated at some of the places, with noise, vehicles and trees in the way, and registered to the map with the plugin's own NDT.</source>
-        <translation>一部の地点で、雑音、車両、樹木による遮りを含むスキャンをシミュレートし、プラグインのNDTで地図に位置合わせしました。</translation>
+        <source>Scans were simulated at some of the places, with noise, vehicles and trees in the way, and registered to the map as vehicles match them: by the plugin's own NDT, or by ICP.</source>
+        <translation>いくつかの地点で、雑音と車両・樹木による遮蔽を含む走査を模擬し、車両と同じ照合方法（本プラグインのNDT、またはICP）で地図に位置合わせしました。</translation>
     </message>
     <message>
         <source>Spearman's coefficient over all places</source>
@@ -17754,10 +17838,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Share of the rays to walls that were hidden</source>
         <translation>壁面への光線のうち遮られた割合</translation>
-    </message>
-    <message>
-        <source>Scans that end elsewhere</source>
-        <translation>別の場所に収束したスキャン</translation>
     </message>
     <message>
         <source>Spearman's coefficient of scans that converge, directions determined</source>
