@@ -39,6 +39,7 @@ from urbanmap_qgis.roadspace.survey.area_records import (
     layer_parts,
     tops_by_number,
 )
+from urbanmap_qgis.roadspace.survey.stop_cuts import junction_cuts
 from urbanmap_qgis.roadspace.survey.survey_roads import SurveyInputs, surveyed_roads
 
 STOP = 18.0
@@ -354,3 +355,12 @@ def test_doubt_is_read_from_the_status_of_the_edges():
     columns = {"kind": ["kerb"] * 3, "status": ["measured", "doubtful", "doubtful"], "reason": ["", "hidden", None]}
     assert [line.doubt for line in kerb_edge_lines(lines, {}, columns)] == ["", "hidden", "doubtful"]
     assert [line.doubt for line in kerb_edge_lines(lines, {}, {"kind": ["kerb"] * 3})] == [""] * 3
+
+
+@pytest.mark.parametrize(("stop", "cuts"), [
+    ([(8.0, -4.0), (8.0, 0.0)], 1), ([(21.0, -4.0), (21.0, 0.0)], 0), ([(8.0, -4.0), (8.0, 0.0), (8.0, -4.0)], 0)],
+    ids=["before the junction", "beyond the end of the road", "back to its begin"])
+def test_only_a_stop_line_on_the_road_cuts_it(stop, cuts):
+    cross = shapely.union(shapely.box(-20, -4, 20, 4), shapely.box(-4, -20, 4, 20))
+    found = junction_cuts(cross, [shapely.LineString(stop)])
+    assert len(found.junctions) == 1 and sum(cut.at_stop_line for cut in found.cuts) == cuts

@@ -131,13 +131,14 @@ def _stop_cut(arm: Arm, place: float, stops: Sequence[shapely.LineString],
             axis, np.clip([along - width / 4.0, along + width / 4.0], 0.0, axis.length)))
         course = behind - before
         cosine = abs(across @ course) / max(np.hypot(*across) * np.hypot(*course), 1e-12)
-        if off > width / 2.0 or stop.length < LIMITS.least or cosine > np.sin(np.radians(LIMITS.skew)):
-            continue
+        if off > width / 2.0 or np.hypot(*across) < LIMITS.least or cosine > np.sin(np.radians(LIMITS.skew)):
+            continue  # among them lines that come back to where they begin
         if stop.length < LIMITS.whole * width and cosine < np.sin(np.radians(LIMITS.turned)):
             cross = np.array([-course[1], course[0]]) / np.hypot(*course)
             ends = ends.mean(axis=0) + np.outer([-0.5, 0.5], cross)
-        if best is None or along < best[0]:
-            best = (along, _extended(ends, surface, width))
+        cut = _extended(ends, surface, width)
+        if cut is not None and (best is None or along < best[0]):
+            best = (along, cut)
     return None if best is None else best[1]
 
 
@@ -154,11 +155,14 @@ def _chainage(points: np.ndarray) -> np.ndarray:
     return np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
 
 
-def _extended(ends: np.ndarray, surface: shapely.Polygon, width: float) -> np.ndarray:
-    """A line drawn on to both borders of a surface."""
+def _extended(ends: np.ndarray, surface: shapely.Polygon, width: float) -> np.ndarray | None:
+    """A line drawn on to both borders of a surface; None where it lies beyond its end."""
     direction = (ends[1] - ends[0]) / np.hypot(*(ends[1] - ends[0]))
     middle = ends.mean(axis=0)
     long = shapely.linestrings(np.vstack([middle - 1.5 * width * direction, middle + 1.5 * width * direction]))
-    parts = [part for part in shapely.get_parts(shapely.intersection(long, surface)) if part.geom_type == "LineString"]
+    parts = [part for part in shapely.get_parts(shapely.intersection(long, surface))
+             if part.geom_type == "LineString" and not part.is_empty]
+    if not parts:
+        return None
     nearest = min(parts, key=lambda part: shapely.distance(part, shapely.points(middle)))
     return shapely.get_coordinates(nearest)[[0, -1]]
