@@ -181,7 +181,8 @@ def _storeys(wall: PlacedWall, row: int, seen: _Seen, points: np.ndarray) -> tup
     stacked = _stacked(wall, row, seen)
     if seen.high[stacked].max() - seen.low[stacked].min() < LIMITS.storey:
         return WALL, 0.0
-    behind = _behind_bands(wall, row, stacked, seen, points)
+    going_on = _wall_behind_all(row, stacked, seen)
+    behind = going_on if np.isfinite(going_on) else _behind_bands(wall, row, stacked, seen, points)
     if np.isnan(behind):
         return UPPER_FLOORS, 0.0
     return (BALCONY, behind) if np.isfinite(behind) else (UNCLEAR, 0.0)
@@ -217,6 +218,20 @@ def _stacked(wall: PlacedWall, row: int, seen: _Seen) -> np.ndarray:
     """Walls in the air at the depth of one (k,), over or under it, and itself."""
     return np.flatnonzero((np.abs(seen.depth) < LIMITS.same) & (seen.right > seen.left[row])
                           & (seen.left < seen.right[row]) & (seen.low > wall.ground + LIMITS.in_air))
+
+
+def _wall_behind_all(row: int, stacked: np.ndarray, seen: _Seen) -> float:
+    """Distance (m) of a wall close behind strips (k,) that is seen from below the lowest to above the highest, so that
+    they are balconies whatever is seen in the rooms; NaN for none."""
+    strips = seen.high[stacked] - seen.low[stacked]
+    if len(stacked) < 2 or strips.max() > LIMITS.storey:
+        return np.nan
+    through = np.flatnonzero(seen.behind & (seen.depth < LIMITS.balcony)
+                             & (seen.low < seen.low[stacked].min() - LIMITS.goes_on)
+                             & (seen.high > seen.high[stacked].max() + LIMITS.goes_on))
+    common = np.minimum(seen.right[through], seen.right[row]) - np.maximum(seen.left[through], seen.left[row])
+    through = through[common > LIMITS.share * (seen.right[row] - seen.left[row])]
+    return float(seen.depth[through].min()) if len(through) else np.nan
 
 
 def _bands(wall: PlacedWall) -> np.ndarray:
