@@ -7,12 +7,11 @@ from contextlib import ExitStack
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import CITYJSON_FILTER, HTML_FILTER, OBJ_FILTER, tr
-from ..framework.layers.building_layers import read_buildings
+from ..framework.layers.building_layers import add_gnss_walls, read_buildings, read_gnss_walls
 from ..framework.layers.layers import make_fields
 from ..framework.layers.outlines import BuildingNames, building_names, column, numbers
 from ..framework.layers.overlays import add_orthophoto, orthophoto_pictures
 from ..framework.running.workers import workers
-from .gnss_walls import add_gnss_walls, read_gnss_walls
 
 _USABLE = ("ok", "partly seen")
 
