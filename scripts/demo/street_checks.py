@@ -114,7 +114,8 @@ def measured_walls(folder: Path) -> list[Figure]:
     sides = [max(zip(shapely.get_coordinates(box)[:-1], shapely.get_coordinates(box)[1:]),
                  key=lambda side: np.hypot(*(side[1] - side[0]))) for box in boxes]
     direction = np.array([(end - start) / np.hypot(*(end - start)) for start, end in sides])
-    middle = np.array([shapely.get_coordinates(shapely.force_2d(wall).centroid)[0] for wall in walls])
+    # An upright wall has no area in plan: its centroid would be of rounding.
+    middle = np.array([shapely.get_coordinates(box)[:4].mean(axis=0) for box in boxes])
     off = distance_to_walls(middle, direction, true_walls(folder / "city"))
     areas = np.array(areas, float)
     known = np.isfinite(off)

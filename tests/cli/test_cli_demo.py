@@ -26,8 +26,8 @@ SANE["Lane map from markings and the drive"] = [
     ("lanes between", 1, 60), ("true lanes on", 0.05, 1), ("area of the lanes", 0, 0.1)]
 SANE["Road model and street objects"] = [
     ("area of the road", 100, 5000), ("share of it", 0.98, 1), ("border near", 0, 0.1)]
-SANE["Walls from the mobile survey"] = [("measured walls", 0.5, 1), ("their distance", 0.0, 0.05),
-                                        ("share of them", 0.6, 1)]
+SANE["Walls from the mobile survey"] = [("measured walls", 0.95, 1), ("their distance", 0.0, 0.05),
+                                        ("share of them", 0.8, 1)]
 SANE["Models merged with the walls"] = [("buildings with", 1, 1000), ("merged models", 1, 1), ("overlap", 0.9, 1)]
 SANE["Rectified trajectory of the line scanners"] = [
     ("epochs before", 0.05, 3.0), ("epochs after, mean distance", 0.0, 0.1), ("epochs after, mean height", 0.0, 0.1)]
