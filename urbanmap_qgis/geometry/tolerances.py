@@ -28,3 +28,6 @@ UNITS = 10_000
 
 SIGMA_OF_MAD = 1.4826
 """Standard deviation of a normal distribution over its median absolute deviation, 1 / 0.6745."""
+
+OFF_THE_EARTH = 1e9
+"""No map's coordinates on the earth are as great, m or feet: such a corner is damaged."""

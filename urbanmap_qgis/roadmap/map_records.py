@@ -9,10 +9,8 @@ import numpy as np
 import shapely
 
 from ..errors import InputError
+from ..geometry.tolerances import OFF_THE_EARTH
 from ..wording import say
-
-FARTHEST_CORNER = 1e9
-"""No map's coordinates on the earth are greater, m or feet."""
 
 LONGEST_SIDE = 100_000.0
 """No line of a road runs straight on for longer, m; lines are followed metre by metre."""
@@ -269,7 +267,7 @@ def lines_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[str
             points = shapely.get_coordinates(part, include_z=True)
             if part.geom_type != "LineString" or len(points) < 2 or part.length == 0:
                 continue
-            if not (np.abs(points[:, :2]) < FARTHEST_CORNER).all():
+            if not (np.abs(points[:, :2]) < OFF_THE_EARTH).all():
                 raise InputError(say("Line {row} of the layer has a corner whose east or north is no number or off the "
                                      "earth: mend the corner or delete the line.", row=row + 1))
             side = float(np.hypot(*np.diff(points[:, :2], axis=0).T).max())

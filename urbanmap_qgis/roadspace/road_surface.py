@@ -15,11 +15,9 @@ import shapely
 from scipy.spatial import cKDTree
 
 from ..errors import InputError
+from ..geometry.tolerances import OFF_THE_EARTH
 from ..wording import say
 from .road_records import RoadFinding
-
-FARTHEST = 1e9
-"""No map's coordinates on the earth are greater, m or feet."""
 
 GRID = 0.001
 """Corners nearer to each other than this are one, m: files of degrees have them so."""
@@ -68,7 +66,7 @@ def surface_of(geometries: Sequence[shapely.Geometry | None], limits: ClosingLim
     if not polygons and not lines:
         raise InputError(say("The layer holds no polygons or lines: give surfaces of roads, or lines along both of "
                              "their edges."))
-    if any(not (np.abs(shapely.get_coordinates(one)) < FARTHEST).all() for one in (*polygons, *lines)):
+    if any(not (np.abs(shapely.get_coordinates(one)) < OFF_THE_EARTH).all() for one in (*polygons, *lines)):
         raise InputError(say("A road has a corner whose coordinates are no numbers or off the earth: repair the layer "
                              "first."))
     findings: list[RoadFinding] = []
