@@ -269,6 +269,20 @@ def test_kerbs_of_an_island_and_of_pavements_do_not_shorten_the_lanes():
                for spot in _in_street(lane.centre))
 
 
+@pytest.mark.parametrize("side", [-1, 1])
+def test_lane_goes_on_where_an_islands_kerb_takes_the_place_of_the_centre_line(side):
+    """A solid lane line parts it from the lane that was driven, so only what lies before it tells its direction."""
+    lines = [line(7.0, 0, 60), line(-7.0, 0, 60), line(3.5, 0, 20, "dashed"), line(-3.5, 0, 20, "dashed"),
+             line(3.5, 20, 60), line(-3.5, 20, 60), line(0.0, 0, 20, "solid", "yellow")]
+    borders = [line(y, 20, 60, "road border", "") for y in (-0.4, 0.4)]
+    drives = [drive((-5, -5.2), (65, -5.2)), drive((65, 5.2), (-5, 5.2))]
+    built = build_vector_map([*lines, *borders], [], drives, MapSettings(traffic="right"))
+    assert course(built.lanes[lane_at(built, 45.0, 1.9 * side)]) == -side
+    apart = [one for one in lines if one.kind != "dashed"]  # no lane before it that has a direction
+    with pytest.raises(ValueError):
+        lane_at(build_vector_map([*apart, *borders], [], drives, MapSettings(traffic="right")), 45.0, 1.9 * side)
+
+
 def _in_street(points):
     """Points of the map in the street's own frame."""
     x, y = points[:, 0] - EAST, points[:, 1] - NORTH

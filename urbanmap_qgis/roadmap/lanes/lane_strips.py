@@ -35,6 +35,8 @@ class LaneStripsLimits:
     least_undriven: float = 25.0
     # A drive shows a strip's direction where it runs in it for so long, m (or half of a shorter strip).
     least_drive: float = 5.0
+    # A strip carries on another where their bounds that are not shared lie so near to each other, m: half a lane.
+    carried_on: float = 1.5
 
 
 LIMITS = LaneStripsLimits()
@@ -344,8 +346,9 @@ def settle_directions(strips: Sequence[Strip], section: RoadSection) -> list[Fin
 def spread_directions(strips: Sequence[Strip], section: RoadSection, left_hand: bool) -> list[Finding]:
     """Give strips without a direction one from their neighbours.
 
-    Across a dashed line goes the same direction. Across a yellow or double line lies the other direction, where the
-    rule of the road allows it. What breaks that rule is taken back and told.
+    Across a dashed line goes the same direction, and so does what carries on a strip at a cross-section. Across a
+    yellow or double line lies the other direction, where the rule of the road allows it. What breaks that rule is taken
+    back and told.
     """
     changed = True
     while changed:
@@ -437,7 +440,24 @@ def _from_neighbours(strip: Strip, strips: Sequence[Strip], section: RoadSection
         to_right = (shared == strip.left) == (other.sign > 0)
         if (colour_of(line) == "yellow" or line.double) and to_right == left_hand:
             return -other.sign, ACROSS
-    return 0, ""
+    return _carried_on(strip, strips, section)
+
+
+def _carried_on(strip: Strip, strips: Sequence[Strip], section: RoadSection) -> tuple[int, str]:
+    """Direction of the strips that meet one at its cross-sections and share one bound with it, where they agree.
+
+    The other bound is another line there: the kerb of an island where the centre line ends.
+    """
+    ways = {}
+    for other in strips:
+        if other.sign == 0 or (other.right == strip.right) == (other.left == strip.left):
+            continue
+        for level in {strip.start} & {other.end} | {strip.end} & {other.start}:
+            step = (_offset(section, other.left, level) - _offset(section, strip.left, level)
+                    + _offset(section, other.right, level) - _offset(section, strip.right, level))
+            if abs(step) < LIMITS.carried_on:
+                ways[other.sign] = other.source
+    return next(iter(ways.items())) if len(ways) == 1 else (0, "")
 
 
 def _is_bounded(strip: Strip, shared: int, section: RoadSection) -> bool:
