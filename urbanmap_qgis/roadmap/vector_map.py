@@ -15,19 +15,12 @@ from .lanes.bound_continuation import continued
 from .lanes.intersections import add_intersections
 from .lanes.junctions import connect_by_drives
 from .lanes.lane_assembly import add_section
-from .lanes.lane_strips import (
-    add_arrows,
-    add_drives,
-    add_stops,
-    lane_strips,
-    left_hand_traffic,
-    settle_directions,
-    spread_directions,
-)
+from .lanes.lane_strips import add_arrows, add_drives, add_stops, lane_strips
 from .lanes.movements import add_movements
 from .lanes.narrow_places import narrow_places
 from .lanes.road_axes import RoadAxis, add_axes, add_speed_limits
 from .lanes.road_sections import RoadSection, road_sections
+from .lanes.strip_directions import left_hand_traffic, settle_directions, spread_directions
 from .map_cleaning import clean_map
 from .map_records import DrivenPath, Finding, MapArea, MapLine, MapSettings, VectorMap
 
