@@ -10,17 +10,16 @@ import shapely
 from ..progress import SILENT, Progress
 from ..wording import say
 from .bound_sigmas import fill_heights_and_sigmas
-from .lanes.beyond_junctions import directions_beyond
 from .lanes.bound_continuation import continued
 from .lanes.intersections import add_intersections
 from .lanes.junctions import connect_by_drives
 from .lanes.lane_assembly import add_section
-from .lanes.lane_strips import add_arrows, add_drives, add_stops, lane_strips
+from .lanes.lane_directions import give_directions, keeps_left
+from .lanes.lane_strips import add_drives, lane_strips
 from .lanes.movements import add_movements
 from .lanes.narrow_places import narrow_places
-from .lanes.road_axes import RoadAxis, add_axes, add_speed_limits
+from .lanes.road_axes import RoadAxis, add_speed_limits
 from .lanes.road_sections import RoadSection, road_sections
-from .lanes.strip_directions import left_hand_traffic, settle_directions, spread_directions
 from .map_cleaning import clean_map
 from .map_records import DrivenPath, Finding, MapArea, MapLine, MapSettings, VectorMap
 
@@ -55,18 +54,9 @@ def build_vector_map(lines: Sequence[MapLine], areas: Sequence[MapArea] = (), dr
         built.findings += narrow_places(section, drives, settings)
         worked.append((section, strips, near))
         progress.check()
-    built.left_hand = _rule_of_the_road(worked, settings)
+    built.left_hand = keeps_left(worked, settings)
     progress.step(0.7)
-    for section, strips, near in worked:
-        add_arrows(strips, section, arrows)
-        add_stops(strips, section, near, built.left_hand)
-        built.findings += settle_directions(strips, section)
-        built.findings += spread_directions(strips, section, built.left_hand is not False)
-        add_axes(strips, section, axes, built.left_hand)
-        built.findings += spread_directions(strips, section, built.left_hand is not False)
-    if directions_beyond([(section, strips) for section, strips, _ in worked]):
-        for section, strips, _ in worked:
-            built.findings += spread_directions(strips, section, built.left_hand is not False)
+    built.findings += give_directions(worked, arrows, axes, built.left_hand)
     for section, strips, _ in worked:
         add_section(built, section, strips)
     if not drives:
@@ -118,12 +108,6 @@ def _belongs(section, stop: np.ndarray) -> bool:
     at = np.clip(chainage.mean(), low + STOP_REACH, high - STOP_REACH)
     beside = np.array([np.interp(at, track.chainage, track.offset) for track in section.tracks])
     return bool(offset.max() > beside.min() - 1.0 and offset.min() < beside.max() + 1.0)
-
-
-def _rule_of_the_road(worked, settings: MapSettings) -> bool | None:
-    if settings.traffic != "auto":
-        return settings.traffic == "left"
-    return left_hand_traffic([(section, strips) for section, strips, _ in worked])
 
 
 def _without_drives(lines: Sequence[MapLine]) -> Finding:

@@ -18,7 +18,6 @@ from .lane_strips import (
     Strip,
     colour_of,
     line_kinds,
-    middle_offset,
     offset_of,
     strip_middle,
 )
@@ -185,19 +184,6 @@ def _is_bounded(strip: Strip, shared: int, section: RoadSection) -> bool:
     if any((one > place) == (place > near) for one in beyond if np.isfinite(one)):
         return True
     return far.seen >= LIMITS.mostly_seen * section.tracks[shared].seen
-
-
-def left_hand_traffic(sections: Sequence[tuple[RoadSection, list[Strip]]]) -> bool | None:
-    """Whether traffic keeps to the left, as strips driven in both directions of a section show; None where none do."""
-    votes = 0.0
-    for section, strips in sections:
-        for one in strips:
-            for other in strips:
-                if one.start != other.start or one.forward <= one.backward or other.backward <= other.forward:
-                    continue
-                separation = middle_offset(section, one, one.start) - middle_offset(section, other, one.start)
-                votes += np.sign(separation) * min(one.forward, other.backward)
-    return None if votes == 0 else bool(votes > 0)
 
 
 def _finding(section: RoadSection, strip: Strip, kind: str, text: str) -> Finding:
