@@ -111,3 +111,26 @@ def test_lowest_and_middle_views_are_those_of_sorted_values():
     middle = np.take_along_axis(order, np.maximum(count - 1, 0)[None] // 2, axis=0)[0]
     assert (vehicles._lowest(values, among) == np.where(count > 0, order[0], -1)).all()
     assert (vehicles._middle(values, among) == np.where(count > 0, middle, -1)).all()
+
+
+def test_what_lies_beyond_the_reach_has_no_say():
+    rng = np.random.default_rng(4)
+    blocks = np.ones((1, 4, 4))
+    grey = np.kron(rng.choice([60, 70, 90, 200], (4, vehicles.REACH, vehicles.REACH)), blocks)
+    views = np.stack([grey, grey + 1, grey + 2], axis=-1).astype(np.float32)
+    seen = np.kron(rng.random((4, vehicles.REACH, vehicles.REACH)) < 0.7, blocks) > 0
+    whole = majority_vote(views, seen, 255)
+    near = slice(vehicles.REACH - 1, 3 * vehicles.REACH + 1)
+    cut = majority_vote(np.ascontiguousarray(views[:, near, near]), np.ascontiguousarray(seen[:, near, near]), 255)
+    middle = slice(2 * vehicles.REACH - 1, 2 * vehicles.REACH + 1)
+    here = slice(middle.start - near.start, middle.stop - near.start)
+    assert np.array_equal(whole[middle, middle], cut[here, here])
+
+
+@pytest.mark.parametrize("rows", [1, 31, 32, 33, 70])
+def test_any_number_of_rows_is_voted_on(rows):
+    views = np.full((3, rows, 9, 1), ROAD, np.float32)
+    views[0, -1] = WHITE_CAR
+    seen = np.ones(views.shape[:3], bool)
+    assert set(majority_vote(views, seen, 255)[-1]) <= {1, 2}
+    assert (majority_vote(views, np.zeros_like(seen), 255) == -1).all()

@@ -18,7 +18,7 @@ from rasterio.windows import Window
 
 from ..errors import InputError, OutputError
 from ..geometry.grid import Grid
-from ..geometry.sampling import sample
+from ..geometry.sampling import sample, sample_grid
 from ..progress import SILENT, Progress
 from ..wording import say
 from .files.atomic import written_beside
@@ -169,16 +169,37 @@ class RasterSampler:
         one = len(block) and block.min() == block.max()  # as on a small grid
         order = slice(None) if one else np.argsort(block, kind="stable")
         for part in np.split(points[order], np.flatnonzero(np.diff(block[order])) + 1):
-            if not len(part):
-                continue
-            rows = slice(max(int(row[part].min()) - 1, 0), min(int(row[part].max()) + 2, self.grid.rows))
-            columns = slice(max(int(column[part].min()) - 1, 0),
-                            min(int(column[part].max()) + 2, self.grid.columns))
-            grid = Grid(self.grid.x_min + columns.start * self.grid.cell,
-                        self.grid.y_max - rows.start * self.grid.cell, self.grid.cell,
-                        rows.stop - rows.start, columns.stop - columns.start)
-            heights[part] = sample(grid, self.read(rows, columns), x[part], y[part])
+            if len(part):
+                grid, values = self._around(row[part], column[part])
+                heights[part] = sample(grid, values, x[part], y[part])
         return heights
+
+    def sample_grid(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        """The same where columns x (n,) and rows y (m,) of points cross, (m, n) float32; much faster."""
+        x, y = np.asarray(x, dtype=np.float64), np.asarray(y, dtype=np.float64)
+        heights = np.full((len(y), len(x)), np.nan, dtype=np.float32)
+        _, column, across = self.grid.cells(x, np.full(len(x), self.grid.y_max - 0.5 * self.grid.cell))
+        row, _, down = self.grid.cells(np.full(len(y), self.grid.x_min + 0.5 * self.grid.cell), y)
+        for rows in _blocks(row, down):
+            for columns in _blocks(column, across):
+                grid, values = self._around(row[rows], column[columns])
+                heights[rows, columns] = sample_grid(grid, values, x[columns], y[rows])
+        return heights
+
+    def _around(self, row: np.ndarray, column: np.ndarray) -> tuple[Grid, np.ndarray]:
+        """The part of the raster with these cells and one more all round: its grid and values."""
+        rows = slice(max(int(row.min()) - 1, 0), min(int(row.max()) + 2, self.grid.rows))
+        columns = slice(max(int(column.min()) - 1, 0), min(int(column.max()) + 2, self.grid.columns))
+        grid = Grid(self.grid.x_min + columns.start * self.grid.cell, self.grid.y_max - rows.start * self.grid.cell,
+                    self.grid.cell, rows.stop - rows.start, columns.stop - columns.start)
+        return grid, self.read(rows, columns)
+
+
+def _blocks(cells: np.ndarray, inside: np.ndarray) -> list[slice]:
+    """Runs of points inside, (n,), whose rows or columns lie in the same block of the raster."""
+    block = np.where(inside, cells // _SAMPLE_BLOCK, -1)
+    borders = [0, *(np.flatnonzero(np.diff(block)) + 1).tolist(), len(block)]
+    return [slice(start, stop) for start, stop in zip(borders, borders[1:]) if stop > start and block[start] >= 0]
 
 
 def _grid_of(source: rasterio.DatasetReader, path: Path) -> Grid:

@@ -62,14 +62,16 @@ class GainCorrection:
         """Corrections that leave every frame as it is."""
         return cls(np.ones((frames, bands)), np.zeros((frames, bands)))
 
-    def apply(self, frame: int, image: np.ndarray) -> np.ndarray:
-        """Corrected float32 values of an image (..., bands) of a frame."""
+    def apply(self, frame: int, image: np.ndarray, out: np.ndarray | None = None) -> np.ndarray:
+        """Corrected float32 values of an image (..., bands) of a frame, in a contiguous array `out` where given."""
         # Whole rows at a time: numpy is slow along an axis of three.
         across = math.prod(image.shape[-2:]) // image.shape[-1]
         gain, offset = (np.tile(values[frame].astype(np.float32), across) for values in (self.gain, self.offset))
-        rows = image.reshape(-1, len(gain)) * gain
+        out = np.empty(image.shape, np.float32) if out is None else out
+        rows = out.reshape(-1, len(gain))
+        np.multiply(image.reshape(-1, len(gain)), gain, out=rows)
         rows += offset
-        return rows.reshape(image.shape)
+        return out
 
 
 @dataclass(frozen=True)

@@ -146,6 +146,16 @@ def tiles(grid: Grid, side: int = TILE) -> Iterator[tuple[int, int, Grid]]:
                                   min(side, grid.rows - top), min(side, grid.columns - left))
 
 
+def _aligned_pieces(grid: Grid) -> Iterator[tuple[int, int, Grid]]:
+    """Pieces that begin at blocks of the file; what is left at the right and below, up to a block, goes with the piece
+    before, as the margin round a piece of its own would cost more than it."""
+    tops, lefts = (list(range(0, max(size - _BLOCK, 1), TILE)) for size in grid.shape)
+    for top, below in zip(tops, [*tops[1:], grid.rows]):
+        for left, right in zip(lefts, [*lefts[1:], grid.columns]):
+            yield top, left, Grid(grid.x_min + left * grid.cell, grid.y_max - top * grid.cell, grid.cell,
+                                  below - top, right - left)
+
+
 def gain_correction_of(sources: Sequence[ViewSource], grid: Grid, bands: int,
                        progress: Progress = SILENT) -> GainCorrection:
     """Corrections of the sources, from ground points spread evenly over the grid."""
@@ -194,11 +204,14 @@ def tile_image(sources: Sequence[ViewSource], tile: Grid, choice: PixelSelection
     numbers, views = np.array([number for number, _ in looked]), [view for _, view in looked]
     seen = np.stack([view.seen for view in views])
     reached = np.logical_or.reduce([view.reached for view in views])
-    values = np.stack([gains.apply(number, view.values) for number, view in looked])
+    values = np.empty((len(looked), *views[0].values.shape), np.float32)
+    for even, (number, view) in zip(values, looked):
+        gains.apply(number, view.values, even)
     taken = choice.number(values, seen, views, full_scale)
     inner = slice(margin, margin + tile.rows), slice(margin, margin + tile.columns)
     source_number = np.where(taken >= 0, numbers[np.maximum(taken, 0)], -1)
-    return composite(values, taken)[inner], source_number[inner], seen.sum(axis=0)[inner], reached[inner]
+    count = seen.sum(axis=0, dtype=np.int16)
+    return composite(values, taken)[inner], source_number[inner], count[inner], reached[inner]
 
 
 @dataclass(frozen=True)
@@ -272,7 +285,7 @@ def write_mosaic(sources: Sequence[ViewSource], grid: Grid, crs_wkt: str, bands:
         if workers.executor is not None:
             sources = stack.enter_context(worker_resource(workers.open_sources))
         work = partial(_piece, sources, choice, gains, bands, dtype)
-        for piece in in_order(work, _announced(tiles(grid), grid, done), workers.executor, progress.check):
+        for piece in in_order(work, _announced(_aligned_pieces(grid), grid, done), workers.executor, progress.check):
             rows, columns = piece.number.shape
             window = Window(piece.left, piece.top, columns, rows)
             image_file.write(piece.image, window=window)

@@ -151,9 +151,8 @@ class Terrain:
 
     def heights(self, grid: Grid) -> tuple[np.ndarray, np.ndarray | None]:
         """Ground and surface (None without a DSM) at the cell centres, (rows, columns) float32."""
-        x, y = (values.ravel() for values in np.meshgrid(*grid.centres()))
-        surface = self.surface and self.surface.sample(x, y).reshape(grid.shape)
-        ground = self.ground.sample(x, y).reshape(grid.shape)
+        surface = self.surface and self.surface.sample_grid(*grid.centres())
+        ground = self.ground.sample_grid(*grid.centres())
         return ground, self._with_outlines(grid, ground, surface)
 
     def _with_outlines(self, grid: Grid, ground: np.ndarray, surface: np.ndarray | None) -> np.ndarray | None:

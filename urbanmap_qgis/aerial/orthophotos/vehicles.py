@@ -5,7 +5,7 @@ A vehicle that moves stands in another place in the next frame, so that some fra
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import cv2
@@ -35,7 +35,9 @@ class VehiclesLimits:
 
 LIMITS = VehiclesLimits()
 
-REACH = LIMITS.road_box + LIMITS.object_box // 2 + LIMITS.paint_width + 3
+_STRIP = 32  # rows
+
+REACH = 2 * (LIMITS.road_box // 2) + LIMITS.object_box // 2 + 1
 """Pixels: what lies farther off has no say in a pixel's vote."""
 
 
@@ -80,24 +82,51 @@ def majority_vote(views: np.ndarray, seen: np.ndarray, full_scale: float, box: i
     total = np.stack([_sum(planes) for planes in bands])
     smooth = [_box_mean(planes, sees.astype(np.float32), box)[0] for planes, sees in zip(bands, seen)]
     del bands
+    number, agreed = np.empty(seen.shape[1:], np.int16), np.empty(seen.shape[1:], bool)
+    for rows in _strips(len(number)):
+        number[rows], agreed[rows] = _largest_group(_part(smooth, rows), total[:, rows], seen[:, rows], full_scale)
+    road, known = _road_around(cv2.split(composite(views, number)), agreed)
+    like, paint = np.empty(seen.shape, bool), np.empty(seen.shape, bool)
+    narrow = _narrow(total)
+    for rows in _strips(len(number)):
+        around = [plane[rows] for plane in road]
+        unlike = np.stack([_largest_difference(planes, around) for planes in _part(smooth, rows)])
+        like[:, rows] = seen[:, rows] & (unlike < np.maximum(LIMITS.likeness * _mean(around),
+                                                             LIMITS.agreement_floor * full_scale))
+        alike = _lowest(unlike, like[:, rows])
+        number[rows] = np.where(~agreed[rows] & known[rows] & (alike >= 0), alike, number[rows])
+        paint[:, rows] = seen[:, rows] & (narrow[:, rows] > LIMITS.likeness * _sum(around))
+    return np.where(known, _freer(number, total, like, paint, seen), number)
+
+
+def _strips(rows: int) -> Iterator[slice]:
+    """Slices of so few rows that what is made of all views there stays in the processor's cache."""
+    return (slice(top, min(top + _STRIP, rows)) for top in range(0, rows, _STRIP))
+
+
+def _part(views: Sequence[Sequence[np.ndarray]], rows: slice) -> list[list[np.ndarray]]:
+    """Some rows of the planes of views."""
+    return [[plane[rows] for plane in planes] for planes in views]
+
+
+def _largest_group(smooth: Sequence[Sequence[np.ndarray]], total: np.ndarray, seen: np.ndarray, full_scale: float
+                   ) -> tuple[np.ndarray, np.ndarray]:
+    """Number of the middle view of the largest group that agrees, int16, and whether it is more than half of the views.
+
+    Parameters
+    ----------
+    smooth : the views' bands, means over a box.
+    total, seen : (views, rows, columns) brightness, and where the views see the ground.
+    """
     agree = _agreement(smooth, seen, full_scale)
     support = agree.sum(axis=0, dtype=np.int16)
     support[~seen] = 0
     most = support.max(axis=0, initial=0)
     winner = _lowest(total, seen & (support == most))
-    members = seen.copy()
-    for member, with_it in zip(members, agree.swapaxes(0, 1)):
-        member &= _of_number(with_it, np.maximum(winner, 0))
-    del agree
-    number = _middle(total, members)
-    agreed = (most >= 2) & (2 * most > seen.sum(axis=0))
-    road, known = _road_around(cv2.split(composite(views, number)), agreed)
-    unlike = np.stack([_largest_difference(planes, road) for planes in smooth])
-    like = seen & (unlike < np.maximum(LIMITS.likeness * _mean(road), LIMITS.agreement_floor * full_scale))
-    alike = _lowest(unlike, like)
-    number = np.where(~agreed & known & (alike >= 0), alike, number)
-    paint = seen & (_narrow(total) > LIMITS.likeness * _sum(road))
-    return np.where(known, _freer(number, total, like, paint, seen), number)
+    members = np.zeros(seen.shape, bool)
+    for view, with_it in enumerate(agree):
+        members |= with_it & (winner == view)
+    return _middle(total, members), (most >= 2) & (2 * most > seen.sum(axis=0, dtype=np.int16))
 
 
 def _sum(planes: Sequence[np.ndarray]) -> np.ndarray:
@@ -119,14 +148,6 @@ def _largest_difference(one: Sequence[np.ndarray], other: Sequence[np.ndarray]) 
     for a, b in zip(one[1:], other[1:]):
         np.maximum(largest, cv2.absdiff(a, b), out=largest)
     return largest
-
-
-def _of_number(values: np.ndarray, number: np.ndarray) -> np.ndarray:
-    """Flags (rows, columns) of the views (views, rows, columns) of the given numbers, none below 0."""
-    taken = np.zeros(number.shape, bool)
-    for view, flags in enumerate(values):
-        taken |= flags & (number == view)
-    return taken
 
 
 def _freer(number: np.ndarray, total: np.ndarray, like: np.ndarray, paint: np.ndarray,
