@@ -79,14 +79,14 @@ def extended(row: BarRow, paint: shapely.STRtree) -> BarRow:
     edges = np.array([side[0] * middle + side[1] - slope * middle for side in (row.near, row.far)])
     steps = np.arange(edges[0] - LIMITS.beyond_ends, edges[1] + LIMITS.beyond_ends, LIMITS.slice) + LIMITS.slice / 2
     places = np.arange(-LIMITS.beyond_bars, row.count + LIMITS.beyond_bars)
-    bars = _fill(row, places, steps, slope, 0.0, paint)
-    gaps = _fill(row, np.arange(places[0], places[-1] + 2), steps, slope, -0.5, paint)
+    bars = bar_fill(row, places, steps, slope, 0.0, paint)
+    gaps = bar_fill(row, np.arange(places[0], places[-1] + 2), steps, slope, -0.5, paint)
     between = (gaps[:-1] + gaps[1:]) / 2.0
     known = (places >= 0) & (places < row.count)
     inside = (steps > edges[0]) & (steps < edges[1])
     for _ in range(3):
-        known = _run(bars[:, inside].mean(axis=1), between[:, inside].mean(axis=1), known, LIMITS.missing)
-        inside = _run(bars[known].mean(axis=0), between[known].mean(axis=0), inside, 2)
+        known = painted_run(bars[:, inside].mean(axis=1), between[:, inside].mean(axis=1), known, LIMITS.missing)
+        inside = painted_run(bars[known].mean(axis=0), between[known].mean(axis=0), inside, 2)
     if known.sum() < 2 or inside.sum() < 2:
         return row
     fill = float((bars - between)[known][:, inside].mean())
@@ -126,7 +126,7 @@ def _joined(one: BarRow, other: BarRow) -> BarRow | None:
                   min(share, 1.0))
 
 
-def _fill(row: BarRow, places: np.ndarray, steps: np.ndarray, slope: float, shift: float,
+def bar_fill(row: BarRow, places: np.ndarray, steps: np.ndarray, slope: float, shift: float,
           paint: shapely.STRtree) -> np.ndarray:
     """Share of paint (places, steps) in the slices at the bars' places, `shift` pitches beside them."""
     across = row.first + (places + shift) * row.pitch
@@ -135,21 +135,24 @@ def _fill(row: BarRow, places: np.ndarray, steps: np.ndarray, slope: float, shif
     p = p + d
     a = a + slope * p
     xy = p[..., None] * row.normal + a[..., None] * row.direction
-    points = xy.reshape(-1, 2)
-    point, polygon = paint.query(shapely.points(points))
-    near = paint.geometries[polygon]
+    x, y = xy[..., 0].ravel(), xy[..., 1].ravel()
+    hit = np.zeros(len(x), bool)
+    near = paint.geometries[paint.query(shapely.box(x.min(), y.min(), x.max(), y.max()))]
     shapely.prepare(near)
-    hit = np.zeros(len(points), bool)
-    hit[point[shapely.intersects_xy(near, points[point, 0], points[point, 1])]] = True
+    for polygon, (left, low, right, high) in zip(near, shapely.bounds(near)):
+        within = np.flatnonzero((x >= left) & (x <= right) & (y >= low) & (y <= high))
+        hit[within] |= shapely.intersects_xy(polygon, x[within], y[within])
     return hit.reshape(p.shape).mean(axis=2)
 
 
-def _run(bar: np.ndarray, gap: np.ndarray, seed: np.ndarray, missing: int) -> np.ndarray:
+def painted_run(bar: np.ndarray, gap: np.ndarray, seed: np.ndarray, missing: int,
+                least_fill: float | None = None) -> np.ndarray:
     """Places (n,) that belong to the row: those with paint that reach the seed over at most `missing` bare ones.
 
     Beyond bare places as many painted ones must follow: one stroke some way off is something else.
     """
-    striped = (bar >= LIMITS.least_fill) & (bar - gap >= LIMITS.least_fill)
+    least = LIMITS.least_fill if least_fill is None else least_fill
+    striped = (bar >= least) & (bar - gap >= least)
     start = striped & seed
     if not start.any():
         return seed

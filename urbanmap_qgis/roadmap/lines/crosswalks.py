@@ -12,6 +12,7 @@ from scipy.sparse.csgraph import connected_components
 
 from .crosswalk_extent import BarRow, extended, joined_rows
 from .strokes import Stroke
+from .worn_crosswalks import faced_rows, worn_rows
 
 
 @dataclass(frozen=True)
@@ -58,7 +59,8 @@ def find_crosswalks(strokes: Sequence[Stroke], polygons: Sequence[shapely.Polygo
     """All rows of at least four bars with regular distances, also where shadow or wear cuts a row or its bars.
 
     Three bars with regular distances are enough to start from: where paint lies at the places of further bars, and
-    not between them, the row goes on.
+    not between them, the row goes on. Where two or more are alike, worn ones of their pattern are looked for too, and
+    those across one street reach as far as each other.
 
     Parameters
     ----------
@@ -82,6 +84,7 @@ def find_crosswalks(strokes: Sequence[Stroke], polygons: Sequence[shapely.Polygo
             if row.count >= FEWEST and row.fill >= LIMITS.least_mean_fill]
     middles = shapely.points((start + end) / 2.0)
     rows = joined_rows(_distinct_rows(rows))
+    rows = faced_rows([*rows, *worn_rows(strokes, rows, paint)])
     return [_crosswalk(row, numbers[shapely.intersects(row.area.buffer(0.2), middles)]) for row in rows]
 
 
