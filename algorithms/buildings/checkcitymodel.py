@@ -10,6 +10,7 @@ from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
 from ..framework.layers.layers import make_fields
+from ..framework.running.workers import workers
 
 CSV_FILTER = "CSV (*.csv)"
 FIELDS = (("rule", "text"), ("requirement", "text"), ("severity", "text"), ("text", "text"), ("file", "text"),
@@ -41,6 +42,7 @@ class CheckCityModel(UrbanMapAlgorithm):
         self.add_text("EXCLUDE", "Rules left out", "Codes of rules that are not looked at, with commas between them; "
                       "the begin of a code stands for all that begin so, such as L-bldg.", "", optional=True,
                       advanced=True)
+        self.add_workers()
         self.add_layer_output("OUTPUT", "Faults of the city model", "Points (longitude, latitude): rule (its code), "
                               "requirement (code of the specification), severity (error, warning), text, file, type "
                               "and gml_id of the feature, lod (-1 without), source of the rule. Faults without a place "
@@ -74,8 +76,10 @@ class CheckCityModel(UrbanMapAlgorithm):
 
         progress = self.progress(feedback)
         excluded = self.parameterAsString(parameters, "EXCLUDE", context)
-        found = check_city(self._paths(parameters, context), check_solid,
-                           [code.strip() for code in excluded.split(",") if code.strip()], progress.part(0.0, 0.9))
+        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+            found = check_city(self._paths(parameters, context), check_solid,
+                               [code.strip() for code in excluded.split(",") if code.strip()],
+                               progress.part(0.0, 0.9), executor)
         for (severity, rule), count in sorted(Counter((one.severity, one.rule) for one in found.faults).items()):
             progress.message(f"{severity}: {rule}: {count}")
         places = [shapely.points(one.longitude, one.latitude) if np.isfinite(one.longitude) else None

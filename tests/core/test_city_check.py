@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import time
 import zipfile
+from concurrent.futures import ProcessPoolExecutor
 
 import pytest
 
@@ -205,6 +206,18 @@ def test_ids_are_compared_over_all_files(tmp_path):
     found = check_city(tmp_path, check_solid)
     assert sorted(fault.rule for fault in found.faults) == ["C-bldg-01", "C-bldg-01", "C01", "C01"]
     assert len({fault.path for fault in found.faults}) == 2
+
+
+def test_files_looked_at_together_are_told_as_one_after_another(tmp_path):
+    """Ids, building ids, references and overlaps over files, roads among them; whatever a worker hands back."""
+    written(tmp_path, building(1), building(2, 2.0, own='<bldg:consistsOfBuildingPart xlink:href="#nothing"/>'))
+    written(tmp_path, building(1, 0.5), name=f"{MESH}_bldg_6697_2_op.gml")
+    written(tmp_path, road(1, area(1, 0.0), area(2, 0.5), own=referring(1, 2)), name="input.gml", theme="tran")
+    alone = check_city(tmp_path, check_solid)
+    with ProcessPoolExecutor(2) as executor:
+        together = check_city(tmp_path, check_solid, executor=executor)
+    assert {"C01", "C-bldg-01", "L-bldg-01", "T03.missing", "L-tran-02"} <= {fault.rule for fault in alone.faults}
+    assert repr(together) == repr(alone)
 
 
 def test_solids_that_overlap_are_told_and_neighbours_are_not(tmp_path):

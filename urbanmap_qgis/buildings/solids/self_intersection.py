@@ -30,6 +30,7 @@ def crossing_pairs(points: np.ndarray, edges: np.ndarray, owners: np.ndarray, ve
     polygons : faces seen along `axis`: x, y of a polygon are axes axis + 1, axis + 2 (modulo 3).
     normal, centre : (F, 3) unit normal and a point of each face's plane.
     """
+    shapely.prepare(polygons)
     member = np.unique(vertex * len(polygons) + face_of)
     found: list[tuple[int, int]] = []
     for edge, face in _near_pairs(points, edges, owners, vertex, face_of):
@@ -96,6 +97,11 @@ def _run_through(a, b, joined, polygons, axis) -> np.ndarray:
     """Whether an edge in a polygon's plane runs through its inside, or touches it without a common vertex."""
     if len(a) == 0:
         return np.zeros(0, dtype=bool)
-    lines = shapely.linestrings(np.stack([_seen_along(a, axis), _seen_along(b, axis)], axis=1))
-    through = shapely.relate_pattern(lines, polygons, "T********")
-    return through | (~joined & shapely.intersects(lines, polygons))
+    ends = np.stack([_seen_along(a, axis), _seen_along(b, axis)], axis=1)
+    lines, bounds = shapely.linestrings(ends), shapely.bounds(polygons)
+    through = np.zeros(len(lines), dtype=bool)
+    through[~joined] = shapely.intersects(polygons[~joined], lines[~joined])
+    # the relation is dear, and one whose boxes share no more than a border has no place inside
+    inside = joined & (ends.min(axis=1) < bounds[:, 2:]).all(axis=1) & (ends.max(axis=1) > bounds[:, :2]).all(axis=1)
+    through[inside] = shapely.relate_pattern(lines[inside], polygons[inside], "T********")
+    return through

@@ -7,14 +7,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from concurrent.futures import Executor
 from contextlib import ExitStack
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 
+from ...execution import checkpoint, in_order, without_collection
 from ...io.files.rule_table import SEVERITIES, CheckRule
-from ...io.official.gsi_sources import PathLike, Wanted, list_sources
+from ...io.official.gsi_sources import PathLike, Wanted, XmlSource, list_sources
 from ...progress import SILENT, Progress
 from . import feature_rules, file_rules, geometry_rules, interior_rules, survey_rules
 from .checked_file import CheckedFile, CityBlock, blocks_of
@@ -27,6 +30,9 @@ ROOMS = (file_rules, feature_rules, geometry_rules, interior_rules, survey_rules
 
 SOLID_RULES = ("L14.closed", "L14.boundary")
 """Rules that the check of solids tells apart; one look at a solid serves both."""
+
+_BLOCKS_A_COLLECTION = 8
+"""Blocks after which what died in cycles is looked for: some 50 MB."""
 
 ANY_CITYGML = Wanted("city models (CityGML)", "give files of a city model", lambda name: False, (".gml", ".citygml"))
 
@@ -92,8 +98,18 @@ class CityInspection:
     checked: tuple[str, ...] = ()
 
 
+@dataclass
+class _FileFindings:
+    """What a file is found to have, and what the rules on the whole data set need of it."""
+
+    file: CheckedFile
+    faults: list[CityFault]
+    survey: CitySurvey
+    objects: int = 0
+
+
 def check_city(path: PathLike | Sequence[PathLike], check_solid: SolidCheck, excluded: Collection[str] = (),
-               progress: Progress = SILENT) -> CityInspection:
+               progress: Progress = SILENT, executor: Executor | None = None) -> CityInspection:
     """Look at a CityGML file, a folder or a zip of them by all rules.
 
     Memory does not grow with the files but for an id, an outline and a building id a city object.
@@ -102,6 +118,7 @@ def check_city(path: PathLike | Sequence[PathLike], check_solid: SolidCheck, exc
     ----------
     check_solid : judges solids that are no plain prisms: vertices and faces in, problems with val3dity's codes out.
     excluded : codes of rules that are not looked at; the begin of a code stands for all that begin so.
+    executor : looks at several files at a time; those in a zip are read here, one after another.
 
     Raises
     ------
@@ -112,18 +129,13 @@ def check_city(path: PathLike | Sequence[PathLike], check_solid: SolidCheck, exc
     with ExitStack() as stack:
         sources = list_sources(path, stack, ANY_CITYGML).sources
         survey = CitySurvey()
-        total, done = max(sum(source.size for source in sources), 1), 0
-        folders = [re.split(r"[/\\]", source.name)[:-1] for source in sources]
-        shared = next((k for k, steps in enumerate(zip(*folders)) if len(set(steps)) > 1), min(map(len, folders)))
-        for number, source in enumerate(sources):
-            parts = re.split(r"[/\\]", source.name)[shared:]
-            file = CheckedFile(source, number, _is_delivery(source.path), "/".join(parts))
-            part = progress.part(0.95 * done / total, 0.95 * (done + source.size) / total)
-            inspection.faults += _faults_of_file(file, survey, rules, check_solid, inspection, part)
-            survey.read.append(file)
-            done += source.size
+        for found in _findings(_checked_files(sources), rules, check_solid, progress.part(0.0, 0.95), executor):
+            file = found.file
+            inspection.faults += found.faults
+            inspection.objects += found.objects
+            survey.join(found.survey)
             inspection.files.append(file.path)
-            inspection.counts[file.path], inspection.sizes[file.path] = file.counts, source.size
+            inspection.counts[file.path], inspection.sizes[file.path] = file.counts, file.source.size
             if not file.geographic:
                 inspection.geographic, inspection.plane = False, file.system
         for code, rule in _of(rules, "data set"):
@@ -134,18 +146,50 @@ def check_city(path: PathLike | Sequence[PathLike], check_solid: SolidCheck, exc
     return inspection
 
 
-def _faults_of_file(file: CheckedFile, survey: CitySurvey, rules: Mapping[str, CheckRule], check_solid: SolidCheck,
-                    inspection: CityInspection, progress: Progress) -> Iterator[CityFault]:
-    """Faults of a file; its head is judged when all of it was read."""
+def _checked_files(sources: Sequence[XmlSource]) -> list[CheckedFile]:
+    """Files with their names and the folders that tell them apart."""
+    folders = [re.split(r"[/\\]", source.name)[:-1] for source in sources]
+    shared = next((k for k, steps in enumerate(zip(*folders)) if len(set(steps)) > 1), min(map(len, folders)))
+    return [CheckedFile(source, number, _is_delivery(source.path),
+                        "/".join(re.split(r"[/\\]", source.name)[shared:])) for number, source in enumerate(sources)]
+
+
+def _findings(files: Sequence[CheckedFile], rules: Mapping[str, CheckRule], check_solid: SolidCheck,
+              progress: Progress, executor: Executor | None) -> Iterator[_FileFindings]:
+    """What each file is found to have, in their order."""
+    total, done = max(sum(file.source.size for file in files), 1), 0
+    if executor is None or len(files) < 2 or any(file.source.path is None for file in files):
+        for file in files:
+            part = progress.part(done / total, (done + file.source.size) / total)
+            yield _looked_at(file, tuple(rules), check_solid, part)
+            done += file.source.size
+        return
+    work = partial(_looked_at, codes=tuple(rules), check_solid=check_solid)
+    for found in in_order(work, files, executor, progress.check):
+        yield found
+        done += found.file.source.size
+        progress.step(done / total)
+
+
+def _looked_at(file: CheckedFile, codes: tuple[str, ...], check_solid: SolidCheck,
+               progress: Progress = SILENT) -> _FileFindings:
+    """Look at a file by the rules of some codes; its head is judged when all of it was read."""
+    rules = {code: CITY_RULES.rules[code] for code in codes}
     blockwise = [*_of(rules, "feature"), *_of(rules, "geometry")]
-    for block in blocks_of(file, progress):
-        progress.check()
-        inspection.objects += len(block.things)
-        survey.add(block)
-        yield from _faults_of_block(block, blockwise, check_solid)
+    found = _FileFindings(file, [], CitySurvey())
+    with without_collection() as collect:
+        for number, block in enumerate(blocks_of(file, progress), 1):
+            progress.check()
+            checkpoint()
+            found.objects += len(block.things)
+            found.survey.add(block)
+            found.faults += _faults_of_block(block, blockwise, check_solid)
+            if number % _BLOCKS_A_COLLECTION == 0:
+                collect()
+    found.survey.read.append(file)
     for code, rule in _of(rules, "file"):
-        for one in CITY_RULES.functions[code](file, rule):
-            yield _fault(rule, one, file, None)
+        found.faults += [_fault(rule, one, file, None) for one in CITY_RULES.functions[code](file, rule)]
+    return found
 
 
 def _faults_of_block(block: CityBlock, rules: Sequence[tuple[str, CheckRule]],

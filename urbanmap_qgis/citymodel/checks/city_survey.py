@@ -83,6 +83,19 @@ class CitySurvey:
         block.file.counts = dict(counts)
         self._add_outlines(block)
 
+    def join(self, other: CitySurvey) -> None:
+        """Take what another one has kept of other files."""
+        tags = np.array([self.kinds.setdefault(tag, len(self.kinds)) for tag in other.kinds], np.uint16)
+        self.ids.extend(other.ids)
+        self.files.extend(other.files)
+        self.tags.frombytes(tags[np.frombuffer(other.tags, np.uint16)].tobytes() if other.tags else b"")
+        self.links += other.links
+        self.read += other.read
+        for mine, theirs in ((self.building_ids, other.building_ids), (self.solids, other.solids),
+                             (self.areas, other.areas), (self.roads, other.roads)):
+            for key, found in theirs.items():
+                mine.setdefault(key, []).extend(found)
+
     def _add_building_ids(self, file: CheckedFile, features: Iterable[CityFeature]) -> None:
         for feature in features:
             if feature.type != "bldg:Building":

@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from xml.etree.ElementTree import Element  # nosec B405 # elements alone, no parser
 
 from ..citygml.schema import CITYGML_SPACE, GML, XLINK_HREF, module_of
@@ -143,6 +143,11 @@ class CityThing:
     references: list[CityLink] = field(default_factory=list)
     codes: list[tuple[CityFeature, Element, Element]] = field(default_factory=list)
     ids: list[tuple[str, tuple[str, str], CityFeature]] = field(default_factory=list)
+
+    @cached_property
+    def polygon_numbers(self) -> dict[str, int]:
+        """Numbers of its polygons in their list, by their ids."""
+        return {polygon.id: number for number, polygon in enumerate(self.polygons) if polygon.id}
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from .checked_file import CityBlock
 from .city_rule_table import Violation, city_rule, violation
 from .feature_walk import CityBody, CityFeature, CityThing
 from .geometry_rules import NEAREST, PLANE
-from .solid_rules import INNER_SURFACES, OPENINGS, boundary_ids, extent_of, member_polygons, polygon_numbers
+from .solid_rules import INNER_SURFACES, OPENINGS, boundary_ids, extent_of, member_polygons
 
 _INSIDE = ("bldg:Room", "bldg:IntBuildingInstallation", "bldg:BuildingFurniture")
 _WHOLE = ("bldg:Building", "bldg:BuildingPart")
@@ -62,10 +62,9 @@ def _opening_without_border(block: CityBlock, rule: CheckRule) -> Iterator[Viola
 
 def _solids(thing: CityThing, types: tuple[str, ...], least: int) -> Iterator[tuple[CityBody, list[tuple[int, bool]]]]:
     """Solids of features of some types from a level on, with the polygons in them and whether they are turned over."""
-    by_id = polygon_numbers(thing)
     for body in thing.bodies:
         if body.kind == "Solid" and body.feature.type in types and (body.lod or 0) >= least:
-            yield body, member_polygons(thing, body, by_id) or []
+            yield body, member_polygons(thing, body) or []
 
 
 @city_rule("L-bldg-10")
@@ -113,10 +112,9 @@ def _outside_of_building(block: CityBlock, rule: CheckRule) -> Iterator[Violatio
                  and (number := shapes.number.get(id(polygon))) is not None]
         if not inner:
             continue
-        by_id = polygon_numbers(thing)
         bodies = [body for body in thing.bodies
                   if body.kind == "Solid" and body.lod == 4 and body.feature.type in _WHOLE]
-        known = [box for body in bodies if (box := extent_of(block, thing, body, by_id)) is not None]
+        known = [box for body in bodies if (box := extent_of(block, thing, body)) is not None]
         if not known:
             continue
         plan = shapely.buffer(shapely.union_all([box[0] for box in known]), PLANE)

@@ -51,23 +51,17 @@ class _FacedBody:
     faces: tuple[tuple[tuple[int, ...], ...], ...]
 
 
-def polygon_numbers(thing: CityThing) -> dict[str, int]:
-    """Numbers of the polygons of a city object in its list, by their ids."""
-    return {polygon.id: number for number, polygon in enumerate(thing.polygons) if polygon.id}
-
-
-def member_polygons(thing: CityThing, body: CityBody, by_id: dict[str, int],
-                    deep: int = 0) -> list[tuple[int, bool]] | None:
+def member_polygons(thing: CityThing, body: CityBody, deep: int = 0) -> list[tuple[int, bool]] | None:
     """Polygons of a body, in the thing's list, with whether they are turned over; None where one is not there."""
     found: list[tuple[int, bool]] = []
     for member, flipped in body.members:
         if isinstance(member, int):
             found.append((member, flipped))
-        elif member in by_id:
-            found.append((by_id[member], flipped))
+        elif member in thing.polygon_numbers:
+            found.append((thing.polygon_numbers[member], flipped))
         else:
             other = next((one for one in thing.bodies if one.id == member and one is not body), None)
-            inner = member_polygons(thing, other, by_id, deep + 1) if other is not None and deep < 4 else None
+            inner = member_polygons(thing, other, deep + 1) if other is not None and deep < 4 else None
             if not inner:
                 return None
             found += [(number, flipped != turned) for number, turned in inner]
@@ -79,12 +73,10 @@ def _bodies(block: CityBlock, *kinds: str) -> list[_Faces]:
     found = []
     shapes = block.shapes
     for thing in block.things:
-        by_id: dict[str, int] | None = None
         for body in thing.bodies:
             if body.kind not in kinds:
                 continue
-            by_id = polygon_numbers(thing) if by_id is None else by_id
-            members = member_polygons(thing, body, by_id)
+            members = member_polygons(thing, body)
             numbers = [shapes.number.get(id(thing.polygons[number])) for number, _ in members or ()]
             if numbers and None not in numbers:
                 found.append(_Faces(thing, body, np.array(numbers, int),
@@ -104,22 +96,19 @@ class _Edges:
 
 def _edges(block: CityBlock, bodies: list[_Faces]) -> _Edges:
     shapes = block.shapes
-    ends = np.append(shapes.outer_ring[1:], len(shapes.polygon))
-    _, vertex = np.unique(shapes.raw, axis=0, return_inverse=True)
-    vertex = vertex.ravel()
-    owner, one, other = [], [], []
-    for number, faces in enumerate(bodies):
-        for polygon, turned in zip(faces.polygons, faces.flipped):
-            for ring in range(shapes.outer_ring[polygon], ends[polygon]):
-                loop = vertex[shapes.start[ring]:shapes.start[ring + 1]]
-                loop = loop[:-1] if loop[0] == loop[-1] else loop
-                following = np.roll(loop, -1)
-                one.append(following if turned else loop)
-                other.append(loop if turned else following)
-                owner.append(np.full(len(loop), number))
-    table = np.column_stack([np.concatenate(owner), np.concatenate(one), np.concatenate(other)])
-    table = table[table[:, 1] != table[:, 2]]
-    sign = np.where(table[:, 1] < table[:, 2], 1, -1)
+    vertex = _vertex_numbers(shapes.raw)
+    following = np.arange(1, len(vertex) + 1)
+    following[shapes.start[1:] - 1] = shapes.start[:-1]
+    first = shapes.start[np.append(shapes.outer_ring, len(shapes.polygon))]
+    polygons = np.concatenate([faces.polygons for faces in bodies])
+    count = np.diff(first)[polygons]
+    places = np.repeat(first[polygons] - (np.cumsum(count) - count), count) + np.arange(count.sum())
+    owner = np.repeat(np.repeat(np.arange(len(bodies)), [len(faces.polygons) for faces in bodies]), count)
+    turned = np.repeat(np.concatenate([faces.flipped for faces in bodies]), count)
+    table = np.column_stack([owner, vertex[places], vertex[following[places]]])
+    side = table[:, 1] != table[:, 2]  # of a closed ring the last place is the first
+    table, turned = table[side], turned[side]
+    sign = np.where((table[:, 1] < table[:, 2]) != turned, 1, -1)
     table[:, 1:].sort(axis=1)
     order = np.lexsort(table.T[::-1])
     table, sign = table[order], sign[order]
@@ -130,6 +119,15 @@ def _edges(block: CityBlock, bodies: list[_Faces]) -> _Edges:
     size = len(bodies)
     return _Edges(np.bincount(body[count == 1], minlength=size), np.bincount(body[count > 2], minlength=size),
                   np.bincount(body[(count == 2) & (turn != 0)], minlength=size))
+
+
+def _vertex_numbers(places: np.ndarray) -> np.ndarray:
+    """A number (N,) for each place, the same for the same coordinates."""
+    order = np.lexsort(places.T)
+    new = np.append(False, (np.diff(places[order], axis=0) != 0).any(axis=1))
+    number = np.empty(len(places), int)
+    number[order] = np.cumsum(new)
+    return number
 
 
 def _volumes(block: CityBlock, bodies: list[_Faces]) -> np.ndarray:
@@ -244,19 +242,18 @@ def _parts_apart(block: CityBlock, rule: CheckRule) -> Iterator[Violation]:
         parts = [one for one in thing.features if one.type == "bldg:BuildingPart"]
         if len(parts) < 2:
             continue
-        by_id = polygon_numbers(thing)
         for level in (2, 3, 4):
-            boxes = [extent_of(block, thing, body, by_id) for body in thing.bodies
+            boxes = [extent_of(block, thing, body) for body in thing.bodies
                      if body.kind == "Solid" and body.lod == level and body.feature in parts]
             known = [box for box in boxes if box is not None]
             if len(known) > 1 and not _connected(known):
                 yield violation(thing.features[0], level)
 
 
-def extent_of(block: CityBlock, thing: CityThing, body: CityBody, by_id: dict[str, int],
-              ) -> tuple[shapely.Geometry, float, float] | None:
+def extent_of(block: CityBlock, thing: CityThing,
+              body: CityBody) -> tuple[shapely.Geometry, float, float] | None:
     """Plan of a solid and its lowest and highest place, m; None where a polygon is not there."""
-    numbers = [block.shapes.number.get(id(thing.polygons[k])) for k, _ in member_polygons(thing, body, by_id) or ()]
+    numbers = [block.shapes.number.get(id(thing.polygons[k])) for k, _ in member_polygons(thing, body) or ()]
     if not numbers or None in numbers:
         return None
     shapes = block.shapes
@@ -325,11 +322,10 @@ def _foreign_faces(block: CityBlock, types: tuple[str, ...], names: tuple[str, .
                    ) -> Iterator[Violation]:
     """Solids with a face that is none of the boundary surfaces' polygons."""
     for thing in block.things:
-        by_id = polygon_numbers(thing)
         for body in thing.bodies:
             if body.kind not in ("Solid",) or body.name not in names or body.feature.type not in types:
                 continue
-            members = member_polygons(thing, body, by_id) or []
+            members = member_polygons(thing, body) or []
             known = boundary_ids(thing, body.feature, surfaces, body.lod or 0)
             for number, _ in members:
                 if thing.polygons[number].id not in known:

@@ -11,6 +11,7 @@ import zlib
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import IO, Union
 
@@ -181,11 +182,14 @@ def _list_zip(archive: zipfile.ZipFile, name: str, listing: Listing, stack: Exit
 
 
 def _on_disk(file: Path, root: Path | None = None) -> XmlSource:
-    def beside(relative: str, kind: str) -> XmlSource | None:
-        found = named_file(file, relative, kind, root)
-        return _on_disk(found) if found is not None else None
+    """A file on disk: it can be handed to another process."""
+    return XmlSource(str(file), file.stat().st_size, partial(file.open, "rb"), partial(_beside_on_disk, file, root),
+                     file)
 
-    return XmlSource(str(file), file.stat().st_size, lambda: file.open("rb"), beside, file)
+
+def _beside_on_disk(file: Path, root: Path | None, relative: str, kind: str) -> XmlSource | None:
+    found = named_file(file, relative, kind, root)
+    return _on_disk(found) if found is not None else None
 
 
 def _in_zip(archive: zipfile.ZipFile, info: zipfile.ZipInfo, label: str) -> XmlSource:
