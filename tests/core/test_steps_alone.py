@@ -39,11 +39,11 @@ from urbanmap_qgis.roadmap.comparison.map_elements import _crosswalk, elements_o
 from urbanmap_qgis.roadmap.edges.assembly import LIMITS as EDGE_LIMITS
 from urbanmap_qgis.roadmap.edges.assembly import _carry_low
 from urbanmap_qgis.roadmap.lanes import beyond_junctions
+from urbanmap_qgis.roadmap.lanes.section_preparation import STOP_REACH, _belongs
 from urbanmap_qgis.roadmap.lines.line_chains import StrokeChain
 from urbanmap_qgis.roadmap.lines.stop_lines import _at_end
 from urbanmap_qgis.roadmap.map_records import lines_of
 from urbanmap_qgis.roadmap.objects import street_objects
-from urbanmap_qgis.roadmap.vector_map import STOP_REACH, _belongs
 from urbanmap_qgis.roadspace.road_surface import GRID, _crosses
 from urbanmap_qgis.samplecity.scene.markings import _bays
 from urbanmap_qgis.samplecity.scene.paint import value_noise

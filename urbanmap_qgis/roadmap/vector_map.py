@@ -10,7 +10,6 @@ import shapely
 from ..progress import SILENT, Progress
 from ..wording import say
 from .bound_sigmas import fill_heights_and_sigmas
-from .lanes.bound_continuation import continued
 from .lanes.intersections import add_intersections
 from .lanes.junctions import connect_by_drives
 from .lanes.lane_assembly import add_section
@@ -19,17 +18,12 @@ from .lanes.lane_strips import add_drives, lane_strips
 from .lanes.movements import add_movements
 from .lanes.narrow_places import narrow_places
 from .lanes.road_axes import RoadAxis, add_speed_limits
-from .lanes.road_sections import RoadSection, road_sections
+from .lanes.section_preparation import crosswalks_of, prepared_sections
 from .map_cleaning import clean_map
 from .map_records import DrivenPath, Finding, MapArea, MapLine, MapSettings, VectorMap
 
 STOP_REACH = 5.0
 """A lane ends at a stop line so near, m."""
-
-PASSED = 12.0
-"""A stop line has a crosswalk so near, or lines that end in half of that, m."""
-
-BOUNDS = ("solid", "dashed", "road border")
 
 
 def build_vector_map(lines: Sequence[MapLine], areas: Sequence[MapArea] = (), drives: Sequence[DrivenPath] = (),
@@ -44,7 +38,7 @@ def build_vector_map(lines: Sequence[MapLine], areas: Sequence[MapArea] = (), dr
     settings = settings or MapSettings()
     built = VectorMap()
     stops = [line.points for line in lines if line.kind == "stop line"]
-    crosswalks = [area for area in areas if area.kind == "crosswalk"]
+    crosswalks = crosswalks_of(lines, areas)
     arrows = [area for area in areas if area.kind.startswith("arrow")]
     progress.step(0.1)
     worked = []
@@ -72,42 +66,6 @@ def build_vector_map(lines: Sequence[MapLine], areas: Sequence[MapArea] = (), dr
     _tell_heights(built, fill_heights_and_sigmas(built, lines))
     progress.step(1.0)
     return built
-
-
-def prepared_sections(lines: Sequence[MapLine], areas: Sequence[MapArea],
-                      settings: MapSettings) -> list[tuple[RoadSection, list[np.ndarray]]]:
-    """Road sections whose bounds are drawn on as far as anything shows them, each with the stop lines (n, 3) in it."""
-    stops = [line.points for line in lines if line.kind == "stop line"]
-    barriers = [area.polygon for area in areas if area.kind == "crosswalk"]
-    prepared = []
-    for section in road_sections([line for line in lines if line.kind in BOUNDS], barriers, settings):
-        section.tracks = continued(section.tracks, section.axis, barriers, settings)
-        near = [stop for stop in stops if _belongs(section, stop) and not _is_passed(section, stop, barriers)]
-        prepared.append((section, near))
-    return prepared
-
-
-def _is_passed(section: RoadSection, stop: np.ndarray, crosswalks: Sequence[shapely.Geometry]) -> bool:
-    """Whether two lines or more run on beside a stop line, far from any crosswalk: there it is a part of a symbol."""
-    line = shapely.LineString(stop[:, :2])
-    if any(line.distance(area) < PASSED for area in crosswalks):
-        return False
-    at = float(section.axis.chainage(stop[:, :2]).mean())
-    seen = [any(start < at - PASSED / 2.0 and end > at + PASSED / 2.0 for start, end, line in track.pieces if line)
-            for track in section.tracks]
-    return sum(seen) >= 2 and sum(seen) > 0.5 * sum(track.start < at < track.end for track in section.tracks)
-
-
-def _belongs(section, stop: np.ndarray) -> bool:
-    """Whether a stop line lies across a section, at or between its ends."""
-    chainage, offset = section.axis.local(stop[:, :2])
-    low = min(track.start for track in section.tracks) - STOP_REACH
-    high = max(track.end for track in section.tracks) + STOP_REACH
-    if not low <= chainage.mean() <= high or np.ptp(chainage) > 0.7 * np.ptp(offset):
-        return False
-    at = np.clip(chainage.mean(), low + STOP_REACH, high - STOP_REACH)
-    beside = np.array([np.interp(at, track.chainage, track.offset) for track in section.tracks])
-    return bool(offset.max() > beside.min() - 1.0 and offset.min() < beside.max() + 1.0)
 
 
 def _without_drives(lines: Sequence[MapLine]) -> Finding:

@@ -25,6 +25,11 @@ class LaneStripsLimits:
     stop_reach: float = 6.0  # A stop line belongs to a lane that ends so near, m.
     one_row: float = 1.5  # Pieces of a stop line lie so near to each other along and across the road, m.
     at_line: float = 0.6  # A stop line ends at a line that lies so near to its end, m.
+    # Pieces of a stop line on one straight are one over what a vehicle hides, m apart, and m along the road.
+    hidden: float = 4.0
+    straight: float = 0.3
+    # A stop line that goes on for so long beyond a strip, away from the middle of the road, is not the whole road's, m.
+    goes_on: float = 2.2
     # What a stop line on the other side of the road weighs, m driven: less than any evidence in the lane itself.
     away: float = 6.0
 
@@ -57,6 +62,8 @@ class Strip:
     parted : numbers of its tracks at which that stop line ends: beyond them traffic does not come towards it.
     contradicted : its own evidence contradicts itself; only a driven neighbour that agrees with most of it settles
         that.
+    broad_stop : direction (as `sign`) that a stop line across two strips or more tells, 0 without one.
+    outside : a stop line ends, away from the middle of the road, at the solid line between it and the lanes: pavement.
     arrows : kinds of the arrows in it.
     """
 
@@ -74,6 +81,8 @@ class Strip:
     stopped: bool = False
     parted: set[int] = field(default_factory=set)
     contradicted: bool = False
+    broad_stop: int = 0
+    outside: bool = False
     arrows: list[str] = field(default_factory=list)
 
 
@@ -259,13 +268,16 @@ def add_stops(strips: Sequence[Strip], section: RoadSection, stops: Sequence[np.
         middles = {id(strip): middle_offset(section, strip, level) for strip in ending}
         covered = [strip for strip in ending if low < middles[id(strip)] < high]
         others = [strip for strip in ending if not low - 0.5 < middles[id(strip)] < high + 0.5]
-        if not covered or not others:
+        covered = covered or [strip for strip in ending if low - 0.3 < middles[id(strip)] < high + 0.3]
+        if not covered or not (others or _goes_on_outside(section, covered, (level, low, high), left_hand)):
             continue
+        _mark_outside(section, covered, ending, (level, low, high), left_hand)
         for strip in covered:
             at_end = abs(strip.end - level) < abs(strip.start - level)
             strip.forward += 10.0 * at_end
             strip.backward += 10.0 * (not at_end)
             strip.stopped = True
+            strip.broad_stop = (1 if at_end else -1) if len({one.right for one in covered}) > 1 else strip.broad_stop
             strip.parted |= {track for track, end in ((strip.right, low), (strip.left, high))
                              if abs(end - offset_of(section, track, level)) < LIMITS.at_line}
             away = _across_solid(section, strip, others, (low, high), at_end == left_hand)
@@ -281,12 +293,46 @@ def _whole_stops(section: RoadSection, stops: Sequence[np.ndarray]) -> list[tupl
     whole: list[tuple[float, float, float]] = []
     for low, high, level in pieces:
         for number, (at, right, left) in enumerate(whole):
-            if abs(at - level) < LIMITS.one_row and low - left < LIMITS.one_row:
+            apart, gap = abs(at - level), low - left
+            if (apart < LIMITS.one_row and gap < LIMITS.one_row) or (apart < LIMITS.straight and gap < LIMITS.hidden):
                 whole[number] = (at, right, max(left, high))
                 break
         else:
             whole.append((level, low, high))
     return whole
+
+
+def _goes_on_outside(section: RoadSection, covered: Sequence[Strip], stop: tuple[float, float, float],
+                     left_hand: bool | None) -> bool:
+    """Whether a stop line (chainage, two offsets) goes on beyond the strips on the outer side of the road alone.
+
+    It stops the traffic of one direction then, also where no strip is known beside those that it covers.
+    """
+    if left_hand is None:
+        return False
+    level, low, high = stop
+    at_end = abs(covered[0].end - level) < abs(covered[0].start - level)
+    right = min(offset_of(section, strip.right, level) for strip in covered)
+    left = max(offset_of(section, strip.left, level) for strip in covered)
+    beyond = (right - low, high - left)
+    outer, inner = beyond[::-1] if at_end == left_hand else beyond
+    return outer >= LIMITS.goes_on and inner < LIMITS.at_line
+
+
+def _mark_outside(section: RoadSection, covered: Sequence[Strip], ending: Sequence[Strip],
+                  stop: tuple[float, float, float], left_hand: bool | None) -> None:
+    """Mark the strip outside of those that a stop line (chainage, two offsets) covers, across a solid line."""
+    if left_hand is None or len({strip.right for strip in covered}) < 2:
+        return
+    level, low, high = stop
+    for strip in covered:
+        to_left = (abs(strip.end - level) < abs(strip.start - level)) == left_hand
+        shared = strip.left if to_left else strip.right
+        for other in ending:
+            beyond = middle_offset(section, other, level)
+            if (other.right if to_left else other.left) == shared and (beyond > high if to_left else beyond < low) \
+                    and set(line_kinds(section.tracks[shared], other.start, other.end)) == {"solid"}:
+                other.outside = True
 
 
 def _across_solid(section: RoadSection, strip: Strip, others: Sequence[Strip], reach: tuple[float, float],

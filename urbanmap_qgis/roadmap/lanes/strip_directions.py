@@ -49,7 +49,7 @@ def settle_directions(strips: Sequence[Strip], section: RoadSection) -> list[Fin
     for pair in {(strip.right, strip.left): None for strip in strips}:
         members = [strip for strip in strips if (strip.right, strip.left) == pair]
         sign, source, contradicts = _own_direction(members)
-        if source == PAINTED and is_pavement(section, *pair):
+        if source == PAINTED and (is_pavement(section, *pair) or any(one.outside for one in members)):
             sign, source = 0, ""
         if contradicts:
             findings.append(_finding(section, members[0], "direction contradicts", contradicts))
@@ -123,6 +123,10 @@ def _own_direction(members: Sequence[Strip]) -> tuple[int, str, str]:
         return 1 if ways[0] > ways[1] else -1, DRIVEN, (
             say("Arrows or stop lines contradict the drives about the direction here; that of the drives was taken.")
             if contradicts else "")
+    broad = {one.broad_stop for one in members if one.broad_stop}
+    if contradicts and max(ways) == 0 and len(broad) == 1 and (sign := broad.pop()) * (forward - backward) >= 0:
+        return sign, PAINTED, say("An arrow contradicts the stop line across several lanes here; the direction of the "
+                                  "stop line was taken.")
     if contradicts:
         return 0, "", say("Drives, arrows or stop lines contradict each other about the direction here.")
     if max(forward, backward) >= min(LIMITS.least_drive,

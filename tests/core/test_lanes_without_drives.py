@@ -1,0 +1,74 @@
+"""Lanes from paint alone: stop lines that vehicles hide, arrows read the wrong way, pavements, false crosswalks."""
+
+from __future__ import annotations
+
+import pytest
+import shapely
+
+from tests.core.laid_out_roads import arrow, avenue, course, lane_at, line, place, stop, zebra
+from urbanmap_qgis.roadmap.map_records import MapSettings
+from urbanmap_qgis.roadmap.vector_map import build_vector_map
+
+LEFT = MapSettings(traffic="left")
+
+
+def plain_lanes(built):
+    return [lane for lane in built.lanes if lane.kind == "lane"]
+
+
+def has_lane(built, x, y):
+    where = shapely.Point(place([(x, y)])[0, :2])
+    return any(built.area(number).contains(where) for number in range(len(built.lanes)))
+
+
+def test_stop_line_across_two_lanes_is_believed_more_than_one_arrow():
+    """A vehicle stands on the head of the arrow: what is left of it looks as if it led the other way."""
+    lines = [line(7.0, 0, 50), line(3.5, 0, 50), line(0.0, 0, 50), line(-3.5, 0, 50)]
+    built = build_vector_map([*lines, stop(50.3, 0.1, 6.9)], [arrow(40, 1.7, back=True)], [], LEFT)
+    assert course(built.lanes[lane_at(built, 25, 1.7)]) == 1.0
+    assert course(built.lanes[lane_at(built, 25, 5.2)]) == 1.0
+    assert "stop line was taken" in " ".join(one.text for one in built.findings)
+
+
+def test_two_arrows_are_believed_more_than_a_stop_line():
+    lines = [line(7.0, 0, 50), line(3.5, 0, 50), line(0.0, 0, 50), line(-3.5, 0, 50)]
+    arrows = [arrow(40, 1.7, back=True), arrow(20, 1.7, back=True)]
+    built = build_vector_map([*lines, stop(50.3, 0.1, 6.9)], arrows, [], LEFT)
+    assert not has_lane(built, 25, 1.7)
+
+
+def test_stop_line_that_a_vehicle_parts_tells_the_direction_of_the_one_strip_with_lines():
+    """The outer lane's edge is worn: the stop line reaches farther out than the strip, as one side's does."""
+    strip = [line(3.5, 0, 30), line(0.0, 0, 30)]
+    built = build_vector_map([*strip, stop(30.3, 0.1, 2.4), stop(30.4, 5.0, 7.0)], (), [], LEFT)
+    (lane,) = plain_lanes(built)
+    assert course(lane) == 1.0
+
+
+@pytest.mark.parametrize("ends", [(0.1, 3.4), (-3.4, 3.4)])
+def test_stop_line_across_all_that_is_known_of_a_road_tells_no_direction(ends):
+    strip = [line(3.5, 0, 30), line(0.0, 0, 30)]
+    assert not plain_lanes(build_vector_map([*strip, stop(30.3, *ends)], (), [], LEFT))
+
+
+def test_pavement_beyond_the_outer_end_of_a_stop_line_is_no_lane():
+    lines = [line(y, 0, 50) for y in (10.0, 7.0, 3.5, 0.0, -3.5)]
+    paint = [arrow(20, 8.5)]
+    built = build_vector_map([*lines, stop(50.3, 0.1, 6.9)], paint, [], LEFT)
+    assert has_lane(built, 25, 5.2) and not has_lane(built, 25, 8.5)
+    assert has_lane(build_vector_map(lines, paint, [], LEFT), 25, 8.5)
+
+
+def test_crosswalk_that_lines_run_past_is_none():
+    """Arrows side by side, poles and their shadows look like a short row of bars in one lane."""
+    built = build_vector_map([*avenue(0, 80), stop(80.3, 0.1, 6.9)], [zebra(38, 42, 0.4, 3.1)], [], LEFT)
+    assert not built.crosswalks
+    lane = built.lanes[lane_at(built, 40, 1.7)]
+    assert shapely.LineString(lane.centre[:, :2]).length == pytest.approx(80.0, abs=1.0)
+
+
+def test_crosswalk_between_kerbs_that_run_on_is_kept():
+    kerbs = [line(y, 0, 80) for y in (-8.0, -7.6, 7.6, 8.0)]
+    lines = [*kerbs, *avenue(0, 36), *avenue(44, 80), stop(35.5, 0.1, 6.9)]
+    built = build_vector_map(lines, [zebra(38, 42, -6.9, 6.9)], [], LEFT)
+    assert len(built.crosswalks) == 1
