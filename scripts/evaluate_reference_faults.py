@@ -48,6 +48,7 @@ from urbanmap_qgis.mobile.registration.walls.survey_walls import walls_of
 from urbanmap_qgis.mobile.registration.walls.witness import WallWitness
 from urbanmap_qgis.mobile.trajectory import Trajectory, interpolate, path_chainage
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
+from urbanmap_qgis.roadmap.edges.kerb_witness import kerbs_of
 
 WRONG = 0.1
 """m in plan: a registered patch that is farther off, and by more than three sigma, is a confident wrong answer."""
@@ -57,6 +58,9 @@ PLACE_SIGMA, LEFT_OUT = 0.015, 0.05
 
 EAVES, OUTLINE_SIGMA = (0.3, 0.9), 0.05
 """m that roof edges stand out before the facades, and that an outline of them is off."""
+
+KERB_SIGMA, KERB_PIECE = 0.05, 30.0
+"""m that lines of kerbs are off across, piece by piece, and the length of a piece."""
 
 REACH = 15.0
 """m to either side of the path: what belongs to a stretch of it."""
@@ -296,10 +300,27 @@ def buildings_of(city: Path, kind: str) -> np.ndarray:
                     dtype=object)
 
 
+def kerb_lines(city: Path) -> np.ndarray:
+    """Lines (n,) of a city's true kerbs, each piece of them off by as much as a good map's."""
+    whole = shapely.line_merge(shapely.set_precision(shapely.union_all(read_layer(city / "truth" / "edges.gpkg",
+                                                                                  "kerbs")), 1e-3))
+    parts = shapely.segmentize(shapely.simplify(shapely.get_parts(whole), 0.03), KERB_PIECE)
+    places, line = shapely.get_coordinates(parts, return_index=True)
+    ends = np.stack([places[:-1], places[1:]], axis=1)[line[1:] == line[:-1]]
+    along = ends[:, 1] - ends[:, 0]
+    across = np.column_stack([-along[:, 1], along[:, 0]]) / np.hypot(*along.T)[:, None]
+    off = np.random.default_rng(5).normal(0.0, KERB_SIGMA, len(ends))
+    return shapely.linestrings(ends + (off[:, None] * across)[:, None])
+
+
 def walls_near(city: Path, survey: DrivenSurvey, kind: str) -> WallWitness | None:
-    """The survey's facades, with a city's outlines, laser points ("als") or ("own") neither; None of kind "none"."""
+    """The survey's facades, with a city's outlines, laser points ("als") or ("own") neither; its kerbs of kind "kerbs",
+    None of "none"."""
     if kind == "none":
         return None
+    if kind == "kerbs":
+        return kerbs_of([city / "mms" / f"{survey.name}.laz"], survey.reported, CorrectionSettings().time_weight,
+                        kerb_lines(city))
     edges = None
     if kind not in ("own", "als"):
         plans = buildings_of(city, kind)
@@ -335,9 +356,9 @@ def main() -> int:
     parser.add_argument("--city", nargs=2, type=Path, action="append", required=True, metavar=("FOLDER", "GROUND"))
     parser.add_argument("--cases", default=",".join(CASES))
     parser.add_argument("--survey", default="survey_01")
-    parser.add_argument("--buildings", choices=("none", "own", "map", "roofs", "als"), default="none",
+    parser.add_argument("--buildings", choices=("none", "own", "map", "roofs", "als", "kerbs"), default="none",
                         help="walls as a second witness: straight by themselves (own), official outlines, roof edges, "
-                             "airborne laser points")
+                             "airborne laser points; or kerbs on lines of a map")
     parser.add_argument("--cache", type=Path, help="folder that keeps extracted markings")
     parser.add_argument("--output", type=Path, help="Markdown file")
     given = parser.parse_args()

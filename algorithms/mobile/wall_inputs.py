@@ -1,6 +1,8 @@
-"""Buildings and facades as a second witness beside the markings: parameters of the registration."""
+"""Facades and kerbs as a second witness beside the markings: parameters of the registration."""
 
 from __future__ import annotations
+
+from qgis.core import QgsProcessing
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.declaring.parameters import tr
@@ -21,19 +23,21 @@ def add_buildings(algorithm) -> None:
 
 
 def add_walls(algorithm) -> None:
-    """Declare BUILDINGS, FEATURES, ALS and SURVEY."""
+    """Declare BUILDINGS, FEATURES, ALS, ROAD_EDGES and SURVEY."""
     add_buildings(algorithm)
     algorithm.add_points("ALS", "Airborne laser points", "Instead of buildings: walls stand where these points "
                          "step from roof to ground beside facades that the survey saw. In the height system of the "
                          "survey.", optional=True)
+    algorithm.add_vector("ROAD_EDGES", "Kerbs or road edges", "Instead of buildings: lines of a map on which the kerbs "
+                         "that the survey saw are laid, across the line; “Features” counts them as walls. By how much "
+                         "the lines are off is found.", optional=True,
+                         source_type=QgsProcessing.SourceType.TypeVectorLine)
     algorithm.add_points("SURVEY", "Survey with its facades", "All points of the survey, where “Point clouds” holds "
                          "its markings alone.", optional=True)
 
 
 def read_walls(algorithm, parameters, context, survey, run, progress):
     """The core's `WallWitness` of the survey (files, CRS, trajectory), None where paint alone is asked for."""
-    from ...urbanmap_qgis.mobile.registration.walls.survey_walls import walls_of
-
     features = asked_features(algorithm, parameters, context)
     if features == "paint":
         return None
@@ -44,10 +48,36 @@ def read_walls(algorithm, parameters, context, survey, run, progress):
         raise InputError(tr("{0}: the paper's method knows no walls; choose paint, or the full method.").format(
             algorithm.label_of("FEATURES")))
     paths, crs, trajectory = survey
+    _refuse_two_kinds(algorithm, parameters)
+    files = algorithm.point_files(parameters, "SURVEY", context) or paths
+    about = (files, trajectory, run.correction.time_weight)
+    lines = _read_lines(algorithm, parameters, context, crs)
+    if lines is not None:
+        from ...urbanmap_qgis.roadmap.edges.kerb_witness import kerbs_of
+
+        return kerbs_of(*about, lines, features == "walls", progress)
+    from ...urbanmap_qgis.mobile.registration.walls.survey_walls import walls_of
+
     laser = _read_laser(algorithm, parameters, context, crs)
     edges = read_edges(algorithm, parameters, context, crs, progress)
-    files = algorithm.point_files(parameters, "SURVEY", context) or paths
-    return walls_of(files, trajectory, run.correction.time_weight, edges, features == "walls", progress, laser)
+    return walls_of(*about, edges, features == "walls", progress, laser)
+
+
+def _refuse_two_kinds(algorithm, parameters) -> None:
+    """Refuse more than one of the sides that facades or kerbs can be laid on."""
+    given = [name for name in ("BUILDINGS", "ALS", "ROAD_EDGES") if parameters.get(name)]
+    if len(given) > 1:
+        raise InputError(tr("{0} and {1}: the survey is laid on one of them beside the markings; give one of "
+                            "both.").format(*(algorithm.label_of(name) for name in given[:2])))
+
+
+def _read_lines(algorithm, parameters, context, crs):
+    """Lines of ROAD_EDGES, in the CRS of the survey; None where none are given."""
+    table = algorithm.read_vector(parameters, "ROAD_EDGES", context)
+    if table is None:
+        return None
+    algorithm.same_crs("POINTS", crs, "ROAD_EDGES", table.crs)
+    return table.geometries
 
 
 def _read_laser(algorithm, parameters, context, crs):
@@ -57,9 +87,6 @@ def _read_laser(algorithm, parameters, context, crs):
     files = algorithm.point_files(parameters, "ALS", context)
     if not files:
         return None
-    if parameters.get("BUILDINGS") is not None:
-        raise InputError(tr("{0}: the walls are taken from buildings or from airborne laser points; give one of "
-                            "both.").format(algorithm.label_of("ALS")))
     cloud = open_cloud(files)
     algorithm.same_crs("POINTS", crs, "ALS", cloud.crs_wkt)
     return cloud
@@ -70,10 +97,10 @@ def asked_features(algorithm, parameters, context) -> str:
 
     Raises
     ------
-    InputError : walls alone are asked for, but neither buildings nor airborne points are given.
+    InputError : walls alone are asked for, but nothing is given that they could be laid on.
     """
     features = algorithm.parameterAsString(parameters, "FEATURES", context)
-    given = parameters.get("BUILDINGS") is not None or bool(parameters.get("ALS"))
+    given = any(parameters.get(name) for name in ("BUILDINGS", "ALS", "ROAD_EDGES"))
     if features == "automatic":
         return "all" if given else "paint"
     if features == "walls" and not given:

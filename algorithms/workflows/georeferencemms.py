@@ -36,7 +36,7 @@ class GeoreferenceMms(UrbanMapAlgorithm):
 
     def declare(self):
         self.add_from(RoadMarkingsFromMms, "POINTS", "TRAJECTORY", "CALIBRATION")
-        self.add_from(RegisterMms, "MARKINGS", "GROUND", "BUILDINGS", "ALS")
+        self.add_from(RegisterMms, "MARKINGS", "GROUND", "BUILDINGS", "ALS", "ROAD_EDGES")
         self.add_from(ApplyTrajectory, "IMAGES")
         self.add_from(RegisterMms, "IMAGE")
         self.add_from(RegisterMms, "METHOD", "FEATURES", "PATCH_LENGTH", "WINDOW_PATCHES", "MAX_WINDOW_PATCHES",
@@ -65,8 +65,8 @@ class GeoreferenceMms(UrbanMapAlgorithm):
         registered = run("registermms", **given.pick("TRAJECTORY", "MARKINGS", "GROUND", "IMAGE", "PATCH_LENGTH",
                                                      "WINDOW_PATCHES", "MAX_WINDOW_PATCHES", "FEATURE_COUNT",
                                                      "SEARCH", *ACCURACIES, *READING, "WORKERS", "METHOD",
-                                                     "BUILDINGS", "ALS", "FEATURES", "OUTPUT_PATCHES", "OUTPUT_STEPS",
-                                                     "OUTPUT_AREAS", "OUTPUT_REPORT"),
+                                                     "BUILDINGS", "ALS", "ROAD_EDGES", "FEATURES", "OUTPUT_PATCHES",
+                                                     "OUTPUT_STEPS", "OUTPUT_AREAS", "OUTPUT_REPORT"),
                          POINTS=[markings["OUTPUT"]], SURVEY=points,
                          OUTPUT=self.parameterAsFileOutput(parameters, "OUTPUT_TRAJECTORY", context))
         moved = run("applytrajectory", **given.pick("TRAJECTORY", *READING, "IMAGES", "OUTPUT", "OUTPUT_IMAGES"),

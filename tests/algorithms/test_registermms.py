@@ -267,10 +267,26 @@ def test_walls_of_airborne_points_are_one_too(run, small_city, markings, read_la
     assert (walls > 0).mean() > 0.5
 
 
-def test_walls_come_from_buildings_or_from_airborne_points(run, small_city, markings, tmp_path):
+def test_kerbs_on_the_lines_of_a_map_are_one_too(run, small_city, markings, read_layer, tmp_path):
+    result = run(ALGORITHM, given(
+        small_city, POINTS=[markings], SURVEY=[survey(small_city)], MARKINGS=reference(small_city),
+        ROAD_EDGES=f"{small_city / 'truth/edges.gpkg'}|layername=kerbs",
+        GROUND=str(small_city / "truth/ground.tif"), OUTPUT=str(tmp_path / "new.csv"),
+        OUTPUT_PATCHES=str(tmp_path / "patches.gpkg"), OUTPUT_REPORT=None))
+    true, got = (columns(path, ("x", "y")) for path in (small_city / "truth/survey_01_trajectory.csv",
+                                                        result["OUTPUT"]))
+    assert np.hypot(*(got - true).T).mean() < 0.06 and result["REGISTERED_SHARE"] > 0.7
+    walls = np.array([row.attributes["walls"] for row in read_layer(result["OUTPUT_PATCHES"])])
+    assert (walls > 0).mean() > 0.5
+
+
+@pytest.mark.parametrize("first", ["BUILDINGS", "ALS"])
+def test_walls_and_kerbs_are_laid_on_one_thing(run, small_city, markings, tmp_path, first):
     from qgis.core import QgsProcessingException
 
-    both = {"BUILDINGS": str(small_city / "footprints/gsi_buildings.gpkg"), "ALS": [str(small_city / "als/als.laz")]}
+    sides = {"BUILDINGS": str(small_city / "footprints/gsi_buildings.gpkg"), "ALS": [str(small_city / "als/als.laz")],
+             "ROAD_EDGES": f"{small_city / 'truth/edges.gpkg'}|layername=kerbs"}
+    both = {name: sides[name] for name in list(sides)[list(sides).index(first):][:2]}
     with pytest.raises(QgsProcessingException, match="give one of both"):
         run(ALGORITHM, given(small_city, POINTS=[markings], MARKINGS=reference(small_city), **both,
                              OUTPUT=str(tmp_path / "new.csv"), OUTPUT_PATCHES=None, OUTPUT_REPORT=None))

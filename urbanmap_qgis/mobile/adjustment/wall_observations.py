@@ -17,6 +17,7 @@ from ...errors import InsufficientDataError
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..registration.walls.facade_planes import FacadePlanes, facade_planes
+from ..registration.walls.outline_walls import LIMITS as OUTLINES
 from ..registration.walls.outline_walls import WallEdges
 from ..registration.walls.witness import LIMITS as WITNESS
 from .drive_network import adjust_drives
@@ -79,7 +80,7 @@ class DriveWalls:
         survey = adjust_drives(drives, observations, run, SILENT) if len(observations) else None
         others = observations.select(observations.kind != REFERENCE) if self.buildings.alone else observations
         corrections = [_reported] * len(drives) if survey is None else [_Course(item, run) for item in survey.drives]
-        eaves, differ, seen = WITNESS.eaves[0], LIMITS.differ, others
+        eaves, differ, seen = OUTLINES.inside[0], LIMITS.differ, others
         for _ in range(LIMITS.rounds):
             seen = NetworkObservations.joined([others, *self._observations(corrections, eaves)])
             if not len(seen):
@@ -87,7 +88,7 @@ class DriveWalls:
                                                 "them: check that buildings and drives show the same streets."))
             last, survey = survey, adjust_drives(drives, seen, run, SILENT, differ)
             corrections = [_Course(item, run) for item in survey.drives]
-            eaves = float(np.clip(WITNESS.eaves[0] + survey.network.offset, *WITNESS.possible))
+            eaves = float(np.clip(OUTLINES.inside[0] + survey.network.offset, *OUTLINES.possible))
             differ = _within(survey.network.differ)
             if last is not None and _moved(last, survey) < LIMITS.settled:
                 break
@@ -193,7 +194,7 @@ class _MatchedFacades:
         outward = edges.outward[edge[known]]
         moved = ((place - planes.place[:, :2])[known] * outward).sum(axis=1)
         return cls(number, planes.select(known), edge[known], outward, outside[known],
-                   moved - outside[known] - WITNESS.eaves[0])
+                   moved - outside[known] - OUTLINES.inside[0])
 
     def rows(self, building: np.ndarray) -> NetworkObservations:
         """One observation a piece of a wall; `building` (k,) of each edge."""

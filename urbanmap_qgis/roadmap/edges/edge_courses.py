@@ -50,6 +50,15 @@ def edge_courses(survey: EdgePoints, settings: EdgeSettings, ground: Heights | N
     return EdgeCourses(*(_courses(one) for one in found), least)
 
 
+def kerb_courses(survey: EdgePoints, settings: EdgeSettings, progress: Progress) -> list[Course]:
+    """The courses of kerbs alone, on the ground that is found among the points."""
+    steps = []
+    for tile in survey.tiles(progress):
+        low = near_ground(tile.points, above_ground(tile.points))
+        steps.append(_beside(step_candidates(tile, low, settings)[0], survey))
+    return _courses(joined_candidates(steps))
+
+
 def _candidates(survey: EdgePoints, settings: EdgeSettings, ground: Heights | None, progress: Progress
                 ) -> tuple[EdgeCandidates | float, ...]:
     """Candidates of steps, of upright faces and of borders without a step within the width of the path, and the least

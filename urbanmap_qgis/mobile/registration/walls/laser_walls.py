@@ -24,7 +24,7 @@ from ....io.points.pointcloud import PointCloud, iter_chunks, open_cloud, valid_
 from ....progress import SILENT, Progress
 from ....wording import say
 from .facade_planes import FacadePlanes
-from .outline_walls import WallEdges
+from .outline_walls import WallEdges, facing
 from .straightness import own_walls
 
 
@@ -92,8 +92,7 @@ def laser_walls(planes: FacadePlanes, paths: Sequence[str | os.PathLike] | Point
         raise InsufficientDataError(say("The airborne laser points show no wall where the survey saw facades: check "
                                         "that both lie in one place and have one height system."))
     ends, outward, sigma = (np.array(column) for column in zip(*found))
-    facing = np.round(np.degrees(np.arctan2(*outward.T)) / 45.0).astype(int) % 8
-    return WallEdges(ends, outward, facing, sigma, LIMITS.shared)
+    return WallEdges(ends, outward, facing(outward), sigma, LIMITS.shared)
 
 
 def step_across(high: np.ndarray, low: np.ndarray) -> StepAcross:

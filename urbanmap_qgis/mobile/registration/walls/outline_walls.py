@@ -1,4 +1,4 @@
-"""Outlines of buildings as walls, and which of a survey's facades belong to which of them."""
+"""Outlines of buildings as walls, lines of a map as kerbs, and which of a survey's planes belong to which of them."""
 
 from __future__ import annotations
 
@@ -21,14 +21,31 @@ class OutlineWallsLimits:
     behind: float = 1.7  # m inside of it: eaves, and what survey and outline are off by
     beyond: float = 0.3  # m past an edge's ends
     facing: float = 0.985  # cosine of the largest angle between a plane and its edge: 10 degrees
+    # m, mean and standard deviation of how far facades stand inside outlines, and what is possible
+    inside: tuple[float, float] = (0.3, 0.3)
+    possible: tuple[float, float] = (-0.5, 1.2)
+
+
+@dataclass(frozen=True)
+class KerbLinesLimits:
+    """Limits of lines of kerbs, each with its unit."""
+
+    bend: float = 0.03  # m that vertices may lie beside a straight piece
+    piece: float = 30.0  # m, at most, that are off by alike
+    shared: float = 0.1  # m, that the lines of a neighbourhood are off by alike
+    reach: tuple[float, float] = (1.2, 1.2)  # m outside and inside of a line, at most, that a kerb of it is found
+    # m, the same as of outlines: maps draw the front or the back of the stones
+    inside: tuple[float, float] = (0.0, 0.1)
+    possible: tuple[float, float] = (-0.4, 0.4)
 
 
 LIMITS = OutlineWallsLimits()
+KERBS = KerbLinesLimits()
 
 
 @dataclass(frozen=True)
 class WallEdges:
-    """Straight edges of buildings' outlines.
+    """Straight edges of buildings' outlines, or of kerbs.
 
     Attributes
     ----------
@@ -37,6 +54,10 @@ class WallEdges:
     building : (k,) number of its building; each edge its own where none are given.
     sigma : (k,) m, of each edge's place across it beside what all walls differ by; 0 where none are given.
     shared : m, that all edges of a neighbourhood are off by alike.
+    inside : m, mean and standard deviation of how far what the survey saw stands inside of them all.
+    possible : m, least and most of it.
+    reach : m outside and inside of an edge within which what belongs to it is looked for.
+    straight : whether what belongs to an edge goes on straight; kerbs bend with their road.
     """
 
     ends: np.ndarray
@@ -44,6 +65,10 @@ class WallEdges:
     building: np.ndarray | None = None
     sigma: np.ndarray | None = None
     shared: float = LIMITS.shared
+    inside: tuple[float, float] = LIMITS.inside
+    possible: tuple[float, float] = LIMITS.possible
+    reach: tuple[float, float] = (LIMITS.before, LIMITS.behind)
+    straight: bool = True
 
     def __post_init__(self) -> None:
         if self.building is None:
@@ -66,6 +91,24 @@ class WallEdges:
         building = np.repeat(np.arange(len(parts)), [len(ends) for ends, _ in parts])
         return cls.of(*(np.concatenate(columns) for columns in zip(*parts)), building)
 
+    @classmethod
+    def of_kerbs(cls, lines: np.ndarray) -> WallEdges:
+        """Those of lines (n,) in plan, with either side outside: no map tells which one is the road.
+
+        What the lines of a neighbourhood are off by moves all that face alike: these share it (`building`).
+        """
+        merged = shapely.line_merge(shapely.union_all(shapely.force_2d(lines)))
+        parts = shapely.segmentize(shapely.simplify(shapely.get_parts(merged), KERBS.bend), KERBS.piece)
+        places, line = shapely.get_coordinates(parts, return_index=True)
+        ends = np.stack([places[:-1], places[1:]], axis=1)[line[1:] == line[:-1]]
+        along = ends[:, 1] - ends[:, 0]
+        length = np.hypot(*along.T)
+        ends, along = ends[length >= LIMITS.shortest], along[length >= LIMITS.shortest]
+        left = np.column_stack([-along[:, 1], along[:, 0]]) / np.hypot(*along.T)[:, None]
+        outward = np.concatenate([left, -left])
+        return cls(np.concatenate([ends, ends]), outward, facing(outward), None, KERBS.shared, KERBS.inside,
+                   KERBS.possible, KERBS.reach, straight=False)
+
     def matched(self, place: np.ndarray, normal: np.ndarray, eaves: float) -> tuple[np.ndarray, np.ndarray]:
         """Number of each plane's edge, -1 for none, and how far outside of it the plane lies, m.
 
@@ -78,18 +121,23 @@ class WallEdges:
         if not len(self) or not len(place):
             return edge, outside
         plane, near = shapely.STRtree(shapely.linestrings(self.ends)).query(
-            shapely.points(place), predicate="dwithin", distance=LIMITS.behind)
+            shapely.points(place), predicate="dwithin", distance=max(self.reach))
         begin, along = self.ends[near, 0], self.ends[near, 1] - self.ends[near, 0]
         length = np.hypot(*along.T)
         from_begin = place[plane] - begin
         way = (from_begin * along).sum(axis=1) / length
         off = (from_begin * self.outward[near]).sum(axis=1)
-        good = ((normal[plane] * self.outward[near]).sum(axis=1) >= LIMITS.facing) & (off <= LIMITS.before)
-        good &= (off >= -LIMITS.behind) & (way >= -LIMITS.beyond) & (way <= length + LIMITS.beyond)
+        good = ((normal[plane] * self.outward[near]).sum(axis=1) >= LIMITS.facing) & (off <= self.reach[0])
+        good &= (off >= -self.reach[1]) & (way >= -LIMITS.beyond) & (way <= length + LIMITS.beyond)
         plane, near, off = plane[good], near[good], off[good]
         order = np.argsort(-np.abs(off + eaves), kind="stable")  # the best last
         edge[plane[order]], outside[plane[order]] = near[order], off[order]
         return edge, outside
+
+
+def facing(outward: np.ndarray) -> np.ndarray:
+    """(n,) 0 to 7, the eighth of the horizon that directions (n, 2) point to."""
+    return np.round(np.degrees(np.arctan2(*outward.T)) / 45.0).astype(int) % 8
 
 
 @dataclass(frozen=True)

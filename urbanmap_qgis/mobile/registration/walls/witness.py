@@ -18,6 +18,7 @@ from ..correction.chain import NodeChain, SettledChain, smooth_between
 from ..correction.error_model import PoseErrorModel
 from ..correction.held_observations import HeldObservations, OwnOffsets
 from .facade_planes import FacadePlanes
+from .outline_walls import LIMITS as OUTLINES
 from .outline_walls import MatchedWalls, WallEdges
 from .straightness import WallJump, own_walls, wall_jumps
 from .stretches import ShiftedStretch, WallReadings, shifted_stretches
@@ -30,8 +31,6 @@ Curve = Callable[[np.ndarray], np.ndarray]
 class WitnessLimits:
     """Limits of witness, each with its unit."""
 
-    eaves: tuple[float, float] = (0.3, 0.3)  # m, mean and standard deviation of what is expected, 0 to 1 m
-    possible: tuple[float, float] = (-0.5, 1.2)  # m, of eaves
     differ: tuple[float, float, float] = (0.05, 0.3, 0.6)  # m, by which single walls differ: least, at first, most
     floor: float = 0.03  # m, of any wall: structure of facades, roll and pitch
     soft: float = 2.5  # standard deviations from which a wall loses weight
@@ -75,7 +74,7 @@ class WallWitness:
     planes: FacadePlanes
     edges: WallEdges | None = None
     alone: bool = False
-    eaves: float = LIMITS.eaves[0]
+    eaves: float = OUTLINES.inside[0]
     differ: float = LIMITS.differ[1]
     sizes: tuple[float, float] = LIMITS.sizes
     course: Curve | None = None
@@ -85,7 +84,9 @@ class WallWitness:
         return replace(self, planes=self.planes.select(marked(self.planes.path_parameter)))
 
     def jumps(self, curve: Curve) -> list[WallJump]:
-        """Places where a curve breaks the walls."""
+        """Places where a curve breaks the walls; none of what need not be straight."""
+        if self.edges is not None and not self.edges.straight:
+            return []
         place = self.planes.translated(curve)
         wall = own_walls(place, self.planes.normal, self.planes.place[:, 2])
         return wall_jumps(self.planes.chainage, self.planes.path_parameter, place, self.planes.normal, wall)
@@ -112,7 +113,7 @@ class WallWitness:
         value = pieces.mean((rates * curve(found.planes.path_parameter)).sum(axis=1))
         target = value - pieces.outside - self.eaves
         return HeldObservations(pieces.mean(found.planes.path_parameter), rate, target, weight[pieces.wall], self.eaves,
-                                LIMITS.eaves, pieces.offsets(self.edges, self.sizes, trust))
+                                self.edges.inside, pieces.offsets(self.edges, self.sizes, trust))
 
     def fitted(self, chain: NodeChain, model: PoseErrorModel, curve: Curve) -> WallWitness:
         """With eaves and differences as the walls alone tell them, and the course that they want, from a curve on.
@@ -144,7 +145,7 @@ class WallWitness:
 
     def with_eaves(self, eaves: float) -> WallWitness:
         """With other eaves."""
-        return replace(self, eaves=float(np.clip(eaves, *LIMITS.possible)))
+        return replace(self, eaves=float(np.clip(eaves, *self.edges.possible)))
 
     def stretches(self, curve: Curve) -> list[ShiftedStretch]:
         """Stretches whose outlines want a curve elsewhere."""
@@ -159,7 +160,7 @@ class WallWitness:
         edge[wall] = found.edge
         sigma = np.sqrt(self.differ**2 + LIMITS.floor**2 + self.edges.sigma[edge] ** 2)
         readings = WallReadings(chainage[order], outward[order], middle[order], sigma[order], self.edges.shared)
-        return shifted_stretches(readings, LIMITS.eaves)
+        return shifted_stretches(readings, self.edges.inside)
 
     def by_walls(self, chain: NodeChain, model: PoseErrorModel) -> WallsAlone:
         """The correction that the walls held by a chain give without any markings."""
