@@ -87,6 +87,24 @@ def test_three_arms_are_cut_across_at_the_contacts():
     share_all_edges(built, whole)
 
 
+def test_road_that_a_sheet_cuts_off_beside_a_junction_is_an_arm():
+    """Two metres of the road to the south, and of the one to the east, are in the data."""
+    whole = shapely.union_all([shapely.box(-FAR, -3, 4, 3), shapely.box(-2, -5, 2, FAR)])
+    built = model(whole)
+    assert cuts_of(built) == metres([(-2, -3), (2, -3)], [(-2, 3), (2, 3)], [(-2, -3), (-2, 3)], [(2, -3), (2, 3)])
+    junction, = (piece for piece in built.pieces if piece.kind == "junction")
+    assert junction.arms == 4 and junction.status == "made"
+    share_all_edges(built, whole)
+
+
+@pytest.mark.parametrize("half, depth, arms", [(2.0, 1.0, 3), (8.0, 2.0, 0), (8.0, 4.0, 0)])
+def test_bay_wider_than_a_road_is_no_arm(half, depth, arms):
+    whole = shapely.union(EAST_WEST, shapely.box(-half, -3 - depth, half, 0))
+    built = model(whole)
+    assert [piece.arms for piece in built.pieces if piece.kind == "junction"] == [arms] * (arms > 0)
+    share_all_edges(built, whole)
+
+
 def test_of_three_arms_the_outer_cut_is_taken():
     whole = shapely.union_all([EAST_WEST, shapely.box(-2, -FAR, 2, 0), shapely.Polygon([(2, -3), (5, -3), (2, -7)])])
     built = model(whole)

@@ -20,6 +20,7 @@ from .junctions import LIMITS as JUNCTION_LIMITS
 from .junctions import Junction, JunctionLimits, junctions_of
 from .road_axis import Skeleton, skeleton_of
 from .road_cuts import cut_surface
+from .road_ends import with_ends_drawn_on
 from .road_records import BRIDGE, JUNCTION, ROAD, TUNNEL, AxisPiece, RoadFinding, RoadPiece, RoadSurfaceModel
 from .road_surface import RoadSurface
 
@@ -91,10 +92,12 @@ def build_road_model(surface: RoadSurface, structures: Structures | None = None,
 
 
 def _add_surface(built: _Built, polygon: shapely.Polygon, bridge, tunnel, limits: JunctionLimits) -> None:
-    skeleton = skeleton_of(_smooth(polygon))
+    skeleton = skeleton_of(with_ends_drawn_on(_smooth(polygon)))
     built_up = shapely.union(bridge, tunnel)
     found = junctions_of(_without_ends_on(skeleton, built_up), limits)
     every = [np.vstack([cut.left, cut.right]) for junction in found for cut in junction.cuts]
+    within = shapely.buffer(polygon, -SMOOTHING)
+    every = [line for line in every if _mostly_on(line, within)]
     cuts = [line for line in every if not _mostly_on(line, built_up)]
     pieces = cut_surface(polygon, cuts)
     if len(cuts) < len(every):
