@@ -45,9 +45,8 @@ the specification. Where a data set brings no lists of codes (folder `codelists`
 that the specification prints, and the names of lists with the type and property that they are for.
 
 L-bldg-01 and L-bldg-12 compare solids by their plans and heights: what crosses a sloped roof from inside is not found.
-L-bldg-08 to L-bldg-11 look at lod4Solid, not at lod4MultiSurface; L-bldg-10 at the surfaces that a solid refers to, as
-its faces' sides are known. L02 is looked at in values and at the root; for the whole schema use an XML validator with
-the schemas of i-UR (the program depends on none).
+L-bldg-10 looks at the surfaces that a solid refers to, as its faces' sides are known. L02 is looked at in values and
+at the root; for the whole schema use an XML validator with the schemas of i-UR (the program depends on none).
 """
 
 

@@ -18,6 +18,7 @@ from tests.core.test_city_check import (
     referring,
     road,
     rules_of,
+    solid,
     surfaces,
     written,
 )
@@ -96,6 +97,71 @@ def test_composite_surfaces_are_one_piece_without_overlap(tmp_path):
     assert told(OUTLINE, beside) == []
     assert told(OUTLINE, OUTLINE) == ["L18"]
     assert told(OUTLINE, beside, away) == ["L18"]
+    above = polygon((0, 0, 9), (0, 1, 9), (1, 1, 9), (1, 0, 9))
+    assert told(OUTLINE, above) == ["L18"]  # over each other in plan, but apart
+    half = polygon((0, 0.5, 0), (0, 1.5, 0), (1, 1.5, 0), (1, 0.5, 0))
+    assert told(OUTLINE, half) == ["L18"]
+    within = polygon((0, 0, 0), (0, 0.5, 0), (0.5, 0.5, 0), (0.5, 0, 0))  # touches along parts of sides
+    rest = polygon((0, 0.5, 0), (0, 1, 0), (1, 1, 0), (1, 0, 0), (0.5, 0, 0), (0.5, 0.5, 0))
+    assert told(within, rest) == []
+
+
+def test_a_place_twice_in_a_row_is_told_of_rings_and_of_distances(tmp_path):
+    twice = polygon((0, 0, 0), (0, 1, 0), (0, 1, 0), (1, 1, 0), (1, 0, 0))
+    path = written(tmp_path, building(geometry=lod0(twice), about=quality("0")))
+    assert rules_of(path) == ["L07", "L09"]
+
+
+def test_a_code_without_text_is_none_of_its_list(tmp_path):
+    empty = '<bldg:class codeSpace="../../codelists/Building_class.xml"></bldg:class>'
+    assert rules_of(written(tmp_path, building(own=empty))) == ["L04"]
+
+
+REFERENCES = {
+    "surface to ring": (f"<bldg:lod1MultiSurface>{surfaces('*')}</bldg:lod1MultiSurface>", "ring", ["C04", "T03"]),
+    "surface to polygon": (f"<bldg:lod1MultiSurface>{surfaces('*')}</bldg:lod1MultiSurface>", "face", ["C04"]),
+    "solid to polygon": ('<bldg:lod2Solid xlink:href="#face"/>', "face", ["T03"]),
+    "surface to feature": ('<bldg:boundedBy xlink:href="#w"/>', "w", []),
+    "surface to part": ('<bldg:boundedBy xlink:href="#p"/>', "p", ["T03"]),
+    "part to surface": ('<bldg:consistsOfBuildingPart xlink:href="#w"/>', "w", ["T03"]),
+    "part to part": ('<bldg:consistsOfBuildingPart xlink:href="#p"/>', "p", []),
+}
+
+
+@pytest.mark.parametrize("case", sorted(REFERENCES))
+def test_properties_refer_to_what_they_take(tmp_path, case):
+    text, target, told = REFERENCES[case]
+    own = text.replace("<gml:surfaceMember>*</gml:surfaceMember>", f'<gml:surfaceMember xlink:href="#{target}"/>')
+    face = polygon((0, 0, 0), (0, 1, 0), (1, 1, 0), (1, 0, 0), identifier="face").replace(
+        "<gml:LinearRing>", '<gml:LinearRing gml:id="ring">')
+    held = (f'<bldg:boundedBy><bldg:WallSurface gml:id="w"><bldg:lod2MultiSurface>{surfaces(face)}'
+            "</bldg:lod2MultiSurface></bldg:WallSurface></bldg:boundedBy><bldg:consistsOfBuildingPart>"
+            '<bldg:BuildingPart gml:id="p"/></bldg:consistsOfBuildingPart>')
+    assert rules_of(written(tmp_path, building(own=own, geometry=held, about=quality("12")))) == told
+
+
+@pytest.mark.parametrize(("north", "east", "told"), [(0.0, 1.0, []), (0.5, 1.0, []), (1.0, 1.0, ["L-bldg-02"])])
+def test_parts_that_meet_at_a_corner_share_no_boundary(tmp_path, north, east, told):
+    def part(number: int, at: tuple[float, float]) -> str:
+        corners = [(at[0] + a, at[1] + b) for a, b in ((0, 0), (0, 1), (1, 1), (1, 0))]
+        walls = [polygon((*a, 0), (*b, 0), (*b, 9), (*a, 9)) for a, b in zip(corners, (*corners[1:], corners[0]))]
+        faces = [polygon(*((*corner, 0) for corner in corners[::-1])), polygon(*((*corner, 9) for corner in corners))]
+        return (f'<bldg:consistsOfBuildingPart><bldg:BuildingPart gml:id="p{number}"><bldg:lod2Solid>'
+                f"{solid([*faces, *walls])}</bldg:lod2Solid></bldg:BuildingPart></bldg:consistsOfBuildingPart>")
+
+    path = written(tmp_path, building(own=part(1, (0.0, 0.0)) + part(2, (north, east)), about=quality("012")))
+    assert [rule for rule in rules_of(path) if rule != "L-bldg-06"] == told
+
+
+def test_faces_of_another_building_are_none_of_its_surfaces(tmp_path):
+    faces = [face.replace("<gml:Polygon>", f'<gml:Polygon gml:id="f{k}">') for k, face in enumerate(BOX)]
+    held = "".join(f'<bldg:boundedBy><bldg:WallSurface gml:id="s{k}"><bldg:lod2MultiSurface>{surfaces(face)}'
+                   "</bldg:lod2MultiSurface></bldg:WallSurface></bldg:boundedBy>" for k, face in enumerate(faces))
+    shell = solid(BOX).replace(members(BOX), "".join(f'<gml:surfaceMember xlink:href="#f{k}"/>' for k in range(6)))
+    other = building(1, geometry=held, about=quality("2"))
+    one = building(2, geometry=f"<bldg:lod2Solid>{shell}</bldg:lod2Solid>", about=quality("2"))
+    path = written(tmp_path, other, one)
+    assert rules_of(path) == ["L-bldg-06"] * 6
 
 
 WALL = polygon((0, 0, 0), (0, 1, 0), (0, 1, 10), (0, 0, 10), identifier="w")
@@ -148,6 +214,17 @@ def test_faces_of_lod4_solids_are_those_of_their_surfaces(tmp_path):
         return rules_of(written(tmp_path, building(geometry=shape, about=quality("4"))))
 
     assert told(()) == [] and told((2, 3)) == ["L-bldg-08"] * 2
+    assert rules_of(written(tmp_path, building(geometry=as_surfaces(bounded(BOX, "WallSurface", "f", own=(2,))),
+                                               about=quality("4")))) == ["L-bldg-08"]
+
+
+def as_surfaces(shape: str) -> str:
+    """A solid of LOD4 as a multi-surface."""
+    for name in ("<bldg:lod4Solid>", "</bldg:lod4Solid>"):
+        shape = shape.replace(name, name.replace("Solid", "MultiSurface"), 1)
+    head, _, rest = shape.partition("<gml:Solid><gml:exterior><gml:CompositeSurface>")
+    inner, _, tail = rest.partition("</gml:CompositeSurface></gml:exterior></gml:Solid>")
+    return f"{head}<gml:MultiSurface>{inner}</gml:MultiSurface>{tail}"
 
 
 def turned(face: str) -> str:
@@ -185,6 +262,9 @@ def test_rooms_refer_to_turned_surfaces_of_their_own(tmp_path):
     assert sorted(set(told)) == ["L-bldg-10", "L-bldg-11"] and len(told) == 12
     told = house_with(tmp_path, room(inner_box(), own=(0,)))
     assert {"L-bldg-09", "L-bldg-11"} <= set(told)
+    told = house_with(tmp_path, as_surfaces(room(inner_box(), flipped=False)))
+    assert [rule for rule in told if rule != "C04"] == ["L-bldg-11"] * 6
+    assert "L-bldg-11" not in house_with(tmp_path, as_surfaces(room(inner_box())))
 
 
 def test_surfaces_of_a_building_look_outwards(tmp_path):

@@ -4,6 +4,7 @@ of their city object."""
 from __future__ import annotations
 
 import hashlib
+import re
 from array import array
 from collections import Counter
 from collections.abc import Iterable
@@ -14,6 +15,22 @@ import shapely
 
 from .checked_file import CheckedFile, CityBlock
 from .feature_walk import CityFeature, CityLink, tag_name
+
+_LEVEL = re.compile(r"lod[0-4](\w+)")
+_TAKEN = {
+    **dict.fromkeys(("surfaceMember", "baseSurface"), frozenset((
+        "Polygon", "CompositeSurface", "OrientableSurface", "Surface", "TriangulatedSurface", "Tin", "Triangle"))),
+    "curveMember": frozenset(("LineString", "Curve", "CompositeCurve", "OrientableCurve")),
+    "pointMember": frozenset(("Point",)),
+    **dict.fromkeys(("Solid", "solidMember"), frozenset(("Solid", "CompositeSolid"))),
+    **dict.fromkeys(("MultiSurface", "FootPrint", "RoofEdge"), frozenset(("MultiSurface",))),
+    "MultiCurve": frozenset(("MultiCurve",)),
+    "opening": frozenset(("Door", "Window")), "consistsOfBuildingPart": frozenset(("BuildingPart",)),
+    "interiorRoom": frozenset(("Room",)), "outerBuildingInstallation": frozenset(("BuildingInstallation",)),
+    **dict.fromkeys(("interiorBuildingInstallation", "roomInstallation"), frozenset(("IntBuildingInstallation",))),
+    "interiorFurniture": frozenset(("BuildingFurniture",)), "trafficArea": frozenset(("TrafficArea",)),
+    "auxiliaryTrafficArea": frozenset(("AuxiliaryTrafficArea",))}
+"""What properties take, by their names; of those with a level of detail by what follows it (CityGML 2.0, GML 3.1.1)."""
 
 ROAD_AREAS = ("tran:TrafficArea", "tran:AuxiliaryTrafficArea")
 
@@ -147,7 +164,13 @@ def named(file: CheckedFile, feature: CityFeature) -> NamedFeature:
 def wrong_target(link: CityLink, tag: tuple[str, str]) -> bool:
     """Whether a reference leads to another kind of thing than its property takes."""
     geometric = link.tag[0] == "gml" or link.tag[1].startswith("lod")
-    return geometric != (tag[0] == "gml")
+    if geometric != (tag[0] == "gml"):
+        return True
+    if link.tag[1] == "boundedBy":
+        return not tag[1].endswith("Surface")
+    level = _LEVEL.match(link.tag[1])
+    taken = _TAKEN.get(level.group(1) if level else link.tag[1])
+    return taken is not None and tag[1] not in taken
 
 
 def _bare(link: CityLink) -> CityLink:

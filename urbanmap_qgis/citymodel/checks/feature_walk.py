@@ -20,6 +20,10 @@ _LINES = {"LineString"}
 _GROUPS = {"Solid", "CompositeSurface", "MultiSurface", "TriangulatedSurface", "Tin", "CompositeCurve", "MultiCurve",
            "OrientableSurface", "Surface", "CompositeSolid", "MultiSolid", "MultiPoint", "Point", "MultiGeometry"}
 GEOMETRIES = frozenset(_RINGED | _LINES | _GROUPS | {"LinearRing"})
+_GROUPED = {"CompositeSurface", "TriangulatedSurface", "Tin", "CompositeCurve"}
+_FACES = ("MultiSurface", "lod4MultiSurface")
+_OF_FACES = ("bldg:Building", "bldg:BuildingPart", "bldg:Room")
+"""What must refer to faces of its boundary surfaces: a multi-surface of LOD4 of its own is kept with its members."""
 _MEMBERS = {"surfaceMember", "baseSurface", "exterior", "interior", "surfaceMembers", "patches", "trianglePatches"}
 
 
@@ -224,7 +228,7 @@ def _noted(element: Element, parent: Element, tag: tuple[str, str], where: _Wher
     target = element.get(XLINK_HREF)
     if target is not None:
         found.references.append(CityLink(where.feature, target, tag, where.name or tag[1]))
-    if element.get("codeSpace") is not None and element.text:
+    if element.get("codeSpace") is not None and not len(element):
         found.codes.append((where.feature, element, parent))
     identifier = element.get(_GML_ID)
     if identifier:
@@ -245,7 +249,7 @@ def _geometry(element: Element, where: _Where, found: CityThing) -> None:
         return
     if name == "Solid":
         where = _with(where, solid=len(found.bodies), group=None)
-    elif name in ("CompositeSurface", "TriangulatedSurface", "Tin", "CompositeCurve"):
+    elif name in _GROUPED or ((name, where.name) == _FACES and where.feature.type in _OF_FACES):
         where = _with(where, group=len(found.bodies))
     if name in _GROUPS:
         found.bodies.append(CityBody(where.feature, where.name, where.lod, element.get(_GML_ID) or "", name))

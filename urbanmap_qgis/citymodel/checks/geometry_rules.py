@@ -109,11 +109,14 @@ def _faulty_rings(block: CityBlock) -> dict[int, tuple[str, str]]:
     simple = np.ones(len(shapes.polygon), bool)
     present = ~shapely.is_missing(shapes.ring_lines)
     simple[present] = shapely.is_simple(shapes.ring_lines[present])
-    for ring in np.flatnonzero(~shapes.closed | ~shapes.whole | ~simple | shapes.thin):
+    twice = np.bincount(shapes.ring_of_place[shapes.side_lengths == 0.0], minlength=len(simple)) > 0
+    for ring in np.flatnonzero(~shapes.closed | ~shapes.whole | ~simple | shapes.thin | twice):
         if not shapes.whole[ring] or (shapes.thin[ring] and simple[ring]):
             fault = "has no area", "面積をもちません（縮退しています）"
         elif not simple[ring]:
             fault = "crosses or touches itself", "自己交差又は自己接触しています"
+        elif twice[ring]:
+            fault = "has the same place twice in a row", "同じ座標が連続しています"
         else:
             fault = "does not end where it begins", "閉じていません（始終点が一致しません）"
         found.setdefault(int(shapes.polygon[ring]), fault)

@@ -7,39 +7,15 @@ from collections.abc import Iterator
 import numpy as np
 import shapely
 
-from ...geometry.tolerances import LEAST_SQUARE
 from ...io.files.rule_table import CheckRule
 from .checked_file import CityBlock
 from .city_rule_table import Violation, city_rule, violation
 from .feature_walk import CityBody, CityFeature, CityThing
-from .geometry_rules import NEAREST, PLANE
-from .solid_rules import INNER_SURFACES, OPENINGS, boundary_ids, extent_of, member_polygons
+from .geometry_rules import PLANE
+from .solid_rules import INNER_SURFACES, OPENINGS, boundary_ids, closed_rings, extent_of, member_polygons, near_lines
 
 _INSIDE = ("bldg:Room", "bldg:IntBuildingInstallation", "bldg:BuildingFurniture")
 _WHOLE = ("bldg:Building", "bldg:BuildingPart")
-
-
-def _rings(block: CityBlock, numbers: list[int]) -> list[np.ndarray]:
-    """Places (n, 3) m of all rings of polygons, closed."""
-    shapes = block.shapes
-    found = []
-    for number in numbers:
-        for ring in np.flatnonzero(shapes.polygon == number):
-            places = shapes.metres[shapes.start[ring]:shapes.start[ring + 1]]
-            found.append(places if shapes.closed[ring] else np.vstack([places, places[:1]]))
-    return found
-
-
-def _near_lines(points: np.ndarray, rings: list[np.ndarray]) -> np.ndarray:
-    """Which points (n, 3) lie on sides of rings, within `NEAREST` m."""
-    near = np.zeros(len(points), bool)
-    for ring in rings:
-        start, step = ring[:-1], np.diff(ring, axis=0)
-        length = np.maximum((step ** 2).sum(axis=1), LEAST_SQUARE)
-        share = np.clip(np.einsum("pij,ij->pi", points[:, None] - start, step) / length, 0.0, 1.0)
-        away = points[:, None] - start - share[:, :, None] * step
-        near |= ((away ** 2).sum(axis=2) <= NEAREST ** 2).any(axis=1)
-    return near
 
 
 @city_rule("L-bldg-07")
@@ -53,17 +29,19 @@ def _opening_without_border(block: CityBlock, rule: CheckRule) -> Iterator[Viola
         inner, around = owners.get(id(feature)), owners.get(id(feature.parent))
         if not inner or not around:
             continue
-        borders = _rings(block, around)
-        sides = [np.stack([ring[:-1], (ring[:-1] + ring[1:]) / 2, ring[1:]], axis=1) for ring in _rings(block, inner)]
-        shared = [_near_lines(side.reshape(-1, 3), borders).reshape(-1, 3).all(axis=1).any() for side in sides]
+        borders = closed_rings(block, around)
+        sides = [np.stack([ring[:-1], (ring[:-1] + ring[1:]) / 2, ring[1:]], axis=1)
+                 for ring in closed_rings(block, inner)]
+        shared = [near_lines(side.reshape(-1, 3), borders).reshape(-1, 3).all(axis=1).any() for side in sides]
         if not any(shared):
             yield violation(feature, 4, block.shapes.first_place(inner[0]))
 
 
-def _solids(thing: CityThing, types: tuple[str, ...], least: int) -> Iterator[tuple[CityBody, list[tuple[int, bool]]]]:
+def _solids(thing: CityThing, types: tuple[str, ...], least: int, kinds: tuple[str, ...] = ("Solid",),
+            ) -> Iterator[tuple[CityBody, list[tuple[int, bool]]]]:
     """Solids of features of some types from a level on, with the polygons in them and whether they are turned over."""
     for body in thing.bodies:
-        if body.kind == "Solid" and body.feature.type in types and (body.lod or 0) >= least:
+        if body.kind in kinds and body.members and body.feature.type in types and (body.lod or 0) >= least:
             yield body, member_polygons(thing, body) or []
 
 
@@ -85,9 +63,9 @@ def _wrong_side(block: CityBlock, rule: CheckRule) -> Iterator[Violation]:
 
 @city_rule("L-bldg-11")
 def _room_not_turned(block: CityBlock, rule: CheckRule) -> Iterator[Violation]:
-    """Faces of a room's solid that are no turned surface of the room or of its installations."""
+    """Faces of a room's solid or surfaces that are no turned surface of the room or of its installations."""
     for thing in block.things:
-        for body, members in _solids(thing, ("bldg:Room",), 4):
+        for body, members in _solids(thing, ("bldg:Room",), 4, ("Solid", "MultiSurface")):
             known = boundary_ids(thing, body.feature, INNER_SURFACES, 4)
             for number, flipped in members:
                 if not flipped or thing.polygons[number].id not in known:

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 import shapely
 
-from ...geometry.tolerances import ROUNDING
+from ...geometry.tolerances import LEAST_SQUARE, ROUNDING
 from ...io.files.rule_table import CheckRule
 from .checked_file import CityBlock
 from .city_rule_table import Violation, city_rule, violation
@@ -20,6 +20,11 @@ OUTER_SURFACES = ("bldg:RoofSurface", "bldg:WallSurface", "bldg:GroundSurface", 
                   "bldg:OuterCeilingSurface", "bldg:ClosureSurface")
 INNER_SURFACES = ("bldg:CeilingSurface", "bldg:InteriorWallSurface", "bldg:FloorSurface", "bldg:ClosureSurface")
 OPENINGS = ("bldg:Door", "bldg:Window")
+
+_NO_CORNER = 0.1
+"""Bodies that lie side by side along less meet at a corner, m."""
+_ONE_PLANE = 1.0 - 1e-6
+"""Cosine of the angle of two polygons' planes from which on they are one: 1.4 mm a metre."""
 
 SolidCheck = Callable[..., Any]
 """Function from a body (vertices, faces) to its problems, such as that of the building models (val3dity's codes)."""
@@ -206,7 +211,7 @@ def _closed_surface(block: CityBlock, rule: CheckRule) -> Iterator[Violation]:
 
 @city_rule("L18")
 def _surface_falls_apart(block: CityBlock, rule: CheckRule) -> Iterator[Violation]:
-    """Composite surfaces outside of solids, whose edges L14 judges: equal polygons, polygons that touch no other."""
+    """Composite surfaces outside of solids, whose edges L14 judges: polygons that overlap, or touch no other."""
     shapes = block.shapes
     for faces in _bodies(block, "CompositeSurface"):
         if len(faces.polygons) < 2 or any(shapes.polygons[number].owner is not None for number in faces.polygons):
@@ -214,8 +219,8 @@ def _surface_falls_apart(block: CityBlock, rule: CheckRule) -> Iterator[Violatio
         corners = [{tuple(place) for place in shapes.raw[slice(*shapes.start[[ring, ring + 1]])].tolist()}
                    for ring in shapes.outer_ring[faces.polygons]]
         place = shapes.first_place(int(faces.polygons[0]))
-        if len({frozenset(one) for one in corners}) < len(corners):
-            yield violation(faces.body.feature, faces.body.lod, place, why="the same polygon twice",
+        if len({frozenset(one) for one in corners}) < len(corners) or _overlapping(block, faces):
+            yield violation(faces.body.feature, faces.body.lod, place, why="polygons that overlap",
                             why_ja="重なる多角形があります")
         elif any(not any(one & other for j, other in enumerate(corners) if j != k) and not _touches(block, faces, k)
                  for k, one in enumerate(corners)):
@@ -232,8 +237,49 @@ def _plan(block: CityBlock, number: int) -> shapely.Polygon:
 
 def _touches(block: CityBlock, faces: _Faces, k: int) -> bool:
     """Whether a polygon lies at another one of its surface without a common vertex."""
-    plans = np.array([_plan(block, number) for number in faces.polygons], object)
-    return bool((shapely.distance(plans[k], np.delete(plans, k)) < NEAREST).any())
+    own, others = closed_rings(block, [faces.polygons[k]]), closed_rings(block, np.delete(faces.polygons, k))
+    return bool(near_lines(np.vstack(own), others).any() or near_lines(np.vstack(others), own).any())
+
+
+def _overlapping(block: CityBlock, faces: _Faces) -> bool:
+    """Whether two polygons of a surface lie in one plane and share more than a border."""
+    shapes = block.shapes
+    normals = shapes.normals[faces.polygons]
+    first = shapes.metres[shapes.start[shapes.outer_ring[faces.polygons]]]
+    for k in range(len(normals) - 1):
+        others = k + 1 + np.flatnonzero((np.abs(normals[k + 1:] @ normals[k]) > _ONE_PLANE)
+                                        & (np.abs((first[k + 1:] - first[k]) @ normals[k]) < NEAREST))
+        if not len(others):
+            continue
+        axes = _axes_of(normals[k])
+        one, *rest = (shapely.make_valid(shapely.Polygon(outer @ axes, [hole @ axes for hole in holes]))
+                      for outer, *holes in (closed_rings(block, [faces.polygons[j]]) for j in (k, *others)))
+        if not shapely.is_empty(shapely.buffer(shapely.intersection(one, rest), -NEAREST / 2.0)).all():
+            return True
+    return False
+
+
+def closed_rings(block: CityBlock, numbers: Sequence[int] | np.ndarray) -> list[np.ndarray]:
+    """Places (n, 3) m of all rings of polygons, closed."""
+    shapes = block.shapes
+    found = []
+    for number in numbers:
+        for ring in np.flatnonzero(shapes.polygon == number):
+            places = shapes.metres[shapes.start[ring]:shapes.start[ring + 1]]
+            found.append(places if shapes.closed[ring] else np.vstack([places, places[:1]]))
+    return found
+
+
+def near_lines(points: np.ndarray, rings: list[np.ndarray]) -> np.ndarray:
+    """Which points (n, 3) lie on sides of rings, within `NEAREST` m."""
+    near = np.zeros(len(points), bool)
+    for ring in rings:
+        start, step = ring[:-1], np.diff(ring, axis=0)
+        length = np.maximum((step ** 2).sum(axis=1), LEAST_SQUARE)
+        share = np.clip(np.einsum("pij,ij->pi", points[:, None] - start, step) / length, 0.0, 1.0)
+        away = points[:, None] - start - share[:, :, None] * step
+        near |= ((away ** 2).sum(axis=2) <= NEAREST ** 2).any(axis=1)
+    return near
 
 
 @city_rule("L-bldg-02")
@@ -264,16 +310,26 @@ def extent_of(block: CityBlock, thing: CityThing,
 
 
 def _connected(boxes: list[tuple[shapely.Geometry, float, float]]) -> bool:
-    """Whether all bodies hang together by bodies that touch."""
+    """Whether all bodies hang together by bodies that share a face."""
     reached, waiting = {0}, [0]
     while waiting:
         plan, low, high = boxes[waiting.pop()]
         for number, (other, floor, roof) in enumerate(boxes):
-            if (number not in reached and shapely.distance(plan, other) < NEAREST and floor < high + NEAREST
-                    and low < roof + NEAREST):
+            if number not in reached and _share_a_face(plan, other, min(high, roof) - max(low, floor)):
                 reached.add(number)
                 waiting.append(number)
     return len(reached) == len(boxes)
+
+
+def _share_a_face(plan: shapely.Geometry, other: shapely.Geometry, height: float) -> bool:
+    """Whether two bodies whose heights overlap by `height` (m) lie side by side, or one above the other; a corner in
+    common is no face."""
+    if height <= -NEAREST or shapely.distance(plan, other) >= NEAREST:
+        return False
+    if shapely.area(shapely.intersection(plan, other)) > _NO_CORNER * NEAREST:
+        return True
+    side = shapely.area(shapely.intersection(shapely.buffer(plan, NEAREST / 2), shapely.buffer(other, NEAREST / 2)))
+    return height > NEAREST and bool(side > _NO_CORNER * NEAREST)
 
 
 @city_rule("L-bldg-03")
@@ -289,13 +345,18 @@ def _opening_outside(block: CityBlock, rule: CheckRule) -> Iterator[Violation]:
                 yield violation(feature, level, shapes.first_place(inner[0]))
 
 
+def _axes_of(normal: np.ndarray) -> np.ndarray:
+    """Two axes (3, 2) at right angles to a normal."""
+    helper = np.array([1.0, 0.0, 0.0]) if abs(normal[2]) > 0.5 else np.array([0.0, 0.0, 1.0])
+    first = np.cross(helper, normal)
+    first /= max(float(np.linalg.norm(first)), ROUNDING)
+    return np.column_stack([first, np.cross(normal, first)])
+
+
 def _covered(block: CityBlock, inner: list[int], around: list[int]) -> bool:
     """Whether polygons, seen along the normal of those around them, lie within their outer rings."""
     shapes = block.shapes
-    normal = shapes.normals[around[0]]
-    helper = np.array([1.0, 0.0, 0.0]) if abs(normal[2]) > 0.5 else np.array([0.0, 0.0, 1.0])
-    first = np.cross(helper, normal)
-    axes = np.column_stack([first, np.cross(normal, first)])
+    axes = _axes_of(shapes.normals[around[0]])
 
     def seen(number: int) -> shapely.Geometry:
         ring = shapes.outer_ring[number]
@@ -323,13 +384,22 @@ def _foreign_faces(block: CityBlock, types: tuple[str, ...], names: tuple[str, .
     """Solids with a face that is none of the boundary surfaces' polygons."""
     for thing in block.things:
         for body in thing.bodies:
-            if body.kind not in ("Solid",) or body.name not in names or body.feature.type not in types:
+            if body.kind not in ("Solid", "MultiSurface") or body.name not in names or body.feature.type not in types:
                 continue
             members = member_polygons(thing, body) or []
             known = boundary_ids(thing, body.feature, surfaces, body.lod or 0)
+            for _ in _elsewhere(thing, body):
+                yield violation(body.feature, body.lod, level=body.lod)
             for number, _ in members:
                 if thing.polygons[number].id not in known:
                     yield violation(body.feature, body.lod, level=body.lod)
+
+
+def _elsewhere(thing: CityThing, body: CityBody) -> list[str]:
+    """Ids that a body refers to and that its city object does not have."""
+    own = {one.id for one in thing.bodies}
+    return [member for member, _ in body.members
+            if isinstance(member, str) and member not in thing.polygon_numbers and member not in own]
 
 
 @city_rule("L-bldg-06")
@@ -340,7 +410,8 @@ def _no_boundary_surface(block: CityBlock, rule: CheckRule) -> Iterator[Violatio
 
 @city_rule("L-bldg-08")
 def _no_boundary_surface_4(block: CityBlock, rule: CheckRule) -> Iterator[Violation]:
-    yield from _foreign_faces(block, ("bldg:Building", "bldg:BuildingPart"), ("lod4Solid",), OUTER_SURFACES)
+    yield from _foreign_faces(block, ("bldg:Building", "bldg:BuildingPart"), ("lod4Solid", "lod4MultiSurface"),
+                              OUTER_SURFACES)
 
 
 @city_rule("L-bldg-09")
