@@ -27,7 +27,9 @@ from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.mobile.calibration import read_calibration
 from urbanmap_qgis.mobile.markings.extraction import ExtractionSettings
 from urbanmap_qgis.mobile.markings.records import MarkingPoints
+from urbanmap_qgis.mobile.registration.correction.gauss_markov import path_parameters_of
 from urbanmap_qgis.mobile.registration.correction.patch_status import DISTRUSTED, REGISTERED
+from urbanmap_qgis.mobile.registration.correction.settings import CorrectionSettings
 from urbanmap_qgis.mobile.registration.records import RegistrationSettings
 from urbanmap_qgis.mobile.registration.run import RegistrationRun
 from urbanmap_qgis.mobile.registration.stage import register_markings
@@ -124,7 +126,15 @@ def moved_walls(walls: WallWitness | None, before: Trajectory, after: Trajectory
         return None
     planes = walls.planes
     time_seen = np.interp(planes.chainage, path_chainage(before), before.time)
-    return replace(walls, planes=replace(planes, place=move_points(planes.place, time_seen, before, after)))
+    turned = interpolate(after, time_seen).angles - interpolate(before, time_seen).angles
+    rotation = np.einsum("nij,nj->ni", planes.back[:, 3:, 3:], turned)
+    lean = rotation[:, 0] * planes.normal[:, 1] - rotation[:, 1] * planes.normal[:, 0]
+    shift, way = after.place[:, :2] - before.place[:, :2], path_parameters_of(before, CorrectionSettings().time_weight)
+    drift = [np.interp(planes.path_parameter + 1.0, way, axis) - np.interp(planes.path_parameter - 1.0, way, axis)
+             for axis in shift.T]
+    lean -= 0.5 * (planes.normal * np.column_stack(drift)).sum(axis=1) * planes.sweep
+    return replace(walls, planes=replace(planes, place=move_points(planes.place, time_seen, before, after),
+                                         tilt=planes.tilt + lean))
 
 
 @dataclass(frozen=True)

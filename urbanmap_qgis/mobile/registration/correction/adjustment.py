@@ -31,7 +31,7 @@ from .patch_corrections import (
 )
 from .patch_status import only_own_mode_fits
 from .robust_fit import Evaluate, chain_likelihood, onto_points, robust_fit
-from .second_witness import Witness, WitnessConflict, where_walls_want_it, with_witness
+from .second_witness import Witness, WitnessConflict, where_walls_want_it, with_upright_walls, with_witness
 from .settings import CorrectionSettings
 from .side_slip import SideSlip
 
@@ -82,10 +82,10 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
     found = with_steps(chain, fit, model, at_nodes, changes, slip, points, settings)
     found, conflict = with_witness(walls, found, model) if walls is not None else (found, WitnessConflict(()))
     found = with_silences(by_slip(found, changes, model, slip), model, at_patches, windows.correction[:, :2])
-    chain, fit = found.chain, found.fit
-    unseen = unseen_steps(chain, model, fit, found.all_steps)
-    unmeasured = unmeasured_angles(chain, fit, model.attitude.sigma)
-    fit, model = with_reported_angles(chain, fit, model, unmeasured)
+    found, model = with_upright_walls(walls, found, model) if walls is not None else (found, model)
+    unseen = unseen_steps(found.chain, model, found.fit, found.all_steps)
+    chain, unmeasured = found.chain, unmeasured_angles(found.chain, found.fit, model.attitude.sigma)
+    fit, model = with_reported_angles(chain, found.fit, model, unmeasured)
     found = replace(found, fit=with_plan_noise(chain, fit, model, points is not None))
     correction = correction_at_patches(windows, found, at_patches, doubtful, settings, conflict, unseen, model)
     if correction.three_d:

@@ -66,6 +66,7 @@ class NodeChain:
         self.nodes, self.fast, self.fast_up = nodes, fast, fast_up
         self.held: HeldObservations | None = None
         self._held_sums: tuple[np.ndarray, np.ndarray] | None = None
+        self._upright_sums: tuple[np.ndarray, np.ndarray] | None = None
         rising = np.concatenate([[True], np.diff(path_parameter) > 0])
         time = np.interp(nodes, path_parameter[rising], trajectory.time[rising])
         self.stopped, self.jump = stop_steps(trajectory, time), jump_steps(trajectory, time)
@@ -107,7 +108,7 @@ class NodeChain:
         other.fast_up = self.fast_up[steps] if np.ndim(self.fast_up) else self.fast_up
         other.stopped, other.jump = self.stopped[steps], self.jump[steps]
         other.stops = StopMovement(self.stops.moved[steps], self.stops.variance[steps])
-        other.held, other._held_sums = None, None
+        other.held, other._held_sums, other._upright_sums = None, None, None
         other._start(self.unsoftened.select((self.node >= first) & (self.node <= last)))
         return other
 
@@ -117,6 +118,13 @@ class NodeChain:
         other.held = observations
         other._held_sums = None if observations is None else observations.on_nodes(
             *self._next_node(observations.path_parameter), len(self.nodes))
+        return other
+
+    def with_upright(self, observations: HeldObservations) -> NodeChain:
+        """The same with observations of angles beside all others, whose offset is none and which no weighing touches.
+        """
+        other = copy(self)
+        other._upright_sums = observations.on_nodes(*self._next_node(observations.path_parameter), len(self.nodes))
         return other
 
     def hardened(self) -> NodeChain:
@@ -162,6 +170,8 @@ class NodeChain:
         right[filled] += np.add.reduceat(gradient[:, :, None] * steps[:, None], first, axis=0)
         products = weighted[:, :, None, :, None] * (steps[:, :, None] * steps[:, None])[:, None, :, None]
         diagonal[filled] += np.add.reduceat(products, first, axis=0)
+        if self._upright_sums is not None:
+            diagonal, right = diagonal + self._upright_sums[0], right + self._upright_sums[1]
         return diagonal, right, prior
 
     def settled(self, model: PoseErrorModel, weight: np.ndarray) -> SettledChain:
@@ -190,6 +200,7 @@ class NodeChain:
             bare.normals = replace(self.normals, gradient=np.zeros_like(self.normals.gradient),
                                    place=np.broadcast_to(shift, self.normals.place.shape))
             bare._held, bare.stops = None, StopMovement(np.zeros_like(self.stops.moved), self.stops.variance)
+            bare._upright_sums = None
             sides.append(bare._equations(model, weight)[1].ravel())
         states = self._held_system(model, weight).response(np.column_stack(sides))
         followed = [smooth_between(self.nodes, states[..., axis].reshape(k, d, 2), path_parameter)[:, :2]

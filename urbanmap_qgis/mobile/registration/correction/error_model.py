@@ -14,6 +14,7 @@ import numpy as np
 from .gauss_markov import GaussMarkovDrift
 
 ANGLES = (3, 4, 5)
+PITCH = ANGLES[1]
 _SHORT = 0.02  # of the correlation length: shorter steps by the leading terms, which the closed form loses in rounding
 
 
@@ -79,6 +80,11 @@ class PoseErrorModel:
     def with_heading(self, factor: float) -> PoseErrorModel:
         """The same with `factor` times the error of the heading."""
         return replace(self, attitude=self.attitude.times((1.0, 1.0, factor)))
+
+    def with_pitch(self, factor: float) -> PoseErrorModel:
+        """The same with `factor` times the error of the pitch, as fast as before: it is one sensor's."""
+        attitude = self.attitude
+        return replace(self, attitude=replace(attitude, sigma=attitude.sigma * np.array([1.0, factor, 1.0])))
 
     def between(self, first: int, last: int) -> PoseErrorModel:
         """The same of the nodes from one number to another alone."""

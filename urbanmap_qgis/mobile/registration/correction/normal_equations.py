@@ -40,6 +40,12 @@ class NormalEquations:
     three_d: bool
     met: np.ndarray | None = None
 
+    @classmethod
+    def silent(cls, active: tuple[int, ...], path_parameter: np.ndarray) -> NormalEquations:
+        """Of pieces that say nothing of some parameters."""
+        n, d = len(path_parameter), len(active)
+        return cls(active, path_parameter, *np.zeros((2, n, d)), np.zeros((n, d, d)), np.zeros(n, bool), True)
+
     @property
     def normal_vector(self) -> np.ndarray:
         """(n, d) gradient at no correction at all (the normal vector b)."""

@@ -12,10 +12,11 @@ import numpy as np
 from ....geometry.tolerances import LEAST_DIVISOR
 from ....wording import mark, say
 from ..records import WindowResults
-from .chain import NodeChain, NodeCurve
+from .chain import NodeChain, NodeCurve, smooth_between
 from .disagreements import CorrectionStep, Disagreements, NodeStep, hidden_steps
-from .error_model import PoseErrorModel
+from .error_model import PITCH, PoseErrorModel
 from .held_observations import HeldObservations
+from .normal_equations import NormalEquations
 from .patch_status import BRIDGED, MOST_SPAN, REGISTERED, evidence_spans, only_own_mode_fits
 from .robust_fit import Fit
 from .settings import CorrectionSettings
@@ -37,6 +38,8 @@ class SecondWitnessLimits:
     agreeing_nodes: int = 10
     reach: float = 30.0  # m of path beyond a stretch that are told with it: walls and markings are seen so far ahead
     rounds: int = 3  # in which the walls are matched anew
+    weighings: int = 3  # in which leaning walls are weighed, and how far the pitch is off is found
+    worse: tuple[float, ...] = (1.0, 1.5, 2.0, 3.0)  # times as far as stated that a pitch may be off
 
 
 LIMITS = SecondWitnessLimits()
@@ -67,6 +70,12 @@ class Alone(Protocol):
     covariance: np.ndarray
 
 
+class Upright(Protocol):
+    """Walls that stand upright: what they say of the angles among some parameters, about a curve."""
+
+    def about(self, curve: Callable, active: Sequence[int]) -> HeldObservations: ...
+
+
 class Witness(Protocol):
     """Walls, as the adjustment sees them."""
 
@@ -78,6 +87,8 @@ class Witness(Protocol):
     def jumps(self, curve: Callable) -> Sequence[Jump]: ...
 
     def about(self, curve: Callable, active: tuple[int, ...]) -> HeldObservations | None: ...
+
+    def upright(self) -> Upright | None: ...
 
     def fitted(self, chain: NodeChain, model: PoseErrorModel, curve: Callable) -> Witness: ...
 
@@ -234,6 +245,54 @@ def with_witness(walls: Witness, found: Disagreements, model: PoseErrorModel) ->
         if wall_observations is None:
             break
     return replace(found, chain=chain, fit=fit, hidden=hidden_steps(chain, model, fit, MOST_SPAN)), conflict
+
+
+def with_upright_walls(walls: Witness, found: Disagreements,
+                       model: PoseErrorModel) -> tuple[Disagreements, PoseErrorModel]:
+    """What was found with the pitch that walls across the street tell, and the model with a pitch as much off as shown.
+    """
+    chain, fit, upright = found.chain, found.fit, walls.upright()
+    if upright is None or PITCH not in chain.normals.active:
+        return found, model
+    curve = _PitchedCurve(NodeCurve(chain, fit.state), chain.nodes, None)
+    alone = chain.with_held(None).with_normals(NormalEquations.silent((PITCH,), chain.nodes))
+    nothing = np.zeros(len(chain.nodes))
+    for _ in range(LIMITS.weighings):
+        leaning = alone.with_upright(upright.about(curve, (PITCH,)))
+        shown = model.with_pitch(_shown_factor(leaning, model, nothing))
+        curve = replace(curve, state=leaning.solve(shown, nothing)[0])
+    chain = chain.with_upright(upright.about(curve, chain.normals.active))
+    weight = fit.weight / fit.noise_factor
+    if chain.held is not None:
+        return replace(found, chain=chain, fit=settled_offset(chain, fit, shown, weight)[0]), shown
+    state, covariance, _ = chain.solve(shown, weight)
+    return replace(found, chain=chain, fit=replace(fit, state=state, covariance=covariance)), shown
+
+
+def _shown_factor(leaning: NodeChain, model: PoseErrorModel, nothing: np.ndarray) -> float:
+    """How many times as large as the model has it leaning walls show the pitch's error: the mean of what is possible.
+
+    Each of `LIMITS.worse` counts by its likelihood (model averaging): one drive hardly tells them apart.
+    """
+    factors = np.array(LIMITS.worse)
+    likelihood = np.array([leaning.solve(model.with_pitch(factor), nothing)[2] for factor in factors])
+    share = np.exp(likelihood - likelihood.max())
+    return float((share * factors).sum() / share.sum())
+
+
+@dataclass(frozen=True)
+class _PitchedCurve:
+    """A correction with the pitch of states (k, 1, 2) at nodes (k,); without them as it is."""
+
+    curve: Callable
+    nodes: np.ndarray
+    state: np.ndarray | None
+
+    def __call__(self, path_parameter: np.ndarray) -> np.ndarray:
+        correction = self.curve(path_parameter)
+        if self.state is not None:
+            correction[:, PITCH] = smooth_between(self.nodes, self.state, path_parameter)[:, 0]
+        return correction
 
 
 def _marked(chain: NodeChain, fit: Fit, path_parameter: np.ndarray) -> np.ndarray:

@@ -8,11 +8,11 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
-from ....geometry.tolerances import LEAST_DIVISOR
+from ....geometry.tolerances import LEAST_DIVISOR, LEAST_SQUARE
 from ....io.points.pointcloud import PointCloud, iter_chunks, open_cloud, valid_points
 from ....progress import SILENT, Progress
 from ...apply_correction import survey_time_shift
-from ...boresight.plane_patches import PatchSearch
+from ...boresight.plane_patches import PatchSearch, PlanePatches
 from ...markings.extraction import WEIGHT
 from ...trajectory import Trajectory, interpolate, path_chainage
 from ..matching.results import angle_rates
@@ -47,6 +47,8 @@ class FacadePlanes:
     lever_arm : (n, 3) m, from the body to them.
     normal : (n, 2) unit vectors in plan, towards the vehicle.
     back : (n, 6, 6) of a correction (m, degrees) to shift and rotation vector (radians) of the body.
+    tilt : (n,) of the normal upwards for one in plan: radians by which the plane leans back.
+    sweep : (n,) m of path parameter that pass while the scan rises by a metre.
     """
 
     path_parameter: np.ndarray
@@ -55,6 +57,8 @@ class FacadePlanes:
     lever_arm: np.ndarray
     normal: np.ndarray
     back: np.ndarray
+    tilt: np.ndarray
+    sweep: np.ndarray
 
     def __len__(self) -> int:
         return len(self.path_parameter)
@@ -90,18 +94,30 @@ def facade_planes(paths: Sequence[str | os.PathLike] | PointCloud, trajectory: T
         for chunk in iter_chunks(cloud, progress, LIMITS.chunk):
             points, time = _near_facades(chunk, shift, trajectory)
             along = np.interp(time, trajectory.time, path_parameter)
-            search.add(points, time, (along / LIMITS.piece).astype(np.int64) % LIMITS.groups)
+            z = points[:, 2] - trajectory.place[0, 2]
+            search.add(points, time, (along / LIMITS.piece).astype(np.int64) % LIMITS.groups,
+                       np.column_stack([along, z * z, z * along]))
     found = search.patches()
     found = found.select(np.abs(found.normal[:, 2]) <= LIMITS.upright)
     found = found.select(np.argsort(found.time, kind="stable"))
     time = np.clip(found.time, trajectory.time[0], trajectory.time[-1])  # means of times may be rounded beyond
     body = interpolate(trajectory, time)
-    lever_arm, normal = found.centroid - body.place, found.normal[:, :2]
-    normal = normal * -np.sign((normal * lever_arm[:, :2]).sum(axis=1))[:, None]
-    normal = normal / np.maximum(np.hypot(*normal.T), LEAST_DIVISOR)[:, None]
+    lever_arm = found.centroid - body.place
+    normal = found.normal * -np.sign((found.normal * lever_arm * [1.0, 1.0, 0.0]).sum(axis=1))[:, None]
+    normal = normal / np.maximum(np.hypot(*normal[:, :2].T), LEAST_DIVISOR)[:, None]
     back = np.linalg.inv(angle_rates(body.angles)) if len(time) else np.zeros((0, 6, 6))
     along, chainage = (np.interp(time, trajectory.time, way) for way in (path_parameter, path_chainage(trajectory)))
-    return FacadePlanes(along, chainage, found.centroid, lever_arm, normal, back)
+    return FacadePlanes(along, chainage, found.centroid, lever_arm, normal[:, :2], back, normal[:, 2],
+                        _sweep(found, found.centroid[:, 2] - trajectory.place[0, 2]))
+
+
+def _sweep(found: PlanePatches, z: np.ndarray) -> np.ndarray:
+    """(n,) m of path a metre of height, by mean heights (n,) and the means (n, 3) of path, z squared and z times path.
+    """
+    if not len(found):
+        return np.zeros(0)
+    along, square, product = found.means.T
+    return (product - z * along) / np.maximum(square - z**2, LEAST_SQUARE)
 
 
 def _near_facades(chunk, shift: float, trajectory: Trajectory) -> tuple[np.ndarray, np.ndarray]:

@@ -22,6 +22,7 @@ from .outline_walls import LIMITS as OUTLINES
 from .outline_walls import MatchedWalls, WallEdges
 from .straightness import WallJump, own_walls, wall_jumps
 from .stretches import ShiftedStretch, WallReadings, shifted_stretches
+from .upright_walls import UprightWalls
 
 Curve = Callable[[np.ndarray], np.ndarray]
 """Corrections (m, 6) at path parameters (m,)."""
@@ -114,6 +115,10 @@ class WallWitness:
         target = value - pieces.outside - self.eaves
         return HeldObservations(pieces.mean(found.planes.path_parameter), rate, target, weight[pieces.wall], self.eaves,
                                 self.edges.inside, pieces.offsets(self.edges, self.sizes, trust))
+
+    def upright(self) -> UprightWalls | None:
+        """Walls across the street, which tell the pitch; None where none is seen."""
+        return UprightWalls.among(self.planes)
 
     def fitted(self, chain: NodeChain, model: PoseErrorModel, curve: Curve) -> WallWitness:
         """With eaves and differences as the walls alone tell them, and the course that they want, from a curve on.
