@@ -36,8 +36,7 @@ def facade(step=0.8):
     x, z = (part.ravel() for part in np.meshgrid(np.arange(1.0, 29.5, step), np.arange(0.4, 8.0, step)))
     place = np.column_stack([x + REPORTED[0], np.full(len(x), WALL + REPORTED[1]), z])
     normal = np.tile([0.0, -1.0], (len(x), 1))
-    return FacadePlanes(x, x, place, np.tile([0.0, 9.0, 2.0], (len(x), 1)), normal, np.tile(np.eye(6), (len(x), 1, 1)),
-                        *np.zeros((2, len(x))))
+    return FacadePlanes(x, x, place, np.tile([0.0, 9.0, 2.0], (len(x), 1)), normal, np.tile(np.eye(6), (len(x), 1, 1)))
 
 
 @pytest.fixture

@@ -74,8 +74,7 @@ def seen(drive, place, normal, chainage):
     error = interpolate(drive.true, time).place[:, :2] - body.place[:, :2]
     flat = np.column_stack([place - error, body.place[:, 2]])
     along = np.interp(time, drive.reported.time, path_parameters_of(drive.reported, CorrectionSettings().time_weight))
-    return FacadePlanes(along, chainage, flat, flat - body.place, normal, np.linalg.inv(angle_rates(body.angles)),
-                        *np.zeros((2, len(along))))
+    return FacadePlanes(along, chainage, flat, flat - body.place, normal, np.linalg.inv(angle_rates(body.angles)))
 
 
 def as_points(drive):

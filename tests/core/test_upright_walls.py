@@ -111,6 +111,7 @@ def test_walls_along_the_street_say_nothing_of_the_pitch(seen):
     planes = seen(true, reported)
     turned = replace(planes, normal=planes.normal[:, ::-1])
     assert UprightWalls.among(turned) is None
+    assert UprightWalls.among(replace(planes, tilt=None, sweep=None)) is None  # kerbs do not stand upright
     assert UprightWalls.among(planes.select(np.zeros(len(planes), bool))) is None
 
 
@@ -135,7 +136,7 @@ def leaning_walls(made):
     east, north = planes.normal.T
     rate = north * planes.back[:, 3, 4] - east * planes.back[:, 4, 4]
     noise = np.radians(0.2) * np.random.default_rng(8).normal(size=len(planes))
-    return WallWitness(replace(planes, tilt=noise - rate * pitch))
+    return WallWitness(replace(planes, tilt=noise - rate * pitch, sweep=np.zeros(len(planes))))
 
 
 def test_the_correction_takes_the_pitch_from_walls():

@@ -71,8 +71,7 @@ def survey(name, start, error):
     flat = np.column_stack([place, np.full(len(at), 4.0)]) + error(at)
     body = interpolate(reported, seen)
     along = np.interp(seen, time, RUN.path_parameters(reported))
-    planes = FacadePlanes(along, at, flat, flat - body.place, normal, np.linalg.inv(angle_rates(body.angles)),
-                          *np.zeros((2, len(along))))
+    planes = FacadePlanes(along, at, flat, flat - body.place, normal, np.linalg.inv(angle_rates(body.angles)))
     return Drive(name, reported, None), planes, true
 
 

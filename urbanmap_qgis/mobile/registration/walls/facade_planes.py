@@ -47,8 +47,9 @@ class FacadePlanes:
     lever_arm : (n, 3) m, from the body to them.
     normal : (n, 2) unit vectors in plan, towards the vehicle.
     back : (n, 6, 6) of a correction (m, degrees) to shift and rotation vector (radians) of the body.
-    tilt : (n,) of the normal upwards for one in plan: radians by which the plane leans back.
-    sweep : (n,) m of path parameter that pass while the scan rises by a metre.
+    tilt : (n,) of the normal upwards for one in plan: radians by which the plane leans back; None of what does not
+        stand upright.
+    sweep : (n,) m of path parameter that pass while the scan rises by a metre; None with it.
     """
 
     path_parameter: np.ndarray
@@ -57,15 +58,16 @@ class FacadePlanes:
     lever_arm: np.ndarray
     normal: np.ndarray
     back: np.ndarray
-    tilt: np.ndarray
-    sweep: np.ndarray
+    tilt: np.ndarray | None = None
+    sweep: np.ndarray | None = None
 
     def __len__(self) -> int:
         return len(self.path_parameter)
 
     def select(self, which: np.ndarray) -> FacadePlanes:
         """Some of them, by mask or index."""
-        return FacadePlanes(*(getattr(self, field.name)[which] for field in fields(self)))
+        columns = (getattr(self, field.name) for field in fields(self))
+        return FacadePlanes(*(None if column is None else column[which] for column in columns))
 
     def translated(self, curve: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
         """(n, 2) m in plan, where a curve of corrections (m, 6) at path parameters (m,) puts them."""

@@ -56,6 +56,8 @@ class UprightWalls:
     @classmethod
     def among(cls, planes: FacadePlanes) -> UprightWalls | None:
         """Those of a survey's facades; None where none stands across."""
+        if planes.tilt is None:
+            return None
         east, north = planes.normal.T
         rate = north[:, None] * planes.back[:, 3, :] - east[:, None] * planes.back[:, 4, :]
         across = np.abs(np.degrees(rate[:, _PITCH])) >= LIMITS.across
