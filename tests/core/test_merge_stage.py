@@ -188,9 +188,11 @@ def test_a_wall_does_not_run_into_the_neighbour():
     assert shapely.intersection(lowest_plan(first), lowest_plan(second)).area == 0
 
 
-@pytest.mark.parametrize(("overlap", "status"), [(0.015, "moved"), (0.05, "neighbour")])
-def test_neighbours_that_overlap_by_what_walls_are_measured_to_do_not_stop_a_wall(overlap, status):
-    models = [model((box(0, 0, 20, 10), 30.0)), model((box(19.9, 0, 10, 10), 30.0))]
+@pytest.mark.parametrize(("beside", "overlap", "status"), [
+    (19.9, 0.015, "moved"), (19.9, 0.04, "moved"), (19.9, 0.07, "neighbour"), (20.0, 0.015, "moved"),
+    (20.0, 0.04, "neighbour")])  # those that overlap already may do so by two walls' sigma more
+def test_neighbours_that_overlap_by_what_walls_are_measured_to_do_not_stop_a_wall(beside, overlap, status):
+    models = [model((box(0, 0, 20, 10), 30.0)), model((box(beside, 0, 10, 10), 30.0))]
     first, _ = one(models, [wall((20.0 + overlap, 0), (20.0 + overlap, 10))])
     assert status in states(first)
 

@@ -59,6 +59,8 @@ class MergeStageLimits:
     low: float = 0.5
     # Neighbours may share a strip this wide (m) more than before: walls are measured to no less.
     touch: float = 0.02
+    # Those that overlap already do so by what their outlines are rough: two walls of 0.02 m each, two sigma, are this.
+    turn: float = 0.05
     max_iterations: int = 20
     lift: float = 0.01
 
@@ -250,10 +252,12 @@ def _clear_of_neighbours(plans: list[_Plan], progress: Progress) -> list[_Plan]:
 def _gained(before: shapely.Geometry, beside_before: shapely.Geometry, after: shapely.Geometry,
             beside_after: shapely.Geometry) -> shapely.Geometry:
     """Place that two neighbours share and did not share before; empty where they share no more in all, or a strip that
-    is nowhere wider than `LIMITS.touch`: rough outlines overlap by metres, whose borders turn with the walls."""
+    is nowhere wider than `LIMITS.touch`, or `LIMITS.turn` where they overlap already: rough outlines overlap by
+    metres, whose borders turn with the walls."""
     shared, common = shapely.intersection(before, beside_before), shapely.intersection(after, beside_after)
     gained = shapely.difference(common, shared)
-    more = common.area > shared.area and not shapely.is_empty(shapely.buffer(gained, -LIMITS.touch / 2))
+    width = LIMITS.touch if shared.area == 0.0 else LIMITS.turn
+    more = common.area > shared.area and not shapely.is_empty(shapely.buffer(gained, -width / 2))
     return gained if more else shapely.Polygon()
 
 
