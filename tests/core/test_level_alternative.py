@@ -36,3 +36,15 @@ def test_a_gable_stays_one():
     table = drawn(points, np.where(points[:, 1] < 4, 1, 2))
     assert len(table.polygon) == 2 and not any(LEVELS_BETTER in str(words) for words in table.status)
     assert roof_misfit(table.polygon, points) < 0.05
+
+
+def test_few_points_do_not_tilt_the_only_roof():
+    """A level shed that a branch hangs over: a slope through some of its points misses the others more."""
+    x = np.array([0.3, 0.9, 1.5, 2.1, 2.7, 3.3, 3.7, 0.5, 1.2, 2.4])
+    z = 3.0 + np.array([0.0, 0.0, 0.02, 0.0, 0.25, 0.4, 0.02, 0.0, 0.01, 0.0])
+    points = np.column_stack([x, np.linspace(0.2, 2.8, 10), z])
+    shed = RoofedBuilding(1, shapely.box(0, 0, 4, 3), points, np.array([0, 1, 0, 1, 1, 1, 0, 0, 1, 0]))
+    tilted = partition_planes(shed.outline, points, shed.roof)
+    assert np.hypot(*tilted.planes[0, :2]) > 0.05 and roof_misfit(tilted.polygons, points) < SUSPECT
+    table = roof_polygons_of(shed, PolygonParameters(roofs=PLANES))
+    assert table.slope == [0.0] and table.height == pytest.approx([3.0], abs=0.05)

@@ -68,7 +68,48 @@ class PlanePartition:
     status: str
 
 
-def partition_planes(outline: shapely.Geometry, points: np.ndarray, roof: np.ndarray) -> PlanePartition:
+@dataclass(frozen=True, eq=False)
+class PlanePoints:
+    """A building's points on planes, on a local origin.
+
+    Attributes
+    ----------
+    origin : x and y, m: the south-west corner of the outline's box, in whole metres.
+    xyz : (n, 3) points, m.
+    numbers : (k,) of the planes, ascending.
+    plane : (n,) row of each point's plane, -1 on none.
+    """
+
+    origin: np.ndarray
+    xyz: np.ndarray
+    numbers: np.ndarray
+    plane: np.ndarray
+
+    @classmethod
+    def of(cls, outline: shapely.Geometry, points: np.ndarray, roof: np.ndarray) -> PlanePoints:
+        """Points as `partition_planes` takes them."""
+        origin = np.floor(outline.bounds[:2])
+        roof = without_steep_strips(points, roof)
+        numbers, rows = np.unique(roof[roof > 0], return_inverse=True)
+        plane = np.full(len(roof), -1)
+        plane[roof > 0] = rows.ravel()
+        return cls(origin, points - np.array([*origin, 0.0]), numbers, plane)
+
+    @property
+    def moments(self) -> np.ndarray:
+        """Moments (k, 10) of the planes' points."""
+        return moments(self.xyz, self.plane, len(self.numbers))
+
+
+def building_axes(edges: np.ndarray) -> np.ndarray:
+    """Unit vectors (d, 2) of the main directions of edges (n, 2) of outlines, and across them."""
+    angle = np.radians(main_directions(edges))
+    return np.concatenate([np.column_stack([np.cos(angle), np.sin(angle)]),
+                           np.column_stack([-np.sin(angle), np.cos(angle)])])
+
+
+def partition_planes(outline: shapely.Geometry, points: np.ndarray, roof: np.ndarray,
+                     planes: np.ndarray | None = None) -> PlanePartition:
     """Divide an outline among the planes of the points in and round it.
 
     Parameters
@@ -76,19 +117,14 @@ def partition_planes(outline: shapely.Geometry, points: np.ndarray, roof: np.nda
     outline : Polygon or MultiPolygon, courtyards as holes, m.
     points : (n, 3) of the building, m.
     roof : (n,) number of the plane of each, 0 = none; at least one has a plane.
+    planes : (k, 3) where they are known already, as `PlanePoints` numbers them and on its origin.
     """
-    origin = np.floor(outline.bounds[:2])
+    found = PlanePoints.of(outline, points, roof)
+    origin, points, numbers, of_point = found.origin, found.xyz, found.numbers, found.plane
     local = shapely.transform(shapely.force_2d(outline), lambda c: c - origin)
-    roof = without_steep_strips(points, roof)
-    numbers, label = np.unique(roof[roof > 0], return_inverse=True)
-    of_point = np.full(len(roof), -1)
-    of_point[roof > 0] = label.ravel()
-    points = points - np.array([*origin, 0.0])
-    directions = np.radians(main_directions(edge_rows(local)[:, 2:]))
-    directions = np.concatenate([np.column_stack([np.cos(directions), np.sin(directions)]),
-                                 np.column_stack([-np.sin(directions), np.cos(directions)])])
-    planes = regular_planes(moments(points, of_point, len(numbers)), directions)
-    density = max(np.count_nonzero(roof) / local.area, 0.3)
+    if planes is None:
+        planes = regular_planes(found.moments, building_axes(edge_rows(local)[:, 2:]))
+    density = max(np.count_nonzero(of_point >= 0) / local.area, 0.3)
     raster = label_raster(points, of_point, local, density)
     raster, planes, capped = _with_caps(raster, planes, points, of_point)
     numbers = np.concatenate([numbers, numbers[capped]])

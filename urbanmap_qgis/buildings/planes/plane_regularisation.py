@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...geometry.tolerances import LEAST_DIVISOR
-from .plane_moments import solve
+from .plane_moments import mean_square, solve
 
 
 @dataclass(frozen=True)
@@ -71,22 +71,27 @@ def _pooled(table: np.ndarray) -> np.ndarray:
         members = np.flatnonzero((group == group[one]) | (group == group[two]))
         together = sums[one] + sums[two]
         plane = solve(together[None])[0][0]
-        if all(_mean_square(table[row], plane) - fit_error[row] < LIMITS.same_error**2 for row in members.tolist()):
+        if all(mean_square(table[row], plane) - fit_error[row] < LIMITS.same_error**2 for row in members.tolist()):
             group[members] = group[one]
             sums[members] = together
     return sums
 
 
 def _like_pairs(table: np.ndarray, planes: np.ndarray) -> list[tuple[int, int]]:
-    """Pairs of planes of nearly one slope, each near the other's middle in height; those with most points first."""
+    """Pairs of planes that may be one, those with most points first."""
+    one, two = np.nonzero(np.triu(like_planes(table, planes), 1))
+    order = np.argsort(-np.minimum(table[one, 0], table[two, 0]), kind="stable")
+    return list(zip(one[order].tolist(), two[order].tolist()))
+
+
+def like_planes(table: np.ndarray, planes: np.ndarray) -> np.ndarray:
+    """Mask (k, k) of planes of nearly one slope, each near the other's middle in height; `table` (k, 10): moments."""
     middle = table[:, 1:4] / np.maximum(table[:, 0], 1.0)[:, None]
     off = np.abs(middle[:, :2] @ planes[:, :2].T + planes[:, 2] - middle[:, 2:])
     alike = np.maximum(off, off.T) < LIMITS.one_height
     for axis in range(2):
         alike &= np.abs(planes[:, axis, None] - planes[:, axis]) < LIMITS.same_slope
-    one, two = np.nonzero(np.triu(alike, 1))
-    order = np.argsort(-np.minimum(table[one, 0], table[two, 0]), kind="stable")
-    return list(zip(one[order].tolist(), two[order].tolist()))
+    return alike
 
 
 def _one_height(planes: np.ndarray, weight: np.ndarray) -> None:
@@ -132,7 +137,7 @@ def _turned(m: np.ndarray, plane: np.ndarray, fit_error: float, directions: np.n
         return None
     direction = directions[best] * np.sign(cosine[best])
     turned = _along(m, direction)
-    return direction if _mean_square(m, turned) - fit_error < LIMITS.turn_error**2 else None
+    return direction if mean_square(m, turned) - fit_error < LIMITS.turn_error**2 else None
 
 
 def _along(m: np.ndarray, direction: np.ndarray, slope: float | None = None) -> np.ndarray:
@@ -145,14 +150,6 @@ def _along(m: np.ndarray, direction: np.ndarray, slope: float | None = None) -> 
         slope = (u * xz + v * yz) / max(u * u * xx + 2 * u * v * xy + v * v * yy, LEAST_DIVISOR)
     gradient = np.asarray(direction) * slope
     return np.array([*gradient, mean[2] - gradient @ mean[:2]])
-
-
-def _mean_square(m: np.ndarray, plane: np.ndarray) -> float:
-    """Mean square height error of a plane."""
-    a, b, c = plane
-    total = (m[9] + a * a * m[4] + 2 * a * b * m[5] + b * b * m[6] + c * c * m[0] - 2 * (a * m[7] + b * m[8] + c * m[3])
-             + 2 * c * (a * m[1] + b * m[2]))
-    return max(float(total / m[0]), 0.0)
 
 
 def _mirror(table: np.ndarray, planes: np.ndarray, fit_error: np.ndarray, axis: dict[int, np.ndarray | None]) -> None:
@@ -169,6 +166,6 @@ def _mirror(table: np.ndarray, planes: np.ndarray, fit_error: np.ndarray, axis: 
         common = float(np.hypot(planes[group, 0], planes[group, 1]) @ weight / weight.sum())
         for row in group:
             mirrored = _along(table[row], axis[row], common)
-            if _mean_square(table[row], mirrored) - fit_error[row] < LIMITS.turn_error**2:
+            if mean_square(table[row], mirrored) - fit_error[row] < LIMITS.turn_error**2:
                 planes[row] = mirrored
         left = [row for row in left if row not in group]

@@ -9,7 +9,7 @@ import numpy as np
 import shapely
 
 from ...errors import Cancelled, trouble_words
-from ..model_status import LOST_AREA, LOST_ROOFS, SIMPLIFIED
+from ..model_status import LOST_AREA, LOST_ROOFS, MIN_POINTS, SIMPLIFIED
 from ..planes.level_alternative import (
     BETTER,
     SUSPECT,
@@ -51,20 +51,26 @@ def _as_levels(building: RoofedBuilding, words: str) -> RoofedBuilding | None:
 
 
 def _better_of(planes: RoofPolygons, building: RoofedBuilding, parameters: PolygonParameters) -> RoofPolygons:
-    """The planes, or level roofs where the planes miss many points and levels miss clearly fewer."""
+    """The planes, or level roofs where the planes miss many points, or few points tilt the only plane, and levels miss
+    clearly fewer."""
     high = high_points(building.xyz, building.roof)
     off = roof_misfit(planes.polygon, high)
-    levels = _as_levels(building, LEVELS_BETTER) if off > SUSPECT else None
+    levels = _as_levels(building, LEVELS_BETTER) if off > SUSPECT or _tilted_by_few(planes) else None
     if levels is None:
         return planes
     rows = level_roofs(levels, parameters)
     return rows if roof_misfit(shapely.force_3d(rows.polygon, rows.height).tolist(), high) < BETTER * off else planes
 
 
+def _tilted_by_few(planes: RoofPolygons) -> bool:
+    """Whether the only roof is a slope of so few points that a tree or a wall may have tilted it."""
+    return len(planes.polygon) == 1 and planes.slope[0] > 0 and planes.points[0] < MIN_POINTS
+
+
 def _divided(building: RoofedBuilding, parameters: PolygonParameters) -> RoofPolygons:
     """Rows of the polygons of a building's roof planes."""
     xyz, roof = building.xyz, building.roof
-    found, table = partition_planes(building.outline, xyz, roof), RoofPolygons()
+    found, table = partition_planes(building.outline, xyz, roof, building.planes), RoofPolygons()
     lost = has_lost_plane(found.polygons, found.roof_numbers, xyz, roof, building.density, LOST_AREA)
     status = building.stated(LOST_ROOFS if lost else found.status)
     order = np.argsort(roof, kind="stable")
