@@ -118,6 +118,14 @@ CASES = {
     "Lanelet2.Unused-001": {"relations": {201: replace(
         relation(201), members=relation(201).members[:2] + relation(201).members[3:])}},
     "Lanelet2.Yield-001": priority((200, "right_of_way")),
+    "Lanelet2.Yield-002": priority((200, "right_of_way"), (200, "yield")),
+    "Lanelet2.Yield-003": priority((203, "right_of_way"), (200, "yield")),
+    "Lanelet2.Members-001": {"relations": {300: replace(relation(300), members=(
+        ("way", 141, "refers"), ("relation", 200, "ref_line")))}},
+    "Lanelet2.Members-002": {"relations": {300: replace(relation(300), members=(
+        ("way", 141, "refers"), ("way", 141, "refline")))}},
+    "Lanelet2.Participants-003": {"relations": {203: relation(203, participant__pedestrian=None,
+                                                              participant__vehicle="yes")}},
     "Lanelet2.Participants-001": {"relations": {200: relation(200, participant__vehicle=None)}},
     "Lanelet2.SpeedLimit-002": {"relations": {200: relation(200, speed_limit="fast")}},
     "mapping.mandatory_tags": {"relations": {200: relation(200, subtype=None)}},
@@ -134,6 +142,12 @@ CASES = {
     "Shape.Bounds-003": {"nodes": {99: node(99, 20.0, 3.0)}, "ways": {111: replace(way(111), nodes=(11, 99))}},
     "Shape.Width-001": {"nodes": {31: node(31, 20, 19), 32: node(32, 40, 19), 33: node(33, 60, 19)}},
     "Shape.Twin-001": {"relations": {209: replace(relation(200), identifier=209)}},
+    "Shape.Overlap-001": {"nodes": {number: node(number, x, y) for number, x, y in (
+        (94, 20.5, 3.4), (95, 39.5, 3.4), (96, 20.5, 6.4), (97, 39.5, 6.4))},
+        "ways": {198: OsmWay(198, (94, 95), way(111).tags), 199: OsmWay(199, (96, 97), way(111).tags)},
+        "relations": {209: OsmRelation(209, (("way", 199, "left"), ("way", 198, "right")), LANE)}},
+    "Shape.StopLine-001": {"nodes": {41: node(41, 50.0, 4.5), 42: node(42, 53.0, 4.5)}},
+    "Shape.Turn-001": {"relations": {200: relation(200, turn_direction="left")}},
     "Lane.BorderSharing-001": {"nodes": {94: node(94, 40, 6), 95: node(95, 60, 6)}, "ways": {
         199: OsmWay(199, (94, 95), way(122).tags)}, "relations": {
         202: replace(relation(202), members=(("way", 132, "left"), ("way", 199, "right")))}},
@@ -165,6 +179,21 @@ DAMAGES = {
     "misspelt subtype": ("mapping.unknown_tag_values", {"relations": {200: relation(200, subtype="rood")}}),
     "misspelt location": ("mapping.unknown_tag_values", {"relations": {200: relation(200, location="urbn")}}),
     "misspelt subtype of a line": ("mapping.unknown_tag_values", {"ways": {111: way(111, subtype="solidd")}}),
+    "misspelt subtype of a virtual line": ("mapping.unknown_tag_values", {"ways": {
+        111: way(111, type="virtual", subtype="dashd")}}),
+    "bound that turns back on a straight": ("Shape.Bounds-002", {
+        "nodes": {98: node(98, 35.0, 3.0), 99: node(99, 25.0, 3.0)},
+        "ways": {111: replace(way(111), nodes=(11, 98, 99, 12))}}),
+    "node at the origin of latitude and longitude": ("File.Coordinates-002", {"nodes": {
+        **{number: replace(one, latitude=one.latitude + 35.0, longitude=one.longitude + 139.0)
+           for number, one in sound_map().nodes.items()}, 11: replace(moved(11), latitude=0.0, longitude=0.0)}}),
+    "one height in a map without heights": ("File.Height-002", {
+        "nodes": {**{number: replace(one, tags={key: value for key, value in one.tags.items() if key != "ele"})
+                     for number, one in sound_map().nodes.items()},
+                  99: replace(node(99, 30.0, 3.0), tags={"local_x": "30.0", "local_y": "3.0", "ele": "10"})},
+        "ways": {111: replace(way(111), nodes=(11, 99, 12))}}),
+    "turn to the wrong side": ("Shape.Turn-001", {
+        "nodes": {12: node(12, 36, 0), 22: node(22, 39, 2)}, "relations": {200: relation(200, turn_direction="left")}}),
     "misspelt participant": ("mapping.unknown_tag_values", {"relations": {
         200: relation(200, participant__vehicel="yes")}}),
     "misspelt type of a lanelet": ("mapping.unknown_tag_values", {"relations": {200: relation(200, type="lanelt")}}),

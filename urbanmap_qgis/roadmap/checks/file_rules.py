@@ -30,6 +30,9 @@ APART = 3.0
 FAR = 20000.0
 """A node so far from the middle one, and from every other, is not of the map, m."""
 
+FAR_OFF = 0.1
+"""Local coordinates of a node so far away are wrong by this share of the distance at least, where they are told."""
+
 RELATIONS, ROLES = ("lanelet", "regulatory_element", "multipolygon"), {"left", "right", "refers", "ref_line"}
 """Types of relations that Lanelet2 reads, and roles by which a member shows that one of the first two is meant."""
 
@@ -82,7 +85,7 @@ def _local_against_geographic(inspected: MapInspection, rule: MapRule) -> Iterat
     """Nodes off the similarity by which most nodes' local coordinates follow from their degrees."""
     both = np.flatnonzero(np.isfinite(inspected.local).all(axis=1) & np.isfinite(inspected.projected).all(axis=1))
     away = np.linalg.norm(inspected.projected[both], axis=1)
-    both = both[away < FAR]
+    both, far = both[away < FAR], both[away >= FAR]
     if len(both) < 5:
         return
     if np.ptp(inspected.projected[both], axis=0).max() < 1e-3:
@@ -98,8 +101,13 @@ def _local_against_geographic(inspected: MapInspection, rule: MapRule) -> Iterat
     numbers = list(inspected.row)
     if abs(abs(turn) - 1.0) > 0.02:
         yield broken("node", numbers[both[0]], apart=f"{np.median(np.abs(np.abs(one) - np.abs(other))):.0f}")
-    for k in np.flatnonzero(off > max(APART, 5.0 * float(np.median(off)))) if abs(abs(turn) - 1.0) <= 0.02 else ():
+        return
+    for k in np.flatnonzero(off > max(APART, 5.0 * float(np.median(off)))):
         yield broken("node", numbers[both[k]], apart=f"{off[k]:.1f}")
+    off = np.abs(goal + turn * (inspected.projected[far] @ [1, 1j] - middle) - inspected.local[far] @ [1, 1j])
+    # Projections differ more and more with the distance.
+    for k in np.flatnonzero(off > FAR_OFF * np.linalg.norm(inspected.projected[far], axis=1)):
+        yield broken("node", numbers[far[k]], apart=f"{off[k]:.0f}")
 
 
 @rule("File.Coordinates-003")
@@ -109,12 +117,15 @@ def _far_away(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
         return
     points = shapely.points(inspected.metres[known, :2])
     away = np.linalg.norm(inspected.metres[known, :2] - np.median(inspected.metres[known, :2], axis=0), axis=1)
-    numbers, tree = list(inspected.row), shapely.STRtree(points)
-    for k in np.flatnonzero(away > FAR):
-        near = tree.query_nearest(points[k], exclusive=True, all_matches=False)
-        distance = shapely.distance(points[k], points[near[0]]) if len(near) else np.inf
-        if distance > FAR / 2:
-            yield broken("node", numbers[known[k]], apart=f"{distance:.0f}")
+    numbers, far = list(inspected.row), np.flatnonzero(away > FAR)
+    if not len(far):
+        return
+    (given, _), apart = shapely.STRtree(points).query_nearest(points[far], exclusive=True, all_matches=False,
+                                                              return_distance=True)
+    distance = np.full(len(far), np.inf)
+    distance[given] = apart
+    for k in np.flatnonzero(distance > FAR / 2):
+        yield broken("node", numbers[known[far[k]]], apart=f"{distance[k]:.0f}")
 
 
 @rule("File.Height-001")
@@ -130,8 +141,9 @@ def _height_spikes(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
     for way in dict.fromkeys(way for lane in inspected.lanes.values() for way in lane.ways):
         nodes = inspected.line(way)
         places = inspected.places(nodes)
-        rise, run = np.diff(places[:, 2]), np.linalg.norm(np.diff(places[:, :2], axis=0), axis=1)
-        if not np.abs(rise).max() > SPIKE:
+        rise = np.diff(_as_read(places[:, 2]) if np.isnan(places[:, 2]).any() else places[:, 2])
+        run = np.linalg.norm(np.diff(places[:, :2], axis=0), axis=1)
+        if not (np.abs(rise) > SPIKE).any():
             continue
         steep = np.where(np.abs(rise) > SPIKE, np.abs(rise) / np.maximum(run, 1e-3), 0.0)
         inner = (np.minimum(steep[:-1], steep[1:]) > STEEP) & (rise[:-1] * rise[1:] < 0)
@@ -140,6 +152,14 @@ def _height_spikes(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
             if nodes[k] not in reported:
                 reported.add(nodes[k])
                 yield broken("node", nodes[k], apart=f"{np.abs(rise[max(k - 1, 0):k + 1]).max():.1f}")
+
+
+def _as_read(heights: np.ndarray) -> np.ndarray:
+    """Heights in which the unknown ones beside one that is alone are 0, as readers take them."""
+    known = np.concatenate([[False], np.isfinite(heights), [False]])
+    alone = known[1:-1] & ~known[:-2] & ~known[2:]
+    beside = np.concatenate([[False], alone[:-1]]) | np.concatenate([alone[1:], [False]])
+    return np.where(beside, 0.0, heights)
 
 
 @rule("Lanelet2.Load-001")
@@ -296,7 +316,9 @@ def _unknown_values(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]
                 yield broken(kind, number, tag=key, value=value)
             elif key.startswith("participant:") and key.split(":", 1)[1] not in PARTICIPANTS:
                 yield broken(kind, number, tag="participant", value=key.split(":", 1)[1])
-        subtypes = LINE_SUBTYPES.get(tags.get("type", ""), ()) if kind == "way" else ()
+        # A virtual line may be written as if it were painted.
+        like = {"virtual": "line_thin"}.get(tags.get("type", ""), tags.get("type", ""))
+        subtypes = LINE_SUBTYPES.get(like, ()) if kind == "way" else ()
         if subtypes and "subtype" in tags and tags["subtype"] not in subtypes:
             yield broken(kind, number, tag="subtype", value=tags["subtype"])
     for number, relation in inspected.content.relations.items():

@@ -8,11 +8,21 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...io.osm import OsmFile
-from . import area_rules, file_rules, intersection_rules, lane_rules, light_rules, shape_rules, virtual_light_rules
+from . import (
+    area_rules,
+    file_rules,
+    intersection_rules,
+    lane_rules,
+    light_rules,
+    sense_rules,
+    shape_rules,
+    virtual_light_rules,
+)
 from .inspection import MapInspection
 from .rule_table import MAP_RULES, SEVERITIES, Broken, MapRule
 
-ROOMS = (file_rules, shape_rules, lane_rules, light_rules, area_rules, intersection_rules, virtual_light_rules)
+ROOMS = (file_rules, shape_rules, sense_rules, lane_rules, light_rules, area_rules, intersection_rules,
+         virtual_light_rules)
 """Modules whose rules are checked, one kind of elements each."""
 
 

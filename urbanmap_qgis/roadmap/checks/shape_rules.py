@@ -23,6 +23,7 @@ class ShapeRulesLimits:
     # Widths of a lane for vehicles beyond which it is told, m.
     narrow: float = 1.5
     wide: float = 8.0
+    back: float = -0.966  # Cosine of the turn at a point by which a bound turns back, 165 degrees.
     sharpest: float = 0.5  # Largest curvature of a bound, 1/m (lanelet2_validation).
 
 
@@ -81,8 +82,17 @@ def _crossing(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
 @rule("Shape.Bounds-002")
 def _crossing_itself(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
     for lane in inspected.lanes.values():
-        if not shapely.is_simple(inspected.bounds[lane.number]).all():
+        if not shapely.is_simple(inspected.bounds[lane.number]).all() or any(
+                _turns_back(inspected.places(side)[:, :2]) for side in (lane.left, lane.right)):
             yield broken("relation", lane.number)
+
+
+def _turns_back(places: np.ndarray) -> bool:
+    """Whether a line (n, 2) turns back on its own course at a point, which need not make it cross itself."""
+    steps = np.diff(places, axis=0)
+    length = np.linalg.norm(steps, axis=1)
+    steps, length = steps[length > LIMITS.too_close], length[length > LIMITS.too_close]
+    return bool(((steps[1:] * steps[:-1]).sum(axis=1) < LIMITS.back * length[1:] * length[:-1]).any())
 
 
 @rule("Shape.Bounds-003")
