@@ -283,6 +283,24 @@ def test_lane_goes_on_where_an_islands_kerb_takes_the_place_of_the_centre_line(s
         lane_at(build_vector_map([*apart, *borders], [], drives, MapSettings(traffic="right")), 45.0, 1.9 * side)
 
 
+def test_worn_lines_that_hardly_overlap_are_one_road():
+    """The centre line of a short arm is seen in its middle, the lane line on its far side before the stop line only."""
+    centre = MapLine(place([(7.0, 0.0), (13.4, 0.0)]), "solid", "yellow", 0.15)
+    before_stop = MapLine(place([(9.9, -3.5), (20.0, -3.5)]), "solid", "white", 0.15)
+    lines = [line(7.0, 0, 20), line(3.5, 0, 20), centre, before_stop, line(-7.0, 0, 20)]
+    built = build_vector_map(lines, [], [drive((20, 1.75), (0, 1.75))], MapSettings(traffic="right"))
+    assert course(built.lanes[lane_at(built, 10.0, 1.75)]) == -1.0
+    assert course(built.lanes[lane_at(built, 10.0, -1.75)]) == 1.0
+
+
+def test_lanes_reach_the_end_of_the_road_though_something_begins_shortly_before():
+    lines = [line(3.5, 0, 45), line(0.0, 0, 45, "solid", "yellow"), line(-3.5, 0, 45), line(7.0, 39.0, 44)]
+    built = build_vector_map([*lines, stop(44.3, -3.4, -0.1)], [], [drive((0, -1.75), (45, -1.75))],
+                             MapSettings(traffic="right"))
+    lane = built.lanes[lane_at(built, 20.0, -1.75)]
+    assert _in_street(lane.centre)[:, 0].max() == pytest.approx(44.3, abs=0.6)
+
+
 def _in_street(points):
     """Points of the map in the street's own frame."""
     x, y = points[:, 0] - EAST, points[:, 1] - NORTH

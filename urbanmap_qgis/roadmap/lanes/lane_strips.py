@@ -179,9 +179,15 @@ def _cuts(runs, section: RoadSection, stops: Sequence[np.ndarray], settings: Map
     for change in sorted(changes):
         if all(abs(change - cut) > settings.min_length for cut in cuts) and low < change < high:
             cuts.append(change)
-    cuts = np.unique(cuts)
-    keep = np.concatenate([[True], np.diff(cuts) >= settings.min_length])
-    return cuts[keep]
+    return _spaced(np.unique(cuts), settings.min_length)
+
+
+def _spaced(cuts: np.ndarray, least: float) -> np.ndarray:
+    """Chainages in their order without those nearer than `least` to one before them or to the last: a road ends where
+    it ends, not where something begins shortly before."""
+    kept = [cuts[0]]
+    kept += [cut for before, cut in zip(cuts[:-2], cuts[1:-1]) if cut - before >= least and cuts[-1] - cut >= least]
+    return np.array([*kept, *cuts[-1:]] if cuts[-1] - cuts[0] >= least else kept)
 
 
 def _with_paint(runs, section: RoadSection) -> list:

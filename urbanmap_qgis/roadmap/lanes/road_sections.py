@@ -19,8 +19,8 @@ STEP = 0.5
 """Distance of the stations of a section's axis, m."""
 
 PARALLEL = np.radians(15.0)
-LEAST_BESIDE = 4.0
-"""Lines run beside each other over so many metres at least."""
+LEAST_BESIDE, LEAST_BESIDE_SHORT = 4.0, 3.0
+"""Lines run beside each other over so many metres at least; the second where one is shorter than twice the first."""
 
 SAME = 0.15
 """Lines beside each other no farther apart are one bound of which each shows a part, m: double lines are farther."""
@@ -203,11 +203,12 @@ def _beside(paths: Sequence[np.ndarray], settings: MapSettings) -> list[list[int
             distance = shapely.distance(places, plans[other])
             foot = shapely.line_locate_point(plans[other], places)
             inner = (foot > 0.01) & (foot < plans[other].length - 0.01)
-            if (inner & (distance <= settings.max_width + 0.5)).sum() < LEAST_BESIDE:
+            least = max(LEAST_BESIDE_SHORT, min(LEAST_BESIDE, min(plan.length, plans[other].length) // 2.0))
+            if (inner & (distance <= settings.max_width + 0.5)).sum() < least:
                 continue
             near = np.flatnonzero(inner & (distance <= settings.max_width + 0.5))
             turn = _turn(plan, plans[other], at[near], foot[near])
-            if (turn < PARALLEL).sum() >= LEAST_BESIDE and _level(paths[k], paths[other], settings):
+            if (turn < PARALLEL).sum() >= least and _level(paths[k], paths[other], settings):
                 links.append((k, int(other)))
     count = len(paths)
     a, b = np.array(links, np.int64).reshape(-1, 2).T

@@ -29,7 +29,8 @@ class WornCrosswalksLimits:
     together: float = 0.5  # Share of the pieces that must lie at regular distances.
     reach: int = 8  # Bars beside it that are looked for.
     least_fill: float = 0.2  # A bar is there where its place holds so much more paint than those beside it, 0 to 1.
-    least_mean_fill: float = 0.3  # The same, of all bars of a row.
+    # The same, of all bars of a row, times the share of them that show: letters are less even.
+    least_mean_fill: float = 0.3
     fewest: int = 4  # Bars that show,
     fewest_faced: int = 2  # and where a row across the same street says how far the bars reach,
     least_faced_fill: float = 0.45  # with so much more paint at their places than beside them.
@@ -173,8 +174,8 @@ def _placed(start: BarRow, pattern: BarPattern, paint: shapely.STRtree) -> BarRo
     striped, spaces = bars[:, inside].mean(axis=1), between[:, inside].mean(axis=1)
     known = painted_run(striped, spaces, places == 0, 3, LIMITS.least_fill)
     shown = known & (striped - spaces >= LIMITS.least_fill)
-    mean = (striped - spaces)[known].mean()
-    if shown.sum() < LIMITS.fewest_faced or mean < (LIMITS.least_mean_fill if shown.sum() >= LIMITS.fewest else
+    even = (striped - spaces)[known].mean() * shown.sum() / known.sum()
+    if shown.sum() < LIMITS.fewest_faced or even < (LIMITS.least_mean_fill if shown.sum() >= LIMITS.fewest else
                                                     LIMITS.least_faced_fill):
         return None
     first, last = places[known][[0, -1]] - places[0]
