@@ -32,14 +32,19 @@ def write_survey_report(path, model) -> None:
     """Write the report on a road model from a survey."""
     from ...urbanmap_qgis.io.pages.report import BAD, GOOD, LOOK, Report
     from ...urbanmap_qgis.roadspace.survey.area_pictures import area_picture, areas_extent, junction_windows
+    from ...urbanmap_qgis.roadspace.survey.area_records import HARDLY_SEEN
 
     report = Report(tr("Road model"))
     unseen = sum(area.source in ("continued", "doubtful") for area in model.areas)
-    report.verdict(BAD if not model.areas else LOOK if model.findings else GOOD, tr(
+    hardly = model.seen < HARDLY_SEEN
+    report.verdict(BAD if hardly else LOOK if model.findings else GOOD, tr(
         "LOD{0}: {1} sections and {2} junctions in {3} areas; borders doubtful or not seen all along: {4} areas; "
         "findings: {5}.").format(
             model.level, sum(piece.kind == "road" for piece in model.pieces),
             sum(piece.kind == "junction" for piece in model.pieces), len(model.areas), unseen, len(model.findings)))
+    if hardly:
+        report.warning(tr("Only {0:.0%} of the borders were measured: the rest is drawn on, doubtful or given. "
+                          "Snow, parked vehicles or a scanner too far away may hide the kerbs.").format(model.seen))
     report.section(tr("Areas by kind"))
     rows, sources = [], ("measured", "doubtful", "continued", "official")
     for kind in dict.fromkeys(area.kind for area in model.areas):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
+from pathlib import Path
 
 import pytest
 
@@ -161,6 +162,20 @@ def test_a_survey_gives_areas_steps_citygml_and_report(run, read_layer, tmp_path
     assert len(roads) == 5 and len(areas) == sum(row["kind"] != "road, not surveyed" for row in rows)
     checked = run("urbanmap:checkcitymodel", {"INPUT_FOLDER": str(tmp_path / "again"), "OUTPUT": "memory:"})
     assert (checked["OBJECTS"], checked["ERRORS"], checked["WARNINGS"]) == (5, 0, 0)
+
+
+def test_a_model_of_which_hardly_an_edge_was_measured_is_called_bad(run, tmp_path):
+    """As under snow: all edges are doubtful, so nothing of the model can be believed unseen."""
+    layers = survey_layers(tmp_path)
+    for status, level in (("measured", "look"), ("doubtful", "bad")):
+        table = json.loads(Path(layers["EDGES"]).read_text(encoding="utf-8"))
+        for feature in table["features"]:
+            feature["properties"] |= {"status": status, "reason": "its face is not seen"}
+        Path(layers["EDGES"]).write_text(json.dumps(table), encoding="utf-8")
+        run(ALGORITHM, {**layers, "LOD": "3.3", "OUTPUT": "memory:", "OUTPUT_AREAS": "memory:",
+                        "OUTPUT_REPORT": str(tmp_path / "report.html")})
+        text = (tmp_path / "report.html").read_text(encoding="utf-8")
+        assert f'class="verdict {level}"' in text and ("Only 0% of the borders" in text) == (level == "bad")
 
 
 def test_a_level_without_what_it_is_made_of_is_refused(run, tmp_path):

@@ -38,6 +38,9 @@ LEVELS = ("2", "3.0", "3.1", "3.2", "3.3")
 WITH_LANES = LEVELS[2:]
 """Levels that divide carriageways into lanes and cut junctions at stop lines."""
 
+HARDLY_SEEN = 0.1
+"""A model with a smaller share of its borders measured is none of a survey: snow, or a scanner that saw little."""
+
 STEPS = {"3.2": 0.15, "3.3": 0.02}
 """Least step in height that is a face of its own, m, by level; levels without one have one height across."""
 
@@ -162,6 +165,13 @@ class SurveyedRoads:
     def count(self, kind: str) -> int:
         """Number of areas of a kind."""
         return sum(area.kind == kind for area in self.areas)
+
+    @property
+    def seen(self) -> float:
+        """Share of the borders of all surveyed areas but lanes that was measured without doubt, by length."""
+        some = [area for area in self.areas if area.kind not in (LANE, UNDIVIDED)]
+        lengths = np.array([area.polygon.length for area in some])
+        return float(np.average([area.seen for area in some], weights=lengths)) if some else 0.0
 
 
 def kerb_edge_lines(feet, tops, columns) -> list[EdgeLine]:
