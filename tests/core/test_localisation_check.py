@@ -184,6 +184,8 @@ def test_an_area_without_roads_is_ranked_by_squares_with_their_places(walls, tmp
     write_localisation_report(tmp_path / "r.html", LocalisationMap(walls), made, None)
     page = (tmp_path / "r.html").read_text(encoding="utf-8")
     assert "Worst squares of 50 m" in page and "Worst stretches" not in page and "about east" in page
+    # 64 places of a grid of 25 m stand for 200 m x 200 m, not for a length of road.
+    assert "Area, m²" in page and "40,000" in page and "Length of road" not in page and "area, m²" in page
 
 
 def test_a_worst_stretch_has_the_status_of_the_places_that_are_ranked(walls, tmp_path):

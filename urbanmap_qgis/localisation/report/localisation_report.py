@@ -12,7 +12,7 @@ from ...wording import say
 from ..accuracy_records import SOURCES, AccuracyMap, LocalisationMap
 from ..places.place_status import NONE
 from ..simulation.prediction_check import PredictionCheck
-from .accuracy_tables import lengths_by_class
+from .accuracy_tables import CLASS_NUMBERS
 from .localisation_pictures import accuracy_plan, agreement_plot
 
 STRETCH = 50.0
@@ -58,15 +58,19 @@ def _verdict(report: Report, accuracy: AccuracyMap) -> None:
 
 
 def _summary(report: Report, accuracy: AccuracyMap) -> None:
-    total = accuracy.places.step.sum()
+    in_all = accuracy.places.of_an_area
+    # Places of an area lie on a square grid: each stands for a square, not for a length of road.
+    measure = accuracy.places.step ** 2 if in_all else accuracy.places.step
+    total = measure.sum()
     report.section("Result")
-    report.facts({"Places": len(accuracy.places), "Length of road, m": float(total),
+    report.facts({"Places": len(accuracy.places), "Area, m²" if in_all else "Length of road, m": float(total),
                   "Median sigma of the weakest direction, m": _median(accuracy.ellipse.major),
                   "Places with a direction not determined": int((accuracy.undetermined > 0).sum()),
                   "Median share of scans that end elsewhere, all directions determined": _median(accuracy.elsewhere),
                   "Places that look like others": sum("repeats" in str(words) for words in accuracy.status)})
-    report.table(["class", "length, m", "share"], [[name, length, f"{length / total:.0%}"]
-                                                   for name, length in lengths_by_class(accuracy).items()])
+    report.table(["class", "area, m²" if in_all else "length, m", "share"], [
+        [name, float(measure[accuracy.kind == name].sum()), f"{measure[accuracy.kind == name].sum() / total:.0%}"]
+        for name in CLASS_NUMBERS])
     report.table(["source", "places", "along, m", "across, m", "heading, degrees"], [
         [name, int(np.isfinite(accuracy.sigma[name][:, 0]).sum()), *map(_median, accuracy.sigma[name].T)]
         for name in SOURCES])
