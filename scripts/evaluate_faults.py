@@ -121,11 +121,14 @@ def faulty(survey: DrivenSurvey, fault: Fault) -> DrivenSurvey:
 
 
 def moved_walls(walls: WallWitness | None, before: Trajectory, after: Trajectory) -> WallWitness | None:
-    """Facades as another trajectory places them."""
+    """Facades or kerbs as another trajectory places them."""
     if walls is None:
         return None
     planes = walls.planes
     time_seen = np.interp(planes.chainage, path_chainage(before), before.time)
+    place = move_points(planes.place, time_seen, before, after)
+    if planes.tilt is None:
+        return replace(walls, planes=replace(planes, place=place))
     turned = interpolate(after, time_seen).angles - interpolate(before, time_seen).angles
     rotation = np.einsum("nij,nj->ni", planes.back[:, 3:, 3:], turned)
     lean = rotation[:, 0] * planes.normal[:, 1] - rotation[:, 1] * planes.normal[:, 0]
@@ -133,8 +136,7 @@ def moved_walls(walls: WallWitness | None, before: Trajectory, after: Trajectory
     drift = [np.interp(planes.path_parameter + 1.0, way, axis) - np.interp(planes.path_parameter - 1.0, way, axis)
              for axis in shift.T]
     lean -= 0.5 * (planes.normal * np.column_stack(drift)).sum(axis=1) * planes.sweep
-    return replace(walls, planes=replace(planes, place=move_points(planes.place, time_seen, before, after),
-                                         tilt=planes.tilt + lean))
+    return replace(walls, planes=replace(planes, place=place, tilt=planes.tilt + lean))
 
 
 @dataclass(frozen=True)
