@@ -63,6 +63,42 @@ def test_the_trained_model_parts_the_same_scene(tmp_path):
     assert len(sure) and (sure > 0.3).all()
 
 
+def stroke_on_a_track(beside, half=17, brightness=215, seed=3):
+    """(rows, columns, 3): a stroke of 1.5 m on a track of twice so many pixels through earth, and on asphalt lines of
+    2.4 m2 far from it and, where given, beside."""
+    rng = np.random.default_rng(seed)
+    image = np.full((300, 500, 3), 95.0)
+    image[:, 55:101 - half] = image[:, 101 + half:180] = (120, 112, 92)
+    image[140:155, 100:102] = brightness
+    for left in (400, *beside):
+        image[100:180, left:left + 3] = 215
+    image = cv2.GaussianBlur(image, (0, 0), 0.6) + rng.normal(0, 1.5, image.shape)
+    return np.clip(image, 0, 255).astype(np.uint8)
+
+
+STROKE = np.s_[140:155, 100:102]
+
+
+def test_what_is_doubtful_stays_where_sure_paint_is_near(tmp_path):
+    made, every = found_in(tmp_path, stroke_on_a_track(()), min_confidence=0.0)
+    assert every[STROKE].mean() > 0.8 and (made.polygons.confidence == 0).any()
+    _, alone = found_in(tmp_path, stroke_on_a_track(()))
+    _, beside = found_in(tmp_path, stroke_on_a_track((20,)))
+    assert not alone[STROKE].any() and beside[STROKE].mean() > 0.8
+    assert alone[100:180, 400:403].mean() > 0.9 and beside[100:180, 400:403].mean() > 0.9
+
+
+def test_worn_paint_on_a_road_may_be_alone(tmp_path):
+    made, mask = found_in(tmp_path, stroke_on_a_track((), half=60, brightness=115))
+    assert mask[STROKE].mean() > 0.8 and made.polygons.confidence.min() < 0.6
+
+
+def test_roads_answer_for_what_is_doubtful(tmp_path):
+    area = SearchArea(roads=[shapely.box(0, -30, 50, 0)])
+    _, mask = found_in(tmp_path, stroke_on_a_track(()), area)
+    assert mask[STROKE].mean() > 0.8
+
+
 def hard(image, seed=4):
     """A scene with ground as rough as in hard light."""
     rough = image + np.random.default_rng(seed).normal(0, 6, image.shape[:2])[..., None]

@@ -373,7 +373,7 @@ def _places(flags: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def _confidence_at(rows: np.ndarray, columns: np.ndarray, core: np.ndarray, bands: np.ndarray, relief: np.ndarray,
                    ground: GroundBeside, pixel: float, settings: ConfidenceSettings) -> tuple[np.ndarray, np.ndarray]:
     """Confidence (n,) of bright pixels at rows and columns of a strip, but for their colour, and by that."""
-    confidence = settings.faint + (1 - settings.faint) * _ramp(relief, settings.contrast)
+    confidence = contrast_confidence(relief, settings)
     if ground.shades is not None:
         inside = rows * bands.shape[2] + columns
         warmth = shares_of_colour(*(mean_over(band, 3).take(inside) for band in bands[:3]))[0]
@@ -384,6 +384,11 @@ def _confidence_at(rows: np.ndarray, columns: np.ndarray, core: np.ndarray, band
         colour = np.ones_like(confidence)
     confidence *= _on_road(core, rows, columns, ground, pixel, settings)
     return confidence, colour
+
+
+def contrast_confidence(relief: np.ndarray, settings: ConfidenceSettings) -> np.ndarray:
+    """Confidence (n,) by how far bright pixels stand out alone, by their top-hats in thresholds."""
+    return settings.faint + (1 - settings.faint) * _ramp(relief, settings.contrast)
 
 
 def _warmth_of_ground(ground: GroundBeside, rows: np.ndarray, columns: np.ndarray, pixel: float) -> np.ndarray:

@@ -21,6 +21,7 @@ from .marking_confidence import (
     ConfidenceSettings,
     GroundBeside,
     along_strokes,
+    contrast_confidence,
     ground_beside,
     marking_confidence,
 )
@@ -57,6 +58,10 @@ class CleanSettings:
     border_share : pieces with this share of pixels along the edge of what is hidden are roof edges that a mask left.
     max_length : pieces of this length or more are not judged by their shape.
     min_confidence : pieces (parts of long ones) with less confidence that they are paint on a road are left out.
+    doubtful, sure, company, company_reach : what the ground beside gives less confidence than `doubtful` goes where
+        less than `company` m2 with a confidence of `sure` lies within `company_reach`: paint is seldom alone; reeds and
+        parts of roofs and vehicles are.
+    own_length : shorter pieces are no company to themselves.
     confidence : how it is measured.
     fill_width : paint up to this width, such as arrow heads, is filled.
     trained : whether the confidence is told by the trained model, see `paint_model`, or by rules alone; see also
@@ -81,6 +86,11 @@ class CleanSettings:
     border_share: float = 0.6
     max_length: float = 12.0
     min_confidence: float = 0.2
+    doubtful: float = 0.6
+    sure: float = 0.75
+    company: float = 2.0
+    company_reach: float = 10.0
+    own_length: float = 5.0
     confidence: ConfidenceSettings = field(default_factory=ConfidenceSettings)
     fill_width: float = 1.5
     trained: bool = False
@@ -105,12 +115,16 @@ class CleanSettings:
         Its piece reaches so far, a body at that piece so much farther, and the ground or all that is wider than a
         vehicle, by which the body is told, from there on.
         """
-        piece = self.max_length + self.wear_gap
         body = self.max_length + self.body_width + max(self.vehicle_gap, self.rim)
         beyond = body + max(GROUND_REACH, self.vehicle_width)
         if self.asks_figures:
             beyond = max(beyond, REACH + GROUND_REACH)
-        return piece + beyond + self.max_width + 2 * self.fill_width
+        return self.piece_reach + beyond + self.max_width + 2 * self.fill_width
+
+    @property
+    def piece_reach(self) -> float:
+        """How far, m, from a pixel its piece and what is company to it reach."""
+        return max(self.max_length + self.wear_gap, self.company_reach + ALONG_REACH)
 
 
 @dataclass(frozen=True)
@@ -175,8 +189,9 @@ def remove_non_markings(found: Candidates, pixel: float, settings: CleanSettings
     rules = _of_pieces(judged, judged.by_rules, pixel)
     by_rules = values = np.where(specks, np.float32(0), rules)
     accepted = judged.accepted[pieces.labels]
-    if settings.asks_figures and found.roads is None:
-        values = _by_figures(judged, found, pixel, settings, rules, specks, within(wanted, near))
+    if found.roads is None:
+        values = (_by_figures(judged, found, pixel, settings, rules, specks, within(wanted, near))
+                  if settings.asks_figures else np.where(_alone(judged, pixel, settings), np.float32(0), values))
     good = accepted & (values >= settings.min_confidence)
     evidence = SearchTally(colder=judged.colder, clear=np.count_nonzero(ground.clear[counted]),
                            smooth=np.count_nonzero(ground.smooth[counted]))
@@ -223,7 +238,7 @@ def judged_pieces(found: Candidates, pixel: float, settings: CleanSettings, want
     """Pieces that reach into the rows and columns wanted."""
     narrow = _narrow(found, settings.top_hat_ratio)
     # A piece is shorter than this, or long; farther off nothing matters any more.
-    near = grown(wanted, math.ceil((settings.max_length + settings.wear_gap) / pixel) + 4, found.core.shape)
+    near = grown(wanted, math.ceil(settings.piece_reach / pixel) + 4, found.core.shape)
     ground = ground_beside(found.bands, found.image, found.road, found.core, found.seen, pixel, found.model,
                            settings.confidence)
     vehicles, bodies = vehicle_zones(found, ground.brightness, pixel, settings)
@@ -368,6 +383,22 @@ def _specks(judged: JudgedPieces, found: Candidates, pixel: float, settings: Cle
         whole = marking_pieces_of(judged.mask, judged.mask.view(np.uint8), pixel, settings.max_length)
         specks &= ~straight_strokes(whole, judged.mask.shape[1], pixel, settings.max_width)[whole.labels]
     return specks
+
+
+def _alone(judged: JudgedPieces, pixel: float, settings: CleanSettings) -> np.ndarray:
+    """Which of the pieces' pixels (bool, n) lie on doubtful ground and have hardly any sure paint round them."""
+    pieces = judged.pieces
+    sure = along_strokes(judged.by_rules, judged.mask, pixel) >= settings.sure
+    flags = np.zeros(judged.mask.shape, np.uint8)
+    flags.ravel()[pieces.inside] = sure
+    side = 2 * round(settings.company_reach / pixel) + 1
+    around = cv2.boxFilter(flags, cv2.CV_32F, (side, side), normalize=False, borderType=cv2.BORDER_CONSTANT)
+    own = np.bincount(pieces.labels, sure, minlength=len(pieces.size))
+    own[pieces.length - settings.wear_gap >= settings.own_length] = 0
+    company = around.take(pieces.inside) - own[pieces.labels]
+    # Worn paint is faint, but lies on a road: it needs no company.
+    by_ground = _of_pieces(judged, judged.by_rules / contrast_confidence(judged.relief, settings.confidence), pixel)
+    return (by_ground < settings.doubtful) & (company * pixel ** 2 < settings.company)
 
 
 def _narrow(found: Candidates, ratio: float) -> np.ndarray:
