@@ -188,6 +188,22 @@ def test_a_straight_wall_tells_a_jump_of_the_correction_and_only_that():
     assert wall_jumps(chainage, chainage, one_side, normal, own_walls(one_side, normal, np.zeros(len(place)))) == []
 
 
+@pytest.mark.parametrize("of_time", [False, True])
+def test_two_buildings_in_a_line_are_no_jump_of_the_correction(of_time):
+    """A scanner that looks ahead sees a place at many times: a setback goes with the place, a jump does not."""
+    rng = np.random.default_rng(4)
+    x, ahead = (part.ravel() for part in np.meshgrid(np.arange(0.0, 80.0, 0.8), np.arange(2.0, 20.0, 4.0)))
+    place = np.concatenate([np.column_stack([x, np.full(len(x), side * WIDE)]) for side in (1, -1)])
+    chainage = np.tile(x - ahead + 20.0, 2)
+    place[:, 1] += np.where((chainage > 50.0) if of_time else (place[:, 0] > 41.0), 0.3, 0.0)
+    place[:, 1] += rng.normal(0.0, 0.01, len(place))
+    order = np.argsort(chainage, kind="stable")
+    normal = np.column_stack([np.zeros(len(place)), -np.sign(place[:, 1])])
+    place, normal, chainage, height = place[order], normal[order], chainage[order], np.tile(ahead / 2, 2)[order]
+    jumps = wall_jumps(chainage, chainage, place, normal, own_walls(place, normal, height))
+    assert len(jumps) == of_time
+
+
 @pytest.mark.parametrize("eaves", [0.0, 0.6])
 def test_walls_hold_a_street_without_paint(eaves):
     drive = simulate(3, length=400.0, turn=None, crossings=25.0, gaps=((50.0, 350.0),), drift_length=60.0)

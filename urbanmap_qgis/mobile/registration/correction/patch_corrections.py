@@ -41,6 +41,7 @@ class PatchCorrectionLimits:
     around_step: float = 20.0  # m from a step within which quiet evidence is not believed
     on_step: float = 10.0  # m from a step within which a patch counts as on it
     step_support: float = 5.0  # m of path to either side whose markings must fix a patch on a step
+    beside_jump: float = 15.0  # m of path to either side of a trajectory's jump that are not trusted
     # Of the stated variance in plan, whatever the survey says: by points, and by windows, which look quiet as they
     # share theirs.
     min_reported: float = 0.05
@@ -302,7 +303,7 @@ def with_distrusted(correction: Correction, trajectory: Trajectory, beyond: bool
     """The correction with patches distrusted where the trajectory is broken, or all of them beyond the search."""
     status, reason = correction.status.copy(), correction.reason.copy()
     for spans, extent, why in ((gaps(trajectory), 2 * settings.node_length, say("the trajectory has a gap here")),
-                              (jumps(trajectory), settings.support_length, say("the trajectory jumps here"))):
+                              (jumps(trajectory), LIMITS.beside_jump, say("the trajectory jumps here"))):
         for start, end in spans:
             ends = np.interp([start, end], correction.time, correction.chainage) + np.array([-extent, extent])
             broken = (correction.chainage >= ends[0]) & (correction.chainage <= ends[1])

@@ -50,7 +50,7 @@ class CorrectionSettings:
     gross: float = 5.0
     min_margin: float = 3.0
     search: float = np.inf
-    support_length: float = 15.0
+    support_length: float = 30.0
     registered_sigma: float = 0.10
     trusted_sigma: float = 0.30
     blurs: tuple[float, ...] = (0.15, 0.05, 0.0, 0.0, 0.0)

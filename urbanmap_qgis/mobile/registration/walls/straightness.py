@@ -39,6 +39,10 @@ class StraightnessLimits:
     walls: int = 2  # which must bear a jump out, each of them without the other ones
     proof: float = 4.5  # standard deviations of a jump that is believed, 3 without any one of its walls
     least: float = 0.06  # m
+    # A wall that steps at a place of its own, whenever that was seen, is two buildings: places looked at every m, and
+    # the log-likelihood by which one must beat a step at the jump's time.
+    every_place: float = 0.5
+    own_step: float = 4.5
 
 
 LIMITS = StraightnessLimits()
@@ -108,8 +112,38 @@ def _jump_at(along: np.ndarray, place: np.ndarray, normal: np.ndarray, wall: np.
     """Change, covariance and chi square of the jump that all walls tell of `along` (n,) m from it, where it is proven.
     """
     far = (np.abs(along) >= LIMITS.gap) & (wall >= 0)
-    evidence = [_wall_evidence(along[some], place[some], normal[some]) for some in _walls(wall, far)]
-    evidence = [item for item in evidence if item is not None]
+    rows = list(_walls(wall, far))
+    evidence = [_wall_evidence(along[some], place[some], normal[some]) for some in rows]
+    jump = _proven([item for item in evidence if item is not None])
+    if jump is None:
+        return None
+    return _proven([item for item, some in zip(evidence, rows)
+                    if item is not None and not _steps_itself(along[some], place[some], item[0])])
+
+
+def _steps_itself(along: np.ndarray, place: np.ndarray, unit: np.ndarray) -> bool:
+    """Whether a wall's planes, seen `along` (n,) m from a jump, step at a place of the wall and not at the jump's time.
+
+    A scanner that looks ahead sees one place of a wall at many times, by its height.
+    """
+    off, way = place @ unit, place @ np.array([unit[1], -unit[0]])
+    off, way = off - off.mean(), way - way.mean()
+    places = np.arange(way.min(), way.max(), LIMITS.every_place)[1:]
+    if not len(places):
+        return False
+    by_place = min(_lost(off, way, way > at) for at in places)
+    return _lost(off, way, along > 0) - by_place > LIMITS.own_step
+
+
+def _lost(off: np.ndarray, way: np.ndarray, after: np.ndarray) -> float:
+    """Log-likelihood that planes `off` (n,) m at `way` (n,) m lose on a line that steps where `after` (n,) is true."""
+    design = np.column_stack([np.ones(len(off)), way, after])
+    left = off - design @ np.linalg.lstsq(design, off, rcond=None)[0]
+    return 0.5 * float(np.minimum((left / LIMITS.sigma) ** 2, LIMITS.soft**2).sum())
+
+
+def _proven(evidence: list[tuple[np.ndarray, float, float]]) -> _Jump | None:
+    """Change, covariance and chi square of the jump that walls tell, where they prove it together and apart."""
     if len(evidence) < LIMITS.walls:
         return None
     unit, size, variance = (np.array(column) for column in zip(*evidence))
