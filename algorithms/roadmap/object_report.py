@@ -25,8 +25,8 @@ def write_object_report(path, found, trajectory) -> None:
         _table(report, found.objects, DOUBTFUL)
         report.section(tr("Map"))
         report.figure(object_map(found.objects, trajectory.place[:, :2]), tr(
-            "The path grey; poles black, lamp posts yellow, signals red, signs blue, trees green; doubtful objects "
-            "hollow."))
+            "The path grey; poles black, lamp posts yellow, signals red, signs blue, trees green, bollards brown, "
+            "boxes violet; doubtful objects hollow."))
     if doubtful:
         report.section(tr("Doubtful objects"))
         report.table((tr("No."), tr("Kind"), tr("Why"), "x", "y"),

@@ -25,15 +25,16 @@ class StreetObjects(UrbanMapAlgorithm):
     NAME = "Street objects"
     SOURCE = "Javanmardi 2018, 6.2"
     KEYWORDS = ("pole", "lamp post", "street light", "traffic light", "signal", "traffic sign", "tree", "guard rail",
-                "street furniture", "MMS")
+                "street furniture", "bollard", "cabinet", "MMS")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "rasterio")
     HELP = (
-        "Finds poles, lamp posts, signals, signs and trees along the drive of a corrected mobile survey, as points at "
-        "their feet with height, diameter, direction and standard deviation.\n"
+        "Finds poles, lamp posts, signals, signs, trees, bollards and boxes such as cabinets along the drive of a "
+        "corrected mobile survey, as points at their feet with height, diameter, direction and standard deviation.\n"
         "Things that stay narrow in plan over height are stems. The axis of a stem is adjusted to the sides of it that "
         "were seen, as each line of sight sees its middle across and its face before the axis. What hangs on the stem "
         "tells the kind: leaves on all sides, an arm with a lamp or a large head, a flat board. A post that shows none "
-        "of these is a pole; what a sign says is not read.\n"
+        "of these is a pole; what a sign says is not read. Bollards (0.5 to 1.5 m high) and boxes (0.7 to 2 m high, "
+        "“other upright”) stand free beside the road.\n"
         "Stems of few points, with a hidden foot, or that may be a part of a wall are doubtful, with the reason. "
         "Points and trajectory must be corrected ones: objects are as wrong as the survey is."
     )
@@ -47,7 +48,8 @@ class StreetObjects(UrbanMapAlgorithm):
                         "points are counted. Without it the ground is found among the points; where the raster has no "
                         "value no object is found.", optional=True)
         self.add_distance("WIDTH", "Half width", "Objects up to so far from the path, in metres.", 15.0, 3.0, 50.0)
-        self.add_distance("MIN_HEIGHT", "Lowest object", "Lower objects, in metres, are left out.", 2.0, 1.5, 10.0)
+        self.add_distance("MIN_HEIGHT", "Lowest object", "Lower posts, signs and trees, in metres, are "
+                          "left out; bollards and boxes have heights of their own.", 2.0, 1.5, 10.0)
         self.add_distance("MAX_DIAMETER", "Thickest stem", "What is thicker, in metres, is no post or trunk.", 0.6, 0.1,
                           2.0, advanced=True)
         self.add_distance("SIGMA", "Standard deviation of the survey", "How well the survey is placed as a whole, in "
@@ -55,11 +57,12 @@ class StreetObjects(UrbanMapAlgorithm):
         self.add_points_crs()
         point, line = QgsProcessing.SourceType.TypeVectorPoint, QgsProcessing.SourceType.TypeVectorLine
         self.add_layer_output(
-            "OUTPUT", "Street objects", "PointZ at the foot: object_id, kind (pole, lamp post, signal, sign, tree), "
-            "confidence (0 to 1), height over the ground, diameter, lean (degrees), azimuth (degrees, of a board's "
-            "face or an arm), crown (diameter), arm and arm_height (length, and height over the ground), head_height "
-            "(of what is at its end), board_width, board_height, board_z (height of the board's middle), sigma (east "
-            "and north each, m), points, passes, status (measured, doubtful), reason.", source_type=point)
+            "OUTPUT", "Street objects", "PointZ at the foot: object_id, kind (pole, lamp post, signal, sign, tree, "
+            "bollard, other upright), confidence (0 to 1), height over the ground, diameter (of the stem, or the "
+            "longer sides of a box), lean (degrees), azimuth (degrees, of a board's face or an arm), crown (diameter), "
+            "arm and arm_height (length, and height over the ground), head_height (of what is at its end), "
+            "board_width, board_height, board_z (height of the board's middle), sigma (east and north each, m), "
+            "points, passes, status (measured, doubtful), reason.", source_type=point)
         self.add_layer_output(
             "OUTPUT_RAILS", "Guard rails", "LineStringZ along the foot: rail_id, height, sigma (across), sigma_z, "
             "length (m), points, passes, status, reason; as “Road edges” finds them.", optional=True, source_type=line)

@@ -87,7 +87,8 @@ def road_edges(layer) -> None:
 
 def street_objects(layer) -> None:
     """Objects by kind, doubtful ones hollow."""
-    colours = {"pole": "#222222", "lamp post": "#e0a800", "signal": "#d7263d", "sign": "#2b5fb8", "tree": "#3f8f63"}
+    colours = {"pole": "#222222", "lamp post": "#e0a800", "signal": "#d7263d", "sign": "#2b5fb8", "tree": "#3f8f63",
+               "bollard": "#8a5a2b", "other upright": "#8a6bb0"}
     layer.setRenderer(QgsCategorizedSymbolRenderer("\"kind\" || ', ' || \"status\"", [
         QgsRendererCategory(f"{kind}, {status}", marker(fill_colour, 2.6, colour), f"{kind}, {status}")
         for kind, colour in colours.items() for status, fill_colour in (

@@ -12,8 +12,8 @@ from ..io.files.named_table import numbers_of
 from ..wording import say
 from .map_records import Finding, VectorMap
 
-POLE, LAMP, SIGNAL, SIGN, TREE = "pole", "lamp post", "signal", "sign", "tree"
-KINDS = (POLE, LAMP, SIGNAL, SIGN, TREE)
+POLE, LAMP, SIGNAL, SIGN, TREE, BOLLARD = "pole", "lamp post", "signal", "sign", "tree", "bollard"
+KINDS = (POLE, LAMP, SIGNAL, SIGN, TREE, BOLLARD)
 _NUMBERS = ("height", "diameter", "azimuth", "arm", "arm_height", "head_height", "board_width", "board_height",
             "board_z")
 

@@ -32,10 +32,10 @@ from ...citymodel.model import (
 )
 from ...citymodel.reference import city_reference
 from ...progress import SILENT, Progress
-from .object_records import LAMP, POLE, SIGN, SIGNAL, TREE, StreetObject
+from .object_records import BOLLARD, LAMP, OTHER, POLE, SIGN, SIGNAL, TREE, StreetObject
 
-FUNCTIONS = {POLE: "4800", LAMP: "4200", SIGN: "3000", SIGNAL: "4900"}
-"""Codes of `CityFurniture_function`: posts, lighting, road signs, traffic signals."""
+FUNCTIONS = {POLE: "4800", LAMP: "4200", SIGN: "3000", SIGNAL: "4900", BOLLARD: "4800", OTHER: "4000"}
+"""Codes of `CityFurniture_function`: posts, lighting, road signs, traffic signals; structures for boxes of any use."""
 
 ROAD_FITTING = "1000"
 """Code of `CityFurniture_class`: of roads and traffic."""

@@ -6,9 +6,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from .object_records import LAMP, MEASURED, POLE, SIGN, SIGNAL, TREE, StreetObject
+from .object_records import BOLLARD, LAMP, MEASURED, OTHER, POLE, SIGN, SIGNAL, TREE, StreetObject
 
-COLOURS = {POLE: "#222222", LAMP: "#e0a800", SIGNAL: "#d7263d", SIGN: "#2b5fb8", TREE: "#3f8f63"}
+COLOURS = {POLE: "#222222", LAMP: "#e0a800", SIGNAL: "#d7263d", SIGN: "#2b5fb8", TREE: "#3f8f63", BOLLARD: "#8a5a2b",
+           OTHER: "#8a6bb0"}
 
 
 def object_map(objects: Sequence[StreetObject], path: np.ndarray, width: int = 760, margin: float = 20.0) -> str:

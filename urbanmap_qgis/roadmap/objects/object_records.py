@@ -13,6 +13,7 @@ OBJECT_POINT = np.dtype([*POINT.descr, ("time", "<f8"), ("intensity", "<u2")])
 """A laser point: m, number of its pass, s in the trajectory's time, intensity as in the file."""
 
 POLE, LAMP, SIGNAL, SIGN, TREE = mark("pole"), mark("lamp post"), mark("signal"), mark("sign"), mark("tree")
+BOLLARD, OTHER = mark("bollard"), mark("other upright")
 MEASURED, DOUBTFUL = mark("measured"), mark("doubtful")
 
 
@@ -23,7 +24,7 @@ class ObjectSettings:
     Attributes
     ----------
     width : from the path to either side, m.
-    min_height : lower ones are left out, m.
+    min_height : lower posts, signs and trees are left out, m.
     max_diameter : thicker ones are no poles or trunks, m.
     survey_sigma : how well the survey is placed as a whole, m.
     """
@@ -98,13 +99,13 @@ class StreetObject:
 
     Attributes
     ----------
-    kind : `POLE`, `LAMP`, `SIGNAL`, `SIGN` or `TREE`.
+    kind : `POLE`, `LAMP`, `SIGNAL`, `SIGN`, `TREE`, `BOLLARD` or `OTHER` (a box: a cabinet, a post box).
     confidence : 0 to 1, how clearly its points show that kind.
     foot : (3,) where its axis meets the ground, m.
     height : of its highest point over the foot, m.
-    diameter : of its stem, m; None where that is not seen.
+    diameter : of its stem, or of the longer sides of a box, m; None where that is not seen.
     lean : degrees from the plumb line; None where its stem is not seen.
-    azimuth : degrees, of a board's face or an arm; None without one.
+    azimuth : degrees, of a board's face, an arm or a longer side of a box; None without one.
     crown : diameter of a tree's crown, m; None without one.
     arm : length and height over the foot of an arm, m; None without one.
     board : on it; None without one.

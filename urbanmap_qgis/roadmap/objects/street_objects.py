@@ -19,6 +19,7 @@ from .axis_fit import fit_axis
 from .hanging_parts import LIMITS as AROUND
 from .hanging_parts import HangingParts, hanging_parts
 from .lone_boards import board_on, lone_boards, stands_alone
+from .low_objects import ends_as, low_objects
 from .object_kind import kind_of
 from .object_records import (
     DOUBTFUL,
@@ -61,6 +62,7 @@ class StreetObjectLimits:
     trunk: float = 0.2  # m, from which a stem in leaves is a trunk, not the post of a sign that stands by
     behind: float = 0.04  # m behind a board that hides its post, where that stands: half of what such posts measure
     post_in_width: float = 4.0  # of a board, over which its post is one standard deviation from its middle
+    beside: float = 0.3  # m; what is low and stands closer to something tall is a part of that
     same: float = 0.5  # m; stems closer than this, over each other, are one thing
 
 
@@ -90,7 +92,7 @@ class ObjectsFound:
 
 def street_objects(paths: Sequence[str | os.PathLike], trajectory: Trajectory, settings: ObjectSettings = DEFAULTS,
                    ground: Heights | None = None, progress: Progress = SILENT) -> ObjectsFound:
-    """Find poles, lamp posts, signals, signs and trees along a drive.
+    """Find poles, lamp posts, signals, signs, trees, bollards and boxes along a drive.
 
     Parameters
     ----------
@@ -122,6 +124,7 @@ def _objects_of_tile(tile: EdgeTile, height: np.ndarray, survey: EdgePoints,
     index = SweepIndex(place[:, :2])
     where = _may_stand(place, tile, survey)
     boards = lone_boards(place, height, index, survey.body(points["time"]), where)
+    low = low_objects(points, place, height, index, survey, where, settings.survey_sigma)
     found: list[StreetObject] = []
     for stem in find_stems(points, height, settings.max_diameter, where):
         axis = fit_axis(place[stem.rows], survey.body(points["time"][stem.rows]))
@@ -139,17 +142,23 @@ def _objects_of_tile(tile: EdgeTile, height: np.ndarray, survey: EdgePoints,
             around = _with_board(hanging_parts(place[near], height[near], axis, stem.high, seen_from), boards, axis)
         short = stem.high - stem.low < LIMITS.post and not around.crown and not _under_board(stem, around, axis, ground)
         wall = around.straight and around.wall > LIMITS.wall * len(stem.rows)
-        if short or wall or max(around.top, stem.high) < settings.min_height:
+        if short or wall or max(around.top, stem.high) < settings.min_height or (
+                around.crown and around.board is None and any(ends_as(thing, stem, foot) for thing in low)):
             continue
         crowd = _crowd(place[near], height[near], stem, axis)
         found.append(_object(stem, axis, np.array([*foot, ground]), around, crowd,
                              len(np.unique(points["drive"][stem.rows])), survey.corner, settings))
     found = _without_doubles(found)
-    return found + [_sign_without_post(board, place, height, survey.corner, settings) for board in boards
-                    if tile.owns(board.centre[None, :2])[0] and survey.within(board.centre[None, :2])[0]
-                    and all(np.linalg.norm(thing.board.centre - survey.corner - board.centre) > LIMITS.same
-                            for thing in found if thing.board is not None)
-                    and stands_alone(place, height, board)]
+    signs = [_sign_without_post(board, place, height, survey.corner, settings) for board in boards
+             if tile.owns(board.centre[None, :2])[0] and survey.within(board.centre[None, :2])[0]
+             and all(np.linalg.norm(thing.board.centre - survey.corner - board.centre) > LIMITS.same
+                     for thing in found if thing.board is not None)
+             and stands_alone(place, height, board)]
+    found += signs
+    return found + [replace(thing, foot=thing.foot + survey.corner) for thing in low
+                    if tile.owns(thing.foot[None, :2])[0] and survey.within(thing.foot[None, :2])[0]
+                    and all(np.hypot(*(thing.foot + survey.corner - other.foot)[:2]) > LIMITS.beside
+                            for other in found)]
 
 
 def _with_board(around: HangingParts, boards: list[Board], axis: StemAxis) -> HangingParts:
