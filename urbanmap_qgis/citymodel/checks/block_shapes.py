@@ -116,6 +116,12 @@ class BlockShapes:
         return np.searchsorted(self.polygon, np.arange(len(self.polygons)))
 
     @cached_property
+    def boxes(self) -> tuple[np.ndarray, np.ndarray]:
+        """Least and greatest coordinates (P, 3) of each polygon, m."""
+        begin = self.start[self.outer_ring]
+        return np.minimum.reduceat(self.metres, begin, axis=0), np.maximum.reduceat(self.metres, begin, axis=0)
+
+    @cached_property
     def normals(self) -> np.ndarray:
         """Unit normal (P, 3) of each polygon by its outer ring; zeros where it has no area."""
         vectors = self.area_vectors[self.outer_ring]

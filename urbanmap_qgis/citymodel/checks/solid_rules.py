@@ -246,25 +246,44 @@ def _overlapping(block: CityBlock, faces: _Faces) -> bool:
     shapes = block.shapes
     normals = shapes.normals[faces.polygons]
     first = shapes.metres[shapes.start[shapes.outer_ring[faces.polygons]]]
-    for k in range(len(normals) - 1):
-        others = k + 1 + np.flatnonzero((np.abs(normals[k + 1:] @ normals[k]) > _ONE_PLANE)
-                                        & (np.abs((first[k + 1:] - first[k]) @ normals[k]) < NEAREST))
-        if not len(others):
-            continue
-        axes = _axes_of(normals[k])
-        one, *rest = (shapely.make_valid(shapely.Polygon(outer @ axes, [hole @ axes for hole in holes]))
-                      for outer, *holes in (closed_rings(block, [faces.polygons[j]]) for j in (k, *others)))
-        if not shapely.is_empty(shapely.buffer(shapely.intersection(one, rest), -NEAREST / 2.0)).all():
+    waiting = np.ones(len(normals), bool)
+    while waiting.any():
+        k = int(np.argmax(waiting))
+        plane = waiting & (np.abs(normals @ normals[k]) > _ONE_PLANE)
+        plane &= np.abs((first - first[k]) @ normals[k]) < NEAREST
+        plane[k] = True
+        waiting &= ~plane
+        if plane.sum() > 1 and _share_area(block, faces.polygons[plane], normals[k]):
             return True
     return False
+
+
+def _share_area(block: CityBlock, numbers: np.ndarray, normal: np.ndarray) -> bool:
+    """Whether any two polygons of a plane overlap by more than `NEAREST` across, seen along its steepest axis."""
+    axes = np.delete(np.arange(3), np.argmax(np.abs(normal)))
+    low, high = (corners[numbers][:, axes] for corners in block.shapes.boxes)
+    boxes = shapely.box(*low.T, *high.T)
+    one, other = shapely.STRtree(boxes).query(boxes)
+    wide = (np.minimum(high[one], high[other]) - np.maximum(low[one], low[other]) > NEAREST).all(axis=1)
+    one, other = one[wide & (one < other)], other[wide & (one < other)]
+    seen = np.full(len(numbers), None, object)
+    for number in {*one.tolist(), *other.tolist()}:
+        outer, *holes = (ring[:, axes] for ring in closed_rings(block, [numbers[number]]))
+        seen[number] = shapely.make_valid(shapely.Polygon(outer, holes))
+    drawn = seen[~shapely.is_missing(seen)]
+    if shapely.area(drawn).sum() - shapely.area(shapely.union_all(drawn)) < NEAREST ** 2:
+        return False  # most surfaces: sooner known than pair by pair
+    common = shapely.intersection(seen[one], seen[other])
+    return not shapely.is_empty(shapely.buffer(common, -NEAREST / 2.0)).all()
 
 
 def closed_rings(block: CityBlock, numbers: Sequence[int] | np.ndarray) -> list[np.ndarray]:
     """Places (n, 3) m of all rings of polygons, closed."""
     shapes = block.shapes
+    ends = np.append(shapes.outer_ring[1:], len(shapes.polygon))
     found = []
     for number in numbers:
-        for ring in np.flatnonzero(shapes.polygon == number):
+        for ring in range(shapes.outer_ring[number], ends[number]):
             places = shapes.metres[shapes.start[ring]:shapes.start[ring + 1]]
             found.append(places if shapes.closed[ring] else np.vstack([places, places[:1]]))
     return found
