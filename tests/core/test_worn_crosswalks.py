@@ -48,6 +48,12 @@ def test_bars_in_pieces_are_a_crosswalk_where_sure_ones_show_the_pattern():
     assert found(worn) == [] and len(found([*SURE, *worn])) == 3
 
 
+def test_rings_are_no_pieces_of_bars():
+    rings = [shapely.Point(100.0 + k * PITCH, 100.0).buffer(0.35).boundary.buffer(0.06) for k in range(6)]
+    assert any(np.allclose(stroke.axis[0], stroke.axis[-1], atol=0.3) for stroke in all_strokes(rings))
+    assert len(found([*SURE, *rings])) == 2
+
+
 @pytest.mark.parametrize("paint", [
     bars(100.0, 100.0, 2),  # too few, and nothing faces them
     [*flakes(100.0, 100.0), shapely.box(99.0, 96.0, 108.0, 108.0)],  # paint between them as well

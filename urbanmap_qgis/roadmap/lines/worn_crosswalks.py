@@ -23,6 +23,7 @@ class WornCrosswalksLimits:
     alike: float = 0.05  # Two crosswalks are of one pattern where their bars' distances differ by less, of them,
     alike_length: float = 0.5  # and their lengths by less, m.
     least_piece: float = 0.3  # Pieces of bars, m.
+    straight: float = 0.7  # So much of a piece's length lies between its ends at least.
     least_anchor: float = 0.35  # A piece so long, of a bar's length, is looked around for others.
     turn: float = 6.0  # Bars run within so many degrees of it.
     lean: float = 15.0  # Worn pieces lean by so much at most.
@@ -111,9 +112,11 @@ class _Pieces:
         """Those that the bars of a pattern may have left."""
         length = np.array([stroke.length for stroke in strokes])
         width = np.array([stroke.width for stroke in strokes])
+        ends = np.array([stroke.axis[[0, -1]] for stroke in strokes])
+        chord = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
         good = (length >= LIMITS.least_piece) & (length <= 1.2 * pattern.length) & (width <= 3.0 * pattern.half)
-        ends = np.array([strokes[n].axis[[0, -1]] for n in np.flatnonzero(good)]).reshape(-1, 2, 2)
-        return cls(ends, length[good], shapely.STRtree(shapely.linestrings(ends)))
+        good &= chord >= LIMITS.straight * length
+        return cls(ends[good], length[good], shapely.STRtree(shapely.linestrings(ends[good])))
 
     def within(self, rows: Sequence[BarRow]) -> np.ndarray:
         """Mask (n,) of those that lie in rows."""
