@@ -116,6 +116,15 @@ class BlockShapes:
         return np.searchsorted(self.polygon, np.arange(len(self.polygons)))
 
     @cached_property
+    def vertex_numbers(self) -> np.ndarray:
+        """A number (N,) for each place, the same for the same coordinates."""
+        order = np.lexsort(self.raw.T)
+        new = np.append(False, (np.diff(self.raw[order], axis=0) != 0).any(axis=1))
+        number = np.empty(len(order), int)
+        number[order] = np.cumsum(new)
+        return number
+
+    @cached_property
     def boxes(self) -> tuple[np.ndarray, np.ndarray]:
         """Least and greatest coordinates (P, 3) of each polygon, m."""
         begin = self.start[self.outer_ring]

@@ -101,7 +101,7 @@ class _Edges:
 
 def _edges(block: CityBlock, bodies: list[_Faces]) -> _Edges:
     shapes = block.shapes
-    vertex = _vertex_numbers(shapes.raw)
+    vertex = shapes.vertex_numbers
     following = np.arange(1, len(vertex) + 1)
     following[shapes.start[1:] - 1] = shapes.start[:-1]
     first = shapes.start[np.append(shapes.outer_ring, len(shapes.polygon))]
@@ -124,15 +124,6 @@ def _edges(block: CityBlock, bodies: list[_Faces]) -> _Edges:
     size = len(bodies)
     return _Edges(np.bincount(body[count == 1], minlength=size), np.bincount(body[count > 2], minlength=size),
                   np.bincount(body[(count == 2) & (turn != 0)], minlength=size))
-
-
-def _vertex_numbers(places: np.ndarray) -> np.ndarray:
-    """A number (N,) for each place, the same for the same coordinates."""
-    order = np.lexsort(places.T)
-    new = np.append(False, (np.diff(places[order], axis=0) != 0).any(axis=1))
-    number = np.empty(len(places), int)
-    number[order] = np.cumsum(new)
-    return number
 
 
 def _volumes(block: CityBlock, bodies: list[_Faces]) -> np.ndarray:
@@ -216,14 +207,11 @@ def _surface_falls_apart(block: CityBlock, rule: CheckRule) -> Iterator[Violatio
     for faces in _bodies(block, "CompositeSurface"):
         if len(faces.polygons) < 2 or any(shapes.polygons[number].owner is not None for number in faces.polygons):
             continue
-        corners = [{tuple(place) for place in shapes.raw[slice(*shapes.start[[ring, ring + 1]])].tolist()}
-                   for ring in shapes.outer_ring[faces.polygons]]
         place = shapes.first_place(int(faces.polygons[0]))
-        if len({frozenset(one) for one in corners}) < len(corners) or _overlapping(block, faces):
+        if _overlapping(block, faces):
             yield violation(faces.body.feature, faces.body.lod, place, why="polygons that overlap",
                             why_ja="重なる多角形があります")
-        elif any(not any(one & other for j, other in enumerate(corners) if j != k) and not _touches(block, faces, k)
-                 for k, one in enumerate(corners)):
+        elif any(not _touches(block, faces, k) for k in _without_common_corner(block, faces)):
             yield violation(faces.body.feature, faces.body.lod, place, why="a polygon that touches no other",
                             why_ja="他のいずれとも接していない多角形があります")
 
@@ -233,6 +221,16 @@ def _plan(block: CityBlock, number: int) -> shapely.Polygon:
     shapes = block.shapes
     ring = shapes.outer_ring[number]
     return shapely.Polygon(shapes.metres[shapes.start[ring]:shapes.start[ring + 1], :2])
+
+
+def _without_common_corner(block: CityBlock, faces: _Faces) -> list[int]:
+    """Numbers in a surface of the polygons whose outer ring has no place of another one's."""
+    shapes = block.shapes
+    rings = shapes.outer_ring[faces.polygons]
+    corners = [np.unique(shapes.vertex_numbers[shapes.start[ring]:shapes.start[ring + 1]]) for ring in rings]
+    numbers, owners = np.unique(np.concatenate(corners), return_counts=True)
+    shared = set(numbers[owners > 1].tolist())
+    return [k for k, one in enumerate(corners) if shared.isdisjoint(one.tolist())]
 
 
 def _touches(block: CityBlock, faces: _Faces, k: int) -> bool:
