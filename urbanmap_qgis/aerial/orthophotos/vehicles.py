@@ -5,6 +5,7 @@ A vehicle that moves stands in another place in the next frame, so that some fra
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
@@ -36,6 +37,7 @@ class VehiclesLimits:
 LIMITS = VehiclesLimits()
 
 _STRIP = 32  # rows
+_TOGETHER = 16384  # pixels
 
 REACH = 2 * (LIMITS.road_box // 2) + LIMITS.object_box // 2 + 1
 """Pixels: what lies farther off has no say in a pixel's vote."""
@@ -82,9 +84,7 @@ def majority_vote(views: np.ndarray, seen: np.ndarray, full_scale: float, box: i
     total = np.stack([_sum(planes) for planes in bands])
     smooth = [_box_mean(planes, sees.astype(np.float32), box)[0] for planes, sees in zip(bands, seen)]
     del bands
-    number, agreed = np.empty(seen.shape[1:], np.int16), np.empty(seen.shape[1:], bool)
-    for rows in _strips(len(number)):
-        number[rows], agreed[rows] = _largest_group(_part(smooth, rows), total[:, rows], seen[:, rows], full_scale)
+    number, agreed = _largest_group(smooth, total, seen, full_scale)
     road, known = _road_around(cv2.split(composite(views, number)), agreed)
     like, paint = np.empty(seen.shape, bool), np.empty(seen.shape, bool)
     narrow = _narrow(total)
@@ -118,6 +118,25 @@ def _largest_group(smooth: Sequence[Sequence[np.ndarray]], total: np.ndarray, se
     smooth : the views' bands, means over a box.
     total, seen : (views, rows, columns) brightness, and where the views see the ground.
     """
+    number, agreed = np.empty(seen.shape[1:], np.int16), np.empty(seen.shape[1:], bool)
+    torn = np.empty(agreed.shape, bool)
+    for rows in _strips(len(number)):
+        number[rows] = _middle(total[:, rows], seen[:, rows])
+        np.greater(seen[:, rows].sum(axis=0, dtype=np.int16), 1, out=agreed[rows])
+        torn[rows] = agreed[rows] & ~_all_agree(_part(smooth, rows), seen[:, rows], full_scale)
+    # Groups need every pair of views; on most of the ground all agree, and that is told by lowest and highest.
+    places = np.flatnonzero(torn)
+    for first in range(0, len(places), _TOGETHER):
+        at = places[first:first + _TOGETHER]
+        parts = [[plane.take(at)[None] for plane in planes] for planes in smooth]
+        number.ravel()[at], agreed.ravel()[at] = _torn_group(
+            parts, *(np.stack([view.take(at)[None] for view in values]) for values in (total, seen)), full_scale)
+    return number, agreed
+
+
+def _torn_group(smooth: Sequence[Sequence[np.ndarray]], total: np.ndarray, seen: np.ndarray, full_scale: float
+                ) -> tuple[np.ndarray, np.ndarray]:
+    """The same by all pairs of views."""
     agree = _agreement(smooth, seen, full_scale)
     support = agree.sum(axis=0, dtype=np.int16)
     support[~seen] = 0
@@ -127,6 +146,20 @@ def _largest_group(smooth: Sequence[Sequence[np.ndarray]], total: np.ndarray, se
     for view, with_it in enumerate(agree):
         members |= with_it & (winner == view)
     return _middle(total, members), (most >= 2) & (2 * most > seen.sum(axis=0, dtype=np.int16))
+
+
+def _all_agree(smooth: Sequence[Sequence[np.ndarray]], seen: np.ndarray, full_scale: float) -> np.ndarray:
+    """Where all views that see a pixel surely agree: the lowest and the highest of every band do, by the least level
+    that a pair of them may have."""
+    beyond = [np.multiply(~sees, np.float32(1e9), dtype=np.float32) for sees in seen]
+    lowest, highest = [], []
+    for planes in zip(*smooth):
+        lowest.append(functools.reduce(cv2.min, map(cv2.add, planes, beyond)))
+        highest.append(functools.reduce(cv2.max, map(cv2.subtract, planes, beyond)))
+    level = _mean(lowest)
+    level *= AGREEMENT
+    np.maximum(level, LIMITS.agreement_floor * full_scale, out=level)
+    return _largest_difference(lowest, highest) < level
 
 
 def _sum(planes: Sequence[np.ndarray]) -> np.ndarray:
@@ -250,14 +283,16 @@ def _lowest(values: np.ndarray, among: np.ndarray) -> np.ndarray:
 
 def _middle(values: np.ndarray, among: np.ndarray) -> np.ndarray:
     """Number of the (lower) median value of each pixel among the marked ones; -1 where none is marked."""
-    before = np.zeros(among.shape, np.int16)
+    before = np.zeros(among.shape, np.min_scalar_type(len(values)))
     for first in range(len(values)):
         for second in range(first + 1, len(values)):
             both = among[first] & among[second]
             later = values[first] <= values[second]
-            before[second] += both & later
-            before[first] += both & ~later
-    middle = np.maximum(among.sum(axis=0, dtype=np.int16) - 1, 0) // 2
+            later &= both
+            before[second] += later.view(np.uint8)
+            later ^= both
+            before[first] += later.view(np.uint8)
+    middle = (np.maximum(among.sum(axis=0, dtype=before.dtype), 1) - 1) >> 1
     number = np.full(among.shape[1:], -1, np.int16)
     for k, marked in enumerate(among):
         np.copyto(number, k, where=marked & (before[k] == middle))
