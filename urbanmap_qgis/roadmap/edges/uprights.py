@@ -56,6 +56,7 @@ class UprightsLimits:
     broken: float = 0.6  # m; a gap in height above which what follows is something else
     noise: float = 0.006  # m
     bridged: int = 2  # stations
+    parted: float = 15.0  # m between pieces of one rail
     shortest: int = 5  # stations
 
 
@@ -188,14 +189,37 @@ def _measure(stations: Uprights, station: int, across: np.ndarray, up: np.ndarra
 
 def upright_lines(stations: Uprights, settings: EdgeSettings, corner: np.ndarray, first_chain: int) -> list[RoadEdge]:
     """Rails and walls of all courses; coordinates are moved by `corner` (3,)."""
-    edges = []
+    made = []
     for course in np.unique(stations.course).tolist():
         rows = np.flatnonzero(stations.course == course)
-        for kind, part in _runs(stations, rows):
-            edge = _edge(stations, kind, part, corner, first_chain + course)
-            if edge is not None and edge.length >= settings.min_length:
-                edges.append(edge)
-    return edges
+        made += [(edge, _stands(stations, kind, part) and _even(stations, kind, part)
+                  and edge.length >= settings.min_length)
+                 for kind, part in _runs(stations, rows)
+                 if (edge := _edge(stations, kind, part, corner, first_chain + course)) is not None]
+    rails = [edge for edge, alone in made if alone and edge.kind == RAIL]
+    return [edge for edge, alone in made
+            if alone or (edge.kind == RAIL and any(_continues(edge, rail) for rail in rails))]
+
+
+def _stands(stations: Uprights, kind: str, part: np.ndarray) -> bool:
+    """Whether a stretch reaches the ground somewhere, as no side of a vehicle does; parked ones hide that of rails."""
+    return kind != RAIL or bool(stations.footed[part].mean() >= LIMITS.footed[0])
+
+
+def _even(stations: Uprights, kind: str, part: np.ndarray) -> bool:
+    """Whether a stretch is as high all along, as rails are; what parked vehicles hide of one may be its top."""
+    return kind != RAIL or bool(np.subtract(*np.percentile(stations.height[part], [75, 25])) <= LIMITS.uneven)
+
+
+def _continues(piece: RoadEdge, rail: RoadEdge) -> bool:
+    """Whether a piece stands in the line of a rail, as high as it: parked cars part rails."""
+    foot = rail.foot[:, :2]
+    way = foot[-1] - foot[0]
+    way = way / np.hypot(*way)
+    off = piece.foot[[0, -1], :2] - foot.mean(axis=0)
+    along, beside = np.abs(off @ way), np.abs(off @ [-way[1], way[0]])
+    return bool(beside.max() < LIMITS.skin and along.min() < rail.length / 2.0 + LIMITS.parted
+                and abs(piece.height - rail.height) < LIMITS.uneven)
 
 
 def _runs(stations: Uprights, rows: np.ndarray) -> list[tuple[str, np.ndarray]]:
@@ -209,8 +233,22 @@ def _runs(stations: Uprights, rows: np.ndarray) -> list[tuple[str, np.ndarray]]:
         return []
     wall = smooth > LIMITS.rail_heights[1]
     cuts = np.flatnonzero((np.diff(measured) > LIMITS.bridged + 1) | (np.diff(wall.astype(int)) != 0)) + 1
-    return [(WALL if wall[part[0]] else RAIL, measured[part])
-            for part in np.split(np.arange(len(measured)), cuts) if len(part) >= LIMITS.shortest]
+    runs = [(WALL if wall[part[0]] else RAIL, _without_ends_aside(stations, measured[part]))
+            for part in np.split(np.arange(len(measured)), cuts)]
+    return [(kind, part) for kind, part in runs if len(part) >= LIMITS.shortest]
+
+
+def _without_ends_aside(stations: Uprights, part: np.ndarray) -> np.ndarray:
+    """Stations of a run without the few at its ends where the face steps aside: a bollard or a post beside the end of
+    a rail is no part of it."""
+    plan = stations.place[part] + stations.across[part][:, None] * stations.normal[part]
+    aside = np.abs((np.diff(plan, axis=0) * stations.normal[part][:-1]).sum(axis=1)) > LIMITS.skin
+    groups = np.split(part, np.flatnonzero(aside) + 1)
+    while len(groups) > 1 and len(groups[0]) < LIMITS.shortest:
+        groups.pop(0)
+    while len(groups) > 1 and len(groups[-1]) < LIMITS.shortest:
+        groups.pop()
+    return np.concatenate(groups)
 
 
 def _edge(stations: Uprights, kind: str, part: np.ndarray, corner: np.ndarray, chain: int) -> RoadEdge | None:
@@ -223,11 +261,9 @@ def _edge(stations: Uprights, kind: str, part: np.ndarray, corner: np.ndarray, c
     top = foot + np.column_stack([np.zeros_like(plan), stations.height[part]])
     status, reason = MEASURED, ""
     if kind == RAIL:
-        if np.subtract(*np.percentile(stations.height[part], [75, 25])) > LIMITS.uneven or footed < LIMITS.footed[0]:
-            return None
         if backed > LIMITS.backed:
             status, reason = DOUBTFUL, say("something taller stands right behind it: it may be a row of vehicles")
-        elif footed < LIMITS.footed[1] and STATION * len(part) < LIMITS.long:
+        elif not _stands(stations, kind, part) or (footed < LIMITS.footed[1] and STATION * len(part) < LIMITS.long):
             status, reason = DOUBTFUL, say("it does not reach the ground: it may be the side of a vehicle")
     sigma, sigma_z = (float(np.sqrt(np.mean(values[part]**2))) for values in (stations.sigma, stations.sigma_z))
     return RoadEdge(kind, foot + corner, top + corner, float(np.median(stations.height[part])), sigma, sigma_z,
