@@ -306,6 +306,33 @@ def test_roads_refer_to_their_areas_and_look_up(tmp_path):
     assert rules_of(written(tmp_path, road(1, down, own=referring(1)), name="input.gml", theme="tran")) == ["L10"]
 
 
+def furniture(level: int, body: str, quality: bool = True, name: str = "Geometry") -> str:
+    source = (f"<uro:frnDataQualityAttribute><uro:DataQualityAttribute><uro:geometrySrcDescLod{level}>112"
+              f"</uro:geometrySrcDescLod{level}></uro:DataQualityAttribute></uro:frnDataQualityAttribute>")
+    return (f'<frn:CityFurniture gml:id="frn_{UUID.format(1)}"><core:creationDate>2026-04-01</core:creationDate>'
+            f"<frn:lod{level}{name}>{body}</frn:lod{level}{name}>" + source * quality + "</frn:CityFurniture>")
+
+
+def test_geometries_that_roads_and_furniture_may_have(tmp_path):
+    face = surfaces(polygon((0, 0, 0), (0, 1, 0), (1, 1, 0), (1, 0, 0)))
+    told = [rules_of(written(tmp_path / f"frn{level}", furniture(level, face), name="input.gml", theme="frn"))
+            for level in (1, 3, 4)]
+    assert told == [[], [], ["C04"]]
+    network = "<tran:lod0Network><gml:GeometricComplex/></tran:lod0Network>"
+    other = "<tran:lod4MultiSurface>{}</tran:lod4MultiSurface>"
+    roads = [road(1, area(1, 0.0), own=referring(1) + more).replace("<uro:geometrySrcDescLod3>", "".join(
+        f"<uro:geometrySrcDescLod{k}>112</uro:geometrySrcDescLod{k}>" for k in (0, 1, 4)) + "<uro:geometrySrcDescLod3>")
+        for more in (network, other.format(face))]
+    assert [rules_of(written(tmp_path / f"road{n}", one, name="input.gml", theme="tran"))
+            for n, one in enumerate(roads)] == [[], ["C04"]]
+
+
+def test_furniture_has_a_quality_attribute(tmp_path):
+    face = surfaces(polygon((0, 0, 0), (0, 1, 0), (1, 1, 0), (1, 0, 0)))
+    path = written(tmp_path, furniture(1, face, quality=False), name="input.gml", theme="frn")
+    assert sorted(rules_of(path)) == ["C05", "C07"]
+
+
 def test_kinds_of_geometry_and_of_city_objects(tmp_path):
     furniture = (f'<frn:CityFurniture gml:id="frn_{UUID.format(1)}"><core:creationDate>2026-04-01</core:creationDate>'
                  f"<frn:lod1Geometry>{OUTLINE}</frn:lod1Geometry>"

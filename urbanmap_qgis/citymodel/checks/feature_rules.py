@@ -27,9 +27,15 @@ USABLE = {
         ("InteriorWallSurface", (4,)), ("CeilingSurface", (4,)), ("FloorSurface", (4,)), ("Door", (3, 4)),
         ("Window", (3, 4)))},
     "bldg:BuildingInstallation": {level: (f"lod{level}Geometry",) for level in (2, 3, 4)},
-    "bldg:IntBuildingInstallation": {4: ("lod4Geometry",)}, "bldg:BuildingFurniture": {4: ("lod4Geometry",)}}
-"""Geometries that a feature may have, by its level of detail (specification, table 4-27)."""
+    "bldg:IntBuildingInstallation": {4: ("lod4Geometry",)}, "bldg:BuildingFurniture": {4: ("lod4Geometry",)},
+    "tran:Road": {0: ("lod0Network", "lod0Geometry"), **{k: (f"lod{k}MultiSurface",) for k in (1, 2, 3)}},
+    "tran:TrafficArea": {k: (f"lod{k}MultiSurface",) for k in (2, 3)},
+    "tran:AuxiliaryTrafficArea": {k: (f"lod{k}MultiSurface",) for k in (2, 3)},
+    "frn:CityFurniture": {k: (f"lod{k}Geometry",) for k in (0, 1, 2, 3)}}
+"""Geometries that a feature may have, by its level of detail (specification, tables 4-27, 4-149 and 4-668)."""
 
+_MANDATORY_QUALITY = {"tran:Road": "tranDataQualityAttribute", "frn:CityFurniture": "frnDataQualityAttribute"}
+"""Properties with the quality attribute that occur once (specification, 4.3.3 and 4.14.3)."""
 _PUBLIC = "000"
 _NUMBERS = {"measuredHeight": float, "storeysAboveGround": int, "storeysBelowGround": int, "totalFloorArea": float,
             "buildingFootprintArea": float, "buildingRoofEdgeArea": float, "buildingHeight": float,
@@ -76,7 +82,7 @@ def _unusable(block: CityBlock, rule: CheckRule) -> Iterator[Violation]:
 
 @city_rule("C05")
 def _missing(block: CityBlock, rule: CheckRule) -> Iterator[Violation]:
-    """What operation makes mandatory of city objects; each building's id and each road's quality."""
+    """What operation makes mandatory of city objects; each building's id, the quality of roads and furniture."""
     for thing in block.things:
         top = thing.features[0]
         names = {tag_name(child.tag)[1] for child in top.element}
@@ -86,8 +92,9 @@ def _missing(block: CityBlock, rule: CheckRule) -> Iterator[Violation]:
             yield violation(top, name="core:creationDate")
         if top.type == "bldg:Building" and not names & {"buildingIDAttribute", "consistsOfBuildingPart"}:
             yield violation(top, name="uro:buildingIDAttribute")
-        if top.type == "tran:Road" and not names & {"tranDataQualityAttribute"}:
-            yield violation(top, name="uro:tranDataQualityAttribute")
+        quality = _MANDATORY_QUALITY.get(top.type)
+        if quality is not None and quality not in names:
+            yield violation(top, name=f"uro:{quality}")
 
 
 def _quality(feature: CityFeature) -> Element | None:
