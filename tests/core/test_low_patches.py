@@ -126,3 +126,33 @@ def test_lines_are_drawn_on_less_far_where_they_would_cut_very_many_faces(monkey
     assert len(short) == len(usual)
     length = np.hypot(*(usual[:, 1] - usual[:, 0]).T) - np.hypot(*(short[:, 1] - short[:, 0]).T)
     assert length == pytest.approx(np.full(len(usual), 9.0))
+
+
+def slope_with(stands, seed=6):
+    """Points (n, 3), planes and outline of a slope of 12 by 8 m on which points stand at places and heights."""
+    xy = np.random.default_rng(seed).uniform((0, 0), (12, 8), (960, 2))
+    slope = 6.0 + 0.3 * xy[:, 1]
+    on = (np.abs(xy[:, 0] - 6.0) < 1.0) & (np.abs(xy[:, 1] - 4.0) < 1.0)
+    z = np.where(on, stands(xy, slope), slope)
+    return np.column_stack([xy, z]), np.where(on, 0, 1), shapely.box(0, 0, 12, 8)
+
+
+def test_a_dormer_that_is_no_plane_of_its_own_becomes_a_level_patch():
+    points, roof, outline = slope_with(lambda xy, _: np.full(len(xy), 8.4))
+    made = partition_planes(outline, points, roof)
+    tops = [(polygon, plane) for polygon, plane in zip(made.polygons, made.planes) if np.allclose(plane[:2], 0)]
+    assert len(tops) == 1
+    assert tops[0][0].area == pytest.approx(4.0, abs=1.0)
+    assert tops[0][1][2] == pytest.approx(8.4, abs=0.02)
+
+
+def test_what_has_no_one_height_is_no_patch():
+    """A crown over the slope: its points lie at all heights."""
+    rng = np.random.default_rng(8)
+    points, roof, outline = slope_with(lambda xy, slope: slope + rng.uniform(0.4, 3.0, len(xy)))
+    assert len(partition_planes(outline, points, roof).polygons) == 1
+
+
+def test_what_stands_low_is_no_patch():
+    points, roof, outline = slope_with(lambda xy, slope: slope + 0.3)
+    assert len(partition_planes(outline, points, roof).polygons) == 1

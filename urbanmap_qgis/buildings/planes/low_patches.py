@@ -1,4 +1,5 @@
-"""Low places of a building that no plane explains and that its planes would be drawn on over: level patches."""
+"""Places of a building that no plane explains, as level patches: low ones that its planes would be drawn on over, and
+high ones, such as dormers, that stand on its planes."""
 
 from __future__ import annotations
 
@@ -22,6 +23,16 @@ class LowPatchLimits:
     least_area: float = 0.25  # Area (m2) of a patch.
     below: float = 0.5  # Points so far (m) under the lowest roof point are no roof.
     near: float = 0.5  # A point within this height (m) of a patch belongs to it.
+    # Height (m) over the roof, area (m2), width (m) and points from which a place is a high patch, and the scatter of
+    # its points' heights (m) up to which: a tree's is greater.
+    high: float = 0.4
+    # Rise over run from which a roof has such: on level ones stand machines.
+    high_slope: float = 0.1
+    high_area: float = 1.0
+    high_width: float = 0.5
+    high_points: int = 4
+    high_scatter: float = 0.2
+    lower_share: float = 0.3  # Share of a high patch's points, the lowest, that its height leaves out: of edges.
 
 
 LIMITS = LowPatchLimits()
@@ -105,6 +116,64 @@ def low_patches(raster: LabelRaster, planes: np.ndarray, points: np.ndarray, lab
                       np.array(taken_from))
 
 
+def high_patches(raster: LabelRaster, planes: np.ndarray, points: np.ndarray, label: np.ndarray,
+                 polygons: np.ndarray, chosen: np.ndarray, count: int) -> LowPatches | None:
+    """Level patches where points of one height stand on a divided plan's slopes; None where there are none.
+
+    Parameters as for `low_patches`.
+    """
+    if not (np.hypot(*planes[:, :2].T) > LIMITS.high_slope).any():
+        return None
+    shown = _shown(raster, polygons, chosen)
+    x, y = np.meshgrid(raster.x, raster.y)
+    a, b, c = np.moveaxis(planes[shown], -1, 0)
+    cells = _Cells.of(raster, points)
+    high = (_filled(cells.top) > a * x + b * y + c + LIMITS.high) & (np.hypot(a, b) > LIMITS.high_slope)
+    part = _standing(raster, high, count)
+    labels, of_point, level, taken_from = raster.label.copy(), label.copy(), [], []
+    for number in range(1, int(part.max(initial=0)) + 1):
+        patch = part == number
+        members = cells.members(patch)
+        place = _level_of(points[members, 2]) if np.count_nonzero(patch) * raster.cell**2 >= LIMITS.high_area else None
+        if place is None:
+            continue
+        below = int(np.bincount(shown[patch]).argmax())
+        members &= np.abs(points[:, 2] - place) < LIMITS.near
+        if np.mean(label[members] == below) > 0.5:
+            continue  # steps that one plane was fitted through
+        labels[patch] = len(planes) + len(level)
+        of_point[members] = len(planes) + len(level)
+        level.append((0.0, 0.0, place))
+        taken_from.append(below)
+    if not level:
+        return None
+    return LowPatches(replace(raster, label=labels), np.concatenate([planes, np.array(level)]), of_point,
+                      np.array(taken_from))
+
+
+def _standing(raster: LabelRaster, high: np.ndarray, count: int) -> np.ndarray:
+    """Number (rows, columns) of each connected broad place of the cells `high`, 0 elsewhere and on patches."""
+    side = max(round(LIMITS.high_width / raster.cell), 1)
+    mask = raster.inside & (raster.label < count) & high
+    broad = cv2.morphologyEx(mask.astype(np.uint8), cv2.MORPH_OPEN, np.ones((side, side), np.uint8))
+    return ndimage.label(broad)[0]
+
+
+def _level_of(z: np.ndarray) -> float | None:
+    """Height (m) of a high patch by those (n,) of its points; None where they are few or of no one height."""
+    if not len(z):
+        return None
+    place = float(np.median(z[z >= np.quantile(z, LIMITS.lower_share)]))
+    near = z[np.abs(z - place) < LIMITS.near]
+    return place if len(near) >= LIMITS.high_points and np.std(near) <= LIMITS.high_scatter else None
+
+
+def _filled(top: np.ndarray) -> np.ndarray:
+    """Heights of cells; one without points, -inf, is as high as the nearest that has any."""
+    nearest = ndimage.distance_transform_edt(~np.isfinite(top), return_distances=False, return_indices=True)
+    return top[tuple(nearest)]
+
+
 def _high_cells(raster: LabelRaster, height: np.ndarray, corners: np.ndarray) -> np.ndarray:
     """Mask of the cells whose roof, at `height`, is higher than any point near, or that lie at such corners (c, 2)."""
     high = raster.inside & np.isfinite(raster.ceiling) & (height > raster.ceiling + HIGH.clearance)
@@ -122,8 +191,7 @@ def _places(raster: LabelRaster, high: np.ndarray, height: np.ndarray, top: np.n
     `top` : height of the highest point of each cell, -inf for none; a cell without points is as low as the nearest that
     has any. Cells of planes from `count` on are left out.
     """
-    nearest = ndimage.distance_transform_edt(~np.isfinite(top), return_distances=False, return_indices=True)
-    filled = top[tuple(nearest)]
+    filled = _filled(top)
     reach = max(round(HIGH.reach / raster.cell), 1)
     window = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * reach + 1, 2 * reach + 1))
     about = cv2.dilate(high.astype(np.uint8), window) > 0

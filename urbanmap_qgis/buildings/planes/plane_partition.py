@@ -16,7 +16,7 @@ from ..polygons.plan_arrangement import dissolve
 from ..polygons.regularisation import main_directions
 from .candidate_segments import candidate_segments
 from .label_raster import LabelRaster, label_raster
-from .low_patches import low_patches
+from .low_patches import LowPatches, high_patches, low_patches
 from .plan_faces import SMOOTHNESS, PlanFaces, label_faces, plan_faces, seen_heights
 from .plan_nodes import meeting_polygons
 from .plane_moments import moments
@@ -34,8 +34,8 @@ class PlanePartitionLimits:
     strip_slope: float = 0.1
     # A smaller piece stays where its neighbours would miss its points by so much more (m3).
     strong: float = 0.5
-    # Times that low patches are looked for, and faces of a plan above which none are: it would be divided anew.
-    patch_rounds: int = 2
+    # Times that patches are looked for, and faces of a plan above which none are: it would be divided anew.
+    patch_rounds: int = 3
     patch_faces: int = 10_000
     # Points of one building that lines are placed and planes are chosen by; of more a regular choice is taken.
     most_points: int = 100_000
@@ -189,8 +189,7 @@ def _divided(outline: shapely.Geometry, raster: LabelRaster, planes: np.ndarray,
     count = len(planes)
     number = np.arange(count)
     for _ in range(LIMITS.patch_rounds):
-        found = low_patches(raster, planes, points, label, faces.polygons, chosen, count) \
-            if len(faces.polygons) <= LIMITS.patch_faces else None
+        found = _patches(raster, planes, points, label, faces.polygons, chosen, count)
         if found is None:
             break
         raster, planes, label = found.raster, found.planes, found.label
@@ -200,6 +199,16 @@ def _divided(outline: shapely.Geometry, raster: LabelRaster, planes: np.ndarray,
     chosen = without_small_parts(chosen, cost, faces.pairs, faces.length * SMOOTHNESS, shapely.area(faces.polygons),
                                  LIMITS.least_area, LIMITS.strong)
     return *dissolve(faces.polygons, chosen, outline), planes, number
+
+
+def _patches(raster: LabelRaster, planes: np.ndarray, points: np.ndarray, label: np.ndarray, polygons: np.ndarray,
+             chosen: np.ndarray, count: int) -> LowPatches | None:
+    """Low patches of a divided plan, high ones where there are no low ones, None in plans of many faces."""
+    if len(polygons) > LIMITS.patch_faces:
+        return None
+    given = (raster, planes, points, label, polygons, chosen, count)
+    found = low_patches(*given)
+    return high_patches(*given) if found is None else found
 
 
 def _labelled(outline: shapely.Geometry, raster: LabelRaster, planes: np.ndarray, points: np.ndarray,
