@@ -107,6 +107,14 @@ def test_checks_of_city_models_find_nothing(things, tmp_path):
     assert not [(fault.rule, fault.text) for fault in check_city([tmp_path], check_solid).faults]
 
 
+def test_boards_that_cross_the_outline_of_their_post_leave_no_short_side(tmp_path):
+    """Boards at 60 places about a post: the corners of some lie within 1 cm of where they cross its outline."""
+    boards = [thing(SIGN, 3.0 * k, 2.7, azimuth=6.0 * k, board=Board(
+        PLACE + np.array([3.0 * k + 0.002 * k, 0.003 * k, 2.4]), 6.0 * k, 0.6, 0.6)) for k in range(60)]
+    write_object_citygml(tmp_path, boards, CRS(6677).to_wkt(), "2026-04-01")
+    assert not [(fault.rule, fault.text) for fault in check_city([tmp_path], check_solid).faults]
+
+
 def test_outside_of_japan_one_file_a_kind_keeps_its_system(things, tmp_path):
     assert set(write_object_citygml(tmp_path, things, CRS(32633).to_wkt())) == {"furniture.gml", "trees.gml"}
 

@@ -31,6 +31,7 @@ from ...citymodel.model import (
     Measure,
 )
 from ...citymodel.reference import city_reference
+from ...geometry.short_sides import without_short_sides
 from ...progress import SILENT, Progress
 from .object_records import BOLLARD, LAMP, OTHER, POLE, SIGN, SIGNAL, TREE, StreetObject
 
@@ -112,7 +113,9 @@ def _whole_plan(thing: StreetObject) -> shapely.Polygon:
         parts.append(shapely.LineString(_board_ends(thing)).buffer(LEAST_DIAMETER / 2.0, cap_style="square"))
     whole = shapely.union_all(parts)
     # A board before its post may leave a gap of its own width in plan.
-    return whole if whole.geom_type == "Polygon" else whole.convex_hull
+    whole = whole if whole.geom_type == "Polygon" else whole.convex_hull
+    # Where the outlines of post, arm and board cross, corners may lie millimetres apart.
+    return without_short_sides([shapely.Polygon(whole.exterior)])[0]
 
 
 def _round_plan(foot: np.ndarray, diameter: float) -> shapely.Polygon:
