@@ -72,3 +72,21 @@ def test_road_models_have_no_short_side_and_still_share_their_borders():
 def test_steps_lower_than_a_side_may_be_short_are_none():
     low = [edge(shapely.get_coordinates(shapely.linestrings(one.plan)), 0.008, one.chain) for one in crossing()]
     assert not surveyed_roads(low, "3.3", SurveyInputs([official()], ground=road_height)).steps
+
+
+def test_strip_narrower_than_a_side_is_left_out_and_holds_no_other_back():
+    """A section with a strip of 2 mm by 2 cm that its area does not have: its mouth closes, and the border does not go
+    in and back; before, both kept all of their short sides."""
+    area = shapely.Polygon([(0, 0), (4, 0), (4, 1), (4, 1.004), (4, 4), (2.002, 4), (2, 4), (0, 4)])
+    section = shapely.Polygon([*area.exterior.coords[:6], (2.002, 4.02), (2, 4), (0, 4)])
+    made = without_short_sides([section, area])
+    assert all(polygon.is_valid for polygon in made) and shortest_side(made) > 0.9
+    assert made[0].equals(made[1])
+
+
+def test_a_corner_that_may_not_move_keeps_no_other_one():
+    """Where a triangle would be nothing, what shares its corners keeps them, and loses the short side elsewhere."""
+    sliver = shapely.Polygon([(4, 0), (4.004, 0), (4, 0.5)])
+    beside = shapely.Polygon([(0, 0), (4, 0), (4, 0.5), (4, 5), (1.004, 5), (1, 5), (0, 5)])
+    made = without_short_sides([sliver, beside])
+    assert made[0] == sliver and len(made[1].exterior.coords) == len(beside.exterior.coords) - 1

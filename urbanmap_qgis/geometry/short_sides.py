@@ -23,7 +23,7 @@ Corner = tuple[float, float]
 def without_short_sides(polygons: Sequence[shapely.Polygon]) -> list[shapely.Polygon]:
     """The polygons with corners nearer than `SHORTEST` that follow each other made one, wherever they are corners.
 
-    What would not be valid any more by it keeps its corners, and so do those that share them.
+    What would not be valid any more by it keeps the corners that spoil it, and so do those that share them.
 
     Parameters
     ----------
@@ -34,9 +34,9 @@ def without_short_sides(polygons: Sequence[shapely.Polygon]) -> list[shapely.Pol
         moves = _moves(made, kept)
         if not moves:
             break
-        changed = [_moved(polygon, moves) for polygon in made]
+        changed = [_without_spikes(_moved(polygon, moves)) for polygon in made]
         spoilt = {corner for polygon, other in zip(made, changed) if not _whole(other)
-                  for corner in _corners(polygon) if corner in moves}
+                  for corner in _spoiling(polygon, moves)}
         kept |= spoilt | {moves[corner] for corner in spoilt}
         if not spoilt:
             made = changed
@@ -101,6 +101,31 @@ def _moved(polygon: shapely.Polygon, moves: dict[Corner, Corner]) -> shapely.Pol
         if len(places) < 3:
             return None
         rings.append([places[-1], *places])
+    return shapely.Polygon(rings[0], rings[1:])
+
+
+def _spoiling(polygon: shapely.Polygon, moves: dict[Corner, Corner]) -> set[Corner]:
+    """Corners whose move alone spoils a polygon that all moves spoil; all that move where none does alone."""
+    there = {corner for corner in _corners(polygon) if corner in moves}
+    alone = {corner for corner in there if not _whole(_without_spikes(_moved(polygon, {corner: moves[corner]})))}
+    return alone or there
+
+
+def _without_spikes(polygon: shapely.Polygon | None) -> shapely.Polygon | None:
+    """The polygon without corners whose border goes back the way it came: what a strip narrower than a side leaves."""
+    if polygon is None or polygon.is_valid:
+        return polygon
+    rings = []
+    for ring in (polygon.exterior, *polygon.interiors):
+        places = list(map(tuple, shapely.get_coordinates(ring)[:-1].tolist()))
+        while len(places) > 2:
+            spike = next((k for k in range(len(places)) if places[k - 1] == places[(k + 1) % len(places)]), None)
+            if spike is None:
+                break
+            places = [corner for k, corner in enumerate(places) if k not in (spike, (spike + 1) % len(places))]
+        if len(places) < 3:
+            return None
+        rings.append(places)
     return shapely.Polygon(rings[0], rings[1:])
 
 
