@@ -1672,6 +1672,14 @@
         <translation>建物の代わりに使います。計測に写った建物正面のそばで、この点群が屋根から地面へ段差をなす位置を壁とします。高さの基準は計測と同じものにします。</translation>
     </message>
     <message>
+        <source>Kerbs or road edges</source>
+        <translation>縁石線または道路縁</translation>
+    </message>
+    <message>
+        <source>Instead of buildings: lines of a map on which the kerbs that the survey saw are laid, across the line; “Features” counts them as walls. By how much the lines are off is found.</source>
+        <translation>建物の代わりに使います。計測に写った縁石を、地図の線に直交する方向で重ねます。「地物」では壁として扱います。線のずれは推定します。</translation>
+    </message>
+    <message>
         <source>Survey with its facades</source>
         <translation>壁面を含む計測点群</translation>
     </message>
@@ -5176,8 +5184,8 @@
         <translation>最小の高さ</translation>
     </message>
     <message>
-        <source>Lower objects, in metres, are left out.</source>
-        <translation>これより低い地物（m）は除きます。</translation>
+        <source>Lower posts, signs and trees, in metres, are left out; bollards and boxes have heights of their own.</source>
+        <translation>これより低い（メートル）柱・標識・樹木は除きます。車止めと箱状の物には独自の高さの範囲があります。</translation>
     </message>
     <message>
         <source>Thickest stem</source>
@@ -5192,8 +5200,8 @@
         <translation>計測全体の位置の精度（m）。すべての地物の標準偏差に加わります。</translation>
     </message>
     <message>
-        <source>PointZ at the foot: object_id, kind (pole, lamp post, signal, sign, tree), confidence (0 to 1), height over the ground, diameter, lean (degrees), azimuth (degrees, of a board's face or an arm), crown (diameter), arm and arm_height (length, and height over the ground), head_height (of what is at its end), board_width, board_height, board_z (height of the board's middle), sigma (east and north each, m), points, passes, status (measured, doubtful), reason.</source>
-        <translation>根元の PointZ: object_id、kind（pole 柱、lamp post 街路灯、signal 信号機、sign 標識、tree 樹木）、confidence（0～1）、地面からの height、diameter、lean（度）、azimuth（度、板面または腕木の向き）、crown（樹冠径）、arm と arm_height（腕木の長さと地面からの高さ）、head_height（腕木の先にあるものの高さ）、board_width、board_height、board_z（板の中心の標高）、sigma（東と北それぞれ、m）、points、passes、status（measured、doubtful）、reason。</translation>
+        <source>PointZ at the foot: object_id, kind (pole, lamp post, signal, sign, tree, bollard, other upright), confidence (0 to 1), height over the ground, diameter (of the stem, or the longer sides of a box), lean (degrees), azimuth (degrees, of a board's face or an arm), crown (diameter), arm and arm_height (length, and height over the ground), head_height (of what is at its end), board_width, board_height, board_z (height of the board's middle), sigma (east and north each, m), points, passes, status (measured, doubtful), reason.</source>
+        <translation>根元の PointZ：object_id、kind（柱、街灯、信号、標識、樹木、車止め、その他の立体物）、confidence（0～1）、height（地面からの高さ）、diameter（幹・柱の直径、箱では長辺）、lean（度）、azimuth（度、板の面または腕木の向き）、crown（樹冠の直径）、arm と arm_height（長さと地面からの高さ）、head_height（先端の物の高さ）、board_width、board_height、board_z（板の中央の高さ）、sigma（東・北それぞれ、m）、points、passes、status（measured、doubtful）、reason。</translation>
     </message>
     <message>
         <source>Guard rails</source>
@@ -7544,12 +7552,20 @@ The histogram has overlapping bins. Each maximum with more points than the minim
         <translation>道路標識</translation>
     </message>
     <message>
-        <source>Finds poles, lamp posts, signals, signs and trees along the drive of a corrected mobile survey, as points at their feet with height, diameter, direction and standard deviation.
-Things that stay narrow in plan over height are stems. The axis of a stem is adjusted to the sides of it that were seen, as each line of sight sees its middle across and its face before the axis. What hangs on the stem tells the kind: leaves on all sides, an arm with a lamp or a large head, a flat board. A post that shows none of these is a pole; what a sign says is not read.
+        <source>bollard</source>
+        <translation>車止め</translation>
+    </message>
+    <message>
+        <source>cabinet</source>
+        <translation>制御箱</translation>
+    </message>
+    <message>
+        <source>Finds poles, lamp posts, signals, signs, trees, bollards and boxes such as cabinets along the drive of a corrected mobile survey, as points at their feet with height, diameter, direction and standard deviation.
+Things that stay narrow in plan over height are stems. The axis of a stem is adjusted to the sides of it that were seen, as each line of sight sees its middle across and its face before the axis. What hangs on the stem tells the kind: leaves on all sides, an arm with a lamp or a large head, a flat board. A post that shows none of these is a pole; what a sign says is not read. Bollards (0.5 to 1.5 m high) and boxes (0.7 to 2 m high, “other upright”) stand free beside the road.
 Stems of few points, with a hidden foot, or that may be a part of a wall are doubtful, with the reason. Points and trajectory must be corrected ones: objects are as wrong as the survey is.</source>
-        <translation>補正済みの MMS 点群から、走行軌跡沿いの柱、街灯、信号、標識、樹木を検出し、根元の点として高さ、直径、方位、標準偏差とともに出力します。
-高さ方向に細いまま続くものを柱・幹とみなします。軸は見えた面から調整計算で求めます。視線ごとに、横方向の中心と、軸の手前にある面までの奥行きが観測値になります。種類は柱に付いているもので判断します。四方に広がる葉は樹木、灯具または大きな灯器の付いた腕は街灯または信号、平らな板は標識です。どれもない場合は柱とします。標識の内容は読み取りません。
-点が少ないもの、根元が隠れているもの、壁の一部かもしれないものは、理由とともに「不確か」とします。点群と走行軌跡は補正済みのものを使ってください。地物の位置の誤差には計測の誤差がそのまま含まれます。</translation>
+        <translation>補正済みの MMS の走行に沿って、柱、街灯、信号、標識、樹木、車止め、制御箱などの箱状の物を探し、根元の点として高さ・直径・向き・標準偏差とともに出します。
+高さ方向に平面上で細いままの物を幹（柱）とします。幹の軸は、見えた面に合わせて調整します（各視線は、横方向では軸の中央を、奥行きでは軸の手前の面を見ます）。幹に付いている物が種類を示します：四方の葉、灯具や大きな灯器の付いた腕木、平らな板。どれも無い柱は単に柱です。標識の内容は読みません。車止め（高さ 0.5～1.5 m）と箱状の物（高さ 0.7～2 m、「その他の立体物」）は道路脇に単独で立つ物です。
+点の少ない幹、根元が隠れた幹、壁の一部かもしれない幹は、理由とともに疑わしいとします。点群と軌跡は補正済みでなければなりません：対象物の誤差は測量の誤差と同じだけあります。</translation>
     </message>
     <message>
         <source>DSM</source>
@@ -13248,6 +13264,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>不確か</translation>
     </message>
     <message>
+        <source>The survey shows no kerb beside the path: give all its points, not the markings alone, or register it without road edges.</source>
+        <translation>計測の経路のそばに縁石が写っていません。路面標示だけでなくすべての点を与えるか、道路縁を使わずに位置合わせしてください。</translation>
+    </message>
+    <message>
+        <source>No line of the road edges lies where the survey shows kerbs: check that both show the same streets.</source>
+        <translation>計測に縁石が写っている所に道路縁の線がありません。両者が同じ街路のものか確認してください。</translation>
+    </message>
+    <message>
         <source>something taller stands right behind it: it may be a row of vehicles</source>
         <translation>すぐ後ろに、より高い物があります：車列の可能性があります</translation>
     </message>
@@ -13328,14 +13352,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>矢印または停止線</translation>
     </message>
     <message>
-        <source>Drives, arrows or stop lines contradict each other about the direction here.</source>
-        <translation>ここでは方向について、走行、矢印、停止線が互いに矛盾しています。</translation>
-    </message>
-    <message>
-        <source>Arrows or stop lines contradict the drives about the direction here; that of the drives was taken.</source>
-        <translation>ここでは方向について、矢印または停止線が走行と矛盾しています。走行の方向を採用しました。</translation>
-    </message>
-    <message>
         <source>inferred from arrows</source>
         <translation>矢印から推定</translation>
     </message>
@@ -13380,6 +13396,18 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>進入してくる側</translation>
     </message>
     <message>
+        <source>An arrow contradicts the stop line across several lanes here; the direction of the stop line was taken.</source>
+        <translation>ここでは矢印が複数車線にわたる停止線と矛盾しています。停止線の方向を採用しました。</translation>
+    </message>
+    <message>
+        <source>Drives, arrows or stop lines contradict each other about the direction here.</source>
+        <translation>ここでは方向について、走行、矢印、停止線が互いに矛盾しています。</translation>
+    </message>
+    <message>
+        <source>Arrows or stop lines contradict the drives about the direction here; that of the drives was taken.</source>
+        <translation>ここでは方向について、矢印または停止線が走行と矛盾しています。走行の方向を採用しました。</translation>
+    </message>
+    <message>
         <source>The drive keeps to the other direction's side of the centre line here; the lane was made as it was driven.</source>
         <translation>ここでは走行が中央線の反対方向の側を通っています。車線は走行どおりに作りました。</translation>
     </message>
@@ -13416,6 +13444,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>レイヤの {row} 行目の線に、道路としてあり得ない長さ（{side:.0f} km）の直線区間があります。頂点を修正するか、その線を削除してください。</translation>
     </message>
     <message>
+        <source>other things stand close beside it</source>
+        <translation>すぐ近くに別のものがある</translation>
+    </message>
+    <message>
+        <source>other upright</source>
+        <translation>その他の立体物</translation>
+    </message>
+    <message>
         <source>its post is not seen</source>
         <translation>支柱が見えていない</translation>
     </message>
@@ -13442,10 +13478,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>its stem is seen in parts</source>
         <translation>柱・幹が部分的にしか見えない</translation>
-    </message>
-    <message>
-        <source>other things stand close beside it</source>
-        <translation>すぐ近くに別のものがある</translation>
     </message>
     <message>
         <source>No trajectory was given: only arrows and stop lines tell directions, and ways through junctions are inferred.</source>
@@ -14140,14 +14172,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>都市モデルから{0}は書き出されません。レイヤにするには「都市モデルの読込」を使用してください。</translation>
     </message>
     <message>
-        <source>{0} of {1} walls by GNSS are adjusted or likely and are used.</source>
-        <translation>GNSSによる壁面 {1} 件のうち、調整済みまたは推定の {0} 件を使います。</translation>
-    </message>
-    <message>
-        <source>{0}: these are no walls with status and sigma; give the layer of walls of “Adjust walls by GNSS”.</source>
-        <translation>{0}：status と sigma を持つ壁面ではありません。「GNSSによる壁面の調整」の壁面レイヤを指定してください。</translation>
-    </message>
-    <message>
         <source>No file was given: choose a city model (.gml, .json, .jsonl, .zip) or a folder.</source>
         <translation>ファイルが指定されていません。都市モデル（.gml, .json, .jsonl, .zip）またはフォルダを選択してください。</translation>
     </message>
@@ -14780,8 +14804,16 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>処理の仕組み</translation>
     </message>
     <message>
+        <source>{0} of {1} walls by GNSS are adjusted or likely and are used.</source>
+        <translation>GNSSによる壁面 {1} 件のうち、調整済みまたは推定の {0} 件を使います。</translation>
+    </message>
+    <message>
         <source>{0}: no feature has a polygon; choose a layer of outlines or building models.</source>
         <translation>{0}: ポリゴンを持つ地物がありません。外周線または建物モデルのレイヤを選択してください。</translation>
+    </message>
+    <message>
+        <source>{0}: these are no walls with status and sigma; give the layer of walls of “Adjust walls by GNSS”.</source>
+        <translation>{0}：status と sigma を持つ壁面ではありません。「GNSSによる壁面の調整」の壁面レイヤを指定してください。</translation>
     </message>
     <message>
         <source>no CRS</source>
@@ -16508,8 +16540,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{0}：論文の方法は壁面を使いません。paint を選ぶか、full の方法にしてください。</translation>
     </message>
     <message>
-        <source>{0}: the walls are taken from buildings or from airborne laser points; give one of both.</source>
-        <translation>{0}：壁は建物と航空レーザ点群のどちらか一方から取ります。一方だけを指定してください。</translation>
+        <source>{0} and {1}: the survey is laid on one of them beside the markings; give one of both.</source>
+        <translation>{0} と {1}：路面標示のほかに MMS計測を重ねる対象はどちらか一方です。一方だけを指定してください。</translation>
     </message>
     <message>
         <source>{0}: walls alone need buildings; give outlines or models of them.</source>
@@ -16952,8 +16984,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>種類別の地物</translation>
     </message>
     <message>
-        <source>The path grey; poles black, lamp posts yellow, signals red, signs blue, trees green; doubtful objects hollow.</source>
-        <translation>走行軌跡は灰色、柱は黒、街灯は黄、信号は赤、標識は青、樹木は緑。不確かな地物は白抜き。</translation>
+        <source>The path grey; poles black, lamp posts yellow, signals red, signs blue, trees green, bollards brown, boxes violet; doubtful objects hollow.</source>
+        <translation>経路は灰色。柱は黒、街灯は黄、信号は赤、標識は青、樹木は緑、車止めは茶、箱状の物は紫。疑わしい物は中抜き。</translation>
     </message>
     <message>
         <source>Doubtful</source>
@@ -17014,6 +17046,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0} surfaces, {1} of them junctions; to be looked at: {2} surfaces; findings: {3}.</source>
         <translation>面 {0} 個、うち交差部 {1} 個。要確認の面：{2} 個、指摘事項：{3} 件。</translation>
+    </message>
+    <message>
+        <source>Only {0:.0%} of the borders were measured: the rest is drawn on, doubtful or given. Snow, parked vehicles or a scanner too far away may hide the kerbs.</source>
+        <translation>計測できた境界は {0:.0%} だけです。残りは延長・要確認・既存の縁です。積雪、駐車車両、遠すぎるスキャナーなどで縁石が隠れた可能性があります。</translation>
     </message>
     <message>
         <source>Junction {0}, about {1:.0f}, {2:.0f}: look whether it is cut where the stop lines are.</source>
@@ -17724,6 +17760,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>どの画像にもエッジがありません。別の場所の画像です。</translation>
     </message>
     <message>
+        <source>Area, m²</source>
+        <translation>面積（m²）</translation>
+    </message>
+    <message>
         <source>Length of road, m</source>
         <translation>道路の長さ、m</translation>
     </message>
@@ -17742,6 +17782,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Places that look like others</source>
         <translation>他と紛らわしい地点</translation>
+    </message>
+    <message>
+        <source>area, m²</source>
+        <translation>面積（m²）</translation>
     </message>
     <message>
         <source>length, m</source>
@@ -19234,6 +19278,22 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>tree, doubtful</source>
         <translation>樹木（不確実）</translation>
+    </message>
+    <message>
+        <source>bollard, measured</source>
+        <translation>車止め（計測）</translation>
+    </message>
+    <message>
+        <source>bollard, doubtful</source>
+        <translation>車止め（不確実）</translation>
+    </message>
+    <message>
+        <source>other upright, measured</source>
+        <translation>その他の立体物（計測）</translation>
+    </message>
+    <message>
+        <source>other upright, doubtful</source>
+        <translation>その他の立体物（不確実）</translation>
     </message>
     <message>
         <source>survey to outline</source>
