@@ -64,6 +64,17 @@ def test_a_board_has_its_size_place_and_direction(tmp_path, turned):
     assert min(turned_by(sign.azimuth, 90.0 - turned), turned_by(sign.azimuth, 270.0 - turned)) < 5.0
 
 
+def test_a_post_of_which_few_beams_meet_the_upper_half_is_found(tmp_path):
+    """Rows of a scanner's upper beams, 0.9 m and more apart, do not take the post below them away."""
+    def makers(rng):
+        points = scene.post(rng, 15.0, 5.0, 6.5, 0.2)
+        z = points[:, 2]
+        return points[(z < 2.1) | np.any(np.abs(z[:, None] - [3.0, 4.35, 5.85]) < 0.06, axis=1)]
+
+    pole, = found_of(tmp_path, makers).objects
+    assert pole.kind == "pole" and np.abs(placed(pole)[:2] - [15.0, 5.0]).max() < 0.03
+
+
 @pytest.mark.parametrize("lean", [(0.06, 0.0), (0.0, -0.08)])
 def test_a_leaning_post_stands_where_its_foot_is(tmp_path, lean):
     pole, = found_of(tmp_path, lambda rng: scene.post(rng, 15.0, 5.0, 4.0, lean=lean)).objects

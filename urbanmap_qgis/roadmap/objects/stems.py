@@ -59,14 +59,23 @@ def find_stems(points: np.ndarray, height: np.ndarray, widest: float, where: np.
     chain = _chains(middle, level)
     stems = []
     for rows in _groups(chain):
-        levels = np.unique(level[rows])
-        filled = len(levels) / (levels[-1] - levels[0] + 1)
-        if len(levels) < LIMITS.slabs or filled < LIMITS.filled or (
-                LIMITS.lowest + LIMITS.slab * levels[0] > LIMITS.hidden):
+        levels, filled = _filled_levels(np.unique(level[rows]))
+        if len(levels) < LIMITS.slabs or LIMITS.lowest + LIMITS.slab * levels[0] > LIMITS.hidden:
             continue
+        rows = rows[level[rows] <= levels[-1]]
         members = np.concatenate([band[order[starts[k]:starts[k] + count[k]]] for k in thin[rows]])
         stems.append(Stem(members, float(height[members].min()), float(height[members].max()), float(filled)))
     return stems
+
+
+def _filled_levels(levels: np.ndarray) -> tuple[np.ndarray, float]:
+    """The lowest of a chain's slabs (n,), up to where it shows in enough of them, and the share in which it does.
+
+    A car's scanner sends its upper beams far apart: a post that they meet here and there is not cut off as a whole.
+    """
+    share = np.arange(1, len(levels) + 1) / (levels - levels[0] + 1)
+    last = int(np.flatnonzero(share >= LIMITS.filled)[-1])
+    return levels[:last + 1], float(share[last])
 
 
 def _parts_of_slabs(plan: np.ndarray, slab: np.ndarray) -> np.ndarray:
