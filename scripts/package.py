@@ -27,7 +27,7 @@ PICTURES = (".jpg", ".png")
 NOT_FOUND = "404.html"  # a page for servers
 # Least quality of WebP at which the text of windows is read, and largest width, pixels; of pictures without text, which
 # need not be wider than the help's column.
-WINDOWS, PHOTOGRAPHS = (17, 900), (18, 720)
+WINDOWS, PHOTOGRAPHS = (16, 900), (18, 720)
 ICON_STYLES_FILES = ("brands.min.css", "fontawesome.min.css", "solid.min.css", "v4-font-face.min.css")
 ICON_STYLES = re.compile(r'<link href="[^"]*css/(?:brands|fontawesome|solid|v4-font-face)\.min\.css" rel="stylesheet">')
 FOR_PROGRAMMERS = ("architecture", "developer", "testing")  # pages
@@ -36,6 +36,8 @@ TO_PROGRAMMERS = (r'<a [^>]*href="(?:\.\./)*(?:api/[^"]*|(?:' + "|".join(FOR_PRO
 LINK = re.compile(TO_PROGRAMMERS, re.DOTALL)
 MENU = re.compile(r'<li class="nav-item dropdown">\s*<a href="#"[^>]*>[^<]*</a>\s*<ul class="dropdown-menu">'
                   rf'(?:\s*<li>\s*{TO_PROGRAMMERS}\s*</li>)+\s*</ul>\s*</li>')
+# Menus that open: pages of algorithms, of which there are many, lead to them by the start page.
+MENUS = re.compile(r'<li class="nav-item dropdown">.*?</ul>\s*</li>\s*', re.DOTALL)
 REQUIRED = ("name", "qgisMinimumVersion", "description", "about", "version", "author")
 PUBLISHED = ("email", "repository", "tracker", "homepage", "changelog")
 
@@ -108,10 +110,12 @@ def packed_name(name: str) -> str:
 
 def smaller(path: Path) -> bytes:
     """A file as it goes into the zip: pictures with the least quality and width that they need, pages without links to
-    what is left out."""
+    what is left out, those of algorithms without menus that open."""
     data = path.read_bytes()
     if path.suffix == ".html":
         page = LINK.sub(r"\1", MENU.sub("", ICON_STYLES.sub("", data.decode("utf-8"))))
+        if path.parent.name == "algorithms":
+            page = MENUS.sub("", page)
         page = without_indents(page)
         return re.sub(r'((?:src|href)="[^":]+)\.jpg"', r'\1.webp"', page).encode("utf-8")
     if path.suffix != ".jpg":
