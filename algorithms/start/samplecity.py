@@ -64,8 +64,9 @@ class SampleCity(UrbanMapAlgorithm):
         self.add_text("FAULTS", "Faults", "Faults of real surveys to put in, with commas between them: steps (in the "
                       "trajectories), stops (a long wait), ghosts (points below the road), rings (lasers that differ), "
                       "ground (heights of the airborne points that are off), rails (and decks), "
-                      "driveways (lowered kerbs), signs (boards and bollards), islands (in the avenue), paint (worn "
-                      "and patched), surface (wet and concrete stretches), "
+                      "driveways (lowered kerbs), signs (boards and bollards), gantries (with boards over the "
+                      "streets), islands (in the avenue), paint (worn and patched), surface (wet and concrete "
+                      "stretches), "
                       "fronts (canopies, signs, garden walls, hoardings, balconies, awnings and storeys on columns "
                       "before buildings). Without any the city is as ever.", "", optional=True,
                       advanced=True)

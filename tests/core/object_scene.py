@@ -67,6 +67,13 @@ def sign(rng, along, across, width=0.8, height=0.6, turned=0.0):
                            board(rng, along - 0.05, across, 2.4, width, height, turned)])
 
 
+def gantry(rng, along, across, foot=5.4, tall=1.4):
+    """A post, a beam towards the path and a board of 1.8 m before that, `foot` m above the ground and `tall` high."""
+    inner = across - np.sign(across) * 3.0
+    return np.concatenate([post(rng, along, across, 7.0, 0.25), bar(rng, along, across, 6.9, 5.0, 0.25),
+                           board(rng, along - 0.15, inner, foot + tall / 2.0, 1.8, tall, 0.0)])
+
+
 def tree(rng, along, across, trunk=2.2, radius=1.6):
     """A trunk and its crown."""
     return np.concatenate([post(rng, along, across, trunk + 0.6, 0.25),

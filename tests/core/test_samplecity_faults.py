@@ -153,6 +153,17 @@ def test_kerbs_come_down_at_driveways():
     assert len(rails.geometries) and min(rails.fields["height"]) > 0.7
 
 
+def test_gantries_stand_over_the_main_streets_and_change_nothing_else():
+    plain, faulty = (make_scene(120.0, "canyon", SEED, faults) for faults in ((), ("gantries",)))
+    more = faulty.furniture[len(plain.furniture):]
+    assert len(more) == 10 and [box.z_high for box in faulty.furniture[:-10]] == [box.z_high for box in plain.furniture]
+    boards = [box for box in more if box.z_high - box.z_low == pytest.approx(1.5)]
+    assert len(boards) == 4
+    for box in boards:
+        x, y = box.plan.centroid.x, box.plan.centroid.y
+        assert box.plan.area == pytest.approx(2.0 * 0.05) and 5.4 < box.z_low - float(faulty.ground_height(x, y)) < 5.7
+
+
 def test_a_whole_city_says_its_faults(tmp_path):
     write._write_summary(_truth_folder(tmp_path), {"footprints": {"building_of": {}}}, SIZE, "canyon", SEED, ("rails",))
     assert FAULTS["rails"] in (tmp_path / "README.txt").read_text()

@@ -64,6 +64,23 @@ def test_a_board_has_its_size_place_and_direction(tmp_path, turned):
     assert min(turned_by(sign.azimuth, 90.0 - turned), turned_by(sign.azimuth, 270.0 - turned)) < 5.0
 
 
+@pytest.mark.parametrize("angle", [0.0, 37.0])
+def test_a_board_of_a_gantry_hangs_over_the_road(tmp_path, angle):
+    """It is its post's, 3 m aside of that, with its own size, and the post stands where it does."""
+    sign, = found_of(tmp_path, lambda rng: scene.gantry(rng, 15.0, 5.0), angle=angle).objects
+    assert (sign.kind, sign.status) == ("sign", "measured")
+    assert np.abs(placed(sign, angle)[:2] - [15.0, 5.0]).max() < 0.03
+    assert np.abs(to_local(sign.board.centre[None], angle)[0] - [14.85, 2.0, 6.1]).max() < 0.06
+    assert (sign.board.width, sign.board.height) == pytest.approx((1.8, 1.4), abs=0.08)
+
+
+def test_low_boxes_on_beams_and_fronts_that_go_on_are_no_boards_over_the_road(tmp_path):
+    found = found_of(tmp_path, lambda rng: scene.gantry(rng, 5.0, 5.0, 6.3, 0.5), lambda rng: np.concatenate([
+        scene.post(rng, 24.0, 5.0, 7.0, 0.25), scene.board(rng, 23.85, 1.5, 6.0, 7.0, 2.0, 0.0)]))
+    assert len(found.objects) == 2 and all(thing.board is None for thing in found.objects)
+    assert np.abs(np.array([placed(thing)[1] for thing in found.objects]) - 5.0).max() < 0.05
+
+
 def test_a_post_of_which_few_beams_meet_the_upper_half_is_found(tmp_path):
     """Rows of a scanner's upper beams, 0.9 m and more apart, do not take the post below them away."""
     def makers(rng):

@@ -24,6 +24,7 @@ FAULTS = {
     "rails": "rails along the kerbs and decks above the pavements",
     "driveways": "kerbs of the main streets lowered to 2 cm over 4 m, every 30 m",
     "signs": "sign posts with boards and groups of bollards along the main streets",
+    "gantries": "a gantry with two boards over each of the main streets",
     "islands": "raised islands in the middle of the avenue",
     "paint": "worn markings, and patches of new asphalt over them between the flights and the drives",
     "surface": "wet and concrete stretches of road, dark and bright to the mobile scanners",

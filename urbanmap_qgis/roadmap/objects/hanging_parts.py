@@ -10,6 +10,8 @@ from scipy import ndimage
 
 from .crown_boards import face_in_crown
 from .object_records import Board, StemAxis
+from .overhead_boards import LIMITS as OVERHEAD
+from .overhead_boards import overhead_face
 
 
 @dataclass(frozen=True)
@@ -58,6 +60,7 @@ class HangingParts:
     arm_azimuth, arm_height : degrees, and m above the ground; NaN without an arm.
     head : m, width across and height of the thing at the arm's end.
     wall : points of what hangs on it at its own heights like a wall, and whether it is as straight as one.
+    overhead : whether the board hangs over the road, on a beam or a long arm.
     """
 
     top: float
@@ -69,6 +72,7 @@ class HangingParts:
     head: tuple[float, float]
     wall: int = 0
     straight: bool = False
+    overhead: bool = False
 
 
 def hanging_parts(place: np.ndarray, height: np.ndarray, axis: StemAxis, stem_top: float,
@@ -97,6 +101,10 @@ def hanging_parts(place: np.ndarray, height: np.ndarray, axis: StemAxis, stem_to
     wall = (away > LIMITS.wall) & (up < min(stem_top, LIMITS.wall_top))
     aside = away > axis.diameter / 2.0 + LIMITS.frame
     board = _board(place[aside], away[aside] - axis.diameter / 2.0, up[aside], axis, seen_from)
+    # What hangs at the post's own heights like a wall goes on above them, and is no board there.
+    over = None if wall.any() else _overhead_board(place, offset, up, axis, seen_from)
+    if over is not None:
+        return HangingParts(top, 0.0, over, 0.0, np.nan, np.nan, (0.0, 0.0), overhead=True)
     return HangingParts(top, 0.0, board, *_arm(offset[beside], away[beside], up[beside]),
                         int(np.count_nonzero(wall)), _straight(offset[wall]))
 
@@ -177,6 +185,16 @@ def _board_in_crown(place: np.ndarray, axis: StemAxis, seen_from: np.ndarray) ->
     # What is as thick as a trunk is the post of a board only where that is fixed on it, not where a sign stands by.
     aside = 0.0 if board is None else np.hypot(*(board.centre[:2] - axis.plan_at(board.centre[2])))
     return board if axis.diameter < LIMITS.trunk or aside < LIMITS.fixed else None
+
+
+def _overhead_board(place: np.ndarray, offset: np.ndarray, up: np.ndarray, axis: StemAxis,
+                    seen_from: np.ndarray) -> Board | None:
+    """The board on a beam over the road; None without one."""
+    face = overhead_face(offset, up)
+    if face is None:
+        return None
+    board = outlined_board(place[face[0]], face[1], None, seen_from)
+    return board if board is not None and board.width * board.height > OVERHEAD.area else None
 
 
 def _wide_slabs(beyond: np.ndarray, up: np.ndarray) -> np.ndarray:

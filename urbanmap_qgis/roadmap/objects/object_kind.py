@@ -32,6 +32,8 @@ def kind_of(around: HangingParts, diameter: float) -> tuple[str, float, Board | 
         return SIGN, 0.6, board
     if around.crown >= LIMITS.crown:
         return TREE, min(0.6 + 0.1 * around.crown, 0.95), None
+    if around.overhead:
+        return SIGN, 0.6, board
     if around.arm > 1.0 and LIMITS.signal[0] < around.arm_height < LIMITS.signal[1] and all(
             size > least for size, least in zip(around.head, LIMITS.head)):
         return SIGNAL, 0.8, None

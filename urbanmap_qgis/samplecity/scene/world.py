@@ -21,6 +21,7 @@ from .buildings import make_buildings
 from .faces import Boxes, building_faces, furniture_faces, join, vehicle_boxes
 from .fronts import standing_before
 from .furniture import make_furniture, make_parked, make_traffic, make_trees, rails_and_decks
+from .gantries import gantries
 from .ground import Ground, Surface
 from .markings import beside_islands, make_markings, worn_and_patched
 from .model import (
@@ -192,6 +193,8 @@ def make_scene(size: float = 200.0, scene: str = "canyon", seed: int | np.random
         furniture = (*furniture, *rails_and_decks(ground, size))
     if "signs" in faults:
         furniture = (*furniture, *signs_and_bollards(ground, size, fault_rng("signs", sequence)))
+    if "gantries" in faults:
+        furniture = (*furniture, *gantries(ground))
     before_fronts = standing_before(ground, buildings, fault_rng("fronts", sequence)) if "fronts" in faults else ()
     furniture = (*furniture, *(box for thing in before_fronts for box in thing.boxes))
     return Scene(scene, float(size), ground, buildings, markings, trees, furniture, lanes,

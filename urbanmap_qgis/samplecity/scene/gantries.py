@@ -1,0 +1,73 @@
+"""Gantries over the main streets: two posts, a beam across, and boards before it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+
+from .ground import Ground, Street
+from .model import Furniture
+
+
+@dataclass(frozen=True)
+class GantryLimits:
+    """Measures of gantries, m."""
+
+    along: float = 24.0  # from the crossing of the main streets
+    behind: float = 0.6  # the kerb line, to the axis of a post
+    post: tuple[float, float] = (0.25, 7.0)  # side and height
+    beam: float = 0.25  # side; it lies under the top of the posts
+    board: tuple[float, float] = (2.0, 1.5)  # width and height
+    board_foot: float = 5.5  # above the ground at the street's axis
+    thick: float = 0.05  # of a board
+    aside: float = 2.5  # from the street's axis to the middle of each board
+
+
+LIMITS = GantryLimits()
+
+
+def gantries(ground: Ground) -> tuple[Furniture, ...]:
+    """One gantry over each main street, with a board for each direction, which faces those who come."""
+    return tuple(box for street in ground.streets if street.name in ("A", "B") for box in _gantry(ground, street))
+
+
+def _gantry(ground: Ground, street: Street) -> list[Furniture]:
+    across = street.half_width + LIMITS.behind
+    side, height = LIMITS.post
+    half, top = side / 2.0, _height(ground, street, LIMITS.along, 0.0) + height
+    posts = [_box(ground, street, (LIMITS.along - half, LIMITS.along + half),
+                  (end * across - half, end * across + half),
+                  _height(ground, street, LIMITS.along, end * across) - 0.2, top) for end in (1, -1)]
+    beam = _box(ground, street, (LIMITS.along - LIMITS.beam / 2.0, LIMITS.along + LIMITS.beam / 2.0),
+                (half - across, across - half), top - LIMITS.beam, top)
+    return [*posts, beam, *(_board(ground, street, end) for end in (1, -1))]
+
+
+def _board(ground: Ground, street: Street, side: int) -> Furniture:
+    """A board before the beam, on the side from which the traffic under it comes: that keeps to its left."""
+    sense = side if street.along == "u" else -side
+    near = LIMITS.along - sense * LIMITS.beam / 2.0
+    width, height = LIMITS.board
+    low = _height(ground, street, LIMITS.along, 0.0) + LIMITS.board_foot
+    middle = side * LIMITS.aside
+    return _box(ground, street, tuple(sorted((near, near - sense * LIMITS.thick))),
+                (middle - width / 2.0, middle + width / 2.0), low, low + height)
+
+
+def _height(ground: Ground, street: Street, along: float, across: float) -> float:
+    return float(ground.height(*_world(ground, street, along, across)))
+
+
+def _world(ground: Ground, street: Street, along: float, across: float) -> tuple[np.ndarray, np.ndarray]:
+    place = (along, street.at + across)
+    return ground.to_world(*(place if street.along == "u" else place[::-1]))
+
+
+def _box(ground: Ground, street: Street, along: tuple[float, float], across: tuple[float, float], low: float,
+         high: float) -> Furniture:
+    """A box between places along a street and across its axis, m, and two heights."""
+    side = (street.at + across[0], street.at + across[1])
+    (u0, u1), (v0, v1) = (along, side) if street.along == "u" else (side, along)
+    return Furniture(ground.plan_to_world(shapely.box(u0, v0, u1, v1)), low, high)
