@@ -52,8 +52,8 @@
         <translation>不適合</translation>
     </message>
     <message>
-        <source>Faults of real surveys to put in, with commas between them: steps (in the trajectories), stops (a long wait), ghosts (points below the road), rings (lasers that differ), ground (heights of the airborne points that are off), rails (and decks), driveways (lowered kerbs), signs (boards and bollards), islands (in the avenue), paint (worn and patched), surface (wet and concrete stretches), fronts (canopies, signs, garden walls, hoardings, balconies, awnings and storeys on columns before buildings). Without any the city is as ever.</source>
-        <translation>実際の計測に見られる不具合を、コンマ区切りで加えます：steps（軌跡の段差）、stops（長い停車）、ghosts（路面より下の点）、rings（特性の異なるレーザ）、ground（航空レーザ点の標高のずれ）、rails（レールと床版）、driveways（縁石の切下げ）、signs（標識板とボラード）、islands（大通りの島）、paint（摩耗や補修のある標示）、surface（濡れた区間とコンクリート区間）、fronts（建物の前の庇、看板、塀、仮囲い、バルコニー、日よけ、ピロティ）。指定しなければ通常の都市です。</translation>
+        <source>Faults of real surveys to put in, with commas between them: steps (in the trajectories), stops (a long wait), ghosts (points below the road), rings (lasers that differ), ground (heights of the airborne points that are off), rails (and decks), driveways (lowered kerbs), signs (boards and bollards), gantries (with boards over the streets), islands (in the avenue), paint (worn and patched), surface (wet and concrete stretches), fronts (canopies, signs, garden walls, hoardings, balconies, awnings and storeys on columns before buildings). Without any the city is as ever.</source>
+        <translation>実際の計測に見られる不具合を、コンマ区切りで加えます：steps（軌跡の段差）、stops（長い停車）、ghosts（路面より下の点）、rings（特性の異なるレーザ）、ground（航空レーザ点の標高のずれ）、rails（レールと床版）、driveways（縁石の切下げ）、signs（標識板とボラード）、gantries（道路上の標識板付き門型柱）、islands（大通りの島）、paint（摩耗や補修のある標示）、surface（濡れた区間とコンクリート区間）、fronts（建物の前の庇、看板、塀、仮囲い、バルコニー、日よけ、ピロティ）。指定しなければ通常の都市です。</translation>
     </message>
     <message>
         <source>Workers</source>
