@@ -4,8 +4,12 @@ import numpy as np
 import pytest
 import shapely
 
+from urbanmap_qgis.buildings import polygon_stage
+from urbanmap_qgis.buildings.planes.plane_detection import PLANES
 from urbanmap_qgis.buildings.planes.plane_moments import moments, shifted
-from urbanmap_qgis.buildings.planes.plane_partition import partition_planes
+from urbanmap_qgis.buildings.planes.plane_partition import PlanePoints, partition_planes
+from urbanmap_qgis.buildings.roof_polygons.building_polygons import roof_polygons_or_block
+from urbanmap_qgis.buildings.roof_polygons.polygon_rows import PolygonParameters, RoofedBuilding
 from urbanmap_qgis.buildings.roof_polygons.row_planes import HousePlanes, row_planes, touching_pairs
 
 PLACE = np.array([84_000.0, 447_000.0])
@@ -69,6 +73,27 @@ def test_a_house_without_planes_stands_in_no_row():
     outlines = np.array([one, two], object)
     assert HousePlanes.of(two, points, np.zeros(len(points), int)) is None
     assert row_planes([HousePlanes.of(one, points, roof), None], outlines, touching_pairs(outlines)) == [None, None]
+
+
+def test_a_house_that_fails_says_so_and_its_neighbours_stand_in_their_row(monkeypatch):
+    rng = np.random.default_rng(1)
+    row = [house(number, 0.0, rng) for number in range(3)]
+    outlines = np.array([outline for outline, _, _ in row], object)
+    records = [np.rec.fromarrays([*points.T, roof], names="x, y, z, roof_id") for _, points, roof in row]
+    monkeypatch.setattr(polygon_stage, "coordinates", lambda _, some: (some["x"], some["y"], some["z"]))
+    made = PlanePoints.of
+
+    def of(outline, points, roof):
+        if outline is outlines[2]:
+            raise ValueError("no plane can be told")
+        return made(outline, points, roof)
+
+    monkeypatch.setattr(PlanePoints, "of", of)
+    _, houses = polygon_stage._block_houses(polygon_stage.HouseBlock(None, np.arange(3), records, outlines))
+    one, two, failed = row_planes(houses, outlines, touching_pairs(outlines))
+    assert len(one) == len(two) == 2 and failed is None
+    drawn = roof_polygons_or_block(RoofedBuilding(3, outlines[2], row[2][1], row[2][2]), PolygonParameters(roofs=PLANES))
+    assert drawn.status and all("no plane can be told" in status for status in drawn.status)
 
 
 def test_moments_move_with_their_points():

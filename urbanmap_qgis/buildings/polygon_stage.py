@@ -107,14 +107,18 @@ class HouseBlock:
 
 
 def _block_houses(block: HouseBlock) -> tuple[np.ndarray, list[HousePlanes | None]]:
-    """Rows of a block's buildings, and what a row of houses needs of each; None where that fails."""
+    """Rows of a block's buildings, and what a row of houses needs of each.
+
+    None where that fails: `partition_planes` begins with the same work, fails at it again and gives the building its
+    status; the row does without it.
+    """
     houses: list[HousePlanes | None] = []
     for outline, records in zip(block.polygons, block.records):
         checkpoint()
         try:
             houses.append(HousePlanes.of(outline, np.column_stack(coordinates(block.layout, records)),
                                          records["roof_id"].astype(np.int64)))
-        except Exception:  # its own drawing meets the same and says so; the row does without it
+        except Exception:  # one building's trouble is not the others'
             houses.append(None)
     return block.rows, houses
 
