@@ -92,7 +92,8 @@ def test_a_house_that_fails_says_so_and_its_neighbours_stand_in_their_row(monkey
     _, houses = polygon_stage._block_houses(polygon_stage.HouseBlock(None, np.arange(3), records, outlines))
     one, two, failed = row_planes(houses, outlines, touching_pairs(outlines))
     assert len(one) == len(two) == 2 and failed is None
-    drawn = roof_polygons_or_block(RoofedBuilding(3, outlines[2], row[2][1], row[2][2]), PolygonParameters(roofs=PLANES))
+    lone = RoofedBuilding(3, outlines[2], *row[2][1:])
+    drawn = roof_polygons_or_block(lone, PolygonParameters(roofs=PLANES))
     assert drawn.status and all("no plane can be told" in status for status in drawn.status)
 
 
