@@ -16,6 +16,7 @@ import re
 import subprocess
 import sys
 import zipfile
+from collections.abc import Iterator
 from pathlib import Path, PurePosixPath
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -100,7 +101,41 @@ def website(site: Path) -> dict[str, bytes]:
              and path.name not in (*ICON_STYLES_FILES, NOT_FOUND)
              and not (path.suffix == ".html" and path.stem in FOR_PROGRAMMERS)
              and (path.suffix not in (*PICTURES, ".svg") or path.name in pages)]
-    return {f"site/{packed_name(path.relative_to(site).as_posix())}": smaller(path) for path in paths}
+    packed = {f"site/{packed_name(path.relative_to(site).as_posix())}": smaller(path) for path in paths}
+    words = set(re.findall(r"[\w-]+", "".join(data.decode("utf-8") for name, data in packed.items()
+                                             if name.endswith((".html", ".js")))))
+    return {name: used_styles(data.decode("utf-8"), words).encode("utf-8") if name.endswith(".css") else data
+            for name, data in packed.items()}
+
+
+def used_styles(styles: str, words: set[str]) -> str:
+    """The rules of a style sheet that can apply where only `words` are names of classes (in pages and scripts)."""
+    used = []
+    for head, body in top_rules(styles):
+        if head.lstrip().startswith(("@media", "@supports")):
+            body = used_styles(body, words)
+        elif not head.lstrip().startswith("@"):
+            head = ",".join(selector for selector in head.split(",") if classes(selector) <= words)
+        if head and body:
+            used.append(f"{head}{{{body}}}")
+    return "".join(used)
+
+
+def classes(selector: str) -> set[str]:
+    """The names of classes that an element must have, or lie in, for a selector of a style sheet."""
+    return set(re.findall(r"\.([a-zA-Z_][\w-]*)", re.sub(r":not\([^)]*\)|\[[^\]]*\]", "", selector)))
+
+
+def top_rules(styles: str) -> Iterator[tuple[str, str]]:
+    """Head and body of each rule of a style sheet that lies in no other, without comments."""
+    styles = re.sub(r"/\*.*?\*/", "", styles, flags=re.DOTALL)
+    depth = start = 0
+    for brace in re.finditer("[{}]", styles):
+        depth += 1 if brace.group() == "{" else -1
+        if depth == 0:
+            head, _, body = styles[start:brace.start()].partition("{")
+            yield head, body
+            start = brace.end()
 
 
 def packed_name(name: str) -> str:

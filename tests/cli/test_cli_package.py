@@ -95,6 +95,17 @@ def test_script_of_the_help_asks_for_nothing_that_pages_lack(unpacked):
     assert classes and not [name for name in classes if not re.search(rf'class="[^"]*\b{name}\b', page)]
 
 
+def test_styles_of_the_help_are_those_that_its_pages_can_need():
+    from scripts.package import used_styles
+
+    styles = ('@charset "UTF-8";/*! of others */:root{--a:1}.dark,.row>*{width:100%}.row .tooltip,a.nav{color:red}'
+              '.tooltip{margin:0}p:not(.tooltip){top:0}a[href$=".pdf"]{left:0}'
+              "@media print{.row{float:none}.card{top:1px}}@media screen{.card{top:2px}}@font-face{font-family:x}")
+    assert used_styles(styles, {"row", "nav"}) == (
+        '@charset "UTF-8";:root{--a:1}.row>*{width:100%}a.nav{color:red}p:not(.tooltip){top:0}a[href$=".pdf"]{left:0}'
+        "@media print{.row{float:none}}@font-face{font-family:x}")
+
+
 @pytest.mark.parametrize("page", ["README.md", "README.ja.md"])
 def test_links_of_the_readme_lead_to_files_of_the_zip(unpacked, page):
     links = re.findall(r"\]\(([^)\s]+)\)", (unpacked / page).read_text(encoding="utf-8"))
