@@ -15,6 +15,7 @@ from pyproj import CRS
 from rasterio.enums import ColorInterp
 from rasterio.transform import Affine
 
+from urbanmap_qgis.aerial.markings import marking_filter
 from urbanmap_qgis.aerial.markings.marking_files import markings_from_orthophoto
 from urbanmap_qgis.aerial.markings.marking_filter import CleanSettings
 from urbanmap_qgis.aerial.markings.orthophoto_reader import SearchArea
@@ -153,6 +154,47 @@ def test_result_does_not_depend_on_the_cut(tmp_path, tile, trained):
         one, other = (np.sort(getattr(made.polygons, figure)) for made in (whole, cut))
         assert np.allclose(one, other, rtol=1e-6, atol=1e-3)
     assert sorted(whole.polygons.colour) == sorted(cut.polygons.colour)
+
+
+def narrow_street(rows=320, columns=420):
+    """RGB (3, rows, columns) of a crossing 4 m long between light paving, and where its bars are."""
+    image = np.full((rows, columns, 3), 175.0)
+    image[130:190] = 90.0
+    bars = np.zeros((rows, columns), np.uint8)
+    for row in range(134, 184, 8):
+        bars[row:row + 4, 190:224] = 1
+    image[bars > 0] = 205.0
+    # Narrow shadows beside it leave no smooth ground.
+    for beside in np.s_[130:190, 232:], np.s_[130:190, :182]:
+        image[beside] = np.where(np.arange(image[beside].shape[1])[:, None] // 4 % 2, 50.0, 90.0)
+    image = cv2.GaussianBlur(image, (0, 0), 0.6) + np.random.default_rng(3).normal(0, 2.5, image.shape)
+    return np.clip(np.moveaxis(image, 2, 0), 0, 255), bars > 0
+
+
+@pytest.fixture
+def alone(monkeypatch):
+    """Bars do not vouch for each other."""
+    def stop():
+        monkeypatch.setattr(marking_filter, "bars_confidence", lambda _pieces, accepted, *_: accepted * np.float32(0))
+    return stop
+
+
+def test_a_crossing_of_a_narrow_street_is_found(alone):
+    bands, bars = narrow_street()
+    found = search(bands, MarkingSettings())
+    assert found.mask[bars].mean() > 0.8 and np.median(found.confidence[found.mask & bars]) == pytest.approx(0.9)
+    alone()
+    assert search(bands, MarkingSettings()).mask[bars].mean() < 0.3
+
+
+@pytest.mark.parametrize("tile", [96, 160])
+def test_bars_do_not_depend_on_the_cut(tmp_path, tile):
+    bands, bars = narrow_street()
+    path = write(tmp_path / "street.tif", bands)
+    for name, side in (("whole", 4096), ("cut", tile)):
+        markings_from_orthophoto(path, tmp_path / f"{name}.tif", settings=replace_cleaning(), tile=side)
+    whole, cut = (read_mask(tmp_path / f"{name}.tif") for name in ("whole", "cut"))
+    assert whole[bars].mean() > 0.8 and np.array_equal(whole, cut)
 
 
 @pytest.mark.slow

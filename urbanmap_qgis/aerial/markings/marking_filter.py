@@ -36,6 +36,7 @@ from .marking_pieces import (
 )
 from .paint_model import HARD_LIGHT, SOFT_LIGHT, KindOfLight, paint_model
 from .road_model import RoadModel
+from .signs.crossing_bars import BARS_REACH, bars_confidence
 from .surroundings import REACH
 
 
@@ -123,8 +124,8 @@ class CleanSettings:
 
     @property
     def piece_reach(self) -> float:
-        """How far, m, from a pixel its piece and what is company to it reach."""
-        return max(self.max_length + self.wear_gap, self.company_reach + ALONG_REACH)
+        """How far, m, from a pixel its piece and what is company to it or vouches for it reach."""
+        return max(self.max_length + self.wear_gap, self.company_reach + ALONG_REACH, BARS_REACH)
 
 
 @dataclass(frozen=True)
@@ -192,6 +193,8 @@ def remove_non_markings(found: Candidates, pixel: float, settings: CleanSettings
     if found.roads is None:
         values = (_by_figures(judged, found, pixel, settings, rules, specks, within(wanted, near))
                   if settings.asks_figures else np.where(_alone(judged, pixel, settings), np.float32(0), values))
+        bars = bars_confidence(pieces, judged.accepted, mask.shape[1], pixel, settings.max_width)
+        values = np.where(specks, values, np.maximum(values, bars[pieces.labels]))
     good = accepted & (values >= settings.min_confidence)
     evidence = SearchTally(colder=judged.colder, clear=np.count_nonzero(ground.clear[counted]),
                            smooth=np.count_nonzero(ground.smooth[counted]))

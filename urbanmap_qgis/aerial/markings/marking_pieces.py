@@ -59,19 +59,44 @@ def marking_pieces_of(mask: np.ndarray, joined: np.ndarray, pixel: float, max_le
     return MarkingPieces(inside, labels, size, length, length >= max_length)
 
 
-def variances(labels: np.ndarray, rows: np.ndarray, columns: np.ndarray, size: np.ndarray
-              ) -> tuple[np.ndarray, np.ndarray]:
-    """Variances (m,) along and across the main axes of pieces of sizes (m,), of pixels at rows and columns (n,) with
-    labels."""
+@dataclass(frozen=True)
+class StrokeAxes:
+    """Main axes of pieces, in pixels.
+
+    Attributes
+    ----------
+    middle : (m, 2) row and column.
+    direction : (m, 2) of the longer axis, of length 1.
+    along, across : (m,) variances.
+    """
+
+    middle: np.ndarray
+    direction: np.ndarray
+    along: np.ndarray
+    across: np.ndarray
+
+
+def stroke_axes(labels: np.ndarray, rows: np.ndarray, columns: np.ndarray, size: np.ndarray) -> StrokeAxes:
+    """StrokeAxes of pieces of sizes (m,), of pixels at rows and columns (n,) with labels."""
     some = np.maximum(size, 1)
 
     def mean(values: np.ndarray) -> np.ndarray:
         return np.bincount(labels, values, minlength=len(size)) / some
 
-    down, across = rows - mean(rows)[labels], columns - mean(columns)[labels]
+    row, column = mean(rows), mean(columns)
+    down, across = rows - row[labels], columns - column[labels]
     first, second, mixed = mean(down * down), mean(across * across), mean(down * across)
     half, root = (first + second) / 2, np.hypot((first - second) / 2, mixed)
-    return half + root, np.maximum(half - root, 0)
+    angle = np.arctan2(2 * mixed, first - second) / 2
+    return StrokeAxes(np.column_stack([row, column]), np.column_stack([np.cos(angle), np.sin(angle)]), half + root,
+                      np.maximum(half - root, 0))
+
+
+def variances(labels: np.ndarray, rows: np.ndarray, columns: np.ndarray, size: np.ndarray
+              ) -> tuple[np.ndarray, np.ndarray]:
+    """Variances (m,) along and across the main axes, see `stroke_axes`."""
+    axes = stroke_axes(labels, rows, columns, size)
+    return axes.along, axes.across
 
 
 def straight_strokes(pieces: MarkingPieces, columns: int, pixel: float, max_width: float) -> np.ndarray:
