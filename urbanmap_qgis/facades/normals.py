@@ -24,6 +24,7 @@ class NormalsLimits:
     upright: float = 0.35  # Walls have normals that rise or fall by less than this (sine): 20 degrees.
     # The extent of a flat neighbourhood across is at most this share of its second extent (standard deviations).
     flat: float = 0.2
+    rounding: float = 1e-9  # Of variances, m2.
     dense: int = 10  # Cells of a box for each number of one up to which a table of all beats sorting.
 
 
@@ -44,7 +45,7 @@ class NormalVoxels:
     index : (v, 3) whole coordinates.
     count : (v,) points.
     mean : (v, 3) their centroid, m.
-    normal : (v, 3) unit normals of unknown sign.
+    normal : (v, 3) unit normals of unknown sign; these and the next two are NaN where the surface cannot be upright.
     thickness : (v,) standard deviation across, m.
     extent : (v,) standard deviation along the second axis, m.
     support : (v,) points of the neighbourhood.
@@ -184,9 +185,14 @@ def _neighbourhood_axes(cells: _Cells, sums: np.ndarray):
     covariance = np.empty((len(sums), 3, 3))
     for column, (i, j) in enumerate(((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)), 4):
         covariance[:, i, j] = covariance[:, j, i] = total[:, column] / support - mean[:, i] * mean[:, j]
-    values, vectors = np.linalg.eigh(covariance)
-    extents = np.sqrt(np.maximum(values, 0.0))
-    return vectors[:, :, 0], extents[:, 0], extents[:, 1], support
+    # Points on a surface nearer to upright than to level spread less along some level line than up and down.
+    (a, b), c = covariance[:, 0, :2].T, covariance[:, 1, 1]
+    least = (a + c) / 2 - np.hypot((a - c) / 2, b)
+    upright = np.flatnonzero((least <= covariance[:, 2, 2] + LIMITS.rounding) & (support >= 5))
+    values, vectors = np.linalg.eigh(covariance[upright])
+    normal, extents = np.full((len(sums), 3), np.nan), np.full((len(sums), 2), np.nan)
+    normal[upright], extents[upright] = vectors[:, :, 0], np.sqrt(np.maximum(values[:, :2], 0.0))
+    return normal, *extents.T, support
 
 
 def _shifted(sums: np.ndarray, shift: np.ndarray) -> np.ndarray:

@@ -28,12 +28,7 @@ class WallContoursLimits:
     """Limits of wall contours, each with its unit."""
 
     thin: float = 0.12  # One point in each square of this side (m) is enough for a hull.
-    # Squares across alpha: a circle as wide as alpha holds at least one of them whole (the square root of 2 and more).
-    across: float = 1.45
-    deep: int = 3  # Squares on each side that such a circle through a point reaches.
-    # Likewise small squares across a circle that holds one whole of each four, and on each side that it reaches.
-    small_across: float = 2.5
-    small_deep: int = 5
+    off: float = 0.1705  # How far the middles of two squares may be from what is in them, both together, m.
     cell: float = 0.25  # Cells on which shares are counted, m.
     spacings: float = 3.0
     min_alpha: float = 0.35
@@ -183,21 +178,29 @@ def _thinned(flat: np.ndarray, alpha: float) -> tuple[np.ndarray, np.ndarray]:
     row, column = code[first] // height, code[first] % height
     chosen = np.flatnonzero(~_surrounded(row, column, 2) | ((row % 2 == 0) & (column % 2 == 0)))
     points = flat[first[chosen]]
-    deep = _deep(points, alpha)
-    if alpha >= LIMITS.small_across * LIMITS.thin:
-        deep |= _surrounded(row, column, LIMITS.small_deep)[chosen]
+    deep = _deep(row[chosen], column[chosen], alpha)
     return points[~deep], points[deep]
 
 
-def _deep(points: np.ndarray, alpha: float) -> np.ndarray:
-    """Points (n,) all of whose Delaunay triangles have a circumradius below `alpha`, m, as far as that is easily told.
+def _deep(row: np.ndarray, column: np.ndarray, alpha: float) -> np.ndarray:
+    """Points (n,), one in each square, all of whose Delaunay triangles have a circumradius below `alpha`, m, as far as
+    the squares tell.
 
-    A wider circle through such a point would hold a whole square of those round it, and in each of them is a point.
+    A wider circle holds one as wide as alpha through the same point. That is empty: no point is nearer to its middle
+    than alpha, and this one is no farther.
     """
-    if alpha < LIMITS.thin:  # no squares smaller than those of the points
-        return np.zeros(len(points), bool)
-    place = np.floor((points - points.min(axis=0)) / (alpha / LIMITS.across)).astype(np.int64)
-    return _surrounded(*place.T, LIMITS.deep)
+    if alpha <= LIMITS.off:
+        return np.zeros(len(row), bool)
+    pad = math.ceil((alpha + LIMITS.off) / LIMITS.thin) + 1
+    empty = np.ones((int(row.max()) + 2 * pad + 1, int(column.max()) + 2 * pad + 1), np.uint8)
+    empty[row + pad, column + pad] = 0
+    middles = _away(empty) < alpha - LIMITS.off
+    return _away(middles.view(np.uint8))[row + pad, column + pad] > alpha + LIMITS.off
+
+
+def _away(squares: np.ndarray) -> np.ndarray:
+    """Distance of squares from the nearest that is 0, m."""
+    return cv2.distanceTransform(squares, cv2.DIST_L2, cv2.DIST_MASK_PRECISE) * LIMITS.thin
 
 
 def _first_of_each(code: np.ndarray) -> np.ndarray:

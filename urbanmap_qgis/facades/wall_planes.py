@@ -203,14 +203,17 @@ def _grow(seed: int, mean: np.ndarray, normal: np.ndarray, weight: np.ndarray, f
     place, facings = mean[candidates], normal[candidates]
     away = np.linalg.norm(place - mean[seed], axis=1)
     for radius in (*_GROWTH, np.inf):
-        near = np.flatnonzero(away < radius)
-        near = near[np.abs(component(place[near] - centre, facing)) < settings.tolerance]
-        near = candidates[near[np.abs(component(facings[near], facing)) > _SEED_COSINE]]
-        if len(near) < 3:
+        level = np.flatnonzero(np.abs(component(place - centre, facing)) < settings.tolerance)
+        level = level[np.abs(component(facings[level], facing)) > _SEED_COSINE]
+        near = away[level] < radius
+        if np.count_nonzero(near) < 3:
             return None
-        mask, members = _connected(seed, near, mean, facing, settings.max_gap, voxel)
-        if len(members) < 3:
+        mask, found = _connected(seed, candidates[level[near]], mean, facing, settings.max_gap, voxel)
+        if len(found) < 3:
             return None
+        if near.all() and np.array_equal(found, members):
+            break  # no further circle holds more
+        members = found
         centre, facing = _fit(mean[members], weight[members])
     return centre, facing, members, mask
 
