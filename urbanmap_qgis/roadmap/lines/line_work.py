@@ -19,8 +19,10 @@ from .line_fit import STATION, FittedLine, fit_centre_line, polyline
 from .line_width import line_widths
 from .short_lines import supported_chains
 from .stop_lines import CROSSES, joined_bars, stop_line_confidence
+from .stop_lines import LIMITS as STOPS
 from .strokes import Stroke, all_strokes
 from .symbols import find_symbols
+from .worn_stop_lines import worn_stop_lines
 
 DOUBLE = (0.22, 0.65)
 """Distance of the two lines of a double line, m."""
@@ -166,7 +168,7 @@ def line_work(polygons: Sequence[shapely.Polygon], colours: Sequence[str], setti
     bare = {stroke.polygon for stroke in strokes if stroke.whole and len(stroke.axis) == 2 and stroke.length >= 2.0}
     # Arrows and diamonds are white; yellow are lines and paving for the blind.
     yellow = {n for n, colour in enumerate(colours) if colour == "yellow"}
-    symbols = find_symbols(polygons, strokes, yellow | {strokes[n].polygon for n in in_rows}, bare)
+    symbols = find_symbols(polygons, strokes, yellow | {strokes[n].polygon for n in in_rows}, bare, crosswalks)
     of_symbols = {number for symbol in symbols for number in symbol.polygons}
     numbers = [n for n, stroke in enumerate(strokes) if n not in in_rows and stroke.polygon not in of_symbols and
                stroke.width <= settings.max_width and stroke.length >= 0.25]
@@ -182,6 +184,12 @@ def line_work(polygons: Sequence[shapely.Polygon], colours: Sequence[str], setti
     lines = [line for line in (_fitted(chain, paint) for chain in long) if line is not None]
     progress.step(0.8)
     stops, sure = _stop_lines(bars, lines, crosswalks, paint)
+    free = [n for n in numbers if strokes[n].polygon not in yellow]
+    white = shapely.STRtree([polygon for n, polygon in enumerate(polygons) if n not in yellow])
+    worn = worn_stop_lines([line.chain for line in stops], crosswalks, strokes, free, white)
+    fitted = [line for line in (_fitted_bar(chain, paint) for chain in worn) if line is not None]
+    stops += fitted
+    sure += [STOPS.one_evidence * line.chain.painted / line.chain.length for line in fitted]
     of_stops = {n for line in stops for n in line.chain.strokes}
     lines = _without_crossing([line for line in lines if not of_stops.issuperset(line.chain.strokes)])
     lines += _short_lines(chains, lines, of_stops, paint, settings)
@@ -250,11 +258,16 @@ def _stop_lines(bars: Sequence[StrokeChain], lines: Sequence[_Line], crosswalks:
     stops, sure = [], []
     for chain in bars:
         confidence = stop_line_confidence(chain, known, crosswalks)
-        fit = fit_centre_line(chain.axis, chain.width, paint) if confidence > 0.0 else None
-        if fit is not None:
-            stops.append(_Line(chain, fit, [_bar(fit)]))
+        line = _fitted_bar(chain, paint) if confidence > 0.0 else None
+        if line is not None:
+            stops.append(line)
             sure.append(confidence)
     return stops, sure
+
+
+def _fitted_bar(chain: StrokeChain, paint: shapely.STRtree) -> _Line | None:
+    fit = fit_centre_line(chain.axis, chain.width, paint)
+    return None if fit is None else _Line(chain, fit, [_bar(fit)])
 
 
 def _short_lines(chains: Sequence[StrokeChain], lines: Sequence[_Line], of_stops: set[int], paint: shapely.STRtree,

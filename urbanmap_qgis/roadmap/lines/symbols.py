@@ -10,8 +10,10 @@ import shapely
 from scipy.spatial import cKDTree
 from shapely import affinity
 
+from .arrow_places import ArrowSurroundings, before_crosswalks, usual_values
+from .crosswalks import Crosswalk
 from .strokes import Stroke
-from .symbol_patterns import CELL, COLUMNS, HALF, ROWS, PatternMatch, matches
+from .symbol_patterns import CELL, COLUMNS, HALF, MORE, ROWS, PatternMatch, matches
 
 
 @dataclass(frozen=True)
@@ -49,6 +51,9 @@ class SymbolsLimits:
     repeat_same: float = 0.4
     repeat_across: float = 0.35
     repeat_course: float = 0.995  # cosine of the angle between them
+    # So many sure arrows at one distance before crosswalks, to so much (m), make it a usual one.
+    place_arrows: int = 3
+    place_same: float = 0.4
     # An arrow has one head only where no more of a second one is painted, and so much of the paint beside the
     # place of that is there: where the paint is worn or hidden, so may be the head. A head wears in so many places by
     # themselves, each as likely as the paint beside it: all of them together are gone with the chance told.
@@ -98,7 +103,9 @@ class Symbol:
     score : 0 to 1, how well paint and pattern agree.
     tail : place (2,) where it begins as it is read best.
     course : direction (2,) in which it is read best, sure or not.
-    sure : it shows enough by itself; else only in a row with another one.
+    sure : it shows enough by itself; else only in a row with another one, or where arrows usually stand.
+    likely, gone : its kind but for a second head that wear may have taken, and the chance that it has; "" and 0 where
+        that is not why the kind is open.
     """
 
     kind: str
@@ -109,10 +116,12 @@ class Symbol:
     tail: np.ndarray
     course: np.ndarray
     sure: bool = True
+    likely: str = ""
+    gone: float = 0.0
 
 
 def find_symbols(polygons: Sequence[shapely.Polygon], strokes: Sequence[Stroke], taken: set[int],
-                 bars: set[int] = frozenset()) -> list[Symbol]:
+                 bars: set[int] = frozenset(), crosswalks: Sequence[Crosswalk] = ()) -> list[Symbol]:
     """Arrows and diamonds among marking polygons.
 
     Parameters
@@ -120,6 +129,7 @@ def find_symbols(polygons: Sequence[shapely.Polygon], strokes: Sequence[Stroke],
     strokes : of the polygons; long ones tell the direction of the road.
     taken : numbers of polygons that are none.
     bars : numbers of straight bars: none either, but for the shaft that wear has cut off from its head.
+    crosswalks : an arrow that does not show enough by itself is one where it stands as far before them as others do.
 
     Returns
     -------
@@ -133,14 +143,15 @@ def find_symbols(polygons: Sequence[shapely.Polygon], strokes: Sequence[Stroke],
     heads = _heads(shapes[free])
     places = [*heads, *_pieces(shapes[free], heads), *_diamonds(shapes[free])]
     free = np.concatenate([free, _shafts(shapes, sorted(bars - taken), places)])
-    search, direction_near = _Search(shapes, free), _direction_of(strokes)
+    about = ArrowSurroundings(strokes, shapes[sorted(taken)])
+    search, direction_near = _Search(shapes, free, about), _direction_of(strokes)
     courses = [direction_near(place) for place, _ in places]
     found = [search.at(place, course, wanted) for (place, wanted), course in zip(places, courses) if course is not None]
     found = [symbol for symbol in found if symbol is not None]
     accepted = _disjoint([symbol for symbol in found if symbol.sure], [])
     shafts = [n for n in sorted(bars - taken - set(free.tolist())) if _sides(shapes[n])[0] <= LIMITS.longest_shaft]
-    rows = _Search(shapes, np.concatenate([free, np.array(shafts, np.int64)]))
-    return _with_rows(accepted, [symbol for symbol in found if not symbol.sure], rows)
+    rows = _Search(shapes, np.concatenate([free, np.array(shafts, np.int64)]), about)
+    return _with_usual_kinds(_with_rows(accepted, [symbol for symbol in found if not symbol.sure], rows, crosswalks))
 
 
 def _disjoint(symbols: Sequence[Symbol], accepted: Sequence[Symbol]) -> list[Symbol]:
@@ -154,24 +165,26 @@ def _disjoint(symbols: Sequence[Symbol], accepted: Sequence[Symbol]) -> list[Sym
     return taken
 
 
-def _with_rows(accepted: Sequence[Symbol], unsure: Sequence[Symbol], search: _Search) -> list[Symbol]:
+def _with_rows(accepted: Sequence[Symbol], unsure: Sequence[Symbol], search: _Search,
+               crosswalks: Sequence[Crosswalk]) -> list[Symbol]:
     """The accepted symbols and the arrows that stand in a row with one of them or with each other, lane beside lane,
-    or repeat a sure one in its lane.
+    or repeat a sure one in its lane, or stand as far before a crosswalk as sure ones do.
 
-    A row tells the heading too.
+    A row or a crosswalk tells the heading too.
     """
     taken = list(accepted)
     steps = _steps_of_repeats(taken)
     waiting = [symbol for symbol in _disjoint(unsure, taken) if symbol.kind.startswith("arrow")]
+    placed = {id(one) for one in _at_usual_places(waiting, taken, crosswalks)}
     while waiting:
         seed = waiting.pop(0)
         mates = [mate for side in (-1.0, 1.0) if (mate := search.beside(seed, side)) is not None]
-        if seed.sure:
+        if seed.sure or id(seed) in placed:
             mates += [mate for step in steps for way in (-step, step)
                       if (mate := search.repeated(seed, way)) is not None]
-        if not (seed.sure or mates):
+        if not (seed.sure or mates or id(seed) in placed):
             continue
-        settled = replace(seed, sure=True, heading=seed.course if mates else seed.heading)
+        settled = replace(seed, sure=True, heading=seed.course if mates or id(seed) in placed else seed.heading)
         known = len(taken)
         if seed.sure:
             taken = [settled if one is seed else one for one in taken]
@@ -215,16 +228,32 @@ def _steps_of_repeats(symbols: Sequence[Symbol]) -> list[float]:
     """Distances (m) at which arrows of one lane are repeated in this map, the usual one first."""
     arrows = [symbol for symbol in symbols if symbol.kind.startswith("arrow") and np.isfinite(symbol.heading).all()]
     ahead = _in_lanes(arrows)[2]
-    left, usual = np.sort(ahead[(ahead > LIMITS.repeat[0]) & (ahead < LIMITS.repeat[1])]), []
-    while len(left):
-        first = np.searchsorted(left, left - LIMITS.repeat_same, side="right")
-        after = np.searchsorted(left, left + LIMITS.repeat_same, side="left")
-        best = int(np.argmax(after - first))
-        if after[best] - first[best] < LIMITS.repeat_pairs:
-            break
-        usual.append(float(np.median(left[first[best]:after[best]])))
-        left = np.concatenate([left[:first[best]], left[after[best]:]])
-    return usual
+    return usual_values(ahead[(ahead > LIMITS.repeat[0]) & (ahead < LIMITS.repeat[1])], LIMITS.repeat_same,
+                        LIMITS.repeat_pairs)
+
+
+def _at_usual_places(arrows: Sequence[Symbol], sure: Sequence[Symbol],
+                     crosswalks: Sequence[Crosswalk]) -> list[Symbol]:
+    """Those of the arrows that stand as far before a crosswalk as several of the sure ones do."""
+    told = [one for one in sure if one.kind.startswith("arrow") and np.isfinite(one.heading).all()]
+    known, own = (before_crosswalks(np.array([one.tail for one in each]).reshape(-1, 2),
+                                    np.array([one.course for one in each]).reshape(-1, 2), crosswalks)
+                  for each in (told, arrows))
+    usual = usual_values(known[np.isfinite(known)], LIMITS.place_same, LIMITS.place_arrows)
+    return [one for one, at in zip(arrows, own) if any(abs(at - place) < LIMITS.row_along for place in usual)]
+
+
+def _with_usual_kinds(symbols: Sequence[Symbol]) -> list[Symbol]:
+    """The symbols; an arrow whose second head may be worn away has none where arrows with two are rare in this map."""
+    told = [symbol.kind for symbol in symbols if symbol.kind.startswith("arrow") and symbol.kind != UNKNOWN_ARROW]
+    share = (sum(kind.startswith(MORE) for kind in told) + 0.5) / (len(told) + 1.0)  # less certain the fewer there are
+    settled = []
+    for symbol in symbols:
+        hidden = share * symbol.gone
+        rare = hidden < LIMITS.head_gone * (hidden + 1.0 - share) and np.isfinite(symbol.heading).all()
+        settled.append(replace(symbol, kind=symbol.likely) if symbol.likely and rare and symbol.kind == UNKNOWN_ARROW
+                       else symbol)
+    return settled
 
 
 def _heads(shapes: np.ndarray) -> list[tuple[np.ndarray, str]]:
@@ -306,8 +335,8 @@ def _direction_of(strokes: Sequence[Stroke]) -> Callable[[np.ndarray], np.ndarra
 class _Search:
     """Symbols in the polygons `free` (numbers) of all `shapes`."""
 
-    def __init__(self, shapes: np.ndarray, free: np.ndarray):
-        self.free, self.tree = free, shapely.STRtree(shapes[free])
+    def __init__(self, shapes: np.ndarray, free: np.ndarray, about: ArrowSurroundings):
+        self.free, self.tree, self.about = free, shapely.STRtree(shapes[free]), about
 
     def at(self, place: np.ndarray, along: np.ndarray, wanted: str) -> Symbol | None:
         """The symbol at a place of a road along a direction, None where no pattern fits or the best is not wanted.
@@ -383,20 +412,23 @@ class _Search:
     def _symbol(self, fits: Sequence[PatternMatch], place: np.ndarray, along: np.ndarray, near: np.ndarray,
                 paint: Sequence[shapely.Geometry], painted: shapely.Geometry) -> Symbol | None:
         """The symbol that the best of the matches is, None where no polygon of the paint (`painted` as one) lies in
-        it."""
+        it, or what lies about it denies it."""
         best, across = fits[0], np.array([along[1], -along[0]])
         reached = best.shape.buffer(LIMITS.member)
         inside = np.array([shape.intersection(reached).area >= 0.5 * shape.area for shape in paint])
         if not inside.any():
             return None
-        kind, heading = _kind(fits, painted), _heading(fits, along)
+        kind, gone = _kind(fits, painted)
+        heading = _heading(fits, along)
         if kind == UNKNOWN_ARROW and best.kind != "arrow straight":
             heading = np.full(2, np.nan)  # the heads of a turn lie beside its shaft: told with its kind or not at all
         back = [across[0], along[0], across[1], along[1], *place]
         area = shapely.union_all([shape.intersection(reached) for shape in np.array(paint, object)[inside]])
-        return Symbol(kind, affinity.affine_transform(area, back), tuple(int(self.free[k]) for k in near[inside]),
-                      heading, best.score, place + best.tail[0] * across + best.tail[1] * along,
-                      -along if best.backwards else along)
+        area, polygons = affinity.affine_transform(area, back), tuple(int(self.free[k]) for k in near[inside])
+        tail, course = place + best.tail[0] * across + best.tail[1] * along, -along if best.backwards else along
+        if kind != "diamond" and self.about.deny(area, tail, course, polygons):
+            return None
+        return Symbol(kind, area, polygons, heading, best.score, tail, course, True, best.kind if gone else "", gone)
 
 
 def _in_row(fits: Sequence[PatternMatch], painted: shapely.Geometry) -> list[PatternMatch]:
@@ -435,17 +467,20 @@ def _longest_bare(shape: shapely.Geometry, painted: shapely.Geometry) -> float:
     return float((np.append(parts[:, 1], high) - reached).max())
 
 
-def _kind(fits: Sequence[PatternMatch], painted: shapely.Geometry) -> str:
-    """Kind of the best match, `UNKNOWN_ARROW` where another kind fits about as well or may have another head."""
+def _kind(fits: Sequence[PatternMatch], painted: shapely.Geometry) -> tuple[str, float]:
+    """Kind of the best match, `UNKNOWN_ARROW` where another kind fits about as well or may have another head; where
+    only that keeps the kind open, also the chance that such a head is worn away or hidden, else 0."""
     best = fits[0]
-    if any(branch.intersection(painted).area > LIMITS.most_branch * branch.area for branch, _ in best.branches):
-        return UNKNOWN_ARROW
-    there = _beside_heads(best, painted)
-    if there < LIMITS.least_beside and ((1.0 - there)**LIMITS.head_places > LIMITS.head_gone or any(
-            _longest_bare(beside, painted) > LIMITS.longest_bare for _, beside in best.branches)):
-        return UNKNOWN_ARROW
     rivals = {match.kind for match in fits if match.score > best.score - LIMITS.least_lead} - {best.kind}
-    return UNKNOWN_ARROW if rivals and best.kind.startswith("arrow") else best.kind
+    if any(branch.intersection(painted).area > LIMITS.most_branch * branch.area for branch, _ in best.branches) or (
+            rivals and best.kind.startswith("arrow")):
+        return UNKNOWN_ARROW, 0.0
+    there = _beside_heads(best, painted)
+    if there >= LIMITS.least_beside:
+        return best.kind, 0.0
+    hidden = any(_longest_bare(beside, painted) > LIMITS.longest_bare for _, beside in best.branches)
+    gone = 1.0 if hidden else (1.0 - there)**LIMITS.head_places
+    return (UNKNOWN_ARROW, gone) if gone > LIMITS.head_gone else (best.kind, 0.0)
 
 
 def _heading(fits: Sequence[PatternMatch], along: np.ndarray) -> np.ndarray:
