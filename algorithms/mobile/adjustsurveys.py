@@ -14,7 +14,7 @@ from ..framework.layers.trajectories import TABLE_SUFFIXES, write_trajectory_fil
 from .control_points import add_control, read_control
 from .drives import DriveInputs
 from .marking_reference import add_markings, read_reference
-from .wall_inputs import add_buildings, asked_features, read_edges
+from .wall_inputs import add_buildings, asked_features, read_edges, read_laser, refuse_two_kinds
 
 TIE_FIELDS = (("kind", "text"), ("drive", "text"), ("other", "text"), ("time", "real"), ("chainage", "real"),
               ("east", "real"), ("north", "real"), ("up", "real"), ("plan", "real"), ("sigma", "real"),
@@ -140,12 +140,16 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
         return reference
 
     def _walls(self, parameters, context, crs, progress):
-        """The core's `BuildingWalls`; None where paint alone is asked for, or no buildings are given."""
+        """The core's `BuildingWalls`; None where paint alone is asked for, or there are neither buildings nor ALS."""
         from ...urbanmap_qgis.mobile.adjustment.wall_observations import BuildingWalls
 
         features = asked_features(self, parameters, context)
-        edges = None if features == "paint" else read_edges(self, parameters, context, crs, progress)
-        return None if edges is None else BuildingWalls(edges, features == "walls")
+        if features == "paint":
+            return None
+        refuse_two_kinds(self, parameters)
+        edges = read_edges(self, parameters, context, crs, progress)
+        laser = read_laser(self, parameters, context, crs)
+        return None if edges is None and laser is None else BuildingWalls(edges, features == "walls", laser)
 
     def _run(self, parameters, context):
         """The core's settings."""

@@ -12,7 +12,7 @@ FEATURES = ("automatic", "paint", "walls", "all")
 
 
 def add_buildings(algorithm) -> None:
-    """Declare BUILDINGS and FEATURES."""
+    """Declare BUILDINGS, FEATURES and ALS."""
     algorithm.add_polygons("BUILDINGS", "Buildings", "Outlines, or models with their heights (MultiPolygonZ of "
                            "“Building models” or “Load city model”), whose walls are a second witness beside the "
                            "markings. How far facades stand inside them is found.", optional=True)
@@ -20,14 +20,14 @@ def add_buildings(algorithm) -> None:
                          "buildings are given. Paint: the markings alone. Walls: the markings give the start only. "
                          "All: both; without buildings walls say only where the correction breaks them.", FEATURES,
                          "automatic", advanced=True)
+    algorithm.add_points("ALS", "Airborne laser points", "Instead of buildings: walls stand where these points "
+                         "step from roof to ground beside facades that the survey saw. In the height system of the "
+                         "survey.", optional=True)
 
 
 def add_walls(algorithm) -> None:
     """Declare BUILDINGS, FEATURES, ALS, ROAD_EDGES and SURVEY."""
     add_buildings(algorithm)
-    algorithm.add_points("ALS", "Airborne laser points", "Instead of buildings: walls stand where these points "
-                         "step from roof to ground beside facades that the survey saw. In the height system of the "
-                         "survey.", optional=True)
     algorithm.add_vector("ROAD_EDGES", "Kerbs or road edges", "Instead of buildings: lines of a map on which the kerbs "
                          "that the survey saw are laid, across the line; “Features” counts them as walls. By how much "
                          "the lines are off is found.", optional=True,
@@ -48,7 +48,7 @@ def read_walls(algorithm, parameters, context, survey, run, progress):
         raise InputError(tr("{0}: the paper's method knows no walls; choose paint, or the full method.").format(
             algorithm.label_of("FEATURES")))
     paths, crs, trajectory = survey
-    _refuse_two_kinds(algorithm, parameters)
+    refuse_two_kinds(algorithm, parameters)
     files = algorithm.point_files(parameters, "SURVEY", context) or paths
     about = (files, trajectory, run.correction.time_weight)
     lines = _read_lines(algorithm, parameters, context, crs)
@@ -58,12 +58,12 @@ def read_walls(algorithm, parameters, context, survey, run, progress):
         return kerbs_of(*about, lines, features == "walls", progress)
     from ...urbanmap_qgis.mobile.registration.walls.survey_walls import walls_of
 
-    laser = _read_laser(algorithm, parameters, context, crs)
+    laser = read_laser(algorithm, parameters, context, crs)
     edges = read_edges(algorithm, parameters, context, crs, progress)
     return walls_of(*about, edges, features == "walls", progress, laser)
 
 
-def _refuse_two_kinds(algorithm, parameters) -> None:
+def refuse_two_kinds(algorithm, parameters) -> None:
     """Refuse more than one of the sides that facades or kerbs can be laid on."""
     given = [name for name in ("BUILDINGS", "ALS", "ROAD_EDGES") if parameters.get(name)]
     if len(given) > 1:
@@ -80,7 +80,7 @@ def _read_lines(algorithm, parameters, context, crs):
     return table.geometries
 
 
-def _read_laser(algorithm, parameters, context, crs):
+def read_laser(algorithm, parameters, context, crs):
     """The core's `PointCloud` of ALS, in the CRS of the survey; None where none is given."""
     from ...urbanmap_qgis.io.points.pointcloud import open_cloud
 

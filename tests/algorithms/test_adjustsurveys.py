@@ -105,13 +105,16 @@ def test_given_trajectories_are_not_replaced(run, small_city, markings, tmp_path
         run(ALGORITHM, {**given(small_city, markings, tmp_path), "OUTPUT": str(small_city / "mms")})
 
 
-def test_walls_of_buildings_place_the_drives_without_control(run, small_city, read_layer, tmp_path):
+@pytest.mark.parametrize("side", ["BUILDINGS", "ALS"])
+def test_walls_place_the_drives_without_control(run, small_city, read_layer, tmp_path, side):
+    sides = {"BUILDINGS": f"{small_city / 'truth/footprints.gpkg'}|layername=wall_footprints",
+             "ALS": [str(small_city / "als/als.laz")]}
     result = run(ALGORITHM, {
         "POINTS": [str(small_city / f"mms/{name}.laz") for name in SURVEYS], "PLANES": False,
         "TRAJECTORY": [str(small_city / f"mms/{name}_trajectory.csv") for name in SURVEYS],
         "CALIBRATION": str(small_city / "mms/calibration.json"), "OUTPUT": str(tmp_path / "corrected"),
-        "BUILDINGS": f"{small_city / 'truth/footprints.gpkg'}|layername=wall_footprints",
-        "OUTPUT_TIES": str(tmp_path / "ties.gpkg"), "OUTPUT_REPORT": str(tmp_path / "report.html")})
+        side: sides[side], "OUTPUT_TIES": str(tmp_path / "ties.gpkg"),
+        "OUTPUT_REPORT": str(tmp_path / "report.html")})
     for error in errors(small_city, tmp_path / "corrected"):
         assert np.median(np.hypot(error[:, 0], error[:, 1])) < 0.15
     assert result["RELATIVE"] == 0 and result["WALLS"] >= 10 and result["MEDIAN_SIGMA"] < 0.2

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -84,6 +86,15 @@ def test_walls_of_a_strip_that_is_off_do_not_contradict_markings(cloud):
     assert [len(shifted_stretches(one, (0.0, 0.1))) for one in readings] == [0, 1]
     assert WallWitness(facade(), edges).matched(lambda at: np.zeros((len(at), 6))).outside == pytest.approx(
         -REPORTED[1], abs=0.1)
+
+
+def test_a_wall_that_two_surveys_saw_is_one(cloud):
+    points, planes = cloud(airborne(1)), facade()
+    first = laser_walls(planes, points)
+    again = laser_walls(replace(planes, place=planes.place - np.array([0.0, 0.6, 0.0])), points)
+    assert again.on(first).all() and not len(again.select(~again.on(first)))
+    other = replace(first, ends=first.ends + np.array([0.0, 3.0]))
+    assert not other.on(first).any() and not replace(again, outward=-again.outward).on(first).any()
 
 
 def _readings(off, shared):

@@ -134,6 +134,30 @@ def test_walls_that_two_drives_saw_tie_them_however_far_off_they_are():
         0.4 / (1.0 + (0.2**2 + 0.1**2 + 0.03**2) / 3.0**2), abs=0.001)
 
 
+def test_a_wall_whose_own_place_is_unsure_says_as_much_less():
+    settings = NetworkSettings(MODEL, gross=1e6, differ=(0.2, 0.1))
+    unsure = replace(wall_rows([0], [0], [0.0]), own_sigma=np.array([0.5]))
+    made = adjust_network(short_drives(1), unsure, settings)
+    of_wall = 0.3**2 + 0.2**2 + 0.1**2 + 0.5**2 + 0.03**2
+    assert made.covariance[0][0, 1, 1] == pytest.approx(1.0 / (3.0**-2 + 1.0 / of_wall), rel=1e-4)
+    assert made.differ[1] == pytest.approx(0.1, rel=0.01)  # next to nothing is seen of what walls differ by
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("own", [0.0, 0.3])
+def test_how_much_walls_differ_beside_their_own_accuracy_is_found(own):
+    """A place known to a millimetre, 400 walls about it that differ by 0.2 m and by what they are unsure of."""
+    offsets = np.random.default_rng(4).normal(0.0, np.hypot(0.2, own), 400)
+    fixed = replace(wall_rows([0], [NONE], [0.0], 0.001), kind=np.array([CONTROL]), outward=np.zeros((1, 2)))
+    walls = replace(wall_rows([0] * 400, np.arange(400), offsets), own_sigma=np.full(400, own))
+    walls.owner[:, 0] = 0  # of one building
+    seen, differ = NetworkObservations.joined([fixed, walls]), (0.03, 0.1)
+    for _ in range(60):
+        made = adjust_network(short_drives(1), seen, NetworkSettings(MODEL, gross=1e6, differ=differ))
+        differ = (0.03, made.differ[1])
+    assert differ[1] == pytest.approx(0.2, rel=0.15)
+
+
 @pytest.mark.slow
 def test_how_much_buildings_differ_is_found():
     """A place known to a millimetre, 400 walls about it that differ by 0.2 m: their own size is what is found."""

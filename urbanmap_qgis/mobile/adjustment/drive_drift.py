@@ -7,7 +7,7 @@ trajectory wanders is its error, as in the registration of one survey.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.sparse import coo_matrix, csc_matrix
@@ -29,6 +29,7 @@ class DriveNodes:
     jumps : (k - 1,) m by which the trajectory jumps there.
     fast : (k - 1,) m by which its error in plan changes there faster than drift; None for nowhere.
     standing : what its trajectory wanders while the vehicle stands is its error; None where that is not known.
+    lively : by how much it drifts more in plan than the model.
     """
 
     parameter: np.ndarray
@@ -36,6 +37,7 @@ class DriveNodes:
     jumps: np.ndarray
     fast: np.ndarray | None = None
     standing: StopMovement | None = None
+    lively: float = 1.0
 
     def __len__(self) -> int:
         return len(self.parameter)
@@ -53,6 +55,8 @@ class DriveNodes:
 
     def steps(self, model: GaussMarkovDrift) -> tuple[np.ndarray, np.ndarray]:
         """Transitions (k - 1, 2, 2) and precisions (k - 1, 4, 2, 2) of the drift between the nodes."""
+        more = np.where(np.arange(len(model.rate_sigma)) < 2, self.lively, 1.0)
+        model = replace(model, rate_sigma=model.rate_sigma * more, random_walk=model.random_walk * more)
         return model.steps(self.parameter, self.stops, self.jumps, ACTIVE, 0.0 if self.fast is None else self.fast,
                            None if self.standing is None else self.standing.variance)
 

@@ -10,7 +10,7 @@ what a building and each of its walls differ from it by are unknowns too, which 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 from scipy.sparse import coo_matrix, csc_matrix
@@ -37,6 +37,7 @@ class AdjustmentNetworkLimits:
     """Limits of adjustment network, each with its unit."""
 
     factors: tuple[float, ...] = (1.0, 2.0, 4.0, 8.0)
+    lively: tuple[float, ...] = (1.4, 2.0, 2.8, 4.0)  # by which single drives may drift more in plan
     passes: int = 30
     converged: float = 1e-3  # change of weights
     columns: int = 384  # of the covariance that are solved for at once
@@ -64,6 +65,7 @@ class NetworkObservations:
     kind : (n,) TIE, CONTROL, REFERENCE, PLANE or WALL.
     outward : (n, 2) unit vectors of walls, by which a common offset of all of them moves what is observed; 0 of others.
     owner : (n, 2) numbers of a wall's building and of the wall, whose own offsets move it too; NONE of others.
+    own_sigma : (n,) m, standard deviation of the place of a wall itself beside what walls differ by; 0 of others.
     """
 
     drive: np.ndarray
@@ -77,12 +79,15 @@ class NetworkObservations:
     kind: np.ndarray
     outward: np.ndarray | None = None
     owner: np.ndarray | None = None
+    own_sigma: np.ndarray | None = None
 
     def __post_init__(self) -> None:
         if self.outward is None:
             object.__setattr__(self, "outward", np.zeros((len(self.drive), 2)))
         if self.owner is None:
             object.__setattr__(self, "owner", np.full((len(self.drive), 2), NONE))
+        if self.own_sigma is None:
+            object.__setattr__(self, "own_sigma", np.zeros(len(self.drive)))
 
     def __len__(self) -> int:
         return len(self.drive)
@@ -169,14 +174,14 @@ class Network:
 
 def adjust_network(drives: Sequence[DriveNodes], observations: NetworkObservations,
                    settings: NetworkSettings) -> Network:
-    """Adjust all drives at once; the size of their drift is the most likely one of a few.
+    """Adjust all drives at once; the size of their drift, and of each drive's in plan, is the most likely one of a few.
 
     Without any observation of a drive alone (control, reference) the drives' mean error is not observed: the
     covariance then holds what `settings.model.initial_sigma` says of it.
     """
     design = _design(drives, observations)
     fits = [_robust_fit(drives, design, observations, settings, factor) for factor in LIMITS.factors]
-    best = max(fits, key=lambda fit: fit.likelihood)
+    best = _with_lively_drives(drives, design, observations, settings, max(fits, key=lambda fit: fit.likelihood))
     offsets = np.concatenate([[0], np.cumsum([len(drive) for drive in drives])])
     state = best.solution[:2 * _DIMENSIONS * offsets[-1]].reshape(-1, _DIMENSIONS, 2)
     covariance = _covariances(best.factors, offsets[-1])
@@ -195,6 +200,20 @@ class _Fit:
     drift_factor: float
     noise: float
     likelihood: float
+
+
+def _with_lively_drives(drives: Sequence[DriveNodes], design: csc_matrix, observations: NetworkObservations,
+                        settings: NetworkSettings, best: _Fit) -> _Fit:
+    """The adjustment in which each drive drifts in plan as much more than all as is likeliest."""
+    drives = list(drives)
+    for number, usual in enumerate(drives):
+        for lively in LIMITS.lively:
+            tried = [*drives[:number], replace(usual, lively=lively), *drives[number + 1:]]
+            fit = _robust_fit(tried, design, observations, settings, best.drift_factor)
+            if fit.likelihood <= best.likelihood:
+                break
+            drives, best = tried, fit
+    return best
 
 
 def _design(drives: Sequence[DriveNodes], observations: NetworkObservations) -> csc_matrix:
@@ -216,7 +235,7 @@ def _design(drives: Sequence[DriveNodes], observations: NetworkObservations) -> 
                 rows += [of_drive * _DIMENSIONS + seen] * 2
                 columns += [column, column + 1]
                 values += [sign * factor, sign * factor * ahead]
-    owners, levels = _offset_unknowns(observations)
+    owners, levels, _ = _offset_unknowns(observations)
     walls = np.flatnonzero(observations.kind == WALL)
     for of_level in owners:
         for axis in range(2):
@@ -227,35 +246,41 @@ def _design(drives: Sequence[DriveNodes], observations: NetworkObservations) -> 
     return coo_matrix((np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), shape=size).tocsc()
 
 
-def _offset_unknowns(observations: NetworkObservations) -> tuple[list[np.ndarray], np.ndarray]:
-    """Unknowns behind those of the nodes: of each wall's row (w,) its column on every level, and each column's level.
+def _offset_unknowns(observations: NetworkObservations) -> tuple[list[np.ndarray], np.ndarray, np.ndarray]:
+    """Unknowns behind those of the nodes: of each wall's row (w,) its column on every level, and each column's level
+    and own standard deviation, m.
 
     Level 0 is the common offset of all walls, 1 what a building differs from it by, 2 what a wall differs from its
     building.
     """
     walls = observations.kind == WALL
     if not walls.any():
-        return [], np.zeros(0, int)
-    columns, levels = [np.zeros(np.count_nonzero(walls), int)], [np.zeros(1, int)]
+        return [], np.zeros(0, int), np.zeros(0)
+    columns, levels, own = [np.zeros(np.count_nonzero(walls), int)], [np.zeros(1, int)], [np.zeros(1)]
     for level, number in enumerate(observations.owner[walls].T, start=1):
-        _, column = np.unique(number, return_inverse=True)
+        _, first, column = np.unique(number, return_index=True, return_inverse=True)
         columns.append(sum(len(part) for part in levels) + column.ravel())
-        levels.append(np.full(column.max() + 1, level))
-    return columns, np.concatenate(levels)
+        levels.append(np.full(len(first), level))
+        own.append(observations.own_sigma[walls][first] * (level == 2))
+    return columns, np.concatenate(levels), np.concatenate(own)
 
 
 def _wall_offsets(fit: _Fit, observations: NetworkObservations,
                   settings: NetworkSettings) -> tuple[float, tuple[float, float]]:
     """The common offset, m, and by how much buildings and walls differ: of each the expected square, given all that was
-    observed, is what was found and its variance (expectation and maximisation: Dempster, Laird and Rubin 1977).
+    observed, is what was found and its variance (expectation and maximisation: Dempster, Laird and Rubin 1977); of a
+    wall whose place is unsure itself, of the part of it that the difference has.
     """
-    _, levels = _offset_unknowns(observations)
+    _, levels, own = _offset_unknowns(observations)
     if not len(levels):
         return 0.0, settings.differ
     size = fit.factors.shape[0]
     right = np.zeros((size, len(levels)))
     right[size - len(levels):] = np.eye(len(levels))
     square = fit.solution[size - len(levels):] ** 2 + np.diag(fit.factors.solve(right)[size - len(levels):])
+    stated = np.array([settings.offset_sigma, *settings.differ])[levels] ** 2
+    share = stated / (stated + own**2)
+    square = share**2 * square + share * own**2
     buildings, walls = (float(np.sqrt(square[levels == level].mean())) for level in (1, 2))
     return float(fit.solution[size - len(levels)]), (buildings, walls)
 
@@ -263,7 +288,8 @@ def _wall_offsets(fit: _Fit, observations: NetworkObservations,
 def _robust_fit(drives: Sequence[DriveNodes], design: csc_matrix, observations: NetworkObservations,
                 settings: NetworkSettings, factor: float) -> _Fit:
     """The adjustment with one size of drift, weights and variance of the observations iterated to convergence."""
-    offset_sigma = np.array([settings.offset_sigma, *settings.differ])[_offset_unknowns(observations)[1]]
+    _, levels, own = _offset_unknowns(observations)
+    offset_sigma = np.hypot(np.array([settings.offset_sigma, *settings.differ])[levels], own)
     prior = drift_prior(drives, settings.model.scaled(factor), offset_sigma)
     information, value = _information(observations), np.nan_to_num(observations.value)
     weight, noise = np.ones(len(observations)), 1.0

@@ -9,14 +9,16 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ...errors import InsufficientDataError
+from ...io.points.pointcloud import PointCloud
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..registration.walls.facade_planes import FacadePlanes, facade_planes
+from ..registration.walls.laser_walls import laser_walls
 from ..registration.walls.outline_walls import LIMITS as OUTLINES
 from ..registration.walls.outline_walls import WallEdges
 from ..registration.walls.witness import LIMITS as WITNESS
@@ -48,12 +50,14 @@ class BuildingWalls:
 
     Attributes
     ----------
-    edges : of their outlines.
+    edges : of their outlines; None where they are looked for in airborne points.
     alone : whether walls place the drives without the reference markings, which give the start only.
+    laser : airborne points, where no outlines are given.
     """
 
-    edges: WallEdges
+    edges: WallEdges | None
     alone: bool = False
+    laser: PointCloud | None = None
 
 
 @dataclass(frozen=True)
@@ -100,7 +104,7 @@ class DriveWalls:
         """What walls say about courses of the drives."""
         facades = [_MatchedFacades.of(number, planes, correction, self.buildings.edges, eaves)
                    for number, (planes, correction) in enumerate(zip(self.planes, corrections))]
-        return [item.rows(self.buildings.edges.building) for item in facades]
+        return [item.rows(self.buildings.edges) for item in facades]
 
 
 def _within(differ: tuple[float, float]) -> tuple[float, float]:
@@ -124,7 +128,26 @@ def walls_of_drives(buildings: BuildingWalls, clouds: Sequence[Sequence[str | os
     if not any(len(item) for item in planes):
         raise InsufficientDataError(say("The drives show no facade near the vehicle: give all their points, not "
                                         "the markings alone, or adjust them without buildings."))
+    if buildings.edges is None:
+        buildings = replace(buildings, edges=_laser_walls(planes, buildings.laser))
     return DriveWalls(buildings, planes)
+
+
+def _laser_walls(planes: Sequence[FacadePlanes], laser: PointCloud) -> WallEdges:
+    """The walls that airborne points show beside the facades of any drive, each once: of the first drive that saw it.
+
+    Raises
+    ------
+    InsufficientDataError : there is none.
+    """
+    found: list[WallEdges] = []
+    for item in planes:
+        if len(item):
+            edges = laser_walls(item, laser)
+            found.append(edges.select(~np.any([edges.on(other) for other in found], axis=0)) if found else edges)
+    first = found[0]
+    return replace(first, **{name: np.concatenate([getattr(part, name) for part in found])
+                             for name in ("ends", "outward", "building", "sigma")})
 
 
 def adjust_with_walls(walls: DriveWalls | None, clouds: Sequence[Sequence[str | os.PathLike]],
@@ -196,8 +219,8 @@ class _MatchedFacades:
         return cls(number, planes.select(known), edge[known], outward, outside[known],
                    moved - outside[known] - OUTLINES.inside[0])
 
-    def rows(self, building: np.ndarray) -> NetworkObservations:
-        """One observation a piece of a wall; `building` (k,) of each edge."""
+    def rows(self, edges: WallEdges) -> NetworkObservations:
+        """One observation a piece of a wall; with their edges."""
         if not len(self.edge):
             return NetworkObservations.none()
         key = np.column_stack([self.edge, (self.planes.path_parameter // LIMITS.piece).astype(int)])
@@ -216,4 +239,5 @@ class _MatchedFacades:
         arm = np.column_stack([mean(axis) for axis in self.planes.lever_arm[:, :2].T])
         return NetworkObservations(np.full(n, self.number), mean(self.planes.path_parameter), arm, np.full(n, NONE),
                                    np.zeros(n), nothing, value, covariance, np.full(n, WALL), outward,
-                                   np.column_stack([building[self.edge[first]], self.edge[first]]))
+                                   np.column_stack([edges.building[self.edge[first]], self.edge[first]]),
+                                   edges.sigma[self.edge[first]])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
@@ -21,6 +21,7 @@ class OutlineWallsLimits:
     behind: float = 1.7  # m inside of it: eaves, and what survey and outline are off by
     beyond: float = 0.3  # m past an edge's ends
     facing: float = 0.985  # cosine of the largest angle between a plane and its edge: 10 degrees
+    twice: float = 0.8  # m across, at most, between two measurements of one wall
     # m, mean and standard deviation of how far facades stand inside outlines, and what is possible
     inside: tuple[float, float] = (0.3, 0.3)
     possible: tuple[float, float] = (-0.5, 1.2)
@@ -108,6 +109,15 @@ class WallEdges:
         outward = np.concatenate([left, -left])
         return cls(np.concatenate([ends, ends]), outward, facing(outward), None, KERBS.shared, KERBS.inside,
                    KERBS.possible, KERBS.reach, straight=False)
+
+    def select(self, which: np.ndarray) -> WallEdges:
+        """Some of them, by mask or index."""
+        return replace(self, **{name: getattr(self, name)[which] for name in ("ends", "outward", "building", "sigma")})
+
+    def on(self, other: WallEdges) -> np.ndarray:
+        """Mask (k,) of edges whose middle lies on one of others that faces alike, as far as noise tells."""
+        edge, _ = replace(other, reach=(LIMITS.twice, LIMITS.twice)).matched(self.ends.mean(axis=1), self.outward, 0.0)
+        return edge >= 0
 
     def matched(self, place: np.ndarray, normal: np.ndarray, eaves: float) -> tuple[np.ndarray, np.ndarray]:
         """Number of each plane's edge, -1 for none, and how far outside of it the plane lies, m.
