@@ -18,15 +18,20 @@ def drawn(places, length=4.0, width=0.45, turn=0.0, side=300):
     flags = np.zeros((side, side), np.uint8)
     along = np.array([np.cos(np.deg2rad(turn)), np.sin(np.deg2rad(turn))])
     across = np.array([-along[1], along[0]])
-    for place, shift in places:
+    for place, shift, *own in places:
         middle = side * PIXEL / 2 + across * place + along * shift
-        sides = (np.outer((-1, 1, 1, -1), along) * length + np.outer((-1, -1, 1, 1), across) * width) / 2
+        sides = (np.outer((-1, 1, 1, -1), along) * (own or [length])[0] + np.outer((-1, -1, 1, 1), across) * width) / 2
         cv2.fillPoly(flags, [np.rint((middle + sides) / PIXEL).astype(np.int32)], 1)
     pieces = marking_pieces_of(flags > 0, flags, PIXEL, 12.0)
     accepted = pieces.size > 0
     accepted[0] = False
     found = crossing_bars(pieces, accepted, side, PIXEL, 0.8)
     return int(found.sum()), int(accepted.sum())
+
+
+def drawn_with_parts(places, parts):
+    """As `drawn`, with parts of bars 1 m long at such places too."""
+    return drawn([*((*place, 4.0) for place in places), *((*place, 1.0) for place in parts)])
 
 
 def comb(count, step=0.9):
@@ -37,6 +42,14 @@ def comb(count, step=0.9):
 @pytest.mark.parametrize("length", [2.0, 4.0, 5.5])
 def test_bars_of_a_comb(turn, length):
     assert drawn(comb(6), length, turn=turn) == (6, 6)
+
+
+def test_parts_of_a_worn_bar():
+    """A bar of which two parts are left, beside four whole ones; a part beyond their ends stays out."""
+    whole = comb(5)[:4]
+    place = comb(5)[4][0]
+    made = [drawn_with_parts(whole, [(place, shift) for shift in shifts]) for shifts in ((-1.2, 1.2), (-1.2, 3.2))]
+    assert made == [(6, 6), (5, 6)]
 
 
 def test_a_missing_bar_does_not_matter():
