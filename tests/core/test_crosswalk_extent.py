@@ -9,6 +9,8 @@ import pytest
 import shapely
 
 from urbanmap_qgis.roadmap.lines.crosswalk_extent import BarRow, extended, joined_rows
+from urbanmap_qgis.roadmap.lines.crosswalks import find_crosswalks
+from urbanmap_qgis.roadmap.lines.strokes import all_strokes
 
 PITCH, HALF, LENGTH = 0.9, 0.225, 4.0
 
@@ -63,3 +65,14 @@ def test_rows_that_go_on_in_each_other_are_one():
     row(8, 5, along=(np.sin(0.1), np.cos(0.1)))])
 def test_rows_that_are_two(other):
     assert len(joined_rows([row(0, 5), other])) == 2
+
+
+@pytest.mark.parametrize(("whole", "halves", "slope"), [((0, 1, 2, 3, 4), range(7, 16), -0.13),
+                                                        ((0, 1, 2, 3, 14, 15), range(7, 14), -0.3)])
+def test_crosswalk_of_which_a_shadow_cuts_halves_off_is_one_and_not_askew(whole, halves, slope):
+    """The border of the shadow runs askew through the bars, and two of them are hidden."""
+    bars = [shapely.box(k * PITCH - HALF, 0.0, k * PITCH + HALF, LENGTH) for k in whole]
+    bars += [shapely.box(k * PITCH - HALF, 2.0 + slope * (k - 7), k * PITCH + HALF, LENGTH) for k in halves]
+    (found,) = find_crosswalks(all_strokes(bars), bars)
+    true = shapely.box(-HALF, 0.0, 15 * PITCH + HALF, LENGTH)
+    assert found.area.intersection(true).area > 0.95 * found.area.union(true).area

@@ -23,6 +23,8 @@ class CrosswalksLimits:
     bar_length: tuple[float, ...] = (0.8, 9.0)
     pitch: tuple[float, ...] = (0.65, 1.75)  # Distance of neighbouring bars' centre lines, m.
     least_mean_fill: float = 0.35  # The bars' places hold so much more paint than those between them, 0 to 1.
+    many: int = 6  # A row of so many bars is measured anew with all of them.
+    member: float = 0.2  # Bars whose middles lie so near a row are its, m.
     regular: float = 0.6  # Share of the distances between bars that must be multiples of the pitch, to a quarter of it.
 
 
@@ -75,17 +77,31 @@ def find_crosswalks(strokes: Sequence[Stroke], polygons: Sequence[shapely.Polygo
     end = np.array([strokes[n].axis[-1] for n in numbers])
     width = np.array([strokes[n].width for n in numbers])
     paint = shapely.STRtree(polygons)
-    grown = []
-    for group in _groups(start, end):
-        row = _bar_row(start[group], end[group], width[group])
-        if row is not None:
-            grown.append((len(group), extended(row, paint)))
-    rows = [row for _, row in sorted(grown, key=lambda one: -one[0])
-            if row.count >= FEWEST and row.fill >= LIMITS.least_mean_fill]
     middles = shapely.points((start + end) / 2.0)
+    grown = [_grown(group, start, end, width, middles, paint) for group in _groups(start, end)]
+    # Of two that lie in each other the one that explains more paint is right: halves of bars in shadow lie askew.
+    rows = sorted((row for row in grown if row is not None and row.count >= FEWEST and
+                   row.fill >= LIMITS.least_mean_fill), key=lambda row: -row.count * row.fill)
     rows = joined_rows(_distinct_rows(rows))
     rows = faced_rows([*rows, *worn_rows(strokes, rows, paint)])
-    return [_crosswalk(row, numbers[shapely.intersects(row.area.buffer(0.2), middles)]) for row in rows]
+    return [_crosswalk(row, numbers[shapely.intersects(row.area.buffer(LIMITS.member), middles)]) for row in rows]
+
+
+def _grown(group: np.ndarray, start: np.ndarray, end: np.ndarray, width: np.ndarray, middles: np.ndarray,
+           paint: shapely.STRtree) -> BarRow | None:
+    """The row that a group of bars is part of, None where it is not regular.
+
+    Few bars tell their distance roughly: a row of many is measured anew with all that it reaches, until it grows no
+    more; of few, which wear turns easily, the ones that are whole tell its direction better than all.
+    """
+    best = None
+    while best is None or best.count >= LIMITS.many:
+        row = _bar_row(start[group], end[group], width[group])
+        row = None if row is None else extended(row, paint)
+        if row is None or (best is not None and not row.count * row.fill > best.count * best.fill):
+            break
+        best, group = row, np.flatnonzero(shapely.intersects(row.area.buffer(LIMITS.member), middles))
+    return best
 
 
 def _crosswalk(row: BarRow, numbers: np.ndarray) -> Crosswalk:
