@@ -50,3 +50,16 @@ def add_street_objects(algorithm, parameters, context, built, lines) -> None:
         built.findings += signals_of_stop_lines(built)[1]
     if rails is not None:
         built.rails = rails_of(rails.geometries, rails.columns, rails.label)
+
+
+def with_photo(algorithm, parameters, context, table, lines, areas, settings, progress):
+    """The lines of a table with what ORTHOPHOTO shows beside them, and findings on it; as they are without one."""
+    path = algorithm.raster_path(parameters, "ORTHOPHOTO", context)
+    if path is None:
+        return lines, []
+    from ...urbanmap_qgis.roadmap.photo.photo_lines import lines_with_photo
+    from ...urbanmap_qgis.roadmap.photo.straight_photo import ColourImage
+
+    with ColourImage(path) as image:
+        algorithm.same_crs("LINES", table.crs, "ORTHOPHOTO", image.crs_wkt)
+        return lines_with_photo(lines, areas, image, settings, progress)

@@ -9,7 +9,7 @@ from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
-from .driven_paths import add_street_objects, check_drives, read_drives
+from .driven_paths import add_street_objects, check_drives, read_drives, with_photo
 from .map_outputs import DATUMS, write_map_files, write_map_layers
 from .map_report import write_map_report
 
@@ -51,6 +51,10 @@ class VectorMap(UrbanMapAlgorithm):
         self.add_vector("EDGES", "Road edges", "Lines of kerbs, road borders or rails, in the CRS of the lines: they "
                         "are bounds of lanes too.", optional=True,
                         source_type=QgsProcessing.SourceType.TypeVectorLine)
+        self.add_raster("ORTHOPHOTO", "Orthophoto", "Image of the place with pixels of 0.15 m or finer, in the CRS of "
+                        "the lines: edges of the road that its surface shows become bounds where no kerb was measured, "
+                        "faint lines are looked for where the width of the lanes asks for one, and lines beyond the "
+                        "edge of the road are left out. Findings tell each.", optional=True)
         self.declare_parameter(QgsProcessingParameterMultipleLayers(
             "TRAJECTORY", tr("Trajectories"), QgsProcessing.SourceType.TypeFile, None, True),
             "Corrected trajectories of drives in the CRS of the lines: they show directions and ways through "
@@ -144,8 +148,11 @@ class VectorMap(UrbanMapAlgorithm):
                                bridge=self.parameterAsDouble(parameters, "BRIDGE", context),
                                infer_ways=self.parameterAsBool(parameters, "INFER_WAYS", context),
                                way_confidence=self.parameterAsDouble(parameters, "WAY_CONFIDENCE", context))
-        built = build_vector_map(lines, self._areas(parameters, context, table), drives, settings,
-                                 progress.part(0.1, 0.8), self._axes(parameters, context, table))
+        areas = self._areas(parameters, context, table)
+        lines, seen = with_photo(self, parameters, context, table, lines, areas, settings, progress.part(0.05, 0.1))
+        built = build_vector_map(lines, areas, drives, settings, progress.part(0.1, 0.8),
+                                 self._axes(parameters, context, table))
+        built.findings += seen
         add_street_objects(self, parameters, context, built, table)
         self._tell(built, lines, drives, progress)
         results = write_map_layers(self, parameters, context, built, table.crs, bound_ids(built, lines))

@@ -8,7 +8,7 @@ from ..roadmap.driven_paths import check_drives
 from ..roadmap.markinglines import MarkingLines
 from ..roadmap.vectormap import VectorMap
 
-MAP_INPUTS = ("TRAJECTORY", "EDGES", "ROADS", "OBJECTS", "RAILS")
+MAP_INPUTS = ("TRAJECTORY", "ORTHOPHOTO", "EDGES", "ROADS", "OBJECTS", "RAILS")
 MAP_SETTINGS = ("TRAFFIC", "SPEED_LIMIT")
 MAP_ADVANCED = ("MIN_WIDTH", "MAX_WIDTH", "BRIDGE", "INFER_WAYS", "WAY_CONFIDENCE", "DIALECT", "PROJECTOR",
                 "VERTICAL_DATUM")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import rasterio
 import shapely
 
 ALGORITHM = "urbanmap:vectormap"
@@ -153,3 +154,26 @@ def test_street_objects_and_rails_go_into_the_files(run, read_layer, lines, driv
     with pytest.raises(Exception, match="no field kind"):
         run(ALGORITHM, {"LINES": lines, "OBJECTS": layer(["POINT (1 2)"], "Point", {"height": [1.0]}),
                         **outputs(tmp_path)})
+
+
+def test_orthophoto_shows_the_edge_of_the_road_without_kerbs(run, read_layer, polygon_layer, drive, tmp_path):
+    wkts = [shapely.LineString([(EAST, NORTH + y, 12.0), (EAST + 60, NORTH + y, 12.0)]).wkt for y in (3.25, 6.5)]
+    lines = polygon_layer(wkts, "EPSG:6677", {"class": ["solid", "dashed"]}, kind="LineStringZ")
+    rows = NORTH + 30.0 - 0.1 * (np.arange(400) + 0.5)
+    road = np.abs(rows - NORTH - 5.0) < 6.8
+    image = np.where(road[:, None, None], [100, 102, 105], [175, 165, 150]) + np.random.default_rng(3).integers(
+        -4, 5, (400, 600, 3))
+    paths = []
+    for crs in ("EPSG:6677", "EPSG:6676"):
+        paths.append(tmp_path / f"{crs[-4:]}.tif")
+        with rasterio.open(paths[-1], "w", driver="GTiff", width=600, height=400, count=3, dtype="uint8", crs=crs,
+                           transform=rasterio.Affine(0.1, 0, EAST, 0, -0.1, NORTH + 30.0)) as target:
+            target.write(np.moveaxis(image.astype(np.uint8), 2, 0))
+    given = {"LINES": lines, "TRAJECTORY": [drive],
+             **outputs(tmp_path, OUTPUT_FINDINGS=str(tmp_path / "findings.gpkg"))}
+    results = run(ALGORITHM, {**given, "ORTHOPHOTO": str(paths[0])})
+    assert results["LANES"] == 2
+    assert "road border" in {row.attributes["class"] for row in read_layer(results["OUTPUT_BOUNDS"])}
+    assert "edge from the image" in {row.attributes["kind"] for row in read_layer(results["OUTPUT_FINDINGS"])}
+    with pytest.raises(Exception, match="EPSG:6676.*reproject one of them"):
+        run(ALGORITHM, {**given, "ORTHOPHOTO": str(paths[1])})

@@ -72,3 +72,20 @@ def test_crosswalk_between_kerbs_that_run_on_is_kept():
     lines = [*kerbs, *avenue(0, 36), *avenue(44, 80), stop(35.5, 0.1, 6.9)]
     built = build_vector_map(lines, [zebra(38, 42, -6.9, 6.9)], [], LEFT)
     assert len(built.crosswalks) == 1
+
+
+def test_bonnet_of_a_vehicle_before_a_stop_line_tells_no_direction():
+    """A short bar right before the stop line of the whole half of the road is no line of its own."""
+    lines = [line(7.0, 0, 50), line(3.5, 0, 50), line(0.0, 0, 50), line(-3.5, 0, 50), line(-7.0, 0, 50)]
+    paint = [*lines, stop(50.3, 0.1, 6.9), stop(46.5, 3.6, 5.4)]
+    built = build_vector_map(paint, [arrow(20, 1.7, back=True)], [], LEFT)
+    assert course(built.lanes[lane_at(built, 25, 1.7)]) == 1.0
+    assert course(built.lanes[lane_at(built, 25, 5.2)]) == 1.0
+
+
+def test_worn_inner_end_of_a_stop_line_still_tells_both_sides_of_a_short_arm():
+    """Half of the inner lane's bar is worn; across the solid line traffic leads away, on 20 m of road too."""
+    lines = [line(7.0, 0, 20), line(3.5, 0, 20), line(0.0, 0, 20), line(-3.5, 0, 20)]
+    built = build_vector_map([*lines, stop(20.3, 1.9, 6.9)], (), [], LEFT)
+    assert course(built.lanes[lane_at(built, 10, 1.7)]) == 1.0
+    assert course(built.lanes[lane_at(built, 10, -1.7)]) == -1.0

@@ -38,6 +38,10 @@ def add_section(built: VectorMap, section: RoadSection, strips: Sequence[Strip])
         for track in (strip.right, strip.left):
             if (track, strip.start) not in bounds:
                 bounds[track, strip.start] = _bound(built, section.tracks[track], strip, track, nodes)
+        if strip.wide:
+            built.findings.append(Finding("wide lane", say(
+                "This lane is {width:.1f} m wide between its line and the edge of the road: it may be two, or have "
+                "room to stop beside it.", width=strip.width), *strip_middle(section, strip)))
         lane_of_strip[number] = _lane(built, strip, bounds[strip.right, strip.start], bounds[strip.left, strip.start])
     _relate(built, section, strips, lane_of_strip)
 

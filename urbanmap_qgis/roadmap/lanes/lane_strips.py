@@ -10,7 +10,7 @@ import numpy as np
 from ...geometry.tolerances import LEAST_DIVISOR
 from ...wording import mark
 from ..map_records import DrivenPath, MapArea, MapSettings
-from .road_sections import STEP, BoundTrack, RoadSection
+from .road_sections import STEP, WIDE, BoundTrack, RoadSection
 
 SNAP = 9.0
 """Ends of lanes so near to each other along the road are one cross-section of it, m."""
@@ -24,6 +24,7 @@ class LaneStripsLimits:
     one_lane: float = 4.0  # Between two lines no farther apart there is one lane at the most, m.
     stop_reach: float = 6.0  # A stop line belongs to a lane that ends so near, m.
     one_row: float = 1.5  # Pieces of a stop line lie so near to each other along and across the road, m.
+    half: float = 0.4  # A stop line stops a lane before more than such a share of which it lies: it may be worn.
     at_line: float = 0.6  # A stop line ends at a line that lies so near to its end, m.
     # Pieces of a stop line on one straight are one over what a vehicle hides, m apart, and m along the road.
     hidden: float = 4.0
@@ -64,6 +65,7 @@ class Strip:
         that.
     broad_stop : direction (as `sign`) that a stop line across two strips or more tells, 0 without one.
     outside : a stop line ends, away from the middle of the road, at the solid line between it and the lanes: pavement.
+    wide : it is wider than a lane may be between two lines.
     arrows : kinds of the arrows in it.
     """
 
@@ -83,6 +85,7 @@ class Strip:
     contradicted: bool = False
     broad_stop: int = 0
     outside: bool = False
+    wide: bool = False
     arrows: list[str] = field(default_factory=list)
 
 
@@ -114,7 +117,8 @@ def lane_strips(section: RoadSection, stops: Sequence[np.ndarray], settings: Map
                 continue
             wide = (offset[pair[1]] - offset[pair[0]])[within]
             wide = wide[np.isfinite(wide)]
-            strips.append(Strip(pair[0], pair[1], float(first), float(last), float(wide.mean()), float(wide.min())))
+            strips.append(Strip(pair[0], pair[1], float(first), float(last), float(wide.mean()), float(wide.min()),
+                                wide=float(wide.mean()) > settings.max_width))
     return strips
 
 
@@ -126,6 +130,7 @@ def _adjacent(offset: np.ndarray, tracks: Sequence[BoundTrack],
     and so is one that leaves a lane on one side only within what is no more than one lane.
     """
     length = np.array([track.painted for track in tracks])
+    border = [all(line is None or line.kind == "road border" for *_, line in track.pieces) for track in tracks]
     found: dict[tuple[int, int], np.ndarray] = {}
     for station in range(offset.shape[1]):
         present = [int(k) for k in np.argsort(offset[:, station]) if np.isfinite(offset[k, station])]
@@ -139,7 +144,10 @@ def _adjacent(offset: np.ndarray, tracks: Sequence[BoundTrack],
                 break
             present.remove(min(drop, key=lambda k: length[k]))
         for right, left in zip(present[:-1], present[1:]):
-            if settings.min_width <= place[left] - place[right] <= settings.max_width:
+            widest = settings.max_width
+            if (right == present[0] and border[right]) or (left == present[-1] and border[left]):
+                widest += WIDE
+            if settings.min_width <= place[left] - place[right] <= widest:
                 found.setdefault((right, left), np.zeros(offset.shape[1], bool))[station] = True
     return found
 
@@ -272,8 +280,8 @@ def add_stops(strips: Sequence[Strip], section: RoadSection, stops: Sequence[np.
         ending = [strip for strip in strips if min(abs(strip.start - level),
                                                    abs(strip.end - level)) < LIMITS.stop_reach]
         middles = {id(strip): middle_offset(section, strip, level) for strip in ending}
-        covered = [strip for strip in ending if low < middles[id(strip)] < high]
-        others = [strip for strip in ending if not low - 0.5 < middles[id(strip)] < high + 0.5]
+        covered = [strip for strip in ending if _share_covered(section, strip, (level, low, high)) > LIMITS.half]
+        others = [strip for strip in ending if not low - 0.5 < middles[id(strip)] < high + 0.5 and strip not in covered]
         covered = covered or [strip for strip in ending if low - 0.3 < middles[id(strip)] < high + 0.3]
         if not covered or not (others or _goes_on_outside(section, covered, (level, low, high), left_hand)):
             continue
@@ -290,6 +298,15 @@ def add_stops(strips: Sequence[Strip], section: RoadSection, stops: Sequence[np.
             if left_hand is not None and away is not None:
                 away.forward += LIMITS.away * (not at_end)
                 away.backward += LIMITS.away * at_end
+                away.stopped = True
+
+
+def _share_covered(section: RoadSection, strip: Strip, stop: tuple[float, float, float]) -> float:
+    """Share of a strip's width before which a stop line (chainage, two offsets) lies."""
+    level, low, high = stop
+    at = float(np.clip(level, strip.start, strip.end))
+    right, left = offset_of(section, strip.right, at), offset_of(section, strip.left, at)
+    return (min(left, high) - max(right, low)) / max(left - right, LEAST_DIVISOR)
 
 
 def _whole_stops(section: RoadSection, stops: Sequence[np.ndarray]) -> list[tuple[float, float, float]]:
@@ -305,7 +322,13 @@ def _whole_stops(section: RoadSection, stops: Sequence[np.ndarray]) -> list[tupl
                 break
         else:
             whole.append((level, low, high))
-    return whole
+    return [one for one in whole if not any(_is_within(one, other) for other in whole)]
+
+
+def _is_within(stop: tuple[float, float, float], other: tuple[float, float, float]) -> bool:
+    """Whether a stop line (chainage, two offsets) lies right before or behind one twice as long: a vehicle's bonnet."""
+    return (other[2] - other[1] > 2.0 * (stop[2] - stop[1]) and abs(stop[0] - other[0]) < SNAP
+            and other[1] - LIMITS.at_line < stop[1] and stop[2] < other[2] + LIMITS.at_line)
 
 
 def _goes_on_outside(section: RoadSection, covered: Sequence[Strip], stop: tuple[float, float, float],
@@ -352,7 +375,8 @@ def _across_solid(section: RoadSection, strip: Strip, others: Sequence[Strip], r
               and (one.left == strip.right if to_right else one.right == strip.left)]
     kinds = line_kinds(track, strip.start, strip.end)
     at = np.interp((strip.start + strip.end) / 2.0, track.chainage, track.offset)
-    ends = abs(reach[0 if to_right else 1] - at) < LIMITS.at_line
+    beyond = (at - reach[0]) if to_right else (reach[1] - at)
+    ends = -strip.width < beyond < LIMITS.at_line
     row = [one for one in others if one.start == strip.start]
     parts = set(kinds) == {"solid"} or len(row) == 1
     return beside[0] if beside and ends and parts else None

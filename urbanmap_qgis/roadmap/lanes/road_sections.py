@@ -25,6 +25,9 @@ LEAST_BESIDE, LEAST_BESIDE_SHORT = 4.0, 3.0
 SAME = 0.15
 """Lines beside each other no farther apart are one bound of which each shows a part, m: double lines are farther."""
 
+WIDE = 1.0
+"""An outermost lane may be wider by so much between its line and the edge of the road, m."""
+
 JOIN = 0.35
 """Ends of lines so near to each other's prolongation are one bound, m."""
 
@@ -157,7 +160,7 @@ def road_sections(lines: Sequence[MapLine], barriers: Sequence[shapely.Geometry]
     if not chains:
         return []
     paths = [np.vstack([line.points for line in chain]) for chain in chains]
-    groups = _beside(paths, settings)
+    groups = _beside(paths, [chain[0].kind == "road border" for chain in chains], settings)
     sections = []
     for group in groups:
         longest = max(group, key=lambda k: shapely.LineString(paths[k][:, :2]).length)
@@ -187,7 +190,7 @@ def _chains(lines: Sequence[MapLine]) -> list[list[MapLine]]:
     return ordered
 
 
-def _beside(paths: Sequence[np.ndarray], settings: MapSettings) -> list[list[int]]:
+def _beside(paths: Sequence[np.ndarray], borders: Sequence[bool], settings: MapSettings) -> list[list[int]]:
     """Groups of paths that run side by side within a lane's width, at one height."""
     plans = [shapely.LineString(path[:, :2]) for path in paths]
     tree = shapely.STRtree(plans)
@@ -197,16 +200,17 @@ def _beside(paths: Sequence[np.ndarray], settings: MapSettings) -> list[list[int
         if not len(at):
             continue
         places = shapely.line_interpolate_point(plan, at)
-        for other in tree.query(plan, predicate="dwithin", distance=settings.max_width + 0.5):
+        for other in tree.query(plan, predicate="dwithin", distance=settings.max_width + WIDE + 0.5):
             if other == k:
                 continue
+            reach = settings.max_width + 0.5 + (WIDE if borders[k] or borders[other] else 0.0)
             distance = shapely.distance(places, plans[other])
             foot = shapely.line_locate_point(plans[other], places)
             inner = (foot > 0.01) & (foot < plans[other].length - 0.01)
             least = max(LEAST_BESIDE_SHORT, min(LEAST_BESIDE, min(plan.length, plans[other].length) // 2.0))
-            if (inner & (distance <= settings.max_width + 0.5)).sum() < least:
+            if (inner & (distance <= reach)).sum() < least:
                 continue
-            near = np.flatnonzero(inner & (distance <= settings.max_width + 0.5))
+            near = np.flatnonzero(inner & (distance <= reach))
             turn = _turn(plan, plans[other], at[near], foot[near])
             if (turn < PARALLEL).sum() >= least and _level(paths[k], paths[other], settings):
                 links.append((k, int(other)))

@@ -1,0 +1,1 @@
+"""What an orthophoto shows of a road beside its lines: its edges, and lines that are nearly worn away."""
