@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
-from urbanmap_qgis.mobile.registration.correction.error_steps import window_steps
+from urbanmap_qgis.mobile.registration.correction.disagreements import NodeStep
+from urbanmap_qgis.mobile.registration.correction.error_steps import short_gaps, window_steps
 from urbanmap_qgis.mobile.registration.correction.patch_status import contradicted, opposing_spread
 from urbanmap_qgis.mobile.registration.start.fast_drift import fast_drift_rate
 from urbanmap_qgis.mobile.trajectory import Trajectory
@@ -92,3 +95,19 @@ def test_contradicted_windows():
     mask = contradicted(residual, covariance, own, np.ones(4, bool))
     assert mask.tolist() == [True, False, False, False]
     assert np.sqrt(opposing_spread(residual, mask)[:, 0, 0]) == pytest.approx([0.25, 0, 0, 0])
+
+
+def test_a_short_gap_holds_what_the_correction_changes_in_it_but_for_the_wandering_of_a_stop():
+    nodes, at = np.arange(0.0, 102.0, 2.0), np.array([30.0, 45.0, 75.0])
+    state, stops = np.zeros((len(nodes), 6, 2)), np.zeros((len(nodes) - 1, 6))
+    state[nodes > 45.0, 0, 0] = 0.3
+    chain, fit = SimpleNamespace(nodes=nodes, stop_changes=lambda: stops), SimpleNamespace(state=state)
+    known = NodeStep(22, np.zeros(2), 1e-4 * np.eye(2), 0.0)
+    short, variance = short_gaps(chain, fit, [(40.0, 52.0, known), (60.0, 90.0, known)], at)
+    assert short.tolist() == [False, True, False]  # the second is long enough for a re-fix to hide
+    assert np.sqrt(variance[1, 0, 0]) == pytest.approx(0.3 * np.sqrt(0.5), rel=0.01) and not variance[[0, 2]].any()
+    assert np.sqrt(variance[1, 1, 1]) < 0.001
+    stops[22, 0] = 0.3
+    assert short_gaps(chain, fit, [(40.0, 52.0, known)], at)[1].max() < 1e-5
+    likely = NodeStep(22, np.array([0.2, 0.0]), 0.06**2 * np.eye(2), (0.2 / 0.06) ** 2)
+    assert 0.05 < np.sqrt(short_gaps(chain, fit, [(40.0, 52.0, likely)], at)[1].max()) < 0.15

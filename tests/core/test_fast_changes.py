@@ -10,7 +10,7 @@ import pytest
 from tests.core.simulated_windows import shifted, simulate
 from urbanmap_qgis.mobile.registration.correction.adjustment import adjust_correction
 from urbanmap_qgis.mobile.registration.correction.disagreements import DISAGREEMENT, HIDDEN, UNDECIDED, NodeStep
-from urbanmap_qgis.mobile.registration.correction.fast_changes import LIMITS, _against
+from urbanmap_qgis.mobile.registration.correction.fast_changes import LIMITS, FastChange, _against
 from urbanmap_qgis.mobile.registration.correction.patch_status import REGISTERED
 
 CHANGE = (0.45, -0.3)
@@ -78,3 +78,13 @@ def test_markings_that_are_not_believed_are_told_where_the_sides_leave_room_for_
     sides = NodeStep(100, np.array([0.02, 0.0]), 0.1**2 * np.eye(2), 0.04)
     assert (_against(sides, np.array([size, 0.0])) < LIMITS.excluded**2 and size > LIMITS.least) == told
     assert _against(sides, np.array([-size, 0.0])) == _against(sides, np.array([size, 0.0]))
+
+
+@pytest.mark.parametrize(("left", "at_stake"), [((0.11, 0.06), (0.42, -0.17)), ((0.5, -0.2), (0.5, -0.2)),
+                                                ((-0.11, 0.06), (-0.11, 0.06))])
+def test_beside_a_stop_the_whole_change_is_at_stake(left, at_stake):
+    """The drift that a stop sets free explains much of a step, of which either side may be wrong by all."""
+    whole = NodeStep(7, np.array([0.42, -0.17]), np.eye(2), 20.0)
+    found = FastChange(5, 9, whole, 13.0, 39.0).at_stake(NodeStep(7, np.array(left), 0.01 * np.eye(2), 12.0))
+    assert found.change == pytest.approx(at_stake) and found.square == 12.0
+    assert FastChange(5, 9, whole, 13.0, 39.0).at_stake(None) is whole

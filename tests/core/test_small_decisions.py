@@ -26,7 +26,7 @@ from urbanmap_qgis.localisation.simulation.simulated_scans import displaced
 from urbanmap_qgis.localisation.walls.wall_cells import space_cells
 from urbanmap_qgis.mobile.lines.tie_point_proposals import _cell_sums
 from urbanmap_qgis.mobile.markings.intensity_calibration import _fit, _model
-from urbanmap_qgis.mobile.registration.correction.disagreements import _EITHER, NodeStep, either_side
+from urbanmap_qgis.mobile.registration.correction.disagreements import NodeStep, either_side
 from urbanmap_qgis.progress import Progress
 from urbanmap_qgis.roadmap.checks.light_rules import _cosine
 from urbanmap_qgis.roadmap.edges.assembly import kerb_lines
@@ -112,13 +112,19 @@ def test_colours_of_points_run_from_low_to_high():
     assert (below == ends[0]).all() and (above == ends[1]).all()
 
 
-def test_either_side_of_a_step_reaches_to_the_next_one():
-    nodes = np.arange(0.0, 110.0, 10.0)
-    steps = [NodeStep(2, np.array([1.0, 0.0]), np.eye(2), 9.0), NodeStep(7, np.array([0.0, 2.0]), np.eye(2), 9.0)]
-    beside, variance = either_side(steps, nodes, np.array([5.0, 50.0, 95.0]))
+def test_a_place_is_off_by_all_steps_up_to_the_right_stretch():
+    """With one step half of its square, of two any of the three stretches may be the right one."""
+    nodes, known = np.arange(0.0, 110.0, 10.0), 1e-12 * np.eye(2)
+    steps = [NodeStep(2, np.array([1.0, 0.0]), known, 9.0), NodeStep(7, np.array([0.0, 2.0]), known, 9.0)]
+    at = np.array([5.0, 50.0, 95.0])
+    first, second, both = (np.outer(change, change) for change in (steps[0].change, steps[1].change, [1.0, 2.0]))
+    beside, variance = either_side(steps, nodes, at)
     assert beside.all()
-    first, second = (_EITHER * np.outer(step.change, step.change) for step in steps)
-    assert variance == pytest.approx(np.array([first, first + second, second]))
+    assert variance == pytest.approx(np.array([first + both, first + second, second + both]) / 3, abs=1e-9)
+    assert either_side(steps[:1], nodes, at)[1] == pytest.approx(np.array([first] * 3) / 2, abs=1e-9)
+    assert not either_side([], nodes, at)[0].any()
+    unsure = either_side([replace(steps[0], covariance=4.0 * np.eye(2))], nodes, at)[1]
+    assert unsure[0] == pytest.approx(first / 2 + 0.4 * np.eye(2))  # no more unsure than it is large
 
 
 def test_lowered_and_full_kerb_share_the_station_where_they_meet():

@@ -46,7 +46,6 @@ _MOST_OFF = 1.0  # m that it has at most: markings that lie farther off slipped,
 _LEAST_KNOWN = 0.25  # 1 / m2: a jump known to less than 2 m tells nothing, and rounding spoils it
 _PLAN = (0, 2)  # places of the errors east and north among a state's values
 _UNDONE = 0.4  # of the smaller of two steps, that their sum has at most where they undo each other
-_EITHER = 0.5  # variance of a side of a step, of its size's square: one of the two sides is off by all of it
 
 
 @dataclass(frozen=True)
@@ -180,16 +179,22 @@ def undone(steps: Sequence[NodeStep], nodes: np.ndarray) -> list[tuple[NodeStep,
 def either_side(steps: Sequence[NodeStep], nodes: np.ndarray, at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Mask (n,) of path parameters beside a step of which nobody knows the right side; variance (n, 2, 2) m2 to add.
 
-    A side reaches up to the next step, or the end.
+    Any of the stretches between the steps, all alike, may be the right one: a place is off by all steps up to it.
     """
-    beside, variance = np.zeros(len(at), bool), np.zeros((len(at), 2, 2))
+    if not steps:
+        return np.zeros(len(at), bool), np.zeros((len(at), 2, 2))
     places = [0.5 * (nodes[step.node] + nodes[step.node + 1]) for step in steps]
-    ends = [-np.inf, *places, np.inf]
-    for number, step in enumerate(steps):
-        between = (at >= ends[number]) & (at <= ends[number + 2])
-        beside |= between
-        variance[between] += _EITHER * np.outer(step.change, step.change)
-    return beside, variance
+    offset, spread = (np.cumsum([np.zeros_like(parts[0]), *parts], axis=0) for parts in (
+        [step.change for step in steps], [_bounded(step) for step in steps]))
+    off = offset[:, None] - offset[None]
+    variance = (off[..., :, None] * off[..., None, :] + np.abs(spread[:, None] - spread[None])).mean(axis=1)
+    return np.ones(len(at), bool), variance[np.searchsorted(places, at)]
+
+
+def _bounded(step: NodeStep) -> np.ndarray:
+    """(2, 2) m2, covariance of a step that is about as large as it seems, however little is known of it."""
+    size = max(step.size, _LEAST)
+    return np.linalg.inv(np.linalg.inv(step.covariance) + np.eye(2) / size**2)
 
 
 def hidden_steps(chain: NodeChain, model: PoseErrorModel, fit: Fit,

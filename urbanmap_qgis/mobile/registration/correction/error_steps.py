@@ -72,6 +72,7 @@ class UnseenStepLimits:
     detectable: float = 4.5  # standard deviations from which a step is told
     certain: float = 100.0  # log-likelihood beyond which a step is certain
     either: float = 0.5  # of a step's variance, for each of its sides: one of the two is off by all of it
+    longest: float = 20.0  # m of path parameter without markings: a re-fix takes as much, and shows at an end
 
 
 LIMITS = UnseenStepLimits()
@@ -113,6 +114,26 @@ def unseen_steps(chain: NodeChain, model: PoseErrorModel, fit: Fit, known: Seque
     detectable = LIMITS.detectable * np.sqrt([np.linalg.eigvalsh(step.covariance)[-1] for step in tests])
     return UnseenSteps(sum(share * _expected(step) for share, step in zip(chance, tests)), float(np.median(detectable)),
                        float(detectable.max()))
+
+
+def short_gaps(chain: NodeChain, fit: Fit, hidden: Sequence[tuple[float, float, NodeStep]],
+               at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Mask (n,) of path parameters in short stretches without markings, and the variance (n, 2, 2) m2 that it adds.
+
+    The drift predicts one end of such a stretch from the other. A step of usual size that this leaves open goes into
+    the accuracy as likely as the ends make it, and so does what the correction changes there: no marking says where.
+    """
+    short, variance = np.zeros(len(at), bool), np.zeros((len(at), 2, 2))
+    moving = fit.state[:, :2, 0].copy()  # but for what the reported place is known to have wandered in stops
+    moving[1:] -= np.cumsum(chain.stop_changes()[:, :2], axis=0)
+    for begin, end, step in hidden:
+        inside = (at > begin) & (at < end) & (end - begin <= LIMITS.longest)
+        first, last = np.column_stack([np.interp([begin, end], chain.nodes, axis) for axis in moving.T])
+        chance = _times_as_likely(step) * (end - begin) / LIMITS.between_changes
+        short |= inside
+        variance[inside] = (chance / (1.0 + chance) * _expected(step)
+                            + LIMITS.either * np.outer(last - first, last - first))
+    return short, variance
 
 
 def _times_as_likely(step: NodeStep) -> float:

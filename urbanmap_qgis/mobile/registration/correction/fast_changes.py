@@ -73,6 +73,16 @@ class FastChange:
         """Whether it is spread over its stretch, as a drive's own change is."""
         return self.sharper < -LIMITS.sure
 
+    def at_stake(self, step: NodeStep | None) -> NodeStep:
+        """What either side may be off by: the step that the drift alone needs, or the whole change where it is more.
+
+        Beside a stop the drift explains much of a step of the reference too.
+        """
+        if step is None:
+            return self.step
+        whole = self.step.change
+        return replace(step, change=whole) if whole @ step.change > step.size**2 else step
+
 
 def fast_changes(chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.ndarray,
                  likelihood: LikelihoodOf) -> list[FastChange]:
@@ -107,7 +117,7 @@ def _change(chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.ndarr
 
     likelihoods = np.array([reached(place) for place in places])
     best = int(likelihoods.argmax())
-    step = NodeStep(int(places[best] + first), change, np.eye(2), LIMITS.proof**2)
+    step = NodeStep(int(places[best] + first), change, LIMITS.jump**2 * np.eye(2), LIMITS.proof**2)
     return FastChange(int(part[0]), int(part[-1]) + 1, step, float(likelihoods[best] - reached(None, near.fast)),
                       float(likelihoods[best] - reached(None)))
 
@@ -155,7 +165,7 @@ def with_undecided(found: Disagreements, changes: Sequence[FastChange], model: P
             continue
         fast = chain.fast.copy()
         fast[change.begin:change.end] = 0.0
-        step = step_tests(chain.with_fast(fast), model, found.fit, 1.0)[change.step.node] or change.step
+        step = change.at_stake(step_tests(chain.with_fast(fast), model, found.fit, 1.0)[change.step.node])
         if step.size > LIMITS.least and not slip.explains(begin, end, step) and not _near(known, begin, end):
             undecided.append(step)
             known.append(nodes[step.node])

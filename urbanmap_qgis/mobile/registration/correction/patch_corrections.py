@@ -13,7 +13,7 @@ from ..records import WindowResults
 from .chain import NodeChain, smooth_between
 from .disagreements import CorrectionStep, Disagreements, either_side, hidden_factor, with_disagreements
 from .error_model import ANGLES, PoseErrorModel
-from .error_steps import UnseenSteps
+from .error_steps import UnseenSteps, short_gaps
 from .gauss_markov import path_parameters_of
 from .patch_status import (
     BRIDGED,
@@ -223,6 +223,8 @@ def correction_at_patches(windows: WindowResults, found: Disagreements, at_patch
     if windows.spread is not None:
         covariance[doubtful, :2, :2] += windows.spread[doubtful]
     covariance[:, :2, :2] *= hidden_factor(found.hidden, at_patches)[:, None, None]
+    tested, between = short_gaps(chain, fit, found.hidden, at_patches)
+    covariance[:, :2, :2] += between
     beside, variance = either_side(found.two_sided, chain.nodes, at_patches)
     against, either = conflict.mask_and_variance(windows.chainage)
     covariance[:, :2, :2] += variance + either
@@ -237,7 +239,7 @@ def correction_at_patches(windows: WindowResults, found: Disagreements, at_patch
     by_own_windows = np.minimum(plan_sigma_of(by_paint + by_walls), near_walls)
     status, reason = patch_statuses(by_own_windows, weight, relative, doubtful, settings.registered_sigma,
                                     settings.trusted_sigma)
-    wide &= near_walls > settings.registered_sigma  # walls alone may fix the place
+    wide &= ~tested & (near_walls > settings.registered_sigma)  # walls alone may fix the place
     status, reason = _bridged(status, reason, wide, say("no markings just before or after the patch"))
     if normals.met is not None:
         few = (normals.met[piece] < LEAST_MET) & (near_walls > settings.registered_sigma)

@@ -75,12 +75,16 @@ def robust_fit(chain: NodeChain, model: PoseErrorModel, allowed: np.ndarray, set
 
 def _with_likely_heading(chain: NodeChain, model: PoseErrorModel, allowed: np.ndarray, settings: CorrectionSettings,
                          likelihood: float, fit: Fit) -> Fit:
-    """The adjustment with a larger error of the heading, where this makes the survey much likelier."""
-    best = likelihood
+    """The adjustment with a larger error of the heading, where this makes the survey much likelier.
+
+    A misaligned unit explains evidence that a good one cannot; what leaves more of it unbelieved explains nothing.
+    """
+    best, present = likelihood, chain.normals.present
     for factor in LIMITS.heading_factors:
         other, reached = reweighted_fit(chain, model.scaled(fit.drift_factor).with_heading(factor), allowed, settings)
         reached -= 0.5 * (np.log2(fit.drift_factor) / LIMITS.factor_spread) ** 2 + LIMITS.heading_proof
-        if reached > best:
+        believed, before = (item.weight[present].mean() for item in (other, fit))
+        if reached > best and believed > before - LIMITS.weight_tolerance:
             best, fit = reached, replace(other, drift_factor=fit.drift_factor, heading_factor=factor)
     return fit
 
