@@ -21,5 +21,4 @@ class Painted:
 def test_all_shifts_are_looked_up_whole():
     place = np.random.default_rng(2).uniform(0.0, 20.0, (50, 2))
     corner = np.array([-LIMITS.reach, 0.0, LIMITS.reach])
-    east, north = (part.ravel() for part in np.meshgrid(corner, corner))
-    assert _on_markings(SimpleNamespace(reference=Painted()), place, east, north).tolist() == [50] * 9
+    assert _on_markings(SimpleNamespace(reference=Painted()), place, corner).tolist() == [50] * 9

@@ -153,8 +153,8 @@ def marking_points(x: np.ndarray, y: np.ndarray, z: np.ndarray, brightness: np.n
     cell = row * grid.columns + column
     image, share = _image(cell, brightness, grid)
     ground = _ground_level(image, settings)
-    contrast = np.maximum(max(settings.contrast, LIMITS.stand_out * noise.brightness),
-                          LIMITS.clear * noise.brightness * share)
+    share *= np.float32(LIMITS.clear * noise.brightness)
+    contrast = np.maximum(share, np.float32(max(settings.contrast, LIMITS.stand_out * noise.brightness)), out=share)
     core = _core(image, ground, contrast, settings)
     if not core.any():
         return MarkingAnswer(np.zeros(n, bool), np.zeros(n, np.float32), np.full(n, np.nan, np.float32))
@@ -228,25 +228,27 @@ def _ground_level(image: np.ndarray, settings: MarkingPointSettings) -> np.ndarr
     filled = np.where(np.isnan(image), np.float32(1e6), image)
     kernel = _disc(settings.max_width / 2)
     low = cv2.erode(filled, kernel, borderType=cv2.BORDER_CONSTANT, borderValue=1e6)
-    low = np.where(low > 1e5, np.float32(-1.0), low)
-    return cv2.dilate(low, kernel, borderType=cv2.BORDER_CONSTANT, borderValue=-1.0)
+    low[low > 1e5] = -1.0
+    return cv2.dilate(low, kernel, dst=filled, borderType=cv2.BORDER_CONSTANT, borderValue=-1.0)
 
 
 def _core(image: np.ndarray, ground: np.ndarray, contrast: np.ndarray, settings: MarkingPointSettings) -> np.ndarray:
-    """Cells that are surely paint, bool."""
+    """Cells that are surely paint, bool; `contrast` is used up."""
     sigma = 0.15 * settings.block_size / CELL
     seen = ~np.isnan(image)
-    mean, weight = _blurred(np.where(seen, image, np.float32(0)), sigma), _blurred(seen.astype(np.float32), sigma)
-    mean /= np.maximum(weight, 1e-3, out=weight)
-    margin = contrast * ground
-    # Corners of wide bright surfaces: there the ground beside is as bright.
-    beside = cv2.dilate(ground, _disc(LIMITS.paint_reach))
-    beside *= np.float32(1.0 + 0.5 * settings.contrast)
-    mean += margin
-    margin += ground
+    level, weight = _blurred(np.where(seen, image, np.float32(0)), sigma), _blurred(seen.astype(np.float32), sigma)
+    level /= np.maximum(weight, 1e-3, out=weight)
+    del weight  # the images of a stretch are what takes most memory
+    margin = np.multiply(contrast, ground, out=contrast)
     with np.errstate(invalid="ignore"):
-        for level in (mean, margin, beside):
-            seen &= image > level
+        level += margin
+        seen &= image > level
+        margin += ground
+        seen &= image > margin
+        # Corners of wide bright surfaces: there the ground beside is as bright.
+        beside = cv2.dilate(ground, _disc(LIMITS.paint_reach), dst=level)
+        beside *= np.float32(1.0 + 0.5 * settings.contrast)
+        seen &= image > beside
     return seen
 
 

@@ -70,12 +70,13 @@ def _pairs(differences: HeightDifferences) -> tuple[np.ndarray, np.ndarray, np.n
     """Offsets (c, 2) and means (c,) of the cells, and the numbers of those that pair, within their group of pieces."""
     group = differences.piece // LIMITS.group
     cell = np.floor(differences.offset / LIMITS.cell).astype(np.int64)
-    keys, number = np.unique(np.column_stack([group, cell]), axis=0, return_inverse=True)
-    number = number.reshape(-1)
+    cell -= cell.min(axis=0, initial=0)
+    size = cell.max(axis=0, initial=0) + 1
+    code, number = np.unique((group * size[0] + cell[:, 0]) * size[1] + cell[:, 1], return_inverse=True)
     count = np.bincount(number)
     offset = np.column_stack([np.bincount(number, axis) / count for axis in differences.offset.T])
     off = np.bincount(number, differences.off) / count
-    ends = np.flatnonzero(np.r_[True, np.diff(keys[:, 0]) != 0, True])
+    ends = np.flatnonzero(np.r_[True, np.diff(code // size.prod()) != 0, True])
     firsts, seconds = [np.zeros(0, int)], [np.zeros(0, int)]
     for start, end in zip(ends[:-1], ends[1:]):
         first, second = np.triu_indices(end - start, 1)

@@ -67,7 +67,7 @@ def moved_markings(points: PointObservations, curve: Callable[[np.ndarray], np.n
         total, rest = total + int(some.sum()), place[some & ~on_marking]
         off += len(rest)
         if len(rest):
-            hits += _on_markings(points, rest, east, north)
+            hits += _on_markings(points, rest, number * LIMITS.step)
     if not off or off < LIMITS.off * total:
         return None
     share = np.where(np.hypot(east, north) >= LIMITS.near, hits / off, 0.0)
@@ -78,16 +78,14 @@ def moved_markings(points: PointObservations, curve: Callable[[np.ndarray], np.n
     return MovedMarkings(np.array([east[best], north[best]]), off / total, float(share[best]))
 
 
-def _on_markings(points: PointObservations, place: np.ndarray, east: np.ndarray, north: np.ndarray) -> np.ndarray:
-    """How many places (m, 2) lie on reference markings when moved by each of the shifts (s,)."""
+def _on_markings(points: PointObservations, place: np.ndarray, shift: np.ndarray) -> np.ndarray:
+    """How many places (m, 2) lie on reference markings when moved north and, within that, east by shifts (s,)."""
     around = LIMITS.reach + LIMITS.step
     coverage = points.reference.coverage(*(place.min(axis=0) - around), *(place.max(axis=0) + around))
-    marked = coverage.share >= LIMITS.covered
-    counts = []
-    for dx, dy in zip(east, north):
-        row, column, inside = coverage.grid.cells(place[:, 0] + dx, place[:, 1] + dy)
-        counts.append(np.count_nonzero(marked[row, column] & inside))
-    return np.array(counts)
+    marked = (coverage.share >= LIMITS.covered).ravel()
+    row, column, _inside = coverage.grid.cells(place[:, 0] + shift[:, None], place[:, 1] + shift[:, None])
+    row *= coverage.grid.columns
+    return np.array([np.count_nonzero(marked[north + east]) for north in row for east in column])
 
 
 def with_moved(correction: Correction, moved: MovedMarkings | None) -> Correction:

@@ -146,27 +146,29 @@ def _block_tests(normals: NormalEquations, value: np.ndarray, covariance: np.nda
     ends = np.searchsorted(block, np.arange(count + 1))
     middle = np.minimum((ends[:-1] + ends[1:]) // 2, len(block) - 1)
     test = np.full(count, np.nan)
-    for b in np.flatnonzero(information.any(axis=(1, 2))):
-        block_information = information[b]
-        spread = _spread_of_others(covariance[middle[b]], share[b] * block_information)
-        disagreement = lean[b] + share[b] * block_information @ (spread @ lean[b])
-        scatter = block_information + block_information @ spread @ block_information
-        sizes, axes = np.linalg.eigh(0.5 * (scatter + scatter.T))
-        determined = sizes > 1e-8 * sizes.max()
-        square = (axes[:, determined].T @ disagreement) ** 2 / sizes[determined]
-        test[b] = float(square.sum()) / max(int(determined.sum()), 1)
+    told = np.flatnonzero(information.any(axis=(1, 2)))
+    given, lean = information[told], lean[told, :, None]
+    own = share[told, None, None] * given
+    spread = _spread_of_others(covariance[middle[told]], own)
+    disagreement = lean + own @ (spread @ lean)
+    scatter = given + given @ spread @ given
+    sizes, axes = np.linalg.eigh(0.5 * (scatter + np.swapaxes(scatter, 1, 2)))
+    determined = sizes > 1e-8 * sizes.max(axis=1, keepdims=True)
+    along = (np.swapaxes(axes, 1, 2) @ disagreement)[:, :, 0]
+    square = np.where(determined, along ** 2 / np.where(determined, sizes, 1.0), 0.0)
+    test[told] = square.sum(axis=1) / np.maximum(determined.sum(axis=1), 1)
     return test
 
 
 def _spread_of_others(covariance: np.ndarray, block_information: np.ndarray) -> np.ndarray:
-    """Covariance (p, p) that is left of a block's place without its own information (p, p).
+    """Covariances (b, p, p) that are left of blocks' places without their own information (b, p, p).
 
     A block is no rigid body: what its pieces say is not all said of its middle, so that the others' share has a floor.
     """
     root = np.linalg.cholesky(covariance)
-    values, vectors = np.linalg.eigh(root.T @ block_information @ root)
+    values, vectors = np.linalg.eigh(np.swapaxes(root, 1, 2) @ block_information @ root)
     axes = root @ vectors
-    return (axes / (1.0 - np.clip(values, 0.0, LIMITS.most_own))) @ axes.T
+    return (axes / (1.0 - np.clip(values, 0.0, LIMITS.most_own))[:, None, :]) @ np.swapaxes(axes, 1, 2)
 
 
 def _block_shares(test: np.ndarray, noise: float, settings: CorrectionSettings) -> tuple[np.ndarray, float]:

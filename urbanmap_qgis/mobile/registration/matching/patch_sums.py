@@ -64,9 +64,19 @@ def centre_transfers(lever_arms: np.ndarray) -> np.ndarray:
 
 def by_patch(values: np.ndarray, patch: np.ndarray, patches: int) -> np.ndarray:
     """(patches, ...) sums of rows (m, ...) whose patches (m,) do not fall."""
+    return _summed(values, patch, _first_rows(patch), patches)
+
+
+def _first_rows(patch: np.ndarray) -> np.ndarray:
+    """The first row of each patch, of patches (m,) that do not fall."""
+    changed = np.ones(len(patch), bool)
+    np.greater(patch[1:], patch[:-1], out=changed[1:])
+    return np.flatnonzero(changed)
+
+
+def _summed(values: np.ndarray, patch: np.ndarray, start: np.ndarray, patches: int) -> np.ndarray:
     result = np.zeros((patches, *values.shape[1:]))
     if len(patch):
-        start = np.flatnonzero(np.r_[True, np.diff(patch) > 0])
         result[patch[start]] = np.add.reduceat(values, start, axis=0)
     return result
 
@@ -80,13 +90,13 @@ def sum_points(r: np.ndarray, gradient: tuple, hessian: dict, patch: np.ndarray,
     gradient : (m,) by axis; None for an axis without any.
     hessian : {(a, b): (m,)} with a <= b, only what is not zero.
     """
-    moves = _moves(r)
+    moves, start = _moves(r), _first_rows(patch)
     total = np.zeros((patches, 6))
     information = np.zeros((patches, 6, 6))
     for axis, values in enumerate(gradient):
         if values is not None:
             for number, move in moves[axis].items():
-                total[:, number] += by_patch(values * move, patch, patches)
+                total[:, number] += _summed(values * move, patch, start, patches)
     products: dict[tuple[int, int], np.ndarray] = {}
     for (a, b), values in hessian.items():
         for i, by_i in moves[a].items():
@@ -96,7 +106,7 @@ def sum_points(r: np.ndarray, gradient: tuple, hessian: dict, patch: np.ndarray,
                     if pair[0] <= pair[1]:
                         products[pair] = products.get(pair, 0.0) + product
     for (i, j), product in products.items():
-        information[:, i, j] = -by_patch(product, patch, patches)
+        information[:, i, j] = -_summed(product, patch, start, patches)
         information[:, j, i] = information[:, i, j]
     return PatchSums(total, information)
 
