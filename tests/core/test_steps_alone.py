@@ -353,7 +353,8 @@ def test_sigma_of_an_object_holds_what_its_stem_may_lean(monkeypatch):
     axis = SimpleNamespace(diameter=0.2, middle=np.array([1.0, 2.0, 6.0]), lean=np.array([0.3, 0.4]),
                            sigma=np.array([0.01, 0.02]))
     around = SimpleNamespace(wall=0, crown=0.0, arm=0.0, top=8.0)
-    found = street_objects._object(SimpleNamespace(rows=np.arange(40)), axis, np.array([1.0, 2.0, 1.0]), around, 0.0, 2,
+    stem = SimpleNamespace(rows=np.arange(40), beside=False)
+    found = street_objects._object(stem, axis, np.array([1.0, 2.0, 1.0]), around, 0.0, 2,
                                    np.array([100.0, 200.0, 0.0]), SimpleNamespace(survey_sigma=0.03))
     lean = street_objects.LIMITS.lean * 5.0
     assert found.sigma == pytest.approx(np.sqrt((0.01**2 + 0.02**2) / 2 + lean**2 + 0.03**2))

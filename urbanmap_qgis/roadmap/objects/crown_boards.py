@@ -6,7 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy import ndimage
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import cKDTree
 
+from ...geometry.tolerances import LEAST_DIVISOR
 from .object_records import StemAxis
 
 
@@ -21,12 +25,18 @@ class CrownBoardLimits:
     layer: float = 0.02  # m, by which layers that are tried follow each other
     thin: float = 0.03  # m to either side of a face, that its points lie in
     beside: tuple[float, float] = (0.07, 0.16)  # m before and behind a face, where leaves would go on
-    cell: float = 0.12  # m, of a face
+    cell: tuple[float, ...] = (0.12, 0.18)  # m, of a face; the wider for faces of few points
+    tall: float = 1.6  # m, height that a board has at most
+    trunk: float = 0.2  # m, diameter from which a stem in leaves may be a trunk
+    link: float = 1.25  # cells from point to point of a face
     taken: int = 7  # of a cell and the eight about it that hold points, where the cell is within a face
     cells: int = 4  # within a face, that hang together by their sides
     denser: float = 4.0  # than what lies before and behind it, for the same thickness
     shared: float = 0.5  # of a part in larger ones, from which it is another view of these
     tried: int = 4  # parts that are looked at, the largest first
+    post: float = 0.1  # m to either side of the axis, where points may be the post's
+    few: int = 8  # points beside it, and m that they spread across, which tell a plane
+    narrow: float = 0.15
     flat: float = 0.02  # m, standard deviation of its points
 
 
@@ -53,18 +63,36 @@ def face_in_crown(place: np.ndarray, axis: StemAxis) -> tuple[np.ndarray, np.nda
         across = offset[near] @ [-normal[number, 1], normal[number, 0]]
         layers += [_Layer(across, place[near, 2], np.flatnonzero(np.abs(away[number] - at) < LIMITS.thin))
                    for at in places]
-    parts = _full_parts(layers)
-    for rows in _apart(parts, len(near)):
-        face = _checked(place, offset, near, near[rows])
-        if face is not None:
-            return face
+    for cell in LIMITS.cell if axis.diameter < LIMITS.trunk else LIMITS.cell[:1]:
+        for rows in _apart(_full_parts(layers, cell), len(near)):
+            face = _checked(place, offset, near, near[rows], cell)
+            if face is not None:
+                return _whole(place, offset, near, *face, cell)
     return None
 
 
 def face_at(place: np.ndarray, axis: StemAxis, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray] | None:
     """As `face_in_crown`, for the one face in whose plane some `rows` (m,) of the points lie."""
     offset = place[:, :2] - axis.plan_at(place[:, 2])
-    return _checked(place, offset, np.flatnonzero(np.hypot(*offset.T) < LIMITS.reach), rows)
+    return _checked(place, offset, np.flatnonzero(np.hypot(*offset.T) < LIMITS.reach), rows, LIMITS.cell[0],
+                    post=0.0)
+
+
+def _whole(place: np.ndarray, offset: np.ndarray, near: np.ndarray, rows: np.ndarray, normal: np.ndarray,
+           cell: float) -> tuple[np.ndarray, np.ndarray] | None:
+    """A face with all that hangs together with it in its plane beside its post; as given where that is little, None
+    where it goes on farther than boards do, as in dense leaves."""
+    side = np.array([-normal[1], normal[0]]) / max(np.hypot(*normal[:2]), LEAST_DIVISOR)
+    beside = near[(np.abs(offset[near] @ side) > LIMITS.post)
+                  & (np.abs((place[near] - place[rows].mean(axis=0)) @ normal) < LIMITS.thin)]
+    own = np.isin(beside, rows)
+    if np.count_nonzero(own) < LIMITS.few:
+        return rows, normal
+    pairs = cKDTree(place[beside]).query_pairs(LIMITS.link * cell, output_type="ndarray")
+    graph = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(len(beside), len(beside)))
+    part = connected_components(graph, directed=False)[1]
+    whole = beside[np.isin(part, np.unique(part[own]))]
+    return (whole, normal) if np.ptp(place[whole, 2]) < LIMITS.tall else None
 
 
 def _apart(parts: list[np.ndarray], number: int) -> list[np.ndarray]:
@@ -108,13 +136,13 @@ class _Layer:
     rows: np.ndarray
 
 
-def _full_parts(layers: list[_Layer]) -> list[np.ndarray]:
+def _full_parts(layers: list[_Layer], cell: float) -> list[np.ndarray]:
     """Rows of the largest part of each layer that is full everywhere and wider than a post; none if too small."""
     layers = [layer for layer in layers if len(layer.rows) >= LIMITS.taken]
     if not layers:
         return []
     cells = np.column_stack([np.floor(np.concatenate([getattr(layer, name)[layer.rows] for layer in layers])
-                                      / LIMITS.cell).astype(np.int64) for name in ("across", "up")])
+                                      / cell).astype(np.int64) for name in ("across", "up")])
     cells += 1 - cells.min(axis=0)
     ends = np.cumsum([len(layer.rows) for layer in layers])
     number = np.repeat(np.arange(len(layers)), np.diff(ends, prepend=0))
@@ -138,24 +166,45 @@ def _full_parts(layers: list[_Layer]) -> list[np.ndarray]:
     return found
 
 
+def plane_beside_post(place: np.ndarray, offset: np.ndarray,
+                      post: float = LIMITS.post) -> tuple[np.ndarray, np.ndarray]:
+    """Middle (3,) and unit normal (3,) of a board's face: by its points to either side of its post, as the post's own
+    lie behind the face and turn it where half of that shows; by all where there are few others.
+
+    Parameters
+    ----------
+    place : (n, 3) its points, m.
+    offset : (n, 2) of these from the axis of the post, m.
+    post : m to either side of that, where points may be its own.
+    """
+    for _ in range(3):
+        middle = place.mean(axis=0)
+        normal = np.linalg.eigh(np.cov((place - middle).T))[1][:, 0]
+        across = offset @ np.array([-normal[1], normal[0]]) / max(np.hypot(*normal[:2]), LEAST_DIVISOR)
+        aside = np.abs(across) > post
+        if aside.all() or np.count_nonzero(aside) < LIMITS.few or np.ptp(across[aside]) < LIMITS.narrow:
+            break
+        place, offset = place[aside], offset[aside]
+    return middle, normal
+
+
 def _checked(place: np.ndarray, offset: np.ndarray, near: np.ndarray,
-             rows: np.ndarray) -> tuple[np.ndarray, np.ndarray] | None:
+             rows: np.ndarray, cell: float, post: float = LIMITS.post) -> tuple[np.ndarray, np.ndarray] | None:
     """The face by a plane of its own, where it is flat and thin: leaves go on before and behind any layer."""
     for _ in range(3):
-        middle = place[rows].mean(axis=0)
-        _, axes = np.linalg.eigh(np.cov((place[rows] - middle).T))
-        normal = axes[:, 0]
-        level = np.array([*normal[:2], 0.0]) / max(np.hypot(*normal[:2]), 1e-12)
+        middle, normal = plane_beside_post(place[rows], offset[rows], post)
+        level = np.array([*normal[:2], 0.0]) / max(np.hypot(*normal[:2]), LEAST_DIVISOR)
         across = np.array([-level[1], level[0], 0.0])
         flat = (place[near] - middle) @ np.column_stack([across, [0.0, 0.0, 1.0]])
         away = (place[near] - middle) @ normal
-        parts = _full_parts([_Layer(*flat.T, np.flatnonzero(np.abs(away) < LIMITS.thin))])
+        parts = _full_parts([_Layer(*flat.T, np.flatnonzero(np.abs(away) < LIMITS.thin))], cell)
         if not parts:
             return None
         part = parts[0]
         rows = near[part]
     low, high = np.percentile(flat[part], [2, 98], axis=0)
-    framed = ((flat >= low) & (flat <= high)).all(axis=1)
+    # The post's own points, before or behind which no leaves are, make no face.
+    framed = ((flat >= low) & (flat <= high)).all(axis=1) & (np.abs(offset[near] @ across[:2]) >= post)
     on = np.count_nonzero(framed & (np.abs(away) < LIMITS.thin)) / (2.0 * LIMITS.thin)
     off = np.count_nonzero(framed & (np.abs(away) > LIMITS.beside[0]) & (np.abs(away) < LIMITS.beside[1])) / (
         2.0 * (LIMITS.beside[1] - LIMITS.beside[0]))

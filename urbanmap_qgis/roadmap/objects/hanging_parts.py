@@ -8,6 +8,7 @@ import numpy as np
 import shapely
 from scipy import ndimage
 
+from .crown_boards import LIMITS as FACES
 from .crown_boards import face_in_crown
 from .object_records import Board, StemAxis
 from .overhead_boards import LIMITS as OVERHEAD
@@ -37,7 +38,8 @@ class HangingPartsLimits:
     wide: float = 0.15  # m that a board reaches beyond the stem's surface
     board_points: int = 12
     beside_post: float = 0.08  # m between an edge of a board and the face of its post, where the post may hide the rest
-    trunk: float = 0.2  # m, from which a stem in leaves may be a trunk
+    off_post: float = 0.06  # m to either side of a post's face, where points may be its own
+    emptier: float = 0.15  # points on one side of the post, of those on the other, of a board that shows by one half
     fixed: float = 0.2  # m from its axis, within which the middle of a board on it lies
     shade: float = 0.12  # m from its face, that a post reaches behind a board
     arm: float = 0.4  # m, shortest arm
@@ -184,7 +186,7 @@ def _board_in_crown(place: np.ndarray, axis: StemAxis, seen_from: np.ndarray) ->
     board = outlined_board(place[face[0]], face[1], axis, seen_from)
     # What is as thick as a trunk is the post of a board only where that is fixed on it, not where a sign stands by.
     aside = 0.0 if board is None else np.hypot(*(board.centre[:2] - axis.plan_at(board.centre[2])))
-    return board if axis.diameter < LIMITS.trunk or aside < LIMITS.fixed else None
+    return board if axis.diameter < FACES.trunk or aside < LIMITS.fixed else None
 
 
 def _overhead_board(place: np.ndarray, offset: np.ndarray, up: np.ndarray, axis: StemAxis,
@@ -214,16 +216,21 @@ def outlined_board(place: np.ndarray, normal: np.ndarray, axis: StemAxis | None,
         level = -level
     across = (place[:, :2] - middle[:2]) @ np.array([-level[1], level[0]])
     up = place[:, 2] - middle[2]
-    (left, right), (low, high) = np.percentile(across, [1, 99]), np.percentile(up, [1, 99])
-    # What ends at its post on one side and reaches far out on the other is often hidden by the post from behind.
+    low, high = np.percentile(up, [1, 99])
     side = np.array([-level[1], level[0]])
-    at_post, one_sided, shaded = 0.0, False, False
-    if axis is not None:
-        post = axis.plan_at(middle[2])
-        at_post = (post - middle[:2]) @ side
-        one_sided = min(abs(left - at_post), abs(right - at_post)) < axis.diameter / 2.0 + LIMITS.beside_post
+    post = None if axis is None else axis.plan_at(middle[2])
+    at_post = 0.0 if post is None else (post - middle[:2]) @ side
+    # What ends at its post on one side and reaches far out on the other is often hidden by the post from behind.
+    for rows in [np.arange(len(across))] if axis is None else _by_halves(across - at_post, axis.diameter / 2.0):
+        left, right = np.percentile(across[rows], [1, 99])
+        if axis is not None:
+            left, right = min(left, at_post), max(right, at_post)
+        one_sided = axis is not None and (
+            min(abs(left - at_post), abs(right - at_post)) < axis.diameter / 2.0 + LIMITS.beside_post)
         shaded = one_sided and _shaded(left - at_post, right - at_post, side, level, seen_from - post)
-    hull = shapely.convex_hull(shapely.multipoints(np.column_stack([across, up])))
+        if shaded:
+            break
+    hull = shapely.convex_hull(shapely.multipoints(np.column_stack([across, up])[rows]))
     if hull.area < 0.5 * (right - left) * (high - low):
         return None
     if shaded:
@@ -235,6 +242,16 @@ def outlined_board(place: np.ndarray, normal: np.ndarray, axis: StemAxis | None,
     centre = middle + np.array([*(side * (left + right) / 2.0), (low + high) / 2.0])
     return Board(centre, float(np.degrees(np.arctan2(level[0], level[1])) % 360.0), float(width), float(tall),
                  not one_sided)
+
+
+def _by_halves(across: np.ndarray, radius: float) -> list[np.ndarray]:
+    """Rows of the points of a board: first without the side of its post on which few are beside many on the other, as
+    where the post hid that half from one drive; then all. `across` (n,) from the axis, `radius` of the post, m."""
+    post = radius + LIMITS.off_post
+    left, right = across < -post, across > post
+    few, many = sorted([left, right], key=np.count_nonzero)
+    every = np.arange(len(across))
+    return [np.flatnonzero(~few), every] if np.count_nonzero(few) < LIMITS.emptier * np.count_nonzero(many) else [every]
 
 
 def _shaded(left: float, right: float, side: np.ndarray, level: np.ndarray, view: np.ndarray) -> bool:

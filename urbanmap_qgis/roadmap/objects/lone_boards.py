@@ -81,7 +81,7 @@ def lone_boards(place: np.ndarray, height: np.ndarray, index: SweepIndex, seen_f
         if board is None or any(np.linalg.norm(other.centre - board.centre) < LIMITS.same for other in found):
             continue
         tried.append(board.centre)
-        if _shaped(board) and _ends(place[near], board):
+        if well_shaped(board) and _ends(place[near], board):
             found.append(board)
     return found
 
@@ -101,7 +101,7 @@ def stands_alone(place: np.ndarray, height: np.ndarray, board: Board) -> bool:
     return bool(high and np.count_nonzero(about) < LIMITS.alone * np.count_nonzero(on))
 
 
-def _shaped(board: Board) -> bool:
+def well_shaped(board: Board) -> bool:
     """Whether a face has the shape of a board, not of a trunk or a wall."""
     low, high = sorted((board.width, board.height))
     return LIMITS.side[0] <= low <= high <= LIMITS.side[1] and high <= LIMITS.longer * low

@@ -44,12 +44,14 @@ class Stem:
     rows : (n,) of its tile's points.
     low, high : m above the ground between which it is thin.
     filled : share of the slabs between them in which it shows.
+    beside : whether a thicker stem stands so close to it that both passed for one.
     """
 
     rows: np.ndarray
     low: float
     high: float
     filled: float
+    beside: bool = False
 
 
 @dataclass(frozen=True)

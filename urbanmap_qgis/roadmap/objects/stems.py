@@ -10,6 +10,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
+from .close_stems import close_stems
 from .object_records import Stem
 
 
@@ -64,7 +65,8 @@ def find_stems(points: np.ndarray, height: np.ndarray, widest: float, where: np.
             continue
         rows = rows[level[rows] <= levels[-1]]
         members = np.concatenate([band[order[starts[k]:starts[k] + count[k]]] for k in thin[rows]])
-        stems.append(Stem(members, float(height[members].min()), float(height[members].max()), float(filled)))
+        stem = Stem(members, float(height[members].min()), float(height[members].max()), float(filled))
+        stems += close_stems(stem, np.column_stack([points["x"][members], points["y"][members], height[members]]))
     return stems
 
 

@@ -18,7 +18,7 @@ from ..edges.ground_profile import Heights, above_ground
 from .axis_fit import fit_axis
 from .hanging_parts import LIMITS as AROUND
 from .hanging_parts import HangingParts, hanging_parts
-from .lone_boards import board_on, lone_boards, stands_alone
+from .lone_boards import board_on, lone_boards, stands_alone, well_shaped
 from .low_objects import ends_as, low_objects
 from .object_kind import kind_of
 from .object_records import (
@@ -60,10 +60,13 @@ class StreetObjectLimits:
     bare: float = 0.6  # m of height that a post shows without its board, to be placed by that alone
     stem_reach: float = 1.5  # m in plan from the foot of a stem, within which all of it stands
     trunk: float = 0.2  # m, from which a stem in leaves is a trunk, not the post of a sign that stands by
+    close: float = 1.0  # m from a post, where a trunk hides its board
+    bark: float = 0.06  # m outside a trunk's radius, that its points lie in
     behind: float = 0.04  # m behind a board that hides its post, where that stands: half of what such posts measure
     post_in_width: float = 4.0  # of a board, over which its post is one standard deviation from its middle
     beside: float = 0.3  # m; what is low and stands closer to something tall is a part of that
     same: float = 0.5  # m; stems closer than this, over each other, are one thing
+    apart: float = 0.1  # m, the same where a gap was seen between them
 
 
 LIMITS = StreetObjectLimits()
@@ -126,29 +129,37 @@ def _objects_of_tile(tile: EdgeTile, height: np.ndarray, survey: EdgePoints,
     boards = lone_boards(place, height, index, survey.body(points["time"]), where)
     low = low_objects(points, place, height, index, survey, where, settings.survey_sigma)
     found: list[StreetObject] = []
-    for stem in find_stems(points, height, settings.max_diameter, where):
-        axis = fit_axis(place[stem.rows], survey.body(points["time"][stem.rows]))
+    beside_thicker: list[bool] = []
+    stems = find_stems(points, height, settings.max_diameter, where)
+    axes = [fit_axis(place[stem.rows], survey.body(points["time"][stem.rows])) for stem in stems]
+    trunks = [axis for axis in axes if LIMITS.trunk < axis.diameter < settings.max_diameter]
+    for stem, axis in zip(stems, axes):
         ground = float(np.median(place[stem.rows, 2] - height[stem.rows]))
         foot = axis.plan_at(ground)
         if not tile.owns(foot[None])[0] or not survey.within(foot[None])[0] or axis.diameter > settings.max_diameter:
             continue
         near = index.near(foot, AROUND.reach + 0.5)
+        if axis.diameter < LIMITS.trunk:
+            near = near[~_in_trunks(place[near], trunks, foot)]
         seen_from = survey.body(points["time"][stem.rows]).mean(axis=0)
-        around = _with_board(hanging_parts(place[near], height[near], axis, stem.high, seen_from), boards, axis)
+        around = _with_board(hanging_parts(place[near], height[near], axis, stem.high, seen_from), boards, axis,
+                             stem.beside)
         beside = _beside_board(place[stem.rows], around.board, bool(around.crown))
         if beside is not None:
             axis = fit_axis(place[stem.rows[beside]], survey.body(points["time"][stem.rows[beside]]))
             foot = axis.plan_at(ground)
-            around = _with_board(hanging_parts(place[near], height[near], axis, stem.high, seen_from), boards, axis)
+            around = _with_board(hanging_parts(place[near], height[near], axis, stem.high, seen_from), boards, axis,
+                             stem.beside)
         short = stem.high - stem.low < LIMITS.post and not around.crown and not _under_board(stem, around, axis, ground)
         wall = around.straight and around.wall > LIMITS.wall * len(stem.rows)
         if short or wall or max(around.top, stem.high) < settings.min_height or (
                 around.crown and around.board is None and any(ends_as(thing, stem, foot) for thing in low)):
             continue
+        beside_thicker.append(stem.beside)
         crowd = _crowd(place[near], height[near], stem, axis)
         found.append(_object(stem, axis, np.array([*foot, ground]), around, crowd,
                              len(np.unique(points["drive"][stem.rows])), survey.corner, settings))
-    found = _without_doubles(found)
+    found = _without_doubles(found, beside_thicker)
     signs = [_sign_without_post(board, place, height, survey.corner, settings) for board in boards
              if tile.owns(board.centre[None, :2])[0] and survey.within(board.centre[None, :2])[0]
              and all(np.linalg.norm(thing.board.centre - survey.corner - board.centre) > LIMITS.same
@@ -161,10 +172,22 @@ def _objects_of_tile(tile: EdgeTile, height: np.ndarray, survey: EdgePoints,
                             for other in found)]
 
 
-def _with_board(around: HangingParts, boards: list[Board], axis: StemAxis) -> HangingParts:
-    """What hangs on a stem, with the board found before it where its own points show none. A trunk has none."""
+def _in_trunks(place: np.ndarray, trunks: list[StemAxis], foot: np.ndarray) -> np.ndarray:
+    """Mask (n,) of places (n, 3) in trunks close to the foot (2,) of a post: they would pass for its board."""
+    inside = np.zeros(len(place), bool)
+    for axis in trunks:
+        if np.hypot(*(axis.middle[:2] - foot)) < LIMITS.close:
+            inside |= np.hypot(*(place[:, :2] - axis.plan_at(place[:, 2])).T) < axis.diameter / 2.0 + LIMITS.bark
+    return inside
+
+
+def _with_board(around: HangingParts, boards: list[Board], axis: StemAxis, beside: bool) -> HangingParts:
+    """What hangs on a stem, with the board found before it where its own points show none. A trunk has none; where one
+    stands `beside` it, a face that is shaped like a trunk is that one's."""
     if around.crown and axis.diameter > LIMITS.trunk:
         return replace(around, board=None)
+    if beside and around.board is not None and not well_shaped(around.board):
+        around = replace(around, board=None)
     return around if around.board is not None else replace(around, board=board_on(boards, axis))
 
 
@@ -222,10 +245,15 @@ def _crowd(place: np.ndarray, height: np.ndarray, stem: Stem, axis: StemAxis) ->
 
 def _object(stem: Stem, axis: StemAxis, foot: np.ndarray, around: HangingParts, crowd: float, passes: int,
             corner: np.ndarray, settings: ObjectSettings) -> StreetObject:
+    in_crown = around.crown > 0.0
+    if stem.beside and in_crown and around.board is None and axis.diameter < LIMITS.trunk:
+        around = replace(around, top=stem.high, crown=0.0)  # The crown is that of the trunk beside it.
     kind, confidence, board = kind_of(around, axis.diameter)
     lever = LIMITS.lean * (axis.middle[2] - foot[2])
     sigma = float(np.linalg.norm([np.sqrt(np.mean(axis.sigma**2)), lever, settings.survey_sigma]))
     reason = _doubt(stem, kind, crowd, around.wall)
+    if stem.beside and kind == POLE and in_crown:
+        reason = say("it stands in the crown of a tree")
     if kind == SIGN and board is not None and around.crown:
         # What hangs together with it there is the tree.
         reason = say("it stands in the crown of a tree")
@@ -257,11 +285,13 @@ def _doubt(stem: Stem, kind: str, crowd: float, wall: int) -> str:
     return ""
 
 
-def _without_doubles(found: list[StreetObject]) -> list[StreetObject]:
-    """One object for stems that stand over each other: the one with the most points."""
+def _without_doubles(found: list[StreetObject], beside: list[bool]) -> list[StreetObject]:
+    """One object for stems that stand over each other: the one with the most points. `beside` : of each, whether a gap
+    was seen to a thicker stem."""
     order = sorted(range(len(found)), key=lambda k: -found[k].points)
     single: list[int] = []
     for k in order:
-        if all(np.hypot(*(found[k].foot - found[other].foot)[:2]) > LIMITS.same for other in single):
+        if all(np.hypot(*(found[k].foot - found[other].foot)[:2])
+               > (LIMITS.apart if beside[k] or beside[other] else LIMITS.same) for other in single):
             single.append(k)
     return [found[k] for k in sorted(single)]
