@@ -46,6 +46,7 @@ class FacadePointsLimits:
     low_cell: float = 1.0
     front_key: float = 1 << 40
     margin_below: float = 3.0
+    bucket_bytes: int = 120_000_000  # Points held in memory; more go to the disk.
 
 
 LIMITS = FacadePointsLimits()
@@ -269,7 +270,7 @@ def facade_points(cloud: PointCloud, plans: BuildingPlans, settings: FacadeSetti
     """
     nearest = NearestOutline(plans, LIMITS.front)
     low = LowestPoints()
-    with PointBuckets(RECORD) as buckets:
+    with PointBuckets(RECORD, LIMITS.bucket_bytes) as buckets:
         rows = _collect(cloud, nearest, settings, ground, buckets, low, progress)
         if not rows:
             raise InsufficientDataError(
