@@ -175,7 +175,7 @@ def narrow_street(rows=320, columns=420):
 def alone(monkeypatch):
     """Bars do not vouch for each other."""
     def stop():
-        monkeypatch.setattr(marking_filter, "bars_confidence", lambda _pieces, accepted, *_: accepted * np.float32(0))
+        monkeypatch.setattr(marking_filter, "crossing_bars", lambda _pieces, accepted, *_: accepted & False)
     return stop
 
 

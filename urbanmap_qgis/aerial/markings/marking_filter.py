@@ -36,7 +36,7 @@ from .marking_pieces import (
 )
 from .paint_model import HARD_LIGHT, SOFT_LIGHT, KindOfLight, paint_model
 from .road_model import RoadModel
-from .signs.crossing_bars import BARS_REACH, bars_confidence
+from .signs.crossing_bars import BARS_REACH, CONFIDENCE, crossing_bars, on_smooth_ground
 from .surroundings import REACH
 
 
@@ -193,8 +193,9 @@ def remove_non_markings(found: Candidates, pixel: float, settings: CleanSettings
     if found.roads is None:
         values = (_by_figures(judged, found, pixel, settings, rules, specks, within(wanted, near))
                   if settings.asks_figures else np.where(_alone(judged, pixel, settings), np.float32(0), values))
-        bars = bars_confidence(pieces, judged.accepted, mask.shape[1], pixel, settings.max_width)
-        values = np.where(specks, values, np.maximum(values, bars[pieces.labels]))
+        bars = crossing_bars(pieces, judged.accepted, mask.shape[1], pixel, settings.max_width)
+        bars = on_smooth_ground(pieces, bars, ground, shifted_places(pieces.inside, near, found.core.shape), pixel)
+        values = np.maximum(values, np.where(bars[pieces.labels] & ~specks, np.float32(CONFIDENCE), np.float32(0)))
     good = accepted & (values >= settings.min_confidence)
     evidence = SearchTally(colder=judged.colder, clear=np.count_nonzero(ground.clear[counted]),
                            smooth=np.count_nonzero(ground.smooth[counted]))

@@ -9,9 +9,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 from scipy.spatial import cKDTree
 
+from ..marking_confidence import GroundBeside
 from ..marking_pieces import MarkingPieces, stroke_axes
 
 
@@ -32,6 +34,8 @@ class CrossingBarsLimits:
     unsteady: float = 0.12  # of the step, that others lie off whole steps
     company: int = 2  # others like it that vouch for a bar
     part: float = 0.6  # of the length of others, that a part of a worn bar reaches from beside their middles at most
+    around: float = 5.0  # m round it, in which so much of the clear ground is smooth and grey: not on tiles and grass
+    smooth: float = 0.25
     part_company: int = 3  # others that vouch for it, none off whole steps
 
 
@@ -50,10 +54,23 @@ _PARTS = 64.0
 """Of a pixel, in which middles are told: what is compared does not depend on where an image is cut."""
 
 
-def bars_confidence(pieces: MarkingPieces, accepted: np.ndarray, columns: int, pixel: float, max_width: float
-                    ) -> np.ndarray:
-    """Confidence (m,) float32 of pieces as bars, 0 of those that are none; parameters as of `crossing_bars`."""
-    return np.where(crossing_bars(pieces, accepted, columns, pixel, max_width), np.float32(CONFIDENCE), np.float32(0))
+def on_smooth_ground(pieces: MarkingPieces, found: np.ndarray, ground: GroundBeside, places: np.ndarray, pixel: float
+                     ) -> np.ndarray:
+    """Which of the pieces found (m,) have smooth grey ground among what is clear within 5 m, bool.
+
+    Parameters
+    ----------
+    places : (n,) of the pieces' pixels in the flat image of the ground.
+    pixel : side, m.
+    """
+    if not found.any():
+        return found
+    inside = found[pieces.labels]
+    side = (2 * round(LIMITS.around / pixel) + 1,) * 2
+    smooth, clear = (np.bincount(pieces.labels[inside], cv2.boxFilter(
+        flags, cv2.CV_32F, side, normalize=False, borderType=cv2.BORDER_CONSTANT).take(places[inside]), len(found))
+        for flags in (ground.smooth, ground.clear))
+    return found & (smooth > LIMITS.smooth * clear)
 
 
 def crossing_bars(pieces: MarkingPieces, accepted: np.ndarray, columns: int, pixel: float, max_width: float
