@@ -32,6 +32,7 @@ from urbanmap_qgis.roadmap.objects.street_objects import street_objects  # noqa:
 from urbanmap_qgis.samplecity.scene.world import Scene, make_scene  # noqa: E402
 
 TALL, NEAR, SEEN, AROUND = 2.5, 0.05, 20, 0.25  # m, m, points, m
+CABINET = (0.4, 0.9)  # m, sides of a cabinet
 MATCH = 0.5  # m: what is found farther from anything true is false
 
 
@@ -42,9 +43,10 @@ def scene_of(city: Path) -> Scene:
 
 
 def true_things(scene: Scene) -> dict[str, np.ndarray]:
-    """Rows by kind: posts, trunks and bollards x, y, diameter, height; boards x, y, z of the middle, azimuth, area."""
+    """Rows by kind: posts, trunks and bollards x, y, diameter, height; cabinets x, y, length, height;
+    boards x, y, z of the middle, azimuth, area."""
     trunks = np.array([[tree.x, tree.y, tree.trunk, tree.z + tree.radius_z - tree.z_ground] for tree in scene.trees])
-    posts, bollards, boards = [], [], []
+    posts, bollards, cabinets, boards = [], [], [], []
     for thing in scene.furniture:
         corners = shapely.get_coordinates(shapely.minimum_rotated_rectangle(thing.plan))[:4]
         sides = np.hypot(*(np.roll(corners, -1, axis=0) - corners).T)[:2]
@@ -54,12 +56,14 @@ def true_things(scene: Scene) -> dict[str, np.ndarray]:
         if standing and max(sides) < 0.3 and not (len(trunks) and np.hypot(*(trunks[:, :2] - (x, y)).T).min() < 0.01):
             (posts if thing.z_high - ground > TALL - 1.0 else bollards).append(
                 [x, y, max(sides), thing.z_high - ground])
+        if standing and np.allclose(sorted(sides), CABINET, atol=0.01):
+            cabinets.append([x, y, max(sides), thing.z_high - ground])
         if not standing and min(sides) < 0.05 < 0.25 < max(sides):
             long = (corners[1] - corners[0]) if sides[0] > sides[1] else (corners[2] - corners[1])
             azimuth = np.degrees(np.arctan2(-long[1], long[0])) % 180.0
             boards.append([x, y, (thing.z_low + thing.z_high) / 2, azimuth, max(sides) * (thing.z_high - thing.z_low)])
     return {"post": np.array(posts), "tree": trunks, "bollard": np.array(bollards).reshape(-1, 4),
-            "board": np.array(boards).reshape(-1, 5)}
+            "cabinet": np.array(cabinets).reshape(-1, 4), "board": np.array(boards).reshape(-1, 5)}
 
 
 def shown(rows: np.ndarray, path: cKDTree, width: float, points: np.ndarray, scene: Scene, low: float,
@@ -109,12 +113,13 @@ def main() -> None:
     posts = truth["post"][truth["post"][:, 3] > TALL]
     groups = {"posts over 2.5 m": shown(posts, path, width, points, scene, 0.3, 3.0),
               "trees": shown(truth["tree"], path, width, points, scene, 0.3, 2.5),
-              "bollards": shown(truth["bollard"], path, width, points, scene, 0.2, 1.0)}
+              "bollards": shown(truth["bollard"], path, width, points, scene, 0.2, 1.0),
+              "cabinets": shown(truth["cabinet"], path, width, points, scene, 0.2, 1.4)}
     feet = np.array([thing.foot for thing in found.objects]).reshape(-1, 3)
     sigma = np.array([thing.sigma for thing in found.objects])
     measured = np.array([thing.status == MEASURED for thing in found.objects], bool)
     tree = cKDTree(feet[:, :2]) if len(feet) else None
-    every = np.concatenate([truth[name][:, :2] for name in ("post", "tree", "bollard")])
+    every = np.concatenate([truth[name][:, :2] for name in ("post", "tree", "bollard", "cabinet")])
     for name, rows in groups.items():
         if not len(rows) or tree is None:
             print(f"{name}: {len(rows)} true")
