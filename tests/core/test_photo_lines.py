@@ -34,7 +34,7 @@ def street(tmp_path):
         image = np.where(((y < kerb) & (y > -10.0))[:, None, None], grey, [175.0, 165.0, 150.0])
         image = np.broadcast_to(image, (len(y), len(x), 3)).copy()
         for place in dashes:
-            image[np.ix_(np.abs(y - place) < 0.08, x % 6.0 < 2.5)] += contrast
+            image[np.ix_(np.abs(y - place) < 0.08, x % 6.0 < 2.0)] += contrast
         for first, last in vehicles:
             image[np.ix_((y > kerb - 2.0) & (y < kerb - 0.2), (x > first) & (x < last))] = 235.0
         image += rng.normal(0.0, 3.0, image.shape)

@@ -32,7 +32,7 @@ class WornLinesLimits:
     doubt: float = 0.5  # A width that differs by so much, m, costs one scatter.
     least: float = 1.8  # Scatters of the rows of pixels by which it must stand out.
     painted: float = 0.2  # So much of its length is paint at least: rows of noise have none.
-    solid: float = 0.6  # It is solid where so much of its length is paint.
+    solid: float = 0.5  # It is solid where so much of its length is paint: dashes are shorter than their gaps.
 
 
 LIMITS = WornLinesLimits()
