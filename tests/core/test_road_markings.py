@@ -27,6 +27,7 @@ from urbanmap_qgis.aerial.markings.road_markings import (
     paint_brightness,
 )
 from urbanmap_qgis.aerial.markings.road_model import road_model_of
+from urbanmap_qgis.aerial.markings.signs.crossing_bars import CONFIDENCE
 from urbanmap_qgis.errors import Cancelled, InputError
 from urbanmap_qgis.progress import Progress
 
@@ -182,7 +183,7 @@ def alone(monkeypatch):
 def test_a_crossing_of_a_narrow_street_is_found(alone):
     bands, bars = narrow_street()
     found = search(bands, MarkingSettings())
-    assert found.mask[bars].mean() > 0.8 and np.median(found.confidence[found.mask & bars]) == pytest.approx(0.9)
+    assert found.mask[bars].mean() > 0.8 and np.median(found.confidence[found.mask & bars]) == pytest.approx(CONFIDENCE)
     alone()
     assert search(bands, MarkingSettings()).mask[bars].mean() < 0.3
 
