@@ -8,7 +8,7 @@ import shapely
 from shapely import affinity
 
 from tests.core.test_roadmap_lines import arrow, broad, placed, work_of
-from urbanmap_qgis.roadmap.lines.arrow_places import ArrowSurroundings, before_crosswalks, usual_values
+from urbanmap_qgis.roadmap.lines.arrow_places import ArrowSurroundings, before_crosswalks, crosswalk_ahead, usual_values
 from urbanmap_qgis.roadmap.lines.crosswalks import Crosswalk
 from urbanmap_qgis.roadmap.lines.strokes import all_strokes
 
@@ -74,3 +74,13 @@ def test_a_second_head_that_may_be_worn_away_counts_for_little_where_none_is_pai
     low = placed([shapely.Point(2.5, -30.0)])[0]
     (open_kind,) = [area.kind for area in found if area.polygon.distance(low) < 2.0]
     assert len(found) == 4 and open_kind == kind
+
+
+def test_without_a_line_near_the_crosswalk_of_its_road_tells_a_direction():
+    row = Crosswalk(shapely.box(10, -3, 13, 3), (), 0.9, 7, np.array([1.0, 0.0]), 1.0)
+    assert crosswalk_ahead(np.zeros(2), [row]) is row.direction
+    assert all(crosswalk_ahead(np.array(place), [row]) is None for place in ([0.0, 5.0], [-40.0, 0.0]))
+    worn = shapely.get_parts(arrow("straight").difference(shapely.union_all([
+        shapely.box(1.0, -1, 1.5, 1), shapely.box(2.3, -1, 2.8, 1)])))
+    lines, paint = street(0.0, 10.7, *worn)[:2], street(0.0, 10.7, *worn)[2:]
+    assert len(arrows_of(paint)) == len(arrows_of([*lines, *paint])) == 1 and not arrows_of(list(worn))

@@ -94,6 +94,17 @@ def before_crosswalks(tails: np.ndarray, courses: np.ndarray, crosswalks: Sequen
     return nearest
 
 
+def crosswalk_ahead(place: np.ndarray, crosswalks: Sequence[Crosswalk]) -> np.ndarray | None:
+    """Direction (2,) of the bars of the nearest crosswalk ahead of or behind a place (2,), None without one."""
+    best, nearest = None, LIMITS.before
+    for row in crosswalks:
+        along = shapely.LineString([place - nearest * row.direction, place + nearest * row.direction])
+        apart = row.area.distance(shapely.Point(place))
+        if apart < nearest and along.intersects(row.area):
+            best, nearest = row.direction, apart
+    return best
+
+
 def usual_values(values: np.ndarray, same: float, fewest: int) -> list[float]:
     """The values (n,) that at least `fewest` of them share to `same`, the most usual one first."""
     left, usual = np.sort(values), []

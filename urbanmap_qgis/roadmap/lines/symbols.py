@@ -10,7 +10,7 @@ import shapely
 from scipy.spatial import cKDTree
 from shapely import affinity
 
-from .arrow_places import ArrowSurroundings, before_crosswalks, usual_values
+from .arrow_places import ArrowSurroundings, before_crosswalks, crosswalk_ahead, usual_values
 from .crosswalks import Crosswalk
 from .strokes import Stroke
 from .symbol_patterns import CELL, COLUMNS, HALF, MORE, ROWS, PatternMatch, matches
@@ -144,7 +144,7 @@ def find_symbols(polygons: Sequence[shapely.Polygon], strokes: Sequence[Stroke],
     places = [*heads, *_pieces(shapes[free], heads), *_diamonds(shapes[free])]
     free = np.concatenate([free, _shafts(shapes, sorted(bars - taken), places)])
     about = ArrowSurroundings(strokes, shapes[sorted(taken)])
-    search, direction_near = _Search(shapes, free, about), _direction_of(strokes)
+    search, direction_near = _Search(shapes, free, about), _direction_of(strokes, crosswalks)
     courses = [direction_near(place) for place, _ in places]
     found = [search.at(place, course, wanted) for (place, wanted), course in zip(places, courses) if course is not None]
     found = [symbol for symbol in found if symbol is not None]
@@ -319,15 +319,17 @@ def _diamonds(shapes: np.ndarray) -> list[tuple[np.ndarray, str]]:
     return diamonds
 
 
-def _direction_of(strokes: Sequence[Stroke]) -> Callable[[np.ndarray], np.ndarray | None]:
-    """Function of a place: direction of the nearest long, narrow and straight stroke, or None where none is near."""
+def _direction_of(strokes: Sequence[Stroke],
+                  crosswalks: Sequence[Crosswalk]) -> Callable[[np.ndarray], np.ndarray | None]:
+    """Function of a place: direction of the nearest long, narrow and straight stroke, else of its road's crosswalk;
+    None where neither is near."""
     long = [stroke for stroke in strokes if stroke.length >= 2.5 and stroke.width <= 0.3 and
             (len(stroke.axis) == 2 or stroke.length >= 5.0)]
     tree = shapely.STRtree([shapely.LineString(stroke.axis) for stroke in long])
 
     def direction(place: np.ndarray) -> np.ndarray | None:
         near = tree.query_nearest(shapely.Point(place), max_distance=LIMITS.road) if long else []
-        return long[near[0]].direction if len(near) else None
+        return long[near[0]].direction if len(near) else crosswalk_ahead(place, crosswalks)
 
     return direction
 
