@@ -31,7 +31,8 @@ NOT_FOUND = "404.html"  # a page for servers
 WINDOWS, PHOTOGRAPHS = (16, 900), (18, 720)
 ICON_STYLES_FILES = ("brands.min.css", "fontawesome.min.css", "solid.min.css", "v4-font-face.min.css")
 ICON_STYLES = re.compile(r'<link href="[^"]*css/(?:brands|fontawesome|solid|v4-font-face)\.min\.css" rel="stylesheet">')
-FOR_PROGRAMMERS = ("architecture", "developer", "testing")  # pages
+FOR_PROGRAMMERS = ("architecture", "developer", "testing", "mobile_figures", "roadmap_figures")
+# pages about the code, and those of figures alone
 TO_PROGRAMMERS = (r'<a [^>]*href="(?:\.\./)*(?:api/[^"]*|(?:' + "|".join(FOR_PROGRAMMERS)
                   + r')\.html[^"]*)"[^>]*>(.*?)</a>')
 LINK = re.compile(TO_PROGRAMMERS, re.DOTALL)
