@@ -1248,6 +1248,14 @@
         <translation>位置合わせに使う地物。automatic：標示、建物が指定されていれば壁面も。paint：標示だけ。walls：標示は初期値だけに使う。all：両方。建物がなければ、壁面は補正によって折れる場所だけを示します。(automatic, paint, walls, all)</translation>
     </message>
     <message>
+        <source>Airborne laser points</source>
+        <translation>航空レーザ点群</translation>
+    </message>
+    <message>
+        <source>Instead of buildings: walls stand where these points step from roof to ground beside facades that the survey saw. In the height system of the survey.</source>
+        <translation>建物の代わりに使います。計測に写った建物正面のそばで、この点群が屋根から地面へ段差をなす位置を壁とします。高さの基準は計測と同じものにします。</translation>
+    </message>
+    <message>
         <source>Accuracy of control in plan</source>
         <translation>基準点の水平精度</translation>
     </message>
@@ -1662,14 +1670,6 @@
     <message>
         <source>Where the vehicle was: CSV time,x,y,z,roll,pitch,heading (GPS seconds, metres, degrees; with sd_roll,sd_pitch,sd_heading where their accuracy is known), Applanix SBET (with its smrmsg file beside it), or a point layer with these fields.</source>
         <translation>車両の位置です。CSV time,x,y,z,roll,pitch,heading（GPS秒、m、度。精度が分かる場合はsd_roll,sd_pitch,sd_headingも）、Applanix SBET（smrmsgファイルを同じ場所に置く）、またはこれらのフィールドを持つ点レイヤを指定します。</translation>
-    </message>
-    <message>
-        <source>Airborne laser points</source>
-        <translation>航空レーザ点群</translation>
-    </message>
-    <message>
-        <source>Instead of buildings: walls stand where these points step from roof to ground beside facades that the survey saw. In the height system of the survey.</source>
-        <translation>建物の代わりに使います。計測に写った建物正面のそばで、この点群が屋根から地面へ段差をなす位置を壁とします。高さの基準は計測と同じものにします。</translation>
     </message>
     <message>
         <source>Kerbs or road edges</source>
@@ -5246,6 +5246,10 @@
     <message>
         <source>Lines of kerbs, road borders or rails, in the CRS of the lines: they are bounds of lanes too.</source>
         <translation>縁石、道路境界またはガードレールの線。座標参照系は路面標示の線と同じとします。これらも車線の境界となります。</translation>
+    </message>
+    <message>
+        <source>Image of the place with pixels of 0.15 m or finer, in the CRS of the lines: edges of the road that its surface shows become bounds where no kerb was measured, faint lines are looked for where the width of the lanes asks for one, and lines beyond the edge of the road are left out. Findings tell each.</source>
+        <translation>区画線と同じ座標参照系の、画素が0.15 m以下のその場所の画像。縁石が計測されていない所では路面の端を車線の境界とし、車線幅から線があるはずの所で薄れた線を探し、道路の端より外の線を除きます。それぞれを指摘で示します。</translation>
     </message>
     <message>
         <source>Corrected trajectories of drives in the CRS of the lines: they show directions and ways through junctions.</source>
@@ -13328,6 +13332,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>車線幅の帯（幅{width:.1f} m、長さ{end:.0f} m）に、走行も矢印も隣接車線との車線境界線もないため、車線を作成しませんでした。</translation>
     </message>
     <message>
+        <source>This lane is {width:.1f} m wide between its line and the edge of the road: it may be two, or have room to stop beside it.</source>
+        <translation>この車線は線と道路端の間の幅が{width:.1f} mです。2車線か、横に停車する余地があるかもしれません。</translation>
+    </message>
+    <message>
         <source>road axis</source>
         <translation>道路中心線</translation>
     </message>
@@ -13478,6 +13486,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>its stem is seen in parts</source>
         <translation>柱・幹が部分的にしか見えない</translation>
+    </message>
+    <message>
+        <source>A line nearly worn away, taken from faint paint where the width of the lanes asks for one: look at it.</source>
+        <translation>ほとんど消えた線です。車線幅から線があるはずの所の薄い標示から得ました。確認してください。</translation>
+    </message>
+    <message>
+        <source>The edge of the road is the border of its surface in the orthophoto, not a kerb that was measured (sigma {sigma:.2f} m).</source>
+        <translation>この道路端はオルソ画像での路面の境で、計測した縁石ではありません（標準偏差{sigma:.2f} m）。</translation>
     </message>
     <message>
         <source>No trajectory was given: only arrows and stop lines tell directions, and ways through junctions are inferred.</source>
