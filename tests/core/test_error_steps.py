@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.mobile.registration.correction.disagreements import NodeStep
-from urbanmap_qgis.mobile.registration.correction.error_steps import short_gaps, window_steps
+from urbanmap_qgis.mobile.registration.correction.error_steps import LIMITS, UnseenSteps, short_gaps, window_steps
 from urbanmap_qgis.mobile.registration.correction.patch_status import contradicted, opposing_spread
 from urbanmap_qgis.mobile.registration.start.fast_drift import fast_drift_rate
 from urbanmap_qgis.mobile.trajectory import Trajectory
@@ -111,3 +111,26 @@ def test_a_short_gap_holds_what_the_correction_changes_in_it_but_for_the_wanderi
     assert short_gaps(chain, fit, [(40.0, 52.0, known)], at)[1].max() < 1e-5
     likely = NodeStep(22, np.array([0.2, 0.0]), 0.06**2 * np.eye(2), (0.2 / 0.06) ** 2)
     assert 0.05 < np.sqrt(short_gaps(chain, fit, [(40.0, 52.0, likely)], at)[1].max()) < 0.15
+
+
+def test_unseen_steps_count_for_their_surroundings_and_not_for_all_of_a_long_drive():
+    place = np.arange(0.0, 8000.0, 4.0)
+    chance = np.full(len(place), 0.01)
+    expected = np.broadcast_to(np.diag([0.02, 0.01]), (len(place), 2, 2))
+    at = np.array([100.0, 2000.0, 6000.0])
+    found = UnseenSteps(place, chance, expected).variance(at)
+    for here, variance in zip(at, found):
+        near = (place >= here - LIMITS.between_changes) & (place < here + LIMITS.between_changes)
+        share = chance[near].sum() / (1.0 + chance[near].sum())
+        assert np.allclose(variance, share * expected[0], atol=1e-9)
+    alone = UnseenSteps(place[:250], chance[:250], expected[:250]).variance(at[:1])
+    assert found[0, 0, 0] < 1.3 * alone[0, 0, 0]
+    sure = np.where(place == 1000.0, 1e6, chance)
+    beside, far = UnseenSteps(place, sure, expected).variance(np.array([900.0, 4000.0]))
+    assert beside[0, 0] == pytest.approx(0.02, rel=1e-4) and np.allclose(far, found[1])
+
+
+def test_without_places_of_unseen_steps_nothing_is_added():
+    none = UnseenSteps(np.zeros(0), np.zeros(0), np.zeros((0, 2, 2)))
+    response = np.broadcast_to(np.eye(2), (3, 2, 2))
+    assert not none.followed(response, np.array([0.0, 10.0, 900.0])).any()

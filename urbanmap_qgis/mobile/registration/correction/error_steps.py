@@ -71,6 +71,7 @@ class UnseenStepLimits:
     side: float = 30.0  # m of path with evidence that a side has at least
     detectable: float = 4.5  # standard deviations from which a step is told
     certain: float = 100.0  # log-likelihood beyond which a step is certain
+    sure: float = 1e6  # times as likely as none, which is as good as more
     either: float = 0.5  # of a step's variance, for each of its sides: one of the two is off by all of it
     longest: float = 20.0  # m of path parameter without markings: a re-fix takes as much, and shows at an end
 
@@ -80,21 +81,34 @@ LIMITS = UnseenStepLimits()
 
 @dataclass(frozen=True)
 class UnseenSteps:
-    """What a step of the reference that nothing shows would do.
+    """What steps of the reference that nothing shows would do.
 
     Attributes
     ----------
-    variance : (2, 2) m2, that it adds in plan to a place that the markings alone hold.
+    place : (k,) path parameters at which there may be one, ascending.
+    chance : (k,) how many times as likely one is there as none, `sure` at most.
+    expected : (k, 2, 2) m2, what each adds in plan to a place that the markings alone hold.
     median, largest : m, the size from which a step is told, along the path; NaN where no two sides are seen.
     """
 
-    variance: np.ndarray
+    place: np.ndarray
+    chance: np.ndarray
+    expected: np.ndarray
     median: float = np.nan
     largest: float = np.nan
 
-    def followed(self, response: np.ndarray) -> np.ndarray:
-        """(n, 2, 2) m2, that it adds where the place follows the markings by `response` (n, 2, 2)."""
-        return np.einsum("nij,jk,nlk->nil", response, self.variance, response)
+    def variance(self, at: np.ndarray) -> np.ndarray:
+        """(n, 2, 2) m2, that they add in plan at path parameters (n,): beyond the next changes of the reference
+        another frame holds the place."""
+        ends = [np.searchsorted(self.place, at + reach) for reach in (-LIMITS.between_changes, LIMITS.between_changes)]
+        chance, expected = (np.concatenate([np.zeros((1, *one.shape[1:])), np.cumsum(one, axis=0)]) for one in
+                            (self.chance, self.chance[:, None, None] * self.expected))
+        near = [one[ends[1]] - one[ends[0]] for one in (chance, expected)]
+        return near[1] / (1.0 + near[0])[:, None, None]
+
+    def followed(self, response: np.ndarray, at: np.ndarray) -> np.ndarray:
+        """(n, 2, 2) m2, that they add at path parameters (n,), which follow the markings by `response` (n, 2, 2)."""
+        return np.einsum("nij,njk,nlk->nil", response, self.variance(at), response)
 
 
 def unseen_steps(chain: NodeChain, model: PoseErrorModel, fit: Fit, known: Sequence[NodeStep]) -> UnseenSteps:
@@ -107,13 +121,12 @@ def unseen_steps(chain: NodeChain, model: PoseErrorModel, fit: Fit, known: Seque
         and seen[0] + LIMITS.side <= chain.nodes[step.node] <= seen[-1] - LIMITS.side
         and all(abs(chain.nodes[step.node] - chain.nodes[other.node]) >= LIMITS.side for other in known)]
     if not tests:
-        return UnseenSteps(np.zeros((2, 2)))
-    chance = np.array([_times_as_likely(step) * (chain.nodes[step.node + 1] - chain.nodes[step.node])
+        return UnseenSteps(np.zeros(0), np.zeros(0), np.zeros((0, 2, 2)))
+    chance = np.array([min(_times_as_likely(step), LIMITS.sure) * (chain.nodes[step.node + 1] - chain.nodes[step.node])
                        for step in tests]) / LIMITS.between_changes
-    chance /= 1.0 + chance.sum()
     detectable = LIMITS.detectable * np.sqrt([np.linalg.eigvalsh(step.covariance)[-1] for step in tests])
-    return UnseenSteps(sum(share * _expected(step) for share, step in zip(chance, tests)), float(np.median(detectable)),
-                       float(detectable.max()))
+    place, expected = chain.nodes[[step.node for step in tests]], np.array([_expected(step) for step in tests])
+    return UnseenSteps(place, chance, expected, float(np.median(detectable)), float(detectable.max()))
 
 
 def short_gaps(chain: NodeChain, fit: Fit, hidden: Sequence[tuple[float, float, NodeStep]],

@@ -230,7 +230,7 @@ def correction_at_patches(windows: WindowResults, found: Disagreements, at_patch
     covariance[:, :2, :2] += variance + either
     # whether markings fix a place does not hang on how far the reference may be off
     relative = plan_sigma(covariance[:, :2, :2] - np.diag(floor[:2]))
-    by_unseen = unseen.followed(chain.shift_response(model, fit.weight / fit.noise_factor, at_patches))
+    by_unseen = unseen.followed(chain.shift_response(model, fit.weight / fit.noise_factor, at_patches), at_patches)
     covariance[:, :2, :2] += by_unseen
     support = np.where(chain.fast_near(at_patches, LIMITS.on_step), LIMITS.step_support, settings.support_length)
     by_paint = own_information(normals, fit.weight / fit.noise_factor, at_patches, support)
