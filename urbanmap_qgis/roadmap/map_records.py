@@ -34,6 +34,8 @@ class MapLine:
     identifier : of the bound that it was in an earlier map, or -1.
     confidence : share of the paint that should be there and is seen, 0 to 1.
     sigmas : at the points (n,), m; empty where only `sigma` is known.
+    double : it is the middle of a double line.
+    joints : places (x, y) at which bounds of the earlier map begin and end in it.
     """
 
     points: np.ndarray
@@ -46,6 +48,8 @@ class MapLine:
     identifier: int = -1
     confidence: float = 1.0
     sigmas: tuple[float, ...] = ()
+    double: bool = False
+    joints: tuple[tuple[float, float], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -280,7 +284,8 @@ def lines_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[str
                                  float(value("sigma", row, np.nan)), chain, int(value("partner", row, -1)),
                                  _bound_id(value("bound_id", row, -1)) if kind_field is not None else -1,
                                  float(value("confidence", row, 1.0)),
-                                 _numbers(value("sigmas", row, ""), len(points))))
+                                 _numbers(value("sigmas", row, ""), len(points)),
+                                 kind_field is not None and value("double", row, False) in (True, 1)))
     return lines
 
 

@@ -10,6 +10,7 @@ import shapely
 from ..progress import SILENT, Progress
 from ..wording import say
 from .bound_sigmas import fill_heights_and_sigmas
+from .given_bounds import rejoined
 from .lanes.intersections import add_intersections
 from .lanes.junctions import connect_by_drives
 from .lanes.lane_assembly import add_section
@@ -36,6 +37,7 @@ def build_vector_map(lines: Sequence[MapLine], areas: Sequence[MapArea] = (), dr
     with its place.
     """
     settings = settings or MapSettings()
+    lines = rejoined(lines)
     built = VectorMap()
     stops = [line.points for line in lines if line.kind == "stop line"]
     crosswalks = crosswalks_of(lines, areas)

@@ -101,7 +101,7 @@ def lane_strips(section: RoadSection, stops: Sequence[np.ndarray], settings: Map
         return []
     start, end = min(track.start for track in tracks), max(track.end for track in tracks)
     at = np.arange(np.floor(start / STEP), np.ceil(end / STEP) + 1) * STEP
-    offset = np.array([track.interpolate(at) for track in tracks])
+    offset = np.array([_given_offsets(track, at) for track in tracks])
     pairs = _adjacent(offset, tracks, settings)
     runs = [(pair, at[span[0]], at[span[1] - 1]) for pair, mask in pairs.items() for span in _spans(mask)
             if (span[1] - span[0]) * STEP >= settings.min_length]
@@ -120,6 +120,21 @@ def lane_strips(section: RoadSection, stops: Sequence[np.ndarray], settings: Map
             strips.append(Strip(pair[0], pair[1], float(first), float(last), float(wide.mean()), float(wide.min()),
                                 wide=float(wide.mean()) > settings.max_width))
     return strips
+
+
+def _given_offsets(track: BoundTrack, at: np.ndarray) -> np.ndarray:
+    """Offsets of a track at chainages (n,); NaN beyond its ends and where it is unseen between or beyond bounds of an
+    earlier map, which were drawn as far as they go."""
+    offset = track.interpolate(at)
+    seen = [piece for piece in track.pieces if piece[2] is not None]
+    for start, end, line in track.pieces:
+        if line is None and end - start > STEP:
+            before, behind = ([piece[2] for piece in seen if beyond(piece)] for beyond in (
+                lambda piece, start=start: piece[1] <= start, lambda piece, end=end: piece[0] >= end))
+            beside = [*before[-1:], *behind[:1]]
+            if beside and all(one.identifier >= 0 for one in beside):
+                offset[(at > start) & (at < end)] = np.nan
+    return offset
 
 
 def _adjacent(offset: np.ndarray, tracks: Sequence[BoundTrack],
@@ -177,6 +192,8 @@ def _cuts(runs, section: RoadSection, stops: Sequence[np.ndarray], settings: Map
     groups = [np.split(edges, np.flatnonzero(np.diff(edges) > SNAP) + 1) for edges in (begins, ends)]
     cuts = _without_near([float(np.median(group)) for side in groups for group in side], settings.min_length)
     cuts[0], cuts[-1] = _outer(runs, groups[0][0], 1), _outer(runs, groups[1][-1], 2)
+    joints = _joints([section.tracks[k] for k in sorted(used)], section, settings.min_length)
+    cuts = sorted([cut for cut in cuts if all(abs(cut - joint) >= settings.min_length for joint in joints)] + joints)
     at_stops = [float(section.axis.chainage(stop[:, :2]).mean()) for stop in stops]
     for stop in at_stops:
         near = int(np.argmin(np.abs(np.array(cuts) - stop)))
@@ -187,7 +204,17 @@ def _cuts(runs, section: RoadSection, stops: Sequence[np.ndarray], settings: Map
     for change in sorted(changes):
         if all(abs(change - cut) > settings.min_length for cut in cuts) and low < change < high:
             cuts.append(change)
-    return _spaced(np.unique(cuts), settings.min_length)
+    # A short lane of the earlier map stays one where an edit makes it a little shorter.
+    return _spaced(np.unique(cuts), settings.min_length / (2.0 if joints else 1.0))
+
+
+def _joints(tracks: Sequence[BoundTrack], section: RoadSection, least: float) -> list[float]:
+    """Chainages at which bounds of an earlier map end, those nearer than half of `least` to the next as one."""
+    places = [place for track in tracks for *_, line in track.pieces if line is not None for place in line.joints]
+    if not places:
+        return []
+    at = np.sort(section.axis.chainage(np.array(places)))
+    return [float(np.median(group)) for group in np.split(at, np.flatnonzero(np.diff(at) > least / 2.0) + 1)]
 
 
 def _spaced(cuts: np.ndarray, least: float) -> np.ndarray:

@@ -256,7 +256,7 @@ def _track(chain: Sequence[MapLine], axis: Axis) -> BoundTrack | None:
     ahead = np.concatenate([[True], chainage[1:] > np.maximum.accumulate(chainage)[:-1] + 1e-4])
     if ahead.sum() < 2:
         return None
-    return BoundTrack(stacked[ahead], chainage[ahead], offset[ahead], pieces)
+    return BoundTrack(stacked[ahead], chainage[ahead], offset[ahead], pieces, any(line.double for line in chain))
 
 
 def _dense(points: np.ndarray) -> np.ndarray:
@@ -291,7 +291,7 @@ def _with_ends(track: BoundTrack, other: BoundTrack) -> BoundTrack:
     pieces += [(max(start, track.end), end, line) for start, end, line in other.pieces if end > track.end]
     return BoundTrack(np.vstack([one.points[rows] for one, rows in parts]),
                       np.concatenate([one.chainage[rows] for one, rows in parts]),
-                      np.concatenate([one.offset[rows] for one, rows in parts]), pieces)
+                      np.concatenate([one.offset[rows] for one, rows in parts]), pieces, track.double or other.double)
 
 
 def _joined(tracks: list[BoundTrack], barriers: Sequence[shapely.Geometry], settings: MapSettings) -> list[BoundTrack]:
@@ -332,7 +332,8 @@ def _concatenated(one: BoundTrack, other: BoundTrack) -> BoundTrack:
     keep = other.chainage > one.end + 1e-4
     unseen = [(one.end, other.start, None)] if other.start - one.end > 0.5 else []
     return BoundTrack(np.vstack([one.points, other.points[keep]]), np.concatenate([one.chainage, other.chainage[keep]]),
-                 np.concatenate([one.offset, other.offset[keep]]), [*one.pieces, *unseen, *other.pieces])
+                 np.concatenate([one.offset, other.offset[keep]]), [*one.pieces, *unseen, *other.pieces],
+                 one.double or other.double)
 
 
 def _without_doubles(tracks: list[BoundTrack]) -> list[BoundTrack]:

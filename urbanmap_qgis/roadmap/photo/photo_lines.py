@@ -11,6 +11,7 @@ from scipy.ndimage import uniform_filter1d
 
 from ...progress import SILENT, Progress
 from ...wording import say
+from ..given_bounds import rejoined
 from ..lanes.lane_strips import lane_strips
 from ..lanes.road_sections import BoundTrack, RoadSection
 from ..lanes.section_preparation import prepared_sections
@@ -68,7 +69,7 @@ def lines_with_photo(lines: Sequence[MapLine], areas: Sequence[MapArea], image: 
     Edges are "road border" lines where the surface between the lines ends; worn lines have as confidence the share of
     their length that shows paint.
     """
-    sections = prepared_sections(lines, areas, settings)
+    sections = prepared_sections(rejoined(lines), areas, settings)
     looked = [one for section, _ in sections for one in _looked_at(section, image)]
     if not looked:
         return list(lines), []
@@ -199,7 +200,8 @@ def _off_road(one: _Looked, like: np.ndarray, edges: Sequence[PhotoEdge]) -> lis
                 continue
             beyond = edge.side * (place[rows] - edge.offset[rows]) > LIMITS.same
             if beyond.mean() > LIMITS.off_road and np.mean(_around(one, track, like)[rows]) < 0:
-                found += [line for *_, line in track.pieces if line is not None]
+                # What is a bound of an earlier map was looked at before, and by the user.
+                found += [line for *_, line in track.pieces if line is not None and line.identifier < 0]
     return found
 
 
