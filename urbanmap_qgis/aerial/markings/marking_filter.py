@@ -36,7 +36,8 @@ from .marking_pieces import (
 )
 from .paint_model import HARD_LIGHT, SOFT_LIGHT, KindOfLight, paint_model
 from .road_model import RoadModel
-from .signs.crossing_bars import BARS_REACH, CONFIDENCE, crossing_bars, on_smooth_ground
+from .signs.crossing_bars import crossing_bars, on_smooth_ground
+from .signs.strokes_in_company import STROKES_REACH, vouched_confidence
 from .surroundings import REACH
 
 
@@ -125,7 +126,7 @@ class CleanSettings:
     @property
     def piece_reach(self) -> float:
         """How far, m, from a pixel its piece and what is company to it or vouches for it reach."""
-        return max(self.max_length + self.wear_gap, self.company_reach + ALONG_REACH, BARS_REACH)
+        return max(self.max_length + self.wear_gap, self.company_reach + ALONG_REACH, STROKES_REACH)
 
 
 @dataclass(frozen=True)
@@ -195,7 +196,9 @@ def remove_non_markings(found: Candidates, pixel: float, settings: CleanSettings
                   if settings.asks_figures else np.where(_alone(judged, pixel, settings), np.float32(0), values))
         bars = crossing_bars(pieces, judged.accepted, mask.shape[1], pixel, settings.max_width)
         bars = on_smooth_ground(pieces, bars, ground, shifted_places(pieces.inside, near, found.core.shape), pixel)
-        values = np.maximum(values, np.where(bars[pieces.labels] & ~specks, np.float32(CONFIDENCE), np.float32(0)))
+        vouched = vouched_confidence(pieces, judged.accepted, bars, rules if settings.learned is None else None,
+                                     mask.shape[1], pixel)
+        values = np.maximum(values, np.where(specks, np.float32(0), vouched[pieces.labels]))
     good = accepted & (values >= settings.min_confidence)
     evidence = SearchTally(colder=judged.colder, clear=np.count_nonzero(ground.clear[counted]),
                            smooth=np.count_nonzero(ground.smooth[counted]))

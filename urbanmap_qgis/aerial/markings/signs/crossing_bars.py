@@ -51,7 +51,7 @@ _FARTHEST = math.hypot(LIMITS.reach, LIMITS.part * LIMITS.longest)
 BARS_REACH = LIMITS.longest + _FARTHEST
 """m from a piece's pixel to the far end of one that vouches for it."""
 
-_PARTS = 64.0
+PARTS = 64.0
 """Of a pixel, in which middles are told: what is compared does not depend on where an image is cut."""
 
 
@@ -87,7 +87,7 @@ def crossing_bars(pieces: MarkingPieces, accepted: np.ndarray, columns: int, pix
     bars = (length > LIMITS.shortest) & (length > LIMITS.slender * width)
     found = np.zeros(len(asked), bool)
     if np.count_nonzero(bars) > LIMITS.company:
-        middles = np.rint(axes.middle[narrow] * _PARTS) / _PARTS * pixel
+        middles = np.rint(axes.middle[narrow] * PARTS) / PARTS * pixel
         found[narrow] = _vouched(middles, axes.direction[narrow], length, width, bars)
     return found
 

@@ -1,0 +1,121 @@
+"""Strokes that others vouch for: a solid one across the road before the bars of a crossing, and those in line with sure
+ones.
+
+Round a stop line and round lines of narrow streets little ground is to be seen by which paint is told.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from ..marking_pieces import MarkingPieces, stroke_axes
+from .crossing_bars import BARS_REACH, CONFIDENCE, PARTS
+
+
+@dataclass(frozen=True)
+class StrokesInCompanyLimits:
+    """Limits of strokes, each with its unit."""
+
+    shortest: float = 1.8  # m
+    longest: float = 8.0  # m, diagonal of the box of a piece
+    slender: tuple[float, float] = (3.0, 4.0)  # times its width that one is long: before bars, and in line
+    widest: tuple[float, float] = (0.8, 0.45)  # m, the same
+    before: float = 6.0  # m from the middle of one to those of bars
+    square: float = 0.12  # cosine between one and bars
+    beyond: float = 0.5  # m, that bars' middles lie beyond its ends at most
+    bars: int = 3  # that vouch for one
+    sure: float = 0.5  # confidence by the ground beside of one that vouches for others in line
+    following: float = 14.0  # m between the middles of those in line
+    straight: float = 0.995  # cosine between them
+    sideways: float = 0.25  # m, that the middle of one lies off the axis of the other
+
+
+LIMITS = StrokesInCompanyLimits()
+
+IN_LINE = 0.5
+"""Confidence of a stroke in line with a sure one: it stays, and is asked of the user as others in doubt are."""
+
+STROKES_REACH = max(LIMITS.before + BARS_REACH + LIMITS.longest / 2, LIMITS.following + LIMITS.longest)
+"""m from a stroke's pixel to the far end of one that vouches for it, or for a bar that does."""
+
+
+@dataclass(frozen=True)
+class Strokes:
+    """Straight pieces.
+
+    Attributes
+    ----------
+    middle : (n, 2) row and column, m.
+    direction : (n, 2) of length 1.
+    length, width : (n,) m.
+    """
+
+    middle: np.ndarray
+    direction: np.ndarray
+    length: np.ndarray
+    width: np.ndarray
+
+    def slender(self, kind: int) -> np.ndarray:
+        """Which are slender enough, bool (n,), as a stroke before bars (0) or in line (1)."""
+        slender = (self.length > LIMITS.shortest) & (self.length > LIMITS.slender[kind] * self.width)
+        return slender & (self.width < LIMITS.widest[kind])
+
+
+def vouched_confidence(pieces: MarkingPieces, accepted: np.ndarray, bars: np.ndarray, rules: np.ndarray | None,
+                       columns: int, pixel: float) -> np.ndarray:
+    """Confidence (m,) of the accepted pieces that others vouch for, float32, 0 of others.
+
+    Parameters
+    ----------
+    bars : (m,) bool, pieces that are bars of a crossing.
+    rules : (n,) confidence of the pieces' pixels by the ground beside, that of their piece; None: no stroke vouches for
+        those in line with it.
+    columns : of the image.
+    pixel : side, m.
+    """
+    asked = accepted & (pieces.length < LIMITS.longest)
+    inside = asked[pieces.labels]
+    axes = stroke_axes(pieces.labels[inside], *np.divmod(pieces.inside[inside], columns), pieces.size)
+    strokes = Strokes(np.rint(axes.middle * PARTS) / PARTS * pixel, axes.direction,
+                      pixel * np.sqrt(12 * axes.along + 1), pixel * np.sqrt(12 * axes.across + 1))
+    vouched = np.where(bars | _before_bars(strokes, asked & strokes.slender(0), bars), np.float32(CONFIDENCE), 0)
+    if rules is None:
+        return vouched
+    sure, in_line = np.zeros(len(asked), bool), asked & strokes.slender(1)
+    sure[pieces.labels] = rules >= LIMITS.sure
+    following = _in_line(strokes, in_line, in_line & sure)
+    return np.maximum(vouched, np.where(following, np.float32(IN_LINE), 0))
+
+
+def _before_bars(strokes: Strokes, asked: np.ndarray, bars: np.ndarray) -> np.ndarray:
+    """Which of those asked for (m,) lie across and before enough bars, bool."""
+    one, other = _pairs(strokes, asked, bars, LIMITS.before)
+    direction = strokes.direction[one]
+    square = np.abs((strokes.direction[other] * direction).sum(axis=1)) < LIMITS.square
+    along = np.abs(((strokes.middle[other] - strokes.middle[one]) * direction).sum(axis=1))
+    beside = square & (along < strokes.length[one] / 2 + LIMITS.beyond)
+    return np.bincount(one[beside], minlength=len(asked)) >= LIMITS.bars
+
+
+def _in_line(strokes: Strokes, asked: np.ndarray, sure: np.ndarray) -> np.ndarray:
+    """Which of those asked for (m,) lie in line with a sure one, bool."""
+    one, other = _pairs(strokes, asked, sure, LIMITS.following)
+    between = strokes.middle[other] - strokes.middle[one]
+    good = one != other
+    good &= np.abs((strokes.direction[other] * strokes.direction[one]).sum(axis=1)) > LIMITS.straight
+    for axis in strokes.direction[one], strokes.direction[other]:
+        good &= np.abs(between[:, 0] * axis[:, 1] - between[:, 1] * axis[:, 0]) < LIMITS.sideways
+    return np.bincount(one[good], minlength=len(asked)) > 0
+
+
+def _pairs(strokes: Strokes, asked: np.ndarray, others: np.ndarray, reach: float) -> tuple[np.ndarray, np.ndarray]:
+    """Numbers (k,) of those asked for and of others within a reach, m, of their middles."""
+    asked, others = np.flatnonzero(asked), np.flatnonzero(others)
+    if not len(asked) or not len(others):
+        return asked[:0], others[:0]
+    trees = [cKDTree(strokes.middle[these]) for these in (asked, others)]
+    near = trees[0].sparse_distance_matrix(trees[1], reach, output_type="ndarray")
+    return asked[near["i"]], others[near["j"]]
