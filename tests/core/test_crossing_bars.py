@@ -9,6 +9,7 @@ import pytest
 from urbanmap_qgis.aerial.markings.marking_filter import CleanSettings
 from urbanmap_qgis.aerial.markings.marking_pieces import marking_pieces_of
 from urbanmap_qgis.aerial.markings.signs.crossing_bars import BARS_REACH, crossing_bars
+from urbanmap_qgis.aerial.markings.signs.strokes import strokes_of
 
 PIXEL = 0.12
 
@@ -25,7 +26,7 @@ def drawn(places, length=4.0, width=0.45, turn=0.0, side=300):
     pieces = marking_pieces_of(flags > 0, flags, PIXEL, 12.0)
     accepted = pieces.size > 0
     accepted[0] = False
-    found = crossing_bars(pieces, accepted, side, PIXEL, 0.8)
+    found = crossing_bars(strokes_of(pieces, accepted, side, PIXEL), 0.8)
     return int(found.sum()), int(accepted.sum())
 
 

@@ -9,6 +9,7 @@ import pytest
 from urbanmap_qgis.aerial.markings.marking_filter import CleanSettings
 from urbanmap_qgis.aerial.markings.marking_pieces import marking_pieces_of
 from urbanmap_qgis.aerial.markings.signs.crossing_bars import CONFIDENCE
+from urbanmap_qgis.aerial.markings.signs.strokes import strokes_of
 from urbanmap_qgis.aerial.markings.signs.strokes_in_company import IN_LINE, STROKES_REACH, vouched_confidence
 
 PIXEL = 0.12
@@ -34,7 +35,8 @@ def found(strokes, *, bars=0, sure=(), turn=0.0, side=400):
     rules[[piece[number] for number in sure]] = 1.0
     accepted = pieces.size > 0
     accepted[0] = False
-    made = vouched_confidence(pieces, accepted, vouching, rules[pieces.labels] if sure else None, side, PIXEL)
+    strokes = strokes_of(pieces, accepted, side, PIXEL)
+    made = vouched_confidence(strokes, vouching, pieces.labels, rules[pieces.labels] if sure else None)
     assert (made[vouching] == np.float32(CONFIDENCE)).all()
     return {number: made[label] for number, label in enumerate(piece) if made[label] and number >= bars}
 

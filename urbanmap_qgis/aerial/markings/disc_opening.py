@@ -18,6 +18,12 @@ _LEAST = 11
 """Pixels across; OpenCV is as fast for smaller discs."""
 
 
+def disc_kernel(diameter: float, pixel: float) -> np.ndarray:
+    """Round structuring element of a diameter in m, at least 3 pixels."""
+    side = max(round(diameter / pixel) | 1, 3)
+    return cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (side, side))
+
+
 def disc_opened(image: np.ndarray, disc: np.ndarray) -> np.ndarray:
     """A float32 image (rows, columns) without what is brighter than its surroundings and narrower than a disc.
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 import cv2
 import numpy as np
 
-from .disc_opening import disc_opened
+from .disc_opening import disc_kernel, disc_opened
 from .image_strips import STRIP, flat_places, grown, row_strips, shifted_places, within
 from .learning.answered_pieces import LearnedAnswers
 from .marking_confidence import (
@@ -37,6 +37,7 @@ from .marking_pieces import (
 from .paint_model import HARD_LIGHT, SOFT_LIGHT, KindOfLight, paint_model
 from .road_model import RoadModel
 from .signs.crossing_bars import crossing_bars, on_smooth_ground
+from .signs.strokes import strokes_of
 from .signs.strokes_in_company import STROKES_REACH, vouched_confidence
 from .surroundings import REACH
 
@@ -172,12 +173,6 @@ class Cleaned:
     evidence: SearchTally = field(default_factory=SearchTally)
 
 
-def disc_kernel(diameter: float, pixel: float) -> np.ndarray:
-    """Round structuring element of a diameter in m, at least 3 pixels."""
-    side = max(round(diameter / pixel) | 1, 3)
-    return cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (side, side))
-
-
 def remove_non_markings(found: Candidates, pixel: float, settings: CleanSettings,
                         wanted: tuple[slice, slice] | None = None, counted: tuple[slice, slice] | None = None
                         ) -> Cleaned:
@@ -194,10 +189,10 @@ def remove_non_markings(found: Candidates, pixel: float, settings: CleanSettings
     if found.roads is None:
         values = (_by_figures(judged, found, pixel, settings, rules, specks, within(wanted, near))
                   if settings.asks_figures else np.where(_alone(judged, pixel, settings), np.float32(0), values))
-        bars = crossing_bars(pieces, judged.accepted, mask.shape[1], pixel, settings.max_width)
+        strokes = strokes_of(pieces, judged.accepted, mask.shape[1], pixel)
+        bars = crossing_bars(strokes, settings.max_width)
         bars = on_smooth_ground(pieces, bars, ground, shifted_places(pieces.inside, near, found.core.shape), pixel)
-        vouched = vouched_confidence(pieces, judged.accepted, bars, rules if settings.learned is None else None,
-                                     mask.shape[1], pixel)
+        vouched = vouched_confidence(strokes, bars, pieces.labels, rules if settings.learned is None else None)
         values = np.maximum(values, np.where(specks, np.float32(0), vouched[pieces.labels]))
     good = accepted & (values >= settings.min_confidence)
     evidence = SearchTally(colder=judged.colder, clear=np.count_nonzero(ground.clear[counted]),

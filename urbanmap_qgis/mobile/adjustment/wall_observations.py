@@ -145,9 +145,7 @@ def _laser_walls(planes: Sequence[FacadePlanes], laser: PointCloud) -> WallEdges
         if len(item):
             edges = laser_walls(item, laser)
             found.append(edges.select(~np.any([edges.on(other) for other in found], axis=0)) if found else edges)
-    first = found[0]
-    return replace(first, **{name: np.concatenate([getattr(part, name) for part in found])
-                             for name in ("ends", "outward", "building", "sigma")})
+    return found[0].with_others(found[1:])
 
 
 def adjust_with_walls(walls: DriveWalls | None, clouds: Sequence[Sequence[str | os.PathLike]],

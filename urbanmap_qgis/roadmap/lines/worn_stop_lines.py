@@ -24,6 +24,8 @@ class WornStopLinesLimits:
     fewest: int = 3
     same: float = 0.2
     around: float = 0.3
+    step: float = 0.1  # m between the distances that are looked at
+    square: float = 0.1  # Cosine between them and the bars.
     farthest: float = 7.0  # Stop lines belong to a crosswalk so far ahead, m.
     beyond: float = 1.0  # They may reach so far beyond its bars, m.
     slice: float = 0.1  # Their place is looked at in slices of this length, m,
@@ -50,7 +52,7 @@ def worn_stop_lines(sure: Sequence[StrokeChain], crosswalks: Sequence[Crosswalk]
     """
     bars = [shapely.LineString(bar.axis) for bar in sure]
     apart = [shapely.distance(bar, row.area) for bar in bars for row in crosswalks
-             if bar.distance(row.area) < LIMITS.farthest and abs(_course(bar) @ row.direction) < 0.1]
+             if bar.distance(row.area) < LIMITS.farthest and abs(_course(bar) @ row.direction) < LIMITS.square]
     usual = usual_values(np.array(apart), LIMITS.same, LIMITS.fewest)
     if not usual:
         return []
@@ -87,7 +89,7 @@ def _bands(row: Crosswalk, distance: float, width: float, paint: shapely.STRtree
         out = out if out @ away > 0.0 else -out
         at = np.arange(-LIMITS.beyond, length + LIMITS.beyond, LIMITS.slice) + LIMITS.slice / 2.0
         profiles = []
-        for off in distance + np.arange(-LIMITS.around, LIMITS.around + 0.01, 0.1):
+        for off in distance + np.arange(-LIMITS.around, LIMITS.around + LIMITS.step / 2.0, LIMITS.step):
             xy = edge[0] + at[:, None, None] * along + (off + np.array(LIMITS.across) * width)[:, None] * out
             share = _painted(xy.reshape(-1, 2), paint).reshape(len(at), -1).mean(axis=1)
             profiles.append((int((share >= LIMITS.filled).sum()), float(share.sum()), off, share >= LIMITS.filled))

@@ -5,10 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
+from ...geometry.linked_groups import linked_groups
 from .object_records import Stem
 
 
@@ -62,8 +61,7 @@ def _parts(plan: np.ndarray) -> np.ndarray:
     if not len(cells):
         return number
     pairs = cKDTree(cells * LIMITS.cell).query_pairs(LIMITS.gap, output_type="ndarray")
-    graph = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(len(cells), len(cells)))
-    number[dense] = connected_components(graph, directed=False)[1][own.ravel()]
+    number[dense] = linked_groups(*pairs.T, len(cells))[1][own.ravel()]
     return number
 
 

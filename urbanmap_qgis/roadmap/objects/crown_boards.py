@@ -6,10 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy import ndimage
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
+from ...geometry.linked_groups import linked_groups
 from ...geometry.tolerances import LEAST_DIVISOR
 from .object_records import StemAxis
 
@@ -89,8 +88,7 @@ def _whole(place: np.ndarray, offset: np.ndarray, near: np.ndarray, rows: np.nda
     if np.count_nonzero(own) < LIMITS.few:
         return rows, normal
     pairs = cKDTree(place[beside]).query_pairs(LIMITS.link * cell, output_type="ndarray")
-    graph = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(len(beside), len(beside)))
-    part = connected_components(graph, directed=False)[1]
+    part = linked_groups(*pairs.T, len(beside))[1]
     whole = beside[np.isin(part, np.unique(part[own]))]
     return (whole, normal) if np.ptp(place[whole, 2]) < LIMITS.tall else None
 

@@ -6,10 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy import ndimage
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
+from ...geometry.linked_groups import linked_groups
 from .close_stems import close_stems
 from .object_records import Stem
 
@@ -96,8 +95,7 @@ def _chains(middle: np.ndarray, level: np.ndarray) -> np.ndarray:
     pairs = cKDTree(middle).query_pairs(LIMITS.step, output_type="ndarray")
     rise = np.abs(level[pairs[:, 0]] - level[pairs[:, 1]])
     pairs = pairs[(rise >= 1) & (rise <= LIMITS.skipped)]
-    graph = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(len(level), len(level)))
-    return connected_components(graph, directed=False)[1]
+    return linked_groups(*pairs.T, len(level))[1]
 
 
 def _groups(number: np.ndarray) -> list[np.ndarray]:

@@ -42,6 +42,8 @@ class PhotoLinesLimits:
     usual: tuple[float, float] = 2.6, 4.0  # Lanes of such widths tell how wide one is, m.
     standard: float = 3.25  # Width of a lane where none does, m.
     symbols: float = 0.3  # Paint of symbols reaches so far beyond their outlines, m.
+    at_edge: float = 0.3  # Lines so far beyond an edge still lie within it, m.
+    simplified: float = 0.03  # Points of lines that lie nearer to the others' course are left out, m.
 
 
 LIMITS = PhotoLinesLimits()
@@ -153,7 +155,7 @@ def _bounds(one: _Looked, edges: Sequence[PhotoEdge]) -> list[float]:
     length = chainage[-1] - chainage[0]
     found = [float(np.median(track.offset)) for track in one.section.tracks if track.seen > LIMITS.bound * length]
     for edge in edges:
-        found = [offset for offset in found if edge.side * (offset - edge.usual) < LIMITS.symbols]
+        found = [offset for offset in found if edge.side * (offset - edge.usual) < LIMITS.at_edge]
     return [*found, *(edge.usual for edge in edges)]
 
 
@@ -162,7 +164,7 @@ def _line(one: _Looked, offset: np.ndarray, rows: tuple[int, int], kind: str, si
     part = slice(rows[0], rows[1] + 1)
     chainage = one.photo.chainage[part]
     plan = straight_places(one.section.axis, chainage, offset[part][:, None])[:, 0]
-    plan = shapely.get_coordinates(shapely.LineString(plan).simplify(0.03))
+    plan = shapely.get_coordinates(shapely.LineString(plan).simplify(LIMITS.simplified))
     longest = max(one.section.tracks, key=lambda track: track.seen)
     height = np.interp(one.section.axis.chainage(plan), longest.chainage, longest.points[:, 2])
     return MapLine(np.column_stack([plan, height]), kind, "" if kind == "road border" else "white", np.nan, sigma,

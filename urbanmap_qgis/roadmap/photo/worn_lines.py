@@ -9,7 +9,7 @@ import numpy as np
 import shapely
 from scipy.ndimage import uniform_filter1d
 
-from ...geometry.tolerances import LEAST_DIVISOR
+from ...geometry.tolerances import LEAST_DIVISOR, SIGMA_OF_MAD
 from .straight_photo import ColourImage, StraightPhoto, straight_photo, straight_places
 
 
@@ -126,5 +126,5 @@ def _standing_out(values: np.ndarray, road: np.ndarray) -> np.ndarray:
     if not road.any():
         return np.full(len(values), -9.0)
     middle = np.median(values[road])
-    scatter = 1.48 * np.median(np.abs(values[road] - middle))
+    scatter = SIGMA_OF_MAD * np.median(np.abs(values[road] - middle))
     return np.where(road, (values - middle) / max(scatter, LEAST_DIVISOR), -9.0)

@@ -14,7 +14,8 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..marking_confidence import GroundBeside
-from ..marking_pieces import MarkingPieces, stroke_axes
+from ..marking_pieces import MarkingPieces
+from .strokes import Strokes
 
 
 @dataclass(frozen=True)
@@ -51,9 +52,6 @@ _FARTHEST = math.hypot(LIMITS.reach, LIMITS.part * LIMITS.longest)
 BARS_REACH = LIMITS.longest + _FARTHEST
 """m from a piece's pixel to the far end of one that vouches for it."""
 
-PARTS = 64.0
-"""Of a pixel, in which middles are told: what is compared does not depend on where an image is cut."""
-
 
 def on_smooth_ground(pieces: MarkingPieces, found: np.ndarray, ground: GroundBeside, places: np.ndarray, pixel: float
                      ) -> np.ndarray:
@@ -74,21 +72,14 @@ def on_smooth_ground(pieces: MarkingPieces, found: np.ndarray, ground: GroundBes
     return found & (smooth > LIMITS.smooth * clear)
 
 
-def crossing_bars(pieces: MarkingPieces, accepted: np.ndarray, columns: int, pixel: float, max_width: float
-                  ) -> np.ndarray:
-    """Which of the accepted pieces (m,) of an image of so many columns are bars, or parts of worn ones, with others
-    beside them, bool; `pixel` and `max_width` in m."""
-    asked = accepted & (pieces.length < LIMITS.longest)
-    inside = asked[pieces.labels]
-    axes = stroke_axes(pieces.labels[inside], *np.divmod(pieces.inside[inside], columns), pieces.size)
-    length, width = pixel * np.sqrt(12 * axes.along + 1), pixel * np.sqrt(12 * axes.across + 1)
-    narrow = np.flatnonzero(asked & (width < max_width))
-    length, width = length[narrow], width[narrow]
+def crossing_bars(strokes: Strokes, max_width: float) -> np.ndarray:
+    """Which strokes (m,) are bars, or parts of worn ones, with others beside them, bool; `max_width` in m."""
+    narrow = np.flatnonzero((strokes.box < LIMITS.longest) & (strokes.width < max_width))
+    length, width = strokes.length[narrow], strokes.width[narrow]
     bars = (length > LIMITS.shortest) & (length > LIMITS.slender * width)
-    found = np.zeros(len(asked), bool)
+    found = np.zeros(len(strokes.box), bool)
     if np.count_nonzero(bars) > LIMITS.company:
-        middles = np.rint(axes.middle[narrow] * PARTS) / PARTS * pixel
-        found[narrow] = _vouched(middles, axes.direction[narrow], length, width, bars)
+        found[narrow] = _vouched(strokes.middle[narrow], strokes.direction[narrow], length, width, bars)
     return found
 
 

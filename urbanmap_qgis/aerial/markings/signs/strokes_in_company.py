@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
-from ..marking_pieces import MarkingPieces, stroke_axes
-from .crossing_bars import BARS_REACH, CONFIDENCE, PARTS
+from .crossing_bars import BARS_REACH, CONFIDENCE
+from .strokes import LONGEST, Strokes
 
 
 @dataclass(frozen=True)
@@ -20,7 +20,6 @@ class StrokesInCompanyLimits:
     """Limits of strokes, each with its unit."""
 
     shortest: float = 1.8  # m
-    longest: float = 8.0  # m, diagonal of the box of a piece
     slender: tuple[float, float] = (3.0, 4.0)  # times its width that one is long: before bars, and in line
     widest: tuple[float, float] = (0.8, 0.45)  # m, the same
     before: float = 6.0  # m from the middle of one to those of bars
@@ -38,56 +37,33 @@ LIMITS = StrokesInCompanyLimits()
 IN_LINE = 0.5
 """Confidence of a stroke in line with a sure one: it stays, and is asked of the user as others in doubt are."""
 
-STROKES_REACH = max(LIMITS.before + BARS_REACH + LIMITS.longest / 2, LIMITS.following + LIMITS.longest)
+STROKES_REACH = max(LIMITS.before + BARS_REACH + LONGEST / 2, LIMITS.following + LONGEST)
 """m from a stroke's pixel to the far end of one that vouches for it, or for a bar that does."""
 
 
-@dataclass(frozen=True)
-class Strokes:
-    """Straight pieces.
-
-    Attributes
-    ----------
-    middle : (n, 2) row and column, m.
-    direction : (n, 2) of length 1.
-    length, width : (n,) m.
-    """
-
-    middle: np.ndarray
-    direction: np.ndarray
-    length: np.ndarray
-    width: np.ndarray
-
-    def slender(self, kind: int) -> np.ndarray:
-        """Which are slender enough, bool (n,), as a stroke before bars (0) or in line (1)."""
-        slender = (self.length > LIMITS.shortest) & (self.length > LIMITS.slender[kind] * self.width)
-        return slender & (self.width < LIMITS.widest[kind])
-
-
-def vouched_confidence(pieces: MarkingPieces, accepted: np.ndarray, bars: np.ndarray, rules: np.ndarray | None,
-                       columns: int, pixel: float) -> np.ndarray:
-    """Confidence (m,) of the accepted pieces that others vouch for, float32, 0 of others.
+def vouched_confidence(strokes: Strokes, bars: np.ndarray, labels: np.ndarray,
+                       rules: np.ndarray | None) -> np.ndarray:
+    """Confidence (m,) of the strokes that others vouch for, float32, 0 of others.
 
     Parameters
     ----------
-    bars : (m,) bool, pieces that are bars of a crossing.
-    rules : (n,) confidence of the pieces' pixels by the ground beside, that of their piece; None: no stroke vouches for
-        those in line with it.
-    columns : of the image.
-    pixel : side, m.
+    bars : (m,) bool, those that are bars of a crossing.
+    labels, rules : (n,) stroke of each pixel, and the confidence by the ground beside, that of their piece; without the
+        latter no stroke vouches for those in line with it.
     """
-    asked = accepted & (pieces.length < LIMITS.longest)
-    inside = asked[pieces.labels]
-    axes = stroke_axes(pieces.labels[inside], *np.divmod(pieces.inside[inside], columns), pieces.size)
-    strokes = Strokes(np.rint(axes.middle * PARTS) / PARTS * pixel, axes.direction,
-                      pixel * np.sqrt(12 * axes.along + 1), pixel * np.sqrt(12 * axes.across + 1))
-    vouched = np.where(bars | _before_bars(strokes, asked & strokes.slender(0), bars), np.float32(CONFIDENCE), 0)
+    vouched = np.where(bars | _before_bars(strokes, _slender(strokes, 0), bars), np.float32(CONFIDENCE), 0)
     if rules is None:
         return vouched
-    sure, in_line = np.zeros(len(asked), bool), asked & strokes.slender(1)
-    sure[pieces.labels] = rules >= LIMITS.sure
+    sure, in_line = np.zeros(len(bars), bool), _slender(strokes, 1)
+    sure[labels] = rules >= LIMITS.sure
     following = _in_line(strokes, in_line, in_line & sure)
     return np.maximum(vouched, np.where(following, np.float32(IN_LINE), 0))
+
+
+def _slender(strokes: Strokes, kind: int) -> np.ndarray:
+    """Which strokes are slender enough, bool (m,), before bars (0) or in line (1)."""
+    slender = (strokes.length > LIMITS.shortest) & (strokes.length > LIMITS.slender[kind] * strokes.width)
+    return np.isfinite(strokes.box) & slender & (strokes.width < LIMITS.widest[kind])
 
 
 def _before_bars(strokes: Strokes, asked: np.ndarray, bars: np.ndarray) -> np.ndarray:

@@ -44,6 +44,10 @@ LIMITS = OutlineWallsLimits()
 KERBS = KerbLinesLimits()
 
 
+_COLUMNS = ("ends", "outward", "building", "sigma")
+"""What `WallEdges` say of each edge."""
+
+
 @dataclass(frozen=True)
 class WallEdges:
     """Straight edges of buildings' outlines, or of kerbs.
@@ -112,7 +116,12 @@ class WallEdges:
 
     def select(self, which: np.ndarray) -> WallEdges:
         """Some of them, by mask or index."""
-        return replace(self, **{name: getattr(self, name)[which] for name in ("ends", "outward", "building", "sigma")})
+        return replace(self, **{name: getattr(self, name)[which] for name in _COLUMNS})
+
+    def with_others(self, others: Sequence[WallEdges]) -> WallEdges:
+        """These and others of their kind, one after another."""
+        return replace(self, **{name: np.concatenate([getattr(part, name) for part in (self, *others)])
+                                for name in _COLUMNS})
 
     def on(self, other: WallEdges) -> np.ndarray:
         """Mask (k,) of edges whose middle lies on one of others that faces alike, as far as noise tells."""
