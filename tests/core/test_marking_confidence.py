@@ -11,7 +11,8 @@ from rasterio.transform import Affine
 
 from urbanmap_qgis.aerial.markings.marking_confidence import clear_of_paint, texture
 from urbanmap_qgis.aerial.markings.marking_files import markings_from_orthophoto
-from urbanmap_qgis.aerial.markings.marking_filter import Cleaned, CleanSettings
+from urbanmap_qgis.aerial.markings.marking_filter import Cleaned, CleanSettings, JudgedPieces, _alone
+from urbanmap_qgis.aerial.markings.marking_pieces import marking_pieces_of
 from urbanmap_qgis.aerial.markings.orthophoto_reader import SearchArea
 from urbanmap_qgis.aerial.markings.road_markings import MarkingSettings, _filled
 
@@ -86,6 +87,21 @@ def test_what_is_doubtful_stays_where_sure_paint_is_near(tmp_path):
     _, beside = found_in(tmp_path, stroke_on_a_track((20,)))
     assert not alone[STROKE].any() and beside[STROKE].mean() > 0.8
     assert alone[100:180, 400:403].mean() > 0.9 and beside[100:180, 400:403].mean() > 0.9
+
+
+def test_bars_of_a_crossing_are_company():
+    """They are told by their steps: where the ground beside tells little, strokes near to them are not alone."""
+    flags = np.zeros((600, 400), np.uint8)
+    for left in range(100, 200, 9):
+        flags[100:140, left:left + 4] = 1
+    flags[180:183, 100:140] = flags[500:503, 100:140] = 1
+    pieces = marking_pieces_of(flags > 0, flags, PIXEL, 12.0)
+    low = np.full(len(pieces.inside), np.float32(0.4))
+    judged = JudgedPieces(None, flags > 0, pieces, None, 3 * np.ones_like(low), low, 0, None, None, None)
+    rows = pieces.inside // 400
+    for bars, strokes in ((rows < 140, (rows > 140) & (rows < 400)), (rows < 0, rows < 0)):
+        alone = _alone(judged, bars, PIXEL, CleanSettings())
+        assert not alone[bars | strokes].any() and alone[~(bars | strokes)].all()
 
 
 def test_worn_paint_on_a_road_may_be_alone(tmp_path):

@@ -36,7 +36,7 @@ from .marking_pieces import (
 )
 from .paint_model import HARD_LIGHT, SOFT_LIGHT, KindOfLight, paint_model
 from .road_model import RoadModel
-from .signs.crossing_bars import crossing_bars, on_smooth_ground
+from .signs.crossing_bars import BARS_REACH, crossing_bars, on_smooth_ground
 from .signs.strokes import strokes_of
 from .signs.strokes_in_company import STROKES_REACH, vouched_confidence
 from .surroundings import REACH
@@ -127,7 +127,7 @@ class CleanSettings:
     @property
     def piece_reach(self) -> float:
         """How far, m, from a pixel its piece and what is company to it or vouches for it reach."""
-        return max(self.max_length + self.wear_gap, self.company_reach + ALONG_REACH, STROKES_REACH)
+        return max(self.max_length + self.wear_gap, self.company_reach + max(ALONG_REACH, BARS_REACH), STROKES_REACH)
 
 
 @dataclass(frozen=True)
@@ -187,11 +187,12 @@ def remove_non_markings(found: Candidates, pixel: float, settings: CleanSettings
     by_rules = values = np.where(specks, np.float32(0), rules)
     accepted = judged.accepted[pieces.labels]
     if found.roads is None:
-        values = (_by_figures(judged, found, pixel, settings, rules, specks, within(wanted, near))
-                  if settings.asks_figures else np.where(_alone(judged, pixel, settings), np.float32(0), values))
         strokes = strokes_of(pieces, judged.accepted, mask.shape[1], pixel)
         bars = crossing_bars(strokes, settings.max_width)
         bars = on_smooth_ground(pieces, bars, ground, shifted_places(pieces.inside, near, found.core.shape), pixel)
+        values = (_by_figures(judged, found, pixel, settings, rules, specks, within(wanted, near))
+                  if settings.asks_figures
+                  else np.where(_alone(judged, bars[pieces.labels], pixel, settings), np.float32(0), values))
         vouched = vouched_confidence(strokes, bars, pieces.labels, rules if settings.learned is None else None)
         values = np.maximum(values, np.where(specks, np.float32(0), vouched[pieces.labels]))
     good = accepted & (values >= settings.min_confidence)
@@ -387,10 +388,11 @@ def _specks(judged: JudgedPieces, found: Candidates, pixel: float, settings: Cle
     return specks
 
 
-def _alone(judged: JudgedPieces, pixel: float, settings: CleanSettings) -> np.ndarray:
-    """Which of the pieces' pixels (bool, n) lie on doubtful ground and have hardly any sure paint round them."""
+def _alone(judged: JudgedPieces, bars: np.ndarray, pixel: float, settings: CleanSettings) -> np.ndarray:
+    """Which of the pieces' pixels (bool, n) lie on doubtful ground and have hardly any sure paint round them, nor bars
+    of a crossing (bool, n)."""
     pieces = judged.pieces
-    sure = along_strokes(judged.by_rules, judged.mask, pixel) >= settings.sure
+    sure = bars | (along_strokes(judged.by_rules, judged.mask, pixel) >= settings.sure)
     flags = np.zeros(judged.mask.shape, np.uint8)
     flags.ravel()[pieces.inside] = sure
     side = 2 * round(settings.company_reach / pixel) + 1

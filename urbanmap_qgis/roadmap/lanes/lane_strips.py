@@ -65,6 +65,7 @@ class Strip:
         that.
     broad_stop : direction (as `sign`) that a stop line across two strips or more tells, 0 without one.
     outside : a stop line ends, away from the middle of the road, at the solid line between it and the lanes: pavement.
+    faces_stop : a stop line for the other direction begins at its outer bound: the road goes on there.
     wide : it is wider than a lane may be between two lines.
     arrows : kinds of the arrows in it.
     """
@@ -85,6 +86,7 @@ class Strip:
     contradicted: bool = False
     broad_stop: int = 0
     outside: bool = False
+    faces_stop: bool = False
     wide: bool = False
     arrows: list[str] = field(default_factory=list)
 
@@ -194,8 +196,7 @@ def _cuts(runs, section: RoadSection, stops: Sequence[np.ndarray], settings: Map
     cuts[0], cuts[-1] = _outer(runs, groups[0][0], 1), _outer(runs, groups[1][-1], 2)
     joints = _joints([section.tracks[k] for k in sorted(used)], section, settings.min_length)
     cuts = sorted([cut for cut in cuts if all(abs(cut - joint) >= settings.min_length for joint in joints)] + joints)
-    at_stops = [float(section.axis.chainage(stop[:, :2]).mean()) for stop in stops]
-    for stop in at_stops:
+    for stop in _across_lanes(runs, section, stops):
         near = int(np.argmin(np.abs(np.array(cuts) - stop)))
         if abs(cuts[near] - stop) <= SNAP:
             cuts[near] = stop
@@ -206,6 +207,20 @@ def _cuts(runs, section: RoadSection, stops: Sequence[np.ndarray], settings: Map
             cuts.append(change)
     # A short lane of the earlier map stays one where an edit makes it a little shorter.
     return _spaced(np.unique(cuts), settings.min_length / (2.0 if joints else 1.0))
+
+
+def _across_lanes(runs, section: RoadSection, stops: Sequence[np.ndarray]) -> list[float]:
+    """Chainages of the stop lines that lie before lanes with more than half of their length, those before most last: a
+    vehicle's edge beside the lanes may look like one."""
+    across = []
+    for level, low, high in _whole_stops(section, stops):
+        beside = {pair for pair, start, end in runs if start - SNAP < level < end + SNAP}
+        before = [min(left, high) - max(right, low) for right, left in (
+            [offset_of(section, track, level) for track in pair] for pair in beside)]
+        covered = sum(share for share in before if share > 0)
+        if covered > (high - low) / 2.0:
+            across.append((covered, level))
+    return [level for _, level in sorted(across)]
 
 
 def _joints(tracks: Sequence[BoundTrack], section: RoadSection, least: float) -> list[float]:
@@ -310,6 +325,11 @@ def add_stops(strips: Sequence[Strip], section: RoadSection, stops: Sequence[np.
         covered = [strip for strip in ending if _share_covered(section, strip, (level, low, high)) > LIMITS.half]
         others = [strip for strip in ending if not low - 0.5 < middles[id(strip)] < high + 0.5 and strip not in covered]
         covered = covered or [strip for strip in ending if low - 0.3 < middles[id(strip)] < high + 0.3]
+        if not covered and left_hand is not None:
+            facing = _across_from(section, ending, (level, low, high), left_hand)
+            _count_away(facing, level)
+            if facing is not None:
+                facing.faces_stop = True
         if not covered or not (others or _goes_on_outside(section, covered, (level, low, high), left_hand)):
             continue
         _mark_outside(section, covered, ending, (level, low, high), left_hand)
@@ -321,11 +341,35 @@ def add_stops(strips: Sequence[Strip], section: RoadSection, stops: Sequence[np.
             strip.broad_stop = (1 if at_end else -1) if len({one.right for one in covered}) > 1 else strip.broad_stop
             strip.parted |= {track for track, end in ((strip.right, low), (strip.left, high))
                              if abs(end - offset_of(section, track, level)) < LIMITS.at_line}
-            away = _across_solid(section, strip, others, (low, high), at_end == left_hand)
-            if left_hand is not None and away is not None:
-                away.forward += LIMITS.away * (not at_end)
-                away.backward += LIMITS.away * at_end
-                away.stopped = True
+            if left_hand is not None:
+                _count_away(_across_solid(section, strip, others, (low, high), at_end == left_hand), level)
+
+
+def _count_away(strip: Strip | None, level: float) -> None:
+    """Count for a strip, if there is one, that traffic leads away from its end at a chainage."""
+    if strip is not None:
+        at_end = abs(strip.end - level) < abs(strip.start - level)
+        strip.forward += LIMITS.away * (not at_end)
+        strip.backward += LIMITS.away * at_end
+        strip.stopped = True
+
+
+def _across_from(section: RoadSection, ending: Sequence[Strip], stop: tuple[float, float, float],
+                 left_hand: bool) -> Strip | None:
+    """The outermost strip at whose line a stop line (chainage, two offsets) as wide as a lane begins, on the side where
+    traffic comes towards it: no lane is known there, as where its lines are worn."""
+    level, low, high = stop
+    if high - low < LIMITS.goes_on:
+        return None
+    for strip in ending:
+        at_end = abs(strip.end - level) < abs(strip.start - level)
+        track = strip.left if at_end == left_hand else strip.right
+        offset = offset_of(section, track, level)
+        near = low if at_end == left_hand else high
+        kinds = set(line_kinds(section.tracks[track], strip.start, strip.end))
+        if abs(near - offset) < LIMITS.at_line and kinds == {"solid"}:
+            return strip
+    return None
 
 
 def _share_covered(section: RoadSection, strip: Strip, stop: tuple[float, float, float]) -> float:

@@ -49,7 +49,8 @@ def settle_directions(strips: Sequence[Strip], section: RoadSection) -> list[Fin
     for pair in {(strip.right, strip.left): None for strip in strips}:
         members = [strip for strip in strips if (strip.right, strip.left) == pair]
         sign, source, contradicts = _own_direction(members)
-        if source == PAINTED and (is_pavement(section, *pair) or any(one.outside for one in members)):
+        outside = is_pavement(section, *pair) and not any(one.faces_stop for one in members)
+        if source == PAINTED and (outside or any(one.outside for one in members)):
             sign, source = 0, ""
         if contradicts:
             findings.append(_finding(section, members[0], "direction contradicts", contradicts))
