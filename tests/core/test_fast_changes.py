@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from tests.core.simulated_windows import shifted, simulate
+from urbanmap_qgis.mobile.registration.correction import fast_changes
 from urbanmap_qgis.mobile.registration.correction.adjustment import adjust_correction
 from urbanmap_qgis.mobile.registration.correction.disagreements import DISAGREEMENT, HIDDEN, UNDECIDED, NodeStep
 from urbanmap_qgis.mobile.registration.correction.fast_changes import LIMITS, FastChange, _against
@@ -62,6 +64,18 @@ def test_a_change_at_a_stop_beyond_its_wandering_is_told_and_neither_side_is_cal
     made = adjust_correction(moved.windows, drive.reported)
     off = np.hypot(*(made.value - drive.error)[:, :2].T)
     assert made.steps and not ((made.status == REGISTERED) & (off > 0.1)).any()
+
+
+@pytest.mark.parametrize(("stops", "square", "told"), [(2, 5.8, 0), (2, 7.5, 1), (20, 7.5, 0), (20, 12.1, 1)])
+def test_the_more_stops_a_drive_has_the_surer_a_change_at_one_of_them_must_be(monkeypatch, stops, square, told):
+    """2.4 standard deviations at one of two stops are chance, so are 2.7 at one of twenty."""
+    stopped = np.zeros(2 * stops)
+    stopped[::2] = 4.0
+    tests = [NodeStep(k, np.array([0.15, 0.0]), 0.01 * np.eye(2), square if k == 0 else 1.0)
+             for k in range(len(stopped))]
+    monkeypatch.setattr(fast_changes, "step_tests", lambda *_given: tests)
+    found = SimpleNamespace(chain=SimpleNamespace(stopped=stopped), fit=None)
+    assert len(fast_changes._at_stops(found, None)) == told
 
 
 @pytest.mark.parametrize(("gap", "told"), [((208.0, 222.0), True), ((185.0, 245.0), False)])

@@ -129,22 +129,38 @@ def walls_of_drives(buildings: BuildingWalls, clouds: Sequence[Sequence[str | os
         raise InsufficientDataError(say("The drives show no facade near the vehicle: give all their points, not "
                                         "the markings alone, or adjust them without buildings."))
     if buildings.edges is None:
-        buildings = replace(buildings, edges=_laser_walls(planes, buildings.laser))
+        buildings = replace(buildings, edges=_laser_walls(planes, buildings.laser, [drive.name for drive in drives],
+                                                          progress))
     return DriveWalls(buildings, planes)
 
 
-def _laser_walls(planes: Sequence[FacadePlanes], laser: PointCloud) -> WallEdges:
+def _laser_walls(planes: Sequence[FacadePlanes], laser: PointCloud, names: Sequence[str],
+                 progress: Progress) -> WallEdges:
     """The walls that airborne points show beside the facades of any drive, each once: of the first drive that saw it.
+
+    The drives without one are told by their names.
 
     Raises
     ------
     InsufficientDataError : there is none.
     """
     found: list[WallEdges] = []
-    for item in planes:
-        if len(item):
-            edges = laser_walls(item, laser)
+    bare: list[str] = []
+    missing = None
+    for item, name in zip(planes, names):
+        try:
+            edges = laser_walls(item, laser) if len(item) else None
+        except InsufficientDataError as error:
+            edges, missing = None, error
+        if edges is None:
+            bare.append(name)
+        else:
             found.append(edges.select(~np.any([edges.on(other) for other in found], axis=0)) if found else edges)
+    if not found:
+        raise missing
+    if bare:
+        progress.warn(say("No wall of the airborne laser points beside {drives}: the other drives' walls are used.",
+                          drives=", ".join(bare)))
     return found[0].with_others(found[1:])
 
 

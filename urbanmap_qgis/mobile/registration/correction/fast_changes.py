@@ -39,7 +39,7 @@ class FastChangeLimits:
     proof: float = 4.5  # standard deviations of a change across a stretch without markings
     fix: float = 20.0  # m driven, in which a trajectory can be fixed anew
     standing: float = 1.0  # s, that a stop lasts at least
-    at_stop: float = 2.2  # standard deviations of a change at a stop, where the reported wandering is known
+    by_chance: float = 0.05  # of faultless drives, that any of their stops is doubted in
     excluded: float = 3.0  # standard deviations beyond which both sides of a stretch deny a step
     slipped: float = 1.0  # m: markings that windows find farther off slipped, by a dash or so
 
@@ -186,20 +186,20 @@ def _at_stops(found: Disagreements, model: PoseErrorModel) -> list[NodeStep]:
     """The likeliest step at each stop that the correction makes more of than its wandering there explains.
 
     What a standing vehicle's trajectory wanders is its own error: more can be a fault of either. Markings around few
-    stops tell a change to 4.5 standard deviations, so that less has to do for a doubt.
+    stops tell a change to 4.5 standard deviations, so that less has to do for a doubt: as much as chance makes of any
+    of the drive's stops in few drives (Bonferroni's level, chi square of two degrees of freedom).
     """
-    chain, steps = found.chain, []
+    chain, likeliest = found.chain, []
     if chain.stopped.sum() < LIMITS.standing:
-        return steps
+        return []
     tests = step_tests(chain, model, found.fit, 1.0)
     stops = np.flatnonzero(np.diff(np.concatenate([[0], (chain.stopped > 0).astype(int), [0]])))
     for first, end in zip(stops[::2], stops[1::2]):
         at_stop = [step for step in tests[first:end] if step is not None]
         if at_stop and chain.stopped[first:end].sum() >= LIMITS.standing:
-            step = max(at_stop, key=lambda item: item.square)
-            if step.square > LIMITS.at_stop**2 and step.size > LIMITS.least:
-                steps.append(step)
-    return steps
+            likeliest.append(max(at_stop, key=lambda item: item.square))
+    least = 2.0 * np.log(max(len(likeliest), 1) / LIMITS.by_chance)
+    return [step for step in likeliest if step.square > least and step.size > LIMITS.least]
 
 
 def with_silences(found: Disagreements, model: PoseErrorModel, at_patches: np.ndarray,
