@@ -7,6 +7,7 @@ import pytest
 import shapely
 
 from tests.core.laid_out_roads import arrow, avenue, course, drive, lane_at, line, path_line, place, stop
+from urbanmap_qgis.roadmap.lanes.section_preparation import prepared_sections
 from urbanmap_qgis.roadmap.map_records import MapSettings
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
 
@@ -134,6 +135,16 @@ def test_bound_between_two_others_goes_on_from_five_metres():
     built = build_vector_map(lines, (), [drive((0, 1.7), (20, 1.7))], LEFT)
     assert len(plain_lanes(built)) == 2
     assert max(bound.unseen for bound in built.bounds) == pytest.approx(14.0, abs=2.0)
+
+
+@pytest.mark.parametrize(("seen", "to"), [(12, 36), (8, 24), (4, 4)])
+def test_outermost_bound_goes_on_by_twice_what_is_seen(seen, to):
+    """It lies beside the middle line; what is seen over less than 5 m shows no course."""
+    edge = path_line([(x, 3.5) for x in range(0, seen + 1, 2)])
+    lines = [line(0.0, 0, 60, "solid", "yellow"), edge, line(-3.5, 0, 60)]
+    (section, _stops), = prepared_sections(lines, (), LEFT)
+    ends = sorted(track.end - track.start for track in section.tracks)
+    assert ends[0] == pytest.approx(to, abs=0.6) and ends[-1] == pytest.approx(60.0, abs=0.6)
 
 
 def test_long_gap_is_bridged_at_a_constant_distance_to_the_axis():

@@ -17,12 +17,12 @@ class BoundContinuationLimits:
     """Limits of bound continuation, each with its unit."""
 
     # A bound is continued where it is seen over so many metres, and beside its neighbour over so many.
-    least_seen: float = 8.0
+    least_seen: float = 5.0
     # The same for a bound between two others, which a lane's width on both sides shows to be one.
-    least_seen_between: float = 5.0
+    least_seen_between: float = 3.0
     parallel: float = 0.10  # Its distance to the neighbour varies by no more there (standard deviation), m.
     # The same for a bound with none beyond it, which may be no road's: kerbs and paving are yellow lines too.
-    outermost: float = 0.5
+    outermost: float = 2.0
     same_bound: float = 0.5  # What lies so near to where a bound would go on is the same bound, m.
 
 
