@@ -5,6 +5,7 @@ import re
 import pytest
 from pyproj import CRS
 
+from urbanmap_qgis.citymodel.named_reference import given_reference, named_reference
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.io.reference.crs_text import (
     datum_key,
@@ -17,6 +18,7 @@ from urbanmap_qgis.io.reference.crs_text import (
 from urbanmap_qgis.io.reference.height_systems import (
     ELLIPSOIDAL,
     UNKNOWN,
+    carried_heights,
     height_system,
     heights_of,
     japanese,
@@ -103,6 +105,17 @@ def test_height_systems_are_the_same_under_several_spellings():
         "JGD2024", "JGD2011", "EPSG:5709", "unknown", "unknown"]
     with pytest.raises(InputError, match="JGD2000, JGD2011, JGD2024"):
         height_system("TP")
+
+
+@pytest.mark.parametrize(("code", "heights"), [(7415, "EPSG:5709"), (5698, "EPSG:5720"), (6697, "JGD2011")])
+def test_compound_systems_that_city_models_name_keep_the_code_of_their_heights(code, heights):
+    assert named_reference(f"urn:ogc:def:crs:EPSG::{code}", "file").reference.heights == heights
+    assert given_reference(CRS.from_epsg(code).to_wkt()).heights == heights
+
+
+@pytest.mark.parametrize("word", ["unknown", "ellipsoidal", "JGD2024", "EPSG:5709", "NAP height"])
+def test_a_word_for_heights_comes_back_also_where_it_is_a_mere_name(word):
+    assert carried_heights(word).word == word
 
 
 @pytest.mark.parametrize("kind", ["JGD2000", "JGD2011", "JGD2024"])

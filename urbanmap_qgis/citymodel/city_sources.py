@@ -13,7 +13,7 @@ import numpy as np
 from ..errors import InputError, InsufficientDataError
 from ..io.conversion.reprojection import epsg_wkt, plane_transform
 from ..io.official.gsi_sources import PathLike
-from ..io.reference.height_systems import height_system, stating_heights
+from ..io.reference.height_systems import carried_heights, stating_heights
 from ..io.reference.plane_rectangular import zone_epsg, zone_numbers
 from ..progress import SILENT, Progress
 from ..wording import say
@@ -104,7 +104,7 @@ def placed_model(model: CityModel, target_wkt: str | None, notes: list[str],
             return corners
         return np.column_stack([transform.coordinates(corners[:, :2]), corners[:, 2]])
 
-    return (stating_heights(target, height_system(model.reference.heights)), itertools.chain(heading, buildings),
+    return (stating_heights(target, carried_heights(model.reference.heights)), itertools.chain(heading, buildings),
             places)
 
 

@@ -6,14 +6,14 @@ Source: OGC 07-092r1 (URNs of reference systems), OGC 11-135r2 (addresses of the
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from pyproj import CRS
 from pyproj.exceptions import CRSError
 
 from ..errors import InputError
 from ..io.reference.crs_text import horizontal_part, parse_wkt, wkt_text
-from ..io.reference.height_systems import height_system, heights_of
+from ..io.reference.height_systems import HeightSystem, height_system, heights_of
 from ..wording import say
 from .model import CityReference
 from .reference import GEOGRAPHIC, GEOGRAPHIC_2024, JGD2024
@@ -48,14 +48,20 @@ def named_reference(name: str, where: str) -> NamedReference:
         reference = CityReference(_wkt(GEOGRAPHIC, where).to_wkt(), GEOGRAPHIC, True, JGD2024)
         return NamedReference(reference, ordered)
     crs = _wkt(codes[0], where)
-    heights = heights_of(crs.to_wkt())
-    if len(codes) > 1:
-        heights = height_system(f"EPSG:{codes[1]}")
+    heights = height_system(f"EPSG:{codes[1]}") if len(codes) > 1 else _coded_heights(crs)
     plane = CRS.from_wkt(wkt_text(horizontal_part(parse_wkt(crs.to_wkt()))))
     epsg = plane.to_epsg() or codes[0]
     first = plane.axis_info[0].direction.lower() if plane.axis_info else "east"
     return NamedReference(CityReference(plane.to_wkt(), epsg, plane.is_geographic, heights.word),
                           ordered and first == "north")
+
+
+def _coded_heights(crs: CRS) -> HeightSystem:
+    """Height system of a CRS, with its code: the text of a compound system names its parts without theirs."""
+    heights = heights_of(crs.to_wkt())
+    if heights.kind != "other" or heights.epsg:
+        return heights
+    return replace(heights, epsg=next((part.to_epsg() for part in crs.sub_crs_list if part.is_vertical), None))
 
 
 def _wkt(code: int, where: str) -> CRS:
@@ -77,4 +83,5 @@ def given_reference(wkt: str) -> CityReference:
     if part is None:
         raise InputError(say("The coordinate reference system has no horizontal part: choose another."))
     plane = CRS.from_wkt(wkt_text(part))
-    return CityReference(plane.to_wkt(), plane.to_epsg(), plane.is_geographic, heights_of(wkt).word)
+    return CityReference(plane.to_wkt(), plane.to_epsg(), plane.is_geographic,
+                         _coded_heights(CRS.from_wkt(wkt)).word)

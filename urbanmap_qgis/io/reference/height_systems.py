@@ -95,6 +95,12 @@ def height_system(word: str) -> HeightSystem:
     return _coded(int(code.group(1)))
 
 
+def carried_heights(word: str) -> HeightSystem:
+    """The system that a `HeightSystem.word` stands for; a system without a code is carried by its name."""
+    known = word in ("unknown", "ellipsoidal", *JAPANESE) or re.fullmatch(r"EPSG:\d+", word)
+    return height_system(word) if known else HeightSystem("other", None, word)
+
+
 def _coded(epsg: int, name: str = "") -> HeightSystem:
     for kind, vertical in JAPANESE.items():
         if epsg == vertical or epsg in _COMPOUND_OF[kind]:
