@@ -53,7 +53,8 @@ class ReadRoad:
         return x - t * math.sin(heading), y + t * math.cos(heading)
 
     def height(self, s: float) -> float:
-        return polynomial(list(self.element.iter("elevation")), "s", s)
+        pieces = list(self.element.iter("elevation"))
+        return polynomial(pieces, "s", s) if pieces else 0.0  # a road without heights lies at zero
 
 
 def polynomial(pieces, at: str, s: float) -> float:
