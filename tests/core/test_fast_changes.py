@@ -66,13 +66,14 @@ def test_a_change_at_a_stop_beyond_its_wandering_is_told_and_neither_side_is_cal
     assert made.steps and not ((made.status == REGISTERED) & (off > 0.1)).any()
 
 
-@pytest.mark.parametrize(("stops", "square", "told"), [(2, 5.8, 0), (2, 7.5, 1), (20, 7.5, 0), (20, 12.1, 1)])
-def test_the_more_stops_a_drive_has_the_surer_a_change_at_one_of_them_must_be(monkeypatch, stops, square, told):
-    """2.4 standard deviations at one of two stops are chance, so are 2.7 at one of twenty."""
+@pytest.mark.parametrize(("stops", "size", "sigma", "told"), [
+    (2, 0.15, 0.062, 0), (2, 0.36, 0.15, 1), (2, 0.2, 0.06, 1), (20, 0.36, 0.15, 0), (20, 0.6, 0.15, 1)])
+def test_the_more_stops_a_drive_has_the_surer_a_change_at_one_of_them_must_be(monkeypatch, stops, size, sigma, told):
+    """2.4 standard deviations at one of two stops are chance if small, but not 0.36 m, and that is at one of twenty."""
     stopped = np.zeros(2 * stops)
     stopped[::2] = 4.0
-    tests = [NodeStep(k, np.array([0.15, 0.0]), 0.01 * np.eye(2), square if k == 0 else 1.0)
-             for k in range(len(stopped))]
+    seen = NodeStep(0, np.array([size, 0.0]), sigma**2 * np.eye(2), (size / sigma) ** 2)
+    tests = [seen, *(NodeStep(k, np.zeros(2), seen.covariance, 0.0) for k in range(1, len(stopped)))]
     monkeypatch.setattr(fast_changes, "step_tests", lambda *_given: tests)
     found = SimpleNamespace(chain=SimpleNamespace(stopped=stopped), fit=None)
     assert len(fast_changes._at_stops(found, None)) == told

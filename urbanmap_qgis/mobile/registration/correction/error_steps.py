@@ -122,7 +122,7 @@ def unseen_steps(chain: NodeChain, model: PoseErrorModel, fit: Fit, known: Seque
         and all(abs(chain.nodes[step.node] - chain.nodes[other.node]) >= LIMITS.side for other in known)]
     if not tests:
         return UnseenSteps(np.zeros(0), np.zeros(0), np.zeros((0, 2, 2)))
-    chance = np.array([min(_times_as_likely(step), LIMITS.sure) * (chain.nodes[step.node + 1] - chain.nodes[step.node])
+    chance = np.array([min(times_as_likely(step), LIMITS.sure) * (chain.nodes[step.node + 1] - chain.nodes[step.node])
                        for step in tests]) / LIMITS.between_changes
     detectable = LIMITS.detectable * np.sqrt([np.linalg.eigvalsh(step.covariance)[-1] for step in tests])
     place, expected = chain.nodes[[step.node for step in tests]], np.array([_expected(step) for step in tests])
@@ -142,14 +142,14 @@ def short_gaps(chain: NodeChain, fit: Fit, hidden: Sequence[tuple[float, float, 
     for begin, end, step in hidden:
         inside = (at > begin) & (at < end) & (end - begin <= LIMITS.longest)
         first, last = np.column_stack([np.interp([begin, end], chain.nodes, axis) for axis in moving.T])
-        chance = _times_as_likely(step) * (end - begin) / LIMITS.between_changes
+        chance = times_as_likely(step) * (end - begin) / LIMITS.between_changes
         short |= inside
         variance[inside] = (chance / (1.0 + chance) * _expected(step)
                             + LIMITS.either * np.outer(last - first, last - first))
     return short, variance
 
 
-def _times_as_likely(step: NodeStep) -> float:
+def times_as_likely(step: NodeStep) -> float:
     """How many times as likely a step of usual size makes what is seen across a place as none does."""
     loose = step.covariance + LIMITS.size**2 * np.eye(2)
     gain = step.square - step.change @ np.linalg.solve(loose, step.change)

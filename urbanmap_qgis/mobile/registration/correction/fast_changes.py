@@ -18,6 +18,7 @@ import numpy as np
 from .chain import NodeChain
 from .disagreements import Disagreements, NodeStep, settle, silences, step_tests
 from .error_model import PoseErrorModel
+from .error_steps import times_as_likely
 from .patch_status import MOST_SPAN
 from .robust_fit import Evaluate, Fit, adjusted_again, chain_likelihood
 from .second_witness import with_free_gaps
@@ -39,7 +40,6 @@ class FastChangeLimits:
     proof: float = 4.5  # standard deviations of a change across a stretch without markings
     fix: float = 20.0  # m driven, in which a trajectory can be fixed anew
     standing: float = 1.0  # s, that a stop lasts at least
-    by_chance: float = 0.05  # of faultless drives, that any of their stops is doubted in
     excluded: float = 3.0  # standard deviations beyond which both sides of a stretch deny a step
     slipped: float = 1.0  # m: markings that windows find farther off slipped, by a dash or so
 
@@ -186,8 +186,8 @@ def _at_stops(found: Disagreements, model: PoseErrorModel) -> list[NodeStep]:
     """The likeliest step at each stop that the correction makes more of than its wandering there explains.
 
     What a standing vehicle's trajectory wanders is its own error: more can be a fault of either. Markings around few
-    stops tell a change to 4.5 standard deviations, so that less has to do for a doubt: as much as chance makes of any
-    of the drive's stops in few drives (Bonferroni's level, chi square of two degrees of freedom).
+    stops tell a change to 4.5 standard deviations, so that less has to do for a doubt: that a step of the reference
+    makes what is seen as many times likelier as the drive has stops, as chance has as many tries (Bayes factor).
     """
     chain, likeliest = found.chain, []
     if chain.stopped.sum() < LIMITS.standing:
@@ -198,8 +198,7 @@ def _at_stops(found: Disagreements, model: PoseErrorModel) -> list[NodeStep]:
         at_stop = [step for step in tests[first:end] if step is not None]
         if at_stop and chain.stopped[first:end].sum() >= LIMITS.standing:
             likeliest.append(max(at_stop, key=lambda item: item.square))
-    least = 2.0 * np.log(max(len(likeliest), 1) / LIMITS.by_chance)
-    return [step for step in likeliest if step.square > least and step.size > LIMITS.least]
+    return [step for step in likeliest if times_as_likely(step) > len(likeliest) and step.size > LIMITS.least]
 
 
 def with_silences(found: Disagreements, model: PoseErrorModel, at_patches: np.ndarray,
