@@ -300,6 +300,9 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         paths = [Path(destinations.file_of(text, context)) for text in
                  self.parameterAsFileList(parameters, name, context) if text]
         for path in paths:
+            if path.is_dir():
+                raise InputError(tr("{0}: {1} is a folder; give the LAS, LAZ or COPC files in it.").format(
+                    self.label_of(name), path))
             if not path.is_file():
                 raise InputError(tr("{0}: the file {1} does not exist; check its name.").format(
                     self.label_of(name), path))

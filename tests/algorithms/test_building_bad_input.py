@@ -152,6 +152,11 @@ def test_point_files_in_two_crs(refuse, cloud):
         name="other.laz", epsg=6676)])
 
 
+@pytest.mark.parametrize("epsg", [6677, None])
+def test_points_that_count_x_to_the_north(refuse, cloud, epsg):
+    assert "swapped" in refuse("segmentbuildings", POINTS=[cloud(lambda xyz: xyz[:, [1, 0, 2]], epsg=epsg)])
+
+
 def test_points_without_crs_take_that_of_the_outlines_and_say_so(run, good, cloud, tmp_path):
     from urbanmap_qgis.io.points.pointcloud import open_cloud
 
@@ -218,10 +223,11 @@ def test_other_content_under_the_name_of_points(refuse, tmp_path, name, content)
 
 
 @pytest.mark.parametrize(("given", "words"), [
-    ("missing.laz", "does not exist"), ("points.xyz", "no LAS, LAZ or COPC file"), (None, "")])
+    ("missing.laz", "does not exist"), ("points.xyz", "no LAS, LAZ or COPC file"), ("", "is a folder"),
+    (None, "")])
 def test_points_that_are_no_point_file(refuse, tmp_path, given, words):
     (tmp_path / "points.xyz").write_text("1 2 3")
-    assert words in refuse("segmentbuildings", POINTS=[str(tmp_path / given)] if given else None)
+    assert words in refuse("segmentbuildings", POINTS=[str(tmp_path / given)] if given is not None else None)
 
 
 def rewrite_header(path, **values):

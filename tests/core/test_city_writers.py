@@ -21,6 +21,7 @@ from urbanmap_qgis.citymodel.reading_notes import ReadingNotes
 from urbanmap_qgis.citymodel.reference import compound_epsg
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.geometry.mesh_code import third_mesh_code
+from urbanmap_qgis.progress import Progress
 
 SPACES = {"core": "http://www.opengis.net/citygml/2.0", "bldg": "http://www.opengis.net/citygml/building/2.0",
           "gen": "http://www.opengis.net/citygml/generics/2.0", "app": "http://www.opengis.net/citygml/appearance/2.0",
@@ -223,6 +224,19 @@ def test_folders_of_others_are_known(tmp_path):
     path, _ = parsed(tmp_path)
     path.write_text(path.read_text(encoding="utf-8").replace(WRITTEN_BY, ""), encoding="utf-8")
     assert "another program" in gml_folder_trouble(tmp_path)
+
+
+def test_files_of_an_earlier_run_stay_and_are_told(tmp_path):
+    said = []
+    progress = Progress(warn=lambda text: said.append(text))
+    write_citygml(tmp_path, town(), progress)
+    write_citygml(tmp_path, town(), progress)
+    assert not [text for text in said if "earlier run" in text]  # its own are replaced
+    write_citygml(tmp_path, town(heights="JGD2024"), progress)
+    write_citygml(tmp_path, town(epsg=28992, heights="EPSG:5709"), progress)
+    mine, both = [text for text in said if "earlier run" in text]
+    assert "1 files: 53394630_bldg_6697_op.gml" in mine and "2 files" in both
+    assert len(list(tmp_path.rglob("*.gml"))) == 3
 
 
 def test_the_reader_of_solids_takes_one_level_of_detail_and_puts_parts_together(tmp_path):

@@ -74,6 +74,7 @@ def open_points(algorithm, parameters: Mapping, context, footprints: VectorTable
         progress.warn(tr("{0}: the files state no coordinate reference system; they are taken to be in that of {1}, "
                          "{2}.").format(algorithm.label_of("POINTS"), algorithm.label_of("FOOTPRINTS"),
                                         crs_name(footprints.crs)))
+        refuse_swapped(algorithm, cloud, footprints)
         return replace(cloud, crs_wkt=footprints.crs_wkt)
     algorithm.require_projected("POINTS", cloud.crs_wkt)
     algorithm.same_crs("POINTS", cloud.crs_wkt, "FOOTPRINTS", footprints.crs)

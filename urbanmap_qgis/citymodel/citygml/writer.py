@@ -20,7 +20,7 @@ import numpy as np
 
 from ...errors import OutputError
 from ...geometry.mesh_code import third_mesh_code
-from ...io.files.atomic import written_beside
+from ...io.files.atomic import final_text, written_beside
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..images import copy_images
@@ -149,6 +149,7 @@ def write_citygml(folder: str | os.PathLike, model: CityModel, progress: Progres
             copy_images(place, file.images, model.images)
     if plateau:
         write_codelists(target / "codelists", version, lists)
+    _tell_of_earlier_runs(Path(final_text(str(target))), files, progress)
     if left_out:
         progress.warn(say("{count} buildings have parts that lie apart and no LOD1: it is one solid for the whole "
                           "building, and parts have none.", count=left_out))
@@ -168,6 +169,18 @@ def _made_folder(target: Path, module: str, plateau: bool) -> Path:
         raise OutputError(say("The folder {target} cannot be made ({strerror}): choose another output.", target=target,
                               strerror=error.strerror)) from error
     return place
+
+
+def _tell_of_earlier_runs(folder: Path, files: Mapping[str, _GmlFile], progress: Progress) -> None:
+    """Warn of files in a folder that hold things of the modules written now, but were not written now."""
+    modules = {file.module for file in files.values()}
+    plain = {_PLAIN_NAMES[module] for module in modules}
+    older = sorted(path.name for path in folder.rglob("*.gml")
+                   if path.stem not in files and (path.parent.name in modules or path.stem in plain))
+    if older:
+        progress.warn(say("The folder {folder} holds CityGML of an earlier run, which stays ({count} files: {names}): "
+                          "delete it, if it does not belong to this delivery.", folder=folder, count=len(older),
+                          names=", ".join(older[:3])))
 
 
 def gml_folder_trouble(folder: str | os.PathLike) -> str:
