@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import cv2
 import numpy as np
 import pytest
@@ -100,8 +102,23 @@ def test_bars_of_a_crossing_are_company():
     judged = JudgedPieces(None, flags > 0, pieces, None, 3 * np.ones_like(low), low, 0, None, None, None)
     rows = pieces.inside // 400
     for bars, strokes in ((rows < 140, (rows > 140) & (rows < 400)), (rows < 0, rows < 0)):
-        alone = _alone(judged, bars, PIXEL, CleanSettings())
+        alone = _alone(judged, bars, np.ones_like(low), PIXEL, CleanSettings())
         assert not alone[bars | strokes].any() and alone[~(bars | strokes)].all()
+
+
+def test_doubtful_paint_needs_ground_round_it_that_can_be_a_road_and_sure_paint_and_bars_do_not():
+    flags = np.zeros((300, 400), np.uint8)
+    for row in (20, 60, 100, 140):
+        flags[row:row + 4, 20:380] = 1
+    pieces = marking_pieces_of(flags > 0, flags, PIXEL, 50.0)
+    line = pieces.inside // 400 // 40
+    ground = np.where(line == 3, np.float32(0.4), np.float32(0.9))
+    roads = np.where(line < 2, np.float32(0.1), np.float32(0.3))
+    judged = JudgedPieces(None, flags > 0, pieces, None, 3 * np.ones_like(ground), ground, 0, None, None, None)
+    assert not _alone(judged, line < 0, roads, PIXEL, CleanSettings()).any()
+    low = replace(judged, by_rules=np.where(line == 2, ground, np.float32(0.4)))
+    alone = _alone(low, line == 1, roads, PIXEL, CleanSettings())
+    assert alone[line == 0].all() and not alone[line > 0].any()
 
 
 def test_worn_paint_on_a_road_may_be_alone(tmp_path):

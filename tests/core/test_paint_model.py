@@ -8,7 +8,7 @@ import pytest
 from urbanmap_qgis.aerial.markings.marking_confidence import GroundBeside
 from urbanmap_qgis.aerial.markings.paint_model import FILE, KindOfLight, PaintModel, paint_model
 from urbanmap_qgis.aerial.markings.road_model import RoadModel
-from urbanmap_qgis.aerial.markings.surroundings import cells_of, figures_at, sums_over
+from urbanmap_qgis.aerial.markings.surroundings import cells_of, figures_at, road_share, sums_over
 
 PIXEL = 0.12
 
@@ -76,6 +76,36 @@ def test_ground_that_differs_on_both_sides_is_told():
     image, narrow, ground = ground_with_stripe()
     image[:, 211:][image[:, 211:] == 130] = 90
     assert figures(image, narrow, ground)["sided1.5"] == 0.0
+
+
+def share_of_road(image, smooth, green, places, colour=True):
+    clear = np.ones(image.shape, np.uint8)
+    clear[78:87, 150:250] = 0  # a stroke and its rim tell nothing
+    ground = GroundBeside(clear, clear, smooth, image, None)
+    bands = np.stack([image, image + green, image] if colour else [image]).astype(np.uint8)
+    return road_share(np.asarray(places), bands, image, ground, RoadModel(brightness=100.0), PIXEL, 1.0)
+
+
+def test_what_can_be_a_road_is_smooth_as_bright_and_of_its_colour():
+    image, smooth, middle = np.full((420, 420), 100, np.float32), np.ones((420, 420), np.uint8), [81 * 420 + 200]
+    assert share_of_road(image, smooth, 0, middle) == 1
+    assert share_of_road(image, 0 * smooth, 0, middle) == 0 and share_of_road(image, smooth, 30, middle) == 0
+    assert share_of_road(image, smooth, 30, middle, colour=False) == 1
+    for level in (40, 185):
+        assert share_of_road(np.full_like(image, level), smooth, 0, middle) == 0
+    smooth[:, :201] = 0
+    assert share_of_road(image, smooth, 0, [200 * 420 + 201, 200 * 420 + 50]) == pytest.approx([0.5, 0], abs=0.03)
+
+
+def test_the_share_of_road_in_a_part_is_the_same():
+    rng = np.random.default_rng(5)
+    image = rng.integers(30, 220, (420, 420)).astype(np.float32)
+    smooth = np.kron(rng.integers(0, 2, (14, 14)), np.ones((30, 30))).astype(np.uint8)
+    whole = share_of_road(image, smooth, 0, [210 * 420 + 210], colour=False)
+    part = road_share(np.array([201 * 360 + 180]), image[None, 9:, 30:390].astype(np.uint8), image[9:, 30:390],
+                      GroundBeside(np.ones((411, 360), np.uint8), None, smooth[9:, 30:390], None, None),
+                      RoadModel(brightness=100.0), PIXEL, 1.0)
+    assert part == whole and 0 < whole[0] < 1
 
 
 def test_dashes_lie_in_line_but_not_all_along():

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 import cv2
 import numpy as np
 
-from .disc_opening import disc_kernel, disc_opened
+from .disc_opening import coarse_step, disc_kernel, disc_opened
 from .image_strips import STRIP, flat_places, grown, row_strips, shifted_places, within
 from .learning.answered_pieces import LearnedAnswers
 from .marking_confidence import (
@@ -39,7 +39,7 @@ from .road_model import RoadModel
 from .signs.crossing_bars import BARS_REACH, crossing_bars, on_smooth_ground
 from .signs.strokes import strokes_of
 from .signs.strokes_in_company import STROKES_REACH, vouched_confidence
-from .surroundings import REACH
+from .surroundings import REACH, road_share
 
 
 @dataclass(frozen=True)
@@ -65,6 +65,7 @@ class CleanSettings:
         less than `company` m2 with a confidence of `sure` lies within `company_reach`: paint is seldom alone; reeds and
         parts of roofs and vehicles are.
     own_length : shorter pieces are no company to themselves.
+    least_road : such doubtful paint goes too where less of the ground round it can be a road, see `road_share`.
     confidence : how it is measured.
     fill_width : paint up to this width, such as arrow heads, is filled.
     trained : whether the confidence is told by the trained model, see `paint_model`, or by rules alone; see also
@@ -94,6 +95,7 @@ class CleanSettings:
     company: float = 2.0
     company_reach: float = 10.0
     own_length: float = 5.0
+    least_road: float = 0.2
     confidence: ConfidenceSettings = field(default_factory=ConfidenceSettings)
     fill_width: float = 1.5
     trained: bool = False
@@ -189,10 +191,13 @@ def remove_non_markings(found: Candidates, pixel: float, settings: CleanSettings
     if found.roads is None:
         strokes = strokes_of(pieces, judged.accepted, mask.shape[1], pixel)
         bars = crossing_bars(strokes, settings.max_width)
-        bars = on_smooth_ground(pieces, bars, ground, shifted_places(pieces.inside, near, found.core.shape), pixel)
-        values = (_by_figures(judged, found, pixel, settings, rules, specks, within(wanted, near))
-                  if settings.asks_figures
-                  else np.where(_alone(judged, bars[pieces.labels], pixel, settings), np.float32(0), values))
+        places = shifted_places(pieces.inside, near, found.core.shape)
+        bars = on_smooth_ground(pieces, bars, ground, places, pixel)
+        if settings.asks_figures:
+            values = _by_figures(judged, found, pixel, settings, rules, specks, within(wanted, near))
+        else:
+            roads = road_share(places, found.bands, found.image, ground, found.model, pixel, found.scale)
+            values = np.where(_alone(judged, bars[pieces.labels], roads, pixel, settings), np.float32(0), values)
         vouched = vouched_confidence(strokes, bars, pieces.labels, rules if settings.learned is None else None)
         values = np.maximum(values, np.where(specks, np.float32(0), vouched[pieces.labels]))
     good = accepted & (values >= settings.min_confidence)
@@ -388,9 +393,10 @@ def _specks(judged: JudgedPieces, found: Candidates, pixel: float, settings: Cle
     return specks
 
 
-def _alone(judged: JudgedPieces, bars: np.ndarray, pixel: float, settings: CleanSettings) -> np.ndarray:
+def _alone(judged: JudgedPieces, bars: np.ndarray, roads: np.ndarray, pixel: float, settings: CleanSettings
+           ) -> np.ndarray:
     """Which of the pieces' pixels (bool, n) lie on doubtful ground and have hardly any sure paint round them, nor bars
-    of a crossing (bool, n)."""
+    of a crossing (bool, n), or lie where little can be a road (share, n)."""
     pieces = judged.pieces
     sure = bars | (along_strokes(judged.by_rules, judged.mask, pixel) >= settings.sure)
     flags = np.zeros(judged.mask.shape, np.uint8)
@@ -402,7 +408,8 @@ def _alone(judged: JudgedPieces, bars: np.ndarray, pixel: float, settings: Clean
     company = around.take(pieces.inside) - own[pieces.labels]
     # Worn paint is faint, but lies on a road: it needs no company.
     by_ground = _of_pieces(judged, judged.by_rules / contrast_confidence(judged.relief, settings.confidence), pixel)
-    return (by_ground < settings.doubtful) & (company * pixel ** 2 < settings.company)
+    lost = (company * pixel ** 2 < settings.company) | ~bars & (_of_pieces(judged, roads, pixel) < settings.least_road)
+    return (by_ground < settings.doubtful) & lost
 
 
 def _narrow(found: Candidates, ratio: float) -> np.ndarray:
@@ -490,8 +497,3 @@ def _opened_coarsely(image: np.ndarray, disc_pixel: float) -> tuple[int, np.ndar
         lowest = cv2.erode(image[wide], square, anchor=(0, 0), borderType=cv2.BORDER_REPLICATE)[inner]
         small[strip.start // step:-(-strip.stop // step)] = lowest[::step, ::step]
     return step, disc_opened(small, disc_kernel(disc_pixel / step, 1.0))
-
-
-def coarse_step(disc_pixel: float) -> int:
-    """Pixels that are taken together where a disc of a diameter in pixels opens an image."""
-    return max(int(disc_pixel / 10), 1)

@@ -16,11 +16,11 @@ import numpy as np
 from ...errors import InputError
 from ...wording import say
 from .colour_cast import ColourCast
-from .disc_opening import disc_kernel, disc_opened
+from .disc_opening import coarse_step, disc_kernel, disc_opened
 from .image_strips import flat_places, grown, row_strips, within
 from .marking_confidence import clear_of_paint, colours_of, mean_over, texture
 from .marking_evidence import SearchTally
-from .marking_filter import Candidates, Cleaned, CleanSettings, coarse_step, remove_non_markings
+from .marking_filter import Candidates, Cleaned, CleanSettings, remove_non_markings
 from .road_model import RoadModel
 from .surroundings import cell_pixels
 
@@ -194,7 +194,7 @@ def tile_step(pixel: float, settings: MarkingSettings) -> int:
     if not settings.cleaning:
         return 1
     step = coarse_step(settings.cleaning.vehicle_width / pixel)
-    return math.lcm(step, cell_pixels(pixel)) if settings.cleaning.asks_figures else step
+    return math.lcm(step, cell_pixels(pixel))
 
 
 def find_markings(bands: np.ndarray, seen: np.ndarray, roads: np.ndarray | None, pixel: float, levels: LevelAdjustment,

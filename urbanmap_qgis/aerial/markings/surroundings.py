@@ -30,6 +30,10 @@ class SurroundingsLimits:
     turned: float = 40.0  # degrees, directions in which lines are looked for to compare
     dark: float = 0.55  # times the road's brightness
     light: float = 1.4
+    road_light: tuple[float, float] = 0.45, 1.8  # times it: ground that can be a road
+    road_warmth: float = 0.13  # shares of the brightness, off the road's colour
+    road_green: float = 0.08
+    road_reach: float = 10.0  # m round a cell that its share of such ground is told in
 
 
 LIMITS = SurroundingsLimits()
@@ -123,6 +127,38 @@ def cells_of(bands: np.ndarray, image: np.ndarray, narrow: np.ndarray, ground: G
         for name in names:
             sums[name][place] = sums_over(values[name], size)
     return Cells(size, **sums)
+
+
+def road_share(places: np.ndarray, bands: np.ndarray, image: np.ndarray, ground: GroundBeside, model: RoadModel,
+               pixel: float, scale: float) -> np.ndarray:
+    """Share (n,) of the surroundings of places in the flat image that can be a road: smooth, and about as bright and of
+    the colour as the image's own road; paint and what else hides little of such ground counts as it.
+
+    Parameters as in `cells_of`.
+    """
+    size, wide = cell_pixels(pixel), image.shape[1]
+    parts = []
+    for strip, _, _ in row_strips(len(image), 0, max(STRIP // size, 1) * size):
+        clear, colours = ground.clear[strip], bands[:3, strip] if len(bands) >= 3 else ()
+        values = (clear, ground.smooth[strip], np.rint(image[strip]) * clear,
+                  *(np.rint(band * np.float32(scale)) * clear for band in colours))
+        parts.append([sums_over(value, size) for value in values])
+    clear, smooth, light, *colours = (np.concatenate(sums) for sums in zip(*parts))
+    some = np.maximum(clear, 1)
+    light /= some * max(model.brightness, 1.0)
+    like = (smooth > some / 2) & (light > LIMITS.road_light[0]) & (light < LIMITS.road_light[1])
+    if colours:
+        red, green, blue = colours
+        value = np.maximum((red + green + blue) / 3, 1)
+        like &= np.abs((red - blue) / value - model.warmth) < LIMITS.road_warmth
+        like &= np.abs((green - (red + blue) / 2) / value - model.green) < LIMITS.road_green
+    beside = cv2.boxFilter(like.view(np.uint8), cv2.CV_32F, (3, 3), normalize=False, borderType=cv2.BORDER_REPLICATE)
+    like |= (clear < 0.3 * size ** 2) & (beside > 2)
+    closed = cv2.morphologyEx(cv2.medianBlur(like.view(np.uint8), 3), cv2.MORPH_CLOSE, np.ones((5, 5), np.uint8))
+    side = 2 * round(LIMITS.road_reach / (size * pixel)) + 1
+    total = cv2.boxFilter(closed, cv2.CV_32F, (side, side), normalize=False, borderType=cv2.BORDER_REPLICATE)
+    rows, columns = np.divmod(places, wide)
+    return total[rows // size, columns // size] / side ** 2
 
 
 _ACROSS = np.float32([[-1, 0, 1]])
