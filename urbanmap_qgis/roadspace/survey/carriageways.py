@@ -95,7 +95,7 @@ def carriageways_between(edges: Sequence[EdgeLine], lanes: Sequence[shapely.Poly
     if not edges:
         raise InputError(say("There are no kerbs or road borders among the edges: give the lines of “Road edges”."))
     findings: list[RoadFinding] = []
-    edges = without_tracks(_without_pieces(edges, findings), findings, _surface_between)
+    edges = without_tracks(_without_pieces(edges, findings), findings, surface_between)
     lines = [shapely.linestrings(_thinned(edge)) for edge in edges]
     measured = shapely.union_all(lines)
     sure = shapely.union_all([line for line, edge in zip(lines, edges) if not edge.doubt])
@@ -127,7 +127,7 @@ def _doubts(edges: Sequence[EdgeLine], lines: Sequence[shapely.LineString],
     return found
 
 
-def _surface_between(edges: Sequence[EdgeLine]) -> list[shapely.Polygon]:
+def surface_between(edges: Sequence[EdgeLine]) -> list[shapely.Polygon]:
     """Polygons that edges enclose; none where they enclose nothing."""
     lines = [shapely.linestrings(_thinned(edge)) for edge in edges]
     return _between_two([*lines, *_bridges(edges, [])])[0] if lines else []
