@@ -105,6 +105,14 @@ def test_each_rule_removes_what_it_is_for():
     assert not cleaned[vehicle].any() and not cleaned[kerb].any()
 
 
+def test_a_dash_beside_a_vehicle_stays():
+    bands, _white, _yellow = street()
+    dash = np.s_[112:114, 262:278]
+    bands[(slice(None), *dash)] = 205.0
+    assert search(bands, MarkingSettings()).mask[dash].mean() > 0.9
+    assert not search(bands, replace_cleaning(vehicle_gap=1.0)).mask[dash].any()
+
+
 def test_yellow_is_told_from_white():
     bands, white, yellow = street()
     found = search(bands, MarkingSettings())

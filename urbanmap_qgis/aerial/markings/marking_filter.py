@@ -39,6 +39,7 @@ from .road_model import RoadModel
 from .signs.crossing_bars import BARS_REACH, crossing_bars, on_smooth_ground
 from .signs.strokes import strokes_of
 from .signs.strokes_in_company import STROKES_REACH, vouched_confidence
+from .signs.thick_paint import THICK, paint_around
 from .surroundings import REACH, road_share
 
 
@@ -79,7 +80,7 @@ class CleanSettings:
     min_length: float = 0.4
     vehicle_width: float = 3.2
     vehicle_area: float = 1.0
-    vehicle_gap: float = 0.7
+    vehicle_gap: float = 0.4
     vehicle_share: float = 0.3
     body_ratio: float = 3.5
     body_width: float = 1.3
@@ -382,14 +383,17 @@ def _of_pieces(judged: JudgedPieces, values: np.ndarray, pixel: float, known: np
 
 
 def _specks(judged: JudgedPieces, found: Candidates, pixel: float, settings: CleanSettings) -> np.ndarray:
-    """Which of the pieces' pixels (bool, n) lie in shade off known roads and do not hang together as a straight stroke.
-    There the sun falls through leaves, in specks that joined look like worn paint."""
+    """Which of the pieces' pixels (bool, n) lie in shade off known roads, are no straight stroke and no sure paint
+    among much of it. There the sun falls through leaves, in specks that joined look like worn paint."""
     if found.roads is not None:
         return np.zeros(len(judged.pieces.inside), bool)
     specks = judged.ground.in_shade(shifted_places(judged.pieces.inside, judged.near, judged.narrow.shape), pixel)
     if specks.any():
+        sunlit = ~specks & (along_strokes(judged.by_rules, judged.mask, pixel) >= settings.sure)
         whole = marking_pieces_of(judged.mask, judged.mask.view(np.uint8), pixel, settings.max_length)
         specks &= ~straight_strokes(whole, judged.mask.shape[1], pixel, settings.max_width)[whole.labels]
+        around = paint_around(sunlit, judged.pieces.inside, judged.mask.shape, pixel, settings.company_reach)
+        specks &= (_of_pieces(judged, judged.by_rules, pixel) < settings.sure) | (around * pixel ** 2 < THICK)
     return specks
 
 
@@ -399,13 +403,10 @@ def _alone(judged: JudgedPieces, bars: np.ndarray, roads: np.ndarray, pixel: flo
     of a crossing (bool, n), or lie where little can be a road (share, n)."""
     pieces = judged.pieces
     sure = bars | (along_strokes(judged.by_rules, judged.mask, pixel) >= settings.sure)
-    flags = np.zeros(judged.mask.shape, np.uint8)
-    flags.ravel()[pieces.inside] = sure
-    side = 2 * round(settings.company_reach / pixel) + 1
-    around = cv2.boxFilter(flags, cv2.CV_32F, (side, side), normalize=False, borderType=cv2.BORDER_CONSTANT)
+    around = paint_around(sure, pieces.inside, judged.mask.shape, pixel, settings.company_reach)
     own = np.bincount(pieces.labels, sure, minlength=len(pieces.size))
     own[pieces.length - settings.wear_gap >= settings.own_length] = 0
-    company = around.take(pieces.inside) - own[pieces.labels]
+    company = around - own[pieces.labels]
     # Worn paint is faint, but lies on a road: it needs no company.
     by_ground = _of_pieces(judged, judged.by_rules / contrast_confidence(judged.relief, settings.confidence), pixel)
     lost = (company * pixel ** 2 < settings.company) | ~bars & (_of_pieces(judged, roads, pixel) < settings.least_road)
