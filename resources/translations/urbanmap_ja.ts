@@ -9492,6 +9492,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>i-UR {version} に該当のない属性が {count} 個あり、汎用属性として出力しました（{names}）。</translation>
     </message>
     <message>
+        <source>The folder {folder} holds CityGML of an earlier run, which stays ({count} files: {names}): delete it, if it does not belong to this delivery.</source>
+        <translation>フォルダー {folder} には以前の実行の CityGML が残っています ({count} ファイル: {names})。今回の成果に属さない場合は削除してください。</translation>
+    </message>
+    <message>
         <source>The folder {target} cannot be made ({strerror}): choose another output.</source>
         <translation>フォルダ {target} を作成できません（{strerror}）。別の出力先を選択してください。</translation>
     </message>
@@ -11956,6 +11960,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>計測点群の車両付近に壁面がありません。標示だけでなく全点を指定するか、建物を使わずに調整してください。</translation>
     </message>
     <message>
+        <source>No wall of the airborne laser points beside {drives}: the other drives' walls are used.</source>
+        <translation>{drives} のそばには航空レーザ点群の壁がありません。他の走行で見つかった壁を使います。</translation>
+    </message>
+    <message>
         <source>No facade of the drives belongs to a building, and nothing else ties them: check that buildings and drives show the same streets.</source>
         <translation>建物に対応する壁面がなく、ほかに走行を結び付けるものもありません。建物と走行が同じ街路を示すことを確認してください。</translation>
     </message>
@@ -13628,6 +13636,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>与えられた道路は計測した縁石から {distance:.2f} m ずれていました（東へ {east:+.2f} m、北へ {north:+.2f} m 動かしました）。その境界を縁石とみなしています。</translation>
     </message>
     <message>
+        <source>drawn from what was seen of this island</source>
+        <translation>この島の見えた部分から描いた</translation>
+    </message>
+    <message>
         <source>The edge on this side was not seen over {length:.0f} m: the carriageway is drawn to the outermost lane that was measured, and nothing beside it. Give the drive of the other direction, too.</source>
         <translation>こちら側の縁は {length:.0f} m にわたって見えていません。車道は計測された最も外側の車線までとし、その外側には何も作りません。反対方向の走行も指定してください。</translation>
     </message>
@@ -14366,6 +14378,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0}: {1} cannot be opened as a vector layer; check the file and the layer name.</source>
         <translation>{0}: {1}をベクタレイヤとして開けません。ファイルとレイヤ名を確認してください。</translation>
+    </message>
+    <message>
+        <source>{0}: {1} is a folder; give the LAS, LAZ or COPC files in it.</source>
+        <translation>{0}: {1} はフォルダーです。その中の LAS、LAZ または COPC ファイルを指定してください。</translation>
     </message>
     <message>
         <source>{0}: the file {1} does not exist; check its name.</source>
