@@ -106,7 +106,7 @@ def test_bars_of_a_crossing_are_company():
         assert not alone[bars | strokes].any() and alone[~(bars | strokes)].all()
 
 
-def test_doubtful_paint_needs_ground_round_it_that_can_be_a_road_and_sure_paint_and_bars_do_not():
+def test_doubtful_paint_needs_ground_round_it_that_can_be_a_road_or_a_crossing_and_sure_paint_does_not():
     flags = np.zeros((300, 400), np.uint8)
     for row in (20, 60, 100, 140):
         flags[row:row + 4, 20:380] = 1
@@ -117,8 +117,9 @@ def test_doubtful_paint_needs_ground_round_it_that_can_be_a_road_and_sure_paint_
     judged = JudgedPieces(None, flags > 0, pieces, None, 3 * np.ones_like(ground), ground, 0, None, None, None)
     assert not _alone(judged, line < 0, roads, PIXEL, CleanSettings()).any()
     low = replace(judged, by_rules=np.where(line == 2, ground, np.float32(0.4)))
-    alone = _alone(low, line == 1, roads, PIXEL, CleanSettings())
-    assert alone[line == 0].all() and not alone[line > 0].any()
+    alone = _alone(low, line < 0, roads, PIXEL, CleanSettings())
+    assert alone[line < 2].all() and not alone[line > 1].any()
+    assert not _alone(low, line == 1, roads, PIXEL, CleanSettings()).any()
 
 
 def test_worn_paint_on_a_road_may_be_alone(tmp_path):

@@ -39,6 +39,13 @@ def test_what_would_be_nothing_is_left():
     assert without_short_sides([sliver]) == [sliver]
 
 
+def test_a_hole_of_which_nothing_is_left_goes():
+    """Three lines met in a triangle of millimetres: the other corners of the surface round it kept theirs too."""
+    hole = [(2, 2), (2.001, 2), (2.001, 2.001)]
+    (made,) = without_short_sides([shapely.Polygon([(0, 0), (4, 0), (4, 4), (4, 4.004), (0, 4)], [hole])])
+    assert not made.interiors and shortest_side([made]) > 3.0
+
+
 def test_a_face_of_a_centimetre_goes_into_those_beside_it():
     below, strip, above = shapely.box(0, 0, 5, 2), shapely.box(0, 2, 5, 2.01), shapely.box(0, 2.01, 5, 4)
     one, gone, other = without_short_edges([below, strip, above])

@@ -91,17 +91,22 @@ def _moves(polygons: Sequence[shapely.Polygon], kept: set[Corner]) -> dict[Corne
 
 
 def _moved(polygon: shapely.Polygon, moves: dict[Corner, Corner]) -> shapely.Polygon | None:
-    """The polygon with its corners moved; itself where none does, None where nothing of a ring would be left."""
+    """The polygon with its corners moved, without holes of which nothing is left; itself where none does, None where
+    nothing of its outline would be left."""
     if not any(corner in moves for corner in _corners(polygon)):
         return polygon
     rings = []
     for ring in (polygon.exterior, *polygon.interiors):
         corners = [moves.get(corner, corner) for corner in map(tuple, shapely.get_coordinates(ring).tolist())]
-        places = [corner for corner, before in zip(corners[1:], corners[:-1]) if corner != before]
-        if len(places) < 3:
-            return None
-        rings.append([places[-1], *places])
-    return shapely.Polygon(rings[0], rings[1:])
+        rings.append([corner for corner, before in zip(corners[1:], corners[:-1]) if corner != before])
+    return _of_rings(rings)
+
+
+def _of_rings(rings: Sequence[list[Corner]]) -> shapely.Polygon | None:
+    """A polygon of its outline and holes, without the holes of fewer than three corners; None without an outline."""
+    if len(rings[0]) < 3:
+        return None
+    return shapely.Polygon(rings[0], [ring for ring in rings[1:] if len(ring) > 2])
 
 
 def _spoiling(polygon: shapely.Polygon, moves: dict[Corner, Corner]) -> set[Corner]:
@@ -123,10 +128,8 @@ def _without_spikes(polygon: shapely.Polygon | None) -> shapely.Polygon | None:
             if spike is None:
                 break
             places = [corner for k, corner in enumerate(places) if k not in (spike, (spike + 1) % len(places))]
-        if len(places) < 3:
-            return None
         rings.append(places)
-    return shapely.Polygon(rings[0], rings[1:])
+    return _of_rings(rings)
 
 
 def _whole(polygon: shapely.Polygon | None) -> bool:

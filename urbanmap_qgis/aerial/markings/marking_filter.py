@@ -66,7 +66,7 @@ class CleanSettings:
         less than `company` m2 with a confidence of `sure` lies within `company_reach`: paint is seldom alone; reeds and
         parts of roofs and vehicles are.
     own_length : shorter pieces are no company to themselves.
-    least_road : such doubtful paint goes too where less of the ground round it can be a road, see `road_share`.
+    least_road : it goes too where less of the ground round it can be a road, see `road_share`, and no crossing is near.
     confidence : how it is measured.
     fill_width : paint up to this width, such as arrow heads, is filled.
     trained : whether the confidence is told by the trained model, see `paint_model`, or by rules alone; see also
@@ -392,7 +392,7 @@ def _specks(judged: JudgedPieces, found: Candidates, pixel: float, settings: Cle
         sunlit = ~specks & (along_strokes(judged.by_rules, judged.mask, pixel) >= settings.sure)
         whole = marking_pieces_of(judged.mask, judged.mask.view(np.uint8), pixel, settings.max_length)
         specks &= ~straight_strokes(whole, judged.mask.shape[1], pixel, settings.max_width)[whole.labels]
-        around = paint_around(sunlit, judged.pieces.inside, judged.mask.shape, pixel, settings.company_reach)
+        around, = paint_around((sunlit,), judged.pieces.inside, judged.mask.shape, pixel, settings.company_reach)
         specks &= (_of_pieces(judged, judged.by_rules, pixel) < settings.sure) | (around * pixel ** 2 < THICK)
     return specks
 
@@ -400,17 +400,18 @@ def _specks(judged: JudgedPieces, found: Candidates, pixel: float, settings: Cle
 def _alone(judged: JudgedPieces, bars: np.ndarray, roads: np.ndarray, pixel: float, settings: CleanSettings
            ) -> np.ndarray:
     """Which of the pieces' pixels (bool, n) lie on doubtful ground and have hardly any sure paint round them, nor bars
-    of a crossing (bool, n), or lie where little can be a road (share, n)."""
+    of a crossing (bool, n), or lie where little can be a road (share, n) and no crossing is near."""
     pieces = judged.pieces
     sure = bars | (along_strokes(judged.by_rules, judged.mask, pixel) >= settings.sure)
-    around = paint_around(sure, pieces.inside, judged.mask.shape, pixel, settings.company_reach)
-    own = np.bincount(pieces.labels, sure, minlength=len(pieces.size))
-    own[pieces.length - settings.wear_gap >= settings.own_length] = 0
-    company = around - own[pieces.labels]
+    around, crossing = paint_around((sure, bars), pieces.inside, judged.mask.shape, pixel, settings.company_reach)
+    short = pieces.length - settings.wear_gap < settings.own_length
+    own = np.bincount(pieces.labels, sure, minlength=len(pieces.size)) * short
+    few = (around - own[pieces.labels]) * pixel ** 2 < settings.company
+    # A crossing shows a road where buildings leave little ground to be seen.
+    off = (_of_pieces(judged, roads, pixel) < settings.least_road) & (crossing * pixel ** 2 < settings.company)
     # Worn paint is faint, but lies on a road: it needs no company.
     by_ground = _of_pieces(judged, judged.by_rules / contrast_confidence(judged.relief, settings.confidence), pixel)
-    lost = (company * pixel ** 2 < settings.company) | ~bars & (_of_pieces(judged, roads, pixel) < settings.least_road)
-    return (by_ground < settings.doubtful) & lost
+    return (by_ground < settings.doubtful) & (few | off)
 
 
 def _narrow(found: Candidates, ratio: float) -> np.ndarray:
@@ -445,8 +446,7 @@ def _round_cells(cells: np.ndarray, step: int, shape: tuple[int, int], disc: np.
     """Pixels of an image of a shape within a disc round cells (uint8) of so many pixels, bool."""
     if not cells.any():
         return np.zeros(shape, bool)
-    size = cells.shape[1] * step, cells.shape[0] * step
-    fine = cv2.resize(cells, size, interpolation=cv2.INTER_NEAREST)[:shape[0], :shape[1]]
+    fine = cv2.resize(cells, None, fx=step, fy=step, interpolation=cv2.INTER_NEAREST)[:shape[0], :shape[1]]
     return cv2.dilate(np.ascontiguousarray(fine), disc).view(bool)
 
 
