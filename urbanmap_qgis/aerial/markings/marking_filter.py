@@ -66,7 +66,7 @@ class CleanSettings:
         less than `company` m2 with a confidence of `sure` lies within `company_reach`: paint is seldom alone; reeds and
         parts of roofs and vehicles are.
     own_length : shorter pieces are no company to themselves.
-    least_road : it goes too where less of the ground round it can be a road, see `road_share`, and no crossing is near.
+    least_road, bars_near : it goes too where less of the ground round it can be a road and no bars lie so near.
     confidence : how it is measured.
     fill_width : paint up to this width, such as arrow heads, is filled.
     trained : whether the confidence is told by the trained model, see `paint_model`, or by rules alone; see also
@@ -97,6 +97,7 @@ class CleanSettings:
     company_reach: float = 10.0
     own_length: float = 5.0
     least_road: float = 0.2
+    bars_near: float = 20.0
     confidence: ConfidenceSettings = field(default_factory=ConfidenceSettings)
     fill_width: float = 1.5
     trained: bool = False
@@ -130,7 +131,7 @@ class CleanSettings:
     @property
     def piece_reach(self) -> float:
         """How far, m, from a pixel its piece and what is company to it or vouches for it reach."""
-        return max(self.max_length + self.wear_gap, self.company_reach + max(ALONG_REACH, BARS_REACH), STROKES_REACH)
+        return max(self.max_length + self.wear_gap, STROKES_REACH, BARS_REACH + max(self.company_reach, self.bars_near))
 
 
 @dataclass(frozen=True)
@@ -403,13 +404,12 @@ def _alone(judged: JudgedPieces, bars: np.ndarray, roads: np.ndarray, pixel: flo
     of a crossing (bool, n), or lie where little can be a road (share, n) and no crossing is near."""
     pieces = judged.pieces
     sure = bars | (along_strokes(judged.by_rules, judged.mask, pixel) >= settings.sure)
-    around, crossing = paint_around((sure, bars), pieces.inside, judged.mask.shape, pixel, settings.company_reach)
-    short = pieces.length - settings.wear_gap < settings.own_length
-    own = np.bincount(pieces.labels, sure, minlength=len(pieces.size)) * short
+    reach = settings.company_reach, settings.bars_near
+    around, crossing = paint_around((sure, bars), pieces.inside, judged.mask.shape, pixel, *reach)
+    own = np.bincount(pieces.labels, sure, len(pieces.size)) * (pieces.length < settings.own_length + settings.wear_gap)
     few = (around - own[pieces.labels]) * pixel ** 2 < settings.company
-    # A crossing shows a road where buildings leave little ground to be seen.
     off = (_of_pieces(judged, roads, pixel) < settings.least_road) & (crossing * pixel ** 2 < settings.company)
-    # Worn paint is faint, but lies on a road: it needs no company.
+    # Worn paint is faint, but lies on a road: it needs no company. A crossing shows a road where little is to be seen.
     by_ground = _of_pieces(judged, judged.by_rules / contrast_confidence(judged.relief, settings.confidence), pixel)
     return (by_ground < settings.doubtful) & (few | off)
 

@@ -12,9 +12,9 @@ THICK = 12.0
 """m2 of sure paint in the sun within reach; under trees a street with lines alone has less."""
 
 
-def paint_around(kinds: Sequence[np.ndarray], inside: np.ndarray, shape: tuple[int, int], pixel: float, reach: float
+def paint_around(kinds: Sequence[np.ndarray], inside: np.ndarray, shape: tuple[int, int], pixel: float, *reach: float
                  ) -> list[np.ndarray]:
-    """How many pixels of each kind (float32, n) lie within `reach` m by rows and columns of each pixel of pieces.
+    """How many pixels of each kind (float32, n) lie within its `reach`, m, by rows and columns of each of pieces.
 
     Parameters
     ----------
@@ -22,8 +22,8 @@ def paint_around(kinds: Sequence[np.ndarray], inside: np.ndarray, shape: tuple[i
     inside : (n,) places of the pixels in the flat image of the shape (rows, columns).
     pixel : m.
     """
-    side, around = 2 * round(reach / pixel) + 1, []
-    for kind in kinds:
+    around = []
+    for kind, side in zip(kinds, (2 * round(far / pixel) + 1 for far in reach)):
         flags = np.zeros(shape, np.uint8)
         flags.ravel()[inside] = kind
         around.append(cv2.boxFilter(flags, cv2.CV_32F, (side, side), normalize=False,
