@@ -54,5 +54,4 @@ def test_paint_is_counted_by_rows_and_columns():
     sure = rng.random(500) < 0.4
     rows, columns = np.divmod(inside, 80)
     near = (np.abs(rows[:, None] - rows) <= 10) & (np.abs(columns[:, None] - columns) <= 10)
-    found = paint_around((sure, ~sure), inside, (60, 80), 0.1, 1.0, 1.0)
-    assert [np.array_equal(one, (near & kind).sum(axis=1)) for one, kind in zip(found, (sure, ~sure))] == [True, True]
+    assert np.array_equal(paint_around(sure, inside, (60, 80), 0.1, 1.0), (near & sure).sum(axis=1))

@@ -393,7 +393,7 @@ def _specks(judged: JudgedPieces, found: Candidates, pixel: float, settings: Cle
         sunlit = ~specks & (along_strokes(judged.by_rules, judged.mask, pixel) >= settings.sure)
         whole = marking_pieces_of(judged.mask, judged.mask.view(np.uint8), pixel, settings.max_length)
         specks &= ~straight_strokes(whole, judged.mask.shape[1], pixel, settings.max_width)[whole.labels]
-        around, = paint_around((sunlit,), judged.pieces.inside, judged.mask.shape, pixel, settings.company_reach)
+        around = paint_around(sunlit, judged.pieces.inside, judged.mask.shape, pixel, settings.company_reach)
         specks &= (_of_pieces(judged, judged.by_rules, pixel) < settings.sure) | (around * pixel ** 2 < THICK)
     return specks
 
@@ -404,8 +404,8 @@ def _alone(judged: JudgedPieces, bars: np.ndarray, roads: np.ndarray, pixel: flo
     of a crossing (bool, n), or lie where little can be a road (share, n) and no crossing is near."""
     pieces = judged.pieces
     sure = bars | (along_strokes(judged.by_rules, judged.mask, pixel) >= settings.sure)
-    reach = settings.company_reach, settings.bars_near
-    around, crossing = paint_around((sure, bars), pieces.inside, judged.mask.shape, pixel, *reach)
+    around = paint_around(sure, pieces.inside, judged.mask.shape, pixel, settings.company_reach)
+    crossing = paint_around(bars, pieces.inside, judged.mask.shape, pixel, settings.bars_near)
     own = np.bincount(pieces.labels, sure, len(pieces.size)) * (pieces.length < settings.own_length + settings.wear_gap)
     few = (around - own[pieces.labels]) * pixel ** 2 < settings.company
     off = (_of_pieces(judged, roads, pixel) < settings.least_road) & (crossing * pixel ** 2 < settings.company)

@@ -3,8 +3,6 @@ painted, so that letters in shade stay there."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import cv2
 import numpy as np
 
@@ -12,20 +10,18 @@ THICK = 12.0
 """m2 of sure paint in the sun within reach; under trees a street with lines alone has less."""
 
 
-def paint_around(kinds: Sequence[np.ndarray], inside: np.ndarray, shape: tuple[int, int], pixel: float, *reach: float
-                 ) -> list[np.ndarray]:
-    """How many pixels of each kind (float32, n) lie within its `reach`, m, by rows and columns of each of pieces.
+def paint_around(sure: np.ndarray, inside: np.ndarray, shape: tuple[int, int], pixel: float, reach: float
+                 ) -> np.ndarray:
+    """How many sure pixels (float32, n) lie within `reach` m by rows and columns of each pixel of pieces.
 
     Parameters
     ----------
-    kinds : (n,) bool each, such as pixels that are paint for sure.
+    sure : (n,) bool, pixels that are paint for sure.
     inside : (n,) places of the pixels in the flat image of the shape (rows, columns).
     pixel : m.
     """
-    around = []
-    for kind, side in zip(kinds, (2 * round(far / pixel) + 1 for far in reach)):
-        flags = np.zeros(shape, np.uint8)
-        flags.ravel()[inside] = kind
-        around.append(cv2.boxFilter(flags, cv2.CV_32F, (side, side), normalize=False,
-                                    borderType=cv2.BORDER_CONSTANT).take(inside))
-    return around
+    flags = np.zeros(shape, np.uint8)
+    flags.ravel()[inside] = sure
+    side = 2 * round(reach / pixel) + 1
+    around = cv2.boxFilter(flags, cv2.CV_32F, (side, side), normalize=False, borderType=cv2.BORDER_CONSTANT)
+    return around.take(inside)
