@@ -7,6 +7,8 @@ import pytest
 import shapely
 
 from tests.core.laid_out_roads import arrow, avenue, course, drive, lane_at, line, path_line, place, stop
+from urbanmap_qgis.roadmap.lanes.bound_continuation import continued
+from urbanmap_qgis.roadmap.lanes.road_sections import Axis, BoundTrack
 from urbanmap_qgis.roadmap.lanes.section_preparation import prepared_sections
 from urbanmap_qgis.roadmap.map_records import MapSettings
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
@@ -145,6 +147,22 @@ def test_outermost_bound_goes_on_by_twice_what_is_seen(seen, to):
     (section, _stops), = prepared_sections(lines, (), LEFT)
     ends = sorted(track.end - track.start for track in section.tracks)
     assert ends[0] == pytest.approx(to, abs=0.6) and ends[-1] == pytest.approx(60.0, abs=0.6)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_bound_far_from_an_uneven_axis_goes_on_without_turning_back(seed):
+    """The axis wavers by 0.1 m; 12 m away its cross-sections meet."""
+    along = np.arange(0.0, 81.0, 2.0)
+    axis = Axis(np.column_stack([along, np.random.default_rng(seed).normal(0.0, 0.1, len(along))]))
+    tracks = []
+    for across, start in ((12.0, 40), (8.5, 0)):
+        points = np.array([[x, across, 0.0] for x in range(start, 81)])
+        chainage, offset = axis.local(points[:, :2])
+        rows = np.flatnonzero(chainage > np.append(-1.0, np.maximum.accumulate(chainage)[:-1]))
+        piece = (chainage[0], chainage[-1], line(across, start, 80))
+        tracks.append(BoundTrack(points[rows], chainage[rows], offset[rows], [piece]))
+    edge = max(continued(tracks, axis, (), LEFT), key=lambda track: np.median(track.offset))
+    assert edge.points[0, 0] < 20.0 and (np.diff(edge.points[:, 0]) > 0.0).all()
 
 
 def test_long_gap_is_bridged_at_a_constant_distance_to_the_axis():

@@ -92,9 +92,24 @@ def _beyond(track: BoundTrack, others: Sequence[BoundTrack], axis: Axis, ahead: 
     free = _free(chainage, offset, plan, others, tree, settings)
     if free < 2:
         return None
-    height = np.interp(chainage, other.chainage, other.points[:, 2])
-    height += track.points[-1 if ahead else 0, 2] - np.interp(end, other.chainage, other.points[:, 2])
-    return np.column_stack([plan, height])[:free], chainage[:free], offset[:free]
+    tip = track.points[-1 if ahead else 0]
+    height = np.interp(chainage, other.chainage, other.points[:, 2]) + tip[2]
+    height -= np.interp(end, other.chainage, other.points[:, 2])
+    kept = _onward(tip[:2], plan[:free], sign * along[:free])
+    return (np.column_stack([plan, height])[kept], chainage[kept], offset[kept]) if len(kept) > 1 else None
+
+
+def _onward(tip: np.ndarray, plan: np.ndarray, along: np.ndarray) -> np.ndarray:
+    """Rows of the places (n, 2) that lie ahead of the last one kept, the first of an end (2,), in the road's direction.
+
+    Far from a bent axis its cross-sections meet: places of greater chainage may lie behind.
+    """
+    kept: list[int] = []
+    for row, (place, direction) in enumerate(zip(plan, along)):
+        if (place - tip) @ direction > STEP / 10.0:
+            kept.append(row)
+            tip = place
+    return np.array(kept, int)
 
 
 def _unseen_end(track: BoundTrack, ahead: bool) -> float:
