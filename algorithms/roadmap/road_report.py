@@ -28,13 +28,18 @@ def write_road_report(path, built) -> None:
     report.write(path)
 
 
-def write_survey_report(path, model) -> None:
-    """Write the report on a road model from a survey."""
+def write_survey_report(path, model, trouble: str = "") -> None:
+    """Write the report on a road model from a survey; `trouble` says why there is nothing in it."""
     from ...urbanmap_qgis.io.pages.report import BAD, GOOD, LOOK, Report
     from ...urbanmap_qgis.roadspace.survey.area_pictures import area_picture, areas_extent, junction_windows
     from ...urbanmap_qgis.roadspace.survey.area_records import HARDLY_SEEN
 
     report = Report(tr("Road model"))
+    if trouble:
+        report.verdict(BAD, tr("No road model was made. {0}").format(trouble))
+        _findings(report, model)
+        report.write(path)
+        return
     unseen = sum(area.source in ("continued", "doubtful") for area in model.areas)
     hardly = model.seen < HARDLY_SEEN
     report.verdict(BAD if hardly else LOOK if model.findings else GOOD, tr(

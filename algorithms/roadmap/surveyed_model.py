@@ -7,6 +7,7 @@ from collections import Counter
 from ...urbanmap_qgis.errors import InputError
 from ..framework.declaring.parameters import tr
 from ..framework.layers.layers import make_fields
+from ..framework.running.chain import is_rest_kept
 
 AREA_FIELDS = (("area_id", "int"), ("road_id", "int"), ("kind", "text"), ("function", "text"), ("width", "real"),
                ("area", "real"), ("source", "text"), ("seen", "real"), ("step", "real"), ("sigma", "real"))
@@ -92,6 +93,21 @@ def tell_surveyed(model, progress) -> None:
         progress.warn(tr("{0}: {1}").format(tr(kind), count))
 
 
+def modelled_or_told(edges, level, inputs, progress):
+    """The model, and why there is nothing in it; empty where there is. Only in a chain, which made more than it."""
+    from ...urbanmap_qgis.roadspace.survey.area_records import SurveyedRoads
+    from ...urbanmap_qgis.roadspace.survey.carriageways import NoCarriagewayError
+    from ...urbanmap_qgis.roadspace.survey.survey_roads import surveyed_roads
+
+    try:
+        return surveyed_roads(edges, level, inputs, progress), ""
+    except NoCarriagewayError as error:
+        if not is_rest_kept():
+            raise
+        progress.warn(tr("No road model was made. {0}").format(error))
+        return SurveyedRoads(level, (), (), (), error.findings), str(error)
+
+
 def compute_surveyed(algorithm, parameters, context, progress):
     """LOD2 and finer."""
     from contextlib import ExitStack
@@ -99,7 +115,6 @@ def compute_surveyed(algorithm, parameters, context, progress):
 
     from ...urbanmap_qgis.io.raster import RasterSampler
     from ...urbanmap_qgis.roadspace.road_records import RoadSurfaceModel
-    from ...urbanmap_qgis.roadspace.survey.survey_roads import surveyed_roads
     from .road_report import write_survey_report
 
     edges, inputs, table = read_survey_roads(algorithm, parameters, context, progress.part(0.0, 0.1))
@@ -109,19 +124,19 @@ def compute_surveyed(algorithm, parameters, context, progress):
             raster = opened.enter_context(RasterSampler(ground))
             algorithm.same_crs("GROUND", raster.crs_wkt, "EDGES", table.crs)
             inputs = replace(inputs, ground=raster.sample)
-        model = surveyed_roads(edges, algorithm.parameterAsString(parameters, "LOD", context), inputs,
-                               progress.part(0.1, 0.8))
+        model, trouble = modelled_or_told(edges, algorithm.parameterAsString(parameters, "LOD", context), inputs,
+                                          progress.part(0.1, 0.8))
     tell_surveyed(model, progress)
     built = RoadSurfaceModel(model.pieces, (), model.findings)
     results = {**algorithm.write_road_layers(parameters, context, built, table.crs),
                **write_area_layers(algorithm, parameters, context, model, table.crs)}
     folder = algorithm.output_path(parameters, "OUTPUT_CITYGML", context)
-    if folder is not None:
+    if folder is not None and not trouble:
         from ...urbanmap_qgis.roadspace.survey.area_city import write_survey_citygml
 
         write_survey_citygml(folder, model, table.crs_wkt, algorithm.delivery(parameters, context, progress),
                              progress.part(0.8, 0.95))
         results["OUTPUT_CITYGML"] = str(folder)
-    results |= algorithm.write_file(parameters, "OUTPUT_REPORT", context, write_survey_report, model)
+    results |= algorithm.write_file(parameters, "OUTPUT_REPORT", context, write_survey_report, model, trouble)
     return {**results, "SURFACES": len(model.pieces), "JUNCTIONS": built.count("junction"),
             "FINDINGS": len(model.findings)}

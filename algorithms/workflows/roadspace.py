@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.running.chain import GivenParameters, files_read_once
+from ..framework.running.chain import GivenParameters, files_read_once, rest_kept
 from ..roadmap.markinglines import MarkingLines
 from ..roadmap.roadedges import RoadEdges
 from ..roadmap.roadmodel import RoadModel
@@ -33,7 +33,8 @@ class RoadSpace(UrbanMapAlgorithm):
         "poles, lamp posts, signals, signs and trees. All as layers and as CityGML of PLATEAU; the lanes with what "
         "stands beside them as Lanelet2 and OpenDRIVE files, too.\n"
         "Several drives are given as one: their points together, their trajectories one after another in one file. "
-        "What was not seen is a finding with its place, never made up."
+        "What was not seen is a finding with its place, never made up. Where the edges bound no carriageway, the road "
+        "model is empty and a warning says why; the rest is kept."
     )
 
     def declare(self):
@@ -56,7 +57,7 @@ class RoadSpace(UrbanMapAlgorithm):
         self.add_from(StreetObjects, *OBJECT_FIGURES)
 
     def compute(self, parameters, context, feedback):
-        with files_read_once():
+        with files_read_once(), rest_kept():
             return self._run_stages(parameters, context, feedback)
 
     def _run_stages(self, parameters, context, feedback):

@@ -9,7 +9,7 @@ import shapely
 from pyproj import CRS
 
 from tests.core import object_scene as scene
-from tests.core.road_scene import Street, to_map, write_drive
+from tests.core.road_scene import EAST, KERB_AT, NORTH, Street, to_map, write_drive
 from urbanmap_qgis.io.osm import read_osm
 
 ALGORITHM = "urbanmap:roadspace"
@@ -62,12 +62,42 @@ def test_markings_are_needed(run, given):
         run(ALGORITHM, {**given, "OUTPUT": "memory:"})
 
 
-def test_snow_over_the_kerbs_is_refused_in_a_sentence(run, given, tmp_path):
+def test_snow_over_the_kerbs_is_told_and_the_rest_is_kept(run, read_layer, feedback, given, tmp_path):
     """20 cm of snow: neither the kerb nor the border of the verge shows, and the surface is rough all over."""
-    write_drive(tmp_path / "snow.las", Street(length=60.0, kerb=0.0, rough=0.0, verge=20.0))
+    write_drive(tmp_path / "snow.las", Street(length=60.0, kerb=0.0, rough=0.0, verge=20.0),
+                more=lambda rng: scene.sign(rng, 30.0, -7.0))
     cloud = laspy.read(tmp_path / "snow.las")
     cloud.z = np.asarray(cloud.z) + 0.2 + 0.01 * np.random.default_rng(3).standard_normal(len(cloud.z))
     cloud.header.add_crs(CRS.from_epsg(6677))
     cloud.write(tmp_path / "drive.las")
-    with pytest.raises(Exception, match="no kerbs or road borders among the edges"):
-        run(ALGORITHM, {**given, "OUTPUT": "memory:"})
+    results = run(ALGORITHM, {
+        **given, **{name: str(tmp_path / f"{name}.gpkg") for name in (
+            "OUTPUT", "OUTPUT_AREAS", "OUTPUT_FINDINGS", "OUTPUT_OBJECTS", "OUTPUT_EDGES", "OUTPUT_LANES")},
+        "OUTPUT_LANELET2": str(tmp_path / "map.osm"), "OUTPUT_CITYGML": str(tmp_path / "roads"),
+        "OUTPUT_REPORT": str(tmp_path / "report.html")})
+    sentence = "No road model was made. There are no kerbs or road borders among the edges"
+    assert any(sentence in text for text in feedback.warnings)
+    assert sentence in (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert results["SURFACES"] == 0 and not read_layer(results["OUTPUT"]) and not read_layer(results["OUTPUT_AREAS"])
+    assert "OUTPUT_CITYGML" not in results
+    assert [row.attributes["kind"] for row in read_layer(results["OUTPUT_OBJECTS"])] == ["sign"]
+    assert read_layer(results["OUTPUT_LANES"]) and read_osm(results["OUTPUT_LANELET2"]).ways
+
+
+def test_a_kerb_on_one_side_is_told_with_its_place(run, read_layer, feedback, polygon_layer, given, tmp_path):
+    """Nothing shows the other side, and a line close to the kerb bounds no lane: the edges stay."""
+    write_drive(tmp_path / "one.las", Street(length=60.0, verge=20.0))
+    cloud = laspy.read(tmp_path / "one.las")
+    cloud.header.add_crs(CRS.from_epsg(6677))
+    cloud.write(tmp_path / "drive.las")
+    ring = shapely.get_coordinates(shapely.box(2.0, 3.2, 58.0, 3.35))
+    paint = shapely.Polygon(to_map(np.column_stack([ring, np.zeros(len(ring))]), 0.0)[:, :2]).wkt
+    results = run(ALGORITHM, {**given, "MARKINGS": polygon_layer([paint], "EPSG:6677", {"colour": ["white"]}),
+                              **{name: str(tmp_path / f"{name}.gpkg") for name in (
+                                  "OUTPUT", "OUTPUT_FINDINGS", "OUTPUT_EDGES")}})
+    assert any("No road model was made. The edges enclose no carriageway" in text for text in feedback.warnings)
+    assert results["SURFACES"] == 0 and read_layer(results["OUTPUT_EDGES"])
+    (finding,) = read_layer(results["OUTPUT_FINDINGS"])
+    assert finding.attributes["kind"] == "edge without a carriageway" and results["FINDINGS"] == 1
+    x, y = shapely.get_coordinates(shapely.from_wkt(finding.wkt))[0]
+    assert abs(x - (EAST + 30.0)) < 3.0 and abs(y - (NORTH - KERB_AT)) < 0.1

@@ -4,6 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from contextvars import ContextVar
+
+_REST_KEPT: ContextVar[bool] = ContextVar("rest_kept", default=False)
+
+
+@contextmanager
+def rest_kept() -> Iterator[None]:
+    """In the block, a stage that finds nothing to make says so and gives empty layers: what others made is kept."""
+    token = _REST_KEPT.set(True)
+    try:
+        yield
+    finally:
+        _REST_KEPT.reset(token)
+
+
+def is_rest_kept() -> bool:
+    """Whether the stage runs in such a block."""
+    return _REST_KEPT.get()
 
 
 class GivenParameters(dict):

@@ -37,6 +37,14 @@ class CarriagewayLimits:
 LIMITS = CarriagewayLimits()
 
 
+class NoCarriagewayError(InputError):
+    """Measured edges bound no carriageway; `findings` say of which edges that was seen."""
+
+    def __init__(self, message: str, findings: Sequence[RoadFinding] = ()):
+        super().__init__(message)
+        self.findings = tuple(findings)
+
+
 @dataclass(frozen=True, eq=False)
 class Carriageways:
     """Polygons between the edges, m.
@@ -90,10 +98,11 @@ def carriageways_between(edges: Sequence[EdgeLine], lanes: Sequence[shapely.Poly
 
     Raises
     ------
-    InputError : there is no edge, or the edges enclose nothing and no lanes lie beside them.
+    NoCarriagewayError : there is no edge, or the edges enclose nothing and no lanes lie beside them.
     """
     if not edges:
-        raise InputError(say("There are no kerbs or road borders among the edges: give the lines of “Road edges”."))
+        raise NoCarriagewayError(say("There are no kerbs or road borders among the edges: give the lines of “Road "
+                                     "edges”."))
     findings: list[RoadFinding] = []
     edges = without_tracks(_without_pieces(edges, findings), findings, surface_between)
     lines = [shapely.linestrings(_thinned(edge)) for edge in edges]
@@ -106,7 +115,7 @@ def carriageways_between(edges: Sequence[EdgeLine], lanes: Sequence[shapely.Poly
     whole = [shapely.linestrings(edge.plan) for edge in edges]
     others = one_sided_carriageways([*whole, *bridges], lanes, polygons)
     if not polygons and not others.polygons:
-        raise InputError(_one_sided())
+        raise NoCarriagewayError(_one_sided(), (*findings, *others.findings))
     made = (*polygons, *others.polygons)
     return Carriageways(made, measured, sure, (*ends, *others.ends), (
         *findings, *open_findings, *others.findings, *_doubts(edges, lines, made), *roads_above(edges)),
