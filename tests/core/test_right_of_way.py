@@ -64,11 +64,20 @@ def test_between_equal_roads_the_side_decides(crossing, left_hand, waits):
     """One lane of the avenue beside the street alone: the avenue's comes from the west, the street's from the south."""
     number, other = way(crossing, 30, 5.2, "straight"), way(crossing, 73.2, -40, "straight")
     alone = replace(crossing, left_hand=left_hand, lanes=[
-        replace(lane, left_neighbour=-1, right_neighbour=-1, stop_lines=[], yields_to={}) for lane in crossing.lanes])
+        replace(lane, left_neighbour=-1, right_neighbour=-1, stop_lines=[], yields_to={},
+                kind="virtual" if k in (number, other) else "lane") for k, lane in enumerate(crossing.lanes)])
     decided = rights_of_way(alone, [number, other])
     # Who drives north has the one from the west on his left.
     assert decided == {((other, number) if waits else (number, other)): "side it comes from"}
     assert complete_rights(alone, [number, other], decided) == ({number: [other]} if waits else {other: [number]})
+
+
+def test_no_right_before_a_way_that_nothing_is_decided_for(crossing):
+    """A way that no area covers is asked for nothing, but meets others all the same."""
+    (junction,) = crossing.intersections
+    first = next(iter(junction.yields))
+    covered = [lane for lane in junction.lanes if lane != junction.yields[first][0]]
+    assert first not in complete_rights(crossing, covered, rights_of_way(crossing, covered))
 
 
 def test_a_road_with_stop_lines_waits_for_one_without_on_both_arms():

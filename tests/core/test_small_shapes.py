@@ -178,6 +178,18 @@ def test_the_area_of_a_way_that_bulges_takes_the_roads_beside_in(more, corners):
     assert found == ([(corners, [0])] if corners else [])
 
 
+def test_a_way_past_a_lane_stays_out_of_the_area():
+    """Else the area would lie about the lane, which is no way through it."""
+    short, long = ("virtual", [(0, 3), (10, 3)], [(0, 0), (10, 0)]), ("virtual", [(0, 6), (70, 6)], [(0, 3), (70, 3)])
+    beside = ("lane", [(20, 2.5), (30, 2.5)], [(20, 1.5), (30, 1.5)])
+    built = lane_map(short, long, beside)
+    add_intersections(built)
+    assert [one.lanes for one in built.intersections] == [[0]]
+    alone = lane_map(short, long)
+    add_intersections(alone)
+    assert [one.lanes for one in alone.intersections] == [[0, 1]]
+
+
 def test_a_level_ray_is_in_a_slab_all_along_or_never():
     origin, direction = np.array([[0.0, 0.5, 5.0]]), np.array([[1.0, 0.0, 0.0]])
     enter, leave = _slab(origin, direction, np.array([2.0, 0.0, 0.0]), np.array([3.0, 1.0, 1.0]))

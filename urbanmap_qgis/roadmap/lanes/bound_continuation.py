@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from ...geometry.tolerances import SAME_PLACE
 from ..map_records import MapSettings
 from .road_sections import Axis, BoundTrack
 
@@ -106,7 +107,7 @@ def _onward(tip: np.ndarray, plan: np.ndarray, along: np.ndarray) -> np.ndarray:
     """
     kept: list[int] = []
     for row, (place, direction) in enumerate(zip(plan, along)):
-        if (place - tip) @ direction > STEP / 10.0:
+        if (place - tip) @ direction > SAME_PLACE:
             kept.append(row)
             tip = place
     return np.array(kept, int)

@@ -20,17 +20,19 @@ DRAWN = 0.6
 ON_EDGE = 0.02
 """Ends of lanes so near to the area's edge are corners of it, m."""
 
+
 def add_intersections(built: VectorMap) -> None:
     """Group the virtual lanes that overlap or begin or end together, with an area from the ends of lanes about them.
 
-    The corners are ends of lanes only. A way that bulges beyond such an area by more than `DRAWN` stays out of it.
+    The corners are ends of lanes only. A way that bulges beyond such an area by more than `DRAWN` stays out of it, and
+    so does the longest one of a group about lanes that are no ways: it goes past a whole street.
     """
     virtual = [number for number, lane in enumerate(built.lanes) if lane.kind == "virtual"]
     groups = _groups(built, virtual)
     while (joined := _joined(built, groups)) != groups:
         groups = joined
     for group in groups:
-        ring, covered = _area(built, group)
+        ring, covered = _area(built, _without_lanes_about(built, group))
         if covered:
             built.intersections.append(Intersection(ring, covered, _yields(built, covered)))
 
@@ -70,7 +72,7 @@ def _groups(built: VectorMap, virtual: list[int]) -> list[list[int]]:
 def _joined(built: VectorMap, groups: list[list[int]]) -> list[list[int]]:
     """Two groups made one where the area about one holds a way of the other."""
     for k, group in enumerate(groups):
-        ring = _ring(built, _end_nodes(built, group))
+        ring = _ring_about(built, group)
         for other in groups[:k] + groups[k + 1:]:
             if _within(built, ring, other, 0.0):
                 return [one for one in groups if one not in (group, other)] + [sorted(group + other)]
@@ -83,19 +85,38 @@ def _end_nodes(built: VectorMap, lanes: Iterable[int]) -> set[int]:
             for side in (built.lanes[number].left, built.lanes[number].right) for tip in (0, -1)}
 
 
-def _area(built: VectorMap, group: list[int]) -> tuple[list[int], list[int]]:
-    """Ring of node numbers about a group, and the lanes of it that lie within."""
+def _without_lanes_about(built: VectorMap, group: list[int]) -> list[int]:
+    """The group without its longest ways, until no lane that is no way lies within its ring; none where one of those
+    left out stays there."""
+    plain = [number for number, lane in enumerate(built.lanes) if lane.kind == "lane"]
+    left = sorted(group, key=lambda number: built.area(number).length)
+    while left and _within(built, _ring_about(built, left), plain, 0.0):
+        left.pop()
+    out = [number for number in group if number not in left]
+    return [] if out and _within(built, _ring_about(built, left), out, 0.0) else sorted(left)
+
+
+def _ring_about(built: VectorMap, group: list[int]) -> list[int]:
+    """Ring of node numbers about a group: ends of its ways, with those of lanes near where that holds more of them."""
+    if not group:
+        return []
     ends = _end_nodes(built, group)
     ring = _ring(built, ends)
-    if _within(built, ring, group, DRAWN) != group:
+    held = _within(built, ring, group, DRAWN)
+    if held != group:
         plain = [number for number, lane in enumerate(built.lanes) if lane.kind == "lane"]
         places = np.array(built.nodes)
         hull = shapely.Polygon(places[ring][:, :2]).buffer(AROUND)
         near = {node for node in _end_nodes(built, plain) if shapely.contains_xy(hull, *places[node, :2])}
         wide = _ring(built, ends | near)
-        if len(_within(built, wide, group, DRAWN)) > len(_within(built, ring, group, DRAWN)) and not _within(
-                built, wide, plain, 0.0):
-            ring = wide
+        if len(_within(built, wide, group, DRAWN)) > len(held) and not _within(built, wide, plain, 0.0):
+            return wide
+    return ring
+
+
+def _area(built: VectorMap, group: list[int]) -> tuple[list[int], list[int]]:
+    """Ring of node numbers about a group, and the lanes of it that lie within."""
+    ring = _ring_about(built, group)
     covered = _within(built, ring, group, DRAWN)
     _draw_inwards(built, ring, covered)
     return ring, [number for number in covered if _within(built, ring, [number], ON_EDGE)]

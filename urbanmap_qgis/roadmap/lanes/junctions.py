@@ -17,6 +17,9 @@ from .narrow_places import passes_narrow_place
 LONGEST = 90.0
 """Way through a junction, m."""
 
+BESIDE = 1.2
+"""A lane whose middle a path keeps this near to, in its own widths, is one that the path goes past."""
+
 END_REACH = 12.0
 """A drive leaves a lane at its end, and enters the next at its begin, within so many metres."""
 
@@ -107,9 +110,21 @@ def _connects(built: VectorMap, places: np.ndarray, one: _Visit, other: _Visit) 
         return False
     if passes_narrow_place(built.findings, places[one.last:other.first + 1]):
         return False
+    if goes_past_lanes(built, places[one.last:other.first + 1]):
+        return False
     exit_gap = np.linalg.norm(places[one.last, :2] - built.lanes[one.lane].centre[-1, :2])
     entry_gap = np.linalg.norm(places[other.first, :2] - built.lanes[other.lane].centre[0, :2])
     return bool(exit_gap < END_REACH and entry_gap < END_REACH)
+
+
+def goes_past_lanes(built: VectorMap, path: np.ndarray) -> bool:
+    """Whether a path (n, 3) outside lanes runs beside the whole of a lane of a street: lines of its own are missing
+    there, and it is no way through a junction."""
+    course = shapely.LineString(path[:, :2]) if len(path) > 1 else shapely.Point(path[0, :2])
+    return any(lane.kind == "lane" and len(lane.centre) > 1
+               and shapely.LineString(lane.centre[:, :2]).length > END_REACH
+               and course.buffer(BESIDE * lane.width).covers(shapely.LineString(lane.centre[:, :2]))
+               for lane in built.lanes)
 
 
 def _add_virtual(built: VectorMap, one: int, other: int, path: np.ndarray) -> None:

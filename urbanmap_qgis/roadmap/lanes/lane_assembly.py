@@ -17,6 +17,9 @@ from .wrong_side import wrong_side_findings
 NEAREST = 0.15
 """Nodes of a bound do not lie nearer than this, m (validators refuse points that fall together)."""
 
+BACK = -0.5
+"""Cosine of the turn, 120 degrees, from which on a node of a bound is left out: lines drawn over each other go back."""
+
 
 def add_section(built: VectorMap, section: RoadSection, strips: Sequence[Strip]) -> None:
     """Put the strips whose direction is known into the map as lanes; the others become findings.
@@ -86,7 +89,19 @@ def _needed(track: BoundTrack, strip: Strip, inner: np.ndarray) -> np.ndarray:
     for row in rows:
         if at[row] - at[spaced[-1] if spaced else 0] > NEAREST and at[-1] - at[row] > NEAREST:
             spaced.append(row)
-    return path[spaced]
+    return without_turning_back(path[[0, *spaced, -1]])[1:-1]
+
+
+def without_turning_back(path: np.ndarray) -> np.ndarray:
+    """A path (n, 3) without the inner points at which it turns back on its course in plan."""
+    while len(path) > 2:
+        steps = np.diff(path[:, :2], axis=0)
+        length = np.linalg.norm(steps, axis=1)
+        back = np.flatnonzero((steps[1:] * steps[:-1]).sum(axis=1) < BACK * length[1:] * length[:-1])
+        if not len(back):
+            break
+        path = np.delete(path, back[0] + 1, axis=0)
+    return path
 
 
 def _node(built: VectorMap, place: np.ndarray) -> int:

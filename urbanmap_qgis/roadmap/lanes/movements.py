@@ -11,7 +11,7 @@ import shapely
 from ...geometry.tolerances import LEAST_DIVISOR
 from ...wording import known, mark, say
 from ..map_records import TURNS, Finding, MapArea, MapLane, VectorMap
-from .junctions import about_curve, append_way
+from .junctions import about_curve, append_way, goes_past_lanes
 from .movement_confidence import LIMITS as CONFIDENCE
 from .movement_confidence import ArrowStatistics, arrow_statistics, forced_turns, rule_confidence
 
@@ -234,14 +234,15 @@ def _pairs(built: VectorMap, approach: _Side, departure: _Side, turn: str,
 
 def _add_way(built: VectorMap, one: int, other: int, evidence: str, areas: shapely.STRtree,
              plain: Sequence[int]) -> bool:
-    """A virtual lane about a smooth curve, unless there is one or it would lie in other lanes; whether it was made."""
+    """A virtual lane about a smooth curve, unless there is one or it would lie in other lanes or past one; whether it was
+    made."""
     if any(other in built.lanes[follower].successors for follower in built.lanes[one].successors):
         return False
     left, right = sides = about_curve(built, one, other)
     ends = [built.coordinates(lane, side)[tip, :2] for lane, tip, side in (
         (one, -1, "left"), (other, 0, "left"), (other, 0, "right"), (one, -1, "right"))]
     area = shapely.Polygon(np.vstack([ends[0], left[:, :2], ends[1], ends[2], right[::-1, :2], ends[3]]))
-    if not area.is_valid:
+    if not area.is_valid or goes_past_lanes(built, (left + right) / 2.0):
         return False
     beside = sum(areas.geometries[k].intersection(area).area for k in areas.query(area) if plain[k] not in (one, other))
     return beside <= LIMITS.overlap * area.area and append_way(built, one, other, sides, evidence)

@@ -84,13 +84,14 @@ def rights_of_way(built: VectorMap, numbers: Sequence[int]) -> dict[tuple[int, i
 def complete_rights(built: VectorMap, numbers: Sequence[int],
                     decided: dict[tuple[int, int], str]) -> dict[int, list[int]]:
     """Lanes that yield, by the lane that has the way before all that it meets; one that waits for somebody has none."""
-    areas = [built.area(number) for number in numbers]
-    begins = [_begin(built, number) for number in numbers]
+    ways = [number for number, lane in enumerate(built.lanes) if lane.kind == "virtual"]
+    areas, begins = {way: built.area(way) for way in ways}, {way: _begin(built, way) for way in ways}
     found = {}
-    for k, one in enumerate(numbers):
+    for one in numbers:
         yielding = [other for other in numbers if (other, one) in decided]
-        meets = [other for n, other in enumerate(numbers)
-                 if n != k and begins[n] != begins[k] and _common(areas[k], areas[n]) > LIMITS.common]
+        # Also those that no area covers: nothing is decided for them.
+        meets = [other for other in ways if begins[other] != begins[one]
+                 and _common(areas[one], areas[other]) > LIMITS.common]
         if yielding and all((other, one) in decided for other in meets) and not any(
                 (one, other) in decided for other in numbers):
             found[one] = yielding

@@ -23,7 +23,8 @@ LEAST_BESIDE, LEAST_BESIDE_SHORT = 4.0, 3.0
 """Lines run beside each other over so many metres at least; the second where one is shorter than twice the first."""
 
 SAME = 0.15
-"""Lines beside each other no farther apart are one bound of which each shows a part, m: double lines are farther."""
+"""Lines beside each other no farther apart are one bound of which each shows a part, m: double lines are farther.
+It is their RMS; single places may be twice as far: points of lines drawn by hand scatter."""
 
 WIDE = 1.0
 """An outermost lane may be wider by so much between its line and the edge of the road, m."""
@@ -273,8 +274,8 @@ def _united(tracks: list[BoundTrack]) -> list[BoundTrack]:
     for track in sorted(tracks, key=lambda one: one.start - one.end):
         for number, longer in enumerate(united):
             at = np.arange(max(track.start, longer.start), min(track.end, longer.end), STEP)
-            if len(at) * STEP >= LEAST_BESIDE and \
-                    np.abs(track.interpolate(at) - longer.interpolate(at)).max() <= SAME:
+            apart = np.abs(track.interpolate(at) - longer.interpolate(at))
+            if len(at) * STEP >= LEAST_BESIDE and np.mean(apart ** 2) <= SAME ** 2 and apart.max() <= 2.0 * SAME:
                 united[number] = _with_ends(longer, track)
                 break
         else:

@@ -1,0 +1,51 @@
+"""Maps of worn or scattered lines: what lies beside, over or round other lanes is told or left out."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import shapely
+
+from tests.core.laid_out_roads import drive, line, path_line, place
+from urbanmap_qgis.roadmap.lanes.junctions import goes_past_lanes
+from urbanmap_qgis.roadmap.lanes.lane_assembly import without_turning_back
+from urbanmap_qgis.roadmap.map_records import MapSettings
+from urbanmap_qgis.roadmap.vector_map import build_vector_map
+
+ALL = MapSettings(traffic="left")
+
+
+@pytest.mark.parametrize(("across", "x0", "x1", "past"), [
+    (-1.75, -5, 65, True), (-1.75, -5, 40, False), (-5.0, -5, 65, False)])
+def test_a_path_goes_past_a_lane_that_it_keeps_beside_from_end_to_end(across, x0, x1, past):
+    built = build_vector_map([line(3.5, 0, 60), line(0.0, 0, 60)], (), [drive((0, 1.75), (60, 1.75))], ALL)
+    assert len(built.lanes) == 1
+    path = place([(x, across) for x in range(x0, x1)])
+    assert goes_past_lanes(built, path) is past
+
+
+def test_a_drive_beside_a_lane_makes_no_way_there_and_is_told():
+    """The street has lanes both ways west of x = 20 and east of 70; between, lines show that of the west alone."""
+    lines = [line(y, x0, x1) for x0, x1 in ((0, 20), (70, 90)) for y in (3.5, 0.0, -3.5)]
+    lines += [line(y, 30, 60) for y in (0.0, -3.5)]
+    built = build_vector_map(lines, (), [drive((0, 1.75), (90, 1.75)), drive((90, -1.75), (0, -1.75))], ALL)
+    ways = [shapely.LineString(lane.centre[:, :2]).length for lane in built.lanes if lane.kind == "virtual"]
+    assert len(ways) == 2 and max(ways) < 15.0
+    assert [one.kind for one in built.findings if "runs" in one.text] == ["driven without lane"]
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_two_scattered_drawings_of_one_line_are_one_bound(seed):
+    scatter = np.random.default_rng(seed).normal(0.0, 0.06, (2, 31))
+    twice = [path_line(list(enumerate(across))) for across in scatter]
+    lines = [line(3.5, 0, 30), line(-3.5, 0, 30), *twice]
+    built = build_vector_map(lines, (), [drive((0, 1.7), (30, 1.7)), drive((30, -1.7), (0, -1.7))], ALL)
+    assert len(built.lanes) == 2 and len({lane.right for lane in built.lanes}) == 1
+
+
+def test_points_at_which_a_bound_turns_back_are_left_out():
+    path = np.array([[0, 0, 0], [5, 0.1, 0], [4.7, 0.05, 0], [9, 0, 0], [12, 3, 0.0]])
+    left = without_turning_back(path)
+    steps = np.diff(left[:, :2], axis=0)
+    assert (steps[:, 0] > 0.0).all() and np.array_equal(left[[0, -1]], path[[0, -1]]) and len(left) == 4
+    assert np.array_equal(without_turning_back(left), left)
