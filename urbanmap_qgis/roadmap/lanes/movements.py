@@ -234,7 +234,7 @@ def _pairs(built: VectorMap, approach: _Side, departure: _Side, turn: str,
 
 def _add_way(built: VectorMap, one: int, other: int, evidence: str, areas: shapely.STRtree,
              plain: Sequence[int]) -> bool:
-    """A virtual lane about a smooth curve, unless there is one or it would lie in other lanes or past one; whether it was
+    """A virtual lane about a smooth curve, unless there is one or it would lie in or beside other lanes; whether it was
     made."""
     if any(other in built.lanes[follower].successors for follower in built.lanes[one].successors):
         return False
