@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -16,6 +17,8 @@ MODELS = Path(__file__).resolve().parents[2] / "resources" / "models"
 POINTS_NAMES = ("POINTS", "ALS")
 """Parameters of the models that take point clouds."""
 
+
+LATIN = re.compile("[A-Za-z]")
 
 READ_KEYS = {"model_group", "parameterDefinitions", "children", "help"}
 """What a model's file must have for its words to be translated."""
@@ -86,7 +89,9 @@ def editable_copy(model: ShippedModel) -> QgsProcessingModelAlgorithm:
     """The same model without a file, so that saving it asks for one; inputs have QGIS's own fields."""
     copy = QgsProcessingModelAlgorithm()
     copy.loadVariant(model.toVariant())
-    copy.setName(model.displayName())
+    title = model.displayName()
+    # QGIS names the class of a model exported as Python by the Latin letters of its name, of which there must be one.
+    copy.setName(title if LATIN.search(title) else f"{title} {model.name()}")
     for name in copy.parameterComponents():
         result = copy.parameterDefinition(name).clone()
         result.setMetadata({})

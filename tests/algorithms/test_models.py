@@ -88,6 +88,17 @@ def test_a_copy_to_change_is_a_plain_model_without_a_file(pair, plugin):
         assert set(child.modelOutputs()) == set(theirs.modelOutputs())
 
 
+def test_a_copy_with_a_japanese_name_is_exported_as_python_that_can_be_read(pair, plugin, monkeypatch):
+    from qgis.core import QgsApplication, QgsProcessing
+
+    listed = QgsApplication.processingRegistry().algorithmById(f"{pair[1].id()}_model").create()
+    monkeypatch.setattr(listed, "_title", "車線地図（モデル）")
+    copy = plugin("algorithms.framework.shipped_models").editable_copy(listed)
+    assert copy.name() == f"車線地図（モデル） {listed.name()}"
+    kind = QgsProcessing.PythonOutputType.PythonQgsProcessingAlgorithmSubclass
+    compile("\n".join(copy.asPythonCode(kind, 4)), "exported", "exec")
+
+
 def test_the_model_is_sound(pair):
     assert pair[0].validate() == (True, [])
 
