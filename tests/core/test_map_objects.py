@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pyproj
 import pytest
@@ -162,3 +164,27 @@ def test_a_value_of_an_object_or_rail_that_is_no_number_is_refused_with_its_row(
         rails_of([shapely.LineString([(0, 0, 1), (3, 0, 1)])], {"height": [cell]})
     (found,) = objects_of([shapely.Point(1, 2, 3)], {"kind": ["pole"], "arm": [""], "height": ["6.5"]})
     assert np.isnan(found.arm[0]) and found.height == 6.5
+
+
+def test_a_stop_line_of_lanes_of_two_roads_is_one_signal_that_the_second_refers_to(furnished, tmp_path):
+    """Lanes that do not share their bound are roads of their own; ids of signals stand once in a file."""
+    stop = stop_near(furnished, 60.3)
+    first, second = (number for number, lane in enumerate(furnished.lanes) if stop in lane.stop_lines)
+    lanes = furnished.lanes
+    side = "left" if lanes[second].left in (lanes[first].left, lanes[first].right) else "right"
+    furnished.bounds.append(furnished.bounds[getattr(lanes[second], side)])
+    lanes[second] = replace(lanes[second], **{side: len(furnished.bounds) - 1})
+    tree, _ = opendrive_tree(furnished, WKT, 40.0)
+    root = tree.getroot()
+    assert not list(drive_faults(root))
+    ids = [one.get("id") for one in root.iter("signal")]
+    assert len(ids) == len(set(ids))
+    owners = {tag: {road.get("id") for road in root.findall("road") if any(
+        one.get("id") == f"stop{stop}" for one in road.iter(tag))} for tag in ("signal", "signalReference")}
+    assert [len(one) for one in owners.values()] == [1, 1] and owners["signal"] != owners["signalReference"]
+    (light,) = signals_of_stop_lines(furnished)[0][stop]
+    assert {one.get("id") for one in root.iter("signalReference")} == {f"stop{stop}", f"signal{light}"}
+    held = [one.find("validity") for one in root.iter() if one.get("id") == f"stop{stop}" and one.tag != "dependency"]
+    assert all(one.get("fromLane") == one.get("toLane") for one in held)
+    write_opendrive(tmp_path / "map.xodr", tree)
+    assert not opendrive_issues(tmp_path / "map.xodr", tmp_path)

@@ -16,8 +16,14 @@ from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.roadmap.formats.opendrive_map import opendrive_tree, write_opendrive
 from urbanmap_qgis.roadmap.formats.opendrive_tags import DriveNode, drive_faults
 from urbanmap_qgis.roadmap.formats.plan_view import along_plan, fit_plan_view, fit_profile, plan_length
-from urbanmap_qgis.roadmap.formats.road_layout import bounds_along_ways, road_layout, with_straight_ends
-from urbanmap_qgis.roadmap.map_records import DrivenPath, MapLine, MapSettings
+from urbanmap_qgis.roadmap.formats.road_layout import (
+    LaneRoad,
+    RoadLayout,
+    bounds_along_ways,
+    road_layout,
+    with_straight_ends,
+)
+from urbanmap_qgis.roadmap.map_records import Bound, DrivenPath, MapLine, MapSettings, VectorMap
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
 
 WKT = pyproj.CRS.from_epsg(6677).to_wkt()
@@ -217,6 +223,20 @@ def test_roads_with_a_skew_end_meet_those_of_the_junction_without_a_gap(tmp_path
     moved = np.linalg.norm(np.array(plain.nodes) - np.array(built.nodes), axis=1)
     assert moved[nearest] == pytest.approx(0.4, abs=0.02) and moved[[k for k in range(len(moved)) if k != nearest]].max(
         ) < 0.02
+
+
+def test_ends_of_roads_that_hang_on_each_other_lie_on_one_line():
+    """The outermost node of three lanes is an inner one of the two lanes that go on beside them."""
+    ends = [(0.0, 0.0), (0.2, 3.0), (-0.1, 6.0), (0.5, 9.0), (0.0, 12.0)]
+    nodes = [np.array([x, y, 1.0]) for x, y in ends]
+    nodes += [np.array([-20.0, y, 1.0]) for _, y in ends] + [np.array([20.0, y, 1.0]) for _, y in ends]
+    bounds = [Bound([5 + k, k], "solid") for k in range(4)] + [Bound([k, 10 + k], "solid") for k in (2, 3, 4)]
+    built = VectorMap(nodes=nodes, bounds=bounds, lanes=[])
+    layout = RoadLayout([LaneRoad([0, 1, 2], [0, 1, 2, 3], 0, [True] * 3),
+                         LaneRoad([3, 4], [4, 5, 6], 0, [True] * 2)], {})
+    made = np.array(with_straight_ends(built, layout).nodes)
+    assert np.abs(made[:5, 0]).max() < 0.001  # the two that nothing moves say where the line is
+    assert np.array_equal(made[:5, 1], np.array(ends)[:, 1])
 
 
 def test_junctions_hold_the_ways_that_were_driven():

@@ -15,6 +15,7 @@ from ...errors import InputError
 from ...io.files.atomic import written_beside
 from ...io.reference.plan_part import plan_part
 from ...wording import say
+from ..map_objects import signals_of_stop_lines
 from ..map_records import Bound, MapArea, VectorMap
 from .drive_objects import add_drive_objects
 from .opendrive_tags import COLOURS, DriveNode
@@ -81,6 +82,7 @@ def opendrive_tree(built: VectorMap, crs_wkt: str,
         _add_stop_lines(element, built, road, shape, [thing for kind, thing in things[number] if kind == "stop"],
                         origin)
     beside = add_drive_objects(roads, built, layout, shapes, origin)
+    _add_references(roads, built, layout, shapes, origin)
     for number in range(len(layout.junctions)):
         _add_junction(root, built, layout, number)
     notes = [say("{number} objects stand beside no road of the map: they are missing in the OpenDRIVE file.",
@@ -269,18 +271,16 @@ def _add_mark(lane: DriveNode, bound: Bound) -> None:
 
 
 def _things_by_road(built: VectorMap, layout: RoadLayout) -> list[list[tuple[str, int]]]:
-    """Crosswalks and stop lines of each road; a crosswalk stands in the first road that it crosses."""
+    """Crosswalks and stop lines of each road; each stands in the first road that it crosses."""
     things: list[list[tuple[str, int]]] = [[] for _ in layout.roads]
-    crossed: set[int] = set()
+    placed: set[tuple[str, int]] = set()
     for number, road in enumerate(layout.roads):
         for lane in road.lanes:
-            for stop in built.lanes[lane].stop_lines:
-                if ("stop", stop) not in things[number]:
-                    things[number].append(("stop", stop))
-            for walk in built.lanes[lane].crosswalks:
-                if walk not in crossed:
-                    crossed.add(walk)
-                    things[number].append(("crosswalk", walk))
+            for one in (*(("stop", stop) for stop in built.lanes[lane].stop_lines),
+                        *(("crosswalk", walk) for walk in built.lanes[lane].crosswalks)):
+                if one not in placed:
+                    placed.add(one)
+                    things[number].append(one)
     return things
 
 
@@ -313,12 +313,35 @@ def _add_stop_lines(element: DriveNode, built: VectorMap, road: LaneRoad, shape:
     for stop in stops:
         line = built.stop_lines[stop][:, :2] - origin
         s, t = shape.local(line)
-        valid = [place for place, lane in enumerate(road.lanes) if stop in built.lanes[lane].stop_lines]
+        orientation, ids = _validity(built, road, stop)
         signal = signals.add("signal", s=float(np.clip(s.mean(), 0.0, shape.s[-1])), t=float(t.mean()),
-                             id=f"stop{stop}", orientation="+" if road.ahead[valid[0]] else "-",
-                             width=float(np.linalg.norm(line[-1] - line[0])))
-        ids = sorted(road.lane_id(place) for place in valid)
+                             id=f"stop{stop}", orientation=orientation, width=float(np.linalg.norm(line[-1] - line[0])))
         signal.add("validity", fromLane=ids[0], toLane=ids[-1])
+
+
+def _validity(built: VectorMap, road: LaneRoad, stop: int) -> tuple[str, list[int]]:
+    """For which direction of a road and which of its lanes, by id, a stop line holds; no lane where for none."""
+    places = [place for place, lane in enumerate(road.lanes) if stop in built.lanes[lane].stop_lines]
+    return ("+" if places and road.ahead[places[0]] else "-"), sorted(road.lane_id(place) for place in places)
+
+
+def _add_references(roads: list[DriveNode], built: VectorMap, layout: RoadLayout, shapes: list[_Shape],
+                    origin: np.ndarray) -> None:
+    """Stop lines and traffic lights that hold for lanes of several roads: each is one signal, in its first road."""
+    lights = signals_of_stop_lines(built)[0]
+    for stop, line in enumerate(built.stop_lines):
+        held = [number for number, road in enumerate(layout.roads) if _validity(built, road, stop)[1]]
+        for number in held[1:]:
+            orientation, ids = _validity(built, layout.roads[number], stop)
+            found = roads[number].find("signals")
+            group = roads[number].add("signals") if found is None else found
+            places = {f"stop{stop}": line[:, :2].mean(axis=0),
+                      **{f"signal{light}": built.objects[light].head[:2] for light in lights.get(stop, ())}}
+            for name, place in places.items():
+                (s,), (t,) = shapes[number].local(place[None] - origin)
+                reference = group.add("signalReference", s=float(np.clip(s, 0.0, shapes[number].s[-1])), t=float(t),
+                                      id=name, orientation=orientation)
+                reference.add("validity", fromLane=ids[0], toLane=ids[-1])
 
 
 def _add_junction(root: DriveNode, built: VectorMap, layout: RoadLayout, number: int) -> None:

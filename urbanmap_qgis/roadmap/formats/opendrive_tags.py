@@ -150,6 +150,8 @@ ELEMENTS: dict[str, DriveElement] = {
         _A("type", default=STOP_SIGN[1]), _A("subtype", default="-1"), _A("value", number=_FINITE, default=-1.0),
         _A("height", number=_POSITIVE, default=0.0), _A("width", number=_POSITIVE, required=False),
         _A("hOffset", number=_FINITE, default=0.0))),
+    "signalReference": DriveElement("t_road_signals_signalReference", (
+        _A("s", number=_POSITIVE), *_numbers("t"), _A("id"), _A("orientation", ("+", "-", "none")))),
     "validity": DriveElement("t_road_objects_object_validity", _numbers("fromLane", "toLane")),
     "dependency": DriveElement("t_road_signals_signal_dependency", (_A("id"), _A("type"))),
     "positionInertial": DriveElement("t_road_signals_signal_positionInertial", _numbers("x", "y", "z", "hdg")),

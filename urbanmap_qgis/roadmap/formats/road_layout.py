@@ -13,6 +13,9 @@ from ..map_records import Bound, MapLane, VectorMap
 ON_LINE = 0.05
 """Nodes that lie so near to a road's end or beyond it fall away when it is made straight, m."""
 
+ROUNDS = 8
+"""The end of a road may hang on a node that straightening the road beside it moves: so often all are gone through."""
+
 BESIDE = 0.3
 """Sine of the least angle at which a bound meets the end of its road."""
 
@@ -101,17 +104,24 @@ def with_straight_ends(built: VectorMap, layout: RoadLayout) -> VectorMap:
     meet have no gap. Ends of inner bounds move along them onto the line between those of the outer bounds."""
     nodes = [np.array(place, float) for place in built.nodes]
     bounds = list(built.bounds)
-    moved: set[int] = set()
-    for road in sorted(layout.roads, key=lambda one: -len(one.lanes)):
-        for tip in (0, -1):
-            outer = [nodes[bounds[bound].nodes[tip]][:2] for bound in (road.bounds[0], road.bounds[-1])]
-            across = outer[1] - outer[0]
-            normal = np.array([-across[1], across[0]]) / max(np.linalg.norm(across), LEAST_DIVISOR)
-            for bound in road.bounds[1:-1]:
-                node = bounds[bound].nodes[tip]
-                if node not in moved and _end_on(nodes, bounds, bound, tip, outer[0], normal):
-                    moved.add(node)
+    roads = sorted((road for road in layout.roads if len(road.lanes) > 1), key=lambda one: -len(one.lanes))
+    for _ in range(ROUNDS):
+        moved: set[int] = set()
+        for road in roads:
+            for tip in (0, -1):
+                _straighten(nodes, bounds, road, tip, moved)
     return replace(built, nodes=nodes, bounds=bounds)
+
+
+def _straighten(nodes: list[np.ndarray], bounds: list[Bound], road: LaneRoad, tip: int, moved: set[int]) -> None:
+    """Move the inner bounds' ends at one end of a road onto the line between the outer ones; note which were."""
+    outer = [nodes[bounds[bound].nodes[tip]][:2] for bound in (road.bounds[0], road.bounds[-1])]
+    across = outer[1] - outer[0]
+    normal = np.array([-across[1], across[0]]) / max(np.linalg.norm(across), LEAST_DIVISOR)
+    for bound in road.bounds[1:-1]:
+        node = bounds[bound].nodes[tip]
+        if node not in moved and _end_on(nodes, bounds, bound, tip, outer[0], normal):
+            moved.add(node)
 
 
 def _end_on(nodes: list[np.ndarray], bounds: list[Bound], number: int, tip: int, place: np.ndarray,
