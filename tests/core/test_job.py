@@ -83,6 +83,18 @@ def test_of_several_orientations_the_one_beside_the_frames_is_taken():
     assert inputs["exterior"] == ("/data/b/frames/e.csv",) and inputs["camera"] == ("/data/b/camera.json",)
 
 
+def test_of_several_outlines_those_at_the_place_of_the_points_are_taken():
+    cloud = facts("als.laz", "points")
+    near, beside = facts("c.gpkg", "outlines"), facts("b.gpkg", "outlines", extent=(95.0, 0.0, 195.0, 100.0))
+    far = facts("a.gpkg", "outlines", epsg_wkt(28992), (84000.0, 447000.0, 84100.0, 447100.0))
+    parts = parts_of([far, beside, near, cloud])
+    assert parts.inputs["footprints"] == ("/data/c.gpkg",) and "c.gpkg, a.gpkg, b.gpkg" in parts.choices["footprints"]
+    # What the user says goes before, and a place that is not known before one that is another.
+    assert parts_of([replace(far, use="footprints"), near, cloud]).inputs["footprints"] == ("/data/a.gpkg",)
+    assert parts_of([far, replace(near, extent=None), cloud]).inputs["footprints"] == ("/data/c.gpkg",)
+    assert parts_of([far, beside, near]).inputs["footprints"] == ("/data/a.gpkg",)
+
+
 def test_frames_without_a_pose_and_another_camera_are_told(small_city, tmp_path):
     found = recognise_files([small_city / "aerial"])
     lines = (small_city / "aerial/exterior.csv").read_text(encoding="utf-8").splitlines()

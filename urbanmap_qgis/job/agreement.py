@@ -122,6 +122,19 @@ def extent_in_degrees(item: FileFacts, assumed: str = "") -> Extent | None:
     return float(east.min()), float(north.min()), float(east.max()), float(north.max())
 
 
+def clouds_met(item: FileFacts, clouds: Sequence[FileFacts], assumed: str = "") -> int:
+    """Number of point clouds that share half of the smaller box, theirs or the item's; -1 for none, 0 if not known."""
+    mine = extent_in_degrees(item, assumed)
+    theirs = [extent for cloud in clouds if (extent := extent_in_degrees(cloud, assumed)) is not None]
+    if mine is None or not theirs:
+        return 0
+    boxes = np.array([mine, *theirs])
+    sides = np.maximum(boxes[:, 2:] - boxes[:, :2], 1e-9)
+    common = np.minimum(boxes[1:, 2:], boxes[0, 2:]) - np.maximum(boxes[1:, :2], boxes[0, :2])
+    shares = np.maximum(common, 0.0).prod(axis=1) / np.minimum(sides[1:].prod(axis=1), sides[0].prod())
+    return int((shares >= 0.5).sum()) or -1
+
+
 def common_system(facts: Sequence[FileFacts]) -> str:
     """The projected system (WKT) that most files state, taken for those that state none; "" where none does."""
     stated = [item.crs_wkt for item in facts if item.usable and item.crs_wkt and not _crs(item.crs_wkt).is_geographic]

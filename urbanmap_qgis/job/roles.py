@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from ..wording import known, mark, say
-from .agreement import is_geographic, times_overlap
+from .agreement import clouds_met, common_system, is_geographic, times_overlap
 from .file_facts import (
     AREAS,
     BUILDING_MODELS,
@@ -151,11 +151,14 @@ def parts_of(facts: Sequence[FileFacts]) -> Parts:
     flown = tuple(item.source for item in clouds if item.source not in driven and item.use != SURVEY)
     if flown:
         inputs[ALS] = flown
-    frames = [item for item in sound if item.kind == FRAME]
+    frames, assumed = [item for item in sound if item.kind == FRAME], common_system(sound)
+    some = clouds[::len(clouds) // 100 + 1]  # a thousand tiles would hold the window up for a second
     for role, kind in _SINGLE:
         beside = frames[0] if frames and role in (CAMERA_ROLE, EXTERIOR_ROLE) else None
-        found = sorted((item for item in sound if item.kind == kind), key=lambda item: (
-            not item.use, is_geographic(item.crs_wkt), bool(item.doubt), beside and _folders_between(beside, item)))
+        alike = [item for item in sound if item.kind == kind]
+        found = sorted(alike, key=lambda item: (
+            not item.use, is_geographic(item.crs_wkt), len(alike) > 1 and -clouds_met(item, some, assumed),
+            bool(item.doubt), beside and _folders_between(beside, item)))
         if found:
             inputs[role] = (found[0].source,)
         if len(found) > 1 and not found[0].use:
