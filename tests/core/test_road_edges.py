@@ -9,7 +9,7 @@ import pytest
 
 from tests.core.road_scene import KERB_AT, RAIL_AT, WALL_AT, Street, to_local, write_drive
 from urbanmap_qgis.errors import InsufficientDataError
-from urbanmap_qgis.roadmap.edges.doubts import with_doubts
+from urbanmap_qgis.roadmap.edges.doubts import with_doubts, with_low_doubts
 from urbanmap_qgis.roadmap.edges.edge_records import EdgeSettings, RoadEdge
 from urbanmap_qgis.roadmap.edges.profile import fit_edge_profile
 from urbanmap_qgis.roadmap.edges.road_edges import road_edges
@@ -131,6 +131,18 @@ def test_what_stands_before_the_kerb_may_be_a_vehicle():
 
 
 @pytest.mark.slow
+def test_a_short_kerb_lower_than_the_survey_shows_is_doubtful():
+    """Not one of a chain that shows elsewhere, nor one that goes on as no scatter does."""
+    chains = [[("kerb", 0.04, 4.0)], [("kerb", 0.04, 4.0), ("lowered kerb", 0.02, 3.0), ("kerb", 0.12, 4.0)],
+              [("kerb", 0.04, 16.0)], [("wall", 0.04, 4.0)]]
+    edges = [replace(straight(kind, 4.0, height, 0.0, length), chain=number)
+             for number, chain in enumerate(chains) for kind, height, length in chain]
+    told = with_low_doubts(edges, 0.05)
+    assert [edge.status for edge in told] == ["doubtful", *["measured"] * 5]
+    assert "lower than the steps" in told[0].reason and told[0].height == 0.04
+    assert with_low_doubts(edges, 0.03) == edges and with_low_doubts(edges, float("nan")) == edges
+
+
 def test_a_kerb_before_a_rail_is_found(tmp_path):
     kerb = [edge for edge in edges_of(tmp_path, Street(rail=0.8)).edges if edge.kind == "kerb"]
     assert sum(edge.length for edge in kerb) > 50.0

@@ -1,7 +1,9 @@
-"""Rails and walls that may be the sides of vehicles: on a road with kerbs they stand before the kerb."""
+"""Edges that may be none: rails and walls that may be the sides of vehicles, as on a road with kerbs they stand before
+the kerb; short kerbs lower than the steps that the survey shows."""
 
 from __future__ import annotations
 
+from collections import defaultdict
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -22,6 +24,7 @@ class DoubtsLimits:
     car_height: float = 1.7
     car_length: float = 6.5
     right_at: float = 0.3  # m; a rail may stand on the kerb itself
+    low_length: float = 10.0  # m; scatter along one line of the scanner makes lower steps, but no longer ones
 
 
 LIMITS = DoubtsLimits()
@@ -43,6 +46,25 @@ def with_doubts(edges: list[RoadEdge], path: np.ndarray, path_length: float) -> 
     return [_judged(edge, tree, path[places.query(edge.foot[:, :2])[1]])
             if edge.kind in (RAIL, WALL) and edge.status == MEASURED and edge.height < LIMITS.tallest_vehicle else edge
             for edge in edges]
+
+
+def with_low_doubts(edges: list[RoadEdge], least_step: float) -> list[RoadEdge]:
+    """The edges, kerbs called doubtful whose step the survey does not show surely and that are short.
+
+    Parameters
+    ----------
+    least_step : m, the lowest step that shows; NaN where that is not known.
+    """
+    highest: dict[int, float] = defaultdict(float)
+    lengths: dict[int, float] = defaultdict(float)
+    for edge in edges:
+        if edge.kind in (KERB, LOWERED):
+            highest[edge.chain] = max(highest[edge.chain], edge.height)
+            lengths[edge.chain] += edge.length
+    reason = say("it is short and lower than the steps that show surely in this survey")
+    return [replace(edge, status=DOUBTFUL, reason=reason)
+            if edge.kind in (KERB, LOWERED) and edge.status == MEASURED and highest[edge.chain] < least_step
+            and lengths[edge.chain] < LIMITS.low_length else edge for edge in edges]
 
 
 def _kerbs(edges: list[RoadEdge]) -> np.ndarray:

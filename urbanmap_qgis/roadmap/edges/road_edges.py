@@ -13,6 +13,7 @@ from ...io.points.pointcloud import open_cloud
 from ...mobile.trajectory import Trajectory
 from ...progress import SILENT, Progress
 from .bare_sides import bare_sides
+from .doubts import with_low_doubts
 from .edge_courses import edge_courses
 from .edge_lines import edge_lines
 from .edge_points import EdgePoints
@@ -68,6 +69,7 @@ def road_edges(paths: Sequence[str | os.PathLike], trajectory: Trajectory, setti
         local = None if ground is None else lambda x, y: ground(x + survey.corner[0], y + survey.corner[1])
         courses = edge_courses(survey, settings, local, progress.part(0.4, 0.65))
         edges = edge_lines(courses, survey, settings, local, progress.part(0.65, 1.0))
+        edges = with_low_doubts(edges, courses.least_step)
     return EdgesFound([_placed(edge, settings) for edge in edges], float(survey.chainage[-1]), survey.read_points,
                       survey.kept_points, bare_sides(edges, trajectory.place, settings.width),
                       courses.least_step)
