@@ -278,9 +278,17 @@ def road(number: int, *areas: str, own: str = "") -> str:
             "<uro:geometrySrcDescLod3>112</uro:geometrySrcDescLod3></uro:DataQualityAttribute></uro:tranDataQualityAttribute></tran:Road>")
 
 
+def square(south: float, west: float, side: float, height: float = 0.0) -> list:
+    return [(south, west, height), (south, west + side, height), (south + side, west + side, height),
+            (south + side, west, height)]
+
+
 def area(number: int, east: float, code: str = "1000", height: float = 0.0) -> str:
-    face = polygon((0, east, height), (0, east + 1, height), (1, east + 1, height), (1, east, height),
-                   identifier=f"a{number}")
+    return area_of(number, square(0.0, east, 1.0, height), code)
+
+
+def area_of(number: int, corners: list, code: str = "1000", holes: tuple = ()) -> str:
+    face = polygon(*corners, holes=holes, identifier=f"a{number}")
     return (f'<tran:trafficArea><tran:TrafficArea gml:id="t{number}"><tran:function>{code}</tran:function>'
             f"<tran:lod3MultiSurface>{surfaces(face)}</tran:lod3MultiSurface></tran:TrafficArea></tran:trafficArea>")
 
@@ -295,6 +303,13 @@ def referring(*numbers: int) -> str:
     (0.5, ("1080", "3020"), 0.0, []), (0.5, ("1000", "1000"), 6.0, [])])
 def test_areas_of_roads_share_borders_only(tmp_path, east, codes, height, told):
     one = road(1, area(1, 0.0, codes[0]), area(2, east, codes[1], height), own=referring(1, 2))
+    assert rules_of(written(tmp_path, one, name="input.gml", theme="tran")) == told
+
+
+@pytest.mark.parametrize(("west", "told"), [(0.4, []), (0.3, ["L-tran-02"] * 2)])
+def test_an_island_lies_in_the_hole_of_its_carriageway(tmp_path, west, told):
+    whole = area_of(1, square(0.0, 0.0, 1.0), holes=(square(0.4, 0.4, 0.2)[::-1],))
+    one = road(1, whole, area_of(2, square(0.4, west, 0.2)), own=referring(1, 2))
     assert rules_of(written(tmp_path, one, name="input.gml", theme="tran")) == told
 
 

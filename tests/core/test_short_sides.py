@@ -97,3 +97,22 @@ def test_a_corner_that_may_not_move_keeps_no_other_one():
     beside = shapely.Polygon([(0, 0), (4, 0), (4, 0.5), (4, 5), (1.004, 5), (1, 5), (0, 5)])
     made = without_short_sides([sliver, beside])
     assert made[0] == sliver and len(made[1].exterior.coords) == len(beside.exterior.coords) - 1
+
+
+@pytest.mark.parametrize("back", [[(4.006, 0)], [(4.005, 0.001), (4.006, 0)], [(4.004, 3.0), (4.006, 0)]])
+def test_needles_go(back):
+    """A strip of some millimetres that goes 5 m out and back again."""
+    needle = shapely.Polygon([(0, 0), (4, 0), (4.003, 5), *back, (8, 0), (8, -5), (0, -5)])
+    made, same = without_short_sides([needle, shapely.box(20, 0, 21, 1)])
+    assert made.is_valid and made.bounds == (0, -5, 8, 0) and same.area == 1.0
+    assert shortest_side([made]) > SHORTEST and made.area == pytest.approx(40.0, abs=0.01)
+
+
+def test_a_part_that_hangs_on_a_neck_too_narrow_goes_where_it_is_thin():
+    """The neck closes as its sides do: what is thin behind it goes, what is wide keeps the neck."""
+    thin = shapely.Polygon([(0, 0), (4, 0), (4, 0.5), (4.008, 0.5), (4.004, 0), (8, 0), (8, -5), (0, -5)])
+    made, = without_short_sides([thin])
+    assert made.is_valid and made.bounds[3] == 0.0 and shortest_side([made]) > SHORTEST
+    wide = shapely.Polygon([(0, 0), (4, 0), (3, 3), (5, 3), (4.004, 0), (8, 0), (8, -5), (0, -5)])
+    kept, = without_short_sides([wide])
+    assert kept.is_valid and kept.area == pytest.approx(wide.area, abs=0.02)

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 import shapely
+from scipy.spatial import cKDTree
 
 SHORTEST = 0.012
 """m; the specification's centimetre, and what coordinates are rounded by."""
@@ -23,13 +24,14 @@ Corner = tuple[float, float]
 def without_short_sides(polygons: Sequence[shapely.Polygon]) -> list[shapely.Polygon]:
     """The polygons with corners nearer than `SHORTEST` that follow each other made one, wherever they are corners.
 
-    What would not be valid any more by it keeps the corners that spoil it, and so do those that share them.
+    Needles, whose sides end nearer than that to each other, go. What would not be valid any more by it keeps the
+    corners that spoil it, and so do those that share them.
 
     Parameters
     ----------
     polygons : m; they may share corners to the bit.
     """
-    made, kept = list(polygons), set()
+    made, kept = [_without_needles(polygon) for polygon in polygons], set()
     for _ in range(_ROUNDS):
         moves = _moves(made, kept)
         if not moves:
@@ -116,20 +118,67 @@ def _spoiling(polygon: shapely.Polygon, moves: dict[Corner, Corner]) -> set[Corn
     return alone or there
 
 
+def _without_needles(polygon: shapely.Polygon) -> shapely.Polygon:
+    """The polygon without thin parts between two corners as near to each other as a side too short; itself where it
+    would not be valid any more."""
+    rings, found = [], False
+    for ring in (polygon.exterior, *polygon.interiors):
+        places = list(map(tuple, shapely.get_coordinates(ring)[:-1].tolist()))
+        while len(places) > 3 and (less := _less_a_needle(places)) is not None:
+            places, found = less, True
+        rings.append(places)
+    made = _of_rings(rings) if found else polygon
+    return made if _whole(made) else polygon
+
+
+def _less_a_needle(places: list[Corner]) -> list[Corner] | None:
+    """A ring without one needle, of which the two corners at its foot stay; None without such. What is no longer than
+    a few short sides is a dense curve and none."""
+    pairs = cKDTree(places).query_pairs(SHORTEST, output_type="ndarray")
+    at = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff([*places, places[0]], axis=0).T))])
+    along = np.abs(np.diff(at[pairs], axis=1)[:, 0])
+    apart = np.minimum(along, at[-1] - along) > 4.0 * SHORTEST
+    for one, other in sorted(map(tuple, np.sort(pairs[apart], axis=1).tolist())):
+        parts = places[one:other + 1], places[other:] + places[:one + 1]
+        thin = [_thickness(part) < SHORTEST for part in parts]
+        if any(thin) and not all(thin):
+            return parts[thin.index(True) - 1]
+    return None
+
+
 def _without_spikes(polygon: shapely.Polygon | None) -> shapely.Polygon | None:
-    """The polygon without corners whose border goes back the way it came: what a strip narrower than a side leaves."""
+    """The polygon without corners whose border goes back the way it came, and without parts between two visits of one
+    corner that are as thin: what a strip narrower than a side leaves."""
     if polygon is None or polygon.is_valid:
         return polygon
     rings = []
     for ring in (polygon.exterior, *polygon.interiors):
         places = list(map(tuple, shapely.get_coordinates(ring)[:-1].tolist()))
-        while len(places) > 2:
-            spike = next((k for k in range(len(places)) if places[k - 1] == places[(k + 1) % len(places)]), None)
-            if spike is None:
-                break
-            places = [corner for k, corner in enumerate(places) if k not in (spike, (spike + 1) % len(places))]
+        while len(places) > 2 and (less := _less_a_thin_part(places)) is not None:
+            places = less
         rings.append(places)
     return _of_rings(rings)
+
+
+def _less_a_thin_part(places: list[Corner]) -> list[Corner] | None:
+    """A ring without a part that begins and ends at one corner and is thinner than `SHORTEST`; None without such."""
+    visits: dict[Corner, int] = {}
+    for k, corner in enumerate(places):
+        if corner in visits:
+            parts = places[visits[corner]:k], places[k:] + places[:visits[corner]]
+            thin = [_thickness(part) < SHORTEST for part in parts]
+            if any(thin):
+                return parts[thin.index(True) - 1]
+        visits[corner] = k
+    return None
+
+
+def _thickness(ring: list[Corner]) -> float:
+    """Twice the area of a ring over its length, m: about the width of a long strip."""
+    if len(ring) < 3:
+        return 0.0
+    whole = shapely.make_valid(shapely.Polygon(ring))
+    return 2.0 * whole.area / whole.length
 
 
 def _whole(polygon: shapely.Polygon | None) -> bool:

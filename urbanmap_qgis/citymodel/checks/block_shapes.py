@@ -115,6 +115,17 @@ class BlockShapes:
         """Number (P,) of each polygon's outer ring."""
         return np.searchsorted(self.polygon, np.arange(len(self.polygons)))
 
+    def plan(self, polygon: int, swapped: bool) -> shapely.Polygon | None:
+        """A polygon with its holes in plan, in the file's coordinates or with the first two `swapped`; None where its
+        outer ring has fewer than four places."""
+        first = self.outer_ring[polygon]
+        last = np.searchsorted(self.polygon, polygon + 1)
+        places = self.raw[:, 1::-1] if swapped else self.raw[:, :2]
+        rings = [places[self.start[ring]:self.start[ring + 1]] for ring in range(first, last)
+                 if ring == first or not self.outer[ring]]
+        holes = [ring for ring in rings[1:] if len(ring) > 3]
+        return shapely.Polygon(rings[0], holes) if len(rings[0]) > 3 else None
+
     @cached_property
     def vertex_numbers(self) -> np.ndarray:
         """A number (N,) for each place, the same for the same coordinates."""

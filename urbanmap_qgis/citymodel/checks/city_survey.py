@@ -189,16 +189,9 @@ def _outline(block: CityBlock, feature: NamedFeature, numbers: list[int], lowest
     if lowest:
         lying &= np.array([one.min() for one in heights]) <= low + 0.5
         lying &= shapes.normals[numbers_of, 2] < 0 if (shapes.normals[numbers_of[lying], 2] < 0).any() else True
-    plans = [_ring_plan(block, k) for k, flat in zip(numbers, lying) if flat]
+    plans = [shapes.plan(k, block.file.geographic) for k, flat in zip(numbers, lying) if flat]
     plans = [plan for plan in plans if plan is not None]
     if not plans:
         return None
     plan = plans[0] if len(plans) == 1 else shapely.union_all(shapely.make_valid(np.array(plans, object)))
     return PlanOutline(feature, plan, float(low), float(high))
-
-
-def _ring_plan(block: CityBlock, number: int) -> shapely.Polygon | None:
-    shapes = block.shapes
-    ring = shapes.outer_ring[number]
-    places = shapes.raw[shapes.start[ring]:shapes.start[ring + 1], :2]
-    return shapely.Polygon(places[:, ::-1] if block.file.geographic else places) if len(places) > 3 else None

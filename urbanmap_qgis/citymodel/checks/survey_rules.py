@@ -188,8 +188,7 @@ def _shares(block: CityBlock, thing: int, digits: int) -> dict[str, float]:
     polygons = np.flatnonzero(shapes.thing == thing)
     level = shapes.lods[polygons][shapes.lods[polygons] >= 0].min(initial=9)
     upward = polygons[(shapes.lods[polygons] == level) & (np.abs(shapes.normals[polygons, 2]) > 0.1)]
-    plans = [shapely.Polygon(shapes.raw[slice(*shapes.start[[ring, ring + 1]]), 1::-1])
-             for ring in shapes.outer_ring[upward] if shapes.whole[ring]]
+    plans = [shapes.plan(polygon, swapped=True) for polygon in upward if shapes.whole[shapes.outer_ring[polygon]]]
     if not plans:
         return {}
     plan = shapely.union_all(shapely.make_valid(np.array(plans, object)))
