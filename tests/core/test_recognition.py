@@ -62,6 +62,11 @@ REAL = {
 """Kinds of real files by patterns."""
 
 
+def test_a_line_alone_is_no_table(tmp_path):
+    (tmp_path / "note.txt").write_text("delivered, complete", encoding="utf-8")
+    assert recognise_file(tmp_path / "note.txt")[0].kind == "other"
+
+
 @pytest.mark.parametrize("place", CITY)
 def test_files_of_the_sample_city(small_city, place):
     found = recognise_file(small_city / place)

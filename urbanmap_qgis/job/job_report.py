@@ -12,7 +12,7 @@ from .chain_plan import WISHES, wish_name
 from .job_file import DONE, FAILED, PLANNED, JobRecord
 from .roles import use_name
 
-STATE_NAMES = {PLANNED: mark("to run"), DONE: mark("done"), FAILED: mark("failed")}
+STATE_NAMES = {PLANNED: mark("to run"), DONE: mark("done"), FAILED: mark("error")}
 """English name of each state."""
 
 

@@ -215,7 +215,7 @@ def _other_table(path: Path, sample: Path, names: set[str]) -> FileFacts:
     alike = widths.count(max(set(widths), key=widths.count)) >= 0.9 * len(widths) if widths else False
     with_numbers = [row for row in cells[1:_MOST_HEAD] if any(WRITTEN_NUMBER.match(cell) for cell in row)]
     counted = len(with_numbers) > 0.5 * len(widths) - 1
-    return FileFacts(path, TABLE if delimiter and alike and counted else OTHER)
+    return FileFacts(path, TABLE if delimiter and alike and counted and len(cells) > 1 else OTHER)
 
 
 def parquet_facts(path: Path, _head: bytes) -> list[FileFacts]:
