@@ -46,6 +46,19 @@ def test_a_hole_of_which_nothing_is_left_goes():
     assert not made.interiors and shortest_side([made]) > 3.0
 
 
+def test_a_needle_between_two_others_goes_into_them():
+    """A lane reaches 9 m between an island and the next lane, 8 mm wide at its root."""
+    tip, upper, lower = (-9.0, -1.0), (0.0, 0.0), (0.006, -0.006)
+    lane = shapely.Polygon([tip, lower, (3, -0.2), (3, 0.2), upper])
+    next_lane = shapely.Polygon([tip, upper, (3, 0.2), (3, 4), (-9, 4)])
+    island = shapely.Polygon([tip, (-9, -4), (3, -4), (3, -0.2), lower])
+    made = without_short_sides([lane, next_lane, island])
+    places = shapely.get_coordinates(made[0].exterior)[:-1]
+    assert len(places) == 3 and np.hypot(*(places[:, None] - places[None])[np.triu_indices(3, 1)].T).min() > 0.3
+    assert shapely.union_all(made).area == pytest.approx(shapely.area(made).sum(), abs=1e-12)
+    assert shapely.union_all(made).equals(shapely.union_all([lane, next_lane, island]))
+
+
 def test_a_face_of_a_centimetre_goes_into_those_beside_it():
     below, strip, above = shapely.box(0, 0, 5, 2), shapely.box(0, 2, 5, 2.01), shapely.box(0, 2.01, 5, 4)
     one, gone, other = without_short_edges([below, strip, above])

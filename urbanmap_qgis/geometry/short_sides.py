@@ -22,7 +22,8 @@ Corner = tuple[float, float]
 
 
 def without_short_sides(polygons: Sequence[shapely.Polygon]) -> list[shapely.Polygon]:
-    """The polygons with corners nearer than `SHORTEST` that follow each other made one, wherever they are corners.
+    """The polygons with corners nearer than `SHORTEST` that follow each other made one, wherever they are corners, and
+    without needles: corners between two such.
 
     Needles, whose sides end nearer than that to each other, go. What would not be valid any more by it keeps the
     corners that spoil it, and so do those that share them.
@@ -77,12 +78,13 @@ def _moves(polygons: Sequence[shapely.Polygon], kept: set[Corner]) -> dict[Corne
     short: dict[tuple[Corner, Corner], float] = {}
     for polygon in polygons:
         for ring in (polygon.exterior, *polygon.interiors):
-            places = shapely.get_coordinates(ring)
-            length = np.hypot(*np.diff(places, axis=0).T)
-            for k in np.flatnonzero((length > 0) & (length < SHORTEST)).tolist():
-                one, other = sorted((tuple(places[k].tolist()), tuple(places[k + 1].tolist())),
-                                    key=lambda corner: (-count[corner], corner))
-                short[one, other] = float(length[k])
+            places = shapely.get_coordinates(ring)[:-1]
+            for beside in (np.roll(places, -1, axis=0), np.roll(places, -2, axis=0)):
+                length = np.hypot(*(beside - places).T)
+                for k in np.flatnonzero((length > 0) & (length < SHORTEST)).tolist():
+                    one, other = sorted((tuple(places[k].tolist()), tuple(beside[k].tolist())),
+                                        key=lambda corner: (-count[corner], corner))
+                    short[one, other] = float(length[k])
     moves: dict[Corner, Corner] = {}
     touched = set(kept)
     for one, other in sorted(short, key=lambda pair: (short[pair], pair)):
