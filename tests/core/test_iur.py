@@ -1,6 +1,7 @@
 """i-UR's tables: what a version can hold, in its order, under its names; what PLATEAU asks of quality and ids."""
 
 from collections import Counter
+from dataclasses import replace
 from datetime import date
 from xml.etree import ElementTree
 
@@ -12,7 +13,9 @@ from urbanmap_qgis.citymodel.citygml.codelists import lists_of, write_codelists
 from urbanmap_qgis.citymodel.citygml.iur import VERSIONS, iur_table, kinds_of
 from urbanmap_qgis.citymodel.citygml.plateau import PlateauDelivery, with_plateau_attributes
 from urbanmap_qgis.citymodel.citygml.value_reader import extension_value
+from urbanmap_qgis.citymodel.citygml.writer import write_citygml
 from urbanmap_qgis.citymodel.model import AttributeGroup, CodeValue, Measure
+from urbanmap_qgis.progress import Progress
 
 LISTS = "../../codelists/"
 
@@ -122,7 +125,7 @@ def test_parts_share_the_buildings_id_and_have_their_number():
 
 @pytest.mark.parametrize("version", VERSIONS)
 def test_every_code_has_its_list(version, tmp_path):
-    write_codelists(tmp_path, version)
+    write_codelists(tmp_path, lists_of(version))
     item = with_plateau_attributes(town().buildings[0], 1, PlateauDelivery(version, map_level=500))
     codes = [value for value in _codes(item.attributes) if LISTS in value.space]
     assert codes
@@ -130,6 +133,21 @@ def test_every_code_has_its_list(version, tmp_path):
         root = ElementTree.parse(tmp_path / value.space.removeprefix(LISTS)).getroot()
         assert value.value in {entry.text for entry in root.iter("{http://www.opengis.net/gml}name")}
     assert set(lists_of(version)) == {path.stem for path in tmp_path.iterdir()}
+
+
+def test_lists_that_the_models_refer_to_go_along_and_those_not_known_are_named(tmp_path):
+    model, told = town(), []
+    item = replace(model.buildings[0], attributes={
+        "class": CodeValue("3001", f"{LISTS}Building_class.xml"),
+        "usage": [CodeValue("401", f"{LISTS}Building_usage.xml", "業務施設 & 他")]})
+    write_citygml(tmp_path, replace(model, buildings=[item]), Progress(warn=told.append))
+    root = ElementTree.parse(tmp_path / "codelists" / "Building_usage.xml").getroot()
+    gml = "{http://www.opengis.net/gml}"
+    (one,) = root.iter(f"{gml}Definition")
+    assert one.findtext(f"{gml}name") == "401" and one.findtext(f"{gml}description") == "業務施設 & 他"
+    assert not (tmp_path / "codelists" / "Building_class.xml").exists()
+    (note,) = [text for text in told if "lists of codes" in text]
+    assert note.startswith("1 lists") and "(Building_class)" in note
 
 
 def _codes(values):

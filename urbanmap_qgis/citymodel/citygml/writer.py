@@ -28,7 +28,7 @@ from ..model import BUILDING_ROOM, INNER_INSTALLATION, INSTALLATION, CityModel, 
 from ..objects import rings_of, unique_objects
 from ..reference import GEOGRAPHIC, GEOGRAPHIC_2011, GEOGRAPHIC_2024, JGD2024, PLANE_ZONES, compound_epsg
 from .attribute_writer import generic_attribute, split_attributes, xml_text
-from .codelists import write_codelists
+from .codelists import UsedCodes, lists_of, write_codelists
 from .iur import VERSIONS, IurTable, iur_table
 from .schema import (
     EXTENSIONS_FIRST,
@@ -127,7 +127,7 @@ def write_citygml(folder: str | os.PathLike, model: CityModel, progress: Progres
     plateau = frame.epsg in (GEOGRAPHIC_2011, GEOGRAPHIC_2024)
     files: dict[str, _GmlFile] = {}
     names = _Names(iur_table(version))
-    left_out = 0
+    left_out, used = 0, UsedCodes()
     with tempfile.TemporaryDirectory(prefix="urbanmap-") as scratch:
         for building in unique_objects(model.buildings):
             progress.check()
@@ -140,7 +140,7 @@ def write_citygml(folder: str | os.PathLike, model: CityModel, progress: Progres
             if not name:
                 continue
             file = files.setdefault(name, _GmlFile(name, Path(scratch), module))
-            _add_building(file, building, frame, names, bounds)
+            used.add(building, _add_building(file, building, frame, names, bounds))
         if not files:
             _made_folder(target, "bldg", plateau)
         for file in files.values():
@@ -148,7 +148,7 @@ def write_citygml(folder: str | os.PathLike, model: CityModel, progress: Progres
             _write_file(place / f"{file.name}.gml", file, frame, model, names.table.namespace)
             copy_images(place, file.images, model.images)
     if plateau:
-        write_codelists(target / "codelists", version, lists)
+        _write_lists(target, used, {**lists_of(version), **(lists or {})}, progress)
     _tell_of_earlier_runs(Path(final_text(str(target))), files, progress)
     if left_out:
         progress.warn(say("{count} buildings have parts that lie apart and no LOD1: it is one solid for the whole "
@@ -246,8 +246,8 @@ class _Names:
 
 
 def _add_building(file: _GmlFile, building: CityObject, frame: _Frame, names: _Names,
-                  bounds: np.ndarray | None) -> None:
-    """Append a building with its parts and textures."""
+                  bounds: np.ndarray | None) -> str:
+    """Append a building with its parts and textures; give it as XML."""
     def places(corners: np.ndarray) -> list[str]:
         found = frame.places(corners)
         if frame.digits is None:
@@ -263,11 +263,23 @@ def _add_building(file: _GmlFile, building: CityObject, frame: _Frame, names: _N
         rows.append(_texture(name, targets))
     if bounds is None:
         file.add(f"<core:cityObjectMember>{body}</core:cityObjectMember>\n", "", file.low, file.high)
-        return
+        return body
     corners = np.array([[x, y, z] for x in bounds[:, 0] for y in bounds[:, 1] for z in bounds[:, 2]])
     found = frame.places(corners)
     file.add(f"<core:cityObjectMember>{body}</core:cityObjectMember>\n", "".join(rows), found.min(axis=0),
              found.max(axis=0))
+    return body
+
+
+def _write_lists(target: Path, used: UsedCodes, lists: Mapping[str, Mapping[str, str]], progress: Progress) -> None:
+    """Write lists and those of the model whose meanings are known; warn of the others that it refers to."""
+    written = used.with_lists(lists)
+    write_codelists(target / "codelists", written)
+    missing = sorted(used.named.difference(written))
+    if missing:
+        progress.warn(say("{count} lists of codes that the models refer to were not beside them ({names}): copy them "
+                          "into the folder codelists, where PLATEAU wants all lists that are referred to.",
+                          count=len(missing), names=", ".join(missing[:3])))
 
 
 def _object(item: CityObject, names: _Names, places, textures: dict[str, list]) -> str:
