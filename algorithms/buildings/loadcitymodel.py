@@ -8,7 +8,7 @@ from pathlib import Path
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import CITY_MODEL_FILTER, tr
-from ..framework.layers.crs import crs_name, wkt_of
+from ..framework.layers.crs import crs_name, stated_wkt, wkt_of
 from ..framework.layers.layers import make_fields, own_fields
 
 COLUMNS = (("building_id", "text"), ("lod", "text"), ("ground", "real"), ("top", "real"), ("height", "real"),
@@ -161,7 +161,7 @@ class LoadCityModel(UrbanMapAlgorithm):
         from ...urbanmap_qgis.citymodel.named_reference import given_reference
 
         crs = self.parameterAsCrs(parameters, "SOURCE_CRS", context)
-        return given_reference(wkt_of(crs)) if crs.isValid() else None
+        return given_reference(stated_wkt(crs)) if crs.isValid() else None
 
     def _paths(self, parameters, context) -> list[Path]:
         """The file and the folder, as far as they were given."""

@@ -126,6 +126,15 @@ def test_cityjson_and_sequence(run, read_layer, tmp_path, kind):
     assert result["HEIGHTS"] == "unknown" and not item.attributes["note"]
 
 
+@pytest.mark.parametrize(("source", "heights"), [("EPSG:7415", "EPSG:5709"), ("EPSG:28992", "unknown")])
+def test_heights_of_a_given_compound_system_are_kept(run, tmp_path, source, heights):
+    """QGIS 3.22 keeps only the plane of such a code."""
+    path = tmp_path / "a.city.json"
+    path.write_text(json.dumps(cityjson(metadata={})), "utf-8")
+    result = run(ALGORITHM, {"INPUT": str(path), "SOURCE_CRS": source, "OUTPUT": str(tmp_path / "b.gpkg")})
+    assert result["HEIGHTS"] == heights and result["BUILDINGS"] == 1
+
+
 ENTITY = '<!DOCTYPE a SYSTEM "file:///etc/passwd"><core:CityModel'
 BOMB = '<!DOCTYPE a [<!ENTITY b "x"><!ENTITY c "&b;&b;&b;">]>'
 
