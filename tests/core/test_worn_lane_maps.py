@@ -2,17 +2,33 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import shapely
+from pyproj import CRS
 
 from tests.core.laid_out_roads import drive, line, path_line, place
+from tests.core.test_right_of_way import arms, drives, stops
+from urbanmap_qgis.roadmap.checks.map_check import check_map
+from urbanmap_qgis.roadmap.formats.lanelet_map import lanelet_elements
 from urbanmap_qgis.roadmap.lanes.junctions import goes_past_lanes
 from urbanmap_qgis.roadmap.lanes.lane_assembly import without_turning_back
 from urbanmap_qgis.roadmap.map_records import MapSettings
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
 
 ALL = MapSettings(traffic="left")
+
+SPLIT = 30
+"""Points of a worn line."""
+
+
+def path_points(one):
+    """Points (SPLIT, 3) at equal distances along a line."""
+    plan = shapely.LineString(one.points)
+    return shapely.get_coordinates(shapely.line_interpolate_point(plan, np.linspace(0.0, 1.0, SPLIT), normalized=True),
+                                   include_z=True)
 
 
 @pytest.mark.parametrize(("across", "x0", "x1", "past"), [
@@ -49,3 +65,20 @@ def test_points_at_which_a_bound_turns_back_are_left_out():
     steps = np.diff(left[:, :2], axis=0)
     assert (steps[:, 0] > 0.0).all() and np.array_equal(left[[0, -1]], path[[0, -1]]) and len(left) == 4
     assert np.array_equal(without_turning_back(left), left)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_no_map_of_worn_or_scattered_lines_has_an_error(seed):
+    """A third of the lines of a crossing is lost, the others are cut or scatter; some drives are missing."""
+    rng = np.random.default_rng(seed)
+    worn = []
+    for one in [*arms(), *stops()]:
+        if rng.random() < 0.3:
+            continue
+        points = path_points(one) + np.column_stack([rng.normal(0.0, 0.05 * (seed % 2), (SPLIT, 2)), np.zeros(SPLIT)])
+        gap = int(rng.integers(3, SPLIT - 6)) if seed % 3 == 0 else SPLIT
+        worn += [replace(one, points=part) for part in (points[:gap], points[gap + 3:]) if len(part) > 1]
+    built = build_vector_map(worn, (), [path for path in drives() if rng.random() < 0.7], ALL)
+    for dialect in ("lanelet2", "autoware"):
+        elements, _ = lanelet_elements(built, CRS.from_epsg(6677).to_wkt(), speed_limit=40, dialect=dialect)
+        assert [fault.rule for fault in check_map(elements) if fault.severity == "error"] == []
