@@ -22,10 +22,9 @@ Corner = tuple[float, float]
 
 
 def without_short_sides(polygons: Sequence[shapely.Polygon]) -> list[shapely.Polygon]:
-    """The polygons with corners nearer than `SHORTEST` that follow each other made one, wherever they are corners, and
-    without needles: corners between two such.
+    """The polygons with corners nearer than `SHORTEST` that follow each other made one, wherever they are corners.
 
-    Needles, whose sides end nearer than that to each other, go. What would not be valid any more by it keeps the
+    Needles go: corners between two as near as that, and thin parts of a ring between two such. What would not be valid any more by it keeps the
     corners that spoil it, and so do those that share them.
 
     Parameters
