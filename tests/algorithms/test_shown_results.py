@@ -7,6 +7,7 @@ import shutil
 from pathlib import Path
 
 import pytest
+import shapely
 
 
 @pytest.fixture
@@ -131,6 +132,42 @@ def test_the_sample_city_is_shown(run, context, window, plugin, small_city, monk
     assert set(loaded) == {"Conventional orthophoto", "Official outlines"}
     assert all(place.is_file() and tmp_path / "city" in place.parents for place, _ in loaded.values())
     assert loaded["Official outlines"][1] is not None
+
+
+def test_a_layer_of_the_project_shows_the_file_that_a_run_has_put_in_its_place(run, context, qgis_app, tmp_path, als):
+    from processing.gui.Postprocessing import handleAlgorithmResults
+    from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingOutputLayerDefinition, QgsProject
+
+    project, seen = QgsProject.instance(), []
+    item = QgsApplication.processingRegistry().algorithmById("urbanmap:surfacefromals").create()
+    for resolution in (4.0, 8.0):
+        context = QgsProcessingContext()
+        context.setProject(project)
+        target = QgsProcessingOutputLayerDefinition(str(tmp_path / "dsm.tif"), project)
+        run("urbanmap:surfacefromals", {"POINTS": als["POINTS"], "RESOLUTION": resolution, "OUTPUT": target}, context)
+        assert handleAlgorithmResults(item, context)
+        layer, = (one for one in project.mapLayers().values() if one.source() == str(tmp_path / "dsm.tif"))
+        seen.append((layer.id(), layer.rasterUnitsPerPixelX()))
+    project.removeMapLayer(layer)
+    assert [size for _, size in seen] == [4.0, 8.0] and seen[0][0] == seen[1][0]
+
+
+def test_a_layer_of_features_reads_its_file_again(context, feedback, plugin, tmp_path):
+    from qgis.core import QgsVectorLayer
+
+    from urbanmap_qgis.samplecity.truth.geopackage import Layer, write_geopackage
+
+    def write(name, sides):
+        squares = [shapely.box(0, 0, side, side) for side in sides]
+        write_geopackage(tmp_path / name, [Layer("one", squares, {"side": sides})], "EPSG:6677")
+
+    write("shown.gpkg", [1.0, 2.0])
+    layer = QgsVectorLayer(str(tmp_path / "shown.gpkg"), "shown", "ogr")
+    assert layer.extent().width() == len(list(layer.getFeatures())) == 2
+    write("new.gpkg", [5.0])
+    (tmp_path / "new.gpkg").replace(tmp_path / "shown.gpkg")
+    plugin("algorithms.framework.layers.styles").FilePostProcessor().postProcessLayer(layer, context, feedback)
+    assert layer.isValid() and layer.extent().width() == 5 and [item["side"] for item in layer.getFeatures()] == [5.0]
 
 
 def test_reports_have_names_of_their_own(qgis_app):

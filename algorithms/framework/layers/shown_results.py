@@ -14,7 +14,7 @@ from qgis.core import (
 
 from ....urbanmap_qgis.io.files.staging import final_text
 from ..declaring.parameters import tr
-from .styles import give_saved_style, give_style
+from .styles import give_saved_style, give_style, read_anew
 
 POINT_CLOUDS = (".las", ".laz")
 
@@ -48,11 +48,12 @@ def show_layer(context: QgsProcessingContext, path: Path, title: str, style: str
 
 
 def name_layers(algorithm, results: Mapping, context: QgsProcessingContext) -> None:
-    """Let layers that QGIS loads have the names of their outputs: in models QGIS 3.22 calls them “OUTPUT”."""
+    """Let layers that QGIS loads show what is new, under their outputs' names: QGIS 3.22 says “OUTPUT” in models."""
     for definition in algorithm.destinationParameterDefinitions():
         place = results.get(definition.name())
         if not isinstance(place, str) or not context.willLoadLayerOnCompletion(place):
             continue
+        read_anew(context, place)
         details = context.layerToLoadOnCompletionDetails(place)
         if details.name == definition.name():
             details.name = definition.description()

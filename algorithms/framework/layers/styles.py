@@ -10,7 +10,13 @@ from html import escape, unescape
 from pathlib import Path
 from threading import Lock
 
-from qgis.core import QgsProcessingContext, QgsProcessingLayerPostProcessorInterface, QgsVectorLayer
+from qgis.core import (
+    QgsDataProvider,
+    QgsMapLayer,
+    QgsProcessingContext,
+    QgsProcessingLayerPostProcessorInterface,
+    QgsVectorLayer,
+)
 from qgis.PyQt import sip
 from qgis.PyQt.QtXml import QDomDocument
 
@@ -126,7 +132,23 @@ def give_saved_style(context: QgsProcessingContext, path: Path) -> None:
         context.layerToLoadOnCompletionDetails(str(path)).setPostProcessor(_post_processor(name, text=text))
 
 
-class StylePostProcessor(QgsProcessingLayerPostProcessorInterface):
+def read_anew(context: QgsProcessingContext, place: str) -> None:
+    """Let a layer of the project whose file at `place` a run has replaced show the new one, where nothing else does."""
+    details = context.layerToLoadOnCompletionDetails(place)
+    if details.postProcessor() is None:
+        details.setPostProcessor(_kept(FilePostProcessor()))
+
+
+class FilePostProcessor(QgsProcessingLayerPostProcessorInterface):
+    """Lets a layer read its file again: QGIS goes on with one of the project, which shows the file of before."""
+
+    def postProcessLayer(self, layer: QgsMapLayer, context, feedback):
+        if layer.providerType() in ("ogr", "gdal"):
+            layer.dataProvider().reloadData()
+            layer.setDataSource(layer.source(), layer.name(), layer.providerType(), QgsDataProvider.ProviderOptions())
+
+
+class StylePostProcessor(FilePostProcessor):
     """Gives a style to a layer that QGIS loads after a run; `text` is its QML where that is no style of the plugin."""
 
     def __init__(self, style: str, own: tuple[str, ...] = (), earlier: Earlier = (), text: str = ""):
@@ -137,6 +159,7 @@ class StylePostProcessor(QgsProcessingLayerPostProcessorInterface):
         self.text = text
 
     def postProcessLayer(self, layer, context, feedback):
+        super().postProcessLayer(layer, context, feedback)
         fields = [field.name() for field in layer.fields()] if isinstance(layer, QgsVectorLayer) else []
         document = QDomDocument()
         try:
@@ -152,14 +175,17 @@ class StylePostProcessor(QgsProcessingLayerPostProcessorInterface):
         layer.triggerRepaint()
 
 
-_KEPT: list[StylePostProcessor] = []
+_KEPT: list[FilePostProcessor] = []
 """Those that QGIS has not deleted yet: one that Python collects before is dropped by QGIS without a word."""
 _LOCK = Lock()
 
 
-def _post_processor(style: str, own: tuple[str, ...] = (), earlier: Earlier = (), text: str = "") -> StylePostProcessor:
-    """One for one layer of one run: QGIS deletes it with the run's context."""
-    processor = StylePostProcessor(style, own, earlier, text)
+def _post_processor(style: str, own: tuple[str, ...] = (), earlier: Earlier = (), text: str = "") -> FilePostProcessor:
+    return _kept(StylePostProcessor(style, own, earlier, text))
+
+
+def _kept(processor: FilePostProcessor) -> FilePostProcessor:
+    """It, for one layer of one run: QGIS deletes it with the run's context."""
     with _LOCK:
         _KEPT[:] = [alive for alive in _KEPT if not sip.isdeleted(alive)]
         _KEPT.append(processor)
