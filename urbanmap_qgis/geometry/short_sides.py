@@ -24,8 +24,8 @@ Corner = tuple[float, float]
 def without_short_sides(polygons: Sequence[shapely.Polygon]) -> list[shapely.Polygon]:
     """The polygons with corners nearer than `SHORTEST` that follow each other made one, wherever they are corners.
 
-    Needles go: corners between two as near as that, and thin parts of a ring between two such. What would not be valid any more by it keeps the
-    corners that spoil it, and so do those that share them.
+    Needles go: corners between two as near as that, and thin parts of a ring between two such. What would not be valid
+    any more by it keeps the corners that spoil it, and so do those that share them.
 
     Parameters
     ----------
