@@ -130,7 +130,6 @@ def test_what_stands_before_the_kerb_may_be_a_vehicle():
     assert with_doubts(edges[1:], path, 40.0) == edges[1:], "a road without kerbs tells nothing"
 
 
-@pytest.mark.slow
 def test_a_short_kerb_lower_than_the_survey_shows_is_doubtful():
     """Not one of a chain that shows elsewhere, nor one that goes on as no scatter does."""
     chains = [[("kerb", 0.04, 4.0)], [("kerb", 0.04, 4.0), ("lowered kerb", 0.02, 3.0), ("kerb", 0.12, 4.0)],
@@ -143,6 +142,7 @@ def test_a_short_kerb_lower_than_the_survey_shows_is_doubtful():
     assert with_low_doubts(edges, 0.03) == edges and with_low_doubts(edges, float("nan")) == edges
 
 
+@pytest.mark.slow
 def test_a_kerb_before_a_rail_is_found(tmp_path):
     kerb = [edge for edge in edges_of(tmp_path, Street(rail=0.8)).edges if edge.kind == "kerb"]
     assert sum(edge.length for edge in kerb) > 50.0
