@@ -12,6 +12,7 @@ from tests.core.surveyed_scene import (
     HALF_EAST,
     HALF_NORTH,
     HEIGHT,
+    PAVEMENT,
     RADIUS,
     REACH,
     carriageway,
@@ -126,6 +127,37 @@ def test_one_height_across_or_steps(level, stepped):
     assert all(step.height == pytest.approx(HEIGHT, abs=1e-3) for step in model.steps)
     for area in of_kind(model, CARRIAGEWAY):
         assert all(z == pytest.approx(float(road_height(*place)), abs=0.02) for place, z in area.heights.items())
+
+
+def with_a_gap(begin, end, chains, gap):
+    """The crossing whose first kerb was not seen from `begin` to `end`, m to the east."""
+    rest = np.vstack([[begin, HALF_EAST], corner_line(1, 1)[1:]])
+    return [*crossing()[1:], edge([[REACH, HALF_EAST], [end, HALF_EAST]], chain=chains[0], gap=gap),
+            edge(rest, chain=chains[1])]
+
+
+def test_a_kerb_not_seen_over_a_few_metres_keeps_the_step_of_both_sides():
+    def between(x, y):
+        """A raster that mixes road and sidewalk."""
+        return road_height(x, y) + HEIGHT / 2.0
+    model = surveyed_roads(with_a_gap(20.0, 26.0, (9, 9), 6.0), "3.3", SurveyInputs([official()], ground=between))
+    inside = [step for step in model.steps if step.ring[:, 1].min() > 0 and step.ring[:, 0].max() > 20.0
+              and step.ring[:, 0].min() < 26.0]
+    assert sum(step.length for step in inside) >= 6.0
+    for step in inside:
+        assert step.height == pytest.approx(HEIGHT, abs=1e-3)
+        assert step.ring[:, 2].min() == pytest.approx(float(road_height(step.ring[:, 0].min(), 0.0)), abs=0.01)
+
+
+def test_beside_a_longer_gap_along_the_road_alone_there_is_no_sidewalk():
+    model = surveyed_roads(with_a_gap(15.0, 29.0, (8, 9), 0.0), "3.3", SurveyInputs([official()]))
+    kinds = [finding.kind for finding in model.findings]
+    assert (kinds.count("edge continued"), kinds.count("end of the survey")) == (1, 4)
+    walk = shapely.union_all([area.polygon for area in of_kind(model, SIDEWALK)])
+    beside = shapely.box(10.0, HALF_EAST, 40.0, HALF_EAST + PAVEMENT)
+    assert shapely.intersection(walk, beside).area == pytest.approx((30.0 - 14.0) * PAVEMENT, rel=0.01)
+    length = sum(step.length for step in model.steps)
+    assert length == pytest.approx(4 * shapely.linestrings(corner_line(1, 1)).length - 14.0, rel=0.01)
 
 
 def test_lowered_kerbs_are_steps_of_the_finest_level_alone():
@@ -320,7 +352,7 @@ def test_an_edge_whose_corners_are_shuffled_ends(monkeypatch):
         asked.append(shapely.get_num_coordinates(shape)), buffer(shape, *rest, **more))[1])
     polygon = shapely.box(0.0, 0.0, 40.0, 40.0)
     known = shapely.STRtree(shapely.get_parts(shapely.union_all([shapely.linestrings(one.plan) for one in edges])))
-    carriageways._ends_of(polygon, known)
+    carriageways._closed_over(polygon, known)
     assert asked and max(asked) < 0.2 * sum(shapely.get_num_coordinates(known.geometries))
 
 

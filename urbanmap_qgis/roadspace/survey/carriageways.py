@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -28,6 +28,7 @@ class CarriagewayLimits:
     gap: float = 12.0  # m; two parked cars; what was not seen over more is not drawn on
     turn: float = 60.0  # degrees by which an edge may turn from its end into a gap
     smooth: float = 0.01  # m by which lines may leave what was measured, in plan and in height
+    station: float = 0.5  # m between places of an edge that is drawn on
     on: float = 0.03  # m: borders this near to a measured line are measured
     across: float = 0.5  # cosine of the angle between an edge and the line that closes it; less runs across the road
     narrow: float = 2.0  # m: what is narrower on average is no carriageway
@@ -55,6 +56,9 @@ class Carriageways:
     measured : all measured lines as one geometry.
     sure : those of them that are not doubtful.
     ends : lines (2, 2) across the road where the survey ends.
+    gaps : lines (2, 2) along the road, longer than `gap`, where an edge was not seen between what was; the road lies
+        on their left.
+    continued : what edges are over shorter gaps, between the heights of both sides.
     findings : on the way.
     open_sides : borders that are no kerb, as nobody saw what lies beyond.
     between : number of the polygons, the first ones, that lie between two edges.
@@ -67,6 +71,8 @@ class Carriageways:
     findings: tuple[RoadFinding, ...]
     open_sides: shapely.Geometry
     between: int
+    gaps: tuple[np.ndarray, ...] = ()
+    continued: tuple[EdgeLine, ...] = ()
 
     @cached_property
     def near(self) -> shapely.Geometry:
@@ -108,10 +114,14 @@ def carriageways_between(edges: Sequence[EdgeLine], lanes: Sequence[shapely.Poly
     lines = [shapely.linestrings(_thinned(edge)) for edge in edges]
     measured = shapely.union_all(lines)
     sure = shapely.union_all([line for line, edge in zip(lines, edges) if not edge.doubt])
-    bridges = _bridges(edges, findings)
+    continued: list[EdgeLine] = []
+    bridges = _bridges(edges, findings, continued)
     polygons, open_findings = _between_two([*lines, *bridges])
     known = shapely.STRtree(shapely.get_parts(shapely.union_all([measured, *bridges])))
-    ends = [end for polygon in polygons for end in _ends_of(polygon, known)]
+    closed = [line for polygon in polygons for line in _closed_over(polygon, known)]
+    ends = [line for line, along in closed if not along]
+    gaps = [line for line, along in closed if along]
+    findings += [_continued(line) for line in gaps]
     whole = [shapely.linestrings(edge.plan) for edge in edges]
     others = one_sided_carriageways([*whole, *bridges], lanes, polygons)
     if not polygons and not others.polygons:
@@ -119,7 +129,7 @@ def carriageways_between(edges: Sequence[EdgeLine], lanes: Sequence[shapely.Poly
     made = (*polygons, *others.polygons)
     return Carriageways(made, measured, sure, (*ends, *others.ends), (
         *findings, *open_findings, *others.findings, *_doubts(edges, lines, made), *roads_above(edges)),
-        others.open_sides, len(polygons))
+        others.open_sides, len(polygons), tuple(gaps), tuple(continued))
 
 
 def _doubts(edges: Sequence[EdgeLine], lines: Sequence[shapely.LineString],
@@ -139,7 +149,7 @@ def _doubts(edges: Sequence[EdgeLine], lines: Sequence[shapely.LineString],
 def surface_between(edges: Sequence[EdgeLine]) -> list[shapely.Polygon]:
     """Polygons that edges enclose; none where they enclose nothing."""
     lines = [shapely.linestrings(_thinned(edge)) for edge in edges]
-    return _between_two([*lines, *_bridges(edges, [])])[0] if lines else []
+    return _between_two([*lines, *_bridges(edges, [], [])])[0] if lines else []
 
 
 def _between_two(lines: Sequence[shapely.LineString]) -> tuple[list[shapely.Polygon], tuple[RoadFinding, ...]]:
@@ -193,8 +203,9 @@ def _thinned(edge: EdgeLine) -> np.ndarray:
     return plan[[place in marks or tuple(point) in plan_corners for place, point in zip(along.tolist(), plan.tolist())]]
 
 
-def _bridges(edges: Sequence[EdgeLine], findings: list[RoadFinding]) -> list[shapely.LineString]:
-    """Lines over the gaps between parts of one edge, which are told."""
+def _bridges(edges: Sequence[EdgeLine], findings: list[RoadFinding],
+             continued: list[EdgeLine]) -> list[shapely.LineString]:
+    """Lines over the gaps between parts of one edge, which are told, and the edges there."""
     chains: dict[int, list[EdgeLine]] = defaultdict(list)
     for edge in edges:
         chains[edge.chain].append(edge)
@@ -210,11 +221,25 @@ def _bridges(edges: Sequence[EdgeLine], findings: list[RoadFinding]) -> list[sha
             line = shapely.linestrings(_course(one.plan, other.plan))
             bridges.append(line)
             if length > LIMITS.same:
-                middle = (start + end) / 2.0
-                findings.append(RoadFinding("edge continued", say(
-                    "The edge was not seen over {length:.1f} m and is drawn on here.", length=length),
-                    *middle.tolist()))
+                findings.append(_continued(np.vstack([start, end])))
+                continued.append(_drawn_on(one, other, line))
     return bridges
+
+
+def _drawn_on(one: EdgeLine, other: EdgeLine, line: shapely.LineString) -> EdgeLine:
+    """The edge along a line between two parts: without it a kerb would sink into the road where nobody saw it."""
+    plan = shapely.get_coordinates(shapely.segmentize(line, LIMITS.station))
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(plan, axis=0).T))])
+    foot, top = (np.column_stack([plan, np.interp(along, along[[0, -1]], ends)])[1:-1] for ends in (
+        (one.foot[-1, 2], other.foot[0, 2]), (one.top[-1, 2], other.top[0, 2])))
+    return replace(one, foot=foot, top=top, sigma_z=max(one.sigma_z, other.sigma_z))
+
+
+def _continued(line: np.ndarray) -> RoadFinding:
+    """That an edge was not seen along a line (2, 2)."""
+    return RoadFinding("edge continued", say("The edge was not seen over {length:.1f} m and is drawn on here.",
+                                             length=float(np.hypot(*(line[1] - line[0])))),
+                       *line.mean(axis=0).tolist())
 
 
 def _course(before: np.ndarray, after: np.ndarray) -> np.ndarray:
@@ -239,20 +264,23 @@ def _direction(line: np.ndarray, reach: float = 2.0) -> np.ndarray:
     return vector / max(np.hypot(*vector), 1e-12)
 
 
-def _ends_of(polygon: shapely.Polygon, known: shapely.STRtree) -> list[np.ndarray]:
-    """Parts of the border that neither are among known lines nor near to one, across the road, as lines (2, 2)."""
-    ends = []
-    corners = shapely.get_coordinates(polygon.exterior)[:-1]
+def _closed_over(polygon: shapely.Polygon, known: shapely.STRtree) -> list[tuple[np.ndarray, bool]]:
+    """Parts of the border that neither are among known lines nor near to one, as lines (2, 2) with the polygon on their
+    left: those across the road, and, marked, those along it that are longer than what is drawn on."""
+    found = []
+    corners = shapely.get_coordinates(shapely.geometry.polygon.orient(polygon).exterior)[:-1]
     chords = np.roll(corners, -1, axis=0) - corners
     length = np.hypot(*chords.T)
     unit = chords / length[:, None]
     for number in np.flatnonzero(length > LIMITS.narrow):
         line = np.vstack([corners[number], corners[(number + 1) % len(corners)]])
         open_length = _open_length(shapely.linestrings(line), known)
-        beside = max(abs(unit[number] @ unit[number - 1]), abs(unit[number] @ unit[(number + 1) % len(unit)]))
-        if open_length > 0.5 * length[number] and (beside < LIMITS.across or length[number] > LIMITS.gap):
-            ends.append(line)
-    return ends
+        onwards = [float(unit[number] @ unit[other]) for other in (number - 1, (number + 1) % len(unit))]
+        if open_length > 0.5 * length[number] and (max(map(abs, onwards)) < LIMITS.across
+                                                   or length[number] > LIMITS.gap):
+            # Where the survey ends the border turns back, along the other edge; beside a gap it goes on.
+            found.append((line, min(onwards) >= LIMITS.across))
+    return found
 
 
 def _open_length(line: shapely.LineString, known: shapely.STRtree) -> float:

@@ -108,20 +108,31 @@ def _longer(line: np.ndarray, by: float = 0.02) -> np.ndarray:
 
 
 def _outward(ways: Carriageways, outer: shapely.Geometry) -> list[shapely.LineString]:
-    """Lines from where the survey ends at each side to the outer border of the sidewalk."""
+    """Lines from where the survey or an edge ends at each side to the outer border of the sidewalk."""
     lines = []
+    for corner, outwards in _outward_rays(ways):
+        ray = shapely.linestrings(np.vstack([corner, corner + LIMITS.sidewalk * outwards]))
+        met = shapely.intersection(ray, outer.boundary)
+        if met.is_empty:
+            continue
+        points = shapely.get_coordinates(met)
+        nearest = points[np.hypot(*(points - corner).T).argmin()]
+        if np.hypot(*(nearest - corner)) > GRID:
+            lines.append(shapely.linestrings(np.vstack([corner, nearest + 2 * GRID * outwards])))
+    return lines
+
+
+def _outward_rays(ways: Carriageways) -> list[tuple[np.ndarray, np.ndarray]]:
+    """Corners (2,) at which the sidewalk ends with its kerb, and unit vectors away from the road: onwards from a line
+    across it, square to a gap along it."""
+    rays = []
     for end in ways.ends:
         direction = (end[1] - end[0]) / np.hypot(*(end[1] - end[0]))
-        for corner, outwards in ((end[0], -direction), (end[1], direction)):
-            ray = shapely.linestrings(np.vstack([corner, corner + LIMITS.sidewalk * outwards]))
-            met = shapely.intersection(ray, outer.boundary)
-            if met.is_empty:
-                continue
-            points = shapely.get_coordinates(met)
-            nearest = points[np.hypot(*(points - corner).T).argmin()]
-            if np.hypot(*(nearest - corner)) > GRID:
-                lines.append(shapely.linestrings(np.vstack([corner, nearest + 2 * GRID * outwards])))
-    return lines
+        rays += [(end[0], -direction), (end[1], direction)]
+    for gap in ways.gaps:
+        x, y = (gap[1] - gap[0]) / np.hypot(*(gap[1] - gap[0]))
+        rays += [(corner, np.array([y, -x])) for corner in gap]
+    return rays
 
 
 def _inside(net: _Net, shape: shapely.Geometry) -> np.ndarray:
@@ -242,7 +253,7 @@ def _name_beside(net: _Net, ways: Carriageways, official: Sequence[shapely.Polyg
         return
     whole = shapely.union_all(list(ways.polygons))
     kerbs = whole.boundary
-    ends = shapely.union_all([shapely.linestrings(end) for end in ways.ends])
+    ends = shapely.union_all([shapely.linestrings(end) for end in (*ways.ends, *ways.gaps)])
     kerbs = shapely.difference(shapely.difference(kerbs, shapely.buffer(ways.open_sides, 5 * GRID)), ways.end_zones)
     at_kerbs, at_ends = shapely.buffer(kerbs, GRID), shapely.buffer(ends, GRID)
     for number in _inside(net, shapely.union_all(list(official))):

@@ -65,7 +65,7 @@ def surveyed_roads(edges: Sequence[EdgeLine], level: str, inputs: SurveyInputs |
     pieces, areas, findings = road_areas(ways, cuts, official, inputs.lanes if fine else (),
                                          lambda place: sigmas[places.query(place)[1]])
     progress.step(0.8)
-    areas, steps = raised_areas(areas, EdgeHeights.of(edges), level, inputs.ground)
+    areas, steps = raised_areas(areas, EdgeHeights.of([*edges, *ways.continued]), level, inputs.ground)
     findings = [*ways.findings, *moved, *findings, *_missing(ways, cuts, areas, inputs, level)]
     return SurveyedRoads(level, tuple(pieces), tuple(areas), tuple(steps), tuple(findings))
 
