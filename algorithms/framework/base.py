@@ -159,6 +159,7 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         return message
 
     def checkParameterValues(self, parameters, context):
+        shown_results.let_go(context)
         return in_python_thread(lambda: self._checked(parameters, context), context)
 
     def _checked(self, parameters: Mapping, context: QgsProcessingContext) -> tuple[bool, str]:

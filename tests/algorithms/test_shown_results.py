@@ -138,7 +138,7 @@ def test_a_layer_of_the_project_shows_the_file_that_a_run_has_put_in_its_place(r
     from processing.gui.Postprocessing import handleAlgorithmResults
     from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingOutputLayerDefinition, QgsProject
 
-    project, seen = QgsProject.instance(), []
+    project, seen, told = QgsProject.instance(), [], []
     item = QgsApplication.processingRegistry().algorithmById("urbanmap:surfacefromals").create()
     for resolution in (4.0, 8.0):
         context = QgsProcessingContext()
@@ -146,10 +146,28 @@ def test_a_layer_of_the_project_shows_the_file_that_a_run_has_put_in_its_place(r
         target = QgsProcessingOutputLayerDefinition(str(tmp_path / "dsm.tif"), project)
         run("urbanmap:surfacefromals", {"POINTS": als["POINTS"], "RESOLUTION": resolution, "OUTPUT": target}, context)
         assert handleAlgorithmResults(item, context)
+        told.append(sorted(path.name for path in tmp_path.iterdir()))
         layer, = (one for one in project.mapLayers().values() if one.source() == str(tmp_path / "dsm.tif"))
         seen.append((layer.id(), layer.rasterUnitsPerPixelX()))
+        layer.dataProvider().bandStatistics(1)  # kept beside the file when it is closed
     project.removeMapLayer(layer)
     assert [size for _, size in seen] == [4.0, 8.0] and seen[0][0] == seen[1][0]
+    assert told == [["dsm.tif"]] * 2
+
+
+def test_a_result_whose_edits_were_dropped_may_be_replaced(context, als, tmp_path):
+    from qgis.core import QgsApplication, QgsProject, QgsVectorLayer
+
+    target = tmp_path / "shown.gpkg"
+    shutil.copy(als["FOOTPRINTS"], target)
+    layer = QgsProject.instance().addMapLayer(QgsVectorLayer(str(target), "shown", "ogr"))
+    item = QgsApplication.processingRegistry().algorithmById("urbanmap:segmentbuildings").create()
+    given = {**als, "OUTPUT_BUILDINGS": str(target)}
+    assert layer.startEditing() and layer.deleteFeature(next(layer.getFeatures()).id())
+    accepted, message = item.checkParameterValues(given, context)
+    assert not accepted and "is edited" in message and layer.isEditable() and layer.isModified()
+    assert layer.rollBack() and item.checkParameterValues(given, context) == (True, "")
+    QgsProject.instance().removeMapLayer(layer)
 
 
 def test_a_layer_of_features_reads_its_file_again(context, feedback, plugin, tmp_path):

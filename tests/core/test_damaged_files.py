@@ -10,6 +10,7 @@ import sys
 import zipfile
 from contextlib import ExitStack
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -277,6 +278,19 @@ def test_a_few_trials_of_damage(small_city, tmp_path, name):
     spec.loader.exec_module(fuzz)
     found, lines = fuzz.trial(name, small_city, 15, 7, tmp_path, None)
     assert not lines and sum(found.values()) == 15
+
+
+def test_cells_that_find_no_room(tmp_path, monkeypatch):
+    from rasterio.errors import RasterioIOError
+
+    from urbanmap_qgis.io.files import atomic
+
+    target = tmp_path / "a.tif"
+    with pytest.raises(OutputError, match=r"a\.tif cannot be written \(a reason\)"), atomic.written_beside(target):
+        raise RasterioIOError("a reason")
+    monkeypatch.setattr(atomic.shutil, "disk_usage", lambda folder: SimpleNamespace(free=4096))
+    with pytest.raises(OutputError, match="make room on its disk"), atomic.written_beside(target):
+        raise RasterioIOError("Read or write failed.")
 
 
 def test_points_that_find_no_room(tmp_path):

@@ -11,6 +11,7 @@ from qgis.core import (
     QgsProcessingUtils,
     QgsProviderRegistry,
 )
+from qgis.PyQt.QtCore import QThread
 
 from ....urbanmap_qgis.io.files.staging import final_text
 from ..declaring.parameters import tr
@@ -45,6 +46,19 @@ def show_layer(context: QgsProcessingContext, path: Path, title: str, style: str
         give_style(context, place, style)
     elif path.suffix.lower() == ".gpkg":
         give_saved_style(context, path)
+
+
+def let_go(context: QgsProcessingContext) -> None:
+    """Close databases for writing that QGIS holds open for layers whose edits were dropped: no run could replace them.
+
+    Nothing where this is not the window's thread, in which the project's layers live.
+    """
+    if context.project() is None or QThread.currentThread() != context.project().thread():
+        return
+    for layer in context.project().mapLayers().values():
+        held = Path(f"{layer.source().partition('|')[0]}-wal")
+        if layer.providerType() == "ogr" and not layer.isEditable() and held.is_file():
+            layer.dataProvider().reloadData()
 
 
 def name_layers(algorithm, results: Mapping, context: QgsProcessingContext) -> None:

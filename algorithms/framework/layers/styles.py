@@ -144,7 +144,11 @@ class FilePostProcessor(QgsProcessingLayerPostProcessorInterface):
 
     def postProcessLayer(self, layer: QgsMapLayer, context, feedback):
         if layer.providerType() in ("ogr", "gdal"):
+            beside = Path(f"{layer.source()}.aux.xml")
+            known = beside.is_file() and beside.stat().st_mtime_ns
             layer.dataProvider().reloadData()
+            if beside.is_file() and beside.stat().st_mtime_ns != known:
+                beside.unlink()  # what closing the file of before has told of its cells
             layer.setDataSource(layer.source(), layer.name(), layer.providerType(), QgsDataProvider.ProviderOptions())
 
 

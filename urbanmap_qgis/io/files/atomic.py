@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import uuid
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -12,6 +13,7 @@ from ...errors import OutputError
 from ...wording import say
 from .staging import final_text
 
+_LEAST_ROOM = 2**20  # bytes, below which a disk counts as full
 STEM_LENGTH = 32
 """Characters of a name that its temporary file shows, so that long names stay within what file systems take."""
 
@@ -54,13 +56,18 @@ def written_beside(path: str | os.PathLike) -> Iterator[Path]:
                     strerror=error.strerror)
             ) from error
     except OSError as error:
+        if error.errno is None and shutil.disk_usage(folder).free < _LEAST_ROOM:  # rasterio does not say why
+            raise _no_room(shown) from error
         raise OutputError(say("{shown} cannot be written ({strerror}).", shown=shown,
-                              strerror=error.strerror)) from error
+                              strerror=error.strerror or error)) from error
     except RuntimeError as error:
         # What the compressor of LAZ makes of a file that cannot grow.
         if type(error).__name__ != "LazrsError" or "call write" not in str(error):
             raise
-        raise OutputError(say("{shown} cannot be written: make room on its disk, or choose another output.",
-                              shown=shown)) from error
+        raise _no_room(shown) from error
     finally:
         temporary.unlink(missing_ok=True)
+
+
+def _no_room(shown: str) -> OutputError:
+    return OutputError(say("{shown} cannot be written: make room on its disk, or choose another output.", shown=shown))
