@@ -13,6 +13,7 @@ from .crown_boards import face_in_crown
 from .object_records import Board, StemAxis
 from .overhead_boards import LIMITS as OVERHEAD
 from .overhead_boards import overhead_face
+from .thin_boards import face_of_few
 
 
 @dataclass(frozen=True)
@@ -182,6 +183,8 @@ def _board_in_crown(place: np.ndarray, axis: StemAxis, seen_from: np.ndarray) ->
     """The board of a sign that stands among leaves; None without one."""
     face = face_in_crown(place, axis)
     if face is None:
+        face = face_of_few(place, axis, seen_from)
+    if face is None:
         return None
     board = outlined_board(place[face[0]], face[1], axis, seen_from)
     # What is as thick as a trunk is the post of a board only where that is fixed on it, not where a sign stands by.
@@ -216,10 +219,12 @@ def outlined_board(place: np.ndarray, normal: np.ndarray, axis: StemAxis | None,
         level = -level
     across = (place[:, :2] - middle[:2]) @ np.array([-level[1], level[0]])
     up = place[:, 2] - middle[2]
-    low, high = np.percentile(up, [1, 99])
     side = np.array([-level[1], level[0]])
     post = None if axis is None else axis.plan_at(middle[2])
     at_post = 0.0 if post is None else (post - middle[:2]) @ side
+    # The post's own points go on under a board, and tell none of its edges.
+    aside = up if axis is None else up[np.abs(across - at_post) > axis.diameter / 2.0 + LIMITS.off_post]
+    low, high = np.percentile(aside if len(aside) >= LIMITS.board_points else up, [1, 99])
     # What ends at its post on one side and reaches far out on the other is often hidden by the post from behind.
     for rows in [np.arange(len(across))] if axis is None else _by_halves(across - at_post, axis.diameter / 2.0):
         left, right = np.percentile(across[rows], [1, 99])
