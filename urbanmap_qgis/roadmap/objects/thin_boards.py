@@ -22,6 +22,7 @@ class ThinBoardsLimits:
     cell: float = 0.05  # m, along and up a face
     half: tuple[float, float] = (0.3, 0.5)  # m from the axis to either edge
     tall: tuple[float, float] = (0.4, 1.0)  # m
+    highest: float = 4.0  # m over the lowest of what hangs there, for its upper edge
     few: int = 15  # points of a face beside its post
     quarter: float = 0.05  # of these, at least, in each quarter of it: forks of branches fill some only
     thick: float = 0.14  # m, diameter over which a stem among leaves may be a young tree
@@ -45,7 +46,8 @@ def face_of_few(place: np.ndarray, axis: StemAxis, seen_from: np.ndarray) -> tup
     seen_from : (2,) where the survey passed, m.
     """
     offset = place[:, :2] - axis.plan_at(place[:, 2])
-    near = np.flatnonzero(np.hypot(*offset.T) < FACES.reach)
+    near = np.flatnonzero((np.hypot(*offset.T) < FACES.reach)
+                          & (place[:, 2] < place[:, 2].min(initial=np.inf) + LIMITS.highest))
     if axis.diameter > LIMITS.thick or len(near) < LIMITS.few:
         return None
     view = seen_from - axis.middle[:2]
@@ -121,7 +123,9 @@ def _fullest_window(offset: np.ndarray, up: np.ndarray, normal: np.ndarray) -> _
     kept = (layer >= 0) & (layer < layers) & (column < widest) & (np.abs(along) > FACES.post)
     shape = (2, layers, widest, levels)
     flat = np.ravel_multi_index(((along > 0)[kept].astype(np.int64), layer[kept], column[kept], level[kept]), shape)
-    count = np.bincount(flat, minlength=int(np.prod(shape))).reshape(shape).cumsum(axis=1).cumsum(axis=2).cumsum(axis=3)
+    count = np.bincount(flat, minlength=int(np.prod(shape))).astype(np.int32).reshape(shape)
+    for edge in (1, 2, 3):
+        count = np.cumsum(count, axis=edge, dtype=np.int32)
     count = np.pad(count, ((0, 0), (1, 0), (0, 0), (1, 0)))[:, :, round(LIMITS.half[0] / LIMITS.cell) - 1:]
     first = np.arange(most, most + 2 * middles + 1)
     best = _Window(0.0, normal)
@@ -133,10 +137,10 @@ def _fullest_window(offset: np.ndarray, up: np.ndarray, normal: np.ndarray) -> _
         about = np.maximum(*(window[:, first + end].sum(axis=0) - window[:, first + start].sum(axis=0)
                              for start, end in ((-most, 1 - least), (least, most + 1))))
         expected = about * 3.0 / (most - least + 1) + 0.5
-        ratio = on * np.log(np.maximum(on, 1) / expected) - (on - expected)
-        fit = (on >= LIMITS.few) & (on >= LIMITS.denser * expected) & (
-            quarters.min(axis=0) >= LIMITS.quarter * on)
-        ratio = np.where(fit, ratio, 0.0)
+        fit = (on >= LIMITS.few) & (on >= LIMITS.denser * expected) & (quarters.min(axis=0) >= LIMITS.quarter * on)
+        if not fit.any():
+            continue
+        ratio = np.where(fit, on * np.log(np.maximum(on, 1) / expected) - (on - expected), 0.0)
         k = np.unravel_index(np.argmax(ratio), ratio.shape)
         if ratio[k] > best.ratio:
             foot = low + int(k[2]) * LIMITS.cell
