@@ -9,7 +9,8 @@ import pytest
 
 from tests.core.test_half_boards import POST, azimuth, face, post
 from urbanmap_qgis.roadmap.objects.crown_boards import face_in_crown
-from urbanmap_qgis.roadmap.objects.hanging_parts import outlined_board
+from urbanmap_qgis.roadmap.objects.hanging_parts import HangingParts, outlined_board
+from urbanmap_qgis.roadmap.objects.street_objects import _with_board
 from urbanmap_qgis.roadmap.objects.thin_boards import face_of_few
 
 SEEN_FROM = np.array([1.0, -8.0])
@@ -62,3 +63,12 @@ def test_a_post_that_goes_on_under_its_board_makes_it_no_taller(seed):
     place = np.concatenate([face(rng, -0.35, 0.35, 120), post(rng, 60, 0.9)])
     found = outlined_board(place, np.array([0.0, 1.0, 0.0]), POST, SEEN_FROM)
     assert abs(found.height - 0.7) < 0.1 and abs(found.centre[2] - 2.05) < 0.05  # not 1.5 m
+
+
+@pytest.mark.parametrize(("reach", "kept"), [(0.4, True), (1.5, False)])
+def test_what_goes_on_beyond_a_board_in_leaves_is_a_wall(reach, kept):
+    rng = np.random.default_rng(1)
+    board = outlined_board(face(rng, -0.4, 0.4, 60), np.array([0.0, 1.0, 0.0]), POST, SEEN_FROM)
+    around = HangingParts(4.0, 3.0, board, 0.0, np.nan, np.nan, (0.0, 0.0))
+    place = np.concatenate([face(rng, -reach, reach, int(150 * reach)), post(rng, 60), leaves(rng, 100)])
+    assert (_with_board(around, [], POST, False, place).board is not None) == kept

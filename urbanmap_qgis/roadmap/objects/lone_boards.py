@@ -81,7 +81,7 @@ def lone_boards(place: np.ndarray, height: np.ndarray, index: SweepIndex, seen_f
         if board is None or any(np.linalg.norm(other.centre - board.centre) < LIMITS.same for other in found):
             continue
         tried.append(board.centre)
-        if well_shaped(board) and _ends(place[near], board):
+        if well_shaped(board) and ends(place[near], board):
             found.append(board)
     return found
 
@@ -107,7 +107,7 @@ def well_shaped(board: Board) -> bool:
     return LIMITS.side[0] <= low <= high <= LIMITS.side[1] and high <= LIMITS.longer * low
 
 
-def _ends(place: np.ndarray, board: Board) -> bool:
+def ends(place: np.ndarray, board: Board) -> bool:
     """Whether the plane of a board ends at each of its edges, as no wall does. `place` (n, 3) about it, m."""
     azimuth = np.radians(board.azimuth)
     level = np.array([np.sin(azimuth), np.cos(azimuth)])
