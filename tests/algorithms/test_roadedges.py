@@ -33,6 +33,17 @@ def outputs(tmp_path, **more):
     return {"OUTPUT": str(tmp_path / "edges.gpkg"), **more}
 
 
+def test_heights_in_feet_are_refused(run, drive, tmp_path):
+    """A kerb of 12 cm would be one of 39, higher than any."""
+    given = drive()
+    cloud = laspy.read(tmp_path / "drive.las")
+    cloud.header.vlrs.clear()
+    cloud.header.add_crs(CRS.from_user_input("EPSG:6677+8228"))
+    cloud.write(tmp_path / "drive.las")
+    with pytest.raises(Exception, match=r"counts heights in units of 0\.3048 m; convert them to metres"):
+        run(ALGORITHM, {**given, **outputs(tmp_path)})
+
+
 def test_edges_and_tops_are_lines_in_space(run, read_layer, drive, tmp_path):
     results = run(ALGORITHM, {**drive(), "OUTPUT_TOPS": str(tmp_path / "tops.gpkg"), **outputs(tmp_path)})
     (edge,), (top,) = read_layer(results["OUTPUT"]), read_layer(results["OUTPUT_TOPS"])

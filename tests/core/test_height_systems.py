@@ -20,6 +20,7 @@ from urbanmap_qgis.io.reference.height_systems import (
     UNKNOWN,
     carried_heights,
     height_system,
+    height_unit,
     heights_of,
     japanese,
     refuse_other_heights,
@@ -153,3 +154,13 @@ def test_datum_is_one_word_under_all_its_names():
     assert {datum_key(parse_wkt(CRS.from_epsg(code).to_wkt(form))) for code in (6668, 6677, 6697)
             for form in (*FORMS, "WKT1_ESRI")} == {"jgd2011"}
     assert datum_key(parse_wkt(renamed(without_codes(PLANE)))) == "jgd2011"
+
+
+@pytest.mark.parametrize(("system", "unit"), [
+    ("EPSG:6677", 1.0), ("EPSG:2225", 1.0), ("EPSG:6677+6695", 1.0), ("EPSG:6677+8228", 0.3048),
+    ("EPSG:26911+6360", 1200 / 3937)])
+@pytest.mark.parametrize("version", ["WKT2_2019", "WKT1_GDAL"])
+def test_the_unit_of_heights_is_that_of_the_vertical_system(system, unit, version):
+    """Feet of the plan (EPSG:2225) say nothing of heights."""
+    assert height_unit(CRS.from_user_input(system).to_wkt(version)) == pytest.approx(unit, abs=1e-9)
+    assert height_unit("") == 1.0

@@ -116,12 +116,14 @@ def metres_per_unit(crs: QgsCoordinateReferenceSystem | str) -> float:
 
 
 def require_projected(label: str, crs: QgsCoordinateReferenceSystem | str | None) -> None:
-    """Refuse a CRS that is missing, geographic or not in metres.
+    """Refuse a CRS that is missing, geographic or not in metres, in plan or in the heights that it states.
 
     Raises
     ------
     InputError : with what to do.
     """
+    from ....urbanmap_qgis.io.reference.height_systems import height_unit
+
     found = crs_from(crs)
     if not found.isValid():
         raise InputError(tr("{0}: the coordinate reference system is missing; assign the one that the data are in "
@@ -133,6 +135,10 @@ def require_projected(label: str, crs: QgsCoordinateReferenceSystem | str | None
     if abs(factor - 1.0) > 1e-9:
         raise InputError(tr("{0}: {1} counts in units of {2:.4f} m; reproject to a CRS in metres.").format(
             label, crs_name(found), factor))
+    factor = height_unit(stated_wkt(crs))
+    if abs(factor - 1.0) > 1e-9:
+        raise InputError(tr("{0}: {1} counts heights in units of {2:.4f} m; convert them to metres and assign a CRS "
+                            "that says so.").format(label, crs_name(found), factor))
 
 
 def same_crs(label_a: str, crs_a: QgsCoordinateReferenceSystem | str | None,

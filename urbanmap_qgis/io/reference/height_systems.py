@@ -135,6 +135,18 @@ def heights_of(wkt: str) -> HeightSystem:
     return HeightSystem("other", None, name)
 
 
+def height_unit(wkt: str) -> float:
+    """Metres of the unit in which a coordinate reference system (WKT) counts heights; 1 where it states none.
+
+    Raises
+    ------
+    InputError : it is no WKT.
+    """
+    vertical = vertical_part(parse_wkt(wkt)) if wkt and wkt.strip() else None
+    units = [] if vertical is None else [item for item in vertical.walk() if item.word in ("LENGTHUNIT", "UNIT")]
+    return float(units[0].values[1]) if units else 1.0
+
+
 def same_heights(first: HeightSystem, second: HeightSystem) -> bool:
     """Whether heights of both count from the same surface; what is not known is not the same as anything."""
     if not first.known:
