@@ -28,7 +28,7 @@ PICTURES = (".jpg", ".png")
 NOT_FOUND = "404.html"  # a page for servers
 # Least quality of WebP at which the text of windows is read, and largest width, pixels; of pictures without text, which
 # need not be wider than the help's column.
-WINDOWS, PHOTOGRAPHS = (16, 900), (18, 720)
+WINDOWS, PHOTOGRAPHS = (16, 880), (18, 720)
 ICON_STYLES_FILES = ("brands.min.css", "fontawesome.min.css", "solid.min.css", "v4-font-face.min.css")
 ICON_STYLES = re.compile(r'<link href="[^"]*css/(?:brands|fontawesome|solid|v4-font-face)\.min\.css" rel="stylesheet">')
 FOR_PROGRAMMERS = ("architecture", "developer", "testing", "mobile_figures", "roadmap_figures")

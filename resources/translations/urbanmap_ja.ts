@@ -7351,9 +7351,9 @@ Surfaces share their edges to the bit. Heights are 0, as the specification asks 
     </message>
     <message>
         <source>Goes from a corrected mobile survey and reference markings to the road as a model, in one run: kerbs, lanes, and of them carriageways, junctions, sidewalks and islands with their steps; and what stands beside the road: poles, lamp posts, signals, signs and trees. All as layers and as CityGML of PLATEAU; the lanes with what stands beside them as Lanelet2 and OpenDRIVE files, too.
-Several drives are given as one: their points together, their trajectories one after another in one file. What was not seen is a finding with its place, never made up.</source>
+Several drives are given as one: their points together, their trajectories one after another in one file. What was not seen is a finding with its place, never made up. Where the edges bound no carriageway, the road model is empty and a warning says why; the rest is kept.</source>
         <translation>補正済みのMMS計測と基準の路面標示から、道路のモデルまでを一度に作ります。縁石、車線、それらから車道部、交差部、歩道部、島と段差、さらに道路脇の柱、街路灯、信号機、標識、樹木です。すべてレイヤと PLATEAU の CityGML になり、車線は道路脇のものとともに Lanelet2 と OpenDRIVE のファイルにもなります。
-複数の走行は一つにまとめて与えます（点群は一緒に、軌跡は一つのファイルに続けて）。見えなかったものは位置とともに指摘事項になり、作り出すことはありません。</translation>
+複数の走行は一つにまとめて与えます（点群は一緒に、軌跡は一つのファイルに続けて）。見えなかったものは位置とともに指摘事項になり、作り出すことはありません。縁が車道を囲まない場合、道路モデルは空になり、その理由を警告で示します。ほかの結果は残ります。</translation>
     </message>
     <message>
         <source>Javanmardi 2018, 6.2; Project PLATEAU, standard product specification 5.0, 4.3 and 4.14</source>
@@ -9496,6 +9496,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>フォルダー {folder} には以前の実行の CityGML が残っています ({count} ファイル: {names})。今回の成果に属さない場合は削除してください。</translation>
     </message>
     <message>
+        <source>{count} lists of codes that the models refer to were not beside them ({names}): copy them into the folder codelists, where PLATEAU wants all lists that are referred to.</source>
+        <translation>モデルが参照するコードリスト {count} 件がモデルとともにありませんでした（{names}）。参照するすべてのコードリストが必要ですので（PLATEAU）、codelists フォルダにコピーしてください。</translation>
+    </message>
+    <message>
         <source>The folder {target} cannot be made ({strerror}): choose another output.</source>
         <translation>フォルダ {target} を作成できません（{strerror}）。別の出力先を選択してください。</translation>
     </message>
@@ -10512,6 +10516,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>座標参照系 EPSG:{code} は未対応です。別のものを選択してください。</translation>
     </message>
     <message>
+        <source>{shown} cannot be written: make room on its disk, or choose another output.</source>
+        <translation>{shown}に書き込めません。ディスクの空き容量を確保するか、別の出力先を選択してください。</translation>
+    </message>
+    <message>
         <source>The folder {final_text} does not exist: create it or choose another output.</source>
         <translation>フォルダ{final_text}が存在しません。作成するか、別の出力先を選択してください。</translation>
     </message>
@@ -10530,10 +10538,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{shown} cannot be written ({strerror}).</source>
         <translation>{shown}に書き込めません（{strerror}）。</translation>
-    </message>
-    <message>
-        <source>{shown} cannot be written: make room on its disk, or choose another output.</source>
-        <translation>{shown}に書き込めません。ディスクの空き容量を確保するか、別の出力先を選択してください。</translation>
     </message>
     <message>
         <source>{shown} cannot be replaced ({strerror}): close the program that has it open.</source>
@@ -13252,6 +13256,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>面が徐々に変わっています</translation>
     </message>
     <message>
+        <source>it is short and lower than the steps that show surely in this survey</source>
+        <translation>短く、この計測で確実に見える段差より低い</translation>
+    </message>
+    <message>
         <source>no kerb lies before it: it may be the side of a vehicle</source>
         <translation>手前に縁石がありません：車両の側面の可能性があります</translation>
     </message>
@@ -13616,6 +13624,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>縁が車道を囲んでいません。計測で両側の縁が続けて見える道路がなく、車道の幅を示す車線もありません。両方向の走行を一緒に与えるか、車線を指定してください。</translation>
     </message>
     <message>
+        <source>The edge was not seen over {length:.1f} m and is drawn on here.</source>
+        <translation>道路縁が {length:.1f} m にわたって見えず、ここでは延長しました。</translation>
+    </message>
+    <message>
         <source>There are no kerbs or road borders among the edges: give the lines of “Road edges”.</source>
         <translation>道路縁に縁石も路端もありません。「道路縁」の線を指定してください。</translation>
     </message>
@@ -13626,10 +13638,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>A short edge lies nearer than {distance:.0f} m beside a longer one: no carriageway runs between them, and it is left out.</source>
         <translation>短い縁が、より長い縁から {distance:.0f} m 以内に並んでいます。その間に車道はないため、この縁は除きました。</translation>
-    </message>
-    <message>
-        <source>The edge was not seen over {length:.1f} m and is drawn on here.</source>
-        <translation>道路縁が {length:.1f} m にわたって見えず、ここでは延長しました。</translation>
     </message>
     <message>
         <source>The given roads lay {distance:.2f} m beside the measured kerbs ({east:+.2f} m to the east, {north:+.2f} m to the north are put on them): their border was taken for the kerb.</source>
@@ -14866,6 +14874,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0}: {1} counts in units of {2:.4f} m; reproject to a CRS in metres.</source>
         <translation>{0}: {1}の単位は{2:.4f} mです。メートル単位の座標参照系に変換してください。</translation>
+    </message>
+    <message>
+        <source>{0}: {1} counts heights in units of {2:.4f} m; convert them to metres and assign a CRS that says so.</source>
+        <translation>{0}: {1} の高さの単位は {2:.4f} m です。メートルに変換し、それを示す座標参照系を割り当ててください。</translation>
     </message>
     <message>
         <source>{0} is in {1}, but {2} is in {3}; reproject one of them.</source>
@@ -17078,6 +17090,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0} surfaces, {1} of them junctions; to be looked at: {2} surfaces; findings: {3}.</source>
         <translation>面 {0} 個、うち交差部 {1} 個。要確認の面：{2} 個、指摘事項：{3} 件。</translation>
+    </message>
+    <message>
+        <source>No road model was made. {0}</source>
+        <translation>道路モデルは作成されませんでした。{0}</translation>
     </message>
     <message>
         <source>Only {0:.0%} of the borders were measured: the rest is drawn on, doubtful or given. Snow, parked vehicles or a scanner too far away may hide the kerbs.</source>

@@ -112,7 +112,8 @@ def write_codelists(folder: str | os.PathLike, lists: Mapping[str, Mapping[str, 
     for name, codes in lists.items():
         entries = "".join(
             f'<gml:dictionaryEntry><gml:Definition gml:id="id{_NO_ID.sub("_", code)}"><gml:description>'
-            f"{escape(meaning)}</gml:description><gml:name>{escape(code)}</gml:name></gml:Definition></gml:dictionaryEntry>\n"
+            f"{escape(meaning)}</gml:description><gml:name>{escape(code)}</gml:name></gml:Definition>"
+            "</gml:dictionaryEntry>\n"
             for code, meaning in codes.items())
         text = ('<?xml version="1.0" encoding="UTF-8"?>\n<gml:Dictionary xmlns:gml="http://www.opengis.net/gml" '
                 f'gml:id="{name}"><gml:name>{name}</gml:name>\n{entries}</gml:Dictionary>\n')
