@@ -2677,7 +2677,7 @@
     </message>
     <message>
         <source>Surfaces</source>
-        <translation>面の数</translation>
+        <translation>面</translation>
     </message>
     <message>
         <source>MultiPolygonZ, one feature a surface, with building_id, roof_id and surface_type: roof, outer wall, inner wall, ground; of roofs seen (share that the points have seen) and sigma (expected error of its height, m).</source>
