@@ -8,6 +8,7 @@
 # make docs    the documentation as a website, build/site
 # make translations  bring the translations up to date and compile them
 # make bench soak   table of speed and memory
+# make ablate  what each correcting mechanism of the ledger brings (ROWS: rooms or rows)
 # make clean   remove what was made, but not .venv
 
 PYTHON := .venv/bin/python
@@ -26,7 +27,7 @@ export QGIS_NO_OVERRIDE_IMPORT := 1
 # processors. Runs in QGIS take one as well; tests of what more threads do set their own.
 test quick $(PARTS:%=test-%): export OPENBLAS_NUM_THREADS := 1
 
-.PHONY: setup judges qt6 demo quick test lint package docs translations bench soak clean $(PARTS:%=test-%)
+.PHONY: setup judges qt6 demo quick test lint package docs translations bench soak ablate clean $(PARTS:%=test-%)
 
 setup:
 	@scripts/setup.sh
@@ -74,6 +75,10 @@ translations: setup
 
 bench: setup
 	$(PYTHON) scripts/bench.py
+
+# Needs the demo city; nightly, or a room at a time.
+ablate: setup
+	$(PYTHON) scripts/ablate.py $(ROWS)
 
 soak: setup
 	$(PYTHON) scripts/soak.py build/soak
