@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from scripts.budget import BUDGET
+
 ROOT = Path(__file__).resolve().parents[2]
 CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes", "filtervehicles",
             "roadmarkingsfromorthophoto", "aerialmarkings",
@@ -85,6 +87,14 @@ def test_every_listed_module_is_there(provider, plugin):
     listed = algorithm_names()
     assert listed <= {item.name() for item in provider.algorithms()}
     assert listed <= set(CONTRACT)
+
+
+def test_toolbox_stays_within_the_budget(provider):
+    from qgis.core import QgsProcessingAlgorithm
+
+    hidden = QgsProcessingAlgorithm.Flag.FlagHideFromToolbox | QgsProcessingAlgorithm.Flag.FlagDeprecated
+    shown = [item.name() for item in provider.algorithms() if not item.flags() & hidden]
+    assert len(shown) <= BUDGET["algorithms and models in the toolbox"]
 
 
 def test_every_algorithm_is_complete(provider, plugin):
