@@ -6,9 +6,13 @@ Every message is one sentence for the user: what was wrong and what to do.
 from __future__ import annotations
 
 import errno
+import logging
 import sqlite3
 
 from .wording import say
+
+LOG = logging.getLogger("urbanmap")
+"""Where faults of the program go with their traceback: a run passes it on to the user's log."""
 
 
 class UrbanMapError(Exception):
@@ -39,10 +43,16 @@ class Cancelled(UrbanMapError):
 
 
 def trouble_words(error: BaseException) -> str:
-    """What is told of one building that could not be worked on, where the others are."""
+    """What is told of one building that could not be worked on, where the others are.
+
+    An exception's own text is for the log: in a result it would mean nothing to the reader.
+    """
     if isinstance(error, MemoryError):
         return say("the memory was not enough for it")
-    return str(error) if isinstance(error, UrbanMapError) else f"{type(error).__name__}: {error}"
+    if isinstance(error, UrbanMapError):
+        return str(error)
+    LOG.error("%s: %s", type(error).__name__, error, exc_info=error)
+    return say("a fault of the program, which its log tells; please report it")
 
 
 SYSTEM_TROUBLES = (OSError, MemoryError, sqlite3.OperationalError)

@@ -28,13 +28,12 @@ from .layers.trajectories import TrajectoryParameters, trajectory_exists
 from .packages.dependencies import refusal
 from .running.cluster import scheduler
 from .running.interrupt import signals_cancel
-from .running.kept_memory import kept_memory
 from .running.matrix_library import bind_products
 from .running.native_libraries import PACKAGES_WITH_LIBRARIES, import_apart
 from .running.python_thread import in_python_thread
 from .running.runs_at_work import at_work
-from .running.same_sums import same_sums
 from .running.step_feedback import StepsMultiStepFeedback
+from .running.surroundings import surroundings
 
 ICONS = Path(__file__).resolve().parents[2] / "resources" / "icons"
 
@@ -220,7 +219,7 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         """Compute with all outputs beside their places, then move them there together."""
         try:
             run = destinations.staged(self, parameters, context, staging)
-            with same_sums(), kept_memory(), self._points_crs(run, context), self._scheduler(run, context), \
+            with surroundings(feedback), self._points_crs(run, context), self._scheduler(run, context), \
                     self._told(parameters, context):
                 results = self.compute(run, context, feedback)
             destinations.close_layers(context, staging)

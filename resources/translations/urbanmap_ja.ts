@@ -9712,6 +9712,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>理由は示されませんでした</translation>
     </message>
     <message>
+        <source>a fault of the program, which its log tells; please report it</source>
+        <translation>プログラムの不具合です。内容はログにあります。報告をお願いします</translation>
+    </message>
+    <message>
         <source>the memory was not enough for it</source>
         <translation>この建物の処理にはメモリが足りませんでした</translation>
     </message>
@@ -16412,8 +16416,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{0}がこのタイルに届いていません。</translation>
     </message>
     <message>
-        <source>A fault in the program ({0}: {1}); {2} in the tile's folder tells where.</source>
-        <translation>プログラムの不具合です（{0}: {1}）。箇所はタイルのフォルダの{2}を参照してください。</translation>
+        <source>A fault in the program: {0} in the tile's folder tells where; please report it.</source>
+        <translation>プログラムの不具合です。場所はタイルのフォルダーの {0} にあります。報告をお願いします。</translation>
     </message>
     <message>
         <source>Nothing was given that says where the tiles are; give point clouds or a raster.</source>

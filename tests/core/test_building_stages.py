@@ -19,7 +19,7 @@ from urbanmap_qgis.buildings.roof_polygons.polygon_rows import PolygonParameters
 from urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs
 from urbanmap_qgis.buildings.segmentation import SegmentationParameters, segment_buildings
 from urbanmap_qgis.buildings.solids.validity import check_solid
-from urbanmap_qgis.errors import Cancelled, InputError
+from urbanmap_qgis.errors import Cancelled, InputError, trouble_words
 from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.io.points.pointcloud import open_cloud, read_all
 from urbanmap_qgis.progress import Progress
@@ -207,3 +207,33 @@ def test_outline_ground_is_the_lowest_along_the_outline():
     outlines = np.array([shapely.box(5, 5, 10, 10), None, shapely.box(90, 90, 95, 95)], object)
     found = outline_ground(outlines, grid, slope)
     assert found[0] == pytest.approx(4.5) and np.isnan(found[1:]).all()
+
+
+def low_chain(make_cloud, folder, parts, outline, classes):
+    """Models of one building of level parts (x_min, y_min, x_max, y_max, height) on flat ground."""
+    rng = np.random.default_rng(3)
+    x, y = rng.uniform(-15, 30, 18_000), rng.uniform(-15, 25, 18_000)
+    z, classified = np.full(len(x), GROUND), np.full(len(x), 2)
+    for x_min, y_min, x_max, y_max, height in parts:
+        inside = (x > x_min) & (x < x_max) & (y > y_min) & (y < y_max)
+        z[inside], classified[inside] = GROUND + height, 6
+    z = z + rng.normal(0, 0.02, len(x))
+    path = make_cloud(folder / "low.laz", x + X0, y + Y0, z, classification=classified if classes else 0 * classified)
+    box = shapely.box(outline[0] + X0, outline[1] + Y0, outline[2] + X0, outline[3] + Y0)
+    return run_chain(path, clean_footprints(np.array([box], object)), folder)[-1][0]
+
+
+def test_what_the_file_calls_a_building_is_believed_below_two_metres(tmp_path, make_cloud):
+    shed = low_chain(make_cloud, tmp_path, [(0, 0, 8, 7, 1.8)], (0, 0, 8, 7), True)
+    assert shed.status == OK and shed.fit.rmse_z95 < 0.05
+    house = [(0, 0, 10, 8, 6.0), (10, 0, 15, 8, 1.7)]
+    annex = low_chain(make_cloud, tmp_path, house, (0, 0, 15, 8), True)
+    volume = model_columns([annex])["volume"][0]
+    assert annex.status == OK and volume == pytest.approx(80 * 6.0 + 40 * 1.7, rel=0.02)
+
+
+def test_a_fault_is_a_sentence_in_the_result_and_its_text_in_the_log(caplog):
+    words = trouble_words(ValueError("slice step cannot be zero"))
+    assert "slice step" not in words and "log" in words
+    assert "ValueError: slice step cannot be zero" in caplog.text
+    assert trouble_words(InputError("The outline is empty.")) == "The outline is empty."

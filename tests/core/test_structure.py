@@ -234,3 +234,25 @@ def test_reader_of_sources_sees_what_it_should(tmp_path):
     assert source_tree.folded(imports, "a") == {"a.one": {"a.two", "a.deep"}, "a.two": {"a.deep"},
                                                 "a.deep": {"a.one"}}
     assert source_tree.first_cycle({"x": {"y"}, "y": set()}) == []
+
+
+def test_the_text_of_a_fault_never_becomes_data():
+    """Where any exception is caught so that one building or tile does not end the others, its text goes to the log."""
+    spoken = set()
+    for folder in (CORE, source_tree.FACE):
+        for name, path in source_tree.modules(folder).items():
+            for handler in ast.walk(source_tree.parsed(path)):
+                if isinstance(handler, ast.ExceptHandler) and getattr(handler.type, "id", "") in ("Exception",
+                                                                                                 "BaseException"):
+                    spoken |= {(name, node.lineno) for node in ast.walk(handler)
+                               if isinstance(node, (ast.FormattedValue, ast.Call)) and _says(node, handler.name)}
+    assert not spoken
+
+
+def _says(node: ast.AST, error: str | None) -> bool:
+    """Whether a text is made of a caught exception: formatted, or by `str`, `repr` or `format`."""
+    if isinstance(node, ast.FormattedValue):
+        return isinstance(node.value, ast.Name) and node.value.id == error
+    by = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
+    return by in ("str", "repr", "format", "say") and any(isinstance(item, ast.Name) and item.id == error for item in [
+        *node.args, *(keyword.value for keyword in node.keywords)])

@@ -136,8 +136,9 @@ def _blocks(footprints: Footprints, base: np.ndarray, cloud: PointCloud | None, 
                      for row, records in zip(rows, blocks)]
 
 
-def _fit_points(layout: PointLayout, records: np.ndarray, outline: shapely.Geometry | None, base: float) -> FitPoints:
-    """The points of one building that its model is measured against."""
+def _fit_points(layout: PointLayout, records: np.ndarray, outline: shapely.Geometry | None,
+                base: float) -> FitPoints | None:
+    """The points of one building that its model is measured against, None where it has none."""
     x, y, z = coordinates(layout, records)
     on_roof = records["roof_id"] > 0
     use = on_roof
@@ -145,6 +146,8 @@ def _fit_points(layout: PointLayout, records: np.ndarray, outline: shapely.Geome
         points = layout.view(records)
         several, classed = np.asarray(points.number_of_returns) > 1, np.asarray(points.classification) == BUILDING_CLASS
         use = candidate_points(x, y, z, on_roof, several, classed, outline, base)
+    if not use.any():
+        return None
     return FitPoints(np.column_stack([x, y, z])[use], records["roof_id"][use].astype(np.int64))
 
 

@@ -17,6 +17,7 @@ from ..io.points.whole_records import joined_records
 from ..progress import SILENT, Progress
 from ..wording import say
 from .building_points import coordinates, iter_building_blocks, require_dimension
+from .outlines.evidence import BUILDING_CLASS
 from .outlines.footprint import Footprints
 from .planes.plane_detection import PlaneParameters
 from .planes.plane_segmentation import segment_planes
@@ -25,6 +26,10 @@ from .roofs.roof_levels import PAPER, RoofParameters
 from .roofs.roof_segmentation import RoofSegmentation, segment_roofs
 
 SEGMENT_BUILDINGS = "Segment buildings"
+
+CLASSED_HEIGHT = 0.5
+"""m above the ground from which a point that the file calls a building's can be its roof: above the ground's noise and
+kerbs; a shed's roof lies at 1.5 to 2 m."""
 
 
 @dataclass(frozen=True)
@@ -141,13 +146,21 @@ def _segment_building(block: RoofBlock, polygon: shapely.Geometry, records: np.n
         result = paper_roofs(x, y, z, polygon, block.density, block.parameters)
         return result.roof_of_point, list(_table_rows(result))
     foot = _known_ground(ground, z, block.parameters)
+    points = block.layout.view(records)
+    least = _least_heights(np.asarray(points.classification), block.parameters)
     if block.planes is not None:
-        found = segment_planes(x, y, z, polygon, foot, block.density, block.planes, block.parameters.min_height)
+        found = segment_planes(x, y, z, polygon, foot, block.density, block.planes, least)
         if found.rows:
             return found.roof_of_point, [(*astuple(row), found.status) for row in found.rows]
-    several = np.asarray(block.layout.view(records).number_of_returns) > 1
-    result = segment_roofs(x, y, z, polygon, foot, block.density, block.parameters, several)
+    several = np.asarray(points.number_of_returns) > 1
+    result = segment_roofs(x, y, z, polygon, foot, block.density, block.parameters, several, least)
     return result.roof_of_point, list(_table_rows(result))
+
+
+def _least_heights(classes: np.ndarray, parameters: RoofParameters) -> np.ndarray:
+    """Least height (n,) above the ground, m, of a point that can be roof: what the file calls a building is believed
+    lower down, as sheds and annexes are."""
+    return np.where(classes == BUILDING_CLASS, min(CLASSED_HEIGHT, parameters.min_height), parameters.min_height)
 
 
 def _known_ground(ground: float, z: np.ndarray, parameters: RoofParameters) -> float:

@@ -106,9 +106,8 @@ def work_on_tile(job: TileJob, cancelled: Callable[[], bool] = lambda: False) ->
         except Exception as error:  # a fault of ours in one tile must not end the night
             _end_where_hopeless(job, error, cancelled)
             (folder / FAULT).write_text(traceback.format_exc(), encoding="utf-8")
-            record = replace(record, status=FAILED, reason=tr("A fault in the program ({0}: {1}); {2} in the tile's "
-                                                              "folder tells where.").format(
-                type(error).__name__, error, FAULT))
+            record = replace(record, status=FAILED, reason=tr("A fault in the program: {0} in the tile's folder tells "
+                                                              "where; please report it.").format(FAULT))
         shutil.rmtree(folder / INPUTS, ignore_errors=True)
         record = replace(record, seconds=round(time.perf_counter() - start, 2),
                          cpu=round(time.process_time() - start_cpu, 2), memory=round(_peak_memory(), 1))

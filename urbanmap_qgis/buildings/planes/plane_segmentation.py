@@ -59,7 +59,8 @@ class PlaneSegmentation:
 
 
 def segment_planes(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely.Geometry, ground: float,
-                   density: float, parameters: PlaneParameters, min_height: float) -> PlaneSegmentation:
+                   density: float, parameters: PlaneParameters,
+                   min_height: float | np.ndarray) -> PlaneSegmentation:
     """Roof planes of one building, numbered from low to high.
 
     Parameters
@@ -68,7 +69,7 @@ def segment_planes(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely
     outline : the primary outline.
     ground : height of the ground, m.
     density : points/m2 of the cloud on roofs.
-    min_height : least height of a roof above the ground, m.
+    min_height : least height of a roof above the ground, m, of all points or (n,) of each.
     """
     roof = np.zeros(len(z), np.int32)
     high = np.flatnonzero(z >= ground + min_height)

@@ -102,7 +102,8 @@ class RoofSegmentation:
 
 def segment_roofs(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely.Geometry, ground: float,
                   density: float, parameters: RoofParameters = DEFAULTS,
-                  multi_return: np.ndarray | None = None) -> RoofSegmentation:
+                  multi_return: np.ndarray | None = None,
+                  least_height: np.ndarray | None = None) -> RoofSegmentation:
     """Roofs of one building.
 
     The height histogram of J 5.3.2 gives the roofs of the paper. In plan they are cut into thin level pieces, and
@@ -117,6 +118,7 @@ def segment_roofs(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely.
     ground : height of the ground at the building, m.
     density : points/m2 of the cloud on roofs.
     multi_return : (n,) bool, point of a pulse with several returns, if known: separates trees from rugged roofs.
+    least_height : (n,) height of each point above the ground from which it can be roof, m; `min_height` without it.
 
     Raises
     ------
@@ -124,7 +126,7 @@ def segment_roofs(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely.
     """
     x, y, z = (np.asarray(a, dtype=float) for a in (x, y, z))
     _check(x, y, z, ground, density, multi_return)
-    high = z >= ground + parameters.min_height
+    high = z >= ground + (parameters.min_height if least_height is None else least_height)
     usable = np.flatnonzero(high)
     returns = None if multi_return is None else np.asarray(multi_return, dtype=bool)[usable]
     surface = roof_surface(x[usable], y[usable], z[usable], outline, density, returns)
