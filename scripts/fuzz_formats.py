@@ -411,8 +411,6 @@ FORMATS: dict[str, tuple[str, Callable, Callable]] = {
     "verdict of a report": ("a.html", sound.report, _of("job.job_progress", "verdict_of")),
     "table to import": ("a.csv", sound.head("mms/survey_01_trajectory.csv", 200), _imported),
     "ways of reading tables": ("a.json", sound.ways_of_reading, _of("job.table_import", "remembered_imports")),
-    "weights of answers": ("a.json", sound.learned_answers,
-                           _of("aerial.markings.learning.answered_pieces", "read_learned")),
     "KML": ("a.kml", sound.kml, _recognised),
     "KMZ": ("a.kmz", sound.zipped("doc.kml", sound.kml), _recognised),
     "points as text": ("a.xyz", sound.text_points, _recognised),

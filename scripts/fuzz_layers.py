@@ -211,24 +211,6 @@ def map_layers(_folder: Path) -> dict[str, Table]:
             "RAILS": Table(rails, [("height", float), ("length", float)], "LineStringZ")}
 
 
-def label_layers(folder: Path) -> dict[str, Table]:
-    """Answers to pieces of an orthophoto of strokes and bright patches, which is made in a folder."""
-    import rasterio
-
-    rng = np.random.default_rng(5)
-    ground, cell, rows = rng.normal(90, 4, (900, 900)), 0.02, []
-    for number in range(36):
-        top, left, width = 40 + number % 6 * 140, 40 + number // 6 * 140, 8 if number % 2 else 40
-        ground[top:top + 60, left:left + width] = rng.normal(200, 4, (60, width))
-        rows.append((_moved(shapely.box(left * cell, -(top + 60) * cell, (left + width) * cell, -top * cell)),
-                     {"paint": ("yes", "no")[number % 2]}))
-    place = rasterio.transform.from_origin(*ORIGIN, cell, cell)
-    with rasterio.open(folder / "photo.tif", "w", driver="GTiff", width=900, height=900, count=3, dtype="uint8",
-                       crs=CRS, transform=place) as photo:
-        photo.write(np.clip(ground, 0, 255).astype(np.uint8)[None].repeat(3, axis=0))
-    return {"LABELS": Table(rows, [("paint", str)], "Polygon")}
-
-
 def _road_outputs(folder: Path, ch: random.Random) -> dict:
     outputs = dict.fromkeys(("OUTPUT", "OUTPUT_AREAS", "OUTPUT_STEPS", "OUTPUT_FINDINGS"), "memory:")
     files = {"OUTPUT_CITYGML": str(folder / "city"), "OUTPUT_REPORT": str(folder / "report.html")}
@@ -241,15 +223,9 @@ def _map_outputs(folder: Path, _ch: random.Random) -> dict:
     return {**outputs, "OUTPUT_LANELET2": str(folder / "map.osm"), "OUTPUT_OPENDRIVE": str(folder / "map.xodr")}
 
 
-def _label_outputs(folder: Path, _ch: random.Random) -> dict:
-    return {"INPUT": str(folder / "photo.tif"), "OUTPUT": str(folder / "mask.tif"), "OUTPUT_POLYGONS": "memory:",
-            "OUTPUT_WEIGHTS": str(folder / "weights.json")}
-
-
-ALGORITHMS = {"roadmodel": (road_layers, _road_outputs), "vectormap": (map_layers, _map_outputs),
-              "roadmarkingsfromorthophoto": (label_layers, _label_outputs)}
+ALGORITHMS = {"roadmodel": (road_layers, _road_outputs), "vectormap": (map_layers, _map_outputs)}
 LAYERS = {**dict.fromkeys(("EDGES", "TOPS", "ROADS", "STOP_LINES", "LANES"), "roadmodel"),
-          **dict.fromkeys(("LINES", "OBJECTS", "RAILS"), "vectormap"), "LABELS": "roadmarkingsfromorthophoto"}
+          **dict.fromkeys(("LINES", "OBJECTS", "RAILS"), "vectormap")}
 """Inputs that are damaged, and the algorithms that take them."""
 
 

@@ -480,15 +480,6 @@ def ways_of_reading(path: Path, city: Path) -> Path:
     return path
 
 
-def learned_answers(path: Path, city: Path) -> Path:
-    """Weights that were learned from answers about markings."""
-    from urbanmap_qgis.aerial.markings.learning.answered_pieces import LearnedAnswers
-
-    figures = ("inline", "warm2.6"), (0.4, 0.01), (0.2, 0.03), (0.3, -0.2)
-    LearnedAnswers("profile", *figures, 0.9, 0.1, 36, 36).write(path)
-    return path
-
-
 def report(path: Path, city: Path) -> Path:
     """A report with a verdict."""
     from urbanmap_qgis.io.pages.report import LOOK, Report

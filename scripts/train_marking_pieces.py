@@ -82,7 +82,8 @@ def cells_of_image(image: np.ndarray, pixel: float, paint: np.ndarray) -> Cells:
     bands, seen, _ = pieces.read(*whole)
     found = candidates_of(pieces.balanced(bands, *whole, levels.cast), seen, None, pixel, levels, settings)
     judged = judged_pieces(found, pixel, settings.cleaning, whole)
-    counts, told = figures_of_pieces(judged, found, pixel)
+    counts = judged.accepted[judged.pieces.labels]
+    told = figures_of_pieces(judged, found, pixel, counts)
     on_paint = paint.take(judged.pieces.inside[counts])
     share = np.bincount(told.cell, on_paint, minlength=len(told.pixels)) / told.pixels
     table = np.column_stack([told.values[name] for name in told.values]).astype(np.float32)

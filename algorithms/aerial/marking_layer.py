@@ -1,4 +1,4 @@
-"""The layer of road markings found in an orthophoto."""
+"""The layers of road markings found in an orthophoto."""
 
 from __future__ import annotations
 
@@ -26,3 +26,21 @@ def write_markings(algorithm, parameters, context, found, crs, progress):
                for name in ("area", "length", "width", "contrast", "colour", "confidence")}
     return algorithm.write_layer(parameters, "OUTPUT_POLYGONS", context, fields, columns, crs, geometries, kind,
                             style="road_markings", progress=progress.part(0.9, 1.0))
+
+
+def write_doubtful(algorithm, parameters, context, found, crs):
+    """The layer of markings that are worth a look, the most area in doubt first; None where it is not wanted."""
+    if not parameters.get("OUTPUT_DOUBTFUL"):
+        return None
+    import numpy as np
+
+    from ...urbanmap_qgis.aerial.markings.marking_polygons import doubtful_markings
+
+    chosen = doubtful_markings(found.confidence, found.area)
+    names = ("confidence", "length", "width", "colour")
+    fields = make_fields(("paint", "int"), *((name, "text" if name == "colour" else "real") for name in names))
+    return algorithm.write_layer(parameters, "OUTPUT_DOUBTFUL", context, fields,
+                                 {"paint": [None] * len(chosen), **{name: getattr(found, name)[chosen]
+                                                                    for name in names}}, crs,
+                                 np.array([found.polygons[int(number)] for number in chosen], object), "Polygon",
+                                 style="doubtful_markings")

@@ -3,20 +3,13 @@
 from __future__ import annotations
 
 from ...urbanmap_qgis.errors import InputError
+from ...urbanmap_qgis.wording import mark
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
 from ..framework.layers.crs import crs_from, horizontal, metres_per_unit
 from ..framework.running.workers import workers
 from .frame_shifts import read_pairs
-from .marking_answers import (
-    check_answers,
-    declare_answer_outputs,
-    declare_answers,
-    refuse_answers,
-    taught,
-    write_doubtful,
-)
-from .marking_layer import write_markings
+from .marking_layer import write_doubtful, write_markings
 
 METHODS = ("profile", "paper", "trained")
 
@@ -27,6 +20,9 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
     SOURCE = "Javanmardi 2018, 3.2.2 and 4.1"
     KEYWORDS = ("road", "marking", "lane", "zebra", "crossing", "paint", "adaptive threshold", "aerial", "orthophoto")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "cv2")
+    RETIRED = dict.fromkeys(("LABELS", "WEIGHTS", "OUTPUT_WEIGHTS"), mark(
+        "{0} is no longer used: nothing is learned from answers. Raise or lower MIN_CONFIDENCE, and delete from the "
+        "markings what is no paint."))
     HELP = (
         "Finds painted road markings, white, yellow and blue, in an orthophoto: a mask on the orthophoto's pixels and "
         "polygons whose outlines are finer than the pixels.\n"
@@ -73,7 +69,6 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         self.add_distance("FILL_WIDTH", "Width of filled paint", "Paint up to this width, such as arrow heads and "
                           "letters, is filled between its edges; at most the maximum stroke width fills nothing.", 1.5,
                           0.0, 5.0, advanced=True)
-        declare_answers(self)
         self.add_vector("SHIFTS", "Shifts between images", "Points of “Orthorectify frames” that tell how far the "
                         "frames of this orthophoto disagree; shown in the report.", optional=True)
         self.add_raster("FRAME_COUNT", "Frames that see the ground", "Raster of “Orthorectify frames”; shown in the "
@@ -87,7 +82,9 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         self.add_layer_output("OUTPUT_POLYGONS", "Road markings", "Outlines of the markings, with area (m2), length "
                               "and width of the stroke (m), mean contrast (grey values), colour and "
                               "confidence (0 to 1).", optional=True, by_default=True)
-        declare_answer_outputs(self)
+        self.add_layer_output("OUTPUT_DOUBTFUL", "Doubtful markings", "Markings with a confidence of 0.3 to 0.7, "
+                              "those with the most area in doubt first, with the empty field paint for your answers "
+                              "when you look through them.", optional=True)
         self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: numbers and areas, shifts between frames, "
                              "coverage, pictures of the markings over the orthophoto, and what to distrust.",
                              HTML_FILTER, optional=True)
@@ -106,15 +103,13 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         if horizontal(crs).isGeographic():
             raise InputError(tr("{0}: its pixels are measured in degrees; warp it to a projected CRS, such as the "
                                 "local plane rectangular or UTM zone.").format(label))
-        for name in ("BUILDINGS", "ROADS", "LABELS"):
+        for name in ("BUILDINGS", "ROADS"):
             source = self.parameterAsSource(parameters, name, context) if parameters.get(name) else None
             if source is not None:
                 self.same_crs("INPUT", crs, name, source.sourceCrs())
         for name in ("MASK", "GROUND"):
             if parameters.get(name) and self.raster_path(parameters, name, context):
                 self.same_crs("INPUT", crs, name, self.parameterAsRasterLayer(parameters, name, context).crs())
-
-        check_answers(self, parameters)
 
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.aerial.markings.marking_files import markings_from_orthophoto
@@ -123,19 +118,16 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         crs = self.parameterAsRasterLayer(parameters, "INPUT", context).crs()
         settings = self._settings(parameters, context)
         places = self._places(parameters, context, progress.part(0.0, 0.02))
-        settings, weights = taught(self, parameters, context, crs, settings, places, progress.part(0.02, 0.04))
         mask = self.output_layer_path(parameters, "OUTPUT", context, style="marking_mask")
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
             found = markings_from_orthophoto(self.raster_path(parameters, "INPUT", context), mask, places, settings,
-                                             metres_per_unit(crs), progress=progress.part(0.04, 0.9),
+                                             metres_per_unit(crs), progress=progress.part(0.02, 0.9),
                                              executor=executor)
         self._tell(found, settings.contrast, progress)
         results = {"OUTPUT": str(mask), "COUNT": len(found.polygons), "MARKED_AREA": found.marked_area,
                    "SEARCHED_AREA": found.searched_area}
         if report := self._report(parameters, context, found, settings.contrast):
             results["OUTPUT_REPORT"] = report
-        if weights:
-            results["OUTPUT_WEIGHTS"] = weights
         layers = {"OUTPUT_POLYGONS": write_markings(self, parameters, context, found.polygons, crs, progress),
                   "OUTPUT_DOUBTFUL": write_doubtful(self, parameters, context, found.polygons, crs)}
         return {**results, **{name: layer for name, layer in layers.items() if layer}}
@@ -144,7 +136,6 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         """What all parts of the orthophoto must share when they are worked on apart."""
         from ...urbanmap_qgis.aerial.markings.marking_files import levels_of_orthophoto
 
-        refuse_answers(self, parameters)
         crs = self.parameterAsRasterLayer(parameters, "INPUT", context).crs()
         levels = levels_of_orthophoto(self.raster_path(parameters, "INPUT", context),
                                       self._places(parameters, context, progress),

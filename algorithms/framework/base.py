@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from contextlib import nullcontext
 from pathlib import Path
+from types import MappingProxyType
 
 from qgis.core import (
     QgsApplication,
@@ -21,7 +22,8 @@ from ...urbanmap_qgis.errors import SYSTEM_TROUBLES, Cancelled, InputError, Urba
 from ...urbanmap_qgis.io.files.staging import Staging, final_text
 from ...urbanmap_qgis.progress import SILENT, Progress
 from .declaring import destinations
-from .declaring.parameters import check_names, tr, with_words
+from .declaring.parameters import text_table, tr
+from .declaring.retired import of_today
 from .layers import crs as crs_checks
 from .layers import layers, reprojection, shown_results
 from .layers.trajectories import TrajectoryParameters, trajectory_exists
@@ -50,7 +52,6 @@ GROUPS = {
 }
 
 POINT_SUFFIXES = (".las", ".laz")
-TEXT_TABLES = (".csv", ".txt", ".tsv")
 
 AROUND = 60.0  # m of a raster read beyond the features that it is for
 
@@ -70,6 +71,8 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
     REQUIRES : import names of the packages it needs.
     KEPT_FOLDERS : folder outputs that are written in their place step by step, so that a later run can go on in them.
     LASTING_FOLDERS : folder outputs that are asked for in the window: a temporary one is gone when QGIS ends.
+    RETIRED : parameters of earlier versions that no longer do anything, with what is said where one is given.
+    RETIRED_WORDS : words of choices of earlier versions by parameter, each with the word that is taken instead.
     """
 
     ID = ""
@@ -80,6 +83,8 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
     REQUIRES: tuple[str, ...] = ("numpy", "shapely")
     KEPT_FOLDERS: tuple[str, ...] = ()
     LASTING_FOLDERS: tuple[str, ...] = ()
+    RETIRED: Mapping[str, str] = MappingProxyType({})
+    RETIRED_WORDS: Mapping[str, Mapping[str, str]] = MappingProxyType({})
 
     # To be implemented by the algorithm
 
@@ -99,7 +104,7 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
 
     def known_names(self, parameters: Mapping) -> list[str]:
         """Names of parameters that may be given; others are told as a warning."""
-        return [item.name() for item in self.parameterDefinitions()]
+        return [*(item.name() for item in self.parameterDefinitions()), *self.RETIRED]
 
     # What QGIS asks
 
@@ -163,7 +168,7 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
 
     def _checked(self, parameters: Mapping, context: QgsProcessingContext) -> tuple[bool, str]:
         try:
-            parameters = with_words(parameters, self.parameterDefinitions())
+            parameters, _ = of_today(self, parameters)
         except InputError as error:
             return False, str(error)
         accepted, message = super().checkParameterValues({**parameters, **self._stand_ins(parameters)}, context)
@@ -188,8 +193,6 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
             return in_python_thread(lambda: self._process(parameters, context, feedback), context)
 
     def _process(self, parameters: Mapping, context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> dict:
-        for sentence in check_names(parameters, self.known_names(parameters)):
-            feedback.pushWarning(sentence)
         message = self._packages_missing()
         if message:
             raise QgsProcessingException(message)
@@ -198,7 +201,9 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
             feedback.pushWarning(trouble)
         with signals_cancel(feedback) as signals:
             try:
-                parameters = with_words(parameters, self.parameterDefinitions())
+                parameters, sentences = of_today(self, parameters)
+                for sentence in sentences:
+                    feedback.pushWarning(sentence)
                 self._check_all(parameters, context)
                 with Staging() as staging:
                     return self._compute_apart(parameters, context, feedback, staging)
@@ -486,13 +491,6 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
             raise InputError(tr("{0}: {1} cannot be opened as a vector layer; check the file and the layer name.")
                              .format(self.label_of(name), parameters.get(name)))
         return source
-
-
-def text_table(parameters: Mapping, name: str) -> str:
-    """The file of text that a parameter names, "" for a layer or none."""
-    text = parameters.get(name)
-    found = isinstance(text, str) and Path(text).suffix.lower() in TEXT_TABLES and Path(text).is_file()
-    return text if found else ""
 
 
 def _is_optional(definition) -> bool:

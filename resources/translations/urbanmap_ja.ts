@@ -880,26 +880,6 @@
         <translation>矢印の先端や文字など、この幅までの標示は縁と縁の間を塗りつぶします。線の最大幅以下の値では塗りつぶしません。</translation>
     </message>
     <message>
-        <source>Answers</source>
-        <translation>回答</translation>
-    </message>
-    <message>
-        <source>Markings of this orthophoto that you answered: polygons such as the doubtful markings of an earlier run, with the field paint true (or 1, yes) where they are paint and false (0, no) where not; those left empty do not count. The confidence is corrected by what they teach. At least two of each, better thirty, all over the image.</source>
-        <translation>このオルソ画像で回答済みの路面標示。以前の実行の「疑わしい路面標示」などのポリゴンで、フィールドpaintが、標示なら真（または1、yes）、標示でなければ偽（0、no）。空のものは数えない。信頼度は回答から学んだことで補正される。それぞれ2個以上、できれば30個を画像全体から。</translation>
-    </message>
-    <message>
-        <source>Learned weights</source>
-        <translation>学習した重み</translation>
-    </message>
-    <message>
-        <source>Learned weights (*.json)</source>
-        <translation>学習した重み (*.json)</translation>
-    </message>
-    <message>
-        <source>What an earlier run learned from answers in an orthophoto of the same kind (camera, light and processing), with the same method.</source>
-        <translation>同じ種類（カメラ・光・処理）のオルソ画像への回答から、同じ方法で以前の実行が学習したもの。</translation>
-    </message>
-    <message>
         <source>Points of “Orthorectify frames” that tell how far the frames of this orthophoto disagree; shown in the report.</source>
         <translation>「写真のオルソ補正」による点で、このオルソ画像の写真間の不一致の大きさを示します。報告書に表示します。</translation>
     </message>
@@ -944,16 +924,8 @@
         <translation>疑わしい路面標示</translation>
     </message>
     <message>
-        <source>Markings with a confidence of 0.3 to 0.7, those with the most area in doubt first, with the empty field paint: answer some and give the layer as answers.</source>
-        <translation>信頼度0.3～0.7の路面標示。判断の分かれる面積が大きいものから順に並び、空のフィールドpaintを持つ。いくつかに回答し、このレイヤーを「回答」に与える。</translation>
-    </message>
-    <message>
-        <source>Weights</source>
-        <translation>重み</translation>
-    </message>
-    <message>
-        <source>What was learned from the answers, to be given for other orthophotos of the same kind.</source>
-        <translation>回答から学習したもの。同じ種類の他のオルソ画像に与えられる。</translation>
+        <source>Markings with a confidence of 0.3 to 0.7, those with the most area in doubt first, with the empty field paint for your answers when you look through them.</source>
+        <translation>信頼度0.3～0.7の路面標示。判断の分かれる面積が大きいものから順に並び、目で確かめた結果を書く空のフィールドpaintを持つ。</translation>
     </message>
     <message>
         <source>HTML report: numbers and areas, shifts between frames, coverage, pictures of the markings over the orthophoto, and what to distrust.</source>
@@ -2397,15 +2369,15 @@
     </message>
     <message>
         <source>relative motions, closed form</source>
-        <translation>相対運動（閉形式）</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>relative motions, by iteration</source>
-        <translation>相対運動（反復法）</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Best estimate of the drift from all tie points; or relative motions adjusted between sets in closed form; or the same by the paper's iteration; or the whole paper to the letter. (drift, relative, iterative, paper)</source>
-        <translation>drift：すべてのタイポイントによるドリフトの最適推定。relative：組の間で相対運動を閉じた式で調整。iterative：同じ調整を論文の反復法で実行。paper：全体を論文どおりに実行。（drift, relative, iterative, paper）</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Sigma of tie points</source>
@@ -7207,9 +7179,7 @@ Points are read once; each image keeps the nearest point of every 3 by 3 pixels.
         <source>Corrects position and heading of a survey's trajectory by tie points: places, such as corners of buildings, that the survey and a reference both show. Two or more pairs measured within some seconds are a set.
 By default the drift is estimated from all tie points together, each at its own time, with its sigma at every epoch; contradicting pairs and sets are found and told. In the methods “relative” and “iterative” each set gives a true pose, and the relative motions between two of them take their parts of the error, in closed form or by the paper's iteration. “paper” follows the paper to the letter: the first two pairs of each set, its equations 8, 9 and 13 to 17, equally sampled heights, and nothing left out as wrong. Before the first and after the last set the correction is carried on, and its sigma grows.
 With a ground raster the heights then follow the ground along the course, at the given height of the trajectory's origin above it. Roll and pitch stay as they are.</source>
-        <translation>計測データの軌跡の位置と方位角を、タイポイント（建物の角など、計測データと基準の両方に写る場所）により補正します。数秒以内に計測された2組以上の対応点を、1つの組とします。
-既定では、すべてのタイポイントをそれぞれの時刻で用いてドリフトを一括推定し、各エポックのσを求めます。矛盾する対応点と組は検出して示します。方法「relative」と「iterative」では、各組から真の位置姿勢を求め、2つの組の間の相対運動に誤差を配分します（閉じた式、または論文の反復計算による）。「paper」は論文に忠実に従います。各組の最初の2つの対応点、式8、9、13～17、等間隔に標本化した高さを用い、誤りとして除くものはありません。最初の組より前と最後の組より後では補正を延長し、そのσは増大します。
-地表のラスタを与えると、高さは走行軌跡に沿った地表に、指定した軌跡の原点の地上高を加えたものとなります。ロールとピッチはそのままです。</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Zhao and Shibasaki 2004, 3, eq. 8 to 17</source>
@@ -8150,22 +8120,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{output} cannot be written ({error}): choose another output.</source>
         <translation>{output} に書き込めません（{error}）。別の出力先を選択してください。</translation>
-    </message>
-    <message>
-        <source>Nothing is learned from answers where nothing is left out: clean the markings, and do not take the paper's method.</source>
-        <translation>何も除かない設定では回答から学習できません。除去を有効にし、論文の方法以外を選んでください。</translation>
-    </message>
-    <message>
-        <source>Where roads are given, the confidence does not ask for the ground, and nothing is learned from answers: leave out the roads, or the answers.</source>
-        <translation>道路を与えた場合、信頼度は地面を見ないため、回答から学習できません。道路か回答のどちらかを外してください。</translation>
-    </message>
-    <message>
-        <source>Of the answers, {yes} yes and {no} no lie on what may be paint in this image: {fewest} of each are needed at least.</source>
-        <translation>回答のうち、この画像で標示かもしれないものの上にあるのは「はい」{yes}個、「いいえ」{no}個です。それぞれ{fewest}個以上必要です。</translation>
-    </message>
-    <message>
-        <source>{path} holds no weights that were learned from answers: give the file that a run with answers wrote.</source>
-        <translation>{path} には回答から学習した重みがありません。回答を与えた実行が書いたファイルを指定してください。</translation>
     </message>
     <message>
         <source>The image's own road is as rough as in hard light: the trained model tells the confidence.</source>
@@ -14024,38 +13978,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{0}にフィールド{1}がありません。「写真のオルソ補正」の点を指定してください。</translation>
     </message>
     <message>
-        <source>Give answers, or weights that were learned from answers, not both.</source>
-        <translation>回答か、回答から学習した重みのどちらか一方だけを指定してください。</translation>
-    </message>
-    <message>
-        <source>Where roads are given, the confidence does not ask for the ground, and nothing is learned from answers: leave out the roads, or “{0}”.</source>
-        <translation>道路を与えた場合、信頼度は地面を見ないため、回答から学習できません。道路か「{0}」のどちらかを外してください。</translation>
-    </message>
-    <message>
-        <source>Weights are learned from answers: give “{0}”, or ask for no weights.</source>
-        <translation>重みは回答から学習します。「{0}」を与えるか、重みの出力を外してください。</translation>
-    </message>
-    <message>
-        <source>Over tiles each would learn for itself: run “{0}” on a part of the orthophoto with the answers first, and give its weights here.</source>
-        <translation>タイルごとの実行では各タイルが別々に学習してしまいます。先にオルソ画像の一部と回答で「{0}」を実行し、その重みをここに指定してください。</translation>
-    </message>
-    <message>
-        <source>Learned from {0} markings that are paint and {1} that are not.</source>
-        <translation>標示である{0}個と標示でない{1}個から学習しました。</translation>
-    </message>
-    <message>
-        <source>{0}: the field paint is missing, which tells what is paint.</source>
-        <translation>{0}：標示かどうかを示すフィールドpaintがありません。</translation>
-    </message>
-    <message>
-        <source>{0}: “{1}” in the field paint is no answer; write true or false, 1 or 0, yes or no.</source>
-        <translation>{0}：フィールドpaintの「{1}」は回答ではありません。真か偽、1か0、yesかnoを書いてください。</translation>
-    </message>
-    <message>
-        <source>{0}: these weights were learned with the method “{1}”, not “{2}”.</source>
-        <translation>{0}：この重みは方法「{1}」で学習したもので、「{2}」ではありません。</translation>
-    </message>
-    <message>
         <source>{0} has no height at {1} of {2} markings: they lie outside of it or in its gaps, and have no height there.</source>
         <translation>{0}には標示{2}件中{1}件の位置で高さがありません。範囲外または欠測のため、その標示には高さがありません。</translation>
     </message>
@@ -14082,6 +14004,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The field {0} of {1} must hold numbers: heights above the ground in metres.</source>
         <translation>{1}のフィールド{0}は数値（地上高、メートル）にしてください。</translation>
+    </message>
+    <message>
+        <source>{0} is no longer used: nothing is learned from answers. Raise or lower MIN_CONFIDENCE, and delete from the markings what is no paint.</source>
+        <translation>{0}はもう使われません（回答からの学習は行いません）。MIN_CONFIDENCEを上げ下げし、塗装でないものは路面標示から削除してください。</translation>
     </message>
     <message>
         <source>Nothing of the orthophoto is left to look at: check that roads, buildings and hidden areas lie where the image does; the mask is empty.</source>
@@ -14434,6 +14360,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0}: {1} is none of {2}; give one of these words, or its number from 0 on.</source>
         <translation>{0}: {1}は{2}のいずれでもありません。これらの語のいずれか、または0から始まる番号を指定してください。</translation>
+    </message>
+    <message>
+        <source>{0}: “{1}” was retired; the run takes “{2}” instead: give that.</source>
+        <translation>{0}：「{1}」は廃止されました。代わりに「{2}」で実行します。今後はこれを指定してください。</translation>
     </message>
     <message>
         <source>UrbanMap job (*.urbanmap.json)</source>
@@ -18293,11 +18223,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>relative</source>
-        <translation>相対</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>iterative</source>
-        <translation>反復</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>paper</source>
@@ -18309,11 +18239,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>relative motions adjusted between sets, closed form (Z 3.1)</source>
-        <translation>組の間で相対運動を調整、閉形式（Z 3.1）</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>relative motions adjusted between sets by the paper's iteration (Z eq. 8, 9)</source>
-        <translation>組の間で相対運動を論文の反復法により調整（Z 式8、9）</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Z 3 to the letter: sets of two pairs (eq. 13 to 17), relative motions by iteration (eq. 8, 9)</source>

@@ -162,18 +162,15 @@ def test_paper_is_the_plain_threshold(run, ortho, tmp_path):
 
 @pytest.fixture
 def yard(tmp_path):
-    """A grey yard of 24 white lines and 24 cold ones, odd ones white: path, and outlines as text."""
+    """A grey yard of 24 white lines and 24 cold ones, odd ones white: its path."""
     from osgeo import gdal, osr
 
     rng = np.random.default_rng(2)
     image = np.repeat(90 + rng.normal(0, 2, (1, 900, 900)), 3, axis=0)
-    outlines = []
     for number in range(48):
         row, column = 60 + 130 * (number // 8), 40 + 105 * (number % 8)
         image[:, row:row + 2, column:column + 30] = np.reshape((112, 112, 112) if number % 2 else (110, 114, 112),
                                                                (3, 1, 1))
-        left, top = X0 + (column - 1) * PIXEL, Y0 - (row - 1) * PIXEL
-        outlines.append(box(left, top - 4 * PIXEL, left + 32 * PIXEL, top))
     path = tmp_path / "yard.tif"
     out = gdal.GetDriverByName("GTiff").Create(str(path), 900, 900, 3, gdal.GDT_Byte)
     out.SetGeoTransform((X0, PIXEL, 0, Y0, 0, -PIXEL))
@@ -183,70 +180,34 @@ def yard(tmp_path):
     for band in range(3):
         out.GetRasterBand(band + 1).WriteArray(image[band].clip(0, 255).round().astype(np.uint8))
     out.FlushCache()
-    return path, outlines
+    return path
 
 
-def answered(outlines, paint, kind="bool"):
-    """A layer of answers."""
-    from qgis.core import QgsFeature, QgsGeometry, QgsVectorLayer
-
-    layer = QgsVectorLayer(f"Polygon?crs=EPSG:6677&field=paint:{kind}", "answers", "memory")
-    for outline, value in zip(outlines, paint):
-        feature = QgsFeature(layer.fields())
-        feature.setGeometry(QgsGeometry.fromWkt(outline))
-        feature["paint"] = value
-        layer.dataProvider().addFeature(feature)
-    return layer
-
-
-def test_answers_teach_this_run_and_others(run, yard, tmp_path):
-    """Answers for half of the lines leave out the cold ones of the other half; the weights do the same without them."""
+def test_doubtful_markings_come_with_the_most_area_in_doubt_first(run, yard, tmp_path):
+    """What taught a run in earlier versions is still taken, changes nothing, and is told."""
     from qgis.core import NULL, QgsVectorLayer
 
-    path, outlines = yard
-    first = run(ALGORITHM, {"INPUT": str(path), "OUTPUT": str(tmp_path / "a.tif"), "MIN_CONFIDENCE": 0.0,
+    first = run(ALGORITHM, {"INPUT": str(yard), "OUTPUT": str(tmp_path / "a.tif"), "MIN_CONFIDENCE": 0.0,
                             "OUTPUT_DOUBTFUL": str(tmp_path / "doubtful.gpkg")})
     doubtful = list(QgsVectorLayer(first["OUTPUT_DOUBTFUL"]).getFeatures())
     assert first["COUNT"] == 48 and len(doubtful)
     doubt = [item.geometry().area() * item["confidence"] * (1 - item["confidence"]) for item in doubtful]
     assert (np.diff(doubt) <= 0.02 * max(doubt)).all() and all(item["paint"] == NULL for item in doubtful)
     assert max(abs(item["confidence"] - 0.5) for item in doubtful) <= 0.2 + 1e-6
-    asked = outlines[:24] + outlines[24:30]
-    words = [bool(k % 2) for k in range(24)] + [None] * 6
-    taught = run(ALGORITHM, {"INPUT": str(path), "OUTPUT": str(tmp_path / "b.tif"), "MIN_CONFIDENCE": 0.5,
-                             "LABELS": answered(asked, words), "OUTPUT_WEIGHTS": str(tmp_path / "w.json")})
-    assert taught["COUNT"] == 24
-    again = run(ALGORITHM, {"INPUT": str(path), "OUTPUT": str(tmp_path / "c.tif"), "MIN_CONFIDENCE": 0.5,
-                            "WEIGHTS": taught["OUTPUT_WEIGHTS"]})
-    assert again["COUNT"] == 24 and (tmp_path / "b.tif").read_bytes() == (tmp_path / "c.tif").read_bytes()
-
-
-@pytest.mark.parametrize(("given", "words"), [
-    ({"LABELS": ["yes"] + ["no"] * 3}, "at least"),
-    ({"LABELS": ["perhaps"]}, "is no answer"),
-    ({"LABELS": ["yes"], "WEIGHTS": "w.json"}, "not both"),
-    ({"LABELS": ["yes"], "METHOD": "paper"}, "Nothing is learned"),
-    ({"OUTPUT_WEIGHTS": "w.json"}, "learned from answers"),
-])
-def test_answers_that_cannot_be_used_are_told(run, yard, tmp_path, given, words):
-    from qgis.core import QgsProcessingException
-
-    path, outlines = yard
-    (tmp_path / "w.json").write_text("{}", encoding="utf-8")
-    values = {name: answered(outlines, value, "string") if name == "LABELS" else
-              str(tmp_path / value) if name != "METHOD" else value for name, value in given.items()}
-    with pytest.raises(QgsProcessingException, match=words):
-        run(ALGORITHM, {"INPUT": str(path), "OUTPUT": str(tmp_path / "m.tif"), **values})
+    run(ALGORITHM, {"INPUT": str(yard), "OUTPUT": str(tmp_path / "b.tif"), "MIN_CONFIDENCE": 0.0,
+                    "LABELS": first["OUTPUT_DOUBTFUL"], "OUTPUT_WEIGHTS": str(tmp_path / "w.json")})
+    warned = [text for text in run.feedback.warnings if "no longer used" in text]
+    assert len(warned) == 2 and "LABELS" in warned[0] and "MIN_CONFIDENCE" in warned[0]
+    assert (tmp_path / "a.tif").read_bytes() == (tmp_path / "b.tif").read_bytes()
 
 
 def test_doubtful_markings_are_answered_with_yes_or_no(run, yard, tmp_path):
-    """The layer opened from its file offers yes and no, and what is chosen in its form is what the algorithm reads."""
+    """The layer opened from its file offers yes and no, and keeps what is chosen in its form."""
     from qgis.core import NULL, QgsVectorLayer
     from qgis.gui import QgsGui
     from qgis.PyQt.QtWidgets import QComboBox, QWidget
 
-    path, _ = yard
-    first = run(ALGORITHM, {"INPUT": str(path), "OUTPUT": str(tmp_path / "a.tif"), "MIN_CONFIDENCE": 0.0,
+    first = run(ALGORITHM, {"INPUT": str(yard), "OUTPUT": str(tmp_path / "a.tif"), "MIN_CONFIDENCE": 0.0,
                             "OUTPUT_DOUBTFUL": str(tmp_path / "doubtful.gpkg")})
     layer = QgsVectorLayer(first["OUTPUT_DOUBTFUL"], "doubtful")
     place, features = layer.fields().indexOf("paint"), list(layer.getFeatures())
@@ -267,6 +228,3 @@ def test_doubtful_markings_are_answered_with_yes_or_no(run, yard, tmp_path):
     assert [item["paint"] for item in layer.getFeatures()] == [1 - number % 2 for number in range(len(features))]
     drawn = [rule.filterExpression() for rule in layer.renderer().rootRule().children()]
     assert drawn == ['"paint" = 1', '"paint" = 0', '"paint" IS NULL']
-    taught = run(ALGORITHM, {"INPUT": str(path), "OUTPUT": str(tmp_path / "b.tif"), "LABELS": layer,
-                             "OUTPUT_WEIGHTS": str(tmp_path / "w.json")})
-    assert (tmp_path / "w.json").is_file() and taught["COUNT"] >= 0

@@ -36,7 +36,7 @@ def found(strokes, *, bars=0, sure=(), turn=0.0, side=400):
     accepted = pieces.size > 0
     accepted[0] = False
     strokes = strokes_of(pieces, accepted, side, PIXEL)
-    made = vouched_confidence(strokes, vouching, pieces.labels, rules[pieces.labels] if sure else None)
+    made = vouched_confidence(strokes, vouching, pieces.labels, rules[pieces.labels])
     assert (made[vouching] == np.float32(CONFIDENCE)).all()
     return {number: made[label] for number, label in enumerate(piece) if made[label] and number >= bars}
 

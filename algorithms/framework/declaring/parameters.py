@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 
 from qgis.core import (
     QgsProcessing,
@@ -43,6 +44,8 @@ FILES_WIDGET = f"{__package__}.files_widget.FilesWidget"
 
 CHOICE_WIDGET = f"{__package__}.choice_widget.ChoiceWidget"
 """What QGIS's dialogs show for a choice."""
+
+TEXT_TABLES = (".csv", ".txt", ".tsv")
 
 UNIT = re.compile(r" \([^()]*\)$")
 """The unit at the end of a label."""
@@ -318,6 +321,13 @@ class Declarations:
                 if original in getattr(owner, kinds, set)():
                     getattr(self, kinds)().add(name)
             self.addParameter(definition)
+
+
+def text_table(parameters: Mapping, name: str) -> str:
+    """The file of text that a parameter names, "" for a layer or none."""
+    text = parameters.get(name)
+    found = isinstance(text, str) and Path(text).suffix.lower() in TEXT_TABLES and Path(text).is_file()
+    return text if found else ""
 
 
 def check_names(given: Mapping[str, object], known: Sequence[str]) -> list[str]:

@@ -14,7 +14,6 @@ import numpy as np
 
 from .disc_opening import coarse_step, disc_kernel, disc_opened
 from .image_strips import STRIP, flat_places, grown, row_strips, shifted_places, within
-from .learning.answered_pieces import LearnedAnswers
 from .marking_confidence import (
     ALONG_REACH,
     GROUND_REACH,
@@ -71,7 +70,6 @@ class CleanSettings:
     fill_width : paint up to this width, such as arrow heads, is filled.
     trained : whether the confidence is told by the trained model, see `paint_model`, or by rules alone; see also
         `of_image`.
-    learned : what a user's answers taught, by which that confidence is corrected; None for nothing.
     """
 
     max_width: float = 0.8
@@ -101,19 +99,11 @@ class CleanSettings:
     confidence: ConfidenceSettings = field(default_factory=ConfidenceSettings)
     fill_width: float = 1.5
     trained: bool = False
-    learned: LearnedAnswers | None = None
-
-    @property
-    def asks_figures(self) -> bool:
-        """Whether figures of the surroundings are asked for, which are told by cells."""
-        return self.trained or self.learned is not None
 
     def of_image(self, model: RoadModel) -> CleanSettings:
         """Rules for an image by its own road: in hard light the trained model tells the confidence, as it finds as much
-        paint there with less else; not where answers correct it, as these hold for the method that was asked for."""
-        if self.learned is None and self.confidence.hard_light(model):
-            return replace(self, trained=True)
-        return self
+        paint there with less else."""
+        return replace(self, trained=True) if self.confidence.hard_light(model) else self
 
     @property
     def reach(self) -> float:
@@ -124,7 +114,7 @@ class CleanSettings:
         """
         body = self.max_length + self.body_width + max(self.vehicle_gap, self.rim)
         beyond = body + max(GROUND_REACH, self.vehicle_width)
-        if self.asks_figures:
+        if self.trained:
             beyond = max(beyond, REACH + GROUND_REACH)
         return self.piece_reach + beyond + self.max_width + 2 * self.fill_width
 
@@ -195,12 +185,12 @@ def remove_non_markings(found: Candidates, pixel: float, settings: CleanSettings
         bars = crossing_bars(strokes, settings.max_width)
         places = shifted_places(pieces.inside, near, found.core.shape)
         bars = on_smooth_ground(pieces, bars, ground, places, pixel)
-        if settings.asks_figures:
-            values = _by_figures(judged, found, pixel, settings, rules, specks, within(wanted, near))
+        if settings.trained:
+            values = _by_model(judged, found, pixel, settings, rules, specks, within(wanted, near))
         else:
             roads = road_share(places, found.bands, found.image, ground, found.model, pixel, found.scale)
             values = np.where(_alone(judged, bars[pieces.labels], roads, pixel, settings), np.float32(0), values)
-        vouched = vouched_confidence(strokes, bars, pieces.labels, rules if settings.learned is None else None)
+        vouched = vouched_confidence(strokes, bars, pieces.labels, rules)
         values = np.maximum(values, np.where(specks, np.float32(0), vouched[pieces.labels]))
     good = accepted & (values >= settings.min_confidence)
     evidence = SearchTally(colder=judged.colder, clear=np.count_nonzero(ground.clear[counted]),
@@ -275,31 +265,12 @@ def _by_rules(found: Candidates, narrow: np.ndarray, ground: GroundBeside, pixel
     return confidence, int(np.count_nonzero(colder))
 
 
-def figures_of_pieces(judged: JudgedPieces, found: Candidates, pixel: float, counts: np.ndarray | None = None
-                      ) -> tuple[np.ndarray, PieceFigures]:
-    """Which pixels of the pieces belong to accepted ones, bool (n,), or those given; and the figures of their cells."""
-    counts = judged.accepted[judged.pieces.labels] if counts is None else counts
+def figures_of_pieces(judged: JudgedPieces, found: Candidates, pixel: float, counts: np.ndarray) -> PieceFigures:
+    """Figures of the cells of the pieces' pixels that count, bool (n,)."""
     places = shifted_places(judged.pieces.inside[counts], judged.near, found.core.shape)
     image = PieceImage(found.bands, found.image, judged.narrow, judged.ground, found.model, found.scale, found.contrast)
-    return counts, piece_figures(image, places, judged.relief[counts], judged.by_rules[counts], judged.pieces,
-                                 judged.pieces.labels[counts], pixel)
-
-
-def _by_figures(judged: JudgedPieces, found: Candidates, pixel: float, settings: CleanSettings, rules: np.ndarray,
-                specks: np.ndarray, window: tuple[slice, slice]) -> np.ndarray:
-    """Confidence (n,) of the pieces' pixels by the trained model or the rules (n,), and by what answers taught; of
-    those that do not matter in a window of the mask it may be 0."""
-    counts = judged.accepted[judged.pieces.labels] & _matters(judged, window, specks, pixel)
-    if settings.trained and settings.learned is None:
-        counts &= rules >= _light(found, settings).least_rules
-    counts, figures = figures_of_pieces(judged, found, pixel, counts)
-    values = (_by_model(judged, found, counts, figures, specks, pixel, settings) if settings.trained
-              else np.where(specks, np.float32(0), rules))
-    if settings.learned is None:
-        return values
-    corrected = np.zeros(len(counts), np.float32)
-    corrected[counts] = settings.learned.corrected(figures.mean(values[counts]), figures.values)[figures.cell]
-    return _of_pieces(judged, corrected, pixel)
+    return piece_figures(image, places, judged.relief[counts], judged.by_rules[counts], judged.pieces,
+                         judged.pieces.labels[counts], pixel)
 
 
 def _matters(judged: JudgedPieces, window: tuple[slice, slice], specks: np.ndarray, pixel: float) -> np.ndarray:
@@ -317,27 +288,18 @@ def _light(found: Candidates, settings: CleanSettings) -> KindOfLight:
     return HARD_LIGHT if settings.confidence.hard_light(found.model) else SOFT_LIGHT
 
 
-def _by_model(judged: JudgedPieces, found: Candidates, counts: np.ndarray, figures: PieceFigures, specks: np.ndarray,
-              pixel: float, settings: CleanSettings) -> np.ndarray:
-    """Confidence (n,) of the pieces' pixels by the trained model."""
+def _by_model(judged: JudgedPieces, found: Candidates, pixel: float, settings: CleanSettings, rules: np.ndarray,
+              specks: np.ndarray, window: tuple[slice, slice]) -> np.ndarray:
+    """Confidence (n,) of the pieces' pixels by the trained model; of those that do not matter in a window of the mask,
+    and of those to which the rules (n,) give next to none, it may be 0."""
     light = _light(found, settings)
+    counts = judged.accepted[judged.pieces.labels] & (rules >= light.least_rules)
+    counts &= _matters(judged, window, specks, pixel)
+    figures = figures_of_pieces(judged, found, pixel, counts)
     evidence = np.zeros(len(counts), np.float32)
     evidence[counts] = paint_model().evidence_of(figures.values, len(figures.pixels), light)[figures.cell]
     values = paint_model().probability(_of_pieces(judged, evidence, pixel, counts), light)
     return np.where(specks, np.float32(0), values)
-
-
-def confidence_and_figures(found: Candidates, pixel: float, settings: CleanSettings, wanted: tuple[slice, slice]
-                           ) -> tuple[np.ndarray, np.ndarray, PieceFigures]:
-    """Places (n,) in the flat image of accepted pieces' pixels that reach into the rows and columns wanted, the
-    confidence (k,) of their cells before any answer, and the cells' figures."""
-    judged = judged_pieces(found, pixel, settings, wanted)
-    specks = _specks(judged, found, pixel, settings)
-    counts, figures = figures_of_pieces(judged, found, pixel)
-    values = (_by_model(judged, found, counts, figures, specks, pixel, settings) if settings.trained
-              else np.where(specks, np.float32(0), _of_pieces(judged, judged.by_rules, pixel)))
-    places = shifted_places(judged.pieces.inside[counts], judged.near, found.core.shape)
-    return places, figures.mean(values[counts]), figures
 
 
 def _tally(judged: JudgedPieces, by_rules: np.ndarray, good: np.ndarray, counted: tuple[slice, slice], pixel: float

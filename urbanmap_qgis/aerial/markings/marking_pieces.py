@@ -123,10 +123,6 @@ class PieceFigures:
     cell: np.ndarray
     pixels: np.ndarray
 
-    def mean(self, values: np.ndarray) -> np.ndarray:
-        """Means (k,) of values (n,) of the pixels."""
-        return np.bincount(self.cell, values, minlength=len(self.pixels)) / self.pixels
-
 
 @dataclass(frozen=True)
 class PieceImage:

@@ -41,19 +41,15 @@ STROKES_REACH = max(LIMITS.before + BARS_REACH + LONGEST / 2, LIMITS.following +
 """m from a stroke's pixel to the far end of one that vouches for it, or for a bar that does."""
 
 
-def vouched_confidence(strokes: Strokes, bars: np.ndarray, labels: np.ndarray,
-                       rules: np.ndarray | None) -> np.ndarray:
+def vouched_confidence(strokes: Strokes, bars: np.ndarray, labels: np.ndarray, rules: np.ndarray) -> np.ndarray:
     """Confidence (m,) of the strokes that others vouch for, float32, 0 of others.
 
     Parameters
     ----------
     bars : (m,) bool, those that are bars of a crossing.
-    labels, rules : (n,) stroke of each pixel, and the confidence by the ground beside, that of their piece; without the
-        latter no stroke vouches for those in line with it.
+    labels, rules : (n,) stroke of each pixel, and the confidence by the ground beside, that of their piece.
     """
     vouched = np.where(bars | _before_bars(strokes, _slender(strokes, 0), bars), np.float32(CONFIDENCE), 0)
-    if rules is None:
-        return vouched
     sure, in_line = np.zeros(len(bars), bool), _slender(strokes, 1)
     sure[labels] = rules >= LIMITS.sure
     following = _in_line(strokes, in_line, in_line & sure)

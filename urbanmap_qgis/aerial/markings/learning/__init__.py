@@ -1,1 +1,0 @@
-"""What is learned from answers about road markings: nothing in it looks at images."""
