@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from types import MappingProxyType
+
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
 from ..framework.layers.layers import make_fields
 from .report_images import add_report_images, check_report_images, report_pictures
 
-METHODS = ("drift", "relative", "iterative", "paper")
+METHODS = ("drift", "paper")
 SET_FIELDS = (("set", "text"), ("time", "real"), ("pairs", "int"), ("before", "real"), ("after", "real"),
               ("east", "real"), ("north", "real"), ("heading", "real"), ("misfit", "real"), ("predicted", "real"),
               ("status", "text"))
@@ -21,15 +23,16 @@ class RectifyTrajectory(UrbanMapAlgorithm):
     SOURCE = "Zhao and Shibasaki 2004, 3, eq. 8 to 17"
     KEYWORDS = ("tie points", "drift", "GPS", "INS", "adjustment", "registration", "mobile", "VLMS", "correction")
     REQUIRES = ("numpy", "scipy", "pyproj", "rasterio")
+    RETIRED_WORDS = MappingProxyType({"METHOD": {"relative": "drift", "iterative": "drift"}})
     HELP = (
         "Corrects position and heading of a survey's trajectory by tie points: places, such as corners of buildings, "
         "that the survey and a reference both show. Two or more pairs measured within some seconds are a set.\n"
         "By default the drift is estimated from all tie points together, each at its own time, with its sigma at every "
-        "epoch; contradicting pairs and sets are found and told. In the methods “relative” and “iterative” each set "
-        "gives a true pose, and the relative motions between two of them take their parts of the error, in closed form "
-        "or by the paper's iteration. “paper” follows the paper to the letter: the first two pairs of each set, its "
-        "equations 8, 9 and 13 to 17, equally sampled heights, and nothing left out as wrong. Before the first and "
-        "after the last set the correction is carried on, and its sigma grows.\n"
+        "epoch; contradicting pairs and sets are found and told. “paper” follows "
+        "the paper to the letter: the first two pairs of each set give a true pose by its equations 13 to 17, the "
+        "relative motions between two of them take their parts of the error by the iteration of its equations 8 and 9, "
+        "heights are sampled equally, and nothing is left out as wrong. Before the first and after the last set the "
+        "correction is carried on, and its sigma grows.\n"
         "With a ground raster the heights then follow the ground along the course, at the given height of the "
         "trajectory's origin above it. Roll and pitch stay as they are."
     )
@@ -45,9 +48,8 @@ class RectifyTrajectory(UrbanMapAlgorithm):
         self.add_distance("SENSOR_HEIGHT", "Height of the origin", "Height of the trajectory's origin above the "
                           "ground, in metres. Without it the mean height stays as reported.", None, -100.0, 100.0,
                           optional=True)
-        self.add_choice("METHOD", "Method", "Best estimate of the drift from all tie points; or relative motions "
-                        "adjusted between sets in closed form; or the same by the paper's iteration; or the whole "
-                        "paper to the letter.", METHODS, "drift", advanced=True)
+        self.add_choice("METHOD", "Method", "Best estimate of the drift from all tie points; or the paper "
+                        "to the letter.", METHODS, "drift", advanced=True)
         self.add_distance("TIE_SIGMA", "Sigma of tie points", "Standard deviation of a tie point's coordinate in "
                           "metres; 0 finds it from the tie points.", 0.0, 0.0, 100.0, advanced=True)
         self.add_number("HEADING_SIGMA", "Expected error of the heading", "Standard deviation in degrees: what is "

@@ -30,9 +30,9 @@ from .ground_truths import misfit, rotated_vectors, set_drift, two_pair_drift
 from .relative_motion import adjust_relative_motion
 from .tie_points import TiePoints, pairs_within
 
-METHODS = ("drift", "relative", "iterative", "paper")
-"""Best estimate of a random-walk drift; relative motions adjusted in closed form; the same by the paper's iteration;
-all of Z 3 to the letter: sets of two pairs by eq. 13 to 17, eq. 8 and 9, sampled heights, nothing left out as wrong."""
+METHODS = ("drift", "paper")
+"""Best estimate of a random-walk drift; all of Z 3 to the letter: sets of two pairs by eq. 13 to 17, eq. 8 and 9,
+sampled heights, nothing left out as wrong."""
 
 USED, POSITION_ONLY, SUSPECT, BLUNDER, CONTRADICTING = "used", "position only", "suspect", "blunder", "contradicting"
 ONE_PAIR = "one pair"
@@ -137,8 +137,8 @@ class Rectified:
     trajectory : same epochs.
     sets : in the order of time.
     drift : the model of all tie points, from which the sigmas come.
-    plan_sigma, heading_sigma : (n,) of a coordinate, m, and degrees; with the factor below. Where another method than
-        "drift" was taken, what it differs from the best estimate is in them.
+    plan_sigma, heading_sigma : (n,) of a coordinate, m, and degrees; with the factor below. By the
+        paper's method what it differs from the best estimate is in them.
     sigma_factor : by how much the sets miss each other more than the model of the drift says; at least 1.
     status : (n,) `EXTRAPOLATED` or `BETWEEN`.
     heights : None where no ground was given.
@@ -406,23 +406,16 @@ def _corrected(trajectory: Trajectory, ties: TiePoints, number: np.ndarray, plac
         shift = np.column_stack([drift[:, :2], np.zeros(len(drift))])
         return Trajectory(trajectory.time, trajectory.place + shift, angles)
     epochs, drift = [], []
-    paper = settings.method == "paper"
     for k in np.unique(number[keep]):
         members = np.flatnonzero((number == k) & keep)
-        pairs = place[members], ties.measured[members], ties.reference[members]
-        if paper:
-            shift, rotation = two_pair_drift(*pairs)
-        else:
-            found = set_drift(*pairs, model.walk.sigma, model.walk.heading_sigma)
-            shift, rotation = found.shift, found.rotation
+        shift, rotation = two_pair_drift(place[members], ties.measured[members], ties.reference[members])
         # What two pairs tell by eq. 13 to 17 holds at the first of them.
-        time = ties.time[members[0]] if paper else ties.time[members].mean()
-        epochs.append(int(np.abs(trajectory.time - time).argmin()))
+        epochs.append(int(np.abs(trajectory.time - ties.time[members[0]]).argmin()))
         drift.append([*shift, rotation])
     # Sets that fall on one epoch count together.
     once, which = np.unique(epochs, return_inverse=True)
     mean = np.array([np.mean([drift[k] for k in np.flatnonzero(which.ravel() == e)], axis=0) for e in range(len(once))])
-    return adjust_relative_motion(trajectory, once, mean, iterate=settings.method != "relative", equal_parts=paper)
+    return adjust_relative_motion(trajectory, once, mean)
 
 
 def _difference(before: Trajectory, rectified: Trajectory, model: RandomWalkDrift) -> np.ndarray:

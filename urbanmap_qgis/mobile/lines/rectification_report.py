@@ -26,8 +26,6 @@ MEANING = {
 
 _METHOD = {
     "drift": "best estimate of the drift from all tie points together",
-    "relative": "relative motions adjusted between sets, closed form (Z 3.1)",
-    "iterative": "relative motions adjusted between sets by the paper's iteration (Z eq. 8, 9)",
     "paper": "Z 3 to the letter: sets of two pairs (eq. 13 to 17), relative motions by iteration (eq. 8, 9)",
 }
 _SET_COLOURS = {USED: "#1a9850", POSITION_ONLY: "#91cf60", SUSPECT: "#e09a2b", BLUNDER: "#d73027",

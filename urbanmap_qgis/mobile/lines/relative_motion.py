@@ -9,9 +9,6 @@ correction.) The part is taken of the motion's three numbers, so the loop is not
 Before the first ground truth and after each of them the course is moved rigidly. The algorithm box of Z 3.1 prints
 T_i dT with dT = T_g^-1 T_g' for it: taken as printed, the shift would be constant in the vehicle's axes and rotate
 with every bend, and the course would not keep its shape. It is read as dT T_i, dT = T_g' T_g^-1, a motion of the map.
-
-In closed form the parts are powers of C: T_k' = C^u T_k with u from 0 at s to 1 at e. That is what the iteration
-tends to, in one step.
 """
 
 from __future__ import annotations
@@ -28,8 +25,7 @@ CLOSED, CLOSED_ROTATION = 1e-5, 1e-8
 MAX_ITERATIONS = 50
 
 
-def adjust_relative_motion(trajectory: Trajectory, epochs: np.ndarray, drift: np.ndarray, iterate: bool = False,
-                           equal_parts: bool = False) -> Trajectory:
+def adjust_relative_motion(trajectory: Trajectory, epochs: np.ndarray, drift: np.ndarray) -> Trajectory:
     """The trajectory through ground truths, its relative motions changed as little as they must be (Z 3.1).
 
     Rigid before the first and after the last ground truth. Heights, roll and pitch stay.
@@ -38,9 +34,6 @@ def adjust_relative_motion(trajectory: Trajectory, epochs: np.ndarray, drift: np
     ----------
     epochs : (k,) numbers of epochs, increasing.
     drift : (k, 3) what must be added there: east, north (m) and rotation anticlockwise (radians).
-    iterate : the paper's iteration instead of the closed form.
-    equal_parts : every step takes the part 1 / (e - s) of eq. 8; else its part of the time, which is the same where
-        epochs are equally apart.
 
     Raises
     ------
@@ -54,15 +47,13 @@ def adjust_relative_motion(trajectory: Trajectory, epochs: np.ndarray, drift: np
     kappa = np.radians(90.0 - trajectory.angles[:, 2])
     true_place = place[epochs] + drift[:, 0] + 1j * drift[:, 1]
     true_kappa = kappa[epochs] + drift[:, 2]
-    parameter = np.arange(len(trajectory), dtype=float) if equal_parts else trajectory.time
     first = epochs[0]
     place, kappa = _transformed(place, kappa, *_motion(place[first], kappa[first], true_place[0], true_kappa[0]))
-    spread = _iterated if iterate else _powers
     for start, end, to_place, to_kappa in zip(epochs[:-1], epochs[1:], true_place[1:], true_kappa[1:]):
         rotation, translation = _motion(place[end], kappa[end], to_place, to_kappa)
         between = slice(start, end + 1)
         after = _transformed(place[end:], kappa[end:], rotation, translation)
-        place[between], kappa[between] = spread(parameter[between], place[between], kappa[between], to_place, to_kappa)
+        place[between], kappa[between] = _iterated(place[between], kappa[between], to_place, to_kappa)
         place[end:], kappa[end:] = after
     place = place + origin
     return Trajectory(trajectory.time, np.column_stack([place.real, place.imag, trajectory.place[:, 2]]),
@@ -80,22 +71,11 @@ def _transformed(place: np.ndarray, kappa: np.ndarray, rotation: float, translat
     return np.exp(1j * rotation) * place + translation, kappa + rotation
 
 
-def _powers(time: np.ndarray, place: np.ndarray, kappa: np.ndarray, to_place: complex,
-            to_kappa: float) -> tuple[np.ndarray, np.ndarray]:
-    """Closed form: C^u T_k, u by time."""
-    share = (time - time[0]) / (time[-1] - time[0])
-    rotation, translation = _motion(place[-1], kappa[-1], to_place, to_kappa)
-    # C^u z = z + (e^(iu rotation) - 1) / (e^(i rotation) - 1) (C z - z); the quotient is u where hardly anything
-    # rotates.
-    whole = np.exp(1j * rotation) - 1.0
-    part = share if abs(whole) < 1e-12 else (np.exp(1j * rotation * share) - 1.0) / whole
-    return place + part * (whole * place + translation), kappa + share * rotation
-
-
-def _iterated(time: np.ndarray, place: np.ndarray, kappa: np.ndarray, to_place: complex,
+def _iterated(place: np.ndarray, kappa: np.ndarray, to_place: complex,
               to_kappa: float) -> tuple[np.ndarray, np.ndarray]:
-    """The paper's iteration (eq. 8, 9): every step takes its part of the open loop, as seen from where it starts."""
-    part = np.diff(time) / (time[-1] - time[0])
+    """The paper's iteration (eq. 8, 9): every step takes an equal part of the open loop, as seen from where it starts.
+    """
+    part = 1.0 / (len(place) - 1)
     best = np.inf
     best_pose = place, kappa
     for _ in range(MAX_ITERATIONS):
