@@ -36,14 +36,19 @@ from urbanmap_qgis.buildings.building_model import BuildingModel, RoofInput  # n
 from urbanmap_qgis.buildings.model_stage import build_models  # noqa: E402
 from urbanmap_qgis.buildings.model_surfaces import roof_cells, wall_rectangles  # noqa: E402
 from urbanmap_qgis.buildings.outlines.footprint import Footprints, clean_footprints  # noqa: E402
-from urbanmap_qgis.buildings.planes.plane_detection import LEVELS, PLANES, PlaneParameters  # noqa: E402
 from urbanmap_qgis.buildings.polygon_stage import cloud_roof_polygons  # noqa: E402
-from urbanmap_qgis.buildings.roof_polygons.polygon_rows import PolygonParameters  # noqa: E402
 from urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs  # noqa: E402
-from urbanmap_qgis.buildings.roofs.roof_levels import RoofParameters  # noqa: E402
 from urbanmap_qgis.buildings.seen.cloud_cover import CloudCover  # noqa: E402
-from urbanmap_qgis.buildings.segmentation import SegmentationParameters, segment_buildings  # noqa: E402
+from urbanmap_qgis.buildings.segmentation import segment_buildings  # noqa: E402
 from urbanmap_qgis.io.points.pointcloud import open_cloud, read_all  # noqa: E402
+from urbanmap_qgis.settings.buildings import (  # noqa: E402
+    LEVELS,
+    PLANES,
+    PlaneParameters,
+    PolygonParameters,
+    RoofParameters,
+    SegmentationParameters,
+)
 from urbanmap_qgis.terrain.cloth import classify_ground  # noqa: E402
 
 DATA = ROOT.parent / "shared" / "data" / "als"
@@ -172,18 +177,18 @@ def delft_table(delft: Delft) -> None:
 
 def steps_table(delft: Delft) -> None:
     """What each step beyond the paper brings."""
-    still, whole = SegmentationParameters(maximum_displacement=0.0), RoofParameters(height_rmse=None)
+    still, whole = SegmentationParameters(maximum_displacement=0.0), RoofParameters(height_rmse=0.0)
     steps = (
         ("the paper, 50 m2, highest point",
-         {"placing": still, "levels": RoofParameters(height_rmse=None, min_roof_share=1.0),
-          "drawing": PolygonParameters("paper", "maximum")}),
+         {"placing": still, "levels": RoofParameters(height_rmse=0.0, min_roof_share=1.0),
+          "drawing": PolygonParameters("paper", height="maximum")}),
         ("the paper, roofs from a fifth of a small outline",
-         {"placing": still, "levels": whole, "drawing": PolygonParameters("paper", "maximum")}),
+         {"placing": still, "levels": whole, "drawing": PolygonParameters("paper", height="maximum")}),
         ("robust roof height", {"placing": still, "levels": whole, "drawing": PolygonParameters("paper")}),
         ("outline divided among its roofs", {"placing": still, "levels": whole}),
         ("sloped roofs cut into level ones", {"placing": still}),
         ("outlines moved to the points: the defaults", {}),
-        ("the same, outlines drawn from the points", {"drawing": PolygonParameters("points")}),
+        ("the same, outlines drawn from the points", {"drawing": PolygonParameters("points", "levels")}),
     )
     for outline_name in ("outlines", "outlines_shifted_2m"):
         outlines, _ = outlines_of(DELFT / f"{outline_name}.gpkg", "lokaalid")

@@ -186,7 +186,7 @@ def localisation(_data: Path, _folder: Path) -> tuple[float, float, float, float
     places = places_on_roads(roads, 2.0).select(slice(0, PLACES))
     reference = triangulation()
     start = time.process_time()
-    accuracy_map(town, places, LocalisationSettings(VehicleScanner("multi-layer")))
+    accuracy_map(town, places, LocalisationSettings(scanner=VehicleScanner("multi-layer")))
     spent = time.process_time() - start
     return spent, PLACES / spent, 0.0, reference
 

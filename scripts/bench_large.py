@@ -11,10 +11,10 @@ from scipy.spatial import cKDTree
 
 from scripts.bench_table import print_table
 from urbanmap_qgis.buildings.building_model import FitPoints, RoofInput, model_building
-from urbanmap_qgis.buildings.planes.plane_detection import PLANES, PlaneParameters
 from urbanmap_qgis.buildings.planes.plane_segmentation import segment_planes
 from urbanmap_qgis.buildings.roof_polygons.building_polygons import roof_polygons_of
-from urbanmap_qgis.buildings.roof_polygons.polygon_rows import PolygonParameters, RoofedBuilding
+from urbanmap_qgis.buildings.roof_polygons.polygon_rows import RoofedBuilding
+from urbanmap_qgis.settings.buildings import PLANES, PlaneParameters, PolygonParameters
 
 SEED = 2029
 GROUND = 2.0

@@ -29,8 +29,9 @@ from urbanmap_qgis.io.raster import RasterSampler  # noqa: E402
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory  # noqa: E402
 from urbanmap_qgis.roadmap.lanes.lane_strips import lane_strips  # noqa: E402
 from urbanmap_qgis.roadmap.lanes.section_preparation import prepared_sections  # noqa: E402
-from urbanmap_qgis.roadmap.map_records import DrivenPath, MapArea, MapLine, MapSettings, lines_of  # noqa: E402
+from urbanmap_qgis.roadmap.map_records import DrivenPath, MapArea, MapLine, lines_of  # noqa: E402
 from urbanmap_qgis.roadmap.vector_map import build_vector_map  # noqa: E402
+from urbanmap_qgis.settings.roadmap import MapSettings  # noqa: E402
 
 NEAR, FIT, ALONG = 0.12, 0.2, 6.0
 """A line lies at a true bound so near to it; a lane's bounds fit so well; paint so far along tells of a place, m."""

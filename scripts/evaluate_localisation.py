@@ -91,7 +91,7 @@ def on_city(given) -> dict:
     sigma = rng.choice([0.05, 0.15, 0.3, 0.6], walls.count) if given.mixed else wall_sigmas(walls, given.sigma)
     city = WallMap.of(walls, sigma)
     places = places_of(given)
-    settings = LocalisationSettings(VehicleScanner(given.scanner), given.matcher, start_sigma=given.start)
+    settings = LocalisationSettings(given.matcher, scanner=VehicleScanner(given.scanner), start_sigma=given.start)
     begin = time.process_time()
     made = accuracy_map(LocalisationMap(city), places, settings)
     speed = len(places) / (time.process_time() - begin)

@@ -27,8 +27,9 @@ sys.path.insert(0, str(ROOT))
 from scripts.demo.checks import read_layer  # noqa: E402
 from scripts.evaluate_roadmap import measured_lines  # noqa: E402
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory  # noqa: E402
-from urbanmap_qgis.roadmap.map_records import DrivenPath, MapArea, MapLine, MapSettings, VectorMap  # noqa: E402
+from urbanmap_qgis.roadmap.map_records import DrivenPath, MapArea, MapLine, VectorMap  # noqa: E402
 from urbanmap_qgis.roadmap.vector_map import build_vector_map  # noqa: E402
+from urbanmap_qgis.settings.roadmap import MapSettings  # noqa: E402
 
 LEFT_WIDTH = 1.0
 """The painted arrow to the left is 1.28 m wide, the one straight on 0.7 m."""

@@ -27,8 +27,9 @@ sys.path.insert(0, str(ROOT))
 
 from scripts.demo.checks import read_layer  # noqa: E402
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory  # noqa: E402
-from urbanmap_qgis.roadmap.edges.edge_records import EdgeSettings, RoadEdge  # noqa: E402
+from urbanmap_qgis.roadmap.edges.edge_records import RoadEdge  # noqa: E402
 from urbanmap_qgis.roadmap.edges.road_edges import road_edges  # noqa: E402
+from urbanmap_qgis.settings.roadmap import EdgeSettings  # noqa: E402
 
 FOUND, FALSE, AROUND, STEP = 0.15, 0.5, 0.5, 0.5  # m
 KERBS = {"kerb", "lowered kerb"}

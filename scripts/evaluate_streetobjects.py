@@ -27,9 +27,10 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory  # noqa: E402
-from urbanmap_qgis.roadmap.objects.object_records import MEASURED, ObjectSettings  # noqa: E402
+from urbanmap_qgis.roadmap.objects.object_records import MEASURED  # noqa: E402
 from urbanmap_qgis.roadmap.objects.street_objects import street_objects  # noqa: E402
 from urbanmap_qgis.samplecity.scene.world import Scene, make_scene  # noqa: E402
+from urbanmap_qgis.settings.roadmap import ObjectSettings  # noqa: E402
 
 TALL, NEAR, SEEN, AROUND = 2.5, 0.05, 20, 0.25  # m, m, points, m
 CABINET = (0.4, 0.9)  # m, sides of a cabinet

@@ -27,11 +27,12 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from urbanmap_qgis.gnss.signals.passes import load_passes  # noqa: E402
-from urbanmap_qgis.gnss.walls.adjustment import ADJUSTED, Adjustment, AdjustmentSettings, adjust_walls  # noqa: E402
+from urbanmap_qgis.gnss.walls.adjustment import ADJUSTED, Adjustment, adjust_walls  # noqa: E402
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory  # noqa: E402
 from urbanmap_qgis.samplecity.gnss.signals import Sky  # noqa: E402
 from urbanmap_qgis.samplecity.gnss.stage import write_gnss  # noqa: E402
 from urbanmap_qgis.samplecity.scene.world import make_scene  # noqa: E402
+from urbanmap_qgis.settings.gnss import AdjustmentSettings  # noqa: E402
 
 WKT = CRS.from_epsg(6677).to_wkt()
 DAYS = {"usual": Sky(), "maximum": Sky(False, 2.5, 0.3, 0.6), "two": Sky(True, 2.5, 0.3, 0.6)}

@@ -6,6 +6,7 @@ import math
 
 from qgis.core import QgsProcessing
 
+from ...urbanmap_qgis.settings.aerial import BundleSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
 from ..framework.layers.layers import make_fields
@@ -38,14 +39,7 @@ class AdjustFrames(UrbanMapAlgorithm):
         self.add_file("CONTROL", "Points in the frames", "CSV file point,image,column,row,x,y,z: a row for each frame "
                       "in which a point was measured, pixels from the centre of the upper left one, coordinates in "
                       "metres, none for tie points; role: control or check.", "Points in frames (*.csv *.txt)")
-        self.add_distance("POSITION_SIGMA", "Accuracy of the projection centres", "Standard deviation of each frame's "
-                          "own error in metres; what all frames share may be ten times as large.", 0.3, 0.001, 100.0)
-        self.add_number("ANGLE_SIGMA", "Accuracy of the angles", "The same of the angles.", 0.05, 0.0001, 10.0,
-                        "degrees")
-        self.add_number("PIXEL_SIGMA", "Accuracy of the measured places", "Standard deviation of a point's place in a "
-                        "frame.", 0.5, 0.01, 20.0, "pixels", advanced=True)
-        self.add_distance("CONTROL_SIGMA", "Accuracy of the control points", "Standard deviation of their coordinates "
-                          "in metres.", 0.02, 0.0001, 10.0, advanced=True)
+        self.add_settings(BundleSettings)
         self.add_from(OrthorectifyFrames, "ANGLE_ORDER", "ANGLE_UNIT")
         self.add_crs("CRS", "Coordinate system", "Of the points and the orientation, for the layer of residuals.",
                      optional=True, advanced=True)
@@ -65,17 +59,14 @@ class AdjustFrames(UrbanMapAlgorithm):
         self.add_number_output("WRONG", "Contradicting points", "Control points that contradict the others.")
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.aerial.orientation.bundle import BundleSettings
         from ...urbanmap_qgis.aerial.orientation.image_points import read_image_points
         from ...urbanmap_qgis.aerial.orientation.stage import control_frames, write_exterior
 
         progress = self.progress(feedback)
         camera, poses = read_camera_and_poses(self, parameters, context)
         points = read_image_points(self.input_path(parameters, "CONTROL", context))
-        position, angle, pixel, control = (self.parameterAsDouble(parameters, f"{name}_SIGMA", context)
-                                           for name in ("POSITION", "ANGLE", "PIXEL", "CONTROL"))
-        result = control_frames(camera, poses, points,
-                                BundleSettings(position, angle, pixel=pixel, control=control), progress.part(0.0, 0.95))
+        result = control_frames(camera, poses, points, self.settings(BundleSettings, parameters, context),
+                                progress.part(0.0, 0.95))
         for sentence in result.findings:
             progress.warn(sentence)
         output = self.output_path(parameters, "OUTPUT", context)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+from ...urbanmap_qgis.settings.aerial import OcclusionSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from .frame_inputs import ANGLE_ORDERS, ANGLE_UNITS, read_camera_and_poses
@@ -36,19 +39,12 @@ class OcclusionMap(UrbanMapAlgorithm):
         self.add_raster("DSM", "Surface", "Heights of the surface, from “Surface and ground from ALS”, in the CRS and "
                         "height system of the exterior orientation.")
         self.add_raster("GROUND", "Ground", "Heights of the ground, likewise.")
-        self.add_distance("HEIGHT_THRESHOLD", "Height threshold", "Surface higher than this above the ground, in "
-                          "metres, is masked: more than the highest vehicle.", 5.0, 0.1, 1000.0)
+        self.add_settings(OcclusionSettings, "threshold")
         self.add_polygons("FOOTPRINTS", "Building outlines", "Buildings that are masked even if they are lower than "
                           "the threshold or partly missing in the surface. Outlines where nothing stands are left "
                           "alone.",
                           optional=True)
-        self.add_boolean("LOW_PARTS", "Low parts of buildings", "Podiums and annexes lower than the threshold are "
-                         "masked too: higher than 2.5 m, wider than 4 m, within 15 m of something above the threshold.",
-                         True, advanced=True)
-        self.add_boolean("STEEP_WALLS", "Steep walls", "Walls drop from one cell of the surface to the next.", True,
-                         advanced=True)
-        self.add_boolean("SHIFT_WALLS", "Walls at the cells' borders", "Walls stand at the border between a raised "
-                         "cell and a low one, not at the cells' centres.", True, advanced=True)
+        self.add_settings(OcclusionSettings)
         self.add_choice("METHOD", "Method", "Refined: as set above. Paper: the triangles of the surface higher than "
                         "the threshold as they are; low parts, steep walls and walls at the cells' borders are off.",
                         METHODS, "refined", advanced=True)
@@ -66,7 +62,7 @@ class OcclusionMap(UrbanMapAlgorithm):
 
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.aerial.frames.frame_images import FrameImage, find_frames
-        from ...urbanmap_qgis.aerial.frames.occlusion import OcclusionSettings, occlusion_map
+        from ...urbanmap_qgis.aerial.frames.occlusion import PAPER_OCCLUSION, occlusion_map
 
         progress = self.progress(feedback)
         camera, poses = read_camera_and_poses(self, parameters, context)
@@ -75,9 +71,9 @@ class OcclusionMap(UrbanMapAlgorithm):
             progress.message(tr("{0}: {1} x {2} pixels").format(frame.path.name, camera.width, camera.height))
         dsm, ground, outlines = self._heights_and_outlines(parameters, context, progress)
         paper = self.parameterAsString(parameters, "METHOD", context) == "paper"
-        settings = OcclusionSettings(self.parameterAsDouble(parameters, "HEIGHT_THRESHOLD", context),
-                                     *(not paper and self.parameterAsBool(parameters, name, context)
-                                       for name in ("LOW_PARTS", "STEEP_WALLS", "SHIFT_WALLS")))
+        settings = self.settings(OcclusionSettings, parameters, context)
+        if paper:
+            settings = replace(PAPER_OCCLUSION, threshold=settings.threshold)
         output = self.output_layer_path(parameters, "OUTPUT", context)
         result = occlusion_map(camera, frame.pose, dsm, ground, output, settings, outlines, progress)
         if result.footprints_flat:

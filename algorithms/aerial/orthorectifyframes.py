@@ -122,9 +122,10 @@ class OrthorectifyFrames(FrameShiftsOutput, UrbanMapAlgorithm):
 
     def _settings(self, parameters, context):
         """How the frames are laid on the ground."""
-        from ...urbanmap_qgis.aerial.frames.occlusion import PAPER_OCCLUSION, OcclusionSettings
+        from ...urbanmap_qgis.aerial.frames.occlusion import PAPER_OCCLUSION
         from ...urbanmap_qgis.aerial.orthophotos.mosaic import PixelSelection
         from ...urbanmap_qgis.aerial.orthophotos.orthorectification import OrthoSettings
+        from ...urbanmap_qgis.settings.aerial import OcclusionSettings
 
         method = self.parameterAsString(parameters, "METHOD", context)
         paper, even = method == "paper", self.parameterAsBool(parameters, "EVEN_EXPOSURE", context)

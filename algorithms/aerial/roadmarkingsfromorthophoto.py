@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...urbanmap_qgis.errors import InputError
+from ...urbanmap_qgis.settings.aerial import MarkingThreshold, PaintRules
 from ...urbanmap_qgis.wording import mark
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
@@ -52,23 +53,10 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
                         "confidence (up to 0.35) where too much is found. In hard light profile takes that model "
                         "too.", METHODS,
                         "profile", advanced=True)
-        self.add_distance("BLOCK_SIZE", "Block size", "Side of the block over which the mean is taken.", 2.5, 0.5, 50.0)
-        self.add_number("CONTRAST", "Contrast", "How much brighter than the mean paint is, in grey values of an image "
-                        "that goes from 0 to 255 after the level adjustment, whatever its bit depth.", 17, 1, 200,
-                        unit="grey values")
+        self.add_settings(MarkingThreshold)
         self.add_boolean("CLEAN", "Clean", "Leave out what is no paint by its width, contrast on both sides, shape and "
                          "surroundings; without it all stays that is brighter by the contrast than the block.", True)
-        self.add_distance("MAX_WIDTH", "Maximum stroke width", "What is wider than this in every direction is no "
-                          "paint.", 0.8, 0.1, 5.0, advanced=True)
-        self.add_number("MIN_AREA", "Minimum marking area", "Smaller pieces are left out.", 0.06, 0.0, 100.0, unit="m2",
-                        advanced=True)
-        self.add_number("MIN_CONFIDENCE", "Minimum confidence", "Markings (parts of long ones) with less confidence "
-                        "that they are paint on a road, 0 to 1, are left out: those on textured or coloured ground "
-                        "such as grass and earth, and faint ones. 0 keeps all. Where roads are given, the ground "
-                        "needs no proof.", 0.2, 0.0, 1.0)
-        self.add_distance("FILL_WIDTH", "Width of filled paint", "Paint up to this width, such as arrow heads and "
-                          "letters, is filled between its edges; at most the maximum stroke width fills nothing.", 1.5,
-                          0.0, 5.0, advanced=True)
+        self.add_settings(PaintRules)
         self.add_vector("SHIFTS", "Shifts between images", "Points of “Orthorectify frames” that tell how far the "
                         "frames of this orthophoto disagree; shown in the report.", optional=True)
         self.add_raster("FRAME_COUNT", "Frames that see the ground", "Raster of “Orthorectify frames”; shown in the "
@@ -155,15 +143,12 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         from ...urbanmap_qgis.aerial.markings.marking_filter import CleanSettings
         from ...urbanmap_qgis.aerial.markings.road_markings import LevelAdjustment, MarkingSettings
 
-        def value(name):
-            return self.parameterAsDouble(parameters, name, context)
-
         method = self.parameterAsString(parameters, "METHOD", context)
-        rules = CleanSettings(max_width=value("MAX_WIDTH"), min_area=value("MIN_AREA"), fill_width=value("FILL_WIDTH"),
-                              min_confidence=value("MIN_CONFIDENCE"), trained=method == "trained")
+        rules = self.settings(CleanSettings, parameters, context, trained=method == "trained")
         clean = self.parameterAsBool(parameters, "CLEAN", context) and method != "paper"
-        return MarkingSettings(value("BLOCK_SIZE"), value("CONTRAST"), method == "paper", rules if clean else None,
-                               LevelAdjustment.of_text(self.parameterAsString(parameters, "LEVELS", context)))
+        return self.settings(MarkingSettings, parameters, context, paper=method == "paper",
+                             cleaning=rules if clean else None, levels=LevelAdjustment.of_text(
+                                 self.parameterAsString(parameters, "LEVELS", context)))
 
     def _report(self, parameters, context, found, contrast):
         """Write the report where it is wanted; its path."""

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from ...urbanmap_qgis.settings.terrain import ClothSettings, SurfaceSettings
 from ..framework.base import UrbanMapAlgorithm
 
-GROUND_SOURCES = ("automatic", "classes", "cloth")
 MESH_FILTER = "PLY mesh (*.ply)"
 
 
@@ -26,24 +26,9 @@ class SurfaceFromAls(UrbanMapAlgorithm):
 
     def declare(self):
         self.add_points()
-        self.add_distance("RESOLUTION", "Resolution", "Side of a raster cell in metres. Finer than the distance "
-                          "between points shows nothing more.", 0.5, 0.01, 100.0)
-        self.add_choice("GROUND_SOURCE", "Ground points", "How ground points are told. Automatic: by class where at "
-                        "least 1 % of the points have a ground class, otherwise by the cloth filter.",
-                        GROUND_SOURCES, "automatic")
-        self.add_distance("CLOTH_RESOLUTION", "Cloth resolution", "Distance in metres between the nodes of the "
-                          "cloth. Smaller follows the ground closer; larger spans more.", 2.0, 0.1, 50.0, advanced=True)
-        self.add_distance("CLOTH_THRESHOLD", "Cloth threshold", "Points within this height, in metres, above or "
-                          "below the cloth are ground.", 0.2, 0.01, 5.0, advanced=True)
-        self.add_number("ITERATIONS", "Cloth iterations", "Maximum number of sweeps on each level of detail; the cloth "
-                        "stops earlier when it has converged.", 1000, 1, 100000, integer=True, advanced=True)
-        self.add_number("RIGIDNESS", "Cloth rigidness", "3 for towns and large buildings, 2 for hills, 1 for steep "
-                        "mountains.", 3, 1, 3, integer=True, advanced=True)
-        self.add_distance("MAX_EDGE", "Maximum edge length", "Triangles of the surface with a longer side in plan, in "
-                          "metres, are left out, so that water and gaps stay empty; 0 keeps all.", 0.0, 0.0,
-                          advanced=True)
-        self.add_boolean("GROUND_IN_GAPS", "Ground in gaps", "Where triangles were left out, the surface takes the "
-                         "height of the ground instead of staying empty.", False, advanced=True)
+        self.add_settings(SurfaceSettings, "resolution", "ground")
+        self.add_settings(ClothSettings)
+        self.add_settings(SurfaceSettings)
         self.add_points_crs()
         self.add_raster_output("OUTPUT", "Surface", "Heights of the surface (DSM) in metres.")
         self.add_raster_output("OUTPUT_GROUND", "Ground", "Heights of the ground in metres, without gaps inside the "
@@ -62,20 +47,13 @@ class SurfaceFromAls(UrbanMapAlgorithm):
 
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.io.points.pointcloud import open_cloud
-        from ...urbanmap_qgis.terrain.cloth import ClothSettings
-        from ...urbanmap_qgis.terrain.surface_files import SurfaceSettings, surfaces_from_files
+        from ...urbanmap_qgis.terrain.surface_files import surfaces_from_files
 
         progress = self.progress(feedback)
         paths = self.point_files(parameters, "POINTS", context)
         self.require_projected("POINTS", open_cloud(paths).crs_wkt)
-        cloth = ClothSettings(self.parameterAsDouble(parameters, "CLOTH_RESOLUTION", context),
-                              self.parameterAsDouble(parameters, "CLOTH_THRESHOLD", context),
-                              self.parameterAsInt(parameters, "ITERATIONS", context),
-                              self.parameterAsInt(parameters, "RIGIDNESS", context))
-        settings = SurfaceSettings(self.parameterAsDouble(parameters, "RESOLUTION", context),
-                                   self.parameterAsString(parameters, "GROUND_SOURCE", context), cloth,
-                                   self.parameterAsDouble(parameters, "MAX_EDGE", context),
-                                   self.parameterAsBool(parameters, "GROUND_IN_GAPS", context))
+        settings = self.settings(SurfaceSettings, parameters, context,
+                                 cloth=self.settings(ClothSettings, parameters, context))
         surface = self.output_layer_path(parameters, "OUTPUT", context, style="dsm")
         ground = self.output_layer_path(parameters, "OUTPUT_GROUND", context, style="ground")
         mesh = self.output_path(parameters, "OUTPUT_MESH", context)

@@ -6,6 +6,7 @@ from contextlib import ExitStack
 from dataclasses import replace
 from itertools import chain
 
+from ...urbanmap_qgis.settings.buildings import LEVELS, PLANES
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import CITYJSON_FILTER, HTML_FILTER, OBJ_FILTER, tr
 from ..framework.layers.crs import stated_wkt
@@ -13,7 +14,6 @@ from ..framework.layers.layers import make_fields
 from ..framework.layers.outlines import building_names, building_numbers, column, footprints_of, numbers, open_points
 from ..framework.layers.reprojection import with_heights_of_points
 from ..framework.running.workers import workers
-from .segmentroofs import LEVELS, PLANES
 
 
 class BuildingModels(UrbanMapAlgorithm):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from contextlib import ExitStack
 
 from ...urbanmap_qgis.errors import InputError
+from ...urbanmap_qgis.settings.buildings import MergeSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import CITYJSON_FILTER, HTML_FILTER, OBJ_FILTER, tr
 from ..framework.layers.building_layers import add_gnss_walls, read_buildings, read_gnss_walls
@@ -40,16 +41,7 @@ class MergeBuildingModels(UrbanMapAlgorithm):
         self.add_polygons("WALLS", "Walls", "PolygonZ of “Walls from a mobile survey”. Walls of few points, rough "
                           "ones, those inside the outlines and what stands before facades are left out.")
         add_gnss_walls(self)
-        self.add_distance("HEIGHT", "Height", "Height in metres above the ground of each model up to which measured "
-                          "walls are taken.", 20.0, 1.0, 500.0)
-        self.add_distance("MAX_OFFSET", "Maximum offset", "Maximum distance in metres by which a wall moves to the "
-                          "measured one.", 2.0, 0.01, 10.0, advanced=True)
-        self.add_number("MAX_TURN", "Maximum rotation", "Maximum angle between a wall and the measured one.", 5.0, 0.1,
-                        20.0, unit="°", advanced=True)
-        self.add_number("LEAST_SHARE", "Minimum share measured", "Minimum share of a wall's length, 0 to 1, that must "
-                        "have been measured for it to move.", 0.3, 0.05, 1.0, advanced=True)
-        self.add_distance("OVERHANG", "Minimum overhang", "A roof that stands out further than this over the measured "
-                          "wall stays where it is, in metres; others follow the wall.", 0.3, 0.0, 5.0, advanced=True)
+        self.add_settings(MergeSettings)
         self.add_workers()
         self.add_layer_output("OUTPUT", "Merged models", "MultiPolygonZ, one feature a building with all faces of its "
                               "solids; status, reason, valid, walls, walls_moved, measured (share of the walls' "
@@ -84,7 +76,6 @@ class MergeBuildingModels(UrbanMapAlgorithm):
             merge_models,
             merged_columns,
         )
-        from ...urbanmap_qgis.buildings.merging.wall_match import MergeSettings
 
         progress = self.progress(feedback)
         walls_table = self.read_vector(parameters, "WALLS", context, progress)
@@ -94,9 +85,7 @@ class MergeBuildingModels(UrbanMapAlgorithm):
         if walls and column(walls_table, "status") is None:
             raise InputError(tr("{0}: the walls have no field status, which tells how well each was measured; give the "
                                 "result of “Walls from a mobile survey”.").format(walls_table.label))
-        settings = MergeSettings(*(self.parameterAsDouble(parameters, name, context) for name in (
-            "HEIGHT", "MAX_OFFSET", "MAX_TURN", "LEAST_SHARE", "OVERHANG")),
-            model_sigma=self.parameterAsDouble(parameters, "MODEL_SIGMA", context))
+        settings = self.settings(MergeSettings, parameters, context)
         satellites = read_gnss_walls(self, parameters, context, walls_table.crs, progress)
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
             merged = merge_models(names.numbers.tolist(), list(models), walls, settings, executor,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from contextlib import ExitStack
 from dataclasses import replace
 
+from ...urbanmap_qgis.settings.buildings import MeshSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import OBJ_FILTER, tr
 from ..framework.layers.layers import make_fields
@@ -35,14 +36,10 @@ class Mesh25D(UrbanMapAlgorithm):
         self.add_points(help="Points with building_id from “Segment buildings”, or any points of airborne scanning.")
         self.add_polygons("FOOTPRINTS", "Building outlines", "One feature a building, where it stands. A field ground "
                           "gives the height of the ground in metres.")
-        self.add_distance("MAX_ERROR", "Maximum error", "Distance in metres from the mesh within which at least 95 % "
-                          "of a building's uppermost points shall lie.", 0.3, 0.01, 10.0)
+        self.add_settings(MeshSettings, "max_error")
         self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres; the lowest along an outline is "
                         "the foot of its walls.", optional=True)
-        self.add_distance("STEP", "Height step", "Steps of the roof higher than this, in metres, become upright walls.",
-                          0.5, 0.05, 20.0, advanced=True)
-        self.add_number("MIN_AREA", "Minimum area of a surface", "Smaller pieces between steps become part of what is "
-                        "beside them.", 2.0, 0.0, 1000.0, unit="m2", advanced=True)
+        self.add_settings(MeshSettings)
         self.add_workers()
         self.add_layer_output("OUTPUT", "Meshes", "MultiPolygonZ, one feature a building with all triangles; status, "
                               "reason, triangles, surfaces, base, height (m), points, rmse, p95, max_error (m), within "
@@ -63,13 +60,7 @@ class Mesh25D(UrbanMapAlgorithm):
         import numpy as np
 
         from ...urbanmap_qgis.buildings.base_height import outline_ground
-        from ...urbanmap_qgis.buildings.mesh25d.mesh_stage import (
-            COARSE,
-            MeshSettings,
-            mesh_buildings,
-            mesh_columns,
-            total_fit,
-        )
+        from ...urbanmap_qgis.buildings.mesh25d.mesh_stage import COARSE, mesh_buildings, mesh_columns, total_fit
 
         progress = self.progress(feedback)
         table = self.read_polygons(parameters, "FOOTPRINTS", context, progress)
@@ -82,8 +73,7 @@ class Mesh25D(UrbanMapAlgorithm):
         if ground is not None:
             given = outline_ground(footprints.polygons, *ground)
             base = np.where(np.isfinite(given), given, base)
-        settings = MeshSettings(*(self.parameterAsDouble(parameters, name, context)
-                                  for name in ("MAX_ERROR", "STEP", "MIN_AREA")))
+        settings = self.settings(MeshSettings, parameters, context)
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
             meshes = mesh_buildings(cloud, footprints, base, settings, executor, progress.part(0.0, 0.9))
         columns = mesh_columns(meshes)

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+from ...urbanmap_qgis.settings.buildings import MAXIMUM, PAPER, PolygonParameters
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from ..framework.layers.layers import make_fields
 from ..framework.layers.outlines import building_names, footprints_of, open_points
 from ..framework.running.workers import workers
-from .segmentroofs import LEVELS, PLANES
-
-ROBUST, MAXIMUM, PAPER = "robust", "maximum", "paper"
 
 
 class RoofPolygons(UrbanMapAlgorithm):
@@ -31,17 +31,7 @@ class RoofPolygons(UrbanMapAlgorithm):
     def declare(self):
         self.add_points(help="Points with the attributes building_id and roof_id, from “Segment roofs”.")
         self.add_polygons("FOOTPRINTS", "Buildings", "Outlines from “Segment buildings”.")
-        self.add_choice("METHOD", "Method", "How the polygons are drawn.", ("partition", "points", PAPER),
-                        "partition")
-        self.add_choice("ROOFS", "Roofs", "planes: polygons on the planes of their points, with edges where planes "
-                        "meet (LoD2.2); levels: level polygons (LoD1.3). The paper's method has levels always.",
-                        (PLANES, LEVELS), PLANES)
-        self.add_choice("HEIGHT", "Roof height", "Height of a level roof from its points: the median, or the highest "
-                        "point as in the paper (the top of the parapet). The paper's method always takes the highest "
-                        "point.",
-                        (ROBUST, MAXIMUM), ROBUST)
-        self.add_number("MIN_LINE_POINTS", "Minimum points of an edge", "Boundary points that a line must have to be "
-                        "an edge, in the paper's method (its n).", 5, 3, 1000, "points", advanced=True)
+        self.add_settings(PolygonParameters)
         self.add_workers()
         self.add_layer_output("OUTPUT", "Roof polygons", "PolygonZ at the roofs' heights: building_id, roof_id (0: "
                               "plain block), height, height_max (m), points, density (points a m2), rmse (m), "
@@ -55,16 +45,14 @@ class RoofPolygons(UrbanMapAlgorithm):
         import shapely
 
         from ...urbanmap_qgis.buildings.polygon_stage import cloud_roof_polygons
-        from ...urbanmap_qgis.buildings.roof_polygons.polygon_rows import PolygonParameters
 
         progress = self.progress(feedback)
         table = self.read_polygons(parameters, "FOOTPRINTS", context, progress)
         footprints = footprints_of(table, progress)
         cloud = open_points(self, parameters, context, table, progress, may_be_empty=True)
-        method = self.parameterAsString(parameters, "METHOD", context)
-        height = MAXIMUM if method == PAPER else self.parameterAsString(parameters, "HEIGHT", context)
-        settings = PolygonParameters(method, height, self.parameterAsInt(parameters, "MIN_LINE_POINTS", context),
-                                     self.parameterAsString(parameters, "ROOFS", context))
+        settings = self.settings(PolygonParameters, parameters, context)
+        if settings.method == PAPER:
+            settings = replace(settings, height=MAXIMUM)
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
             roofs = cloud_roof_polygons(cloud, footprints, settings, executor, progress)
         without = int((~np.isin(footprints.ids, roofs.building_id)).sum())

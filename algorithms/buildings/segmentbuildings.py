@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...urbanmap_qgis.settings.buildings import SegmentationParameters
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from ..framework.layers.layers import make_fields
@@ -40,18 +41,10 @@ class SegmentBuildings(UrbanMapAlgorithm):
                           "coordinate system as the points. A field building_id, of any type, names the buildings and "
                           "comes back in every result; ids that a point cloud cannot hold get a number beside them "
                           "(bldg_no). Without it, buildings are numbered from 1 in the layer's order.")
-        self.add_distance("EXPANSION", "Expansion", "Distance in metres by which outlines are expanded before they "
-                          "take their points.", 1.0, 0.0, 20.0)
-        self.add_choice("METHOD", "Method", "The full method adjusts the outlines and chooses the points that can be "
-                        "building. The paper's takes all points in the expanded outlines as they are given; a point "
-                        "in several is written once for each.", ("full", "paper"), "full")
+        self.add_settings(SegmentationParameters, "expansion", "method")
         self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres. Without it the ground is "
                         "made from the points.", optional=True)
-        self.add_distance("MAX_DISPLACEMENT", "Maximum displacement", "Distance in metres by which an outline may "
-                          "be moved to its points; 0 leaves all outlines in their places.", 2.5, 0.0, 5.0,
-                          advanced=True)
-        self.add_distance("MIN_HEIGHT", "Minimum building height", "Height in metres above the ground from which "
-                          "points without a class can belong to a building.", 2.0, 0.5, 20.0, advanced=True)
+        self.add_settings(SegmentationParameters)
         self.add_workers()
         self.add_points_output("OUTPUT", "Building points", "The points of the buildings with the attribute "
                                "building_id, building after building; all other attributes are kept.")
@@ -70,18 +63,14 @@ class SegmentBuildings(UrbanMapAlgorithm):
 
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.buildings.outlines.outline_dates import BEGINS, ENDS, dated_outlines
-        from ...urbanmap_qgis.buildings.segmentation import SegmentationParameters, segment_buildings
+        from ...urbanmap_qgis.buildings.segmentation import segment_buildings
 
         progress = self.progress(feedback)
         table = self.read_polygons(parameters, "FOOTPRINTS", context, progress)
         footprints = footprints_of(table, progress)
         cloud = open_points(self, parameters, context, table, progress)
         table = with_heights_of_points(table, cloud, progress)
-        settings = SegmentationParameters(
-            self.parameterAsDouble(parameters, "EXPANSION", context),
-            self.parameterAsDouble(parameters, "MIN_HEIGHT", context),
-            self.parameterAsDouble(parameters, "MAX_DISPLACEMENT", context),
-            self.parameterAsString(parameters, "METHOD", context))
+        settings = self.settings(SegmentationParameters, parameters, context)
         ground = self.ground_heights(parameters, "GROUND", context, "FOOTPRINTS", table, progress)
         with points_output(self, parameters, context) as points:
             with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:

@@ -6,6 +6,7 @@ from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
 
+from ...urbanmap_qgis.settings.facades import ContourSettings, FacadeSettings, PlaneSettings, WallSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from ..framework.layers.building_layers import read_buildings
@@ -38,28 +39,17 @@ class WallsFromMms(DriveInputs, UrbanMapAlgorithm):
         self.add_polygons("BUILDINGS", "Buildings", "Outlines, or models with their heights (MultiPolygonZ of "
                           "“Building models”). A field building_id, of any type, names the buildings; "
                           "without it, buildings are numbered from 1 in the layer's order.")
-        self.add_distance("MAX_HEIGHT", "Maximum height", "Height in metres above the ground up to which points are "
-                          "used.", 20.0, 1.0, 500.0)
-        self.add_choice("FRONT", "Front with balconies", "Which wall of a building is wanted where balconies stand "
-                        "before it. main: the wall behind them; outermost: the fronts of the balconies. Where storeys "
-                        "stand on columns, it is their wall in both.", ("main", "outermost"), "main")
+        self.add_settings(FacadeSettings, "max_height")
+        self.add_settings(WallSettings)
         self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres. Without it the ground is taken "
                         "from the lowest points round each building.", optional=True)
         self.add_trajectories("Where the vehicle was while it measured these points, in their time, CRS and heights, "
                               "such as the corrected trajectory of each drive: CSV, SBET, or point layers. With them "
                               "each wall tells what hid it along the lines of sight, and where beams went through it "
                               "(glass, openings); without them, hidden is a guess from what stands in front.", True)
-        self.add_distance("REACH", "Tolerance of the outlines", "How far the outlines may be off, in metres: walls are "
-                          "looked for up to this far from the edges. Inside, setbacks are found at any distance.", 2.0,
-                          0.25, 6.0, advanced=True)
-        self.add_number("MIN_AREA", "Minimum area of a wall", "Smaller pieces are left out.", 3.0, 0.25, 1000.0,
-                        unit="m2", advanced=True)
-        self.add_distance("TOLERANCE", "Tolerance", "Maximum distance in metres of a wall's points, on the mean of 30 "
-                          "cm, from its plane.", 0.08, 0.01, 0.5, advanced=True)
-        self.add_distance("GAP", "Maximum gap", "A wall may be interrupted by up to so many metres.", 1.5, 0.0, 20.0,
-                          advanced=True)
-        self.add_number("MIN_OPENING", "Minimum opening", "Smaller holes in a contour are filled, and their share is "
-                        "reported.", 0.5, 0.0, 100.0, unit="m2", advanced=True)
+        self.add_settings(FacadeSettings)
+        self.add_settings(PlaneSettings)
+        self.add_settings(ContourSettings)
         self.add_workers()
         self.add_layer_output("OUTPUT", "Walls", "PolygonZ, one feature a contour: building_id, wall_id, status, note, "
                               "area (m2), height, length (m), azimuth and tilt (degrees), normal_x, normal_y, "
@@ -135,15 +125,7 @@ class WallsFromMms(DriveInputs, UrbanMapAlgorithm):
         return joined_trajectory([item.trajectory for item in read], names)
 
     def _settings(self, parameters, context):
-        from ...urbanmap_qgis.facades.facade_points import FacadeSettings
-        from ...urbanmap_qgis.facades.wall_contours import ContourSettings
-        from ...urbanmap_qgis.facades.wall_planes import PlaneSettings
-        from ...urbanmap_qgis.facades.wall_stage import WallSettings
-
-        def number(name):
-            return self.parameterAsDouble(parameters, name, context)
-
-        return WallSettings(FacadeSettings(number("MAX_HEIGHT"), number("REACH")),
-                            PlaneSettings(number("TOLERANCE"), number("MIN_AREA"), number("GAP")),
-                            ContourSettings(number("MIN_AREA"), number("MIN_OPENING"), max_gap=number("GAP")),
-                            self.parameterAsString(parameters, "FRONT", context))
+        planes = self.settings(PlaneSettings, parameters, context)
+        contours = self.settings(ContourSettings, parameters, context, min_area=planes.min_area, max_gap=planes.max_gap)
+        return self.settings(WallSettings, parameters, context, planes=planes, contours=contours,
+                             facade=self.settings(FacadeSettings, parameters, context))

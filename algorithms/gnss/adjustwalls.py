@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from qgis.core import QgsProcessing
 
+from ...urbanmap_qgis.settings.gnss import AdjustmentSettings, TraceSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
 from ..framework.layers.layers import make_fields
@@ -31,18 +32,7 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
 
     def declare(self):
         self.add_gnss_inputs()
-        self.add_number("MIN_PASSES", "Minimum number of passes", "Walls seen in fewer observation files stay.", 3, 1,
-                        100, integer=True, advanced=True)
-        self.add_number("MIN_VOTES", "Minimum number of observations", "Walls with fewer independent observations "
-                        "are not adjusted, at most likely.", 8, 1, 10000, integer=True, advanced=True)
-        self.add_number("MIN_SATELLITES", "Minimum number of satellites", "Walls seen by fewer satellites are not "
-                        "adjusted, at most likely.", 4, 1, 100, integer=True, advanced=True)
-        self.add_distance("MAX_SIGMA", "Maximum sigma", "Walls whose offset has a larger standard deviation are "
-                          "not adjusted, at most likely.", 0.35, 0.05, 5.0, advanced=True)
-        self.add_distance("LIKELY_SIGMA", "Maximum sigma of likely walls", "Walls that are not adjusted are likely, "
-                          "and moved, up to this standard deviation; 0: they stay.", 0.5, 0.0, 5.0, advanced=True)
-        self.add_distance("PRIOR_SIGMA", "Expected offset", "How far walls are off before anything is measured "
-                          "(standard deviation).", 1.0, 0.05, 5.0, advanced=True)
+        self.add_settings(AdjustmentSettings)
         self.add_layer_output("OUTPUT", "Adjusted buildings", "The buildings with their fields, and walls_adjusted "
                               "(number of walls moved by their own observations) and walls_moved_by (m, largest).")
         self.add_layer_output("OUTPUT_WALLS", "Walls", "LineStringZ where each wall now stands: building, edge, status "
@@ -83,8 +73,10 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
         buildings = self.read_gnss_buildings(parameters, context, progress)
         table = buildings.table
         signals = self.read_signals(parameters, context, buildings, progress.part(0.02, 0.3))
+        settings = self.settings(AdjustmentSettings, parameters, context,
+                                 trace=self.settings(TraceSettings, parameters, context))
         result = adjust_walls(table.geometries, buildings.building, signals, buildings.top, buildings.base,
-                              self._settings(parameters, context), progress.part(0.3, 0.95))
+                              settings, progress.part(0.3, 0.95))
         adjusted = result.walls.status == ADJUSTED
         likely = int((result.walls.status == LIKELY).sum())
         progress.message(tr("{0} of {1} walls were adjusted, {2} more are likely.").format(
@@ -115,19 +107,6 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
                 "PASSES": len(np.unique(signals.epochs.source[signals.epoch])),
                 "MEDIAN_SIGMA": float(np.median(result.walls.sigma[adjusted])) if adjusted.any() else None,
                 "MEDIAN_OFFSET": float(np.median(sizes)) if adjusted.any() else None}
-
-    def _settings(self, parameters, context):
-        """The core's settings."""
-        from ...urbanmap_qgis.gnss.walls.adjustment import AdjustmentSettings
-
-        return AdjustmentSettings(
-            prior_sigma=self.parameterAsDouble(parameters, "PRIOR_SIGMA", context),
-            min_observations=self.parameterAsInt(parameters, "MIN_VOTES", context),
-            min_satellites=self.parameterAsInt(parameters, "MIN_SATELLITES", context),
-            min_passes=self.parameterAsInt(parameters, "MIN_PASSES", context),
-            max_sigma=self.parameterAsDouble(parameters, "MAX_SIGMA", context),
-            likely_sigma=self.parameterAsDouble(parameters, "LIKELY_SIGMA", context),
-            trace=self.trace_settings(parameters, context))
 
 
 def geometry_type(shapes) -> str:

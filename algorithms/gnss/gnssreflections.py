@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from qgis.core import QgsProcessing
 
+from ...urbanmap_qgis.settings.gnss import TraceSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER
 from ..framework.layers.layers import make_fields
@@ -62,7 +63,7 @@ class GnssReflections(GnssInputs, UrbanMapAlgorithm):
         buildings = self.read_gnss_buildings(parameters, context, progress)
         walls = building_walls(buildings.table.geometries, buildings.building, buildings.top, buildings.base)
         signals = self.read_signals(parameters, context, buildings, progress.part(0.02, 0.4))
-        paths, corrected = trace_residuals(walls, signals, self.trace_settings(parameters, context),
+        paths, corrected = trace_residuals(walls, signals, self.settings(TraceSettings, parameters, context),
                                            progress.part(0.4, 0.8))
         figures = ray_statistics(signals, paths, corrected)
         rows = thinned(signals, self.parameterAsDouble(parameters, "EVERY", context))

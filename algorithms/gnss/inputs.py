@@ -10,6 +10,7 @@ from qgis.core import QgsProcessing, QgsProcessingContext, QgsProcessingParamete
 
 from ...urbanmap_qgis.errors import InputError
 from ...urbanmap_qgis.progress import Progress
+from ...urbanmap_qgis.settings.gnss import SignalSettings, TraceSettings
 from ..framework.declaring.parameters import Declarations, tr
 from ..framework.layers.building_layers import read_buildings
 from ..framework.layers.outlines import numbers
@@ -47,19 +48,14 @@ class GnssInputs(Declarations):
                         "where the trajectory has ellipsoidal heights. Left empty, it is estimated from the "
                         "satellites.",
                         None, -120.0, 120.0, unit="m", optional=True)
-        self.add_number("ELEVATION_MASK", "Elevation mask", "Satellites lower than this are left out.", 10.0, 0.0,
-                        60.0, unit="degrees")
+        self.add_settings(SignalSettings, "elevation_mask")
         self.add_text("LEVER_ARM", "Lever arm of the antenna", "Antenna in the vehicle's body: forward, right, down, "
                       "in metres from the trajectory's origin.", "0, 0, 0", advanced=True)
         self.add_building_fields()
-        self.add_distance("FARTHEST", "Maximum range of reflections", "Walls farther from the antenna than this "
-                          "reflect nothing "
-                          "that is received, m.", 150.0, 5.0, 1000.0, advanced=True)
+        self.add_settings(TraceSettings)
         self.add_text("SYSTEMS", "Satellite systems", "Letters of those that are used: G GPS, R GLONASS, E Galileo, C "
                       "BeiDou, J QZSS.", "GRECJ", advanced=True)
-        self.add_boolean("TWO_BANDS", "Ionosphere by two bands", "Measure the ionosphere where the receiver has codes "
-                         "on two bands; otherwise, or without them, the model that the satellites broadcast is taken.",
-                         True, advanced=True)
+        self.add_settings(SignalSettings)
 
     def add_building_fields(self) -> None:
         """The fields of BUILDINGS that tell which building a feature is part of, and heights."""
@@ -123,28 +119,19 @@ class GnssInputs(Declarations):
                      progress: Progress):
         """The core's `Signals` of all observation files."""
         from ...urbanmap_qgis.gnss.signals.passes import load_passes
-        from ...urbanmap_qgis.gnss.signals.tables import SignalSettings
 
         wkt = buildings.table.crs_wkt
         trajectories, names = self._each_trajectory(parameters, context, wkt, progress)
         separation = (None if parameters.get("GEOID_SEPARATION") is None
                       else self.parameterAsDouble(parameters, "GEOID_SEPARATION", context))
-        settings = SignalSettings(systems=self.parameterAsString(parameters, "SYSTEMS", context).upper(),
-                                  elevation_mask=self.parameterAsDouble(parameters, "ELEVATION_MASK", context),
-                                  lever_arm=self._lever_arm(parameters, context),
-                                  two_bands=self.parameterAsBool(parameters, "TWO_BANDS", context))
+        settings = self.settings(SignalSettings, parameters, context, lever_arm=self._lever_arm(parameters, context),
+                                 systems=self.parameterAsString(parameters, "SYSTEMS", context).upper())
         signals = load_passes(self._files(parameters, "OBSERVATIONS", context),
                               self._files(parameters, "NAVIGATION", context), trajectories, names, wkt,
                               separation, settings, progress)
         for reason, count in signals.left_out.items():
             progress.message(tr("{0} observations left out: {1}").format(count, reason))
         return signals
-
-    def trace_settings(self, parameters: Mapping, context: QgsProcessingContext):
-        """The core's `TraceSettings`."""
-        from ...urbanmap_qgis.gnss.rays.reflections import TraceSettings
-
-        return TraceSettings(max_range=self.parameterAsDouble(parameters, "FARTHEST", context))
 
     def _add_files(self, name: str, label: str, help: str) -> None:
         self.declare_parameter(QgsProcessingParameterMultipleLayers(

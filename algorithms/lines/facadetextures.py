@@ -5,6 +5,7 @@ from __future__ import annotations
 from qgis.core import QgsProcessing
 
 from ...urbanmap_qgis.errors import InsufficientDataError
+from ...urbanmap_qgis.settings.lines import TextureSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from ..framework.layers.layers import make_fields
@@ -36,11 +37,7 @@ class FacadeTextures(UrbanMapAlgorithm):
                         "of “Building models”; the field building_id names them.",
                         source_type=QgsProcessing.SourceType.TypeVectorPolygon)
         self.add_points("POINTS", "Laser points", "Points of the survey; what stands before a facade hides it.", True)
-        self.add_distance("RESOLUTION", "Resolution", "Side of a pixel on the facade.", 0.05, 0.005, 1.0)
-        self.add_distance("REACH", "Maximum range", "Line images are used up to this distance.", 40.0, 1.0, 200.0,
-                          advanced=True)
-        self.add_number("MIN_SEEN", "Minimum share seen", "Facades of which images show less get no texture.", 0.02,
-                        0.0, 1.0, advanced=True)
+        self.add_settings(TextureSettings)
         self.add_workers()
         self.add_file_output("OUTPUT", "Textured model", "By its ending: .glb holds its images; .obj and .city.json "
                              "have theirs in a folder beside.", MODEL_FILTER)
@@ -74,8 +71,8 @@ class FacadeTextures(UrbanMapAlgorithm):
         model = self.output_path(parameters, "OUTPUT", context)
         code = table.crs.authid().removeprefix("EPSG:")
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
-            result = texture_buildings(buildings, sources, self._settings(parameters, context), voxels, executor,
-                                       progress.part(0.2, 0.9))
+            settings = self.settings(TextureSettings, parameters, context)
+            result = texture_buildings(buildings, sources, settings, voxels, executor, progress.part(0.2, 0.9))
             records = write_textured(result, model, folder, epsg=int(code) if code.isdigit() else None,
                                      crs=table.crs.authid(), progress=progress)
         numbers = summary(records)
@@ -94,12 +91,6 @@ class FacadeTextures(UrbanMapAlgorithm):
         if folder:
             results["OUTPUT_FOLDER"] = folder
         return results
-
-    def _settings(self, parameters, context):
-        from ...urbanmap_qgis.imagery.textures.facade_texture import TextureSettings
-
-        return TextureSettings(*(self.parameterAsDouble(parameters, name, context)
-                                 for name in ("RESOLUTION", "REACH", "MIN_SEEN")))
 
     def _voxels(self, parameters, context, table, progress):
         """Cells with laser points round the buildings."""

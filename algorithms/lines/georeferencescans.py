@@ -7,6 +7,7 @@ from pathlib import Path
 from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
 
 from ...urbanmap_qgis.errors import InputError
+from ...urbanmap_qgis.settings.lines import ScanSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 
@@ -37,10 +38,7 @@ class GeoreferenceScans(UrbanMapAlgorithm):
         self.add_calibration()
         self.add_crs("CRS", "Coordinate reference system", "Of the trajectory, where its layer does not say it; it is "
                      "written into the point cloud, and needed for SBET trajectories.", optional=True)
-        self.add_distance("MAX_RANGE", "Maximum range", "Returns from farther away, in metres, are left out; 0 takes "
-                          "each scanner's own limit from the calibration.", 0.0, 0.0, advanced=True)
-        self.add_distance("MIN_RANGE", "Minimum range", "Nearer returns, in metres, are left out, such as those of "
-                          "the vehicle itself.", 0.0, 0.0, advanced=True)
+        self.add_settings(ScanSettings)
         self.add_choice("ANGLE_UNIT", "Unit of the angles", "Unit of the angles in the file.", ANGLE_UNITS, "degrees",
                         advanced=True)
         self.add_points_output("OUTPUT", "Point cloud", "Points with gps_time, intensity, point_source_id, angle and "
@@ -68,7 +66,7 @@ class GeoreferenceScans(UrbanMapAlgorithm):
 
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.mobile.calibration import read_calibration
-        from ...urbanmap_qgis.mobile.lines.georeferencing import ScanSettings, georeference_scans
+        from ...urbanmap_qgis.mobile.lines.georeferencing import georeference_scans
 
         progress = self.progress(feedback)
         scans = self._scan_files(parameters, context)
@@ -80,9 +78,8 @@ class GeoreferenceScans(UrbanMapAlgorithm):
             self.require_projected("CRS" if given.isValid() else "TRAJECTORY", crs)
         else:
             progress.warn(tr("The coordinate reference system is not known: the point cloud is written without one."))
-        largest = self.parameterAsDouble(parameters, "MAX_RANGE", context)
-        settings = ScanSettings(largest or None, self.parameterAsDouble(parameters, "MIN_RANGE", context),
-                                self.parameterAsString(parameters, "ANGLE_UNIT", context) == "radians")
+        settings = self.settings(ScanSettings, parameters, context, radians=self.parameterAsString(
+            parameters, "ANGLE_UNIT", context) == "radians")
         output = self.output_path(parameters, "OUTPUT", context)
         placed = georeference_scans(scans, file.trajectory, calibration, output, crs, settings, progress)
         for scanner, count in placed.by_scanner.items():

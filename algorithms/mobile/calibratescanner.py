@@ -6,6 +6,7 @@ from pathlib import Path
 
 from qgis.core import QgsProcessing
 
+from ...urbanmap_qgis.settings.lines import BoresightSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER
 from ..framework.layers.layers import make_fields
@@ -37,10 +38,7 @@ class CalibrateScanner(DriveInputs, UrbanMapAlgorithm):
                         "source id. Each file belongs to the trajectory along which it was measured.")
         self.add_trajectories()
         self.add_calibration()
-        self.add_number("TILT_SIGMA", "Difference of tilts", "Standard deviation by which roll and pitch of the "
-                        "trajectory differ from pass to pass.", 0.03, 0.001, 5.0, "degrees", advanced=True)
-        self.add_number("HEADING_SIGMA", "Difference of headings", "The same of the heading.", 0.10, 0.001, 5.0,
-                        "degrees", advanced=True)
+        self.add_settings(BoresightSettings)
         self.add_file_output("OUTPUT", "Corrected calibration", "The calibration file with corrected values; for each "
                              "its standard deviation, or that it is not determined.", "Calibration (*.json)")
         self.add_layer_output("OUTPUT_TABLE", "Corrections", "Table: scanner, parameter, correction, standard "
@@ -60,7 +58,6 @@ class CalibrateScanner(DriveInputs, UrbanMapAlgorithm):
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.io.points.pointcloud import open_cloud
         from ...urbanmap_qgis.mobile.adjustment.drive_clouds import assign_clouds
-        from ...urbanmap_qgis.mobile.boresight.adjustment import BoresightSettings
         from ...urbanmap_qgis.mobile.boresight.stage import calibrate_scanners, write_calibration
         from ...urbanmap_qgis.mobile.calibration import read_calibration
 
@@ -71,8 +68,7 @@ class CalibrateScanner(DriveInputs, UrbanMapAlgorithm):
         trajectories = [item.trajectory for item in self.read_trajectories(parameters, context, crs, progress)]
         names = [Path(text.split("|")[0]).stem for text in self.trajectory_texts(parameters, context)]
         source = self.input_path(parameters, "CALIBRATION", context)
-        settings = BoresightSettings(tilt=self.parameterAsDouble(parameters, "TILT_SIGMA", context),
-                                     heading=self.parameterAsDouble(parameters, "HEADING_SIGMA", context))
+        settings = self.settings(BoresightSettings, parameters, context)
         result = calibrate_scanners(assign_clouds(paths, trajectories, names), trajectories, read_calibration(source),
                                     settings, progress)
         output = self.output_path(parameters, "OUTPUT", context)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...urbanmap_qgis.settings.terrain import ClothSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.layers.point_outputs import check_points_output
 from ..framework.running.workers import workers
@@ -25,14 +26,8 @@ class GroundFromMms(UrbanMapAlgorithm):
 
     def declare(self):
         self.add_points()
-        self.add_distance("CLOTH_RESOLUTION", "Cloth resolution", "Distance in metres between the nodes of the cloth. "
-                          "Larger ones do not follow the ground well.", 2.0, 0.1, 50.0)
-        self.add_number("ITERATIONS", "Iterations", "Maximum number of sweeps on each level of detail; it stops "
-                        "earlier when the cloth has converged.", 1000, 1, 100000, integer=True)
-        self.add_distance("THRESHOLD", "Threshold", "Points within this height, in metres, above or below the cloth "
-                          "are ground.", 0.2, 0.01, 5.0)
-        self.add_number("RIGIDNESS", "Cloth rigidness", "3 for towns and large buildings, 2 for hills, 1 for steep "
-                        "mountains.", 3, 1, 3, integer=True, advanced=True)
+        self.add_settings(ClothSettings, "resolution", "iterations", "threshold", advanced=False, threshold="THRESHOLD")
+        self.add_settings(ClothSettings)
         self.add_number("MIN_GROUND_SHARE", "Minimum ground share", "A smaller share of ground among the points, 0 to "
                         "1, is refused: it shows that the filter has failed. 0 accepts every share.", 0.01, 0.0, 1.0,
                         advanced=True)
@@ -52,14 +47,10 @@ class GroundFromMms(UrbanMapAlgorithm):
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.io.points.pointcloud import open_cloud
         from ...urbanmap_qgis.mobile.ground import classify_ground_files
-        from ...urbanmap_qgis.terrain.cloth import ClothSettings
 
         paths = self.point_files(parameters, "POINTS", context)
         self.require_projected("POINTS", open_cloud(paths).crs_wkt)
-        settings = ClothSettings(self.parameterAsDouble(parameters, "CLOTH_RESOLUTION", context),
-                                 self.parameterAsDouble(parameters, "THRESHOLD", context),
-                                 self.parameterAsInt(parameters, "ITERATIONS", context),
-                                 self.parameterAsInt(parameters, "RIGIDNESS", context))
+        settings = self.settings(ClothSettings, parameters, context)
         output = self.output_path(parameters, "OUTPUT", context)
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
             result = classify_ground_files(paths, output, settings, self.progress(feedback), executor,

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 
+from ...urbanmap_qgis.settings.mobile import ReachRules, StrokeRules
+from ...urbanmap_qgis.settings.terrain import ClothSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER
 from ..framework.layers.point_outputs import check_points_output
@@ -11,7 +13,6 @@ from ..framework.running.workers import workers
 from .survey_inputs import read_survey
 
 METHODS = ("full", "paper")
-GROUND_SOURCES = ("automatic", "classes", "cloth")
 
 
 class RoadMarkingsFromMms(UrbanMapAlgorithm):
@@ -36,31 +37,17 @@ class RoadMarkingsFromMms(UrbanMapAlgorithm):
         self.add_trajectory()
         self.add_calibration(optional=True)
         self.add_trajectory_reading()
-        self.add_distance("MAX_RANGE", "Maximum range", "Points farther from the scanner, in metres, are left out. The "
-                          "range up to which the curve holds (R2) may be shorter.", 25.0, 1.0, 200.0, advanced=True)
-        self.add_distance("BLOCK_SIZE", "Block size", "Side in metres of the block whose mean a marking exceeds.", 2.5,
-                          0.5, 20.0, advanced=True)
+        self.add_settings(ReachRules, "max_range")
+        self.add_settings(StrokeRules, "block_size")
         self.add_choice("METHOD", "Method", "Full, or as in the paper to the letter: the adaptive threshold of block "
                         "and grey contrast alone, on an image of 12 cm; contrast, stroke width and length do not count "
                         "then, and kerbs, feet of walls and specks stay.", METHODS, "full", advanced=True)
         self.add_number("GREY_CONTRAST", "Grey contrast", "With the paper's method: by how many grey levels of 256 a "
                         "marking exceeds the weighted mean of its block (c). White is the intensity that 0.1 % of the "
                         "ground exceeds.", 17.0, 1.0, 200.0, advanced=True)
-        self.add_number("CONTRAST", "Contrast", "How much brighter than the ground a marking is, as a share of the "
-                        "ground's intensity.", 0.35, 0.05, 5.0, advanced=True)
-        self.add_distance("MAX_WIDTH", "Maximum stroke width", "What is wider in both directions, in metres, is no "
-                          "marking but ground.", 0.8, 0.2, 5.0, advanced=True)
-        self.add_distance("MIN_LENGTH", "Minimum length", "Shorter pieces, in metres, are left out.", 0.4, 0.0, 10.0,
-                          advanced=True)
-        self.add_choice("GROUND_SOURCE", "Ground points", "How ground points are told. Automatic: by class where at "
-                        "least 1 % of the points have a ground class, otherwise by the cloth filter.", GROUND_SOURCES,
-                        "automatic", advanced=True)
-        self.add_distance("CLOTH_RESOLUTION", "Cloth resolution", "Distance in metres between the nodes of the cloth.",
-                          2.0, 0.1, 50.0, advanced=True)
-        self.add_number("ITERATIONS", "Cloth iterations", "Most sweeps on each level of detail; the cloth stops "
-                        "earlier when it has settled.", 1000, 1, 100000, integer=True, advanced=True)
-        self.add_distance("CLOTH_THRESHOLD", "Cloth threshold", "Points within this height, in metres, above or below "
-                          "the cloth are ground.", 0.2, 0.01, 5.0, advanced=True)
+        self.add_settings(StrokeRules)
+        self.add_settings(ReachRules)
+        self.add_settings(ClothSettings, "resolution", "iterations", "threshold")
         self.add_points_crs()
         self.add_workers()
         self.add_points_output("OUTPUT", "Marking points", "Points on markings with all their attributes, and "
@@ -116,17 +103,9 @@ class RoadMarkingsFromMms(UrbanMapAlgorithm):
         from ...urbanmap_qgis.mobile.markings.extraction import ExtractionSettings
         from ...urbanmap_qgis.mobile.markings.marking_points import MarkingPointSettings
         from ...urbanmap_qgis.mobile.markings.plain_threshold import PlainThreshold
-        from ...urbanmap_qgis.terrain.cloth import ClothSettings
 
-        def number(name: str) -> float:
-            return self.parameterAsDouble(parameters, name, context)
-
-        marking = MarkingPointSettings(block_size=number("BLOCK_SIZE"), contrast=number("CONTRAST"),
-                                       max_width=number("MAX_WIDTH"), min_length=number("MIN_LENGTH"))
-        cloth = ClothSettings(number("CLOTH_RESOLUTION"), number("CLOTH_THRESHOLD"),
-                              self.parameterAsInt(parameters, "ITERATIONS", context))
-        plain = None
+        marking, plain = self.settings(MarkingPointSettings, parameters, context), None
         if self.parameterAsString(parameters, "METHOD", context) == "paper":
-            plain = PlainThreshold(number("BLOCK_SIZE"), number("GREY_CONTRAST"))
-        return ExtractionSettings(number("MAX_RANGE"), marking, cloth, plain,
-                                  self.parameterAsString(parameters, "GROUND_SOURCE", context))
+            plain = PlainThreshold(marking.block_size, self.parameterAsDouble(parameters, "GREY_CONTRAST", context))
+        return self.settings(ExtractionSettings, parameters, context, marking=marking, plain=plain,
+                             cloth=self.settings(ClothSettings, parameters, context))

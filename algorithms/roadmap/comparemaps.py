@@ -5,6 +5,7 @@ from __future__ import annotations
 from qgis.core import QgsProcessing
 
 from ...urbanmap_qgis.errors import InputError
+from ...urbanmap_qgis.settings.roadmap import ComparisonSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
 from ..framework.layers.crs import crs_from
@@ -50,12 +51,7 @@ class CompareMaps(UrbanMapAlgorithm):
                               "the field class.", optional=True)
         self.add_polygons("AREA", "Area of both maps", "What both maps show: within it everything counts, also roads "
                           "that only one of them has; outside of it nothing is added or removed.", optional=True)
-        self.add_distance("REACH", "Longest shift of a line", "A line farther off is another one: the old one was "
-                          "removed, the new one added.", 1.5, 0.1, 5.0, advanced=True)
-        self.add_distance("LEAST_LENGTH", "Shortest change of a line", "Shorter stretches of lines are not told.", 3.0,
-                          0.5, 100.0, advanced=True)
-        self.add_distance("LEAST_SHIFT", "Smallest shift", "Smaller shifts are not told, also where they are "
-                          "significant.", 0.0, 0.0, 5.0, advanced=True)
+        self.add_settings(ComparisonSettings)
         for side, *_, sigma in INPUTS:
             self.add_distance(f"{side}_SIGMA", sigma, "Standard deviation of the places of elements that state none; "
                               "left empty, it is estimated.", None, 0.0001, 10.0, optional=True, advanced=True)
@@ -86,7 +82,7 @@ class CompareMaps(UrbanMapAlgorithm):
     def compute(self, parameters, context, feedback):
         import numpy as np
 
-        from ...urbanmap_qgis.roadmap.comparison.comparison_records import CHANGES, ComparisonSettings
+        from ...urbanmap_qgis.roadmap.comparison.comparison_records import CHANGES
         from ...urbanmap_qgis.roadmap.comparison.comparison_tables import change_columns, change_shapes
         from ...urbanmap_qgis.roadmap.comparison.map_comparison import compare_maps
 
@@ -94,8 +90,7 @@ class CompareMaps(UrbanMapAlgorithm):
         maps, crs, crs_wkt = self._maps(parameters, context)
         sigmas = [self.parameterAsDouble(parameters, f"{side}_SIGMA", context)
                   if parameters.get(f"{side}_SIGMA") not in (None, "") else np.nan for side in SIDES]
-        settings = ComparisonSettings(*(self.parameterAsDouble(parameters, name, context)
-                                        for name in ("REACH", "LEAST_LENGTH", "LEAST_SHIFT")), *sigmas)
+        settings = self.settings(ComparisonSettings, parameters, context, old_sigma=sigmas[0], new_sigma=sigmas[1])
         found = compare_maps(*maps, settings, self._area(parameters, context, crs), progress.part(0.1, 0.9))
         for kind in CHANGES:
             progress.message(f"{tr(kind)}: {len(found.of(kind))}")

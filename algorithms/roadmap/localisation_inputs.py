@@ -7,6 +7,7 @@ from pathlib import Path
 from qgis.core import QgsProcessing, QgsProcessingParameterExtent, QgsProcessingParameterMultipleLayers
 
 from ...urbanmap_qgis.errors import InputError
+from ...urbanmap_qgis.settings.localisation import EvidenceSettings
 from ..framework.declaring.parameters import Declarations, tr
 from ..framework.layers.building_layers import read_buildings
 from ..framework.layers.outlines import column, numbers
@@ -35,9 +36,7 @@ class LocalisationInputs(Declarations):
                         "markings” (field sigma).", optional=True)
         self.add_distance("MARKING_SIGMA", "Sigma of markings", "Standard deviation of the place of a marking, where "
                           "no field sigma tells it.", 0.05, 0.005, 2.0)
-        self.add_distance("MARKING_COMMON", "Common sigma of markings", "Standard deviation of a displacement that the "
-                          "markings around a place share, such as that of the aerial block.", 0.03, 0.0, 2.0,
-                          advanced=True)
+        self.add_settings(EvidenceSettings, "marking_common")
         self.add_vector("ROADS", "Roads", "Lines along which vehicles drive, such as centre lines of lanes. A field "
                         "tunnel (yes, 1) is heeded.", optional=True, source_type=line)
         self.declare_parameter(QgsProcessingParameterMultipleLayers(

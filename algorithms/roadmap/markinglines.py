@@ -7,6 +7,7 @@ from collections import Counter
 from qgis.core import QgsProcessing, QgsProcessingParameterDefinition
 
 from ...urbanmap_qgis.errors import InputError
+from ...urbanmap_qgis.settings.roadmap import LineSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from ..framework.layers.layers import make_fields
@@ -43,18 +44,14 @@ class MarkingLines(UrbanMapAlgorithm):
                           "there is one.", optional=True)
         self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres, in the CRS of the markings: "
                         "gives lines and areas their heights.", optional=True)
-        self.add_distance("SIGMA", "Standard deviation of the markings", "How well the places of the markings are "
-                          "known as a whole, in metres; it enters the lines' sigma.", 0.02, 0.0, 10.0)
+        self.add_settings(LineSettings, "source_sigma")
         points = self.add_points("POINTS", "Marking points", "LAS, LAZ or COPC files of “Road markings of a mobile "
                                  "survey”, from a corrected survey. They show paint that vehicles, trees or shadows "
                                  "hide from the air: what the polygons do not show is added to them. Without polygons "
                                  "they are all the paint.", optional=True)
         points.setFlags(points.flags() | QgsProcessingParameterDefinition.Flag.FlagAdvanced)
         self.add_points_crs()
-        self.add_distance("MIN_LENGTH", "Minimum line length", "Shorter lines are left out.", 6.0, 1.0, 1000.0,
-                          advanced=True)
-        self.add_distance("MAX_WIDTH", "Maximum line width", "Wider strokes are no part of a line.", 0.5, 0.1, 5.0,
-                          advanced=True)
+        self.add_settings(LineSettings)
         self.add_layer_output("OUTPUT", "Marking lines", "Lines, with heights where a ground is given: class (solid, "
                               "dashed, stop line, guiding strip), colour, width and width_sigma (m, of the paint; by "
                               "marking points, or empty where nothing tells it to 3 cm), sigma (m, across), length "
@@ -81,13 +78,11 @@ class MarkingLines(UrbanMapAlgorithm):
             raise InputError(tr("Neither road markings nor marking points were given: give one or both."))
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.roadmap.lines.line_work import LineSettings, line_work, with_ground_heights
+        from ...urbanmap_qgis.roadmap.lines.line_work import line_work, with_ground_heights
 
         progress = self.progress(feedback)
         polygons, colours, crs, source, drives = self._paint(parameters, context, progress.part(0.0, 0.05))
-        settings = LineSettings(max_width=self.parameterAsDouble(parameters, "MAX_WIDTH", context),
-                                min_length=self.parameterAsDouble(parameters, "MIN_LENGTH", context),
-                                source_sigma=self.parameterAsDouble(parameters, "SIGMA", context))
+        settings = self.settings(LineSettings, parameters, context)
         work = line_work(polygons, colours, settings, progress.part(0.05, 0.8), drives)
         ground = self.raster_path(parameters, "GROUND", context)
         if ground is not None:

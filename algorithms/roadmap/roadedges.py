@@ -7,6 +7,7 @@ from collections import Counter
 from qgis.core import QgsProcessing
 
 from ...urbanmap_qgis.errors import InputError
+from ...urbanmap_qgis.settings.roadmap import EdgeSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from ..framework.layers.layers import make_fields
@@ -46,15 +47,7 @@ class RoadEdges(UrbanMapAlgorithm):
         self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres, from which those of the "
                         "points are counted. Without it the ground is found among the points; where the raster has no "
                         "value no edge is found.", optional=True)
-        self.add_distance("WIDTH", "Half width", "Edges up to so far from the path, in metres.", 12.0, 3.0, 50.0)
-        self.add_distance("MIN_HEIGHT", "Lowest kerb", "Lower steps, in metres, are no kerbs; between two parts of a "
-                          "kerb they are its lowered places.", 0.03, 0.02, 0.2)
-        self.add_distance("MAX_HEIGHT", "Highest kerb", "Higher steps, in metres, are no kerbs.", 0.30, 0.1, 0.6,
-                          advanced=True)
-        self.add_distance("MIN_LENGTH", "Minimum length", "Shorter edges, in metres, are left out.", 3.0, 1.0, 100.0,
-                          advanced=True)
-        self.add_distance("SIGMA", "Standard deviation of the survey", "How well the survey is placed as a whole, in "
-                          "metres; it enters the sigma of all edges.", 0.01, 0.0, 10.0)
+        self.add_settings(EdgeSettings)
         self.add_vector("OBJECTS", "Objects", "Objects of “Objects from images” for the GeoPackage.", optional=True,
                         source_type=QgsProcessing.SourceType.TypeVectorAnyGeometry)
         self.add_vector("WALLS", "Walls", "Walls of “Walls from a mobile survey” for the GeoPackage.",
@@ -87,13 +80,12 @@ class RoadEdges(UrbanMapAlgorithm):
     def compute(self, parameters, context, feedback):
         import numpy as np
 
-        from ...urbanmap_qgis.roadmap.edges.edge_records import KERB, MEASURED, EdgeSettings
+        from ...urbanmap_qgis.roadmap.edges.edge_records import KERB, MEASURED
 
         progress = self.progress(feedback)
         paths, crs, read = read_survey(self, parameters, context, progress)
         carried = self._carried(parameters, context, crs)
-        settings = EdgeSettings(*(self.parameterAsDouble(parameters, name, context) for name in (
-            "WIDTH", "MIN_HEIGHT", "MAX_HEIGHT", "MIN_LENGTH", "SIGMA")))
+        settings = self.settings(EdgeSettings, parameters, context)
         found = self._find(parameters, context, paths, crs, read.trajectory, settings, progress.part(0.0, 0.9))
         self._tell(found, settings, progress)
         results = self._write(parameters, context, found, crs, carried, progress.part(0.9, 1.0))

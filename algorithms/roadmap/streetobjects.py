@@ -6,6 +6,7 @@ from collections import Counter
 
 from qgis.core import QgsProcessing
 
+from ...urbanmap_qgis.settings.roadmap import EdgeSettings, ObjectSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
 from ..framework.layers.layers import make_fields
@@ -47,13 +48,7 @@ class StreetObjects(UrbanMapAlgorithm):
         self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres, from which those of the "
                         "points are counted. Without it the ground is found among the points; where the raster has no "
                         "value no object is found.", optional=True)
-        self.add_distance("WIDTH", "Half width", "Objects up to so far from the path, in metres.", 15.0, 3.0, 50.0)
-        self.add_distance("MIN_HEIGHT", "Lowest object", "Lower posts, signs and trees, in metres, are "
-                          "left out; bollards and boxes have heights of their own.", 2.0, 1.5, 10.0)
-        self.add_distance("MAX_DIAMETER", "Thickest stem", "What is thicker, in metres, is no post or trunk.", 0.6, 0.1,
-                          2.0, advanced=True)
-        self.add_distance("SIGMA", "Standard deviation of the survey", "How well the survey is placed as a whole, in "
-                          "metres; it enters the sigma of all objects.", 0.01, 0.0, 10.0)
+        self.add_settings(ObjectSettings)
         self.add_points_crs()
         point, line = QgsProcessing.SourceType.TypeVectorPoint, QgsProcessing.SourceType.TypeVectorLine
         self.add_layer_output(
@@ -84,13 +79,12 @@ class StreetObjects(UrbanMapAlgorithm):
     def compute(self, parameters, context, feedback):
         import numpy as np
 
-        from ...urbanmap_qgis.roadmap.objects.object_records import MEASURED, ObjectSettings
+        from ...urbanmap_qgis.roadmap.objects.object_records import MEASURED
         from .object_report import write_object_report
 
         progress = self.progress(feedback)
         paths, crs, read = read_survey(self, parameters, context, progress)
-        settings = ObjectSettings(*(self.parameterAsDouble(parameters, name, context) for name in (
-            "WIDTH", "MIN_HEIGHT", "MAX_DIAMETER", "SIGMA")))
+        settings = self.settings(ObjectSettings, parameters, context)
         wants_rails = parameters.get("OUTPUT_RAILS") not in (None, "")
         found, rails = self._find(parameters, context, paths, crs, read.trajectory, settings, wants_rails, progress)
         self._tell(found, progress)
@@ -108,7 +102,7 @@ class StreetObjects(UrbanMapAlgorithm):
         from contextlib import ExitStack
 
         from ...urbanmap_qgis.io.raster import RasterSampler
-        from ...urbanmap_qgis.roadmap.edges.edge_records import RAIL, EdgeSettings
+        from ...urbanmap_qgis.roadmap.edges.edge_records import RAIL
         from ...urbanmap_qgis.roadmap.edges.road_edges import road_edges
         from ...urbanmap_qgis.roadmap.objects.street_objects import street_objects
 

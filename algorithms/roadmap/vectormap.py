@@ -7,6 +7,7 @@ from collections import Counter
 from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
 
 from ...urbanmap_qgis.errors import InputError
+from ...urbanmap_qgis.settings.roadmap import MapSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
 from .driven_paths import add_street_objects, check_drives, read_drives, with_photo
@@ -70,21 +71,7 @@ class VectorMap(UrbanMapAlgorithm):
         self.add_vector("RAILS", "Guard rails", "Lines of guard rails of “Street objects”, in the CRS of the lines, "
                         "for the Lanelet2 and OpenDRIVE files.", optional=True,
                         source_type=QgsProcessing.SourceType.TypeVectorLine)
-        self.add_choice("TRAFFIC", "Side of the traffic", "Auto: the side that drives in both directions show, left "
-                        "where they do not.", TRAFFIC, "auto")
-        self.add_distance("MIN_WIDTH", "Minimum lane width", "Narrower strips are no lanes.", 2.2, 1.0, 5.0,
-                          advanced=True)
-        self.add_distance("MAX_WIDTH", "Maximum lane width", "Wider strips are no lanes.", 5.0, 2.0, 12.0,
-                          advanced=True)
-        self.add_distance("BRIDGE", "Longest unseen bound", "A bound is drawn through gaps of its line up to this "
-                          "length, which are told.", 30.0, 0.0, 500.0, advanced=True)
-        self.add_boolean("INFER_WAYS", "Ways that no drive shows", "Make virtual lanes through junctions also for the "
-                         "movements that arrows, or else the rule of the road, allow; their evidence says so. Without "
-                         "it only driven ways are made.", True, advanced=True)
-        self.add_number("WAY_CONFIDENCE", "Confidence of inferred ways", "Inferred ways that are less sure to be "
-                        "allowed (0 to 1) are not made but told as findings. 0 makes all that the rule of the road "
-                        "allows.",
-                        0.9, 0.0, 1.0, advanced=True)
+        self.add_settings(MapSettings)
         self.add_number("SPEED_LIMIT", "Speed limit", "Of lanes for which road axes tell none; left empty, they have "
                         "none.", None, 1.0, 200.0, unit="km/h", optional=True)
         self.add_choice("DIALECT", "Dialect of Lanelet2", "Of stop lines and crosswalks in the Lanelet2 file. lanelet2:"
@@ -131,7 +118,6 @@ class VectorMap(UrbanMapAlgorithm):
 
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.roadmap.bound_ids import bound_ids
-        from ...urbanmap_qgis.roadmap.map_records import MapSettings
         from ...urbanmap_qgis.roadmap.vector_map import build_vector_map
 
         progress = self.progress(feedback)
@@ -142,12 +128,7 @@ class VectorMap(UrbanMapAlgorithm):
             self.same_crs("LINES", table.crs, "EDGES", edges.crs)
             lines += self._lines(edges, None)
         drives = read_drives(self, parameters, context, table.crs_wkt, progress)
-        settings = MapSettings(self.parameterAsDouble(parameters, "MIN_WIDTH", context),
-                               self.parameterAsDouble(parameters, "MAX_WIDTH", context),
-                               traffic=self.parameterAsString(parameters, "TRAFFIC", context),
-                               bridge=self.parameterAsDouble(parameters, "BRIDGE", context),
-                               infer_ways=self.parameterAsBool(parameters, "INFER_WAYS", context),
-                               way_confidence=self.parameterAsDouble(parameters, "WAY_CONFIDENCE", context))
+        settings = self.settings(MapSettings, parameters, context)
         areas = self._areas(parameters, context, table)
         lines, seen = with_photo(self, parameters, context, table, lines, areas, settings, progress.part(0.05, 0.1))
         built = build_vector_map(lines, areas, drives, settings, progress.part(0.1, 0.8),

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from ...urbanmap_qgis.settings.buildings import PAPER
 from ..buildings.buildingmodels import BuildingModels
-from ..buildings.roofpolygons import PAPER, RoofPolygons
+from ..buildings.roofpolygons import RoofPolygons
 from ..buildings.segmentbuildings import SegmentBuildings
 from ..buildings.segmentroofs import SegmentRoofs
 from ..framework.base import UrbanMapAlgorithm

@@ -1576,22 +1576,6 @@
         <translation>検証点での精度確認</translation>
     </message>
     <message>
-        <source>Distance in metres between the nodes of the cloth. Larger ones do not follow the ground well.</source>
-        <translation>布の節点の間隔（m）です。大きすぎると地表によく沿いません。</translation>
-    </message>
-    <message>
-        <source>Iterations</source>
-        <translation>反復回数</translation>
-    </message>
-    <message>
-        <source>Maximum number of sweeps on each level of detail; it stops earlier when the cloth has converged.</source>
-        <translation>各詳細度での最大反復回数です。布が収束すればそれより早く終わります。</translation>
-    </message>
-    <message>
-        <source>Threshold</source>
-        <translation>しきい値</translation>
-    </message>
-    <message>
         <source>Minimum ground share</source>
         <translation>地表面点の最小割合</translation>
     </message>
@@ -1718,6 +1702,10 @@
     <message>
         <source>Side of the cells of the normal distributions.</source>
         <translation>正規分布を求めるセルの一辺です。</translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation>反復回数</translation>
     </message>
     <message>
         <source>Most steps of each adjustment.</source>
@@ -1914,14 +1902,6 @@
     <message>
         <source>Shorter pieces, in metres, are left out.</source>
         <translation>これより短いもの（m）は除きます。</translation>
-    </message>
-    <message>
-        <source>Distance in metres between the nodes of the cloth.</source>
-        <translation>布の節点の間隔（m）です。</translation>
-    </message>
-    <message>
-        <source>Most sweeps on each level of detail; the cloth stops earlier when it has settled.</source>
-        <translation>各詳細度での最大反復回数です。布が落ち着けばそれより早く終わります。</translation>
     </message>
     <message>
         <source>Marking points</source>
@@ -2368,15 +2348,7 @@
         <translation>ドリフトの最良推定</translation>
     </message>
     <message>
-        <source>relative motions, closed form</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>relative motions, by iteration</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Best estimate of the drift from all tie points; or relative motions adjusted between sets in closed form; or the same by the paper's iteration; or the whole paper to the letter. (drift, relative, iterative, paper)</source>
+        <source>Best estimate of the drift from all tie points; or the paper to the letter. (drift, paper)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7177,7 +7149,7 @@ Points are read once; each image keeps the nearest point of every 3 by 3 pixels.
     </message>
     <message>
         <source>Corrects position and heading of a survey's trajectory by tie points: places, such as corners of buildings, that the survey and a reference both show. Two or more pairs measured within some seconds are a set.
-By default the drift is estimated from all tie points together, each at its own time, with its sigma at every epoch; contradicting pairs and sets are found and told. In the methods “relative” and “iterative” each set gives a true pose, and the relative motions between two of them take their parts of the error, in closed form or by the paper's iteration. “paper” follows the paper to the letter: the first two pairs of each set, its equations 8, 9 and 13 to 17, equally sampled heights, and nothing left out as wrong. Before the first and after the last set the correction is carried on, and its sigma grows.
+By default the drift is estimated from all tie points together, each at its own time, with its sigma at every epoch; contradicting pairs and sets are found and told. “paper” follows the paper to the letter: the first two pairs of each set give a true pose by its equations 13 to 17, the relative motions between two of them take their parts of the error by the iteration of its equations 8 and 9, heights are sampled equally, and nothing is left out as wrong. Before the first and after the last set the correction is carried on, and its sigma grows.
 With a ground raster the heights then follow the ground along the course, at the given height of the trajectory's origin above it. Roll and pitch stay as they are.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8110,10 +8082,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{image} の撮影範囲は表層と地表のラスタの外です。その場所のラスタを選択し、高さ、CRS、角度が合っているか確認してください。</translation>
     </message>
     <message>
-        <source>The height threshold must be greater than 0.</source>
-        <translation>高さのしきい値は0より大きくしてください。</translation>
-    </message>
-    <message>
         <source>{uncovered:.0%} of {image} looks beyond the surface or the ground raster: buildings there are not masked.</source>
         <translation>{image} の {uncovered:.0%} は表層または地表のラスタの外です。そこの建物はマスクされません。</translation>
     </message>
@@ -8312,10 +8280,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The point {point} lies behind the camera of {image}: check the exterior orientation and the coordinates.</source>
         <translation>点 {point} が {image} のカメラの後ろにあります。外部標定要素と座標を確かめてください。</translation>
-    </message>
-    <message>
-        <source>The standard deviations of frames, pixels and control points must be above 0.</source>
-        <translation>写真、画素、標定点の標準偏差は 0 より大きくしてください。</translation>
     </message>
     <message>
         <source>Points were measured in {image}, which the exterior orientation does not name.</source>
@@ -8750,14 +8714,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>端の移動量が大きすぎます</translation>
     </message>
     <message>
-        <source>The sigma of the models' walls must be greater than 0.</source>
-        <translation>モデルの壁面の標準偏差は0より大きくしてください。</translation>
-    </message>
-    <message>
-        <source>Height, maximum offset and rotation (up to 20 degrees) and the share of a wall must be greater than 0.</source>
-        <translation>高さ、最大オフセット、回転角（20度以下）、壁面の割合は0より大きくしてください。</translation>
-    </message>
-    <message>
         <source>only {points_count} points lie in it</source>
         <translation>内側の点が {points_count} 個しかありません</translation>
     </message>
@@ -8784,10 +8740,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>its surfaces touch or cross somewhere</source>
         <translation>面がどこかで接触または交差しています</translation>
-    </message>
-    <message>
-        <source>The maximum error and the height step must be greater than 0.</source>
-        <translation>最大誤差と段差の高さは0より大きくしてください。</translation>
     </message>
     <message>
         <source>it has no outline</source>
@@ -9706,10 +9658,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>ポリゴンをもつ建物がありません。建物外周線または建物モデルのレイヤを選択してください。</translation>
     </message>
     <message>
-        <source>The height must be greater than 0 and the tolerance of the outlines between 0 and 10 m.</source>
-        <translation>高さは0より大きく、外周線の許容誤差は0～10 mとしてください。</translation>
-    </message>
-    <message>
         <source>No point of the survey lies near a building: check that both are of the same place and CRS, and that the survey has been put on the map.</source>
         <translation>建物の近くにMMS計測の点がありません。両者の場所とCRSが同じで、MMS計測が地図に位置合わせされているか確認してください。</translation>
     </message>
@@ -9752,14 +9700,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Outliers need at least one neighbour and a number of deviations above 0.</source>
         <translation>外れ値の除去には、1個以上の近傍点と、0より大きい標準偏差の倍数が必要です。</translation>
-    </message>
-    <message>
-        <source>The minimum area of a wall must be greater than 0, the minimum opening and alpha and gap not below.</source>
-        <translation>壁面の最小面積は0より大きく、開口部の最小値、アルファ、すき間は0以上としてください。</translation>
-    </message>
-    <message>
-        <source>Tolerance and minimum area of walls must be greater than 0.</source>
-        <translation>壁面の許容誤差と最小面積は0より大きくしてください。</translation>
     </message>
     <message>
         <source>the survey did not see the rest</source>
@@ -9864,10 +9804,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>At {sum} of {indoors_count} epochs the antenna lies within a building: their signals are left out.</source>
         <translation>{indoors_count} エポックのうち {sum} エポックでアンテナが建物の内部にあるため、その信号を除外します。</translation>
-    </message>
-    <message>
-        <source>The maximum range must be greater than 0, margins and angles not less than 0.</source>
-        <translation>最大距離は0より大きく、余裕幅と角度は0以上にしてください。</translation>
     </message>
     <message>
         <source>No cell of the area has a ground height: give a ground that covers it.</source>
@@ -10260,18 +10196,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>no antenna in front of it</source>
         <translation>前方にアンテナがありません</translation>
-    </message>
-    <message>
-        <source>Prior, block length, maximum sigma, maximum offset and iterations must be greater than 0.</source>
-        <translation>事前値、ブロック長、最大σ、最大オフセット、反復回数は0より大きくしてください。</translation>
-    </message>
-    <message>
-        <source>The sigma of likely walls must not be less than 0.</source>
-        <translation>推定の壁の標準偏差は0以上にしてください。</translation>
-    </message>
-    <message>
-        <source>The minimum numbers of observations, satellites and passes must be at least 1.</source>
-        <translation>観測数、衛星数、走行数の最小値は1以上にしてください。</translation>
     </message>
     <message>
         <source>no received signal could meet it</source>
@@ -12546,10 +12470,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>反射強度</translation>
     </message>
     <message>
-        <source>The largest range must be greater than 0.</source>
-        <translation>最大距離は0より大きくしてください。</translation>
-    </message>
-    <message>
         <source>too few ground points with intensity at different ranges</source>
         <translation>反射強度を持つ地表面点が、異なる距離で十分にありません</translation>
     </message>
@@ -12560,10 +12480,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>no surface of even intensity can be followed over the ranges</source>
         <translation>距離に沿って追跡できる、反射強度の一様な面がありません</translation>
-    </message>
-    <message>
-        <source>Block size, contrast, widths and steps of the marking extraction must be greater than 0.</source>
-        <translation>路面標示抽出のブロックサイズ、コントラスト、幅、刻みは0より大きくしてください。</translation>
     </message>
     <message>
         <source>{outside:,} of {points:,} points were measured where the trajectory has no epochs and are left out.</source>
@@ -13714,20 +13630,24 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>フォルダ{folder}に書き込めません（{strerror}）。別のフォルダを選択してください。</translation>
     </message>
     <message>
+        <source>{label}: {value} is none of {choices}.</source>
+        <translation>{label}: {value}は{choices}のいずれでもありません。</translation>
+    </message>
+    <message>
+        <source>{label} must be greater than 0.</source>
+        <translation>{label}は0より大きくなければなりません。</translation>
+    </message>
+    <message>
+        <source>{label} must not be less than 0.</source>
+        <translation>{label}は0以上でなければなりません。</translation>
+    </message>
+    <message>
         <source>The cloud has no point with a usable height.</source>
         <translation>点群に有効な高さを持つ点がありません。</translation>
     </message>
     <message>
         <source>The cloud has no points that could be ground.</source>
         <translation>点群に地表面となり得る点がありません。</translation>
-    </message>
-    <message>
-        <source>Cloth resolution, threshold and iterations must be greater than 0.</source>
-        <translation>クロスの解像度、しきい値、反復回数は0より大きい値にしてください。</translation>
-    </message>
-    <message>
-        <source>The cloth's rigidness must be 1, 2 or 3.</source>
-        <translation>クロスの剛性は1、2、3のいずれかにしてください。</translation>
     </message>
     <message>
         <source>Finding the highest points of the cells.</source>
@@ -13740,14 +13660,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The points fill next to nothing of the box around them, and some lie near {x:.0f}, {y:.0f}, {length:.0f} km from the others: remove those, or work on the places one by one.</source>
         <translation>点群が占める範囲は全体の外接範囲に比べてごくわずかで、一部の点が {x:.0f}, {y:.0f} 付近（他の点から {length:.0f} km）にあります。その点を取り除くか、場所ごとに分けて処理してください。</translation>
-    </message>
-    <message>
-        <source>The resolution must be greater than 0.</source>
-        <translation>解像度は0より大きい値にしてください。</translation>
-    </message>
-    <message>
-        <source>The longest edge must be 0 or greater.</source>
-        <translation>最大辺長は0以上にしてください。</translation>
     </message>
     <message>
         <source>The raster would have {columns:,} x {rows:,} cells: choose a coarser resolution, or check for points far outside the area.</source>
@@ -18222,28 +18134,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>除外: 論文の手法には2つの対応点が必要です</translation>
     </message>
     <message>
-        <source>relative</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>iterative</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>paper</source>
         <translation>論文</translation>
     </message>
     <message>
         <source>best estimate of the drift from all tie points together</source>
         <translation>すべてのタイポイントを同時に用いたドリフトの最良推定</translation>
-    </message>
-    <message>
-        <source>relative motions adjusted between sets, closed form (Z 3.1)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>relative motions adjusted between sets by the paper's iteration (Z eq. 8, 9)</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Z 3 to the letter: sets of two pairs (eq. 13 to 17), relative motions by iteration (eq. 8, 9)</source>

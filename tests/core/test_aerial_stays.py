@@ -11,7 +11,7 @@ from tests.stored import stored
 from urbanmap_qgis.aerial.frames.camera import read_camera
 from urbanmap_qgis.aerial.frames.exterior_files import read_exterior
 from urbanmap_qgis.aerial.frames.frame_images import find_frames
-from urbanmap_qgis.aerial.frames.occlusion import PAPER_OCCLUSION, OcclusionSettings, occlusion_map
+from urbanmap_qgis.aerial.frames.occlusion import PAPER_OCCLUSION, occlusion_map
 from urbanmap_qgis.aerial.markings.marking_files import markings_from_orthophoto
 from urbanmap_qgis.aerial.markings.marking_filter import CleanSettings
 from urbanmap_qgis.aerial.markings.marking_report import OrthophotoQuality, frame_count_shares, write_marking_report
@@ -22,8 +22,9 @@ from urbanmap_qgis.aerial.orthophotos.orthorectification import ElevationInputs,
 from urbanmap_qgis.progress import SILENT
 from urbanmap_qgis.samplecity import write
 from urbanmap_qgis.samplecity.truth import geotiff
-from urbanmap_qgis.terrain.cloth import ClothSettings
-from urbanmap_qgis.terrain.surface_files import SurfaceSettings, surfaces_from_files
+from urbanmap_qgis.settings.aerial import OcclusionSettings
+from urbanmap_qgis.settings.terrain import ClothSettings, SurfaceSettings
+from urbanmap_qgis.terrain.surface_files import surfaces_from_files
 
 ROUNDED = 2e-3  # grey values are rounded to whole numbers
 
@@ -71,7 +72,7 @@ def mosaic(flight, heights, tmp_path_factory):
 @pytest.mark.parametrize("source", ["automatic", "classes"])
 def test_surface_and_ground_stay(city, tmp_path, source):
     file = city / "als" / ("als_classified.laz" if source == "classes" else "als.laz")
-    settings = SurfaceSettings(1.0, source, ClothSettings(), ground_in_gaps=source == "classes")
+    settings = SurfaceSettings(1.0, source, cloth=ClothSettings(), ground_in_gaps=source == "classes")
     made = surfaces_from_files([file], tmp_path / "dsm.tif", tmp_path / "ground.tif", tmp_path / "mesh.ply", settings)
     (tmp_path / "mesh.ply").unlink()
     stays(f"surface_{source}", {"made": made, "files": tmp_path})

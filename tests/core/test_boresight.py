@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.errors import InputError, InsufficientDataError
-from urbanmap_qgis.mobile.boresight.adjustment import BoresightSettings
 from urbanmap_qgis.mobile.boresight.plane_patches import PatchSearch
 from urbanmap_qgis.mobile.boresight.stage import _turned, calibrate_scanners
 from urbanmap_qgis.mobile.calibration import Calibration, MountedScanner
 from urbanmap_qgis.mobile.trajectory import Trajectory, body_to_map, interpolate, rotations
+from urbanmap_qgis.settings.lines import BoresightSettings
 
 ARM = np.array([0.9, 0.1, -0.3])
 SCANNERS = (MountedScanner("a", ARM, np.array([0.0, -25.0, 0.0]), 1), MountedScanner("b", ARM * [1, -1, 1],

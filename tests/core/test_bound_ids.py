@@ -9,9 +9,10 @@ import shapely
 from tests.core import laid_out_roads as roads
 from urbanmap_qgis.roadmap.bound_ids import bound_ids
 from urbanmap_qgis.roadmap.given_bounds import rejoined
-from urbanmap_qgis.roadmap.map_records import Bound, MapLine, MapSettings, VectorMap, lines_of
+from urbanmap_qgis.roadmap.map_records import Bound, MapLine, VectorMap, lines_of
 from urbanmap_qgis.roadmap.map_tables import bound_columns
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
+from urbanmap_qgis.settings.roadmap import MapSettings
 
 
 def built_of(*courses):

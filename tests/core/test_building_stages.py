@@ -15,14 +15,14 @@ from urbanmap_qgis.buildings.model_surfaces import roof_cells
 from urbanmap_qgis.buildings.model_table import COLUMNS, model_columns, write_model_report
 from urbanmap_qgis.buildings.outlines.footprint import Footprints, clean_footprints
 from urbanmap_qgis.buildings.polygon_stage import cloud_roof_polygons
-from urbanmap_qgis.buildings.roof_polygons.polygon_rows import PolygonParameters
 from urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs
-from urbanmap_qgis.buildings.segmentation import SegmentationParameters, segment_buildings
+from urbanmap_qgis.buildings.segmentation import segment_buildings
 from urbanmap_qgis.buildings.solids.validity import check_solid
 from urbanmap_qgis.errors import Cancelled, InputError, trouble_words
 from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.io.points.pointcloud import open_cloud, read_all
 from urbanmap_qgis.progress import Progress
+from urbanmap_qgis.settings.buildings import PolygonParameters, SegmentationParameters
 
 X0, Y0, GROUND = -6900.0, -34200.0, 20.0
 ROOFS = {1: [((0, 0, 15, 12), 29.0)], 2: [((15, 0, 27, 12), 33.5)],
@@ -66,7 +66,8 @@ def run_chain(path, footprints, folder, executor=None):
     placed = Footprints(footprints.ids, found.outlines, footprints.notes)
     roofs = segment_cloud_roofs(open_cloud([folder / "b.laz"]), placed, folder / "r.laz", ground=found.ground,
                                 executor=executor)
-    drawn = cloud_roof_polygons(open_cloud([folder / "r.laz"]), placed, executor=executor)
+    drawn = cloud_roof_polygons(open_cloud([folder / "r.laz"]), placed, PolygonParameters(roofs="levels"),
+                                executor)
     table = RoofInput(np.array(drawn.polygon, object), np.array(drawn.building_id), np.array(drawn.roof_id),
                       np.array(drawn.height), np.array(drawn.status, object))
     models = build_models(placed, table, found.ground, open_cloud([folder / "r.laz"]), executor)
@@ -146,14 +147,14 @@ def test_the_papers_polygons_and_heights_are_there_as_options(tmp_path, make_clo
     path = make_cloud(tmp_path / "c.laz", x, y, z, classification=classes)
     run_chain(path, footprints, tmp_path)
     cloud = open_cloud([tmp_path / "r.laz"])
-    paper = cloud_roof_polygons(cloud, footprints, PolygonParameters("paper", "maximum"))
+    paper = cloud_roof_polygons(cloud, footprints, PolygonParameters("paper", height="maximum"))
     assert [sum(np.array(paper.building_id) == number) for number in (1, 2, 3)] == [1, 1, 2]
     highest = [max(height for _, height in ROOFS[number]) for number in paper.building_id]
     assert all(height > top - 7 for height, top in zip(paper.height, highest))
     first = paper.polygon[paper.building_id.index(1)]
     truth = shapely.box(X0, Y0, X0 + 15, Y0 + 12)
     assert first.intersection(truth).area / first.union(truth).area > 0.88
-    points = cloud_roof_polygons(cloud, footprints, PolygonParameters("points"))
+    points = cloud_roof_polygons(cloud, footprints, PolygonParameters("points", "levels"))
     drawn = shapely.union_all([polygon for polygon, number in zip(points.polygon, points.building_id) if number == 3])
     truth = shapely.box(X0 + 50, Y0, X0 + 70, Y0 + 28)
     assert drawn.intersection(truth).area / drawn.union(truth).area > 0.95
@@ -181,7 +182,8 @@ def test_blocks_and_assumed_ground_are_said():
 def test_few_points_without_a_roof_become_a_plain_block(tmp_path, make_cloud):
     path = make_cloud(tmp_path / "p.laz", [1.0, 2.0], [1.0, 2.0], [5.0, 5.4],
                       extra={"building_id": 1, "roof_id": 0})
-    drawn = cloud_roof_polygons(open_cloud([path]), clean_footprints(np.array([shapely.box(0, 0, 4, 4)], object)))
+    drawn = cloud_roof_polygons(open_cloud([path]), clean_footprints(np.array([shapely.box(0, 0, 4, 4)], object)),
+                                PolygonParameters(roofs="levels"))
     assert drawn.status == [BLOCK] and drawn.roof_id == [0] and drawn.height == [pytest.approx(5.2)]
 
 

@@ -13,18 +13,15 @@ from tests.figures import ENVELOPES, stays
 from tests.solid_files import read_solids, write_solids
 from urbanmap_qgis.buildings.building_model import RoofInput
 from urbanmap_qgis.buildings.merging.merge_stage import edge_columns, merge_models, merged_columns
-from urbanmap_qgis.buildings.merging.wall_match import MergeSettings, measured_wall
-from urbanmap_qgis.buildings.mesh25d.mesh_stage import MeshSettings, mesh_buildings, mesh_columns, total_fit
+from urbanmap_qgis.buildings.merging.wall_match import measured_wall
+from urbanmap_qgis.buildings.mesh25d.mesh_stage import mesh_buildings, mesh_columns, total_fit
 from urbanmap_qgis.buildings.model_stage import build_models
 from urbanmap_qgis.buildings.model_table import model_columns, write_model_report
 from urbanmap_qgis.buildings.outlines.footprint import Footprints, clean_footprints
-from urbanmap_qgis.buildings.planes.plane_detection import PlaneParameters
 from urbanmap_qgis.buildings.polygon_stage import cloud_roof_polygons
-from urbanmap_qgis.buildings.roof_polygons.polygon_rows import PolygonParameters
 from urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs
-from urbanmap_qgis.buildings.roofs.roof_levels import RoofParameters
 from urbanmap_qgis.buildings.seen.cloud_cover import CloudCover
-from urbanmap_qgis.buildings.segmentation import SegmentationParameters, segment_buildings
+from urbanmap_qgis.buildings.segmentation import segment_buildings
 from urbanmap_qgis.citymodel.obj import write_obj
 from urbanmap_qgis.citymodel.solids import solid_object
 from urbanmap_qgis.facades.building_plans import building_plans
@@ -33,6 +30,14 @@ from urbanmap_qgis.geometry.solid import multipolygon
 from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.mobile.apply_correction import apply_correction
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
+from urbanmap_qgis.settings.buildings import (
+    MergeSettings,
+    MeshSettings,
+    PlaneParameters,
+    PolygonParameters,
+    RoofParameters,
+    SegmentationParameters,
+)
 
 
 @pytest.fixture(scope="module")
@@ -50,7 +55,7 @@ def chain(request, small_city, outlines, tmp_path_factory):
     folder = tmp_path_factory.mktemp("chain")
     found = segment_buildings(open_cloud([small_city / "als" / "als.laz"]), outlines, folder / "b.laz")
     placed = Footprints(outlines.ids, found.outlines, outlines.notes)
-    planes = PlaneParameters() if request.param == "planes" else None
+    planes = PlaneParameters(0.15, 1.0) if request.param == "planes" else None
     roofs = segment_cloud_roofs(open_cloud([folder / "b.laz"]), placed, folder / "r.laz", RoofParameters(),
                                 found.ground, planes=planes)
     drawn = cloud_roof_polygons(open_cloud([folder / "r.laz"]), placed, PolygonParameters(roofs=request.param))
@@ -87,7 +92,7 @@ def test_polygons_of_other_methods_stay(small_city, outlines, tmp_path, method):
     placed = Footprints(outlines.ids, found.outlines, outlines.notes)
     levels = RoofParameters(method="paper") if method == "paper" else RoofParameters()
     segment_cloud_roofs(open_cloud([tmp_path / "b.laz"]), placed, tmp_path / "r.laz", levels, found.ground)
-    drawn = cloud_roof_polygons(open_cloud([tmp_path / "r.laz"]), placed, PolygonParameters(method))
+    drawn = cloud_roof_polygons(open_cloud([tmp_path / "r.laz"]), placed, PolygonParameters(method, "levels"))
     stays(f"buildings_polygons_{method}", {"segmented": found, "polygons": drawn})
 
 

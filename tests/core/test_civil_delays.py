@@ -16,11 +16,11 @@ from urbanmap_qgis.gnss.rinex.navigation import read_navigation_files
 from urbanmap_qgis.gnss.rinex.observation_file import read_observations
 from urbanmap_qgis.gnss.signals.measured_ionosphere import measure_ionosphere
 from urbanmap_qgis.gnss.signals.observations import load_observations
-from urbanmap_qgis.gnss.signals.tables import SignalSettings
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 from urbanmap_qgis.samplecity.gnss import rinex_write, signals
 from urbanmap_qgis.samplecity.gnss.stage import write_gnss
 from urbanmap_qgis.samplecity.scene.world import make_scene
+from urbanmap_qgis.settings.gnss import SignalSettings
 
 LIGHT = 299792458.0
 L1, L2, L5 = 1575.42e6, 1227.60e6, 1176.45e6

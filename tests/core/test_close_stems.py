@@ -8,8 +8,9 @@ import pytest
 from tests.core import object_scene as scene
 from tests.core.road_scene import Street, to_local, write_drive
 from urbanmap_qgis.roadmap.objects.close_stems import close_stems
-from urbanmap_qgis.roadmap.objects.object_records import ObjectSettings, Stem
+from urbanmap_qgis.roadmap.objects.object_records import Stem
 from urbanmap_qgis.roadmap.objects.street_objects import street_objects
+from urbanmap_qgis.settings.roadmap import ObjectSettings
 
 
 def corner_seen(rng, x, y, side, number, low=0.4, high=2.2, noise=0.006):

@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 from urbanmap_qgis.errors import InputError, InsufficientDataError
 from urbanmap_qgis.geometry.sampling import sample
 from urbanmap_qgis.progress import SILENT
-from urbanmap_qgis.terrain.cloth import ClothSettings, LowestHeights, classify_ground, converged_cloth, first_cloth
+from urbanmap_qgis.settings.terrain import ClothSettings
+from urbanmap_qgis.terrain.cloth import LowestHeights, classify_ground, converged_cloth, first_cloth
 from urbanmap_qgis.terrain.outliers import isolated, plausible
 from urbanmap_qgis.terrain.trend import trend_surface
 
@@ -147,7 +148,7 @@ def test_refusals():
     with pytest.raises(InputError):
         ClothSettings(resolution=0)
     with pytest.raises(InputError):
-        ClothSettings(rigidness=4)
+        ClothSettings(rigidness=0)
 
 
 def test_a_few_points_do_not_fail():

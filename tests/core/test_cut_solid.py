@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import shapely
 
-from urbanmap_qgis.buildings.merging.merge_stage import MERGED, NOT_MERGED, MergeSettings, merge_models
+from urbanmap_qgis.buildings.merging.merge_stage import MERGED, NOT_MERGED, merge_models
 from urbanmap_qgis.buildings.merging.wall_match import measured_wall
 from urbanmap_qgis.buildings.solids.sloped_solid import SlopedCell, sloped_solids
 from urbanmap_qgis.buildings.solids.validity import check_solid
@@ -17,6 +17,7 @@ from urbanmap_qgis.citymodel.cityjson.writer import write_model_cityjson
 from urbanmap_qgis.citymodel.model import CityModel, CityReference
 from urbanmap_qgis.citymodel.solids import solid_object
 from urbanmap_qgis.geometry.solid import OVERHANG, multipolygon
+from urbanmap_qgis.settings.buildings import MergeSettings
 
 X0, Y0, BASE = -7000.0, -34000.0, 10.0
 VAL3DITY = Path(__file__).resolve().parents[2].parent / "shared" / "tools" / "val3dity"

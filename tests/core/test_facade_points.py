@@ -8,8 +8,9 @@ import shapely
 
 from urbanmap_qgis.errors import InputError, InsufficientDataError
 from urbanmap_qgis.facades.building_plans import building_plans, outline_edges
-from urbanmap_qgis.facades.facade_points import FacadeSettings, NearestOutline, facade_points, ground_plane
+from urbanmap_qgis.facades.facade_points import NearestOutline, facade_points, ground_plane
 from urbanmap_qgis.io.points.pointcloud import open_cloud
+from urbanmap_qgis.settings.facades import FacadeSettings
 
 X0, Y0 = -7000.0, -34000.0
 

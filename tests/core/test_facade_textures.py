@@ -10,7 +10,7 @@ from urbanmap_qgis.aerial.frames.frame_images import AerialFrame
 from urbanmap_qgis.errors import InputError, InsufficientDataError
 from urbanmap_qgis.geometry.solid_faces import solids_of
 from urbanmap_qgis.imagery.textures.atlas import LARGEST, coarsest_step, draw_atlas, pack_textures
-from urbanmap_qgis.imagery.textures.facade_texture import HIDDEN, NOT_FACED, TextureSettings, compensation_gains
+from urbanmap_qgis.imagery.textures.facade_texture import HIDDEN, NOT_FACED, compensation_gains
 from urbanmap_qgis.imagery.textures.facades import facades_of, on_facade, texel_grid
 from urbanmap_qgis.imagery.textures.texture_stage import BuildingSolids, buildings_of, summary, texture_buildings
 from urbanmap_qgis.imagery.views.obstacles import OccupiedVoxels, obstacles_within, voxels_of
@@ -18,6 +18,7 @@ from urbanmap_qgis.imagery.views.views import FrameSource, strip_source
 from urbanmap_qgis.mobile.calibration import MountedCamera
 from urbanmap_qgis.mobile.lines.line_camera import LineCamera, StripImage, pixel_rays
 from urbanmap_qgis.mobile.trajectory import Trajectory
+from urbanmap_qgis.settings.lines import TextureSettings
 
 WIDTH, HEIGHT = 16.0, 9.0
 CORNER = np.array([-7000.0, -34000.0, 10.0])

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 import shapely
 
-from urbanmap_qgis.buildings.merging.merge_stage import MergeSettings, merge_models
+from urbanmap_qgis.buildings.merging.merge_stage import merge_models
 from urbanmap_qgis.buildings.merging.wall_match import MOVED, measured_wall
 from urbanmap_qgis.buildings.solids.plan_partition import Cell
 from urbanmap_qgis.buildings.solids.solid import building_solids
@@ -13,6 +13,7 @@ from urbanmap_qgis.facades.building_plans import building_plans
 from urbanmap_qgis.facades.wall_stage import find_walls
 from urbanmap_qgis.geometry.solid import multipolygon
 from urbanmap_qgis.io.points.pointcloud import open_cloud
+from urbanmap_qgis.settings.buildings import MergeSettings
 
 X0, Y0, Z0 = -7000.0, -34000.0, 20.0
 SEEDS = range(3100, 3106)

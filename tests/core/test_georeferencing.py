@@ -10,11 +10,12 @@ from scipy.spatial.transform import Rotation
 
 from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError
 from urbanmap_qgis.mobile.calibration import Calibration, MountedScanner, read_calibration
-from urbanmap_qgis.mobile.lines.georeferencing import ScanSettings, georeference_scans, place_ranges
+from urbanmap_qgis.mobile.lines.georeferencing import georeference_scans, place_ranges
 from urbanmap_qgis.mobile.lines.range_scans import read_scans
 from urbanmap_qgis.mobile.trajectory import Trajectory
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 from urbanmap_qgis.progress import Progress
+from urbanmap_qgis.settings.lines import ScanSettings
 
 LEFT = MountedScanner("left", np.array([0.4, -0.5, -0.4]), np.array([1.5, -88.0, 44.0]), 1, 100.0)
 RIGHT = MountedScanner("right", np.array([0.4, 0.5, -0.4]), np.array([0.0, -90.0, -45.0]), 2, 60.0)

@@ -8,17 +8,18 @@ import shapely
 
 from urbanmap_qgis.buildings.solids.validity import check_solid
 from urbanmap_qgis.errors import InputError, InsufficientDataError
-from urbanmap_qgis.gnss.rays.reflections import LOS, NLOS, REFLECTED, TraceSettings, trace
+from urbanmap_qgis.gnss.rays.reflections import LOS, NLOS, REFLECTED, trace
 from urbanmap_qgis.gnss.rays.wall_faces import building_walls, wall_table
 from urbanmap_qgis.gnss.signals.tables import Epochs, Signals
 from urbanmap_qgis.gnss.walls import moved_buildings
-from urbanmap_qgis.gnss.walls.adjustment import ADJUSTED, LIKELY, NOT_OBSERVABLE, AdjustmentSettings, adjust_walls
+from urbanmap_qgis.gnss.walls.adjustment import ADJUSTED, LIKELY, NOT_OBSERVABLE, adjust_walls
 from urbanmap_qgis.gnss.walls.moved_buildings import PlanNet, applied_offsets, move_buildings, moved_walls
 from urbanmap_qgis.gnss.walls.offset_observations import OffsetObservations
 from urbanmap_qgis.gnss.walls.offset_posterior import LIMITS, ErrorModel, estimate_offsets
 from urbanmap_qgis.gnss.walls.receiver_clock import pass_clocks
 from urbanmap_qgis.gnss.walls.residuals import trace_residuals
 from urbanmap_qgis.mobile.trajectory import Trajectory, joined_trajectory
+from urbanmap_qgis.settings.gnss import AdjustmentSettings, TraceSettings
 
 # Two rows of blocks, 24 m high, along a street that runs north and is 20 m wide; open ground in the south.
 STREET = [shapely.box(x, y, x + 15, y + 30) for x in (-25, 10) for y in (0, 32, 64, 96)]

@@ -17,11 +17,12 @@ from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError
 from urbanmap_qgis.gnss.orbits.ephemeris import Navigation, read_navigation, satellite_states
 from urbanmap_qgis.gnss.signals.antenna_height import estimate_height
 from urbanmap_qgis.gnss.signals.observations import load_observations, trajectory_shift
-from urbanmap_qgis.gnss.signals.tables import Signals, SignalSettings
+from urbanmap_qgis.gnss.signals.tables import Signals
 from urbanmap_qgis.gnss.walls.receiver_clock import pass_clocks
 from urbanmap_qgis.gnss.walls.residuals import corrected_residuals
 from urbanmap_qgis.mobile.trajectory import Trajectory, joined_trajectory
 from urbanmap_qgis.progress import Progress
+from urbanmap_qgis.settings.gnss import SignalSettings
 
 CRS = "EPSG:6677"
 SEPARATION = 36.6

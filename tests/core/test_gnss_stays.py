@@ -12,17 +12,17 @@ from pyproj import CRS
 from tests.figures import stays
 from urbanmap_qgis.gnss.orbits.ephemeris import read_navigation
 from urbanmap_qgis.gnss.rays.ray_lines import ray_columns, ray_lines, ray_statistics, thinned
-from urbanmap_qgis.gnss.rays.reflections import TraceSettings
 from urbanmap_qgis.gnss.rays.tracing import WallObstacles
 from urbanmap_qgis.gnss.rays.visibility import SkySettings, area_grid, gps_time_of, visibility_along, visibility_over
 from urbanmap_qgis.gnss.rays.wall_faces import building_walls
 from urbanmap_qgis.gnss.reports.report import write_adjustment_report, write_reflection_report
 from urbanmap_qgis.gnss.signals.passes import load_passes
-from urbanmap_qgis.gnss.walls.adjustment import AdjustmentSettings, adjust_walls
+from urbanmap_qgis.gnss.walls.adjustment import adjust_walls
 from urbanmap_qgis.gnss.walls.columns import adjusted_wall_columns, building_columns, wall_lines
 from urbanmap_qgis.gnss.walls.residuals import trace_residuals
 from urbanmap_qgis.mobile.trajectory import joined_trajectory
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
+from urbanmap_qgis.settings.gnss import AdjustmentSettings, TraceSettings
 
 WKT = CRS.from_epsg(6677).to_wkt()
 

@@ -10,8 +10,8 @@ from tests.core.laid_out_roads import arrow, avenue, course, drive, lane_at, lin
 from urbanmap_qgis.roadmap.lanes.bound_continuation import continued
 from urbanmap_qgis.roadmap.lanes.road_sections import Axis, BoundTrack
 from urbanmap_qgis.roadmap.lanes.section_preparation import prepared_sections
-from urbanmap_qgis.roadmap.map_records import MapSettings
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
+from urbanmap_qgis.settings.roadmap import MapSettings
 
 LEFT = MapSettings(traffic="left")
 

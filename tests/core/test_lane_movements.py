@@ -7,8 +7,9 @@ import pytest
 
 from tests.core.laid_out_roads import arrow, avenue, drive, lane_at, path_line, place, stop, zebra
 from urbanmap_qgis.roadmap.lanes.movement_confidence import ArrowStatistics
-from urbanmap_qgis.roadmap.map_records import MapLine, MapSettings
+from urbanmap_qgis.roadmap.map_records import MapLine
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
+from urbanmap_qgis.settings.roadmap import MapSettings
 
 
 def stops():

@@ -6,8 +6,8 @@ import pytest
 import shapely
 
 from tests.core.laid_out_roads import arrow, avenue, course, lane_at, line, place, stop, zebra
-from urbanmap_qgis.roadmap.map_records import MapSettings
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
+from urbanmap_qgis.settings.roadmap import MapSettings
 
 LEFT = MapSettings(traffic="left")
 

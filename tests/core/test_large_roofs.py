@@ -15,13 +15,13 @@ from urbanmap_qgis.buildings.building_model import FitPoints, RoofInput, model_b
 from urbanmap_qgis.buildings.model_status import NOT_MODELLED, SIMPLIFIED
 from urbanmap_qgis.buildings.planes import plan_faces as faces_module
 from urbanmap_qgis.buildings.planes.plan_faces import plan_faces
-from urbanmap_qgis.buildings.planes.plane_detection import PLANES
 from urbanmap_qgis.buildings.polygons.piece_labels import without_small_parts
 from urbanmap_qgis.buildings.roof_polygons import plane_roofs
 from urbanmap_qgis.buildings.roof_polygons.building_polygons import roof_polygons_of
-from urbanmap_qgis.buildings.roof_polygons.polygon_rows import PolygonParameters, RoofedBuilding
+from urbanmap_qgis.buildings.roof_polygons.polygon_rows import RoofedBuilding
 from urbanmap_qgis.errors import Cancelled, InsufficientDataError
 from urbanmap_qgis.execution import checkpoint, in_order
+from urbanmap_qgis.settings.buildings import PLANES, PolygonParameters
 
 ROOT = Path(__file__).resolve().parents[2]
 

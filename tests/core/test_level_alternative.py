@@ -5,10 +5,10 @@ import pytest
 import shapely
 
 from urbanmap_qgis.buildings.planes.level_alternative import SUSPECT, roof_misfit
-from urbanmap_qgis.buildings.planes.plane_detection import PLANES
 from urbanmap_qgis.buildings.planes.plane_partition import partition_planes
 from urbanmap_qgis.buildings.roof_polygons.building_polygons import roof_polygons_of
-from urbanmap_qgis.buildings.roof_polygons.polygon_rows import LEVELS_BETTER, PolygonParameters, RoofedBuilding
+from urbanmap_qgis.buildings.roof_polygons.polygon_rows import LEVELS_BETTER, RoofedBuilding
+from urbanmap_qgis.settings.buildings import PLANES, PolygonParameters
 
 PLAN = shapely.box(0, 0, 12, 8)
 

@@ -12,7 +12,6 @@ from pyproj import CRS
 from tests.figures import stays
 from urbanmap_qgis.imagery.objects.image_outlines import image_outlines
 from urbanmap_qgis.imagery.objects.object_stage import objects_from_outlines
-from urbanmap_qgis.imagery.textures.facade_texture import TextureSettings
 from urbanmap_qgis.imagery.textures.texture_files import write_textured
 from urbanmap_qgis.imagery.textures.texture_stage import buildings_of, texture_buildings
 from urbanmap_qgis.imagery.views.views import strip_sources
@@ -20,13 +19,14 @@ from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.io.raster import RasterSampler
 from urbanmap_qgis.mobile.calibration import read_calibration
 from urbanmap_qgis.mobile.gps_time import time_shift
-from urbanmap_qgis.mobile.lines.georeferencing import ScanSettings, georeference_scans
+from urbanmap_qgis.mobile.lines.georeferencing import georeference_scans
 from urbanmap_qgis.mobile.lines.rectification import METHODS, RectifySettings, rectify
 from urbanmap_qgis.mobile.lines.rectification_report import write_report
 from urbanmap_qgis.mobile.lines.reference_corners import outline_corners
 from urbanmap_qgis.mobile.lines.tie_point_proposals import propose_tie_points
 from urbanmap_qgis.mobile.lines.tie_points import read_tie_points
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
+from urbanmap_qgis.settings.lines import ScanSettings, TextureSettings
 
 WKT = CRS.from_epsg(6677).to_wkt()
 

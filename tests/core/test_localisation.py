@@ -70,12 +70,12 @@ def test_covariance_is_that_of_drawn_displacements():
 def test_more_points_do_not_make_a_displaced_wall_better():
     walls = canyon(0.3)
     coarse, fine = (predicted(walls, place(0, 0), LocalisationSettings(
-        VehicleScanner(resolution=step, hidden=0.0), "ICP")) for step in (2.0, 0.1))
+        "ICP", scanner=VehicleScanner(resolution=step, hidden=0.0))) for step in (2.0, 0.1))
     # Two walls: the mean of both displacements.
     assert coarse.sigma["walls"][0, 1] == pytest.approx(0.3 / np.sqrt(2), rel=0.03)
     assert fine.sigma["walls"][0, 1] == pytest.approx(coarse.sigma["walls"][0, 1], rel=0.02)
     # The mixture of an NDT lets it grow, and hidden walls do.
-    mixture, hidden = (predicted(walls, place(0, 0), LocalisationSettings(VehicleScanner(hidden=share)))
+    mixture, hidden = (predicted(walls, place(0, 0), LocalisationSettings(scanner=VehicleScanner(hidden=share)))
                        .sigma["walls"][0, 1] for share in (0.0, 0.5))
     assert mixture == pytest.approx(0.3 / np.sqrt(2) * np.sqrt(1.055), rel=0.02) and hidden > 1.02 * mixture
 

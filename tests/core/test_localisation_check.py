@@ -46,7 +46,7 @@ def places():
 
 
 def settings(**scanner):
-    return LocalisationSettings(VehicleScanner(**({"hidden": 0.0, "noise": 0.01} | scanner)))
+    return LocalisationSettings(scanner=VehicleScanner(**({"hidden": 0.0, "noise": 0.01} | scanner)))
 
 
 def test_displaced_walls_stand_where_they_should(walls):
@@ -113,8 +113,8 @@ def test_scans_that_end_in_the_next_gap_of_a_row_of_houses_do_not_converge():
     shapes = np.array([shapely.box(x, y, x + 3, y + 5) for x in range(-72, 73, 6) for y in (5, -10)], object)
     pieces = building_walls(shapes, None, np.full(len(shapes), 12.0), np.zeros(len(shapes)))
     row = WallMap.of(pieces, wall_sigmas(pieces, 0.05))
-    wide = LocalisationSettings(VehicleScanner(hidden=0.0, noise=0.01), start_sigma=3.0)
-    narrow = LocalisationSettings(VehicleScanner(hidden=0.0, noise=0.01), start_sigma=0.3)
+    wide = LocalisationSettings(scanner=VehicleScanner(hidden=0.0, noise=0.01), start_sigma=3.0)
+    narrow = LocalisationSettings(scanner=VehicleScanner(hidden=0.0, noise=0.01), start_sigma=0.3)
     where = places_on_roads([shapely.LineString([(-9, 0, 0), (9, 0, 0)])], 3.0)
     far, near = (accuracy_map(LocalisationMap(row), where, one) for one in (wide, narrow))
     assert (far.undetermined == 0).all() and (near.undetermined == 0).all()

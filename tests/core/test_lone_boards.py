@@ -9,9 +9,9 @@ from tests.core import object_scene as scene
 from tests.core.road_scene import Street, to_local, write_drive
 from urbanmap_qgis.roadmap.objects.lone_boards import lone_boards
 from urbanmap_qgis.roadmap.objects.object_city import furniture_objects
-from urbanmap_qgis.roadmap.objects.object_records import ObjectSettings
 from urbanmap_qgis.roadmap.objects.street_objects import street_objects
 from urbanmap_qgis.roadmap.objects.sweep_index import SweepIndex
+from urbanmap_qgis.settings.roadmap import ObjectSettings
 
 VIEW = np.array([0.0, 0.0])
 

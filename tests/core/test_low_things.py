@@ -7,8 +7,9 @@ import pytest
 
 from tests.core import object_scene as scene
 from tests.core.road_scene import Street, to_local, write_drive
-from urbanmap_qgis.roadmap.objects.object_records import BOLLARD, DOUBTFUL, MEASURED, OTHER, ObjectSettings
+from urbanmap_qgis.roadmap.objects.object_records import BOLLARD, DOUBTFUL, MEASURED, OTHER
 from urbanmap_qgis.roadmap.objects.street_objects import street_objects
+from urbanmap_qgis.settings.roadmap import ObjectSettings
 
 
 def found_of(tmp_path, *makers, angle=0.0):

@@ -12,8 +12,9 @@ from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.roadmap.checks.map_check import check_map
 from urbanmap_qgis.roadmap.formats.lanelet_map import lanelet_elements
 from urbanmap_qgis.roadmap.formats.opendrive_map import opendrive_tree
-from urbanmap_qgis.roadmap.map_records import DrivenPath, MapLine, MapSettings, lines_of
+from urbanmap_qgis.roadmap.map_records import DrivenPath, MapLine, lines_of
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
+from urbanmap_qgis.settings.roadmap import MapSettings
 
 WKT = pyproj.CRS.from_epsg(6677).to_wkt()
 

@@ -10,18 +10,11 @@ import shapely
 import shapely.ops
 
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.roadmap.comparison.comparison_records import (
-    ADDED,
-    CHANGES,
-    MOVED,
-    OFFSET,
-    REMOVED,
-    REPAINTED,
-    ComparisonSettings,
-)
+from urbanmap_qgis.roadmap.comparison.comparison_records import ADDED, CHANGES, MOVED, OFFSET, REMOVED, REPAINTED
 from urbanmap_qgis.roadmap.comparison.difference_noise import limit_of
 from urbanmap_qgis.roadmap.comparison.map_comparison import compare_maps
 from urbanmap_qgis.roadmap.comparison.map_elements import CROSSWALK, LINE, STOP_LINE, SYMBOL, MapElement
+from urbanmap_qgis.settings.roadmap import ComparisonSettings
 
 SIGMA = 0.02
 

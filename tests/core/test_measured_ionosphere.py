@@ -12,11 +12,11 @@ from urbanmap_qgis.gnss.orbits.ephemeris import read_navigation, satellite_state
 from urbanmap_qgis.gnss.rinex.observation_file import MEGAHERTZ, read_observations
 from urbanmap_qgis.gnss.signals.measured_ionosphere import TwoBands, layer_mapping, measure_ionosphere
 from urbanmap_qgis.gnss.signals.observations import load_observations
-from urbanmap_qgis.gnss.signals.tables import SignalSettings
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 from urbanmap_qgis.samplecity.gnss.signals import Sky
 from urbanmap_qgis.samplecity.gnss.stage import write_gnss
 from urbanmap_qgis.samplecity.scene.world import make_scene
+from urbanmap_qgis.settings.gnss import SignalSettings
 
 BANDS, SECOND = {"G": "1", "E": "1", "C": "2"}, {"G": "2", "E": "5", "C": "7"}
 

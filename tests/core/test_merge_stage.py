@@ -23,13 +23,14 @@ from urbanmap_qgis.buildings.merging.merge_stage import (
 from urbanmap_qgis.buildings.merging.model_files import models_from_cityjson
 from urbanmap_qgis.buildings.merging.model_parts import model_parts
 from urbanmap_qgis.buildings.merging.plan_edges import Line, PlanEdges
-from urbanmap_qgis.buildings.merging.wall_match import MergeSettings, measured_wall
+from urbanmap_qgis.buildings.merging.wall_match import measured_wall
 from urbanmap_qgis.buildings.solids.plan_partition import Cell
 from urbanmap_qgis.buildings.solids.solid import building_solids
 from urbanmap_qgis.buildings.solids.validity import check_solid
 from urbanmap_qgis.citymodel.solids import solid_object
 from urbanmap_qgis.errors import InputError, InsufficientDataError
 from urbanmap_qgis.geometry.solid import OVERHANG, multipolygon
+from urbanmap_qgis.settings.buildings import MergeSettings
 
 X0, Y0, BASE = -7000.0, -34000.0, 10.0
 

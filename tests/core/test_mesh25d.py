@@ -15,7 +15,6 @@ from urbanmap_qgis.buildings.mesh25d.mesh_stage import (
     MESH_COLUMNS,
     NOT_MODELLED,
     OK,
-    MeshSettings,
     mesh_building,
     mesh_buildings,
     mesh_columns,
@@ -29,6 +28,7 @@ from urbanmap_qgis.buildings.solids.validity import check_solid
 from urbanmap_qgis.errors import InputError, InsufficientDataError
 from urbanmap_qgis.geometry.solid import GROUND, INNER_WALL, OUTER_WALL, Solid
 from urbanmap_qgis.io.points.pointcloud import open_cloud
+from urbanmap_qgis.settings.buildings import MeshSettings
 
 X0, Y0, BASE = -7000.0, -34000.0, 12.0
 

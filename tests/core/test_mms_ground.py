@@ -12,7 +12,8 @@ from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError
 from urbanmap_qgis.mobile import survey_tiles
 from urbanmap_qgis.mobile.ground import classify_ground_files
 from urbanmap_qgis.progress import Progress
-from urbanmap_qgis.terrain.cloth import ClothSettings, classify_ground
+from urbanmap_qgis.settings.terrain import ClothSettings
+from urbanmap_qgis.terrain.cloth import classify_ground
 
 X0, Y0 = -7000.0, -34000.0
 

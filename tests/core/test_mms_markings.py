@@ -176,7 +176,7 @@ def test_roughness():
     assert np.isnan(roughness(x[:10], y[:10], y[:10]))
 
 
-@pytest.mark.parametrize("wrong", [{"contrast": 0.0}, {"block_size": -1.0}, {"min_points": 0}, {"max_width": 0.0}])
+@pytest.mark.parametrize("wrong", [{"contrast": 0.0}, {"block_size": -1.0}, {"max_width": 0.0}])
 def test_settings_out_of_range(wrong):
     with pytest.raises(InputError):
         MarkingPointSettings(**wrong)

@@ -15,8 +15,9 @@ from urbanmap_qgis.io.osm import write_osm
 from urbanmap_qgis.roadmap.checks.map_check import check_map
 from urbanmap_qgis.roadmap.formats.lanelet_map import META, lanelet_elements
 from urbanmap_qgis.roadmap.formats.opendrive_map import opendrive_tree, write_opendrive
-from urbanmap_qgis.roadmap.map_records import DrivenPath, MapLine, MapSettings
+from urbanmap_qgis.roadmap.map_records import DrivenPath, MapLine
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
+from urbanmap_qgis.settings.roadmap import MapSettings
 
 WKT = pyproj.CRS.from_epsg(6677).to_wkt()
 

@@ -18,12 +18,13 @@ from urbanmap_qgis.aerial.frames.normalised_surface import (
     wall_offsets,
     with_low_parts,
 )
-from urbanmap_qgis.aerial.frames.occlusion import OcclusionSettings, occlusion_map, occlusion_mask
+from urbanmap_qgis.aerial.frames.occlusion import occlusion_map, occlusion_mask
 from urbanmap_qgis.aerial.frames.silhouette import SilhouetteEdges, fill_silhouette, silhouette_edges
 from urbanmap_qgis.errors import InputError, OutputError
 from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.io.raster import write_raster
 from urbanmap_qgis.progress import Progress
+from urbanmap_qgis.settings.aerial import OcclusionSettings
 
 WKT = rasterio.crs.CRS.from_epsg(6677).to_wkt()
 GRID = Grid(-100.0, 100.0, 0.5, 400, 400)

@@ -23,8 +23,9 @@ from urbanmap_qgis.roadmap.formats.road_layout import (
     road_layout,
     with_straight_ends,
 )
-from urbanmap_qgis.roadmap.map_records import Bound, DrivenPath, MapLine, MapSettings, VectorMap
+from urbanmap_qgis.roadmap.map_records import Bound, DrivenPath, MapLine, VectorMap
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
+from urbanmap_qgis.settings.roadmap import MapSettings
 
 WKT = pyproj.CRS.from_epsg(6677).to_wkt()
 CLOSE = 0.05  # m

@@ -6,12 +6,11 @@ import shapely
 
 from urbanmap_qgis.buildings.outlines.footprint import clean_footprints
 from urbanmap_qgis.buildings.polygon_stage import cloud_roof_polygons
-from urbanmap_qgis.buildings.roof_polygons.polygon_rows import PolygonParameters
 from urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs
 from urbanmap_qgis.buildings.roofs.paper_roofs import paper_roofs
-from urbanmap_qgis.buildings.roofs.roof_levels import RoofParameters
-from urbanmap_qgis.buildings.segmentation import SegmentationParameters, segment_buildings
+from urbanmap_qgis.buildings.segmentation import segment_buildings
 from urbanmap_qgis.io.points.pointcloud import open_cloud, read_all
+from urbanmap_qgis.settings.buildings import PolygonParameters, RoofParameters, SegmentationParameters
 
 DENSITY = 7.0
 
@@ -107,7 +106,8 @@ def test_the_whole_chain_takes_all_points_and_leaves_small_buildings_out(tmp_pat
     roofs = segment_cloud_roofs(open_cloud([tmp_path / "b.laz"]), outlines, tmp_path / "r.laz",
                                 RoofParameters(method="paper"), made.ground, DENSITY)
     assert roofs.building_id.tolist() == [1, 2]
-    drawn = cloud_roof_polygons(open_cloud([tmp_path / "r.laz"]), outlines, PolygonParameters("paper", "maximum"))
+    drawn = cloud_roof_polygons(open_cloud([tmp_path / "r.laz"]), outlines,
+                                PolygonParameters("paper", height="maximum"))
     assert drawn.building_id == [1, 2]
     assert drawn.height == pytest.approx([12.0, 18.0], abs=0.2)
     for polygon, outline in zip(drawn.polygon, outlines.polygons):

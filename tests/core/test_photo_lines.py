@@ -7,10 +7,11 @@ import pytest
 import rasterio
 from rasterio.transform import Affine
 
-from urbanmap_qgis.roadmap.map_records import DrivenPath, MapLine, MapSettings
+from urbanmap_qgis.roadmap.map_records import DrivenPath, MapLine
 from urbanmap_qgis.roadmap.photo.photo_lines import lines_with_photo
 from urbanmap_qgis.roadmap.photo.straight_photo import ColourImage
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
+from urbanmap_qgis.settings.roadmap import MapSettings
 
 PIXEL, LENGTH, NORTH = 0.1, 60.0, 40.0
 RIGHT = MapSettings(traffic="right")

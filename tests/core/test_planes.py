@@ -12,7 +12,7 @@ import shapely
 from tests.solid_files import write_solids
 from urbanmap_qgis.buildings.planes import alpha_expansion
 from urbanmap_qgis.buildings.planes.alpha_expansion import expand_labels
-from urbanmap_qgis.buildings.planes.plane_detection import PlaneParameters, detect_planes
+from urbanmap_qgis.buildings.planes.plane_detection import detect_planes
 from urbanmap_qgis.buildings.planes.plane_moments import azimuth_degrees, moments, slope_degrees, solve
 from urbanmap_qgis.buildings.planes.plane_partition import partition_planes
 from urbanmap_qgis.buildings.planes.plane_segmentation import segment_planes
@@ -23,6 +23,7 @@ from urbanmap_qgis.buildings.solids.sloped_solid import SlopedCell, sloped_solid
 from urbanmap_qgis.buildings.solids.validity import check_solid
 from urbanmap_qgis.citymodel.solids import solid_object
 from urbanmap_qgis.geometry.solid import INNER_WALL, ROOF, volume
+from urbanmap_qgis.settings.buildings import PlaneParameters
 
 VAL3DITY = Path(__file__).resolve().parents[3] / "shared" / "tools" / "val3dity"
 X0, Y0 = 84_900.0, 447_400.0

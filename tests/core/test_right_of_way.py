@@ -10,8 +10,8 @@ import shapely
 from tests.core.laid_out_roads import drive, lane_at, place
 from tests.core.test_lane_movements import arms, drives, stops
 from urbanmap_qgis.roadmap.lanes.right_of_way import complete_rights, rights_of_way
-from urbanmap_qgis.roadmap.map_records import MapSettings
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
+from urbanmap_qgis.settings.roadmap import MapSettings
 
 ALL = MapSettings(way_confidence=0.0)
 

@@ -10,9 +10,10 @@ import pytest
 from tests.core.road_scene import KERB_AT, RAIL_AT, WALL_AT, Street, to_local, write_drive
 from urbanmap_qgis.errors import InsufficientDataError
 from urbanmap_qgis.roadmap.edges.doubts import with_doubts, with_low_doubts
-from urbanmap_qgis.roadmap.edges.edge_records import EdgeSettings, RoadEdge
+from urbanmap_qgis.roadmap.edges.edge_records import RoadEdge
 from urbanmap_qgis.roadmap.edges.profile import fit_edge_profile
 from urbanmap_qgis.roadmap.edges.road_edges import road_edges
+from urbanmap_qgis.settings.roadmap import EdgeSettings
 
 SETTINGS = EdgeSettings(survey_sigma=0.0)
 

@@ -13,8 +13,9 @@ from urbanmap_qgis.io.osm import read_osm, write_osm
 from urbanmap_qgis.roadmap.formats.lanelet_map import META, lanelet_elements
 from urbanmap_qgis.roadmap.formats.map_projection import map_coordinates, write_projector
 from urbanmap_qgis.roadmap.lanes.road_axes import axes_of
-from urbanmap_qgis.roadmap.map_records import DrivenPath, MapArea, MapLine, MapSettings, areas_of, lines_of
+from urbanmap_qgis.roadmap.map_records import DrivenPath, MapArea, MapLine, areas_of, lines_of
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
+from urbanmap_qgis.settings.roadmap import MapSettings
 
 WKT = pyproj.CRS.from_epsg(6677).to_wkt()
 

@@ -4,15 +4,9 @@ import numpy as np
 import pytest
 import shapely
 
-from urbanmap_qgis.buildings.roofs.roof_segmentation import (
-    DEFAULTS,
-    FEW_POINTS,
-    NO_POINTS,
-    OK,
-    RoofParameters,
-    segment_roofs,
-)
+from urbanmap_qgis.buildings.roofs.roof_segmentation import DEFAULTS, FEW_POINTS, NO_POINTS, OK, segment_roofs
 from urbanmap_qgis.errors import InputError
+from urbanmap_qgis.settings.buildings import RoofParameters
 
 DENSITY = 7.0
 NOISE = 0.03
@@ -133,7 +127,7 @@ def test_without_tolerance_the_roofs_are_the_ones_of_the_paper():
     outline = shapely.box(0, 0, 40, 12)
     slope = scatter(shapely.box(0, 0, 20, 12), lambda x, y: 4 + 0.1 * y)
     flat = scatter(shapely.box(20, 0, 40, 12), 14.0, seed=1)
-    _, result = segment([slope, flat], outline, parameters=RoofParameters(height_rmse=None))
+    _, result = segment([slope, flat], outline, parameters=RoofParameters(height_rmse=0.0))
     assert len(result.roofs) == 2
     np.testing.assert_allclose(result.roofs.height, [4.6, 14.0], atol=0.1)
 

@@ -5,12 +5,12 @@ import pytest
 import shapely
 
 from urbanmap_qgis.buildings import polygon_stage
-from urbanmap_qgis.buildings.planes.plane_detection import PLANES
 from urbanmap_qgis.buildings.planes.plane_moments import moments, shifted
 from urbanmap_qgis.buildings.planes.plane_partition import PlanePoints, partition_planes
 from urbanmap_qgis.buildings.roof_polygons.building_polygons import roof_polygons_or_block
-from urbanmap_qgis.buildings.roof_polygons.polygon_rows import PolygonParameters, RoofedBuilding
+from urbanmap_qgis.buildings.roof_polygons.polygon_rows import RoofedBuilding
 from urbanmap_qgis.buildings.roof_polygons.row_planes import HousePlanes, row_planes, touching_pairs
+from urbanmap_qgis.settings.buildings import PLANES, PolygonParameters
 
 PLACE = np.array([84_000.0, 447_000.0])
 """South-west corner of the row, m: as far from the origin as map coordinates are."""

@@ -8,11 +8,12 @@ import shapely
 
 from urbanmap_qgis.buildings.merging.merge_stage import edge_columns, merge_models, merged_columns
 from urbanmap_qgis.buildings.merging.satellite_walls import SatelliteWall, satellite_walls, weighed
-from urbanmap_qgis.buildings.merging.wall_match import MergeSettings, measured_wall
+from urbanmap_qgis.buildings.merging.wall_match import measured_wall
 from urbanmap_qgis.buildings.solids.plan_partition import Cell
 from urbanmap_qgis.buildings.solids.solid import building_solids
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.geometry.solid import multipolygon
+from urbanmap_qgis.settings.buildings import MergeSettings
 
 BASE = 10.0
 
@@ -122,5 +123,5 @@ def test_only_walls_that_satellites_moved_are_read():
     assert [(wall.sigma, wall.status) for wall in found] == [(0.2, "adjusted"), (0.4, "likely")]
     with pytest.raises(InputError, match="sigma greater than 0"):
         SatelliteWall(np.array(NORTH), float("nan"), "likely")
-    with pytest.raises(InputError, match="sigma of the models"):
+    with pytest.raises(InputError, match="Sigma of the models"):
         MergeSettings(model_sigma=0.0)

@@ -31,7 +31,6 @@ from urbanmap_qgis.progress import Progress
 from urbanmap_qgis.roadmap.checks.light_rules import _cosine
 from urbanmap_qgis.roadmap.edges.assembly import kerb_lines
 from urbanmap_qgis.roadmap.edges.courses import _turns_off
-from urbanmap_qgis.roadmap.edges.edge_records import EdgeSettings
 from urbanmap_qgis.roadmap.edges.profile import most_likely_change
 from urbanmap_qgis.roadmap.edges.stations import Stations
 from urbanmap_qgis.roadmap.lanes.movements import _offer
@@ -43,6 +42,7 @@ from urbanmap_qgis.samplecity.gnss.signals import _beside_line_of_sight
 from urbanmap_qgis.samplecity.scene.faces import FaceKind, building_faces
 from urbanmap_qgis.samplecity.scene.markings import _bays
 from urbanmap_qgis.samplecity.scene.model import Building, RoofPart
+from urbanmap_qgis.settings.roadmap import EdgeSettings
 
 
 def test_a_city_moves_by_buildings_only_where_it_may():

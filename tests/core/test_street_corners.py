@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.roadmap.lanes.street_corners import cut_at_corners
-from urbanmap_qgis.roadmap.map_records import DrivenPath, MapLine, MapSettings
+from urbanmap_qgis.roadmap.map_records import DrivenPath, MapLine
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
+from urbanmap_qgis.settings.roadmap import MapSettings
 
 
 def straight(start, end, kind="solid"):

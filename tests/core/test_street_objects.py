@@ -12,8 +12,8 @@ from urbanmap_qgis.errors import InsufficientDataError
 from urbanmap_qgis.mobile.trajectory import Trajectory
 from urbanmap_qgis.roadmap.objects.axis_fit import fit_axis
 from urbanmap_qgis.roadmap.objects.object_pictures import object_map
-from urbanmap_qgis.roadmap.objects.object_records import ObjectSettings
 from urbanmap_qgis.roadmap.objects.street_objects import street_objects
+from urbanmap_qgis.settings.roadmap import ObjectSettings
 
 SETTINGS = ObjectSettings(survey_sigma=0.0)
 FLAT = Street(kerb=0.0, length=30.0)

@@ -14,7 +14,7 @@ from scripts import source_tree
 
 ROOT = Path(__file__).resolve().parents[2]
 CORE = source_tree.CORE
-BASE = {"errors", "progress", "execution", "dependencies", "sources", "wording"}
+BASE = {"errors", "progress", "execution", "dependencies", "sources", "wording", "settings"}
 
 # From the ground up: a room imports from the floors below its own, never from its own floor's neighbours.
 FLOORS = (BASE, {"geometry"}, {"io"}, {"terrain", "citymodel", "tiling", "acceptance"}, {"aerial", "mobile"},
@@ -92,7 +92,8 @@ def test_folders_have_no_circles():
 
 def test_recipes_stay_readable():
     """A module that brings more of the others together than a reader keeps in mind: which steps are one?"""
-    assert not {name: len(targets) for name, targets in IMPORTS.items()
+    steps = {name: [target for target in targets if room(target) != "settings"] for name, targets in IMPORTS.items()}
+    assert not {name: len(targets) for name, targets in steps.items()
                 if len(targets) > LONG_RECIPES.get(name, IMPORTS_OF_A_RECIPE)}
 
 
@@ -134,7 +135,8 @@ def test_algorithm_modules_hold_no_mathematics(name):
 def test_algorithm_modules_import_the_core_in_the_run(name):
     """So that listing works while packages are missing."""
     heads = {node for node in read(name).body if isinstance(node, ast.ImportFrom) and node.level >= 3}
-    assert {node.module for node in heads} <= {f"{CORE}.errors", f"{CORE}.progress", f"{CORE}.wording"}
+    assert {node.module for node in heads if not node.module.startswith(f"{CORE}.settings.")} <= {
+        f"{CORE}.errors", f"{CORE}.progress", f"{CORE}.wording"}
 
 
 def algorithms() -> dict[str, tuple[str, ast.ClassDef]]:
@@ -158,7 +160,7 @@ def test_algorithm_has_a_module_of_its_name_help_a_page_and_tests(identifier):
     assert assigned >= {"ID", "NAME", "HELP", "KEYWORDS"}
     assert re.search(rf"\b{identifier}\b", (ROOT / "README.md").read_text(encoding="utf-8"))
     tested = [path.name for folder in ("algorithms", "cli") for path in (ROOT / "tests" / folder).glob("test_*.py")
-              if path.name not in {"test_provider.py", "test_cli_listing.py", "test_defaults.py"}
+              if path.name not in {"test_provider.py", "test_cli_listing.py"}
               and re.search(rf"\b{identifier}\b", path.read_text(encoding="utf-8"))]
     assert tested
 
@@ -256,3 +258,13 @@ def _says(node: ast.AST, error: str | None) -> bool:
     by = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
     return by in ("str", "repr", "format", "say") and any(isinstance(item, ast.Name) and item.id == error for item in [
         *node.args, *(keyword.value for keyword in node.keywords)])
+
+
+def test_settings_need_no_packages():
+    """They are read when the algorithms are listed, where packages may be missing."""
+    records = {name: path for name, path in source_tree.modules().items() if room(name) == "settings"}
+    assert len(records) > 2
+    for name, path in records.items():
+        assert not {word for _, word in source_tree.foreign_imports(source_tree.parsed(path))
+                    } - sys.stdlib_module_names, name
+        assert {room(target) for target in IMPORTS[name]} <= {"settings", "errors", "wording"}, name

@@ -13,11 +13,11 @@ from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError, O
 from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.io.raster import read_raster
 from urbanmap_qgis.progress import Progress
-from urbanmap_qgis.terrain.cloth import ClothSettings
+from urbanmap_qgis.settings.terrain import ClothSettings, SurfaceSettings
 from urbanmap_qgis.terrain.delaunay import triangulate
 from urbanmap_qgis.terrain.rasterise import rasterise
 from urbanmap_qgis.terrain.surface import ground_mask, ground_raster, ground_source, thin_highest, thin_mean
-from urbanmap_qgis.terrain.surface_files import SurfaceSettings, _ground_source, surfaces_from_files
+from urbanmap_qgis.terrain.surface_files import _ground_source, surfaces_from_files
 
 X0, Y0 = -8_000.0, -34_000.0
 ROOFS = [(20, 20, 45, 50, 12.0), (60, 15, 95, 55, 30.0), (30, 70, 80, 100, 8.0)]

@@ -9,8 +9,9 @@ import shapely
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.facades import wall_contours as wall_contours_module
 from urbanmap_qgis.facades.plane_fit import WallPlane
-from urbanmap_qgis.facades.wall_contours import ContourSettings, in_plane, on_map, wall_contours, wall_coverage
+from urbanmap_qgis.facades.wall_contours import in_plane, on_map, wall_contours, wall_coverage
 from urbanmap_qgis.geometry.alpha_shape import alpha_shape
+from urbanmap_qgis.settings.facades import ContourSettings
 
 NAN = float("nan")
 
@@ -120,7 +121,7 @@ def test_plane_coordinates_are_lengths():
 
 def test_bad_settings():
     with pytest.raises(InputError):
-        ContourSettings(min_area=0)
+        ContourSettings(min_opening=-1.0)
 
 
 @pytest.mark.parametrize("alpha", [0.35, 0.6, 1.2])

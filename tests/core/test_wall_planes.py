@@ -8,8 +8,9 @@ import shapely
 
 from urbanmap_qgis.errors import Cancelled, InputError
 from urbanmap_qgis.facades.building_plans import outline_edges
-from urbanmap_qgis.facades.wall_planes import PlaneSettings, wall_segments
+from urbanmap_qgis.facades.wall_planes import wall_segments
 from urbanmap_qgis.progress import Progress
+from urbanmap_qgis.settings.facades import PlaneSettings
 
 ORIGIN = np.array([-7000.0, -34000.0])
 

@@ -18,12 +18,12 @@ from urbanmap_qgis.buildings.merging.wall_match import measured_wall
 from urbanmap_qgis.buildings.solids.plan_partition import partition_plan
 from urbanmap_qgis.buildings.solids.solid import building_solids
 from urbanmap_qgis.facades.building_plans import building_plans
-from urbanmap_qgis.facades.facade_points import FacadeSettings
-from urbanmap_qgis.facades.wall_stage import WALL_COLUMNS, WallSettings, find_walls, wall_columns
+from urbanmap_qgis.facades.wall_stage import WALL_COLUMNS, find_walls, wall_columns
 from urbanmap_qgis.geometry.solid import multipolygon
 from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.mobile.trajectory import move_points
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
+from urbanmap_qgis.settings.facades import FacadeSettings, WallSettings
 
 
 def features(path, layer):

@@ -15,8 +15,8 @@ from urbanmap_qgis.roadmap.checks.map_check import check_map
 from urbanmap_qgis.roadmap.formats.lanelet_map import lanelet_elements
 from urbanmap_qgis.roadmap.lanes.junctions import goes_past_lanes
 from urbanmap_qgis.roadmap.lanes.lane_assembly import without_turning_back
-from urbanmap_qgis.roadmap.map_records import MapSettings
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
+from urbanmap_qgis.settings.roadmap import MapSettings
 
 ALL = MapSettings(traffic="left")
 

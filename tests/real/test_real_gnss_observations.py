@@ -15,10 +15,11 @@ from urbanmap_qgis.gnss.rays.wall_faces import building_walls
 from urbanmap_qgis.gnss.rinex.observation_file import read_observations
 from urbanmap_qgis.gnss.signals.antenna_height import estimate_height, strong_signals
 from urbanmap_qgis.gnss.signals.observations import expected_code_noise, expected_sigma, load_observations
-from urbanmap_qgis.gnss.signals.tables import Epochs, Signals, SignalSettings
+from urbanmap_qgis.gnss.signals.tables import Epochs, Signals
 from urbanmap_qgis.gnss.walls.receiver_clock import pass_clocks
 from urbanmap_qgis.gnss.walls.residuals import corrected_residuals
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
+from urbanmap_qgis.settings.gnss import SignalSettings
 
 CRS = "EPSG:32650"
 

@@ -19,7 +19,8 @@ from urbanmap_qgis.aerial.frames.normalised_surface import NormalisedSurface
 from urbanmap_qgis.aerial.frames.occlusion import occlusion_mask
 from urbanmap_qgis.geometry.sampling import sample
 from urbanmap_qgis.io.raster import read_raster
-from urbanmap_qgis.terrain.surface_files import SurfaceSettings, surfaces_from_files
+from urbanmap_qgis.settings.terrain import SurfaceSettings
+from urbanmap_qgis.terrain.surface_files import surfaces_from_files
 
 DATA = Path(__file__).resolve().parents[2].parent / "shared" / "data"
 CITY, ODM = DATA / "city", DATA / "aerial" / "odm"

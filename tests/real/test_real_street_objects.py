@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
-from urbanmap_qgis.roadmap.objects.object_records import MEASURED, ObjectSettings
+from urbanmap_qgis.roadmap.objects.object_records import MEASURED
 from urbanmap_qgis.roadmap.objects.street_objects import street_objects
+from urbanmap_qgis.settings.roadmap import ObjectSettings
 
 ORIGIN = np.array([457000.0, 5427000.0])
 

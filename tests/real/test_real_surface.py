@@ -10,9 +10,10 @@ from urbanmap_qgis.errors import InsufficientDataError
 from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.geometry.sampling import sample
 from urbanmap_qgis.io.raster import read_raster
+from urbanmap_qgis.settings.terrain import SurfaceSettings
 from urbanmap_qgis.terrain.cloth import classify_ground
 from urbanmap_qgis.terrain.surface import ground_raster
-from urbanmap_qgis.terrain.surface_files import SurfaceSettings, surfaces_from_files
+from urbanmap_qgis.terrain.surface_files import surfaces_from_files
 
 
 def points_of(path):

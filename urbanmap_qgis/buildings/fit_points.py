@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import shapely
 
-from .roofs.roof_levels import RoofParameters
+from ..settings.buildings import RoofParameters
 from .roofs.roof_surface import roof_surface
 
 MAX_ROUGHNESS = 0.3

@@ -12,6 +12,7 @@ from ..errors import Cancelled, InputError, trouble_words
 from ..execution import checkpoint, in_order
 from ..io.points.pointcloud import PointCloud, PointLayout
 from ..progress import SILENT, Progress
+from ..settings.buildings import LEVELS, PLANES
 from ..wording import say
 from .building_model import (
     ASSUMED,
@@ -27,7 +28,6 @@ from .building_points import BUILDINGS_AT_ONCE, coordinates, iter_building_block
 from .fit_points import candidate_points
 from .outlines.evidence import BUILDING_CLASS
 from .outlines.footprint import Footprints
-from .planes.plane_detection import LEVELS, PLANES
 from .planes.plane_solids import is_sloped
 from .seen.cloud_cover import CloudCover
 
@@ -167,5 +167,3 @@ def _model_piece(piece: tuple[np.ndarray, ModelPiece]) -> tuple[np.ndarray, list
         except Exception as error:  # one building's trouble is not the others'
             models.append(unmodelled(number, base, trouble_words(error)))
     return rows, models
-
-

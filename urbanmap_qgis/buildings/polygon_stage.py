@@ -12,11 +12,11 @@ import shapely
 from ..execution import checkpoint, in_order
 from ..io.points.pointcloud import PointCloud, PointLayout
 from ..progress import SILENT, Progress
+from ..settings.buildings import PARTITION, PLANES, POINTS, PolygonParameters
 from .building_points import coordinates, iter_building_blocks, require_dimension
 from .outlines.footprint import Footprints
-from .planes.plane_detection import PLANES
 from .roof_polygons.building_polygons import roof_polygons_or_block
-from .roof_polygons.polygon_rows import PARTITION, POINTS, PolygonParameters, RoofedBuilding, RoofPolygons
+from .roof_polygons.polygon_rows import RoofedBuilding, RoofPolygons
 from .roof_polygons.row_planes import HousePlanes, row_planes, touching_pairs
 
 SEGMENT_ROOFS = "Segment roofs"

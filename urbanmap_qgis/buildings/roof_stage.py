@@ -15,14 +15,13 @@ from ..execution import checkpoint, in_order
 from ..io.points.pointcloud import PointCloud, PointLayout, cloud_writer
 from ..io.points.whole_records import joined_records
 from ..progress import SILENT, Progress
+from ..settings.buildings import PAPER, PlaneParameters, RoofParameters
 from ..wording import say
 from .building_points import coordinates, iter_building_blocks, require_dimension
 from .outlines.evidence import BUILDING_CLASS
 from .outlines.footprint import Footprints
-from .planes.plane_detection import PlaneParameters
 from .planes.plane_segmentation import segment_planes
 from .roofs.paper_roofs import PaperRoofs, paper_roofs
-from .roofs.roof_levels import PAPER, RoofParameters
 from .roofs.roof_segmentation import RoofSegmentation, segment_roofs
 
 SEGMENT_BUILDINGS = "Segment buildings"

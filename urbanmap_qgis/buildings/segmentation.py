@@ -23,9 +23,10 @@ from ..io.points.point_buckets import PointBuckets
 from ..io.points.pointcloud import PointCloud, PointLayout, cloud_writer, iter_chunks, valid_points
 from ..io.points.whole_records import record_rows
 from ..progress import SILENT, Progress
+from ..settings.buildings import SegmentationParameters
 from ..wording import say
 from .outlines.footprint import Footprints
-from .outlines.segmented_buildings import SegmentationParameters, SegmentedBuildings
+from .outlines.segmented_buildings import SegmentedBuildings
 from .outlines.tile_ground import BUFFER
 from .tile_segmentation import Tile, segment_tile
 
@@ -149,5 +150,3 @@ def _ground_part(ground: tuple[Grid, np.ndarray] | None,
     x_min, y_min, x_max, y_max = shapely.total_bounds(polygons)
     rows, columns, part = grid.window(x_min - BUFFER, y_min - BUFFER, x_max + BUFFER, y_max + BUFFER)
     return (part, heights[rows, columns]) if part.rows and part.columns else None
-
-

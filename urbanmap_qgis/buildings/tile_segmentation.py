@@ -15,12 +15,13 @@ from ..io.points.point_buckets import stable_order
 from ..io.points.pointcloud import PointLayout
 from ..io.points.whole_records import record_rows
 from ..progress import SILENT, Progress
+from ..settings.buildings import PAPER, SegmentationParameters
 from .building_points import coordinates
 from .outlines.candidate_points import assign_candidates
 from .outlines.courtyards import with_courtyards
 from .outlines.footprint import Footprints
 from .outlines.outline_placement import place_outlines
-from .outlines.segmented_buildings import PAPER, SegmentationParameters, SegmentedBuildings
+from .outlines.segmented_buildings import SegmentedBuildings
 from .outlines.tile_ground import ground_of_points, heights_above
 from .point_assignment import Assignment, points_in_expanded
 from .seen.cloud_cover import cloud_cover

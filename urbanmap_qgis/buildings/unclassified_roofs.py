@@ -6,7 +6,7 @@ import numpy as np
 import shapely
 from scipy import ndimage
 
-from .roofs.roof_levels import RoofParameters
+from ..settings.buildings import RoofParameters
 from .roofs.roof_surface import roof_surface
 
 MAX_ROUGHNESS = 0.15

@@ -17,12 +17,13 @@ import numpy as np
 import shapely
 from scipy import ndimage
 
-from ..errors import InputError, InsufficientDataError
+from ..errors import InsufficientDataError
 from ..io.points.point_buckets import PointBuckets, stable_order
 from ..io.points.pointcloud import PointCloud, iter_chunks, valid_points
 from ..io.points.whole_records import record_rows
 from ..io.raster import RasterSampler
 from ..progress import SILENT, Progress
+from ..settings.facades import DEFAULTS, FacadeSettings
 from ..wording import say
 from .building_plans import BuildingPlans
 from .plane_fit import component
@@ -50,27 +51,6 @@ class FacadePointsLimits:
 
 
 LIMITS = FacadePointsLimits()
-
-
-@dataclass(frozen=True)
-class FacadeSettings:
-    """What counts as a facade point.
-
-    Parameters
-    ----------
-    max_height : maximum height above ground, m (J 5.7: 20 m).
-    tolerance : maximum distance outside an outline, m: how far outlines may be off. Inside, all points count.
-    max_points : a building with more points is thinned at random to about so many, and says so.
-    """
-
-    max_height: float = 20.0
-    tolerance: float = 2.0
-    max_points: int = 4_000_000
-
-    def __post_init__(self) -> None:
-        if not self.max_height > 0 or not 0 < self.tolerance <= 10:
-            raise InputError(say("The height must be greater than 0 and the tolerance of the outlines between 0 and "
-                                 "10 m."))
 
 
 @dataclass(frozen=True, eq=False)
@@ -254,7 +234,7 @@ def ground_plane(xy: np.ndarray, z: np.ndarray) -> np.ndarray:
 
 
 @contextmanager
-def facade_points(cloud: PointCloud, plans: BuildingPlans, settings: FacadeSettings = FacadeSettings(),
+def facade_points(cloud: PointCloud, plans: BuildingPlans, settings: FacadeSettings = DEFAULTS.facade,
                   ground: RasterSampler | None = None,
                   progress: Progress = SILENT) -> Iterator[Iterator[tuple[int, FacadePoints]]]:
     """Read a cloud and give (row of the building, its points), building after building.

@@ -14,10 +14,9 @@ import numpy as np
 import shapely
 from scipy import ndimage
 
-from ..errors import InputError
 from ..geometry.alpha_shape import alpha_shape, signed_area
 from ..io.points.point_buckets import stable_order
-from ..wording import say
+from ..settings.facades import DEFAULTS, ContourSettings
 from .laser_beams import LaserBeams, crossed_cells
 from .normals import numbered_cells
 from .plane_fit import WallPlane, component
@@ -40,29 +39,6 @@ class WallContoursLimits:
 
 
 LIMITS = WallContoursLimits()
-
-
-@dataclass(frozen=True)
-class ContourSettings:
-    """How contours are drawn.
-
-    Parameters
-    ----------
-    min_area : smallest contour, m2.
-    min_opening : smallest hole that is kept, m2; smaller ones are filled and their share is reported.
-    alpha : radius of the circle that no gap within the wall may hold, m; 0: three times the points' spacing.
-    max_gap : pieces of one plane are one contour over gaps up to this, m: windows, trees.
-    """
-
-    min_area: float = 3.0
-    min_opening: float = 0.5
-    alpha: float = 0.0
-    max_gap: float = 1.5
-
-    def __post_init__(self) -> None:
-        if not self.min_area > 0 or self.min_opening < 0 or min(self.alpha, self.max_gap) < 0:
-            raise InputError(say("The minimum area of a wall must be greater than 0, the minimum opening and alpha "
-                                 "and gap not below."))
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,7 +100,7 @@ def on_map(plane: WallPlane, flat: shapely.Geometry) -> shapely.Geometry:
 
 
 def wall_contours(plane: WallPlane, points: np.ndarray,
-                  settings: ContourSettings = ContourSettings()) -> list[Contour]:
+                  settings: ContourSettings = DEFAULTS.contours) -> list[Contour]:
     """Contours of a wall's points (n, 3), the largest first; empty where none is large enough."""
     flat = in_plane(plane, points)
     alpha = settings.alpha or contour_alpha(flat)

@@ -14,11 +14,10 @@ import cv2
 import numpy as np
 from scipy import ndimage
 
-from ..errors import InputError
 from ..geometry.tolerances import LEAST_DIVISOR, LEAST_SQUARE, SIGMA_OF_MAD
 from ..io.points.point_buckets import stable_order
 from ..progress import SILENT, Progress
-from ..wording import say
+from ..settings.facades import DEFAULTS, PlaneSettings
 from .normals import NormalVoxels, voxel_normals
 from .plane_fit import WallPlane, component, cross, least_squares_plane, robust_plane
 from .statistical_outliers import statistical_outliers
@@ -43,26 +42,6 @@ class WallPlanesLimits:
 LIMITS = WallPlanesLimits()
 
 
-@dataclass(frozen=True)
-class PlaneSettings:
-    """How walls are told apart.
-
-    Parameters
-    ----------
-    tolerance : maximum distance of a voxel's centroid from its plane, m.
-    min_area : smallest wall, m2.
-    max_gap : widest gap within one wall, m.
-    """
-
-    tolerance: float = 0.08
-    min_area: float = 3.0
-    max_gap: float = 1.5
-
-    def __post_init__(self) -> None:
-        if not (self.tolerance > 0 and self.min_area > 0 and self.max_gap >= 0):
-            raise InputError(say("Tolerance and minimum area of walls must be greater than 0."))
-
-
 @dataclass(frozen=True, eq=False)
 class Segment:
     """Points of one wall: their plane, its normal outwards, and their numbers (k,)."""
@@ -72,7 +51,7 @@ class Segment:
 
 
 def wall_segments(points: np.ndarray, time: np.ndarray, edges: np.ndarray, outward: np.ndarray,
-                  settings: PlaneSettings = PlaneSettings(), progress: Progress = SILENT) -> list[Segment]:
+                  settings: PlaneSettings = DEFAULTS.planes, progress: Progress = SILENT) -> list[Segment]:
     """Planes of a building's walls, the largest first.
 
     Parameters

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
@@ -15,17 +15,18 @@ from ..io.points.pointcloud import PointCloud
 from ..io.raster import RasterSampler
 from ..mobile.trajectory import Trajectory
 from ..progress import SILENT, Progress
+from ..settings.facades import DEFAULTS, OUTERMOST, WallSettings
 from ..wording import say
 from .beam_checks import BeamFacts, check_beams, check_start
 from .building_plans import BuildingPlans, outline_edges
 from .facade_points import LIMITS as POINT_LIMITS
-from .facade_points import FacadePoints, FacadeSettings, facade_points
+from .facade_points import FacadePoints, facade_points
 from .laser_beams import LaserBeams, laser_beams
 from .outermost_fronts import cut_behind_balconies
 from .plane_fit import WallPlane
 from .standing_before import BALCONY, RECESS, SETBACK, UNCLEAR, WALL, PlacedWall, kinds_of_walls
-from .wall_contours import Contour, ContourSettings, WallCoverage, in_plane, on_map, wall_contours, wall_coverage
-from .wall_planes import PlaneSettings, edge_distance, wall_segments
+from .wall_contours import Contour, WallCoverage, in_plane, on_map, wall_contours, wall_coverage
+from .wall_planes import edge_distance, wall_segments
 
 OK, ROUGH, PARTLY, FEW, INSIDE, BEFORE, UNDECIDED = (
     "ok", "rough", "partly seen", "few points", "inside", "before the facade", "undecided")
@@ -33,9 +34,6 @@ OK, ROUGH, PARTLY, FEW, INSIDE, BEFORE, UNDECIDED = (
 to trust it; inside the outline behind another wall, on a roof, or farther than outlines may be off: a setback or a room
 seen through a window; a canopy, sign, balcony, garden wall, hoarding or post before the facade; it or a wall at another
 depth is the facade."""
-
-MAIN, OUTERMOST = "main", "outermost"
-"""Which wall is wanted where a building has balconies: the one behind them, or their fronts."""
 
 
 @dataclass(frozen=True)
@@ -61,16 +59,6 @@ class WallStageLimits:
 LIMITS = WallStageLimits()
 
 _BEFORE = 0.3
-
-
-@dataclass(frozen=True)
-class WallSettings:
-    """All settings of the stage; `front`: the wall that is wanted behind balconies, or their fronts."""
-
-    facade: FacadeSettings = field(default_factory=FacadeSettings)
-    planes: PlaneSettings = field(default_factory=PlaneSettings)
-    contours: ContourSettings = field(default_factory=ContourSettings)
-    front: str = MAIN
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,7 +111,7 @@ class _Piece:
     beams: LaserBeams | None
 
 
-def find_walls(cloud: PointCloud, plans: BuildingPlans, settings: WallSettings = WallSettings(),
+def find_walls(cloud: PointCloud, plans: BuildingPlans, settings: WallSettings = DEFAULTS,
                ground: RasterSampler | None = None, executor: Executor | None = None,
                progress: Progress = SILENT, trajectory: Trajectory | None = None
                ) -> tuple[list[FacadeWall], WallCounts]:

@@ -223,31 +223,6 @@ class VectorMap:
         return shapely.Polygon(ring)
 
 
-@dataclass(frozen=True)
-class MapSettings:
-    """What counts as a lane.
-
-    Attributes
-    ----------
-    min_width, max_width : of a lane, m.
-    min_length : of a lane, m.
-    traffic : "left", "right" or "auto" (what the drives show).
-    bridge : a bound may be unseen for so long, m; it is drawn through and told.
-    height_gap : lines whose heights differ by more do not belong together, m.
-    infer_ways : ways through junctions that no drive shows are made from arrows, lane ends and the rule of the road.
-    way_confidence : inferred ways that are less sure are findings only.
-    """
-
-    min_width: float = 2.2
-    max_width: float = 5.0
-    min_length: float = 5.0
-    traffic: str = "auto"
-    bridge: float = 30.0
-    height_gap: float = 2.5
-    infer_ways: bool = True
-    way_confidence: float = 0.9
-
-
 def lines_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[str, Sequence],
              kind_field: str | None = "class") -> list[MapLine]:
     """Lines of a table: parts of one feature apart, missing fields unknown.

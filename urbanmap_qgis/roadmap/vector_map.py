@@ -8,6 +8,7 @@ import numpy as np
 import shapely
 
 from ..progress import SILENT, Progress
+from ..settings.roadmap import MapSettings
 from ..wording import say
 from .bound_sigmas import fill_heights_and_sigmas
 from .given_bounds import rejoined
@@ -21,7 +22,7 @@ from .lanes.narrow_places import narrow_places
 from .lanes.road_axes import RoadAxis, add_speed_limits
 from .lanes.section_preparation import crosswalks_of, prepared_sections
 from .map_cleaning import clean_map
-from .map_records import DrivenPath, Finding, MapArea, MapLine, MapSettings, VectorMap
+from .map_records import DrivenPath, Finding, MapArea, MapLine, VectorMap
 
 STOP_REACH = 5.0
 """A lane ends at a stop line so near, m."""

@@ -21,10 +21,11 @@ from scipy import ndimage
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
-from ..errors import InputError, InsufficientDataError
+from ..errors import InsufficientDataError
 from ..geometry.grid import Grid
 from ..geometry.sampling import Bilinear
 from ..progress import SILENT, Progress
+from ..settings.terrain import JAVANMARDI, ClothSettings
 from ..wording import say
 from .delaunay import extreme_in_cells
 from .lowest_heights import NEIGHBOUR_STEP, PIT_DEPTH, LowestHeights, lowest_heights, node_of_points
@@ -51,38 +52,6 @@ class TerrainClothLimits:
 
 
 LIMITS = TerrainClothLimits()
-
-
-@dataclass(frozen=True)
-class ClothSettings:
-    """Parameters of the filter, with J's values.
-
-    Parameters
-    ----------
-    resolution : spacing of the cloth's nodes, m (J Table 3-2: 2 m).
-    threshold : largest distance of a ground point from the cloth, m (0.2 m).
-    iterations : maximum number of sweeps on each level of detail; it stops earlier when converged (1000).
-    rigidness : 1 (steep slopes), 2 (hills) or 3 (flat towns, large buildings).
-    """
-
-    resolution: float = 2.0
-    threshold: float = 0.2
-    iterations: int = 1000
-    rigidness: int = 3
-
-    def __post_init__(self) -> None:
-        if not self.resolution > 0 or not self.threshold > 0 or self.iterations < 1:
-            raise InputError(say("Cloth resolution, threshold and iterations must be greater than 0."))
-        if self.rigidness not in _CURVATURE:
-            raise InputError(say("The cloth's rigidness must be 1, 2 or 3."))
-
-    @property
-    def sag(self) -> float:
-        """Height that weight adds in one relaxation of a free node, m."""
-        return _CURVATURE[self.rigidness] * self.resolution ** 2 / 4
-
-JAVANMARDI = ClothSettings()
-"""The settings of J Table 3-2."""
 
 
 def classify_ground(x: np.ndarray, y: np.ndarray, z: np.ndarray, settings: ClothSettings = JAVANMARDI,
@@ -294,7 +263,12 @@ def _equilibrium(obstacle: np.ndarray, settings: ClothSettings, pinned: np.ndarr
             pooled = _lowest_of_four(obstacle)
             start = _equilibrium(pooled, coarse, np.zeros(pooled.shape, dtype=bool), progress)
             start = start.repeat(2, axis=0).repeat(2, axis=1)[:obstacle.shape[0], :obstacle.shape[1]]
-    return _relax(start, obstacle, np.where(finite, settings.sag, 0.0), pinned, settings.iterations, progress)
+    return _relax(start, obstacle, np.where(finite, _sag(settings), 0.0), pinned, settings.iterations, progress)
+
+
+def _sag(settings: ClothSettings) -> float:
+    """Height that weight adds in one relaxation of a free node, m."""
+    return _CURVATURE[settings.rigidness] * settings.resolution ** 2 / 4
 
 
 def _lowest_of_four(obstacle: np.ndarray) -> np.ndarray:

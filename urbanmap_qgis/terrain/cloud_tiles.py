@@ -19,8 +19,9 @@ from ..io.points.point_buckets import PointBuckets
 from ..io.points.pointcloud import PointCloud, iter_chunks, valid_points
 from ..io.points.whole_records import joined_records, record_rows
 from ..progress import Progress
+from ..settings.terrain import SurfaceSettings
 from ..wording import say
-from .cloth import JAVANMARDI, ClothSettings, LowestHeights, final_cloth, first_cloth
+from .cloth import LowestHeights, final_cloth, first_cloth
 from .delaunay import Blocks
 from .outliers import isolation_limit, plausible
 from .surface import GROUND_CLASSES, GroundSource
@@ -50,32 +51,6 @@ class CloudTileLimits:
 
 
 LIMITS = CloudTileLimits()
-
-
-@dataclass(frozen=True)
-class SurfaceSettings:
-    """How surfaces are made.
-
-    Parameters
-    ----------
-    resolution : raster cell, m.
-    ground : where ground points come from: "automatic", "classes" or "cloth".
-    cloth : parameters of the cloth filter.
-    max_edge : triangles of the surface with a longer side in plan, m, are left out; 0 keeps all.
-    ground_in_gaps : where triangles were left out, the surface is the ground.
-    """
-
-    resolution: float = 0.5
-    ground: str = "automatic"
-    cloth: ClothSettings = JAVANMARDI
-    max_edge: float = 0.0
-    ground_in_gaps: bool = False
-
-    def __post_init__(self) -> None:
-        if not self.resolution > 0:
-            raise InputError(say("The resolution must be greater than 0."))
-        if not self.max_edge >= 0:
-            raise InputError(say("The longest edge must be 0 or greater."))
 
 
 class CloudTiles:

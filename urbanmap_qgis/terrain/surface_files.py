@@ -17,8 +17,9 @@ from ..io.ply import mesh_writer
 from ..io.points.pointcloud import PointCloud, open_cloud, plan_crs
 from ..io.raster import write_raster
 from ..progress import SILENT, Progress
+from ..settings.terrain import SurfaceSettings
 from ..wording import say
-from .cloud_tiles import CloudTiles, SurfaceSettings
+from .cloud_tiles import CloudTiles
 from .surface import GroundSource, ground_source
 from .surface_canvas import Canvas
 

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..geometry.grid import Grid
-from .cloth import ClothSettings, bottom_points, lowest_layer
+from ..settings.terrain import ClothSettings
+from .cloth import bottom_points, lowest_layer
 from .delaunay import Blocks, block_triangles, cancel_twins, open_edges, points_of_blocks
 from .lowest_heights import lowest_heights
 from .outliers import VOXEL, isolated

@@ -41,14 +41,11 @@ def read_buildings(algorithm, parameters: Mapping, name: str, context, progress:
 
 
 def add_gnss_walls(algorithm):
-    """GNSS_WALLS and MODEL_SIGMA."""
+    """GNSS_WALLS."""
     algorithm.add_vector("GNSS_WALLS", "Walls by GNSS", "Walls of “Adjust walls by GNSS” from these models: where "
                          "nothing was measured from the street, adjusted and likely ones move the models' walls, "
                          "weighed by their sigma; where they contradict a measured wall, the note tells it.",
                          optional=True, source_type=QgsProcessing.SourceType.TypeVectorLine)
-    algorithm.add_distance("MODEL_SIGMA", "Sigma of the models' walls", "How well the models' own walls are known "
-                           "(standard deviation): walls by GNSS move them little where they are known better.", 1.0,
-                           0.01, 10.0, advanced=True)
 
 
 def read_gnss_walls(algorithm, parameters, context, crs, progress):

@@ -20,6 +20,7 @@ from ...geometry.grid import Grid
 from ...io.files.atomic import written_beside
 from ...io.raster import own_gdal
 from ...progress import SILENT, Progress
+from ...settings.aerial import OcclusionSettings
 from ...wording import say
 from .camera import ExteriorOrientation, FrameCamera, frame_rays, project_to_frame
 from .normalised_surface import NormalisedSurface, cell_centres, wall_offsets
@@ -43,27 +44,6 @@ class OcclusionLimits:
 
 LIMITS = OcclusionLimits()
 
-
-@dataclass(frozen=True)
-class OcclusionSettings:
-    """What counts as a building.
-
-    Parameters
-    ----------
-    threshold : surface higher than this above the ground, m.
-    low_parts : whether podiums and annexes lower than that count too, see `normalised_surface.with_low_parts`.
-    steepen_walls : whether walls drop from one cell to the next, see `normalised_surface.steepened_walls`.
-    shift_walls : whether the foot and the top of walls move to the border of their cells, see `wall_offsets` there.
-    """
-
-    threshold: float = 5.0
-    low_parts: bool = True
-    steepen_walls: bool = True
-    shift_walls: bool = True
-
-    def __post_init__(self) -> None:
-        if not self.threshold > 0:
-            raise InputError(say("The height threshold must be greater than 0."))
 
 DEFAULT_OCCLUSION = OcclusionSettings()
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 import cv2
 import numpy as np
 
+from ...settings.aerial import PaintRules
 from .disc_opening import coarse_step, disc_kernel, disc_opened
 from .image_strips import STRIP, flat_places, grown, row_strips, shifted_places, within
 from .marking_confidence import (
@@ -43,14 +44,12 @@ from .surroundings import REACH, road_share
 
 
 @dataclass(frozen=True)
-class CleanSettings:
+class CleanSettings(PaintRules):
     """Rules for what is no marking; lengths in m, areas in m2.
 
     Parameters
     ----------
-    max_width : strokes of paint are narrower; what is wider in both directions (paving, roofs, vehicles) is ground.
     top_hat_ratio : paint is this many thresholds brighter than the ground on both sides.
-    min_area : smaller pieces are specks.
     min_length : shorter pieces too.
     vehicle_width, vehicle_area : widest and smallest bright body that counts as a vehicle.
     body_ratio, body_width, body_area, rim : nothing is paint within `rim` of a body that is so many thresholds brighter
@@ -60,21 +59,17 @@ class CleanSettings:
     wear_gap : flakes of worn paint this near to each other are one piece.
     border_share : pieces with this share of pixels along the edge of what is hidden are roof edges that a mask left.
     max_length : pieces of this length or more are not judged by their shape.
-    min_confidence : pieces (parts of long ones) with less confidence that they are paint on a road are left out.
     doubtful, sure, company, company_reach : what the ground beside gives less confidence than `doubtful` goes where
         less than `company` m2 with a confidence of `sure` lies within `company_reach`: paint is seldom alone; reeds and
         parts of roofs and vehicles are.
     own_length : shorter pieces are no company to themselves.
     least_road, bars_near : it goes too where less of the ground round it can be a road and no bars lie so near.
     confidence : how it is measured.
-    fill_width : paint up to this width, such as arrow heads, is filled.
     trained : whether the confidence is told by the trained model, see `paint_model`, or by rules alone; see also
         `of_image`.
     """
 
-    max_width: float = 0.8
     top_hat_ratio: float = 1.4
-    min_area: float = 0.06
     min_length: float = 0.4
     vehicle_width: float = 3.2
     vehicle_area: float = 1.0
@@ -88,7 +83,6 @@ class CleanSettings:
     wear_gap: float = 0.36
     border_share: float = 0.6
     max_length: float = 12.0
-    min_confidence: float = 0.2
     doubtful: float = 0.6
     sure: float = 0.75
     company: float = 2.0
@@ -97,7 +91,6 @@ class CleanSettings:
     least_road: float = 0.2
     bars_near: float = 20.0
     confidence: ConfidenceSettings = field(default_factory=ConfidenceSettings)
-    fill_width: float = 1.5
     trained: bool = False
 
     def of_image(self, model: RoadModel) -> CleanSettings:

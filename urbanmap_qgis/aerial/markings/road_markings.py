@@ -14,6 +14,7 @@ import cv2
 import numpy as np
 
 from ...errors import InputError
+from ...settings.aerial import MarkingThreshold
 from ...wording import say
 from .colour_cast import ColourCast
 from .disc_opening import coarse_step, disc_kernel, disc_opened
@@ -53,26 +54,22 @@ MIN_RANGE = 1.5
 
 
 @dataclass(frozen=True)
-class MarkingSettings:
+class MarkingSettings(MarkingThreshold):
     """How markings are told from the road.
 
     Parameters
     ----------
-    block_size : side of the Gaussian window, m (J Table 3-2).
-    contrast : how much brighter than the window's mean paint is, in grey values of an image levelled to 0..255 (J Table
-        3-2).
     paper : whether the plain adaptive threshold of J 3.2.2 is taken, see `thresholded`; `cleaning` is None then.
     cleaning : rules for what is no marking; None keeps all that passes the threshold.
     levels : of the image that this one is a part of, so that its parts do not differ; None takes them of this one.
     """
 
-    block_size: float = 2.5
-    contrast: float = 17.0
     paper: bool = False
     cleaning: CleanSettings | None = field(default_factory=CleanSettings)
     levels: LevelAdjustment | None = None
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         if self.paper and self.cleaning is not None:
             raise ValueError("The paper's threshold is not cleaned.")
 

@@ -15,6 +15,7 @@ from scipy.sparse import coo_matrix, csc_matrix, diags
 from scipy.sparse.linalg import splu
 
 from ...errors import InputError, InsufficientDataError
+from ...settings.aerial import BundleSettings
 from ...wording import say
 from ..frames.camera import ExteriorOrientation, FrameCamera, frame_rays, project_places
 from .image_points import ImagePoints
@@ -37,32 +38,6 @@ class BundleLimits:
 
 
 LIMITS = BundleLimits()
-
-
-@dataclass(frozen=True)
-class BundleSettings:
-    """What is known before.
-
-    Attributes
-    ----------
-    position, angle : m and degrees, standard deviations of each frame's own errors.
-    shared : times these, of the errors that all frames share.
-    own_scales : times these that are tried; how much of their errors the frames share is found from the points.
-    pixel : of a measured point, pixels.
-    control : m, of a control point.
-    """
-
-    position: float = 0.3
-    angle: float = 0.05
-    shared: float = 10.0
-    own_scales: tuple[float, ...] = (1.0, 0.2, 0.04)
-    pixel: float = 0.5
-    control: float = 0.02
-
-    def __post_init__(self) -> None:
-        if not all(np.isfinite(value) and value > 0 for value in (*self.own_scales, self.position, self.angle,
-                                                                  self.shared, self.pixel, self.control)):
-            raise InputError(say("The standard deviations of frames, pixels and control points must be above 0."))
 
 
 @dataclass(frozen=True)

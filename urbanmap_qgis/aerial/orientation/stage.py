@@ -12,17 +12,10 @@ import numpy as np
 from ...errors import InsufficientDataError
 from ...io.files.atomic import written_beside
 from ...progress import SILENT, Progress
+from ...settings.aerial import BundleSettings
 from ...wording import mark, say
 from ..frames.camera import ExteriorOrientation, FrameCamera
-from .bundle import (
-    POSE,
-    AdjustedFrames,
-    BundleSettings,
-    adjust_frames,
-    contradicting,
-    errors_on_ground,
-    left_out_error,
-)
+from .bundle import POSE, AdjustedFrames, adjust_frames, contradicting, errors_on_ground, left_out_error
 from .image_points import ImagePoints
 
 _FEW = 3  # control points: fewer do not tell a shift from a tilt

@@ -22,10 +22,11 @@ from ...errors import InputError
 from ...geometry.grid import Grid
 from ...io.raster import RasterSampler
 from ...progress import SILENT, Progress
+from ...settings.aerial import OcclusionSettings
 from ...wording import say
 from ..frames.camera import ExteriorOrientation, FrameCamera, frame_rays, project_places
 from ..frames.frame_images import AerialFrame, FrameImage
-from ..frames.occlusion import OcclusionSettings, occlusion_map
+from ..frames.occlusion import occlusion_map
 from ..frames.visibility import off_ground, visible_ground
 from ..worker_resources import sent_polygons
 from .frame_shifts import FrameShift, frame_shifts, warn_of_shifts

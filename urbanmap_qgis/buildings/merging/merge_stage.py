@@ -25,6 +25,7 @@ from ...geometry.short_sides import without_short_sides
 from ...geometry.solid import Solid
 from ...geometry.solid_faces import solids_of
 from ...progress import SILENT, Progress
+from ...settings.buildings import MergeSettings
 from ...wording import say
 from ..solids.sloped_solid import SlopedCell, sloped_solids
 from ..solids.validity import check_solid
@@ -41,7 +42,6 @@ from .wall_match import (
     NEIGHBOUR,
     EdgeMatch,
     MeasuredWall,
-    MergeSettings,
     WallIndex,
     match_edge,
     steps_along,

@@ -15,9 +15,10 @@ import numpy as np
 import shapely
 
 from ...errors import InputError
+from ...settings.buildings import MergeSettings
 from ...wording import say
 from .plan_edges import Line, OuterEdge
-from .wall_match import KEPT, LIMITS, MOVED, NOT_SEEN, TOO_FAR, EdgeMatch, MeasuredWall, MergeSettings
+from .wall_match import KEPT, LIMITS, MOVED, NOT_SEEN, TOO_FAR, EdgeMatch, MeasuredWall
 
 
 @dataclass(frozen=True)

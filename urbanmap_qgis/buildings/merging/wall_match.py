@@ -9,8 +9,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 import shapely
 
-from ...errors import InputError
 from ...geometry.tolerances import LEAST_DIVISOR
+from ...settings.buildings import MergeSettings
 from ...wording import mark, say
 from .plan_edges import Line, OuterEdge
 
@@ -41,40 +41,6 @@ class WallMatchLimits:
 
 
 LIMITS = WallMatchLimits()
-
-
-@dataclass(frozen=True)
-class MergeSettings:
-    """Limits within which walls of models follow measured walls.
-
-    Parameters
-    ----------
-    height : up to which height above the model's ground walls are taken from the survey, m (J 5.7: 20 m).
-    max_offset : maximum distance by which a wall moves, m.
-    max_rotation : maximum rotation, degrees.
-    min_share : minimum share of a wall's length that must have been measured; at least a metre.
-    overhang : a roof that stands out over the measured wall by more than this stays as it is, m; below, it follows.
-    slab : height of the roof's edge over an overhang, m, where the top of the measured wall does not tell it.
-    max_rmse : walls whose points scatter more are not used, m.
-    model_sigma : how well the model's own walls are known, m (standard deviation): what walls by satellites are weighed
-        against.
-    """
-
-    height: float = 20.0
-    max_offset: float = 2.0
-    max_rotation: float = 5.0
-    min_share: float = 0.3
-    overhang: float = 0.3
-    slab: float = 0.3
-    max_rmse: float = 0.1
-    model_sigma: float = 1.0
-
-    def __post_init__(self) -> None:
-        if not self.model_sigma > 0:
-            raise InputError(say("The sigma of the models' walls must be greater than 0."))
-        if not (self.height > 0 and self.max_offset > 0 and 0 < self.max_rotation <= 20 and 0 < self.min_share <= 1):
-            raise InputError(say("Height, maximum offset and rotation (up to 20 degrees) and the share of a wall "
-                                 "must be greater than 0."))
 
 
 @dataclass(frozen=True, eq=False)

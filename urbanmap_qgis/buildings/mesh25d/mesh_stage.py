@@ -12,12 +12,13 @@ from functools import partial
 import numpy as np
 import shapely
 
-from ...errors import InputError, InsufficientDataError
+from ...errors import InsufficientDataError
 from ...execution import in_order
 from ...geometry.solid import Solid
 from ...io.ply import mesh_writer
 from ...io.points.pointcloud import PointCloud
 from ...progress import SILENT, Progress
+from ...settings.buildings import MeshSettings
 from ...wording import say
 from ..outlines.footprint import Footprints
 from ..solids.validity import check_solid
@@ -49,25 +50,7 @@ class MeshStageLimits:
 
 LIMITS = MeshStageLimits()
 
-
-@dataclass(frozen=True)
-class MeshSettings:
-    """How meshes are made.
-
-    Parameters
-    ----------
-    max_error : distance within which at least 95 % of the uppermost points shall lie, m.
-    step : height steps above this become upright walls, m.
-    min_area : smallest surface of its own, m2.
-    """
-
-    max_error: float = 0.3
-    step: float = 0.5
-    min_area: float = 2.0
-
-    def __post_init__(self) -> None:
-        if not (self.max_error > 0 and self.step > 0 and self.min_area >= 0):
-            raise InputError(say("The maximum error and the height step must be greater than 0."))
+DEFAULTS = MeshSettings()
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,7 +70,7 @@ class BuildingMesh:
 
 
 def mesh_buildings(cloud: PointCloud, footprints: Footprints, base: np.ndarray,
-                   settings: MeshSettings = MeshSettings(), executor: Executor | None = None,
+                   settings: MeshSettings = DEFAULTS, executor: Executor | None = None,
                    progress: Progress = SILENT) -> list[BuildingMesh]:
     """Meshes of all buildings, in the order of the outlines.
 
@@ -129,7 +112,7 @@ def _mesh_piece(piece: _Piece, settings: MeshSettings) -> BuildingMesh:
 
 
 def mesh_building(number: int, plan: shapely.Geometry | None, points: np.ndarray, base: float,
-                  settings: MeshSettings = MeshSettings(), note: str = "") -> BuildingMesh:
+                  settings: MeshSettings = DEFAULTS, note: str = "") -> BuildingMesh:
     """The mesh of one building from its points (n, 3) within its plan; `base`: height of the ground, NaN unknown."""
     if plan is None:
         return BuildingMesh(number, None, NOT_MODELLED, note or say("it has no outline"))

@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from ...io.points.point_buckets import stable_order
+from ...settings.buildings import SegmentationParameters
 from ..point_assignment import Assignment, assign_points
 from ..unclassified_roofs import unclassified_roof_points
 from .evidence import BUILDING_CLASS
-from .segmented_buildings import MIN_ROOF_POINTS, SegmentationParameters
+from .segmented_buildings import MIN_ROOF_POINTS
 
 _NOT_BUILDING = (2, 3, 4, 5, 9, 11, 17)
 """LAS classes that are never roofs: ground, vegetation, water, road surface, bridge deck."""

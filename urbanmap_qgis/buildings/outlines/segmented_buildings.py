@@ -17,29 +17,6 @@ MIN_ROOF_POINTS = 3
 """Points from which a building can have a roof."""
 
 
-FULL, PAPER = "full", "paper"
-"""Methods: outlines adjusted and candidate points chosen, or all points in the expanded outlines as in the paper."""
-
-
-@dataclass(frozen=True)
-class SegmentationParameters:
-    """What the user can set.
-
-    Attributes
-    ----------
-    expansion : m by which outlines are expanded (J 5.3.1: "pre-defined threshold").
-    minimum_height : m above ground from which an unclassified point may be building.
-    maximum_displacement : m by which an outline may be moved to its points; 0 leaves them in place.
-    method : `FULL` or `PAPER`, which uses the expansion only: outlines stay in place, all points in the expanded
-        outline are the building's, and a point in several is written once for each.
-    """
-
-    expansion: float = 1.0
-    minimum_height: float = 2.0
-    maximum_displacement: float = 2.5
-    method: str = FULL
-
-
 @dataclass(frozen=True)
 class SegmentedBuildings:
     """One row a footprint.

@@ -7,12 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...settings.buildings import PlaneParameters
 from .plane_merging import merge_planes, nearest_plane_labels
 from .plane_moments import moments, solve
 from .region_growing import grow_planes, surroundings
-
-PLANES, LEVELS = "planes", "levels"
-"""What roofs are: planes, level or sloped (LoD2.2), or level pieces (LoD1.3, as in J 5.3)."""
 
 
 @dataclass(frozen=True)
@@ -29,22 +27,6 @@ class PlaneDetectionLimits:
 
 
 LIMITS = PlaneDetectionLimits()
-
-
-@dataclass(frozen=True)
-class PlaneParameters:
-    """How planes are found.
-
-    Attributes
-    ----------
-    tolerance : farthest distance of a point from its plane, m; in thin clouds it grows to twice that.
-    least_area : area of the smallest plane in plan, m2.
-    merge_tolerance : residual that joining two planes may add for each point of the smaller one, m.
-    """
-
-    tolerance: float = 0.15
-    least_area: float = 1.0
-    merge_tolerance: float = 0.1
 
 
 def detect_planes(points: np.ndarray, density: float, parameters: PlaneParameters) -> np.ndarray:

@@ -8,7 +8,8 @@ import cv2
 import numpy as np
 import shapely
 
-from .plane_detection import PlaneParameters, detect_planes, fitted_planes
+from ...settings.buildings import PlaneParameters
+from .plane_detection import detect_planes, fitted_planes
 from .plane_moments import azimuth_degrees, slope_degrees
 
 OK, FEW_POINTS, NO_POINTS, NO_PLANES = "ok", "few points", "no roof points", "no planes"

@@ -8,20 +8,13 @@ import numpy as np
 import shapely
 
 from ...errors import Cancelled, InsufficientDataError, trouble_words
+from ...settings.buildings import PAPER, PLANES, POINTS, PolygonParameters
 from ..model_status import BLOCK, SIMPLIFIED
-from ..planes.plane_detection import PLANES
 from ..polygons.outline_from_points import outline_from_points
 from ..polygons.roof_polygon import PaperParameters, paper_roof_polygons
 from .level_roofs import level_roofs, roof_height
 from .plane_roofs import plane_roofs
-from .polygon_rows import (
-    PAPER,
-    POINTS,
-    DrawnRoof,
-    PolygonParameters,
-    RoofedBuilding,
-    RoofPolygons,
-)
+from .polygon_rows import DrawnRoof, RoofedBuilding, RoofPolygons
 
 
 def roof_polygons_or_block(building: RoofedBuilding, parameters: PolygonParameters) -> RoofPolygons:

@@ -10,10 +10,11 @@ import shapely
 
 from ...geometry.grid import Grid
 from ...geometry.tolerances import SIGMA_OF_MAD
+from ...settings.buildings import MAXIMUM, PolygonParameters
 from ..model_status import LOST_AREA, LOST_ROOFS
 from ..polygons.roof_plan import partition_roofs
 from ..quality import PARAPET_REACH
-from .polygon_rows import MAXIMUM, DrawnRoof, PolygonParameters, RoofedBuilding, RoofPolygons
+from .polygon_rows import DrawnRoof, RoofedBuilding, RoofPolygons
 
 CELL = (0.25, 1.0)
 """Least and greatest cell (m) of the raster on which a plan is divided; the density sets it between them."""

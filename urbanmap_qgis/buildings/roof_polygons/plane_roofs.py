@@ -9,6 +9,7 @@ import numpy as np
 import shapely
 
 from ...errors import Cancelled, trouble_words
+from ...settings.buildings import MAXIMUM, PolygonParameters
 from ..model_status import LOST_AREA, LOST_ROOFS, MIN_POINTS, SIMPLIFIED
 from ..planes.level_alternative import (
     BETTER,
@@ -20,14 +21,7 @@ from ..planes.level_alternative import (
 )
 from ..planes.plane_partition import partition_planes
 from .level_roofs import level_roofs
-from .polygon_rows import (
-    LEVELS_BETTER,
-    MAXIMUM,
-    DrawnRoof,
-    PolygonParameters,
-    RoofedBuilding,
-    RoofPolygons,
-)
+from .polygon_rows import LEVELS_BETTER, DrawnRoof, RoofedBuilding, RoofPolygons
 
 
 def plane_roofs(building: RoofedBuilding, parameters: PolygonParameters) -> RoofPolygons:

@@ -8,28 +8,9 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 import shapely
 
-from ..planes.plane_detection import LEVELS
 from ..planes.plane_moments import azimuth_degrees, slope_degrees
 
 LEVELS_BETTER = "level roofs fit better"
-
-PARTITION, POINTS, PAPER = "partition", "points", "paper"
-"""The methods: the outline divided without gaps, the same with an outline drawn from the points, or each roof
-outlined on its own as the paper does."""
-
-ROBUST, MAXIMUM = "robust", "maximum"
-"""The roof heights: the median of the roof's points, or the highest of them as in the paper."""
-
-
-@dataclass(frozen=True)
-class PolygonParameters:
-    """What the user can set: one of the methods, one of the heights, the points of a line (J's n) for `PAPER`, and
-    whether roofs are planes or levels; those of `PAPER` are levels always."""
-
-    method: str = PARTITION
-    height: str = ROBUST
-    min_line_points: int = 5
-    roofs: str = LEVELS
 
 
 @dataclass(frozen=True, eq=False)

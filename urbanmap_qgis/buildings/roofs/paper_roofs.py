@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from ...settings.buildings import RoofParameters
 from .height_histogram import PARAPET_SHARE, HeightPeaks, height_histogram, height_peaks, minimum_points
-from .roof_levels import RoofParameters
 from .roof_segmentation import NO_POINTS, OK, RoofTable
 
 _EMPTY = RoofTable(np.empty(0, np.int32), np.empty(0), np.empty(0), np.empty(0, np.int64), np.empty(0), np.empty(0),

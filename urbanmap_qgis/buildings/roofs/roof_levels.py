@@ -10,7 +10,8 @@ import numpy as np
 from scipy import ndimage
 from skimage.measure import label as label_regions
 
-from .height_histogram import BIN_SHIFT, BIN_WIDTH, HeightPeaks, height_peaks, minimum_points
+from ...settings.buildings import RoofParameters
+from .height_histogram import HeightPeaks, height_peaks, minimum_points
 from .region_merging import RegionGraph
 from .roof_surface import RoofSurface
 
@@ -39,46 +40,6 @@ Small enough that a real edge stays where the heights put it, large enough that 
 
 MAX_PARAPET_WIDTH = 2.0
 """Narrower strips that stand a little above their roof are its parapet, m."""
-
-FULL, PAPER = "full", "paper"
-"""Methods of roof segmentation: histogram and plan together, or the paper's histogram alone (`paper_roofs`)."""
-
-
-@dataclass(frozen=True)
-class RoofParameters:
-    """How roofs are segmented.
-
-    Attributes
-    ----------
-    method : `FULL` or `PAPER`, which uses the two bin sizes, `min_roof_area` and `parapet_threshold` only.
-    bin_width, bin_shift : of the height histogram, m (J 5.3.2).
-    min_roof_area : smallest roof that the histogram looks for, m2 (J: 50).
-    min_roof_share : the same as a share of the outline's area, so that a shed of 20 m2 has a roof; the smaller
-        one of the two counts.
-    parapet_threshold : J's beta, in points of a bin; None for a share of the two maxima.
-    small_roof_area : smallest part that becomes a roof of its own, m2.
-    min_roof_width : m, narrower strips (parapets, wall hits) are part of their neighbour.
-    height_rmse : sloped roofs are cut into level ones as finely as this root mean square height error of the
-        building asks, m. None: the roofs of the paper stay whole.
-    distinct_step : m, parts with a step of this height between them are roofs of their own.
-    min_height : lowest roof above the ground, m.
-    max_roughness : m, rougher places are trees where the pulses' returns are not known.
-    max_parapet : m, highest parapet above its roof.
-    """
-
-    method: str = FULL
-    bin_width: float = BIN_WIDTH
-    bin_shift: float = BIN_SHIFT
-    min_roof_area: float = 50.0
-    min_roof_share: float = 0.2
-    parapet_threshold: float | None = None
-    small_roof_area: float = 4.0
-    min_roof_width: float = 1.2
-    height_rmse: float | None = 0.45
-    distinct_step: float = 0.8
-    min_height: float = 2.0
-    max_roughness: float = 0.5
-    max_parapet: float = 1.5
 
 
 @dataclass(frozen=True)
@@ -129,7 +90,7 @@ def roof_levels(surface: RoofSurface, z: np.ndarray, density: float, outline_are
     labels = _pieces(smooth, covered, peaks, parameters)
     smallest = min(parameters.small_roof_area, outline_area / 4) / surface.grid.cell**2
     labels = _join(labels, height, peaks, smallest, parameters)
-    if parameters.height_rmse is not None:
+    if parameters.height_rmse:
         labels = _refine(labels, height, parameters)
     labels, parapet = _without_slivers(labels, height, smallest, surface.grid.cell, parameters)
     measured = measured & ~parapet if (measured & ~parapet).any() else measured
@@ -142,7 +103,7 @@ def _pieces(height: np.ndarray, covered: np.ndarray, peaks: HeightPeaks,
     """Connected pieces of the plan that are level within PIECE_THICKNESS and in one roof of the paper."""
     inner = height[covered]
     piece = np.maximum(peaks.assign(inner), 0)
-    if parameters.height_rmse is not None:
+    if parameters.height_rmse:
         # The cuts lie where they meet the fewest cells: a flat roof must not fall apart along a cut.
         steps = 5
         fine = np.floor((inner - inner.min()) * (steps / LIMITS.piece_thickness)).astype(np.int64)
@@ -160,7 +121,7 @@ def _join(labels: np.ndarray, height: np.ndarray, peaks: HeightPeaks, smallest: 
     """Join pieces to roofs."""
     graph = RegionGraph(labels, height)
     graph.absorb_small(smallest, parameters.distinct_step)
-    if parameters.height_rmse is not None:
+    if parameters.height_rmse:
         graph.merge_to_tolerance(parameters.height_rmse, parameters.distinct_step)
     return graph.lookup()[labels]
 

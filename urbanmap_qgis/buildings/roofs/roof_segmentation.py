@@ -13,8 +13,9 @@ from scipy import ndimage
 from ...errors import InputError
 from ...geometry.grid import Grid
 from ...geometry.tolerances import SIGMA_OF_MAD
+from ...settings.buildings import RoofParameters
 from ...wording import say
-from .roof_levels import MAX_PARAPET_WIDTH, RoofLevels, RoofParameters, roof_levels
+from .roof_levels import MAX_PARAPET_WIDTH, RoofLevels, roof_levels
 from .roof_surface import NEIGHBOURHOOD, RoofSurface, roof_surface, sorted_within
 
 OK, FEW_POINTS, NO_POINTS = "ok", "few points", "no roof points"

@@ -12,8 +12,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ...errors import InputError, InsufficientDataError
+from ...errors import InsufficientDataError
 from ...progress import SILENT, Progress
+from ...settings.gnss import TraceSettings
 from ...wording import say
 from ..signals.tables import Signals
 from .tracing import WallObstacles, WallReflections, legs_in_line_of_sight, mirror_reflections, rotated_directions
@@ -21,29 +22,6 @@ from .wall_faces import WallPieces
 
 LOS, NLOS, REFLECTED = "LOS", "NLOS", "reflected"
 """In line of sight; blocked, with no single wall to reflect it; blocked and reflected by one wall."""
-
-
-@dataclass(frozen=True)
-class TraceSettings:
-    """How signals are traced.
-
-    Parameters
-    ----------
-    max_range : walls farther from the antenna than this in plan reflect nothing that is received, m.
-    margin : walls may stand this far from where the model has them, m.
-    edge_angle : degrees by which rays are rotated to test how sure their class is.
-    diffraction : a signal less than this above its obstacle's edge may be diffracted over it: blocked for sure is only
-        what is also blocked this many degrees higher and to the sides.
-    """
-
-    max_range: float = 150.0
-    margin: float = 1.5
-    edge_angle: float = 3.0
-    diffraction: float = 6.0
-
-    def __post_init__(self) -> None:
-        if not self.max_range > 0 or self.margin < 0 or self.edge_angle < 0 or self.diffraction < 0:
-            raise InputError(say("The maximum range must be greater than 0, margins and angles not less than 0."))
 
 
 @dataclass(frozen=True)

@@ -17,6 +17,7 @@ from ...errors import InputError, InsufficientDataError
 from ...mobile.gps_time import ADJUSTMENT, WEEK
 from ...mobile.trajectory import Trajectory, body_to_map, gaps
 from ...progress import SILENT, Progress
+from ...settings.gnss import SignalSettings
 from ...wording import say
 from ..orbits.earth_fixed import SPEED_OF_LIGHT, EarthPlaces, MapFrame, directions, elevation_azimuth
 from ..orbits.ephemeris import (
@@ -33,7 +34,7 @@ from ..rinex.observation_file import BESIDE_ONLY, Observations, read_observation
 from .antenna_height import estimate_height, grouped_median, strong_scatter, strong_signals
 from .atmosphere import ionosphere, nearest_model, troposphere
 from .measured_ionosphere import MeasuredIonosphere, TwoBands, layer_mapping, measure_ionosphere
-from .tables import SYSTEM_NAMES, Epochs, Signals, SignalSettings
+from .tables import SYSTEM_NAMES, Epochs, Signals
 
 
 @dataclass(frozen=True)

@@ -9,10 +9,11 @@ from pathlib import Path
 from ...errors import InputError
 from ...mobile.trajectory import Trajectory, joined_trajectory
 from ...progress import SILENT, Progress
+from ...settings.gnss import SignalSettings
 from ...wording import say
 from ..rinex.observation_file import read_observations
 from .observations import load_observations, trajectory_shift
-from .tables import Signals, SignalSettings, join_signals
+from .tables import Signals, join_signals
 
 Span = tuple[float, float]
 

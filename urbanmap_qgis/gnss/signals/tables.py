@@ -12,32 +12,6 @@ SYSTEM_NAMES = {"G": "GPS", "R": "GLONASS", "E": "Galileo", "C": "BeiDou", "J": 
 
 
 @dataclass(frozen=True)
-class SignalSettings:
-    """How observations are read and modelled.
-
-    Parameters
-    ----------
-    systems : letters of the systems that are used.
-    elevation_mask : satellites lower than this, in degrees, are left out.
-    min_cn0 : weaker signals, in dB-Hz, are left out; signals without a strength are kept.
-    lever_arm : antenna in the body, (forward, right, down) m from the trajectory's origin.
-    max_gap : epochs in a gap of the trajectory longer than this, in seconds, are left out.
-    humidity : relative humidity for the troposphere, 0 to 1.
-    two_bands : measure the ionosphere where the receiver has codes on two bands; otherwise the broadcast model is used.
-    check_height : compare the heights with what the satellites say; raise where they differ by tens of metres.
-    """
-
-    systems: str = "GRECJ"
-    elevation_mask: float = 10.0
-    min_cn0: float = 0.0
-    lever_arm: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    max_gap: float = 5.0
-    humidity: float = 0.7
-    two_bands: bool = True
-    check_height: bool = True
-
-
-@dataclass(frozen=True)
 class Epochs:
     """Times at which the receiver measured, in increasing order within each observation file.
 

@@ -11,15 +11,15 @@ the signals traced again, until the observations stay the same.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
 
-from ...errors import InputError
 from ...progress import SILENT, Progress
+from ...settings.gnss import AdjustmentSettings
 from ...wording import mark, say
-from ..rays.reflections import LOS, REFLECTED, SignalPaths, TraceSettings, possible_walls, trace
+from ..rays.reflections import LOS, REFLECTED, SignalPaths, possible_walls, trace
 from ..rays.tracing import WallObstacles, mirror_reflections
 from ..rays.wall_faces import WallPieces, WallTable, building_walls, wall_table
 from ..signals.tables import Signals
@@ -49,44 +49,6 @@ LIMITS = AdjustmentLimits()
 
 UNWEAKENED = 3.0
 """Signals weaker by less than this are no reflections, dB."""
-
-
-@dataclass(frozen=True)
-class AdjustmentSettings:
-    """How walls are adjusted.
-
-    Parameters
-    ----------
-    prior_sigma : how far walls are off before anything is measured (standard deviation, m).
-    block : signals of a satellite within this many seconds are one observation.
-    min_observations, min_satellites : a wall with fewer is not adjusted.
-    min_passes : a wall with fewer is left where it is. A pass is an observation file.
-    max_sigma : a wall whose offset has a larger sigma is not adjusted, m.
-    likely_sigma : a wall that is not adjusted is likely up to this sigma, m; 0: none is.
-    max_offset : an offset beyond this is not believed, m.
-    max_iterations : how often buildings are moved and signals traced again, at most.
-    trace : how signals are traced.
-    """
-
-    prior_sigma: float = 1.0
-    block: float = 30.0
-    min_observations: int = 8
-    min_satellites: int = 4
-    min_passes: int = 3
-    max_sigma: float = 0.35
-    likely_sigma: float = 0.5
-    max_offset: float = 3.0
-    max_iterations: int = 4
-    trace: TraceSettings = field(default_factory=TraceSettings)
-
-    def __post_init__(self) -> None:
-        if min(self.prior_sigma, self.block, self.max_sigma, self.max_offset) <= 0 or self.max_iterations < 1:
-            raise InputError(say("Prior, block length, maximum sigma, maximum offset and iterations must be greater "
-                                 "than 0."))
-        if self.likely_sigma < 0:
-            raise InputError(say("The sigma of likely walls must not be less than 0."))
-        if min(self.min_observations, self.min_satellites, self.min_passes) < 1:
-            raise InputError(say("The minimum numbers of observations, satellites and passes must be at least 1."))
 
 
 @dataclass(frozen=True)

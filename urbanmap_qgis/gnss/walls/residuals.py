@@ -6,8 +6,9 @@ import numpy as np
 
 from ...errors import InsufficientDataError
 from ...progress import SILENT, Progress
+from ...settings.gnss import TraceSettings
 from ...wording import say
-from ..rays.reflections import LOS, SignalPaths, TraceSettings, trace
+from ..rays.reflections import LOS, SignalPaths, trace
 from ..rays.wall_faces import WallPieces
 from ..signals.tables import Signals
 from .receiver_clock import PassClock, pass_clocks

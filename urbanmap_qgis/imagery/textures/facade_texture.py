@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
+from ...settings.lines import TextureSettings
 from ..views.obstacles import ViewObstacles
 from ..views.views import Source, View
 from .facades import Facade, Lattice, TexelGrid, lattice, on_facade
@@ -27,24 +28,6 @@ class FacadeTextureLimits:
 LIMITS = FacadeTextureLimits()
 
 NOT_FACED, HIDDEN = "no image looks at it", "hidden in all images"
-
-
-@dataclass(frozen=True)
-class TextureSettings:
-    """How textures are made.
-
-    Parameters
-    ----------
-    resolution : side of a texel, m.
-    max_range : images farther from a facade than this are not used (line images), m.
-    min_seen : share of a facade that must be seen for it to get a texture.
-    min_detail : pixels a metre below which an image shows too little of a place to be used.
-    """
-
-    resolution: float = 0.05
-    max_range: float = 40.0
-    min_seen: float = 0.02
-    min_detail: float = 1.0
 
 
 @dataclass(frozen=True, eq=False)

@@ -18,11 +18,12 @@ from ...execution import in_order
 from ...geometry.solid import ROOF, FaceTexture, Solid
 from ...geometry.solid_faces import solids_of
 from ...progress import SILENT, Progress
+from ...settings.lines import TextureSettings
 from ...wording import say
 from ..views.obstacles import NO_POINTS, OccupiedVoxels, ViewObstacles, obstacles_within
 from ..views.views import FrameSource, Source
 from .atlas import coarsest_step, draw_atlas, pack_textures
-from .facade_texture import NOT_FACED, FacadeTexture, TextureSettings, texture_facade
+from .facade_texture import NOT_FACED, FacadeTexture, texture_facade
 from .facades import Facade, TexelGrid, facades_of, texel_grid
 
 

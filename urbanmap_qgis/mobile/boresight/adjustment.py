@@ -16,6 +16,7 @@ from scipy.sparse import coo_matrix, csc_matrix
 from scipy.sparse.linalg import splu
 from scipy.spatial import cKDTree
 
+from ...settings.lines import BoresightSettings
 from ...wording import mark
 from .plane_patches import PlanePatches, group_pairs
 
@@ -38,35 +39,6 @@ class BoresightAdjustmentLimits:
 
 
 LIMITS = BoresightAdjustmentLimits()
-
-
-@dataclass(frozen=True)
-class BoresightSettings:
-    """Prior standard deviations of the calibration and of the trajectories.
-
-    Attributes
-    ----------
-    lever_arm : m.
-    boresight : degrees.
-    place, tilt, heading : m, degrees (tilt: roll and pitch), by which a pass as a whole differs from the mean of all
-        passes; what they have in common is part of the boresight.
-    place_walk, attitude_walk : m, degrees, from one node to the next.
-    node_length : m of path.
-    max_apart : m, that passes may lie from each other: planes are then paired wrongly too often.
-    determined_angle, determined_arm : degrees, m, standard deviation up to which a value is called determined.
-    """
-
-    lever_arm: float = 0.10
-    boresight: float = 1.0
-    place: float = 2.0
-    tilt: float = 0.03
-    heading: float = 0.10
-    place_walk: float = 0.15
-    attitude_walk: float = 0.02
-    node_length: float = 5.0
-    max_apart: float = 0.3
-    determined_angle: float = 0.05
-    determined_arm: float = 0.03
 
 
 @dataclass(frozen=True)

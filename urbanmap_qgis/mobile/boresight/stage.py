@@ -14,12 +14,13 @@ from ...errors import InputError, InsufficientDataError
 from ...io.files.atomic import written_beside
 from ...io.points.pointcloud import iter_chunks, open_cloud
 from ...progress import SILENT, Progress
+from ...settings.lines import BoresightSettings
 from ...wording import mark, say
 from ..apply_correction import survey_time_shift
 from ..calibration import Calibration, scanner_of
 from ..passes import BlockPositions
 from ..trajectory import Trajectory, attitude_angles, interpolate, path_chainage, rotations
-from .adjustment import PARAMETERS, Boresights, BoresightSettings, PatchPoses, adjust_boresights, skew
+from .adjustment import PARAMETERS, Boresights, PatchPoses, adjust_boresights, skew
 from .plane_patches import PatchSearch, PlanePatches
 
 _MAX_RANGE = 40.0  # m; beyond it scan lines lie too far apart for planes

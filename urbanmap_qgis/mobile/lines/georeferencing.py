@@ -19,6 +19,7 @@ from pyproj import CRS
 from ...errors import InputError, InsufficientDataError
 from ...io.files.atomic import written_beside
 from ...progress import SILENT, Progress
+from ...settings.lines import ScanSettings
 from ...wording import say
 from ..calibration import Calibration, MountedScanner, scanner_of
 from ..gps_time import WEEK, shift_between
@@ -37,22 +38,6 @@ class GeoreferencingLimits:
 
 
 LIMITS = GeoreferencingLimits()
-
-
-@dataclass(frozen=True)
-class ScanSettings:
-    """What is placed, and how the files are read.
-
-    Attributes
-    ----------
-    max_range : m; farther returns are left out. None takes each scanner's own of the calibration.
-    min_range : m; nearer returns are left out, such as those of the vehicle.
-    radians : angles in the files are radians, not degrees.
-    """
-
-    max_range: float | None = None
-    min_range: float = 0.0
-    radians: bool = False
 
 
 @dataclass(frozen=True)
@@ -162,7 +147,7 @@ class _Georeferencer:
         """Points, their rows in the chunk and scanner numbers of the returns of one scanner within its range."""
         scanner = self._scanner(int(number))
         of_scanner = np.flatnonzero(scans.scanner == number)
-        limit = scanner.max_range if self.settings.max_range is None else self.settings.max_range
+        limit = self.settings.max_range or scanner.max_range
         near = of_scanner[scans.distance[of_scanner] <= limit]
         self.counts["too_far"] += len(of_scanner) - len(near)
         points = place_ranges(self.trajectory, scanner, self._times(scans.time[near]), scans.angle[near],

@@ -7,9 +7,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ...errors import InputError
-from ...terrain.cloth import JAVANMARDI, ClothSettings
-from ...wording import say
+from ...settings.mobile import ReachRules
+from ...settings.terrain import JAVANMARDI, ClothSettings
 from .intensity_calibration import IntensityCurve
 from .lasers import LaserGains
 from .marking_points import MarkingPointSettings
@@ -21,27 +20,19 @@ CALIBRATED, WEIGHT = "calibrated_intensity", "marking_weight"
 
 
 @dataclass(frozen=True)
-class ExtractionSettings:
+class ExtractionSettings(ReachRules):
     """How markings are taken out of a survey.
 
     Parameters
     ----------
-    max_range : m; farther points are left out, whatever the intensity curve allows (R2).
     marking : how points are told.
     cloth : the ground filter, where the points are not classified.
     plain : the paper's threshold, which then tells them instead.
-    ground : "automatic", "classes" or "cloth".
     """
 
-    max_range: float = 25.0
     marking: MarkingPointSettings = field(default_factory=MarkingPointSettings)
     cloth: ClothSettings = JAVANMARDI
     plain: PlainThreshold | None = None
-    ground: str = "automatic"
-
-    def __post_init__(self) -> None:
-        if not self.max_range > 0:
-            raise InputError(say("The largest range must be greater than 0."))
 
 
 DEFAULTS = ExtractionSettings()

@@ -15,10 +15,9 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
-from ...errors import InputError
 from ...geometry.grid import Grid
+from ...settings.mobile import StrokeRules
 from ...terrain.delaunay import extreme_in_cells
-from ...wording import say
 
 CELL = 0.05
 """m, side of the grid's cells."""
@@ -49,14 +48,11 @@ LIMITS = MarkingPointsLimits()
 
 
 @dataclass(frozen=True)
-class MarkingPointSettings:
+class MarkingPointSettings(StrokeRules):
     """How marking points are told; lengths in m.
 
     Parameters
     ----------
-    block_size : side of the block whose Gaussian mean is the threshold's base (J Table 3-2).
-    contrast : how much brighter than the ground paint is, as a share of the ground's own intensity.
-    max_width : strokes of paint are narrower; what is wider in both directions is ground.
     step : a point this far above lower ground beside it lies on a kerb or at a wall's foot; or, where heights scatter
         (`roughness`), so far that scatter does not explain it.
     min_length, min_points : smaller pieces are specks.
@@ -64,20 +60,10 @@ class MarkingPointSettings:
     longest : pieces of this length or more are not judged by their size.
     """
 
-    block_size: float = 2.5
-    contrast: float = 0.35
-    max_width: float = 0.8
     step: float = 0.03
-    min_length: float = 0.4
     min_points: int = 8
     join: float = 0.3
     longest: float = 3.0
-
-    def __post_init__(self) -> None:
-        lengths = (self.block_size, self.contrast, self.max_width, self.step, self.join, self.longest)
-        if not min(lengths) > 0 or self.min_length < 0 or self.min_points < 1:
-            raise InputError(say("Block size, contrast, widths and steps of the marking extraction must be greater "
-                                 "than 0."))
 
     @property
     def reach(self) -> float:

@@ -6,7 +6,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ...terrain.cloth import ClothSettings, classify_ground
+from ...settings.terrain import ClothSettings
+from ...terrain.cloth import classify_ground
 from .marking_points import MarkingAnswer, MarkingPointSettings, Noise, marking_points, roughness
 from .plain_threshold import PlainThreshold, plain_marking_points
 

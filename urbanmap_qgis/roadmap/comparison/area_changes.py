@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from ...settings.roadmap import ComparisonSettings
 from ..lines.symbols import UNKNOWN_ARROW
-from .comparison_records import ADDED, MOVED, REPAINTED, ComparisonSettings, MapChange, MapNoise
+from .comparison_records import ADDED, MOVED, REPAINTED, MapChange, MapNoise
 from .cross_sections import PARALLEL
 from .difference_noise import BOTH, difference_sigma
 from .line_changes import LIMITS as LINE_LIMITS

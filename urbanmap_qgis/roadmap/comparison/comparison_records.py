@@ -14,25 +14,6 @@ CHANGES = (MOVED, ADDED, REMOVED, REPAINTED)
 
 
 @dataclass(frozen=True)
-class ComparisonSettings:
-    """How two maps are compared.
-
-    Attributes
-    ----------
-    reach : a line that moved farther is told as removed and added, m.
-    least_length : shorter changes of lines are not told, m.
-    least_shift : smaller shifts are not told, m, also where they are significant.
-    old_sigma, new_sigma : of what states none in its map, m; NaN to estimate it from what did not change.
-    """
-
-    reach: float = 1.5
-    least_length: float = 3.0
-    least_shift: float = 0.0
-    old_sigma: float = np.nan
-    new_sigma: float = np.nan
-
-
-@dataclass(frozen=True)
 class MapChange:
     """One change.
 

@@ -9,7 +9,8 @@ import numpy as np
 import shapely
 from scipy.ndimage import median_filter
 
-from .comparison_records import ADDED, MOVED, REPAINTED, ComparisonSettings, MapChange, MapNoise
+from ...settings.roadmap import ComparisonSettings
+from .comparison_records import ADDED, MOVED, REPAINTED, MapChange, MapNoise
 from .cross_sections import STEP, LineMatches, LineSamples, crossings
 from .difference_noise import difference_sigma
 from .map_elements import LINE, MapElement

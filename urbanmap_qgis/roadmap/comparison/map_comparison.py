@@ -11,6 +11,7 @@ from scipy.spatial import cKDTree
 
 from ...errors import InputError
 from ...progress import SILENT, Progress
+from ...settings.roadmap import ComparisonSettings
 from ...wording import say
 from .area_changes import (
     REACH,
@@ -21,16 +22,7 @@ from .area_changes import (
     paired_changes,
     single_changes,
 )
-from .comparison_records import (
-    ADDED,
-    OFFSET,
-    REMOVED,
-    ComparisonSettings,
-    MapChange,
-    MapComparison,
-    MapNoise,
-    MapOffset,
-)
+from .comparison_records import ADDED, OFFSET, REMOVED, MapChange, MapComparison, MapNoise, MapOffset
 from .cross_sections import LineMatches, LineSamples, line_matches, line_samples
 from .difference_noise import FEWEST, FLOOR, SIGMAS, estimated_noise
 from .line_changes import missing_changes, missing_lines, moved_lines, repainted_lines

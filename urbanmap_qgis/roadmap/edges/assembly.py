@@ -7,9 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...settings.roadmap import EdgeSettings
 from ...wording import say
 from .courses import STATION
-from .edge_records import DOUBTFUL, KERB, LOWERED, MEASURED, EdgeSettings, RoadEdge
+from .edge_records import DOUBTFUL, KERB, LOWERED, MEASURED, RoadEdge
 from .stations import Stations
 
 BRIDGED = 2

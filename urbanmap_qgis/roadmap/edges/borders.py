@@ -9,10 +9,11 @@ import shapely
 from scipy.spatial import cKDTree
 
 from ...geometry.tolerances import SIGMA_OF_MAD
+from ...settings.roadmap import EdgeSettings
 from ...wording import say
 from .courses import STATION
 from .edge_points import EdgeTile
-from .edge_records import BORDER, DOUBTFUL, MEASURED, EdgeCandidates, EdgeSettings, RoadEdge, joined_candidates
+from .edge_records import BORDER, DOUBTFUL, MEASURED, EdgeCandidates, RoadEdge, joined_candidates
 from .height_steps import DIRECTIONS, Strips
 from .profile import HALF_LENGTH, most_likely_change
 from .stations import Stations

@@ -9,11 +9,12 @@ import numpy as np
 from ...errors import InsufficientDataError
 from ...geometry.tolerances import LEAST_DIVISOR
 from ...progress import Progress
+from ...settings.roadmap import EdgeSettings
 from ...wording import say
 from .borders import border_candidates
 from .courses import find_courses, lengthened, linked
 from .edge_points import EdgePoints, EdgeTile
-from .edge_records import Course, EdgeCandidates, EdgeSettings, joined_candidates
+from .edge_records import Course, EdgeCandidates, joined_candidates
 from .ground_profile import Heights, above_ground, near_ground
 from .height_steps import step_candidates
 from .uprights import upright_candidates

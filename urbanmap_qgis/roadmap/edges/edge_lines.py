@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from ...progress import Progress
+from ...settings.roadmap import EdgeSettings
 from .assembly import kerb_lines
 from .borders import border_lines, measure_borders
 from .doubts import with_doubts
 from .edge_courses import EdgeCourses
 from .edge_points import EdgePoints
-from .edge_records import EdgeSettings, RoadEdge
+from .edge_records import RoadEdge
 from .ground_profile import Heights, above_ground, near_ground
 from .stations import Stations, measure_stations
 from .uprights import Uprights, measure_uprights, upright_lines

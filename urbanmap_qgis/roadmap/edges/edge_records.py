@@ -16,26 +16,6 @@ MEASURED, DOUBTFUL = mark("measured"), mark("doubtful")
 
 
 @dataclass(frozen=True)
-class EdgeSettings:
-    """How edges are looked for.
-
-    Attributes
-    ----------
-    width : from the path to either side, m.
-    min_height : lowest kerb, m.
-    max_height : highest kerb, m.
-    min_length : shorter edges are left out, m.
-    survey_sigma : how well the survey is placed as a whole, m.
-    """
-
-    width: float = 12.0
-    min_height: float = 0.03
-    max_height: float = 0.30
-    min_length: float = 3.0
-    survey_sigma: float = 0.01
-
-
-@dataclass(frozen=True)
 class EdgeCandidates:
     """Places where an edge seems to pass, in arrays.
 

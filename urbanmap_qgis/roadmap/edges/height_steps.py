@@ -7,8 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.ndimage import maximum_filter1d
 
+from ...settings.roadmap import EdgeSettings
 from .edge_points import EdgeTile
-from .edge_records import EdgeCandidates, EdgeSettings, joined_candidates
+from .edge_records import EdgeCandidates, joined_candidates
 
 STRIP = 0.5
 """Width of a strip, m: the length of edge that one candidate stands for."""

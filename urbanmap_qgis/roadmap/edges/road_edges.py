@@ -12,12 +12,13 @@ from ...io.points.point_buckets import PointBuckets
 from ...io.points.pointcloud import open_cloud
 from ...mobile.trajectory import Trajectory
 from ...progress import SILENT, Progress
+from ...settings.roadmap import EdgeSettings
 from .bare_sides import bare_sides
 from .doubts import with_low_doubts
 from .edge_courses import edge_courses
 from .edge_lines import edge_lines
 from .edge_points import EdgePoints
-from .edge_records import POINT, EdgeSettings, RoadEdge
+from .edge_records import POINT, RoadEdge
 from .ground_profile import Heights
 
 DEFAULTS = EdgeSettings()

@@ -14,9 +14,10 @@ from ...mobile.registration.matching.results import angle_rates
 from ...mobile.registration.walls.facade_planes import FacadePlanes
 from ...mobile.trajectory import Trajectory, interpolate, path_chainage
 from ...progress import SILENT, Progress
+from ...settings.roadmap import EdgeSettings
 from .edge_courses import kerb_courses
 from .edge_points import EdgePoints, EdgeTile
-from .edge_records import POINT, EdgeSettings
+from .edge_records import POINT
 from .ground_profile import above_ground, near_ground
 from .profile import FAR_REACH, HALF_LENGTH, Profile, fit_edge_profile
 from .stations import Stations

@@ -7,20 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
+from ...settings.roadmap import EdgeSettings
 from ...wording import say
 from .courses import STATION
 from .edge_points import EdgeTile
-from .edge_records import (
-    DOUBTFUL,
-    MEASURED,
-    RAIL,
-    WALL,
-    Course,
-    EdgeCandidates,
-    EdgeSettings,
-    RoadEdge,
-    joined_candidates,
-)
+from .edge_records import DOUBTFUL, MEASURED, RAIL, WALL, Course, EdgeCandidates, RoadEdge, joined_candidates
 
 CELL = 0.1
 """m."""

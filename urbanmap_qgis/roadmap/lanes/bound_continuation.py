@@ -9,7 +9,7 @@ import numpy as np
 import shapely
 
 from ...geometry.tolerances import SAME_PLACE
-from ..map_records import MapSettings
+from ...settings.roadmap import MapSettings
 from .road_sections import Axis, BoundTrack
 
 

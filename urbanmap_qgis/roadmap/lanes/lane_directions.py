@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ..map_records import Finding, MapArea, MapSettings
+from ...settings.roadmap import MapSettings
+from ..map_records import Finding, MapArea
 from .beyond_junctions import directions_beyond
 from .lane_strips import Strip, add_arrows, add_stops, middle_offset
 from .road_axes import RoadAxis, add_axes

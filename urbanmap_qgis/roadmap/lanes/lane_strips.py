@@ -8,8 +8,9 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ...geometry.tolerances import LEAST_DIVISOR
+from ...settings.roadmap import MapSettings
 from ...wording import mark
-from ..map_records import DrivenPath, MapArea, MapSettings
+from ..map_records import DrivenPath, MapArea
 from .road_sections import STEP, WIDE, BoundTrack, RoadSection
 
 SNAP = 9.0

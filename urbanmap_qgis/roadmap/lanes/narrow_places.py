@@ -7,8 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 import shapely
 
+from ...settings.roadmap import MapSettings
 from ...wording import say
-from ..map_records import DrivenPath, Finding, MapSettings
+from ..map_records import DrivenPath, Finding
 from .road_sections import STEP, RoadSection
 
 LEAST_WIDTH = 1.2

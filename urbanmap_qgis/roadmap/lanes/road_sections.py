@@ -11,7 +11,8 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from ...geometry.tolerances import LEAST_DIVISOR
-from ..map_records import MapLine, MapSettings
+from ...settings.roadmap import MapSettings
+from ..map_records import MapLine
 from .street_corners import cut_at_corners
 from .winding_roads import unwound_roads
 

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 import shapely
 
-from ..map_records import MapArea, MapLine, MapSettings
+from ...settings.roadmap import MapSettings
+from ..map_records import MapArea, MapLine
 from .bound_continuation import continued
 from .lane_strips import LIMITS as STRIP_LIMITS
 from .passed_crosswalks import without_passed

@@ -11,6 +11,7 @@ from scipy.spatial import cKDTree
 
 from ...geometry.tolerances import LEAST_DIVISOR
 from ...progress import SILENT, Progress
+from ...settings.roadmap import LineSettings
 from .crosswalks import Crosswalk, find_crosswalks
 from .dash_consensus import with_common_patterns
 from .dash_pattern import Section, line_sections, painted_intervals, with_worn_ends
@@ -26,27 +27,6 @@ from .worn_stop_lines import worn_stop_lines
 
 DOUBLE = (0.22, 0.65)
 """Distance of the two lines of a double line, m."""
-
-
-@dataclass(frozen=True)
-class LineSettings:
-    """What counts as a line.
-
-    Attributes
-    ----------
-    max_width : strokes wider than this are no line, m.
-    stop_width : narrower bars are no stop line, m.
-    min_painted, min_length : paint of a line and its length with gaps, at least, m.
-    source_sigma : standard deviation of the places of the markings as they were given, m.
-    guide_width : yellow lines so wide are guiding strips for the blind, m.
-    """
-
-    max_width: float = 0.5
-    stop_width: float = 0.28
-    min_painted: float = 4.0
-    min_length: float = 6.0
-    source_sigma: float = 0.02
-    guide_width: float = 0.26
 
 
 @dataclass(frozen=True)

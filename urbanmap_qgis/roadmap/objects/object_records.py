@@ -18,24 +18,6 @@ MEASURED, DOUBTFUL = mark("measured"), mark("doubtful")
 
 
 @dataclass(frozen=True)
-class ObjectSettings:
-    """How objects are looked for.
-
-    Attributes
-    ----------
-    width : from the path to either side, m.
-    min_height : lower posts, signs and trees are left out, m.
-    max_diameter : thicker ones are no poles or trunks, m.
-    survey_sigma : how well the survey is placed as a whole, m.
-    """
-
-    width: float = 15.0
-    min_height: float = 2.0
-    max_diameter: float = 0.6
-    survey_sigma: float = 0.01
-
-
-@dataclass(frozen=True)
 class Stem:
     """Points of one thin upright thing.
 

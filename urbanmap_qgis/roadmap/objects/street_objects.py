@@ -12,6 +12,7 @@ from ...io.points.point_buckets import PointBuckets
 from ...io.points.pointcloud import open_cloud
 from ...mobile.trajectory import Trajectory
 from ...progress import SILENT, Progress
+from ...settings.roadmap import ObjectSettings
 from ...wording import say
 from ..edges.edge_points import EdgePoints, EdgeTile, Reach
 from ..edges.ground_profile import Heights, above_ground
@@ -21,19 +22,7 @@ from .hanging_parts import HangingParts, hanging_parts
 from .lone_boards import board_on, ends, lone_boards, stands_alone, well_shaped
 from .low_objects import ends_as, low_objects
 from .object_kind import kind_of
-from .object_records import (
-    DOUBTFUL,
-    MEASURED,
-    OBJECT_POINT,
-    POLE,
-    SIGN,
-    TREE,
-    Board,
-    ObjectSettings,
-    Stem,
-    StemAxis,
-    StreetObject,
-)
+from .object_records import DOUBTFUL, MEASURED, OBJECT_POINT, POLE, SIGN, TREE, Board, Stem, StemAxis, StreetObject
 from .stems import LIMITS as STEM_LIMITS
 from .stems import find_stems
 from .sweep_index import SweepIndex

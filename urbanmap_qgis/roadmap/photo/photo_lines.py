@@ -10,12 +10,13 @@ import shapely
 from scipy.ndimage import uniform_filter1d
 
 from ...progress import SILENT, Progress
+from ...settings.roadmap import MapSettings
 from ...wording import say
 from ..given_bounds import rejoined
 from ..lanes.lane_strips import lane_strips
 from ..lanes.road_sections import BoundTrack, RoadSection
 from ..lanes.section_preparation import prepared_sections
-from ..map_records import Finding, MapArea, MapLine, MapSettings
+from ..map_records import Finding, MapArea, MapLine
 from .photo_edges import LIMITS as EDGE_LIMITS
 from .photo_edges import SIGMA as EDGE_SIGMA
 from .photo_edges import PhotoEdge, photo_edges

@@ -1,0 +1,76 @@
+"""Settings of line scanners, line cameras and scanner calibration."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from .declaration import Settings, setting
+
+
+@dataclass(frozen=True)
+class ScanSettings(Settings):
+    """What is placed, and how the files are read.
+
+    Attributes
+    ----------
+    radians : angles in the files are radians, not degrees.
+    """
+
+    max_range: float = setting(
+        0.0, "Maximum range", "Returns from farther away, in metres, are left out; 0 takes each scanner's own limit "
+        "from the calibration.", "m", 0.0, advanced=True)
+    min_range: float = setting(
+        0.0, "Minimum range", "Nearer returns, in metres, are left out, such as those of the vehicle itself.", "m", 0.0,
+        advanced=True)
+    radians: bool = False
+
+
+@dataclass(frozen=True)
+class TextureSettings(Settings):
+    """How textures are made.
+
+    Parameters
+    ----------
+    min_detail : pixels a metre below which an image shows too little of a place to be used.
+    """
+
+    resolution: float = setting(0.05, "Resolution", "Side of a pixel on the facade.", "m", 0.005, 1.0)
+    max_range: float = setting(
+        40.0, "Maximum range", "Line images are used up to this distance.", "m", 1.0, 200.0, alias="REACH",
+        advanced=True)
+    min_seen: float = setting(
+        0.02, "Minimum share seen", "Facades of which images show less get no texture.", "", 0.0, 1.0, advanced=True)
+    min_detail: float = 1.0
+
+
+@dataclass(frozen=True)
+class BoresightSettings(Settings):
+    """Prior standard deviations of the calibration and of the trajectories.
+
+    Attributes
+    ----------
+    lever_arm : m.
+    boresight : degrees.
+    place, tilt, heading : m, degrees (tilt: roll and pitch), by which a pass as a whole differs from the mean of all
+        passes; what they have in common is part of the boresight.
+    place_walk, attitude_walk : m, degrees, from one node to the next.
+    node_length : m of path.
+    max_apart : m, that passes may lie from each other: planes are then paired wrongly too often.
+    determined_angle, determined_arm : degrees, m, standard deviation up to which a value is called determined.
+    """
+
+    tilt: float = setting(
+        0.03, "Difference of tilts", "Standard deviation by which roll and pitch of the trajectory differ from pass to "
+        "pass.", "degrees", 0.001, 5.0, alias="TILT_SIGMA", advanced=True)
+    heading: float = setting(
+        0.1, "Difference of headings", "The same of the heading.", "degrees", 0.001, 5.0, alias="HEADING_SIGMA",
+        advanced=True)
+    lever_arm: float = 0.10
+    boresight: float = 1.0
+    place: float = 2.0
+    place_walk: float = 0.15
+    attitude_walk: float = 0.02
+    node_length: float = 5.0
+    max_apart: float = 0.3
+    determined_angle: float = 0.05
+    determined_arm: float = 0.03
