@@ -17,7 +17,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-import shapely
 from scipy.spatial import Delaunay
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -31,6 +30,7 @@ from scripts.bench_sloped import sloped_table  # noqa: E402
 from scripts.bench_stages import stage_tables  # noqa: E402
 from scripts.bench_street import street_tables  # noqa: E402
 from scripts.bench_table import print_table  # noqa: E402
+from scripts.layers import read_layer  # noqa: E402
 from scripts.scoring import Score, points_inside, score_building, summary  # noqa: E402
 from urbanmap_qgis.buildings.building_model import BuildingModel, RoofInput  # noqa: E402
 from urbanmap_qgis.buildings.model_stage import build_models  # noqa: E402
@@ -65,21 +65,6 @@ class Run:
 
     models: list[BuildingModel]
     seconds: dict[str, float]
-
-
-def outlines_of(path: Path, field: str) -> tuple[np.ndarray, list]:
-    """Polygons and values of a field of a GeoPackage; "fid" gives the numbers of the features."""
-    from osgeo import ogr
-
-    ogr.UseExceptions()
-    source = ogr.Open(str(path))
-    geometries, values = [], []
-    for feature in source.GetLayer(0):
-        geometries.append(shapely.from_wkb(bytes(feature.GetGeometryRef().ExportToWkb())))
-        values.append(feature.GetFID() if field == "fid" else feature.GetField(field))
-    made = np.empty(len(geometries), dtype=object)
-    made[:] = geometries
-    return made, values
 
 
 def chain(points: Path, outlines: np.ndarray, base: np.ndarray | None = None,
@@ -140,7 +125,7 @@ class Delft:
     @classmethod
     def read(cls) -> Delft:
         """Read the part of Delft that is beside the checkout."""
-        truth, ids = outlines_of(DELFT / "outlines.gpkg", "lokaalid")
+        truth, (ids,) = read_layer(DELFT / "outlines.gpkg", "lokaalid")
         cloud = read_all(open_cloud([DELFT / "points.laz"]), ("x", "y", "z", "classification"))
         points = np.column_stack([cloud[name] for name in "xyz"])[cloud["classification"] == 6]
         with (DELFT / "peers.csv").open() as stream:
@@ -167,7 +152,7 @@ def delft_table(delft: Delft) -> None:
             ("points", "outlines"), ("points_unclassified", "outlines"), ("points_2_per_m2", "outlines"),
             ("points_1_per_m2", "outlines"), ("points", "outlines_shifted_1m"), ("points", "outlines_shifted_2m"),
             ("points_unclassified", "outlines_shifted_1m"), ("points_unclassified", "outlines_shifted_2m")):
-        outlines, _ = outlines_of(DELFT / f"{outline_name}.gpkg", "lokaalid")
+        outlines, _ = read_layer(DELFT / f"{outline_name}.gpkg", "lokaalid")
         run = chain(DELFT / f"{cloud_name}.laz", outlines)
         rows.append((cloud_name, outline_name, *delft.figures(run),
                      1000 * sum(run.seconds.values()) / len(outlines)))
@@ -176,13 +161,15 @@ def delft_table(delft: Delft) -> None:
 
 
 def steps_table(delft: Delft) -> None:
-    """What each step beyond the paper brings."""
+    """`METHOD=paper`, and what each step brings that leads from its polygons to the defaults."""
     still, whole = SegmentationParameters(maximum_displacement=0.0), RoofParameters(height_rmse=0.0)
     steps = (
-        ("the paper, 50 m2, highest point",
+        ("METHOD=paper", {"placing": SegmentationParameters(method="paper"), "levels": RoofParameters(method="paper"),
+                          "drawing": PolygonParameters("paper", height="maximum")}),
+        ("our segments, the paper's polygons and heights, roofs from 50 m2",
          {"placing": still, "levels": RoofParameters(height_rmse=0.0, min_roof_share=1.0),
           "drawing": PolygonParameters("paper", height="maximum")}),
-        ("the paper, roofs from a fifth of a small outline",
+        ("the same, roofs from a fifth of a small outline",
          {"placing": still, "levels": whole, "drawing": PolygonParameters("paper", height="maximum")}),
         ("robust roof height", {"placing": still, "levels": whole, "drawing": PolygonParameters("paper")}),
         ("outline divided among its roofs", {"placing": still, "levels": whole}),
@@ -191,7 +178,7 @@ def steps_table(delft: Delft) -> None:
         ("the same, outlines drawn from the points", {"drawing": PolygonParameters("points", "levels")}),
     )
     for outline_name in ("outlines", "outlines_shifted_2m"):
-        outlines, _ = outlines_of(DELFT / f"{outline_name}.gpkg", "lokaalid")
+        outlines, _ = read_layer(DELFT / f"{outline_name}.gpkg", "lokaalid")
         rows = [(name, *delft.figures(chain(DELFT / "points.laz", outlines, **options))) for name, options in steps]
         print_table(f"Step by step, Delft, {outline_name}", ("steps", *FIGURES), rows)
 
@@ -202,10 +189,10 @@ def cells_table(reference: float) -> None:
     for name in (*CELLS, *CITY_CLOUDS):
         if name in CELLS:
             points = DATA / "delft_cells" / f"points_{name}.laz"
-            outlines, base = outlines_of(DATA / "delft_cells" / f"outlines_{name}.gpkg", "z_base")
+            outlines, (base,) = read_layer(DATA / "delft_cells" / f"outlines_{name}.gpkg", "z_base")
         else:
             points, base = CITY / "als" / f"{name}.laz", None
-            outlines, _ = outlines_of(CITY / "footprints" / "gsi_buildings.gpkg", "fid")
+            outlines, _ = read_layer(CITY / "footprints" / "gsi_buildings.gpkg", "fid")
         run = chain(points, outlines, None if base is None else np.array(base, float))
         count = len(outlines)
         rows.append((name, count, *(1000 * value / count for value in run.seconds.values()),
@@ -239,7 +226,7 @@ def main() -> int:
     if DELFT.is_dir():
         delft = Delft.read()
         delft_table(delft)
-        sloped_table(delft, chain, score, outlines_of, DELFT)
+        sloped_table(delft, chain, score, DELFT)
         steps_table(delft)
         cells_table(reference)
     else:

@@ -20,8 +20,8 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from scripts.bench_table import print_table
-from scripts.demo.checks import read_layer
 from scripts.evaluate_faults import WRONG, DrivenSurvey, Outcome, constant_fault, percent, run
+from scripts.layers import read_layer
 from urbanmap_qgis.errors import UrbanMapError
 from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.io.raster import read_raster, write_raster

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from scripts.bench_table import print_table
+from scripts.layers import read_layer
 from scripts.scoring import points_inside, summary
 from urbanmap_qgis.buildings.building_model import BuildingModel
 from urbanmap_qgis.buildings.model_surfaces import roof_cells
@@ -67,14 +68,14 @@ def valid(models: Sequence[BuildingModel], judge: Path) -> str:
     return f"{sum(feature['validity'] for feature in features)}/{len(made)}"
 
 
-def sloped_table(delft, chain: Callable, score: Callable, outlines_of: Callable, folder: Path) -> None:
+def sloped_table(delft, chain: Callable, score: Callable, folder: Path) -> None:
     """Sloped models of Delft with damaged inputs, one set of defaults, and roofer's figures."""
     judge = folder.parents[2] / "tools" / "val3dity"
     rows: list[tuple] = []
     for cloud_name, outline_name in (
             ("points", "outlines"), ("points_unclassified", "outlines"), ("points_2_per_m2", "outlines"),
             ("points_1_per_m2", "outlines"), ("points", "outlines_shifted_1m"), ("points", "outlines_shifted_2m")):
-        outlines, _ = outlines_of(folder / f"{outline_name}.gpkg", "lokaalid")
+        outlines, _ = read_layer(folder / f"{outline_name}.gpkg", "lokaalid")
         run = chain(folder / f"{cloud_name}.laz", outlines, sloped=True)
         rows.append((cloud_name, outline_name,
                      *sloped_row(run, score(run, delft.truth, delft.points), delft.truth, delft.points, judge)))

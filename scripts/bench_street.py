@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 
 from scripts.bench_table import print_table
-from scripts.demo.checks import read_layer
+from scripts.layers import read_layer
 from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.mobile.apply_correction import apply_correction
 from urbanmap_qgis.mobile.calibration import read_calibration

@@ -52,7 +52,7 @@ def _table(heading: str, title: str, ways: tuple[tuple[str, Mapping[str, str]], 
         problem = _run(stage, folder, options)
         figures = [] if problem else stage.check(folder)
         header = max(header, ("way", *(figure.what for figure in figures)), key=len)
-        rows.append((name, *(figure.style.format(figure.value) for figure in figures)) if figures else (name, problem))
+        rows.append((name, *(figure.text for figure in figures)) if figures else (name, problem))
     return Table(heading, header, [(*row, *[""] * (len(header) - len(row))) for row in rows])
 
 

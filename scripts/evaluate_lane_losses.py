@@ -23,8 +23,8 @@ import shapely
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
-from scripts.demo.checks import read_layer  # noqa: E402
 from scripts.evaluate_roadmap import measured_lines, sampled  # noqa: E402
+from scripts.layers import read_layer  # noqa: E402
 from urbanmap_qgis.io.raster import RasterSampler  # noqa: E402
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory  # noqa: E402
 from urbanmap_qgis.roadmap.lanes.lane_strips import lane_strips  # noqa: E402

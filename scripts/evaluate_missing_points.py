@@ -30,8 +30,9 @@ from scipy.stats import spearmanr
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from scripts.bench import DATA, DELFT, chain, outlines_of, score
+from scripts.bench import DATA, DELFT, chain, score
 from scripts.bench_table import print_table
+from scripts.layers import read_layer
 from urbanmap_qgis.buildings.building_model import BuildingModel
 from urbanmap_qgis.buildings.model_surfaces import roof_cells
 from urbanmap_qgis.buildings.point_assignment import PlanIndex
@@ -258,13 +259,13 @@ def whole(scene: Scene) -> list[Outcome]:
 
 def _delft(cloud: str) -> Scene:
     """The part of Delft that models are tuned on."""
-    outlines, _ = outlines_of(DELFT / "outlines.gpkg", "lokaalid")
+    outlines, _ = read_layer(DELFT / "outlines.gpkg", "lokaalid")
     return Scene.read(DELFT / cloud, outlines, DELFT / "points.laz" if cloud == "points_unclassified.laz" else None)
 
 
 def _cell(name: str, first: int) -> Scene:
     """The outlines of a cell that are nearest to its south-west corner; their points are those of buildings alone."""
-    outlines, base = outlines_of(DATA / "delft_cells" / f"outlines_{name}.gpkg", "z_base")
+    outlines, (base,) = read_layer(DATA / "delft_cells" / f"outlines_{name}.gpkg", "z_base")
     rows = np.argsort(shapely.bounds(outlines)[:, :2].sum(axis=1), kind="stable")[:first]
     return Scene.read(DATA / "delft_cells" / f"points_{name}.laz", outlines[rows], base=np.array(base, float)[rows])
 

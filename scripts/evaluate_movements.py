@@ -24,8 +24,8 @@ import shapely
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
-from scripts.demo.checks import read_layer  # noqa: E402
 from scripts.evaluate_roadmap import measured_lines  # noqa: E402
+from scripts.layers import read_layer  # noqa: E402
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory  # noqa: E402
 from urbanmap_qgis.roadmap.map_records import DrivenPath, MapArea, MapLine, VectorMap  # noqa: E402
 from urbanmap_qgis.roadmap.vector_map import build_vector_map  # noqa: E402

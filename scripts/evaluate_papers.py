@@ -19,9 +19,12 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
+import shapely
 from evaluate_chains import building_tables, line_tables, wall_tables
-from evaluate_registration import Evaluation, Table, read_geopackage, read_surveys
+from evaluate_registration import Evaluation, Table, read_surveys
 
+from scripts.layers import plans_of
+from scripts.make_paper_page import references
 from urbanmap_qgis.io.pages.report import Report
 from urbanmap_qgis.mobile.registration.start.reference import Reference
 
@@ -48,7 +51,7 @@ def registration(inputs: Inputs) -> list[Table]:
     """J 3.3 and 4.3: tables 3-3 to 3-7 and 4-1, figures 3-29 and 3-30, stability."""
     if inputs.markings is None:
         raise SystemExit("The registration needs --markings: make them with “Road markings from aerial frames”.")
-    polygons = read_geopackage(inputs.polygons) if inputs.polygons else None
+    polygons = shapely.get_parts(plans_of(inputs.polygons)) if inputs.polygons else None
     evaluation = Evaluation(read_surveys(inputs.city, [], None, inputs.landmarks),
                             Reference.from_mask(inputs.markings, inputs.ground), inputs.trials, polygons)
     for part in (evaluation.methods, evaluation.sensitivity, evaluation.agreement, evaluation.heights,
@@ -86,9 +89,8 @@ def main() -> int:
     wanted = {key.strip() for key in given.sections.split(",")}
     inputs = Inputs(given.city, given.markings, given.ground, given.polygons, given.trials, given.landmarks)
     report = Report("The papers' tables and figures")
-    report.paragraph("J is E. Javanmardi, Toward precision 3D urban mapping (2018); rows and columns that begin with J "
-                     "are its own figures, on its own surveys in Tokyo. All others are measured on the sample city "
-                     "given.")
+    report.paragraph(f"J is {references()['J'][1].replace('*', '')}. Rows and columns that begin with J are its "
+                     "own figures, on its own surveys in Tokyo; all others are measured on the sample city given.")
     for key, heading, work in SECTIONS:
         if key not in wanted:
             continue

@@ -12,8 +12,6 @@ every patch.
 from __future__ import annotations
 
 import argparse
-import contextlib
-import sqlite3
 import sys
 import time
 from collections.abc import Callable
@@ -37,6 +35,7 @@ from evaluate_faults import (
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
+from scripts.layers import plans_of, read_layer
 from urbanmap_qgis.facades.building_plans import building_plans, outline_edges
 from urbanmap_qgis.mobile.markings.records import MarkingPoints
 from urbanmap_qgis.mobile.registration.correction.patch_status import DISTRUSTED, REGISTERED
@@ -252,16 +251,14 @@ def rows_of(case: str, city: str, made: Outcome | str) -> tuple[tuple, tuple]:
 
 def read_marks(city: Path) -> Marks:
     """The markings at the flight, each a little off, some left out."""
-    with contextlib.closing(sqlite3.connect(city / "truth" / "markings.gpkg")) as database:
-        blobs, kinds = zip(*database.execute("SELECT geom, kind FROM aerial WHERE private = 0"))
-    skipped = {0: 8, 1: 40, 2: 56, 3: 56, 4: 72}  # header with its envelope, by the flags' envelope code
-    polygons = shapely.force_2d(shapely.from_wkb([blob[skipped[blob[3] >> 1 & 7]:] for blob in blobs]))
-    polygons, owner = shapely.get_parts(polygons, return_index=True)
+    polygons, (kinds, private) = read_layer(city / "truth" / "markings.gpkg", "kind", "private", layer="aerial")
+    public = np.array(private) == 0
+    polygons, owner = shapely.get_parts(shapely.force_2d(polygons[public]), return_index=True)
     rng = np.random.default_rng(3)
     off = rng.normal(0.0, PLACE_SIGMA, (len(polygons), 2))
     marks = [shapely.transform(polygon, lambda place, by=by: place + by) for polygon, by in zip(polygons, off)]
     kept = rng.random(len(marks)) > LEFT_OUT
-    return Marks(np.array(marks, dtype=object)[kept], np.array(kinds)[owner][kept])
+    return Marks(np.array(marks, dtype=object)[kept], np.array(kinds)[public][owner][kept])
 
 
 def cached_survey(city: Path, name: str, cache: Path | None) -> DrivenSurvey:
@@ -280,19 +277,11 @@ def cached_survey(city: Path, name: str, cache: Path | None) -> DrivenSurvey:
     return DrivenSurvey(name, markings, reported, true)
 
 
-def read_layer(path: Path, table: str) -> np.ndarray:
-    """Polygons (n,) of a layer of a GeoPackage, without z."""
-    with contextlib.closing(sqlite3.connect(path)) as database:
-        blobs = [blob for blob, in database.execute(f'SELECT geom FROM "{table}"')]  # nosec B608 # a name of ours
-    skipped = {0: 8, 1: 40, 2: 56, 3: 56, 4: 72}
-    return shapely.force_2d(shapely.from_wkb([blob[skipped[blob[3] >> 1 & 7]:] for blob in blobs]))
-
-
 def buildings_of(city: Path, kind: str) -> np.ndarray:
     """Outlines of a city's buildings: "map" as an official map has them; "roofs" true ones grown by unlike eaves."""
     if kind == "map":
-        return read_layer(city / "footprints" / "gsi_buildings.gpkg", "BldA")
-    plans = read_layer(city / "truth" / "footprints.gpkg", "wall_footprints")
+        return plans_of(city / "footprints" / "gsi_buildings.gpkg", "BldA")
+    plans = plans_of(city / "truth" / "footprints.gpkg", "wall_footprints")
     rng = np.random.default_rng(7)
     eaves, off = rng.uniform(*EAVES, len(plans)), rng.normal(0.0, OUTLINE_SIGMA, (len(plans), 2))
     grown = shapely.buffer(plans, eaves, join_style="mitre")
@@ -302,8 +291,8 @@ def buildings_of(city: Path, kind: str) -> np.ndarray:
 
 def kerb_lines(city: Path) -> np.ndarray:
     """Lines (n,) of a city's true kerbs, each piece of them off by as much as a good map's."""
-    whole = shapely.line_merge(shapely.set_precision(shapely.union_all(read_layer(city / "truth" / "edges.gpkg",
-                                                                                  "kerbs")), 1e-3))
+    kerbs = shapely.union_all(plans_of(city / "truth" / "edges.gpkg", "kerbs"))
+    whole = shapely.line_merge(shapely.set_precision(kerbs, 1e-3))
     parts = shapely.segmentize(shapely.simplify(shapely.get_parts(whole), 0.03), KERB_PIECE)
     places, line = shapely.get_coordinates(parts, return_index=True)
     ends = np.stack([places[:-1], places[1:]], axis=1)[line[1:] == line[:-1]]

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tables of Javanmardi 2018 (3-3 to 3-7 and 4-1) for any surveys with control points, as Markdown.
+"""Tables of Javanmardi (3-3 to 3-7 and 4-1) for any surveys with control points, as Markdown.
 
     python scripts/evaluate_registration.py --city FOLDER --markings mask.tif --ground ground.tif
     python scripts/evaluate_registration.py --survey POINTS TRAJECTORY CONTROL [--survey ...] --calibration FILE \\
@@ -13,8 +13,6 @@ plan, chapter 4 in space) and the method of “Register mobile survey”. `evalu
 from __future__ import annotations
 
 import argparse
-import contextlib
-import sqlite3
 import sys
 import time
 from collections.abc import Callable
@@ -30,6 +28,7 @@ from evaluate_faults import run as run_fault
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
+from scripts.layers import plans_of
 from urbanmap_qgis.errors import UrbanMapError
 from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.mobile.calibration import read_calibration
@@ -389,15 +388,6 @@ def read_surveys(city: Path | None, files: list[tuple[Path, Path, Path]], calibr
             for points, trajectory, control in files]
 
 
-def read_geopackage(path: Path) -> np.ndarray:
-    """Polygons of the first layer of a GeoPackage, in plan."""
-    with contextlib.closing(sqlite3.connect(path)) as database:
-        table, column = database.execute("SELECT table_name, column_name FROM gpkg_geometry_columns").fetchone()
-        blobs = [blob for (blob,) in database.execute(f'SELECT "{column}" FROM "{table}"') if blob]
-    skipped = {0: 8, 1: 40, 2: 56, 3: 56, 4: 72}  # header with its envelope, by the flags' envelope code
-    return shapely.get_parts(shapely.force_2d(shapely.from_wkb([blob[skipped[blob[3] >> 1 & 7]:] for blob in blobs])))
-
-
 def main() -> int:
     """Make the tables."""
     given = arguments()
@@ -405,7 +395,7 @@ def main() -> int:
         print("Give --city or --survey.", file=sys.stderr)
         return 2
     surveys = read_surveys(given.city, given.survey, given.calibration, given.landmarks)
-    polygons = read_geopackage(given.polygons) if given.polygons else None
+    polygons = shapely.get_parts(plans_of(given.polygons)) if given.polygons else None
     evaluation = Evaluation(surveys, Reference.from_mask(given.markings, given.ground), given.trials, polygons)
     for name in given.tables.split(","):
         getattr(evaluation, name.strip())()

@@ -25,7 +25,7 @@ from scipy.spatial import cKDTree
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
-from scripts.demo.checks import read_layer  # noqa: E402
+from scripts.layers import read_layer  # noqa: E402
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory  # noqa: E402
 from urbanmap_qgis.roadmap.edges.edge_records import RoadEdge  # noqa: E402
 from urbanmap_qgis.roadmap.edges.road_edges import road_edges  # noqa: E402

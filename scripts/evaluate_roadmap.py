@@ -24,7 +24,7 @@ from shapely import affinity
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
-from scripts.demo.checks import read_layer  # noqa: E402
+from scripts.layers import read_layer  # noqa: E402
 from urbanmap_qgis.io.raster import RasterSampler  # noqa: E402
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory  # noqa: E402
 from urbanmap_qgis.roadmap.lines.line_work import LineWork, line_work, with_ground_heights  # noqa: E402

@@ -18,8 +18,8 @@ import shapely
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
-from scripts.demo.checks import read_layer  # noqa: E402
 from scripts.evaluate_streetobjects import scene_of  # noqa: E402
+from scripts.layers import read_layer  # noqa: E402
 from urbanmap_qgis.samplecity.scene.world import Scene  # noqa: E402
 from urbanmap_qgis.samplecity.truth.edges import true_kerbs  # noqa: E402
 from urbanmap_qgis.samplecity.truth.lanes import true_lanes  # noqa: E402

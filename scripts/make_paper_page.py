@@ -13,6 +13,7 @@ import sys
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 
 import tomllib
@@ -27,9 +28,9 @@ STATES = {"letter": "to the letter", "read": "to the letter, as read here", "dif
 HEAD = """# The papers, step by step
 
 Made by `scripts/make_paper_page.py` from `scripts/paper_steps.toml` and the marks of the tests. What each step brings,
-and what the defaults do instead, is told in [The papers](papers.md). J is E. Javanmardi, *Toward precision 3D urban
-mapping* (2018); Z is H. Zhao and R. Shibasaki, *Updating digital geographic database using vehicle-borne laser scanners
-and line cameras* (2005).
+and what the defaults do instead, is told in [The papers](papers.md).
+
+{papers}
 
 - *To the letter*: `METHOD=paper` does what the paper says.
 - *To the letter, as read here*: the paper is silent, ambiguous or misprinted in something that has to be decided.
@@ -64,6 +65,13 @@ def read_steps() -> list[Step]:
     """The steps in the order of the papers."""
     rows = tomllib.loads(STEPS.read_text(encoding="utf-8"))["step"]
     return [Step(**{**row, "does": tuple(row.get("does", ()))}) for row in rows]
+
+
+@lru_cache
+def references() -> dict[str, tuple[str, str]]:
+    """Author and full reference (Markdown) of each paper, by its letter."""
+    return {row["letter"]: (row["short"], row["reference"])
+            for row in tomllib.loads(STEPS.read_text(encoding="utf-8"))["paper"]}
 
 
 def marked_tests() -> dict[str, list[str]]:
@@ -101,9 +109,10 @@ def page() -> str:
     """The page as Markdown."""
     steps, tests = read_steps(), marked_tests()
     count = Counter(step.state for step in steps)
-    lines = [HEAD, "Steps: " + ", ".join(f"{count[key]} {name}" for key, name in STATES.items() if key != "none") + ".",
-             ""]
-    for paper, title in (("J", "Javanmardi 2018"), ("Z", "Zhao and Shibasaki 2005")):
+    papers = "\n".join(f"- {letter}: {full}." for letter, (_, full) in references().items())
+    states = ", ".join(f"{count[key]} {name}" for key, name in STATES.items() if key != "none")
+    lines = [HEAD.format(papers=papers), f"Steps: {states}.", ""]
+    for paper, (title, _) in references().items():
         lines += [f"## {title}", "", "| section | step | here | function | held by |", "|---|---|---|---|---|"]
         lines += [_row(step, tests.get(step.place, [])) for step in steps if step.place.startswith(paper)]
         lines.append("")

@@ -157,7 +157,7 @@ def crossing(folder: Path) -> Photograph:
 def painted(city: Path) -> Photograph:
     """The orthophoto of a simulated city: true paint in the carriageways, less what is known to be hidden; what lies in
     or 3 m round them farther than 0.3 m from all paint."""
-    from scripts.demo.checks import read_layer
+    from scripts.layers import read_layer
 
     with rasterio.open(city / "aerial" / "ortho.tif") as source:
         image, place = np.moveaxis(source.read([1, 2, 3]), 0, -1), source.transform

@@ -19,7 +19,7 @@ AXES = ("EAST", "NORTH", "UP")
 class AdjustAls(UrbanMapAlgorithm):
     ID = "adjustals"
     NAME = "Adjust laser points to control points"
-    SOURCE = "Javanmardi 2018, 6.1 (calibration of the aerial data with few ground control points)"
+    SOURCE = "Javanmardi, 6.1 (calibration of the aerial data with few ground control points)"
     KEYWORDS = ("ALS", "lidar", "control points", "height offset", "calibration", "shift")
     REQUIRES = ("numpy", "scipy", "laspy", "lazrs", "pyproj")
     HELP = (

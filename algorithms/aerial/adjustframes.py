@@ -21,7 +21,7 @@ FIELDS = (("id", "text"), ("role", "text"), ("frames", "int"), ("plan_before", "
 class AdjustFrames(UrbanMapAlgorithm):
     ID = "adjustframes"
     NAME = "Adjust frames to control points"
-    SOURCE = "Javanmardi 2018, 6.1 (calibration of the aerial data with few ground control points); bundle adjustment"
+    SOURCE = "Javanmardi, 6.1 (calibration of the aerial data with few ground control points); bundle adjustment"
     KEYWORDS = ("aerial", "frames", "control points", "bundle adjustment", "exterior orientation", "calibration")
     REQUIRES = ("numpy", "scipy")
     HELP = (

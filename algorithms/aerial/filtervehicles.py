@@ -17,7 +17,7 @@ METHODS = ("vote", "darkest", "paper")
 class FilterVehicles(FrameShiftsOutput, UrbanMapAlgorithm):
     ID = "filtervehicles"
     NAME = "Filter vehicles"
-    SOURCE = "Javanmardi 2018, 3.2.1.2"
+    SOURCE = "Javanmardi, 3.2.1.2"
     KEYWORDS = ("vehicles", "cars", "traffic", "orthophoto", "darkest", "aerial")
     REQUIRES = ("numpy", "scipy", "rasterio", "cv2")
     HELP = (

@@ -15,7 +15,7 @@ METHODS = ("refined", "paper")
 class OcclusionMap(UrbanMapAlgorithm):
     ID = "occlusionmap"
     NAME = "Occlusion map of a frame"
-    SOURCE = "Javanmardi 2018, 3.2.1.1, eq. 1 to 3"
+    SOURCE = "Javanmardi, 3.2.1.1, eq. 1 to 3"
     KEYWORDS = ("perspective occlusion map", "POM", "relief displacement", "building lean", "hidden", "visibility",
                 "mask", "aerial", "photograph")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "cv2")

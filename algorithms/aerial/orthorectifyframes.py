@@ -20,7 +20,7 @@ OCCLUSION = ("ground", "frame")
 class OrthorectifyFrames(FrameShiftsOutput, UrbanMapAlgorithm):
     ID = "orthorectifyframes"
     NAME = "Orthorectify frames"
-    SOURCE = "Javanmardi 2018, 3.2.1"
+    SOURCE = "Javanmardi, 3.2.1"
     KEYWORDS = ("orthophoto", "orthorectification", "true ortho", "mosaic", "aerial", "frames", "vehicles")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "cv2")
     HELP = (

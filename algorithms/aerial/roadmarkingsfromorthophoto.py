@@ -18,7 +18,7 @@ METHODS = ("profile", "paper", "trained")
 class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
     ID = "roadmarkingsfromorthophoto"
     NAME = "Road markings from orthophoto"
-    SOURCE = "Javanmardi 2018, 3.2.2 and 4.1"
+    SOURCE = "Javanmardi, 3.2.2 and 4.1"
     KEYWORDS = ("road", "marking", "lane", "zebra", "crossing", "paint", "adaptive threshold", "aerial", "orthophoto")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "cv2")
     RETIRED = dict.fromkeys(("LABELS", "WEIGHTS", "OUTPUT_WEIGHTS"), mark(

@@ -11,7 +11,7 @@ MESH_FILTER = "PLY mesh (*.ply)"
 class SurfaceFromAls(UrbanMapAlgorithm):
     ID = "surfacefromals"
     NAME = "Surface and ground from ALS"
-    SOURCE = "Javanmardi 2018, 3.2.1.1 and 4.1; cloth filter: Zhang et al. 2016"
+    SOURCE = "Javanmardi, 3.2.1.1 and 4.1; cloth filter: Zhang et al. 2016"
     KEYWORDS = ("DSM", "DTM", "DEM", "surface", "ground", "terrain", "Delaunay", "TIN", "cloth", "CSF", "lidar")
     REQUIRES = ("numpy", "scipy", "pyproj", "rasterio", "laspy", "lazrs", "cv2")
     HELP = (

@@ -19,7 +19,7 @@ from ..framework.running.workers import workers
 class BuildingModels(UrbanMapAlgorithm):
     ID = "buildingmodels"
     NAME = "Building models"
-    SOURCE = "Javanmardi 2018, 5.3.4"
+    SOURCE = "Javanmardi, 5.3.4"
     KEYWORDS = ("building", "3D", "solid", "LOD1", "CityJSON", "OBJ", "model")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs")
     HELP = (

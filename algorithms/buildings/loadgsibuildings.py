@@ -30,7 +30,7 @@ class LoadGsiBuildings(UrbanMapAlgorithm):
         "Outlines become polygons where they close; a building that several map sheets hold, or that is "
         "there both as an area and as an outline, comes once. What is left out or changed is told in the log."
     )
-    SOURCE = "Javanmardi 2018, 5.3.1"
+    SOURCE = "Javanmardi, 5.3.1"
     KEYWORDS = ("GSI", "FGD", "GML", "JPGIS", "footprints", "基盤地図情報", "建築物", "国土地理院")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj")
 

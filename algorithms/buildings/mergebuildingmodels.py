@@ -20,7 +20,7 @@ _USABLE = ("ok", "partly seen")
 class MergeBuildingModels(UrbanMapAlgorithm):
     ID = "mergebuildingmodels"
     NAME = "Merge building models with measured walls"
-    SOURCE = "Javanmardi 2018, 5.7"
+    SOURCE = "Javanmardi, 5.7"
     KEYWORDS = ("building", "model", "wall", "facade", "MMS", "ALS", "merge", "CityJSON")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "cv2")
     HELP = (

@@ -19,7 +19,7 @@ PLY_FILTER = "PLY mesh (*.ply)"
 class Mesh25D(UrbanMapAlgorithm):
     ID = "mesh25d"
     NAME = "2.5D mesh of buildings"
-    SOURCE = "Javanmardi 2018, 5.7"
+    SOURCE = "Javanmardi, 5.7"
     KEYWORDS = ("building", "mesh", "2.5D", "TIN", "curved", "complex", "OBJ", "PLY")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs")
     HELP = (

@@ -15,7 +15,7 @@ from ..framework.running.workers import workers
 class RoofPolygons(UrbanMapAlgorithm):
     ID = "roofpolygons"
     NAME = "Roof polygons"
-    SOURCE = "Javanmardi 2018, 5.3.3"
+    SOURCE = "Javanmardi, 5.3.3"
     KEYWORDS = ("building", "roof", "polygon", "alpha shape", "Hough", "outline")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "cv2", "skimage")
     HELP = (

@@ -22,7 +22,7 @@ from ..framework.running.workers import workers
 class SegmentBuildings(UrbanMapAlgorithm):
     ID = "segmentbuildings"
     NAME = "Segment buildings"
-    SOURCE = "Javanmardi 2018, 5.3.1"
+    SOURCE = "Javanmardi, 5.3.1"
     KEYWORDS = ("building", "footprint", "outline", "ALS", "lidar", "segmentation")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "rasterio")
     HELP = (

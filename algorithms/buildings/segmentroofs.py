@@ -15,7 +15,7 @@ from ..framework.running.workers import workers
 class SegmentRoofs(UrbanMapAlgorithm):
     ID = "segmentroofs"
     NAME = "Segment roofs"
-    SOURCE = "Javanmardi 2018, 5.3.2"
+    SOURCE = "Javanmardi, 5.3.2"
     KEYWORDS = ("building", "roof", "height", "histogram", "ALS", "lidar", "segmentation")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "cv2", "skimage")
     HELP = (

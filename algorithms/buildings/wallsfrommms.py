@@ -20,7 +20,7 @@ from ..mobile.drives import DriveInputs
 class WallsFromMms(DriveInputs, UrbanMapAlgorithm):
     ID = "wallsfrommms"
     NAME = "Walls from a mobile survey"
-    SOURCE = "Javanmardi 2018, 5.7"
+    SOURCE = "Javanmardi, 5.7"
     KEYWORDS = ("wall", "facade", "MMS", "mobile mapping", "lidar", "plane", "contour")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "rasterio", "cv2")
     HELP = (

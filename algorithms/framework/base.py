@@ -66,7 +66,7 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
     ----------
     ID, NAME : id (lower case) and name in the toolbox.
     HELP : what it does, as plain text; a line break starts a paragraph.
-    SOURCE : where the method is described, such as "Javanmardi 2018, 5.3.2".
+    SOURCE : where the method is described, such as "Javanmardi, 5.3.2".
     KEYWORDS : words under which the toolbox finds it too.
     REQUIRES : import names of the packages it needs.
     KEPT_FOLDERS : folder outputs that are written in their place step by step, so that a later run can go on in them.

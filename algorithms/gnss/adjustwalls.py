@@ -15,7 +15,7 @@ from .inputs import GnssInputs
 class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
     ID = "adjustwalls"
     NAME = "Adjust walls by GNSS"
-    SOURCE = "Javanmardi 2018, 5.6"
+    SOURCE = "Javanmardi, 5.6"
     KEYWORDS = ("GNSS", "GPS", "RINEX", "wall", "facade", "parapet", "multipath", "reflection", "ray tracing")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj")
     HELP = (

@@ -14,7 +14,7 @@ from .inputs import GnssInputs
 class GnssReflections(GnssInputs, UrbanMapAlgorithm):
     ID = "gnssreflections"
     NAME = "GNSS reflections"
-    SOURCE = "Javanmardi 2018, 5.6"
+    SOURCE = "Javanmardi, 5.6"
     KEYWORDS = ("GNSS", "GPS", "RINEX", "multipath", "NLOS", "ray tracing", "reflection", "satellite")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj")
     HELP = (

@@ -17,7 +17,7 @@ ANGLE_UNITS = ("degrees", "radians")
 class GeoreferenceScans(UrbanMapAlgorithm):
     ID = "georeferencescans"
     NAME = "Georeference range scans"
-    SOURCE = "Zhao and Shibasaki 2004, 2.2, eq. 1 and 4 to 7"
+    SOURCE = "Zhao and Shibasaki, 2.2, eq. 1 and 4 to 7"
     KEYWORDS = ("line scanner", "laser scanner", "range", "profile", "direct georeferencing", "VLMS", "mobile", "LAZ")
     REQUIRES = ("numpy", "pyproj", "laspy", "lazrs")
     HELP = (

@@ -20,7 +20,7 @@ EPOCH_FIELDS = (("time", "real"), ("east", "real"), ("north", "real"), ("up", "r
 class RectifyTrajectory(UrbanMapAlgorithm):
     ID = "rectifytrajectory"
     NAME = "Rectify trajectory"
-    SOURCE = "Zhao and Shibasaki 2004, 3, eq. 8 to 17"
+    SOURCE = "Zhao and Shibasaki, 3, eq. 8 to 17"
     KEYWORDS = ("tie points", "drift", "GPS", "INS", "adjustment", "registration", "mobile", "VLMS", "correction")
     REQUIRES = ("numpy", "scipy", "pyproj", "rasterio")
     RETIRED_WORDS = MappingProxyType({"METHOD": {"relative": "drift", "iterative": "drift"}})

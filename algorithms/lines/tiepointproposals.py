@@ -18,7 +18,7 @@ FIELDS = (("set", "text"), ("time", "real"), ("length", "real"), ("support", "in
 class TiePointProposals(UrbanMapAlgorithm):
     ID = "tiepointproposals"
     NAME = "Propose tie points"
-    SOURCE = "Zhao and Shibasaki 2004, 3.2, where tie points are assigned by hand"
+    SOURCE = "Zhao and Shibasaki, 3.2, where tie points are assigned by hand"
     KEYWORDS = ("tie points", "corners", "buildings", "walls", "rectification", "registration", "mobile")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs")
     HELP = (

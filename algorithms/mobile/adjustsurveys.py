@@ -26,7 +26,7 @@ NODE_FIELDS = (("drive", "text"), ("status", "text"), ("time", "real"), ("chaina
 class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
     ID = "adjustsurveys"
     NAME = "Adjust several drives"
-    SOURCE = "network adjustment on the registration of Javanmardi 2018, 3.2.4 and 4"
+    SOURCE = "network adjustment on the registration of Javanmardi, 3.2.4 and 4"
     KEYWORDS = ("MMS", "mobile", "adjustment", "network", "tie", "control", "trajectory", "strip")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs", "cv2", "skimage")
     HELP = (

@@ -13,7 +13,7 @@ POSES_FILTER = "Image poses (*.csv *.txt)"
 class ApplyTrajectory(UrbanMapAlgorithm):
     ID = "applytrajectory"
     NAME = "Apply corrected trajectory"
-    SOURCE = "Javanmardi 2018, 3.2.4.3"
+    SOURCE = "Javanmardi, 3.2.4.3"
     KEYWORDS = ("trajectory", "correction", "georeferencing", "mobile", "survey", "LAZ", "images")
     REQUIRES = ("numpy", "pyproj", "laspy", "lazrs")
     HELP = (

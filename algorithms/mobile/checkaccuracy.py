@@ -17,7 +17,7 @@ FIGURES = {"MEAN_2D": "Mean error in plan", "MAX_2D": "Maximum error in plan",
 class CheckAccuracy(UrbanMapAlgorithm):
     ID = "checkaccuracy"
     NAME = "Check accuracy at control points"
-    SOURCE = "Javanmardi 2018, 3.3.5"
+    SOURCE = "Javanmardi, 3.3.5"
     KEYWORDS = ("control", "GCP", "accuracy", "residual", "error", "mobile", "survey")
     REQUIRES = ("numpy", "shapely", "pyproj", "laspy", "lazrs")
     HELP = (

@@ -11,7 +11,7 @@ from ..framework.running.workers import workers
 class GroundFromMms(UrbanMapAlgorithm):
     ID = "groundfrommms"
     NAME = "Ground of a mobile survey"
-    SOURCE = "Javanmardi 2018, 3.2.3.1; cloth filter: Zhang et al. 2016"
+    SOURCE = "Javanmardi, 3.2.3.1; cloth filter: Zhang et al. 2016"
     KEYWORDS = ("MMS", "ground", "road", "pavement", "cloth", "CSF", "lidar", "classification")
     REQUIRES = ("numpy", "scipy", "pyproj", "laspy", "lazrs", "cv2", "rasterio")
     HELP = (

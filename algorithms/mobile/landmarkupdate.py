@@ -10,7 +10,7 @@ from .control_points import add_control, read_control
 class LandmarkUpdate(UrbanMapAlgorithm):
     ID = "landmarkupdate"
     NAME = "Landmark update"
-    SOURCE = "Javanmardi 2018, 3.1"
+    SOURCE = "Javanmardi, 3.1"
     KEYWORDS = ("landmark", "control", "GCP", "trajectory", "correction", "baseline")
     REQUIRES = ("numpy", "pyproj", "laspy", "lazrs")
     HELP = (

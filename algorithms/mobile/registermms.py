@@ -20,7 +20,7 @@ METHODS = ("full", "paper")
 class RegisterMms(UrbanMapAlgorithm):
     ID = "registermms"
     NAME = "Register mobile survey"
-    SOURCE = "Javanmardi 2018, 3.2.4 and 4"
+    SOURCE = "Javanmardi, 3.2.4 and 4"
     KEYWORDS = ("MMS", "mobile", "registration", "NDT", "trajectory", "correction", "marking", "georeferencing")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs", "cv2", "skimage")
     HELP = (

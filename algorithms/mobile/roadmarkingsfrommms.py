@@ -18,7 +18,7 @@ METHODS = ("full", "paper")
 class RoadMarkingsFromMms(UrbanMapAlgorithm):
     ID = "roadmarkingsfrommms"
     NAME = "Road markings of a mobile survey"
-    SOURCE = "Javanmardi 2018, 3.2.3"
+    SOURCE = "Javanmardi, 3.2.3"
     KEYWORDS = ("MMS", "marking", "paint", "lane", "intensity", "reflectance", "calibration", "lidar", "threshold")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "cv2", "rasterio")
     HELP = (

@@ -19,7 +19,7 @@ WORDS, WHOLE = ("class", "status"), ("street", "n_walls", "undetermined")
 class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgorithm):
     ID = "localisationaccuracy"
     NAME = "Map of localisation accuracy"
-    SOURCE = "Javanmardi 2018, 6.2"
+    SOURCE = "Javanmardi, 6.2"
     KEYWORDS = ("localization", "localisation", "accuracy", "NDT", "ICP", "map matching", "HD map", "reliability",
                 "automated driving", "covariance", "DOP")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio")

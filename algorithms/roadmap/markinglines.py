@@ -21,7 +21,7 @@ LINE_FIELDS = (("line_id", "int"), ("class", "text"), ("colour", "text"), ("widt
 class MarkingLines(UrbanMapAlgorithm):
     ID = "markinglines"
     NAME = "Lines from road markings"
-    SOURCE = "Javanmardi 2018, 6.2"
+    SOURCE = "Javanmardi, 6.2"
     KEYWORDS = ("road", "marking", "lane", "line", "dashed", "crosswalk", "stop line", "arrow", "lane map", "HD map")
     REQUIRES = ("numpy", "scipy", "shapely", "rasterio")
     HELP = (

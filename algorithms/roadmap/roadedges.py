@@ -23,7 +23,7 @@ GEOPACKAGE_FILTER = "GeoPackage (*.gpkg)"
 class RoadEdges(UrbanMapAlgorithm):
     ID = "roadedges"
     NAME = "Road edges"
-    SOURCE = "Javanmardi 2018, 6.2"
+    SOURCE = "Javanmardi, 6.2"
     KEYWORDS = ("road", "kerb", "curb", "edge", "border", "guard rail", "wall", "MMS", "breakline", "lane map")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "rasterio")
     HELP = (

@@ -24,7 +24,7 @@ RAIL_FIELDS = (("rail_id", "int"), ("height", "real"), ("sigma", "real"), ("sigm
 class StreetObjects(UrbanMapAlgorithm):
     ID = "streetobjects"
     NAME = "Street objects"
-    SOURCE = "Javanmardi 2018, 6.2"
+    SOURCE = "Javanmardi, 6.2"
     KEYWORDS = ("pole", "lamp post", "street light", "traffic light", "signal", "traffic sign", "tree", "guard rail",
                 "street furniture", "bollard", "cabinet", "MMS")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "rasterio")

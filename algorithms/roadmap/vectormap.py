@@ -25,7 +25,7 @@ XODR_FILTER = "OpenDRIVE (*.xodr)"
 class VectorMap(UrbanMapAlgorithm):
     ID = "vectormap"
     NAME = "Lane map"
-    SOURCE = "Javanmardi 2018, 6.2"
+    SOURCE = "Javanmardi, 6.2"
     KEYWORDS = ("lane", "HD map", "vector map", "Lanelet2", "OpenDRIVE", "Autoware", "automated driving", "road")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj")
     HELP = (

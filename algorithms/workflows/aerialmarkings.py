@@ -13,7 +13,7 @@ from ..framework.running.chain import GivenParameters
 class AerialMarkings(UrbanMapAlgorithm):
     ID = "aerialmarkings"
     NAME = "Road markings from aerial frames"
-    SOURCE = "Javanmardi 2018, 3.2.1, 3.2.2 and 4.1"
+    SOURCE = "Javanmardi, 3.2.1, 3.2.2 and 4.1"
     KEYWORDS = ("road", "marking", "aerial", "frames", "orthophoto", "ALS", "reference", "workflow")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs", "cv2", "skimage")
     HELP = (

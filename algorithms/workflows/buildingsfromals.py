@@ -14,7 +14,7 @@ from ..framework.running.chain import GivenParameters
 class BuildingsFromAls(UrbanMapAlgorithm):
     ID = "buildingsfromals"
     NAME = "Buildings from ALS"
-    SOURCE = "Javanmardi 2018, chapter 5"
+    SOURCE = "Javanmardi, chapter 5"
     KEYWORDS = ("building", "3D", "ALS", "lidar", "CityJSON", "LOD1", "LOD2", "workflow")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "cv2", "skimage")
     HELP = (

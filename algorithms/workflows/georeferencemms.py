@@ -23,7 +23,7 @@ READING = ("ANGLES", "GEOID", "GEOID_HEIGHT")
 class GeoreferenceMms(UrbanMapAlgorithm):
     ID = "georeferencemms"
     NAME = "Georeference mobile survey"
-    SOURCE = "Javanmardi 2018, 3.2.3, 3.2.4 and 4"
+    SOURCE = "Javanmardi, 3.2.3, 3.2.4 and 4"
     KEYWORDS = ("MMS", "mobile", "georeferencing", "registration", "marking", "trajectory", "workflow")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs", "cv2", "skimage")
     HELP = (

@@ -20,7 +20,7 @@ FIGURES = ("LANES", "LENGTH", "FINDINGS")
 class LaneMap(UrbanMapAlgorithm):
     ID = "lanemap"
     NAME = "Lane map from markings and drives"
-    SOURCE = "Javanmardi 2018, 6.2"
+    SOURCE = "Javanmardi, 6.2"
     KEYWORDS = ("lane", "HD map", "vector map", "Lanelet2", "OpenDRIVE", "Autoware", "marking", "workflow")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio")
     HELP = (

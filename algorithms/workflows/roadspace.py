@@ -23,7 +23,7 @@ OBJECT_FIGURES = ("OBJECTS", "DOUBTFUL")
 class RoadSpace(UrbanMapAlgorithm):
     ID = "roadspace"
     NAME = "Road space from a mobile survey"
-    SOURCE = "Javanmardi 2018, 6.2; Project PLATEAU, standard product specification 5.0, 4.3 and 4.14"
+    SOURCE = "Javanmardi, 6.2; Project PLATEAU, standard product specification 5.0, 4.3 and 4.14"
     KEYWORDS = ("road", "PLATEAU", "CityGML", "LOD3", "kerb", "lane", "pole", "sign", "tree", "street furniture", "MMS",
                 "workflow")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs")

@@ -6108,8 +6108,8 @@ All points are shifted alike and keep their attributes. Give the result to “Su
 すべての点を同じ量だけ移動し、属性はそのまま残します。結果は「航空レーザからの表層と地表」や「空中写真からの路面標示」に使います。</translation>
     </message>
     <message>
-        <source>Javanmardi 2018, 6.1 (calibration of the aerial data with few ground control points)</source>
-        <translation>Javanmardi 2018, 6.1（少数の標定点による航空データの校正）</translation>
+        <source>Javanmardi, 6.1 (calibration of the aerial data with few ground control points)</source>
+        <translation>Javanmardi, 6.1（少数の標定点による航空データの校正）</translation>
     </message>
     <message>
         <source>aerial</source>
@@ -6136,8 +6136,8 @@ Give the corrected orientation to “Orthorectify frames” or “Road markings 
 補正した外部標定要素は「空中写真のオルソ化」または「空中写真からの道路標示」に渡してください。</translation>
     </message>
     <message>
-        <source>Javanmardi 2018, 6.1 (calibration of the aerial data with few ground control points); bundle adjustment</source>
-        <translation>Javanmardi 2018, 6.1（少数の地上標定点による空中データの調整）、バンドル調整</translation>
+        <source>Javanmardi, 6.1 (calibration of the aerial data with few ground control points); bundle adjustment</source>
+        <translation>Javanmardi, 6.1（少数の地上標定点による空中データの調整）、バンドル調整</translation>
     </message>
     <message>
         <source>Mobile mapping</source>
@@ -6188,8 +6188,8 @@ The corrected trajectories keep the names, formats and epochs of those given; ap
 補正軌跡は、入力した軌跡の名称、形式、エポックを保持します。「補正軌跡の適用」で適用してください。</translation>
     </message>
     <message>
-        <source>network adjustment on the registration of Javanmardi 2018, 3.2.4 and 4</source>
-        <translation>Javanmardi 2018、3.2.4、4の位置合わせに基づく網平均</translation>
+        <source>network adjustment on the registration of Javanmardi, 3.2.4 and 4</source>
+        <translation>Javanmardi、3.2.4、4の位置合わせに基づく網平均</translation>
     </message>
     <message>
         <source>GNSS</source>
@@ -6236,8 +6236,8 @@ Give as many passes as there are: with one or two nothing is moved, about ten ar
 パスはあるだけ指定してください。1、2本では何も動かず、1枚の壁に10本ほど必要です。</translation>
     </message>
     <message>
-        <source>Javanmardi 2018, 5.6</source>
-        <translation>Javanmardi 2018、5.6</translation>
+        <source>Javanmardi, 5.6</source>
+        <translation>Javanmardi、5.6</translation>
     </message>
     <message>
         <source>road</source>
@@ -6266,8 +6266,8 @@ Frames, points and outlines must be in one projected coordinate system in metres
 写真、点群、外周線は、メートル単位の同じ投影座標系としてください。</translation>
     </message>
     <message>
-        <source>Javanmardi 2018, 3.2.1, 3.2.2 and 4.1</source>
-        <translation>Javanmardi 2018、3.2.1、3.2.2、4.1</translation>
+        <source>Javanmardi, 3.2.1, 3.2.2 and 4.1</source>
+        <translation>Javanmardi、3.2.1、3.2.2、4.1</translation>
     </message>
     <message>
         <source>Apply corrected trajectory</source>
@@ -6300,8 +6300,8 @@ Only coordinates change: attributes, extra dimensions, header records and the or
 変わるのは座標だけで、属性、追加次元、ヘッダのレコード、点の順序は保持されます。複数のファイルは順につないで1つに書き出します。ファイルはメモリより大きくても構いません。点のGPS時刻は、週内秒でも補正標準時（adjusted standard time）でも構いません。</translation>
     </message>
     <message>
-        <source>Javanmardi 2018, 3.2.4.3</source>
-        <translation>Javanmardi 2018、3.2.4.3</translation>
+        <source>Javanmardi, 3.2.4.3</source>
+        <translation>Javanmardi、3.2.4.3</translation>
     </message>
     <message>
         <source>building</source>
@@ -6334,8 +6334,8 @@ Each solid is checked: closed, planar, oriented outwards, no self-intersection. 
 各立体について、閉合、平面性、外向きの面、自己交差のないことを検査します。点群を指定した場合は、建物ごとにモデルの適合度を示します。モデルを作成できない建物も行を残し、理由を文で示します。</translation>
     </message>
     <message>
-        <source>Javanmardi 2018, 5.3.4</source>
-        <translation>Javanmardi 2018、5.3.4</translation>
+        <source>Javanmardi, 5.3.4</source>
+        <translation>Javanmardi、5.3.4</translation>
     </message>
     <message>
         <source>LOD2</source>
@@ -6350,8 +6350,8 @@ The same chain is there as a model that can be changed in the modeller.</source>
 同じ一連の処理は、モデルデザイナーで変更できるモデルとしても用意されています。</translation>
     </message>
     <message>
-        <source>Javanmardi 2018, chapter 5</source>
-        <translation>Javanmardi 2018、5章</translation>
+        <source>Javanmardi, chapter 5</source>
+        <translation>Javanmardi、5章</translation>
     </message>
     <message>
         <source>boresight</source>
@@ -6398,8 +6398,8 @@ A column “role” (check, adjusted) tells points apart: those that the survey 
 列「role」（check＝検証点、adjusted＝調整点）で点を区別し、調整点は除きます。</translation>
     </message>
     <message>
-        <source>Javanmardi 2018, 3.3.5</source>
-        <translation>Javanmardi 2018、3.3.5</translation>
+        <source>Javanmardi, 3.3.5</source>
+        <translation>Javanmardi、3.3.5</translation>
     </message>
     <message>
         <source>PLATEAU</source>
@@ -6632,8 +6632,8 @@ The others are resampled onto the first, also from another coordinate system, an
 ほかの画像は、座標参照系が異なる場合も含めて1枚目に合わせて再配列し、露出の違いをそろえます。1枚にデータのない画素は、ほかの画像で補います。</translation>
     </message>
     <message>
-        <source>Javanmardi 2018, 3.2.1.2</source>
-        <translation>Javanmardi 2018、3.2.1.2</translation>
+        <source>Javanmardi, 3.2.1.2</source>
+        <translation>Javanmardi、3.2.1.2</translation>
     </message>
     <message>
         <source>registration</source>
@@ -6646,8 +6646,8 @@ With ground heights the correction is in space; without them heights stay as the
 地表の標高を与えると3次元で補正します。与えない場合、高さはそのままです。基準には「空中写真からの路面標示」の結果を用います。</translation>
     </message>
     <message>
-        <source>Javanmardi 2018, 3.2.3, 3.2.4 and 4</source>
-        <translation>Javanmardi 2018、3.2.3、3.2.4、4</translation>
+        <source>Javanmardi, 3.2.3, 3.2.4 and 4</source>
+        <translation>Javanmardi、3.2.3、3.2.4、4</translation>
     </message>
     <message>
         <source>Georeference range scans</source>
@@ -6686,8 +6686,8 @@ Position and angles of the vehicle are linear between epochs. What was measured 
 車両の位置と角度はエポック間で線形に補間します。軌跡の時間の外、または1秒を超える軌跡の欠測区間で測定されたものは除き、その数を示します。点はangleとrangeを保持します。</translation>
     </message>
     <message>
-        <source>Zhao and Shibasaki 2004, 2.2, eq. 1 and 4 to 7</source>
-        <translation>Zhao・Shibasaki 2004、2.2、式1、4～7</translation>
+        <source>Zhao and Shibasaki, 2.2, eq. 1 and 4 to 7</source>
+        <translation>Zhao・Shibasaki、2.2、式1、4～7</translation>
     </message>
     <message>
         <source>NLOS</source>
@@ -6734,8 +6734,8 @@ A street that is driven several times is filtered pass by pass where the points 
 点にGPS時刻がある場合、複数回走行した道路は走行パスごとに処理します。走行パスどうしは高さが数十cmずれていることがあるためです。はるかに密な路面の下にある点の小さな塊（マルチパスによるゴースト点）は除きます。壁や柱の最下部数十cmは、しきい値では区別できないため地表に含まれます。ファイルはメモリより大きくてもかまいません。</translation>
     </message>
     <message>
-        <source>Javanmardi 2018, 3.2.3.1; cloth filter: Zhang et al. 2016</source>
-        <translation>Javanmardi 2018、3.2.3.1。布シミュレーションフィルタ：Zhangほか 2016</translation>
+        <source>Javanmardi, 3.2.3.1; cloth filter: Zhang et al. 2016</source>
+        <translation>Javanmardi、3.2.3.1。布シミュレーションフィルタ：Zhangほか 2016</translation>
     </message>
     <message>
         <source>Landmark update</source>
@@ -6756,8 +6756,8 @@ The correction at each control point is its true place less its place in the sur
 各調整点での補正量は、真の位置から計測データ中の位置を引いたものです。調整点の間では時間で補間し、最初の調整点より前と最後の調整点より後では一定とします。角度は変更しません。結果は調整点の近くでは良好で、その間では計測の誤差に従います。</translation>
     </message>
     <message>
-        <source>Javanmardi 2018, 3.1</source>
-        <translation>Javanmardi 2018、3.1</translation>
+        <source>Javanmardi, 3.1</source>
+        <translation>Javanmardi、3.1</translation>
     </message>
     <message>
         <source>OpenDRIVE</source>
@@ -6770,8 +6770,8 @@ Markings and ground are what “Road markings from aerial frames” makes; traje
 路面標示と地表は「空中写真からの路面標示」の結果、軌跡は「MMS計測の位置合わせ」の結果を用います。車線に不足しているものは、その位置を示す指摘事項となります。根拠のない車線は作成されないため、指摘事項を確認してください。</translation>
     </message>
     <message>
-        <source>Javanmardi 2018, 6.2</source>
-        <translation>Javanmardi 2018、6.2</translation>
+        <source>Javanmardi, 6.2</source>
+        <translation>Javanmardi、6.2</translation>
     </message>
     <message>
         <source>Load city model</source>
@@ -6830,8 +6830,8 @@ Areas (BldA) and outlines (BldL) are read from the files as downloaded: .xml, .z
 建築物（BldA）と建築物の外周線（BldL）を、ダウンロードしたままのファイル（.xml、.zip、またはそのフォルダ）から読み込みます。外周線は閉じていればポリゴンとします。複数の図郭にある建物や、面と外周線の両方がある建物は1つだけとします。除いたものや変更したものはログに示します。</translation>
     </message>
     <message>
-        <source>Javanmardi 2018, 5.3.1</source>
-        <translation>Javanmardi 2018、5.3.1</translation>
+        <source>Javanmardi, 5.3.1</source>
+        <translation>Javanmardi、5.3.1</translation>
     </message>
     <message>
         <source>Load GSI elevation model</source>
@@ -6954,8 +6954,8 @@ Every result is checked: closed, planar, oriented outwards, no self-intersection
 すべての結果について、閉じていること、平面であること、外向きであること、自己交差がないことを検査します。統合できない建物は元のモデルを保ち、理由を示します。</translation>
     </message>
     <message>
-        <source>Javanmardi 2018, 5.7</source>
-        <translation>Javanmardi 2018、5.7</translation>
+        <source>Javanmardi, 5.7</source>
+        <translation>Javanmardi、5.7</translation>
     </message>
     <message>
         <source>mesh</source>
@@ -7076,8 +7076,8 @@ The edges are as good as the surface: use a resolution near the distance between
 縁の精度は表層の精度によります。解像度はレーザ点の間隔程度としてください。建物外周線を与えると、低い建物や点の欠けた屋根も加わります。マスクは空中写真と同じ行数・列数で、地図上の位置をもちません。</translation>
     </message>
     <message>
-        <source>Javanmardi 2018, 3.2.1.1, eq. 1 to 3</source>
-        <translation>Javanmardi 2018、3.2.1.1、式1～3</translation>
+        <source>Javanmardi, 3.2.1.1, eq. 1 to 3</source>
+        <translation>Javanmardi、3.2.1.1、式1～3</translation>
     </message>
     <message>
         <source>orthorectification</source>
@@ -7100,8 +7100,8 @@ Frames, ground and surface must be in one projected coordinate system in metres.
 空中写真、地表、表層は、同一の投影座標系（メートル単位）である必要があります。</translation>
     </message>
     <message>
-        <source>Javanmardi 2018, 3.2.1</source>
-        <translation>Javanmardi 2018、3.2.1</translation>
+        <source>Javanmardi, 3.2.1</source>
+        <translation>Javanmardi、3.2.1</translation>
     </message>
     <message>
         <source>overlay</source>
@@ -7154,8 +7154,8 @@ With a ground raster the heights then follow the ground along the course, at the
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Zhao and Shibasaki 2004, 3, eq. 8 to 17</source>
-        <translation>Zhao・Shibasaki 2004、3、式8～17</translation>
+        <source>Zhao and Shibasaki, 3, eq. 8 to 17</source>
+        <translation>Zhao・Shibasaki、3、式8～17</translation>
     </message>
     <message>
         <source>Finds how the trajectory of a mobile survey is off, by laying its road markings on those of an aerial reference, and corrects it.
@@ -7166,8 +7166,8 @@ With ground heights (a raster, or polygons with heights) the correction is in sp
 地表の標高（ラスタ、または高さをもつポリゴン）を与えると3次元で補正します。与えない場合、高さ・ロール・ピッチはそのままです。建物の外形線またはモデルを与えると、計測された壁面が標示と並ぶ第二の根拠になります。標示のない区間でも位置を保ち、両者が一致しない所は位置合わせ済みとしません。結果は「補正軌跡の適用」で適用してください。</translation>
     </message>
     <message>
-        <source>Javanmardi 2018, 3.2.4 and 4</source>
-        <translation>Javanmardi 2018、3.2.4、4</translation>
+        <source>Javanmardi, 3.2.4 and 4</source>
+        <translation>Javanmardi、3.2.4、4</translation>
     </message>
     <message>
         <source>curb</source>
@@ -7220,8 +7220,8 @@ Ground is taken by class 2 where at least 1 % of the points have it, otherwise f
 地表は、点の1 %以上がクラス2であればクラス2とし、それ以外は布シミュレーションフィルタで求めます。処理は経路に沿って行います。同じ場所の走行パスどうしは混ぜず、1秒を超える停車中に計測されたものは除きます。ファイルはメモリより大きくてもかまいません。</translation>
     </message>
     <message>
-        <source>Javanmardi 2018, 3.2.3</source>
-        <translation>Javanmardi 2018、3.2.3</translation>
+        <source>Javanmardi, 3.2.3</source>
+        <translation>Javanmardi、3.2.3</translation>
     </message>
     <message>
         <source>zebra</source>
@@ -7244,8 +7244,8 @@ Any orthophoto of 0.5 m or finer will do, in grey or in red, green and blue, 8 o
 0.5 mまたはそれより細かいオルソ画像であれば、グレーまたはRGB、8または16ビット、任意の大きさのものを使えます。道路のデータがあれば指定してください。屋根・敷地・舗装の明るい線が除かれます。画像で建物が倒れ込んでいる場合は、建物外周線、または建物が隠す部分のマスクを指定してください。</translation>
     </message>
     <message>
-        <source>Javanmardi 2018, 3.2.2 and 4.1</source>
-        <translation>Javanmardi 2018、3.2.2、4.1</translation>
+        <source>Javanmardi, 3.2.2 and 4.1</source>
+        <translation>Javanmardi、3.2.2、4.1</translation>
     </message>
     <message>
         <source>junction</source>
@@ -7298,8 +7298,8 @@ Several drives are given as one: their points together, their trajectories one a
 複数の走行は一つにまとめて与えます（点群は一緒に、軌跡は一つのファイルに続けて）。見えなかったものは位置とともに指摘事項になり、作り出すことはありません。縁が車道を囲まない場合、道路モデルは空になり、その理由を警告で示します。ほかの結果は残ります。</translation>
     </message>
     <message>
-        <source>Javanmardi 2018, 6.2; Project PLATEAU, standard product specification 5.0, 4.3 and 4.14</source>
-        <translation>Javanmardi 2018, 6.2; Project PLATEAU 3D都市モデル標準製品仕様書 5.0, 4.3 および 4.14</translation>
+        <source>Javanmardi, 6.2; Project PLATEAU, standard product specification 5.0, 4.3 and 4.14</source>
+        <translation>Javanmardi, 6.2; Project PLATEAU 3D都市モデル標準製品仕様書 5.0, 4.3 および 4.14</translation>
     </message>
     <message>
         <source>roof</source>
@@ -7328,8 +7328,8 @@ The method “partition” divides each outline among its roofs along straight l
 方法「partition」は、屋根どうしが接する直線に沿って、各外周線を屋根に分割します。すき間や細片がなく、辺を共有します。方法「points」は、形状が誤っている外周線のために、まず点から建物の外周を描き、次に同様に分割します。方法「paper」は、各屋根の輪郭を個別に描きます。半径外れ値除去、アルファシェイプ、順序付けた境界点のハフ変換による線、これらの線からのポリゴンの順に求め、屋根の最高点の高さに置きます。外周線は用いず、単純な形状の屋根に限られます。この方法では屋根のない建物にポリゴンはありませんが、ほかの方法では単純ブロックとします。</translation>
     </message>
     <message>
-        <source>Javanmardi 2018, 5.3.3</source>
-        <translation>Javanmardi 2018、5.3.3</translation>
+        <source>Javanmardi, 5.3.3</source>
+        <translation>Javanmardi、5.3.3</translation>
     </message>
     <message>
         <source>job</source>
@@ -7440,8 +7440,8 @@ Walls hide satellites; trees, vehicles and bridges do not. Where walls of the mo
 壁面は衛星を隠しますが、樹木・車両・橋は考慮しません。モデルの壁面が1 mずれていると、その辺の近くの衛星の数は誤ります。</translation>
     </message>
     <message>
-        <source>Javanmardi 2018, 3.3 (figure 3-20)</source>
-        <translation>Javanmardi 2018、3.3 （図3-20）</translation>
+        <source>Javanmardi, 3.3 (figure 3-20)</source>
+        <translation>Javanmardi、3.3 （図3-20）</translation>
     </message>
     <message>
         <source>Segment buildings</source>
@@ -7478,8 +7478,8 @@ The histogram has overlapping bins. Each maximum with more points than the minim
 ヒストグラムの階級は互いに重なります。最小屋根面積に相当する数より点の多い極大のそれぞれを屋根とし、パラペットの極大はその屋根のものと統合します。論文に加えて、平面上で離れた2つの屋根からなる1つの極大は2つに分け、突出する小さな屋根を残し、傾斜屋根は高さの誤差の要求に応じた細かさで、いくつかの陸屋根とします。</translation>
     </message>
     <message>
-        <source>Javanmardi 2018, 5.3.2</source>
-        <translation>Javanmardi 2018、5.3.2</translation>
+        <source>Javanmardi, 5.3.2</source>
+        <translation>Javanmardi、5.3.2</translation>
     </message>
     <message>
         <source>lamp post</source>
@@ -7542,8 +7542,8 @@ Noise (classes 7 and 18), withheld points and points alone in space are left out
 ノイズ（クラス7と18）、withheldの点、孤立点は除きます。ファイルはメモリより大きくてもかまいません。高さのないセルは -9999 です。</translation>
     </message>
     <message>
-        <source>Javanmardi 2018, 3.2.1.1 and 4.1; cloth filter: Zhang et al. 2016</source>
-        <translation>Javanmardi 2018、3.2.1.1、4.1。布シミュレーションフィルタ：Zhangほか 2016</translation>
+        <source>Javanmardi, 3.2.1.1 and 4.1; cloth filter: Zhang et al. 2016</source>
+        <translation>Javanmardi、3.2.1.1、4.1。布シミュレーションフィルタ：Zhangほか 2016</translation>
     </message>
     <message>
         <source>Propose tie points</source>
@@ -7570,8 +7570,8 @@ Each line of the result runs from the survey to the reference. Look at them befo
 結果の各線は、計測データから基準へ向かいます。使う前に確認し、誤った線の削除、端点の移動、線の追加を行ってください。その精度は基準の精度によります。補正では、基準の精度を「タイポイントのσ」に指定してください。表層の辺は屋根の縁です。</translation>
     </message>
     <message>
-        <source>Zhao and Shibasaki 2004, 3.2, where tie points are assigned by hand</source>
-        <translation>Zhao・Shibasaki 2004、3.2（論文ではタイポイントを手で指定）</translation>
+        <source>Zhao and Shibasaki, 3.2, where tie points are assigned by hand</source>
+        <translation>Zhao・Shibasaki、3.2（論文ではタイポイントを手で指定）</translation>
     </message>
     <message>
         <source>tile</source>
@@ -18146,8 +18146,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>Z 3の手法どおり: 2つの対応点からなる組（式13～17）、反復法による相対運動（式8、9）</translation>
     </message>
     <message>
-        <source>Asphalt's intensity falls with range and incidence. The curve f(R) = C + A R^-b (1 - exp(-(R/d)^2)) is fitted to the asphalt of each scanner; intensities are divided by it up to R1, by the smallest value from there to R2, and left out beyond (Javanmardi 2018, eq. 4).</source>
-        <translation>アスファルトの反射強度は斜距離と入射角に応じて低下します。曲線f(R) = C + A R^-b (1 - exp(-(R/d)^2))をスキャナごとにアスファルトに当てはめ、反射強度をR1まではこの値で、R1からR2までは最小値で除し、R2を超えるものは除外します(Javanmardi 2018, 式4)。</translation>
+        <source>Asphalt's intensity falls with range and incidence. The curve f(R) = C + A R^-b (1 - exp(-(R/d)^2)) is fitted to the asphalt of each scanner; intensities are divided by it up to R1, by the smallest value from there to R2, and left out beyond (Javanmardi, eq. 4).</source>
+        <translation>アスファルトの反射強度は斜距離と入射角に応じて低下します。曲線f(R) = C + A R^-b (1 - exp(-(R/d)^2))をスキャナごとにアスファルトに当てはめ、反射強度をR1まではこの値で、R1からR2までは最小値で除し、R2を超えるものは除外します(Javanmardi, 式4)。</translation>
     </message>
     <message>
         <source>Outside the trajectory's time</source>

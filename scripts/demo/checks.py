@@ -15,6 +15,8 @@ import shapely
 from osgeo import gdal, ogr, osr
 from scipy.ndimage import binary_dilation, map_coordinates
 
+from scripts.layers import read_layer, read_raster
+
 gdal.UseExceptions()
 ogr.UseExceptions()
 
@@ -30,15 +32,16 @@ CLEAR = 0.5
 
 @dataclass(frozen=True)
 class Figure:
-    """An error or a share: its value and how it is written (`style` as of `str.format`)."""
+    """An error or a share: its value and how it is written (`style` as of `str.format`); `missing` where it is NaN."""
 
     what: str
     value: float
     style: str = "{:.2f} m"
+    missing: str = "nothing to measure"
 
     @property
     def text(self) -> str:
-        return self.style.format(self.value)
+        return self.style.format(self.value) if np.isfinite(self.value) else self.missing
 
 
 @dataclass(frozen=True)
@@ -55,27 +58,6 @@ class RoofPlaces:
     kind: np.ndarray
 
 
-# Reading
-
-def read_layer(path: Path, *names: str, layer: str | int = 0) -> tuple[np.ndarray, list[list]]:
-    """Geometries of a layer, and a list for each named field."""
-    source = ogr.Open(str(path))
-    features = list(source.GetLayer(layer))
-    shapes = [feature.GetGeometryRef() for feature in features]
-    geometries = shapely.from_wkb([bytes(shape.ExportToWkb()) if shape else None for shape in shapes])
-    return geometries, [[feature.GetField(name) for feature in features] for name in names]
-
-
-def read_raster(path: Path) -> tuple[np.ndarray, tuple[float, ...]]:
-    """Heights of a raster (NaN where there are none) and GDAL's six numbers of its place."""
-    source = gdal.Open(str(path))
-    band = source.GetRasterBand(1)
-    heights = band.ReadAsArray().astype(float)
-    if band.GetNoDataValue() is not None:
-        heights[heights == band.GetNoDataValue()] = np.nan
-    return heights, source.GetGeoTransform()
-
-
 def height_at(raster: tuple[np.ndarray, tuple[float, ...]], x: np.ndarray, y: np.ndarray) -> np.ndarray:
     """Heights at places, linear between the middles of cells; NaN outside."""
     heights, (west, cell, _, north, _, down) = raster
@@ -84,8 +66,9 @@ def height_at(raster: tuple[np.ndarray, tuple[float, ...]], x: np.ndarray, y: np
 
 
 def rmse(errors: np.ndarray) -> float:
-    """Root mean square of the errors that are known."""
-    return float(np.sqrt(np.nanmean(errors ** 2)))
+    """Root mean square of the errors that are known; NaN where none is."""
+    known = errors[np.isfinite(errors)]
+    return float(np.sqrt(np.mean(known ** 2))) if len(known) else np.nan
 
 
 # Truth
@@ -158,7 +141,8 @@ def loaded_outlines(folder: Path) -> list[Figure]:
     pairs = dict(zip(ids, loaded))
     far = [shapely.hausdorff_distance(pairs[name], plan) for name, plan in zip(names, delivered) if name in pairs]
     return [Figure("outlines loaded, share of those delivered", len(far) / len(names), "{:.0%}"),
-            Figure("greatest distance from the delivered outlines", max(far, default=np.nan), MILLIMETRES)]
+            Figure("greatest distance from the delivered outlines", max(far, default=np.nan), MILLIMETRES,
+                   "no outline loaded")]
 
 
 def surfaces(folder: Path) -> list[Figure]:
@@ -173,7 +157,7 @@ def surfaces(folder: Path) -> list[Figure]:
     surface = height_at(read_raster(folder / "dsm.tif"), places.x, places.y) - places.z
     return [Figure("ground outside buildings, RMSE", rmse(ground), MILLIMETRES),
             Figure("ground: share of it with a height", float(np.isfinite(ground).mean()), "{:.1%}"),
-            *_by_kind("surface on {} roofs, RMSE", surface, places.kind)]
+            *_by_kind("surface on {} roofs, RMSE", surface, places.kind, "no surface on them")]
 
 
 def models(folder: Path, models: str) -> list[Figure]:
@@ -191,12 +175,12 @@ def models(folder: Path, models: str) -> list[Figure]:
     places = roof_places(city)
     errors = model_heights(roofs, places) - places.z
     before = np.mean([overlap(true[of[number]], plan) for number, plan in zip(ids, given)])
-    after = np.mean([overlap(true[number], plan) for number, plan in plans.items()])
+    after = np.mean([overlap(true[number], plan) for number, plan in plans.items()]) if plans else np.nan
     return [Figure("buildings modelled", len(plans) / len(true), "{:.0%}"),
             Figure("true roofs: share with a model", float(np.isfinite(errors).mean()), "{:.1%}"),
-            *_by_kind("height of {} roofs, RMSE", errors, places.kind),
+            *_by_kind("height of {} roofs, RMSE", errors, places.kind, "none modelled"),
             Figure("overlap (IoU) with the true outlines: outlines as given", before, "{:.3f}"),
-            Figure("overlap with the true outlines: models", after, "{:.3f}")]
+            Figure("overlap with the true outlines: models", after, "{:.3f}", "none modelled")]
 
 
 def markings(folder: Path) -> list[Figure]:
@@ -232,9 +216,9 @@ def drawn(shapes: np.ndarray, size: tuple[int, int], place: tuple[float, ...]) -
     return target.ReadAsArray() > 0
 
 
-def _by_kind(what: str, errors: np.ndarray, kinds: np.ndarray) -> list[Figure]:
+def _by_kind(what: str, errors: np.ndarray, kinds: np.ndarray, missing: str) -> list[Figure]:
     """The RMSE on flat and on gabled roofs, as far as there are any."""
-    return [Figure(what.format(name), rmse(errors[kinds == kind]), MILLIMETRES)
+    return [Figure(what.format(name), rmse(errors[kinds == kind]), MILLIMETRES, missing)
             for kind, name in (("flat", "flat"), ("gable", "gabled")) if (kinds == kind).any()]
 
 

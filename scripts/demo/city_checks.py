@@ -11,7 +11,8 @@ import numpy as np
 import shapely
 from osgeo import osr
 
-from scripts.demo.checks import CITY_EPSG, MILLIMETRES, Figure, read_layer, true_outlines
+from scripts.demo.checks import CITY_EPSG, MILLIMETRES, Figure, true_outlines
+from scripts.layers import read_layer
 
 _GML, _BLDG = "{http://www.opengis.net/gml}", "{http://www.opengis.net/citygml/building/2.0}"
 
@@ -28,7 +29,8 @@ def city_files(folder: Path) -> list[Figure]:
     return [Figure("buildings in CityGML, share of those modelled", len(plans) / max(len(modelled), 1), "{:.0%}"),
             Figure("their overlap with the true outlines", float(overlap), "{:.2f}"),
             Figure("their height against that of the models, greatest difference",
-                   float(np.abs(np.sort(heights) - low).max()) if len(heights) == len(low) else np.nan, MILLIMETRES),
+                   float(np.abs(np.sort(heights) - low).max()) if len(heights) == len(low) else np.nan, MILLIMETRES,
+                   "other buildings than the models"),
             Figure("buildings in 3D Tiles, share of those modelled",
                    _in_tiles(folder / "tiles") / max(len(modelled), 1), "{:.0%}")]
 

@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 import shapely
 
-from scripts.demo.checks import Figure, read_layer
+from scripts.demo.checks import Figure
+from scripts.layers import read_layer
 
 STEP = 0.5  # m
 

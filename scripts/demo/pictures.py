@@ -15,7 +15,8 @@ import numpy as np
 import shapely
 from osgeo import gdal
 
-from scripts.demo.checks import read_layer, reported_errors
+from scripts.demo.checks import reported_errors
+from scripts.layers import read_layer
 
 gdal.UseExceptions()
 

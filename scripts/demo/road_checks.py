@@ -6,7 +6,8 @@ from pathlib import Path
 
 import shapely
 
-from scripts.demo.checks import Figure, read_layer
+from scripts.demo.checks import Figure
+from scripts.layers import read_layer
 
 NEAR = 0.3  # m: a true kerb farther from a border is not the kerb that a border follows
 

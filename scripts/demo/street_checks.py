@@ -12,7 +12,8 @@ from pathlib import Path
 import numpy as np
 import shapely
 
-from scripts.demo.checks import Figure, overlap, read_layer, true_outlines
+from scripts.demo.checks import Figure, overlap, true_outlines
+from scripts.layers import read_layer
 
 FACING = np.cos(np.radians(20.0))
 """A wall belongs to a true one when their directions differ by less than 20 degrees."""

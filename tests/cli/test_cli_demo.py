@@ -8,6 +8,7 @@ import shapely
 
 from scripts.demo import checks as demo_checks
 from scripts.demo.stages import stages
+from scripts.layers import read_raster
 
 # Stage: what may be (figure begins with, lowest, greatest). Each bound is some times what is reached.
 SANE = {
@@ -68,14 +69,14 @@ def test_checks_find_what_is_wrong(ran, tmp_path):
 
     folder, _ = ran
     places = demo_checks.roof_places(folder / "city")
-    raster = demo_checks.read_raster(folder / "dsm.tif")
+    raster = read_raster(folder / "dsm.tif")
     error = demo_checks.height_at(raster, places.x, places.y) - places.z
     lifted = tmp_path / "lifted.tif"
     gdal.GetDriverByName("GTiff").CreateCopy(str(lifted), gdal.Open(str(folder / "dsm.tif")))
     source = gdal.Open(str(lifted), gdal.GA_Update)
     source.GetRasterBand(1).WriteArray(source.GetRasterBand(1).ReadAsArray() + 0.3)
     del source
-    other = demo_checks.height_at(demo_checks.read_raster(lifted), places.x, places.y) - places.z
+    other = demo_checks.height_at(read_raster(lifted), places.x, places.y) - places.z
     assert np.nanmedian(other - error) == pytest.approx(0.3, abs=1e-4)
     numbers = np.unique(places.building)
     roof = {number: [shapely.force_3d(plan, 10.0)] for number, plan in

@@ -7,7 +7,8 @@ import pytest
 
 pytest.importorskip("osgeo.ogr", reason="GDAL's Python module, which reads the outlines, is not installed")
 
-from scripts.bench import DATA, DELFT, Delft, chain, outlines_of
+from scripts.bench import DATA, DELFT, Delft, chain
+from scripts.layers import read_layer
 from urbanmap_qgis.buildings.model_status import NOT_MODELLED
 from urbanmap_qgis.buildings.solids.validity import check_solid
 
@@ -20,7 +21,7 @@ def delft():
 
 
 def figures(delft, cloud, outlines="outlines"):
-    run = chain(DELFT / f"{cloud}.laz", outlines_of(DELFT / f"{outlines}.gpkg", "lokaalid")[0])
+    run = chain(DELFT / f"{cloud}.laz", read_layer(DELFT / f"{outlines}.gpkg")[0])
     return run, dict(zip(("modelled", "ok", "roofs", "rmse_z95", "rmse_3d", "flat", "iou"), delft.figures(run)))
 
 
@@ -45,7 +46,7 @@ def test_displaced_outlines_are_brought_back(delft, cloud, outlines, iou):
 
 
 def test_a_cell_of_delft_without_ground_points():
-    outlines, base = outlines_of(DATA / "delft_cells" / "outlines_83000_446500.gpkg", "z_base")
+    outlines, (base,) = read_layer(DATA / "delft_cells" / "outlines_83000_446500.gpkg", "z_base")
     run = chain(DATA / "delft_cells" / "points_83000_446500.laz", outlines, np.array(base, float))
     assert sum(bool(model.solids) for model in run.models) >= 652
     # All points that can be roof count, also those of which no roof was made: a few buildings are far off.
@@ -57,7 +58,7 @@ def test_a_cell_of_delft_without_ground_points():
     ("ign/870000_6618000.laz", "ign/870000_6618000_buildings.gpkg", "building_id", 6),
     ("amsterdam/ahn_2386_9702.laz", "amsterdam/outlines_bgt.gpkg", "building_id", 8)])
 def test_other_clouds_lose_no_row(cloud, outlines, field, least):
-    polygons, _ = outlines_of(DATA / outlines, field)
+    polygons, _ = read_layer(DATA / outlines, field)
     models = chain(DATA / cloud, polygons).models
     assert len(models) == len(polygons)
     assert sum(bool(model.solids) for model in models) >= least

@@ -8,7 +8,8 @@ import shapely
 
 pytest.importorskip("osgeo.ogr", reason="GDAL's Python module, which reads the outlines, is not installed")
 
-from scripts.bench import DATA, DELFT, chain, outlines_of
+from scripts.bench import DATA, DELFT, chain
+from scripts.layers import read_layer
 from urbanmap_qgis.acceptance.criteria import NOT_CHECKED, outcome
 from urbanmap_qgis.acceptance.edge_comparison import compare_edges, edge_criteria
 from urbanmap_qgis.acceptance.edge_measurement import ROOFS
@@ -22,7 +23,7 @@ pytestmark = pytest.mark.skipif(not DATA.is_dir(), reason="the real test data ar
 @pytest.fixture(scope="module")
 def models():
     """Own models of Delft west, as all their faces."""
-    run = chain(DELFT / "points.laz", outlines_of(DELFT / "outlines.gpkg", "lokaalid")[0])
+    run = chain(DELFT / "points.laz", read_layer(DELFT / "outlines.gpkg")[0])
     return [shapely.MultiPolygon([shapely.Polygon(*_rings(solid, rings))
                                   for solid in model.solids for rings in solid.faces]) for model in run.models]
 

@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
-from scripts.bench import DELFT, Delft, chain, outlines_of, score
+from scripts.bench import DELFT, Delft, chain, score
 from scripts.bench_sloped import shares
+from scripts.layers import read_layer
 from scripts.scoring import points_inside, summary
 from urbanmap_qgis.buildings.solids.validity import check_solid
 
@@ -20,7 +21,7 @@ def delft():
 @pytest.mark.parametrize(("cloud", "error", "near"), [("points", 0.23, 0.88), ("points_unclassified", 0.23, 0.87),
                                                       ("points_2_per_m2", 0.35, 0.82), ("points_1_per_m2", 0.60, 0.70)])
 def test_sloped_roofs_lie_on_their_points(delft, cloud, error, near):
-    outlines, _ = outlines_of(DELFT / "outlines.gpkg", "lokaalid")
+    outlines, _ = read_layer(DELFT / "outlines.gpkg", "lokaalid")
     run = chain(DELFT / f"{cloud}.laz", outlines, sloped=True)
     assert all(model.lod == "2.2" and model.solids for model in run.models)
     assert [problem for model in run.models for solid in model.solids for problem in check_solid(solid)] == []

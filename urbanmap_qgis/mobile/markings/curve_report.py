@@ -46,7 +46,7 @@ def write_curve_report(path: str | os.PathLike, extraction: Extraction, files: S
                        "they are matched.")))
     report.paragraph("Asphalt's intensity falls with range and incidence. The curve f(R) = C + A R^-b "
                      "(1 - exp(-(R/d)^2)) is fitted to the asphalt of each scanner; intensities are divided by it up "
-                     "to R1, by the smallest value from there to R2, and left out beyond (Javanmardi 2018, eq. 4).")
+                     "to R1, by the smallest value from there to R2, and left out beyond (Javanmardi, eq. 4).")
     _survey(report, extraction, files)
     for number, curve in sorted(extraction.curves.items()):
         report.section(say("Scanner {number}", number=number))
