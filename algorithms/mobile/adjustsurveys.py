@@ -7,6 +7,7 @@ from pathlib import Path
 from qgis.core import QgsProcessing
 
 from ...urbanmap_qgis.errors import InputError
+from ...urbanmap_qgis.settings.mobile import ControlSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
 from ..framework.layers.layers import make_fields
@@ -52,13 +53,10 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
         self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres, for the reference markings.",
                         optional=True)
         add_buildings(self)
-        self.add_distance("CONTROL_SIGMA", "Accuracy of control in plan", "Standard deviation of control points and of "
-                          "their measurement in the survey.", 0.02, 0.001, 10.0)
-        self.add_distance("CONTROL_SIGMA_Z", "Accuracy of control in height", "The same in height.", 0.03, 0.001, 10.0)
+        self.add_settings(ControlSettings, "control_sigma", "control_sigma_z")
         self.add_distance("SEARCH", "Maximum error", "How far drives may lie apart in plan.", 4.0, 0.5, 20.0,
                           advanced=True)
-        self.add_boolean("PLANES", "Ties by planes", "Facades and road that two drives saw tie them too, across the "
-                         "facades and in height. Markings alone carry no planes.", True, advanced=True)
+        self.add_settings(ControlSettings)
         self.add_folder_output("OUTPUT", "Corrected trajectories", "Folder in which each trajectory is written under "
                                "its own name.")
         self.add_points_crs()
@@ -157,12 +155,8 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
         from ...urbanmap_qgis.mobile.registration.records import RegistrationSettings
         from ...urbanmap_qgis.mobile.registration.run import RegistrationRun
 
-        def number(name):
-            return self.parameterAsDouble(parameters, name, context)
-
-        return AdjustmentRun(RegistrationRun(windows=RegistrationSettings(search=number("SEARCH"))),
-                             self.parameterAsBool(parameters, "PLANES", context), number("CONTROL_SIGMA"),
-                             number("CONTROL_SIGMA_Z"))
+        windows = RegistrationSettings(search=self.parameterAsDouble(parameters, "SEARCH", context))
+        return self.settings(AdjustmentRun, parameters, context, registration=RegistrationRun(windows=windows))
 
     def _figures(self, adjusted) -> dict:
         rows = {row[0]: row for row in adjusted.residual_rows()}

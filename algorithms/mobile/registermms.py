@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from qgis.core import QgsProcessing
 
+from ...urbanmap_qgis.settings.mobile import TrustSettings, WindowChoice, WindowSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER
 from ..framework.layers.layers import make_fields
@@ -48,46 +49,23 @@ class RegisterMms(UrbanMapAlgorithm):
                         "survey. With it the correction is in space.", optional=True)
         self.add_calibration(optional=True)
         self.add_trajectory_reading()
-        self.add_distance("PATCH_LENGTH", "Patch length", "Length of path that counts as rigid.", 0.5, 0.1, 10.0)
-        self.add_number("WINDOW_PATCHES", "Minimum window length", "Patches of the shortest window. By default 60; 30 "
-                        "with the paper's method in space.", None, 4, 400, unit="patches", integer=True, optional=True)
-        self.add_number("MAX_WINDOW_PATCHES", "Maximum window length", "Patches of the longest window, which is used "
-                        "as it is even where it has too few markings. By default 200; no limit with the paper's "
-                        "method.", None, 4, 100000, unit="patches", integer=True, optional=True, advanced=True)
-        self.add_distance("FEATURE_GRID", "Feature grid", "Side of the cells in which markings are counted.", 1.0, 0.1,
-                          10.0, advanced=True)
-        self.add_number("FEATURE_COUNT", "Feature count", "Cells with markings that a window should have. In space the "
-                        "paper's method counts marking points instead, 5 for each of these cells.", 400, 1, 100000,
-                        integer=True, unit="cells")
-        self.add_distance("NDT_GRID", "NDT grid", "Side of the cells of the normal distributions.", 1.0, 0.1, 10.0,
-                          advanced=True)
-        self.add_number("ITERATIONS", "Iterations", "Most steps of each adjustment.", 30, 1, 1000, integer=True,
-                        advanced=True)
-        self.add_distance("SUBSAMPLING", "Subsampling", "One point is used in each cell of this side. By default 0.1 "
-                          "m; 0.3 m with the paper's method.", None, 0.01, 2.0, optional=True, advanced=True)
-        self.add_distance("SEARCH", "Maximum error", "How far off the survey may be in plan. Where the best place "
-                          "lies at the edge of it, or hardly beats others, twice as far is looked at. Wider than half "
-                          "the distance between dashes invites a slip by one dash.", 4.0, 0.5, 20.0, advanced=True)
+        self.add_settings(WindowSettings, "patch_length")
+        self.add_settings(WindowChoice, "window_patches", "max_window_patches")
+        self.add_settings(WindowSettings, "feature_grid", "feature_count", "ndt_grid", "iterations")
+        self.add_settings(WindowChoice)
+        self.add_settings(WindowSettings, "search")
         self.add_choice("METHOD", "Method", "Full, or as in the paper to the letter: windows as rigid bodies, each "
                         "started from the one before, and each patch moved by the matrix of its own window; no "
                         "model of the drift, no weights, no bridging. In plan as in 3.2.4, with ground heights as in "
                         "chapter 4. The markings of a whole survey are found by the paper's threshold.",
                         METHODS, "full", advanced=True)
-        self.add_distance("REFERENCE_SIGMA", "Accuracy of the reference", "Standard deviation of the error that "
-                          "all reference markings around a place share (orientation of the frames, for example): no "
-                          "survey can show it, so that it is part of every standard deviation. The default holds where "
-                          "the reference counts as true; otherwise give what control points say of it.", 0.005, 0.0,
-                          10.0, advanced=True)
-        self.add_distance("GROUND_SIGMA", "Accuracy of the ground", "Standard deviation of the errors that "
-                          "neighbouring heights of the ground share; they must not turn the vehicle. By default found "
-                          "from how the ground bends against the survey.", None, 0.001, 10.0, optional=True,
-                          advanced=True)
+        self.add_settings(TrustSettings, "reference_sigma")
+        self.add_settings(WindowSettings)
         self.add_number("ATTITUDE_SIGMA", "Accuracy of roll and pitch", "Standard deviation of the reported roll and "
                         "pitch; that of the heading is twice as large. Not used where the trajectory states its own "
                         "(columns sd_roll, sd_pitch, sd_heading, or the smrmsg file beside an SBET).", 0.05, 0.001,
                         10.0, unit="degrees", advanced=True)
-        self.add_distance("TRUSTED_SIGMA", "Maximum trusted standard deviation", "A patch whose standard deviation in "
-                          "plan is larger is not to be trusted.", 0.3, 0.01, 100.0, advanced=True)
+        self.add_settings(TrustSettings)
         self.add_raster("IMAGE", "Aerial image", "Shown behind the markings in the report.", optional=True)
         self.add_points_crs()
         self.add_workers()
@@ -150,34 +128,22 @@ class RegisterMms(UrbanMapAlgorithm):
         from ...urbanmap_qgis.mobile.registration.records import RegistrationSettings
         from ...urbanmap_qgis.mobile.registration.run import RegistrationRun
 
-        def number(name):
-            return self.parameterAsDouble(parameters, name, context)
-
-        def whole(name):
-            return self.parameterAsInt(parameters, name, context)
-
         paper = self.parameterAsString(parameters, "METHOD", context) == "paper"
         make = RegistrationSettings.paper if paper else RegistrationSettings
-        usual, sigma = make(three_d=reference.has_heights), number("REFERENCE_SIGMA")
-        given = {"patch_length": number("PATCH_LENGTH"), "feature_grid": number("FEATURE_GRID"),
-                 "feature_count": whole("FEATURE_COUNT"), "ndt_grid": number("NDT_GRID"),
-                 "iterations": whole("ITERATIONS"), "search": number("SEARCH"),
-                 "reference_sigma": max(sigma, usual.reference_sigma)}
-        if parameters.get("GROUND_SIGMA") is not None:
-            given["ground_sigma"] = number("GROUND_SIGMA")
-        attitude = number("ATTITUDE_SIGMA")
+        attitude = self.parameterAsDouble(parameters, "ATTITUDE_SIGMA", context)
+        correction = self.settings(CorrectionSettings, parameters, context,
+                                   attitude_sigma=(attitude, attitude, 2.0 * attitude))
+        usual = make(three_d=reference.has_heights)
+        chosen = vars(self.settings(WindowChoice, parameters, context))
+        given = {**vars(self.settings(WindowSettings, parameters, context)),
+                 **{name: value for name, value in chosen.items() if value is not None},
+                 "reference_sigma": max(correction.reference_sigma, usual.reference_sigma)}
         if usual.window_points is not None:
             given["window_points"] = usual.feature_points * given["feature_count"]
-        for name, key, read in (("WINDOW_PATCHES", "window_patches", whole), ("SUBSAMPLING", "subsampling", number),
-                                ("MAX_WINDOW_PATCHES", "max_window_patches", whole)):
-            if parameters.get(name) is not None:
-                given[key] = read(name)
         if "max_window_patches" not in given and usual.max_window_patches is not None:
             given["max_window_patches"] = max(usual.max_window_patches, given.get("window_patches", 0))
-        return RegistrationRun(replace(usual, **given), CorrectionSettings(
-            reference_sigma=sigma, trusted_sigma=number("TRUSTED_SIGMA"),
-            attitude_sigma=(attitude, attitude, 2.0 * attitude)),
-            ExtractionSettings(plain=PlainThreshold() if paper else None))
+        return RegistrationRun(replace(usual, **given), correction,
+                               ExtractionSettings(plain=PlainThreshold() if paper else None))
 
     def _figures(self, registered):
         import numpy as np

@@ -12638,10 +12638,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>行列が正定値ではありません</translation>
     </message>
     <message>
-        <source>Lengths, grids and counts of the registration must be greater than 0.</source>
-        <translation>位置合わせの長さ、グリッド、個数は0より大きくしてください。</translation>
-    </message>
-    <message>
         <source>The expected share of outliers must lie between 0 and 1.</source>
         <translation>外れ値の想定割合は0と1の間にしてください。</translation>
     </message>

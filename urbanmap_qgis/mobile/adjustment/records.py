@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ...geometry.tolerances import LEAST_DIVISOR
+from ...settings.mobile import ControlSettings
 from ..registration.correction.gauss_markov import path_parameters_of
 from ..registration.run import RegistrationRun
 from ..trajectory import Trajectory
@@ -24,20 +25,15 @@ COUNTED = 0.3
 
 
 @dataclass(frozen=True)
-class AdjustmentRun:
+class AdjustmentRun(ControlSettings):
     """How drives are adjusted.
 
     Attributes
     ----------
     registration : of ties and reference.
-    planes : whether facades and road tie drives too.
-    control_sigma, control_sigma_z : m, of control points, their measurement in the survey included.
     """
 
     registration: RegistrationRun = field(default_factory=RegistrationRun)
-    planes: bool = True
-    control_sigma: float = 0.02
-    control_sigma_z: float = 0.03
 
     def path_parameters(self, trajectory: Trajectory) -> np.ndarray:
         """(k,) parameter of the drift along a trajectory's epochs, m."""

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ...errors import InputError
+from ...settings.mobile import WindowSettings
 from ...wording import say
 
 REGISTERED, WEAK, AMBIGUOUS, NO_MARKINGS, NOT_CONVERGED = range(5)
@@ -25,23 +26,18 @@ CELLS = ("neighbours", "own", "closest")
 
 
 @dataclass(frozen=True)
-class RegistrationSettings:
+class RegistrationSettings(WindowSettings):
     """Parameters, with the values of J Table 3-2 where it has them.
 
     Attributes
     ----------
-    patch_length : m of driven path (J: 0.5).
     window_patches : patches of the smallest window (J: 60).
     max_window_patches : patches of the longest window, which is used as it is even where it has too few features; None
         sets no limit (J).
-    feature_grid : m, side of the cells that are counted (J: 1).
-    feature_count : cells asked for (J: 400).
     feature_points : points that make a cell count (J: 5).
     window_points : marking points that a window should have, counted instead of cells (J chapter 4, which gives no
         number); None counts cells (J 3.2.4.2).
     extend_at_end : a window grows at its end only (J 3.2.4.2), not at both ends about its patch (J chapter 4).
-    ndt_grid : m, side of the cells of the normal distributions (J: 1).
-    iterations : Newton steps at most (J: 30).
     subsampling : m, one point a cell of this side (J chapter 4: 0.3).
     three_d : also height, roll and pitch, against the reference's heights (J chapter 4).
     ndt_levels : grids used one after another, in units of `ndt_grid` (J 3.2.4: one; chapter 4: 2.0 to 0.5 m).
@@ -49,13 +45,10 @@ class RegistrationSettings:
         cell; "closest", the one with the closest mean (J eq. 11).
     start : find the start by correlation along the whole path, within `search` m. Without it windows start from the one
         before (J).
-    search : m, largest error looked for. Where the best place lies at its edge or hardly beats others, twice as far.
     refinement : sub-pixel adjustment to the reference's coverage after NDT.
     blurs : m, standard deviations of the Gaussians that the coverage is blurred by, one after another.
     height_sigma, height_robust : m, of a point's height over the reference's ground: its standard deviation, and the
         difference from which points lose their weight (Geman and McClure).
-    ground_sigma : m, standard deviation of the errors that neighbouring heights of the ground share; None finds it from
-        how the ground bends against the survey.
     shared_windows : windows are adjusted together about one smooth correction, so that drift within a window does not
         bend it. Without it each window is rigid and on its own (J).
     outlier_share : expected share of points that belong to no reference marking.
@@ -63,39 +56,27 @@ class RegistrationSettings:
     reference_sigma_z : m, the same in height.
     """
 
-    patch_length: float = 0.5
     window_patches: int = 60
     max_window_patches: int | None = 200
-    feature_grid: float = 1.0
-    feature_count: int = 400
     feature_points: int = 5
     window_points: int | None = None
     extend_at_end: bool = False
-    ndt_grid: float = 1.0
-    iterations: int = 30
     subsampling: float = 0.1
     three_d: bool = False
     ndt_levels: tuple[float, ...] = (2.0, 1.0, 0.5)
     cells: str = "neighbours"
     start: bool = True
-    search: float = 4.0
     refinement: bool = True
     blurs: tuple[float, ...] = (0.15, 0.0)
     height_sigma: float = 0.05
     height_robust: float = 0.15
-    ground_sigma: float | None = None
     shared_windows: bool = True
     outlier_share: float = 0.35
     reference_sigma: float = 0.015
     reference_sigma_z: float = 0.015
 
     def __post_init__(self) -> None:
-        lengths = (self.patch_length, self.feature_grid, self.ndt_grid, self.subsampling, self.search,
-                   self.height_sigma, self.height_robust, *self.ndt_levels)
-        limits = [number for number in (self.max_window_patches, self.window_points) if number is not None]
-        counts = (self.window_patches, self.feature_count, self.feature_points, self.iterations, *limits)
-        if not all(np.isfinite(lengths)) or min(lengths) <= 0 or min(counts) < 1:
-            raise InputError(say("Lengths, grids and counts of the registration must be greater than 0."))
+        super().__post_init__()
         if not 0 < self.outlier_share < 1:
             raise InputError(say("The expected share of outliers must lie between 0 and 1."))
         if self.cells not in CELLS:

@@ -6,12 +6,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ....settings.mobile import TrustSettings
 from .error_model import AttitudeError, PoseErrorModel
 from .gauss_markov import GaussMarkovDrift
 
 
 @dataclass(frozen=True)
-class CorrectionSettings:
+class CorrectionSettings(TrustSettings):
     """Parameters of the adjustment.
 
     Attributes
@@ -30,7 +31,6 @@ class CorrectionSettings:
     search : m, largest error east or north that the windows looked for: a correction as large is no find.
     support_length : m of path to either side whose markings must fix the position of a registered patch.
     registered_sigma : m in plan, a registered patch has at most, also by the markings around alone.
-    trusted_sigma : m in plan, a patch that is to be trusted has at most.
     blurs : m, by which the reference is softened in the rounds on the points.
     reference_sigma, reference_sigma_z : m, what the reference itself is off by, added to every sigma.
     """
@@ -52,9 +52,7 @@ class CorrectionSettings:
     search: float = np.inf
     support_length: float = 30.0
     registered_sigma: float = 0.10
-    trusted_sigma: float = 0.30
     blurs: tuple[float, ...] = (0.15, 0.05, 0.0, 0.0, 0.0)
-    reference_sigma: float = 0.005
     reference_sigma_z: float = 0.015
 
     def model(self) -> GaussMarkovDrift:
