@@ -22,6 +22,14 @@ def test_pages_that_cite_in_full_agree(page):
     assert [author for author, reference in references().values() if plain(reference) not in text] == []
 
 
+def test_the_citation_file_names_the_same_works():
+    text = (ROOT / "CITATION.cff").read_text(encoding="utf-8")
+    titles = [re.search(r"\*(.+?)\*", reference)[1] for _, reference in references().values()]
+    assert re.findall(r"^    title: (.+)$", text, re.M) == titles
+    version = re.search(r"^version=(.+)$", (ROOT / "metadata.txt").read_text(encoding="utf-8"), re.M)[1]
+    assert f"\nversion: {version}\n" in text
+
+
 def test_no_other_words_for_them():
     files = [path for folder in FOLDERS for path in (ROOT / folder).rglob("*")
              if path.suffix in (".md", ".py", ".toml", ".ts")]
