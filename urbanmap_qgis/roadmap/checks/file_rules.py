@@ -177,13 +177,6 @@ def _sides(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
             yield broken("relation", number, left=roles["left"], right=roles["right"])
 
 
-@rule("Lanelet2.Load-003")
-def _nobody_first(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for one in inspected.rules_of("right_of_way"):
-        if not one.ids("right_of_way"):
-            yield broken("relation", one.number)
-
-
 @rule("Lanelet2.Load-004")
 def _sign_without_kind(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
     for one in inspected.rules_of("traffic_sign"):

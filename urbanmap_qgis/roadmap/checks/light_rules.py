@@ -9,10 +9,8 @@ import numpy as np
 from ...geometry.tolerances import LEAST_DIVISOR
 from ..formats.lanelet_tags import as_number
 from .inspection import CheckedLane, CheckedRule, MapInspection
+from .member_rules import signs_of
 from .rule_table import Broken, MapRule, broken, rule
-
-LARGEST = 200.0
-"""Diagonal of the box about the members of one element, m."""
 
 LOWEST, HIGHEST = 0.2, 2.0
 """Height of a traffic light's body, m."""
@@ -20,60 +18,19 @@ LOWEST, HIGHEST = 0.2, 2.0
 DIVERGENT = 0.707
 """Cosine between the starting lines of lanelets that refer to one traffic light."""
 
-SPREAD = {"StopLine.RegulatoryElementDetailsForTrafficSigns-005": "traffic_sign",
-          "TrafficLight.RegulatoryElementDetails-008": "traffic_light",
-          "Crosswalk.RegulatoryElementDetails-013": "crosswalk",
-          "Intersection.RegulatoryElementDetailsForVirtualTrafficLights-007": "virtual_traffic_light"}
-
-
-@rule(*SPREAD)
-def _spread(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for one in inspected.rules_of(SPREAD[rule.code]):
-        size = inspected.extent(member for members in one.roles.values() for member in members)
-        if size > LARGEST:
-            yield broken("relation", one.number, size=f"{size:.0f}")
-
-
-@rule("StopLine.MissingRegulatoryElements-001")
-def _stop_line_unreferred(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    referred = {number for one in inspected.rules.values() for role in ("refers", "ref_line")
-                for number in one.ids(role)}
-    for way in inspected.ways_of("stop_line"):
-        if way not in referred:
-            yield broken("way", way)
-
-
-def _signs(inspected: MapInspection) -> list[CheckedRule]:
-    """Traffic signs that stand for a board; those with a sign_type of their own need none."""
-    return [one for one in inspected.rules_of("traffic_sign") if "sign_type" not in one.tags]
-
-
-@rule("StopLine.RegulatoryElementDetailsForTrafficSigns-001")
-def _sign_without_board(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for one in _signs(inspected):
-        if not one.ids("refers"):
-            yield broken("relation", one.number)
-
 
 @rule("StopLine.RegulatoryElementDetailsForTrafficSigns-002")
 def _board_no_stop_sign(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for one in _signs(inspected):
+    for one in signs_of(inspected):
         for way in one.ids("refers"):
             tags = inspected.content.ways[way].tags if way in inspected.content.ways else {}
             if (tags.get("type"), tags.get("subtype")) != ("traffic_sign", "stop_sign"):
                 yield broken("way", way)
 
 
-@rule("StopLine.RegulatoryElementDetailsForTrafficSigns-003")
-def _sign_without_line(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for one in _signs(inspected):
-        if not one.ids("ref_line"):
-            yield broken("relation", one.number)
-
-
 @rule("StopLine.RegulatoryElementDetailsForTrafficSigns-004")
 def _sign_line_subtype(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for one in _signs(inspected):
+    for one in signs_of(inspected):
         for way in one.ids("ref_line"):
             if way in inspected.content.ways and inspected.content.ways[way].tags.get("subtype") != "stop_line":
                 yield broken("way", way)
@@ -86,49 +43,12 @@ def _marking_members(inspected: MapInspection, rule: MapRule) -> Iterator[Broken
             yield broken("relation", one.number)
 
 
-@rule("Intersection.RoadMarkings-002")
-def _marking_no_stop_line(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for one in inspected.rules_of("road_marking"):
-        for way in one.ids("refers"):
-            if inspected.way_type(way) != "stop_line":
-                yield broken("way", way)
-
-
-@rule("TrafficLight.MissingRegulatoryElements-001")
-def _light_unreferred(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    referred = {number for one in inspected.rules_of("traffic_light") for number in one.ids("refers")}
-    for way in inspected.ways_of("traffic_light"):
-        if way not in referred:
-            yield broken("way", way)
-
-
-@rule("TrafficLight.MissingReferrers-001")
-def _light_unused(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for one in inspected.rules_of("traffic_light"):
-        if not inspected.referrers.get(one.number):
-            yield broken("relation", one.number)
-
-
 @rule("TrafficLight.RegulatoryElementDetails-001")
 def _light_without_stop_line(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
     for one in inspected.rules_of("traffic_light"):
         lanes = inspected.referrers.get(one.number, ())
         if not one.ids("ref_line") and any(lane.subtype not in ("crosswalk", "walkway") for lane in lanes):
             yield broken("relation", one.number)
-
-
-LIGHT_ROLES = {"TrafficLight.RegulatoryElementDetails-002": ("refers", "traffic_light"),
-               "TrafficLight.RegulatoryElementDetails-003": ("ref_line", "stop_line"),
-               "TrafficLight.RegulatoryElementDetails-004": ("light_bulbs", "light_bulbs")}
-
-
-@rule(*LIGHT_ROLES)
-def _light_members(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    role, kind = LIGHT_ROLES[rule.code]
-    for one in inspected.rules_of("traffic_light"):
-        for way in one.ids(role):
-            if inspected.way_type(way) != kind:
-                yield broken("way", way)
 
 
 @rule("TrafficLight.RegulatoryElementDetails-005")
@@ -242,28 +162,6 @@ def _crosswalk_unreferred(inspected: MapInspection, rule: MapRule) -> Iterator[B
             yield broken("relation", lane.number)
 
 
-@rule("Crosswalk.RegulatoryElementDetails-001")
-def _no_crosswalk(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for one in inspected.rules_of("crosswalk"):
-        if not one.ids("refers"):
-            yield broken("relation", one.number)
-
-
-@rule("Crosswalk.RegulatoryElementDetails-002", "Crosswalk.RegulatoryElementDetails-009")
-def _several_crosswalks(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    role = "refers" if rule.code.endswith("002") else "ref_line"
-    for one in inspected.rules_of("crosswalk"):
-        if len(one.ids(role)) > 1:
-            yield broken("relation", one.number, count=len(one.ids(role)))
-
-
-@rule("Crosswalk.RegulatoryElementDetails-003")
-def _crosswalk_without_stop(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for one in inspected.rules_of("crosswalk"):
-        if not one.ids("ref_line"):
-            yield broken("relation", one.number)
-
-
 def _crosswalk_lanes(inspected: MapInspection) -> Iterator[tuple[CheckedRule, CheckedLane]]:
     """Crosswalk elements with the lanelets that they refer to."""
     for one in inspected.rules_of("crosswalk"):
@@ -276,14 +174,6 @@ def _crosswalk_lanes(inspected: MapInspection) -> Iterator[tuple[CheckedRule, Ch
 def _no_crosswalk_lanelet(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
     for number in dict.fromkeys(lane.number for _, lane in _crosswalk_lanes(inspected) if lane.subtype != "crosswalk"):
         yield broken("relation", number)
-
-
-@rule("Crosswalk.RegulatoryElementDetails-007")
-def _crosswalk_line(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for one in inspected.rules_of("crosswalk"):
-        for way in one.ids("ref_line"):
-            if inspected.way_type(way) != "stop_line":
-                yield broken("way", way)
 
 
 @rule("Crosswalk.RegulatoryElementDetails-010", "Crosswalk.RegulatoryElementDetails-011")

@@ -14,6 +14,7 @@ from . import (
     intersection_rules,
     lane_rules,
     light_rules,
+    member_rules,
     sense_rules,
     shape_rules,
     virtual_light_rules,
@@ -22,7 +23,7 @@ from .inspection import MapInspection
 from .rule_table import MAP_RULES, SEVERITIES, Broken, MapRule
 
 ROOMS = (file_rules, shape_rules, sense_rules, lane_rules, light_rules, area_rules, intersection_rules,
-         virtual_light_rules)
+         virtual_light_rules, member_rules)
 """Modules whose rules are checked, one kind of elements each."""
 
 

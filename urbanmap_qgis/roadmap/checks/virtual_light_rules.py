@@ -1,4 +1,4 @@
-"""Autoware's rules on virtual traffic lights: what their lines are, and that they lie on the way in their order."""
+"""Autoware's rules on virtual traffic lights: that their lines lie on the way in their order."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ import shapely
 from .inspection import CheckedLane, CheckedRule, MapInspection
 from .rule_table import Broken, MapRule, broken, rule
 
-DETAILS = "Intersection.RegulatoryElementDetailsForVirtualTrafficLights"
 ORDER = "Intersection.VirtualTrafficLightLineOrder"
 COORDINATED = ("intersection_coordination",)
 """Types of what a virtual traffic light refers to."""
@@ -21,32 +20,6 @@ LONGEST_WAY = 30
 
 ON_WAY = 0.1
 """A stop line lies on a lanelet by more than this, m."""
-
-ROLES = {f"{DETAILS}-001": ("start_line", ("virtual",)), f"{DETAILS}-003": ("ref_line", ("stop_line",)),
-         f"{DETAILS}-004": ("end_line", ("virtual",)), f"{DETAILS}-006": ("refers", COORDINATED)}
-
-
-@rule(*ROLES)
-def _line_types(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    role, kinds = ROLES[rule.code]
-    for one in inspected.rules_of("virtual_traffic_light"):
-        for way in one.ids(role):
-            if inspected.way_type(way) not in kinds:
-                yield broken("way", way)
-
-
-@rule(f"{DETAILS}-002")
-def _not_one_stop_line(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for one in inspected.rules_of("virtual_traffic_light"):
-        if len(one.ids("ref_line")) != 1:
-            yield broken("relation", one.number, count=len(one.ids("ref_line")))
-
-
-@rule(f"{DETAILS}-005")
-def _refers_to_nothing(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for one in inspected.rules_of("virtual_traffic_light"):
-        if not one.ids("refers"):
-            yield broken("relation", one.number)
 
 
 @dataclass(frozen=True)
