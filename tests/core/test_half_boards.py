@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.roadmap.objects.crown_boards import face_in_crown, plane_beside_post
-from urbanmap_qgis.roadmap.objects.hanging_parts import outlined_board
+from urbanmap_qgis.roadmap.objects.hanging_parts import HangingParts, outlined_board
 from urbanmap_qgis.roadmap.objects.object_records import StemAxis
+from urbanmap_qgis.roadmap.objects.street_objects import _with_board
 
 POST = StemAxis(np.array([0.0, 0.05, 2.0]), np.zeros(2), 0.08, np.zeros(2))
 
@@ -69,3 +70,21 @@ def test_leaves_alone_make_no_board(seed):
     rng = np.random.default_rng(seed)
     place = np.concatenate([post(rng, 60), rng.uniform([-1.0, -1.0, 1.6], [1.0, 1.0, 3.0], (800, 3))])
     assert face_in_crown(place, POST) is None
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_a_post_that_goes_on_under_its_board_makes_it_no_taller(seed):
+    rng = np.random.default_rng(seed)
+    place = np.concatenate([face(rng, -0.35, 0.35, 120), post(rng, 60, 0.9)])
+    found = outlined_board(place, np.array([0.0, 1.0, 0.0]), POST, np.array([1.0, -8.0]))
+    assert abs(found.height - 0.7) < 0.1 and abs(found.centre[2] - 2.05) < 0.05  # not 1.5 m
+
+
+@pytest.mark.parametrize(("reach", "kept"), [(0.4, True), (1.5, False)])
+def test_what_goes_on_beyond_a_board_in_leaves_is_a_wall(reach, kept):
+    rng = np.random.default_rng(1)
+    board = outlined_board(face(rng, -0.4, 0.4, 60), np.array([0.0, 1.0, 0.0]), POST, np.array([1.0, -8.0]))
+    around = HangingParts(4.0, 3.0, board, 0.0, np.nan, np.nan, (0.0, 0.0))
+    leaves = rng.uniform([-1.0, -1.0, 1.6], [1.0, 1.0, 3.0], (100, 3))
+    place = np.concatenate([face(rng, -reach, reach, int(150 * reach)), post(rng, 60), leaves])
+    assert (_with_board(around, [], POST, False, place).board is not None) == kept

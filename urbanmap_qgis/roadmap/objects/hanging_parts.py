@@ -13,7 +13,6 @@ from .crown_boards import face_in_crown
 from .object_records import Board, StemAxis
 from .overhead_boards import LIMITS as OVERHEAD
 from .overhead_boards import overhead_face
-from .thin_boards import face_of_few
 
 
 @dataclass(frozen=True)
@@ -182,8 +181,6 @@ def _board(place: np.ndarray, beyond: np.ndarray, up: np.ndarray, axis: StemAxis
 def _board_in_crown(place: np.ndarray, axis: StemAxis, seen_from: np.ndarray) -> Board | None:
     """The board of a sign that stands among leaves; None without one."""
     face = face_in_crown(place, axis)
-    if face is None:
-        face = face_of_few(place, axis, seen_from)
     if face is None:
         return None
     board = outlined_board(place[face[0]], face[1], axis, seen_from)
