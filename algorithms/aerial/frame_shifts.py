@@ -20,14 +20,16 @@ class FrameShiftsOutput:
             "OUTPUT_SHIFTS", "Shifts between images", "Points on road markings that two overlapping images show, with "
             "the shift of the second against the first in metres (east, north; sigma of one place), and the median of "
             "the pair with its sigma. Pairs that lie more than half a pixel apart have the status “apart”; “height” "
-            "where only the height of what stands there may displace them, as no surface (DSM) tells.", optional=True)
+            "where only the height of what stands there may displace them, as no surface (DSM) tells; “not alike” "
+            "where they show different things, as a wrong orientation makes them.", optional=True)
         self.add_number_output("LARGEST_SHIFT", "Maximum shift", "Largest distance between the same road markings in "
                                "two overlapping images that no height of what they show explains, median over their "
                                "places; no value where none are seen.", "m")
 
     def write_shifts(self, parameters, context, shifts, pixel, crs, progress) -> dict:
         """Write the layer where it is wanted; the results to hand out."""
-        results = {"LARGEST_SHIFT": max(shift.unexplained[0] for shift in shifts)} if shifts else {}
+        alike = [shift.unexplained[0] for shift in shifts if shift.alike]
+        results = {"LARGEST_SHIFT": max(alike)} if alike else {}
         if parameters.get("OUTPUT_SHIFTS"):
             import shapely
 
@@ -54,4 +56,4 @@ def read_pairs(algorithm, parameters, context):
         raise InputError(tr("{0} has no field {1}; give the points of “Orthorectify frames”.").format(
             table.label, missing[0]))
     rows = dict.fromkeys(zip(*(table.columns[name] for name in names)))
-    return [PairShift(*row[:-1], row[-1] == "apart", row[-1] == "height") for row in rows]
+    return [PairShift(*(float("nan") if value is None else value for value in row)) for row in rows]

@@ -528,8 +528,8 @@
         <translation>画像間のずれ</translation>
     </message>
     <message>
-        <source>Points on road markings that two overlapping images show, with the shift of the second against the first in metres (east, north; sigma of one place), and the median of the pair with its sigma. Pairs that lie more than half a pixel apart have the status “apart”; “height” where only the height of what stands there may displace them, as no surface (DSM) tells.</source>
-        <translation>重なる2枚の画像の両方に写る路面標示上の点です。1枚目に対する2枚目のずれ（m、東・北、1か所の標準偏差）と、画像対の中央値およびその標準偏差を持ちます。半画素を超えてずれている画像対の状態は「apart」です。表層（DSM）がないため、そこにある物の高さだけで倒れ込みが生じた可能性のある所は「height」です。</translation>
+        <source>Points on road markings that two overlapping images show, with the shift of the second against the first in metres (east, north; sigma of one place), and the median of the pair with its sigma. Pairs that lie more than half a pixel apart have the status “apart”; “height” where only the height of what stands there may displace them, as no surface (DSM) tells; “not alike” where they show different things, as a wrong orientation makes them.</source>
+        <translation>重なる2枚の画像に写る道路標示上の点。1枚目に対する2枚目のずれ（メートル、東・北、1か所の標準偏差）と、その組の中央値と標準偏差。半画素を超えてずれる組の状態は “apart”、数値表層モデル（DSM）がなく、そこに立つ物の高さだけでずれうる組は “height”、標定の誤りなどで別の物が写る組は “not alike” です。</translation>
     </message>
     <message>
         <source>Largest distance between the same road markings in two overlapping images that no height of what they show explains, median over their places; no value where none are seen.</source>
@@ -5896,6 +5896,10 @@
         <translation>タイル処理</translation>
     </message>
     <message>
+        <source>Points on road markings that two overlapping images show, with the shift of the second against the first in metres (east, north; sigma of one place), and the median of the pair with its sigma. Pairs that lie more than half a pixel apart have the status “apart”; “height” where only the height of what stands there may displace them, as no surface (DSM) tells.</source>
+        <translation>重なる2枚の画像の両方に写る路面標示上の点です。1枚目に対する2枚目のずれ（m、東・北、1か所の標準偏差）と、画像対の中央値およびその標準偏差を持ちます。半画素を超えてずれている画像対の状態は「apart」です。表層（DSM）がないため、そこにある物の高さだけで倒れ込みが生じた可能性のある所は「height」です。</translation>
+    </message>
+    <message>
         <source>2. Lays the frames on the ground that they see, without moving vehicles.</source>
         <translation>2. 写真を、写っている地表に正射投影します。走行車両は除きます。</translation>
     </message>
@@ -8102,6 +8106,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{polygons_count} 個の路面標示が見つかりました。 </translation>
     </message>
     <message>
+        <source>{unlike} show different things where they overlap: one of them is wrongly oriented, and what it shows lies at wrong places.</source>
+        <translation>{unlike} は、重なる所に別の物が写っています。どれかの標定が誤っており、そこに写る物の位置は誤りです。</translation>
+    </message>
+    <message>
         <source>No two frames share enough markings to be compared: a wrong orientation would not show.</source>
         <translation>比較に十分な路面標示を共有する空中写真の組がありません。標定要素に誤りがあっても現れません。</translation>
     </message>
@@ -8418,6 +8426,102 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>標定点が狭い範囲に集まっています。離れた場所では写真が傾いているおそれがあります。</translation>
     </message>
     <message>
+        <source>the pixel pitch is in micrometres: give millimetres</source>
+        <translation>画素ピッチがマイクロメートルで書かれている（ミリメートルで指定）</translation>
+    </message>
+    <message>
+        <source>the pixel pitch is in metres: give millimetres</source>
+        <translation>画素ピッチがメートルで書かれている（ミリメートルで指定）</translation>
+    </message>
+    <message>
+        <source>the focal length is in pixels: give millimetres, that is, times the pixel pitch</source>
+        <translation>焦点距離が画素数で書かれている（画素ピッチを掛けてミリメートルで指定）</translation>
+    </message>
+    <message>
+        <source>the focal length is in metres: give millimetres</source>
+        <translation>焦点距離がメートルで書かれている（ミリメートルで指定）</translation>
+    </message>
+    <message>
+        <source>the heights of the frames are in feet: give metres</source>
+        <translation>写真の高さがフィートで書かれている（メートルで指定）</translation>
+    </message>
+    <message>
+        <source>the images were turned by half a turn</source>
+        <translation>画像が半回転していた</translation>
+    </message>
+    <message>
+        <source>the images were turned by a quarter turn to the left</source>
+        <translation>画像が左に4分の1回転していた</translation>
+    </message>
+    <message>
+        <source>the images were turned by a quarter turn to the right</source>
+        <translation>画像が右に4分の1回転していた</translation>
+    </message>
+    <message>
+        <source>kappa were counted from the opposite direction</source>
+        <translation>κ が反対の方向から数えられていた</translation>
+    </message>
+    <message>
+        <source>the angles were in gon</source>
+        <translation>角度がグラード（gon）だった</translation>
+    </message>
+    <message>
+        <source>the angles were in gon and the images turned by half a turn</source>
+        <translation>角度がグラード（gon）で、画像が半回転していた</translation>
+    </message>
+    <message>
+        <source>the angles were in gon and kappa counted from the opposite direction</source>
+        <translation>角度がグラード（gon）で、κ が反対の方向から数えられていた</translation>
+    </message>
+    <message>
+        <source>the angles were in the usual order of rotations</source>
+        <translation>角度が一般的な回転順序だった</translation>
+    </message>
+    <message>
+        <source>the angles had the other sign</source>
+        <translation>角度の符号が逆だった</translation>
+    </message>
+    <message>
+        <source>kappa had the other sign</source>
+        <translation>κ の符号が逆だった</translation>
+    </message>
+    <message>
+        <source>the heights of the frames were in feet</source>
+        <translation>写真の高さがフィートだった</translation>
+    </message>
+    <message>
+        <source>x and y of the frames were swapped</source>
+        <translation>写真の x と y が入れ替わっていた</translation>
+    </message>
+    <message>
+        <source>The frames lie below the ground: check the heights in the exterior orientation.</source>
+        <translation>空中写真が地表より下にあります。外部標定要素の高さを確認してください。</translation>
+    </message>
+    <message>
+        <source>By the camera and the heights of the frames a pixel is {pixel:.3g} m wide on the ground: no aerial frame has such pixels. Check the focal length, the pixel pitch and the heights{hint}.</source>
+        <translation>カメラと写真の高さによると、地上での画素は {pixel:.3g} m になります。そのような空中写真はありません。焦点距離、画素ピッチ、高さを確認してください{hint}。</translation>
+    </message>
+    <message>
+        <source>The principal point lies {offset:.1f} mm from the middle of an image that ends at {half:.1f} mm: give it in millimetres from the middle, not in pixels or from a corner.</source>
+        <translation>主点が画像の中心から {offset:.1f} mm にありますが、画像の端は {half:.1f} mm です。画素数や隅からではなく、中心からのミリメートルで指定してください。</translation>
+    </message>
+    <message>
+        <source>The frames contradict each other: by their orientations no two of them show the same ground. They would if {reason}: put that right and run again.</source>
+        <translation>写真が互いに矛盾しています。標定によると、同じ地面が写る2枚がありません。{reason}とすれば一致します。直してからもう一度実行してください。</translation>
+    </message>
+    <message>
+        <source>The frames contradict each other: no two of them show the same things where they overlap ({count} pairs compared). Check the camera, the unit, order and signs of the angles, and that each image has its own orientation.</source>
+        <translation>写真が互いに矛盾しています。重なる所に同じ物が写る2枚がありません（{count} 組を比較）。カメラ、角度の単位・順序・符号、そして各画像に正しい標定が対応しているかを確認してください。</translation>
+    </message>
+    <message>
+        <source> (what would explain it: {reasons})</source>
+        <translation>（考えられる原因：{reasons}）</translation>
+    </message>
+    <message>
+        <source>Images that show other things than those that overlap them: {names}. Check that each has its own orientation, in the right unit, and is not turned or mirrored.</source>
+        <translation>重なる画像と別の物が写っている画像：{names}。それぞれの標定が正しい画像のものか、単位が正しいか、回転や反転がないかを確認してください。</translation>
+    </message>
+    <message>
         <source>{first} and {second} lie {unexplained:.2f} m apart on the road markings {value}(east {east:.2f}, north {north:.2f}, sigma {unexplained_2:.2f}; {patches} places): check their orientation and the ground.</source>
         <translation>{first} と {second} は、路面標示上で {value}{unexplained:.2f} mずれています（東 {east:.2f}、北 {north:.2f}、σ {unexplained_2:.2f}、{patches} 箇所）。標定要素と地表を確認してください。</translation>
     </message>
@@ -8460,10 +8564,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Occlusion maps of the frames need a surface (DSM): give one, or give the maps themselves.</source>
         <translation>空中写真の遮蔽図には表層（DSM）が必要です。表層または遮蔽図そのものを指定してください。</translation>
-    </message>
-    <message>
-        <source>The frames lie below the ground: check the heights in the exterior orientation.</source>
-        <translation>空中写真が地表より下にあります。外部標定要素の高さを確認してください。</translation>
     </message>
     <message>
         <source>{beside_count} frames show none of the ground and are left out: {beside}{value}.</source>
@@ -17214,14 +17314,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>2枚目</translation>
     </message>
     <message>
-        <source>apart</source>
-        <translation>ずれ</translation>
-    </message>
-    <message>
-        <source>agree</source>
-        <translation>一致</translation>
-    </message>
-    <message>
         <source>Pictures</source>
         <translation>写真</translation>
     </message>
@@ -18580,6 +18672,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>agree to half a pixel</source>
         <translation>半画素以内で一致</translation>
+    </message>
+    <message>
+        <source>apart</source>
+        <translation>ずれ</translation>
+    </message>
+    <message>
+        <source>not alike</source>
+        <translation>一致しない</translation>
     </message>
     <message>
         <source>displaced by heights</source>

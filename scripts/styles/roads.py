@@ -225,6 +225,7 @@ def frame_shifts(layer) -> None:
     line = "make_line($geometry, translate($geometry, 100 * \"east\", 100 * \"north\"))"
     entries = []
     for label, status, colour in (("agree to half a pixel", "agree", "#1a9850"), ("apart", "apart", "#d73027"),
+                                  ("not alike", "not alike", "#7b3294"),
                                   ("displaced by heights", "height", "#8c8c8c")):
         symbol = marker(colour, 1.2)
         symbol.insertSymbolLayer(0, arrow_along(line, colour))

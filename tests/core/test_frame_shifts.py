@@ -5,9 +5,17 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from urbanmap_qgis.aerial.orthophotos.frame_shifts import frame_shifts, lie_apart, shift_columns, status_of
+from urbanmap_qgis.aerial.orthophotos.frame_shifts import (
+    frame_shifts,
+    lie_apart,
+    shift_columns,
+    status_of,
+    unlike_images,
+    warn_of_shifts,
+)
 from urbanmap_qgis.aerial.orthophotos.mosaic import GroundView
 from urbanmap_qgis.geometry.grid import Grid
+from urbanmap_qgis.progress import Progress
 
 GRID = Grid(0.0, 100.0, 0.1, 400, 500)
 
@@ -126,3 +134,27 @@ def test_one_place_is_no_evidence():
             return view
 
     assert frame_shifts([Spot("a", 0.0), Spot("b", 0.0, (0.3, 0.0))], GRID) == []
+
+
+class Turned(Painted):
+    """The same squares of paint, where a frame turned by half a turn shows them."""
+
+    def view(self, grid):
+        view = super().view(grid)
+        return GroundView(view.values[::-1, ::-1].copy(), view.seen, view.reached, view.tangent)
+
+
+def test_a_turned_frame_is_not_alike_and_is_named():
+    """Its shifts are any: a difference over three sigma says nothing where sigma is metres."""
+    shifts = frame_shifts([Painted("a"), Turned("b"), Painted("c")], GRID)
+    assert [status_of(shift, 0.1) for shift in shifts] == ["not alike", "agree", "not alike"]
+    assert unlike_images(shifts) == ["b"]
+    columns = shift_columns(shifts, 0.1)
+    assert np.isnan(columns["pair_east"][columns["status"] == "not alike"]).all() and len(columns["x"])
+    warnings = []
+    warn_of_shifts(shifts, 0.1, Progress(warn=warnings.append))
+    assert "b. Check" in warnings[0] and len(warnings) == 1
+
+
+def test_of_two_images_that_differ_both_are_named():
+    assert unlike_images(frame_shifts([Painted("a"), Turned("b")], GRID)) == ["a", "b"]

@@ -22,7 +22,7 @@ from urbanmap_qgis.aerial.markings.marking_report import (
     write_marking_report,
 )
 
-SURE = OrthophotoQuality([PairShift("a.tif", "b.tif", 0.01, 0.0, 0.004, 50, False)], [0.2, 0.05, 0.25, 0.5], True, 17.0)
+SURE = OrthophotoQuality([PairShift("a.tif", "b.tif", 0.01, 0.0, 0.004, 50, "agree")], [0.2, 0.05, 0.25, 0.5], True, 17.0)
 
 
 @pytest.fixture
@@ -49,7 +49,7 @@ def test_nothing_to_doubt(found):
 
 
 @pytest.mark.parametrize(("change", "words"), [
-    ({"pairs": [PairShift("a.tif", "b.tif", 0.3, -0.4, 0.01, 9, True)]}, "a.tif and b.tif lie 0.50 m apart"),
+    ({"pairs": [PairShift("a.tif", "b.tif", 0.3, -0.4, 0.01, 9, "apart")]}, "a.tif and b.tif lie 0.50 m apart"),
     ({"pairs": []}, "a wrong orientation would not show"),
     ({"views": [0.5, 0.25, 0.15, 0.1]}, "50% of the ground in the image is seen by one frame only"),
 ])

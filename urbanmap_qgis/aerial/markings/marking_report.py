@@ -19,6 +19,7 @@ from ...geometry.tolerances import LEAST_DIVISOR
 from ...io.pages.report import BAD, GOOD, LOOK, Report
 from ...io.raster import own_gdal
 from ...wording import mark, say
+from ..orthophotos.frame_shifts import APART, NOT_ALIKE
 from .marking_files import MarkingResult
 from .marking_polygons import CACHE
 from .marking_verdict import marking_verdict
@@ -43,8 +44,8 @@ LIMITS = MarkingReportLimits()
 
 @dataclass(frozen=True)
 class PairShift:
-    """Median shift between the images of a pair, m, over `patches` places; `displaced` if it is more than half a pixel,
-    and `height` if only the height of what stands there may make it so."""
+    """Median shift between the images of a pair, m, over `patches` places, and its status: see
+    `frame_shifts.status_of`."""
 
     first: str
     second: str
@@ -52,8 +53,7 @@ class PairShift:
     north: float
     sigma: float
     patches: int
-    displaced: bool
-    height: bool = False
+    status: str
 
 
 @dataclass(frozen=True)
@@ -171,8 +171,13 @@ def _taken(report: Report, found: MarkingResult) -> None:
 def quality_warnings(found: MarkingResult, evidence: OrthophotoQuality) -> list[str]:
     """Sentences on what a surveyor should not trust before looking."""
     doubts = []
+    unlike = sorted({name for pair in evidence.pairs or () if pair.status == NOT_ALIKE
+                     for name in (pair.first, pair.second)})
+    if unlike:
+        doubts.append(say("{unlike} show different things where they overlap: one of them is wrongly oriented, and "
+                          "what it shows lies at wrong places.", unlike=", ".join(unlike)))
     for pair in evidence.pairs or ():
-        if pair.displaced:
+        if pair.status == APART:
             doubts.append(say("{first} and {second} lie {east:.2f} m apart on the road markings: markings in their "
                               "overlap are uncertain by as much. Check the orientation.", first=pair.first,
                               second=pair.second, east=np.hypot(pair.east, pair.north)))
@@ -213,8 +218,8 @@ def _agreement(report: Report, evidence: OrthophotoQuality) -> None:
     report.paragraph("The same markings in two frames, the second against the first, median over the places. A good "
                      "block agrees to half a pixel. “height”: without a surface, heights may explain the shift.")
     report.table(("first", "second", "east (m)", "north (m)", "sigma (m)", "places", "status"),
-                 [(pair.first, pair.second, pair.east, pair.north, pair.sigma, pair.patches,
-                   "apart" if pair.displaced else "height" if pair.height else "agree") for pair in evidence.pairs])
+                 [(pair.first, pair.second, pair.east, pair.north, pair.sigma, pair.patches, pair.status)
+                  for pair in evidence.pairs])
 
 
 def _pictures(report: Report, orthophoto: Path, found: MarkingResult) -> None:

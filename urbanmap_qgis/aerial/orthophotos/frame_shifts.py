@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
+from scipy.spatial import cKDTree
 
 from ...geometry.grid import Grid
 from ...geometry.tolerances import SIGMA_OF_MAD
@@ -40,10 +41,16 @@ class FrameShiftsLimits:
     heights: tuple[float, ...] = (-2.0, 300.0)  # m: what stands anywhere above the ground, or lies below it
     ground_sigma: float = 0.1  # m, of the ground's height, the same under all patches
     max_warnings: int = 5
+    # pixels, and share of the patches with markings in both images, within which shifts agree where these show the same
+    # ground: chance gives one in 140 of the places in a patch. Sound frames .9, off by 3 m still .36, turned ones .05
+    agreement: float = 3.0
+    alike_share: float = 0.2
     overlap: int = 4  # patches overlap by half in both directions: so many of them speak of the same ground
 
 
 LIMITS = FrameShiftsLimits()
+
+NOT_ALIKE, APART = "not alike", "apart"
 
 
 @dataclass(frozen=True)
@@ -57,6 +64,8 @@ class FrameShift:
     vectors : (n, 2) east and north shift of each, m.
     parallax : (2,) east and north shift of what stands 1 m high, m; None where unknown.
     on_ground : whether a surface shows bare ground in all the patches.
+    alike : whether the patches' shifts agree with one another; the vectors are NaN where they do not: the images show
+        different things at the same places.
     """
 
     first: str
@@ -65,6 +74,7 @@ class FrameShift:
     vectors: np.ndarray
     parallax: np.ndarray | None = None
     on_ground: bool = False
+    alike: bool = True
 
     @property
     def patches(self) -> int:
@@ -160,9 +170,12 @@ def lie_apart(shift: FrameShift, pixel: float) -> bool:
 
 
 def status_of(shift: FrameShift, pixel: float) -> str:
-    """"apart"; "height" where a shift as large may come from the height of what the patches show; or "agree"."""
+    """"not alike"; "apart"; "height" where a shift as large may come from the height of what the patches show; or
+    "agree"."""
+    if not shift.alike:
+        return NOT_ALIKE
     if lie_apart(shift, pixel):
-        return "apart"
+        return APART
     return "height" if shift.explained and _surely(shift.length, shift.sigma, shift, pixel) else "agree"
 
 
@@ -171,8 +184,20 @@ def _surely(length: float, sigma: float, shift: FrameShift, pixel: float) -> boo
     return length > max(least * pixel, 3 * sigma)
 
 
+def unlike_images(shifts: Sequence[FrameShift]) -> list[str]:
+    """Names of the images that are unlike all those that they were compared with; of two such alone, both."""
+    alike = {name for shift in shifts if shift.alike for name in (shift.first, shift.second)}
+    return list(dict.fromkeys(name for shift in shifts if not shift.alike for name in (shift.first, shift.second)
+                              if name not in alike))
+
+
 def warn_of_shifts(shifts: Sequence[FrameShift], pixel: float, progress: Progress) -> None:
-    """Warn of the pairs that are apart, the worst first; say where heights hide whether they are."""
+    """Warn of images that show other things than those beside them, then of the pairs that are apart, the worst first;
+    say where heights hide whether they are."""
+    unlike = unlike_images(shifts)
+    if unlike:
+        progress.warn(say("Images that show other things than those that overlap them: {names}. Check that each has its "
+                          "own orientation, in the right unit, and is not turned or mirrored.", names=", ".join(unlike)))
     bad = sorted((shift for shift in shifts if lie_apart(shift, pixel)), key=lambda shift: -shift.unexplained[0])
     for shift in bad[:LIMITS.max_warnings]:
         progress.warn(say("{first} and {second} lie {unexplained:.2f} m apart on the road markings {value}(east "
@@ -193,7 +218,7 @@ def warn_of_shifts(shifts: Sequence[FrameShift], pixel: float, progress: Progres
 def frame_shifts(sources: Sequence[ViewSource], grid: Grid, progress: Progress = SILENT,
                  metres: float = 1.0) -> list[FrameShift]:
     """Shifts between all pairs of sources that share at least five patches with markings, not all at one place, in the
-    sources' order.
+    sources' order; of pairs that show different things there, too.
 
     Looks at a few pieces of the grid, spread evenly.
 
@@ -214,14 +239,26 @@ def frame_shifts(sources: Sequence[ViewSource], grid: Grid, progress: Progress =
                 patches = _patch_shifts(markings, its_markings, view.seen & other.seen, level)
                 # From columns and rows of the tile to the ground.
                 found[first, second].append(
-                    patches * (tile.cell, -tile.cell, tile.cell * metres, -tile.cell * metres, 1.0)
-                    + (tile.x_min, tile.y_max, 0.0, 0.0, 0.0))
+                    patches * (tile.cell, -tile.cell, tile.cell * metres, -tile.cell * metres, 1.0, 1.0)
+                    + (tile.x_min, tile.y_max, 0.0, 0.0, 0.0, 0.0))
     result = []
     for (first, second), parts in sorted(found.items()):
         patches = np.concatenate(parts)
-        if _enough(patches, grid):
-            result.append(_pair(sources[first], sources[second], patches, grid))
+        clear = patches[patches[:, 5] > 0]
+        if not _enough(patches, grid):
+            continue
+        if _agreeing(clear[:, 2:4], LIMITS.agreement * grid.cell * metres) < LIMITS.alike_share * len(patches):
+            nothing = np.full((len(patches), 2), np.nan)
+            result.append(FrameShift(sources[first].name, sources[second].name, patches[:, :2], nothing, alike=False))
+        elif _enough(clear, grid):
+            result.append(_pair(sources[first], sources[second], clear, grid))
     return result
+
+
+def _agreeing(vectors: np.ndarray, tolerance: float) -> int:
+    """How many of the shifts (n, 2) lie within a tolerance of that one which most others lie near."""
+    tree = cKDTree(vectors)
+    return int(tree.query_ball_point(vectors, tolerance, return_length=True).max(initial=0))
 
 
 def _enough(patches: np.ndarray, grid: Grid) -> bool:
@@ -256,7 +293,7 @@ def _markings(view: GroundView) -> np.ndarray:
 
 def _patch_shifts(first: np.ndarray, second: np.ndarray, both: np.ndarray, level: np.ndarray | None) -> np.ndarray:
     """Middle (column, row; corners at whole numbers) and shift (columns, rows) of all patches with markings that both
-    see, and 1 where they are known to be level, else 0, (n, 5)."""
+    see, and whether (1, else 0) they are known to be level and the shift is clear, (n, 6)."""
     window = cv2.createHanningWindow((LIMITS.patch, LIMITS.patch), cv2.CV_32F)
     shifts = []
     for top in range(0, first.shape[0] - LIMITS.patch + 1, LIMITS.patch // 2):
@@ -268,7 +305,6 @@ def _patch_shifts(first: np.ndarray, second: np.ndarray, both: np.ndarray, level
             if min((a > LIMITS.contrast).mean(), (b > LIMITS.contrast).mean()) < LIMITS.min_bright_share:
                 continue
             shift, peak = cv2.phaseCorrelate(a, b, window)
-            if peak > LIMITS.clear_peak:
-                flat = level is not None and level[part].mean() >= LIMITS.level_share
-                shifts.append((left + LIMITS.patch / 2, top + LIMITS.patch / 2, *shift, float(flat)))
-    return np.array(shifts, float).reshape(-1, 5)
+            flat = level is not None and level[part].mean() >= LIMITS.level_share
+            shifts.append((left + LIMITS.patch / 2, top + LIMITS.patch / 2, *shift, flat, peak > LIMITS.clear_peak))
+    return np.array(shifts, float).reshape(-1, 6)

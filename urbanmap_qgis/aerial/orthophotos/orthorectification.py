@@ -18,7 +18,7 @@ import shapely
 from rasterio.features import rasterize
 from rasterio.transform import Affine
 
-from ...errors import InputError
+from ...errors import InputError, UrbanMapError
 from ...geometry.grid import Grid
 from ...io.raster import RasterSampler
 from ...progress import SILENT, Progress
@@ -29,6 +29,7 @@ from ..frames.frame_images import AerialFrame, FrameImage
 from ..frames.occlusion import occlusion_map
 from ..frames.visibility import off_ground, visible_ground
 from ..worker_resources import sent_polygons
+from .contradictions import refuse_contradiction, require_ground_pixel
 from .frame_shifts import FrameShift, frame_shifts, warn_of_shifts
 from .mosaic import GroundView, Mosaic, MosaicFiles, PixelSelection, Workers, covering_grid, write_mosaic
 
@@ -440,11 +441,13 @@ def orthorectify(frames: Sequence[AerialFrame], camera: FrameCamera, place: Elev
             place, progress = replace(place, masks=masks), progress.part(0.2, 1.0)
         sources = open_frames(frames, camera, place, settings.height_threshold, stack)
         terrain, pixels = sources[0].terrain, sources[0].pixels
-        resolution = settings.resolution or _own_resolution(frames, camera, terrain)
+        own = _own_resolution(frames, camera, terrain)
+        resolution = settings.resolution or own
         grid = covering_grid(sources, resolution)
         _warn_of_places(sources, terrain, grid, progress)
         if shifts is not None and len(sources) > 1:
             shifts += frame_shifts(sources, grid, progress.part(0.0, 0.1))
+            refuse_contradiction(frames, shifts, partial(_compared, camera=camera, place=place, settings=settings))
             warn_of_shifts(shifts, resolution, progress)
         opener = None
         if executor is not None:
@@ -454,11 +457,21 @@ def orthorectify(frames: Sequence[AerialFrame], camera: FrameCamera, place: Elev
                             settings.choice, progress.part(0.1, 1.0), watch, Workers(executor, opener))
 
 
+def _compared(frames: Sequence[AerialFrame], camera: FrameCamera, place: ElevationInputs,
+              settings: OrthoSettings) -> list[FrameShift]:
+    """Shifts between frames by other orientations than were given; none where these show no ground."""
+    with ExitStack() as stack:
+        sources = open_frames(frames, camera, replace(place, masks=None), settings.height_threshold, stack)
+        try:
+            own = _own_resolution(frames, camera, sources[0].terrain)
+            return frame_shifts(sources, covering_grid(sources, settings.resolution or own))
+        except UrbanMapError:
+            return []
+
+
 def _own_resolution(frames: Sequence[AerialFrame], camera: FrameCamera, terrain: Terrain) -> float:
     """Median pixel of the frames at the nadir, m, rounded to the centimetre (to the millimetre below 5 cm)."""
-    ground = camera.ground_pixel(float(np.median([frame.pose.z for frame in frames])) - terrain.low)
-    if ground <= 0:
-        raise InputError(say("The frames lie below the ground: check the heights in the exterior orientation."))
+    ground = require_ground_pixel(camera, float(np.median([frame.pose.z for frame in frames])) - terrain.low)
     return max(round(ground, 2 if ground >= 0.05 else 3), 0.001)
 
 
