@@ -23,8 +23,8 @@ UNLIKE = replace(ALIKE, vectors=np.full((9, 2), np.nan), alike=False)
 
 def compared(frames):
     """Frames are alike where all look where they truly did."""
-    same = all(np.allclose(frame.pose.rotation, pose.rotation, atol=1e-9) and np.allclose(frame.pose.centre, pose.centre)
-               for frame, pose in zip(frames, TRUE))
+    same = all(np.allclose(frame.pose.rotation, pose.rotation, atol=1e-9)
+               and np.allclose(frame.pose.centre, pose.centre) for frame, pose in zip(frames, TRUE))
     return [ALIKE if same else UNLIKE]
 
 
@@ -60,7 +60,8 @@ def test_a_turned_image_shows_a_place_at_the_opposite_pixel():
 
 
 @pytest.mark.parametrize(("camera", "height", "reason"), [
-    (replace(CAMERA, pixel_pitch=6.0), 750.0, "micrometres"), (replace(CAMERA, focal_length=6333.0), 750.0, "in pixels"),
+    (replace(CAMERA, pixel_pitch=6.0), 750.0, "micrometres"),
+    (replace(CAMERA, focal_length=6333.0), 750.0, "in pixels"),
     (CAMERA, 20.0, "aerial frame"), (replace(CAMERA, principal_point=(788.0, 1228.0)), 750.0, "not in pixels"),
     (CAMERA, -5.0, "below the ground")])
 def test_a_camera_that_cannot_be_is_refused_with_what_explains_it(camera, height, reason):

@@ -22,7 +22,8 @@ from urbanmap_qgis.aerial.markings.marking_report import (
     write_marking_report,
 )
 
-SURE = OrthophotoQuality([PairShift("a.tif", "b.tif", 0.01, 0.0, 0.004, 50, "agree")], [0.2, 0.05, 0.25, 0.5], True, 17.0)
+SURE = OrthophotoQuality([PairShift("a.tif", "b.tif", 0.01, 0.0, 0.004, 50, "agree")], [0.2, 0.05, 0.25, 0.5], True,
+                         17.0)
 
 
 @pytest.fixture

@@ -196,8 +196,9 @@ def warn_of_shifts(shifts: Sequence[FrameShift], pixel: float, progress: Progres
     say where heights hide whether they are."""
     unlike = unlike_images(shifts)
     if unlike:
-        progress.warn(say("Images that show other things than those that overlap them: {names}. Check that each has its "
-                          "own orientation, in the right unit, and is not turned or mirrored.", names=", ".join(unlike)))
+        progress.warn(say("Images that show other things than those that overlap them: {names}. Check that each has "
+                          "its own orientation, in the right unit, and is not turned or mirrored.",
+                          names=", ".join(unlike)))
     bad = sorted((shift for shift in shifts if lie_apart(shift, pixel)), key=lambda shift: -shift.unexplained[0])
     for shift in bad[:LIMITS.max_warnings]:
         progress.warn(say("{first} and {second} lie {unexplained:.2f} m apart on the road markings {value}(east "
