@@ -35,7 +35,7 @@ class RoofPolygons(UrbanMapAlgorithm):
         self.add_workers()
         self.add_layer_output("OUTPUT", "Roof polygons", "PolygonZ at the roofs' heights: building_id, roof_id (0: "
                               "plain block), height, height_max (m), points, density (points a m2), rmse (m), "
-                              "coverage (share of the area with points), boundary_rms (m), slope (degrees), azimuth "
+                              "coverage (share of the area with points), slope (degrees), azimuth "
                               "(degrees from north, where it falls to), status.")
         self.add_number_output("ROOFS", "Roofs", "Number of polygons.")
         self.add_number_output("WITHOUT_ROOFS", "Buildings without a roof", "Outlines that got no polygon.")
@@ -60,7 +60,7 @@ class RoofPolygons(UrbanMapAlgorithm):
             progress.warn(tr("{0} of {1} buildings got no roof polygon.").format(without, len(footprints)))
         fields = make_fields(("building_id", "int"), ("roof_id", "int"), ("height", "real"), ("height_max", "real"),
                              ("points", "int"), ("density", "real"), ("rmse", "real"), ("coverage", "real"),
-                             ("boundary_rms", "real"), ("slope", "real"), ("azimuth", "real"), ("status", "text"))
+                             ("slope", "real"), ("azimuth", "real"), ("status", "text"))
         geometries = shapely.force_3d(np.array(roofs.polygon, dtype=object), np.array(roofs.height, float))
         columns = {field.name(): getattr(roofs, field.name()) for field in fields}
         return {

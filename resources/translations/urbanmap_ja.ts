@@ -3444,8 +3444,8 @@
         <translation>論文の方法で、線を辺とするために必要な境界点の数（論文のn）です。</translation>
     </message>
     <message>
-        <source>PolygonZ at the roofs' heights: building_id, roof_id (0: plain block), height, height_max (m), points, density (points a m2), rmse (m), coverage (share of the area with points), boundary_rms (m), slope (degrees), azimuth (degrees from north, where it falls to), status.</source>
-        <translation>屋根の高さにあるPolygonZ: building_id、roof_id（0: 単純ブロック）、height、height_max（m）、points、density（点/m2）、rmse（m）、coverage（点のある面積の割合）、boundary_rms（m）、slope（度）、azimuth（北からの度、下り方向）、status。</translation>
+        <source>PolygonZ at the roofs' heights: building_id, roof_id (0: plain block), height, height_max (m), points, density (points a m2), rmse (m), coverage (share of the area with points), slope (degrees), azimuth (degrees from north, where it falls to), status.</source>
+        <translation>屋根の高さにあるPolygonZ: building_id、roof_id（0: 単純ブロック）、height、height_max（m）、points、density（点/m2）、rmse（m）、coverage（点のある面積の割合）、slope（度）、azimuth（北からの度、下り方向）、status。</translation>
     </message>
     <message>
         <source>Outlines that got no polygon.</source>
@@ -15336,10 +15336,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>open ground, 0 to 1</source>
         <translation>開けた地面の割合、0～1</translation>
-    </message>
-    <message>
-        <source>RMS of the edge (m)</source>
-        <translation>辺のRMS (m)</translation>
     </message>
     <message>
         <source>outer walls</source>

@@ -15,7 +15,6 @@ from urbanmap_qgis.buildings.building_model import FitPoints, RoofInput, model_b
 from urbanmap_qgis.buildings.model_status import NOT_MODELLED, SIMPLIFIED
 from urbanmap_qgis.buildings.planes import plan_faces as faces_module
 from urbanmap_qgis.buildings.planes.plan_faces import plan_faces
-from urbanmap_qgis.buildings.polygons.piece_labels import without_small_parts
 from urbanmap_qgis.buildings.roof_polygons import plane_roofs
 from urbanmap_qgis.buildings.roof_polygons.building_polygons import roof_polygons_of
 from urbanmap_qgis.buildings.roof_polygons.polygon_rows import RoofedBuilding
@@ -143,40 +142,3 @@ def test_work_ends_at_its_next_checkpoint(executor):
 
 def test_checkpoint_asks_nobody_outside_of_work():
     checkpoint()
-
-
-@pytest.mark.parametrize("seed", range(6))
-def test_small_parts_join_as_one_after_the_other_does(seed):
-    """The sparse joining against the plain way: the smallest part first, all parts made anew each time."""
-    rng = np.random.default_rng(seed)
-    n, k = 40, 4
-    points = rng.uniform(0, 10, (n, 2))
-    near = np.hypot(*(points[:, None] - points[None]).transpose(2, 0, 1)) < 2.2
-    pairs = np.argwhere(np.triu(near, 1))
-    worth, area = rng.uniform(0.1, 1, len(pairs)), rng.uniform(0.2, 2, n)
-    chosen, cost = rng.integers(0, k, n), rng.uniform(0, 3, (n, k))
-    assert without_small_parts(chosen, cost, pairs, worth, area, 3.0).tolist() == plain(chosen, cost, pairs, worth,
-                                                                                         area, 3.0).tolist()
-
-
-def plain(chosen, cost, pairs, worth, area, least):
-    chosen = chosen.copy()
-    for _ in range(len(chosen)):
-        part = np.arange(len(chosen))
-        for _ in range(len(chosen)):
-            for one, two in pairs:
-                if chosen[one] == chosen[two]:
-                    part[one] = part[two] = min(part[one], part[two])
-        for number in sorted((p for p in set(part) if area[part == p].sum() < least),
-                             key=lambda p: (area[part == p].sum(), p)):
-            own = part == number
-            contact = np.zeros(cost.shape[1])
-            for (one, two), value in zip(pairs, worth):
-                if own[one] != own[two]:
-                    contact[chosen[two if own[one] else one]] += value
-            if contact.any():
-                chosen[own] = np.argmin(np.where(contact > 0, cost[own].sum(axis=0) - contact, np.inf))
-                break
-        else:
-            break
-    return chosen

@@ -9,7 +9,6 @@ from urbanmap_qgis.buildings.planes.high_corners import high_corner_costs, highe
 from urbanmap_qgis.buildings.planes.low_patches import low_patches
 from urbanmap_qgis.buildings.planes.plane_partition import partition_planes
 from urbanmap_qgis.buildings.planes.plane_solids import checked_sloped_solids
-from urbanmap_qgis.buildings.polygons.piece_labels import without_small_parts
 
 ROOF, LOW = 8.0, 3.0
 HOUSE = shapely.box(0, 0, 10, 8)
@@ -90,14 +89,6 @@ def test_corners_too_high_cost_by_height_and_area():
     near = np.array([[True, True, True], [True, True, False]])
     costs = high_corner_costs(squares, planes, near, points, 0.3)
     assert costs == pytest.approx(np.array([[0, 2.0, 6.0], [0, 4.0, 0]]))
-
-
-@pytest.mark.parametrize("strong, expected", [(np.inf, [0, 0, 0]), (5.0, [0, 0, 0]), (3.0, [0, 1, 0])])
-def test_a_small_part_stays_where_joining_costs_much(strong, expected):
-    cost = np.array([[0.0, 9.0], [4.5, 0.5], [0.0, 9.0]])
-    pairs, worth = np.array([[0, 1], [1, 2]]), np.ones(2)
-    found = without_small_parts(np.array([0, 1, 0]), cost, pairs, worth, np.array([5.0, 1.0, 5.0]), 2.0, strong)
-    assert found.tolist() == expected
 
 
 def test_patches_need_points_near():

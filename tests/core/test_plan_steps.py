@@ -6,14 +6,11 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-import shapely
 
 from urbanmap_qgis.buildings.merging.wall_match import MeasuredWall, _summed
 from urbanmap_qgis.buildings.mesh25d import node_heights
 from urbanmap_qgis.buildings.planes.candidate_segments import _intersections
 from urbanmap_qgis.buildings.planes.low_patches import _Cells
-from urbanmap_qgis.buildings.planes.plan_faces import PlanFaces
-from urbanmap_qgis.buildings.planes.plane_partition import without_steep_slivers
 from urbanmap_qgis.buildings.polygons.partition_lines import LabelBoundaries
 
 
@@ -29,17 +26,6 @@ def test_a_ridge_is_drawn_where_planes_meet_at_their_border(ridge, lies_there):
     assert len(lines) == lies_there
     if lies_there:
         assert np.abs(lines[0]) == pytest.approx([1.0, 0.0, 20.0])
-
-
-@pytest.mark.parametrize(("better", "width"), [(0, 0.2), (2, 0.2), (1, 3.0)])
-def test_a_steep_sliver_goes_to_the_better_plane_beside_it(better, width):
-    """A strip between two level roofs that is steep, as points on a wall make it; a wide one stays."""
-    polygons = np.array([shapely.box(0, 0, 5, 10), shapely.box(5, 0, 5 + width, 10), shapely.box(5 + width, 0, 12, 10)])
-    faces = PlanFaces(polygons, np.array([[0, 1], [1, 2]]), np.full(2, 10.0), np.zeros((2, 2, 2)))
-    planes = np.array([[0.0, 0.0, 5.0], [20.0, 0.0, -95.0], [0.0, 0.0, 9.0]])
-    cost = np.ones((3, 3))
-    cost[1, better] = 0.5
-    assert without_steep_slivers(np.arange(3), cost, faces, planes).tolist() == [0, better, 2]
 
 
 @pytest.mark.parametrize(("tolerance", "left"), [(5, [0, 2, 4]), (25, [0, 4])])

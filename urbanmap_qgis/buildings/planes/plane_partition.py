@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 import shapely
-from scipy.sparse import coo_matrix
 
-from ...geometry.linked_groups import linked_groups
 from ..polygons.partition_lines import edge_rows
-from ..polygons.piece_labels import without_small_parts
 from ..polygons.plan_arrangement import dissolve
 from ..polygons.regularisation import main_directions
 from .candidate_segments import candidate_segments
 from .label_raster import LabelRaster, label_raster
 from .low_patches import LowPatches, high_patches, low_patches
-from .plan_faces import SMOOTHNESS, PlanFaces, label_faces, plan_faces, seen_heights
+from .plan_faces import PlanFaces, label_faces, plan_faces
 from .plan_nodes import meeting_polygons
 from .plane_moments import moments
 from .plane_regularisation import regular_planes
@@ -27,13 +24,6 @@ from .plane_regularisation import regular_planes
 class PlanePartitionLimits:
     """Limits of plane partition, each with its unit."""
 
-    least_area: float = 2.0  # Smaller pieces of a roof (m2) join the neighbour that fits best.
-    # Width (m) up to which, and slope (rise over run) from which, a plane is no roof: points of a facade or of
-    # the side of a parapet, which lie in a strip along it.
-    strip_width: float = 0.5
-    strip_slope: float = 0.1
-    # A smaller piece stays where its neighbours would miss its points by so much more (m3).
-    strong: float = 0.5
     # Times that patches are looked for, and faces of a plan above which none are: it would be divided anew.
     patch_rounds: int = 3
     patch_faces: int = 10_000
@@ -89,7 +79,6 @@ class PlanePoints:
     def of(cls, outline: shapely.Geometry, points: np.ndarray, roof: np.ndarray) -> PlanePoints:
         """Points as `partition_planes` takes them."""
         origin = np.floor(outline.bounds[:2])
-        roof = without_steep_strips(points, roof)
         numbers, rows = np.unique(roof[roof > 0], return_inverse=True)
         plane = np.full(len(roof), -1)
         plane[roof > 0] = rows.ravel()
@@ -126,8 +115,6 @@ def partition_planes(outline: shapely.Geometry, points: np.ndarray, roof: np.nda
         planes = regular_planes(found.moments, building_axes(edge_rows(local)[:, 2:]))
     density = max(np.count_nonzero(of_point >= 0) / local.area, 0.3)
     raster = label_raster(points, of_point, local, density)
-    raster, planes, capped = _with_caps(raster, planes, points, of_point)
-    numbers = np.concatenate([numbers, numbers[capped]])
     step = -(-len(points) // LIMITS.most_points)
     polygons, labels, planes, number = _divided(local, raster, planes, points[::step], of_point[::step])
     numbers = numbers[number]
@@ -139,53 +126,10 @@ def partition_planes(outline: shapely.Geometry, points: np.ndarray, roof: np.nda
     return PlanePartition(moved, numbers[labels], met, origin, _coverage(raster, polygons), status)
 
 
-def without_steep_strips(points: np.ndarray, roof: np.ndarray) -> np.ndarray:
-    """Plane (n,) of each point, 0 for those of steep planes that are seen in a narrow strip alone.
-
-    Where that would leave no plane, all stay.
-    """
-    left = roof.copy()
-    order = np.argsort(roof, kind="stable")
-    order = order[np.searchsorted(roof[order], 1):]
-    for members in np.split(order, np.flatnonzero(np.diff(roof[order])) + 1) if len(order) else ():
-        centred = points[members] - points[members].mean(axis=0)
-        spread = np.linalg.eigvalsh(np.cov(centred[:, :2].T)) if len(centred) > 2 else np.zeros(2)
-        slope = np.linalg.lstsq(centred[:, :2], centred[:, 2], rcond=1e-6)[0]
-        # Evenly spread points lie on 3.5 standard deviations.
-        if np.sqrt(12.0 * max(spread[0], 0.0)) < LIMITS.strip_width and np.hypot(*slope) > LIMITS.strip_slope:
-            left[members] = 0
-    return left if (left > 0).any() else roof
-
-
-def _with_caps(raster: LabelRaster, planes: np.ndarray, points: np.ndarray,
-               label: np.ndarray) -> tuple[LabelRaster, np.ndarray, np.ndarray]:
-    """Level planes where a sloped one would rise far above its points, as over a slope that was not seen.
-
-    Gives the raster and the planes with these added, and the planes that they cap.
-    """
-    low, high = seen_heights(planes, points, label, raster.cell)
-    x, y = np.meshgrid(raster.x, raster.y)
-    plane_at = planes[raster.label]
-    height = plane_at[..., 0] * x + plane_at[..., 1] * y + plane_at[..., 2]
-    unseen = raster.inside & ~raster.seen
-    area = np.bincount(raster.label[unseen & (height > high[raster.label])], minlength=len(planes)) * raster.cell**2
-    capped = np.flatnonzero((area > LIMITS.least_area) & np.isfinite(low))
-    if not len(capped):
-        return raster, planes, capped
-    top = np.array([points[label == plane, 2].max() for plane in capped])
-    caps = np.column_stack([np.zeros((len(capped), 2)), top])
-    number = np.arange(len(planes))
-    number[capped] = len(planes) + np.arange(len(capped))
-    reached = np.full(len(planes), np.inf)
-    reached[capped] = top
-    labels = np.where(unseen & (height > reached[raster.label]), number[raster.label], raster.label)
-    return replace(raster, label=labels), np.concatenate([planes, caps]), capped
-
-
 def _divided(outline: shapely.Geometry, raster: LabelRaster, planes: np.ndarray, points: np.ndarray,
              label: np.ndarray) -> tuple[list[shapely.Polygon], np.ndarray, np.ndarray, np.ndarray]:
     """Polygons that fill the outline, the plane of each, all planes with patches, and the plane each is or was."""
-    faces, chosen, cost = _labelled(outline, raster, planes, points, label)
+    faces, chosen = _labelled(outline, raster, planes, points, label)
     count = len(planes)
     number = np.arange(count)
     for _ in range(LIMITS.patch_rounds):
@@ -194,10 +138,7 @@ def _divided(outline: shapely.Geometry, raster: LabelRaster, planes: np.ndarray,
             break
         raster, planes, label = found.raster, found.planes, found.label
         number = np.concatenate([number, number[found.taken_from]])
-        faces, chosen, cost = _labelled(outline, raster, planes, points, label, range(count, len(planes)))
-    chosen = without_steep_slivers(chosen, cost, faces, planes)
-    chosen = without_small_parts(chosen, cost, faces.pairs, faces.length * SMOOTHNESS, shapely.area(faces.polygons),
-                                 LIMITS.least_area, LIMITS.strong)
+        faces, chosen = _labelled(outline, raster, planes, points, label, range(count, len(planes)))
     return *dissolve(faces.polygons, chosen, outline), planes, number
 
 
@@ -212,38 +153,14 @@ def _patches(raster: LabelRaster, planes: np.ndarray, points: np.ndarray, label:
 
 
 def _labelled(outline: shapely.Geometry, raster: LabelRaster, planes: np.ndarray, points: np.ndarray,
-              label: np.ndarray, patches: Sequence[int] = ()) -> tuple[PlanFaces, np.ndarray, np.ndarray]:
-    """Faces of an outline, the plane of each, and the cost of every plane in it."""
+              label: np.ndarray, patches: Sequence[int] = ()) -> tuple[PlanFaces, np.ndarray]:
+    """Faces of an outline, and the plane of each."""
     if len(planes) == 1:
         parts = shapely.get_parts(outline)
         whole = PlanFaces(parts, np.zeros((0, 2), np.int64), np.zeros(0), np.zeros((0, 2, 2)))
-        return whole, np.zeros(len(parts), np.int64), np.zeros((len(parts), 1))
+        return whole, np.zeros(len(parts), np.int64)
     faces = plan_faces(outline, candidate_segments(raster, planes, outline, points, label, patches))
-    return faces, *label_faces(faces, raster, planes, points, label)
-
-
-def without_steep_slivers(chosen: np.ndarray, cost: np.ndarray, faces: PlanFaces, planes: np.ndarray) -> np.ndarray:
-    """Plane (n,) of each face; steep parts narrower than `LIMITS.strip_width` go to the best plane beside them."""
-    steep = np.hypot(planes[:, 0], planes[:, 1]) > LIMITS.strip_slope
-    n, one, two = len(chosen), *faces.pairs.T
-    graph = coo_matrix((np.ones(len(one), bool), (one, two)), shape=(n, n)).tocsr()
-    graph = graph + graph.T
-    same = chosen[one] == chosen[two]
-    count, part = linked_groups(one[same], two[same], n)
-    members = np.split(np.argsort(part, kind="stable"), np.cumsum(np.bincount(part, minlength=count))[:-1])
-    chosen = chosen.copy()
-    for number, group in enumerate(members):
-        if not steep[chosen[group[0]]]:
-            continue
-        whole = shapely.coverage_union_all(faces.polygons[group])
-        if not shapely.is_empty(shapely.buffer(whole, -LIMITS.strip_width / 2)):
-            continue
-        touching = graph[group].indices
-        beside = np.unique(chosen[touching[part[touching] != number]])
-        beside = beside[~steep[beside]] if (~steep[beside]).any() else beside
-        if len(beside):
-            chosen[group] = beside[np.argmin(cost[group][:, beside].sum(axis=0))]
-    return chosen
+    return faces, label_faces(faces, raster, planes, points, label)
 
 
 def _coverage(raster: LabelRaster, polygons: list[shapely.Polygon]) -> np.ndarray:

@@ -47,15 +47,10 @@ class HoughAccumulator:
     ----------
     xy : (n, 2) metres, near the origin.
     bin_width : metres; a line takes the votes of two neighbouring bins.
-    normals_deg : directions of the lines' normals in degrees; all whole degrees by default.
-    weight : (m,) factor on the votes of each direction, 1 by default.
     """
 
-    def __init__(self, xy: np.ndarray, bin_width: float, normals_deg: np.ndarray | None = None,
-                 weight: np.ndarray | None = None):
-        if normals_deg is None:
-            normals_deg = np.arange(0.0, 180.0, ANGLE_STEP)
-        angles = np.radians(normals_deg)
+    def __init__(self, xy: np.ndarray, bin_width: float):
+        angles = np.radians(np.arange(0.0, 180.0, ANGLE_STEP))
         self.normals = np.stack([np.cos(angles), np.sin(angles)])
         rho = xy @ self.normals
         self.columns = math.ceil(2.0 * np.abs(rho).max() / bin_width) + 3
@@ -64,8 +59,6 @@ class HoughAccumulator:
         self.size = len(angles) * self.columns
         self.votes = self._count(self.cells)
         self.weights = np.ones(self.size - 1)
-        if weight is not None:
-            self.weights = np.repeat(weight, self.columns)[:-1]
 
     def _count(self, cells: np.ndarray) -> np.ndarray:
         return np.bincount(cells.ravel(), minlength=self.size)
@@ -84,10 +77,6 @@ class HoughAccumulator:
         """Mask of the points that vote for the pair of bins starting at the cell."""
         voted = self.cells[:, cell // self.columns]
         return (voted == cell) | (voted == cell + 1)
-
-    def normal(self, cell: int) -> np.ndarray:
-        """Unit normal (2,) of the lines of a cell."""
-        return self.normals[:, cell // self.columns]
 
     def discard(self, cell: int) -> None:
         """Never propose this cell again."""

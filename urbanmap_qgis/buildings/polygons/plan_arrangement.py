@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 import shapely
 
@@ -11,43 +9,6 @@ from ...geometry.polygon_rings import polygon_rings
 
 GRID = 1e-4
 """Metres; nodes are rounded to it, so that lines along an outline edge make no slivers."""
-
-
-@dataclass(frozen=True)
-class Arrangement:
-    """Pieces of a plan.
-
-    Parameters
-    ----------
-    pieces : (n,) Polygons without overlap that fill the plan; neighbours have the same nodes.
-    inside : (n, 2) a point in each.
-    pairs, length : (m, 2) and (m,), pieces that have a border with each other, and its length in m; two pieces can
-        have several.
-    """
-
-    pieces: np.ndarray
-    inside: np.ndarray
-    pairs: np.ndarray
-    length: np.ndarray
-
-
-def arrange(outline: shapely.Geometry, lines: np.ndarray) -> Arrangement:
-    """Cut the outline by lines, rows (nx, ny, offset) with n . p = offset; coordinates near the origin."""
-    x_min, y_min, x_max, y_max = outline.bounds
-    reach = float(np.hypot(x_max - x_min, y_max - y_min)) + 1.0
-    middle = np.array([0.5 * (x_min + x_max), 0.5 * (y_min + y_max)])
-    normal = lines[:, :2]
-    foot = middle + normal * (lines[:, 2] - normal @ middle)[:, None]
-    along = np.column_stack([-normal[:, 1], normal[:, 0]]) * reach
-    cuts = shapely.linestrings(np.stack([foot - along, foot + along], axis=1))
-    network = shapely.union_all(np.append(cuts, shapely.boundary(outline)), grid_size=GRID)
-    pieces = shapely.get_parts(shapely.polygonize([network]))
-    inside = shapely.get_coordinates(shapely.point_on_surface(pieces))
-    shapely.prepare(outline)
-    in_outline = shapely.contains_xy(outline, inside[:, 0], inside[:, 1])
-    pieces, inside = pieces[in_outline], inside[in_outline]
-    pairs, ends = common_borders(pieces)
-    return Arrangement(pieces, inside, pairs, np.hypot(*(ends[:, 1] - ends[:, 0]).T))
 
 
 def ring_segments(polygons: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:

@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
 import shapely
 
-from ...geometry.grid import Grid
 from ...geometry.tolerances import SIGMA_OF_MAD
 from ...settings.buildings import MAXIMUM, PolygonParameters
 from ..model_status import LOST_AREA, LOST_ROOFS
-from ..polygons.roof_plan import partition_roofs
+from ..planes.level_alternative import has_lost_plane
+from ..planes.plane_partition import partition_planes
 from ..quality import PARAPET_REACH
 from .polygon_rows import DrawnRoof, RoofedBuilding, RoofPolygons
-
-CELL = (0.25, 1.0)
-"""Least and greatest cell (m) of the raster on which a plan is divided; the density sets it between them."""
 
 
 @dataclass(frozen=True)
@@ -39,47 +35,22 @@ def level_roofs(building: RoofedBuilding, parameters: PolygonParameters) -> Roof
     table = RoofPolygons()
     on_roof = building.roof > 0
     (x, y, z), roof = (building.xyz[on_roof, axis] for axis in range(3)), building.roof[on_roof]
-    cell = float(np.clip(1 / math.sqrt(max(len(x), 1) / building.outline.area), *CELL))
-    grid = Grid.covering(*building.outline.bounds, cell)
-    partition = partition_roofs(building.outline, grid, np.zeros(grid.shape, np.int32), _cell_heights(grid, x, y, z),
-                                points=(x, y, roof))
-    lost = _has_lost_roof(building.outline, x, y, roof, partition.roof_numbers)
-    status = building.stated(LOST_ROOFS if lost else partition.status)
     levels = {roof_id: roof_height(z[roof == roof_id], parameters) for roof_id in np.unique(roof).tolist()}
-    for place, (polygon, roof_id) in enumerate(zip(partition.polygons, partition.roof_numbers.tolist())):
+    planes = np.column_stack([np.zeros((len(levels), 2)), list(levels.values())])
+    partition = partition_planes(building.outline, building.xyz[on_roof], roof, planes)
+    lost = has_lost_plane(partition.polygons, partition.roof_numbers, building.xyz, building.roof, building.density,
+                          LOST_AREA)
+    status = building.stated(LOST_ROOFS if lost else partition.status)
+    for polygon, roof_id, coverage in zip(shapely.force_2d(partition.polygons), partition.roof_numbers.tolist(),
+                                          partition.coverage.tolist()):
         members = roof == roof_id
         shapely.prepare(polygon)
         members[members] = shapely.contains_xy(polygon, x[members], y[members])
         height = _inner_height(polygon, x[members], y[members], z[members],
                                parameters) if members.any() else levels[roof_id]
         top = float(z[members].max()) if members.any() else height
-        table.add(building.number, DrawnRoof(roof_id, polygon, height, top, z[members], status,
-                                             float(partition.coverage[place]), float(partition.boundary_rms[place])))
+        table.add(building.number, DrawnRoof(roof_id, polygon, height, top, z[members], status, coverage))
     return table
-
-
-def _has_lost_roof(outline: shapely.Geometry, x: np.ndarray, y: np.ndarray, roof: np.ndarray,
-                   drawn: np.ndarray) -> bool:
-    """Whether a roof with points on `LOST_AREA` m2 or more of the outline has no polygon."""
-    numbers = np.setdiff1d(roof, drawn)
-    if not len(numbers):
-        return False
-    shapely.prepare(outline)
-    inside = shapely.contains_xy(outline, x, y)
-    return bool(np.bincount(roof[inside]).max(where=np.isin(np.arange(roof[inside].max(initial=0) + 1), numbers),
-                                              initial=0) >= LOST_AREA * inside.sum() / outline.area)
-
-
-def _cell_heights(grid: Grid, x: np.ndarray, y: np.ndarray, z: np.ndarray) -> np.ndarray:
-    """Mean height of the points in each cell, NaN where there are none."""
-    row, column, inside = grid.cells(x, y)
-    cell = (row * grid.columns + column)[inside]
-    size = grid.rows * grid.columns
-    count = np.bincount(cell, minlength=size)
-    total = np.bincount(cell, weights=z[inside], minlength=size)
-    mean = np.full(size, np.nan)
-    np.divide(total, count, out=mean, where=count > 0)
-    return mean.reshape(grid.shape)
 
 
 def roof_height(z: np.ndarray, parameters: PolygonParameters) -> float:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 
 import numpy as np
@@ -80,5 +79,5 @@ def _divided(building: RoofedBuilding, parameters: PolygonParameters) -> RoofPol
         height = float((np.array(flat.centroid.coords[0]) - found.origin) @ plane[:2] + plane[2])
         top = float(z.max()) if len(z) else height
         table.add(building.number, DrawnRoof(roof_id, polygon, top if parameters.height == MAXIMUM else height, top, z,
-                                             status, coverage, math.nan, plane, off))
+                                             status, coverage, plane, off))
     return table

@@ -61,7 +61,7 @@ class DrawnRoof:
     height, top : robust height, and that of the highest point, m.
     z : heights of the roof's points over the polygon, m.
     status : words.
-    coverage, boundary_rms : see `RoofPolygons`.
+    coverage : see `RoofPolygons`.
     plane : slopes (m a m) east and north, and height of a sloped roof.
     off : distances of the points from that plane, m.
     """
@@ -73,7 +73,6 @@ class DrawnRoof:
     z: np.ndarray
     status: str
     coverage: float = math.nan
-    boundary_rms: float = math.nan
     plane: np.ndarray | None = None
     off: np.ndarray | None = None
 
@@ -106,7 +105,6 @@ class RoofPolygons:
     points, density : roof points over the polygon, and a m2 of it.
     rmse : root mean square height difference of these points to `height`.
     coverage : share of the polygon's area with roof points.
-    boundary_rms : of its inner edges to the points'.
     slope, azimuth : degrees, of the roof plane to the level, and where it falls to, clockwise from north (NaN: level).
     status : words.
     """
@@ -120,7 +118,6 @@ class RoofPolygons:
     density: list = field(default_factory=list)
     rmse: list = field(default_factory=list)
     coverage: list = field(default_factory=list)
-    boundary_rms: list = field(default_factory=list)
     slope: list = field(default_factory=list)
     azimuth: list = field(default_factory=list)
     status: list = field(default_factory=list)
@@ -134,5 +131,5 @@ class RoofPolygons:
         """Append a polygon of a building."""
         self.extend(RoofPolygons(
             [roof.polygon], [number], [roof.roof_id], [roof.height], [roof.top], [len(roof.z)],
-            [len(roof.z) / roof.polygon.area], [roof.rmse], [roof.coverage], [roof.boundary_rms], [roof.slope],
+            [len(roof.z) / roof.polygon.area], [roof.rmse], [roof.coverage], [roof.slope],
             [roof.azimuth], [roof.status]))
