@@ -35,7 +35,7 @@ from .planes.roof_type import roof_type
 from .quality import ModelFit, height_differences, model_fit, surface_distances, unexplained_points
 from .roof_polygons.polygon_rows import LEVELS_BETTER
 from .seen.seen_roofs import SeenRoofs, seen_roofs, unseen_share
-from .solids.level_solids import checked_level_solids
+from .solids.solid import checked_level_solids
 
 LEVEL_LOD, SLOPED_LOD = "1.3", "2.2"
 

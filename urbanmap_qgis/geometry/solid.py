@@ -30,8 +30,7 @@ class Solid:
     surface_type : of each face: "roof", "outer wall", "inner wall", "ground" or "overhang".
     roof_id : of each face: the roof, or for a wall the roof whose edge is its upper one; None for the ground.
     mended_nodes : plan nodes where a corner of about 1 cm was moved between cells to keep the solid valid.
-    levelled_roofs : cells that got a neighbour's height, because their corners were too sharp for that.
-    unrepaired_nodes : nodes where neither could be done: the solid is not valid there.
+    unrepaired_nodes : nodes whose corners were too sharp for that: the solid is not valid there.
     raised_roofs : roofs at or below the base, put at the least height above it.
     """
 
@@ -40,7 +39,6 @@ class Solid:
     surface_type: tuple[str, ...]
     roof_id: tuple[Hashable, ...]
     mended_nodes: int = 0
-    levelled_roofs: int = 0
     unrepaired_nodes: int = 0
     raised_roofs: int = 0
 

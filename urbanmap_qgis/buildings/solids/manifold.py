@@ -53,42 +53,6 @@ class _Repair:
     narrowest: float
 
 
-@dataclass(frozen=True)
-class PlanRepair:
-    """What was done to a plan: nodes with cut corners, cells levelled with a neighbour, nodes left as they were."""
-
-    cut_nodes: int
-    levelled_cells: int
-    unrepaired_nodes: int
-
-
-def repair_plan(edges: HalfEdges, heights: list[int], base: int) -> PlanRepair:
-    """Cut corners until the heights round every node have one top and one bottom.
-
-    Where corners are too sharp to be cut, the cells that cost the least volume get a neighbour's height.
-
-    Parameters
-    ----------
-    edges : half edges of one connected part; changed in place.
-    heights : height of each cell, changed in place.
-    `base` : height of what lies outside (same unit).
-    """
-    def level(cell: int, _node: int) -> int:
-        return heights[cell]
-
-    cut = levelled = 0
-    unrepaired: list[int] = []
-    # Each round levels a cell, so more rounds than cells would only move heights to and fro.
-    for _ in heights:
-        done, unrepaired = cut_corners(edges, level, base)
-        cut += done
-        changed = _level(edges, unrepaired, heights, base) if unrepaired else 0
-        levelled += changed
-        if not changed:
-            break
-    return PlanRepair(cut, levelled, len(unrepaired))
-
-
 def cut_corners(edges: HalfEdges, height: Height, base: int) -> tuple[int, list[int]]:
     """Cut corners at every node where heights rise twice; return how many, and the nodes where none could be.
 
@@ -108,33 +72,6 @@ def cut_corners(edges: HalfEdges, height: Height, base: int) -> tuple[int, list[
             done += 1
             around = _neighbours(edges)
     return done, failed
-
-
-def _level(edges: HalfEdges, nodes: list[int], heights: list[int], base: int) -> int:
-    """Give the cells of one repair the height they would have got corners of; return their number, 0 if none can."""
-    area = _areas(edges)
-    around = _neighbours(edges)
-    ways = []
-    for node in nodes:
-        for repair in _possible_repairs(_corners(edges, node, around[node], lambda cell, _: heights[cell], base)):
-            cells = sorted({corner.cell for corner in repair.corners})
-            if repair.target != OUTSIDE and OUTSIDE not in cells:
-                cost = sum(area[cell] * abs(heights[cell] - heights[repair.target]) for cell in cells)
-                ways.append((cost, cells, heights[repair.target]))
-    if not ways:
-        return 0
-    _, cells, height = min(ways)
-    for cell in cells:
-        heights[cell] = height
-    return len(cells)
-
-
-def _areas(edges: HalfEdges) -> dict[int, int]:
-    """Twice the area of each cell, lattice units."""
-    area: dict[int, int] = {}
-    for (a, b), cell in edges.cell.items():
-        area[cell] = area.get(cell, 0) + edges.x[a] * edges.y[b] - edges.x[b] * edges.y[a]
-    return area
 
 
 def _neighbours(edges: HalfEdges) -> dict[int, set[int]]:

@@ -80,7 +80,7 @@ class _SlopedFaces(FaceCollector):
         self._walls()
         vertices = self.vertices()
         faces, types, ids = self._flat_faces(vertices)
-        return Solid(vertices, tuple(faces), tuple(types), tuple(ids), cut, 0, len(unrepaired), raised)
+        return Solid(vertices, tuple(faces), tuple(types), tuple(ids), cut, len(unrepaired), raised)
 
     def _height(self, cell: int, node: int) -> int:
         """Height of a cell's plane at a node, lattice units."""
