@@ -97,7 +97,7 @@ def test_nodes_that_move_onto_each_other_are_one():
     polygons = [shapely.Polygon([(0, 2), (4, 2), (4.06, 2), (8, 2), (8, 4), (0, 4)]),
                 shapely.Polygon([(0, 0), (4, 0), (4, 2), (0, 2)]),
                 shapely.Polygon([(4, 0), (8, 0), (8, 2), (4.06, 2), (4, 2)])]
-    edges = {tuple(sorted(pair)) for polygon in meeting_polygons(polygons, planes)[0]
+    edges = {tuple(sorted(pair)) for polygon in meeting_polygons(polygons, planes)
              for ring in (shapely.get_coordinates(polygon).round(6).tolist(),)
              for pair in zip(map(tuple, ring), map(tuple, ring[1:]))}
     assert min(np.hypot(*np.subtract(*pair)) for pair in edges) > 0.001
@@ -115,46 +115,3 @@ def test_planes_that_one_plane_fits_as_well_are_one():
     assert np.hypot(*(planes[2, :2] - planes[0, :2])) > 0.06
     for plane, heights, own in zip(planes, z, xy):
         assert np.sqrt(np.mean((own @ plane[:2] + plane[2] - heights) ** 2)) < 0.02 + 0.03
-
-
-def _pyramid(tops: list[float]) -> tuple[list[shapely.Polygon], np.ndarray]:
-    """Four slopes over a square of 8 m with eaves at 3 m, which reach its middle at heights of their own (m)."""
-    corners = [(0.0, 0.0), (8.0, 0.0), (8.0, 8.0), (0.0, 8.0)]
-    polygons = [shapely.Polygon([corners[side], corners[(side + 1) % 4], (4.0, 4.0)]) for side in range(4)]
-    rise = (np.array(tops) - 3.0) / 4.0
-    planes = np.array([[0.0, rise[0], 3.0], [-rise[1], 0.0, 3.0 + 8 * rise[1]], [0.0, -rise[2], 3.0 + 8 * rise[2]],
-                       [rise[3], 0.0, 3.0]])
-    return polygons, planes
-
-
-@pytest.mark.parametrize("tops", [[6.0, 6.0, 6.0, 6.0], [6.0, 6.03, 6.04, 5.98], [4.0, 4.02, 4.04, 4.045]])
-def test_planes_give_way_where_no_move_of_a_node_lets_them_meet(tops):
-    """Slopes of a hipped roof that miss each other by centimetres: four flat roofs, none bent into triangles."""
-    polygons, planes = _pyramid(tops)
-    made, met = meeting_polygons(polygons, planes)
-    inner = [z for polygon in made for x, y, z in shapely.get_coordinates(polygon, include_z=True)
-             if 2.0 < x < 6.0 and 2.0 < y < 6.0]
-    assert len(inner) >= 4 and np.ptp(inner) < 1e-3
-    for polygon, plane, given in zip(made, met, planes):
-        x, y, z = shapely.get_coordinates(polygon, include_z=True).T
-        assert np.abs(plane[0] * x + plane[1] * y + plane[2] - z).max() < 1e-9
-        assert np.abs(np.column_stack([x, y, np.ones(len(x))]) @ (plane - given)).max() < 0.05
-    solid, = sloped_solids([SlopedCell(shapely.force_2d(polygon), row, tuple(plane))
-                            for row, (polygon, plane) in enumerate(zip(made, met))], 0.0)
-    assert check_solid(solid) == () and len(roofs_of(solid)) == 4
-
-
-def test_planes_far_from_each_other_at_a_node_stay_as_they_are():
-    polygons, planes = _pyramid([6.0, 6.3, 6.6, 6.9])
-    assert (meeting_polygons(polygons, planes)[1] == planes).all()
-
-
-def test_a_level_roof_stays_level_where_slopes_meet_it():
-    """Three slopes and a level roof, which miss each other by centimetres where they meet."""
-    polygons, planes = _pyramid([6.0, 6.0, 6.04, 6.01])
-    planes[1] = 0.0, 0.0, 6.03
-    made, met = meeting_polygons(polygons, planes)
-    assert (met[1, :2] == 0).all() and 0 < abs(met[1, 2] - 6.03) < 0.05
-    solid, = sloped_solids([SlopedCell(shapely.force_2d(polygon), row, tuple(plane))
-                            for row, (polygon, plane) in enumerate(zip(made, met))], 0.0)
-    assert check_solid(solid) == () and len(roofs_of(solid)) == 4

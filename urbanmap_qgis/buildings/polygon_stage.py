@@ -12,25 +12,17 @@ import shapely
 from ..execution import checkpoint, in_order
 from ..io.points.pointcloud import PointCloud, PointLayout
 from ..progress import SILENT, Progress
-from ..settings.buildings import PARTITION, PLANES, POINTS, PolygonParameters
+from ..settings.buildings import POINTS, PolygonParameters
 from .building_points import coordinates, iter_building_blocks, require_dimension
 from .outlines.footprint import Footprints
 from .roof_polygons.building_polygons import roof_polygons_or_block
 from .roof_polygons.polygon_rows import RoofedBuilding, RoofPolygons
-from .roof_polygons.row_planes import HousePlanes, row_planes, touching_pairs
 
 SEGMENT_ROOFS = "Segment roofs"
 
 
-@dataclass(frozen=True)
-class PolygonStageLimits:
-    """Limits of polygon stage, each with its unit."""
-
-    # Distance (m) within which other outlines are neighbours that a building's own may not cross.
-    party_wall_reach: float = 3.0
-
-
-LIMITS = PolygonStageLimits()
+PARTY_WALL_REACH = 3.0
+"""Distance (m) within which other outlines are neighbours that a building's own may not cross."""
 
 
 @dataclass(frozen=True)
@@ -42,17 +34,15 @@ class PolygonBlock:
     records: list[np.ndarray]
     polygons: np.ndarray
     neighbours: list[list[shapely.Geometry]]
-    planes: list[np.ndarray | None]
     parameters: PolygonParameters
 
     def buildings(self) -> Iterator[RoofedBuilding]:
         """The buildings that have an outline and points."""
-        for number, outline, beside, planes, records in zip(self.ids.tolist(), self.polygons, self.neighbours,
-                                                            self.planes, self.records):
+        for number, outline, beside, records in zip(self.ids.tolist(), self.polygons, self.neighbours, self.records):
             checkpoint()
             if outline is not None and len(records):
                 yield RoofedBuilding(number, outline, np.column_stack(coordinates(self.layout, records)),
-                                     records["roof_id"].astype(np.int64), tuple(beside), planes=planes)
+                                     records["roof_id"].astype(np.int64), tuple(beside))
 
 
 def cloud_roof_polygons(cloud: PointCloud, footprints: Footprints, parameters: PolygonParameters | None = None,
@@ -65,73 +55,23 @@ def cloud_roof_polygons(cloud: PointCloud, footprints: Footprints, parameters: P
     for name in ("building_id", "roof_id"):
         require_dimension(cloud, name, SEGMENT_ROOFS)
     parameters = parameters or PolygonParameters()
-    planes: list[np.ndarray | None] = [None] * len(footprints)
-    if (parameters.method, parameters.roofs) == (PARTITION, PLANES):
-        planes = _planes_of_rows(cloud, footprints, executor, progress.part(0.0, 0.2))
     table, done = RoofPolygons(), 0
-    blocks = _blocks(cloud, footprints, planes, parameters, progress.part(0.2, 0.4))
+    blocks = _blocks(cloud, footprints, parameters, progress.part(0.0, 0.3))
     for count, part in in_order(_block_polygons, blocks, executor, progress.check):
         table.extend(part)
         done += count
-        progress.part(0.4, 1.0).step(done / len(footprints))
+        progress.part(0.3, 1.0).step(done / len(footprints))
     return table
 
 
-def _planes_of_rows(cloud: PointCloud, footprints: Footprints, executor: Executor | None,
-                    progress: Progress) -> list[np.ndarray | None]:
-    """Planes (k, 3) of each building that shares a wall with one whose roof goes on, see `row_planes`."""
-    pairs = touching_pairs(footprints.polygons)
-    planes: list[np.ndarray | None] = [None] * len(footprints)
-    if not len(pairs):
-        return planes
-    rows = np.unique(pairs)
-    layout = PointLayout(cloud)
-    houses: list[HousePlanes | None] = [None] * len(footprints)
-    blocks = (HouseBlock(layout, rows[members], records, footprints.polygons[rows[members]])
-              for members, records in iter_building_blocks(cloud, layout, footprints.ids[rows], progress,
-                                                           shape_only=True))
-    for members, part in in_order(_block_houses, blocks, executor, progress.check):
-        for row, house in zip(members.tolist(), part):
-            houses[row] = house
-    return row_planes(houses, footprints.polygons, pairs)
-
-
-@dataclass(frozen=True)
-class HouseBlock:
-    """Buildings that touch others, and their points: `rows` of the outlines."""
-
-    layout: PointLayout
-    rows: np.ndarray
-    records: list[np.ndarray]
-    polygons: np.ndarray
-
-
-def _block_houses(block: HouseBlock) -> tuple[np.ndarray, list[HousePlanes | None]]:
-    """Rows of a block's buildings, and what a row of houses needs of each.
-
-    None where that fails: `partition_planes` begins with the same work, fails at it again and gives the building its
-    status; the row does without it.
-    """
-    houses: list[HousePlanes | None] = []
-    for outline, records in zip(block.polygons, block.records):
-        checkpoint()
-        try:
-            houses.append(HousePlanes.of(outline, np.column_stack(coordinates(block.layout, records)),
-                                         records["roof_id"].astype(np.int64)))
-        except Exception:  # one building's trouble is not the others'
-            houses.append(None)
-    return block.rows, houses
-
-
-def _blocks(cloud: PointCloud, footprints: Footprints, planes: list[np.ndarray | None],
-            parameters: PolygonParameters, progress: Progress) -> Iterator[PolygonBlock]:
+def _blocks(cloud: PointCloud, footprints: Footprints, parameters: PolygonParameters,
+            progress: Progress) -> Iterator[PolygonBlock]:
     """The cloud's buildings, some at a time."""
     layout = PointLayout(cloud)
     beside = _neighbours(footprints.polygons) if parameters.method == POINTS else None
     for rows, records in iter_building_blocks(cloud, layout, footprints.ids, progress, shape_only=True):
         yield PolygonBlock(layout, footprints.ids[rows], records, footprints.polygons[rows],
-                           [beside[row] for row in rows] if beside else [[]] * len(rows),
-                           [planes[row] for row in rows], parameters)
+                           [beside[row] for row in rows] if beside else [[]] * len(rows), parameters)
 
 
 def _block_polygons(block: PolygonBlock) -> tuple[int, RoofPolygons]:
@@ -145,7 +85,7 @@ def _block_polygons(block: PolygonBlock) -> tuple[int, RoofPolygons]:
 def _neighbours(polygons: np.ndarray) -> list[list[shapely.Geometry]]:
     """Outlines near each outline, itself left out."""
     tree = shapely.STRtree(polygons)
-    one, other = tree.query(polygons, "dwithin", LIMITS.party_wall_reach)
+    one, other = tree.query(polygons, "dwithin", PARTY_WALL_REACH)
     beside: list[list[shapely.Geometry]] = [[] for _ in polygons]
     for row, near in sorted(zip(one.tolist(), other.tolist())):
         if row != near:

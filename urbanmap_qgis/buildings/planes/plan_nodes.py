@@ -9,7 +9,6 @@ import shapely
 
 from ...geometry.tolerances import UNITS
 from ..solids.half_edges import HalfEdges, half_edges, trace_rings
-from .meeting_planes import adjust_meeting
 
 
 @dataclass(frozen=True)
@@ -28,11 +27,8 @@ FARTHEST = 0.25
 """A node is moved no farther than this, m."""
 
 
-def meeting_polygons(polygons: list[shapely.Polygon],
-                     planes: np.ndarray) -> tuple[list[shapely.Polygon], np.ndarray]:
-    """Polygons with z at their planes' heights, their common nodes moved to where the planes meet, and these planes.
-
-    Where a node cannot be moved to where all planes meet that nearly do, the planes are changed by up to 5 cm.
+def meeting_polygons(polygons: list[shapely.Polygon], planes: np.ndarray) -> list[shapely.Polygon]:
+    """Polygons with z at their planes' heights, their common nodes moved to where the planes meet.
 
     Parameters
     ----------
@@ -43,14 +39,8 @@ def meeting_polygons(polygons: list[shapely.Polygon],
     edges = _collapsed(edges) or edges
     _move_nodes(edges, planes)
     edges = _collapsed(edges) or edges  # nodes that moved onto each other
-    shapes, met = _shapes(edges, len(polygons)), planes
-    changed = adjust_meeting(edges, planes) if shapes is not None else None
-    if changed is not None:
-        adjusted = _shapes(_collapsed(edges) or edges, len(polygons))
-        shapes, met = (shapes, planes) if adjusted is None else (adjusted, changed)
-    if shapes is None:
-        shapes = polygons  # moving its nodes would fold this plan: steps of some centimetres stay
-    return [_lifted(shape, plane) for shape, plane in zip(shapes, met)], met
+    shapes = _shapes(edges, len(polygons)) or polygons  # where moving its nodes would fold this plan, small steps stay
+    return [_lifted(shape, plane) for shape, plane in zip(shapes, planes)]
 
 
 def _shapes(edges: HalfEdges, count: int) -> list[shapely.Polygon] | None:

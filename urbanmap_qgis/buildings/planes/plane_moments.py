@@ -26,15 +26,6 @@ def moments_of(points: np.ndarray) -> np.ndarray:
     return np.array([len(x), x.sum(), y.sum(), z.sum(), x @ x, x @ y, y @ y, x @ z, y @ z, z @ z])
 
 
-def shifted(m: np.ndarray, off: np.ndarray) -> np.ndarray:
-    """Moments (k, 10) of the same points moved in plan by `off` (2,), m."""
-    n, x, y, z = m[:, :4].T
-    dx, dy = off
-    return np.column_stack([n, x + n * dx, y + n * dy, z, m[:, 4] + dx * (2 * x + n * dx),
-                            m[:, 5] + dx * y + dy * (x + n * dx), m[:, 6] + dy * (2 * y + n * dy),
-                            m[:, 7] + dx * z, m[:, 8] + dy * z, m[:, 9]])
-
-
 def mean_square(m: np.ndarray, plane: np.ndarray) -> float:
     """Mean square height error of a plane (3,) at the points of moments (10,), m2."""
     a, b, c = plane

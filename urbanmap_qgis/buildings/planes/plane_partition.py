@@ -58,45 +58,6 @@ class PlanePartition:
     status: str
 
 
-@dataclass(frozen=True, eq=False)
-class PlanePoints:
-    """A building's points on planes, on a local origin.
-
-    Attributes
-    ----------
-    origin : x and y, m: the south-west corner of the outline's box, in whole metres.
-    xyz : (n, 3) points, m.
-    numbers : (k,) of the planes, ascending.
-    plane : (n,) row of each point's plane, -1 on none.
-    """
-
-    origin: np.ndarray
-    xyz: np.ndarray
-    numbers: np.ndarray
-    plane: np.ndarray
-
-    @classmethod
-    def of(cls, outline: shapely.Geometry, points: np.ndarray, roof: np.ndarray) -> PlanePoints:
-        """Points as `partition_planes` takes them."""
-        origin = np.floor(outline.bounds[:2])
-        numbers, rows = np.unique(roof[roof > 0], return_inverse=True)
-        plane = np.full(len(roof), -1)
-        plane[roof > 0] = rows.ravel()
-        return cls(origin, points - np.array([*origin, 0.0]), numbers, plane)
-
-    @property
-    def moments(self) -> np.ndarray:
-        """Moments (k, 10) of the planes' points."""
-        return moments(self.xyz, self.plane, len(self.numbers))
-
-
-def building_axes(edges: np.ndarray) -> np.ndarray:
-    """Unit vectors (d, 2) of the main directions of edges (n, 2) of outlines, and across them."""
-    angle = np.radians(main_directions(edges))
-    return np.concatenate([np.column_stack([np.cos(angle), np.sin(angle)]),
-                           np.column_stack([-np.sin(angle), np.cos(angle)])])
-
-
 def partition_planes(outline: shapely.Geometry, points: np.ndarray, roof: np.ndarray,
                      planes: np.ndarray | None = None) -> PlanePartition:
     """Divide an outline among the planes of the points in and round it.
@@ -106,24 +67,33 @@ def partition_planes(outline: shapely.Geometry, points: np.ndarray, roof: np.nda
     outline : Polygon or MultiPolygon, courtyards as holes, m.
     points : (n, 3) of the building, m.
     roof : (n,) number of the plane of each, 0 = none; at least one has a plane.
-    planes : (k, 3) where they are known already, as `PlanePoints` numbers them and on its origin.
+    planes : (k, 3) in the order of their numbers where they are known already, on the south-west corner of the
+        outline's box, in whole metres.
     """
-    found = PlanePoints.of(outline, points, roof)
-    origin, points, numbers, of_point = found.origin, found.xyz, found.numbers, found.plane
+    origin = np.floor(outline.bounds[:2])
+    numbers, rows = np.unique(roof[roof > 0], return_inverse=True)
+    of_point = np.full(len(roof), -1)
+    of_point[roof > 0] = rows.ravel()
+    points = points - np.array([*origin, 0.0])
     local = shapely.transform(shapely.force_2d(outline), lambda c: c - origin)
     if planes is None:
-        planes = regular_planes(found.moments, building_axes(edge_rows(local)[:, 2:]))
+        planes = regular_planes(moments(points, of_point, len(numbers)), _axes(edge_rows(local)[:, 2:]))
     density = max(np.count_nonzero(of_point >= 0) / local.area, 0.3)
     raster = label_raster(points, of_point, local, density)
     step = -(-len(points) // LIMITS.most_points)
     polygons, labels, planes, number = _divided(local, raster, planes, points[::step], of_point[::step])
-    numbers = numbers[number]
-    lifted, met = meeting_polygons(polygons, planes[labels])
     shift = np.array([*origin, 0.0])
     moved = tuple(shapely.set_coordinates(polygon, shapely.get_coordinates(polygon, include_z=True) + shift)
-                  for polygon in lifted)
+                  for polygon in meeting_polygons(polygons, planes[labels]))
     status = ONE_PLANE if len(planes) == 1 else OK
-    return PlanePartition(moved, numbers[labels], met, origin, _coverage(raster, polygons), status)
+    return PlanePartition(moved, numbers[number][labels], planes[labels], origin, _coverage(raster, polygons), status)
+
+
+def _axes(edges: np.ndarray) -> np.ndarray:
+    """Unit vectors (d, 2) of the main directions of edges (n, 2) of outlines, and across them."""
+    angle = np.radians(main_directions(edges))
+    return np.concatenate([np.column_stack([np.cos(angle), np.sin(angle)]),
+                           np.column_stack([-np.sin(angle), np.cos(angle)])])
 
 
 def _divided(outline: shapely.Geometry, raster: LabelRaster, planes: np.ndarray, points: np.ndarray,

@@ -63,7 +63,7 @@ def _tilted_by_few(planes: RoofPolygons) -> bool:
 def _divided(building: RoofedBuilding, parameters: PolygonParameters) -> RoofPolygons:
     """Rows of the polygons of a building's roof planes."""
     xyz, roof = building.xyz, building.roof
-    found, table = partition_planes(building.outline, xyz, roof, building.planes), RoofPolygons()
+    found, table = partition_planes(building.outline, xyz, roof), RoofPolygons()
     lost = has_lost_plane(found.polygons, found.roof_numbers, xyz, roof, building.density, LOST_AREA)
     status = building.stated(LOST_ROOFS if lost else found.status)
     order = np.argsort(roof, kind="stable")

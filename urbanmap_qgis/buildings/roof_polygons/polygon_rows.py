@@ -25,7 +25,6 @@ class RoofedBuilding:
     roof : (n,) number of each point's roof, 0 on none.
     neighbours : outlines beside it.
     status : words on the outline, empty for none.
-    planes : (k, 3) of its roofs where neighbours have part in them, see `partition_planes`.
     """
 
     number: int
@@ -34,7 +33,6 @@ class RoofedBuilding:
     roof: np.ndarray
     neighbours: tuple[shapely.Geometry, ...] = ()
     status: str = ""
-    planes: np.ndarray | None = None
 
     def stated(self, words: str) -> str:
         """Words on the roofs, with those on the outline behind them."""
