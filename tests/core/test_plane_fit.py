@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from urbanmap_qgis.facades import plane_fit
 from urbanmap_qgis.facades.plane_fit import pass_numbers, robust_plane
 
 SIDE = np.array([0.0, -1.0, 0.0])
@@ -86,22 +85,3 @@ def test_pass_numbers_follow_time_not_order():
 
 def test_too_few_points_give_no_plane():
     assert robust_plane(np.zeros((9, 3)), np.zeros(9), SIDE) is None
-
-
-@pytest.mark.parametrize("upright", [True, False])
-@pytest.mark.parametrize("count", [12, 201, 20_001])
-def test_columns_of_points_give_the_plane_of_their_rows(upright, count, monkeypatch):
-    points, weights = points_of(np.random.default_rng(8), count), np.random.default_rng(9).random(count)
-    columns = plane_fit._plane_of_columns(np.ascontiguousarray(points.T), weights, upright)
-    monkeypatch.setattr(plane_fit, "LIMITS", plane_fit.PlaneFitLimits(few=10**9))
-    rows = plane_fit.least_squares_plane(points, weights, upright)
-    assert columns[0] == pytest.approx(rows[0], abs=1e-9)
-    assert np.abs(columns[1] @ rows[1]) == pytest.approx(1.0, abs=1e-12)
-    assert np.abs(np.cross(columns[1], rows[1])).max() < 1e-9
-
-
-@pytest.mark.parametrize("count", [1, 2, 9, 10, 2001, 2002])
-def test_a_median_from_a_guess_is_the_median(count):
-    values = np.round(np.random.default_rng(count).normal(0, 1, count), 2)  # with equal ones
-    for guess, reach in ((0.0, 0.5), (0.0, 0.01), (3.0, 0.1), (0.0, 9.0), (0.0, np.inf), (np.inf, np.inf)):
-        assert plane_fit.median_near(values, guess, reach) == np.median(values)

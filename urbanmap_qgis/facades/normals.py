@@ -6,7 +6,6 @@ is the normal. All points of a voxel share it.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -25,7 +24,6 @@ class NormalsLimits:
     # The extent of a flat neighbourhood across is at most this share of its second extent (standard deviations).
     flat: float = 0.2
     rounding: float = 1e-9  # Of variances, m2.
-    dense: int = 10  # Cells of a box for each number of one up to which a table of all beats sorting.
 
 
 LIMITS = NormalsLimits()
@@ -107,8 +105,7 @@ class _Cells:
         low = points.min(axis=0)
         index = np.floor((points - low) / size).astype(np.int64) + 1
         shape = index.max(axis=0) + 2
-        codes, of_point, count = numbered_cells((index[:, 0] * shape[1] + index[:, 1]) * shape[2] + index[:, 2],
-                                                int(shape.prod()))
+        codes, of_point, count = numbered_cells((index[:, 0] * shape[1] + index[:, 1]) * shape[2] + index[:, 2])
         index = np.column_stack([codes // (shape[1] * shape[2]), codes // shape[2] % shape[1], codes % shape[2]])
         beside = _beside(codes, shape)
         support = count.copy()
@@ -119,11 +116,10 @@ class _Cells:
 
 def _beside(codes: np.ndarray, shape: np.ndarray) -> list[tuple[tuple[int, int, int], np.ndarray, np.ndarray]]:
     """`_Cells.beside` of voxels by their codes; who has another on one side is on the other side of that."""
-    find = _places(codes, int(shape.prod()))
     first = []
     for direction in _DIRECTIONS[:len(_DIRECTIONS) // 2]:
         dx, dy, dz = direction
-        first.append((direction, *find(codes + (dx * shape[1] + dy) * shape[2] + dz)))
+        first.append((direction, *_found(codes, codes + (dx * shape[1] + dy) * shape[2] + dz)))
     return first + [((-dx, -dy, -dz), place, found) for (dx, dy, dz), found, place in reversed(first)]
 
 
@@ -145,34 +141,17 @@ def _voxels(points: np.ndarray, cells: _Cells) -> NormalVoxels:
                         thickness, extent, support)
 
 
-def numbered_cells(code: np.ndarray, most: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def numbered_cells(code: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Different codes (v,) ascending, the place among them of each (n,), and how often they come (v,)."""
-    if most > LIMITS.dense * len(code):
-        codes, place, count = np.unique(code, return_inverse=True, return_counts=True)
-        return codes, place.ravel(), count
-    number = np.bincount(code, minlength=most)
-    codes = np.flatnonzero(number)
-    count = number[codes]
-    number[codes] = np.arange(len(codes))
-    return codes, number[code], count
+    codes, place, count = np.unique(code, return_inverse=True, return_counts=True)
+    return codes, place.ravel(), count
 
 
-def _places(codes: np.ndarray, most: int) -> Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]:
-    """What finds codes (m,) among ascending `codes`: which were found, and their places."""
-    if most > LIMITS.dense * 10 * len(codes):
-        def search(wanted: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-            place = np.minimum(np.searchsorted(codes, wanted), len(codes) - 1)
-            found = np.flatnonzero(codes[place] == wanted)
-            return found, place[found]
-        return search
-    table = np.full(most, -1, np.int32)
-    table[codes] = np.arange(len(codes))
-
-    def look(wanted: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        place = table[wanted]
-        found = np.flatnonzero(place >= 0)
-        return found, place[found]
-    return look
+def _found(codes: np.ndarray, wanted: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Which of the codes (m,) wanted are among ascending `codes`, and their places there."""
+    place = np.minimum(np.searchsorted(codes, wanted), len(codes) - 1)
+    found = np.flatnonzero(codes[place] == wanted)
+    return found, place[found]
 
 
 def _neighbourhood_axes(cells: _Cells, sums: np.ndarray):

@@ -20,8 +20,6 @@ class PlaneFitLimits:
     # Points within a square of this side (m) share their errors: the accuracy counts squares, not points.
     block: float = 1.0
     pass_gap: float = 20.0  # Seconds without a point between two passes.
-    few: int = 200  # Points up to which all products at a time are quicker than one at a time.
-    bracket: float = 0.3  # Noises on each side of the last median within which the next one is looked for first.
 
 
 LIMITS = PlaneFitLimits()
@@ -63,7 +61,7 @@ class WallPlane:
         """Unit vectors (3,) in the plane: level (to the right seen from in front) and up."""
         along = np.array([-self.normal[1], self.normal[0], 0.0])
         along /= np.linalg.norm(along)
-        return along, cross(self.normal, along)
+        return along, np.cross(self.normal, along)
 
     @property
     def tilt(self) -> float:
@@ -73,12 +71,6 @@ class WallPlane:
     def flipped(self) -> WallPlane:
         """The same plane, seen from the other side."""
         return WallPlane(self.point, -self.normal, self.rmse, self.sigma, self.points, self.passes, self.pass_spread)
-
-
-def cross(first: np.ndarray, second: np.ndarray) -> np.ndarray:
-    """Cross product (3,) of two vectors: what `numpy.cross` gives, which takes ten times as long for one pair."""
-    (a, b, c), (u, v, w) = first.tolist(), second.tolist()
-    return np.array([b * w - c * v, c * u - a * w, a * v - b * u])
 
 
 def component(vectors: np.ndarray, direction: np.ndarray) -> np.ndarray:
@@ -95,20 +87,7 @@ def component(vectors: np.ndarray, direction: np.ndarray) -> np.ndarray:
 
 def least_squares_plane(points: np.ndarray, weights: np.ndarray, upright: bool) -> tuple[np.ndarray, np.ndarray]:
     """Centroid (3,) and unit normal (3,) of the plane with the least weighted squares; level normal if `upright`."""
-    if len(points) > LIMITS.few:
-        return _plane_of_columns(np.ascontiguousarray(points.T), weights, upright)
-    centre = (weights[:, None] * points).sum(axis=0) / weights.sum()
-    away = points - centre
-    size = 2 if upright else 3
-    covariance = np.einsum("n,ni,nj->ij", weights, away[:, :size], away[:, :size])
-    normal = np.zeros(3)
-    normal[:size] = np.linalg.eigh(covariance)[1][:, 0]
-    return centre, normal
-
-
-def _plane_of_columns(columns: np.ndarray, weights: np.ndarray, upright: bool) -> tuple[np.ndarray, np.ndarray]:
-    """The same of many points (3, n) in a fraction of the time."""
-    middle, products = _products(columns, upright)
+    middle, products = _products(np.ascontiguousarray(points.T), upright)
     return _plane_of_products(middle, products, weights, upright)
 
 
@@ -171,27 +150,10 @@ def _solved(columns: np.ndarray, upright: bool, iterations: int) -> tuple[np.nda
     for _ in range(iterations):
         residual = _residual(products, centre - origin, normal)
         inliers = residual[np.abs(residual - middle) < LIMITS.tukey * scale]
-        before, reach = scale / SIGMA_OF_MAD, LIMITS.bracket * scale
-        middle = median_near(inliers, middle, reach)
-        scale = max(SIGMA_OF_MAD * median_near(np.abs(inliers - middle), before, reach), LIMITS.min_noise)
+        middle = float(np.median(inliers))
+        scale = max(SIGMA_OF_MAD * float(np.median(np.abs(inliers - middle))), LIMITS.min_noise)
         centre, normal = _plane_of_products(origin, products, _weights(residual, middle, scale), upright)
     return centre, normal, scale
-
-
-def median_near(values: np.ndarray, guess: float, reach: float) -> float:
-    """Median of values (n,), the same as `numpy.median`, quicker where it lies within `reach` of a guess.
-
-    Then only the values there need to be put in order; those below are counted.
-    """
-    low, high = guess - reach, guess + reach
-    if np.isfinite(high):
-        between = values[(values >= low) & (values <= high)]
-        first = (len(values) - 1) // 2 - int(np.count_nonzero(values < low))
-        last = first + 1 - len(values) % 2
-        if first >= 0 and last < len(between):
-            between.partition((first, last))
-            return float((between[first] + between[last]) / 2.0)
-    return float(np.median(values))
 
 
 def _described(columns: np.ndarray, time: np.ndarray, side: np.ndarray, centre: np.ndarray, normal: np.ndarray,
@@ -233,12 +195,11 @@ def _sigma(columns: np.ndarray, residual: np.ndarray, passes: np.ndarray, normal
     """Standard deviation of a plane's place, and of its place between passes."""
     level = np.array([-normal[1], normal[0]]) / np.hypot(*normal[:2])
     beside = columns[0] * level[0] + columns[1] * level[1]
-    code, most = np.zeros(len(residual), np.int64), 1
+    code = np.zeros(len(residual), np.int64)
     for place in (np.floor(beside / LIMITS.block), np.floor(columns[2] / LIMITS.block), passes):
         place = (place - place.min()).astype(np.int64)
-        size = int(place.max()) + 1
-        code, most = code * size + place, most * size
-    _, of, count = numbered_cells(code, most)
+        code = code * (int(place.max()) + 1) + place
+    _, of, count = numbered_cells(code)
     means = np.bincount(of, residual) / count
     full = count >= max(3, 0.1 * np.median(count))
     blocks = int(full.sum())

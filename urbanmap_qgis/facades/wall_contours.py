@@ -198,7 +198,7 @@ def contour_alpha(flat: np.ndarray) -> float:
     """Three times the spacing of points (n, 2) where they are thin: the sparsest tenth of the filled half metres."""
     place = np.floor((flat - flat.min(axis=0)) / 0.5).astype(np.int64)
     height = int(place[:, 1].max()) + 1
-    *_, count = numbered_cells(place[:, 0] * height + place[:, 1], (int(place[:, 0].max()) + 1) * height)
+    *_, count = numbered_cells(place[:, 0] * height + place[:, 1])
     spacing = 0.5 / math.sqrt(float(np.quantile(count, 0.2)))
     return float(np.clip(LIMITS.spacings * spacing, LIMITS.min_alpha, LIMITS.max_alpha))
 

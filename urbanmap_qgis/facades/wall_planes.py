@@ -19,7 +19,7 @@ from ..io.points.point_buckets import stable_order
 from ..progress import SILENT, Progress
 from ..settings.facades import DEFAULTS, PlaneSettings
 from .normals import NormalVoxels, voxel_normals
-from .plane_fit import WallPlane, component, cross, least_squares_plane, robust_plane
+from .plane_fit import WallPlane, component, least_squares_plane, robust_plane
 from .statistical_outliers import statistical_outliers
 
 _SEED_COSINE = np.cos(np.radians(25.0))
@@ -211,7 +211,7 @@ def _connected(seed: int, near: np.ndarray, mean: np.ndarray, facing: np.ndarray
     """Those of `near` that are connected with the seed in the plane over gaps up to `gap`, and their cells."""
     level = np.array([-facing[1], facing[0], 0.0])
     level /= np.linalg.norm(level)
-    axes = level, cross(facing, level)
+    axes = level, np.cross(facing, level)
     flat = np.column_stack([component(mean[near], axis) for axis in axes])
     cell = 1.5 * voxel
     pad = int(np.ceil(gap / cell)) + 1

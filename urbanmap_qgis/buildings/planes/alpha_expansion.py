@@ -20,12 +20,6 @@ from ...geometry.tolerances import LEAST_SQUARE
 _LARGEST = 2_000_000
 """Sum of the capacities at one node: whole numbers that 32 bits hold with room for their sums."""
 
-_SMALL = 400
-"""Nodes up to which a whole table of what is left of the capacities is made."""
-
-_FEW = 50
-"""Labels up to which a whole table of the faces that can have them costs less than a sparse one."""
-
 _SWEEPS = 4
 
 
@@ -71,9 +65,8 @@ def _independent(able: np.ndarray, pairs: np.ndarray) -> list[np.ndarray]:
     count, (one, two) = able.shape[1], pairs.T
     if able.all():
         return [np.array([alpha]) for alpha in range(count)]
-    able = able.astype(np.float32) if count <= _FEW else csr_matrix(able.astype(np.int32))
-    shared = able.T @ able + able[one].T @ able[two]
-    shared = (shared if count <= _FEW else shared.toarray()) > 0
+    able = csr_matrix(able.astype(np.int32))
+    shared = (able.T @ able + able[one].T @ able[two]).toarray() > 0
     shared |= shared.T
     turn = np.zeros(count, np.int64)
     for alpha in range(1, count):
@@ -225,14 +218,6 @@ def _cut(keep: np.ndarray, take: np.ndarray, group: np.ndarray, one: np.ndarray,
 
 def _reached(graph: csr_matrix, flow: csr_matrix, source: int) -> np.ndarray:
     """Mask of the nodes that are reached from the source where capacity is left."""
-    if graph.shape[0] <= _SMALL:  # whole tables cost less than sparse ones
-        left = graph.toarray() > flow.toarray()
-        reached = np.zeros(len(left), bool)
-        fresh = np.arange(len(left)) == source
-        while fresh.any():
-            reached |= fresh
-            fresh = left[fresh].any(axis=0) & ~reached
-        return reached
     left = graph - flow
     left.data = np.maximum(left.data, 0)
     left.eliminate_zeros()
