@@ -18,7 +18,7 @@ from urbanmap_qgis.progress import Progress
 
 
 def solids(footprint, roofs, heights, base=1.5):
-    return building_solids(partition_plan(footprint, roofs, heights, [f"r{i}" for i in range(len(roofs))]).cells, base)
+    return building_solids(partition_plan(footprint, roofs, heights, [f"r{i}" for i in range(len(roofs))]), base)
 
 
 def blocks():

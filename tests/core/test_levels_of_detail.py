@@ -15,7 +15,7 @@ from urbanmap_qgis.geometry.solid import OUTER_WALL, ROOF, Solid, multipolygon, 
 
 
 def blocks(plans, heights, base=0.0):
-    cells = partition_plan(None, plans, heights, list(range(1, len(plans) + 1)), limit="roofs").cells
+    cells = partition_plan(None, plans, heights, list(range(1, len(plans) + 1)))
     return building_solids(cells, base)
 
 

@@ -19,7 +19,7 @@ def house(name, x):
 def solids(x):
     footprint = box(x, 5e6, x + 12, 5e6 + 12) - box(x + 4, 5e6 + 4, x + 8, 5e6 + 8)
     roofs = [box(x, 5e6, x + 6, 5e6 + 12), box(x + 6, 5e6, x + 12, 5e6 + 12)]
-    return building_solids(partition_plan(footprint, roofs, [5, 9], ["a", "b"]).cells, 1.0)
+    return building_solids(partition_plan(footprint, roofs, [5, 9], ["a", "b"]), 1.0)
 
 
 def read(path):

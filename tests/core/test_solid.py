@@ -12,9 +12,9 @@ from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.geometry.solid import multipolygon, surfaces, volume
 
 
-def build(footprint, roofs, heights, base=0.0, **options):
-    partition = partition_plan(footprint, roofs, heights, list(range(len(roofs))), min_area=0, min_width=0, **options)
-    return building_solids(partition.cells, base), partition
+def build(footprint, roofs, heights, base=0.0):
+    cells = partition_plan(footprint, [roof & footprint for roof in roofs], heights, list(range(len(roofs))))
+    return building_solids(cells, base), cells
 
 
 def signed_volume(solid):
@@ -73,7 +73,7 @@ def test_known_plans(name, base):
     assert len(solids) == 1
     assert solids[0].mended_nodes == 0
     assert_sound(solids)
-    expected = sum(cell.polygon.area * (cell.height - base) for cell in partition.cells)
+    expected = sum(cell.polygon.area * (cell.height - base) for cell in partition)
     assert volume(solids[0]) == pytest.approx(expected, rel=1e-12)
     areas = areas_by_type(solids[0])
     assert areas["roof"] == pytest.approx(areas["ground"]) == pytest.approx(footprint.area)
@@ -109,7 +109,7 @@ def test_checkerboard_is_mended(angle):
     solids, partition = build(footprint, roofs, [9, 3, 8, 4])
     assert len(solids) == 1 and solids[0].mended_nodes == 1
     assert_sound(solids)
-    plain = sum(cell.polygon.area * cell.height for cell in partition.cells)
+    plain = sum(cell.polygon.area * cell.height for cell in partition)
     assert 0 < abs(volume(solids[0]) - plain) < 0.001
 
 
@@ -134,7 +134,7 @@ def test_many_roofs_meeting_in_a_point(seed):
         assert any(check_solid(solid) for solid in solids)
     else:
         assert_sound(solids)
-        expected = sum(cell.polygon.area * cell.height for cell in partition.cells)
+        expected = sum(cell.polygon.area * cell.height for cell in partition)
         assert sum(map(volume, solids)) == pytest.approx(expected, abs=0.1)
 
 
@@ -181,7 +181,7 @@ def test_random_partitions_are_valid(seed):
     turn = lambda shape: affinity.rotate(shape, angle, origin=(0, 0))  # noqa: E731
     solids, partition = build(turn(footprint), [turn(tile) for tile in tiles], heights)
     assert_sound(solids)
-    expected = sum(cell.polygon.area * cell.height for cell in partition.cells)
+    expected = sum(cell.polygon.area * cell.height for cell in partition)
     repairs = sum(solid.mended_nodes for solid in solids)
     assert sum(map(volume, solids)) == pytest.approx(expected, rel=1e-12, abs=0.01 * repairs)
 

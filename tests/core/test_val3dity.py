@@ -52,8 +52,8 @@ def test_every_solid_that_is_made_is_valid_by_val3dity(tmp_path):
     solids = []
     for seed in range(60):
         polygons, heights = random_plan(seed)
-        plan = partition_plan(None, polygons, heights, list(range(len(heights))), limit="roofs")
-        solids += building_solids(plan.cells, 0.0)
+        plan = partition_plan(None, polygons, heights, list(range(len(heights))))
+        solids += building_solids(plan, 0.0)
     assert not any(check_solid(solid) for solid in solids)
     assert all(judged(tmp_path, solids))
 
@@ -98,8 +98,8 @@ def test_what_val3dity_refuses_the_own_check_refuses(tmp_path, kind):
     cases = []
     for seed in range(40):
         polygons, heights = random_plan(100 + seed)
-        plan = partition_plan(None, polygons, heights, list(range(len(heights))), limit="roofs")
-        cases.append(damaged(building_solids(plan.cells, 0.0)[0], kind, rng))
+        plan = partition_plan(None, polygons, heights, list(range(len(heights))))
+        cases.append(damaged(building_solids(plan, 0.0)[0], kind, rng))
     theirs = judged(tmp_path, cases)
     ours = [not check_solid(case) for case in cases]
     assert not [i for i, (our, their) in enumerate(zip(ours, theirs)) if our and not their]

@@ -128,7 +128,7 @@ def test_models_off_by_half_a_metre_come_to_the_true_walls(found, truth, small_c
     for outline, row in zip(outlines, rows):
         moved = shapely.affinity.translate(shapely.force_2d(outline), 0.45, -0.3)
         plan = partition_plan(moved, [moved], [row["z_max"]], [0])
-        models.append(multipolygon(building_solids(plan.cells, row["z_ground"])))
+        models.append(multipolygon(building_solids(plan, row["z_ground"])))
         ids.append(row["building"])
     walls = [measured_wall(number, wall.contour, wall.plane.rmse, wall.plane.sigma)
              for number, wall in enumerate(found[0]) if wall.status in ("ok", "partly seen")]

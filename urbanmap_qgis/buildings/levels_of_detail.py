@@ -139,7 +139,7 @@ def _raised(solid: Solid, cells: list[tuple[shapely.Geometry, int, float]]) -> t
     if len(cells) == 1 and polygons[0].geom_type == "Polygon":
         plan = (Cell(polygons[0], numbers[0], heights[0]),)
     else:
-        plan = partition_plan(None, polygons, heights, numbers, limit="roofs").cells
+        plan = partition_plan(None, polygons, heights, numbers)
     solids = building_solids(plan, base)
     return () if any(check_solid(one) for one in solids) else solids
 

@@ -35,9 +35,9 @@ def checked_sloped_solids(outline: shapely.Geometry | None, polygons: np.ndarray
         solids, problems = _checked(cells, base)
     if problems:
         heights = [float(shapely.get_coordinates(polygon, include_z=True)[:, 2].mean()) for polygon in polygons]
-        plan = partition_plan(outline, list(polygons), heights, list(range(len(polygons))), limit="roofs")
+        plan = partition_plan(outline, list(polygons), heights, list(range(len(polygons))))
         cells = [SlopedCell(cell.polygon, ids[cell.roof_id], planes[cell.roof_id], tuple(origin))
-                 for cell in plan.cells]
+                 for cell in plan]
         solids, problems = _checked(cells, base)
     return solids, problems
 

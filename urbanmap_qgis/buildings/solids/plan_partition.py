@@ -15,11 +15,14 @@ import numpy as np
 import shapely
 
 from ...errors import InputError, InsufficientDataError
+from ...geometry.tolerances import GRID
 from ...wording import say
 from .half_edges import HalfEdges, half_edges, trace_rings, whole_metre_origin
 
 _GAP = -1
-_NOT_PLAN = -2
+MIN_AREA, MIN_WIDTH = 1.0, 0.3
+"""A cell smaller than this (m2) or everywhere narrower than this (m) goes to the neighbour with the longest common
+edge."""
 
 _STRAIGHT = 1.5
 """Rounding to the grid moves a node by up to 0.71 grid steps, so a node of a straight line lies within 1.42."""
@@ -34,86 +37,44 @@ class Cell:
     height: float
 
 
-@dataclass(frozen=True)
-class PlanPartition:
-    """Cells of a plan, and what had to be decided to get them (areas in m2).
-
-    Attributes
-    ----------
-    cells : the cells, edge by edge beside each other, from the highest roof down.
-    overlap_area : plan that several roofs claimed (the highest has it).
-    gap_area : plan that no roof claimed, given to the roof with the longest common edge.
-    sliver_area : plan of cells too small or too narrow, given to a neighbour.
-    outside_area : area of roofs cut off because it lies outside the plan.
-    uncovered_area : part of the footprint left without a model, as no roof touches it.
-    """
-
-    cells: tuple[Cell, ...]
-    overlap_area: float
-    gap_area: float
-    sliver_area: float
-    outside_area: float
-    uncovered_area: float
-
-
-def partition_plan(footprint: shapely.Geometry | None, roof_polygons: Sequence[shapely.Geometry],
-                   roof_heights: Sequence[float], roof_ids: Sequence[Hashable], *, grid_size: float = 0.01,
-                   min_area: float = 1.0, min_width: float = 0.3, limit: str = "footprint") -> PlanPartition:
-    """Cut a building's plan into cells of one roof each.
+def partition_plan(outline: shapely.Geometry | None, roof_polygons: Sequence[shapely.Geometry],
+                   roof_heights: Sequence[float], roof_ids: Sequence[Hashable]) -> tuple[Cell, ...]:
+    """Cut the plan under a building's roofs into cells of one roof each, edge by edge beside each other, from the
+    highest roof down.
 
     Parameters
     ----------
-    footprint : Polygon or MultiPolygon, m; courtyards are its holes. May be None where `limit` is "roofs".
-    roof_polygons : polygons of the roofs, m; they may overlap, leave gaps, stick out or be invalid.
+    outline : Polygon or MultiPolygon of the building, m, courtyards as its holes: holes between the roofs are filled
+        where they lie in it. May be None; then only slivers are.
+    roof_polygons : polygons of the roofs, m; they may overlap, leave gaps or be invalid.
     roof_heights, roof_ids : height (m) and id of each roof.
-    grid_size : nodes lie on multiples of this, m. With 1 cm no two nodes come nearer than validators' usual
-        snapping distance of 1 mm. Nodes within 1.5 steps of a straight line are left out.
-    min_area : a cell smaller than this (m2) goes to the neighbour with the longest common edge.
-    min_width : so does a cell narrower than this (m) everywhere.
-    limit : "footprint": the plan is the footprint; "roofs": the plan is the union of the roofs, and holes
-        between them are filled where they are slivers or lie in the footprint.
 
     Raises
     ------
-    InputError : lengths differ, a height is not finite, or `limit` is unknown.
-    InsufficientDataError : no roof lies on the plan.
+    InputError : lengths differ, or a height is not finite.
+    InsufficientDataError : there is no roof, or none with an area.
     """
-    _check_input(footprint, roof_polygons, roof_heights, roof_ids, limit)
+    _check_input(roof_polygons, roof_heights, roof_ids)
     order = _top_to_bottom(roof_polygons, roof_heights, roof_ids)
-    geometries = np.array([roof_polygons[i] for i in order] + ([footprint] if footprint is not None else []),
-                          dtype=object)
+    geometries = np.array([roof_polygons[i] for i in order] + ([outline] if outline is not None else []), dtype=object)
     origin = whole_metre_origin(shapely.total_bounds(geometries))
     geometries = _cleaned(geometries, origin)
     roofs = geometries[:len(order)]
-    outline = geometries[-1] if footprint is not None else None
-
-    lines = shapely.boundary(geometries if limit == "footprint" else roofs)
-    faces = shapely.get_parts(shapely.polygonize([shapely.union_all(lines, grid_size=grid_size)]))
-    if len(faces) == 0:
-        raise InsufficientDataError(say("No roof lies on the plan of the building: check outline and roofs."))
-    claims, labels = _labels(faces, roofs, outline, limit)
-    edges = half_edges(faces, (0.0, 0.0), grid_size)
-    areas = shapely.area(faces)
-    regions = _Regions(edges, areas, labels)
-    if limit == "roofs":
-        _close_courtyards(regions, faces, outline, min_area, min_width)
-    gap_area, uncovered = _fill_gaps(regions)
-    sliver_area = _merge_slivers(regions, faces, min_area, min_width)
-
-    if not regions.label:
-        raise InsufficientDataError(say("No roof lies on the plan of the building: check outline and roofs."))
-    cells = _cells(regions, edges, origin, order, roof_heights, roof_ids)
-    outside = labels == _NOT_PLAN
-    return PlanPartition(cells, float(areas[(claims > 1) & ~outside].sum()), gap_area, sliver_area,
-                         float(areas[(claims > 0) & outside].sum()), uncovered)
+    lines = shapely.union_all(shapely.boundary(roofs), grid_size=GRID)
+    faces = shapely.get_parts(shapely.polygonize([lines]))
+    edges = half_edges(faces, (0.0, 0.0), GRID) if len(faces) else None
+    regions = _Regions(edges, shapely.area(faces), _labels(faces, roofs)) if edges else None
+    if regions:
+        _close_courtyards(regions, faces, geometries[-1] if outline is not None else None)
+        _fill_gaps(regions)
+        _merge_slivers(regions, faces)
+    if not regions or not regions.label:
+        raise InsufficientDataError(say("No roof of the building has an area: check outline and roofs."))
+    return _cells(regions, edges, origin, order, roof_heights, roof_ids)
 
 
-def _check_input(footprint, roof_polygons, roof_heights, roof_ids, limit) -> None:
+def _check_input(roof_polygons, roof_heights, roof_ids) -> None:
     """Refuse what cannot be partitioned."""
-    if limit not in ("footprint", "roofs"):
-        raise InputError(say("The plan's limit is '{limit}': give 'footprint' or 'roofs'.", limit=limit))
-    if limit == "footprint" and footprint is None:
-        raise InputError(say("The plan's limit is the footprint, but there is none: give one, or limit to the roofs."))
     if not len(roof_polygons) == len(roof_heights) == len(roof_ids):
         raise InputError(say("Roof polygons, heights and ids differ in number: give one height and id for each roof."))
     if len(roof_polygons) == 0:
@@ -142,17 +103,12 @@ def _areas_of(geometry: shapely.Geometry) -> shapely.MultiPolygon:
     return shapely.MultiPolygon([part for part in parts if part.geom_type == "Polygon"])
 
 
-def _labels(faces, roofs, outline, limit) -> tuple[np.ndarray, np.ndarray]:
-    """Number of roofs that claim each face, and the face's label: highest roof, gap, or not in the plan."""
-    inside = shapely.point_on_surface(faces)
-    roof, face = shapely.STRtree(inside).query(roofs, predicate="contains")
-    claims = np.bincount(face, minlength=len(faces))
+def _labels(faces: np.ndarray, roofs: np.ndarray) -> np.ndarray:
+    """The highest roof over each face, or gap."""
+    roof, face = shapely.STRtree(shapely.point_on_surface(faces)).query(roofs, predicate="contains")
     highest = np.full(len(faces), len(roofs))
     np.minimum.at(highest, face, roof)
-    labels = np.where(claims > 0, highest, _GAP)
-    if limit == "footprint":
-        labels[~shapely.contains(outline, inside)] = _NOT_PLAN
-    return claims, labels
+    return np.where(highest < len(roofs), highest, _GAP)
 
 
 class _Regions:
@@ -162,18 +118,16 @@ class _Regions:
     """
 
     def __init__(self, edges: HalfEdges, areas: np.ndarray, labels: np.ndarray):
-        self.label = {i: label for i, label in enumerate(labels.tolist()) if label != _NOT_PLAN}
+        self.label = dict(enumerate(labels.tolist()))
         self.area = dict(enumerate(areas.tolist()))
         self.faces = {i: [i] for i in self.label}
         self.perimeter = dict.fromkeys(self.label, 0.0)
         self.shared: dict[int, dict[int, float]] = {i: {} for i in self.label}
         for (a, b), face in edges.cell.items():
-            if face not in self.label:
-                continue
             length = edges.length(a, b)
             self.perimeter[face] += length
             other = edges.cell.get((b, a))
-            if other in self.label and other != face:
+            if other is not None and other != face:
                 self.shared[face][other] = self.shared[face].get(other, 0.0) + length
         for face in list(self.label):
             if face in self.label:
@@ -217,39 +171,35 @@ class _Regions:
             del self.shared[other][region]
         del self.label[region], self.faces[region]
 
-    def is_sliver(self, region: int, faces: np.ndarray, min_area: float, min_width: float) -> bool:
+    def is_sliver(self, region: int, faces: np.ndarray) -> bool:
         """Whether a region is smaller or everywhere narrower than wanted."""
-        if self.area[region] < min_area:
+        if self.area[region] < MIN_AREA:
             return True
         # 2 A / P is never more than the width of the widest place, so most regions need no buffer.
-        if 2 * self.area[region] >= min_width * self.perimeter[region]:
+        if 2 * self.area[region] >= MIN_WIDTH * self.perimeter[region]:
             return False
         polygon = shapely.union_all(faces[self.faces[region]])
-        return bool(shapely.buffer(polygon, -min_width / 2).is_empty)
+        return bool(shapely.buffer(polygon, -MIN_WIDTH / 2).is_empty)
 
 
-def _close_courtyards(regions: _Regions, faces, outline, min_area: float, min_width: float) -> None:
-    """Take holes between roofs out of the plan, but for slivers and those the footprint calls building."""
+def _close_courtyards(regions: _Regions, faces: np.ndarray, outline: shapely.Geometry | None) -> None:
+    """Take holes between roofs out of the plan, but for slivers and those the outline calls building."""
     for region in [r for r, label in regions.label.items() if label == _GAP]:
         largest = max(regions.faces[region], key=lambda face: regions.area.get(face, 0.0))
         building = outline is not None and shapely.contains(outline, shapely.point_on_surface(faces[largest]))
-        if not building and not regions.is_sliver(region, faces, min_area, min_width):
+        if not building and not regions.is_sliver(region, faces):
             regions.drop(region)
 
 
-def _fill_gaps(regions: _Regions) -> tuple[float, float]:
-    """Give each gap to a roof beside it; return the area given and the area that no roof touches."""
-    gaps = [region for region, label in regions.label.items() if label == _GAP]
+def _fill_gaps(regions: _Regions) -> None:
+    """Give each gap to a roof beside it; one that no roof touches goes."""
     # Chosen before anything grows, so that the order of the gaps does not matter.
-    chosen = {region: regions.best_neighbour(region) for region in gaps}
-    given = sum(regions.area[region] for region in gaps if chosen[region] is not None)
-    left = sum(regions.area[region] for region in gaps if chosen[region] is None)
+    chosen = {region: regions.best_neighbour(region) for region, label in regions.label.items() if label == _GAP}
     for region, label in chosen.items():
         if label is None:
             regions.drop(region)
         else:
             _grow(regions, region, label)
-    return given, left
 
 
 def _grow(regions: _Regions, region: int, label: int) -> None:
@@ -258,23 +208,21 @@ def _grow(regions: _Regions, region: int, label: int) -> None:
         regions.relabel(region, label)
 
 
-def _merge_slivers(regions: _Regions, faces: np.ndarray, min_area: float, min_width: float) -> float:
-    """Give slivers to their neighbours, smallest first; return their area. One without neighbours stays."""
-    merged = 0.0
+def _merge_slivers(regions: _Regions, faces: np.ndarray) -> None:
+    """Give slivers to their neighbours, smallest first. One without neighbours stays."""
     judged: dict[int, float] = {}
     while True:
         slivers = []
         for region in regions.label:
             if judged.get(region) == regions.area[region]:
                 continue
-            if regions.shared[region] and regions.is_sliver(region, faces, min_area, min_width):
+            if regions.shared[region] and regions.is_sliver(region, faces):
                 slivers.append(region)
             else:
                 judged[region] = regions.area[region]
         if not slivers:
-            return merged
+            return
         region = min(slivers, key=lambda r: (regions.area[r], min(regions.faces[r])))
-        merged += regions.area[region]
         regions.relabel(region, regions.best_neighbour(region))
 
 

@@ -40,6 +40,6 @@ def building_solids(cells: Sequence[Cell], base_height: float) -> tuple[Solid, .
 def checked_level_solids(outline: shapely.Geometry | None, polygons: np.ndarray, heights: np.ndarray, ids: np.ndarray,
                          base: float) -> tuple[tuple[Solid, ...], list[str]]:
     """Solids over roofs' polygons (n,) at their heights (n,), m, and what the check says against them."""
-    plan = partition_plan(outline, list(polygons), heights.tolist(), ids.tolist(), limit="roofs")
-    solids = building_solids(plan.cells, base)
+    plan = partition_plan(outline, list(polygons), heights.tolist(), ids.tolist())
+    solids = building_solids(plan, base)
     return solids, [f"{problem.code} {problem.name}" for solid in solids for problem in check_solid(solid)]
