@@ -5,7 +5,7 @@ import pytest
 import shapely
 from shapely.affinity import rotate
 
-from urbanmap_qgis.buildings.polygons.outline_from_points import OutlineParameters, outline_from_points
+from urbanmap_qgis.buildings.polygons.outline_from_points import outline_from_points
 from urbanmap_qgis.errors import InputError, InsufficientDataError
 
 
@@ -47,7 +47,7 @@ def test_sparse_scan_lines_do_not_shrink_the_walls_along_them():
     shape = shapely.box(0, 0, 24, 14)
     heights = []
     for seed in range(12):
-        found = outline_from_points(*scan_lines(shape, 0.25, 1.0, seed), 4.0, OutlineParameters(alpha=1.2))
+        found = outline_from_points(*scan_lines(shape, 0.25, 1.0, seed), 4.0)
         x0, y0, x1, y1 = found.outline.bounds
         assert x1 - x0 == pytest.approx(24.0, abs=0.3)
         heights.append(y1 - y0)

@@ -41,43 +41,43 @@ def test_direction_near_the_right_angle_does_not_split():
 @given(st.floats(0, 360), st.integers(0, 1000))
 def test_noisy_ell_becomes_six_square_corners(angle, seed):
     shape = rotate(ELL, angle, origin=(0, 0))
-    ring = regularise_ring(boundary(shape, 0.15, seed) + FAR)
-    assert ring.status == "regular"
-    assert len(ring.xy) == 6
-    edges = np.roll(ring.xy, -1, axis=0) - ring.xy
+    ring, curved, rms = regularise_ring(boundary(shape, 0.15, seed) + FAR, 0.6)
+    assert not curved
+    assert len(ring) == 6
+    edges = np.roll(ring, -1, axis=0) - ring
     unit = edges / np.hypot(*edges.T)[:, None]
     assert np.abs(np.sum(unit * np.roll(unit, 1, axis=0), axis=1)).max() < 1e-6
     corners = shapely.points(shapely.get_coordinates(shape) + FAR)
-    assert shapely.distance(shapely.multipoints(ring.xy), corners).max() < 0.25
-    assert ring.rms < 0.15
+    assert shapely.distance(shapely.multipoints(ring), corners).max() < 0.25
+    assert rms < 0.15
 
 
 def test_step_wider_than_the_tolerance_stays():
     shape = shapely.Polygon([(0, 0), (20, 0), (20, 10), (12, 10), (12, 11.5), (0, 11.5)])
-    ring = regularise_ring(boundary(shape, 0.05, 1))
-    assert shapely.hausdorff_distance(shapely.Polygon(ring.xy), shape) < 0.3
+    ring, _, _ = regularise_ring(boundary(shape, 0.05, 1), 0.6)
+    assert shapely.hausdorff_distance(shapely.Polygon(ring), shape) < 0.3
 
 
 def test_long_oblique_wall_keeps_its_direction():
     shape = shapely.Polygon([(0, 0), (20, 0), (20, 8), (12, 16), (0, 16)])
-    ring = regularise_ring(boundary(shape, 0.1, 2))
-    assert shapely.hausdorff_distance(shapely.Polygon(ring.xy), shape) < 0.3
+    ring, _, _ = regularise_ring(boundary(shape, 0.1, 2), 0.6)
+    assert shapely.hausdorff_distance(shapely.Polygon(ring), shape) < 0.3
 
 
 def test_curved_building_falls_back():
-    ring = regularise_ring(boundary(shapely.Point(0, 0).buffer(15), 0.1, 3))
-    assert ring.status == "curved"
+    ring, curved, _ = regularise_ring(boundary(shapely.Point(0, 0).buffer(15), 0.1, 3), 0.6)
+    assert curved
     circle = shapely.Point(0, 0).buffer(15)
-    polygon = shapely.Polygon(ring.xy)
+    polygon = shapely.Polygon(ring)
     assert polygon.is_valid
     assert shapely.hausdorff_distance(polygon, circle) < 0.6
 
 
 def test_outward_moves_every_wall():
-    ring = regularise_ring(boundary(shapely.box(0, 0, 12, 8), 0.0, 1), outward=lambda a, b: 0.25)
-    assert shapely.Polygon(ring.xy).bounds == pytest.approx((-0.25, -0.25, 12.25, 8.25), abs=1e-6)
+    ring, _, _ = regularise_ring(boundary(shapely.box(0, 0, 12, 8), 0.0, 1), 0.6, lambda a, b: 0.25)
+    assert shapely.Polygon(ring).bounds == pytest.approx((-0.25, -0.25, 12.25, 8.25), abs=1e-6)
 
 
 def test_too_few_points():
     with pytest.raises(InputError):
-        regularise_ring(np.zeros((3, 2)))
+        regularise_ring(np.zeros((3, 2)), 0.6)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 import shapely
@@ -14,30 +14,18 @@ from ...geometry.alpha_shape import alpha_shape, default_alpha
 from ...geometry.tolerances import SAME_PLACE
 from ...wording import say
 from .radius_outliers import default_radius, remove_radius_outliers
-from .regularisation import RegularisationParameters, regularise_ring
+from .regularisation import regularise_ring
 
 UNORDERED_SHRINK = 0.45
 """By how much, in mean point spacings, the alpha shape of points without order lies inside the true edge
 (measured on simulated rectangles, L and T shapes at 2 to 20 points per m2: 0.39 to 0.54)."""
 NEIGHBOURS = 13
 
+MIN_PART_AREA = 8.0
+"""Smaller parts and courtyards (m2) are left out."""
 
-@dataclass(frozen=True)
-class OutlineParameters:
-    """How an outline is drawn from points.
-
-    Attributes
-    ----------
-    alpha : metres; None: from the density.
-    min_part_area : square metres; smaller parts and courtyards are left out.
-    party_wall_distance : metres; walls nearer than this to a neighbour's are the neighbour's.
-    regularisation : None: tolerance from the density.
-    """
-
-    alpha: float | None = None
-    min_part_area: float = 8.0
-    party_wall_distance: float = 0.6
-    regularisation: RegularisationParameters | None = field(default=None)
+PARTY_WALL_DISTANCE = 0.6
+"""Walls nearer than this (m) to a neighbour's are the neighbour's."""
 
 
 @dataclass(frozen=True)
@@ -83,7 +71,7 @@ class _Shrink:
         return 0.5 * float(np.mean(out[rows, best][found]))
 
 
-def outline_from_points(x: np.ndarray, y: np.ndarray, density: float, parameters: OutlineParameters | None = None,
+def outline_from_points(x: np.ndarray, y: np.ndarray, density: float,
                         neighbours: list[shapely.Geometry] | None = None) -> PointOutline:
     """Regularised outline of a building's roof points, courtyards included.
 
@@ -97,53 +85,49 @@ def outline_from_points(x: np.ndarray, y: np.ndarray, density: float, parameters
     ------
     InsufficientDataError : the points make no area.
     """
-    parameters = parameters or OutlineParameters()
     if not density > 0:
         raise InputError(say("The point density must be above zero points per square metre."))
     xy = np.column_stack([x, y]).astype(float)
     xy = xy[remove_radius_outliers(xy, default_radius(density))]
-    rings = [xy[ring] for ring in alpha_shape(xy, parameters.alpha or default_alpha(density))]
-    rings = [ring for ring in rings if shapely.Polygon(ring).area >= parameters.min_part_area]
+    rings = [xy[ring] for ring in alpha_shape(xy, default_alpha(density))]
+    rings = [ring for ring in rings if shapely.Polygon(ring).area >= MIN_PART_AREA]
     if not rings:
         raise InsufficientDataError(say("The building's points are too few to draw an outline from them."))
-    spacing = 1.0 / math.sqrt(density)
-    regularisation = parameters.regularisation or RegularisationParameters(tolerance=max(0.5, 1.2 * spacing))
+    tolerance = max(0.5, 1.2 / math.sqrt(density))
     shrink = _Shrink(xy, density)
     outer, holes, drawn = [], [], []
     for ring in rings:
         hole = not shapely.LinearRing(ring).is_ccw
-        found = regularise_ring(ring[::-1] if hole else ring, regularisation,
-                                (lambda a, b: -shrink(b, a)) if hole else shrink)
-        drawn.append((found, len(ring)))
-        polygon = shapely.make_valid(shapely.Polygon(found.xy))
+        corners, curved, rms = regularise_ring(ring[::-1] if hole else ring, tolerance,
+                                               (lambda a, b: -shrink(b, a)) if hole else shrink)
+        drawn.append((curved, rms, len(ring)))
+        polygon = shapely.make_valid(shapely.Polygon(corners))
         (holes if hole else outer).append(polygon)
     outline = shapely.difference(shapely.union_all(outer), shapely.union_all(holes))
     if neighbours:
-        outline = _with_party_walls(outline, neighbours, parameters)
-    outline = _areas(outline, parameters.min_part_area)
+        outline = _with_party_walls(outline, neighbours)
+    outline = _areas(outline, MIN_PART_AREA)
     if outline.is_empty:
         raise InsufficientDataError(say("The building's points lie on its neighbours: check the building outlines."))
-    curved = [found.status == "curved" for found, _ in drawn]
+    curved = [one for one, _, _ in drawn]
     status = "curved" if curved[0] else "partly curved" if any(curved) else "regular"
-    squares = sum(found.rms ** 2 * n for found, n in drawn) / sum(n for _, n in drawn)
+    squares = sum(rms ** 2 * n for _, rms, n in drawn) / sum(n for _, _, n in drawn)
     return PointOutline(outline, status, math.sqrt(squares))
 
 
-def _with_party_walls(outline: shapely.Geometry, neighbours: list[shapely.Geometry],
-                      parameters: OutlineParameters) -> shapely.Geometry:
+def _with_party_walls(outline: shapely.Geometry, neighbours: list[shapely.Geometry]) -> shapely.Geometry:
     """Outline that meets its neighbours without gap or overlap where it runs along them."""
     beside = shapely.union_all(neighbours)
-    distance = parameters.party_wall_distance
     # closing fills the strip between two near walls; mitred joins keep the corners square
-    closed = shapely.union(outline, beside).buffer(0.5 * distance, join_style="mitre")
-    closed = closed.buffer(-0.5 * distance, join_style="mitre")
+    closed = shapely.union(outline, beside).buffer(0.5 * PARTY_WALL_DISTANCE, join_style="mitre")
+    closed = closed.buffer(-0.5 * PARTY_WALL_DISTANCE, join_style="mitre")
     gap = shapely.difference(shapely.difference(closed, beside), outline)
     near = [part for part in shapely.get_parts(gap) if part.area > 0 and part.distance(beside) < SAME_PLACE
             and part.distance(outline) < SAME_PLACE]
     joined = shapely.difference(shapely.union_all([outline, *near]), beside)
     # slivers thinner than the tolerance on the far side of a neighbour vanish by opening
-    core = joined.buffer(-0.25 * distance, join_style="mitre")
-    reach = core.buffer(0.25 * distance + 1e-6, join_style="mitre")
+    core = joined.buffer(-0.25 * PARTY_WALL_DISTANCE, join_style="mitre")
+    reach = core.buffer(0.25 * PARTY_WALL_DISTANCE + 1e-6, join_style="mitre")
     return shapely.intersection(joined, reach)
 
 

@@ -15,12 +15,15 @@ from .hough_lines import fit_line
 
 PARALLEL = np.sin(np.radians(3.0))
 """Sine of the angle below which neighbouring walls count as parallel."""
-OBLIQUE = 0.17
-"""Cosine of the angle (80 degrees) up to which two walls meet obliquely."""
 DIRECTION_WIDTH = 4.0
 """Degrees; edges within this of a main direction support it."""
 SECOND_DIRECTION_SHARE = 0.25
 """Share of the edges' length that a further main direction needs."""
+SNAP_ANGLE, FREE_EDGE = 12.0, 3.0
+"""Edges nearer to a main direction (degrees) are turned into it; shorter ones (m) from twice as far, because their
+direction is little known. Longer ones than twice that keep their own."""
+STRAIGHT_SHARE = 0.6
+"""Share of the length that straight walls must make, else the outline is curved."""
 
 
 def main_directions(edges: np.ndarray) -> np.ndarray:
@@ -53,43 +56,6 @@ def main_directions(edges: np.ndarray) -> np.ndarray:
     return np.array(found)
 
 
-@dataclass(frozen=True)
-class RegularisationParameters:
-    """How far an outline may be straightened.
-
-    Attributes
-    ----------
-    tolerance : metres that the outline may move; about the spacing of the points it comes from.
-    min_edge : metres; shorter edges are dropped.
-    snap_angle : degrees; edges nearer to a main direction are turned into it. Edges shorter than `free_edge`
-        (metres) may be turned twice as far, because their direction is little known.
-    free_edge : metres, see above; longer edges outside `snap_angle` keep their own direction.
-    straight_share : share of the length that straight walls must make, else the outline is curved.
-    """
-
-    tolerance: float = 0.6
-    min_edge: float = 1.2
-    snap_angle: float = 12.0
-    free_edge: float = 3.0
-    straight_share: float = 0.6
-
-
-@dataclass(frozen=True)
-class RegularRing:
-    """A regularised ring.
-
-    Attributes
-    ----------
-    xy : (n, 2) corners, open, counterclockwise as the points given.
-    status : "regular", or "curved": the simplified ring, because straight walls do not fit.
-    rms : metres, root mean square distance of the boundary points to the ring.
-    """
-
-    xy: np.ndarray
-    status: str
-    rms: float
-
-
 @dataclass(eq=False)
 class _Edge:
     """A wall while the ring is worked on: unit direction, offset along its left normal, points that support it."""
@@ -97,7 +63,6 @@ class _Edge:
     direction: np.ndarray
     points: np.ndarray
     offset: float = 0.0
-    connector: bool = False
 
     @property
     def normal(self) -> np.ndarray:
@@ -107,22 +72,23 @@ class _Edge:
         self.offset = float(np.mean(self.points @ self.normal))
 
 
-def regularise_ring(boundary_xy: np.ndarray, parameters: RegularisationParameters | None = None,
-                    outward: Callable[[np.ndarray, np.ndarray], float] | None = None) -> RegularRing:
+def regularise_ring(boundary_xy: np.ndarray, tolerance: float,
+                    outward: Callable[[np.ndarray, np.ndarray], float] | None = None) -> tuple[np.ndarray, bool, float]:
     """Straight walls through ordered boundary points, parallel and square to the main directions where they fit.
 
     Parameters
     ----------
     boundary_xy : (n, 2) ordered points of a counterclockwise ring, open, metres.
+    tolerance : metres that the outline may move; about the spacing of the points it comes from.
     outward : metres by which a wall lies outside its boundary points, from two ends (2,) of the wall; the ring
         shrinks because no point lies exactly on the roof's edge (J 5.5).
 
     Returns
     -------
-    The ring. Where straight walls leave the points by more than the tolerance, or too many directions are needed,
-    the simplified ring with status "curved".
+    Corners (n, 2) of the ring, open, counterclockwise as the points given; whether it is curved; the root mean square
+    distance of the boundary points to it, metres. Where straight walls leave the points by more than the tolerance, or
+    too many directions are needed, it is the simplified ring, and curved.
     """
-    parameters = parameters or RegularisationParameters()
     xy = np.asarray(boundary_xy, float)
     if len(xy) < 4:
         raise InputError(say("An outline needs at least four boundary points to be regularised."))
@@ -130,22 +96,21 @@ def regularise_ring(boundary_xy: np.ndarray, parameters: RegularisationParameter
     local = xy - centre
     start = int(np.argmax(np.hypot(local[:, 0], local[:, 1])))  # a corner: simplification keeps its first point
     local = np.roll(local, -start, axis=0)
-    corners = _corner_indices(local, parameters.tolerance)
-    vectors = np.diff(local[np.append(corners, 0)], axis=0)
-    edges = _edges(local, corners, vectors, parameters)
+    corners = _corner_indices(local, tolerance)
+    edges = _edges(local, corners, np.diff(local[np.append(corners, 0)], axis=0))
     if edges is not None:
         for edge in edges:
             edge.fit()
-        edges = _joined(edges, parameters)
+        edges = _joined(edges, tolerance)
     if edges is not None and len(edges) >= 4:
         ring = _corners(edges, outward, centre)
         fitted = shapely.LinearRing(_corners(edges, None, centre))
         rms, far = _deviation(fitted, local)
-        if far <= 2.0 * parameters.tolerance and fitted.is_valid and shapely.Polygon(ring).is_valid:
-            return RegularRing(ring + centre, "regular", rms)
-    simple = _simplified(local, parameters.tolerance, outward, centre)
+        if far <= 2.0 * tolerance and fitted.is_valid and shapely.Polygon(ring).is_valid:
+            return ring + centre, False, rms
+    simple = _simplified(local, tolerance, outward, centre)
     rms, _ = _deviation(shapely.LinearRing(local[corners]), local)
-    return RegularRing(simple + centre, "curved", rms)
+    return simple + centre, True, rms
 
 
 def _corner_indices(ring: np.ndarray, tolerance: float) -> np.ndarray:
@@ -155,8 +120,7 @@ def _corner_indices(ring: np.ndarray, tolerance: float) -> np.ndarray:
     return np.flatnonzero(np.isin(codes, corners[:, 0] + 1j * corners[:, 1]))
 
 
-def _edges(ring: np.ndarray, corners: np.ndarray, vectors: np.ndarray,
-           parameters: RegularisationParameters) -> list[_Edge] | None:
+def _edges(ring: np.ndarray, corners: np.ndarray, vectors: np.ndarray) -> list[_Edge] | None:
     """One edge between two corners each, turned into a main direction where near; None where curved."""
     closed = np.vstack([ring, ring[:1]])
     ends = np.append(corners[1:], len(ring))
@@ -167,11 +131,11 @@ def _edges(ring: np.ndarray, corners: np.ndarray, vectors: np.ndarray,
     angle = np.degrees(np.arctan2(fitted[:, 1].copy(), fitted[:, 0].copy()))
     deviation = (angle[:, None] - main[None, :] + 45.0) % 90.0 - 45.0
     nearest = deviation[np.arange(len(deviation)), np.argmin(np.abs(deviation), axis=1)]
-    straight = (np.abs(nearest) < parameters.snap_angle) | (length > 2.0 * parameters.free_edge)
-    if length[straight].sum() < parameters.straight_share * length.sum():
+    straight = (np.abs(nearest) < SNAP_ANGLE) | (length > 2.0 * FREE_EDGE)
+    if length[straight].sum() < STRAIGHT_SHARE * length.sum():
         return None
-    limit = np.where(length < parameters.free_edge, 2.0, 1.0) * parameters.snap_angle
-    turn = np.where((np.abs(nearest) < limit) | (length < parameters.min_edge), nearest, 0.0)
+    limit = np.where(length < FREE_EDGE, 2.0, 1.0) * SNAP_ANGLE
+    turn = np.where(np.abs(nearest) < limit, nearest, 0.0)
     final = np.radians(angle - turn)
     return [_Edge(np.array([np.cos(a), np.sin(a)]), _inner(p)) for a, p in zip(final, points)]
 
@@ -186,27 +150,27 @@ def _direction(points: np.ndarray, along: np.ndarray) -> np.ndarray:
     return direction if direction @ along >= 0 else -direction
 
 
-def _joined(edges: list[_Edge], parameters: RegularisationParameters) -> list[_Edge] | None:
-    """Edges after joining parallel neighbours, with connectors at steps, without short edges."""
+def _joined(edges: list[_Edge], tolerance: float) -> list[_Edge] | None:
+    """Edges after joining parallel neighbours, with connectors at steps."""
     for _ in range(4 * len(edges)):
-        if not any(change(edges, parameters) for change in (_join_once, _drop_chamfer, _drop_once)):
+        if not _join_once(edges, tolerance):
             return edges
         if len(edges) < 4:
             return None
     return None
 
 
-def _join_once(edges: list[_Edge], parameters: RegularisationParameters) -> bool:
+def _join_once(edges: list[_Edge], tolerance: float) -> bool:
     """Join or step the first pair of parallel neighbours; True if the list changed."""
     for i in range(len(edges)):
         one, two = edges[i], edges[(i + 1) % len(edges)]
         if abs(one.direction[0] * two.direction[1] - one.direction[1] * two.direction[0]) > PARALLEL:
             continue
         same_sense = one.direction @ two.direction > 0
-        if same_sense and abs(one.offset - two.offset) >= parameters.tolerance:
+        if same_sense and abs(one.offset - two.offset) >= tolerance:
             side = 1.0 if two.offset > one.offset else -1.0
             middle = 0.5 * (one.points[-1] + two.points[0])
-            step = _Edge(side * one.normal, middle[None, :], connector=True)
+            step = _Edge(side * one.normal, middle[None, :])
             step.fit()
             edges.insert(i + 1, step)
         elif same_sense:
@@ -216,49 +180,6 @@ def _join_once(edges: list[_Edge], parameters: RegularisationParameters) -> bool
         else:  # a spike: the longer side stays
             edges.remove(one if len(one.points) < len(two.points) else two)
         return True
-    return False
-
-
-def _drop_once(edges: list[_Edge], parameters: RegularisationParameters) -> bool:
-    """Remove the shortest edge if too short or turned round by its neighbours; True if the list changed."""
-    ring = _corners(edges, None, np.zeros(2))
-    along = [float((ring[(i + 1) % len(ring)] - ring[i]) @ edge.direction) for i, edge in enumerate(edges)]
-    shortest = int(np.argmin(along))
-    # the step between two parallel walls stays as long as the walls lie farther apart than the tolerance
-    limit = parameters.tolerance if edges[shortest].connector else parameters.min_edge
-    if along[shortest] >= limit:
-        return False
-    doomed = edges[shortest]
-    before, after = edges[shortest - 1], edges[(shortest + 1) % len(edges)]
-    parallel = abs(before.direction[0] * after.direction[1] - before.direction[1] * after.direction[0]) < PARALLEL
-    if parallel and before is not after and before.direction @ after.direction > 0:
-        before.points = np.vstack([before.points, after.points])
-        before.fit()
-        edges.remove(after)
-    edges.remove(doomed)
-    return True
-
-
-def _drop_chamfer(edges: list[_Edge], parameters: RegularisationParameters) -> bool:
-    """Remove a short wall that only cuts a corner, where points are scarce; True if the list changed."""
-    ring = _corners(edges, None, np.zeros(2))
-    length = np.hypot(*(np.roll(ring, -1, axis=0) - ring).T)
-    for i in np.argsort(length, kind="stable"):
-        edge, before, after = edges[i], edges[i - 1], edges[(i + 1) % len(edges)]
-        if edge.connector or length[i] > parameters.free_edge or len(edges) < 5:
-            continue
-        m, n = before.normal, after.normal
-        det = m[0] * n[1] - m[1] * n[0]
-        # a cut corner turns the same way twice, by less than a right angle each time
-        turns = [one.direction[0] * two.direction[1] - one.direction[1] * two.direction[0]
-                 for one, two in ((before, edge), (edge, after))]
-        if min(turns) * max(turns) <= 0 or before.direction @ edge.direction < OBLIQUE \
-                or edge.direction @ after.direction < OBLIQUE:
-            continue
-        corner = np.array([before.offset * n[1] - after.offset * m[1], after.offset * m[0] - before.offset * n[0]])
-        if abs(edge.normal @ corner / det - edge.offset) < 1.5 * parameters.tolerance:
-            edges.remove(edge)
-            return True
     return False
 
 
