@@ -22,7 +22,7 @@ from urbanmap_qgis.roadmap.edges.profile import fit_edge_profile
 from urbanmap_qgis.samplecity.faults import ghost_rows
 from urbanmap_qgis.samplecity.scene.streets import lowered_kerbs
 from urbanmap_qgis.samplecity.scene.world import make_scene
-from urbanmap_qgis.terrain.outliers import isolated
+from urbanmap_qgis.terrain.outliers import VOXEL, isolated
 
 
 def test_a_jump_of_the_trajectory_lets_the_error_jump_by_as_much():
@@ -134,10 +134,10 @@ def test_an_edge_counts_the_points_of_both_its_sides():
 @pytest.mark.parametrize("gap", [1, 2, 3, 50])
 def test_empty_levels_are_shrunk_without_bringing_points_together(gap):
     """Two groups of three points: neighbours where they are one voxel apart, strangers beyond."""
-    z = np.array([0.5, 0.5, 0.5, 0.5 + gap, 0.5 + gap, 0.5 + gap])
+    z = 2.0 + VOXEL * np.repeat([0.0, gap], 3)
     flat = np.full(6, 0.5)
-    assert isolated(flat, flat, z, voxel=1.0, neighbours=3).all() == (gap > 1)
-    assert not isolated(flat, flat, z, voxel=1.0, neighbours=2).any()
+    assert isolated(flat, flat, z, neighbours=3).all() == (gap > 1)
+    assert not isolated(flat, flat, z, neighbours=2).any()
 
 
 def test_ghosts_lie_below_ground_points_and_without_ground_there_are_none():

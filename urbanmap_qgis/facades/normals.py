@@ -66,11 +66,12 @@ class NormalVoxels:
                 & (self.thickness < np.maximum(LIMITS.flat * self.extent, 0.01)))
 
 
-def voxel_normals(points: np.ndarray, size: float = VOXEL) -> NormalVoxels:
+def voxel_normals(points: np.ndarray) -> NormalVoxels:
     """Voxels of points (n, 3), m, with their normals; they grow where the points are thin.
 
-    The first of `size`, 1.5 `size`, ... is taken in which half of the neighbourhoods have a dozen points.
+    The first of `VOXEL`, 1.5 `VOXEL`, ... is taken in which half of the neighbourhoods have a dozen points.
     """
+    size = VOXEL
     while True:
         cells = _Cells.of(points, size)
         if size * 1.5 > LIMITS.max_voxel or np.median(cells.support) >= LIMITS.min_support:

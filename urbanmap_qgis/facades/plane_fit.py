@@ -16,6 +16,7 @@ class PlaneFitLimits:
 
     tukey: float = 4.685
     min_noise: float = 0.003
+    iterations: int = 7
     enough: int = 20_000  # Points on which a plane is found, evenly taken from all; its figures are those of all.
     # Points within a square of this side (m) share their errors: the accuracy counts squares, not points.
     block: float = 1.0
@@ -112,8 +113,7 @@ def _plane_of_products(middle: np.ndarray, products: np.ndarray, weights: np.nda
     return middle + sums[:3], normal
 
 
-def robust_plane(points: np.ndarray, time: np.ndarray, normal: np.ndarray, tilting: bool = True,
-                 iterations: int = 7) -> WallPlane | None:
+def robust_plane(points: np.ndarray, time: np.ndarray, normal: np.ndarray) -> WallPlane | None:
     """Plane through points (n, 3) by iterated weights (Tukey), its normal on the side of `normal`.
 
     It is upright, unless the points tell a lean of more than a quarter of a degree and three standard deviations.
@@ -123,10 +123,10 @@ def robust_plane(points: np.ndarray, time: np.ndarray, normal: np.ndarray, tilti
         return None
     columns = np.ascontiguousarray(points.T)
     some = np.ascontiguousarray(columns[:, ::max(1, len(points) // LIMITS.enough)])
-    plane = _described(columns, time, normal, *_solved(some, True, iterations))
-    if not tilting or np.ptp(columns[2]) < 2.0:
+    plane = _described(columns, time, normal, *_solved(some, True))
+    if np.ptp(columns[2]) < 2.0:
         return plane
-    centre, leaning, scale = _solved(some, False, iterations)
+    centre, leaning, scale = _solved(some, False)
     sigma_lean = plane.sigma / max(float(some[2].std()), 0.1)
     lean = abs(float(np.arcsin(leaning[2])))
     if lean <= max(np.radians(0.25), 3 * sigma_lean):
@@ -142,12 +142,12 @@ def _residual(columns: np.ndarray, centre: np.ndarray, normal: np.ndarray) -> np
     return total
 
 
-def _solved(columns: np.ndarray, upright: bool, iterations: int) -> tuple[np.ndarray, np.ndarray, float]:
+def _solved(columns: np.ndarray, upright: bool) -> tuple[np.ndarray, np.ndarray, float]:
     """Point and normal of the plane by iterated weights, and the noise (m) that they are judged by."""
     middle, scale = 0.0, np.inf
     origin, products = _products(columns, upright)
     centre, normal = _plane_of_products(origin, products, np.ones(columns.shape[1]), upright)
-    for _ in range(iterations):
+    for _ in range(LIMITS.iterations):
         residual = _residual(products, centre - origin, normal)
         inliers = residual[np.abs(residual - middle) < LIMITS.tukey * scale]
         middle = float(np.median(inliers))

@@ -5,27 +5,21 @@ from __future__ import annotations
 import numpy as np
 from scipy.spatial import cKDTree
 
-from ..errors import InputError
-from ..wording import say
-
 NEIGHBOURS = 8
 DEVIATIONS = 3.0
 
 
-def statistical_outliers(places: np.ndarray, neighbours: int = NEIGHBOURS,
-                         deviations: float = DEVIATIONS) -> np.ndarray:
+def statistical_outliers(places: np.ndarray) -> np.ndarray:
     """Which places are statistical outliers, (n,) bool.
 
     A place is an outlier where the mean distance to its neighbours is above the mean of all such distances by more than
-    `deviations` standard deviations. With as few places as neighbours none is.
+    `DEVIATIONS` standard deviations. With as few places as neighbours none is.
 
     Parameters
     ----------
     places : (n, 3), m; points, or the centroids of voxels that stand for them.
     """
-    if neighbours < 1 or not deviations > 0:
-        raise InputError(say("Outliers need at least one neighbour and a number of deviations above 0."))
-    if len(places) <= neighbours + 1:
+    if len(places) <= NEIGHBOURS + 1:
         return np.zeros(len(places), bool)
-    distance = cKDTree(places).query(places, neighbours + 1)[0][:, 1:].mean(axis=1)
-    return distance > distance.mean() + deviations * distance.std()
+    distance = cKDTree(places).query(places, NEIGHBOURS + 1)[0][:, 1:].mean(axis=1)
+    return distance > distance.mean() + DEVIATIONS * distance.std()

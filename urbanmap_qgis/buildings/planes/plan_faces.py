@@ -100,8 +100,8 @@ class _PlaneBorders:
         return np.where(one == two, 0.0, self.most[rows] * np.clip(step / LIMITS.full_step, LIMITS.level_favour, 1.0))
 
 
-def label_faces(faces: PlanFaces, raster: LabelRaster, planes: np.ndarray, points: np.ndarray, label: np.ndarray,
-                smoothness: float = SMOOTHNESS) -> np.ndarray:
+def label_faces(faces: PlanFaces, raster: LabelRaster, planes: np.ndarray, points: np.ndarray,
+                label: np.ndarray) -> np.ndarray:
     """Plane (n,) of each face.
 
     Parameters
@@ -110,7 +110,7 @@ def label_faces(faces: PlanFaces, raster: LabelRaster, planes: np.ndarray, point
     points, label : (n, 3) and (n,); those without a plane (-1) do not count.
     """
     data = _data_costs(faces, raster, planes, points, label)
-    borders = _PlaneBorders(faces.pairs, faces.border, smoothness * faces.length, planes)
+    borders = _PlaneBorders(faces.pairs, faces.border, SMOOTHNESS * faces.length, planes)
     return expand_labels(data, borders, data.argmin(axis=1))
 
 

@@ -19,6 +19,9 @@ from .manifold import Height, cut_corners
 LEAST_STEP = 0.05
 """Roofs whose heights at a node differ by less than this (m) meet there."""
 
+LEAST_HEIGHT = 0.1
+"""No roof is lower than this above the base (m)."""
+
 FLAT = 0.0008
 """A roof whose nodes all lie this near to its plane (m) is one face; others are cut into triangles."""
 
@@ -35,14 +38,13 @@ class SlopedCell:
     origin: tuple[float, float] = (0.0, 0.0)
 
 
-def sloped_solids(cells: Sequence[SlopedCell], base_height: float, least_height: float = 0.1) -> tuple[Solid, ...]:
+def sloped_solids(cells: Sequence[SlopedCell], base_height: float) -> tuple[Solid, ...]:
     """Raise the cells of a plan to solids, one for each part whose cells are connected by edges.
 
     Parameters
     ----------
     cells : cells of one building, edge by edge beside each other.
-    base_height : height of the ground face, m.
-    least_height : no roof is lower than this above the base (m).
+    base_height : height of the ground face, m; no roof is lower than `LEAST_HEIGHT` above it.
 
     Raises
     ------
@@ -55,16 +57,16 @@ def sloped_solids(cells: Sequence[SlopedCell], base_height: float, least_height:
     for part in connected_cells(edges, len(cells)):
         directed = {edge: cell for edge, cell in edges.cell.items() if cell in part}
         piece = HalfEdges(edges.origin, edges.resolution, list(edges.x), list(edges.y), directed)
-        solids.append(_SlopedFaces(piece, cells, round(base_height * UNITS), round(least_height * UNITS)).solid())
+        solids.append(_SlopedFaces(piece, cells, round(base_height * UNITS)).solid())
     return tuple(solids)
 
 
 class _SlopedFaces(FaceCollector):
     """The faces under sloped roofs."""
 
-    def __init__(self, edges: HalfEdges, cells: Sequence[SlopedCell], base: int, least: int):
+    def __init__(self, edges: HalfEdges, cells: Sequence[SlopedCell], base: int):
         super().__init__(edges, base)
-        self.roofs, self.lowest = cells, base + least
+        self.roofs, self.lowest = cells, base + round(LEAST_HEIGHT * UNITS)
         self.planes = [_plane_above(cell, self.lowest / UNITS) for cell in cells]
         self.heights: dict[tuple[int, int], int] = {}
         self.areas = [cell.polygon.area for cell in cells]
