@@ -173,6 +173,8 @@ def _walls_of(piece: _Piece, settings: WallSettings, check: Progress | None) -> 
         contours = [contour for contour in contours if contour.points >= LIMITS.none]
         if contours:
             planes.append((segment.plane, contours))
+    if not planes:
+        return []
     placed, edges = _placed(piece, planes, ends, outward, settings)
     kinds = kinds_of_walls(placed, given.points)
     if settings.front == OUTERMOST:
