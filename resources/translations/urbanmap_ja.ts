@@ -9054,18 +9054,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>外周線の整形には4個以上の境界点が必要です。</translation>
     </message>
     <message>
-        <source>The roof raster has not the rows and columns of its grid.</source>
-        <translation>屋根ラスタの行数・列数がそのグリッドと一致しません。</translation>
-    </message>
-    <message>
-        <source>At most {max_lines} dividing lines are possible: lower their number.</source>
-        <translation>分割線は最大 {max_lines} 本です。数を減らしてください。</translation>
-    </message>
-    <message>
-        <source>The building outline has no area: repair or remove it.</source>
-        <translation>建物外周線に面積がありません。修復するか削除してください。</translation>
-    </message>
-    <message>
         <source>A roof polygon needs at least three edges: lower the least number of edge points.</source>
         <translation>屋根ポリゴンには3辺以上が必要です。辺の最小点数を小さくしてください。</translation>
     </message>
@@ -9118,16 +9106,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>1つの建物のセルが重なっています。先にpartition_planで平面を分割してください。</translation>
     </message>
     <message>
-        <source>No roof lies on the plan of the building: check outline and roofs.</source>
-        <translation>建物の平面上に屋根がありません。外周線と屋根を確認してください。</translation>
-    </message>
-    <message>
-        <source>The plan's limit is '{limit}': give 'footprint' or 'roofs'.</source>
-        <translation>平面の範囲が '{limit}' です。'footprint' または 'roofs' を指定してください。</translation>
-    </message>
-    <message>
-        <source>The plan's limit is the footprint, but there is none: give one, or limit to the roofs.</source>
-        <translation>平面の範囲が外周線ですが、外周線がありません。外周線を指定するか、範囲を屋根としてください。</translation>
+        <source>No roof of the building has an area: check outline and roofs.</source>
+        <translation>建物のどの屋根にも面積がありません: 外周線と屋根を確認してください。</translation>
     </message>
     <message>
         <source>Roof polygons, heights and ids differ in number: give one height and id for each roof.</source>
@@ -9796,10 +9776,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>unclear</source>
         <translation>不明</translation>
-    </message>
-    <message>
-        <source>Outliers need at least one neighbour and a number of deviations above 0.</source>
-        <translation>外れ値の除去には、1個以上の近傍点と、0より大きい標準偏差の倍数が必要です。</translation>
     </message>
     <message>
         <source>the survey did not see the rest</source>
