@@ -7,7 +7,8 @@ from shapely.affinity import rotate, translate
 
 from urbanmap_qgis.buildings.model_status import LOST_ROOFS
 from urbanmap_qgis.buildings.roof_polygons.level_roofs import level_roofs
-from urbanmap_qgis.buildings.roof_polygons.polygon_rows import PolygonParameters, RoofedBuilding
+from urbanmap_qgis.buildings.roof_polygons.polygon_rows import RoofedBuilding
+from urbanmap_qgis.settings.buildings import PolygonParameters
 
 BOX = shapely.box
 PLANS = {

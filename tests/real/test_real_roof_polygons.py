@@ -9,7 +9,8 @@ import shapely
 from urbanmap_qgis.buildings.polygons.outline_from_points import outline_from_points
 from urbanmap_qgis.buildings.polygons.roof_polygon import paper_roof_polygons
 from urbanmap_qgis.buildings.roof_polygons.level_roofs import level_roofs
-from urbanmap_qgis.buildings.roof_polygons.polygon_rows import PolygonParameters, RoofedBuilding
+from urbanmap_qgis.buildings.roof_polygons.polygon_rows import RoofedBuilding
+from urbanmap_qgis.settings.buildings import PolygonParameters
 
 DATA = Path(__file__).resolve().parents[2].parent / "shared" / "data"
 DELFT, CITY = DATA / "als" / "delft_west", DATA / "city"
