@@ -7,7 +7,7 @@ from urbanmap_qgis.aerial.frames.occlusion import PAPER_OCCLUSION
 from urbanmap_qgis.aerial.markings.road_markings import PAPER_MARKINGS
 from urbanmap_qgis.mobile.markings.plain_threshold import PlainThreshold
 from urbanmap_qgis.mobile.registration.records import RegistrationSettings
-from urbanmap_qgis.settings.terrain import JAVANMARDI
+from urbanmap_qgis.terrain.cloth import JAVANMARDI
 
 
 def test_the_page_is_that_of_the_table_and_the_tests():

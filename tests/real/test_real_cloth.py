@@ -6,8 +6,7 @@ import laspy
 import numpy as np
 import pytest
 
-from urbanmap_qgis.settings.terrain import JAVANMARDI
-from urbanmap_qgis.terrain.cloth import classify_ground
+from urbanmap_qgis.terrain.cloth import JAVANMARDI, classify_ground
 
 csf = pytest.importorskip("CSF")
 CLOUD = Path(__file__).resolve().parents[3] / "shared" / "data" / "city" / "als" / "als.laz"

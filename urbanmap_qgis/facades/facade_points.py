@@ -23,7 +23,7 @@ from ..io.points.pointcloud import PointCloud, iter_chunks, valid_points
 from ..io.points.whole_records import record_rows
 from ..io.raster import RasterSampler
 from ..progress import SILENT, Progress
-from ..settings.facades import DEFAULTS, FacadeSettings
+from ..settings.facades import FacadeSettings
 from ..wording import say
 from .building_plans import BuildingPlans
 from .plane_fit import component
@@ -51,6 +51,8 @@ class FacadePointsLimits:
 
 
 LIMITS = FacadePointsLimits()
+
+DEFAULTS = FacadeSettings()
 
 
 @dataclass(frozen=True, eq=False)
@@ -234,7 +236,7 @@ def ground_plane(xy: np.ndarray, z: np.ndarray) -> np.ndarray:
 
 
 @contextmanager
-def facade_points(cloud: PointCloud, plans: BuildingPlans, settings: FacadeSettings = DEFAULTS.facade,
+def facade_points(cloud: PointCloud, plans: BuildingPlans, settings: FacadeSettings = DEFAULTS,
                   ground: RasterSampler | None = None,
                   progress: Progress = SILENT) -> Iterator[Iterator[tuple[int, FacadePoints]]]:
     """Read a cloud and give (row of the building, its points), building after building.

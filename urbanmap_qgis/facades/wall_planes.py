@@ -17,7 +17,7 @@ from scipy import ndimage
 from ..geometry.tolerances import LEAST_DIVISOR, LEAST_SQUARE, SIGMA_OF_MAD
 from ..io.points.point_buckets import stable_order
 from ..progress import SILENT, Progress
-from ..settings.facades import DEFAULTS, PlaneSettings
+from ..settings.facades import PlaneSettings
 from .normals import NormalVoxels, voxel_normals
 from .plane_fit import WallPlane, component, least_squares_plane, robust_plane
 from .statistical_outliers import statistical_outliers
@@ -41,6 +41,8 @@ class WallPlanesLimits:
 
 LIMITS = WallPlanesLimits()
 
+DEFAULTS = PlaneSettings()
+
 
 @dataclass(frozen=True, eq=False)
 class Segment:
@@ -51,7 +53,7 @@ class Segment:
 
 
 def wall_segments(points: np.ndarray, time: np.ndarray, edges: np.ndarray, outward: np.ndarray,
-                  settings: PlaneSettings = DEFAULTS.planes, progress: Progress = SILENT) -> list[Segment]:
+                  settings: PlaneSettings = DEFAULTS, progress: Progress = SILENT) -> list[Segment]:
     """Planes of a building's walls, the largest first.
 
     Parameters

@@ -15,7 +15,7 @@ from ..io.points.pointcloud import PointCloud
 from ..io.raster import RasterSampler
 from ..mobile.trajectory import Trajectory
 from ..progress import SILENT, Progress
-from ..settings.facades import DEFAULTS, OUTERMOST, WallSettings
+from ..settings.facades import OUTERMOST, WallSettings
 from ..wording import say
 from .beam_checks import BeamFacts, check_beams, check_start
 from .building_plans import BuildingPlans, outline_edges
@@ -57,6 +57,8 @@ class WallStageLimits:
 
 
 LIMITS = WallStageLimits()
+
+DEFAULTS = WallSettings()
 
 _BEFORE = 0.3
 

@@ -23,8 +23,8 @@ from ..io.points.pointcloud import (
     valid_points,
 )
 from ..progress import SILENT, Progress
-from ..settings.terrain import JAVANMARDI, ClothSettings
-from ..terrain.cloth import LowestHeights, bottom_points, final_cloth, first_cloth
+from ..settings.terrain import ClothSettings
+from ..terrain.cloth import JAVANMARDI, LowestHeights, bottom_points, final_cloth, first_cloth
 from ..terrain.outliers import isolation_limit, plausible
 from ..terrain.surface_files import metric_crs_wkt
 from ..terrain.tiles import ClothPart, TilePoints, layer_of_tile, lowest_heights_of_tile, point_margin

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from .declaration import Settings, setting
+from .declaration import Settings, record, setting
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class OcclusionSettings(Settings):
     """What counts as a building."""
 
@@ -24,7 +22,7 @@ class OcclusionSettings(Settings):
         "the cells' centres.", advanced=True)
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class BundleSettings(Settings):
     """What is known before.
 
@@ -49,7 +47,7 @@ class BundleSettings(Settings):
     own_scales: tuple[float, ...] = (1.0, 0.2, 0.04)
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class MarkingThreshold(Settings):
     """How much brighter than its surroundings paint is (J Table 3-2)."""
 
@@ -59,7 +57,7 @@ class MarkingThreshold(Settings):
         "255 after the level adjustment, whatever its bit depth.", "grey values", 1.0, 200.0)
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class PaintRules(Settings):
     """What of all that is bright enough is no paint."""
 

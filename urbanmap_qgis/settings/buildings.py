@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from .declaration import Settings, setting
+from .declaration import Settings, record, setting
 
 FULL, PAPER = "full", "paper"
 """Methods: our own way, or the paper's alone."""
@@ -20,7 +18,7 @@ ROBUST, MAXIMUM = "robust", "maximum"
 """Heights of level roofs: the median of their points, or the highest of them as in the paper."""
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class SegmentationParameters(Settings):
     """How points are given to buildings (J 5.3.1)."""
 
@@ -38,7 +36,7 @@ class SegmentationParameters(Settings):
         "belong to a building.", "m", 0.5, 20.0, alias="MIN_HEIGHT", advanced=True)
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class RoofParameters(Settings):
     """How roofs are segmented (J 5.3.2).
 
@@ -83,7 +81,7 @@ class RoofParameters(Settings):
     max_parapet: float = 1.5
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class PlaneParameters(Settings):
     """How roof planes are found.
 
@@ -100,7 +98,7 @@ class PlaneParameters(Settings):
     merge_tolerance: float = 0.1
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class PolygonParameters(Settings):
     """How roof polygons are drawn (J 5.3.3); those of the paper's method are levels always."""
 
@@ -117,7 +115,7 @@ class PolygonParameters(Settings):
                                    "edge, in the paper's method (its n).", "points", 3, 1000, advanced=True)
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class MeshSettings(Settings):
     """How 2.5D meshes are made."""
 
@@ -129,7 +127,7 @@ class MeshSettings(Settings):
                               "beside them.", "m2", 0.0, 1000.0, advanced=True)
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class MergeSettings(Settings):
     """Limits within which walls of models follow measured walls (J 5.7).
 

@@ -5,9 +5,13 @@ These modules import the standard library alone, so that algorithms are listed w
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field, fields
+import dataclasses
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from math import inf
+from threading import RLock
+from types import MappingProxyType
+from typing import TYPE_CHECKING
 
 from ..errors import InputError
 from ..wording import known, say
@@ -58,14 +62,59 @@ def setting(default: object, label: str, help: str, unit: str = "", minimum: flo
     return field(default=default, metadata={"setting": said})
 
 
-def declared(record: type) -> dict[str, Setting]:
-    """What is said of the fields of a record that a user may give, by field."""
-    return {item.name: item.metadata["setting"] for item in fields(record) if "setting" in item.metadata}
-
-
 class Settings:
-    """Base of records of settings: what no declaration allows is refused when one is made."""
+    """Base of records of settings: what no declaration allows is refused when one is made.
+
+    Attributes
+    ----------
+    declared : what is said of the fields that a user may give, by field, those of its bases first.
+    defaults, kinds : default and annotation of each of them.
+    """
+
+    declared: Mapping[str, Setting] = MappingProxyType({})
+    defaults: Mapping[str, object] = MappingProxyType({})
+    kinds: Mapping[str, str] = MappingProxyType({})
+
+    def __init_subclass__(cls) -> None:
+        for base in cls.__mro__[-2:0:-1]:
+            completed(base)
+        own = {name: value for name, value in vars(cls).items()
+               if isinstance(value, dataclasses.Field) and "setting" in value.metadata}
+        cls.declared = {**cls.declared, **{name: value.metadata["setting"] for name, value in own.items()}}
+        cls.defaults = {**cls.defaults, **{name: value.default for name, value in own.items()}}
+        cls.kinds = {**cls.kinds, **{name: cls.__annotations__[name] for name in own}}
+
+    def __new__(cls, *_args: object, **_given: object):
+        completed(cls)
+        return super().__new__(cls)
 
     def __post_init__(self) -> None:
-        for name, said in declared(type(self)).items():
+        for name, said in self.declared.items():
             said.check(getattr(self, name))
+
+
+def completed(record: type) -> type:
+    """A class marked by `record` as the frozen dataclass that it is."""
+    if "is_open" in vars(record):
+        with _LOCK:
+            if "is_open" in vars(record):
+                dataclass(frozen=True)(record)
+                del record.is_open
+    return record
+
+
+_LOCK = RLock()
+"""Of the first use of a record, which several threads may make at once."""
+
+
+if TYPE_CHECKING:
+    from dataclasses import dataclass as record
+else:
+    def record(frozen: bool):
+        """A frozen dataclass that is made one when it is first used: all of them at once would take QGIS 25 ms as it
+        starts, which lists what they declare."""
+        def mark(cls: type) -> type:
+            cls.is_open = frozen
+            return cls
+
+        return mark

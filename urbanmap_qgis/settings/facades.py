@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
-from .declaration import Settings, setting
+from .declaration import Settings, record, setting
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class FacadeSettings(Settings):
     """What counts as a facade point.
 
@@ -24,7 +24,7 @@ class FacadeSettings(Settings):
     max_points: int = 4_000_000
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class PlaneSettings(Settings):
     """How walls are told apart."""
 
@@ -38,7 +38,7 @@ class PlaneSettings(Settings):
         advanced=True)
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class ContourSettings(Settings):
     """How contours are drawn.
 
@@ -61,7 +61,7 @@ MAIN, OUTERMOST = "main", "outermost"
 """Which wall is wanted where a building has balconies: the one behind them, or their fronts."""
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class WallSettings(Settings):
     """All settings of the stage; `front`: the wall that is wanted behind balconies, or their fronts."""
 
@@ -72,6 +72,3 @@ class WallSettings(Settings):
     facade: FacadeSettings = field(default_factory=FacadeSettings)
     planes: PlaneSettings = field(default_factory=PlaneSettings)
     contours: ContourSettings = field(default_factory=ContourSettings)
-
-
-DEFAULTS = WallSettings()

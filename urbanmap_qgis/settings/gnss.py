@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
-from .declaration import Settings, setting
+from .declaration import Settings, record, setting
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class SignalSettings(Settings):
     """How observations are read and modelled.
 
@@ -34,7 +34,7 @@ class SignalSettings(Settings):
     check_height: bool = True
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class TraceSettings(Settings):
     """How signals are traced.
 
@@ -54,7 +54,7 @@ class TraceSettings(Settings):
     diffraction: float = 6.0
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class AdjustmentSettings(Settings):
     """How walls are adjusted.
 

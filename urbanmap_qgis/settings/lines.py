@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from .declaration import Settings, setting
+from .declaration import Settings, record, setting
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class ScanSettings(Settings):
     """What is placed, and how the files are read.
 
@@ -25,7 +23,7 @@ class ScanSettings(Settings):
     radians: bool = False
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class TextureSettings(Settings):
     """How textures are made.
 
@@ -43,7 +41,7 @@ class TextureSettings(Settings):
     min_detail: float = 1.0
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class BoresightSettings(Settings):
     """Prior standard deviations of the calibration and of the trajectories.
 

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from .declaration import Settings, setting
+from .declaration import Settings, record, setting
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class ScannerSettings(Settings):
     """A laser scanner on the vehicle to be localised."""
 
@@ -25,7 +23,7 @@ class ScannerSettings(Settings):
         0.1, "Share of hidden rays", "Rays that end at vehicles, trees or people.", "", 0.0, 0.9, advanced=True)
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class EvidenceSettings(Settings):
     """How scans, markings and satellites tell the place, and what is taken for good."""
 

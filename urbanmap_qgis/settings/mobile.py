@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from .declaration import Settings, setting
+from .declaration import Settings, record, setting
 from .terrain import ground_source_setting
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class StrokeRules(Settings):
     """What of a survey's points is paint (J 3.2.3)."""
 
@@ -24,7 +22,7 @@ class StrokeRules(Settings):
         0.4, "Minimum length", "Shorter pieces, in metres, are left out.", "m", 0.0, 10.0, advanced=True)
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class ReachRules(Settings):
     """Which points are looked at."""
 
@@ -34,7 +32,7 @@ class ReachRules(Settings):
     ground: str = ground_source_setting(advanced=True)
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class WindowSettings(Settings):
     """Windows of a survey's markings, and how they are laid on the reference (J Table 3-2)."""
 
@@ -57,7 +55,7 @@ class WindowSettings(Settings):
         0.001, 10.0, advanced=True)
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class WindowChoice(Settings):
     """What the method decides where it is not given: the length of the windows, and how they are thinned."""
 
@@ -72,7 +70,7 @@ class WindowChoice(Settings):
         "method.", "m", 0.01, 2.0, advanced=True)
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class TrustSettings(Settings):
     """How exact the reference is, and which patches are to be trusted."""
 
@@ -86,7 +84,7 @@ class TrustSettings(Settings):
         "trusted.", "m", 0.01, 100.0, advanced=True)
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class ControlSettings(Settings):
     """What ties several drives beside the reference."""
 

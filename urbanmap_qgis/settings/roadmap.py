@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import nan
 
-from .declaration import Settings, setting
+from .declaration import Settings, record, setting
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class LineSettings(Settings):
     """What counts as a line.
 
@@ -31,7 +30,7 @@ class LineSettings(Settings):
     guide_width: float = 0.26
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class EdgeSettings(Settings):
     """How edges are looked for."""
 
@@ -48,7 +47,7 @@ class EdgeSettings(Settings):
         "sigma of all edges.", "m", 0.0, 10.0, alias="SIGMA")
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class ObjectSettings(Settings):
     """How objects are looked for."""
 
@@ -63,7 +62,7 @@ class ObjectSettings(Settings):
         "sigma of all objects.", "m", 0.0, 10.0, alias="SIGMA")
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class MapSettings(Settings):
     """What counts as a lane.
 
@@ -92,7 +91,7 @@ class MapSettings(Settings):
     height_gap: float = 2.5
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class ComparisonSettings(Settings):
     """How two maps are compared.
 

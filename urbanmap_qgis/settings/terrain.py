@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import field
 
-from .declaration import Settings, setting
+from .declaration import Settings, record, setting
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class ClothSettings(Settings):
     """Parameters of the filter, with J's values."""
 
@@ -25,10 +25,6 @@ class ClothSettings(Settings):
         advanced=True)
 
 
-JAVANMARDI = ClothSettings()
-"""The values of J Table 3-2."""
-
-
 def ground_source_setting(advanced: bool = False):
     """The field of records that say where ground points come from."""
     return setting("automatic", "Ground points", "How ground points are told. Automatic: by class where at least 1 % "
@@ -36,7 +32,7 @@ def ground_source_setting(advanced: bool = False):
                    choices=("automatic", "classes", "cloth"), alias="GROUND_SOURCE", advanced=advanced)
 
 
-@dataclass(frozen=True)
+@record(frozen=True)
 class SurfaceSettings(Settings):
     """How surfaces are made.
 
@@ -55,4 +51,4 @@ class SurfaceSettings(Settings):
     ground_in_gaps: bool = setting(
         False, "Ground in gaps", "Where triangles were left out, the surface takes the height of the ground instead of "
         "staying empty.", advanced=True)
-    cloth: ClothSettings = JAVANMARDI
+    cloth: ClothSettings = field(default_factory=ClothSettings)

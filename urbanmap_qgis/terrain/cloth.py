@@ -25,7 +25,7 @@ from ..errors import InsufficientDataError
 from ..geometry.grid import Grid
 from ..geometry.sampling import Bilinear
 from ..progress import SILENT, Progress
-from ..settings.terrain import JAVANMARDI, ClothSettings
+from ..settings.terrain import ClothSettings
 from ..wording import say
 from .delaunay import extreme_in_cells
 from .lowest_heights import NEIGHBOUR_STEP, PIT_DEPTH, LowestHeights, lowest_heights, node_of_points
@@ -52,6 +52,9 @@ class TerrainClothLimits:
 
 
 LIMITS = TerrainClothLimits()
+
+JAVANMARDI = ClothSettings()
+"""The settings of J Table 3-2."""
 
 
 def classify_ground(x: np.ndarray, y: np.ndarray, z: np.ndarray, settings: ClothSettings = JAVANMARDI,

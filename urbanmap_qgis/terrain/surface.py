@@ -11,9 +11,9 @@ from ..errors import InputError, InsufficientDataError
 from ..geometry.grid import Grid
 from ..geometry.sampling import sample
 from ..progress import SILENT, Progress
-from ..settings.terrain import JAVANMARDI, ClothSettings
+from ..settings.terrain import ClothSettings
 from ..wording import say
-from .cloth import classify_ground
+from .cloth import JAVANMARDI, classify_ground
 from .delaunay import highest_in_cells, triangulate
 from .outliers import plausible
 from .rasterise import rasterise

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import Field, fields
 from math import isfinite
 from pathlib import Path
 
@@ -33,7 +32,7 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QCoreApplication
 
 from ....urbanmap_qgis.errors import InputError
-from ....urbanmap_qgis.settings.declaration import Setting, declared
+from ....urbanmap_qgis.settings.declaration import Settings
 from .choice_words import CHOICE_WORDS
 
 LAZ_FILTER = "LAZ point cloud (*.laz);;LAS point cloud (*.las)"
@@ -197,39 +196,34 @@ class Declarations:
 
     # Settings
 
-    def settings_names(self) -> dict[type, dict[str, str]]:
+    def settings_names(self) -> dict[type[Settings], dict[str, str]]:
         """Names of the parameters that `add_settings` declared, by record and field."""
         if not hasattr(self, "_settings_names"):
-            self._settings_names: dict[type, dict[str, str]] = {}
+            self._settings_names: dict[type[Settings], dict[str, str]] = {}
         return self._settings_names
 
-    def add_settings(self, record: type, *chosen: str, advanced: bool | None = None, **renamed: str) -> None:
+    def add_settings(self, record: type[Settings], *chosen: str, advanced: bool | None = None, **renamed: str) -> None:
         """Parameters for the fields that a record of settings declares: those chosen, or all that are not there yet.
 
         `renamed` gives the parameters of fields other names; `advanced` replaces what the record says.
         """
         names = self.settings_names().setdefault(record, {})
-        by_name = {field.name: field for field in fields(record)}
-        for field in chosen or [field for field in declared(record) if field not in names]:
-            said = declared(record)[field]
+        for field in chosen or [field for field in record.declared if field not in names]:
+            said, default = record.declared[field], record.defaults[field]
             names[field] = renamed.get(field) or said.alias or field.upper()
-            self._add_setting(names[field], said, by_name[field], said.advanced if advanced is None else advanced)
-
-    def _add_setting(self, name: str, said: Setting, field: Field, advanced: bool) -> None:
-        words = (name, said.label, said.help)
-        if said.choices:
-            self.add_choice(*words, said.choices, field.default, advanced)
-        elif isinstance(field.default, bool):
-            self.add_boolean(*words, field.default, advanced)
-        else:
-            numbers = (field.default, *(limit if isfinite(limit) else None for limit in (said.minimum, said.maximum)))
-            optional = field.default is None
-            if said.unit == "m":
-                self.add_distance(*words, *numbers, optional, advanced)
+            words, flag = (names[field], said.label, said.help), said.advanced if advanced is None else advanced
+            limits = (limit if isfinite(limit) else None for limit in (said.minimum, said.maximum))
+            if said.choices:
+                self.add_choice(*words, said.choices, default, flag)
+            elif isinstance(default, bool):
+                self.add_boolean(*words, default, flag)
+            elif said.unit == "m":
+                self.add_distance(*words, default, *limits, default is None, flag)
             else:
-                self.add_number(*words, *numbers, said.unit, field.type.startswith("int"), optional, advanced)
+                self.add_number(*words, default, *limits, said.unit, record.kinds[field].startswith("int"),
+                                default is None, flag)
 
-    def settings(self, record: type, parameters: Mapping, context, **given: object):
+    def settings(self, record: type[Settings], parameters: Mapping, context, **given: object):
         """A record of settings as the user gave them; `given` are those that are no parameters.
 
         What its bases declare is read too, so that a record of the core can add fields that no user sets.
@@ -237,11 +231,10 @@ class Declarations:
         names = {field: name for base in record.__mro__ for field, name in self.settings_names().get(base, {}).items()}
         readers = {"bool": self.parameterAsBool, "str": self.parameterAsString, "int": self.parameterAsInt,
                    "float": self.parameterAsDouble}
-        for field in fields(record):
-            name = names.get(field.name)
-            if name and field.name not in given:
-                missing = field.default is None and parameters.get(name) is None
-                given[field.name] = None if missing else readers[field.type.split()[0]](parameters, name, context)
+        for field, name in names.items():
+            if field not in given:
+                missing = record.defaults[field] is None and parameters.get(name) is None
+                given[field] = None if missing else readers[record.kinds[field].split()[0]](parameters, name, context)
         return record(**given)
 
     # Numbers and choices

@@ -8,7 +8,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ...settings.mobile import ReachRules
-from ...settings.terrain import JAVANMARDI, ClothSettings
+from ...settings.terrain import ClothSettings
+from ...terrain.cloth import JAVANMARDI
 from .intensity_calibration import IntensityCurve
 from .lasers import LaserGains
 from .marking_points import MarkingPointSettings
