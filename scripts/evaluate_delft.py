@@ -17,14 +17,15 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
-from scripts.bench import FIGURES, Delft, chain, outlines_of  # noqa: E402
+from scripts.bench import FIGURES, Delft, chain  # noqa: E402
+from scripts.layers import read_layer  # noqa: E402
 from urbanmap_qgis.buildings.building_model import BuildingModel  # noqa: E402
 
 
 def main() -> None:
     """Print the figures."""
     folder, delft = Path(sys.argv[1]), Delft.read()
-    outlines, names = outlines_of(folder / "outlines.gpkg", "lokaalid")
+    outlines, (names,) = read_layer(folder / "outlines.gpkg", "lokaalid")
     for sloped in (False, True):
         run, kind = chain(folder / "points.laz", outlines, sloped=sloped), "sloped" if sloped else "level"
         for name, value in zip(FIGURES, delft.figures(run)):
