@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Cost of whole runs on the command line beside what reading their data costs alone: a part of `make bench`.
 
-    python scripts/bench_stages.py [--only buildings] [--sizes 1 4 16]
+    python scripts/bench_stages.py [--only buildings]
 
 Each run is a `qgis_process` of its own: CPU seconds (user and system, its workers with it) and greatest memory. The
 reference beside it is what any program must do at least: LAZ is decoded by laspy, an image copied by GDAL, QGIS
@@ -11,7 +11,6 @@ started without the plugin. The ratio of the two lasts from machine to machine.
 from __future__ import annotations
 
 import argparse
-import math
 import os
 import subprocess
 import sys
@@ -26,7 +25,6 @@ import laspy
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
-from scripts import scale_trial  # noqa: E402
 from scripts.bench_street import city  # noqa: E402
 from scripts.bench_table import print_table  # noqa: E402
 
@@ -165,33 +163,8 @@ def _bare_start(folder: Path) -> tuple[float, float]:
     return cost([names[0], "help", "native:buffer"], environment)
 
 
-def linear_rows(sizes: Iterable[int], folder: Path) -> list[tuple]:
-    """Cost of a tile of Delft's buildings against the number of tiles, each size the square of a whole number."""
-    from osgeo import gdal
-
-    gdal.UseExceptions()
-    delft = DATA / "als" / "delft_west"
-    block = folder / "block.geojson"
-    gdal.VectorTranslate(str(block), str(delft / "outlines.gpkg"), format="GeoJSON")
-    trial = scale_trial.Trial(tile=150, buffer=30, workers=2)
-    rows = []
-    for tiles in sizes:
-        inputs = scale_trial.make_town(delft / "points.laz", block, tiles, folder / f"town_{tiles}", trial.tile)
-        run = folder / f"run_{tiles}"
-        run.mkdir()
-        cost(scale_trial.command(inputs, run, trial))
-        done = [record for record in scale_trial.records(run) if record["status"] == "done"]
-        spent = sum(record["cpu"] for record in done)
-        # A tile among others reads their edges, too: the town's rows and columns, each with its inner buffers.
-        rows_of_tiles = math.sqrt(tiles)
-        read = (rows_of_tiles + 2 * (rows_of_tiles - 1) * trial.buffer / trial.tile) ** 2
-        rows.append((tiles, len(done), read, spent, spent / read, spent / read / rows[0][4] if rows else 1.0,
-                     round(max(record["memory"] for record in done))))
-    return rows
-
-
-def stage_tables(only: str = "", sizes: Iterable[int] = (1, 4, 16)) -> None:
-    """Print the costs of the runs whose names hold `only`, and of more and more tiles."""
+def stage_tables(only: str = "") -> None:
+    """Print the costs of the runs whose names hold `only`."""
     rows = []
     with city(DATA / "city") as data, tempfile.TemporaryDirectory() as folder:
         given = works(data, Path(folder))
@@ -206,21 +179,13 @@ def stage_tables(only: str = "", sizes: Iterable[int] = (1, 4, 16)) -> None:
         rows.append(start_row(Path(folder)))
     print_table("Whole runs on the command line, each with a start of QGIS, beside reading their data alone", HEADER,
                 rows)
-    if sizes and (DATA / "als" / "delft_west").is_dir():
-        with tempfile.TemporaryDirectory() as folder:
-            print_table("Buildings of Delft over and over, run over tiles",
-                        ("tiles", "done", "tiles read with buffers", "CPU s", "CPU s a tile read",
-                         "beside the first row", "MB"),
-                        linear_rows(sizes, Path(folder)))
 
 
 def main() -> int:
     """Print these tables alone."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", default="", help="words in the names of the runs to make")
-    parser.add_argument("--sizes", type=int, nargs="*", default=[1, 4, 16], help="numbers of tiles")
-    given = parser.parse_args()
-    stage_tables(given.only, given.sizes)
+    stage_tables(parser.parse_args().only)
     return 0
 
 

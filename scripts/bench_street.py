@@ -6,16 +6,12 @@ markings, so that the peers' errors are theirs alone. Peers are measured where t
 
 from __future__ import annotations
 
-import importlib
 import tempfile
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
-
-import numpy as np
 
 from scripts.bench_table import print_table
 from scripts.layers import read_layer
@@ -30,17 +26,8 @@ from urbanmap_qgis.mobile.registration.run import RegistrationRun
 from urbanmap_qgis.mobile.registration.stage import register_markings
 from urbanmap_qgis.mobile.registration.start.reference import Reference
 from urbanmap_qgis.mobile.registration.survey_markings import survey_markings
-from urbanmap_qgis.mobile.trajectory import Trajectory, interpolate, path_chainage
+from urbanmap_qgis.mobile.trajectory import Trajectory, path_chainage
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
-
-WINDOW = 15.0
-"""Half the length of the peers' windows along the way, m."""
-
-EVERY = 10.0
-"""A window is given to the peers every so many metres."""
-
-AROUND = 6.0
-THIN = 0.1
 
 
 @dataclass(frozen=True)
@@ -107,87 +94,9 @@ def speed_rows(survey: Survey, reference: float) -> list[tuple]:
             ("points moved and written", applied, applied / tens, "s / 10 M points", applied / reference)]
 
 
-def peer_rows(survey: Survey) -> list[tuple]:
-    """Windows every `EVERY` metres registered by this program and by the peers: CPU ms a window, errors in plan (m)."""
-    windows = register_windows(survey.markings, survey.reported, survey.reference, RegistrationSettings(three_d=True))
-    way = path_chainage(survey.reported)
-    middles = np.arange(WINDOW, way[-1] - WINDOW, EVERY)
-    moment = np.interp(middles, way, survey.reported.time)
-    wanted = interpolate(survey.true, moment).place - interpolate(survey.reported, moment).place
-    own = np.array([windows.correction[np.argmin(np.abs(windows.chainage - middle)), :2] for middle in middles])
-    _, seconds = timed(lambda: register_windows(survey.markings, survey.reported, survey.reference,
-                                                RegistrationSettings(three_d=True)))
-    rows = [("this program", 1000 * seconds / len(windows.chainage), *errors(own - wanted[:, :2]))]
-    pairs = [window_points(survey, way, middle, place) for middle, place in
-             zip(middles, interpolate(survey.reported, moment).place)]
-    for name, package, align in (("small_gicp, GICP", "small_gicp", small_gicp_shift),
-                                 ("Open3D, ICP", "open3d", open3d_shift)):
-        try:
-            library = importlib.import_module(package)
-        except ImportError:
-            print(f"{name}: not installed, left out")
-            continue
-        found, seconds = timed(partial(shifts, align, library, pairs))
-        rows.append((name, 1000 * seconds / len(pairs), *errors(found - wanted[:, :2])))
-    return rows
-
-
-def shifts(align: Callable, library, pairs: list[tuple[np.ndarray, np.ndarray]]) -> np.ndarray:
-    """Shifts in plan (n, 2) of all windows by a peer."""
-    return np.array([align(library, *pair) for pair in pairs])
-
-
-def window_points(survey: Survey, way: np.ndarray, middle: float, place: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Marking points of a window and of the reference round it, (n, 3) each, m from the window's place."""
-    at = np.interp(survey.markings.time, survey.reported.time, way)
-    points = np.column_stack([survey.markings.x, survey.markings.y, survey.markings.z])[np.abs(at - middle) < WINDOW]
-    points = thinned(points - place)
-    low, high = (points[:, :2] + place[:2]).min(axis=0) - AROUND, (points[:, :2] + place[:2]).max(axis=0) + AROUND
-    flat = survey.reference.coverage(*low, *high).points()
-    target = np.column_stack([flat, survey.reference.heights(*flat.T)]) - place
-    target = thinned(target[np.isfinite(target[:, 2])])
-    # Heights are a metre off as well; the peers are given the median, since they do not search for it.
-    points[:, 2] += np.median(target[:, 2]) - np.median(points[:, 2])
-    return points, target
-
-
-def thinned(points: np.ndarray) -> np.ndarray:
-    """One point in each cell of `THIN` m."""
-    _, first = np.unique(np.floor(points / THIN).astype(np.int64), axis=0, return_index=True)
-    return points[np.sort(first)]
-
-
-def small_gicp_shift(library, source: np.ndarray, target: np.ndarray) -> np.ndarray:
-    """Shift in plan (2,) by small_gicp's GICP, one thread."""
-    result = library.align(target, source, registration_type="GICP", downsampling_resolution=THIN,
-                           max_correspondence_distance=3.0, num_threads=1)
-    return result.T_target_source[:2, 3]
-
-
-def open3d_shift(library, source: np.ndarray, target: np.ndarray) -> np.ndarray:
-    """Shift in plan (2,) by Open3D's ICP, point to point: markings have no normals of their own."""
-    clouds = []
-    for points in (source, target):
-        cloud = library.geometry.PointCloud()
-        cloud.points = library.utility.Vector3dVector(points)
-        clouds.append(cloud)
-    result = library.pipelines.registration.registration_icp(
-        clouds[0], clouds[1], 3.0, np.eye(4),
-        library.pipelines.registration.TransformationEstimationPointToPoint())
-    return result.transformation[:2, 3]
-
-
-def errors(off: np.ndarray) -> tuple[float, float]:
-    """Median and 90 % of distances (n, 2)."""
-    distance = np.linalg.norm(off, axis=1)
-    return float(np.nanmedian(distance)), float(np.nanpercentile(distance, 90))
-
-
 def street_tables(data: Path, reference: float) -> None:
-    """Print both tables."""
+    """Print the table."""
     with city(data) as folder:
         survey = read_survey(folder)
         print_table(f"Mobile side, {survey.name}: {survey.point_count / 1e6:.1f} million points",
                     ("step", "CPU s", "value", "unit", "CPU / reference"), speed_rows(survey, reference))
-        print_table("Windows of 30 m, 3D, true aerial markings as reference",
-                    ("by", "CPU ms a window", "median error, m", "90 %, m"), peer_rows(survey))

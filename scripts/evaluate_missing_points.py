@@ -3,14 +3,10 @@
 
     python scripts/evaluate_missing_points.py [--cloud points.laz] [--ways half-plane,disc] [--seed 1]
     python scripts/evaluate_missing_points.py --cell 83000_446500 --first 150
-    python scripts/evaluate_missing_points.py --ceiling
 
 Half of each building's points are deleted in each of five ways, the chain runs on what is left with its defaults, and
 every model is compared with all points of the complete cloud. Data: Delft beside the checkout; cells hold points of
 buildings alone. The figures of `seen_roofs` were set on Delft west, seeds 1 and 2.
-
-`--ceiling` adds what figures would reach that know more than any model can: the true error where points were left, and
-exactly which part was not seen.
 """
 
 from __future__ import annotations
@@ -25,7 +21,6 @@ from pathlib import Path
 import laspy
 import numpy as np
 import shapely
-from scipy.spatial import cKDTree
 from scipy.stats import spearmanr
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
@@ -34,9 +29,7 @@ from scripts.bench import DATA, DELFT, chain, score
 from scripts.bench_table import print_table
 from scripts.layers import read_layer
 from urbanmap_qgis.buildings.building_model import BuildingModel
-from urbanmap_qgis.buildings.model_surfaces import roof_cells
 from urbanmap_qgis.buildings.point_assignment import PlanIndex
-from urbanmap_qgis.buildings.quality import height_differences
 
 STRIP, REACH = 3.0, 1.0
 """Width (m) of the deleted strips; distance (m) beyond an outline within which points are the building's."""
@@ -49,14 +42,6 @@ OPEN_CLASSES = (2, 9)
 
 EDGES, CUT_SHARE = 5, (0.2, 0.8)
 """Edges of the cloud tried in each direction; share of an outline beyond one from and to which it is cut."""
-
-CEILING = ("way", "error where seen", "and one error where not seen", "and a share of the height there",
-           "and the spread of all heights there", "half of all points")
-"""Rank correlations with the true error of what only the complete cloud tells."""
-
-NEAR, SHARE_OF_HEIGHT = 1.0, 0.3
-"""Distance (m) from a point that was left within which a place is seen; error of a place that is not, as a share of the
-building's height."""
 
 HEADER = ("way", "buildings", "modelled", "ok", f"ok over {WRONG} m", "rank correlation", "mean error (m)",
           "mean unseen")
@@ -182,52 +167,23 @@ def _edge_cases(scene: Scene) -> Iterator[Case]:
 
 @dataclass(frozen=True)
 class Outcome:
-    """A model of a cut building and its true error (RMSE of height of the best 95 % of all points, m); `known`: what
-    figures of `CEILING` from the second on say of it."""
+    """A model of a cut building and its true error (RMSE of height of the best 95 % of all points, m)."""
 
     way: str
     row: int
     model: BuildingModel
     error: float
-    known: tuple[float, ...] = ()
 
 
-def outcomes(scene: Scene, way: str, seed: int, ceiling: bool = False) -> list[Outcome]:
+def outcomes(scene: Scene, way: str, seed: int) -> list[Outcome]:
     """Models of the cut buildings."""
     found = []
     for case in cases(scene, way, seed):
         run = chain_of(scene, case.kept)
         scores = score(run, scene.outlines, scene.truth)
         for row in case.cut.tolist():
-            known = _known(scene, case, row, run.models[row]) if ceiling and run.models[row].solids else ()
-            found.append(Outcome(way, row, run.models[row], scores[row].rmse_z95, known))
+            found.append(Outcome(way, row, run.models[row], scores[row].rmse_z95))
     return found
-
-
-def _known(scene: Scene, case: Case, row: int, model: BuildingModel) -> tuple[float, ...]:
-    """What the complete cloud tells of a model, as `CEILING` has it."""
-    true = scene.truth[shapely.contains_xy(scene.outlines[row], *scene.truth[:, :2].T)]
-    left = scene.xyz[case.kept & scene.roof & (scene.owner == row), :2]
-    distance = cKDTree(left).query(true[:, :2])[0] if len(left) else np.full(len(true), np.inf)
-    off, unseen = np.abs(height_differences(*true.T, roof_cells(model.solids))), distance > NEAR
-    height = max(float(solid.vertices[:, 2].max()) for solid in model.solids) - model.base
-    half = np.random.default_rng(row).random(len(off)) < 0.5
-    guesses = (1.0, SHARE_OF_HEIGHT * height, float(np.std(true[:, 2])) if len(true) else 0.0)
-    return (_best(off[~unseen]), *(_best(np.where(unseen, guess, off)) for guess in guesses), _best(off[half]))
-
-
-def _best(off: np.ndarray) -> float:
-    """Root mean square of the best 95 % of height differences, m; NaN of none."""
-    known = np.sort(off[np.isfinite(off)])
-    best = known[:int(np.ceil(0.95 * len(known)))]
-    return float(np.sqrt(np.mean(best**2))) if len(best) else float("nan")
-
-
-def ceiling_row(found: list[Outcome]) -> list[float]:
-    """Figures of `CEILING` from the second on."""
-    made = [one for one in found if one.known and np.isfinite([one.error, *one.known]).all()]
-    error = [one.error for one in made]
-    return [float(spearmanr(figure, error).statistic) for figure in zip(*(one.known for one in made))]
 
 
 def chain_of(scene: Scene, kept: np.ndarray):
@@ -278,24 +234,18 @@ def main() -> int:
     arguments.add_argument("--seed", type=int, default=1)
     arguments.add_argument("--cell", default="", help="a cell of Delft instead, such as 83000_446500")
     arguments.add_argument("--first", type=int, default=150, help="outlines of the cell, from the south-west")
-    arguments.add_argument("--ceiling", action="store_true", help="what figures reach that know the unseen part")
     given = arguments.parse_args()
     if not DATA.is_dir():
         print("The real data are not beside the checkout.")
         return 1
     scene = _cell(given.cell, given.first) if given.cell else _delft(given.cloud)
     found = {"complete": whole(scene)}
-    found.update({way: outcomes(scene, way, given.seed, given.ceiling) for way in given.ways.split(",")})
+    found.update({way: outcomes(scene, way, given.seed) for way in given.ways.split(",")})
     rows = [(way, *figures(each)) for way, each in found.items()]
     rows.append(("all with parts missing", *figures([one for way, each in found.items() if way != "complete"
                                                      for one in each])))
     rows.append(("all", *figures([one for each in found.values() for one in each])))
     print_table(f"Half of each building's points missing, Delft, {given.cell or given.cloud}", HEADER, rows)
-    if given.ceiling:
-        every = {way: each for way, each in found.items() if way != "complete"}
-        every["all"] = [one for each in every.values() for one in each]
-        print_table("Rank correlation with the true error of what only the complete cloud tells", CEILING,
-                    [(way, *ceiling_row(each)) for way, each in every.items()])
     return 0
 
 

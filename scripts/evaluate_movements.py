@@ -1,35 +1,19 @@
-#!/usr/bin/env python3
-"""Ways through junctions against the painted arrows of a sample city: found and false ones, by what they come from.
-
-    python3 scripts/evaluate_movements.py CITY MARKINGS.gpkg GROUND.tif [--points LAZ ...] [--drives CSV ...]
-        [--confidence C] [--keep FILE]
+"""Ways through junctions against the painted arrows of a city: a part of `evaluate_roadmap.py`.
 
 The truth is what the arrow before the stop line of a true lane allows, whether or not the program saw that arrow; lanes
-of streets without arrows are not judged. MARKINGS and marking points are those found in the city; without drives the
-true trajectories are taken. `--keep` stores lines, areas and drives there, and takes them from there when it exists.
-Needs a Python that sees QGIS's GDAL.
+of streets without arrows are not judged.
 """
 
 from __future__ import annotations
 
-import argparse
-import pickle
-import sys
 from collections import Counter
 from pathlib import Path
 
 import numpy as np
 import shapely
 
-ROOT = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(ROOT))
-
-from scripts.evaluate_roadmap import measured_lines  # noqa: E402
-from scripts.layers import read_layer  # noqa: E402
-from urbanmap_qgis.mobile.trajectory_files import read_trajectory  # noqa: E402
-from urbanmap_qgis.roadmap.map_records import DrivenPath, MapArea, MapLine, VectorMap  # noqa: E402
-from urbanmap_qgis.roadmap.vector_map import build_vector_map  # noqa: E402
-from urbanmap_qgis.settings.roadmap import MapSettings  # noqa: E402
+from scripts.layers import read_layer
+from urbanmap_qgis.roadmap.map_records import VectorMap
 
 LEFT_WIDTH = 1.0
 """The painted arrow to the left is 1.28 m wide, the one straight on 0.7 m."""
@@ -39,21 +23,6 @@ BEFORE = 35.0
 
 AT_END = 12.0
 """The end of a lane of the map lies so near to the end of the true one, m."""
-
-
-def map_inputs(given: argparse.Namespace) -> tuple:
-    """Lines, areas and drives of a city as the map takes them."""
-    if given.keep is not None and given.keep.is_file():
-        return pickle.loads(given.keep.read_bytes())  # nosec B301 # a file of this script's own
-    work, _, _ = measured_lines(given.markings, given.points, given.ground)
-    lines = [MapLine(line.points, line.kind, line.colour, line.width, line.sigma, line.chain, line.partner,
-                     confidence=line.confidence, sigmas=line.sigmas) for line in work.lines]
-    areas = [MapArea(area.polygon, area.kind, area.heading) for area in work.areas]
-    paths = given.drives or sorted((given.city / "truth").glob("survey_*_trajectory.csv"))
-    drives = [DrivenPath(read_trajectory(Path(path)).trajectory.place) for path in paths]
-    if given.keep is not None:
-        given.keep.write_bytes(pickle.dumps((lines, areas, drives)))
-    return lines, areas, drives
 
 
 def true_turns(city: Path) -> list[tuple[np.ndarray, np.ndarray, float, str]]:
@@ -122,23 +91,3 @@ def movement_figures(built: VectorMap, city: Path) -> Counter:
             if way.kind == "virtual":
                 count[f"{way.evidence}: {'true' if way.turn == turn else 'false'}"] += 1
     return count
-
-
-def main() -> None:
-    """Print the figures of one city."""
-    parser = argparse.ArgumentParser()
-    parser.add_argument("city", type=Path)
-    parser.add_argument("markings")
-    parser.add_argument("ground")
-    parser.add_argument("--keep", type=Path)
-    parser.add_argument("--confidence", type=float, default=MapSettings.way_confidence)
-    for name in ("points", "drives"):
-        parser.add_argument(f"--{name}", nargs="*", default=[])
-    given = parser.parse_args()
-    built = build_vector_map(*map_inputs(given), MapSettings(way_confidence=given.confidence))
-    for name, number in sorted(movement_figures(built, given.city).items()):
-        print(f"{name:60s} {number}")
-
-
-if __name__ == "__main__":
-    main()

@@ -24,6 +24,7 @@ from shapely import affinity
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
+from scripts.evaluate_movements import movement_figures  # noqa: E402
 from scripts.layers import read_layer  # noqa: E402
 from urbanmap_qgis.io.raster import RasterSampler  # noqa: E402
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory  # noqa: E402
@@ -241,7 +242,7 @@ def lane_figures(built: VectorMap, city: Path) -> dict[str, float]:
 
 
 def measured_lines(given, points, ground=None):
-    """Line work of polygons with the marking points' paint added, the polygons, and those of the points."""
+    """Line work of polygons with the marking points' paint added, and all polygons."""
     geometries, (colours,) = read_layer(given, "colour")
     parts, owner = shapely.get_parts(shapely.force_2d(geometries), return_index=True)
     paint, names = list(parts), [colours[k] or "" for k in owner]
@@ -250,9 +251,9 @@ def measured_lines(given, points, ground=None):
     added = hidden_paint(paint, survey)
     work = line_work([*paint, *added], [*names, *[""] * len(added)], drives=drives)
     if ground is None:
-        return work, paint, survey
+        return work, [*paint, *survey]
     with RasterSampler(ground) as heights:
-        return with_ground_heights(work, heights.sample), paint, survey
+        return with_ground_heights(work, heights.sample), [*paint, *survey]
 
 
 def main() -> None:
@@ -265,7 +266,7 @@ def main() -> None:
         parser.add_argument(f"--{name}", nargs="*", default=[])
     given = parser.parse_args()
     city, started = given.city, time.process_time()
-    work, paint, survey = measured_lines(given.markings, given.points, given.ground)
+    work, paint = measured_lines(given.markings, given.points, given.ground)
     lines_done = time.process_time()
     paths = given.drives or sorted((city / "truth").glob("survey_*_trajectory.csv"))
     drives = [DrivenPath(read_trajectory(Path(path)).trajectory.place) for path in paths]
@@ -276,9 +277,10 @@ def main() -> None:
     done = time.process_time()
     shapes, (kinds,) = read_layer(city / "truth/markings.gpkg", "kind", layer="aerial")
     kinds = np.array(kinds)
-    figures = {**line_figures(work, shapes, kinds, [*paint, *survey]), **course_figures(work, city),
+    movements = movement_figures(built, city) if (city / "truth/lanes.gpkg").is_file() else {}
+    figures = {**line_figures(work, shapes, kinds, paint), **course_figures(work, city),
                **area_figures(work, shapes, kinds),
-               **lane_figures(built, city), **side_figures(built, shapes, kinds),
+               **lane_figures(built, city), **side_figures(built, shapes, kinds), **movements,
                "CPU s, lines": lines_done - started, "CPU s, lanes": done - lines_done,
                "CPU s a km of lines": (done - started) / (sum(line.plan.length for line in work.lines) / 1000)}
     for name, value in figures.items():

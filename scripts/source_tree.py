@@ -1,6 +1,6 @@
 """What the sources say of themselves, read without importing them: modules, imports, names.
 
-Used by the tests of the structure, the picture of the architecture and the mutation trial.
+Used by the tests of the structure and the picture of the architecture.
 """
 
 from __future__ import annotations
