@@ -7,6 +7,7 @@ import pytest
 from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError, OutputError
 from urbanmap_qgis.io.points.pointcloud import (
     PointLayout,
+    can_be_entered,
     cloud_writer,
     iter_chunks,
     open_cloud,
@@ -103,3 +104,24 @@ def test_failed_or_cancelled_writing_leaves_the_old_result(tmp_path, make_cloud,
 def test_read_all_gives_scaled_coordinates(tmp_path, make_cloud, points):
     read = read_all(open_cloud([make_cloud(tmp_path / "a.laz", *points)]), ["x", "z"])
     assert np.allclose(read["x"], points[0], atol=1e-6) and np.allclose(read["z"], points[2], atol=1e-6)
+
+
+def pointwise(source, target):
+    """A LAZ of one chunk as LASzip's first versions wrote it: one stream (compressor 1), without a table of chunks."""
+    data = bytearray(source.read_bytes())
+    start = int.from_bytes(data[96:100], "little")
+    table = int.from_bytes(data[start:start + 8], "little")
+    record = data.index(b"laszip encoded") - 2 + 54
+    data[record:record + 2] = (1).to_bytes(2, "little")
+    target.write_bytes(data[:start] + data[start + 8:table])
+    return target
+
+
+def test_a_stream_without_chunks_is_read(tmp_path, make_cloud):
+    x, y, z = np.random.default_rng(5).uniform(0, 60, (3, 4000))
+    time = np.sort(z)
+    made = make_cloud(tmp_path / "chunks.laz", x, y, z, point_format=1, gps_time=time)
+    cloud = open_cloud([pointwise(made, tmp_path / "stream.laz")])
+    read = read_all(cloud, ("x", "gps_time"))
+    assert np.allclose(read["x"], x, atol=1e-3) and np.array_equal(read["gps_time"], time)
+    assert not can_be_entered(cloud.headers[0]) and can_be_entered(open_cloud([made]).headers[0])

@@ -177,10 +177,17 @@ def _check_compressed(file: BinaryIO, header: _Header, records: list[tuple[bytes
     if not laszip:
         raise _Damaged(say("it is compressed, but its record on the compression is missing"))
     items = _items(laszip[0], header)
+    if is_pointwise(laszip[0]):
+        return
     (chunk_size,) = struct.unpack_from("<I", laszip[0], 12)
     chunks = _chunks(file, header, laszip[0], chunk_size, size)
     if any(kind in _LAYERS or kind == LIMITS.bytes14 for kind, _ in items):
         _check_layers(file, header, items, chunks, chunk_size)
+
+
+def is_pointwise(laszip: bytes) -> bool:
+    """Whether LASzip's record tells of one stream without chunks (compressor 1), as its first versions wrote."""
+    return struct.unpack_from("<H", laszip)[0] == 1
 
 
 def _items(laszip: bytes, header: _Header) -> list[tuple[int, int]]:

@@ -24,7 +24,7 @@ from ..reference.crs_text import same_horizontal
 from ..reference.height_systems import refuse_other_heights
 from ..reference.renamed_crs import known_wkt
 from .decoded_points import decoded_points
-from .las_check import check_las, decoding
+from .las_check import check_las, decoding, is_pointwise
 from .whole_records import copied_records, record_rows
 
 CHUNK_POINTS = 1_000_000
@@ -214,10 +214,12 @@ def _chunks(path: Path, header: laspy.LasHeader, chunk_points: int,
 def can_be_entered(header: laspy.LasHeader) -> bool:
     """Whether the points of a file can be read from any place on.
 
-    Where LAZ chunks differ in their number of points, as in COPC, lazrs goes to a wrong place without a word.
+    Where LAZ chunks differ in their number of points, as in COPC, lazrs goes to a wrong place without a word; without
+    chunks it knows no place.
     """
     laszip = header.vlrs.get("LasZipVlr") if header.are_points_compressed else []
-    return not any(lazrs.LazVlr(record.record_data).uses_variable_size_chunks() for record in laszip)
+    return not any(lazrs.LazVlr(record.record_data).uses_variable_size_chunks() or is_pointwise(record.record_data)
+                   for record in laszip)
 
 
 def valid_points(points: laspy.ScaleAwarePointRecord) -> np.ndarray:
