@@ -7,7 +7,9 @@
 
 A sample city has everything but the reference markings: make them with “Road markings from aerial frames”. Compared are
 the survey as reported, landmark updating with some of the control points, the paper's methods to the letter (3.2.4 in
-plan, chapter 4 in space) and the method of “Register mobile survey”. `evaluate_papers.py` puts the same on its page.
+plan, chapter 4 in space) and the method of “Register mobile survey”. The letter has two rows: with the markings that
+METHOD=paper finds in a survey, as “Georeference mobile survey” runs it, and with those of this program, which the other
+tables take for both. `evaluate_papers.py` puts the same on its page.
 """
 
 from __future__ import annotations
@@ -35,11 +37,12 @@ from urbanmap_qgis.mobile.calibration import read_calibration
 from urbanmap_qgis.mobile.control import ControlPoints, accuracy, in_survey_time, read_control, residuals
 from urbanmap_qgis.mobile.landmark_update import update_by_landmarks
 from urbanmap_qgis.mobile.markings.extraction import ExtractionSettings
+from urbanmap_qgis.mobile.markings.plain_threshold import PlainThreshold
 from urbanmap_qgis.mobile.markings.records import MarkingPoints
 from urbanmap_qgis.mobile.pose_correction import correction_between
-from urbanmap_qgis.mobile.registration.correction.patchwise import correct_patchwise
-from urbanmap_qgis.mobile.registration.records import REGISTERED, RegistrationSettings, WindowResults
-from urbanmap_qgis.mobile.registration.register import register_windows
+from urbanmap_qgis.mobile.registration.correction.patch_status import REGISTERED
+from urbanmap_qgis.mobile.registration.records import RegistrationSettings
+from urbanmap_qgis.mobile.registration.registered_survey import RegisteredSurvey
 from urbanmap_qgis.mobile.registration.run import RegistrationRun
 from urbanmap_qgis.mobile.registration.stage import register_markings
 from urbanmap_qgis.mobile.registration.start.reference import Reference
@@ -59,11 +62,12 @@ SUCCESS = 0.10
 class Survey:
     """A survey's marking points, trajectory and control points; every `landmarks`-th of these is used for updating.
 
-    `true` is the true trajectory, where it is known.
+    `plain` are the marking points by the paper's threshold. `true` is the true trajectory, where it is known.
     """
 
     name: str
     markings: MarkingPoints
+    plain: MarkingPoints
     trajectory: Trajectory
     control: ControlPoints
     points: int
@@ -96,16 +100,17 @@ class Survey:
 
 
 def read_survey(name: str, points: Path, trajectory: Path, control: Path, calibration: Path | None,
-                landmarks: int, settings: ExtractionSettings | None = None) -> Survey:
+                landmarks: int) -> Survey:
     """A survey from its files, with its markings extracted; the true trajectory lies beside the control points."""
     cloud = open_cloud([points])
     driven = read_trajectory(trajectory, cloud.crs_wkt).trajectory
     known, _ = in_survey_time(read_control(control), driven)
-    markings = survey_markings(cloud, driven, settings or ExtractionSettings(),
-                               read_calibration(calibration) if calibration else None)
+    scanners = read_calibration(calibration) if calibration else None
+    markings, plain = (survey_markings(cloud, driven, ExtractionSettings(plain=threshold), scanners)
+                       for threshold in (None, PlainThreshold()))
     true = control.with_name(f"{points.stem}_trajectory.csv")
     true = read_trajectory(true, cloud.crs_wkt).trajectory if true.is_file() else None
-    return Survey(name, markings, driven, known, cloud.point_count, landmarks, true)
+    return Survey(name, markings, plain, driven, known, cloud.point_count, landmarks, true)
 
 
 @dataclass(frozen=True)
@@ -144,23 +149,22 @@ class Evaluation:
         made = register_markings(survey.markings, survey.trajectory, self.reference, run)
         return made, time.process_time() - start
 
-    def letter(self, survey: Survey, **changes) -> tuple[Trajectory, WindowResults, float]:
+    def letter(self, survey: Survey, markings: MarkingPoints | None = None,
+               **changes) -> tuple[RegisteredSurvey, float]:
         """The same by the paper's method to the letter, also where it calls no patch registered."""
+        run = RegistrationRun(RegistrationSettings.paper(**changes))
         start = time.process_time()
-        settings = RegistrationSettings.paper(**changes)
-        windows = register_windows(survey.markings, survey.trajectory, self.reference, settings)
-        corrected = correct_patchwise(survey.trajectory, windows, settings.patch_length)
-        return corrected, windows, time.process_time() - start
+        made = register_markings(markings or survey.markings, survey.trajectory, self.reference, run)
+        return made, time.process_time() - start
 
-    def all_methods(self, survey: Survey) -> tuple[dict[str, Trajectory | None], object, WindowResults]:
-        """Corrected trajectories by method, ours in full, and the windows of the letter in plan."""
-        made, _ = self.ours(survey)
-        corrected, windows, _ = self.letter(survey)
-        found = {"reported": None, "landmark updating": update_by_landmarks(survey.trajectory, survey.marks),
-                 "the paper to the letter (3.2.4)": corrected}
-        if self.reference.has_heights:
-            found["the paper to the letter (chapter 4)"] = self.letter(survey, three_d=True)[0]
-        return {**found, "this program": made.trajectory}, made, windows
+    def registered(self, survey: Survey) -> dict[str, RegisteredSurvey]:
+        """The survey registered by each method; ours last."""
+        found = {}
+        for chapter, three_d in (("3.2.4", False), ("chapter 4", True))[:1 + self.reference.has_heights]:
+            for whose, markings in (("its own", survey.plain), ("this program's", survey.markings)):
+                found[f"the paper to the letter ({chapter}), {whose} markings"] = self.letter(
+                    survey, markings, three_d=three_d)[0]
+        return {**found, "this program": self.ours(survey)[0]}
 
     def methods(self) -> None:
         """Tables 3-3, 3-7 and 4-1, at control points and at virtual ones."""
@@ -168,8 +172,10 @@ class Evaluation:
         virtual: dict[str, list[np.ndarray]] = {}
         sure, statuses = [], []
         for survey in self.surveys:
-            found, made, windows = self.all_methods(survey)
-            vcp = self.virtual(survey, made.trajectory)
+            made = self.registered(survey)
+            found = {"reported": None, "landmark updating": update_by_landmarks(survey.trajectory, survey.marks),
+                     **{name: one.trajectory for name, one in made.items()}}
+            vcp = self.virtual(survey, found["this program"])
             rows, length = [], float(path_chainage(survey.trajectory)[-1])
             for name, corrected in found.items():
                 errors = survey.errors(corrected)
@@ -180,8 +186,8 @@ class Evaluation:
                     virtual.setdefault(name, []).append(residuals(vcp, moved))
             self.table(f"Tables 3-3 and 4-1: {survey.name}, {length:.0f} m, {len(survey.checks)} control points, "
                        f"{len(survey.marks)} landmarks", HEADER, [*rows, *J_SURVEY_6])
-            sure.append((survey.name, *covered(survey, made)))
-            statuses.append((survey.name, *trust_of(survey, windows, found["the paper to the letter (3.2.4)"])))
+            sure += [(survey.name, name, *covered(survey, one)) for name, one in made.items()]
+            statuses += [(survey.name, name, *trust_of(survey, one)) for name, one in made.items()]
         self.table("Tables 3-7 and 4-1: all surveys, control points", HEADER,
                    [*((name, *figures(np.concatenate(errors))) for name, errors in collected.items()), *J_ALL])
         if virtual:
@@ -192,10 +198,10 @@ class Evaluation:
         self.table("Figure 3-30: all surveys", ("survey", "method", *HEADER[1:4]),
                    [(self.surveys[k].name, name, *figures(errors[k])[:3]) for name, errors in collected.items()
                     for k in range(len(self.surveys))])
-        self.table("Honesty of sigma of this program", ("survey", "within 1 sigma", "within 2 sigma",
-                                                        "median sigma (m)"), sure)
-        self.table("Statuses of the letter in plan", ("survey", "patches registered", "of these off by more than 0.2 m",
-                                                      "of the others"), statuses)
+        self.table("Honesty of sigma", ("survey", "method", "within 1 sigma", "within 2 sigma", "median sigma (m)"),
+                   sure)
+        self.table("Statuses", ("survey", "method", "patches registered", "of these off by more than 0.2 m",
+                                "of the others"), statuses)
 
     def virtual(self, survey: Survey, corrected: Trajectory) -> ControlPoints | None:
         """Virtual control points of a survey, None without polygons of the reference."""
@@ -212,18 +218,18 @@ class Evaluation:
         survey = self.surveys[0]
         header = ("", "letter mean 2D (m)", "letter max", "this program mean", "this program max", "windows min",
                   "mean", "max", "J mean (m)", "J windows min / mean / max", "CPU of letter (s)")
-        for title, name, values, theirs, lengths in SENSITIVITY:
+        for title, name, values, means, lengths in SENSITIVITY:
             rows = []
-            for value, mean, window in zip(values, theirs, lengths):
+            for value, mean, window in zip(values, means, lengths):
                 try:
-                    corrected, windows, seconds = self.letter(survey, **{name: value})
+                    letter, seconds = self.letter(survey, **{name: value})
                     made = self.ours(survey, **{name: value})[0]
                 except UrbanMapError as error:
                     rows.append((f"{value:g}", "refused", str(error).split(":")[0], *[""] * (len(header) - 3)))
                     continue
-                letter, ours = (survey.patch_errors(found, windows.time) for found in (corrected, made.trajectory))
-                patches = windows.window_last - windows.window_first + 1
-                rows.append((f"{value:g}", letter.mean(), letter.max(), ours.mean(), ours.max(), int(patches.min()),
+                theirs, ours = (survey.patch_errors(one.trajectory, letter.windows.time) for one in (letter, made))
+                patches = letter.windows.window_last - letter.windows.window_first + 1
+                rows.append((f"{value:g}", theirs.mean(), theirs.max(), ours.mean(), ours.max(), int(patches.min()),
                              f"{patches.mean():.1f}", int(patches.max()), mean, window, f"{seconds:.0f}"))
             self.table(f"{title}, {survey.name}", header, rows)
 
@@ -235,10 +241,10 @@ class Evaluation:
         bias = float(np.nanmedian(survey.errors(None)[:, 2]))
         for off in (0.0, 0.05, 0.1, 0.2, 0.5):
             moved = moved_survey(survey, np.array([0.0, 0.0, off - bias]))
-            corrected, windows, _ = self.letter(moved, three_d=True)
-            item = figures(moved.errors(corrected))
-            rows.append((f"{off:g}", item[0], item[1], float(np.abs(moved.errors(corrected)[:, 2]).mean()),
-                         f"{100 * np.mean(windows.status == 0):.0f} %"))
+            made = self.letter(moved, three_d=True)[0]
+            errors = moved.errors(made.trajectory)
+            rows.append((f"{off:g}", *figures(errors)[:2], float(np.abs(errors[:, 2]).mean()),
+                         f"{100 * made.share(REGISTERED):.0f} %"))
         self.table(f"Chapter 4 to the letter from errors in height, {survey.name}",
                    ("initial error in height (m)", "mean 2D (m)", "max 2D", "mean error in height (m)", "registered"),
                    rows)
@@ -288,8 +294,8 @@ class Evaluation:
                 bias = residuals(survey.control)[:, :2].mean(axis=0)
                 move = size * np.array([np.cos(direction), np.sin(direction)]) - bias
                 moved = moved_survey(survey, np.append(move, 0.0))
-                ended["the paper to the letter (3.2.4)"].append(mean_error(moved, lambda it: self.letter(it)[0]))
-                ended["this program"].append(mean_error(moved, lambda it: self.ours(it)[0].trajectory))
+                ended["the paper to the letter (3.2.4)"].append(mean_error(moved, self.letter))
+                ended["this program"].append(mean_error(moved, self.ours))
             for name, values in ended.items():
                 values = np.array(values)
                 rows.append((f"{size:g}", name, len(values), f"{100 * np.mean(values < SUCCESS):.0f} %",
@@ -302,26 +308,26 @@ class Evaluation:
 def moved_survey(survey: Survey, move: np.ndarray) -> Survey:
     """The survey as if it had been reported elsewhere, by (3,) m."""
     place = Trajectory(survey.trajectory.time, survey.trajectory.place + move, survey.trajectory.angles)
-    old = survey.markings
-    x, y, z = (values + off for values, off in zip((old.x, old.y, old.z), move))
+    markings, plain = (replace(old, x=old.x + move[0], y=old.y + move[1], z=old.z + move[2])
+                       for old in (survey.markings, survey.plain))
     control = replace(survey.control, surveyed=survey.control.surveyed + move)
-    return replace(survey, trajectory=place, markings=replace(old, x=x, y=y, z=z), control=control)
+    return replace(survey, trajectory=place, markings=markings, plain=plain, control=control)
 
 
-def mean_error(survey: Survey, correct: Callable[[Survey], Trajectory]) -> float:
+def mean_error(survey: Survey, register: Callable[[Survey], tuple[RegisteredSurvey, float]]) -> float:
     """Mean error in plan at control points; infinite where the survey is refused."""
     try:
-        return float(np.hypot(*survey.errors(correct(survey))[:, :2].T).mean())
+        return float(np.hypot(*survey.errors(register(survey)[0].trajectory)[:, :2].T).mean())
     except UrbanMapError:
         return np.inf
 
 
-def trust_of(survey: Survey, windows: WindowResults, corrected: Trajectory) -> tuple[str, str, str]:
-    """Share of patches that the letter's windows call registered, and how many of these and of others are far off."""
-    sure = windows.status == REGISTERED
-    far = survey.patch_errors(corrected, windows.time) > 0.2 if survey.true is not None else np.zeros(len(sure), bool)
+def trust_of(survey: Survey, made: RegisteredSurvey) -> tuple[str, str, str]:
+    """Share of patches that are called registered, and how many of these and of others are far off."""
+    sure, when = made.correction.status == REGISTERED, made.correction.time
+    far = survey.patch_errors(made.trajectory, when) > 0.2 if survey.true is not None else np.zeros(len(sure), bool)
     if len(far) != len(sure):
-        sure = sure[survey.true.within(windows.time)]
+        sure = sure[survey.true.within(when)]
     shares = (sure.mean(), far[sure].mean() if sure.any() else 0.0, far[~sure].mean() if (~sure).any() else 0.0)
     return tuple(f"{100 * share:.1f} %" for share in shares)
 
@@ -351,13 +357,13 @@ def figures(errors: np.ndarray) -> tuple[float, ...]:
     return item.mean_2d, item.max_2d, item.std_2d, item.mean_3d, item.max_3d, item.std_3d
 
 
-def covered(survey: Survey, made) -> tuple[float, float, float]:
+def covered(survey: Survey, made: RegisteredSurvey) -> tuple[float, float, float]:
     """Shares of the errors east and north at control points within one and two sigma, and the median sigma."""
     errors = residuals(survey.control, correction_between(survey.trajectory, made.trajectory))[:, :2]
     sigma = made.correction.sigma()
     at = np.column_stack([np.interp(survey.control.time, made.correction.time, sigma[:, axis]) for axis in (0, 1)])
     ratio = np.abs(errors) / at
-    return float((ratio < 1).mean()), float((ratio < 2).mean()), float(np.median(made.correction.plan_sigma()))
+    return float((ratio < 1).mean()), float((ratio < 2).mean()), made.plan_accuracy()[0]
 
 
 def arguments() -> argparse.Namespace:

@@ -12698,8 +12698,32 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>路面標示の別の位置も同程度に合います</translation>
     </message>
     <message>
+        <source>the markings of the window do not fix the position well</source>
+        <translation>ウィンドウの路面標示では位置が十分に決まりません</translation>
+    </message>
+    <message>
+        <source>another position of the markings fits as well or better</source>
+        <translation>路面標示の別の位置も同程度以上に合います</translation>
+    </message>
+    <message>
+        <source>no markings in the window: moved as the patch before</source>
+        <translation>ウィンドウに路面標示がありません。前のパッチと同じだけ移動しました</translation>
+    </message>
+    <message>
+        <source>the matching of the window did not converge</source>
+        <translation>ウィンドウの位置合わせが収束しませんでした</translation>
+    </message>
+    <message>
         <source>No window of the survey could be registered to the reference markings: check that both show the same streets in the same coordinate system, and that the survey has intensities that show paint.</source>
         <translation>計測データのどのウィンドウも、基準の路面標示に位置合わせできませんでした。両方が同じ道路を同じ座標系で示しているか、計測データの反射強度に標示が表れているか確認してください。</translation>
+    </message>
+    <message>
+        <source>the windows around it contradict each other</source>
+        <translation>周囲のウィンドウの結果が互いに矛盾します</translation>
+    </message>
+    <message>
+        <source>the drive is too short to tell how accurate it is</source>
+        <translation>走行区間が短く、精度が分かりません</translation>
     </message>
     <message>
         <source>markings and walls disagree</source>

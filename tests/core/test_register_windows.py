@@ -16,7 +16,7 @@ from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.io.raster import write_raster
 from urbanmap_qgis.mobile.markings.records import MarkingPoints
 from urbanmap_qgis.mobile.pose_correction import correction_between
-from urbanmap_qgis.mobile.registration.correction.patch_status import DISTRUSTED
+from urbanmap_qgis.mobile.registration.correction.patch_status import DISTRUSTED, plan_sigma
 from urbanmap_qgis.mobile.registration.matching import sections
 from urbanmap_qgis.mobile.registration.records import (
     AMBIGUOUS,
@@ -31,6 +31,7 @@ from urbanmap_qgis.mobile.registration.stage import register_markings
 from urbanmap_qgis.mobile.registration.start.patches import divide_path
 from urbanmap_qgis.mobile.registration.start.reference import Reference
 from urbanmap_qgis.mobile.trajectory import Trajectory, interpolate, move_points, rotations
+from urbanmap_qgis.progress import Progress
 
 ORIGIN = np.array([-7000.0, -34000.0])
 HEADING = 37.0
@@ -335,8 +336,6 @@ def test_an_executor_changes_nothing(street, registered, monkeypatch):
 
 
 def test_cancel_and_progress(street):
-    from urbanmap_qgis.progress import Progress
-
     _, reported, paint, markings = street
     told = []
     register_windows(markings, reported, Reference.from_polygons(paint), progress=Progress(report=told.append))
@@ -469,6 +468,36 @@ def test_the_letter_carries_the_matrix_over_windows_without_markings(short_stree
     empty = np.flatnonzero(made.windows.status == NO_MARKINGS)
     assert len(empty) > 10 and (made.correction.status[empty] == DISTRUSTED).all()
     assert np.ptp(made.correction.value[empty][-5:, 5]) < 1e-9
+
+
+def test_sigmas_of_the_letter_cover_what_rigid_windows_over_a_drift_are_off_by():
+    true = true_trajectory(120.0)
+    reported = reported_trajectory(true, slow_error(true, 0.2, -0.15, heading=0.1))
+    paint = lines(120) + dashes(120, 5.0) + crossings(120, 30.0)
+    markings = seen(paint, true, reported)
+    run = RegistrationRun(RegistrationSettings.paper(window_patches=20, feature_count=40))
+    made = register_markings(markings, reported, Reference.from_polygons(paint), run)
+    off = np.hypot(*errors(made.windows, true)[1].T)
+    of_fit, told = plan_sigma(made.windows.covariance), made.correction.plan_sigma()
+    assert np.mean(off < 2 * of_fit) < 0.85 and np.mean(off < 2 * told) > 0.9
+    assert np.median(told) < 2 * off.mean()
+
+
+def test_the_letter_gives_what_it_has_with_nothing_to_be_trusted(street):
+    """Two edge lines fit everywhere along the street: there is a trajectory, and it says that it is nothing worth."""
+    _, reported, paint, markings = street
+    told = []
+    run = RegistrationRun(RegistrationSettings.paper(window_patches=20, feature_count=40))
+    made = register_markings(markings, reported, Reference.from_polygons(paint[:2]), run, Progress(warn=told.append))
+    assert (made.correction.status == DISTRUSTED).all() and all(made.correction.reason)
+    assert any("100 % of the path is not to be trusted" in text for text in told)
+
+
+def test_a_drive_as_short_as_its_windows_does_not_say_how_accurate_the_letter_is(short_street):
+    _, reported, paint, markings = short_street
+    run = RegistrationRun(RegistrationSettings.paper(window_patches=120))
+    made = register_markings(markings, reported, Reference.from_polygons(paint), run)
+    assert np.isnan(made.correction.plan_sigma()).all() and (made.correction.status == DISTRUSTED).all()
 
 
 @pytest.mark.parametrize("bad", [{"patch_length": 0.0}, {"outlier_share": 1.0}, {"max_window_patches": 10},

@@ -58,7 +58,8 @@ def register_markings(markings: MarkingPoints, trajectory: Trajectory, reference
                                            walls)
     survey = RegisteredSurvey(corrected, trajectory, markings, windows, correction)
     by_walls = walls is not None and survey.share(DISTRUSTED) < 1.0
-    if not survey.share(REGISTERED) and not correction.steps and not by_walls:
+    smooth = run.windows.shared_windows  # the paper moves patches whatever they say: they are told as not to be trusted
+    if smooth and not survey.share(REGISTERED) and not correction.steps and not by_walls:
         raise InsufficientDataError(say("No part of the survey could be registered to the reference markings, so "
                                         "that there is no result: check that both show the same roads, and the "
                                         "maximum error."))
