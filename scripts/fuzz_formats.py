@@ -34,21 +34,6 @@ def _cloud(path: Path):
     return read_all(open_cloud([path]), ("x", "y", "z", "intensity"))
 
 
-def _other_classes(path: Path):
-    """A cloud's points with other classes, its layers copied, and what is then read of them."""
-    import numpy as np
-
-    from urbanmap_qgis.io.points.class_layers import class_writer, layers_can_stay
-    from urbanmap_qgis.io.points.pointcloud import iter_chunks, open_cloud
-
-    cloud, target = open_cloud([path]), path.with_name("classes.laz")
-    copied = layers_can_stay(cloud, target)
-    with class_writer(target, cloud) as writer:
-        for chunk in iter_chunks(cloud, shape_only=copied):
-            writer.write(chunk, np.arange(len(chunk)) % 20)
-    return [np.asarray(chunk[name]) for chunk in iter_chunks(open_cloud([target]), shape_only=True) for name in "xyz"]
-
-
 def _of(module: str, name: str, listed: bool = False) -> Callable[[Path], object]:
     def read(path: Path):
         function = getattr(__import__(f"urbanmap_qgis.{module}", fromlist=[name]), name)
@@ -339,7 +324,6 @@ FORMATS: dict[str, tuple[str, Callable, Callable]] = {
     "LAS 1.4": ("a.las", lambda path, city: sound.written_cloud(path, city, 6), _cloud),
     "LAZ": ("a.laz", lambda path, city: sound.written_cloud(path, city, 3), _cloud),
     "LAZ 1.4": ("a.laz", lambda path, city: sound.written_cloud(path, city, 7), _cloud),
-    "LAZ 1.4, other classes": ("a.laz", lambda path, city: sound.written_cloud(path, city, 7), _other_classes),
     "trajectory CSV": ("a.csv", sound.head("mms/survey_01_trajectory.csv", 200), _trajectory),
     "SBET": ("a.sbet", sound.sbet, _trajectory),
     "image poses": ("a.csv", sound.poses, _of("mobile.image_poses", "read_image_poses")),

@@ -101,6 +101,18 @@ def test_failed_or_cancelled_writing_leaves_the_old_result(tmp_path, make_cloud,
         pass
 
 
+@pytest.mark.parametrize("output", ["made.laz", "made.las"])
+def test_a_record_named_in_japanese_is_kept(tmp_path, make_cloud, points, output):
+    path = make_cloud(tmp_path / "all.laz", *points)
+    content, name = path.read_bytes(), "座標系".encode("shift_jis")
+    place = content.index(b"LASF_Projection") + 20  # behind user, number and length of the record
+    path.write_bytes(content[:place] + name.ljust(32, b"\0") + content[place + 32:])
+    copy(path, tmp_path / output)
+    with laspy.open(tmp_path / output) as reader:
+        assert name in [record.description for record in reader.header.vlrs]
+        assert reader.header.parse_crs() == open_cloud([path]).headers[0].parse_crs()
+
+
 def test_read_all_gives_scaled_coordinates(tmp_path, make_cloud, points):
     read = read_all(open_cloud([make_cloud(tmp_path / "a.laz", *points)]), ["x", "z"])
     assert np.allclose(read["x"], points[0], atol=1e-6) and np.allclose(read["z"], points[2], atol=1e-6)

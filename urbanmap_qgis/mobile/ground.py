@@ -13,10 +13,11 @@ import numpy as np
 from ..errors import InputError, InsufficientDataError
 from ..execution import in_order
 from ..geometry.grid import Grid
-from ..io.points.class_layers import class_writer, layers_can_stay
 from ..io.points.decoded_points import decoded_once
 from ..io.points.pointcloud import (
     PointCloud,
+    PointLayout,
+    cloud_writer,
     iter_chunks,
     of_classes,
     open_cloud,
@@ -108,10 +109,8 @@ def classify_ground_files(paths: Sequence[str | os.PathLike], output: str | os.P
     """
     cloud = open_cloud(paths, crs_wkt)
     wkt = metric_crs_wkt(cloud)
-    copied = layers_can_stay(cloud, output)
-    with decoded_once(shape_and_time=copied):
-        with tiles_of_survey(cloud, settings.resolution, point_margin(settings), copied,
-                             progress.part(0.0, 0.35)) as tiles:
+    with decoded_once():
+        with tiles_of_survey(cloud, settings.resolution, point_margin(settings), progress.part(0.0, 0.35)) as tiles:
             grounds = _grounds(tiles, settings, executor, progress.part(0.35, 0.65))
         ground = _write(cloud, output, tiles.passes, grounds, settings, min_ground_share, progress.part(0.65, 1.0))
     return GroundSummary(cloud.point_count, tiles.usable, ground, tiles.passes.count, wkt)
@@ -168,15 +167,16 @@ def _write(cloud: PointCloud, output: str | os.PathLike, passes: SurveyPasses, g
            settings: ClothSettings, min_share: float, progress: Progress) -> int:
     """Write all points with their new classes; the number of ground points."""
     total = candidates = 0
-    copied = layers_can_stay(cloud, output)
-    with class_writer(output, cloud) as writer:
-        for chunk in iter_chunks(cloud, progress, CHUNK, shape_only=copied, timed=copied):
+    layout = PointLayout(cloud)
+    with cloud_writer(output, layout) as writer:
+        for chunk in iter_chunks(cloud, progress, CHUNK):
             ground = _ground_of(chunk, passes, grounds, settings.threshold)
             total += int(np.count_nonzero(ground))
-            classes = np.asarray(chunk.classification)
             undecided = of_classes(chunk, UNDECIDED)
             candidates += int(np.count_nonzero(undecided & valid_points(chunk)))
-            writer.write(chunk, np.where(undecided, np.where(ground, *_CLASSES), classes))
+            points = layout.view(layout.adapt(chunk, np.ones(len(chunk), dtype=bool)))
+            points.classification = np.where(undecided, np.where(ground, *_CLASSES), np.asarray(chunk.classification))
+            writer.write(points.array)
         _check_share(total, candidates, min_share)
     return total
 

@@ -30,8 +30,7 @@ _HELD_MEMORY = 120_000_000
 
 
 @contextmanager
-def tiles_of_survey(cloud: PointCloud, resolution: float, margin: float, shape_only: bool,
-                    progress: Progress) -> Iterator[SurveyTiles]:
+def tiles_of_survey(cloud: PointCloud, resolution: float, margin: float, progress: Progress) -> Iterator[SurveyTiles]:
     """The points of a survey in tiles for a cloth of a resolution, m, while the context lasts.
 
     Raises
@@ -40,7 +39,7 @@ def tiles_of_survey(cloud: PointCloud, resolution: float, margin: float, shape_o
     """
     packing = PackedPoints(cloud.headers)
     with PointBuckets(packing.dtype, _BUCKET_MEMORY) as buckets, PointBuckets(packing.dtype, _BUCKET_MEMORY) as smaller:
-        tiles = SurveyTiles(cloud, packing, buckets, smaller, resolution, margin, shape_only)
+        tiles = SurveyTiles(cloud, packing, buckets, smaller, resolution, margin)
         tiles.read(progress)
         yield tiles
 
@@ -52,12 +51,11 @@ class SurveyTiles:
     ----------
     packing, buckets, smaller : how points are packed, and where they lie: `smaller` takes them where tiles are split.
     resolution, margin : of the cloth, and how far its work on a tile looks beyond it, m.
-    shape_only : whether no more of the points is read than shape and time.
     """
 
     def __init__(self, cloud: PointCloud, packing: PackedPoints, buckets: PointBuckets, smaller: PointBuckets,
-                 resolution: float, margin: float, shape_only: bool):
-        self.shape_only, self.margin = shape_only, margin
+                 resolution: float, margin: float):
+        self.margin = margin
         self.cloud, self.buckets = cloud, buckets
         self.packing, self.smaller = packing, smaller
         self.tiling = Tiling(resolution, max(int(np.ceil(_TILE / resolution)), 16))
@@ -71,7 +69,7 @@ class SurveyTiles:
         """Sort the points into tiles and find the passes."""
         timed = self.cloud.has_dimension("gps_time")
         positions, counts = BlockPositions(), Counter()
-        for chunk in iter_chunks(self.cloud, progress, CHUNK, shape_only=self.shape_only, timed=self.shape_only):
+        for chunk in iter_chunks(self.cloud, progress, CHUNK):
             x, y, z = (np.asarray(chunk[name]) for name in "xyz")
             time = np.asarray(chunk["gps_time"]) if timed else np.zeros(len(chunk))
             usable = valid_points(chunk) & plausible(x, y, z)

@@ -34,14 +34,10 @@ def file_state(path: str | os.PathLike) -> FileState:
 
 
 class DecodedPoints:
-    """Records of files that were read to their end, in one nameless file.
+    """Records of files that were read to their end, in one nameless file."""
 
-    Where `shape_and_time` nothing but the shape of the points and their times is held (`pointcloud.iter_chunks`).
-    """
-
-    def __init__(self, file: BinaryIO, shape_and_time: bool = False):
+    def __init__(self, file: BinaryIO):
         self._file = file
-        self.shape_and_time = shape_and_time
         self._places: dict[FileState, int] = {}
         self._end = 0
         self._writing = False
@@ -100,16 +96,13 @@ _KEPT: ContextVar[DecodedPoints | None] = ContextVar("decoded_points", default=N
 
 
 @contextmanager
-def decoded_once(shape_and_time: bool = False) -> Iterator[None]:
-    """In the block, `pointcloud.iter_chunks` decodes each LAZ file once; inside another such block nothing is added.
-
-    With `shape_and_time` the block wants nothing else of the points.
-    """
+def decoded_once() -> Iterator[None]:
+    """In the block, `pointcloud.iter_chunks` decodes each LAZ file once; inside another such block nothing is added."""
     if _KEPT.get() is not None:
         yield
         return
     with tempfile.TemporaryFile(prefix="urbanmap-", buffering=0) as file:
-        token = _KEPT.set(DecodedPoints(file, shape_and_time))
+        token = _KEPT.set(DecodedPoints(file))
         try:
             yield
         finally:

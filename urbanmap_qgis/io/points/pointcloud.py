@@ -39,7 +39,6 @@ NOISE_CLASSES = (7, 18)
 _SHAPE = (laspy.DecompressionSelection.base() | laspy.DecompressionSelection.Z
           | laspy.DecompressionSelection.CLASSIFICATION | laspy.DecompressionSelection.FLAGS
           | laspy.DecompressionSelection.ALL_EXTRA_BYTES)
-_SHAPE_AND_TIME = _SHAPE | laspy.DecompressionSelection.GPS_TIME
 
 _READ_ERRORS = (laspy.errors.LaspyException, LazrsError, OSError, ValueError, EOFError, RuntimeError)
 
@@ -201,14 +200,14 @@ def _chunks(path: Path, header: laspy.LasHeader, chunk_points: int,
             layers: laspy.DecompressionSelection) -> Iterator[laspy.ScaleAwarePointRecord]:
     """The points of one file, from where `decoded_points.decoded_once` holds them if it does."""
     holder = decoded_points() if header.are_points_compressed else None
-    selection = _SHAPE_AND_TIME if holder and holder.shape_and_time else laspy.DecompressionSelection.all()
-    decoded = holder.chunks(path, header, chunk_points) if holder and layers | selection == selection else None
+    decoded = holder.chunks(path, header, chunk_points) if holder else None
     if decoded is not None:
         yield from decoded
         return
     with decoding(path), laspy.open(path, decompression_selection=layers) as reader:
         chunks = reader.chunk_iterator(chunk_points)
-        yield from holder.remember(path, header, chunks) if holder and layers == selection else chunks
+        whole = layers == laspy.DecompressionSelection.all()
+        yield from holder.remember(path, header, chunks) if holder and whole else chunks
 
 
 def can_be_entered(header: laspy.LasHeader) -> bool:
