@@ -358,11 +358,13 @@ def figures(errors: np.ndarray) -> tuple[float, ...]:
 
 
 def covered(survey: Survey, made: RegisteredSurvey) -> tuple[float, float, float]:
-    """Shares of the errors east and north at control points within one and two sigma, and the median sigma."""
+    """Shares of the errors east and north at control points, of those that have a sigma, within one and two, and the
+    median sigma."""
     errors = residuals(survey.control, correction_between(survey.trajectory, made.trajectory))[:, :2]
     sigma = made.correction.sigma()
     at = np.column_stack([np.interp(survey.control.time, made.correction.time, sigma[:, axis]) for axis in (0, 1)])
-    ratio = np.abs(errors) / at
+    known = np.isfinite(at).all(axis=1)
+    ratio = np.abs(errors[known]) / at[known]
     return float((ratio < 1).mean()), float((ratio < 2).mean()), made.plan_accuracy()[0]
 
 
