@@ -47,7 +47,7 @@ def constants_said(folder: Path, functions: tuple[str, ...]) -> Iterator[str]:
                 yield node.args[0].value
 
 
-SHOWN = {"section", "paragraph", "warning", "verdict", "facts", "table", "histogram", "figure", "planned_figure",
+SHOWN = {"section", "paragraph", "warning", "verdict", "facts", "table", "histogram", "figure",
          "picture", "switcher", "Report", "Series", "ShadedInterval", "profile", "bars"}
 """Methods of reports, and what they draw: constants among their arguments are shown in the user's language."""
 

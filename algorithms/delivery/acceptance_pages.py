@@ -26,6 +26,7 @@ from .page_tables import fill_table, may_go_on, move_below, move_up_into, put_be
 LAYOUT = Path(__file__).resolve().parents[2] / "resources" / "layouts" / "acceptance.qpt"
 HISTOGRAMS = ("histogram_plan", "histogram_height")
 HISTOGRAM = 70.0  # mm that one needs to go behind a table
+PIXELS = 4.0  # of a drawing in a millimetre of the page
 LETTER = 0.23  # mean width of a bold letter, mm a point of its size
 
 _OF_THE_MOMENT = (
@@ -128,8 +129,6 @@ def _put_map_to_the_figures(layout, name: str, rows: list[list[str]], content) -
 
 def _fill_pictures(layout, drawings: Mapping, folder: Path) -> None:
     """Show drawings by id, each in the shape of its item; an item without one goes."""
-    from ...urbanmap_qgis.io.pages.report import PIXELS
-
     for name, drawing in drawings.items():
         item = layout.itemById(name)
         if item is None or not hasattr(item, "setPicturePath"):

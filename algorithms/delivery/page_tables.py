@@ -104,10 +104,8 @@ def _go_on(layout, table, first, heights: Sequence[float]) -> float:
 
 
 def _fit_map_above(layout, first, heights: Sequence[float], shape: float) -> None:
-    """Give a map that stands above a table the height at which table and map fill their pages best, and move the table
-    with its title; without a map (`shape` 0) these take its place."""
-    from ...urbanmap_qgis.io.pages.print_plan import PrintedBlock, page_map, place_picture
-
+    """Give a map that stands above a table the height that its `shape` asks for, less where the table then stays on the
+    page, and move the table with its title; without a map (`shape` 0) these take its place."""
     item = layout.itemById("map")
     if item is None or item.page() != first.page() or item.pagePos().y() > first.pagePos().y():
         return
@@ -116,9 +114,9 @@ def _fit_map_above(layout, first, heights: Sequence[float], shape: float) -> Non
         move_up_into(layout, item)
         return
     page = layout.pageCollection().page(first.page()).pageSize().height() - first.pagePos().x() - top
-    gap = PrintedBlock((first.pagePos().y() - top - size.height(),))
-    table = PrintedBlock((sum(heights[:2]), *heights[2:]), head=sum(heights[:1]))
-    _, height = place_picture([table], [0], page_map([gap], shape, size.width()), page - sum(heights[:1]) / 2)
+    gap = first.pagePos().y() - top - size.height()
+    room = page - gap - sum(heights) - sum(heights[:1]) / 2
+    height = min(max(shape * size.width(), LEAST_MAP), room if room > LEAST_MAP else page / 2)
     move_below(layout, first.page(), top + size.height(), height - size.height())
     item.attemptResize(QgsLayoutSize(size.width(), height))
 

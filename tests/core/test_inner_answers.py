@@ -30,8 +30,6 @@ from urbanmap_qgis.gnss.rinex.observation_file import _numbers
 from urbanmap_qgis.gnss.walls.offset_posterior import _rival
 from urbanmap_qgis.io.conversion.geoid import _whole_seconds
 from urbanmap_qgis.io.conversion.reprojection import resampled
-from urbanmap_qgis.io.pages import print_plan
-from urbanmap_qgis.io.pages import report as page_report
 from urbanmap_qgis.io.pages.report import BAD, GOOD, LOOK, Report
 from urbanmap_qgis.io.points.point_buckets import PointBuckets
 from urbanmap_qgis.mobile.adjustment import planes
@@ -275,12 +273,6 @@ def test_a_strange_place_among_points_is_named():
     cloud_tiles._require_filled(Counter({complex(500, 500): 90, complex(501, 500): 40}))
 
 
-def test_rows_in_print_are_as_high_as_their_lines_and_padding():
-    letter = print_plan.CELL * print_plan.POINT
-    row = (print_plan.LINE + 0.24) * letter + 0.27
-    assert print_plan.table_block([["a", "b"], ["c", "d"]], False).pieces == pytest.approx((row, row + 0.4 * letter))
-
-
 def test_numbers_of_observations_are_read_in_their_columns_and_elsewhere():
     texts = ["  20000000.123", "12345678901234", "      -1.250  ", " " * 14, "    1234.5 78 "]
     values, unread = _numbers(np.frombuffer("".join(texts).encode(), np.uint8).reshape(-1, 14))
@@ -337,11 +329,3 @@ def test_the_nearest_point_of_a_path_has_the_height_there():
     assert _nearest_on(path, np.array([4.0, -2.0])).tolist() == [4.0, 0.0, 1.8]
     assert _nearest_on(path, np.array([11.0, 6.0])).tolist() == [10.0, 6.0, 6.0]
     assert _nearest_on(path, np.array([-5.0, 0.0])).tolist() == [0.0, 0.0, 1.0]
-
-
-@pytest.mark.parametrize(("box", "half", "high"), [("96 48", False, 12.7), ("2000 500", True, 0.49 * 0.25),
-                                                    ("96 960", False, 110.0)])
-def test_drawings_keep_their_shape_in_print(box, half, high):
-    """96 units are an inch; a wide one takes the page, half of a pair 0.49 of it; none is higher than 110 mm."""
-    found = page_report._printed_height(f'<svg viewBox="0 0 {box}">', half)
-    assert found == pytest.approx(high * print_plan.PAGE_WIDTH if half else high)

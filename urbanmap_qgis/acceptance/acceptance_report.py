@@ -195,9 +195,10 @@ def _map(report: Report, points: CheckPoints, limits: Limits) -> None:
     """Vectors of errors in plan."""
     drawing = error_map(points, limits)
     if drawing is not None:
-        report.planned_figure("Where the errors lie", drawing, say(
+        report.section("Where the errors lie")
+        report.figure(drawing(), say(
             "Errors in plan, drawn larger than the map; red: above the limit. Arrows that all point one way are an "
-            "error that the whole product shares."), vector_map_shape(points.true[:, :2]))
+            "error that the whole product shares."))
 
 
 def _spread(report: Report, points: CheckPoints) -> None:

@@ -149,9 +149,10 @@ def _pictures(report: Report, edges: ComparedEdges, limits: Limits) -> None:
     report.histogram(edges.across[edges.shown], "m", say("Errors across the edges, outward"))
     if np.isfinite(edges.up).any():
         report.histogram(edges.up[edges.shown], "m", say("Errors in height"))
-    report.planned_figure("Where the errors lie", _map(edges, limits), say(
+    report.section("Where the errors lie")
+    report.figure(_map(edges, limits)(), say(
         "Errors across the edges, drawn larger than the map; red: above the limit. Arrows that all point one way are "
-        "an error that the whole product shares."), vector_map_shape(_places(edges)))
+        "an error that the whole product shares."))
 
 
 def _map(edges: ComparedEdges, limits: Limits) -> Drawing | None:

@@ -11,7 +11,7 @@ import html
 import math
 import os
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass, field
@@ -24,17 +24,6 @@ from ...errors import InputError
 from ...geometry.tolerances import LEAST_DIVISOR
 from ...wording import known, language, say
 from ..files.atomic import written_beside
-from .print_plan import (
-    PAGE_WIDTH,
-    VERDICT,
-    PrintedBlock,
-    figure_block,
-    heading_block,
-    page_map,
-    paragraph_block,
-    place_picture,
-    table_block,
-)
 from .svg import bars
 
 _POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
@@ -90,7 +79,6 @@ figcaption { font-size: .9em; color: #555; }
   h2 { margin: 1em 0 .4em; }
   figure { margin: .4em 0; }
   figure svg { max-height: 110mm; }
-  figure.planned, figure.planned svg { display: block; width: 100%; max-height: none; }
   figure.half { width: 49%; vertical-align: top; }
   figure.switch img { display: block; margin-bottom: .5em; }
   figure.switch label { display: none; }
@@ -103,8 +91,6 @@ _PICTURES = ((b"\x89PNG\r\n\x1a\n", "image/png"), (b"\xff\xd8\xff", "image/jpeg"
 
 _SIZE = re.compile(r'<svg((?:(?!viewBox)[^>])*?)width="(\d+)" height="(\d+)"(?![^>]*viewBox)')
 
-_BOX = re.compile(r'<svg[^>]*? viewBox="0 0 (\S+) (\S+)"')
-_TAG = re.compile("<[^>]*>")
 _WIDTH = re.compile(r'<svg[^>]*? width="(\d+)"')
 _BROAD = 600
 """Pictures of more pixels are not shrunk to the width of a phone, where their words would be too small: they scroll."""
@@ -116,13 +102,6 @@ Cell = object
 
 WORST = 10
 """So many of the worst are shown in a table or on a map."""
-
-PIXELS = 4.0
-"""Of a drawing whose height in print is planned, in a millimetre of the page."""
-_TITLE = 16.0
-"""Size of the letters of a page's title in print, points."""
-_PICTURE = 114.0
-"""Height of other pictures in print, mm: the most that they have there, with their captions."""
 
 GOOD, LOOK, BAD = "good", "look", "bad"
 """How good a result is: it can be used; look at what is named first; it cannot be used as it is."""
@@ -171,26 +150,6 @@ def run_told(facts: RunFacts) -> Iterator[None]:
         _RUN.reset(token)
 
 
-@dataclass(frozen=True)
-class _Part:
-    """A part of a page as HTML, and as what runs down printed pages; `is_half`: the next picture may stand beside."""
-
-    html: str
-    block: Callable[[], PrintedBlock]
-    begins_section: bool = False
-    is_half: bool = False
-
-
-@dataclass(frozen=True)
-class _Planned:
-    """A section of one drawing, whose place and height follow from the pages that it is printed on."""
-
-    heading: str
-    caption: str
-    drawing: Callable[..., str]
-    shape: float
-
-
 class Report:
     """An HTML page that is built up section by section and written in one piece.
 
@@ -203,51 +162,40 @@ class Report:
         self._title = title
         self._verdict = ""
         self._switchers = 0
-        self._parts: list[_Part] = []
-        self._planned: tuple[int, _Planned] | None = None
-        self._verdict_text = ""
+        self._parts: list[str] = []
 
     def verdict(self, grade: str, text: str) -> None:
         """Say first of all what was reached, whether that is good enough and what to do; `grade`: GOOD, LOOK, BAD."""
-        self._verdict_text = known(text)
-        self._verdict = f'<p class="verdict {grade}">{html.escape(self._verdict_text)}</p>\n'
+        self._verdict = f'<p class="verdict {grade}">{html.escape(known(text))}</p>\n'
 
     def section(self, heading: str) -> None:
         """Begin a new section."""
-        self._parts.append(_heading(known(heading)))
+        self._parts.append(f"<h2>{html.escape(known(heading))}</h2>")
 
     def paragraph(self, text: str) -> None:
         """Add a paragraph of plain text."""
-        words = known(text)
-        self._parts.append(_Part(f"<p>{html.escape(words)}</p>", lambda: paragraph_block(words)))
+        self._parts.append(f"<p>{html.escape(known(text))}</p>")
 
     def warning(self, text: str) -> None:
         """Add a paragraph that the reader must not miss."""
-        words = known(text)
-        self._parts.append(_Part(f'<p class="warning">{html.escape(words)}</p>',
-                                 lambda: paragraph_block(words, around=4.5)))
+        self._parts.append(f'<p class="warning">{html.escape(known(text))}</p>')
 
     def table(self, header: Sequence[str], rows: Iterable[Sequence[Cell]], whole: bool = False) -> None:
         """Add a table; numbers are aligned right, missing ones (None, NaN) shown as a dash. `whole`: of few rows, not
         to be broken over printed pages."""
-        head, rows = [known(name) for name in header], list(rows)
-        words = "".join(f"<th>{html.escape(name)}</th>" for name in head)
+        words = "".join(f"<th>{html.escape(known(name))}</th>" for name in header)
         body = "\n".join("<tr>" + "".join(map(_cell, row)) + "</tr>" for row in rows)
-        self._parts.append(_Part(f'<div class="wide{" whole" if whole else ""}"><table><thead><tr>'
-                                 f"{words}</tr></thead><tbody>\n{body}\n</tbody></table></div>",
-                                 lambda: table_block([head, *(list(map(_cell_text, row)) for row in rows)], True,
-                                                     whole)))
+        self._parts.append(f'<div class="wide{" whole" if whole else ""}"><table><thead><tr>'
+                           f"{words}</tr></thead><tbody>\n{body}\n</tbody></table></div>")
 
     def facts(self, facts: Mapping[str, Cell], form: bool = False) -> None:
         """Add a two-column table of names and values; nothing where there are none. `form`: as wide as the page, as
         blanks are filled in by hand."""
         if not facts:
             return
-        words = [(known(name), value) for name, value in facts.items()]
-        rows = "\n".join(f"<tr><th>{html.escape(name)}</th>{_cell(value)}</tr>" for name, value in words)
+        rows = "\n".join(f"<tr><th>{html.escape(known(name))}</th>{_cell(value)}</tr>" for name, value in facts.items())
         kind = ' class="form"' if form else ""
-        self._parts.append(_Part(f'<div class="wide"><table{kind}><tbody>\n{rows}\n</tbody></table></div>',
-                                 lambda: table_block([(name, _cell_text(value)) for name, value in words], False)))
+        self._parts.append(f'<div class="wide"><table{kind}><tbody>\n{rows}\n</tbody></table></div>')
 
     def histogram(self, values: np.ndarray, label: str, caption: str, bins: int = 24,
                   upper: float | None = None) -> None:
@@ -274,43 +222,7 @@ class Report:
         svg = _SIZE.sub(r'<svg\1viewBox="0 0 \2 \3" width="\2" height="\3"', svg, count=1)
         size = _WIDTH.search(svg)
         kind = ' class="broad"' if size and int(size[1]) > _BROAD else ' class="half"' if half else ""
-        words = known(caption)
-        second = half and bool(self._parts) and self._parts[-1].is_half
-        block = PrintedBlock(()) if second else figure_block(_printed_height(svg, half), words)
-        self._parts.append(_Part(f"<figure{kind}>{svg}<figcaption>{html.escape(words)}</figcaption></figure>",
-                                 lambda: block, is_half=half and not second))
-
-    def planned_figure(self, heading: str, drawing: Callable[..., str], caption: str, shape: float) -> None:
-        """Add a section of one picture that is made to fill the pages it is printed on; a page has one at most.
-
-        Parameters
-        ----------
-        drawing : makes the picture (SVG) of a `width` and `height`, pixels.
-        shape : height by width at which it looks best.
-
-        The section comes here or behind the next one, and its height is chosen so that in print few pages are needed
-        and none is left half empty, as far as that can be.
-        """
-        self._planned = len(self._parts), _Planned(known(heading), known(caption), drawing, shape)
-
-    def _place_planned(self) -> None:
-        """Make the picture whose height is planned, and put it where it leaves the least of the pages empty."""
-        if self._planned is None:
-            return
-        first, asked = self._planned
-        behind = [number for number, part in enumerate(self._parts) if part.begins_section and number >= first][1:2]
-        second = behind[0] if behind else len(self._parts)
-        top = [PrintedBlock((1.45 * _TITLE * 25.4 / 72 + 6.4,))]
-        top += [paragraph_block(self._verdict_text, VERDICT, around=8.0)] if self._verdict_text else []
-        blocks = [part.block() for part in self._parts]
-        heading, frame = heading_block(asked.heading), figure_block(0.0, asked.caption)
-        picture = page_map((heading, frame), asked.shape)
-        place, height = place_picture([*top, *blocks], [len(top) + first, len(top) + second], picture)
-        svg = asked.drawing(width=round(PIXELS * PAGE_WIDTH), height=round(PIXELS * height))
-        svg = _SIZE.sub(r'<svg\1viewBox="0 0 \2 \3" width="\2" height="\3"', svg, count=1)
-        part = _Part(f'<figure class="broad planned">{svg}<figcaption>{html.escape(asked.caption)}</figcaption>'
-                     "</figure>", lambda: figure_block(height, asked.caption))
-        self._parts[place - len(top):place - len(top)] = [_heading(asked.heading), part]
+        self._parts.append(f"<figure{kind}>{svg}<figcaption>{html.escape(known(caption))}</figcaption></figure>")
 
     def picture(self, path: str | os.PathLike, caption: str) -> None:
         """Add a picture from a PNG or JPEG file; the page holds the picture itself.
@@ -324,9 +236,8 @@ class Report:
         if media is None:
             raise InputError(say("{path} is no PNG or JPEG picture: a report can hold only these.", path=path))
         text = html.escape(known(caption))
-        self._parts.append(_Part(f'<figure><img src="data:{media};base64,{base64.b64encode(data).decode("ascii")}" '
-                                 f'alt="{text}"><figcaption>{text}</figcaption></figure>',
-                                 lambda: PrintedBlock((_PICTURE,))))
+        self._parts.append(f'<figure><img src="data:{media};base64,{base64.b64encode(data).decode("ascii")}" '
+                           f'alt="{text}"><figcaption>{text}</figcaption></figure>')
 
     def switcher(self, pictures: Sequence[tuple[str, bytes]], caption: str) -> None:
         """Add JPEG pictures of one size that a click switches between, by their names; the last is shown first."""
@@ -339,9 +250,8 @@ class Report:
             for number, (name, _) in enumerate(pictures, 1))
         images = "".join(f'<img src="data:image/jpeg;base64,{base64.b64encode(data).decode("ascii")}" '
                          f'alt="{html.escape(name)}">' for name, data in pictures)
-        self._parts.append(_Part(f'<figure class="switch">{buttons}<div>{images}</div>'
-                                 f"<figcaption>{html.escape(caption)}</figcaption></figure>",
-                                 lambda: PrintedBlock((_PICTURE,) * len(pictures))))
+        self._parts.append(f'<figure class="switch">{buttons}<div>{images}</div>'
+                           f"<figcaption>{html.escape(caption)}</figcaption></figure>")
 
     def write(self, path: str | os.PathLike) -> None:
         """Write the page; it appears at `path` when it is whole.
@@ -352,12 +262,11 @@ class Report:
         """
         title = html.escape(known(self._title))
         self._about_run()
-        self._place_planned()
         page = (f'<!DOCTYPE html>\n<html lang="{language()}">\n<head>\n<meta charset="utf-8">\n'
                 f'<meta http-equiv="Content-Security-Policy" content="{_POLICY}">\n'
                 '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
                 f"<title>{title}</title>\n<style>\n{_STYLE}\n</style>\n</head>\n<body>\n<h1>{title}</h1>\n"
-                + self._verdict + "\n".join(part.html for part in self._parts) + "\n</body>\n</html>\n")
+                + self._verdict + "\n".join(self._parts) + "\n</body>\n</html>\n")
         with written_beside(path) as temporary:
             temporary.write_text(page, encoding="utf-8")
 
@@ -408,26 +317,6 @@ def rounded(value: float) -> str:
         return f"{value:.4f}"
     whole = size >= 1000 or (size >= 100 and value == int(value))
     return f"{value:,.{0 if whole else 1 if size >= 100 else 2 if size >= 1 else 3}f}"
-
-
-def _heading(words: str) -> _Part:
-    """The heading of a section."""
-    return _Part(f"<h2>{html.escape(words)}</h2>", lambda: heading_block(words), begins_section=True)
-
-
-def _printed_height(svg: str, half: bool) -> float:
-    """How high a drawing stands on a printed page, mm: half of a pair has nothing beside the other."""
-    size = _BOX.search(svg)
-    if not size:
-        return _PICTURE
-    width, height = float(size[1]), float(size[2])
-    room = 0.49 * PAGE_WIDTH if half else min(PAGE_WIDTH, width * 25.4 / 96)
-    return min(height / width * room, 110.0)
-
-
-def _cell_text(value: Cell) -> str:
-    """What a cell shows."""
-    return html.unescape(_TAG.sub("", _cell(value)))
 
 
 def _cell(value: Cell) -> str:

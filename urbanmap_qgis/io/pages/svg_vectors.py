@@ -18,7 +18,7 @@ _GOOD, _BAD = "#2f6f8f", "#d7263d"
 
 
 def vector_map(places: np.ndarray, vectors: np.ndarray, names: Sequence[str], limit: float | None = None,
-               width: int = 560, height: int = 420) -> str:
+               width: int = 720, height: int | None = None) -> str:
     """An SVG map of points with a vector each, north up, with scale bars of the map and of the vectors.
 
     Parameters
@@ -27,8 +27,10 @@ def vector_map(places: np.ndarray, vectors: np.ndarray, names: Sequence[str], li
     vectors : (n, 2) m.
     names : (n,) written beside the points where there is room.
     limit : vectors longer than this, m, are red; None: all alike.
-    width, height : of the drawing, pixels; the map is as large as it can be in it.
+    width, height : of the drawing, pixels; the map is as large as it can be in it. By default as high as the places ask
+        for, up to a square.
     """
+    height = height or round(width * min(vector_map_shape(places, width), 1.0))
     lowest, highest = places.min(axis=0), places.max(axis=0)
     room = np.array([width - 2 * _MARGIN, height - 2 * _MARGIN - _SCALES])
     scale = float((room / np.maximum(highest - lowest, 1.0)).min())
