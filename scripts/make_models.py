@@ -214,6 +214,10 @@ def add_step(model: QgsProcessingModelAlgorithm, step: Step, y: float, chain) ->
         if name in step.derived:
             child.addParameterSources(name, [source.fromExpression(step.derived[name])])
         elif shared and chain.parameterDefinition(shared):
+            default = chain.parameterDefinition(shared).defaultValue()
+            if default != definition.defaultValue():
+                sys.exit(f"{shared} of {chain.id()} is {default!r} by default, {name} of {child.algorithmId()} "
+                         f"{definition.defaultValue()!r}: QGIS hands on nothing where the model is given nothing.")
             child.addParameterSources(name, [source.fromModelParameter(shared)])
         elif definition.defaultValue() is not None:
             child.addParameterSources(name, [source.fromStaticValue(definition.defaultValue())])

@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping
 from pathlib import Path
 
-from qgis.core import QgsApplication, QgsProcessingModelAlgorithm, QgsXmlUtils
+from qgis.core import QgsApplication, QgsProcessing, QgsProcessingModelAlgorithm, QgsXmlUtils
 from qgis.PyQt.QtXml import QDomDocument
 
 from .declaring.parameters import UNIT, distance_unit, tr, with_choice_widget, with_files_widget
@@ -47,6 +47,38 @@ class ShippedModel(QgsProcessingModelAlgorithm):
             else:
                 with_files_widget(result, name in POINTS_NAMES)
             self.updateModelParameter(result)
+        self._always = self._let_out()
+
+    def _let_out(self) -> list[str]:
+        """Let outputs be left out that the user need not want; names of those that are written all the same.
+
+        What is left out QGIS does not ask of a step, also where the step must write it or another one takes it.
+        """
+        children, names = self.childAlgorithms().values(), []
+        taken = {(source.outputChildId(), source.outputName()) for child in children
+                 for sources in child.parameterSources().values() for source in sources}
+        for child in children:
+            for output in child.modelOutputs().values():
+                definition = self.parameterDefinition(f"{child.childId()}:{output.name()}")
+                optional = definition.Flag.FlagOptional
+                must = not definition.flags() & optional
+                if not output.isMandatory() and (must or (child.childId(), output.childOutputName()) in taken):
+                    definition.setFlags(definition.flags() | optional)
+                    names.append(definition.name())
+        return names
+
+    def checkParameterValues(self, parameters, context):
+        """What the chain refuses before its work is refused here too: the steps would tell it one after another."""
+        accepted, message = super().checkParameterValues(parameters, context)
+        chain = QgsApplication.processingRegistry().algorithmById(f"urbanmap:{self._identity.removesuffix('_model')}")
+        if not accepted or chain is None:
+            return accepted, message
+        given = {name.rpartition(":")[2]: value for name, value in parameters.items()}
+        return chain.create().checkParameterValues(given, context)
+
+    def processAlgorithm(self, parameters, context, feedback):
+        places = {name: QgsProcessing.TEMPORARY_OUTPUT for name in self._always if not parameters.get(name)}
+        return super().processAlgorithm({**parameters, **places}, context, feedback)
 
     def name(self):
         return self._identity

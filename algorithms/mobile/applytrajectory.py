@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from ..framework.layers.point_outputs import check_points_output
@@ -49,10 +50,9 @@ class ApplyTrajectory(UrbanMapAlgorithm):
         self.add_number_output("MAX_MOVEMENT", "Maximum movement", "Maximum length of a movement.", unit="m")
 
     def check(self, parameters, context):
-        check_points_output(self, parameters, context)
+        check_moved_outputs(self, parameters, context)
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.errors import InputError
         from ...urbanmap_qgis.io.points.pointcloud import open_cloud
         from ...urbanmap_qgis.mobile.apply_correction import apply_correction, apply_to_images
 
@@ -63,8 +63,6 @@ class ApplyTrajectory(UrbanMapAlgorithm):
         corrected = self.read_trajectory(parameters, "CORRECTED", context, crs, progress)
         images = self.input_path(parameters, "IMAGES", context)
         poses = self.output_path(parameters, "OUTPUT_IMAGES", context)
-        if poses and not images:
-            raise InputError(tr("Corrected image poses are wanted, but no image poses are given."))
         output = self.output_path(parameters, "OUTPUT", context)
         moved = apply_correction(paths, reported.trajectory, corrected.trajectory, output,
                                  self.parameterAsString(parameters, "OUTSIDE", context), progress)
@@ -75,3 +73,11 @@ class ApplyTrajectory(UrbanMapAlgorithm):
                             self.parameterAsString(parameters, "ANGLES", context))
             results["OUTPUT_IMAGES"] = str(poses)
         return results
+
+
+def check_moved_outputs(algorithm, parameters, context) -> None:
+    """Refuse a name of OUTPUT that is no point cloud's, and image poses that are wanted but not given."""
+    check_points_output(algorithm, parameters, context)
+    if algorithm.output_path(parameters, "OUTPUT_IMAGES", context) and not algorithm.input_path(parameters, "IMAGES",
+                                                                                               context):
+        raise InputError(tr("Corrected image poses are wanted, but no image poses are given."))

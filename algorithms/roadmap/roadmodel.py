@@ -14,7 +14,7 @@ from .data_date import day_of
 from .surveyed_model import compute_surveyed, write_no_areas
 
 # QGIS takes whole numbers for places in this list: 1 and 2 stand at theirs.
-LEVELS, FROM_ROADS = ("3.3", "1", "2", "3.0", "3.1", "3.2"), "1"
+LEVELS, FROM_ROADS, FINEST = ("3.3", "1", "2", "3.0", "3.1", "3.2", "finest"), "1", "finest"
 
 MAP_LEVELS = ("none", "500", "1000", "2500", "5000")
 MATERIALS = ("GSI fundamental data", "digital topographic map", "other data")
@@ -51,7 +51,8 @@ class RoadModel(UrbanMapAlgorithm):
                         "is made of them; for finer levels they tell where sidewalks end.", optional=True)
         self.add_choice("LOD", "Level of detail", "1 of the roads given, 2 and finer of measured edges: 2 without "
                         "heights; 3.0 with one height across; 3.1 also with lanes and cuts at stop lines; 3.2 with "
-                        "steps from 15 cm; 3.3 with steps from 2 cm.", LEVELS, FROM_ROADS)
+                        "steps from 15 cm; 3.3 with steps from 2 cm; finest: 3.3 where measured edges are given, "
+                        "else 1.", LEVELS, FINEST)
         line = QgsProcessing.SourceType.TypeVectorLine
         self.add_vector("EDGES", "Measured edges", "Lines of “Road edges”; needed for LOD2 and finer.", optional=True,
                         source_type=line)
@@ -100,10 +101,17 @@ class RoadModel(UrbanMapAlgorithm):
         self.add_number_output("JUNCTIONS", "Junctions", "Number of junctions.")
         self.add_number_output("FINDINGS", "Findings", "Number of findings.")
 
+    def level(self, parameters, context):
+        """The level of detail: what was asked for, or the finest that the inputs allow."""
+        level = self.parameterAsString(parameters, "LOD", context)
+        if level != FINEST:
+            return level
+        return FROM_ROADS if parameters.get("EDGES") in (None, "") else LEVELS[0]
+
     def check(self, parameters, context):
         from ...urbanmap_qgis.roadspace.road_city import check_function
 
-        surveyed = self.parameterAsString(parameters, "LOD", context) != FROM_ROADS
+        surveyed = self.level(parameters, context) != FROM_ROADS
         needed = "EDGES" if surveyed else "ROADS"
         if parameters.get(needed) in (None, ""):
             raise InputError(tr("{0} is not given: it is what this level of detail is made of.").format(
@@ -122,7 +130,7 @@ class RoadModel(UrbanMapAlgorithm):
         from .road_report import write_road_report
 
         progress = self.progress(feedback)
-        if self.parameterAsString(parameters, "LOD", context) != FROM_ROADS:
+        if self.level(parameters, context) != FROM_ROADS:
             return compute_surveyed(self, parameters, context, progress)
         table = self.read_vector(parameters, "ROADS", context, progress.part(0.0, 0.05))
         structures = Structures(*(self._outlines(parameters, name, context, table) for name in ("BRIDGES", "TUNNELS")))

@@ -124,7 +124,7 @@ def compute_surveyed(algorithm, parameters, context, progress):
             raster = opened.enter_context(RasterSampler(ground))
             algorithm.same_crs("GROUND", raster.crs_wkt, "EDGES", table.crs)
             inputs = replace(inputs, ground=raster.sample)
-        model, trouble = modelled_or_told(edges, algorithm.parameterAsString(parameters, "LOD", context), inputs,
+        model, trouble = modelled_or_told(edges, algorithm.level(parameters, context), inputs,
                                           progress.part(0.1, 0.8))
     tell_surveyed(model, progress)
     built = RoadSurfaceModel(model.pieces, (), model.findings)

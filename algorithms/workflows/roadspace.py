@@ -41,7 +41,7 @@ class RoadSpace(UrbanMapAlgorithm):
         self.add_from(StreetObjects, "POINTS", "TRAJECTORY")
         self.add_from(MarkingLines, "MARKINGS", optional=False)
         self.add_from(RoadModel, "GROUND", "ROADS")
-        self.add_from(RoadModel, "LOD", default="3.3")
+        self.add_from(RoadModel, "LOD")
         self.add_from(StreetObjects, "WIDTH", "SIGMA", "DATA_DATE", advanced=True)
         self.add_from(StreetObjects, *READING, advanced=True)
         self.add_from(RoadModel, "FUNCTION")
@@ -76,8 +76,7 @@ class RoadSpace(UrbanMapAlgorithm):
                     EDGES=edges["OUTPUT"], TRAJECTORY=[given["TRAJECTORY"]], OBJECTS=objects["OUTPUT"],
                     RAILS=objects["OUTPUT_RAILS"], **given.pick(*LANE_FILES),
                     **{name: given.get(name) or "TEMPORARY_OUTPUT" for name in LANE_LAYERS})
-        roads = run("roadmodel", **given.pick("ROADS", "GROUND", "FUNCTION", "DATA_DATE", *ROAD_LAYERS),
-                    LOD=self.parameterAsString(parameters, "LOD", context),
+        roads = run("roadmodel", **given.pick("ROADS", "GROUND", "LOD", "FUNCTION", "DATA_DATE", *ROAD_LAYERS),
                     EDGES=edges["OUTPUT"], TOPS=edges["OUTPUT_TOPS"], LANES=lanes["OUTPUT_LANES"],
                     STOP_LINES=lines["OUTPUT"])
         results = {name: roads[name] for name in (*ROAD_LAYERS, *FIGURES) if name in roads}

@@ -4952,8 +4952,12 @@
         <translation>詳細度（LOD）</translation>
     </message>
     <message>
-        <source>1 of the roads given, 2 and finer of measured edges: 2 without heights; 3.0 with one height across; 3.1 also with lanes and cuts at stop lines; 3.2 with steps from 15 cm; 3.3 with steps from 2 cm. (3.3, 1, 2, 3.0, 3.1, 3.2)</source>
-        <translation>1 は与えられた道路から、2 以上は測定した縁から作ります。2 は高さなし、3.0 は横断方向に一つの高さ、3.1 は車線と停止線での区切りも、3.2 は 15 cm 以上の段差、3.3 は 2 cm 以上の段差を持ちます。(3.3, 1, 2, 3.0, 3.1, 3.2)</translation>
+        <source>as fine as the inputs allow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 of the roads given, 2 and finer of measured edges: 2 without heights; 3.0 with one height across; 3.1 also with lanes and cuts at stop lines; 3.2 with steps from 15 cm; 3.3 with steps from 2 cm; finest: 3.3 where measured edges are given, else 1. (3.3, 1, 2, 3.0, 3.1, 3.2, finest)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Measured edges</source>

@@ -146,6 +146,20 @@ def test_the_papers_method_takes_the_papers_markings_of_a_survey(run, small_city
     assert np.allclose(*places, atol=1e-3)
 
 
+@pytest.mark.parametrize("algorithm", ["georeferencemms", "georeferencemms_model"])
+def test_image_poses_that_are_wanted_and_not_given_are_told_before_the_work(run, small_city, tmp_path, algorithm):
+    from qgis.core import QgsProcessingException
+
+    calls = {f"applytrajectory:{name}" if algorithm.endswith("model") else name: str(tmp_path / file)
+             for name, file in (("OUTPUT", "new.laz"), ("OUTPUT_IMAGES", "images.csv"))}
+    trajectory = "registermms:OUTPUT_TRAJECTORY" if algorithm.endswith("model") else "OUTPUT_TRAJECTORY"
+    with pytest.raises(QgsProcessingException, match="no image poses are given"):
+        run(f"urbanmap:{algorithm}", given(
+            small_city, POINTS=[survey(small_city)], CALIBRATION=str(small_city / "mms/calibration.json"),
+            MARKINGS=reference(small_city), **calls, **{trajectory: str(tmp_path / "new.csv")}))
+    assert not [text for text in run.feedback.infos if "Step" in text or "Running" in text]
+
+
 @pytest.mark.parametrize(("change", "words"), [
     ({"MARKINGS": "far"}, "reference markings lie .* from the path of the survey"),
     ({"GROUND": "elsewhere"}, "ground elevation lies .* from the path of the survey"),

@@ -34,7 +34,7 @@ class LineSettings(Settings):
 class EdgeSettings(Settings):
     """How edges are looked for."""
 
-    width: float = setting(12.0, "Half width", "Edges up to so far from the path, in metres.", "m", 3.0, 50.0)
+    width: float = setting(15.0, "Half width", "Edges up to so far from the path, in metres.", "m", 3.0, 50.0)
     min_height: float = setting(
         0.03, "Lowest kerb", "Lower steps, in metres, are no kerbs; between two parts of a kerb they are its lowered "
         "places.", "m", 0.02, 0.2)

@@ -25,6 +25,7 @@ CHOICE_WORDS = {
     "drift": mark("best estimate of the drift"),
     "elevated road": mark("elevated road"),
     "few markings": mark("few road markings"),
+    "finest": mark("as fine as the inputs allow"),
     "frame": mark("occlusion map of each frame"),
     "full": mark("full method"),
     "given": mark("limits given below"),

@@ -329,11 +329,12 @@ class Declarations:
     # Chains
 
     def add_from(self, stage: type, *names: str, label: str = "", help: str = "", advanced: bool | None = None,
-                 optional: bool | None = None, by_default: bool | None = None, default: object = None, **renamed: str):
+                 optional: bool | None = None, by_default: bool | None = None, **renamed: str):
         """Parameters and outputs as the algorithm class `stage` declares them: a chain repeats nothing.
 
         `names` keep their names, `renamed` gives them another in the chain (`OUTPUT_GROUND="OUTPUT"`). What else is
-        given replaces what the stage says; the label's unit stays.
+        given replaces what the stage says; the label's unit and the default, which the stage takes where the chain is
+        given nothing, stay.
         """
         owner = stage()
         owner.initAlgorithm()
@@ -356,8 +357,6 @@ class Declarations:
                 definition.setHelp(tr(help))
             if by_default is not None:
                 definition.setCreateByDefault(by_default)
-            if default is not None:
-                definition.setDefaultValue(default)
             flags = definition.Flag
             for wanted, flag in ((advanced, flags.FlagAdvanced), (optional, flags.FlagOptional)):
                 if wanted is not None:
