@@ -20,8 +20,6 @@ _lock = threading.Lock()
 _runs = 0
 _before: dict[str, str | None] = {}
 _undo: list[tuple] = []
-_known: list = [None, []]
-"""Numbers of loaded and unloaded libraries when they were looked for, and those found."""
 
 
 @contextmanager
@@ -36,7 +34,7 @@ def same_sums() -> Iterator[None]:
             _before.update({name: os.environ.get(name) for name in VARIABLES})
             os.environ.update(dict.fromkeys(VARIABLES, "1"))
         _runs += 1
-        for library in _libraries():
+        for library in _loaded_libraries():
             _limit(library)
     try:
         yield
@@ -68,39 +66,6 @@ def _restore() -> None:
         else:
             os.environ[name] = value
     _before.clear()
-
-
-class _Loads(ctypes.Structure):
-    """What glibc tells of a loaded library, up to how many have been loaded and unloaded so far (dl_phdr_info)."""
-
-    _fields_ = (("address", ctypes.c_void_p), ("name", ctypes.c_char_p), ("headers", ctypes.c_void_p),
-                ("header_count", ctypes.c_uint16), ("loaded", ctypes.c_ulonglong), ("unloaded", ctypes.c_ulonglong))
-
-
-def _loads() -> tuple[int, int] | None:
-    """How many libraries this process has loaded and unloaded so far; None where the system does not count them."""
-    walk = getattr(ctypes.CDLL(None), "dl_iterate_phdr", None) if sys.platform == "linux" else None
-    if walk is None:
-        return None
-    counted = []
-
-    @ctypes.CFUNCTYPE(ctypes.c_int, ctypes.POINTER(_Loads), ctypes.c_size_t, ctypes.c_void_p)
-    def first(loads, size: int, _data) -> int:
-        if size >= ctypes.sizeof(_Loads):
-            counted.append((loads.contents.loaded, loads.contents.unloaded))
-        return 1  # all tell the same numbers
-
-    walk(first, None)
-    return counted[0] if counted else None
-
-
-def _libraries() -> list[ctypes.CDLL]:
-    """OpenBLAS where it is loaded; looked for anew where libraries were loaded or unloaded since the last time."""
-    loads = _loads()
-    if loads is None or loads != _known[0]:
-        found = _loaded_libraries()
-        _known[:] = loads, found
-    return _known[1]
 
 
 def _loaded_libraries() -> list[ctypes.CDLL]:

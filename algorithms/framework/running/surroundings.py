@@ -6,12 +6,11 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from .fault_log import faults_told
-from .kept_memory import kept_memory
 from .same_sums import same_sums
 
 
 @contextmanager
 def surroundings(feedback) -> Iterator[None]:
     """In the block, a run computes as it does everywhere, and its feedback tells the faults that it passes over."""
-    with same_sums(), kept_memory(), faults_told(feedback):
+    with same_sums(), faults_told(feedback):
         yield
