@@ -230,7 +230,7 @@ def test_zip_of_zips_folder_and_japanese_names(tmp_path):
     inner = zipped({"FG-GML-533945-BldA-20240401-0001.xml": xml["b"], "FG-GML-533945-RdEdg-20240401-0001.xml": roads})
     (folder / "まとめ.zip").write_bytes(zipped({"東京/FG-GML-533945.zip": inner, "説明.txt": "x"}))
     (folder / "FG-GML-533944-BldA-20240401-0001.XML").write_text(xml["a"], encoding="utf-8")
-    (tmp_path / "建物データ" / "other.xml").write_text("<metadata/>", encoding="utf-8")
+    (tmp_path / "建物データ" / "other.xml").write_text("<metadata><title/></metadata>", encoding="utf-8")
     single = tmp_path / "c.xml"
     single.write_text(xml["c"], encoding="utf-8")
     buildings = read_gsi_buildings([tmp_path / "建物データ", single])

@@ -22,14 +22,13 @@ from ..files.guard import reads
 from ..reference.plane_rectangular import ZONE_NAMES, zone_epsg, zone_numbers
 from .gsi_gml import Harvest, Outlines, read_source
 from .gsi_outlines import Buildings, buildings_from_lines, concatenated, one_of_each, repaired, without_known
-from .gsi_sources import Listing, PathLike, list_sources
+from .gsi_sources import Listing, PathLike, list_sources, some_of
 
 JGD2000, JGD2011 = "EPSG:4612", "EPSG:6668"
 # The horizontal coordinates of JGD2024 are those of JGD2011: in 2025 the GSI revised the heights only, and
 # EPSG's projected systems of JGD2024 stand on EPSG:6668.
 _GEODETIC = {"fguuid:jgd2000.bl": JGD2000, "fguuid:jgd2011.bl": JGD2011, "fguuid:jgd2024.bl": JGD2011}
 _METRES_A_DEGREE = 111_000
-_NAMED_AT_MOST = 3
 
 
 @dataclass(frozen=True)
@@ -225,16 +224,16 @@ def _reading_notes(listing: Listing, harvest: Harvest) -> list[str]:
     notes = []
     if listing.others:
         notes.append(say("{others_count} files with other objects than buildings were not opened ({some}).",
-                         others_count=len(listing.others), some=_some(listing.others)))
+                         others_count=len(listing.others), some=some_of(listing.others)))
     if harvest.not_gsi:
         notes.append(say("{not_gsi_count} XML files that are not GSI data were passed over ({some}).",
-                         not_gsi_count=len(harvest.not_gsi), some=_some(harvest.not_gsi)))
+                         not_gsi_count=len(harvest.not_gsi), some=some_of(harvest.not_gsi)))
     if harvest.other_objects:
         kinds = ", ".join(f"{count} {kind}" for kind, count in sorted(harvest.other_objects.items()))
         notes.append(say("Objects that are no building outlines were passed over ({kinds}).", kinds=kinds))
     if harvest.unusable:
         notes.append(say("{unusable_count} buildings have no usable outline and are missing in the result: {some}.",
-                         unusable_count=len(harvest.unusable), some=_some(harvest.unusable)))
+                         unusable_count=len(harvest.unusable), some=some_of(harvest.unusable)))
     if harvest.gaps:
         notes.append(say("{gaps_count} gaps in outlines were closed by a straight line, the widest {gaps:.2g} m.",
                          gaps_count=len(harvest.gaps), gaps=max(harvest.gaps) * _METRES_A_DEGREE))
@@ -250,7 +249,7 @@ def _nothing_found(listing: Listing, harvest: Harvest) -> str:
     first = listing.sources[0].name
     if harvest.unusable:
         return say("None of the buildings in {first} has a usable outline: {some}.", first=first,
-                   some=_some(harvest.unusable))
+                   some=some_of(harvest.unusable))
     if harvest.other_objects:
         kinds = ", ".join(sorted(harvest.other_objects))
         return say("{first} holds no building outlines (BldA or BldL) but {kinds}: give the buildings' file.",
@@ -259,8 +258,3 @@ def _nothing_found(listing: Listing, harvest: Harvest) -> str:
         return (say("{not_gsi} is not GSI Fundamental Geospatial Data (its root is not an FGD Dataset): give files "
                     "named FG-GML-...-BldA or -BldL as downloaded.", not_gsi=harvest.not_gsi[0]))
     return say("{first} holds no buildings: choose another map sheet.", first=first)
-
-
-def _some(items: list[str]) -> str:
-    more = len(items) - _NAMED_AT_MOST
-    return ", ".join(items[:_NAMED_AT_MOST]) + (say(" and {count} more", count=more) if more > 0 else "")

@@ -21,7 +21,7 @@ from ...progress import SILENT, Progress
 from ...wording import say
 from ..files.guard import reads
 from .gsi_gml import FGD, GML
-from .gsi_sources import PathLike, Wanted, XmlSource, list_sources
+from .gsi_sources import PathLike, Wanted, XmlSource, list_sources, some_of
 from .xml_stream import root_children
 
 PRODUCTS = {"1A": 1.0, "5A": 5.0, "5B": 5.0, "5C": 5.0, "10A": 10.0, "10B": 10.0}
@@ -42,7 +42,6 @@ class GsiDemLimits:
     # GSI writes -9999. where there is no height, under whichever kind; no place in Japan lies below -200 m.
     lowest: float = -1000.0
     highest: float = 9000.0
-    named_at_most: int = 3
 
 
 LIMITS = GsiDemLimits()
@@ -294,21 +293,16 @@ def _notes(others: list[str], strange: list[str], older: list[str], meshes: list
     notes = []
     if others:
         notes.append(say("{others_count} files with other data than elevation models were not opened ({some}).",
-                         others_count=len(others), some=_some(others)))
+                         others_count=len(others), some=some_of(others)))
     if strange:
         notes.append(say("{strange_count} XML files that are no elevation models were passed over ({some}).",
-                         strange_count=len(strange), some=_some(strange)))
+                         strange_count=len(strange), some=some_of(strange)))
     if older:
         notes.append(say("{older_count} older files of meshes that have a newer one were left out ({some}).",
-                         older_count=len(older), some=_some(older)))
+                         older_count=len(older), some=some_of(older)))
     kinds = sum((mesh.kinds for mesh in meshes), Counter())
     surface = kinds.get("表層面", 0)
     if surface:
         notes.append(say("{surface} cells of {values} are heights of the surface (表層面), with trees and buildings, "
                          "not of the ground.", surface=surface, values=sum(kinds.values())))
     return notes
-
-
-def _some(items: list[str]) -> str:
-    more = len(items) - LIMITS.named_at_most
-    return ", ".join(items[:LIMITS.named_at_most]) + (say(" and {count} more", count=more) if more > 0 else "")

@@ -6,15 +6,12 @@ import sys
 from array import array
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from xml.etree.ElementTree import Element  # nosec B405 # elements alone, no parser
 
-# Fed by `decoded`, which refuses document types.
-from xml.etree.ElementTree import Element, ParseError, XMLPullParser  # nosec B405
-
-from ...errors import InputError
 from ...progress import SILENT, Progress
 from ...wording import say
-from .gsi_sources import XmlSource, opened
-from .xml_stream import decoded
+from .gsi_sources import XmlSource
+from .xml_stream import root_children
 
 FGD = "{http://fgd.gsi.go.jp/spec/2008/FGD_GMLSchema}"
 GML = "{http://www.opengis.net/gml/3.2}"
@@ -75,67 +72,17 @@ class _Unusable(Exception):
 
 
 def read_source(source: XmlSource, harvest: Harvest, progress: Progress = SILENT) -> None:
-    """Read all building outlines of one XML file into `harvest`.
-
-    The file is fed to the parser in pieces and objects are dropped once read, so that memory does not grow
-    with the file. A document type is refused: the GSI writes none, and entities in it could be a bomb.
+    """Read all building outlines of one XML file into `harvest`; memory does not grow with the file.
 
     Raises
     ------
-    InputError : the XML is damaged or cut off, in an unreadable encoding, or has a document type.
+    InputError : see `root_children`.
     """
-    with opened(source) as stream:
-        parser = XMLPullParser(events=("start", "end"))
-        objects = _objects(parser, source, harvest)
-        read = since = 0
-        try:
-            for text, size in decoded(stream, source.name, "GSI data"):
-                read += size
-                parser.feed(text)
-                since = 0 if next(objects) else since + size
-                if since > _LARGEST_OBJECT:
-                    raise InputError(say("{source} has an object of more than {largest_object} MB, which no building "
-                                         "is: download it again.", source=source.name,
-                                         largest_object=_LARGEST_OBJECT >> 20))
-                progress.step(read / max(source.size, read, 1))
-            parser.close()
-            next(objects)
-        except ParseError as error:
-            line, column = error.position
-            raise InputError(say("{source} is not whole, valid XML (line {line}, column {column}): download it again.",
-                                 source=source.name, line=line, column=column)) from error
-
-
-def _objects(parser: XMLPullParser, source: XmlSource, harvest: Harvest) -> Iterator[int]:
-    """Take in the objects that the parser has finished and give their number; to be advanced after each piece fed."""
-    depth, root = 0, None
-    while True:
-        finished = 0
-        for event, element in parser.read_events():
-            if event == "start":
-                if root is None:
-                    root = element
-                    if root.tag != FGD + "Dataset":
-                        harvest.not_gsi.append(source.name)
-                        yield from _ignored(parser)
-                depth += 1
-            else:
-                depth -= 1
-                if depth == 1:
-                    _add_object(element, source.short_name, harvest)
-                    root.clear()
-                    finished += 1
-        yield finished
-
-
-def _ignored(parser: XMLPullParser) -> Iterator[int]:
-    """Read on only to learn whether the XML is whole."""
-    while True:
-        events = 0
-        for _, element in parser.read_events():
-            element.clear()
-            events += 1
-        yield events
+    for root, element in root_children(source, "GSI data", _LARGEST_OBJECT, progress):
+        if root.tag != FGD + "Dataset":
+            harvest.not_gsi.append(source.name)
+            return
+        _add_object(element, source.short_name, harvest)
 
 
 def _add_object(element: Element, source: str, harvest: Harvest) -> None:

@@ -132,6 +132,12 @@ def list_sources(paths: PathLike | Sequence[PathLike], stack: ExitStack, wanted:
     return listing
 
 
+def some_of(items: list[str], count: int = 3) -> str:
+    """The first names of a list, and how many more there are."""
+    more = len(items) - count
+    return ", ".join(items[:count]) + (say(" and {count} more", count=more) if more > 0 else "")
+
+
 @contextmanager
 def opened(source: XmlSource) -> Iterator[IO[bytes]]:
     """Open a source; what goes wrong while it is read becomes an `InputError` that names it."""
