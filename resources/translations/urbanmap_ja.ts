@@ -10806,16 +10806,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>日本の外にあります</translation>
     </message>
     <message>
-        <source>{source} is not whole, valid XML (line {line}, column {column}): download it again.</source>
-        <translation>{source}は完全で有効なXMLではありません（{line} 行 {column} 列）。再度ダウンロードしてください。</translation>
-    </message>
-    <message>
         <source>it has no surface</source>
         <translation>面がありません</translation>
-    </message>
-    <message>
-        <source>{source} has an object of more than {largest_object} MB, which no building is: download it again.</source>
-        <translation>{source}に {largest_object} MB を超えるオブジェクトがあり、建物ではあり得ません。再度ダウンロードしてください。</translation>
     </message>
     <message>
         <source>{courtyards} closed outlines (BldL) inside another of the same type were taken as courtyards.</source>

@@ -182,7 +182,7 @@ def test_a_level_without_what_it_is_made_of_is_refused(run, tmp_path):
     with pytest.raises(Exception, match="Measured edges"):
         run(ALGORITHM, {"LOD": "3.0", "ROADS": layer(tmp_path / "roads.geojson", [EAST_WEST]), "OUTPUT": "memory:"})
     with pytest.raises(Exception, match="Edges or surfaces of roads"):
-        run(ALGORITHM, {"EDGES": survey_layers(tmp_path)["EDGES"], "OUTPUT": "memory:"})
+        run(ALGORITHM, {"LOD": "1", "EDGES": survey_layers(tmp_path)["EDGES"], "OUTPUT": "memory:"})
     with pytest.raises(Exception, match="edge_id"):
         run(ALGORITHM, {"LOD": "3.0", "EDGES": survey_layers(tmp_path)["EDGES"],
                         "TOPS": survey_layers(tmp_path)["STOP_LINES"], "OUTPUT": "memory:"})
