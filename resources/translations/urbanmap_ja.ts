@@ -4953,11 +4953,11 @@
     </message>
     <message>
         <source>as fine as the inputs allow</source>
-        <translation type="unfinished"></translation>
+        <translation>入力で可能な最も細かいもの</translation>
     </message>
     <message>
         <source>1 of the roads given, 2 and finer of measured edges: 2 without heights; 3.0 with one height across; 3.1 also with lanes and cuts at stop lines; 3.2 with steps from 15 cm; 3.3 with steps from 2 cm; finest: 3.3 where measured edges are given, else 1. (3.3, 1, 2, 3.0, 3.1, 3.2, finest)</source>
-        <translation type="unfinished"></translation>
+        <translation>1 は与えられた道路から、2 以上は測定した縁から作ります。2 は高さなし、3.0 は横断方向に一つの高さ、3.1 は車線と停止線での区切りも、3.2 は 15 cm 以上の段差、3.3 は 2 cm 以上の段差を持ちます。finest は、測定した縁があれば 3.3、なければ 1 です。(3.3, 1, 2, 3.0, 3.1, 3.2, finest)</translation>
     </message>
     <message>
         <source>Measured edges</source>
@@ -5898,10 +5898,6 @@
     <message>
         <source>Run over tiles</source>
         <translation>タイル処理</translation>
-    </message>
-    <message>
-        <source>Points on road markings that two overlapping images show, with the shift of the second against the first in metres (east, north; sigma of one place), and the median of the pair with its sigma. Pairs that lie more than half a pixel apart have the status “apart”; “height” where only the height of what stands there may displace them, as no surface (DSM) tells.</source>
-        <translation>重なる2枚の画像の両方に写る路面標示上の点です。1枚目に対する2枚目のずれ（m、東・北、1か所の標準偏差）と、画像対の中央値およびその標準偏差を持ちます。半画素を超えてずれている画像対の状態は「apart」です。表層（DSM）がないため、そこにある物の高さだけで倒れ込みが生じた可能性のある所は「height」です。</translation>
     </message>
     <message>
         <source>2. Lays the frames on the ground that they see, without moving vehicles.</source>
