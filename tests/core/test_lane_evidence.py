@@ -90,15 +90,6 @@ def test_edge_of_a_vehicle_beside_the_lanes_stops_none():
         assert shapely.LineString(lane.centre[:, :2]).length == pytest.approx(50.2, abs=1.0)
 
 
-def test_stop_line_beside_lanes_whose_own_are_worn_tells_of_the_other_direction():
-    """The lines of the lanes that come towards it are worn: it begins at the line in the middle."""
-    lines = [line(0.0, 0, 18, "solid", "yellow"), line(-3.5, 0, 18), line(-7.0, 0, 18)]
-    built = build_vector_map([*lines, stop(18.2, 0.1, 6.3)], (), [], LEFT)
-    assert course(built.lanes[lane_at(built, 9, -1.7)]) == -1.0
-    for other in stop(18.2, 0.1, 1.5), stop(18.2, 1.0, 7.2), stop(-0.2, 0.1, 6.3):
-        assert not plain_lanes(build_vector_map([*lines, other], (), [], LEFT))
-
-
 def test_road_beyond_the_junction_tells_directions():
     """The arm at 80 to 130 m was not driven and has neither arrows nor stop lines."""
     near = [drive((0, 1.7), (50, 1.7)), drive((50, -1.7), (0, -1.7))]

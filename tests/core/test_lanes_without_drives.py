@@ -37,14 +37,6 @@ def test_two_arrows_are_believed_more_than_a_stop_line():
     assert not has_lane(built, 25, 1.7)
 
 
-def test_stop_line_that_a_vehicle_parts_tells_the_direction_of_the_one_strip_with_lines():
-    """The outer lane's edge is worn: the stop line reaches farther out than the strip, as one side's does."""
-    strip = [line(3.5, 0, 30), line(0.0, 0, 30)]
-    built = build_vector_map([*strip, stop(30.3, 0.1, 2.4), stop(30.4, 5.0, 7.0)], (), [], LEFT)
-    (lane,) = plain_lanes(built)
-    assert course(lane) == 1.0
-
-
 @pytest.mark.parametrize("ends", [(0.1, 3.4), (-3.4, 3.4)])
 def test_stop_line_across_all_that_is_known_of_a_road_tells_no_direction(ends):
     strip = [line(3.5, 0, 30), line(0.0, 0, 30)]

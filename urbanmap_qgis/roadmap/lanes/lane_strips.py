@@ -30,8 +30,6 @@ class LaneStripsLimits:
     # Pieces of a stop line on one straight are one over what a vehicle hides, m apart, and m along the road.
     hidden: float = 4.0
     straight: float = 0.3
-    # A stop line that goes on for so long beyond a strip, away from the middle of the road, is not the whole road's, m.
-    goes_on: float = 2.2
     # What a stop line on the other side of the road weighs, m driven: less than any evidence in the lane itself.
     away: float = 6.0
 
@@ -66,7 +64,6 @@ class Strip:
         that.
     broad_stop : direction (as `sign`) that a stop line across two strips or more tells, 0 without one.
     outside : a stop line ends, away from the middle of the road, at the solid line between it and the lanes: pavement.
-    faces_stop : a stop line for the other direction begins at its outer bound: the road goes on there.
     wide : it is wider than a lane may be between two lines.
     arrows : kinds of the arrows in it.
     """
@@ -87,7 +84,6 @@ class Strip:
     contradicted: bool = False
     broad_stop: int = 0
     outside: bool = False
-    faces_stop: bool = False
     wide: bool = False
     arrows: list[str] = field(default_factory=list)
 
@@ -326,12 +322,7 @@ def add_stops(strips: Sequence[Strip], section: RoadSection, stops: Sequence[np.
         covered = [strip for strip in ending if _share_covered(section, strip, (level, low, high)) > LIMITS.half]
         others = [strip for strip in ending if not low - 0.5 < middles[id(strip)] < high + 0.5 and strip not in covered]
         covered = covered or [strip for strip in ending if low - 0.3 < middles[id(strip)] < high + 0.3]
-        if not covered and left_hand is not None:
-            facing = _across_from(section, ending, (level, low, high), left_hand)
-            _count_away(facing, level)
-            if facing is not None:
-                facing.faces_stop = True
-        if not covered or not (others or _goes_on_outside(section, covered, (level, low, high), left_hand)):
+        if not covered or not others:
             continue
         _mark_outside(section, covered, ending, (level, low, high), left_hand)
         for strip in covered:
@@ -353,24 +344,6 @@ def _count_away(strip: Strip | None, level: float) -> None:
         strip.forward += LIMITS.away * (not at_end)
         strip.backward += LIMITS.away * at_end
         strip.stopped = True
-
-
-def _across_from(section: RoadSection, ending: Sequence[Strip], stop: tuple[float, float, float],
-                 left_hand: bool) -> Strip | None:
-    """The outermost strip at whose line a stop line (chainage, two offsets) as wide as a lane begins, on the side where
-    traffic comes towards it: no lane is known there, as where its lines are worn."""
-    level, low, high = stop
-    if high - low < LIMITS.goes_on:
-        return None
-    for strip in ending:
-        at_end = abs(strip.end - level) < abs(strip.start - level)
-        track = strip.left if at_end == left_hand else strip.right
-        offset = offset_of(section, track, level)
-        near = low if at_end == left_hand else high
-        kinds = set(line_kinds(section.tracks[track], strip.start, strip.end))
-        if abs(near - offset) < LIMITS.at_line and kinds == {"solid"}:
-            return strip
-    return None
 
 
 def _share_covered(section: RoadSection, strip: Strip, stop: tuple[float, float, float]) -> float:
@@ -401,23 +374,6 @@ def _is_within(stop: tuple[float, float, float], other: tuple[float, float, floa
     """Whether a stop line (chainage, two offsets) lies right before or behind one twice as long: a vehicle's bonnet."""
     return (other[2] - other[1] > 2.0 * (stop[2] - stop[1]) and abs(stop[0] - other[0]) < SNAP
             and other[1] - LIMITS.at_line < stop[1] and stop[2] < other[2] + LIMITS.at_line)
-
-
-def _goes_on_outside(section: RoadSection, covered: Sequence[Strip], stop: tuple[float, float, float],
-                     left_hand: bool | None) -> bool:
-    """Whether a stop line (chainage, two offsets) goes on beyond the strips on the outer side of the road alone.
-
-    It stops the traffic of one direction then, also where no strip is known beside those that it covers.
-    """
-    if left_hand is None:
-        return False
-    level, low, high = stop
-    at_end = abs(covered[0].end - level) < abs(covered[0].start - level)
-    right = min(offset_of(section, strip.right, level) for strip in covered)
-    left = max(offset_of(section, strip.left, level) for strip in covered)
-    beyond = (right - low, high - left)
-    outer, inner = beyond[::-1] if at_end == left_hand else beyond
-    return outer >= LIMITS.goes_on and inner < LIMITS.at_line
 
 
 def _mark_outside(section: RoadSection, covered: Sequence[Strip], ending: Sequence[Strip],

@@ -49,7 +49,7 @@ def settle_directions(strips: Sequence[Strip], section: RoadSection) -> list[Fin
     for pair in {(strip.right, strip.left): None for strip in strips}:
         members = [strip for strip in strips if (strip.right, strip.left) == pair]
         sign, source, contradicts = _own_direction(members)
-        outside = is_pavement(section, *pair) and not any(one.faces_stop for one in members)
+        outside = is_pavement(section, *pair)
         if source == PAINTED and (outside or any(one.outside for one in members)):
             sign, source = 0, ""
         if contradicts:
