@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 import shapely
 
-from tests.core.laid_out_roads import arrow, avenue, course, lane_at, line, place, stop, zebra
+from tests.core.laid_out_roads import arrow, course, lane_at, line, place, stop
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
 from urbanmap_qgis.settings.roadmap import MapSettings
 
@@ -49,21 +49,6 @@ def test_pavement_beyond_the_outer_end_of_a_stop_line_is_no_lane():
     built = build_vector_map([*lines, stop(50.3, 0.1, 6.9)], paint, [], LEFT)
     assert has_lane(built, 25, 5.2) and not has_lane(built, 25, 8.5)
     assert has_lane(build_vector_map(lines, paint, [], LEFT), 25, 8.5)
-
-
-def test_crosswalk_that_lines_run_past_is_none():
-    """Arrows side by side, poles and their shadows look like a short row of bars in one lane."""
-    built = build_vector_map([*avenue(0, 80), stop(80.3, 0.1, 6.9)], [zebra(38, 42, 0.4, 3.1)], [], LEFT)
-    assert not built.crosswalks
-    lane = built.lanes[lane_at(built, 40, 1.7)]
-    assert shapely.LineString(lane.centre[:, :2]).length == pytest.approx(80.0, abs=1.0)
-
-
-def test_crosswalk_between_kerbs_that_run_on_is_kept():
-    kerbs = [line(y, 0, 80) for y in (-8.0, -7.6, 7.6, 8.0)]
-    lines = [*kerbs, *avenue(0, 36), *avenue(44, 80), stop(35.5, 0.1, 6.9)]
-    built = build_vector_map(lines, [zebra(38, 42, -6.9, 6.9)], [], LEFT)
-    assert len(built.crosswalks) == 1
 
 
 def test_bonnet_of_a_vehicle_before_a_stop_line_tells_no_direction():

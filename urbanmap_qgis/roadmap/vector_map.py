@@ -20,7 +20,7 @@ from .lanes.lane_strips import add_drives, lane_strips
 from .lanes.movements import add_movements
 from .lanes.narrow_places import narrow_places
 from .lanes.road_axes import RoadAxis, add_speed_limits
-from .lanes.section_preparation import crosswalks_of, prepared_sections
+from .lanes.section_preparation import prepared_sections
 from .map_cleaning import clean_map
 from .map_records import DrivenPath, Finding, MapArea, MapLine, VectorMap
 
@@ -41,7 +41,7 @@ def build_vector_map(lines: Sequence[MapLine], areas: Sequence[MapArea] = (), dr
     lines = rejoined(lines)
     built = VectorMap()
     stops = [line.points for line in lines if line.kind == "stop line"]
-    crosswalks = crosswalks_of(lines, areas)
+    crosswalks = [area for area in areas if area.kind == "crosswalk"]
     arrows = [area for area in areas if area.kind.startswith("arrow")]
     progress.step(0.1)
     worked = []

@@ -11,7 +11,6 @@ from ...settings.roadmap import MapSettings
 from ..map_records import MapArea, MapLine
 from .bound_continuation import continued
 from .lane_strips import LIMITS as STRIP_LIMITS
-from .passed_crosswalks import without_passed
 from .road_sections import RoadSection, road_sections
 
 STOP_REACH = 5.0
@@ -27,18 +26,13 @@ def prepared_sections(lines: Sequence[MapLine], areas: Sequence[MapArea],
                       settings: MapSettings) -> list[tuple[RoadSection, list[np.ndarray]]]:
     """Road sections whose bounds are drawn on as far as anything shows them, each with the stop lines (n, 3) in it."""
     stops = [line.points for line in lines if line.kind == "stop line"]
-    barriers = [area.polygon for area in crosswalks_of(lines, areas)]
+    barriers = [area.polygon for area in areas if area.kind == "crosswalk"]
     prepared = []
     for section in road_sections([line for line in lines if line.kind in BOUNDS], barriers, settings):
         section.tracks = continued(section.tracks, section.axis, barriers, settings)
         near = [stop for stop in stops if _belongs(section, stop) and not _is_passed(section, stop, barriers)]
         prepared.append((section, near + _in_row(section, near, stops)))
     return prepared
-
-
-def crosswalks_of(lines: Sequence[MapLine], areas: Sequence[MapArea]) -> list[MapArea]:
-    """The crosswalks among areas, without rows of paint that lines run past."""
-    return without_passed([area for area in areas if area.kind == "crosswalk"], lines)
 
 
 def _in_row(section: RoadSection, near: Sequence[np.ndarray], stops: Sequence[np.ndarray]) -> list[np.ndarray]:
