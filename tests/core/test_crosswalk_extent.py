@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 import shapely
 
-from urbanmap_qgis.roadmap.lines.crosswalk_extent import BarRow, extended, joined_rows
+from urbanmap_qgis.roadmap.lines.crosswalk_extent import BarRow, extended
 from urbanmap_qgis.roadmap.lines.crosswalks import find_crosswalks
 from urbanmap_qgis.roadmap.lines.strokes import all_strokes
 
@@ -47,24 +45,6 @@ def test_ends_and_fill_of_bars():
 def test_paint_between_the_bars_too_is_no_crosswalk():
     whole = shapely.STRtree([shapely.box(-10.0, 0.0, 10.0, LENGTH)])
     assert extended(row(0, 5), whole).fill == pytest.approx(0.0)
-
-
-def test_rows_that_go_on_in_each_other_are_one():
-    one, = joined_rows([row(0, 5, 0.9), row(8, 5, 0.7)])
-    assert one.first == pytest.approx(0.0) and one.count == 13
-    assert one.fill == pytest.approx((0.9 * 5 + 0.7 * 5) / 13)
-    first, = joined_rows([row(8, 5, 0.7), row(0, 5, 0.9)])
-    assert (first.first, first.count) == pytest.approx((0.0, 13))
-
-
-@pytest.mark.parametrize("other", [
-    row(14, 5),  # 8 m apart
-    row(8.5, 5),  # out of step
-    replace(row(8, 5), pitch=1.1 * PITCH),
-    replace(row(8, 5), near=(0.0, 0.8), far=(0.0, 4.8)),  # on other lines
-    row(8, 5, along=(np.sin(0.1), np.cos(0.1)))])
-def test_rows_that_are_two(other):
-    assert len(joined_rows([row(0, 5), other])) == 2
 
 
 @pytest.mark.parametrize(("whole", "halves", "slope"), [((0, 1, 2, 3, 4), range(7, 16), -0.13),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,8 +22,6 @@ class CrosswalkExtentLimits:
     # bars.
     least_fill: float = 0.25
     missing: int = 3  # So many bars in a row may be hidden or worn away.
-    # Two rows whose bars begin and end on the same lines, at the same pitch, are one crosswalk so far apart, m.
-    join: float = 7.0
 
 
 LIMITS = CrosswalkExtentLimits()
@@ -93,37 +90,6 @@ def extended(row: BarRow, paint: shapely.STRtree) -> BarRow:
     low, high = _edge(bars[known].mean(axis=0), steps, inside)
     return BarRow(row.direction, row.first + places[known][0] * row.pitch, row.pitch, int(np.ptp(places[known])) + 1,
                   row.half, (slope, low), (slope, high), fill)
-
-
-def joined_rows(rows: Sequence[BarRow]) -> list[BarRow]:
-    """The rows, those that go on in each other made one (what lies between them is hidden or worn)."""
-    left = list(rows)
-    for first in range(len(left)):
-        for second in range(first):
-            if left[first] is not None and left[second] is not None:
-                one = _joined(left[second], left[first])
-                if one is not None:
-                    left[second], left[first] = None, one
-    return [row for row in left if row is not None]
-
-
-def _joined(one: BarRow, other: BarRow) -> BarRow | None:
-    """One row of two, None where the other does not continue the one."""
-    if abs(one.direction @ other.normal) > np.sin(np.radians(4.0)) or one.area.distance(other.area) > LIMITS.join:
-        return None
-    corners = shapely.get_coordinates(other.area.exterior)[:4]
-    p, a = corners @ one.normal, corners @ one.direction
-    edges = [sorted(a[ends] - side[0] * p[ends] - side[1]) for side, ends in
-             ((one.near, np.argsort(a)[:2]), (one.far, np.argsort(a)[2:]))]
-    count = (p.max() - p.min() - 2 * other.half) / one.pitch + 1
-    steps = (p.min() + other.half - one.first) / one.pitch
-    if np.abs(edges).max() > 0.6 or abs(one.pitch - other.pitch) > 0.06 * one.pitch or abs(
-            steps - round(steps)) > 0.3:
-        return None
-    first, last = min(0, round(steps)), max(one.count, round(steps) + round(count))
-    share = (one.fill * one.count + other.fill * other.count) / (last - first)
-    return BarRow(one.direction, one.first + first * one.pitch, one.pitch, last - first, one.half, one.near, one.far,
-                  min(share, 1.0))
 
 
 def bar_fill(row: BarRow, places: np.ndarray, steps: np.ndarray, slope: float, shift: float,

@@ -10,7 +10,7 @@ import shapely
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
-from .crosswalk_extent import BarRow, extended, joined_rows
+from .crosswalk_extent import BarRow, extended
 from .strokes import Stroke
 from .worn_crosswalks import faced_rows, worn_rows
 
@@ -82,7 +82,7 @@ def find_crosswalks(strokes: Sequence[Stroke], polygons: Sequence[shapely.Polygo
     # Of two that lie in each other the one that explains more paint is right: halves of bars in shadow lie askew.
     rows = sorted((row for row in grown if row is not None and row.count >= FEWEST and
                    row.fill >= LIMITS.least_mean_fill), key=lambda row: -row.count * row.fill)
-    rows = joined_rows(_distinct_rows(rows))
+    rows = _distinct_rows(rows)
     rows = faced_rows([*rows, *worn_rows(strokes, rows, paint)])
     return [_crosswalk(row, numbers[shapely.intersects(row.area.buffer(LIMITS.member), middles)]) for row in rows]
 
