@@ -19,8 +19,8 @@ from .line_chains import StrokeChain, link_strokes
 from .line_fit import STATION, FittedLine, fit_centre_line, polyline
 from .line_width import line_widths
 from .short_lines import supported_chains
-from .stop_lines import CROSSES, joined_bars, stop_line_confidence
 from .stop_lines import LIMITS as STOPS
+from .stop_lines import joined_bars, stop_line_confidence
 from .strokes import Stroke, all_strokes
 from .symbols import find_symbols
 from .worn_stop_lines import worn_stop_lines
@@ -171,7 +171,7 @@ def line_work(polygons: Sequence[shapely.Polygon], colours: Sequence[str], setti
     stops += fitted
     sure += [STOPS.one_evidence * line.chain.painted / line.chain.length for line in fitted]
     of_stops = {n for line in stops for n in line.chain.strokes}
-    lines = _without_crossing([line for line in lines if not of_stops.issuperset(line.chain.strokes)])
+    lines = [line for line in lines if not of_stops.issuperset(line.chain.strokes)]
     lines += _short_lines(chains, lines, of_stops, paint, settings)
     common = with_common_patterns([line.sections for line in lines])
     lines = [replace(line, sections=sections) for line, sections in zip(lines, common)]
@@ -257,22 +257,6 @@ def _short_lines(chains: Sequence[StrokeChain], lines: Sequence[_Line], of_stops
     free = [chain for chain in chains if chain.width < settings.stop_width and used.isdisjoint(chain.strokes)]
     found = supported_chains(free, [line.fit.axis for line in lines], [line.fit.width for line in lines])
     return [line for line in (_fitted(chain, paint) for chain in found) if line is not None]
-
-
-def _without_crossing(lines: Sequence[_Line]) -> list[_Line]:
-    """The lines without those that cross a longer one in its course: borders of shadows, joints, other bright bands."""
-    axes = [shapely.LineString(line.fit.axis).simplify(0.05) for line in lines]
-    tree = shapely.STRtree(axes)
-    crossing = set()
-    for k, axis in enumerate(axes):
-        for other in tree.query(axis, predicate="crosses"):
-            if axes[other].length <= axis.length:
-                continue
-            at = axis.intersection(axes[other]).centroid
-            places = [(one.project(at), one.length) for one in (axis, axes[other])]
-            if all(min(place, length - place) > CROSSES for place, length in places):
-                crossing.add(k)
-    return [line for k, line in enumerate(lines) if k not in crossing]
 
 
 def _sections_of(lines: Sequence[_Line], strokes, colours, settings: LineSettings) -> list[RoadLine]:
