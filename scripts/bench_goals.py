@@ -26,7 +26,7 @@ from scipy.spatial import Delaunay
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
-from scripts import scale_trial  # noqa: E402
+from scripts import tiled_town  # noqa: E402
 from scripts.bench_stages import DATA, cost, reading_cost, run_cost, start_row  # noqa: E402
 from scripts.bench_street import city  # noqa: E402
 from scripts.bench_table import print_table  # noqa: E402
@@ -197,14 +197,14 @@ def tiles(_data: Path, folder: Path) -> tuple[float, float, float, float]:
 
     gdal.UseExceptions()
     delft = DATA / "als" / "delft_west"
-    block, trial = folder / "block.geojson", scale_trial.Trial(tile=40, buffer=10, workers=2)
+    block, trial = folder / "block.geojson", tiled_town.Trial(tile=40, buffer=10, workers=2)
     gdal.VectorTranslate(str(block), str(delft / "outlines.gpkg"), format="GeoJSON")
     greatest, spent = [], []
     for count in (TILES // 4, TILES):
         run, town = folder / f"run_{count}", folder / f"town_{count}"
-        inputs = scale_trial.make_town(delft / "points_2_per_m2.laz", block, count, town, trial.tile)
+        inputs = tiled_town.make_town(delft / "points_2_per_m2.laz", block, count, town, trial.tile)
         run.mkdir()
-        used = cost(scale_trial.command(inputs, run, trial))
+        used = cost(tiled_town.command(inputs, run, trial))
         greatest.append(used[1])
         spent.append(used[0])
     return spent[1], (greatest[1] - greatest[0]) / (TILES - TILES // 4), greatest[1], triangulation()

@@ -1,12 +1,17 @@
-"""Tables of the benchmarks, in Markdown, so that they can go into the documentation as they are."""
+"""Tables of benchmarks and judges, in Markdown, so that they can go into the documentation as they are."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 
-def print_table(title: str, header: tuple[str, ...], rows: list[tuple]) -> None:
+
+def table_lines(header: Sequence[str], rows: Iterable[Sequence]) -> list[str]:
+    """Lines of a table; numbers with three decimals."""
+    cells = [[f"{value:.3f}" if isinstance(value, float) else str(value) for value in row] for row in rows]
+    return ["| " + " | ".join(header) + " |", "|" + "---|" * len(header),
+            *("| " + " | ".join(row) + " |" for row in cells)]
+
+
+def print_table(title: str, header: Sequence[str], rows: Iterable[Sequence]) -> None:
     """One table with its title."""
-    print(f"\n{title}\n")
-    print("| " + " | ".join(header) + " |")
-    print("|" + "---|" * len(header))
-    for row in rows:
-        print("| " + " | ".join(f"{value:.3f}" if isinstance(value, float) else str(value) for value in row) + " |")
+    print("\n".join(["", title, "", *table_lines(header, rows)]))

@@ -1,16 +1,11 @@
-#!/usr/bin/env python3
 """What registration makes of faulty trajectories: steps, ramps, wrong headings and far starts put into sample cities.
 
-    python scripts/evaluate_faults.py --city FOLDER MARKINGS GROUND [--city ...] [--faults step,ramp] --output table.md
-
-FOLDER is a sample city, MARKINGS its mask by “Road markings from aerial frames”, GROUND its raster. Each
-fault is added to the reported trajectory, the marking points move with it, and the corrected trajectory is compared
-with the true one at every patch.
+Each fault is added to the reported trajectory, the marking points move with it, and the corrected trajectory is
+compared with the true one at every patch. `evaluate_registration.py --tables faults` prints the table.
 """
 
 from __future__ import annotations
 
-import argparse
 import resource
 import sys
 import time
@@ -223,13 +218,6 @@ def percent(mask: np.ndarray) -> str:
     return f"{100 * mask.mean():.0f} %" if mask.size else "-"
 
 
-def table(header: tuple[str, ...], rows: list[tuple]) -> list[str]:
-    """Lines of a Markdown table."""
-    cells = [[f"{value:.3f}" if isinstance(value, float) else str(value) for value in row] for row in rows]
-    return ["| " + " | ".join(header) + " |", "|" + "---|" * len(header),
-            *("| " + " | ".join(row) + " |" for row in cells), ""]
-
-
 def read_survey(city: Path, name: str) -> DrivenSurvey:
     """A survey of a sample city."""
     cloud = open_cloud([city / "mms" / f"{name}.laz"])
@@ -238,33 +226,3 @@ def read_survey(city: Path, name: str) -> DrivenSurvey:
     markings = survey_markings(cloud, reported, ExtractionSettings(),
                                read_calibration(city / "mms" / "calibration.json"))
     return DrivenSurvey(name, markings, reported, true)
-
-
-def main() -> int:
-    """Make the tables."""
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--city", nargs=3, type=Path, action="append", required=True,
-                        metavar=("FOLDER", "MARKINGS", "GROUND"))
-    parser.add_argument("--faults", default=",".join(FAULTS))
-    parser.add_argument("--survey", default="survey_01")
-    parser.add_argument("--output", type=Path, help="Markdown file")
-    given = parser.parse_args()
-    rows, attitudes = [], []
-    for folder, markings, ground in given.city:
-        survey, reference = read_survey(folder, given.survey), Reference.from_mask(markings, ground)
-        settings = RegistrationSettings(three_d=True)
-        for fault in [item for kind in given.faults.split(",") for item in FAULTS[kind.strip()]]:
-            made = run(survey, fault, reference, settings)
-            rows.append(row(fault.name, folder.name, made))
-            if isinstance(made, Outcome):
-                attitudes.append(attitude_row(fault.name, folder.name, made))
-            print("\n".join(table(HEADER, rows[-1:])[2:3]), flush=True)
-    lines = table(HEADER, rows) + table(ATTITUDE_HEADER, attitudes) + [peak_memory()]
-    print("\n".join(lines))
-    if given.output:
-        given.output.write_text("\n".join(lines), encoding="utf-8")
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

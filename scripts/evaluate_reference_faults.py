@@ -30,11 +30,11 @@ from evaluate_faults import (
     read_survey,
     run,
     step_fault,
-    table,
 )
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
+from scripts.bench_table import table_lines
 from scripts.layers import plans_of, read_layer
 from urbanmap_qgis.facades.building_plans import building_plans, outline_edges
 from urbanmap_qgis.mobile.markings.records import MarkingPoints
@@ -335,7 +335,7 @@ def evaluate(city: Path, ground: Path, name: str, cases: list[str], cache: Path 
             RegistrationSettings(three_d=True), moved_walls(walls, scene.survey.reported, wrong.survey.reported))
         for found, row in zip((rows, sigmas), rows_of(title, f"{city.name} {name}", made)):
             found.append(row)
-        print("\n".join([*table(HEADER, rows[-1:])[2:3], *table(SIGMA_HEADER, sigmas[-1:])[2:3]]), flush=True)
+        print("\n".join([*table_lines(HEADER, rows[-1:])[2:], *table_lines(SIGMA_HEADER, sigmas[-1:])[2:]]), flush=True)
     return rows, sigmas
 
 
@@ -355,7 +355,7 @@ def main() -> int:
     for folder, ground in given.city:
         more = evaluate(folder, ground, given.survey, given.cases.split(","), given.cache, given.buildings)
         rows, sigmas = rows + more[0], sigmas + more[1]
-    lines = table(HEADER, rows) + table(SIGMA_HEADER, sigmas)
+    lines = [*table_lines(HEADER, rows), "", *table_lines(SIGMA_HEADER, sigmas), ""]
     print("\n".join(lines))
     if given.output:
         given.output.write_text("\n".join(lines), encoding="utf-8")

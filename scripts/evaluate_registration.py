@@ -30,6 +30,7 @@ from evaluate_faults import run as run_fault
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
+from scripts.bench_table import table_lines
 from scripts.layers import plans_of
 from urbanmap_qgis.errors import UrbanMapError
 from urbanmap_qgis.io.points.pointcloud import open_cloud
@@ -124,10 +125,8 @@ class Table:
 
     def markdown(self) -> str:
         """As text."""
-        cells = [[f"{value:.3f}" if isinstance(value, float) else str(value) for value in row] for row in self.rows]
-        lines = [f"### {self.title}", "", "| " + " | ".join(self.header) + " |", "|" + "---|" * len(self.header),
-                 *("| " + " | ".join(row) + " |" for row in cells), ""]
-        return "\n".join([*lines, *([self.note, ""] if self.note else [])])
+        note = [self.note, ""] if self.note else []
+        return "\n".join([f"### {self.title}", "", *table_lines(self.header, self.rows), "", *note])
 
 
 class Evaluation:

@@ -1,6 +1,6 @@
 """Recall, stray finds and verdict of road markings in photographs of many kinds and with many faults.
 
-    python scripts/score_image_kinds.py FOLDER [--photo NAME ...] [--kind KIND ...] [--json FILE]
+    python scripts/score_image_kinds.py FOLDER [--photo NAME ...] [--kind KIND ...]
 
 FOLDER is the aerial data. Photographs of `DEVELOPED` were looked at while limits were chosen, the others held back.
 """
@@ -12,7 +12,7 @@ import json
 import sys
 import tempfile
 from collections.abc import Callable
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 
 import cv2
@@ -198,35 +198,13 @@ def searched(photograph: Photograph, kind: ImageKind, work: Path) -> tuple[Marki
         return found, source.read(1) > 0
 
 
-def figures(found: MarkingResult) -> dict:
-    """All that a verdict may look at."""
-    marks = found.polygons
-    quantiles = [5, 25, 50, 75, 95]
-    made = dict(asdict(found.evidence))
-    made |= {f"road_{name}": value for name, value in asdict(found.road).items()} if found.road else {}
-    made |= {"pixel": found.pixel, "marks": len(marks), "searched_area": found.searched_area,
-             "marked_area": found.marked_area}
-    if len(marks):
-        made |= {name: np.percentile(getattr(marks, name), quantiles).tolist()
-                 for name in ("width", "length", "contrast", "confidence")}
-        line = (marks.length > 2) & (marks.width < 0.6)
-        made |= {"line_length": float(marks.length[line].sum()), "line_area": float(marks.area[line].sum()),
-                 "line_width": np.percentile(marks.width[line], quantiles).tolist() if line.any() else [0] * 5,
-                 "area_in_lines": float(marks.area[line].sum() / marks.area.sum()),
-                 "odd_width": float(marks.area[(marks.width < 0.08) | (marks.width > 0.5)].sum() / marks.area.sum()),
-                 "yellow": float((marks.colour == "yellow").mean())}
-    return made
-
-
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", type=Path)
     parser.add_argument("--photo", nargs="*")
     parser.add_argument("--kind", nargs="*")
-    parser.add_argument("--json", type=Path)
     parser.add_argument("--most", type=int, default=MOST, help="rows and columns of the middle that are looked at")
     given = parser.parse_args()
-    rows = []
     for name, read in photographs(given.folder).items():
         if given.photo and name not in given.photo:
             continue
@@ -237,10 +215,6 @@ def main() -> None:
             recall, stray = photograph.score(mask)
             grade = GRADES[marking_verdict(found, MarkingSettings().contrast).grade]
             print(f"{name:9s} {kind:21s} recall {recall:.3f} stray {stray:5.0f} m2/ha {grade}", flush=True)
-            rows.append({"photo": name, "kind": kind, "recall": recall, "stray": stray, "verdict": grade,
-                         **figures(found)})
-            if given.json:
-                given.json.write_text(json.dumps(rows), encoding="utf-8")
 
 
 if __name__ == "__main__":

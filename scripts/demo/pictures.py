@@ -1,8 +1,4 @@
-"""Pictures of the sample city's data: frame, orthophoto, laser points, mobile survey, line image.
-
-Points are drawn by numpy without a screen: in parallel projection, the nearest last, with shading by depth that makes
-edges stand out.
-"""
+"""Pictures of the sample city's images and of what was made of them: frame, orthophoto, survey over it, line image."""
 
 from __future__ import annotations
 
@@ -12,20 +8,9 @@ from pathlib import Path
 import cv2
 import laspy
 import numpy as np
-import shapely
 from osgeo import gdal
 
-from scripts.demo.checks import reported_errors
-from scripts.layers import read_layer
-
 gdal.UseExceptions()
-
-SKY, NIGHT = (245, 237, 228), (38, 30, 24)  # colours are blue, green, red, as OpenCV has them
-AROUND = 42.0
-"""Of the mobile survey this much around its middle is drawn, m."""
-CLASS_COLOURS = {1: (150, 150, 150), 2: (120, 160, 190), 5: (70, 150, 60), 6: (70, 90, 200)}
-CLASS_NAMES = "ground tan, buildings red, trees green, vehicles and furniture grey"
-
 
 def make_pictures(folder: Path) -> Iterator[tuple[Path, str]]:
     """Draw all pictures into `folder`/pictures; file and caption of each."""
@@ -86,24 +71,6 @@ def _pictures(city: Path) -> Iterator[tuple[str, np.ndarray, str]]:
     ortho = read_image(city / "aerial/ortho.tif")
     yield ("orthophoto.jpg", cv2.resize(ortho, None, fx=0.7, fy=0.7, interpolation=cv2.INTER_AREA),
            "The conventional orthophoto: right on the ground, while roofs lie where the frames saw them.")
-    cloud = laspy.read(city / "als/als_classified.laz")
-    xyz = np.column_stack([cloud.x, cloud.y, cloud.z])
-    near = np.asarray(cloud.classification) != 7
-    yield ("als_height.jpg", draw_points(xyz[near], height_colours(xyz[near, 2]), dot=6),
-           "Airborne laser points by height, seen from the south-west; outliers left out.")
-    classes = np.asarray(cloud.classification)
-    colours = np.zeros((256, 3), np.uint8)
-    colours[list(CLASS_COLOURS)] = list(CLASS_COLOURS.values())
-    yield ("als_class.jpg", draw_points(xyz[near], colours[classes[near]], dot=6),
-           f"The same by class, as in als_classified.laz: {CLASS_NAMES}.")
-    xyz, intensity = read_survey(city / "mms/survey_01.laz")
-    close = np.abs(xyz[:, :2] - np.median(xyz[:, :2], axis=0)).max(axis=1) < AROUND
-    yield ("mobile.jpg", draw_points(xyz[close], grey(intensity[close]), dot=2, azimuth=20.0, back=NIGHT),
-           "Mobile survey 1 by intensity: walls as far up as the scanners see, paint and pavements on the ground.")
-    yield ("mobile_markings.jpg", markings_picture(city, xyz, intensity),
-           "Mobile survey 1 from above by intensity, placed with its reported trajectory; the true outlines of the "
-           f"markings in orange lie {reported_errors(city, 1).mean():.1f} m off in the mean: that is what the "
-           "registration of later stages has to find.")
     yield ("line_camera.jpg", cv2.imdecode(np.fromfile(city / "lines/camera_1.png", np.uint8), cv2.IMREAD_COLOR),
            "Image of the line camera: a column is a moment, a row an angle. Things are drawn out where the vehicle "
            "drives slowly, and bend where it turns.")
@@ -118,84 +85,3 @@ def middle(picture: np.ndarray, width: int, height: int) -> np.ndarray:
     """The middle part of a picture."""
     top, left = (max(0, (size - wanted) // 2) for size, wanted in zip(picture.shape, (height, width)))
     return picture[top:top + height, left:left + width]
-
-
-def read_survey(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Places (n, 3) and intensities (n,) of a mobile survey's points."""
-    cloud = laspy.read(path)
-    return np.column_stack([cloud.x, cloud.y, cloud.z]), np.asarray(cloud.intensity, float)
-
-
-def height_colours(z: np.ndarray) -> np.ndarray:
-    """Colours (n, 3) from the lowest to the highest."""
-    low, high = np.percentile(z, [1, 99.5])
-    levels = np.uint8(255 * np.clip((z - low) / (high - low), 0, 1) ** 0.6)
-    return cv2.applyColorMap(levels.reshape(-1, 1), cv2.COLORMAP_TURBO).reshape(-1, 3)
-
-
-def grey(values: np.ndarray) -> np.ndarray:
-    """Grey levels (n, 3) of intensities, by their logarithm."""
-    values = np.log(np.maximum(values, 1.0))
-    low, high = np.percentile(values, [1, 99])
-    return np.repeat(np.uint8(30 + 225 * np.clip((values - low) / (high - low), 0, 1))[:, None], 3, axis=1)
-
-
-def draw_points(xyz: np.ndarray, colours: np.ndarray, *, dot: int, width: int = 1100, azimuth: float = 35.0,
-                pitch: float = 50.0, back: tuple[int, int, int] = SKY) -> np.ndarray:
-    """Points in parallel projection, drawn at twice the size and scaled down.
-
-    `azimuth` : view direction clockwise from north, degrees.  `pitch` : 90 looks straight down.  `dot` : pixels.
-    """
-    turn, down = np.radians([azimuth, pitch])
-    ahead = np.array([np.sin(turn) * np.cos(down), np.cos(turn) * np.cos(down), -np.sin(down)])
-    right = np.array([np.cos(turn), -np.sin(turn), 0.0])
-    places = (xyz - xyz.mean(axis=0)) @ np.column_stack([right, np.cross(right, ahead), ahead])
-    low, high = places[:, :2].min(axis=0), places[:, :2].max(axis=0)
-    scale = 2 * width / (high - low)[0]
-    size = np.ceil((high - low) * scale).astype(int)[::-1] + dot
-    column, row = ((places[:, 0] - low[0]) * scale).astype(int), ((high[1] - places[:, 1]) * scale).astype(int)
-    order = np.argsort(-places[:, 2], kind="stable")
-    nearest = np.full(size, -1)
-    for shift in np.ndindex(dot, dot):
-        layer = np.full(size, -1)
-        layer[row[order] + shift[0], column[order] + shift[1]] = order  # of equal pixels numpy keeps the last
-        over = (layer >= 0) & ((nearest < 0) | (places[layer, 2] < places[nearest, 2]))
-        nearest[over] = layer[over]
-    seen = nearest >= 0
-    depth = np.where(seen, places[nearest, 2], places[:, 2].max())
-    picture = np.where(seen[..., None], colours[nearest] * edge_shade(depth)[..., None], back)
-    return cv2.resize(picture.astype(np.uint8), None, fx=0.5, fy=0.5, interpolation=cv2.INTER_AREA)
-
-
-def edge_shade(depth: np.ndarray, reach: int = 3, strength: float = 0.12) -> np.ndarray:
-    """Shade 0.35 to 1 of pixels: the darker, the more (m) the neighbourhood lies in front of them."""
-    depth = cv2.medianBlur(depth.astype(np.float32), 3)
-    before = [np.maximum(0.0, depth - np.roll(depth, shift, axis=axis)) for axis in (0, 1) for shift in (-reach, reach)]
-    return np.maximum(0.35, np.exp(-strength * np.minimum(np.sum(before, axis=0), 20.0)))
-
-
-def markings_picture(city: Path, xyz: np.ndarray, intensity: np.ndarray, cell: float = 0.04,
-                     reach: tuple[float, float] = (22.0, 16.0)) -> np.ndarray:
-    """The ground of the survey around the crossing from above, with the true outlines of markings."""
-    plans, (private,) = read_layer(city / "truth/markings.gpkg", "private", layer="mms")
-    plans = [plan for plan, own in zip(plans, private) if not own]
-    x0, y0 = np.median(xyz[:, :2], axis=0)
-    columns, rows = (int(2 * length / cell) for length in reach)
-
-    def pixels(places: np.ndarray) -> np.ndarray:
-        return np.column_stack([(places[:, 0] - x0 + reach[0]) / cell, (y0 + reach[1] - places[:, 1]) / cell])
-
-    low = xyz[:, 2] < np.percentile(xyz[:, 2], 2) + 2.5
-    column, row = pixels(xyz[low]).astype(int).T
-    inside = (column >= 0) & (column < columns) & (row >= 0) & (row < rows)
-    count, total = (np.zeros(rows * columns) for _ in range(2))
-    index = row[inside] * columns + column[inside]
-    np.add.at(count, index, 1.0)
-    np.add.at(total, index, grey(intensity[low])[inside, 0])
-    picture = np.divide(total, count, out=np.zeros_like(total), where=count > 0).reshape(rows, columns)
-    picture = np.where(count.reshape(rows, columns) > 0, picture, cv2.dilate(picture, np.ones((3, 3))))
-    picture = cv2.cvtColor(picture.astype(np.uint8), cv2.COLOR_GRAY2BGR)
-    for plan in shapely.get_parts(shapely.force_2d(plans)):
-        ring = np.round(pixels(shapely.get_coordinates(plan.exterior)) * 16).astype(np.int32)
-        cv2.polylines(picture, [ring], True, (40, 140, 255), 2, cv2.LINE_AA, shift=4)
-    return picture
