@@ -217,3 +217,12 @@ def test_images_move_like_the_body(survey, tmp_path):
     assert float(rows[1].split(",")[4]) == pytest.approx(12.5, abs=1e-4)
     assert rows[2].startswith("b,990.0000") and float(rows[2].split(",")[4]) == pytest.approx(12.5, abs=1e-4)
     assert (result.images, result.images_outside) == (2, 1) and "1 of 2 images" in warnings[0]
+
+
+def test_a_correction_of_another_time_says_both_spans():
+    early, late = (Trajectory(np.linspace(first, first + 10.0, 11), np.zeros((11, 3)), np.zeros((11, 3)))
+                   for first in (0.0, 50.0))
+    with pytest.raises(InputError, match=r"runs from 50\.0 to 60\.0 s, the reported one from 0\.0 to 10\.0 s"):
+        correction_between(early, late)
+    with pytest.raises(InputError, match=r"runs from 0\.0 to 10\.0 s, the reported one from 50\.0 to 60\.0 s"):
+        correction_between(late, early)

@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.errors import InputError, InsufficientDataError
-from urbanmap_qgis.mobile.boresight.plane_patches import PatchSearch
-from urbanmap_qgis.mobile.boresight.stage import _turned, calibrate_scanners
+from urbanmap_qgis.mobile.boresight.stage import calibrate_scanners
 from urbanmap_qgis.mobile.calibration import Calibration, MountedScanner
 from urbanmap_qgis.mobile.trajectory import Trajectory, body_to_map, interpolate, rotations
 from urbanmap_qgis.settings.lines import BoresightSettings
@@ -147,23 +146,6 @@ def test_passes_that_only_seem_apart_are_held_together(street):
     held = calibrate_scanners(files, trajectories, Calibration(SCANNERS), BoresightSettings(max_apart=limit)).boresights
     assert held.place_rms < limit < loose.place_rms
     assert held.value[1, [3, 5]] == pytest.approx(TRUE[[0, 2]], abs=0.03)
-
-
-def test_planes_seen_before_and_after_a_turn_move_by_both_looks():
-    """A plane's displacement by a small turn is the mean over its points, whose poses differ."""
-    rng = np.random.default_rng(4)
-    heading = np.repeat([10.0, 100.0], 20)
-    rotation = rotations(np.column_stack([np.zeros((40, 2)), heading]))
-    points = np.array([4.85, 3.25, 1.0]) + rng.uniform(0.0, 0.7, (40, 3)) * [1.0, 1.0, 0.0]
-    place = np.column_stack([heading, -heading, np.zeros(40)]) / 20.0
-    search = PatchSearch(np.zeros(3))
-    search.add(points, np.r_[0.0:40.0], np.zeros(40, int), _turned(rotation, points - place))
-    patch = search.patches()
-    turn = np.array([1e-3, -2e-3, 3e-3])
-    moved = np.einsum("nij,nj->ni", rotation, np.cross(turn, np.einsum("nji,nj->ni", rotation, points - place)))
-    assert len(patch) == 1
-    assert -patch.means[0, 9:].reshape(3, 3) @ turn == pytest.approx(moved.mean(axis=0), abs=1e-12)
-    assert patch.means[0, :9].reshape(3, 3) == pytest.approx(rotation.mean(axis=0))
 
 
 @pytest.mark.slow

@@ -10,7 +10,7 @@ import shapely
 
 from tests.core.laid_out_roads import avenue, drive
 from urbanmap_qgis.roadmap.bound_sigmas import set_bound_sigmas
-from urbanmap_qgis.roadmap.lines.line_work import line_work
+from urbanmap_qgis.roadmap.lines.line_work import RoadArea, line_work
 from urbanmap_qgis.roadmap.map_records import Bound, MapLine, VectorMap, lines_of
 from urbanmap_qgis.roadmap.map_tables import bound_columns
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
@@ -75,3 +75,18 @@ def test_bounds_of_a_map_state_it_for_each_node():
     painted = [bound for bound in built.bounds if bound.kind != "virtual"]
     assert painted and all(len(bound.sigmas) == len(bound.nodes) for bound in painted)
     assert min(min(bound.sigmas) for bound in painted) == pytest.approx(0.02)
+
+
+def test_lines_of_a_layer_keep_their_chain_and_bound_and_official_edges_have_none():
+    line = shapely.LineString([(0, 0, 1), (9, 0, 1)])
+    columns = {"class": ["solid"], "chain": [7], "bound_id": [12]}
+    (own,), (official,) = (lines_of([line], columns, field) for field in ("class", None))
+    assert (own.kind, own.chain, own.identifier) == ("solid", 7, 12)
+    assert (official.kind, official.chain, official.identifier) == ("road border", -1, -1)
+
+
+def test_only_polygons_of_an_area_are_its_outline():
+    parts = shapely.geometrycollections([shapely.box(0, 0, 1, 1), shapely.linestrings([(0, 0), (5, 5)]),
+                                         shapely.box(3, 0, 4, 2)])
+    area = RoadArea(parts, "unknown", np.full(2, np.nan), np.nan, "white")
+    assert area.multipolygon.geom_type == "MultiPolygon" and area.multipolygon.area == 3.0

@@ -1,7 +1,10 @@
 """Points grouped by building, buckets on disk, outlines made usable, owners of contested points."""
 
+import multiprocessing
+import time
 from concurrent.futures import ThreadPoolExecutor
 
+import laspy
 import numpy as np
 import pytest
 import shapely
@@ -10,7 +13,7 @@ from urbanmap_qgis.buildings.building_points import iter_building_blocks, requir
 from urbanmap_qgis.buildings.outlines.footprint import clean_footprints
 from urbanmap_qgis.buildings.point_assignment import PlanIndex, assign_points
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.execution import in_order
+from urbanmap_qgis.execution import end_workers_but, in_order
 from urbanmap_qgis.io.points.point_buckets import PointBuckets
 from urbanmap_qgis.io.points.pointcloud import PointLayout, open_cloud
 
@@ -122,3 +125,36 @@ def test_pieces_come_back_in_order_with_and_without_workers():
     assert list(in_order(lambda n: n * n, range(50))) == expected
     with ThreadPoolExecutor(3) as executor:
         assert list(in_order(lambda n: n * n, range(50), executor)) == expected
+
+
+def test_only_workers_started_since_are_ended():
+    context = multiprocessing.get_context("fork")
+    before, after = (context.Process(target=time.sleep, args=(60,), daemon=True) for _ in range(2))
+    before.start()
+    others = set(multiprocessing.active_children())
+    after.start()
+    try:
+        end_workers_but(others)
+        after.join(10)
+        assert after.exitcode is not None and before.exitcode is None
+    finally:
+        before.kill()
+
+
+def cloud_file(path, offset, point_format, vlr=None):
+    header_of = laspy.LasHeader(point_format=point_format, version="1.4")
+    header_of.scales, header_of.offsets = [0.001] * 3, offset
+    if vlr:
+        header_of.vlrs.append(laspy.VLR(vlr, 7, "note", b"content"))
+    las = laspy.LasData(header_of)
+    las.x, las.y, las.z = np.array([1000.25, 1001.5]), np.array([2000.75, 2002.0]), np.array([30.125, 31.0])
+    las.intensity = np.array([5, 6], np.uint16)
+    las.write(path)
+    return path
+
+
+def test_records_of_others_stay_in_a_layout(tmp_path):
+    layout = PointLayout(open_cloud([cloud_file(tmp_path / "a.las", [0.0] * 3, 6, "somebody")]))
+    assert [(vlr.user_id, vlr.record_data_bytes()) for vlr in layout.header.vlrs] == [("somebody", b"content")]
+    packed = cloud_file(tmp_path / "b.laz", [0.0] * 3, 6, "copc")
+    assert not PointLayout(open_cloud([packed])).header.vlrs

@@ -179,3 +179,12 @@ def test_isolated_points():
     x, y, z = np.append(x, [20.0, 20.0]), np.append(y, [20.0, 20.0]), np.append(z, [40.0, -30.0])
     assert np.flatnonzero(isolated(x, y, z)).tolist() == [2000, 2001]
     assert plausible(x, y, np.append(z[:-1], np.nan)).sum() == len(z) - 1
+
+
+@pytest.mark.parametrize("gap", [1, 2, 3, 50])
+def test_empty_levels_are_shrunk_without_bringing_points_together(gap):
+    """Two groups of three points: neighbours where they are one voxel apart, strangers beyond."""
+    z = np.array([0.5, 0.5, 0.5, 0.5 + gap, 0.5 + gap, 0.5 + gap])
+    flat = np.full(6, 0.5)
+    assert isolated(flat, flat, z, voxel=1.0, neighbours=3).all() == (gap > 1)
+    assert not isolated(flat, flat, z, voxel=1.0, neighbours=2).any()

@@ -7,7 +7,7 @@ import numpy as np
 import pyproj
 import pytest
 
-from urbanmap_qgis.aerial.orientation.cloud_control import control_cloud, residual_rows, write_shifted
+from urbanmap_qgis.aerial.orientation.cloud_control import CloudControl, control_cloud, residual_rows, write_shifted
 from urbanmap_qgis.aerial.orientation.cloud_points import CloudPoints, measured_heights, read_cloud_points
 from urbanmap_qgis.aerial.orientation.cloud_report import write_cloud_report
 from urbanmap_qgis.errors import InputError, InsufficientDataError
@@ -151,3 +151,9 @@ def test_bad_tables_are_refused(tmp_path, text, message):
     path.write_text(text, encoding="utf-8")
     with pytest.raises(InputError, match=message):
         read_cloud_points(path)
+
+
+def test_errors_of_a_cloud_are_root_mean_squares():
+    errors = np.array([[3.0, 4.0, 0.3], [np.nan, np.nan, 0.4], [30.0, 40.0, 9.0]])
+    plan, height = CloudControl.rms(None, errors, np.array([True, True, False]))
+    assert (plan, height) == pytest.approx((5.0, np.sqrt(0.125)))

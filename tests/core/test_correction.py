@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from tests.core.simulated_windows import shifted, simulate
 from urbanmap_qgis.errors import InsufficientDataError
-from urbanmap_qgis.mobile.registration.correction import robust_fit
 from urbanmap_qgis.mobile.registration.correction.adjustment import adjust_correction
 from urbanmap_qgis.mobile.registration.correction.error_model import AttitudeError
 from urbanmap_qgis.mobile.registration.correction.gauss_markov import GaussMarkovDrift, path_parameters_of
@@ -116,22 +114,6 @@ def test_a_short_gap_between_markings_that_fit_the_drift_is_registered(gap, regi
     inside = (made.chainage > gap[0] + 1.5) & (made.chainage < gap[1] - 1.5)
     assert (made.status[inside] == REGISTERED).all() == registered
     assert plan_error(drive, made)[inside].max() < 3 * made.plan_sigma()[inside].min()
-
-
-@pytest.mark.parametrize(("believed", "factor"), [(0.6, 1.0), (0.9, 5.0)])
-def test_a_looser_heading_is_taken_only_where_it_leaves_no_more_evidence_unbelieved(monkeypatch, believed, factor):
-    count, tried = 20, []
-    fit = robust_fit.Fit(np.zeros((2, 6, 2)), np.zeros((2, 12, 12)), np.full(count, 0.9), 1.0, 1.0)
-    chain = SimpleNamespace(normals=SimpleNamespace(present=np.ones(count, bool)))
-
-    def much_likelier(*given):
-        tried.append(given)
-        return replace(fit, weight=np.full(count, believed)), 100.0
-
-    monkeypatch.setattr(robust_fit, "reweighted_fit", much_likelier)
-    model = CorrectionSettings().error_model(np.full((2, 3), 0.05))
-    made = robust_fit._with_likely_heading(chain, model, np.ones(count), CorrectionSettings(), 0.0, fit)
-    assert made.heading_factor == factor and len(tried) == 2
 
 
 def test_long_end_without_markings_is_not_to_be_trusted():

@@ -311,3 +311,15 @@ class _StumblingRaster:
 def test_an_orthophoto_whose_head_is_damaged_is_a_sentence():
     with pytest.raises(InputError, match="a.tif is damaged: .*GTModelTypeGeoKey"):
         colour_bands(_StumblingRaster(), Path("a.tif"))
+
+
+def test_one_point_without_a_time_is_counted(make_cloud, tmp_path):
+    time = np.linspace(400_000, 400_060, 500)
+    x, y = np.random.default_rng(1).uniform(0, 50, (2, 500))
+    for zeros in (1, 3):
+        time[:zeros] = 0.0
+        cloud = open_cloud([make_cloud(tmp_path / f"{zeros}.laz", x, y, x, gps_time=time)])
+        with pytest.raises(InputError, match=rf"{zeros} of 500 points in {zeros}\.laz have the GPS time 0"):
+            time_range(cloud)
+    late = np.linspace(0, 60, 500)  # a survey that begins with the week
+    assert time_range(open_cloud([make_cloud(tmp_path / "w.laz", x, y, x, gps_time=late)])) == (0.0, 60.0)

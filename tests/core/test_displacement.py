@@ -10,6 +10,7 @@ from urbanmap_qgis.buildings.outlines import displacement, displacement_search
 from urbanmap_qgis.buildings.outlines.displacement import estimate_displacements, shifted_outlines
 from urbanmap_qgis.buildings.outlines.displacement_boundary import edges_of, pieces_of, row_sums, sums_inside
 from urbanmap_qgis.buildings.outlines.displacement_pairs import MASK_CELL, meeting_tables, overlap_tables, walls_between
+from urbanmap_qgis.buildings.outlines.displacement_search import shift_lattice
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.geometry.grid import Grid
 
@@ -220,3 +221,8 @@ def test_an_outline_on_bare_ground_stays():
     unary = np.array([shapely.box(x - 5, y - 5, x + 5, y + 5)], dtype=object)
     result = estimate_displacements(unary, bare, GRID)
     assert found(result).tolist() == [[0.0, 0.0]] and result.status.tolist() == ["not observable"]
+
+
+def test_lattice_of_shifts_holds_what_lies_at_the_very_reach():
+    lattice = shift_lattice(0.1, 0.3)  # three steps of 0.1 are a little more than 0.3 in floating point
+    assert {(3, 0), (-3, 0), (0, 3), (0, -3)} <= set(map(tuple, lattice.tolist())) and np.abs(lattice).max() == 3

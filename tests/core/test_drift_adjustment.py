@@ -1,6 +1,5 @@
 """The drift of all tie points against full covariance matrices, repetition, and what simulated walks show."""
 
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -8,8 +7,6 @@ import pytest
 from urbanmap_qgis.mobile.lines.drift_adjustment import (
     RandomWalk,
     TiePairs,
-    WalkPace,
-    _System,
     fit_drift,
     leave_one_out_misfits,
     misfit_of_excluded,
@@ -90,34 +87,6 @@ def test_values_and_variances_are_those_of_the_full_covariance(coupled):
     variance = np.diag(whole - gain @ design @ whole).reshape(-1, 3)
     np.testing.assert_allclose(model.interpolate(time), value, atol=2e-3)
     np.testing.assert_allclose(np.sqrt(model.variances(time)), np.sqrt(variance), rtol=0.02, atol=1e-4)
-
-
-def test_the_accuracy_stated_spreads_the_walk_over_time():
-    """Twice the standard deviation takes four times the variance; the whole drive adds what an even walk adds."""
-    trajectory = course(100.0)
-    stated = np.where(trajectory.time < 50.0, 0.02, 0.04)
-    pairs = TiePairs(np.zeros((2, 2)), np.zeros((2, 2)), np.array([10.0, 90.0]), np.array([0, 1]))
-    system = _System(pairs, replace(trajectory, place_sigma=np.column_stack([stated, stated])))
-    system.take_pace(WalkPace(2.0))
-    rate = system.growth[:, 0] / system.step
-    middle = system.time[:-1] + system.step / 2
-    np.testing.assert_allclose(rate[middle > 51].mean() / rate[middle < 49].mean(), 4.0, rtol=1e-6)
-    assert system.growth[:, 0].sum() == pytest.approx(100.0)
-    np.testing.assert_allclose(system.growth[:, 2], system.step)
-
-
-def test_a_memory_keeps_the_stated_accuracy_as_its_spread():
-    """From node to node the variance carried on and added is that of the accuracy stated there."""
-    trajectory = course(200.0)
-    stated = 0.02 + 0.3 * np.exp(-((trajectory.time - 100.0) / 20.0) ** 2)
-    pairs = TiePairs(np.zeros((2, 2)), np.zeros((2, 2)), np.array([10.0, 190.0]), np.array([0, 1]))
-    system = _System(pairs, replace(trajectory, place_sigma=np.column_stack([stated, stated])))
-    system.take_pace(WalkPace(2.0, 20.0))
-    variance = [system.start]
-    for carried, growth in zip(system.carried, system.growth[:, 0]):
-        variance.append(carried**2 * variance[-1] + growth)
-    at_node = np.interp(system.time, trajectory.time, stated)
-    np.testing.assert_allclose(np.array(variance) / variance[0], (at_node / at_node[0]) ** 2, rtol=1e-6)
 
 
 @pytest.mark.slow

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 import shapely
@@ -13,7 +15,7 @@ from urbanmap_qgis.localisation.evidence.effective_walls import robust_excess
 from urbanmap_qgis.localisation.evidence.information import Evidence, surface_rows
 from urbanmap_qgis.localisation.evidence.settled_place import settled_places
 from urbanmap_qgis.localisation.localisation_settings import VehicleScanner
-from urbanmap_qgis.localisation.walls.wall_cells import wall_plan_cells
+from urbanmap_qgis.localisation.walls.wall_cells import space_cells, wall_plan_cells
 from urbanmap_qgis.localisation.walls.wall_map import WallMap, wall_sigmas
 from urbanmap_qgis.localisation.walls.wall_scan import scan_walls
 from urbanmap_qgis.mobile.registration.matching.ndt_match import Mixture, RigidMotion, match_points
@@ -76,3 +78,26 @@ def test_a_scan_settles_where_the_registration_of_its_points_does():
         assert found[number, :2] == pytest.approx(settled, abs=5e-4)
         assert np.hypot(*settled) > 0.002
         assert found[number, 2] == pytest.approx(np.arctan2(pose.rotation[1, 0], pose.rotation[0, 0]), abs=5e-5)
+
+
+def test_road_of_a_map_in_space_lies_outside_buildings():
+    """A block of 20 m to the east of the place, over a level road."""
+    walls = SimpleNamespace(start=np.array([[4.0, -10.0]]), end=np.array([[4.0, 10.0]]), low=np.array([[0.0, 0.0]]),
+                            top=np.array([[9.0, 9.0]]), normal=np.array([[-1.0, 0.0]]), wall=np.array([0]))
+    city = SimpleNamespace(walls=walls, sigma=np.array([0.05]),
+                           obstacles=SimpleNamespace(inside=lambda places: places[:, 0] > 4.0))
+    found = space_cells(city, 1.0, 20.0, 0.0, np.zeros(2), 10.0, 0.05)
+    place = found.mean + found.origin
+    road = place[place[:, 2] < 0.1]
+    assert len(road) > 20 and road[:, 0].min() < -5.0 and road[:, 0].max() <= 4.6
+
+
+def test_walls_in_space_stand_between_their_low_and_their_top():
+    """A wall five metres to the east, from 3 to 7 m above the ground, over a level road."""
+    walls = SimpleNamespace(start=np.array([[5.0, -3.0]]), end=np.array([[5.0, 3.0]]), low=np.array([[3.0, 3.0]]),
+                            top=np.array([[7.0, 7.0]]), normal=np.array([[-1.0, 0.0]]), wall=np.array([0]))
+    city = SimpleNamespace(walls=walls, sigma=np.array([0.05]),
+                           obstacles=SimpleNamespace(inside=lambda places: np.zeros(len(places), bool)))
+    found = space_cells(city, 1.0, 20.0, 0.0, np.zeros(2), 10.0, 0.05)
+    z = (found.mean + found.origin)[:, 2]
+    assert np.allclose(z[z < 1.0], 0.0) and 3.0 < z[z > 1.0].min() < 4.0 and 6.0 < z[z > 1.0].max() < 7.0

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from tests.core.test_rinex_navigation import glonass, header
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.gnss.orbits.ephemeris import (
     NO_EPHEMERIS,
@@ -276,3 +277,13 @@ def test_a_stale_record_makes_no_span_of_months(small_city):
     toe[0] -= 86 * 86400.0
     spans = replace(navigation, kepler=replace(navigation.kepler, toe=toe)).spans()
     assert len(spans) == 2 and spans[0][0] > toe[0] + 80 * 86400.0 and spans[1][0] < toe[0] < spans[1][1]
+
+
+@pytest.mark.parametrize("characters", [1, 8, 15, 22])
+def test_a_state_vector_that_is_cut_within_its_last_line_is_left_out(tmp_path, characters):
+    """Its z would be of fewer digits: 1387 km for -13877.75 km."""
+    whole = header(3.04, "N: GNSS NAV DATA    M") + glonass("R01")
+    path = tmp_path / "a.nav"
+    cut = (whole + glonass("R05")).rstrip("\n").rpartition("\n")
+    path.write_text(cut[0] + "\n" + cut[2][:characters])
+    assert read_navigation_files([path]).glonass.satellite.tolist() == ["R01"]

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from tests.core.simulated_windows import shifted, simulate
-from urbanmap_qgis.mobile.registration.correction import fast_changes
 from urbanmap_qgis.mobile.registration.correction.adjustment import adjust_correction
 from urbanmap_qgis.mobile.registration.correction.disagreements import DISAGREEMENT, HIDDEN, UNDECIDED, NodeStep
-from urbanmap_qgis.mobile.registration.correction.fast_changes import LIMITS, FastChange, _against
+from urbanmap_qgis.mobile.registration.correction.fast_changes import FastChange
 from urbanmap_qgis.mobile.registration.correction.patch_status import REGISTERED
 
 CHANGE = (0.45, -0.3)
@@ -66,19 +64,6 @@ def test_a_change_at_a_stop_beyond_its_wandering_is_told_and_neither_side_is_cal
     assert made.steps and not ((made.status == REGISTERED) & (off > 0.1)).any()
 
 
-@pytest.mark.parametrize(("stops", "size", "sigma", "told"), [
-    (2, 0.15, 0.062, 0), (2, 0.36, 0.15, 1), (2, 0.2, 0.06, 1), (20, 0.36, 0.15, 0), (20, 0.6, 0.15, 1)])
-def test_the_more_stops_a_drive_has_the_surer_a_change_at_one_of_them_must_be(monkeypatch, stops, size, sigma, told):
-    """2.4 standard deviations at one of two stops are chance if small, but not 0.36 m, and that is at one of twenty."""
-    stopped = np.zeros(2 * stops)
-    stopped[::2] = 4.0
-    seen = NodeStep(0, np.array([size, 0.0]), sigma**2 * np.eye(2), (size / sigma) ** 2)
-    tests = [seen, *(NodeStep(k, np.zeros(2), seen.covariance, 0.0) for k in range(1, len(stopped)))]
-    monkeypatch.setattr(fast_changes, "step_tests", lambda *_given: tests)
-    found = SimpleNamespace(chain=SimpleNamespace(stopped=stopped), fit=None)
-    assert len(fast_changes._at_stops(found, None)) == told
-
-
 @pytest.mark.parametrize(("gap", "told"), [((208.0, 222.0), True), ((185.0, 245.0), False)])
 def test_a_stop_in_a_stretch_without_markings_that_has_room_for_a_fix_takes_registration_from_neither_side(gap, told):
     """The trajectory may be fixed anew within 20 m of it; a shorter one leaves no room."""
@@ -86,13 +71,6 @@ def test_a_stop_in_a_stretch_without_markings_that_has_room_for_a_fix_takes_regi
     made = adjust_correction(shifted(drive, 215.0, 600.0, (0.29, -0.19)).windows, drive.reported)
     assert bool({step.kind for step in made.steps} & {UNDECIDED, DISAGREEMENT}) == told
     assert ((made.status == REGISTERED).mean() > 0.8) == (not told)
-
-
-@pytest.mark.parametrize(("size", "told"), [(0.0, False), (0.2, True), (0.5, False)])
-def test_markings_that_are_not_believed_are_told_where_the_sides_leave_room_for_a_step(size, told):
-    sides = NodeStep(100, np.array([0.02, 0.0]), 0.1**2 * np.eye(2), 0.04)
-    assert (_against(sides, np.array([size, 0.0])) < LIMITS.excluded**2 and size > LIMITS.least) == told
-    assert _against(sides, np.array([-size, 0.0])) == _against(sides, np.array([size, 0.0]))
 
 
 @pytest.mark.parametrize(("left", "at_stake"), [((0.11, 0.06), (0.42, -0.17)), ((0.5, -0.2), (0.5, -0.2)),

@@ -1,6 +1,6 @@
 """From signals to moved walls: classes of signals, clocks, observations, offsets, buildings."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
@@ -18,6 +18,7 @@ from urbanmap_qgis.gnss.walls.offset_observations import OffsetObservations
 from urbanmap_qgis.gnss.walls.offset_posterior import LIMITS, ErrorModel, estimate_offsets
 from urbanmap_qgis.gnss.walls.receiver_clock import pass_clocks
 from urbanmap_qgis.gnss.walls.residuals import trace_residuals
+from urbanmap_qgis.gnss.walls.signal_strength import expected_cn0
 from urbanmap_qgis.mobile.trajectory import Trajectory, joined_trajectory
 from urbanmap_qgis.settings.gnss import AdjustmentSettings, TraceSettings
 
@@ -469,3 +470,24 @@ def test_no_clock_without_signals_in_sight():
     signals = signals_of(np.array([[0.0, 0.0, 1.0]]), np.zeros(1), np.array([0.0, 170.0, 10.0]), np.full(3, 40.0))
     with pytest.raises(InsufficientDataError, match="clock"):
         trace_residuals(walls, signals)
+
+
+@dataclass
+class StrengthTable:
+    """What of the table of signals tells their strength."""
+
+    system: np.ndarray
+    cn0: np.ndarray
+    elevation: np.ndarray
+
+    def __len__(self):
+        return len(self.system)
+
+
+def test_usual_strength_is_that_of_free_signals_of_the_same_system():
+    """GPS: 40 free ones at 45 dB-Hz, as many blocked at 20; Galileo: 40 free ones at 35, few of GLONASS."""
+    system = np.repeat(["G", "E", "R"], [80, 50, 9])
+    strength = np.repeat([45.0, 20.0, 35.0, 50.0, 40.0], [40, 40, 40, 10, 9])
+    free = np.repeat([True, False, True, False, True], [40, 40, 40, 10, 9])
+    usual = expected_cn0(StrengthTable(system, strength, np.full(139, 55.0)), free)
+    assert (usual[:130] == np.where(system[:130] == "G", 45.0, 35.0)).all() and np.isnan(usual[130:]).all()

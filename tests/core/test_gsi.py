@@ -369,3 +369,21 @@ def test_why_a_file_cannot_be_read_is_said_in_the_systems_words(error, said):
     with pytest.raises(InputError, match=f"a.xml cannot be read {said}: check the file"), opened(
             SimpleNamespace(name="a.xml", open=refuse)):
         pass
+
+
+def test_a_damaged_zip_in_a_zip(tmp_path):
+    inner = io.BytesIO()
+    with zipfile.ZipFile(inner, "w") as archive:
+        archive.writestr("a.xml", "<a/>")
+    for number, content in enumerate((b"PK\x03\x04 no zip at all", inner.getvalue()[:-9], b"")):
+        with zipfile.ZipFile(tmp_path / f"{number}.zip", "w") as archive:
+            archive.writestr("inner.zip", content)
+        with pytest.raises(InputError, match=r"inner\.zip is damaged or not a zip file"):
+            read_gsi_buildings(tmp_path / f"{number}.zip")
+
+
+def test_buildings_of_two_zones_are_told_by_the_names_of_both():
+    tokyo, osaka = shapely.box(139.7, 35.6, 139.701, 35.601), shapely.box(135.5, 34.6, 135.501, 34.601)
+    notes = []
+    assert fitting_zone(SimpleNamespace(geometries=np.array([tokyo, tokyo, osaka], object)), notes) == 6677
+    assert len(notes) == 1 and "zone IX," in notes[0] and "in VI:" in notes[0] and notes[0].startswith("1 of 3")

@@ -164,3 +164,9 @@ def test_the_unit_of_heights_is_that_of_the_vertical_system(system, unit, versio
     """Feet of the plan (EPSG:2225) say nothing of heights."""
     assert height_unit(CRS.from_user_input(system).to_wkt(version)) == pytest.approx(unit, abs=1e-9)
     assert height_unit("") == 1.0
+
+
+@pytest.mark.parametrize("text", ["", 'LOCAL_CS["a"] € ¥', '§LOCAL_CS["a"]'])
+def test_text_with_what_is_no_wkt_is_refused(text):
+    with pytest.raises(InputError, match="no WKT"):
+        parse_wkt(text)

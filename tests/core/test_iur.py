@@ -1,5 +1,6 @@
 """i-UR's tables: what a version can hold, in its order, under its names; what PLATEAU asks of quality and ids."""
 
+import datetime
 from collections import Counter
 from dataclasses import replace
 from datetime import date
@@ -12,7 +13,7 @@ from urbanmap_qgis.citymodel.citygml.attribute_writer import split_attributes
 from urbanmap_qgis.citymodel.citygml.codelists import lists_of, write_codelists
 from urbanmap_qgis.citymodel.citygml.iur import VERSIONS, iur_table, kinds_of
 from urbanmap_qgis.citymodel.citygml.plateau import PlateauDelivery, with_plateau_attributes
-from urbanmap_qgis.citymodel.citygml.value_reader import extension_value
+from urbanmap_qgis.citymodel.citygml.value_reader import extension_value, generic_value
 from urbanmap_qgis.citymodel.citygml.writer import write_citygml
 from urbanmap_qgis.citymodel.model import AttributeGroup, CodeValue, Measure
 from urbanmap_qgis.progress import Progress
@@ -214,3 +215,18 @@ def test_types_of_a_version_without_a_table_are_as_they_look():
     assert kinds_of("BuildingDetailAttribute") == {}
     assert read_group("1.5", "RealEstateIDAttribute", ("realEstateIDOfBuilding", "12")).values == {
         "uro:realEstateIDOfBuilding": 12}
+
+
+@pytest.mark.parametrize(("text", "value"), [
+    ("<g:stringAttribute name='a'><g:value> 1.50 </g:value></g:stringAttribute>", "1.50"),
+    ("<g:intAttribute name='a'><g:value>12</g:value></g:intAttribute>", 12),
+    ("<g:doubleAttribute name='a'><g:value>1.50</g:value></g:doubleAttribute>", 1.5),
+    ("<g:doubleAttribute name='a'><g:value>many</g:value></g:doubleAttribute>", "many"),
+    ("<g:dateAttribute name='a'><g:value>2026-04-01</g:value></g:dateAttribute>", datetime.date(2026, 4, 1)),
+    ("<g:measureAttribute name='a'><g:value uom='m'>2.5</g:value></g:measureAttribute>", Measure(2.5, "m")),
+    ("<g:stringAttribute name='a'/>", ""), ("<g:intAttribute name='a'/>", "")])
+def test_generic_attributes_have_values_of_their_kinds(text, value):
+    space = "xmlns:g='http://www.opengis.net/citygml/generics/2.0'"
+    element = ElementTree.fromstring(text.replace(" name", f" {space} name", 1))
+    found = generic_value(element, lambda name, code: "")
+    assert found == value and type(found) is type(value)

@@ -8,13 +8,14 @@ from pathlib import Path
 
 import pytest
 import shapely
+from pyproj import CRS
 
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.io.conversion.reprojection import epsg_wkt
 from urbanmap_qgis.io.pages.report import LOOK, Report
 from urbanmap_qgis.job.agreement import common_system, disagreements, extent_in_degrees
 from urbanmap_qgis.job.chain_plan import WISHES, PlannedStep, plan_chain, roles_taken, wishes
-from urbanmap_qgis.job.file_facts import FileFacts
+from urbanmap_qgis.job.file_facts import POINTS, FileFacts
 from urbanmap_qgis.job.job_file import DONE, FAILED, PLANNED, JobStep, planned_job, read_job, write_job
 from urbanmap_qgis.job.job_progress import (
     done_step,
@@ -460,3 +461,10 @@ def test_report_shows_the_worst(job, tmp_path):
     assert verdict_of(tmp_path / "job.html") == ("bad", "Step “two” failed: No outlines.")
     assert "Mind the &lt;edge&gt;" in (tmp_path / "job.html").read_text(encoding="utf-8")
     assert verdict_of(tmp_path / "none.html") == ("", "")
+
+
+@pytest.mark.parametrize("extent, known", [((139.0, 35.0, 140.0, 36.0), True), ((-10.0, -90.0, 360.0, 90.0), True),
+                                           ((0.0, 0.0, 9.0, 91.0), False), ((0.0, 0.0, 361.0, 9.0), False)])
+def test_degrees_off_the_earth_are_no_extent(extent, known):
+    facts = FileFacts(Path("a.csv"), POINTS, crs_wkt=CRS.from_epsg(4326).to_wkt(), extent=extent)
+    assert extent_in_degrees(facts) == (extent if known else None)

@@ -9,12 +9,10 @@ import pytest
 
 from urbanmap_qgis.errors import InsufficientDataError
 from urbanmap_qgis.io.points.pointcloud import open_cloud
-from urbanmap_qgis.mobile.adjustment.wall_observations import _laser_walls
 from urbanmap_qgis.mobile.registration.walls.facade_planes import FacadePlanes
 from urbanmap_qgis.mobile.registration.walls.laser_walls import laser_walls, step_across
 from urbanmap_qgis.mobile.registration.walls.stretches import WallReadings, shifted_stretches
 from urbanmap_qgis.mobile.registration.walls.witness import WallWitness
-from urbanmap_qgis.progress import Progress
 
 NOISE = 0.1  # m, of a point in plan
 WALL = 5.0  # m: the front of the building, which faces south
@@ -77,17 +75,6 @@ def test_without_any_wall_it_is_said(cloud):
     level[:, 2] = 0.0
     with pytest.raises(InsufficientDataError, match="no wall where the survey saw facades"):
         laser_walls(facade(), cloud(level))
-
-
-def test_a_drive_beside_no_wall_does_not_take_the_others_walls(cloud):
-    """It is told by its name; where no drive has a wall, that is said as for one."""
-    points, seen, told = cloud(airborne(1)), facade(), []
-    off = replace(seen, place=seen.place - np.array([0.0, 9.0, 0.0]))
-    progress = Progress(warn=told.append)
-    found = _laser_walls([off, seen, seen.select(np.zeros(0, int))], points, ["a", "b", "c"], progress)
-    assert len(found) == 2 and len(told) == 1 and "a, c" in str(told[0])
-    with pytest.raises(InsufficientDataError, match="no wall where the survey saw facades"):
-        _laser_walls([off, seen.select(np.zeros(0, int))], points, ["a", "c"], progress)
 
 
 def test_walls_of_a_strip_that_is_off_do_not_contradict_markings(cloud):

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import shapely
 
-from urbanmap_qgis.buildings.planes.level_alternative import SUSPECT, roof_misfit
+from urbanmap_qgis.buildings.planes.level_alternative import SUSPECT, has_lost_plane, roof_misfit
 from urbanmap_qgis.buildings.planes.plane_partition import partition_planes
 from urbanmap_qgis.buildings.roof_polygons.building_polygons import roof_polygons_of
 from urbanmap_qgis.buildings.roof_polygons.polygon_rows import LEVELS_BETTER, RoofedBuilding
@@ -48,3 +48,13 @@ def test_few_points_do_not_tilt_the_only_roof():
     assert np.hypot(*tilted.planes[0, :2]) > 0.05 and roof_misfit(tilted.polygons, points) < SUSPECT
     table = roof_polygons_of(shed, PolygonParameters(roofs=PLANES))
     assert table.slope == [0.0] and table.height == pytest.approx([3.0], abs=0.05)
+
+
+@pytest.mark.parametrize(("drawn", "lost"), [([1], True), ([1, 2], False)])
+def test_a_plane_is_lost_that_has_points_and_no_polygon(drawn, lost):
+    """Two level roofs of 36 m2, 2 m apart in height; polygons of the lower one cover both."""
+    x, y = (values.ravel() for values in np.meshgrid(np.arange(0.25, 12.0, 0.5), np.arange(0.25, 6.0, 0.5)))
+    roof = np.where(x < 6.0, 1, 2)
+    points = np.column_stack([x, y, np.where(roof == 1, 8.0, 10.0)])
+    polygons = [shapely.force_3d(shapely.box(0, 0, 12, 6), 8.0)] * len(drawn)
+    assert has_lost_plane(polygons, drawn, points, roof, 4.0, 10.0) is lost

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 import shapely
@@ -11,7 +14,7 @@ from urbanmap_qgis.localisation.accuracy_map import accuracy_map
 from urbanmap_qgis.localisation.accuracy_records import LocalisationMap
 from urbanmap_qgis.localisation.ellipses import along_and_across, plan_ellipses
 from urbanmap_qgis.localisation.evidence.information import Evidence, SharedError, covariance, fused, surface_rows
-from urbanmap_qgis.localisation.evidence.marking_map import marking_map
+from urbanmap_qgis.localisation.evidence.marking_map import marking_evidence, marking_map
 from urbanmap_qgis.localisation.localisation_settings import LocalisationSettings, VehicleScanner
 from urbanmap_qgis.localisation.places.place_status import (
     BELOW,
@@ -26,6 +29,7 @@ from urbanmap_qgis.localisation.places.place_status import (
     TUNNEL,
 )
 from urbanmap_qgis.localisation.places.road_places import places_on_drive, places_on_grid, places_on_roads, tunnels
+from urbanmap_qgis.localisation.report import localisation_pictures
 from urbanmap_qgis.localisation.walls.measured_walls import sigmas_of_moved
 from urbanmap_qgis.localisation.walls.wall_map import WallMap, building_sigmas, wall_sigmas, walls_with_heights
 
@@ -251,3 +255,24 @@ def test_places_along_lines_and_drives():
 def test_street_that_slides_is_not_usable_however_well_it_was_known_before():
     settings = LocalisationSettings(start_sigma=0.5, usable=1.0)
     assert predicted(canyon(), place(0, 0), settings).kind[0] == POOR
+
+
+def test_a_plan_of_accuracy_shows_each_place_where_it_lies(monkeypatch):
+    for name in ("_markings", "_walls"):
+        monkeypatch.setattr(localisation_pictures, name, lambda *given: "")
+    place = np.array([[1000.0, 5000.0], [1100.0, 5000.0], [1100.0, 5030.0]])
+    none = np.full(3, np.nan)
+    accuracy = SimpleNamespace(places=SimpleNamespace(place=place), kind=np.array([GOOD, POOR, NONE]),
+                               ellipse=SimpleNamespace(major=none, minor=none, bearing=none))
+    svg = localisation_pictures.accuracy_plan(None, accuracy, np.arange(3), 10.0, width=280, around=20.0)
+    assert re.findall(r'<circle cx="([\d.]+)" cy="([\d.]+)"', svg) == [("40.0", "100.0"), ("240.0", "100.0"),
+                                                                       ("240.0", "40.0")]
+
+
+def test_a_marking_informs_by_its_length_and_by_the_square_of_its_noise():
+    markings = SimpleNamespace(xy=np.array([[5.0, 0.0], [5.0, 0.0], [0.0, 20.0]]), sigma=np.full(3, 0.03),
+                               normal=np.array([[1.0, 0.0], [1.0, 0.0], [0.0, 1.0]]), length=np.array([0.5, 0.25, 0.5]),
+                               marking=np.arange(3))
+    settings = SimpleNamespace(marking_noise=0.04, detection=0.6, marking_common=0.02)
+    told = marking_evidence(markings, np.zeros(3, int), np.arange(3), np.zeros((1, 3)), settings)
+    assert told.weight == pytest.approx([0.6 / 0.05**2 * 1.0, 0.6 / 0.05**2 * 0.5, 0.6 / (0.03**2 + 0.08**2)])

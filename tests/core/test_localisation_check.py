@@ -244,3 +244,24 @@ def test_a_scan_ends_at_its_place_within_two_cells_or_three_sigmas():
     errors[:, :, 0] = beside
     assert ends_at_place(errors, expected).tolist() == [[True, True, False, False, False],
                                                         [True, True, True, True, False]]
+
+
+def test_a_city_moves_by_buildings_only_where_it_may():
+    walls = _walls()
+    still = displaced(walls, np.zeros(2), np.random.default_rng(1))
+    assert (still.start == walls.start).all() and (still.offset == walls.offset).all()
+    moved = displaced(walls, np.zeros(2), np.random.default_rng(1), common=1.0)
+    shift = moved.start - walls.start
+    assert (np.abs(shift) > 1e-6).all() and not np.allclose(shift[0], shift[1])
+    assert moved.end - walls.end == pytest.approx(shift)
+
+
+def _walls():
+    from urbanmap_qgis.gnss.rays.wall_faces import building_walls
+
+    shapes = np.array([shapely.box(0, 0, 8, 8), shapely.box(30, 0, 38, 8)], object)
+    walls = building_walls(shapes, None, np.full(2, 9.0), np.zeros(2))
+    first = [np.flatnonzero(walls.building == number)[0] for number in (0, 1)]
+    rows = {name: getattr(walls, name)[first] for name in
+            ("start", "end", "offset", "normal", "low", "top", "building") if hasattr(walls, name)}
+    return replace(walls, **rows, wall=np.arange(2))

@@ -13,7 +13,14 @@ from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.roadmap.comparison.comparison_records import ADDED, CHANGES, MOVED, OFFSET, REMOVED, REPAINTED
 from urbanmap_qgis.roadmap.comparison.difference_noise import limit_of
 from urbanmap_qgis.roadmap.comparison.map_comparison import compare_maps
-from urbanmap_qgis.roadmap.comparison.map_elements import CROSSWALK, LINE, STOP_LINE, SYMBOL, MapElement
+from urbanmap_qgis.roadmap.comparison.map_elements import (
+    CROSSWALK,
+    LINE,
+    STOP_LINE,
+    SYMBOL,
+    MapElement,
+    elements_of_lines,
+)
 from urbanmap_qgis.settings.roadmap import ComparisonSettings
 
 SIGMA = 0.02
@@ -326,3 +333,12 @@ def test_a_symbol_whose_kind_and_heading_are_unknown_is_matched_and_not_repainte
            for one in town()]
     found = compare_maps(town(), new)
     assert not found.changes and found.counts[SYMBOL] == 12
+
+
+@pytest.mark.parametrize(("columns", "name"), [({}, "2"), ({"id": [None, "a"]}, "a"), ({"bound_id": [1, None]}, "2"),
+                                               ({"line_id": [1, 4], "id": ["x", "y"]}, "4")])
+def test_lines_of_a_layer_are_named_by_their_ids_or_rows(columns, name):
+    line = shapely.LineString([(0, 0), (9, 0)])
+    (found,) = elements_of_lines([None, line], {"class": ["solid", "dashed"], "colour": ["", "yellow"], **columns})
+    assert (found.identifier, found.kind, found.colour, found.double) == (name, "dashed", "yellow", None)
+    assert np.isnan(found.sigma) and found.points.tolist() == [[0.0, 0.0], [9.0, 0.0]]

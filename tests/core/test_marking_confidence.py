@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import cv2
 import numpy as np
 import pytest
@@ -13,10 +11,9 @@ from rasterio.transform import Affine
 
 from urbanmap_qgis.aerial.markings.marking_confidence import clear_of_paint, texture
 from urbanmap_qgis.aerial.markings.marking_files import markings_from_orthophoto
-from urbanmap_qgis.aerial.markings.marking_filter import Cleaned, CleanSettings, JudgedPieces, _alone
-from urbanmap_qgis.aerial.markings.marking_pieces import marking_pieces_of
+from urbanmap_qgis.aerial.markings.marking_filter import CleanSettings
 from urbanmap_qgis.aerial.markings.orthophoto_reader import SearchArea
-from urbanmap_qgis.aerial.markings.road_markings import MarkingSettings, _filled
+from urbanmap_qgis.aerial.markings.road_markings import MarkingSettings
 
 PIXEL = 0.1
 
@@ -91,37 +88,6 @@ def test_what_is_doubtful_stays_where_sure_paint_is_near(tmp_path):
     assert alone[100:180, 400:403].mean() > 0.9 and beside[100:180, 400:403].mean() > 0.9
 
 
-def test_bars_of_a_crossing_are_company():
-    """They are told by their steps: where the ground beside tells little, strokes near to them are not alone."""
-    flags = np.zeros((600, 400), np.uint8)
-    for left in range(100, 200, 9):
-        flags[100:140, left:left + 4] = 1
-    flags[180:183, 100:140] = flags[500:503, 100:140] = 1
-    pieces = marking_pieces_of(flags > 0, flags, PIXEL, 12.0)
-    low = np.full(len(pieces.inside), np.float32(0.4))
-    judged = JudgedPieces(None, flags > 0, pieces, None, 3 * np.ones_like(low), low, 0, None, None, None)
-    rows = pieces.inside // 400
-    for bars, strokes in ((rows < 140, (rows > 140) & (rows < 400)), (rows < 0, rows < 0)):
-        alone = _alone(judged, bars, np.ones_like(low), PIXEL, CleanSettings())
-        assert not alone[bars | strokes].any() and alone[~(bars | strokes)].all()
-
-
-def test_doubtful_paint_needs_ground_round_it_that_can_be_a_road_or_a_crossing_and_sure_paint_does_not():
-    flags = np.zeros((300, 400), np.uint8)
-    for row in (20, 60, 100, 140):
-        flags[row:row + 4, 20:380] = 1
-    pieces = marking_pieces_of(flags > 0, flags, PIXEL, 50.0)
-    line = pieces.inside // 400 // 40
-    ground = np.where(line == 3, np.float32(0.4), np.float32(0.9))
-    roads = np.where(line < 2, np.float32(0.1), np.float32(0.3))
-    judged = JudgedPieces(None, flags > 0, pieces, None, 3 * np.ones_like(ground), ground, 0, None, None, None)
-    assert not _alone(judged, line < 0, roads, PIXEL, CleanSettings()).any()
-    low = replace(judged, by_rules=np.where(line == 2, ground, np.float32(0.4)))
-    alone = _alone(low, line < 0, roads, PIXEL, CleanSettings())
-    assert alone[line < 2].all() and not alone[line > 1].any()
-    assert not _alone(low, line == 1, roads, PIXEL, CleanSettings()).any()
-
-
 def test_worn_paint_on_a_road_may_be_alone(tmp_path):
     made, mask = found_in(tmp_path, stroke_on_a_track((), half=60, brightness=115))
     assert mask[STROKE].mean() > 0.8 and made.polygons.confidence.min() < 0.6
@@ -183,23 +149,6 @@ def test_known_roads_need_no_proof(tmp_path):
 
     _, mask = found_in(tmp_path, scene(), SearchArea(roads=[shapely.box(30.5, -20.0, 60.0, 0.0)]))
     assert mask[60:100, 360:362].mean() > 0.8
-
-
-def test_paint_inside_a_rim_is_filled_and_road_is_not():
-    """A rim of 1.2 m round paint, and one round asphalt."""
-    core, image = np.zeros((60, 100), bool), np.full((60, 100), 90, np.float32)
-    image[20:32, 20:32] = 200
-    for left in (20, 60):
-        cv2.rectangle(view := core[20:32, left:left + 12].view(np.uint8), (0, 0), (11, 11), 1, 2)
-        core[20:32, left:left + 12] = view > 0
-    image[core] = 200
-    road = np.where(np.arange(100) < 50, image, 90).astype(np.float32)  # the opening keeps what is wide
-    nothing = np.zeros(core.shape, bool)
-    made = Cleaned(core, core.astype(np.float32), np.full(core.shape, 90, np.float32), nothing)
-    filled, ground = _filled(made, image, road, ~nothing, PIXEL, CleanSettings())
-    assert filled[20:32, 20:32].all() and not filled[23:29, 63:69].any()
-    assert ground[26, 26] == 90 and filled.sum() == core.sum() + (~core[20:32, 20:32]).sum()
-    assert (_filled(made, image, road, ~nothing, PIXEL, CleanSettings(fill_width=0.0))[0] == core).all()
 
 
 def test_texture_is_the_noise_of_plain_ground():

@@ -13,10 +13,7 @@ from hypothesis import strategies as st
 from pyproj import CRS
 from rasterio.transform import Affine
 
-from urbanmap_qgis.aerial.markings import marking_polygons
-from urbanmap_qgis.aerial.markings.marching_squares import zero_lines
 from urbanmap_qgis.aerial.markings.marking_polygons import (
-    doubtful_markings,
     merge_tile_polygons,
     tile_polygons,
     with_heights,
@@ -146,17 +143,6 @@ def test_a_hole_belongs_to_the_ring_round_it_though_a_piece_lies_inside():
     assert sorted(len(polygon.interiors) for polygon in found.polygons) == [0, 1]
     assert all(polygon.is_valid for polygon in found.polygons)
     assert found.area.sum() == pytest.approx(np.count_nonzero(paint) * abs(PLACE.a * PLACE.e), rel=0.03)
-
-
-def test_lines_alone_simplify_as_the_slow_way_does():
-    noise = np.random.default_rng(3).normal(0, 1, (500, 500)).astype(np.float32)
-    field = np.pad(cv2.GaussianBlur(noise, (0, 0), 3) - np.float32(0.03), 1, constant_values=-1)
-    points, counts = zero_lines(field)
-    outlines = shapely.polygons(shapely.linearrings(points, indices=np.repeat(np.arange(len(counts)), counts)))
-    outlines = outlines[shapely.is_valid(outlines)]
-    slow = shapely.simplify(outlines, marking_polygons._SIMPLIFIED)
-    assert len(outlines) > 300 and len(shapely.get_coordinates(slow)) < 0.9 * len(shapely.get_coordinates(outlines))
-    assert shapely.equals_exact(marking_polygons._simplified(outlines), slow, 0).all()
 
 
 def test_what_has_the_most_area_in_doubt_comes_first():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -15,7 +16,7 @@ from urbanmap_qgis.aerial.markings.marking_files import MarkingResult, markings_
 from urbanmap_qgis.aerial.markings.marking_polygons import MarkingPolygons
 from urbanmap_qgis.aerial.markings.marking_verdict import marking_verdict
 from urbanmap_qgis.aerial.markings.road_model import RoadModel
-from urbanmap_qgis.io.pages.report import BAD, GOOD, LOOK
+from urbanmap_qgis.io.pages.report import BAD, GOOD, LOOK, Report
 
 USUAL = SearchTally(seen=10 ** 6, narrow=10 ** 5, painted=50_000, unsure=40_000, clear=600_000, smooth=300_000,
                  green=20_000, straight=20_000, straight_unsure=5_000)
@@ -161,3 +162,16 @@ def test_a_dark_or_swapped_image_is_told(tmp_path):
         result = markings_from_orthophoto(tmp_path / f"{name}.tif", tmp_path / "mask.tif")
         grades[name] = marking_verdict(result, 17.0).grade
     assert grades == {"day": GOOD, "night": BAD, "swapped": BAD}
+
+
+def test_a_report_may_do_nothing_but_show_itself(tmp_path):
+    report = Report("<script>alert(1)</script>")
+    report.verdict(GOOD, '<img src="https://example.org/x">')
+    report.table(("a",), [("<script>1</script>",)])
+    report.write(tmp_path / "r.html")
+    text = (tmp_path / "r.html").read_text(encoding="utf-8")
+    policy = re.search(r'http-equiv="Content-Security-Policy" content="([^"]*)"', text).group(1)
+    assert text.index("Content-Security-Policy") < text.index("<title>")
+    assert policy.split("; ") == ["default-src 'none'", "style-src 'unsafe-inline'", "img-src data:"]
+    body = text.split("</style>", 1)[1]
+    assert not re.search(r"<script|\son\w+=|javascript:|src=\"(?!data:)", body)

@@ -9,7 +9,7 @@ import shapely
 from urbanmap_qgis.buildings.merging.layered_solid import solid_volume
 from urbanmap_qgis.buildings.mesh25d.height_grid import height_grid
 from urbanmap_qgis.buildings.mesh25d.mesh_points import building_points
-from urbanmap_qgis.buildings.mesh25d.mesh_quality import is_watertight, mesh_fit, roof_distance
+from urbanmap_qgis.buildings.mesh25d.mesh_quality import is_watertight, mesh_fit, roof_distance, wall_boxes
 from urbanmap_qgis.buildings.mesh25d.mesh_stage import (
     GROUND_UNKNOWN,
     MESH_COLUMNS,
@@ -227,3 +227,24 @@ def test_points_are_cut_by_outlines_or_taken_by_number(make_cloud, tmp_path):
     far = clean_footprints(np.array([box(900, 0, 5, 5)], object))
     with pytest.raises(InsufficientDataError, match="same place"):
         list(building_points(open_cloud([cut]), far))
+
+
+def test_a_refined_surface_has_no_point_in_a_triangles_circle():
+    rng = np.random.default_rng(4)
+    corners = np.array([[0, 0], [10, 0], [10, 10], [0, 10]], float)
+    surface = Tin(corners, np.zeros(4), [[0, 1, 2, 3]])
+    xy = rng.uniform(0.5, 9.5, (60, 2))
+    surface.refine(xy, rng.uniform(0.0, 5.0, 60), 0.01, 40)
+    places = np.array(surface.xy)
+    assert len(places) == 44
+    for triangle in surface.triangles.values():
+        a, b, c = places[list(triangle)]
+        centre = np.linalg.solve(2 * np.array([b - a, c - a]), [b @ b - a @ a, c @ c - a @ a])
+        assert np.hypot(*(places - centre).T).min() > np.hypot(*(a - centre)) * (1 - 1e-4)
+
+
+def test_the_box_of_a_slanting_wall_has_the_mean_of_its_two_ends():
+    lower, upper = [(80, 40, 2), (90, 40, 4), (90, 40, 9), (80, 40, 5)], [(80, 40, 5), (90, 40, 9), (90, 40, 11)]
+    faces = (((0, 1, 2, 3),), ((4, 5, 6),))
+    mesh = Solid(np.array([*lower, *upper], float), faces, (OUTER_WALL, OUTER_WALL), (0, 0))
+    assert wall_boxes(mesh).tolist() == [[80.0, 40.0, 90.0, 40.0, 3.0, 8.0]]

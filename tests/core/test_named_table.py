@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.aerial.frames.exterior_files import EXTERIOR, read_exterior
-from urbanmap_qgis.errors import InputError, PreviewNeeded
+from urbanmap_qgis.errors import InputError, OutputError, PreviewNeeded
 from urbanmap_qgis.io.files.named_table import known_columns, named_rows, plain_name
+from urbanmap_qgis.io.files.staging import Staging
 from urbanmap_qgis.mobile.control import read_control
 from urbanmap_qgis.mobile.image_poses import read_image_poses, write_image_poses
 from urbanmap_qgis.mobile.lines.tie_points import read_tie_points
@@ -255,3 +256,25 @@ def test_the_tables_name_each_column_and_each_other_name_once():
 def test_brackets_that_never_close_are_looked_through_once():
     """Quadratic work on a damaged name would take hours here."""
     assert plain_name("height" + "[" * 300_000 + "(m)").startswith("height[")
+
+
+@pytest.mark.parametrize("kept", ["-wal", "-shm", "-journal"])
+def test_a_journal_of_an_earlier_database_does_not_outlive_it(tmp_path, kept):
+    target = tmp_path / "a.gpkg"
+    target.write_bytes(b"old")
+    target.with_name(target.name + kept).write_bytes(b"journal")
+    (tmp_path / f"b.gpkg{kept}").write_bytes(b"another's")
+    with Staging() as staging:
+        staging.scratch_path(target).write_bytes(b"new")
+        staging.publish()
+    assert target.read_bytes() == b"new" and not target.with_name(target.name + kept).exists()
+    assert (tmp_path / f"b.gpkg{kept}").exists()
+
+
+def test_a_name_of_an_output_that_is_too_long_shows_no_inner_path(tmp_path):
+    with Staging() as staging:
+        for name in ("n" * 250 + ".gpkg", "町" * 82 + ".tif"):
+            with pytest.raises(OutputError, match="at most 247 bytes") as told:
+                staging.scratch_path(tmp_path / name)
+            assert str(tmp_path) not in str(told.value)
+        assert staging.scratch_path(tmp_path / ("町" * 60 + ".tif")).parent != tmp_path

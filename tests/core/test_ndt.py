@@ -137,3 +137,15 @@ def test_turns_are_rotations():
     assert np.allclose(matrices @ np.swapaxes(matrices, 1, 2), np.eye(3))
     assert np.allclose(matrices[2] @ [1, 0, 0], [0, 1, 0])
     assert np.allclose(matrices[0] @ turn[0], turn[0])
+
+
+@pytest.mark.parametrize("dimensions", [2, 3])
+def test_points_beyond_a_map_fall_on_its_outermost_empty_cells(dimensions):
+    found = build_ndt(np.random.default_rng(2).uniform(0.0, 6.0, (400, dimensions)), 2.0)
+    middle = np.array(found.shape) * found.cell / 2
+    for axis in range(dimensions):
+        for side, at in ((-1, 0), (1, found.shape[axis] - 1)):
+            place = middle.copy()
+            place[axis] += side * 100.0
+            cell = np.unravel_index(found.cells_of(place[None]), found.shape)
+            assert cell[axis] == at and found.number[found.cells_of(place[None])] == -1

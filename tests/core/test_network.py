@@ -141,3 +141,14 @@ def test_a_drive_that_drifts_more_than_the_others_is_less_sure_between_its_contr
     still = adjust_network([nodes(400.0)] * 3, NetworkObservations.joined(seen[:3]), SETTINGS)
     gap = [[np.sqrt(np.trace(covariance[40, :2, :2])) for covariance in one.covariance] for one in (made, still)]
     assert gap[0][3] > 1.3 * max(gap[0][:3]) and gap[0][:3] == pytest.approx(gap[1], rel=0.05)
+
+
+def test_a_jump_of_the_trajectory_lets_the_error_jump_by_as_much():
+    """The covariance of a step grows by the square of the jump, of the fast drift, and by the walk while it stands."""
+    model = GaussMarkovDrift(np.full(6, 0.01), 20.0, np.full(6, 0.002), np.ones(6), 1.0, 0.1)
+    path = np.array([0.0, 5.0, 10.0, 15.0, 20.0])
+    jump, stopped, fast = np.array([0.0, 3.0, 0.0, 0.0]), np.array([0.0, 0, 4.0, 0]), np.array([0.0, 0, 0, 5.0])
+    _, precision = model.steps(path, stopped, jump, (0, 3), fast)
+    variance = np.linalg.inv(precision)[:, :, 0, 0]
+    assert variance[:, 0] - variance[0, 0] == pytest.approx([0.0, 9.0, 4.0 * 0.1**2, 25.0], rel=1e-6, abs=1e-9)
+    assert variance[:, 1] - variance[0, 1] == pytest.approx([0.0, 9.0, 0.0, 0.0], rel=1e-6, abs=1e-9)

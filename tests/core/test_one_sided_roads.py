@@ -9,7 +9,6 @@ import shapely
 from tests.core.surveyed_scene import edge, road_height
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.roadspace.survey.area_records import CARRIAGEWAY, CONTINUED, LANE, MEASURED, SIDEWALK, UNDIVIDED
-from urbanmap_qgis.roadspace.survey.one_sided import _Room, _Segments
 from urbanmap_qgis.roadspace.survey.survey_roads import SurveyInputs, surveyed_roads
 
 KERB = [[-30.0, 6.0], [30.0, 6.0]]
@@ -109,16 +108,3 @@ def test_an_island_has_no_carriageway_behind_its_kerb_and_lanes_alone_no_junctio
     crossing_lanes = [shapely.box(-3.0, -20.0, 0.0, 5.0), *LANES]
     alone = surveyed_roads([edge(KERB)], "3.1", SurveyInputs(lanes=crossing_lanes))
     assert alone.count("junction") == 0
-
-
-def test_rays_meet_the_lanes_and_edges_near_them_among_many():
-    """Two lanes with a gap and a third that touches; the same among a hundred roads that lie farther off."""
-    place, up = np.array([[0.0, 0.0], [50.0, 0.0]]), np.array([[0.0, 1.0], [0.0, 1.0]])
-    rays = np.stack([place + 0.25 * up, place + 30.0 * up], axis=1)
-    lanes = [shapely.box(-5.0, low, 5.0, high) for low, high in ((2.0, 4.0), (4.5, 6.0), (6.0, 8.0))]
-    far = [shapely.box(-5.0, 40.0 * k, 5.0, 40.0 * k + 3.0) for k in range(1, 101)]
-    for some in (lanes, [*lanes, *far]):
-        first, second = _Room(shapely.union_all(some)).spans(rays, place, up)
-        assert first == [pytest.approx((2.0, 4.0)), pytest.approx((4.5, 8.0))] and second == []
-        met = _Segments(shapely.union_all([one.exterior for one in some])).met(rays, place, up)
-        assert sorted(set(np.round(met[0], 9))) == [2.0, 4.0, 4.5, 6.0, 8.0] and not len(met[1])

@@ -186,3 +186,11 @@ def test_colours_tell_values():
     low, high = PointColours("height", 0.0, 10.0).of(np.array([0.0, 10.0])).astype(int)
     assert low[2] > low[0] and high[0] > high[2]
     assert PointColours("class").of(np.array([6, 250])).tolist() == [[226, 88, 62], [200, 200, 255]]
+
+
+def test_colours_of_points_run_from_low_to_high():
+    values = np.array([0.0, 0.25, 0.5, 1.0])
+    assert (PointColours("height", 10.0, 30.0).of(10.0 + 20.0 * values) == PointColours("height").of(values)).all()
+    below, above = PointColours("height", 10.0, 30.0).of(np.array([-50.0, 90.0]))
+    ends = PointColours("height").of(np.array([0.0, 1.0]))
+    assert (below == ends[0]).all() and (above == ends[1]).all()

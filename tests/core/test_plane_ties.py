@@ -7,7 +7,7 @@ import pytest
 
 from urbanmap_qgis.mobile.adjustment.network import NONE, PLANE, TIE, NetworkObservations, plan_residuals
 from urbanmap_qgis.mobile.adjustment.plane_observations import plane_observations
-from urbanmap_qgis.mobile.adjustment.planes import DrivePlanes, _directions, plane_ties, planes_of
+from urbanmap_qgis.mobile.adjustment.planes import DrivePlanes, plane_ties, planes_of
 from urbanmap_qgis.mobile.adjustment.records import AdjustmentRun
 from urbanmap_qgis.mobile.adjustment.steps import away_from_steps, observed_steps
 from urbanmap_qgis.mobile.adjustment.ties import Drive
@@ -138,16 +138,6 @@ def test_a_step_is_seen_where_it_is_and_drift_is_none():
     away = away_from_steps(stepped, stepped, 30.0)
     assert not away[14] and not away[15] and away[2] and away[-3]
     assert away_from_steps(ties(drift), ties(drift), 30.0).all()
-
-
-def test_at_a_corner_facades_of_one_street_count_and_not_the_mean_of_both():
-    """40 facades face north within 3 degrees, 39 east: their common axis would lie at 45 degrees."""
-    turn = np.radians(np.linspace(-3.0, 3.0, 40))
-    north = np.column_stack([np.sin(turn), np.cos(turn), 0 * turn])
-    east = np.column_stack([np.cos(turn), np.sin(turn), 0 * turn])[:39]
-    kind, along = _directions(np.concatenate([north, east, [[0.0, 0.0, 1.0]]]))
-    assert np.abs(along) == pytest.approx([1.0, 0.0], abs=1e-3)
-    assert (kind == [0] * 40 + [1] * 39 + [2]).all()
 
 
 def test_planes_seen_over_a_stop_say_less_where_the_vehicle_may_have_crept():

@@ -10,11 +10,11 @@ import pytest
 import shapely
 
 from tests.solid_files import write_solids
-from urbanmap_qgis.buildings.planes import alpha_expansion
 from urbanmap_qgis.buildings.planes.alpha_expansion import expand_labels
+from urbanmap_qgis.buildings.planes.plan_faces import PlanFaces
 from urbanmap_qgis.buildings.planes.plane_detection import detect_planes
 from urbanmap_qgis.buildings.planes.plane_moments import azimuth_degrees, moments, slope_degrees, solve
-from urbanmap_qgis.buildings.planes.plane_partition import partition_planes
+from urbanmap_qgis.buildings.planes.plane_partition import partition_planes, without_steep_slivers
 from urbanmap_qgis.buildings.planes.plane_segmentation import segment_planes
 from urbanmap_qgis.buildings.planes.plane_solids import checked_sloped_solids, is_coverage, is_sloped
 from urbanmap_qgis.buildings.planes.roof_type import roof_type
@@ -125,26 +125,6 @@ def test_alpha_expansion_finds_the_least_energy(seed):
     best = min(energy_of(data, borders, np.array(labels)) for labels in itertools.product(range(k), repeat=n))
     found = energy_of(data, borders, expand_labels(data, borders, data.argmin(axis=1)))
     assert found == pytest.approx(best, rel=0.02)
-
-
-@pytest.mark.parametrize("seed", range(5))
-def test_labels_tried_together_are_as_if_each_came_alone(monkeypatch, seed):
-    rng = np.random.default_rng(seed)
-    n, k = 120, 30  # a row of faces, in which a label is known on a short part
-    place = rng.uniform(0, n, k)
-    data = np.where(np.abs(np.arange(n)[:, None] - place) < 9, rng.uniform(0, 1, (n, k)), np.inf)
-    data[np.isinf(data).all(axis=1), 0] = 0.5
-    pairs = np.column_stack([np.arange(n - 1), np.arange(1, n)])
-    borders = TableBorders(pairs, rng.uniform(0, 0.6, n - 1)[:, None, None] * (1 - np.eye(k)))
-    able = np.isfinite(data)
-    groups = alpha_expansion._independent(able, pairs)
-    assert sorted(np.concatenate(groups).tolist()) == list(range(k)) and len(groups) < k
-    beside = able | np.roll(able, 1, axis=0) & (np.arange(n) > 0)[:, None]  # on a face or on the one after it
-    for group in groups:
-        assert (beside[:, group].sum(axis=1) <= 1).all()
-    together = expand_labels(data, borders, data.argmin(axis=1))
-    monkeypatch.setattr(alpha_expansion, "_independent", lambda able, pairs: [np.array([one]) for one in range(k)])
-    assert together.tolist() == expand_labels(data, borders, data.argmin(axis=1)).tolist()
 
 
 @pytest.mark.parametrize("density", [8.0, 3.0])
@@ -300,3 +280,14 @@ def test_distances_to_a_sloped_roof():
     fit = model_fit(x, y, z, [roof], np.empty((0, 8)))
     assert fit.rmse_z == pytest.approx(1.0)
     assert fit.rmse_3d == pytest.approx(np.sqrt(np.mean([0.5, 25.0, 4.0])))
+
+
+@pytest.mark.parametrize(("better", "width"), [(0, 0.2), (2, 0.2), (1, 3.0)])
+def test_a_steep_sliver_goes_to_the_better_plane_beside_it(better, width):
+    """A strip between two level roofs that is steep, as points on a wall make it; a wide one stays."""
+    polygons = np.array([shapely.box(0, 0, 5, 10), shapely.box(5, 0, 5 + width, 10), shapely.box(5 + width, 0, 12, 10)])
+    faces = PlanFaces(polygons, np.array([[0, 1], [1, 2]]), np.full(2, 10.0), np.zeros((2, 2, 2)))
+    planes = np.array([[0.0, 0.0, 5.0], [20.0, 0.0, -95.0], [0.0, 0.0, 9.0]])
+    cost = np.ones((3, 3))
+    cost[1, better] = 0.5
+    assert without_steep_slivers(np.arange(3), cost, faces, planes).tolist() == [0, better, 2]

@@ -16,6 +16,7 @@ from urbanmap_qgis.citymodel.city_files import copy_schemas, write_city_files
 from urbanmap_qgis.citymodel.citygml.plateau import PlateauDelivery, with_plateau_attributes
 from urbanmap_qgis.citymodel.model import MULTI_SURFACE, CityShape, CitySurface, Measure
 from urbanmap_qgis.citymodel.tables.building_table import TableNotes, building_rows
+from urbanmap_qgis.citymodel.tables.table_store import TableStore
 from urbanmap_qgis.errors import InputError
 
 DELIVERY = PlateauDelivery(city_code="13101", map_level=500)
@@ -114,3 +115,12 @@ def test_faces_without_a_kind_are_named_by_how_they_lie_wherever_they_are():
     shape = CityShape("2", MULTI_SURFACE, (tuple(CitySurface((corners,)) for corners in squares),))
     (row,) = building_rows(iter([replace(item, shapes=(shape,), parts=())]), lambda corners: corners, TableNotes())
     assert row.kinds == ["outer wall", "roof", "ground"] * 20
+
+
+def test_columns_of_mixed_values_become_text_and_others_stay():
+    with TableStore(False, False) as store:
+        store.columns = {"mixed": [1, "a", None], "whole": [1, 2, None],
+                         "FID": [1.5, None, 2.0], "yes": [True, None, False]}
+        assert store.more_fields(["whole_"]) == [("mixed", "text"), ("whole", "int"), ("FID_", "real"), ("yes", "bool")]
+        assert store.columns == {"mixed": ["1", "a", None], "whole": [1, 2, None], "FID_": [1.5, None, 2.0],
+                                 "yes": [True, None, False]}

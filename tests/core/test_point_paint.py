@@ -53,3 +53,14 @@ def test_points_of_whole_surfaces_are_refused():
 
 def test_no_points_are_no_paint():
     assert point_polygons(np.zeros((0, 2))) == [] and hidden_paint(dashes(9.0), []) == []
+
+
+def test_surfaces_are_refused_and_much_paint_is_not():
+    def filled(*boxes):
+        return np.concatenate([np.stack(np.meshgrid(np.arange(x, x + width, 0.04), np.arange(y, y + depth, 0.04)),
+                                        -1).reshape(-1, 2) for x, y, width, depth in boxes])
+    strokes = [(0.0, 3.0 * k, 20.0, 0.4) for k in range(8)]
+    plaza = (30.0, 0.0, 3.0, 3.0)  # a tenth of all that is painted
+    assert sum(one.area for one in point_polygons(filled(*strokes, plaza))) == pytest.approx(73.0, rel=0.2)
+    with pytest.raises(InputError, match="whole surfaces"):
+        point_polygons(filled(plaza))

@@ -137,3 +137,27 @@ def test_a_stream_without_chunks_is_read(tmp_path, make_cloud):
     read = read_all(cloud, ("x", "gps_time"))
     assert np.allclose(read["x"], x, atol=1e-3) and np.array_equal(read["gps_time"], time)
     assert not can_be_entered(cloud.headers[0]) and can_be_entered(open_cloud([made]).headers[0])
+
+
+def cloud_file(path, offset, point_format, vlr=None):
+    header_of = laspy.LasHeader(point_format=point_format, version="1.4")
+    header_of.scales, header_of.offsets = [0.001] * 3, offset
+    if vlr:
+        header_of.vlrs.append(laspy.VLR(vlr, 7, "note", b"content"))
+    las = laspy.LasData(header_of)
+    las.x, las.y, las.z = np.array([1000.25, 1001.5]), np.array([2000.75, 2002.0]), np.array([30.125, 31.0])
+    las.intensity = np.array([5, 6], np.uint16)
+    las.write(path)
+    return path
+
+
+@pytest.mark.parametrize("offset", [[0.0, 0.0, 0.0], [900.0, 1900.0, 10.0]])
+@pytest.mark.parametrize("point_format", [6, 7])
+def test_points_keep_their_place_in_a_layout_of_another_format_or_offset(tmp_path, offset, point_format):
+    cloud = open_cloud([cloud_file(tmp_path / "a.las", [0.0] * 3, 7),
+                        cloud_file(tmp_path / "b.las", offset, point_format)])
+    layout = PointLayout(cloud)
+    for chunk in iter_chunks(cloud):
+        made = layout.view(layout.adapt(chunk, np.array([False, True])))
+        assert (made.x[0], made.y[0], made.z[0]) == pytest.approx((1001.5, 2002.0, 31.0), abs=1e-6)
+        assert made.intensity.tolist() == [6]

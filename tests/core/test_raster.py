@@ -140,3 +140,13 @@ def test_foreign_proj_and_gdal_folders_do_no_harm(tmp_path):
                          cwd=Path(__file__).resolve().parents[2], capture_output=True, text=True, check=False)
     assert run.returncode == 0, run.stderr
     assert int(run.stdout) > 100
+
+
+@pytest.mark.parametrize("empty", range(4))
+def test_heights_beside_an_empty_cell_are_weighted_among_the_others(empty):
+    grid = Grid(0.0, 2.0, 1.0, 2, 2)
+    raster, weight = np.array([1.0, 2.0, 3.0, 7.0]), np.array([0.75 * 0.4, 0.25 * 0.4, 0.75 * 0.6, 0.25 * 0.6])
+    left = np.arange(4) != empty
+    wanted = weight[left] @ raster[left] / weight[left].sum()
+    raster[empty] = np.nan
+    assert sample(grid, raster.reshape(2, 2), np.array([0.75]), np.array([0.9])) == pytest.approx([wanted])

@@ -1,5 +1,8 @@
 """Rectification of simulated drives of 15 km and of the sample city, and what is wrong with tie points."""
 
+import re
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from scipy.ndimage import gaussian_filter1d
@@ -20,7 +23,7 @@ from urbanmap_qgis.mobile.lines.rectification import (
     RectifySettings,
     rectify,
 )
-from urbanmap_qgis.mobile.lines.rectification_report import write_report
+from urbanmap_qgis.mobile.lines.rectification_report import course_map, write_report
 from urbanmap_qgis.mobile.lines.tie_points import TiePoints, read_tie_points, tie_points_from_columns
 from urbanmap_qgis.mobile.trajectory import Trajectory
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
@@ -462,3 +465,20 @@ def test_few_sets_do_not_tell_how_good_they_are():
     told, progress = warned()
     rough = rectify(reported, some, None, RectifySettings(tie_sigma=0.5), progress)
     assert not told and rough.plan_sigma.min() > 0.25
+
+
+@pytest.mark.parametrize("extent", [(300.0, 20.0), (10.0, 200.0), (0.2, 0.1)])
+def test_a_course_fills_its_plan_and_the_scale_bar_is_as_long_as_it_says(extent):
+    count = 50
+    drive = Trajectory(np.arange(count, dtype=float), np.column_stack([np.linspace(0.0, size, count) for size in (
+        *extent, 1.0)]), np.zeros((count, 3)))
+    svg = course_map(drive, SimpleNamespace(trajectory=drive, status=np.full(count, BETWEEN), sets=()))
+    width, height = (int(value) for value in re.search(r'width="(\d+)" height="(\d+)"', svg).groups())
+    places = np.array(re.findall(r"[ML](-?[\d.]+) (-?[\d.]+)", svg.partition("#333")[0]), float)[:2 * count]
+    size = np.ptp(places, axis=0)
+    assert (places >= 19.9).all() and (places <= [width - 19.9, height - 19.9]).all()
+    begin, end, length = re.search(r'd="M([\d.]+) \d+H(\d+)".*>([\d.e-]+) m<', svg).groups()
+    metres = (float(end) - float(begin)) / float(length)  # pixels a metre
+    assert size == pytest.approx(np.array(extent) * metres, rel=0.02, abs=0.2)
+    assert max(size[0] / (width - 40), 1.3 * size[1] / (width - 40)) == pytest.approx(
+        1.0 if max(extent) > 1.0 else 0.2 / 1.3, rel=0.02)

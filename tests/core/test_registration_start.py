@@ -1,8 +1,10 @@
 """Correlation of shifts, and the best way through them."""
 
 import itertools
+from types import SimpleNamespace
 
 import numpy as np
+import pytest
 
 from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.mobile.registration.start.correlation_start import (
@@ -101,3 +103,15 @@ def test_centred_and_peaks():
     assert about[0, 5, 5] == 5.0
     places, heights = peaks(about[0], 3, 2)
     assert tuple(places[0]) == (5, 0) and heights[0] == 4.0
+
+
+@pytest.mark.parametrize("y_max", [40.0, -400.0])
+def test_the_image_of_scores_covers_the_reference(y_max):
+    grid = Grid(30.0, y_max, 0.1, 200, 100)
+    share = np.zeros(grid.shape, np.float32)
+    share[50:60, 20:30] = 1.0
+    image = score_image(SimpleNamespace(grid=grid, share=share), 0.1)
+    assert image.score.shape == (round(20.0 / CELL), round(10.0 / CELL))
+    row, column = np.unravel_index(image.score.argmax(), image.score.shape)
+    assert -(image.top + row + 0.5) * CELL == pytest.approx(y_max - 5.5, abs=0.4)
+    assert (image.left + column + 0.5) * CELL == pytest.approx(32.5, abs=0.4)

@@ -93,3 +93,14 @@ def test_thinning_nothing():
     none = np.zeros(0)
     thin = thin_points(MarkingPoints(none, none, none, none, none, none), trajectory, divide_path(trajectory, 0.5), 0.1)
     assert len(thin) == 0
+
+
+def test_a_window_counts_the_cells_that_hold_enough_points():
+    """Patches of 3, 1, 2 and 0 points in one cell each; windows of two."""
+    patch = np.array([0, 0, 0, 1, 2, 2])
+    x = np.where(patch == 0, 0.5, np.where(patch == 1, 5.5, 9.5))
+    settings = RegistrationSettings(window_patches=2, feature_count=1, feature_points=2, feature_grid=1.0,
+                                    max_window_patches=2, extend_at_end=True)
+    found = choose_windows(x, np.zeros(6), patch, 4, settings)
+    assert (found.first.tolist(), found.last.tolist()) == ([0, 0, 1, 2], [0, 1, 2, 3])
+    assert found.features.tolist() == [1, 1, 1, 1]

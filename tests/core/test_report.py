@@ -13,6 +13,7 @@ import shapely
 from urbanmap_qgis.errors import InputError, OutputError
 from urbanmap_qgis.io.pages.report import BAD, LOOK, Fixed, Report, RunFacts, rounded, run_told
 from urbanmap_qgis.io.pages.svg import RAMP, UNKNOWN, bars, plan_map
+from urbanmap_qgis.io.pages.svg_profile import Series, profile
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -141,3 +142,27 @@ def test_every_report_gives_a_verdict(path):
     made = sum(getattr(item, "id", "") == "Report" for item in calls)
     given = sum(getattr(item, "attr", "") == "verdict" for item in calls)
     assert made and given >= made, f"{made} reports, {given} verdicts"
+
+
+def test_a_note_of_settings_is_a_table_and_another_a_paragraph(tmp_path):
+    for text, table in (("cell: 0.5 m; method: planes", True), ("looked at: by hand", False), ("a; b", False)):
+        report = Report("Title")
+        report.note(text)
+        report.write(tmp_path / "a.html")
+        assert ("<td" in (tmp_path / "a.html").read_text(encoding="utf-8")) == table
+
+
+def test_the_band_of_a_chart_lies_a_sigma_to_either_side_of_its_curve():
+    x, values = np.linspace(0.0, 9.0, 10), np.linspace(1.0, 3.0, 10)
+    page = profile(x, [Series("a", values)], "s", "m", (values, np.full(10, 0.5)))
+    band = np.array([pair.split(",") for pair in re.search(r'<polygon points="([^"]*)"', page)[1].split()], float)
+    upper, lower = band[:10], band[10:][::-1]
+    slope = (upper[0, 1] - upper[-1, 1]) / 2.0  # of the picture, for a metre
+    assert slope > 0 and lower[:, 1] - upper[:, 1] == pytest.approx(slope * 1.0, abs=0.2)
+
+
+def test_values_fill_the_height_of_a_chart():
+    """From 0 at the foot to the largest, above which a twentieth of the height is left; 12 px above, 40 px below."""
+    page = profile(np.array([0.0, 1.0]), [Series("a", np.array([0.0, 2.0]), dots=True)], "s", "m", height=240)
+    foot, top = (float(place) for place in re.findall(r'<circle cx="[^"]*" cy="([^"]*)"', page))
+    assert foot == pytest.approx(200.0, abs=0.1) and top == pytest.approx(200.0 - 188.0 / 1.05, abs=0.1)

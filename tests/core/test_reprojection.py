@@ -1,5 +1,7 @@
 """Data taken from one reference system into another: places, heights, accuracies, swapped axes."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 import shapely
@@ -59,3 +61,15 @@ def test_swapped_axes_are_seen():
     here, swapped = (-7000, -35000, -6900, -34900), (-35000, -7000, -34900, -6900)
     assert swapped_overlap(here, swapped) and not swapped_overlap(here, here)
     assert not swapped_overlap(here, (0, 0, 1, 1))
+
+
+def test_cells_in_another_system_are_as_large_as_at_the_middle_of_the_box():
+    """North there is y^2 + x y: a cell of 0.1 at x = 15, y = 5 is 2.51 high."""
+    def curved(x, y, inverse=False):
+        return (x, 0.5 * (np.sqrt(x * x + 4 * y) - x)) if inverse else (x, y * y + x * y)
+
+    source = SimpleNamespace(grid=SimpleNamespace(cell=0.1), sample=lambda x, y: 10 * x + y)
+    grid, heights = resampled(source, curved, (10.0, 90.0, 20.0, 110.0))
+    columns, rows = grid.centres()
+    assert grid.cell == pytest.approx(2.51)
+    assert heights[3, 2] == pytest.approx(10 * columns[2] + curved(columns[2], rows[3], inverse=True)[1])

@@ -9,9 +9,9 @@ import re
 import numpy as np
 import pytest
 
-from tests.core.test_rinex_observations import epoch_2, epoch_3, field, header_2, header_3
+from tests.core.test_rinex_observations import epoch_2, epoch_3, field, header_2, header_3, write
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.gnss.rinex.compact import _plain_epoch, plain_rinex
+from urbanmap_qgis.gnss.rinex.compact import plain_rinex
 from urbanmap_qgis.gnss.rinex.observation_file import read_observations
 
 TYPES = {"G": ["C1C", "L1C", "S1C"], "C": ["C2I", "S2I"]}
@@ -119,10 +119,13 @@ def test_damaged_files_are_told_in_a_sentence(change, said):
         plain_rinex(change(text).encode("ascii"), "a.crx")
 
 
-@pytest.mark.parametrize("clock", ["", "0.123456789"])
-def test_the_clock_of_an_epoch_stands_once_however_many_satellites_there_are(clock):
-    """RINEX 2: 12 satellites a line from column 33; the receiver's clock in columns 69 to 80 of the first alone."""
-    names = [f"G{number:02d}" for number in range(1, 15)]
-    first, second = _plain_epoch(" 26 11 23 12  0  0.0000000  0 14", clock, names, [], 2)
-    assert first[32:68] == "".join(names[:12]) and first[68:].strip() == clock
-    assert second == " " * 32 + "G13G14"
+def test_strength_digits_behind_codes_that_stand_on_a_further_line(tmp_path):
+    """Of RINEX 2 five values are on a line; of RINEX 3 all, the sixth too."""
+    row = [field(float(number)) for number in range(1, 6)]
+    old = header_2(["L1", "L2", "D1", "D2", "L5", "C1"]) + epoch_2(0.0, ["G01", "G02"], [
+        [*row, field(2.0e7, " 5")], [*row, field(2.1e7, " 7")]])
+    found = read_observations(write(tmp_path, old))
+    assert found.code == pytest.approx([2.0e7, 2.1e7]) and found.cn0.tolist() == [33.0, 45.0]
+    new = header_3({"G": ["L1C", "L2W", "D1C", "D2W", "L5X", "C1C"]}) + epoch_3(0.0, [
+        "G01" + "".join(row) + field(2.0e7, " 5"), "G02" + "".join(row) + field(2.1e7, " 7")])
+    assert read_observations(write(tmp_path, new)).cn0.tolist() == [33.0, 45.0]

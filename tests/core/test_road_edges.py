@@ -9,10 +9,12 @@ import pytest
 
 from tests.core.road_scene import KERB_AT, RAIL_AT, WALL_AT, Street, to_local, write_drive
 from urbanmap_qgis.errors import InsufficientDataError
+from urbanmap_qgis.roadmap.edges.assembly import kerb_lines
 from urbanmap_qgis.roadmap.edges.doubts import with_doubts, with_low_doubts
 from urbanmap_qgis.roadmap.edges.edge_records import RoadEdge
-from urbanmap_qgis.roadmap.edges.profile import fit_edge_profile
+from urbanmap_qgis.roadmap.edges.profile import fit_edge_profile, most_likely_change
 from urbanmap_qgis.roadmap.edges.road_edges import road_edges
+from urbanmap_qgis.roadmap.edges.stations import Stations
 from urbanmap_qgis.settings.roadmap import EdgeSettings
 
 SETTINGS = EdgeSettings(survey_sigma=0.0)
@@ -197,3 +199,33 @@ def test_a_kerb_beside_a_sloping_gutter_stays_where_it_is(slope):
 def test_a_profile_needs_both_sides():
     a = np.linspace(-1.0, -0.05, 100)
     assert fit_edge_profile(a, np.zeros(100)) is None
+
+
+def test_an_edge_counts_the_points_of_both_its_sides():
+    rng = np.random.default_rng(3)
+    a = np.concatenate([np.linspace(-0.5, -0.02, 60), np.linspace(0.02, 0.5, 40)])
+    profile = fit_edge_profile(a, np.where(a > 0, 0.15, 0.0) + rng.normal(0, 0.002, len(a)))
+    assert profile.height == pytest.approx(0.15, abs=0.005)
+    assert 60 <= profile.points <= 100
+
+
+def test_lowered_and_full_kerb_share_the_station_where_they_meet():
+    count = 40
+    height = np.where(np.arange(count) < 20, 0.15, 0.02)
+    zeros, ones = np.zeros(count), np.ones(count)
+    stations = Stations(
+        course=np.zeros(count, int), place=np.column_stack([0.5 * np.arange(count), zeros]),
+        normal=np.column_stack([zeros, ones]), seen=np.ones(count, bool), foot=zeros.copy(), top=zeros.copy(),
+        z_foot=zeros.copy(), z_top=height, sigma=0.01 * ones, sigma_z=0.01 * ones, points=np.full(count, 20),
+        passes=np.ones(count, int))
+    full, low = kerb_lines(stations, EdgeSettings(), np.zeros(3))
+    assert full.foot[-1] == pytest.approx(low.foot[0]) and full.gap == pytest.approx(0.0)
+    assert low.foot[-1, 0] == pytest.approx(0.5 * (count - 1))
+
+
+def test_deviation_of_a_change_grows_with_the_gap_that_it_lies_in():
+    """Two descriptions that part sharply between -0.1 and 0.1 m: any place in the gap is as likely."""
+    places = np.array([-0.4, -0.3, -0.2, -0.1, 0.1, 0.2, 0.3, 0.4])
+    before, after = np.where(places < 0, 0.0, 100.0), np.where(places < 0, 100.0, 0.0)
+    edge, sigma = most_likely_change(places, before, after, 0.5)
+    assert edge == pytest.approx(0.0, abs=1e-6) and sigma == pytest.approx(0.2 / 12**0.5, rel=1e-3)

@@ -5,12 +5,15 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import shapely
+import shapely.affinity
 from shapely import affinity
 
 from urbanmap_qgis.roadmap.lines.crosswalks import find_crosswalks
 from urbanmap_qgis.roadmap.lines.dash_pattern import line_sections
+from urbanmap_qgis.roadmap.lines.line_fit import fit_centre_line
 from urbanmap_qgis.roadmap.lines.line_work import line_work, with_ground_heights
 from urbanmap_qgis.roadmap.lines.strokes import all_strokes, polygon_strokes
+from urbanmap_qgis.roadmap.lines.symbol_patterns import CELL, raster
 
 
 def dashes(length, dash, gap, y=0.0, start=0.0):
@@ -400,3 +403,25 @@ def test_heights_come_from_the_function_given():
 
 def test_nothing_covered_has_no_sections():
     assert line_sections(np.zeros(100, bool), 0.1) == []
+
+
+def test_half_a_stroke_covers_a_line_and_does_not_draw_it():
+    """20 m of paint 0.15 m wide along y = 0, of which the upper half is left for 4 m: its middle lies 4 cm up."""
+    paint = [shapely.box(0, -0.075, 8, 0.075), shapely.box(8, 0.005, 12, 0.075), shapely.box(12, -0.075, 20, 0.075)]
+    line = fit_centre_line(np.array([[0.0, 0.0], [20.0, 0.0]]), 0.15, shapely.STRtree(paint))
+    assert line.covered.all() and np.abs(line.axis[:, 1]).max() < 0.005 and line.width == pytest.approx(0.15, abs=0.001)
+
+
+def test_a_ring_of_paint_keeps_its_hole_and_what_lies_beside_it():
+    ring = shapely.box(-1.0, -1.0, 1.0, 1.0).difference(shapely.box(-0.5, -0.5, 0.5, 0.5))
+    bar = shapely.box(2.0, -1.0, 2.5, 1.0)
+    for shapes in ([ring], [bar, ring], [ring, bar]):
+        assert raster(shapes).sum() * CELL**2 == pytest.approx(sum(one.area for one in shapes), rel=0.1)
+
+
+def test_the_gap_of_a_line_is_known_worse_than_its_paint():
+    paint = shapely.STRtree([shapely.box(0.0, -0.075, 15.0, 0.075), shapely.box(27.0, -0.075, 42.0, 0.075)])
+    found = fit_centre_line(np.array([[0.0, 0.0], [42.0, 0.0]]), 0.15, paint)
+    gap = (found.chainage > 20.0) & (found.chainage < 22.0)
+    assert not found.covered[gap].any() and found.sigma[gap].min() > 0.03
+    assert found.sigma[(found.chainage > 3.0) & (found.chainage < 12.0)].max() < 0.02

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import json
 import random
+from xml.etree import ElementTree
 
+import numpy as np
 import pytest
 
 from scripts.fuzz import _is_unnamed
@@ -66,3 +69,17 @@ def test_the_trial_sees_a_sentence_of_the_net():
         read("a.csv")
     assert _is_unnamed(told.value, "tie points") and not _is_unnamed(told.value, "LAS 1.4")
     assert _is_unnamed(InputError("a.csv: could not convert string to float: 'x'"), "tie points")
+
+
+@pytest.mark.parametrize(("raised", "told"), [
+    (lambda: {}["transform"], "“transform” is missing in it"), (lambda: float("12,5"), "“12,5” is no number"),
+    (lambda: int("x7"), "“x7” is no number"), (lambda: np.array(["a1"]).astype(float), "“a1” is no number"),
+    (lambda: json.loads('{"a":\n1 2}'), "line 2 is no JSON"),
+    (lambda: ElementTree.fromstring("<a>\n<b>\n</a>"), "line 3 is no XML")])
+def test_what_only_the_net_catches_is_named_as_far_as_python_says_it(raised, told):
+    @reads("a thing")
+    def read(path):
+        raised()
+
+    with pytest.raises(InputError, match=rf"a\.txt cannot be read as a thing \({told}\): it is damaged"):
+        read("folder/a.txt")

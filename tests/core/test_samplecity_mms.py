@@ -273,17 +273,6 @@ def test_control_points_fit_both_trajectories(scene, true, tmp_path):
     assert gaps.max() < 1e-3
 
 
-def test_images_are_placed_by_the_reported_trajectory(true, tmp_path):
-    reported = reported_trajectory(true, np.random.default_rng(2))
-    mms._write_images(tmp_path / "images.csv", reported)
-    table = np.genfromtxt(tmp_path / "images.csv", delimiter=",", names=True, dtype=None, encoding="utf-8")
-    place, rotation = pose(reported, table["time"])
-    camera = place + rotation @ [1.05, 0.0, -0.25]
-    np.testing.assert_allclose(np.column_stack([table[c] for c in "xyz"]), camera, atol=2e-4)
-    turned = rotations(np.column_stack([table[c] for c in ("roll", "pitch", "heading")]))
-    np.testing.assert_allclose(turned, rotation, atol=1e-6)
-
-
 @pytest.mark.slow
 def test_same_seed_gives_the_same_bytes(scene, short, tmp_path):
     def digest(name, seed):

@@ -1,13 +1,15 @@
 """The true world of the sample city."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 import shapely
 
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.samplecity.scene.ground import KERB_HEIGHT, Surface
-from urbanmap_qgis.samplecity.scene.markings import _approach
 from urbanmap_qgis.samplecity.scene.model import AERIAL, GROUND, FaceKind, Material
+from urbanmap_qgis.samplecity.scene.paint import Paint
 from urbanmap_qgis.samplecity.scene.world import SCENES, make_scene
 from urbanmap_qgis.samplecity.truth.lines import true_lines
 
@@ -97,18 +99,6 @@ def test_markings_lie_on_the_carriageway_and_paint_is_found_there(canyon):
     assert painted.mean() == pytest.approx(1 - stop.wear, abs=0.15)
 
 
-@pytest.mark.parametrize("sign", [1.0, -1.0])
-def test_stop_lines_reach_from_the_middle_line_to_the_edge_of_the_side_that_comes(canyon, sign):
-    """Traffic towards the crossing drives in -sign of u on the side v = -sign, and stops 9 m from the kerb line."""
-    for street in canyon.ground.streets:
-        painted = _approach(street, 100.0, sign, np.random.default_rng(0))
-        stop, = (item for item in painted if item.kind == "stop")
-        edge = street.lanes * street.lane_width
-        u, v = (sorted(values) for values in ((100.0 + 9.0 * sign, 100.0 + 8.55 * sign),
-                                              (street.at - 0.15 * sign, street.at - (edge - 0.15) * sign)))
-        assert stop.plan.bounds == pytest.approx((u[0], v[0], u[1], v[1]))
-
-
 def test_traffic_keeps_left_and_survey_lanes_are_free(canyon):
     surveyed = {lane for lane in canyon.lanes if lane.survey}
     assert not any(vehicle.lane in surveyed for vehicle in canyon.moving(GROUND))
@@ -170,3 +160,10 @@ def test_rails_stand_every_15_m_within_the_city(canyon):
     along = np.array([canyon.ground.to_local(box.centroid.x, box.centroid.y) for box in rails])
     off = np.abs((along + 91.0 + 7.5) % 15.0 - 7.5)  # the first begins 6 m inside, each is 6 m long
     assert len(rails) > 8 and np.abs(along).max() < 100.0 and (off.min(axis=1) < 1e-3).all()
+
+
+def test_paint_is_where_it_was_put_and_nowhere_beyond():
+    marking = SimpleNamespace(wear=0.0, colour="white", plan=shapely.MultiPolygon([shapely.box(100, 200, 103, 201)]))
+    paint = Paint([marking])
+    x, y = np.array([(101, 200.5), (101, 100), (101, 900), (0, 200.5), (300, 200.5), (0, 0), (300, 0)], float).T
+    assert paint.marking_at(x, y).tolist() == [0, -1, -1, -1, -1, -1, -1]

@@ -9,8 +9,6 @@ import pytest
 
 from tests.core.simulated_windows import simulate
 from urbanmap_qgis.mobile.registration.correction.adjustment import adjust_correction
-from urbanmap_qgis.mobile.registration.correction.disagreements import NodeStep
-from urbanmap_qgis.mobile.registration.correction.error_steps import _expected, times_as_likely
 from urbanmap_qgis.mobile.registration.correction.patch_corrections import shown_factor, with_shown_pitch
 from urbanmap_qgis.mobile.registration.correction.patch_status import REGISTERED
 from urbanmap_qgis.mobile.registration.correction.settings import CorrectionSettings
@@ -68,15 +66,6 @@ def test_an_angle_that_nothing_measures_stays_as_it_was_reported():
     assert np.median(made.sigma()[:, 4]) >= CorrectionSettings().attitude_sigma[1]
     whole = adjust_correction(drive.windows, drive.reported)  # lever arms of 6 m to either side measure it
     assert np.abs(whole.value[:, 4]).max() > 0.01
-
-
-def test_steps_that_nothing_shows_are_unlikely_between_sides_that_agree_and_as_likely_as_none_between_open_ones():
-    close, open_ = (NodeStep(0, np.zeros(2), sigma**2 * np.eye(2), 0.0) for sigma in (0.01, 2.0))
-    assert times_as_likely(close) == pytest.approx(0.0025, rel=0.01)
-    assert times_as_likely(open_) == pytest.approx(1.0, abs=0.02)
-    apart = NodeStep(0, np.array([0.2, 0.0]), 0.05**2 * np.eye(2), 16.0)
-    assert times_as_likely(apart) > 50.0
-    assert np.sqrt(2 * _expected(apart)[0, 0]) == pytest.approx(0.194, abs=0.002)
 
 
 def test_relative_sigma_is_without_what_the_reference_is_off_by():

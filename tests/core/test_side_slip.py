@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from urbanmap_qgis.mobile.registration.correction.disagreements import NodeStep
+from urbanmap_qgis.mobile.registration.correction.disagreements import NodeStep, either_side
 from urbanmap_qgis.mobile.registration.correction.side_slip import SideSlip
 from urbanmap_qgis.mobile.trajectory import Trajectory
 
@@ -57,3 +59,18 @@ def test_a_change_aside_without_a_slip_is_not_the_drives():
 def test_along_the_way_nothing_is_told_nor_of_a_change_that_is_not_sure():
     assert not driven().denies(185.0, 215.0, step(0.02, 0.6))
     assert not driven().denies(185.0, 215.0, step(-0.4, 0.1, sigma=0.2))
+
+
+def test_a_place_is_off_by_all_steps_up_to_the_right_stretch():
+    """With one step half of its square, of two any of the three stretches may be the right one."""
+    nodes, known = np.arange(0.0, 110.0, 10.0), 1e-12 * np.eye(2)
+    steps = [NodeStep(2, np.array([1.0, 0.0]), known, 9.0), NodeStep(7, np.array([0.0, 2.0]), known, 9.0)]
+    at = np.array([5.0, 50.0, 95.0])
+    first, second, both = (np.outer(change, change) for change in (steps[0].change, steps[1].change, [1.0, 2.0]))
+    beside, variance = either_side(steps, nodes, at)
+    assert beside.all()
+    assert variance == pytest.approx(np.array([first + both, first + second, second + both]) / 3, abs=1e-9)
+    assert either_side(steps[:1], nodes, at)[1] == pytest.approx(np.array([first] * 3) / 2, abs=1e-9)
+    assert not either_side([], nodes, at)[0].any()
+    unsure = either_side([replace(steps[0], covariance=4.0 * np.eye(2))], nodes, at)[1]
+    assert unsure[0] == pytest.approx(first / 2 + 0.4 * np.eye(2))  # no more unsure than it is large

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from concurrent.futures import ThreadPoolExecutor
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -17,7 +16,7 @@ from urbanmap_qgis.settings.terrain import ClothSettings, SurfaceSettings
 from urbanmap_qgis.terrain.delaunay import triangulate
 from urbanmap_qgis.terrain.rasterise import rasterise
 from urbanmap_qgis.terrain.surface import ground_mask, ground_raster, ground_source, thin_highest, thin_mean
-from urbanmap_qgis.terrain.surface_files import _ground_source, surfaces_from_files
+from urbanmap_qgis.terrain.surface_files import surfaces_from_files
 
 X0, Y0 = -8_000.0, -34_000.0
 ROOFS = [(20, 20, 45, 50, 12.0), (60, 15, 95, 55, 30.0), (30, 70, 80, 100, 8.0)]
@@ -300,8 +299,6 @@ def test_settings_are_checked(wrong):
         SurfaceSettings(**wrong)
 
 
-
-
 def test_a_point_far_outside_is_named_before_its_raster_is_laid_out(make_cloud, tmp_path):
     chance = np.random.default_rng(2)
     x, y = chance.uniform(0, 100, (2, 5000))
@@ -312,10 +309,9 @@ def test_a_point_far_outside_is_named_before_its_raster_is_laid_out(make_cloud, 
     assert not (tmp_path / "dsm.tif").exists()
 
 
-@pytest.mark.parametrize(("classes", "words"), [({"c2": 400, "c6": 600}, "Ground by classes: 400"),
-                                                ({"c1": 1000}, "Ground by the cloth filter")])
-def test_where_the_ground_comes_from_is_told(classes, words):
+def test_fractions_of_a_part_run_within_the_whole():
     told = []
-    points = SimpleNamespace(class_counts=counts(**classes), settings=SurfaceSettings())
-    _ground_source(points, Progress(message=told.append))
-    assert len(told) == 1 and told[0].startswith(words)
+    part = Progress(told.append).part(0.5, 1.0).part(0.25, 0.75)
+    for fraction in (0.0, 0.5, 1.0):
+        part.step(fraction)
+    assert told == pytest.approx([0.625, 0.75, 0.875])

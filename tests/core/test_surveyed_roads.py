@@ -23,7 +23,8 @@ from tests.core.surveyed_scene import (
     road_height,
 )
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.roadspace.survey import carriageways
+from urbanmap_qgis.roadspace.road_pictures import plan_picture
+from urbanmap_qgis.roadspace.road_records import RoadFinding
 from urbanmap_qgis.roadspace.survey.area_city import faces_of, survey_road_objects
 from urbanmap_qgis.roadspace.survey.area_records import (
     CARRIAGEWAY,
@@ -342,20 +343,6 @@ def test_edges_without_heights_make_level_2_and_are_refused_for_others():
         surveyed_roads(lines, "3.0")
 
 
-def test_an_edge_whose_corners_are_shuffled_ends(monkeypatch):
-    """Thousands of faces: what lies about each chord is asked, not the whole survey for each face."""
-    edges = crossing()
-    order = np.random.default_rng(5).permutation(len(edges[0].foot))
-    edges[0] = replace(edges[0], foot=edges[0].foot[order], top=edges[0].top[order])
-    asked, buffer = [], shapely.buffer
-    monkeypatch.setattr(carriageways.shapely, "buffer", lambda shape, *rest, **more: (
-        asked.append(shapely.get_num_coordinates(shape)), buffer(shape, *rest, **more))[1])
-    polygon = shapely.box(0.0, 0.0, 40.0, 40.0)
-    known = shapely.STRtree(shapely.get_parts(shapely.union_all([shapely.linestrings(one.plan) for one in edges])))
-    carriageways._closed_over(polygon, known)
-    assert asked and max(asked) < 0.2 * sum(shapely.get_num_coordinates(known.geometries))
-
-
 @pytest.mark.parametrize(("kind", "count"), [("Polygon", 2), ("LineString", 0)])
 def test_lanes_that_cross_themselves_are_repaired_and_places_off_the_map_told(kind, count):
     bow = shapely.Polygon([(0, 0), (4, 4), (4, 0), (0, 4)])
@@ -411,3 +398,9 @@ def test_only_a_stop_line_on_the_road_cuts_it(stop, cuts):
     cross = shapely.union(shapely.box(-20, -4, 20, 4), shapely.box(-4, -20, 4, 20))
     found = junction_cuts(cross, [shapely.LineString(stop)])
     assert len(found.junctions) == 1 and sum(cut.at_stop_line for cut in found.cuts) == cuts
+
+
+def test_findings_are_drawn_at_their_places():
+    findings = [RoadFinding("a", "", 110.0, 240.0), RoadFinding("b", "", 900.0, 240.0)]
+    drawn = plan_picture((100.0, 200.0, 140.0, 260.0), 400, [], [], findings)
+    assert drawn.count("<circle") == 1 and '<circle cx="100.0" cy="200.0"' in drawn and ">1</text>" in drawn

@@ -6,6 +6,8 @@ from pyproj import CRS
 
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.io.conversion.geoid import Geoid
+from urbanmap_qgis.io.conversion.height_conversion import height_conversion
+from urbanmap_qgis.io.reference.height_systems import HeightSystem
 from urbanmap_qgis.mobile.trajectory import Trajectory
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory, write_trajectory
 from urbanmap_qgis.mobile.trajectory_reading import ANGLES, TrajectoryReading, from_file_angles, to_file_angles
@@ -101,3 +103,20 @@ def test_a_geoid_says_that_it_leaves_other_heights(tmp_path):
 def test_sbet_with_degrees_is_refused(tmp_path):
     with pytest.raises(InputError, match="its angles are no radians"):
         read_trajectory(sbet(tmp_path / "a.out", 57.3), ZONE)
+
+
+@pytest.mark.parametrize(("reverse", "change"), [(False, 0.4), (True, -0.4)])
+def test_corrections_between_foreign_heights_go_as_they_are_told(reverse, change):
+    grid = Geoid("0.4", np.array([[0.4]]))
+    systems = HeightSystem("other", 5709, "NAP height"), HeightSystem("other", 7837, "DHHN2016 height")
+    found = height_conversion(CRS.from_epsg(25832).to_wkt(), *systems, grid, reverse)
+    assert found.heights([500_000.0], [5_600_000.0]) == pytest.approx([change])
+
+
+def test_corrections_between_japanese_heights_go_by_their_age():
+    grid, older, newer = Geoid("0.4", np.array([[0.4]])), HeightSystem("JGD2011"), HeightSystem("JGD2024")
+    wkt = CRS.from_epsg(6677).to_wkt()
+    assert height_conversion(wkt, older, newer, grid).heights([0.0], [0.0]) == pytest.approx([0.4])
+    assert height_conversion(wkt, newer, older, grid).heights([0.0], [0.0]) == pytest.approx([-0.4])
+    with pytest.raises(InputError, match="Against the grid"):
+        height_conversion(wkt, older, newer, grid, reverse=True)

@@ -102,31 +102,6 @@ def test_paint_is_not_erased_by_one_view_without_it():
     np.testing.assert_array_equal(image, expected)
 
 
-def test_lowest_and_middle_views_are_those_of_sorted_values():
-    rng = np.random.default_rng(0)
-    values = rng.integers(0, 4, (5, 40, 60)).astype(np.float32)  # many are equal: of those the first comes first
-    among = rng.random(values.shape) < 0.6
-    order = np.where(among, values, np.inf).argsort(axis=0, kind="stable")
-    count = among.sum(axis=0)
-    middle = np.take_along_axis(order, np.maximum(count - 1, 0)[None] // 2, axis=0)[0]
-    assert (vehicles._lowest(values, among) == np.where(count > 0, order[0], -1)).all()
-    assert (vehicles._middle(values, among) == np.where(count > 0, middle, -1)).all()
-
-
-@pytest.mark.parametrize("full_scale", [255, 65535])
-def test_where_all_views_agree_the_group_is_that_of_all_pairs(full_scale):
-    rng = np.random.default_rng(8)
-    smooth = list(rng.normal(0.4, rng.choice([0.005, 0.02, 0.05], (1, 1, 40, 60)), (5, 3, 40, 60)).astype(np.float32)
-                  * np.float32(full_scale))
-    total = np.stack([sum(planes) for planes in smooth])
-    seen = rng.random(total.shape) < rng.choice([0.3, 0.9], total.shape[1:])
-    alike = vehicles._all_agree(smooth, seen, full_scale)[seen.sum(axis=0) > 1]
-    assert 0.2 < alike.mean() < 0.9
-    for found, expected in zip(vehicles._largest_group(smooth, total, seen, full_scale),
-                               vehicles._torn_group(smooth, total, seen, full_scale)):
-        assert np.array_equal(found, expected)
-
-
 def test_what_lies_beyond_the_reach_has_no_say():
     rng = np.random.default_rng(4)
     blocks = np.ones((1, 4, 4))

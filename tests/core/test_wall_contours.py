@@ -7,10 +7,8 @@ import pytest
 import shapely
 
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.facades import wall_contours as wall_contours_module
 from urbanmap_qgis.facades.plane_fit import WallPlane
 from urbanmap_qgis.facades.wall_contours import in_plane, on_map, wall_contours, wall_coverage
-from urbanmap_qgis.geometry.alpha_shape import alpha_shape
 from urbanmap_qgis.settings.facades import ContourSettings
 
 NAN = float("nan")
@@ -122,21 +120,3 @@ def test_plane_coordinates_are_lengths():
 def test_bad_settings():
     with pytest.raises(InputError):
         ContourSettings(min_opening=-1.0)
-
-
-@pytest.mark.parametrize("alpha", [0.35, 0.6, 1.2])
-@pytest.mark.parametrize("count", [60_000, 2_500])
-@pytest.mark.parametrize("seed", range(3))
-def test_points_deep_within_a_wall_need_no_triangles(seed, count, alpha):
-    rng = np.random.default_rng(seed)
-    flat = rng.uniform(0, [14.0, 9.0], (count, 2))
-    for low in rng.uniform(0, [12.0, 7.0], (5, 2)):  # windows, and a strip where points are thin
-        flat = flat[~((flat > low) & (flat < low + rng.uniform(0.2, 2.0, 2))).all(axis=1)]
-    flat = flat[(flat[:, 0] > 2.0) | (rng.random(len(flat)) < 0.01)]
-    kept, deep = wall_contours_module._thinned(flat, alpha)
-    together, none = wall_contours_module._thinned(flat, 0.1)
-    assert not len(none) and len(together) == len(kept) + len(deep)
-    rings = [[points[ring].tolist() for ring in alpha_shape(points, alpha, left)]
-             for points, left in ((together, None), (kept, deep))]
-    assert rings[0] and rings[0] == rings[1]
-    assert len(deep) > len(kept) / 2 or count == 2_500

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from tests.core.laid_out_roads import drive, line, path_line, place
 from tests.core.test_right_of_way import arms, drives, stops
 from urbanmap_qgis.roadmap.checks.map_check import check_map
 from urbanmap_qgis.roadmap.formats.lanelet_map import lanelet_elements
-from urbanmap_qgis.roadmap.lanes.junctions import goes_past_lanes
+from urbanmap_qgis.roadmap.lanes.junctions import about_curve, goes_past_lanes
 from urbanmap_qgis.roadmap.lanes.lane_assembly import without_turning_back
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
 from urbanmap_qgis.settings.roadmap import MapSettings
@@ -82,3 +83,16 @@ def test_no_map_of_worn_or_scattered_lines_has_an_error(seed):
     for dialect in ("lanelet2", "autoware"):
         elements, _ = lanelet_elements(built, CRS.from_epsg(6677).to_wkt(), speed_limit=40, dialect=dialect)
         assert [fault.rule for fault in check_map(elements) if fault.severity == "error"] == []
+
+
+def test_a_turn_leaves_and_enters_in_the_lanes_directions():
+    """Lanes that were bent before, but end and begin along one line: the way between them is that line."""
+    before = np.array([[-20.0, 9.0, 1], [-12.0, 4.0, 1], [-6.0, 1.0, 1], [-3.0, 0.0, 1], [0.0, 0.0, 1.0]])
+    after = np.array([[20.0, 0.0, 1], [23.0, 0.0, 1], [30.0, 6.0, 1.0]])
+    sides = {"left": 1.5, "right": -1.5}
+    built = SimpleNamespace(
+        lanes=[SimpleNamespace(centre=before), SimpleNamespace(centre=after)],
+        coordinates=lambda lane, side: (before, after)[lane] + np.array([0.0, sides[side], 0.0]))
+    for points, aside in zip(about_curve(built, 0, 1), (1.5, -1.5)):
+        assert points[:, 1] == pytest.approx(aside) and (np.diff(points[:, 0]) > 0).all()
+        assert 0.0 < points[0, 0] < points[-1, 0] < 20.0
