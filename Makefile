@@ -1,7 +1,9 @@
 # make demo    the main job on an example, with a result to look at
 # make quick   the core's tests without the slow ones, for every step of work
 # make test    all tests (make test-core, -algorithms, -cli, -gui and -real run a part)
+# make test-release  what another release of QGIS, Python or numpy may change, beside `make test` on one
 # make lint    check the style of the code
+# make types   check the types of the core
 # make judges  programs of others that judge lane maps, into build/judges
 # make qt6     PyQt6, into build/qt6, for the trial of the plugin's face with Qt 6
 # make package the zip for QGIS's plugin repository
@@ -13,6 +15,9 @@
 
 PYTHON := .venv/bin/python
 PARTS := core algorithms cli gui real
+# Expression by which pytest chooses tests of each part, and of the core: all where it is empty.
+MARKS :=
+CORE_MARKS := $(MARKS)
 # Processes that share the tests of a part by files: 0 runs them one after another. The files with most slow tests begin
 # (tests/conftest.py), so that short ones fill the end. Two virtual screens that start at once can take the same number,
 # so tests/gui stays in one.
@@ -25,9 +30,10 @@ export QGIS_NO_OVERRIDE_IMPORT := 1
 
 # Threads of the linear algebra wait for each other in loops, which takes a fifth of the time of tests that share the
 # processors. Runs in QGIS take one as well; tests of what more threads do set their own.
-test quick $(PARTS:%=test-%): export OPENBLAS_NUM_THREADS := 1
+test quick test-release $(PARTS:%=test-%): export OPENBLAS_NUM_THREADS := 1
 
-.PHONY: setup judges qt6 demo quick test lint package docs translations bench soak ablate clean $(PARTS:%=test-%)
+.PHONY: setup judges qt6 demo quick test test-release lint types package docs translations bench soak ablate clean
+.PHONY: $(PARTS:%=test-%)
 
 setup:
 	@scripts/setup.sh
@@ -49,10 +55,18 @@ demo: setup
 # no tests.
 test: setup
 	@mkdir -p build; status=0; \
-	run() { echo "== tests/$$2"; $(PYTEST) $$1 tests/$$2 || [ $$? -eq 5 ]; }; \
+	run() { \
+		marks="$(MARKS)"; [ "$$2" != core ] || marks="$(CORE_MARKS)"; \
+		echo "== tests/$$2"; $(PYTEST) $$1 -m "$$marks" tests/$$2 || [ $$? -eq 5 ]; \
+	}; \
 	for part in $(filter-out gui real,$(PARTS)); do run $(WORKERS) $$part || status=1; done; \
-	run 0 real >build/real.log 2>&1 & real=$$!; \
+	if [ -n "$(filter real,$(PARTS))" ]; then run 0 real; fi >build/real.log 2>&1 & real=$$!; \
 	run 0 gui || status=1; wait $$real || status=1; cat build/real.log; exit $$status
+
+# Slow tests of the core and what is marked "once" tell nothing on a second release that they have not told on the
+# first; the sample city's figures, every algorithm, the command line and the windows are there again.
+test-release: setup
+	$(MAKE) test PARTS="core algorithms cli gui" MARKS="not once" CORE_MARKS="not slow and not once"
 
 $(PARTS:%=test-%): test-%: setup
 	$(PYTEST) $(if $(filter gui,$*),0,$(WORKERS)) tests/$*
@@ -62,6 +76,9 @@ quick: setup
 
 lint: setup
 	$(PYTHON) -m ruff check .
+
+types: setup
+	$(PYTHON) -m mypy --cache-dir build/mypy
 
 package: docs
 	$(PYTHON) scripts/package.py

@@ -21,7 +21,7 @@ import time
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from .errors import Cancelled, UrbanMapError
 from .wording import say
@@ -148,7 +148,7 @@ def _version_in(package: Package, path: list[str] | None) -> str:
     return ""
 
 
-def _installed(**wanted: object) -> Iterable[importlib.metadata.Distribution]:
+def _installed(**wanted: Any) -> Iterable[importlib.metadata.Distribution]:
     """What `importlib.metadata.distributions` finds; that module reads e-mail and zips, for no start of QGIS."""
     from importlib import metadata
 
@@ -427,7 +427,7 @@ def _environment() -> dict[str, str]:
     return environment
 
 
-def _hidden_window() -> dict[str, int]:
+def _hidden_window() -> dict[str, Any]:
     return {"creationflags": getattr(subprocess, "CREATE_NO_WINDOW", 0)} if platform.system() == "Windows" else {}
 
 

@@ -52,7 +52,7 @@ class _Checked:
             _CHECK.reset(before)
 
 
-def _result(future: Future, check: Callable[[], None]) -> Result:
+def _result(future: Future[Result], check: Callable[[], None]) -> Result:
     """Result of a piece, waited for with an ear for `check`."""
     while not future.done():
         check()
@@ -91,7 +91,7 @@ def end_workers_but(others: set) -> None:
 
 
 @contextmanager
-def without_collection() -> Iterator[Callable[[], None]]:
+def without_collection() -> Iterator[Callable[[], object]]:
     """Python's search for cycles among dead objects is off inside: where millions of small objects are made, which all
     die without it, it takes a third of the time. The function given looks through the young ones: to be called
     now and then."""
@@ -116,12 +116,11 @@ def in_order(work: Callable[[Piece], Result], pieces: Iterable[Piece],
     if executor is None:
         yield from map(_Checked(work, check), pieces)
         return
-    if isinstance(executor, ThreadPoolExecutor):
-        work = _Checked(work, check)
+    checked: Callable = _Checked(work, check) if isinstance(executor, ThreadPoolExecutor) else work
     waiting: deque = deque()
     try:
         for piece in pieces:
-            waiting.append(executor.submit(work, piece))
+            waiting.append(executor.submit(checked, piece))
             if len(waiting) >= IN_FLIGHT:
                 yield _result(waiting.popleft(), check)
         while waiting:

@@ -137,7 +137,7 @@ def _raised(solid: Solid, cells: list[tuple[shapely.Geometry, int, float]]) -> t
     base = float(solid.vertices[:, 2].min())
     polygons, numbers, heights = (list(column) for column in zip(*cells))
     if len(cells) == 1 and polygons[0].geom_type == "Polygon":
-        plan = (Cell(polygons[0], numbers[0], heights[0]),)
+        plan: tuple[Cell, ...] = (Cell(polygons[0], numbers[0], heights[0]),)
     else:
         plan = partition_plan(None, polygons, heights, numbers)
     solids = building_solids(plan, base)

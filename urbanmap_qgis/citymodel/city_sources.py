@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import os
 from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import ExitStack
 from dataclasses import replace
@@ -40,7 +41,7 @@ def open_city_model(path: PathLike | Sequence[PathLike], stack: ExitStack, notes
     ------
     InputError : nothing is there, a file is damaged, or files are in different reference systems.
     """
-    given_paths = [Path(item) for item in ([path] if isinstance(path, (str, Path)) else path)]
+    given_paths = [Path(item) for item in ([path] if isinstance(path, (str, os.PathLike)) else path)]
     texts = [file for item in given_paths for file in _json_files(item)]
     others = [item for item in given_paths if not (item.is_file() and item.suffix.lower() in _JSON)
               and not (item.is_dir() and _json_files(item) and not _gml_there(item))]

@@ -27,7 +27,8 @@ def triangulate_face(vertices: np.ndarray, face: Sequence[Sequence[int]]) -> lis
     ValueError : its rings cross each other.
     """
     if len(face) == 1 and len(face[0]) == 3:
-        return [tuple(face[0])]
+        a, b, c = face[0]
+        return [(a, b, c)]
     points = np.asarray(vertices)[[vertex for ring in face for vertex in ring]]
     points = points - points.min(axis=0)
     outer = points[:len(face[0])]

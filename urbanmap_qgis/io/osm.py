@@ -116,7 +116,7 @@ def _degrees(element: Element, tags: Mapping[str, str]) -> tuple[float, float]:
     if texts == ("", "") and {"local_x", "local_y"} <= tags.keys():
         degrees = (math.nan, math.nan)
     else:
-        degrees = tuple(map(float, texts))
+        degrees = (float(texts[0]), float(texts[1]))
         others += degrees
     if not all(map(math.isfinite, others)):
         raise ValueError("a coordinate that is not finite")

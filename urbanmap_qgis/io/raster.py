@@ -45,7 +45,7 @@ def own_gdal(cache: int | None = None) -> Iterator[None]:
     `cache` : bytes that GDAL may keep of files in the meantime; None for its own choice, 5 % of the memory.
     """
     folder = Path(rasterio.__file__).parent
-    options = {"GDAL_DATA": str(folder / "gdal_data")} if (folder / "gdal_data").is_dir() else {}
+    options: dict[str, str | int] = {"GDAL_DATA": str(folder / "gdal_data")} if (folder / "gdal_data").is_dir() else {}
     if cache is not None:
         options["GDAL_CACHEMAX"] = cache
     with rasterio.Env(**options):

@@ -358,8 +358,8 @@ class _Planning:
             self.plan.notes.append(say(
                 "There is nothing to lay the survey on, so that it is taken as it is, and objects are as wrong as it "
                 "is: say how well it is placed in the settings of the step (“{label}”).", label=known(_SURVEY_SIGMA)))
-            drives = [(_given(f"survey_{number}"), _given(f"trajectory_{number}"), None,
-                       self.crs_for(f"survey_{number}")) for number in numbers]
+            drives: list[tuple] = [(_given(f"survey_{number}"), _given(f"trajectory_{number}"), None,
+                                    self.crs_for(f"survey_{number}")) for number in numbers]
         else:
             drives = [(_result(step), _result(step, "OUTPUT_TRAJECTORY"), _result(step, "MEDIAN_SIGMA"), None)
                       for step in self.surveys()]

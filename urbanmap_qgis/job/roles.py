@@ -174,9 +174,9 @@ def parts_of(facts: Sequence[FileFacts]) -> Parts:
             inputs.pop(other, None)
     without = {item.source for item in clouds if not item.crs_wkt}
     polar = {item.source for item in sound if item.kind in (OUTLINES, MARKINGS) and is_geographic(item.crs_wkt)}
-    return Parts(inputs, surveys, tuple(notes), *(
-        frozenset(role for role, sources in inputs.items() if named.intersection(sources))
-        for named in (without, polar)), choices=choices)
+    unplaced, in_degrees = (frozenset(role for role, sources in inputs.items() if named.intersection(sources))
+                            for named in (without, polar))
+    return Parts(inputs, surveys, tuple(notes), unplaced, in_degrees, choices)
 
 
 def _is_truth(item: FileFacts) -> bool:

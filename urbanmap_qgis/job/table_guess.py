@@ -112,7 +112,7 @@ def told_order(path: str | os.PathLike, how: TableImport) -> str:
     if order is not None or how.polar or len({axis.letter for axis in axes.values()}) < 2:
         return ""
     names = split_table(path, how, 1)[0]
-    chosen = {names[column]: name for name, column in how.columns.items() if column < len(names)}
+    chosen: dict[object, str] = {names[column]: name for name, column in how.columns.items() if column < len(names)}
     north, east = ([key for key in axes if chosen.get(key, " ")[0] == letter] for letter in "yx")
     if not north or not east:
         return ""

@@ -158,7 +158,8 @@ def _first_plane(path: str | os.PathLike, how: TableImport) -> tuple[str, float,
     for row in split_table(path, how, MOST_BEFORE)[1]:
         cells = [row[how.columns[name]].strip() for name in "xy" if how.columns[name] < len(row)]
         if len(cells) == 2 and all(map(WRITTEN_NUMBER.match, cells)):
-            return "", *(float(cell) * LENGTHS[how.length] for cell in cells)
+            x, y = (float(cell) * LENGTHS[how.length] for cell in cells)
+            return "", x, y
     return None
 
 
@@ -204,7 +205,7 @@ def _chosen_values(rows: list[list[str]], how: TableImport, name: str) -> list[d
                                  "delimiter may be another one, or the file is cut off.", name=name, number=number,
                                  count=len(row)))
         values = {key: row[column].strip() for key, column in how.columns.items()}
-        polar = _polar_of(row, how.columns) if how.polar else ()
+        polar: tuple = _polar_of(row, how.columns) if how.polar else ()
         if optional and not any(values[key] for key in POLAR if key in values):
             polar = ("", "")  # a point whose place is not known
         if not chosen and (None in polar or not all(WRITTEN_NUMBER.match(values[key]) for key in numeric)):

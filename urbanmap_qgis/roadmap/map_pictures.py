@@ -22,7 +22,7 @@ def junction_extents(built: VectorMap, margin: float = 15.0) -> list[Extent]:
     """Windows (x min, y min, x max, y max) about the map's junctions, from west to east."""
     areas = [built.area(number) for number, lane in enumerate(built.lanes) if lane.kind == "virtual"]
     clusters = shapely.get_parts(shapely.union_all([shapely.make_valid(area).buffer(JOIN) for area in areas]))
-    return sorted(tuple(map(float, one.buffer(margin).bounds)) for one in clusters)
+    return sorted(one.buffer(margin).bounds for one in clusters)
 
 
 def whole_extent(built: VectorMap, margin: float = 10.0) -> Extent:

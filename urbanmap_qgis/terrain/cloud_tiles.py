@@ -152,9 +152,9 @@ class CloudTiles:
             _put(layer, part)
             progress.step(0.2 + 0.3 * (step + 1) / len(self.keys))
         converged = final_cloth(layer[0], trend, cloth, progress.part(0.5, 0.6))
-        work = partial(ground_of_tile, cell=self.settings.resolution, cloth_grid=self.cloth_grid, lowest=lowest,
+        sift = partial(ground_of_tile, cell=self.settings.resolution, cloth_grid=self.cloth_grid, lowest=lowest,
                        cloth=converged, threshold=cloth.threshold)
-        for step, (ground, count) in enumerate(in_order(work, self._tiles(0.0), self.executor)):
+        for step, (ground, count) in enumerate(in_order(sift, self._tiles(0.0), self.executor)):
             self.ground.add(self.keys[step], ground)
             self.ground_points += count
             progress.step(0.6 + 0.4 * (step + 1) / len(self.keys))

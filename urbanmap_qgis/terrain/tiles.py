@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -92,7 +92,7 @@ class TilePoints:
     box : of the tile.
     """
 
-    records: np.ndarray | Mapping[str, np.ndarray]
+    records: Any
     own_count: int
     box: tuple[float, float, float, float]
 

@@ -35,7 +35,8 @@ def write_tiles_report(path: str | os.PathLike, title: str, settings: Mapping[st
     _add_failures(report, records)
     if results and results.total:
         report.section("Results")
-        report.table(("status", "number"), sorted(results.statuses.items(), key=lambda item: (-item[1], item[0])))
+        rows = sorted(results.statuses.items(), key=lambda item: (-item[1], item[0]))
+        report.table(("status", "number"), rows)
     report.section("Tiles")
     seconds = np.array([record.seconds for record in records if record.status == DONE])
     report.facts({"Done": count[DONE], "Empty": count[EMPTY], "Failed": count[FAILED],

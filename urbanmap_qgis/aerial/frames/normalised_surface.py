@@ -110,9 +110,9 @@ class NormalisedSurface:
         """A window with so many cells more on each side, as far as the raster reaches, and the first one in it."""
         outer = (slice(max(rows.start - by, 0), min(rows.stop + by, self.grid.rows)),
                  slice(max(columns.start - by, 0), min(columns.stop + by, self.grid.columns)))
-        inner = tuple(slice(part.start - whole.start, part.stop - whole.start)
-                      for part, whole in zip((rows, columns), outer))
-        return outer, inner
+        inner_rows, inner_columns = (slice(part.start - whole.start, part.stop - whole.start)
+                                     for part, whole in zip((rows, columns), outer))
+        return outer, (inner_rows, inner_columns)
 
 
 def cell_centres(grid: Grid, rows: slice, columns: slice) -> tuple[np.ndarray, np.ndarray]:

@@ -21,12 +21,14 @@ def row_strips(rows: int, halo: int = 0, height: int = STRIP) -> Iterator[tuple[
 
 def grown(place: tuple[slice, slice], by: int, shape: tuple[int, int]) -> tuple[slice, slice]:
     """Rows and columns of an image of a shape with so many more on each side, as far as the image goes."""
-    return tuple(slice(max(part.start - by, 0), min(part.stop + by, size)) for part, size in zip(place, shape))
+    rows, columns = (slice(max(part.start - by, 0), min(part.stop + by, size)) for part, size in zip(place, shape))
+    return rows, columns
 
 
 def within(place: tuple[slice, slice], whole: tuple[slice, slice]) -> tuple[slice, slice]:
     """Where rows and columns of an image lie in a part of it."""
-    return tuple(slice(part.start - outer.start, part.stop - outer.start) for part, outer in zip(place, whole))
+    rows, columns = (slice(part.start - outer.start, part.stop - outer.start) for part, outer in zip(place, whole))
+    return rows, columns
 
 
 def flat_places(flags: np.ndarray, place: tuple[slice, slice]) -> np.ndarray:

@@ -101,7 +101,7 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
                    "dtype": "uint8", "transform": scene.source.transform, "crs": scene.source.crs, "tiled": True,
                    "blockxsize": LIMITS.mask_block, "blockysize": LIMITS.mask_block, "compress": "deflate",
                    "bigtiff": "if_safer"}
-        given = scene
+        given: OrthophotoReader | WorkerResource[OrthophotoReader] = scene
         if executor is not None:
             stored = SearchArea(stack.enter_context(sent_polygons(places.roads)),
                                 stack.enter_context(sent_polygons(places.buildings)), places.mask)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import shapely
 
@@ -15,7 +17,7 @@ from .segmented_buildings import SegmentedBuildings
 _MARGIN = 5.0  # m beyond the farthest displacement within which points speak
 
 
-def place_outlines(table: SegmentedBuildings, records: object, places: tuple[np.ndarray, np.ndarray, np.ndarray],
+def place_outlines(table: SegmentedBuildings, records: Any, places: tuple[np.ndarray, np.ndarray, np.ndarray],
                    density: float, ground: tuple[Grid, np.ndarray] | None, reach: float, progress: Progress) -> None:
     """Move the outlines of a table to their points and fill in by how much.
 

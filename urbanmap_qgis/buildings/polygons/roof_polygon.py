@@ -134,7 +134,8 @@ def _one_roof(number: int, xy: np.ndarray, density: float, parameters: PaperPara
     if not rings:
         return PaperRoof(number, None, np.zeros((0, 2)), (), "too few points")
     distance = parameters.line_distance or LINE_DISTANCE_SPACINGS / math.sqrt(density)
-    outer, holes, status, lines = [], [], "lines", ()
+    outer, holes, status = [], [], "lines"
+    lines: tuple[BoundaryLine, ...] = ()
     for i, ring in enumerate(rings):
         area = shapely.Polygon(ring)
         if i > 0 and area.area < parameters.min_part_area:

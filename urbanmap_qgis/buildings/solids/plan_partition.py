@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import shapely
@@ -33,7 +34,7 @@ class Cell:
     """A piece of the plan under one roof: polygon (m), the roof's id, height of the roof (m)."""
 
     polygon: shapely.Polygon
-    roof_id: Hashable
+    roof_id: Any
     height: float
 
 

@@ -165,7 +165,8 @@ class _SlopedFaces(FaceCollector):
                          if abs(self.heights[cell, node] - self._height(cell, node)) > FLAT * UNITS}
             for outer, *holes in self.shapes(directed):
                 corners, outer = self._cut_off(outer, holes, off_plane)
-                for rings in ([outer, *holes], *([corner] for corner in corners)):
+                parts: list[list] = [[outer, *holes], *([corner] for corner in corners)]
+                for rings in parts:
                     self.add([[(node, self.heights[cell, node]) for node in ring] for ring in rings], ROOF,
                               self.roofs[cell].roof_id)
 

@@ -175,7 +175,7 @@ def wrong_target(link: CityLink, tag: tuple[str, str]) -> bool:
 
 def _bare(link: CityLink) -> CityLink:
     """A reference without its feature, whose element would keep the whole city object in memory."""
-    return CityLink(None, link.target, link.tag, link.name)  # type: ignore[arg-type]
+    return CityLink(None, link.target, link.tag, link.name)
 
 
 def _outline(block: CityBlock, feature: NamedFeature, numbers: list[int], lowest: bool) -> PlanOutline | None:

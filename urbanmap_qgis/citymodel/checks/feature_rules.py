@@ -16,7 +16,7 @@ from .standard_lists import DESIGNATED_CITIES, could_be_municipality
 _IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9]*_[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}\Z", re.IGNORECASE)
 _BUILDING_ID = re.compile(r"(\d{5})-[a-z]{3,4}-\d+\Z")
 
-USABLE = {
+USABLE: dict[str, dict[int, tuple[str, ...]]] = {
     "bldg:Building": {0: ("lod0FootPrint", "lod0RoofEdge"), 1: ("lod1Solid",), 2: ("lod2Solid",), 3: ("lod3Solid",),
                       4: ("lod4Solid", "lod4MultiSurface")},
     "bldg:BuildingPart": {2: ("lod2Solid",), 3: ("lod3Solid",), 4: ("lod4Solid", "lod4MultiSurface")},

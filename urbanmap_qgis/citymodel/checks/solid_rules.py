@@ -449,6 +449,7 @@ def _area_not_referred(block: CityBlock, rule: CheckRule) -> Iterator[Violation]
             for level in sorted(feature.lods & {2, 3}):
                 polygons = [polygon for polygon in thing.polygons
                             if polygon.feature is feature and polygon.lod == level]
-                named = {one.id for one in (*polygons, *(body for body in thing.bodies if body.feature is feature))}
+                named = {polygon.id for polygon in polygons} | {body.id for body in thing.bodies
+                                                                if body.feature is feature}
                 if polygons and not named & referred:
                     yield violation(road, level, level=level, area=feature.id)

@@ -169,7 +169,8 @@ def _geometry(shapes: list[CityShape], vertices: VertexList, appearance: _Appear
         solids = [[shell[place] for shell in solid] for solid in shells]
         return solids[0][0] if flat and solids[0] else [] if flat else solids[0] if len(shapes) == 1 else solids
 
-    geometry = {"type": kind, "lod": _LEVELS.get(shapes[0].lod, shapes[0].lod), "boundaries": column(0)}
+    level = _LEVELS.get(shapes[0].lod, shapes[0].lod)
+    geometry: dict[str, object] = {"type": kind, "lod": level, "boundaries": column(0)}
     if surfaces.entries:
         geometry["semantics"] = {"surfaces": surfaces.linked(), "values": column(1)}
     if any(surface.texture for shape in shapes for surface in shape.surfaces):

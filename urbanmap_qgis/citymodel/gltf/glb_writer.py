@@ -52,7 +52,7 @@ def write_glb(path: str | os.PathLike, buildings: Iterable[CityObject], images: 
             names.append(building.id)
             meshes.append({"name": building.id, "primitives": _primitives(shells, np.asarray(origin), looks, buffer)})
         extras = {"origin": list(origin or (0.0, 0.0, 0.0)), "crs": crs}
-        document = {"asset": {"version": "2.0", "generator": "UrbanMap", "extras": extras}}
+        document: dict[str, object] = {"asset": {"version": "2.0", "generator": "UrbanMap", "extras": extras}}
         if names:
             nodes = [{"name": name, "mesh": number} for number, name in enumerate(names)]
             document.update(scene=0, scenes=[{"nodes": list(range(len(nodes)))}], nodes=nodes, meshes=meshes,

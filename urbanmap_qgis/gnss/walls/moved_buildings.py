@@ -129,8 +129,8 @@ def move_buildings(shapes: Sequence[shapely.Geometry | None], row: np.ndarray, w
     -------
     The moved shapes (n,), the displacement of the corners (m, 2), and (walls,) which walls were held back.
     """
-    shapes = np.array(shapes, dtype=object)
-    current = shapes.copy()
+    bodies = np.array(shapes, dtype=object)
+    current = bodies.copy()
     displacement = np.zeros_like(net.node)
     immovable = np.zeros(len(outwards), bool)
     home = walls.building[np.unique(walls.wall, return_index=True)[1]]
@@ -141,7 +141,7 @@ def move_buildings(shapes: Sequence[shapely.Geometry | None], row: np.ndarray, w
         progress.step(number / len(wanted))
         members = np.flatnonzero(row == building)
         movable = np.flatnonzero((home == building) & (weight > 0))
-        check = _MoveCheck(shapes[members], _neighbours(tree, plans, current, members),
+        check = _MoveCheck(bodies[members], _neighbours(tree, plans, current, members),
                            np.flatnonzero(net.building == building))
         together = _movable_together(check, walls, net, outwards, weight, movable)
         immovable[np.setdiff1d(movable, together)] = True

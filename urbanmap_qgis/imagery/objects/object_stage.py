@@ -103,9 +103,10 @@ def _polygon(outline: ImageOutline, points: OutlinePoints) -> MapObject:
         return MapObject(outline.feature, None, points=len(surface), rmse=plane.rmse,
                          reason=say("the surface runs along the line of sight"))
     shape = shapely.Polygon(corners[0], corners[1:])
-    return MapObject(outline.feature, shape, *_extent(plane, corners[0]), distance=float(np.median(surface.distance)),
-                     points=plane.points, rmse=plane.rmse, sigma=_sigma(outline, plane, middle),
-                     status=MEASURED if plane.fitted else FACING,
+    width, height, azimuth, area, z_low, z_high = _extent(plane, corners[0])
+    return MapObject(outline.feature, shape, width, height, azimuth, area, z_low, z_high,
+                     distance=float(np.median(surface.distance)), points=plane.points, rmse=plane.rmse,
+                     sigma=_sigma(outline, plane, middle), status=MEASURED if plane.fitted else FACING,
                      reason="" if plane.fitted else say("too few points or too narrow for a plane of its own"))
 
 

@@ -164,7 +164,7 @@ def resampled(source: RasterSampler, transform: PlaneTransform, bounds: tuple[fl
     The cells are as large as the raster's are at the box. Cells that the raster does not reach are NaN.
     """
     middle = np.array([[(bounds[0] + bounds[2]) / 2, (bounds[1] + bounds[3]) / 2]])
-    x, y = transform(*middle.T, inverse=True)
+    x, y = transform(middle[:, 0], middle[:, 1], inverse=True)
     ends = np.column_stack(transform(np.array([x[0], x[0]]), np.array([y[0], y[0] + source.grid.cell])))
     cell = float(np.hypot(*(ends[1] - ends[0])))
     if not np.isfinite(cell) or cell <= 0:

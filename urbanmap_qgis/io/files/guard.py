@@ -16,7 +16,7 @@ import zipfile
 import zlib
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar, cast
 from xml.etree.ElementTree import ParseError  # nosec B405 # the error alone, no parser
 
 import numpy as np
@@ -67,7 +67,7 @@ def reads(what: str) -> Callable[[Read], Read]:
                 except PARSER_ERRORS as error:
                     raise _refusal(path, what, error) from error
 
-            return guarded_pieces
+            return cast(Read, guarded_pieces)
 
         @functools.wraps(function)
         def guarded(path, *arguments, **named):
@@ -80,7 +80,7 @@ def reads(what: str) -> Callable[[Read], Read]:
             except PARSER_ERRORS as error:
                 raise _refusal(path, what, error) from error
 
-        return guarded
+        return cast(Read, guarded)
 
     return decorate
 
@@ -170,7 +170,7 @@ def _decoded(data: bytes) -> str:
         raise
 
 
-def read_json(path: str | os.PathLike, what: str) -> object:
+def read_json(path: str | os.PathLike, what: str) -> Any:
     """A JSON file in UTF-8, in which NaN and Infinity, which JSON does not have, and numbers beyond all are refused.
 
     Raises
@@ -215,5 +215,5 @@ def _decimal(text: str) -> float:
 def first_not_finite(table: np.ndarray) -> int | None:
     """First row of a table (n, ...) that holds NaN or infinity, counted from 0; None where there is none."""
     table = np.asarray(table, float)
-    bad = np.flatnonzero(~np.isfinite(table.reshape(len(table), -1)).all(axis=1)) if len(table) else ()
+    bad = np.flatnonzero(~np.isfinite(table.reshape(len(table), int(np.prod(table.shape[1:])))).all(axis=1))
     return int(bad[0]) if len(bad) else None

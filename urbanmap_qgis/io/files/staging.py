@@ -201,7 +201,7 @@ def _take_own_lock(lock) -> None:
 
 def take_lock(lock) -> None:
     """Lock an open file for as long as it is open; OSError where another process has it."""
-    if os.name == "nt":
+    if sys.platform == "win32":
         import msvcrt
 
         msvcrt.locking(lock.fileno(), msvcrt.LK_NBLCK, 1)

@@ -33,7 +33,7 @@ class GsiSourcesLimits:
     deepest_zip: int = 4  # the site packs a zip of map sheets at most twice; deeper is a mistake or a bomb
     large: float = 2**30
     most_packed: int = 300  # bytes from one: XML of maps packs to about a thirtieth
-    spool_bytes: float = 32 * 2**20
+    spool_bytes: int = 32 * 2**20
 
 
 LIMITS = GsiSourcesLimits()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import codecs
 import re
 from collections.abc import Iterator
-from typing import IO
+from typing import IO, cast
 
 # Fed by `decoded`, which refuses document types.
 from xml.etree.ElementTree import Element, ParseError, XMLPullParser  # nosec B405
@@ -48,7 +48,7 @@ def root_children(source: XmlSource, maker: str, largest: int, progress: Progres
                 read += size
                 since += size
                 parser.feed(text)
-                for event, element in parser.read_events():
+                for event, element in finished(parser):
                     depth += 1 if event == "start" else -1
                     if root is None:
                         root = element
@@ -123,3 +123,8 @@ def _decoder(start: bytes, name: str) -> codecs.IncrementalDecoder:
     except LookupError as error:
         raise InputError(say("{name} declares the unknown encoding {encoding}: save it as UTF-8.", name=name,
                              encoding=encoding)) from error
+
+
+def finished(parser: XMLPullParser) -> Iterator[tuple[str, Element]]:
+    """Elements that a parser has met since it was last asked, each with its event: "start" or "end"."""
+    return cast("Iterator[tuple[str, Element]]", parser.read_events())

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import tempfile
+from io import BufferedIOBase
 from pathlib import Path
-from typing import BinaryIO
 
 import numpy as np
 
@@ -16,7 +16,7 @@ MEMORY_LIMIT = 300_000_000
 _RUN_SHARE = 0.25
 
 
-def fill_from(stream: BinaryIO, part: memoryview) -> None:
+def fill_from(stream: BufferedIOBase, part: memoryview) -> None:
     """Read bytes until a part of memory is full.
 
     Raises

@@ -26,8 +26,10 @@ def local_name(name: str) -> str:
     for pattern, words, zone_of in _PATTERNS:
         local = known(words)
         if local != words:
-            name = pattern.sub(lambda found, local=local, zone_of=zone_of: local.format(
-                datum=found["datum"], zone=zone_of(found["zone"])), name)
+            def localised(found: re.Match, local: str = local, zone_of: Callable = zone_of) -> str:
+                return local.format(datum=found["datum"], zone=zone_of(found["zone"]))
+
+            name = pattern.sub(localised, name)
     return name
 
 

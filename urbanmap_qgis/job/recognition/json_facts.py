@@ -77,7 +77,8 @@ def _cityjson(path: Path, content: Mapping) -> FileFacts:
     elif content.get("vertices") and content.get("transform"):
         moved = content["transform"]
         places = np.array(content["vertices"], float) * moved["scale"] + moved["translate"]
-        extent = (*map(float, places[:, :2].min(axis=0)), *map(float, places[:, :2].max(axis=0)))
+        (x_min, y_min), (x_max, y_max) = places[:, :2].min(axis=0), places[:, :2].max(axis=0)
+        extent = (float(x_min), float(y_min), float(x_max), float(y_max))
     return FileFacts(path, CITY_MODEL, detail=f"CityJSON {content.get('version', '')}".strip(), crs_wkt=crs,
                      heights=heights_of(crs).word, extent=extent, count=len(content.get("CityObjects") or ()) or None)
 

@@ -228,7 +228,8 @@ def parquet_facts(path: Path, _head: bytes) -> list[FileFacts]:
 
 
 def _box(places: np.ndarray) -> tuple[float, float, float, float]:
-    return (*map(float, places[:, :2].min(axis=0)), *map(float, places[:, :2].max(axis=0)))
+    (x_min, y_min), (x_max, y_max) = places[:, :2].min(axis=0), places[:, :2].max(axis=0)
+    return float(x_min), float(y_min), float(x_max), float(y_max)
 
 
 def _span(times: np.ndarray) -> tuple[float, float]:

@@ -106,7 +106,8 @@ def is_degrees(crs: str) -> bool:
 
 def _bounds(shapes: Sequence[shapely.Geometry]) -> tuple[float, float, float, float] | None:
     box = shapely.total_bounds(np.array(shapes, dtype=object)) if shapes else np.full(4, np.nan)
-    return tuple(map(float, box)) if np.isfinite(box).all() else None
+    x_min, y_min, x_max, y_max = map(float, box)
+    return (x_min, y_min, x_max, y_max) if np.isfinite(box).all() else None
 
 
 _SHAPES = {1: "Point", 3: "LineString", 5: "Polygon", 8: "MultiPoint", 11: "PointZ", 13: "LineStringZ",

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
+from typing import Any
 
 import numpy as np
 from scipy.sparse import coo_matrix, csc_matrix
@@ -194,7 +195,7 @@ def adjust_network(drives: Sequence[DriveNodes], observations: NetworkObservatio
 @dataclass(frozen=True)
 class _Fit:
     solution: np.ndarray
-    factors: object  # SuperLU
+    factors: Any  # SuperLU
     residual: np.ndarray
     weight: np.ndarray
     drift_factor: float

@@ -18,7 +18,7 @@ class PlanePatchesLimits:
     fewest: int = 15  # points of a plane
     max_roughness: float = 0.04  # m, of the points about their plane
     min_extent: float = 0.12  # m, standard deviation of the points along the plane's shorter side
-    bits: tuple[float, ...] = (17, 17, 12, 16)  # of a cell's key: x, y, z, group
+    bits: tuple[int, ...] = (17, 17, 12, 16)  # of a cell's key: x, y, z, group
     merge_at: int = 4_000_000  # cells held before they are merged
 
 

@@ -300,8 +300,8 @@ def _agreeing(candidates: list[_Candidate], limit: float) -> tuple[list[_Candida
         if support >= 2 and support >= LIMITS.agree * around and (support, -item.fit) > best.get(key, (0, 0.0, 0))[:2]:
             best[key] = support, -item.fit, k
     chosen = sorted(entry[2] for entry in best.values())
-    support = {entry[2]: entry[0] for entry in best.values()}
-    return [candidates[k] for k in chosen], np.array([support[k] for k in chosen], int)
+    supporters = {entry[2]: entry[0] for entry in best.values()}
+    return [candidates[k] for k in chosen], np.array([supporters[k] for k in chosen], int)
 
 
 def _in_sets(chosen: list[_Candidate], trajectory: Trajectory) -> list[tuple[int, int]]:

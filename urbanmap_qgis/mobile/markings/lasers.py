@@ -120,7 +120,7 @@ def told_apart(records: np.ndarray, brightness: np.ndarray, silent: np.ndarray, 
     least = min((gains.after for gains in found), default=0.0)
     # A number is surer than an angle, which neighbouring lasers may share.
     best = next((gains for gains in found if gains.after <= LIMITS.as_good * least), None)
-    return best and Lasers(track, mount, trajectory, best)
+    return None if best is None else Lasers(track, mount, trajectory, best)
 
 
 def laser_numbers(records: np.ndarray, told_by: str, track: Track, trajectory: Trajectory,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 import shapely
@@ -275,7 +275,7 @@ def _no_speed(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
             yield broken("relation", lane.number, value=value)
 
 
-def _tagged(inspected: MapInspection) -> Iterator[tuple[str, str, int, dict]]:
+def _tagged(inspected: MapInspection) -> Iterator[tuple[str, str, int, Mapping[str, str]]]:
     """Elements as (kind of tags, kind, id, tags)."""
     for number, way in inspected.content.ways.items():
         yield "linestring", "way", number, way.tags

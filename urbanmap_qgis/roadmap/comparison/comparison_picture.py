@@ -20,7 +20,8 @@ Extent = tuple[float, float, float, float]
 def whole_map(elements: Sequence[MapElement]) -> Extent:
     """Window (x min, y min, x max, y max) about a map, m."""
     points = np.concatenate([one.points for one in elements])
-    return (*map(float, points.min(axis=0) - MARGIN), *map(float, points.max(axis=0) + MARGIN))
+    (x_min, y_min), (x_max, y_max) = points.min(axis=0) - MARGIN, points.max(axis=0) + MARGIN
+    return float(x_min), float(y_min), float(x_max), float(y_max)
 
 
 def change_extents(changes: Sequence[MapChange], most: int = 6) -> list[Extent]:
@@ -30,7 +31,7 @@ def change_extents(changes: Sequence[MapChange], most: int = 6) -> list[Extent]:
     clusters = [one for one in shapely.get_parts(shapely.union_all(areas)) if not one.is_empty]
     counts = [int(shapely.contains(one, places).sum()) for one in clusters]
     order = sorted(range(len(clusters)), key=lambda k: (-counts[k], clusters[k].bounds))
-    return [tuple(map(float, clusters[k].bounds)) for k in order[:most]]
+    return [clusters[k].bounds for k in order[:most]]
 
 
 def change_picture(old: Sequence[MapElement], new: Sequence[MapElement], changes: Sequence[MapChange],
@@ -50,11 +51,11 @@ def change_picture(old: Sequence[MapElement], new: Sequence[MapElement], changes
                 dash = ' stroke-dasharray="5 3"' if one.element == LINE and "dashed" in one.kind else ""
                 parts.append(f'<path d="{path(one.points)}" fill="none" stroke="{colour}" '
                              f'stroke-width="{size}"{dash}/>')
-    for number, one in enumerate(changes):
-        if len(one.points) and window.intersects(shapely.linestrings(one.points)):
-            colour = COLOURS[one.kind]
-            x, y = np.clip(one.middle, extent[:2], extent[2:])
-            parts.append(f'<path d="{path(one.points)}" fill="none" stroke="{colour}" stroke-width="3" '
+    for number, change in enumerate(changes):
+        if len(change.points) and window.intersects(shapely.linestrings(change.points)):
+            colour = COLOURS[change.kind]
+            x, y = np.clip(change.middle, extent[:2], extent[2:])
+            parts.append(f'<path d="{path(change.points)}" fill="none" stroke="{colour}" stroke-width="3" '
                          'stroke-opacity="0.8"/>'
                          f'<text x="{(x - extent[0]) * scale + 4:.1f}" y="{(extent[3] - y) * scale - 3:.1f}" '
                          f'fill="{colour}">{number + 1}</text>')

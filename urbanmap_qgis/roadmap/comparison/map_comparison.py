@@ -140,7 +140,7 @@ def _noises(old, new, samples: LineSamples, matches: LineMatches, old_lines, lin
     """Noise by kind of element; of stop lines, crosswalks and symbols along and across."""
     given = settings.old_sigma, settings.new_sigma
     middle, across, _, pairs = line_blocks(samples, matches)
-    stated = (np.array([one.sigma for one in part])[pairs[:, k]] for k, part in enumerate((old_lines, lines)))
+    stated = [np.array([one.sigma for one in part])[pairs[:, k]] for k, part in enumerate((old_lines, lines))]
     noise = estimated_noise(across, *stated, bend[middle], given, _independent(pairs)) if len(across) else None
     noises = {LINE: noise or MapNoise(np.nan, np.nan, 1.0, SIGMAS, len(across), "unknown")}
     pooled, by_element = [], {}

@@ -29,7 +29,7 @@ MARGIN = 2.5
 class EdgePointsLimits:
     """Limits of edge points, each with its unit."""
 
-    row: float = 1 << 24
+    row: int = 1 << 24
     ahead: float = 8.0  # m by which a tilted fan reaches ahead of the vehicle
     below: float = 5.0  # m under the body, at the path
     slope: float = 0.15  # of the ground across

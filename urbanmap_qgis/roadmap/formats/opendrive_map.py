@@ -6,6 +6,7 @@ import os
 import warnings
 import xml.etree.ElementTree as ET  # nosec B405 # writes, reads nothing
 from dataclasses import dataclass
+from typing import cast
 
 import numpy as np
 import pyproj
@@ -333,7 +334,7 @@ def _add_references(roads: list[DriveNode], built: VectorMap, layout: RoadLayout
         held = [number for number, road in enumerate(layout.roads) if _validity(built, road, stop)[1]]
         for number in held[1:]:
             orientation, ids = _validity(built, layout.roads[number], stop)
-            found = roads[number].find("signals")
+            found = cast("DriveNode | None", roads[number].find("signals"))
             group = roads[number].add("signals") if found is None else found
             places = {f"stop{stop}": line[:, :2].mean(axis=0),
                       **{f"signal{light}": built.objects[light].head[:2] for light in lights.get(stop, ())}}

@@ -203,7 +203,7 @@ def _element(points: np.ndarray, begin: np.ndarray, end: np.ndarray, tolerance: 
     u, v = ((0.0, start[k], 3 * goal[k] - 2 * start[k] - slope[k], start[k] + slope[k] - 2 * goal[k]) for k in (0, 1))
     p = np.linspace(0.0, 1.0, 65)
     curve = np.column_stack([np.polynomial.polynomial.polyval(p, one) for one in (u, v)])
-    cubic = PlanElement(0.0, *points[0], float(turned), float(_chainage(curve)[-1]), "cubic",
+    cubic = PlanElement(0.0, points[0][0], points[0][1], float(turned), float(_chainage(curve)[-1]), "cubic",
                         u=tuple(map(float, u)), v=tuple(map(float, v)))
     return cubic if always or _fits(cubic, points, tolerance) else None
 

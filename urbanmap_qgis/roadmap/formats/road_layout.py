@@ -246,8 +246,8 @@ def _join_junctions(built: VectorMap, layout: RoadLayout) -> None:
         layout.roads[road].junction = number
         for at, behind in ends:
             setattr(layout.roads[at], "behind" if behind else "before", ("junction", number))
-        lane = built.lanes[layout.roads[road].lanes[0]]
-        layout.roads[road].behind = ("road", layout.of_lane[lane.successors[0]][0])
+        first = built.lanes[layout.roads[road].lanes[0]]
+        layout.roads[road].behind = ("road", layout.of_lane[first.successors[0]][0])
         layout.roads[road].before = ("road", ends[0][0])
 
 

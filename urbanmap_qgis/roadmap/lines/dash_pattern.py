@@ -155,7 +155,8 @@ def _pattern(runs: np.ndarray) -> tuple[float, float, float] | None:
     found = [(pattern, len(part)) for part in parts if (pattern := _pattern_of_stretch(part)) is not None]
     if sum(count for _, count in found) <= 0.5 * len(runs):
         return None
-    return tuple(float(value) for value in np.median([pattern for pattern, _ in found], axis=0))
+    period, dash, agreement = (float(value) for value in np.median([pattern for pattern, _ in found], axis=0))
+    return period, dash, agreement
 
 
 def _pattern_of_stretch(runs: np.ndarray) -> tuple[float, float, float] | None:

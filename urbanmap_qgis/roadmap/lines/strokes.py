@@ -178,9 +178,9 @@ class _SpurPruning:
         if len(self._near[fork]) != 2:
             return
         others = [self._paths[other] for other in self._at[fork]]
-        for other in tuple(self._at[fork]):
-            for end in (self._paths[other][0], self._paths[other][-1]):
-                self._at[end].discard(other)
+        for met in tuple(self._at[fork]):
+            for end in (self._paths[met][0], self._paths[met][-1]):
+                self._at[end].discard(met)
         if len(others) == 2:  # one that comes back to the fork is a ring now
             one, other = others
             self._add((one if one[-1] == fork else one[::-1]) + (other if other[0] == fork else other[::-1])[1:])

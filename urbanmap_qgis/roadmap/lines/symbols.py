@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Sequence, Set
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -121,7 +121,7 @@ class Symbol:
 
 
 def find_symbols(polygons: Sequence[shapely.Polygon], strokes: Sequence[Stroke], taken: set[int],
-                 bars: set[int] = frozenset(), crosswalks: Sequence[Crosswalk] = ()) -> list[Symbol]:
+                 bars: Set[int] = frozenset(), crosswalks: Sequence[Crosswalk] = ()) -> list[Symbol]:
     """Arrows and diamonds among marking polygons.
 
     Parameters

@@ -71,7 +71,8 @@ def furniture_objects(objects: Sequence[StreetObject], created: str = "") -> Ite
     for thing in objects:
         tree = thing.kind == TREE
         identifier = uuid5(NAMESPACE_URL, f"urn:urbanmap:object:{thing.kind}:{thing.foot.round(3).tolist()}")
-        shapes = (CityShape("1", SOLID, (_prism(_whole_plan(thing), thing.foot[2], thing.height),)),)
+        prism = _prism(_whole_plan(thing), thing.foot[2], thing.height)
+        shapes: tuple[CityShape, ...] = (CityShape("1", SOLID, (prism,)),)
         if not tree:
             shapes += (CityShape("2", MULTI_SURFACE, (_parts(thing),)),)
         yield CityObject(f"{'veg' if tree else 'frn'}_{identifier}", _attributes(thing, created), shapes,

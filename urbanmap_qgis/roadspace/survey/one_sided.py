@@ -68,10 +68,10 @@ def one_sided_carriageways(edges: Sequence[shapely.LineString], lanes: Sequence[
     whole = shapely.union_all(list(known))
     lines = [line for line in shapely.get_parts(shapely.line_merge(shapely.union_all(list(edges), grid_size=GRID)))
              if line.geom_type == "LineString" and not line.is_empty]
-    lanes = shapely.union_all(list(lanes))
+    driven = shapely.union_all(list(lanes))
     strips = []
-    if lines and not lanes.is_empty:
-        met, room = _Segments(shapely.union_all(lines)), _Room(lanes)
+    if lines and not driven.is_empty:
+        met, room = _Segments(shapely.union_all(lines)), _Room(driven)
         strips = [strip for line in lines for strip in _strips(line, met, room, whole)]
     surface = shapely.difference(shapely.union_all([strip.polygon for strip in strips]), whole)
     polygons = [part for part in shapely.get_parts(surface)

@@ -32,7 +32,7 @@ class RenderLimits:
     fine: int = 2  # What is nearest is found for so many places each way in a pixel.
     blur: float = 0.55  # Spread of the point spread function, pixels.
     rows_at_once: int = 480  # Rows of a frame that are worked on together: they bound the memory.
-    points_at_once: float = 1 << 20
+    points_at_once: int = 1 << 20
 
 
 LIMITS = RenderLimits()

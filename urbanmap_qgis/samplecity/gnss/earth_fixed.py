@@ -33,8 +33,8 @@ class CityFrame:
     @classmethod
     def of(cls, crs: str, x: float, y: float, z: float) -> CityFrame:
         """Frame of a city whose middle is at x, y, z of the projected CRS (east, north, orthometric height)."""
-        crs = pyproj.CRS.from_user_input(crs)
-        transformer = pyproj.Transformer.from_crs(crs, crs.geodetic_crs, always_xy=True)
+        system = pyproj.CRS.from_user_input(crs)
+        transformer = pyproj.Transformer.from_crs(system, system.geodetic_crs, always_xy=True)
         longitude, latitude = np.radians(transformer.transform(x, y))
         step = 10.0 * np.eye(3)
         middle = np.array([x, y, z])

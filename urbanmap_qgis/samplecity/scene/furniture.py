@@ -19,8 +19,8 @@ _PAINTS = ((232, 232, 230), (235, 235, 235), (28, 28, 30), (52, 54, 58), (150, 1
 def make_trees(ground: Ground, size: float, rng: np.random.Generator) -> tuple[Tree, ...]:
     """Trees along the avenue's pavements, some along the street, in uneven rows."""
     trees = []
-    for street, spacing in (("A", 8.0), ("B", 11.0)):
-        street = next(s for s in ground.streets if s.name == street)
+    for name, spacing in (("A", 8.0), ("B", 11.0)):
+        street = next(s for s in ground.streets if s.name == name)
         for side in (1, -1):
             for u in np.arange(-size / 2 + 4.0, size / 2 - 4.0, spacing):
                 along = u + rng.uniform(-1.5, 1.5)

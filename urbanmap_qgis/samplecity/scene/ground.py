@@ -217,9 +217,9 @@ class _Streets:
     """The streets of one direction as arrays, in the order of their places."""
 
     def __init__(self, along: str, streets: tuple[Street, ...]):
-        streets = sorted((street for street in streets if street.along == along), key=lambda street: street.at)
+        chosen = sorted((street for street in streets if street.along == along), key=lambda street: street.at)
         self.at, self.half_width, self.pavement, self.rise = (
-            np.array([getattr(street, name) for street in streets])
+            np.array([getattr(street, name) for street in chosen])
             for name in ("at", "half_width", "pavement", "rise"))
         kerbs_low, kerbs_high = self.at - self.half_width, self.at + self.half_width
         self._borders = (kerbs_high[:-1] + kerbs_low[1:]) / 2

@@ -66,10 +66,10 @@ def _rows(axes: Sequence[np.ndarray], numbers: Sequence[int]) -> list[list[int]]
         return along, round(float(axes[k][0][1 - along]), 2), float(axes[k][0][along])
 
     rows: list[list[int]] = []
-    before = None
+    before: tuple = ()
     for k in sorted(range(len(axes)), key=key):
         line_key = key(k)
-        follows = before is not None and line_key[0] == before[0] and abs(line_key[1] - before[1]) < SAME
+        follows = before and line_key[0] == before[0] and abs(line_key[1] - before[1]) < SAME
         if follows and abs(line_key[2] - before[2] - DASH - GAP) < SAME:
             rows[-1].append(numbers[k])
         else:

@@ -12,7 +12,7 @@ from ...trajectory import Trajectory
 from ..matching.block_chain import ChainSolution, solve_chain
 from .error_model import PoseErrorModel
 from .gauss_markov import StopMovement, jump_steps, stop_steps
-from .held_observations import HeldObservations, HeldSystem
+from .held_observations import HeldObservations, HeldSolution, HeldSystem
 from .normal_equations import NormalEquations
 
 _SINGULAR = 1e-6  # ratio of information below which a direction is not observed
@@ -105,7 +105,7 @@ class NodeChain:
         """The nodes from one number to another alone, with the evidence next to them, and nothing held."""
         other, steps = copy(self), slice(first, last)
         other.nodes, other.fast = self.nodes[first:last + 1], self.fast[steps]
-        other.fast_up = self.fast_up[steps] if np.ndim(self.fast_up) else self.fast_up
+        other.fast_up = self.fast_up[steps] if isinstance(self.fast_up, np.ndarray) else self.fast_up
         other.stopped, other.jump = self.stopped[steps], self.jump[steps]
         other.stops = StopMovement(self.stops.moved[steps], self.stops.variance[steps])
         other.held, other._held_sums, other._upright_sums = None, None, None
@@ -214,6 +214,7 @@ class NodeChain:
         and rate in turn. A jump that the model does not know stands out in them, wherever the evidence is.
         """
         k, d = len(self.nodes), self.size
+        solution: ChainSolution | HeldSolution
         if self.held is None:
             solution = self._solved(model, weight)[0]
             lagged = -solution.gain @ solution.covariance[1:]

@@ -264,7 +264,7 @@ class Disagreements:
         def middle(step: NodeStep) -> float:
             return float(0.5 * (nodes[step.node] + nodes[step.node + 1]))
 
-        rows = [(middle(step), step, kind, None) for kind, steps in ((DISAGREEMENT, self.steps),
+        rows: list[tuple] = [(middle(step), step, kind, None) for kind, steps in ((DISAGREEMENT, self.steps),
                                                                      (UNDECIDED, self.undecided)) for step in steps]
         for first, second in self.changed:
             rows += [(middle(first), first, CHANGED, (middle(first), middle(second))),
