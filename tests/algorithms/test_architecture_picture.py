@@ -9,6 +9,8 @@ import pytest
 from scripts.draw_architecture import BOX, PICTURE, TEXT_SIZE, depths, draw, wrapped
 from scripts.draw_architecture import Stage as DrawnStage
 
+pytestmark = pytest.mark.once
+
 
 def drawn(qgis_app) -> str:
     from qgis.core import QgsApplication

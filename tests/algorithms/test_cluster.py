@@ -13,7 +13,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-pytestmark = pytest.mark.skipif(importlib.util.find_spec("distributed") is None, reason="distributed is not installed")
+pytestmark = [pytest.mark.once, pytest.mark.skipif(importlib.util.find_spec("distributed") is None,
+                                                   reason="distributed is not installed")]
 
 NO_OUTPUTS = {"OUTPUT": "TEMPORARY_OUTPUT", "OUTPUT_BUILDINGS": "TEMPORARY_OUTPUT"}
 

@@ -53,6 +53,7 @@ def test_each_algorithm_has_a_run(qgis_app):
     assert {name.split()[0] for name in every.RECIPES} == set(every.algorithms())
 
 
+@pytest.mark.once
 @pytest.mark.parametrize("name", every.RECIPES)
 def test_over_its_own_inputs(run, inputs, made, tmp_path, name):
     """Each output at the place of each input that is a file: refused, and the input is as it was."""
@@ -78,6 +79,7 @@ def test_over_its_own_inputs(run, inputs, made, tmp_path, name):
     assert tried or name in WITHOUT_FILES
 
 
+@pytest.mark.once
 def test_the_same_bytes_on_any_number_of_threads_and_workers(made, small_city):
     """Again with two workers, other threads of the libraries, and another order of sets and hashes."""
     again = shared.run_into(made.with_name("results"), small_city, 2, OPENBLAS_NUM_THREADS="2", PYTHONHASHSEED="2")

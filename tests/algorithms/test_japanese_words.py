@@ -180,6 +180,7 @@ CITY_NAMES = {"building", "survey", "trajectory", "way", "node", "File", "Height
 """Names in the sample city's data, parts of codes and of lane maps, and fields to which a message points."""
 
 
+@pytest.mark.once
 @pytest.mark.slow
 def test_reports_and_messages_are_in_japanese(small_city, tmp_path):
     place = tmp_path / "results"

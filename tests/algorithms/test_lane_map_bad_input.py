@@ -247,6 +247,7 @@ def test_survey_without_intensity(run, made, markings, cloud, drive, tmp_path):
     assert results["LANES"] == 4
 
 
+@pytest.mark.once
 @pytest.mark.slow
 def test_ten_kilometres_of_lanes_are_four_lanes(made, markings, drive):
     results, _ = made(MARKINGS=markings(length=2500), TRAJECTORY=[drive(4.9, 1, 2500), drive(-4.9, -1, 2500)])

@@ -61,6 +61,7 @@ def folder(small_city, tmp_path_factory):
     return made
 
 
+@pytest.mark.once
 @pytest.mark.parametrize("page", [page for page in PAGES if commands_of(page)], ids=lambda page: page.stem)
 def test_commands_of_a_page_run(page, folder, done_before):
     environment = {name: value for name, value in os.environ.items() if not name.startswith(("QGIS_", "PYTHON"))}

@@ -38,6 +38,7 @@ def unpacked(package, tmp_path_factory):
     return folder / "urbanmap_qgis"
 
 
+@pytest.mark.once
 def test_plugin_repository_finds_nothing_unsafe(unpacked):
     """Its scan: any finding of Bandit's rules keeps an upload back. A waived one has its reason beside it."""
     done = subprocess.run([sys.executable, "-m", "bandit", "-q", "-r", "-f", "json", str(unpacked)],
@@ -49,11 +50,13 @@ def test_plugin_repository_finds_nothing_unsafe(unpacked):
     assert not [line for line in lines if re.search(r"#\s*nosec\b(?! B\d{3})", line)]
 
 
+@pytest.mark.once
 def test_plugin_repository_finds_no_secret(unpacked):
     """Any finding keeps an upload back."""
     assert secrets(unpacked) == {}
 
 
+@pytest.mark.once
 def test_a_secret_would_be_found(tmp_path):
     # In two parts, so that this file holds none.
     (tmp_path / "a.py").write_text('key = "AKIA' + 'QWERTYUIOPASDFGH"\n', encoding="utf-8")
@@ -67,6 +70,7 @@ def secrets(folder: Path) -> dict:
     return json.loads(done.stdout)["results"]
 
 
+@pytest.mark.once
 def test_style_is_clean_too(unpacked):
     done = subprocess.run([sys.executable, "-m", "flake8", "--config", str(ROOT / ".flake8"), str(unpacked)],
                           capture_output=True, text=True, check=False)
@@ -135,6 +139,7 @@ def test_zip_holds_what_is_needed_and_nothing_else(package):
     assert not [name for name in names if "__pycache__" in name or "/." in name or "/tests/" in name]
 
 
+@pytest.mark.once
 def test_zip_is_the_same_each_time(package, tmp_path):
     again = tmp_path / "again.zip"
     subprocess.run([*script(package.parent), "--output", str(again)], check=True)

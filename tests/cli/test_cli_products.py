@@ -33,6 +33,7 @@ def town(synthetic, make_cloud, tmp_path_factory):
     return {"POINTS": cloud, "FOOTPRINTS": outlines}
 
 
+@pytest.mark.once
 def test_one_worker_and_two_give_the_same_bytes(run_algorithm, town, tmp_path):
     for workers in (1, 2):
         (tmp_path / str(workers)).mkdir()

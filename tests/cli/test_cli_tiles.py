@@ -110,6 +110,7 @@ if __name__ == "__main__":
 """
 
 
+@pytest.mark.once
 @pytest.mark.skipif(importlib.util.find_spec("distributed") is None, reason="distributed is not installed")
 def test_pieces_of_tiles_go_to_a_cluster_from_a_linked_folder(linked_profile, town, tmp_path):
     """Two processes of tiles here, each with its own way to the cluster's two workers."""

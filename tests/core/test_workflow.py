@@ -24,7 +24,7 @@ def commands(job):
 
 def targets(text):
     """Targets of all calls of make in a text of commands, bare or as a suite of .ci/run."""
-    return {word for call in re.findall(r'^(?:suite "[^"]*" (?:.* run )?)?make((?: +[-\w]+)+)$', text, re.MULTILINE)
+    return {word for call in re.findall(r'^ *(?:suite "[^"]*" (?:.* run )?)?make((?: +[-\w]+)+)$', text, re.MULTILINE)
             for word in call.split()
             if not word.startswith("-")}
 

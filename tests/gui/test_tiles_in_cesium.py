@@ -9,6 +9,8 @@ from tests.city_models import town
 from tests.gui.cesium import cesium_folder, chromium, shown
 from urbanmap_qgis.citymodel.tiles.tiles_writer import write_tiles
 
+pytestmark = pytest.mark.once
+
 
 def red_image():
     """A PNG of 4 by 4 red pixels."""

@@ -14,10 +14,10 @@ import pytest
 
 SCRIPT = Path(__file__).resolve().parents[2] / "scripts" / "make_tutorial_pictures.py"
 
-pytestmark = pytest.mark.skipif(
+pytestmark = [pytest.mark.once, pytest.mark.skipif(
     shutil.which("xvfb-run") is None or not (shutil.which("qgis.bin") or shutil.which("qgis")),
     reason="no QGIS desktop or no xvfb-run (apt install qgis xvfb)",
-)
+)]
 
 
 def test_toolbox_and_dialog_are_drawn(tmp_path):
