@@ -14,6 +14,7 @@ from pyproj import CRS
 from rasterio.transform import Affine
 
 from urbanmap_qgis.aerial.markings.marking_polygons import (
+    doubtful_markings,
     merge_tile_polygons,
     tile_polygons,
     with_heights,
