@@ -12,7 +12,7 @@ from urbanmap_qgis.geometry.sampling import sample
 from urbanmap_qgis.progress import SILENT
 from urbanmap_qgis.settings.terrain import ClothSettings
 from urbanmap_qgis.terrain.cloth import LowestHeights, classify_ground, converged_cloth, first_cloth
-from urbanmap_qgis.terrain.outliers import isolated, plausible
+from urbanmap_qgis.terrain.outliers import VOXEL, isolated, plausible
 from urbanmap_qgis.terrain.trend import trend_surface
 
 SIZE = 160.0
@@ -184,7 +184,7 @@ def test_isolated_points():
 @pytest.mark.parametrize("gap", [1, 2, 3, 50])
 def test_empty_levels_are_shrunk_without_bringing_points_together(gap):
     """Two groups of three points: neighbours where they are one voxel apart, strangers beyond."""
-    z = np.array([0.5, 0.5, 0.5, 0.5 + gap, 0.5 + gap, 0.5 + gap])
+    z = 2.0 + VOXEL * np.repeat([0.0, gap], 3)
     flat = np.full(6, 0.5)
-    assert isolated(flat, flat, z, voxel=1.0, neighbours=3).all() == (gap > 1)
-    assert not isolated(flat, flat, z, voxel=1.0, neighbours=2).any()
+    assert isolated(flat, flat, z, neighbours=3).all() == (gap > 1)
+    assert not isolated(flat, flat, z, neighbours=2).any()

@@ -11,10 +11,9 @@ import shapely
 
 from tests.solid_files import write_solids
 from urbanmap_qgis.buildings.planes.alpha_expansion import expand_labels
-from urbanmap_qgis.buildings.planes.plan_faces import PlanFaces
 from urbanmap_qgis.buildings.planes.plane_detection import detect_planes
 from urbanmap_qgis.buildings.planes.plane_moments import azimuth_degrees, moments, slope_degrees, solve
-from urbanmap_qgis.buildings.planes.plane_partition import partition_planes, without_steep_slivers
+from urbanmap_qgis.buildings.planes.plane_partition import partition_planes
 from urbanmap_qgis.buildings.planes.plane_segmentation import segment_planes
 from urbanmap_qgis.buildings.planes.plane_solids import checked_sloped_solids, is_coverage, is_sloped
 from urbanmap_qgis.buildings.planes.roof_type import roof_type
@@ -280,14 +279,3 @@ def test_distances_to_a_sloped_roof():
     fit = model_fit(x, y, z, [roof], np.empty((0, 8)))
     assert fit.rmse_z == pytest.approx(1.0)
     assert fit.rmse_3d == pytest.approx(np.sqrt(np.mean([0.5, 25.0, 4.0])))
-
-
-@pytest.mark.parametrize(("better", "width"), [(0, 0.2), (2, 0.2), (1, 3.0)])
-def test_a_steep_sliver_goes_to_the_better_plane_beside_it(better, width):
-    """A strip between two level roofs that is steep, as points on a wall make it; a wide one stays."""
-    polygons = np.array([shapely.box(0, 0, 5, 10), shapely.box(5, 0, 5 + width, 10), shapely.box(5 + width, 0, 12, 10)])
-    faces = PlanFaces(polygons, np.array([[0, 1], [1, 2]]), np.full(2, 10.0), np.zeros((2, 2, 2)))
-    planes = np.array([[0.0, 0.0, 5.0], [20.0, 0.0, -95.0], [0.0, 0.0, 9.0]])
-    cost = np.ones((3, 3))
-    cost[1, better] = 0.5
-    assert without_steep_slivers(np.arange(3), cost, faces, planes).tolist() == [0, better, 2]

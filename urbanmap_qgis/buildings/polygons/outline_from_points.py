@@ -109,8 +109,8 @@ def outline_from_points(x: np.ndarray, y: np.ndarray, density: float,
     outline = _areas(outline, MIN_PART_AREA)
     if outline.is_empty:
         raise InsufficientDataError(say("The building's points lie on its neighbours: check the building outlines."))
-    curved = [one for one, _, _ in drawn]
-    status = "curved" if curved[0] else "partly curved" if any(curved) else "regular"
+    bent = [one for one, _, _ in drawn]
+    status = "curved" if bent[0] else "partly curved" if any(bent) else "regular"
     squares = sum(rms ** 2 * n for _, rms, n in drawn) / sum(n for _, _, n in drawn)
     return PointOutline(outline, status, math.sqrt(squares))
 
