@@ -99,7 +99,7 @@ def completed(record: type) -> type:
         with _LOCK:
             if "is_open" in vars(record):
                 dataclass(frozen=True)(record)
-                del record.is_open
+                delattr(record, "is_open")
     return record
 
 
