@@ -10,9 +10,8 @@ from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
 from ..framework.layers.layers import make_fields
 
-FIELDS = (("id", "text"), ("role", "text"), ("plan_before", "real"), ("plan_after", "real"), ("east_before", "real"),
-          ("north_before", "real"), ("up_before", "real"), ("east_after", "real"), ("north_after", "real"),
-          ("up_after", "real"), ("east_left_out", "real"), ("north_left_out", "real"), ("up_left_out", "real"))
+FIELDS = ("id", "role", "plan_before", "plan_after", "east_before", "north_before", "up_before", "east_after",
+          "north_after", "up_after", "east_left_out", "north_left_out", "up_left_out")
 AXES = ("EAST", "NORTH", "UP")
 
 

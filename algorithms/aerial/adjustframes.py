@@ -9,13 +9,8 @@ from qgis.core import QgsProcessing
 from ...urbanmap_qgis.settings.aerial import BundleSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
-from ..framework.layers.layers import make_fields
 from .frame_inputs import read_camera_and_poses
 from .orthorectifyframes import OrthorectifyFrames
-
-FIELDS = (("id", "text"), ("role", "text"), ("frames", "int"), ("plan_before", "real"), ("plan_after", "real"),
-          ("east_before", "real"), ("north_before", "real"), ("east_after", "real"), ("north_after", "real"),
-          ("east_left_out", "real"), ("north_left_out", "real"))
 
 
 class AdjustFrames(UrbanMapAlgorithm):
@@ -96,7 +91,7 @@ class AdjustFrames(UrbanMapAlgorithm):
 
         results, columns = {}, residual_columns(adjusted)
         places = shapely.points(adjusted.points.place[adjusted.points.known])
-        layer = self.write_layer(parameters, "OUTPUT_POINTS", context, make_fields(*FIELDS), columns,
+        layer = self.write_layer(parameters, "OUTPUT_POINTS", context, None, columns,
                                  self.parameterAsCrs(parameters, "CRS", context), places, "PointZ",
                                  style="control_residuals")
         if layer:

@@ -4,11 +4,6 @@ from __future__ import annotations
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.declaring.parameters import tr
-from ..framework.layers.layers import make_fields
-
-FIELDS = (("first", "text"), ("second", "text"), ("east", "real"), ("north", "real"), ("length", "real"),
-          ("sigma", "real"), ("pair_east", "real"), ("pair_north", "real"), ("pair_length", "real"),
-          ("pair_sigma", "real"), ("patches", "int"), ("status", "text"))
 
 
 class FrameShiftsOutput:
@@ -38,7 +33,7 @@ class FrameShiftsOutput:
             columns = shift_columns(shifts, pixel)
             points = shapely.points(columns.pop("x"), columns.pop("y"))
             results["OUTPUT_SHIFTS"] = self.write_layer(
-                parameters, "OUTPUT_SHIFTS", context, make_fields(*FIELDS), columns, crs, points, "Point",
+                parameters, "OUTPUT_SHIFTS", context, None, columns, crs, points, "Point",
                 style="frame_shifts", progress=progress)
         return results
 

@@ -20,8 +20,7 @@ def write_markings(algorithm, parameters, context, found, crs, progress):
         if without:
             progress.warn(tr("{0} has no height at {1} of {2} markings: they lie outside of it or in its gaps, and "
                              "have no height there.").format(algorithm.label_of("GROUND"), without, len(found)))
-    fields = make_fields(("area", "real"), ("length", "real"), ("width", "real"), ("contrast", "real"),
-                         ("colour", "text"), ("confidence", "real"))
+    fields = make_fields("area", "length", "width", "contrast", "colour", "confidence")
     columns = {name: getattr(found, name)
                for name in ("area", "length", "width", "contrast", "colour", "confidence")}
     return algorithm.write_layer(parameters, "OUTPUT_POLYGONS", context, fields, columns, crs, geometries, kind,
@@ -38,7 +37,7 @@ def write_doubtful(algorithm, parameters, context, found, crs):
 
     chosen = doubtful_markings(found.confidence, found.area)
     names = ("confidence", "length", "width", "colour")
-    fields = make_fields(("paint", "int"), *((name, "text" if name == "colour" else "real") for name in names))
+    fields = make_fields("paint", *((name, "text" if name == "colour" else "real") for name in names))
     return algorithm.write_layer(parameters, "OUTPUT_DOUBTFUL", context, fields,
                                  {"paint": [None] * len(chosen), **{name: getattr(found, name)[chosen]
                                                                     for name in names}}, crs,

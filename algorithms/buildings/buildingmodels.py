@@ -163,21 +163,20 @@ class BuildingModels(UrbanMapAlgorithm):
 
     def _write_layers(self, parameters, context, table, models, columns, progress):
         """The layer of buildings and, where wanted, that of surfaces."""
-        from ...urbanmap_qgis.buildings.model_table import COLUMNS, SURFACE_COLUMNS, surface_columns
+        from ...urbanmap_qgis.buildings.model_table import surface_columns
         from ...urbanmap_qgis.geometry.solid import multipolygon, surfaces
 
         results = {}
         if parameters.get("OUTPUT_SURFACES"):
             faces = [surfaces(solid) for model in models for solid in model.solids]
             results["OUTPUT_SURFACES"] = self.write_layer(
-                parameters, "OUTPUT_SURFACES", context,
-                make_fields(*SURFACE_COLUMNS), surface_columns(models), table.crs, [*chain.from_iterable(faces)],
-                "PolygonZ", "building_surfaces", progress, building_names(table))
+                parameters, "OUTPUT_SURFACES", context, None, surface_columns(models), table.crs,
+                [*chain.from_iterable(faces)], "PolygonZ", "building_surfaces", progress, building_names(table))
         shapes = [multipolygon(model.solids) if model.solids else None for model in models]
         # Once the surfaces are in their place the rest follows, cancelled or not: no mixture of old and new results.
         last = replace(progress, cancelled=lambda: False) if results else progress
         results["OUTPUT"] = self.write_layer(
-            parameters, "OUTPUT", context, make_fields(*COLUMNS, base=table.fields), {**table.columns, **columns},
+            parameters, "OUTPUT", context, make_fields(*columns, base=table.fields), {**table.columns, **columns},
             table.crs, shapes, "MultiPolygonZ", "building_models", last, building_names(table))
         return results
 

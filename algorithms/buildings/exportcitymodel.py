@@ -214,7 +214,6 @@ class ExportCityModel(UrbanMapAlgorithm):
                    "city_id": [item.id for item in exported.objects],
                    "problems": ["; ".join(item.problems) for item in exported.objects],
                    "data_date": [date or None] * len(table)}
-        fields = make_fields(("city_id", "text"), *FIGURES, ("data_date", "text"), ("problems", "text"),
-                             base=table.fields)
+        fields = make_fields("city_id", *FIGURES, "data_date", "problems", base=table.fields)
         return self.write_layer(parameters, "OUTPUT", context, fields, columns, table.crs, table.geometries,
                                 "MultiPolygonZ", "building_models", progress)

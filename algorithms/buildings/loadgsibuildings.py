@@ -76,7 +76,7 @@ class LoadGsiBuildings(UrbanMapAlgorithm):
         progress.message(tr("{0} buildings, {1}").format(len(buildings), crs.userFriendlyIdentifier()))
         columns = {field: buildings.attributes[name] for field, name in FIELDS.items()}
         columns["building_id"] = list(range(1, len(buildings) + 1))
-        fields = make_fields(("building_id", "int"), *((field, "text") for field in FIELDS))
+        fields = make_fields("building_id", *((field, "text") for field in FIELDS))
         place = self.write_layer(parameters, "OUTPUT", context, fields, columns, crs, buildings.geometries,
                                  "Polygon", "gsi_buildings", progress.part(0.8, 1.0))
         return {"OUTPUT": place, "BUILDINGS": len(buildings), "CRS_NAME": crs.authid() or crs.description()}

@@ -146,19 +146,18 @@ class MergeBuildingModels(UrbanMapAlgorithm):
         return building_names(table), table.geometries, table.fields, table.columns
 
     def _write_layers(self, parameters, context, crs, merged, columns, edges, base, names, progress):
-        from ...urbanmap_qgis.buildings.merging.merge_stage import EDGE_COLUMNS, MODEL_COLUMNS
         from ...urbanmap_qgis.geometry.solid import multipolygon
 
         results = {}
         if parameters.get("OUTPUT_WALLS"):
             results["OUTPUT_WALLS"] = self.write_layer(
-                parameters, "OUTPUT_WALLS", context, make_fields(*EDGE_COLUMNS), edges, crs,
+                parameters, "OUTPUT_WALLS", context, None, edges, crs,
                 [edge.wall for building in merged for edge in building.edges], "PolygonZ", "merged_walls",
                 progress.part(0.0, 0.5), names)
         shapes = [multipolygon(building.solids) if building.solids else None for building in merged]
         fields, carried = base
         results["OUTPUT"] = self.write_layer(
-            parameters, "OUTPUT", context, make_fields(*MODEL_COLUMNS, base=fields), {**carried, **columns}, crs,
+            parameters, "OUTPUT", context, make_fields(*columns, base=fields), {**carried, **columns}, crs,
             shapes, "MultiPolygonZ", "merged_models", progress.part(0.5, 1.0), names)
         return results
 

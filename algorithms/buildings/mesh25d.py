@@ -96,7 +96,7 @@ class Mesh25D(UrbanMapAlgorithm):
                              "error; the field “within” tells how many.").format(beyond, len(meshes)))
 
     def _write(self, parameters, context, table, meshes, columns, progress):
-        from ...urbanmap_qgis.buildings.mesh25d.mesh_stage import MESH_COLUMNS, write_ply
+        from ...urbanmap_qgis.buildings.mesh25d.mesh_stage import write_ply
         from ...urbanmap_qgis.citymodel.obj import write_obj
         from ...urbanmap_qgis.geometry.solid import multipolygon
         from ...urbanmap_qgis.io.files.atomic import written_beside
@@ -110,7 +110,7 @@ class Mesh25D(UrbanMapAlgorithm):
             progress.step(0.3)
             shapes = [multipolygon([item.mesh]) if item.mesh is not None else None for item in meshes]
             results["OUTPUT"] = self.write_layer(
-                parameters, "OUTPUT", context, make_fields(*MESH_COLUMNS, base=table.fields),
+                parameters, "OUTPUT", context, make_fields(*columns, base=table.fields),
                 {**table.columns, **columns}, table.crs, shapes, "MultiPolygonZ", "building_meshes", progress,
                 building_names(table))
             if paths["OUTPUT_MESH"] is not None:

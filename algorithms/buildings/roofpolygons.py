@@ -58,9 +58,8 @@ class RoofPolygons(UrbanMapAlgorithm):
         without = int((~np.isin(footprints.ids, roofs.building_id)).sum())
         if without:
             progress.warn(tr("{0} of {1} buildings got no roof polygon.").format(without, len(footprints)))
-        fields = make_fields(("building_id", "int"), ("roof_id", "int"), ("height", "real"), ("height_max", "real"),
-                             ("points", "int"), ("density", "real"), ("rmse", "real"), ("coverage", "real"),
-                             ("slope", "real"), ("azimuth", "real"), ("status", "text"))
+        fields = make_fields("building_id", "roof_id", "height", "height_max", "points", "density", "rmse", "coverage",
+                             "slope", "azimuth", "status")
         geometries = shapely.force_3d(np.array(roofs.polygon, dtype=object), np.array(roofs.height, float))
         columns = {field.name(): getattr(roofs, field.name()) for field in fields}
         return {

@@ -93,10 +93,8 @@ class SegmentBuildings(UrbanMapAlgorithm):
         }
 
     def _write(self, parameters, context, table, footprints, buildings, dates, progress):
-        fields = make_fields((BUILDING_ID, "int"), ("points", "int"), ("density", "real"), ("ground", "real"),
-                             ("shift_x", "real"), ("shift_y", "real"), ("shift_sigma", "real"),
-                             ("shift_status", "text"), ("status", "text"), ("open_share", "real"),
-                             ("cloud_density", "real"), ("beyond", "real"), (NOTE, "text"),
+        fields = make_fields((BUILDING_ID, "int"), "points", "density", "ground", "shift_x", "shift_y", "shift_sigma",
+                             "shift_status", "status", "open_share", "cloud_density", "beyond", (NOTE, "text"),
                              base=table.fields)
         columns = {**table.columns, BUILDING_ID: footprints.ids, "points": buildings.points,
                    "density": buildings.density, "ground": buildings.ground, "shift_x": buildings.shift_x,

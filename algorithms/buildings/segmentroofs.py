@@ -84,9 +84,8 @@ class SegmentRoofs(UrbanMapAlgorithm):
         }
 
     def _write(self, parameters, context, table, roofs, progress):
-        fields = make_fields((BUILDING_ID, "int"), ("roof_id", "int"), ("height", "real"), ("height_max", "real"),
-                             ("points", "int"), ("area", "real"), ("density", "real"), ("rmse", "real"),
-                             ("slope", "real"), ("azimuth", "real"), ("status", "text"))
+        fields = make_fields((BUILDING_ID, "int"), "roof_id", "height", "height_max", "points", "area", "density",
+                             "rmse", "slope", "azimuth", "status")
         columns = {field.name(): getattr(roofs, field.name()) for field in fields}
         return self.write_layer(parameters, "OUTPUT_ROOFS", context, fields, columns, table.crs, progress=progress,
                                 names=building_names(table))

@@ -11,7 +11,6 @@ from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from ..framework.layers.building_layers import read_buildings
 from ..framework.layers.crs import crs_name
-from ..framework.layers.layers import make_fields
 from ..framework.layers.outlines import building_names
 from ..framework.running.workers import workers
 from ..mobile.drives import DriveInputs
@@ -68,7 +67,7 @@ class WallsFromMms(DriveInputs, UrbanMapAlgorithm):
         import numpy as np
 
         from ...urbanmap_qgis.facades.building_plans import building_plans
-        from ...urbanmap_qgis.facades.wall_stage import WALL_COLUMNS, find_walls, wall_columns
+        from ...urbanmap_qgis.facades.wall_stage import find_walls, wall_columns
         from ...urbanmap_qgis.io.raster import RasterSampler
 
         progress = self.progress(feedback)
@@ -93,7 +92,7 @@ class WallsFromMms(DriveInputs, UrbanMapAlgorithm):
             progress.message(tr("The buildings tell no heights: coverage is counted up to the highest point seen of "
                                 "each wall."))
         columns = wall_columns(walls)
-        layer = self.write_layer(parameters, "OUTPUT", context, make_fields(*WALL_COLUMNS), columns, table.crs,
+        layer = self.write_layer(parameters, "OUTPUT", context, None, columns, table.crs,
                                  [wall.contour for wall in walls], "PolygonZ", "facade_walls", progress.part(0.95, 1.0),
                                  building_names(table))
         return {"OUTPUT": layer, "WALLS": len(walls), "BUILDINGS_WITH_WALLS": counts.with_walls,

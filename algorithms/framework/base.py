@@ -466,8 +466,11 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
                     progress: Progress = SILENT, names=None) -> str | None:
         """Write an output layer when all is computed; see `layers.write_layer`.
 
-        `names` (`outlines.BuildingNames`) puts the user's own ids in the place of the buildings' numbers.
+        `fields` : None for those of the columns, which are all ours. `names` (`outlines.BuildingNames`) puts the user's
+        own ids in the place of the buildings' numbers.
         """
+        if fields is None:
+            fields = layers.make_fields(*columns, style=style)
         if names is not None:
             fields, columns = names.fields(fields), names.columns(columns)
         return layers.write_layer(self, parameters, name, context, fields, columns, crs, geometries,

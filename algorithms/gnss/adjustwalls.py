@@ -62,12 +62,7 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
 
         from ...urbanmap_qgis.gnss.reports.report import write_adjustment_report
         from ...urbanmap_qgis.gnss.walls.adjustment import ADJUSTED, LIKELY, adjust_walls
-        from ...urbanmap_qgis.gnss.walls.columns import (
-            WALL_COLUMNS,
-            adjusted_wall_columns,
-            building_columns,
-            wall_lines,
-        )
+        from ...urbanmap_qgis.gnss.walls.columns import adjusted_wall_columns, building_columns, wall_lines
 
         progress = self.progress(feedback)
         buildings = self.read_gnss_buildings(parameters, context, progress)
@@ -90,14 +85,14 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
                 self, parameters, context, table.crs, "BUILDINGS", table.geometries, result.shapes))
         walls = None
         if parameters.get("OUTPUT_WALLS"):
-            walls = self.write_layer(parameters, "OUTPUT_WALLS", context, make_fields(*WALL_COLUMNS),
+            walls = self.write_layer(parameters, "OUTPUT_WALLS", context, None,
                                      adjusted_wall_columns(result, buildings.names), table.crs,
                                      wall_lines(result, signals), "LineStringZ", "gnss_walls",
                                      progress.part(0.95, 0.97))
         extra = building_columns(result, buildings.building)
         layer = self.write_layer(
             parameters, "OUTPUT", context,
-            make_fields(("walls_adjusted", "int"), ("walls_moved_by", "real"), base=table.fields),
+            make_fields("walls_adjusted", "walls_moved_by", base=table.fields),
             {**table.columns, **extra}, table.crs, result.shapes, geometry_type(result.shapes), "gnss_buildings",
             progress.part(0.97, 1.0))
         sizes = np.abs(result.walls.offset[adjusted])

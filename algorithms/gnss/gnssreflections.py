@@ -7,7 +7,6 @@ from qgis.core import QgsProcessing
 from ...urbanmap_qgis.settings.gnss import TraceSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER
-from ..framework.layers.layers import make_fields
 from .inputs import GnssInputs
 
 
@@ -53,7 +52,7 @@ class GnssReflections(GnssInputs, UrbanMapAlgorithm):
         self.check_gnss_inputs(parameters, context)
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.gnss.rays.ray_lines import COLUMNS, ray_columns, ray_lines, ray_statistics, thinned
+        from ...urbanmap_qgis.gnss.rays.ray_lines import ray_columns, ray_lines, ray_statistics, thinned
         from ...urbanmap_qgis.gnss.rays.reflections import LOS, NLOS, REFLECTED
         from ...urbanmap_qgis.gnss.rays.wall_faces import building_walls
         from ...urbanmap_qgis.gnss.reports.report import write_reflection_report
@@ -71,7 +70,7 @@ class GnssReflections(GnssInputs, UrbanMapAlgorithm):
         if report:
             write_reflection_report(report, signals, paths, corrected, figures)
         layer = self.write_layer(
-            parameters, "OUTPUT", context, make_fields(*COLUMNS),
+            parameters, "OUTPUT", context, None,
             ray_columns(walls, buildings.names, signals, paths, corrected, rows), buildings.table.crs,
             ray_lines(signals, paths, rows, self.parameterAsDouble(parameters, "LENGTH", context)), "LineStringZ",
             "gnss_rays", progress.part(0.8, 1.0))

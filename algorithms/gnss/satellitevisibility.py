@@ -114,8 +114,7 @@ class SatelliteVisibility(GnssInputs, UrbanMapAlgorithm):
         columns = {"time": time, "satellites": seen.satellites, "above": seen.above, "pdop": seen.pdop}
         columns |= {field: seen.by_system.get(letter, np.full(len(time), np.nan))
                     for field, letter in SYSTEM_FIELDS.items()}
-        fields = make_fields(("time", "real"), ("satellites", "int"), *((name, "int") for name in SYSTEM_FIELDS),
-                             ("above", "int"), ("pdop", "real"))
+        fields = make_fields("time", "satellites", *((name, "int") for name in SYSTEM_FIELDS), "above", "pdop")
         layer = self.write_layer(parameters, "OUTPUT", context, fields, _whole(columns, fields), table.crs,
                                  shapely.points(place), "PointZ", "satellite_visibility", progress.part(0.9, 1.0))
         outside = np.isfinite(seen.satellites)

@@ -12,9 +12,8 @@ from .image_sources import add_images, check_images, image_sources
 
 IMAGE = "image"
 
-FIELDS = (("width", "real"), ("height", "real"), ("azimuth", "real"), ("area", "real"), ("z_low", "real"),
-          ("z_high", "real"), ("distance", "real"), ("points", "int"), ("rmse", "real"), ("sigma", "real"),
-          ("status", "text"), ("reason", "text"))
+FIELDS = ("width", "height", "azimuth", "area", "z_low", "z_high", "distance", "points", "rmse", "sigma", "status",
+          "reason")
 
 
 class ObjectsFromImages(UrbanMapAlgorithm):
@@ -69,10 +68,10 @@ class ObjectsFromImages(UrbanMapAlgorithm):
         if missing:
             progress.warn(tr("{0} of {1} outlines could not be measured; the field “reason” tells why.").format(
                 missing, len(result)))
-        taken = {name.lower() for name, _ in FIELDS}
+        taken = {name.lower() for name in FIELDS}
         carried = {name: [values[item.feature] for item in result] for name, values in table.columns.items()
                 if name.lower() not in taken}
-        columns = {**carried, **{name: [getattr(item, name) for item in result] for name, _ in FIELDS}}
+        columns = {**carried, **{name: [getattr(item, name) for item in result] for name in FIELDS}}
         layer = self.write_layer(parameters, "OUTPUT", context, make_fields(*FIELDS, base=table.fields), columns,
                                  cloud.crs_wkt, [item.geometry for item in result], geometry_type(outlines), "",
                                  progress.part(0.95, 1.0))

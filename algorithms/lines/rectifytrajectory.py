@@ -10,11 +10,8 @@ from ..framework.layers.layers import make_fields
 from .report_images import add_report_images, check_report_images, report_pictures
 
 METHODS = ("drift", "paper")
-SET_FIELDS = (("set", "text"), ("time", "real"), ("pairs", "int"), ("before", "real"), ("after", "real"),
-              ("east", "real"), ("north", "real"), ("heading", "real"), ("misfit", "real"), ("predicted", "real"),
-              ("status", "text"))
-EPOCH_FIELDS = (("time", "real"), ("east", "real"), ("north", "real"), ("up", "real"), ("heading", "real"),
-                ("sigma", "real"), ("sigma_up", "real"), ("sigma_heading", "real"), ("status", "text"))
+SET_FIELDS = ("set", "time", "pairs", "before", "after", "east", "north", "heading", "misfit", "predicted", "status")
+EPOCH_FIELDS = ("time", "east", "north", "up", "heading", "sigma", "sigma_up", "sigma_heading", "status")
 
 
 class RectifyTrajectory(UrbanMapAlgorithm):
@@ -165,7 +162,7 @@ class RectifyTrajectory(UrbanMapAlgorithm):
                                   item.misfit, item.predicted, item.status) for item in rectified.sets)))
             results["OUTPUT_SETS"] = self.write_layer(
                 parameters, "OUTPUT_SETS", context, make_fields(*SET_FIELDS),
-                dict(zip((name for name, _ in SET_FIELDS), columns)), crs,
+                dict(zip(SET_FIELDS, columns)), crs,
                 shapely.points([item.place for item in rectified.sets]), "PointZ", "rectification_sets", progress)
         if parameters.get("OUTPUT_EPOCHS"):
             results["OUTPUT_EPOCHS"] = self.write_layer(
@@ -205,7 +202,7 @@ def epoch_columns(before, rectified) -> dict:
     status = np.where(rectified.status == 1, "between sets", "carried on")
     columns = (before.time, *change.T, rectified.trajectory.angles[:, 2] - before.angles[:, 2], rectified.plan_sigma,
                unknown if rectified.heights is None else rectified.heights.sigma, rectified.heading_sigma, status)
-    return dict(zip((name for name, _ in EPOCH_FIELDS), columns))
+    return dict(zip(EPOCH_FIELDS, columns))
 
 
 def numbers_of(rectified) -> dict:

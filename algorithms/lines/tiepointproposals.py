@@ -10,9 +10,8 @@ from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from ..framework.layers.crs import crs_from
-from ..framework.layers.layers import make_fields
 
-FIELDS = (("set", "text"), ("time", "real"), ("length", "real"), ("support", "int"), ("fit", "real"))
+FIELDS = ("set", "time", "length", "support", "fit")
 
 
 class TiePointProposals(UrbanMapAlgorithm):
@@ -80,8 +79,8 @@ class TiePointProposals(UrbanMapAlgorithm):
         ties = result.ties
         length = np.hypot(*(ties.reference - ties.measured).T)
         lines = shapely.linestrings(np.stack([ties.measured, ties.reference], axis=1))
-        columns = dict(zip((name for name, _ in FIELDS), (ties.sets, ties.time, length, result.support, result.fit)))
-        layer = self.write_layer(parameters, "OUTPUT", context, make_fields(*FIELDS), columns, crs_from(cloud.crs_wkt),
+        columns = dict(zip(FIELDS, (ties.sets, ties.time, length, result.support, result.fit)))
+        layer = self.write_layer(parameters, "OUTPUT", context, None, columns, crs_from(cloud.crs_wkt),
                                  lines, "LineString", "tie_point_proposals", progress.part(0.95, 1.0))
         return {"OUTPUT": layer, "CORNERS": result.corners, "FOUND": result.found, "SETS": len(ties) // 2,
                 "MEAN_LENGTH": float(length.mean())}

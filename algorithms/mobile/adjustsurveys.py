@@ -10,18 +10,11 @@ from ...urbanmap_qgis.errors import InputError
 from ...urbanmap_qgis.settings.mobile import ControlSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
-from ..framework.layers.layers import make_fields
 from ..framework.layers.trajectories import TABLE_SUFFIXES, write_trajectory_file
 from .control_points import add_control, read_control
 from .drives import DriveInputs
 from .marking_reference import add_markings, read_reference
 from .wall_inputs import add_buildings, asked_features, read_edges, read_laser, refuse_two_kinds
-
-TIE_FIELDS = (("kind", "text"), ("drive", "text"), ("other", "text"), ("time", "real"), ("chainage", "real"),
-              ("east", "real"), ("north", "real"), ("up", "real"), ("plan", "real"), ("sigma", "real"),
-              ("weight", "real"))
-NODE_FIELDS = (("drive", "text"), ("status", "text"), ("time", "real"), ("chainage", "real"), ("east", "real"),
-               ("north", "real"), ("up", "real"), ("heading", "real"), ("sigma", "real"), ("sigma_up", "real"))
 
 
 class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
@@ -172,11 +165,10 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
         from ...urbanmap_qgis.mobile.adjustment.tables import node_columns, tie_columns
 
         results = {}
-        for name, fields, (columns, places), style in (
-                ("OUTPUT_TIES", TIE_FIELDS, tie_columns(adjusted), "adjustment_ties"),
-                ("OUTPUT_NODES", NODE_FIELDS, node_columns(adjusted), "adjustment_nodes")):
-            layer = self.write_layer(parameters, name, context, make_fields(*fields), columns, crs,
-                                     shapely.points(places), "PointZ", style=style, progress=progress)
+        for name, (columns, places), style in (("OUTPUT_TIES", tie_columns(adjusted), "adjustment_ties"),
+                                               ("OUTPUT_NODES", node_columns(adjusted), "adjustment_nodes")):
+            layer = self.write_layer(parameters, name, context, None, columns, crs, shapely.points(places), "PointZ",
+                                     style=style, progress=progress)
             if layer:
                 results[name] = layer
         return results

@@ -9,11 +9,9 @@ from qgis.core import QgsProcessing
 from ...urbanmap_qgis.settings.lines import BoresightSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER
-from ..framework.layers.layers import make_fields
 from .drives import DriveInputs
 
-FIELDS = (("scanner", "text"), ("parameter", "text"), ("unit", "text"), ("correction", "real"), ("sigma", "real"),
-          ("status", "text"))
+FIELDS = ("scanner", "parameter", "unit", "correction", "sigma", "status")
 
 
 class CalibrateScanner(DriveInputs, UrbanMapAlgorithm):
@@ -85,9 +83,9 @@ class CalibrateScanner(DriveInputs, UrbanMapAlgorithm):
         from ...urbanmap_qgis.mobile.boresight.report import write_boresight_report
 
         results = {}
-        columns = dict(zip((name for name, _ in FIELDS), zip(*calibrated.rows())))
+        columns = dict(zip(FIELDS, zip(*calibrated.rows())))
         columns = {name: list(values) for name, values in columns.items()}
-        table = self.write_layer(parameters, "OUTPUT_TABLE", context, make_fields(*FIELDS), columns, "",
+        table = self.write_layer(parameters, "OUTPUT_TABLE", context, None, columns, "",
                                  style="boresight_corrections", progress=progress)
         if table:
             results["OUTPUT_TABLE"] = table

@@ -81,7 +81,7 @@ class CheckAccuracy(UrbanMapAlgorithm):
             columns.update({f"{axis}_{suffix}": values[:, k] for k, axis in enumerate(("east", "north", "up"))})
             columns[f"plan_{suffix}"] = np.hypot(values[:, 0], values[:, 1])
             columns[f"space_{suffix}"] = np.linalg.norm(values, axis=1)
-        fields = make_fields(("id", "text"), *((name, "real") for name in columns if name != "id"))
+        fields = make_fields("id", *((name, "real") for name in columns if name != "id"))
         places = shapely.points(np.where(np.isfinite(control.true), control.true, 0.0))
         return self.write_layer(parameters, "OUTPUT", context, fields, columns, crs, places, "PointZ",
                                 style="control_residuals", progress=progress)

@@ -13,9 +13,9 @@ from ..framework.layers.layers import make_fields
 from .comparison_report import write_comparison_report
 
 OSM_FILTER = "Lanelet2 (*.osm)"
-FIELDS = (("kind", "text"), ("element", "text"), ("before", "text"), ("after", "text"), ("length", "real"),
-          ("shift", "real"), ("azimuth", "real"), ("along", "real"), ("across", "real"), ("sigma", "real"),
-          ("significance", "real"), ("old_id", "text"), ("new_id", "text"))
+FIELDS = ("kind", "element", ("before", "text"), ("after", "text"), "length", ("shift", "real"), "azimuth",
+          ("along", "real"), ("across", "real"), "sigma", ("significance", "real"), ("old_id", "text"),
+          ("new_id", "text"))
 SIDES = ("OLD", "NEW")
 INPUTS = (("OLD", "Old map: Lanelet2 file", "Old map: lines", "Old map: areas", "Sigma of the old map"),
           ("NEW", "New map: Lanelet2 file", "New map: lines", "New map: areas", "Sigma of the new map"))

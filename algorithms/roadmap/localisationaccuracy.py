@@ -9,11 +9,10 @@ from qgis.core import QgsProcessing
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
-from ..framework.layers.layers import make_fields
 from .localisation_inputs import LocalisationInputs
 from .localisation_sensors import LocalisationSensors
 
-WORDS, WHOLE = ("class", "status"), ("street", "n_walls", "undetermined")
+WHOLE = ("street", "n_walls", "undetermined")
 
 
 class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgorithm):
@@ -90,11 +89,9 @@ class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgo
         result = accuracy_map(city, places, settings, progress.part(0.2, 0.4))
         check = self._simulated(parameters, context, city, result, settings, crs, progress.part(0.4, 0.9))
         columns = accuracy_columns(result)
-        fields = make_fields(*((name, "text" if name in WORDS else "int" if name in WHOLE else "real")
-                               for name in columns))
         columns |= {name: [None if value != value else int(value) for value in columns[name]] for name in WHOLE}
         place = np.where(np.isfinite(result.places.place), result.places.place, 0.0)
-        results = {"OUTPUT": self.write_layer(parameters, "OUTPUT", context, fields, columns, crs,
+        results = {"OUTPUT": self.write_layer(parameters, "OUTPUT", context, None, columns, crs,
                                               shapely.points(place), "PointZ", "localisation_accuracy",
                                               progress.part(0.9, 1.0))}
         self._raster(parameters, context, result, crs, results)

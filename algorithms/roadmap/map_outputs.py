@@ -2,16 +2,7 @@
 
 from __future__ import annotations
 
-from ..framework.layers.layers import make_fields
-
 DATUMS = ("not stated", "WGS84", "EGM2008")
-
-LANE_FIELDS = (("lane_id", "int"), ("kind", "text"), ("evidence", "text"), ("width", "real"), ("narrowest", "real"),
-               ("length", "real"), ("turn", "text"), ("arrows", "text"), ("successors", "text"), ("left", "int"),
-               ("right", "int"), ("opposite", "int"), ("stop_lines", "text"), ("crosswalks", "text"),
-               ("speed_limit", "real"), ("yields_to", "text"), ("yields_by", "text"), ("confidence", "real"))
-BOUND_FIELDS = (("bound_id", "int"), ("class", "text"), ("colour", "text"), ("width", "real"), ("sigma", "real"),
-                ("sigmas", "text"), ("double", "bool"), ("unseen", "real"), ("lanes", "int"))
 
 
 def write_map_layers(stage, parameters, context, built, crs, ids=()) -> dict[str, str | None]:
@@ -24,20 +15,19 @@ def write_map_layers(stage, parameters, context, built, crs, ids=()) -> dict[str
     suffix = "Z" if high else ""
     columns = lane_columns(built)
     results = {"OUTPUT_LANES": stage.write_layer(
-        parameters, "OUTPUT_LANES", context, make_fields(*LANE_FIELDS), columns, crs,
+        parameters, "OUTPUT_LANES", context, None, columns, crs,
         [built.area(number) for number in range(len(built.lanes))], "Polygon", style="lanes")}
     shown = ("lane_id", "kind", "width")
     results["OUTPUT_CENTRES"] = stage.write_layer(
-        parameters, "OUTPUT_CENTRES", context, make_fields(*(field for field in LANE_FIELDS if field[0] in shown)),
-        {name: columns[name] for name in shown}, crs,
+        parameters, "OUTPUT_CENTRES", context, None, {name: columns[name] for name in shown}, crs,
         [shapely.linestrings(lane.centre if high else lane.centre[:, :2]) for lane in built.lanes],
         f"LineString{suffix}", style="lane_centres")
     results["OUTPUT_BOUNDS"] = stage.write_layer(
-        parameters, "OUTPUT_BOUNDS", context, make_fields(*BOUND_FIELDS), bound_columns(built, ids), crs,
+        parameters, "OUTPUT_BOUNDS", context, None, bound_columns(built, ids), crs,
         [shapely.linestrings(built.bound_points(bound)[:, :3 if high else 2]) for bound in built.bounds],
         f"LineString{suffix}", style="lane_bounds")
     results["OUTPUT_FINDINGS"] = stage.write_layer(
-        parameters, "OUTPUT_FINDINGS", context, make_fields(("kind", "text"), ("text", "text")),
+        parameters, "OUTPUT_FINDINGS", context, None,
         {name: [getattr(one, name) for one in built.findings] for name in ("kind", "text")}, crs,
         [shapely.points(one.x, one.y) for one in built.findings], "Point", style="map_findings")
     return results

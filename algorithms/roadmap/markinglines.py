@@ -10,12 +10,6 @@ from ...urbanmap_qgis.errors import InputError
 from ...urbanmap_qgis.settings.roadmap import LineSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
-from ..framework.layers.layers import make_fields
-
-LINE_FIELDS = (("line_id", "int"), ("class", "text"), ("colour", "text"), ("width", "real"), ("sigma", "real"),
-               ("length", "real"), ("bridged", "real"), ("period", "real"), ("dash", "real"), ("dashes", "text"),
-               ("chain", "int"), ("partner", "int"), ("confidence", "real"), ("placed", "text"), ("sigmas", "text"),
-               ("width_sigma", "real"))
 
 
 class MarkingLines(UrbanMapAlgorithm):
@@ -156,7 +150,7 @@ class MarkingLines(UrbanMapAlgorithm):
             "placed": [";".join(f"{end:.2f}" for end in line.placed) or None for line in lines],
             "sigmas": [told_sigmas(line.sigmas) for line in lines],
             "width_sigma": np.array([line.width_sigma for line in lines])}
-        return self.write_layer(parameters, "OUTPUT", context, make_fields(*LINE_FIELDS), columns, crs,
+        return self.write_layer(parameters, "OUTPUT", context, None, columns, crs,
                                 [shapely.linestrings(line.points) if has_heights else line.plan for line in lines],
                                 "LineStringZ" if has_heights else "LineString", style="marking_lines",
                                 progress=progress)
@@ -169,9 +163,7 @@ class MarkingLines(UrbanMapAlgorithm):
                    "colour": [area.colour or None for area in areas],
                    "heading": [grid_heading(area.heading) for area in areas], "score": [area.score for area in areas],
                    "area": [area.polygon.area for area in areas]}
-        fields = make_fields(("area_id", "int"), ("class", "text"), ("colour", "text"), ("heading", "real"),
-                             ("score", "real"), ("area", "real"))
-        return self.write_layer(parameters, "OUTPUT_AREAS", context, fields, columns, crs,
+        return self.write_layer(parameters, "OUTPUT_AREAS", context, None, columns, crs,
                                 [area.multipolygon for area in areas],
                                 "MultiPolygonZ" if has_heights else "MultiPolygon", style="marking_areas",
                                 progress=progress)

@@ -14,9 +14,8 @@ from ..framework.layers.layers import make_fields
 from ..mobile.survey_inputs import read_survey
 from .feature_package import PackageLayer, geometry_type_of, write_package
 
-FIELDS = (("edge_id", "int"), ("kind", "text"), ("height", "real"), ("sigma", "real"), ("sigma_z", "real"),
-          ("length", "real"), ("points", "int"), ("passes", "int"), ("completeness", "real"), ("chain", "int"),
-          ("gap", "real"), ("status", "text"), ("reason", "text"))
+FIELDS = ("edge_id", "kind", "height", "sigma", "sigma_z", "length", "points", "passes", "completeness", "chain", "gap",
+          "status", "reason")
 GEOPACKAGE_FILTER = "GeoPackage (*.gpkg)"
 
 
@@ -122,7 +121,7 @@ class RoadEdges(UrbanMapAlgorithm):
 
         edges = found.edges
         columns = {"edge_id": list(range(len(edges))),
-                   **{name: [getattr(edge, name) for edge in edges] for name, _ in FIELDS[1:]}}
+                   **{name: [getattr(edge, name) for edge in edges] for name in FIELDS[1:]}}
         columns["reason"] = [tr(edge.reason) if edge.reason else None for edge in edges]
         fields, top_fields = make_fields(*FIELDS), make_fields(*FIELDS[:5], FIELDS[-2])
         feet = [shapely.linestrings(edge.foot) for edge in edges]

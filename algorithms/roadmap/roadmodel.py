@@ -18,9 +18,7 @@ LEVELS, FROM_ROADS, FINEST = ("3.3", "1", "2", "3.0", "3.1", "3.2", "finest"), "
 
 MAP_LEVELS = ("none", "500", "1000", "2500", "5000")
 MATERIALS = ("GSI fundamental data", "digital topographic map", "other data")
-FIELDS = (("road_id", "int"), ("kind", "text"), ("function", "text"), ("width", "real"), ("arms", "int"),
-          ("area", "real"), ("source", "text"), ("status", "text"), ("finding", "text"))
-AXIS_FIELDS = (("road_id", "int"), ("kind", "text"), ("width", "real"), ("length", "real"))
+FIELDS = ("road_id", "kind", "function", "width", "arms", "area", ("source", "text"), "status", "finding")
 
 
 class RoadModel(UrbanMapAlgorithm):
@@ -170,12 +168,12 @@ class RoadModel(UrbanMapAlgorithm):
         owners = [built.pieces[axis.piece] for axis in built.axes]
         lines = [shapely.linestrings(axis.points) for axis in built.axes]
         results["OUTPUT_AXES"] = self.write_layer(
-            parameters, "OUTPUT_AXES", context, make_fields(*AXIS_FIELDS), {
+            parameters, "OUTPUT_AXES", context, None, {
                 "road_id": [axis.piece + 1 for axis in built.axes], "kind": [owner.kind for owner in owners],
                 "width": [owner.width for owner in owners], "length": [line.length for line in lines]},
             crs, lines, "LineString", style="road_axes")
         results["OUTPUT_FINDINGS"] = self.write_layer(
-            parameters, "OUTPUT_FINDINGS", context, make_fields(("kind", "text"), ("text", "text")),
+            parameters, "OUTPUT_FINDINGS", context, None,
             {name: [getattr(one, name) for one in built.findings] for name in ("kind", "text")}, crs,
             [shapely.points(one.x, one.y) for one in built.findings], "Point", style="road_findings")
         return {name: place for name, place in results.items() if place}

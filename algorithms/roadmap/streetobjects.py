@@ -13,12 +13,9 @@ from ..framework.layers.layers import make_fields
 from ..mobile.survey_inputs import read_survey
 from .data_date import day_of
 
-FIELDS = (("object_id", "int"), ("kind", "text"), ("confidence", "real"), ("height", "real"), ("diameter", "real"),
-          ("lean", "real"), ("azimuth", "real"), ("crown", "real"), ("arm", "real"), ("arm_height", "real"),
-          ("head_height", "real"), ("board_width", "real"), ("board_height", "real"), ("board_z", "real"),
-          ("sigma", "real"), ("points", "int"), ("passes", "int"), ("status", "text"), ("reason", "text"))
-RAIL_FIELDS = (("rail_id", "int"), ("height", "real"), ("sigma", "real"), ("sigma_z", "real"), ("length", "real"),
-               ("points", "int"), ("passes", "int"), ("status", "text"), ("reason", "text"))
+FIELDS = ("object_id", "kind", "confidence", "height", "diameter", "lean", "azimuth", "crown", "arm", "arm_height",
+          "head_height", "board_width", "board_height", "board_z", "sigma", "points", "passes", "status", "reason")
+RAIL_FIELDS = ("rail_id", "height", "sigma", "sigma_z", "length", "points", "passes", "status", "reason")
 
 
 class StreetObjects(UrbanMapAlgorithm):
@@ -140,7 +137,7 @@ class StreetObjects(UrbanMapAlgorithm):
             [shapely.points(thing.foot) for thing in objects], "PointZ", style="street_objects")}
         if parameters.get("OUTPUT_RAILS") not in (None, ""):
             rail_columns = {"rail_id": list(range(1, len(rails) + 1)),
-                            **{name: [getattr(rail, name) for rail in rails] for name, _ in RAIL_FIELDS[1:]},
+                            **{name: [getattr(rail, name) for rail in rails] for name in RAIL_FIELDS[1:]},
                             "reason": [tr(rail.reason) if rail.reason else None for rail in rails]}
             results["OUTPUT_RAILS"] = self.write_layer(
                 parameters, "OUTPUT_RAILS", context, make_fields(*RAIL_FIELDS), rail_columns, crs,

@@ -9,9 +9,8 @@ from ..framework.declaring.parameters import tr
 from ..framework.layers.layers import make_fields
 from ..framework.running.chain import is_rest_kept
 
-AREA_FIELDS = (("area_id", "int"), ("road_id", "int"), ("kind", "text"), ("function", "text"), ("width", "real"),
-               ("area", "real"), ("source", "text"), ("seen", "real"), ("step", "real"), ("sigma", "real"))
-STEP_FIELDS = (("area_id", "int"), ("height", "real"), ("length", "real"))
+AREA_FIELDS = ("area_id", "road_id", "kind", "function", "width", "area", ("source", "text"), "seen", ("step", "real"),
+               "sigma")
 
 
 def read_survey_roads(algorithm, parameters, context, progress):
@@ -70,7 +69,7 @@ def write_area_layers(algorithm, parameters, context, model, crs) -> dict:
         parameters, "OUTPUT_AREAS", context, make_fields(*AREA_FIELDS), columns, crs,
         [area.raised for area in areas], "PolygonZ", style="road_areas")}
     results["OUTPUT_STEPS"] = algorithm.write_layer(
-        parameters, "OUTPUT_STEPS", context, make_fields(*STEP_FIELDS), {
+        parameters, "OUTPUT_STEPS", context, None, {
             "area_id": [step.area + 1 for step in model.steps],
             **{name: [getattr(step, name) for step in model.steps] for name in ("height", "length")}},
         crs, [shapely.linestrings(step.upper) for step in model.steps], "LineStringZ", style="road_steps")

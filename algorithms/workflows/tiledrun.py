@@ -9,7 +9,6 @@ from qgis.core import QgsApplication, QgsProcessingParameterString
 from ...urbanmap_qgis.errors import InsufficientDataError, UrbanMapError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
-from ..framework.layers.layers import make_fields
 from ..framework.layers.shown_results import show_layer, shown_after
 from ..framework.running.cluster import check_cluster
 from ..framework.tiles.tiled_algorithms import CUTTABLE, WHOLE
@@ -202,12 +201,10 @@ class TiledRun(UrbanMapAlgorithm):
 
     def _write(self, parameters, context, inputs, tiles, records, progress):
         rows = [records[tile.name] for tile in tiles]
-        fields = make_fields(("tile", "text"), ("status", "text"), ("reason", "text"), ("seconds", "real"),
-                             ("memory", "real"))
         columns = {"tile": [row.name for row in rows], "status": [row.status for row in rows],
                    "reason": [row.reason for row in rows], "seconds": [row.seconds for row in rows],
                    "memory": [row.memory or None for row in rows]}
-        return self.write_layer(parameters, "OUTPUT", context, fields, columns, inputs.crs,
+        return self.write_layer(parameters, "OUTPUT", context, None, columns, inputs.crs,
                                 [tile.square for tile in tiles], "Polygon", "tiles", progress)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import re
 import sqlite3
 from contextlib import closing
@@ -113,28 +112,15 @@ def test_words_are_read_from_a_style(plugin, qgis_app, tmp_path):
     assert module.words_in_style("no style") == {} == module.words_in_file(tmp_path / "none.gpkg")
 
 
-KINDS = {"int", "real", "text", "bool"}
-
-
-def named_fields():
-    """Names of the fields that stand in the code as pairs of name and kind, with the modules that name them."""
-    found = {}
-    for folder in ("algorithms", "urbanmap_qgis"):
-        for path in (ROOT / folder).rglob("*.py"):
-            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-                pair = node.elts if isinstance(node, ast.Tuple) else ()
-                values = [item.value for item in pair if isinstance(item, ast.Constant)]
-                if len(pair) == len(values) == 2 and values[1] in KINDS and "samplecity" not in path.parts:
-                    found.setdefault(values[0], set()).add(path.name)
-    return found
-
-
-def test_every_field_in_the_code_has_words(plugin):
-    """Names that users have for other things as well ("type", "file") have words in the layers of a style alone."""
-    module, named = plugin("algorithms.framework.layers.field_words"), named_fields()
-    of_style = {field for _, field in module._OF_STYLE}
-    assert len(named) > 120
-    assert {name: where for name, where in named.items() if not module.words_of(name) and name not in of_style} == {}
+def test_fields_have_the_kinds_of_their_words(plugin):
+    """What a layer holds cannot be left without words: a field that has none is refused."""
+    make_fields = plugin("algorithms.framework.layers.layers").make_fields
+    real, whole, text, truth = (make_fields(("own", kind))[0].type() for kind in ("real", "int", "text", "bool"))
+    assert [item.type() for item in make_fields("sigma", "points", "status", "valid")] == [real, whole, text, truth]
+    assert [item.type() for item in make_fields("turn", "before")] == [real, real]
+    assert [item.type() for item in make_fields("turn", "before", style="lanes")] == [text, real]
+    with pytest.raises(KeyError, match="no words for unheard"):
+        make_fields("unheard")
 
 
 def test_words_in_the_layers_of_a_style_are_of_a_style_that_there_is(plugin):

@@ -218,7 +218,7 @@ def test_points_are_cut_by_outlines_or_taken_by_number(make_cloud, tmp_path):
         assert meshes[0].mesh.vertices[:, 2].max() == pytest.approx(BASE + 8, abs=0.1)
         assert meshes[0].status == (OK if path == cut else GROUND_UNKNOWN)
     columns = mesh_columns(meshes)
-    assert list(columns) == [name for name, _ in MESH_COLUMNS] and columns["building_id"] == [7, 9, 11]
+    assert list(columns) == list(MESH_COLUMNS) and columns["building_id"] == [7, 9, 11]
     within, rmse = total_fit(meshes)
     assert within > 0.95 and 0.01 < rmse < 0.3
     write_ply(tmp_path / "all.ply", meshes)

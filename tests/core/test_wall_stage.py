@@ -111,7 +111,7 @@ def test_most_of_what_was_seen_is_in_the_contours(found, truth, small_city, true
 def test_the_table_tells_all(found):
     walls, _ = found
     columns = wall_columns(walls)
-    assert list(columns) == [name for name, _ in WALL_COLUMNS]
+    assert list(columns) == list(WALL_COLUMNS)
     ids = list(zip(columns["building_id"], columns["wall_id"]))
     assert len(set(ids)) == len(walls)
     for name in ("coverage", "hidden", "unseen", "openings"):

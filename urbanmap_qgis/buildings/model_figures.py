@@ -56,12 +56,10 @@ class ModelFigures:
     storeys_estimated: int | None = None
 
 
-FIGURES: tuple[tuple[str, str], ...] = tuple(
-    (name, "int" if name == "storeys_estimated" else "real") for name in ModelFigures.__dataclass_fields__)
-"""Names and kinds of the figures, in order."""
+FIGURES = tuple(ModelFigures.__dataclass_fields__)
+"""Names of the figures, in order."""
 
-OWN_FIGURES: tuple[tuple[str, str], ...] = tuple(
-    entry for entry in FIGURES if entry[0].startswith(("roof", "volume", "area_roof", "storeys")))
+OWN_FIGURES = tuple(name for name in FIGURES if name.startswith(("roof", "volume", "area_roof", "storeys")))
 """Those that a building has by itself, whatever stands beside it, and that its model's columns do not have."""
 
 
@@ -90,10 +88,10 @@ def model_figures(solids: Sequence[Solid], sloped: bool = True, party_area: floa
         max(1, round(upper / STOREY_HEIGHT)))
 
 
-def figure_columns(figures: Sequence[ModelFigures], names: Sequence[tuple[str, str]] = FIGURES) -> dict[str, list]:
+def figure_columns(figures: Sequence[ModelFigures], names: Sequence[str] = FIGURES) -> dict[str, list]:
     """Columns of `FIGURES`, or of some of them, one entry a building."""
     rows = [asdict(one) for one in figures]
-    return {name: [row[name] for row in rows] for name, _ in names}
+    return {name: [row[name] for row in rows] for name in names}
 
 
 def _base(solid: Solid) -> float:

@@ -17,18 +17,13 @@ from .model_figures import OWN_FIGURES, figure_columns, model_figures
 from .model_status import NOT_MODELLED, STATUSES, counts
 from .model_surfaces import ground_area
 
-COLUMNS: tuple[tuple[str, str], ...] = (
-    ("building_id", "int"), ("status", "text"), ("reason", "text"), ("roofs", "int"), ("base", "real"),
-    ("height", "real"), ("area", "real"), ("volume", "real"), ("points", "int"), ("density", "real"),
-    ("rmse_z", "real"), ("rmse_z95", "real"), ("median_dz", "real"), ("rmse_3d", "real"), ("p95", "real"),
-    ("coverage", "real"), ("unseen", "real"), ("beyond", "real"), ("lod", "text"), ("roof_type", "text"),
-    ("not_explained", "real"), ("quality", "real"), *OWN_FIGURES,
-)
-"""Names and kinds of the columns, in order."""
+COLUMNS = ("building_id", "status", "reason", "roofs", "base", "height", "area", "volume", "points", "density",
+           "rmse_z", "rmse_z95", "median_dz", "rmse_3d", "p95", "coverage", "unseen", "beyond", "lod", "roof_type",
+           "not_explained", "quality", *OWN_FIGURES)
+"""Names of the columns, in order."""
 
-SURFACE_COLUMNS = (("building_id", "int"), ("roof_id", "int"), ("surface_type", "text"), ("seen", "real"),
-                   ("sigma", "real"))
-"""Names and kinds of the columns of the faces: of roofs the share that the points have seen, and the expected error of
+SURFACE_COLUMNS = ("building_id", "roof_id", "surface_type", "seen", "sigma")
+"""Names of the columns of the faces: of roofs the share that the points have seen, and the expected error of
 the height, m."""
 
 
@@ -41,7 +36,7 @@ def model_columns(models: Sequence[BuildingModel]) -> dict[str, list]:
     """
     rows = [_row(model) for model in models]
     figures = figure_columns([model_figures(model.solids, model.lod.startswith("2")) for model in models], OWN_FIGURES)
-    return {name: figures[name] if name in figures else [row[name] for row in rows] for name, _ in COLUMNS}
+    return {name: figures[name] if name in figures else [row[name] for row in rows] for name in COLUMNS}
 
 
 def _row(model: BuildingModel) -> dict:
@@ -66,7 +61,7 @@ def surface_columns(models: Sequence[BuildingModel]) -> dict[str, list]:
     rows = [(model.building_id, roof, kind, said.get("seen"), said.get("sigma")) for model in models
             for solid, remarks in zip(model.solids, roof_remarks(model))
             for roof, kind, said in zip(solid.roof_id, solid.surface_type, remarks)]
-    return {name: [row[place] for row in rows] for place, (name, _) in enumerate(SURFACE_COLUMNS)}
+    return {name: [row[place] for row in rows] for place, name in enumerate(SURFACE_COLUMNS)}
 
 
 def write_model_report(path: str | os.PathLike, columns: Mapping[str, Sequence],

@@ -353,20 +353,15 @@ def _why(seen: WallCoverage) -> str:
     return say("the survey did not see the rest")
 
 
-WALL_COLUMNS: tuple[tuple[str, str], ...] = (
-    ("building_id", "int"), ("wall_id", "int"), ("status", "text"), ("note", "text"), ("area", "real"),
-    ("height", "real"), ("length", "real"), ("azimuth", "real"), ("tilt", "real"), ("normal_x", "real"),
-    ("normal_y", "real"), ("normal_z", "real"), ("points", "int"), ("passes", "int"), ("rmse", "real"),
-    ("sigma", "real"), ("pass_spread", "real"), ("coverage", "real"), ("hidden", "real"), ("unseen", "real"),
-    ("openings", "real"), ("filled", "real"), ("edge", "int"), ("offset", "real"), ("kind", "text"),
-    ("through", "real"),
-)
-"""Names and kinds of the columns of a layer of walls, in order."""
+WALL_COLUMNS = ("building_id", "wall_id", "status", "note", "area", "height", "length", "azimuth", "tilt", "normal_x",
+                "normal_y", "normal_z", "points", "passes", "rmse", "sigma", "pass_spread", "coverage", "hidden",
+                "unseen", "openings", "filled", "edge", "offset", "kind", "through")
+"""Names of the columns of a layer of walls, in order."""
 
 
 def wall_columns(walls: Sequence[FacadeWall]) -> dict[str, list]:
     """Columns of `WALL_COLUMNS`; walls are numbered within their building from 1, the largest plane first."""
-    columns: dict[str, list] = {name: [] for name, _ in WALL_COLUMNS}
+    columns: dict[str, list] = {name: [] for name in WALL_COLUMNS}
     number: dict[int, int] = {}
     for wall in walls:
         number[wall.building_id] = number.get(wall.building_id, 0) + 1

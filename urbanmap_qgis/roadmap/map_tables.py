@@ -39,8 +39,8 @@ def bound_columns(built: VectorMap, ids: Sequence[int] = ()) -> dict[str, list]:
     used = Counter(number for lane in built.lanes for number in (lane.left, lane.right))
     return {"bound_id": list(ids or range(len(bounds))), "class": [bound.kind for bound in bounds],
             "colour": [bound.colour or None for bound in bounds], "width": [bound.width for bound in bounds],
-            "sigma": [bound.sigma for bound in bounds], "double": [bound.double for bound in bounds],
-            "sigmas": [told_sigmas(bound.sigmas) for bound in bounds],
+            "sigma": [bound.sigma for bound in bounds], "sigmas": [told_sigmas(bound.sigmas) for bound in bounds],
+            "double": [bound.double for bound in bounds],
             "unseen": [bound.unseen for bound in bounds], "lanes": [used[number] for number in range(len(bounds))]}
 
 

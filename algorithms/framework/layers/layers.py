@@ -42,6 +42,7 @@ from ..declaring.destinations import definition_of, sink_file
 from ..declaring.parameters import tr
 from .crs import crs_from, require_projected, wkt_of
 from .earlier_words import earlier_words
+from .field_words import kind_of
 from .reprojection import needs_moving, table_in
 from .styles import TIME, Earlier, give_style, save_style
 
@@ -91,16 +92,18 @@ class VectorTable:
         return len(self.ids)
 
 
-def make_fields(*fields: tuple[str, str], base: QgsFields | None = None) -> QgsFields:
-    """Fields of a layer to write: pairs of name and kind ("int", "real", "text" or "bool").
+def make_fields(*names: str | tuple[str, str], base: QgsFields | None = None, style: str = "") -> QgsFields:
+    """Fields of a layer to write, of the kinds that their words in a layer with this style have; one without words, or
+    of another kind ("int", "real", "text" or "bool"), is a pair with it.
 
     `base` gives fields to keep in front, such as those of the footprints; a name given again replaces it.
     """
     result = QgsFields()
-    names = {name.lower() for name, _ in fields}
-    names |= {name[:SHORT] for name in names}  # what a shapefile has left of them
+    fields = [(name, kind_of(name, style)) if isinstance(name, str) else name for name in names]
+    taken = {name.lower() for name, _ in fields}
+    taken |= {name[:SHORT] for name in taken}  # what a shapefile has left of them
     for item in base or ():
-        if item.name().lower() not in names and item.name().lower() != "fid":
+        if item.name().lower() not in taken and item.name().lower() != "fid":
             result.append(item)
     for name, kind in fields:
         field = QgsField(name, getattr(_TYPES, _KINDS[kind]))

@@ -427,18 +427,12 @@ def _edges(plan: _Plan, settings: MergeSettings) -> tuple[EdgeResult, ...]:
     return tuple(results)
 
 
-MODEL_COLUMNS: tuple[tuple[str, str], ...] = (
-    ("building_id", "int"), ("status", "text"), ("reason", "text"), ("valid", "bool"), ("walls", "int"),
-    ("walls_moved", "int"), ("measured", "real"), ("mean_offset", "real"), ("max_offset", "real"), ("base", "real"),
-    ("height", "real"), ("volume", "real"), ("volume_change", "real"),
-)
-"""Names and kinds of the columns of merged models."""
+MODEL_COLUMNS = ("building_id", "status", "reason", "valid", "walls", "walls_moved", "measured", "mean_offset",
+                 "max_offset", "base", "height", "volume", "volume_change")
+"""Names of the columns of merged models."""
 
-EDGE_COLUMNS: tuple[tuple[str, str], ...] = (
-    ("building_id", "int"), ("edge", "int"), ("status", "text"), ("note", "text"), ("wall", "int"),
-    ("length", "real"), ("offset", "real"), ("turn", "real"), ("seen", "real"), ("rmse", "real"), ("sigma", "real"),
-)
-"""Names and kinds of the columns of a merged model's walls."""
+EDGE_COLUMNS = ("building_id", "edge", "status", "note", "wall", "length", "offset", "turn", "seen", "rmse", "sigma")
+"""Names of the columns of a merged model's walls."""
 
 
 def merged_columns(buildings: Sequence[MergedBuilding]) -> dict[str, list]:
@@ -473,5 +467,5 @@ def edge_columns(buildings: Sequence[MergedBuilding]) -> dict[str, list]:
     return _columns(EDGE_COLUMNS, rows)
 
 
-def _columns(names: Sequence[tuple[str, str]], rows: Sequence[tuple]) -> dict[str, list]:
-    return {name: [row[place] for row in rows] for place, (name, _) in enumerate(names)}
+def _columns(names: Sequence[str], rows: Sequence[tuple]) -> dict[str, list]:
+    return {name: [row[place] for row in rows] for place, name in enumerate(names)}

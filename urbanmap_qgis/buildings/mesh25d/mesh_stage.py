@@ -196,12 +196,9 @@ def _judged(mesh: BuildingMesh, assumed: bool, note: str, settings: MeshSettings
                         mesh.fit)
 
 
-MESH_COLUMNS: tuple[tuple[str, str], ...] = (
-    ("building_id", "int"), ("status", "text"), ("reason", "text"), ("triangles", "int"), ("surfaces", "int"),
-    ("base", "real"), ("height", "real"), ("points", "int"), ("rmse", "real"), ("p95", "real"), ("max_error", "real"),
-    ("within", "real"), ("watertight", "bool"), ("valid", "bool"),
-)
-"""Names and kinds of the columns of meshes."""
+MESH_COLUMNS = ("building_id", "status", "reason", "triangles", "surfaces", "base", "height", "points", "rmse", "p95",
+                "max_error", "within", "watertight", "valid")
+"""Names of the columns of meshes."""
 
 
 def mesh_columns(meshes: Sequence[BuildingMesh]) -> dict[str, list]:
@@ -213,7 +210,7 @@ def mesh_columns(meshes: Sequence[BuildingMesh]) -> dict[str, list]:
         figures = (fit.points, fit.rmse, fit.p95, fit.max_distance, fit.within) if fit else (0, *(math.nan,) * 4)
         rows.append((item.building_id, item.status, item.reason, len(mesh.faces) if mesh else 0, item.surfaces,
                      item.base, top, *figures, item.watertight, item.valid))
-    return {name: [row[place] for row in rows] for place, (name, _) in enumerate(MESH_COLUMNS)}
+    return {name: [row[place] for row in rows] for place, name in enumerate(MESH_COLUMNS)}
 
 
 def total_fit(meshes: Sequence[BuildingMesh]) -> tuple[float, float]:

@@ -11,12 +11,6 @@ from ..signals.tables import Signals
 from .reflections import LOS, NLOS, REFLECTED, SignalPaths
 from .wall_faces import WallPieces, wall_table
 
-COLUMNS = (("time", "real"), ("pass", "int"), ("satellite", "text"), ("system", "text"), ("kind", "text"),
-           ("sure", "bool"), ("elevation", "real"), ("azimuth", "real"), ("cn0", "real"), ("excess", "real"),
-           ("residual", "real"), ("difference", "real"), ("reflections", "int"), ("building", "text"),
-           ("edge", "int"))
-"""Fields of the ray lines with their kinds."""
-
 
 @dataclass(frozen=True)
 class RayStatistics:

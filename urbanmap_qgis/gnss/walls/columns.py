@@ -9,12 +9,6 @@ from ..rays.wall_faces import wall_table
 from ..signals.tables import Signals
 from .adjustment import Adjustment
 
-WALL_COLUMNS = (("building", "text"), ("edge", "int"), ("status", "text"), ("reason", "text"), ("offset", "real"),
-                ("sigma", "real"), ("applied", "real"), ("observations", "int"), ("signals", "int"),
-                ("satellites", "int"), ("passes", "int"), ("on_time", "real"), ("distance", "real"),
-                ("length", "real"), ("low", "real"), ("top", "real"))
-"""Fields of the walls with their kinds."""
-
 
 def adjusted_wall_columns(adjustment: Adjustment, names: np.ndarray) -> dict[str, np.ndarray]:
     """Attributes of the walls, (k,) each; `names` (buildings,) of the buildings by row."""

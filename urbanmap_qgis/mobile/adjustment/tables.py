@@ -33,7 +33,7 @@ def node_columns(survey: AdjustedSurvey) -> tuple[dict[str, object], np.ndarray]
         "status": [STATUS_NAMES[number] for drive in drives for number in drive.status],
         "time": np.concatenate([drive.time for drive in drives]),
         "chainage": np.concatenate([drive.chainage for drive in drives]),
+        **{name: value[:, k] for k, name in enumerate(("east", "north", "up", "heading"))},
         "sigma": np.concatenate([drive.plan_sigma() for drive in drives]),
         "sigma_up": np.concatenate([np.sqrt(drive.covariance[:, 2, 2]) for drive in drives])}
-    columns.update({name: value[:, k] for k, name in enumerate(("east", "north", "up", "heading"))})
     return columns, np.concatenate([drive.place for drive in drives])
