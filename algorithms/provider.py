@@ -13,6 +13,7 @@ from qgis.PyQt.QtGui import QIcon
 
 from .framework.base import GROUPS, UrbanMapAlgorithm
 from .framework.declaring.parameters import tr
+from .framework.earlier_ids import earlier_algorithms
 from .framework.shipped_models import MODELS, keep_earlier_id, read_model
 from .framework.version import plugin_version
 
@@ -61,6 +62,8 @@ class UrbanMapProvider(QgsProcessingProvider):
                     self.addAlgorithm(algorithm)
             except BROKEN_MODULE:
                 self._warn(tr("The module {0} cannot be loaded:").format(module), traceback.format_exc())
+        for algorithm in earlier_algorithms(__package__):
+            self.addAlgorithm(algorithm)
         for path in sorted(MODELS.glob("*.model3")):
             model = read_model(path, GROUPS)
             if model is None:

@@ -464,7 +464,7 @@ def job(path: Path, city: Path) -> Path:
     """A job that has run in part."""
     from urbanmap_qgis.job.job_file import DONE, FAILED, JobStep, planned_job, write_job
 
-    steps = [JobStep("outlines", "loadgsibuildings", {"INPUT": str(city / "footprints")}, DONE, "abc",
+    steps = [JobStep("outlines", "loadgsi", {"INPUT": str(city / "footprints")}, DONE, "abc",
                      {"OUTPUT": str(path.parent / "outlines.gpkg"), "BUILDINGS": 12}),
              JobStep("models", "buildingsfromals", {"MIN_ROOF_AREA": 20.0, "LEVELS": [1, 2]}, FAILED, message="why")]
     write_job(path, planned_job("buildings", {"points": (str(city / "als/als.laz"),)}, steps, (str(city),)))

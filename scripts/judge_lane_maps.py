@@ -3,7 +3,7 @@
 
     python3 scripts/judge_lane_maps.py CITY [CITY ...]
 
-Lanelet2 itself and simple-lanelet2 load the file; Autoware's rules are those of `checkvectormap`; ASAM's checker and
+Lanelet2 itself and simple-lanelet2 load the file; Autoware's rules are those of `checkmodel`; ASAM's checker and
 SUMO read the OpenDRIVE file. The judges are installed by `make judges`.
 """
 

@@ -31,7 +31,8 @@ def pages() -> dict[str, str]:
     application.initQgis()
     provider = importlib.import_module(f"{ROOT.name}.algorithms.provider").UrbanMapProvider()
     provider.register()
-    made = pages_of([item.create() for item in provider.algorithms() if hasattr(item, "HELP")])
+    made = pages_of([item.create() for item in provider.algorithms()
+                     if getattr(item, "HELP", "") and not item.SUCCESSOR])
     application.exitQgis()
     return made
 

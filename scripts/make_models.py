@@ -76,7 +76,7 @@ BUILDINGS_FROM_ALS = (
                "POINTS": ("segmentroofs", "OUTPUT")},
          named={"ROOF_SHAPE": "ROOFS"}, note="NOTE",
          outputs={"OUTPUT": "Building models", "OUTPUT_SURFACES": "Surfaces", "OUTPUT_CITYJSON": "CityJSON",
-                  "OUTPUT_MESH": "OBJ mesh", "OUTPUT_REPORT": "Report"}),
+                  "OUTPUT_MESH": "OBJ mesh", "OUTPUT_MESHES": "2.5D meshes", "OUTPUT_REPORT": "Report"}),
 )
 
 AERIAL_MARKINGS = (

@@ -24,7 +24,7 @@ CITY_PAGE = ROOT / "docs" / "city_rules.md"
 
 HEAD = """# Rules of lane maps
 
-What [checkvectormap](algorithms/checkvectormap.md) looks at, made by `scripts/make_rule_page.py` from
+What [checkmodel](algorithms/checkmodel.md) looks at, made by `scripts/make_rule_page.py` from
 `urbanmap_qgis/roadmap/checks/rules.tsv`. To leave rules out, give their codes, or the begin of several
 (`Lane.BorderSharing, mapping.`), as `EXCLUDE`. Codes and severities are those of Autoware's lanelet2_map_validator
 (source Autoware) and of lanelet2_validation or the Lanelet2 library (source Lanelet2); rules of source UrbanMap are our
@@ -36,7 +36,7 @@ who turns across whom, as in Autoware.
 
 CITY_HEAD = """# Rules of city models
 
-What [checkcitymodel](algorithms/checkcitymodel.md) looks at, made by `scripts/make_rule_page.py` from
+What [checkmodel](algorithms/checkmodel.md) looks at, made by `scripts/make_rule_page.py` from
 `urbanmap_qgis/citymodel/checks/rules.tsv`. To leave rules out, give their codes, or the begin of several
 (`L-bldg, D-`), as `EXCLUDE`. Codes are those of the standard product specification of 3D city models (Project PLATEAU)
 5.0, chapter 6; a word after a full stop tells apart what is mended differently. Codes that begin with D are demands of

@@ -83,7 +83,7 @@ class Models:
 GROUND = (("orthophoto.tif", "Orthophoto"),)
 PICTURES = {
     "toolbox.jpg": Toolbox(),
-    "buildings_load.jpg": Dialog("tutorial_buildings", "loadgsibuildings"),
+    "buildings_load.jpg": Dialog("tutorial_buildings", "loadgsi"),
     "buildings_dialog.jpg": Dialog("tutorial_buildings", "buildingsfromals"),
     "buildings_map.jpg": Map((("models.gpkg", "Building models"), ("buildings.gpkg", "Footprints"), *GROUND), 800),
     "buildings_table.jpg": Map((("models.gpkg", "Building models"),), 800, table=True),

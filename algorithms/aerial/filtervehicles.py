@@ -16,6 +16,7 @@ METHODS = ("vote", "darkest", "paper")
 
 class FilterVehicles(FrameShiftsOutput, UrbanMapAlgorithm):
     ID = "filtervehicles"
+    SUCCESSOR = "orthorectifyframes"
     NAME = "Filter vehicles"
     SOURCE = "Javanmardi, 3.2.1.2"
     KEYWORDS = ("vehicles", "cars", "traffic", "orthophoto", "darkest", "aerial")

@@ -14,6 +14,7 @@ from ..framework.layers.layers import make_fields
 from ..framework.layers.outlines import building_names, building_numbers, column, footprints_of, numbers, open_points
 from ..framework.layers.reprojection import with_heights_of_points
 from ..framework.running.workers import workers
+from .mesh25d import Mesh25D, meshes_beside
 
 
 class BuildingModels(UrbanMapAlgorithm):
@@ -63,6 +64,7 @@ class BuildingModels(UrbanMapAlgorithm):
                              optional=True)
         self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: counts, quality, the worst buildings with "
                              "reasons.", HTML_FILTER, optional=True)
+        self.add_from(Mesh25D, optional=True, label="2.5D meshes", OUTPUT_MESHES="OUTPUT")
         self.add_number_output("BUILDINGS", "Buildings", "Number of outlines.")
         self.add_number_output("MODELLED", "Modelled", "Buildings with a model.")
         self.add_number_output("RMSE_Z95", "Mean RMSE of height, best 95 %", "Mean over the buildings, where points "
@@ -114,7 +116,7 @@ class BuildingModels(UrbanMapAlgorithm):
                 # Not with the other files: the mesh names its file of materials, so that it cannot be renamed.
                 write_obj(files["OUTPUT_MESH"], city_buildings(models, columns, building_names(buildings)))
         return {
-            **layers, **files,
+            **layers, **files, **meshes_beside(self, parameters, context, feedback),
             "BUILDINGS": len(models), "MODELLED": modelled,
             "RMSE_Z95": float(np.nanmean(figures)) if np.isfinite(figures).any() else None,
         }

@@ -5,6 +5,7 @@ from __future__ import annotations
 from contextlib import ExitStack
 from dataclasses import replace
 
+from ...urbanmap_qgis.errors import InputError
 from ...urbanmap_qgis.settings.buildings import MeshSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import OBJ_FILTER, tr
@@ -18,6 +19,7 @@ PLY_FILTER = "PLY mesh (*.ply)"
 
 class Mesh25D(UrbanMapAlgorithm):
     ID = "mesh25d"
+    SUCCESSOR = "buildingmodels"
     NAME = "2.5D mesh of buildings"
     SOURCE = "Javanmardi, 5.7"
     KEYWORDS = ("building", "mesh", "2.5D", "TIN", "curved", "complex", "OBJ", "PLY")
@@ -119,6 +121,19 @@ class Mesh25D(UrbanMapAlgorithm):
                           progress=replace(progress, cancelled=lambda: False))
                 results["OUTPUT_MESH"] = str(paths["OUTPUT_MESH"])
         return results
+
+
+def meshes_beside(algorithm, parameters, context, feedback) -> dict:
+    """The layer of meshes by the name OUTPUT_MESHES, which “Building models” makes of its points; none where it is not
+    wanted."""
+    if not parameters.get("OUTPUT_MESHES"):
+        return {}
+    if not parameters.get("POINTS"):
+        raise InputError(tr("{0} are made of points: give “{1}”, or leave them out.").format(
+            algorithm.label_of("OUTPUT_MESHES"), algorithm.label_of("POINTS")))
+    run = algorithm.child_runner(context, feedback, 1)
+    given = {name: parameters[name] for name in ("POINTS", "FOOTPRINTS", "GROUND", "WORKERS") if name in parameters}
+    return {"OUTPUT_MESHES": run("mesh25d", **given, OUTPUT=parameters["OUTPUT_MESHES"])["OUTPUT"]}
 
 
 def mesh_buildings_of(meshes, columns, names):

@@ -6,6 +6,7 @@ from qgis.core import QgsProcessing
 
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
+from .control_residuals import ControlResiduals
 from .edge_runs import EdgeRuns
 
 LEVELS = ("250", "500", "1000", "2500", "5000", "given")
@@ -20,7 +21,7 @@ NUMBERS = {"POINTS": ("Check points", ""), "RMSE_PLAN": ("Standard deviation in 
            "MAX_PLAN": ("Maximum error in plan", "m"), "MAX_HEIGHT": ("Maximum error in height", "m")}
 
 
-class Acceptance(EdgeRuns, UrbanMapAlgorithm):
+class Acceptance(ControlResiduals, EdgeRuns, UrbanMapAlgorithm):
     ID = "acceptance"
     NAME = "Acceptance report"
     KEYWORDS = ("accuracy", "acceptance", "quality control", "check points", "map level", "report", "PDF")
@@ -29,6 +30,8 @@ class Acceptance(EdgeRuns, UrbanMapAlgorithm):
         "Judges a survey or building models by check points, in the form of the tables of quality control of Japan's "
         "public surveys: figures in plan and in height apart, the limits of the map level, passed or failed for each "
         "criterion, a map of the errors, all points.\n"
+        "A mobile survey is judged by control points: with its trajectory, and a corrected one where there is one, the "
+        "residuals are worked out here.\n"
         "Check points must have been measured independently; those that the product was adjusted to are left out "
         "where a column “role” names them. Where there are too few points nothing is accepted.\n"
         "The standard deviation is that about a mean of 0. With few points it says little: the report gives the value "
@@ -45,10 +48,11 @@ class Acceptance(EdgeRuns, UrbanMapAlgorithm):
         return super().flags() | self.Flag.FlagNoThreading
 
     def declare(self):
-        self.add_table("INPUT", "Check points", "The residuals of “Check accuracy at control points”, or a table or "
-                        "layer with x, y, z (true, metres) and x_product, y_product, z_product; id, and role (check or "
-                        "adjusted), where there are such columns; or the table of edges with x, y, z filled in. "
-                        "Without check points nothing is judged.", optional=True)
+        self.add_table("INPUT", "Check points", "Table or layer with x, y, z (true, metres) and x_product, y_product, "
+                        "z_product; id, and role (check or adjusted), where there are such columns; or the residuals "
+                        "of an earlier run; or the table of edges with x, y, z filled in; or control points, with a "
+                        "trajectory. Without check points nothing is judged.", optional=True)
+        self.add_survey()
         self.add_vector("BUILDINGS", "Building models", "MultiPolygonZ with all faces of each building: edges to be "
                         "surveyed are drawn from them.", optional=True,
                         source_type=QgsProcessing.SourceType.TypeVectorPolygon)
@@ -91,6 +95,7 @@ class Acceptance(EdgeRuns, UrbanMapAlgorithm):
         self.add_file("TEMPLATE", "Layout of the PDF", "Layout template of QGIS (.qpt): a changed copy of the plugin's "
                       "resources/layouts/acceptance.qpt, whose items are filled by their ids.",
                       filter="Layout templates (*.qpt)", optional=True, advanced=True)
+        self.add_survey_outputs()
         for name, (label, unit) in NUMBERS.items():
             self.add_number_output(name, label, label, unit=unit)
         self.add_text_output("OUTCOME", "Outcome", "passed, failed, or not checked.")
@@ -100,6 +105,7 @@ class Acceptance(EdgeRuns, UrbanMapAlgorithm):
 
         if not parameters.get("INPUT") and not parameters.get("BUILDINGS"):
             raise InputError(tr("Give check points, or building models whose edges are to be surveyed."))
+        self.check_survey(parameters)
         self.check_edge_inputs(parameters)
         given = [self._number(parameters, name, context) for name in ("LIMIT_PLAN", "LIMIT_HEIGHT")]
         if self.parameterAsString(parameters, "MAP_LEVEL", context) == "given" and given == [None, None]:
@@ -121,15 +127,15 @@ class Acceptance(EdgeRuns, UrbanMapAlgorithm):
         drawn = self.drawn_edges(models)
         if not parameters.get("INPUT"):
             return self.only_drawn(parameters, context, drawn, models)
-        from ...urbanmap_qgis.acceptance.check_points import check_point_columns
-
-        table = self.read_table(parameters, "INPUT", context, check_point_columns, progress.part(0.0, 0.2))
+        results, table = self.check_table(parameters, context, progress.part(0.0, 0.2))
+        if results and not any(parameters.get(name) for name in ("OUTPUT_REPORT", "OUTPUT_PDF", "OUTPUT_CSV")):
+            return results
         points = self._points(parameters, context, table)
         limits, level = self._limits(parameters, context)
         found = criteria(points, limits, *self._needed(parameters, context))
         job = self._job(parameters, context, table)
         patches = self._patches(parameters, context)
-        results = {"OUTCOME": outcome(found), **self.write_edges(parameters, context, drawn)}
+        results |= {"OUTCOME": outcome(found), **self.write_edges(parameters, context, drawn)}
         results |= self.write_file(parameters, "OUTPUT_REPORT", context, write_acceptance_report, points, found,
                                    limits, job, level, patches)
         results |= self.write_file(parameters, "OUTPUT_CSV", context, write_points_csv, points)

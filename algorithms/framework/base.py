@@ -22,8 +22,8 @@ from ...urbanmap_qgis.errors import SYSTEM_TROUBLES, Cancelled, InputError, Urba
 from ...urbanmap_qgis.io.files.staging import Staging, final_text
 from ...urbanmap_qgis.progress import SILENT, Progress
 from .declaring import destinations
-from .declaring.parameters import text_table, tr
-from .declaring.retired import of_today
+from .declaring.parameters import is_optional, text_table, tr
+from .declaring.retired import of_today, succession
 from .layers import crs as crs_checks
 from .layers import layers, reprojection, shown_results
 from .layers.trajectories import TrajectoryParameters, trajectory_exists
@@ -71,6 +71,7 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
     REQUIRES : import names of the packages it needs.
     KEPT_FOLDERS : folder outputs that are written in their place step by step, so that a later run can go on in them.
     LASTING_FOLDERS : folder outputs that are asked for in the window: a temporary one is gone when QGIS ends.
+    SUCCESSOR : id of the algorithm that does its work now: the toolbox hides it, and each run says so.
     RETIRED : parameters of earlier versions that no longer do anything, with what is said where one is given.
     RETIRED_WORDS : words of choices of earlier versions by parameter, each with the word that is taken instead.
     """
@@ -83,6 +84,7 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
     REQUIRES: tuple[str, ...] = ("numpy", "shapely")
     KEPT_FOLDERS: tuple[str, ...] = ()
     LASTING_FOLDERS: tuple[str, ...] = ()
+    SUCCESSOR = ""
     RETIRED: Mapping[str, str] = MappingProxyType({})
     RETIRED_WORDS: Mapping[str, Mapping[str, str]] = MappingProxyType({})
 
@@ -113,6 +115,9 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
 
     def name(self):
         return self.ID
+
+    def flags(self):
+        return super().flags() | self.Flag.FlagDeprecated if self.SUCCESSOR else super().flags()
 
     def displayName(self):
         return tr(self.NAME)
@@ -202,7 +207,7 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         with signals_cancel(feedback) as signals:
             try:
                 parameters, sentences = of_today(self, parameters)
-                for sentence in sentences:
+                for sentence in (*sentences, *succession(self, feedback)):
                     feedback.pushWarning(sentence)
                 self._check_all(parameters, context)
                 with Staging() as staging:
@@ -314,7 +319,7 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
             if path.suffix.lower() not in POINT_SUFFIXES:
                 raise InputError(tr("{0}: {1} is no LAS, LAZ or COPC file; convert it first.").format(
                     self.label_of(name), path))
-        if not paths and not _is_optional(self.parameterDefinition(name)):
+        if not paths and not is_optional(self.parameterDefinition(name)):
             raise InputError(tr("{0}: no file was given; give one or several LAS or LAZ files.").format(
                 self.label_of(name)))
         return list(dict.fromkeys(paths))
@@ -332,7 +337,7 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         """File of a raster layer; None where an optional one was not given."""
         layer = self.parameterAsRasterLayer(parameters, name, context)
         if layer is None:
-            if parameters.get(name) is None and _is_optional(self.parameterDefinition(name)):
+            if parameters.get(name) is None and is_optional(self.parameterDefinition(name)):
                 return None
             raise InputError(tr("{0}: {1} cannot be opened as a raster; check the file.").format(
                 self.label_of(name), parameters.get(name)))
@@ -490,11 +495,7 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
 
     def _source(self, parameters: Mapping, name: str, context: QgsProcessingContext):
         source = self.parameterAsSource(parameters, name, context)
-        if source is None and (parameters.get(name) or not _is_optional(self.parameterDefinition(name))):
+        if source is None and (parameters.get(name) or not is_optional(self.parameterDefinition(name))):
             raise InputError(tr("{0}: {1} cannot be opened as a vector layer; check the file and the layer name.")
                              .format(self.label_of(name), parameters.get(name)))
         return source
-
-
-def _is_optional(definition) -> bool:
-    return bool(definition.flags() & definition.Flag.FlagOptional)

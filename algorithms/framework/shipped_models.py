@@ -86,6 +86,10 @@ class ShippedModel(QgsProcessingModelAlgorithm):
     def displayName(self):
         return self._title
 
+    def flags(self):
+        """Opened by the menu, run by `qgis_process`; the toolbox has the chain of the same steps."""
+        return super().flags() | self.Flag.FlagHideFromToolbox
+
     def groupId(self):
         return self._group
 

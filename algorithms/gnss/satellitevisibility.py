@@ -18,6 +18,7 @@ SYSTEM_FIELDS = {"gps": "G", "glonass": "R", "galileo": "E", "beidou": "C", "qzs
 
 class SatelliteVisibility(GnssInputs, UrbanMapAlgorithm):
     ID = "satellitevisibility"
+    SUCCESSOR = "localisationaccuracy"
     NAME = "Satellite visibility"
     SOURCE = "Javanmardi, 3.3 (figure 3-20)"
     KEYWORDS = ("GNSS", "GPS", "satellite", "line of sight", "LOS", "visibility", "PDOP", "sky", "planning")

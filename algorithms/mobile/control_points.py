@@ -25,19 +25,20 @@ def read_control(algorithm, parameters, context, progress):
     return control_from_columns(table.columns, table.label), _crs_wkt(algorithm, parameters, context, table)
 
 
-def read_check_points(algorithm, parameters, context, progress):
-    """The same without points that the survey was adjusted to, and how many of these there are."""
+def read_check_points(algorithm, parameters, name, context, progress):
+    """The same of a parameter, without points that the survey was adjusted to, how many of these there are, and the
+    table."""
     from ...urbanmap_qgis.mobile.control import check_points_of, control_columns, control_from_columns
 
-    table = algorithm.read_table(parameters, "CONTROL", context, control_columns, progress)
+    table = algorithm.read_table(parameters, name, context, control_columns, progress)
     control, adjusted = check_points_of(control_from_columns(table.columns, table.label), table.columns, table.label)
-    return control, _crs_wkt(algorithm, parameters, context, table), adjusted
+    return control, _crs_wkt(algorithm, parameters, context, table, name), adjusted, table
 
 
-def _crs_wkt(algorithm, parameters, context, table: VectorTable) -> str:
+def _crs_wkt(algorithm, parameters, context, table: VectorTable, name: str = "CONTROL") -> str:
     given = algorithm.parameterAsCrs(parameters, "CRS", context)
     if table.crs.isValid():
         if given.isValid():
-            algorithm.same_crs("CONTROL", table.crs, "CRS", given)
+            algorithm.same_crs(name, table.crs, "CRS", given)
         return table.crs_wkt
     return given.toWkt(given.WKT_PREFERRED) if given.isValid() else ""

@@ -9,6 +9,7 @@ from .control_points import add_control, read_control
 
 class LandmarkUpdate(UrbanMapAlgorithm):
     ID = "landmarkupdate"
+    SUCCESSOR = "adjustsurveys"
     NAME = "Landmark update"
     SOURCE = "Javanmardi, 3.1"
     KEYWORDS = ("landmark", "control", "GCP", "trajectory", "correction", "baseline")

@@ -38,7 +38,8 @@ class BuildingsFromAls(UrbanMapAlgorithm):
         self.add_from(RoofPolygons, "MIN_LINE_POINTS", advanced=True)
         self.add_from(RoofPolygons, "HEIGHT", advanced=True)
         self.add_from(BuildingModels, "BASE_FIELD", advanced=True)
-        self.add_from(BuildingModels, "WORKERS", "SCHEDULER", "OUTPUT", "OUTPUT_SURFACES", "OUTPUT_MESH")
+        self.add_from(BuildingModels, "WORKERS", "SCHEDULER", "OUTPUT", "OUTPUT_SURFACES", "OUTPUT_MESH",
+                      "OUTPUT_MESHES")
         self.add_from(BuildingModels, "OUTPUT_CITYJSON", "OUTPUT_REPORT", by_default=True)
         self.add_from(BuildingModels, "BUILDINGS", "MODELLED", "RMSE_Z95")
 
@@ -58,7 +59,7 @@ class BuildingsFromAls(UrbanMapAlgorithm):
         polygons = run("roofpolygons", **given.pick("METHOD", "ROOFS", "HEIGHT", "MIN_LINE_POINTS", "WORKERS"),
                        POINTS=[roofs["OUTPUT"]], FOOTPRINTS=buildings["OUTPUT_BUILDINGS"], OUTPUT="TEMPORARY_OUTPUT")
         models = run("buildingmodels", **given.pick("GROUND", "BASE_FIELD", "WORKERS", "OUTPUT", "OUTPUT_SURFACES",
-                                                    "OUTPUT_CITYJSON", "OUTPUT_REPORT", "OUTPUT_MESH"),
+                                                    "OUTPUT_CITYJSON", "OUTPUT_REPORT", "OUTPUT_MESH", "OUTPUT_MESHES"),
                      ROOFS=polygons["OUTPUT"], FOOTPRINTS=buildings["OUTPUT_BUILDINGS"], POINTS=[roofs["OUTPUT"]],
                      ROOF_SHAPE=self.parameterAsString(parameters, "ROOFS", context))
         return {name: models[name] for name in models if name in {item.name() for item in self.outputDefinitions()}}

@@ -30,6 +30,10 @@ class RunJob(UrbanMapAlgorithm):
         "A step that fails ends the run with its sentence (on the command line with exit code 1)."
     )
 
+    def flags(self):
+        """Not in the toolbox: in the window the guide runs its jobs itself."""
+        return super().flags() | self.Flag.FlagHideFromToolbox
+
     def declare(self):
         self.add_file("JOB", "Job", "File of the job (.urbanmap.json).", "UrbanMap job (*.urbanmap.json *.json)")
         self.declare_parameter(QgsProcessingParameterString("INPUTS", tr("Other inputs"), None, True, True),

@@ -1504,78 +1504,6 @@
         <translation>スキャナの校正</translation>
     </message>
     <message>
-        <source>The same after a correction. Without it the survey is measured as it is.</source>
-        <translation>補正後の同じ軌跡です。指定しない場合は、計測データをそのまま評価します。</translation>
-    </message>
-    <message>
-        <source>One point at each control point, with the error before and after (m, east, north, up, in plan and in space).</source>
-        <translation>検証点ごとに1点です。補正前後の誤差（m、東・北・上、水平、3次元）を持ちます。</translation>
-    </message>
-    <message>
-        <source>Figures, errors over time, the worst points.</source>
-        <translation>数値、誤差の時間変化、誤差の大きい点を示します。</translation>
-    </message>
-    <message>
-        <source>Mean error in plan at the control points.</source>
-        <translation>検証点での水平誤差の平均です。</translation>
-    </message>
-    <message>
-        <source>Mean error in plan</source>
-        <translation>水平誤差の平均</translation>
-    </message>
-    <message>
-        <source>Maximum error in plan at the control points.</source>
-        <translation>検証点での水平誤差の最大値です。</translation>
-    </message>
-    <message>
-        <source>Maximum error in plan</source>
-        <translation>水平誤差の最大値</translation>
-    </message>
-    <message>
-        <source>Standard deviation of errors in plan at the control points.</source>
-        <translation>検証点での水平誤差の標準偏差です。</translation>
-    </message>
-    <message>
-        <source>Standard deviation of errors in plan</source>
-        <translation>水平誤差の標準偏差</translation>
-    </message>
-    <message>
-        <source>Mean error in space at the control points.</source>
-        <translation>検証点での3次元誤差の平均です。</translation>
-    </message>
-    <message>
-        <source>Mean error in space</source>
-        <translation>3次元誤差の平均</translation>
-    </message>
-    <message>
-        <source>Maximum error in space at the control points.</source>
-        <translation>検証点での3次元誤差の最大値です。</translation>
-    </message>
-    <message>
-        <source>Maximum error in space</source>
-        <translation>3次元誤差の最大値</translation>
-    </message>
-    <message>
-        <source>Standard deviation of errors in space at the control points.</source>
-        <translation>検証点での3次元誤差の標準偏差です。</translation>
-    </message>
-    <message>
-        <source>Standard deviation of errors in space</source>
-        <translation>3次元誤差の標準偏差</translation>
-    </message>
-    <message>
-        <source>Those measured during the survey.</source>
-        <translation>計測時間中に観測された検証点の数です。</translation>
-    </message>
-    <message>
-        <source>Control points used</source>
-        <translation>使用した検証点</translation>
-    </message>
-    <message>
-        <source>Check accuracy at control points</source>
-        <translation>検証点での精度確認</translation>
-    </message>
-    <message>
         <source>Minimum ground share</source>
         <translation>地表面点の最小割合</translation>
     </message>
@@ -1618,6 +1546,14 @@
     <message>
         <source>The same epochs in the format of the trajectory given.</source>
         <translation>元の軌跡と同じ形式、同じエポックで出力します。</translation>
+    </message>
+    <message>
+        <source>Those measured during the survey.</source>
+        <translation>計測時間中に観測された検証点の数です。</translation>
+    </message>
+    <message>
+        <source>Control points used</source>
+        <translation>使用した検証点</translation>
     </message>
     <message>
         <source>A survey (LAS, LAZ or COPC with intensities and GPS times) or, faster, its markings as “Road markings of a mobile survey” writes them.</source>
@@ -2349,7 +2285,7 @@
     </message>
     <message>
         <source>Best estimate of the drift from all tie points; or the paper to the letter. (drift, paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>drift：すべてのタイポイントによるドリフトの最適推定。paper：全体を論文どおりに実行。（drift, paper）</translation>
     </message>
     <message>
         <source>Sigma of tie points</source>
@@ -2656,6 +2592,94 @@
         <translation>HTML報告書です。個数、品質、評価の低い建物とその理由を示します。</translation>
     </message>
     <message>
+        <source>Points with building_id from “Segment buildings”, or any points of airborne scanning.</source>
+        <translation>「建物の抽出」によるbuilding_id付きの点、または航空レーザ測量の任意の点。</translation>
+    </message>
+    <message>
+        <source>One feature a building, where it stands. A field ground gives the height of the ground in metres.</source>
+        <translation>建物の位置に、建物ごとに1地物。フィールドgroundは地盤の標高（メートル）を示します。</translation>
+    </message>
+    <message>
+        <source>Distance in metres from the mesh within which at least 95 % of a building's uppermost points shall lie.</source>
+        <translation>建物の最上部の点の95 %以上が収まるべき、メッシュからの距離（メートル）です。</translation>
+    </message>
+    <message>
+        <source>Heights of the ground in metres; the lowest along an outline is the foot of its walls.</source>
+        <translation>地表の標高（メートル）。外周線に沿った最低値を壁面の下端とします。</translation>
+    </message>
+    <message>
+        <source>Height step</source>
+        <translation>段差の高さ</translation>
+    </message>
+    <message>
+        <source>Steps of the roof higher than this, in metres, become upright walls.</source>
+        <translation>これ（メートル）より高い屋根の段差を鉛直な壁面とします。</translation>
+    </message>
+    <message>
+        <source>Minimum area of a surface</source>
+        <translation>面の最小面積</translation>
+    </message>
+    <message>
+        <source>Smaller pieces between steps become part of what is beside them.</source>
+        <translation>段差に挟まれたこれより小さい部分は、隣の部分に併合されます。</translation>
+    </message>
+    <message>
+        <source>Meshes</source>
+        <translation>メッシュ</translation>
+    </message>
+    <message>
+        <source>MultiPolygonZ, one feature a building with all triangles; status, reason, triangles, surfaces, base, height (m), points, rmse, p95, max_error (m), within (share of the uppermost points), watertight, valid.</source>
+        <translation>MultiPolygonZ、建物ごとに1地物で全三角形を含みます: status、reason、triangles、surfaces、base、height（m）、points、rmse、p95、max_error（m）、within（最上部の点に占める割合）、watertight、valid。</translation>
+    </message>
+    <message>
+        <source>PLY mesh</source>
+        <translation>PLYメッシュ</translation>
+    </message>
+    <message>
+        <source>All meshes in one binary PLY file, which QGIS opens as a mesh layer.</source>
+        <translation>すべてのメッシュを1つのバイナリPLYファイルにまとめたもの。QGISではメッシュレイヤとして開けます。</translation>
+    </message>
+    <message>
+        <source>Buildings with a mesh.</source>
+        <translation>メッシュを作成した建物です。</translation>
+    </message>
+    <message>
+        <source>Meshed</source>
+        <translation>メッシュ作成済み</translation>
+    </message>
+    <message>
+        <source>Meshes that are closed.</source>
+        <translation>閉じたメッシュの数です。</translation>
+    </message>
+    <message>
+        <source>Watertight</source>
+        <translation>水密</translation>
+    </message>
+    <message>
+        <source>Share of the uppermost points within the stated error.</source>
+        <translation>最上部の点のうち、指定した誤差に収まるものの割合です。</translation>
+    </message>
+    <message>
+        <source>Points within the error</source>
+        <translation>誤差内の点</translation>
+    </message>
+    <message>
+        <source>Of all points from their meshes.</source>
+        <translation>全点のメッシュからの値です。</translation>
+    </message>
+    <message>
+        <source>RMSE</source>
+        <translation>RMSE</translation>
+    </message>
+    <message>
+        <source>Number of all triangles.</source>
+        <translation>全三角形の数です。</translation>
+    </message>
+    <message>
+        <source>2.5D meshes</source>
+        <translation>2.5Dメッシュ</translation>
+    </message>
+    <message>
         <source>Buildings with a model.</source>
         <translation>モデルのある建物の数です。</translation>
     </message>
@@ -2670,98 +2694,6 @@
     <message>
         <source>Mean RMSE of height, best 95 %</source>
         <translation>高さのRMSEの平均（良い方から95 %）</translation>
-    </message>
-    <message>
-        <source>City model</source>
-        <translation>都市モデル</translation>
-    </message>
-    <message>
-        <source>City models (*.gml *.GML *.zip);;All files (*)</source>
-        <translation>3D都市モデル (*.gml *.GML *.zip);;すべてのファイル (*)</translation>
-    </message>
-    <message>
-        <source>CityGML (.gml) or a .zip of a data set. The path of a folder can be typed here as well.</source>
-        <translation>CityGML（.gml）又はデータセットの .zip。フォルダのパスを入力することもできます。</translation>
-    </message>
-    <message>
-        <source>Folder of city models</source>
-        <translation>都市モデルのフォルダ</translation>
-    </message>
-    <message>
-        <source>All CityGML files in this folder and its subfolders; instead of the file or beside it.</source>
-        <translation>このフォルダとサブフォルダにあるすべての CityGML ファイル。ファイルの代わりに、又はファイルと合わせて指定します。</translation>
-    </message>
-    <message>
-        <source>Rules left out</source>
-        <translation>除外する規則</translation>
-    </message>
-    <message>
-        <source>Codes of rules that are not looked at, with commas between them; the begin of a code stands for all that begin so, such as L-bldg.</source>
-        <translation>検査しない規則の番号（カンマ区切り）。番号の先頭だけを書くと、それで始まるすべての規則を表します（例: L-bldg）。</translation>
-    </message>
-    <message>
-        <source>Faults of the city model</source>
-        <translation>3D都市モデルの不適合箇所</translation>
-    </message>
-    <message>
-        <source>Points (longitude, latitude): rule (its code), requirement (code of the specification), severity (error, warning), text, file, type and gml_id of the feature, lod (-1 without), source of the rule. Faults without a place have no geometry.</source>
-        <translation>点（経度・緯度）: rule（規則の番号）、requirement（仕様書の番号）、severity（エラー、警告）、text（内容）、file（ファイル）、地物の type（型）と gml_id、lod（ない場合は -1）、source（規則の出典）。位置のない不適合にはジオメトリがありません。</translation>
-    </message>
-    <message>
-        <source>Table of results</source>
-        <translation>検査結果一覧</translation>
-    </message>
-    <message>
-        <source>CSV (*.csv)</source>
-        <translation>CSV (*.csv)</translation>
-    </message>
-    <message>
-        <source>CSV, a line a file: its size and the number of faults of each rule.</source>
-        <translation>CSV。1行1ファイルで、サイズと規則ごとの不適合の数。</translation>
-    </message>
-    <message>
-        <source>Table of instances</source>
-        <translation>地物インスタンス数</translation>
-    </message>
-    <message>
-        <source>CSV, a line a file: the number of features of each type, to be compared with the reference data (C02).</source>
-        <translation>CSV。1行1ファイルで、地物型ごとの数。参照データとの比較（C02）に使います。</translation>
-    </message>
-    <message>
-        <source>Quality report</source>
-        <translation>品質検査報告書</translation>
-    </message>
-    <message>
-        <source>HTML report: requirements with their numbers and verdicts, the faults, what is not checked.</source>
-        <translation>HTML の報告書: 品質要求ごとの不適合数と判定、不適合箇所、検査していない項目。</translation>
-    </message>
-    <message>
-        <source>Number of city objects in the files.</source>
-        <translation>ファイルに含まれる地物（都市オブジェクト）の数。</translation>
-    </message>
-    <message>
-        <source>City objects</source>
-        <translation>地物</translation>
-    </message>
-    <message>
-        <source>Number of errors.</source>
-        <translation>エラーの件数です。</translation>
-    </message>
-    <message>
-        <source>Errors</source>
-        <translation>エラー</translation>
-    </message>
-    <message>
-        <source>Number of warnings.</source>
-        <translation>警告の件数です。</translation>
-    </message>
-    <message>
-        <source>Warnings</source>
-        <translation>警告</translation>
-    </message>
-    <message>
-        <source>Check city model</source>
-        <translation>3D都市モデルの検査</translation>
     </message>
     <message>
         <source>LAS, LAZ or COPC files; they become one.</source>
@@ -2862,6 +2794,10 @@
     <message>
         <source>MultiPolygonZ with all faces of each building, such as those of “Building models”. Without it give a city model.</source>
         <translation>「建物モデル」の出力など、建物ごとにすべての面を持つMultiPolygonZです。指定しない場合は都市モデルを指定してください。</translation>
+    </message>
+    <message>
+        <source>City model</source>
+        <translation>都市モデル</translation>
     </message>
     <message>
         <source>City models (*.gml *.GML *.zip *.json *.jsonl *.xml);;All files (*)</source>
@@ -3004,6 +2940,10 @@
         <translation>CityGML（.gml、またはそれらの.zip）、CityJSON（.json）またはCityJSONSeq（.jsonl）です。PLATEAUのデータセットなどのフォルダのパスも入力できます。</translation>
     </message>
     <message>
+        <source>Folder of city models</source>
+        <translation>都市モデルのフォルダ</translation>
+    </message>
+    <message>
         <source>All city models in this folder and its subfolders; instead of the file or beside it.</source>
         <translation>このフォルダとサブフォルダにあるすべての都市モデルです。ファイルの代わりに、またはファイルと併せて指定します。</translation>
     </message>
@@ -3064,68 +3004,28 @@
         <translation>モデルの記載によるもの：unknown（不明）、JGD2011、JGD2024など。</translation>
     </message>
     <message>
-        <source>File of building outlines</source>
-        <translation>建物外周線のファイル</translation>
+        <source>File of the GSI</source>
+        <translation>国土地理院のファイル</translation>
     </message>
     <message>
-        <source>GSI building outlines (*.xml *.XML *.zip *.ZIP);;All files (*)</source>
-        <translation>国土地理院の建物外周線 (*.xml *.XML *.zip *.ZIP);;すべてのファイル (*)</translation>
+        <source>GSI data (*.xml *.XML *.zip *.ZIP);;All files (*)</source>
+        <translation>国土地理院のデータ (*.xml *.XML *.zip *.ZIP);;すべてのファイル (*)</translation>
     </message>
     <message>
-        <source>FG-GML-...-BldA or -BldL .xml, or a .zip as downloaded (zips inside are opened too). The path of a folder can be typed here as well.</source>
-        <translation>FG-GML-...-BldAまたは-BldLの.xml、またはダウンロードしたままの.zipです（内部のzipも開きます）。フォルダのパスも入力できます。</translation>
+        <source>FG-GML-...-BldA, -BldL or -DEM5A-... .xml (or another product), or a .zip as downloaded (zips inside are opened too). The path of a folder can be typed here as well.</source>
+        <translation>FG-GML-...-BldA、-BldLまたは-DEM5A-...（またはほかの製品）の.xml、またはダウンロードしたままの.zipです（内部のzipも開きます）。フォルダのパスも入力できます。</translation>
     </message>
     <message>
-        <source>Folder of building outlines</source>
-        <translation>建物外周線のフォルダ</translation>
+        <source>Folder of GSI data</source>
+        <translation>国土地理院のデータのフォルダ</translation>
     </message>
     <message>
         <source>All .xml and .zip files in this folder and its subfolders; instead of the file or beside it.</source>
         <translation>このフォルダとサブフォルダにあるすべての.xmlと.zipファイルです。ファイルの代わりに、またはファイルと併せて指定します。</translation>
     </message>
     <message>
-        <source>Of the result. If none is chosen, the zone of the Japan Plane Rectangular CS (JGD2011, EPSG:6669 to 6687) in which most buildings lie; close to the border of a prefecture, check it.</source>
-        <translation>結果の座標参照系です。選択しない場合は、大半の建物がある平面直角座標系の系（JGD2011、EPSG:6669～6687）とします。都道府県の境界付近では確認してください。</translation>
-    </message>
-    <message>
-        <source>Footprints</source>
-        <translation>建物外周線</translation>
-    </message>
-    <message>
-        <source>Polygons with building_id (1, 2, 3, ... in the order of the files), the GSI's attributes as text (its fid as gsi_fid) and the file's name as source.</source>
-        <translation>building_id（ファイルの順に1, 2, 3, ...）、国土地理院の属性（テキスト。fidはgsi_fid）、ファイル名（source）を持つポリゴンです。</translation>
-    </message>
-    <message>
-        <source>Number of footprints written.</source>
-        <translation>書き出した建物外周線の数です。</translation>
-    </message>
-    <message>
-        <source>Coordinate reference system of the result, such as EPSG:6677.</source>
-        <translation>結果の座標参照系です（例：EPSG:6677）。</translation>
-    </message>
-    <message>
-        <source>Name of the coordinate reference system</source>
-        <translation>座標参照系の名称</translation>
-    </message>
-    <message>
-        <source>File of an elevation model</source>
-        <translation>標高モデルのファイル</translation>
-    </message>
-    <message>
-        <source>GSI elevation models (*.xml *.XML *.zip *.ZIP);;All files (*)</source>
-        <translation>国土地理院の標高モデル (*.xml *.XML *.zip *.ZIP);;すべてのファイル (*)</translation>
-    </message>
-    <message>
-        <source>FG-GML-...-DEM5A-... .xml (or 1A, 5B, 5C, 10A, 10B), or a .zip as downloaded (zips inside are opened too). The path of a folder can be typed here as well.</source>
-        <translation>FG-GML-...-DEM5A-... .xml（または1A、5B、5C、10A、10B）、またはダウンロードしたままの.zip（内側のzipも開きます）。フォルダのパスを入力することもできます。</translation>
-    </message>
-    <message>
-        <source>Folder of elevation models</source>
-        <translation>標高モデルのフォルダ</translation>
-    </message>
-    <message>
-        <source>Of the raster. If none is chosen, the zone of the Japan Plane Rectangular CS in which most meshes lie. In degrees (EPSG:6668) the cells stay as they are in the files.</source>
-        <translation>ラスタの座標参照系です。選択しない場合は、最も多くのメッシュが入る平面直角座標系の系とします。度単位（EPSG:6668）の場合、セルはファイルのままです。</translation>
+        <source>Of the results. If none is chosen, the zone of the Japan Plane Rectangular CS (JGD2011, EPSG:6669 to 6687) in which most of it lies; close to the border of a prefecture, check it. In degrees (EPSG:6668) the cells of the raster stay as they are in the files.</source>
+        <translation>結果の座標参照系です。選択しない場合は、大半が入る平面直角座標系の系（JGD2011、EPSG:6669～6687）とします。都道府県の境界付近では確認してください。度単位（EPSG:6668）の場合、ラスタのセルはファイルのままです。</translation>
     </message>
     <message>
         <source>Cell size</source>
@@ -3136,8 +3036,28 @@
         <translation>セルの一辺で、座標参照系の単位によります。指定しない場合は最も細かい製品の値です: 1、5、10 m、またはそれに当たる秒の分数。</translation>
     </message>
     <message>
+        <source>Footprints</source>
+        <translation>建物外周線</translation>
+    </message>
+    <message>
+        <source>Polygons with building_id (1, 2, 3, ... in the order of the files), the GSI's attributes as text (its fid as gsi_fid) and the file's name as source.</source>
+        <translation>building_id（ファイルの順に1, 2, 3, ...）、国土地理院の属性（テキスト。fidはgsi_fid）、ファイル名（source）を持つポリゴンです。</translation>
+    </message>
+    <message>
         <source>GeoTIFF of heights in metres; cells without height are no data.</source>
         <translation>標高（メートル）のGeoTIFF。標高のないセルはノーデータです。</translation>
+    </message>
+    <message>
+        <source>Number of footprints written.</source>
+        <translation>書き出した建物外周線の数です。</translation>
+    </message>
+    <message>
+        <source>Coordinate reference system of the footprints, such as EPSG:6677.</source>
+        <translation>建物外周線の座標参照系です（例：EPSG:6677）。</translation>
+    </message>
+    <message>
+        <source>Name of the coordinate reference system</source>
+        <translation>座標参照系の名称</translation>
     </message>
     <message>
         <source>Number of files that the raster was made of.</source>
@@ -3306,90 +3226,6 @@
     <message>
         <source>Merge building models with measured walls</source>
         <translation>建物モデルと計測壁面の統合</translation>
-    </message>
-    <message>
-        <source>Points with building_id from “Segment buildings”, or any points of airborne scanning.</source>
-        <translation>「建物の抽出」によるbuilding_id付きの点、または航空レーザ測量の任意の点。</translation>
-    </message>
-    <message>
-        <source>One feature a building, where it stands. A field ground gives the height of the ground in metres.</source>
-        <translation>建物の位置に、建物ごとに1地物。フィールドgroundは地盤の標高（メートル）を示します。</translation>
-    </message>
-    <message>
-        <source>Distance in metres from the mesh within which at least 95 % of a building's uppermost points shall lie.</source>
-        <translation>建物の最上部の点の95 %以上が収まるべき、メッシュからの距離（メートル）です。</translation>
-    </message>
-    <message>
-        <source>Heights of the ground in metres; the lowest along an outline is the foot of its walls.</source>
-        <translation>地表の標高（メートル）。外周線に沿った最低値を壁面の下端とします。</translation>
-    </message>
-    <message>
-        <source>Height step</source>
-        <translation>段差の高さ</translation>
-    </message>
-    <message>
-        <source>Steps of the roof higher than this, in metres, become upright walls.</source>
-        <translation>これ（メートル）より高い屋根の段差を鉛直な壁面とします。</translation>
-    </message>
-    <message>
-        <source>Minimum area of a surface</source>
-        <translation>面の最小面積</translation>
-    </message>
-    <message>
-        <source>Smaller pieces between steps become part of what is beside them.</source>
-        <translation>段差に挟まれたこれより小さい部分は、隣の部分に併合されます。</translation>
-    </message>
-    <message>
-        <source>Meshes</source>
-        <translation>メッシュ</translation>
-    </message>
-    <message>
-        <source>MultiPolygonZ, one feature a building with all triangles; status, reason, triangles, surfaces, base, height (m), points, rmse, p95, max_error (m), within (share of the uppermost points), watertight, valid.</source>
-        <translation>MultiPolygonZ、建物ごとに1地物で全三角形を含みます: status、reason、triangles、surfaces、base、height（m）、points、rmse、p95、max_error（m）、within（最上部の点に占める割合）、watertight、valid。</translation>
-    </message>
-    <message>
-        <source>PLY mesh</source>
-        <translation>PLYメッシュ</translation>
-    </message>
-    <message>
-        <source>All meshes in one binary PLY file, which QGIS opens as a mesh layer.</source>
-        <translation>すべてのメッシュを1つのバイナリPLYファイルにまとめたもの。QGISではメッシュレイヤとして開けます。</translation>
-    </message>
-    <message>
-        <source>Buildings with a mesh.</source>
-        <translation>メッシュを作成した建物です。</translation>
-    </message>
-    <message>
-        <source>Meshed</source>
-        <translation>メッシュ作成済み</translation>
-    </message>
-    <message>
-        <source>Meshes that are closed.</source>
-        <translation>閉じたメッシュの数です。</translation>
-    </message>
-    <message>
-        <source>Watertight</source>
-        <translation>水密</translation>
-    </message>
-    <message>
-        <source>Share of the uppermost points within the stated error.</source>
-        <translation>最上部の点のうち、指定した誤差に収まるものの割合です。</translation>
-    </message>
-    <message>
-        <source>Points within the error</source>
-        <translation>誤差内の点</translation>
-    </message>
-    <message>
-        <source>Of all points from their meshes.</source>
-        <translation>全点のメッシュからの値です。</translation>
-    </message>
-    <message>
-        <source>RMSE</source>
-        <translation>RMSE</translation>
-    </message>
-    <message>
-        <source>Number of all triangles.</source>
-        <translation>全三角形の数です。</translation>
     </message>
     <message>
         <source>Points with the attributes building_id and roof_id, from “Segment roofs”.</source>
@@ -4148,48 +3984,12 @@
         <translation>衛星</translation>
     </message>
     <message>
-        <source>Lanelet2 file</source>
-        <translation>Lanelet2ファイル</translation>
+        <source>Old map: Lanelet2 file</source>
+        <translation>旧地図：Lanelet2 ファイル</translation>
     </message>
     <message>
         <source>Lanelet2 (*.osm)</source>
         <translation>Lanelet2 (*.osm)</translation>
-    </message>
-    <message>
-        <source>OSM file, such as that of “Lane map”.</source>
-        <translation>「車線地図」で出力したものなどのOSMファイル。</translation>
-    </message>
-    <message>
-        <source>Codes of rules that are not looked at, with commas between them; the begin of a code stands for all that begin so, such as Lane.BorderSharing.</source>
-        <translation>検査しない規則のコードをカンマ区切りで指定します。コードの先頭部分を書くと、それで始まる規則すべてが対象になります（例：Lane.BorderSharing）。</translation>
-    </message>
-    <message>
-        <source>Faults of the map</source>
-        <translation>地図の不備</translation>
-    </message>
-    <message>
-        <source>Points (longitude, latitude): rule (its code), severity (error, warning, info), text, element, source of the rule. Faults without a place have no geometry.</source>
-        <translation>点（経度・緯度）：規則のコード、重大度（error、warning、info）、説明、要素、規則の出典。位置のない不備には形状がありません。</translation>
-    </message>
-    <message>
-        <source>HTML report: numbers by rule, and the faults.</source>
-        <translation>HTML報告書: 規則別の件数と不備の一覧。</translation>
-    </message>
-    <message>
-        <source>Number of lanelets in the file.</source>
-        <translation>ファイル内のlaneletの数です。</translation>
-    </message>
-    <message>
-        <source>Lanelets</source>
-        <translation>lanelet</translation>
-    </message>
-    <message>
-        <source>Check lane map</source>
-        <translation>車線地図の検査</translation>
-    </message>
-    <message>
-        <source>Old map: Lanelet2 file</source>
-        <translation>旧地図：Lanelet2 ファイル</translation>
     </message>
     <message>
         <source>OSM file; or give lines.</source>
@@ -5348,6 +5148,10 @@
         <translation>ライン：bound_id、class、colour、width、sigma（m）、sigmas（各頂点の標準偏差 m、線から離れるほど大きい）、double、unseen（線のない長さ m）、lanes（それを持つ車線の数）。</translation>
     </message>
     <message>
+        <source>Lanelet2 file</source>
+        <translation>Lanelet2ファイル</translation>
+    </message>
+    <message>
         <source>Lanes, intersections, stop lines and crosswalks with the tags of Lanelet2 and Autoware.</source>
         <translation>車線、交差点、停止線、横断歩道。Lanelet2 と Autoware のタグを付けます。</translation>
     </message>
@@ -5404,8 +5208,16 @@
         <translation>検証点</translation>
     </message>
     <message>
-        <source>The residuals of “Check accuracy at control points”, or a table or layer with x, y, z (true, metres) and x_product, y_product, z_product; id, and role (check or adjusted), where there are such columns; or the table of edges with x, y, z filled in. Without check points nothing is judged.</source>
-        <translation>「検証点での精度確認」の残差、またはx、y、z（真値、m）とx_product、y_product、z_product（成果の座標）の列をもつ表かレイヤです。あればid列と、role列（checkまたはadjusted）も使います。x、y、zを記入した辺の表も使えます。検証点がなければ判定しません。</translation>
+        <source>Table or layer with x, y, z (true, metres) and x_product, y_product, z_product; id, and role (check or adjusted), where there are such columns; or the residuals of an earlier run; or the table of edges with x, y, z filled in; or control points, with a trajectory. Without check points nothing is judged.</source>
+        <translation>x、y、z（真値、m）とx_product、y_product、z_product（成果の座標）の列をもつ表かレイヤです。あればid列と、role列（checkまたはadjusted）も使います。以前の実行の残差、x、y、zを記入した辺の表、軌跡を指定した場合は検証点の表も使えます。検証点がなければ判定しません。</translation>
+    </message>
+    <message>
+        <source>The trajectory with which a mobile survey was placed: CSV time,x,y,z,roll,pitch,heading, SBET, or a point layer with these fields. The check points are then control points: id,x,y,z (where a point truly lies, metres) and time,x_mms,y_mms,z_mms (when the survey measured it, GPS seconds, and where it lies in the survey); heights may be missing.</source>
+        <translation>移動計測データの座標付けに使った軌跡です。CSV time,x,y,z,roll,pitch,heading、SBET、またはこれらのフィールドを持つ点レイヤを指定します。このとき検証点は、id,x,y,z（点の正しい位置、m）とtime,x_mms,y_mms,z_mms（計測時刻（GPS秒）と計測データ上の位置）の列を持つものとします。高さはなくてもかまいません。</translation>
+    </message>
+    <message>
+        <source>The same after a correction. Without it the survey is measured as it is.</source>
+        <translation>補正後の同じ軌跡です。指定しない場合は、計測データをそのまま評価します。</translation>
     </message>
     <message>
         <source>MultiPolygonZ with all faces of each building: edges to be surveyed are drawn from them.</source>
@@ -5576,6 +5388,10 @@
         <translation>点検測量する辺</translation>
     </message>
     <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
         <source>Both ends of the drawn edges with their place in the models; x, y and z are left blank for the survey.</source>
         <translation>抽出した辺の両端と、モデル上の座標です。x、y、zは点検測量の結果を記入する欄として空けてあります。</translation>
     </message>
@@ -5600,6 +5416,66 @@
         <translation>QGISの印刷レイアウトのテンプレート（.qpt）です。プラグインの resources/layouts/acceptance.qpt の複製を変更して使います。アイテムはIDによって埋められます。</translation>
     </message>
     <message>
+        <source>One point at each control point, with the error before and after (m, east, north, up, in plan and in space).</source>
+        <translation>検証点ごとに1点です。補正前後の誤差（m、東・北・上、水平、3次元）を持ちます。</translation>
+    </message>
+    <message>
+        <source>Report of the residuals</source>
+        <translation>残差の報告書</translation>
+    </message>
+    <message>
+        <source>Figures, errors over time, the worst points.</source>
+        <translation>数値、誤差の時間変化、誤差の大きい点を示します。</translation>
+    </message>
+    <message>
+        <source>Mean error in plan at the control points.</source>
+        <translation>検証点での水平誤差の平均です。</translation>
+    </message>
+    <message>
+        <source>Mean error in plan</source>
+        <translation>水平誤差の平均</translation>
+    </message>
+    <message>
+        <source>Maximum error in plan at the control points.</source>
+        <translation>検証点での水平誤差の最大値です。</translation>
+    </message>
+    <message>
+        <source>Maximum error in plan</source>
+        <translation>水平誤差の最大値</translation>
+    </message>
+    <message>
+        <source>Standard deviation of errors in plan at the control points.</source>
+        <translation>検証点での水平誤差の標準偏差です。</translation>
+    </message>
+    <message>
+        <source>Standard deviation of errors in plan</source>
+        <translation>水平誤差の標準偏差</translation>
+    </message>
+    <message>
+        <source>Mean error in space at the control points.</source>
+        <translation>検証点での3次元誤差の平均です。</translation>
+    </message>
+    <message>
+        <source>Mean error in space</source>
+        <translation>3次元誤差の平均</translation>
+    </message>
+    <message>
+        <source>Maximum error in space at the control points.</source>
+        <translation>検証点での3次元誤差の最大値です。</translation>
+    </message>
+    <message>
+        <source>Maximum error in space</source>
+        <translation>3次元誤差の最大値</translation>
+    </message>
+    <message>
+        <source>Standard deviation of errors in space at the control points.</source>
+        <translation>検証点での3次元誤差の標準偏差です。</translation>
+    </message>
+    <message>
+        <source>Standard deviation of errors in space</source>
+        <translation>3次元誤差の標準偏差</translation>
+    </message>
+    <message>
         <source>Standard deviation in plan about 0</source>
         <translation>水平位置の標準偏差（母平均0）</translation>
     </message>
@@ -5622,6 +5498,90 @@
     <message>
         <source>Acceptance report</source>
         <translation>精度管理表</translation>
+    </message>
+    <message>
+        <source>City model or lane map</source>
+        <translation>3D都市モデルまたは車線地図</translation>
+    </message>
+    <message>
+        <source>City models and lane maps (*.gml *.GML *.zip *.osm);;All files (*)</source>
+        <translation>3D都市モデルと車線地図 (*.gml *.GML *.zip *.osm);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>CityGML (.gml), a .zip of a data set, or a Lanelet2 file (.osm). The path of a folder can be typed here as well.</source>
+        <translation>CityGML（.gml）、データセットの.zip、またはLanelet2ファイル（.osm）。フォルダのパスを入力することもできます。</translation>
+    </message>
+    <message>
+        <source>All CityGML files in this folder and its subfolders; instead of the file or beside it.</source>
+        <translation>このフォルダとサブフォルダにあるすべての CityGML ファイル。ファイルの代わりに、又はファイルと合わせて指定します。</translation>
+    </message>
+    <message>
+        <source>Rules left out</source>
+        <translation>除外する規則</translation>
+    </message>
+    <message>
+        <source>Codes of rules that are not looked at, with commas between them; the begin of a code stands for all that begin so, such as L-bldg or Lane.BorderSharing.</source>
+        <translation>検査しない規則のコード（カンマ区切り）。コードの先頭だけを書くと、それで始まるすべての規則を表します（例：L-bldg、Lane.BorderSharing）。</translation>
+    </message>
+    <message>
+        <source>Points (longitude, latitude): rule (its code), severity (error, warning, info), text, source of the rule; of a city model also requirement (code of the specification), file, type and gml_id of the feature, lod (-1 without); of a map also element. Faults without a place have no geometry.</source>
+        <translation>点（経度・緯度）：rule（規則のコード）、severity（error、warning、info）、text（内容）、source（規則の出典）。3D都市モデルではrequirement（仕様書の番号）、file（ファイル）、地物のtype（型）とgml_id、lod（ない場合は-1）、地図ではelement（要素）も。位置のない不備にはジオメトリがありません。</translation>
+    </message>
+    <message>
+        <source>Table of results</source>
+        <translation>検査結果一覧</translation>
+    </message>
+    <message>
+        <source>CSV, a line a file: its size and the number of faults of each rule; of city models only.</source>
+        <translation>CSV。1行1ファイルで、サイズと規則ごとの不適合の数。3D都市モデルのみ。</translation>
+    </message>
+    <message>
+        <source>Table of instances</source>
+        <translation>地物インスタンス数</translation>
+    </message>
+    <message>
+        <source>CSV, a line a file: the number of features of each type, to be compared with the reference data (C02); of city models only.</source>
+        <translation>CSV。1行1ファイルで、地物型ごとの数。参照データとの比較（C02）に使います。3D都市モデルのみ。</translation>
+    </message>
+    <message>
+        <source>HTML report: numbers by rule or requirement, verdicts, the faults, what is not checked.</source>
+        <translation>HTMLの報告書：規則または品質要求ごとの件数、判定、不備の一覧、検査していない項目。</translation>
+    </message>
+    <message>
+        <source>Number of city objects in the files.</source>
+        <translation>ファイルに含まれる地物（都市オブジェクト）の数。</translation>
+    </message>
+    <message>
+        <source>City objects</source>
+        <translation>地物</translation>
+    </message>
+    <message>
+        <source>Number of lanelets in the file.</source>
+        <translation>ファイル内のlaneletの数です。</translation>
+    </message>
+    <message>
+        <source>Lanelets</source>
+        <translation>lanelet</translation>
+    </message>
+    <message>
+        <source>Number of errors.</source>
+        <translation>エラーの件数です。</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>エラー</translation>
+    </message>
+    <message>
+        <source>Number of warnings.</source>
+        <translation>警告の件数です。</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Check city model or lane map</source>
+        <translation>3D都市モデル・車線地図の検査</translation>
     </message>
     <message>
         <source>Vote and darkest: our way, with that vehicle filter. Paper: as in the paper, frames masked by their occlusion maps, the darkest of them, and the plain adaptive threshold (in the model set the method of the markings too). (vote, darkest, paper)</source>
@@ -6057,11 +6017,13 @@
     </message>
     <message>
         <source>Judges a survey or building models by check points, in the form of the tables of quality control of Japan's public surveys: figures in plan and in height apart, the limits of the map level, passed or failed for each criterion, a map of the errors, all points.
+A mobile survey is judged by control points: with its trajectory, and a corrected one where there is one, the residuals are worked out here.
 Check points must have been measured independently; those that the product was adjusted to are left out where a column “role” names them. Where there are too few points nothing is accepted.
 The standard deviation is that about a mean of 0. With few points it says little: the report gives the value that it is below with a confidence of 95 %.
 Building models without check points yet: their edges are drawn at random, 21 of each quarter regional mesh, into a table in which the survey fills in what it measured. That table is then given as check points.
 Building models with laser points instead: 84 edges of each mesh are looked for in the points, and the models judged by those that the points show. If the models were made from the same points, that checks the modelling and not the accuracy, and nothing is judged.</source>
         <translation>計測成果または建物モデルを検証点により判定し、公共測量の精度管理表の形式で示します：水平位置と標高それぞれの値、地図情報レベルの制限値、項目ごとの合否、較差の分布図、全点の一覧。
+移動計測は検証点で判定します：軌跡と、あれば補正後の軌跡を指定すると、残差をここで計算します。
 検証点は独立に測量した点とします。role列で調整に用いたとされた点は除外します。点数が足りない場合は合格としません。
 標準偏差は母平均を0とした値です。点数が少ない場合は、95 %の信頼度で標準偏差の上限となる値も示します。
 検証点のまだない建物モデルでは、4分の1地域メッシュごとに21辺を無作為に抽出し、点検測量の結果を記入する表を作ります。記入した表を検証点として指定します。
@@ -6382,30 +6344,6 @@ What the drives do not determine keeps its value and is called so: heights of le
         <translation>異なる側から見た平面の最小二乗調整</translation>
     </message>
     <message>
-        <source>GCP</source>
-        <translation>GCP</translation>
-    </message>
-    <message>
-        <source>residual</source>
-        <translation>残差</translation>
-    </message>
-    <message>
-        <source>error</source>
-        <translation>エラー</translation>
-    </message>
-    <message>
-        <source>Measures how far a mobile survey is off at control points, as it was reported and, where a corrected trajectory is given, as that places it.
-The numbers are of the corrected survey where one is given, otherwise of the survey as it is.
-A column “role” (check, adjusted) tells points apart: those that the survey was adjusted to are left out.</source>
-        <translation>MMS計測の検証点でのずれを、補正前について、また補正軌跡を指定した場合は補正後についても求めます。
-数値は、補正軌跡を指定した場合は補正後の計測、それ以外は元の計測のものです。
-列「role」（check＝検証点、adjusted＝調整点）で点を区別し、調整点は除きます。</translation>
-    </message>
-    <message>
-        <source>Javanmardi, 3.3.5</source>
-        <translation>Javanmardi、3.3.5</translation>
-    </message>
-    <message>
         <source>PLATEAU</source>
         <translation>PLATEAU</translation>
     </message>
@@ -6430,32 +6368,6 @@ A column “role” (check, adjusted) tells points apart: those that the survey 
         <translation>納品</translation>
     </message>
     <message>
-        <source>品質</source>
-        <translation>品質</translation>
-    </message>
-    <message>
-        <source>検査</source>
-        <translation>検査</translation>
-    </message>
-    <message>
-        <source>都市モデル</source>
-        <translation>都市モデル</translation>
-    </message>
-    <message>
-        <source>Checks CityGML files of PLATEAU (buildings, roads, city furniture; the common rules on all others) by the requirements of the standard product specification that a file alone can show, under its own codes (C01 to T-bldg-02), and tells what breaks them, with its place. The page “Rules of city models” of the documentation lists all, and what is not checked because it needs other data or eyes.
-Code lists are those beside the files (../../codelists); where the data set brings none, those that the specification prints. References, ids and overlaps are looked at over all files of a folder or zip. Solids that overlap are told by their plans and heights.</source>
-        <translation>PLATEAU の CityGML ファイル（建築物、道路、都市設備。そのほかは共通規則）を、標準製品仕様書の品質要求のうちファイルだけで判定できるものについて仕様書の番号（C01～T-bldg-02）で検査し、適合しない箇所を位置とともに示します。規則の一覧と、ほかのデータや目視が必要なため検査しないものは、説明書の「3D都市モデルの規則」にあります。
-コードリストはファイルに添えられたもの（../../codelists）を使い、データセットにない場合は仕様書に記載のものを使います。参照、識別子、重なりはフォルダ又は zip の全ファイルを通して調べます。立体の重なりは平面形と高さで判定します。</translation>
-    </message>
-    <message>
-        <source>Project PLATEAU, standard product specification of 3D city models 5.0, chapters 4, 6 and 7</source>
-        <translation>Project PLATEAU 3D都市モデル標準製品仕様書 第5.0版、4章、6章、7章</translation>
-    </message>
-    <message>
-        <source>Road map</source>
-        <translation>道路地図</translation>
-    </message>
-    <message>
         <source>lane</source>
         <translation>車線</translation>
     </message>
@@ -6476,10 +6388,32 @@ Code lists are those beside the files (../../codelists); where the data set brin
         <translation>Autoware</translation>
     </message>
     <message>
-        <source>Checks any Lanelet2 file (OSM) by the rules of Lanelet2's and Autoware's validators that need no other file, with their codes and severities, and by some of our own, and tells what breaks them, with its place. The page “Rules of lane maps” of the documentation lists all.
-Errors hinder a reader or change the map's sense: repeated ids, references to what is not in the file, coordinates that are none, lanelets without one left and one right bound, bounds that cross, regulatory elements that the library cannot make, stop lines, crosswalks and areas that no rule refers to. Warnings: missing tags, values that are not known, points that fall together, odd widths, lanelets without a next and a previous one. Infos: ends of the map, elements that need Autoware's extension.</source>
-        <translation>任意の Lanelet2 ファイル（OSM）を、ほかのファイルを要しない Lanelet2 と Autoware の検証規則（コードと重大度も同じ）および独自の規則で検査し、違反とその位置を示します。規則の一覧は説明書の「Rules of lane maps」にあります。
-エラーは読み込みを妨げるか地図の意味を変えるものです：id の重複、ファイルにないものへの参照、座標として誤った値、左右の境界が1本ずつない lanelet、交わる境界、Lanelet2 が作れない regulatory element、どの規則からも参照されない停止線・横断歩道・領域。警告：タグの欠け、知られていない値、重なる点、不自然な幅、前後につながらない lanelet。情報：地図の端、Autoware の拡張が必要な要素。</translation>
+        <source>品質</source>
+        <translation>品質</translation>
+    </message>
+    <message>
+        <source>検査</source>
+        <translation>検査</translation>
+    </message>
+    <message>
+        <source>都市モデル</source>
+        <translation>都市モデル</translation>
+    </message>
+    <message>
+        <source>Checks a city model or a lane map, whichever the file is, and tells what breaks the rules, with its place.
+CityGML files of PLATEAU (buildings, roads, city furniture; the common rules on all others) are checked by the requirements of the standard product specification that a file alone can show, under its own codes (C01 to T-bldg-02). The page “Rules of city models” of the documentation lists all, and what is not checked because it needs other data or eyes. Code lists are those beside the files (../../codelists); where the data set brings none, those that the specification prints. References, ids and overlaps are looked at over all files of a folder or zip. Solids that overlap are told by their plans and heights.
+Lanelet2 files (OSM) are checked by the rules of Lanelet2's and Autoware's validators that need no other file, with their codes and severities, and by some of our own; the page “Rules of lane maps” lists all. Errors hinder a reader or change the map's sense; warnings are missing tags, values that are not known, points that fall together, odd widths, lanelets without a next and a previous one; infos are ends of the map and elements that need Autoware's extension.</source>
+        <translation>ファイルの内容に応じて3D都市モデルまたは車線地図を検査し、規則に反する箇所を位置とともに示します。
+PLATEAU の CityGML ファイル（建築物、道路、都市設備。そのほかは共通規則）を、標準製品仕様書の品質要求のうちファイルだけで判定できるものについて仕様書の番号（C01～T-bldg-02）で検査し、適合しない箇所を位置とともに示します。規則の一覧と、ほかのデータや目視が必要なため検査しないものは、説明書の「3D都市モデルの規則」にあります。コードリストはファイルに添えられたもの（../../codelists）を使い、データセットにない場合は仕様書に記載のものを使います。参照、識別子、重なりはフォルダ又は zip の全ファイルを通して調べます。立体の重なりは平面形と高さで判定します。
+任意の Lanelet2 ファイル（OSM）を、ほかのファイルを要しない Lanelet2 と Autoware の検証規則（コードと重大度も同じ）および独自の規則で検査し、違反とその位置を示します。規則の一覧は説明書の「Rules of lane maps」にあります。エラーは読み込みを妨げるか地図の意味を変えるものです：id の重複、ファイルにないものへの参照、座標として誤った値、左右の境界が1本ずつない lanelet、交わる境界、Lanelet2 が作れない regulatory element、どの規則からも参照されない停止線・横断歩道・領域。警告：タグの欠け、知られていない値、重なる点、不自然な幅、前後につながらない lanelet。情報：地図の端、Autoware の拡張が必要な要素。</translation>
+    </message>
+    <message>
+        <source>Project PLATEAU, standard product specification of 3D city models 5.0, chapters 4, 6 and 7</source>
+        <translation>Project PLATEAU 3D都市モデル標準製品仕様書 第5.0版、4章、6章、7章</translation>
+    </message>
+    <message>
+        <source>Road map</source>
+        <translation>道路地図</translation>
     </message>
     <message>
         <source>change detection</source>
@@ -6750,6 +6684,10 @@ A street that is driven several times is filtered pass by pass where the points 
         <translation>標識点</translation>
     </message>
     <message>
+        <source>GCP</source>
+        <translation>GCP</translation>
+    </message>
+    <message>
         <source>baseline</source>
         <translation>従来法</translation>
     </message>
@@ -6800,8 +6738,8 @@ PLATEAU の CityGML（.gml、.zip、そのフォルダ。「道路」を指定�
         <translation>OGC 12-019（CityGML 2.0）、CityJSON 2.0.1</translation>
     </message>
     <message>
-        <source>Load GSI buildings</source>
-        <translation>国土地理院の建物の読込</translation>
+        <source>Load GSI data</source>
+        <translation>国土地理院のデータの読込</translation>
     </message>
     <message>
         <source>GSI</source>
@@ -6820,28 +6758,6 @@ PLATEAU の CityGML（.gml、.zip、そのフォルダ。「道路」を指定�
         <translation>JPGIS</translation>
     </message>
     <message>
-        <source>基盤地図情報</source>
-        <translation>基盤地図情報</translation>
-    </message>
-    <message>
-        <source>国土地理院</source>
-        <translation>国土地理院</translation>
-    </message>
-    <message>
-        <source>Loads building outlines of the Fundamental Geospatial Data of the Geospatial Information Authority of Japan (GSI) as footprints for the other steps.
-Areas (BldA) and outlines (BldL) are read from the files as downloaded: .xml, .zip, or a folder of them. Outlines become polygons where they close; a building that several map sheets hold, or that is there both as an area and as an outline, comes once. What is left out or changed is told in the log.</source>
-        <translation>国土地理院の基盤地図情報の建築物の外周線を、ほかの処理で使う建物外周線として読み込みます。
-建築物（BldA）と建築物の外周線（BldL）を、ダウンロードしたままのファイル（.xml、.zip、またはそのフォルダ）から読み込みます。外周線は閉じていればポリゴンとします。複数の図郭にある建物や、面と外周線の両方がある建物は1つだけとします。除いたものや変更したものはログに示します。</translation>
-    </message>
-    <message>
-        <source>Javanmardi, 5.3.1</source>
-        <translation>Javanmardi、5.3.1</translation>
-    </message>
-    <message>
-        <source>Load GSI elevation model</source>
-        <translation>国土地理院の標高モデルの読込</translation>
-    </message>
-    <message>
         <source>DEM</source>
         <translation>DEM</translation>
     </message>
@@ -6850,18 +6766,26 @@ Areas (BldA) and outlines (BldL) are read from the files as downloaded: .xml, .z
         <translation>標高</translation>
     </message>
     <message>
+        <source>基盤地図情報</source>
+        <translation>基盤地図情報</translation>
+    </message>
+    <message>
         <source>数値標高モデル</source>
         <translation>数値標高モデル</translation>
     </message>
     <message>
-        <source>Loads elevation models of the Fundamental Geospatial Data of the Geospatial Information Authority of Japan (GSI) as a raster of the ground for the other steps.
-DEM1A, 5A, 5B, 5C, 10A and 10B are read as downloaded: .xml, .zip (zips in it too), or a folder of them. The newest file of a mesh is taken; where finer products have no height, coarser ones fill in. The raster states its height system (JGD2000, JGD2011 or JGD2024).</source>
-        <translation>国土地理院の基盤地図情報の数値標高モデルを、ほかの処理で使う地表のラスタとして読み込みます。
-DEM1A、5A、5B、5C、10A、10Bを、ダウンロードしたままのファイル（.xml、.zip（内側のzipも可）、またはそのフォルダ）から読み込みます。メッシュごとに最新のファイルを用い、細かい製品に標高がないところは粗い製品で補います。ラスタには高さの基準（JGD2000、JGD2011またはJGD2024）が記録されます。</translation>
+        <source>国土地理院</source>
+        <translation>国土地理院</translation>
     </message>
     <message>
-        <source>GSI, product specification of the Fundamental Geospatial Data (digital elevation model)</source>
-        <translation>国土地理院、基盤地図情報（数値標高モデル）製品仕様書</translation>
+        <source>Loads building outlines and elevation models of the Fundamental Geospatial Data of the Geospatial Information Authority of Japan (GSI) as footprints and as a raster of the ground for the other steps.
+Outlines (BldA, BldL) and DEM1A, 5A, 5B, 5C, 10A and 10B are read as downloaded: .xml, .zip (zips in it too), or a folder of them. Outlines become polygons where they close; a building that several map sheets hold, or that is there both as an area and as an outline, comes once. The newest file of a mesh is taken; where finer products have no height, coarser ones fill in. The raster states its height system (JGD2000, JGD2011 or JGD2024). What is left out or changed is told in the log.</source>
+        <translation>国土地理院の基盤地図情報の建築物の外周線と数値標高モデルを、ほかの処理で使う建物外周線と地表のラスタとして読み込みます。
+建築物（BldA、BldL）とDEM1A、5A、5B、5C、10A、10Bを、ダウンロードしたままのファイル（.xml、.zip（内側のzipも可）、またはそのフォルダ）から読み込みます。外周線は閉じていればポリゴンとし、複数の図郭にある建物や、面と外周線の両方がある建物は1つだけとします。メッシュごとに最新のファイルを用い、細かい製品に標高がないところは粗い製品で補います。ラスタには高さの基準（JGD2000、JGD2011またはJGD2024）が記録されます。除いたものや変更したものはログに示します。</translation>
+    </message>
+    <message>
+        <source>Javanmardi, 5.3.1; GSI, product specification of the Fundamental Geospatial Data</source>
+        <translation>Javanmardi, 5.3.1；国土地理院 基盤地図情報ダウンロードデータ ファイル仕様書</translation>
     </message>
     <message>
         <source>localization</source>
@@ -7155,7 +7079,9 @@ Points are read once; each image keeps the nearest point of every 3 by 3 pixels.
         <source>Corrects position and heading of a survey's trajectory by tie points: places, such as corners of buildings, that the survey and a reference both show. Two or more pairs measured within some seconds are a set.
 By default the drift is estimated from all tie points together, each at its own time, with its sigma at every epoch; contradicting pairs and sets are found and told. “paper” follows the paper to the letter: the first two pairs of each set give a true pose by its equations 13 to 17, the relative motions between two of them take their parts of the error by the iteration of its equations 8 and 9, heights are sampled equally, and nothing is left out as wrong. Before the first and after the last set the correction is carried on, and its sigma grows.
 With a ground raster the heights then follow the ground along the course, at the given height of the trajectory's origin above it. Roll and pitch stay as they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測データの軌跡の位置と方位角を、タイポイント（建物の角など、計測データと基準の両方に写る場所）により補正します。数秒以内に計測された2組以上の対応点を、1つの組とします。
+既定では、すべてのタイポイントをそれぞれの時刻で用いてドリフトを一括推定し、各エポックのσを求めます。矛盾する対応点と組は検出して示します。「paper」は論文に忠実に従います。各組の最初の2つの対応点から式13～17で真の位置姿勢を求め、2つの組の間の相対運動に式8、9の反復計算で誤差を配分し、高さは等間隔に標本化し、誤りとして除くものはありません。最初の組より前と最後の組より後では補正を延長し、そのσは増大します。
+地表のラスタを与えると、高さは走行軌跡に沿った地表に、指定した軌跡の原点の地上高を加えたものとなります。ロールとピッチはそのままです。</translation>
     </message>
     <message>
         <source>Zhao and Shibasaki, 3, eq. 8 to 17</source>
@@ -7466,6 +7392,10 @@ The outlines in the result carry what was found: points, density, ground height,
         <translation>概略の外周線を用いて、点群から建物ごとのレーザ点を取り出します。
 各外周線を、まず点が建物を示す位置へ移動し、次に拡張して、内側の点を取り出します。拡張した外周線が重なるところでは、点は自身の面が最も近い建物に属します。点群が分類済みの場合はクラス6の点を、それ以外では地表から高いものを用います。
 結果の外周線は、求めたもの（点数、密度、地盤の標高、変位とその標準偏差）をもちます。点のない建物も行を保ち、その旨を示します。点群が完全な GPS 時刻を、外周線が日付をもつときは、撮影より後の日付の建物と、撮影より前に消滅した建物も、その旨を示します。</translation>
+    </message>
+    <message>
+        <source>Javanmardi, 5.3.1</source>
+        <translation>Javanmardi、5.3.1</translation>
     </message>
     <message>
         <source>Segment roofs</source>
@@ -7822,8 +7752,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name}にフィールド{field}がありません。検査単位の名前を示すフィールドを選択してください。</translation>
     </message>
     <message>
-        <source>{name} has no column {missing}: give the residuals of “Check accuracy at control points”, or a table with x, y, z (true) and x_product, y_product, z_product.</source>
-        <translation>{name}に列{missing}がありません。「検証点での精度確認」の残差か、x、y、z（真値）とx_product、y_product、z_productの列をもつ表を指定してください。</translation>
+        <source>{name} has no column {missing}: give control points with a trajectory, the residuals of such a run, or a table with x, y, z (true) and x_product, y_product, z_product.</source>
+        <translation>{name}に列{missing}がありません。軌跡とともに検証点を指定するか、その実行の残差、またはx、y、z（真値）とx_product、y_product、z_productの列をもつ表を指定してください。</translation>
     </message>
     <message>
         <source>{name}: the role “{role}” is not known: check points are “check” (検証点), points that the product was adjusted to “adjusted” (調整点).</source>
@@ -9598,8 +9528,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>メッシュファイル{target}の拡張子は .obj にしてください。</translation>
     </message>
     <message>
-        <source>'{id}' has corners where its reference system cannot be computed: check the system, and the corners by “Check city model”.</source>
-        <translation>「{id}」に参照系で計算できない頂点があります。参照系を確認し、頂点は「3D都市モデルの検査」で調べてください。</translation>
+        <source>'{id}' has corners where its reference system cannot be computed: check the system, and the corners by “Check city model or lane map”.</source>
+        <translation>「{id}」に参照系で計算できない頂点があります。参照系を確認し、頂点は「3D都市モデル・車線地図の検査」で調べてください。</translation>
     </message>
     <message>
         <source>Two buildings have the id '{id}': give each building its own.</source>
@@ -11396,6 +11326,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>done</source>
         <translation>完了</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>エラー</translation>
     </message>
     <message>
         <source>Job: {wish}</source>
@@ -14050,14 +13984,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{0}: フィールド{1}がないか、空の値があります。「屋根ポリゴン」の結果を指定してください。</translation>
     </message>
     <message>
-        <source>No file was given: choose a city model (.gml, .zip) or a folder.</source>
-        <translation>ファイルが指定されていません。3D都市モデル（.gml、.zip）又はフォルダを選んでください。</translation>
-    </message>
-    <message>
-        <source>{0}: the rules are those of CityGML; write {1} as CityGML by “Export city model” first.</source>
-        <translation>{0}: 規則は CityGML のものです。先に「3D都市モデルの書き出し」で {1} を CityGML にしてください。</translation>
-    </message>
-    <message>
         <source>{0}: this system's GDAL cannot write GeoParquet; give a name that ends in .gpkg.</source>
         <translation>{0}: このシステムのGDALはGeoParquetを書き出せません。.gpkgで終わる名前を指定してください。</translation>
     </message>
@@ -14158,16 +14084,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>建物{1}棟中{0}棟に不備があります。内容はフィールド「note」を参照してください。</translation>
     </message>
     <message>
-        <source>No file was given: choose building outlines of the GSI (.xml, .zip) or a folder.</source>
-        <translation>ファイルが指定されていません。国土地理院の建築物の外周線（.xml, .zip）またはフォルダを選択してください。</translation>
+        <source>No file was given: choose building outlines or elevation models of the GSI (.xml, .zip) or a folder.</source>
+        <translation>ファイルが指定されていません。国土地理院の建築物の外周線または数値標高モデル（.xml, .zip）かフォルダを選択してください。</translation>
     </message>
     <message>
         <source>{0} buildings, {1}</source>
         <translation>建物{0}棟、{1}</translation>
-    </message>
-    <message>
-        <source>No file was given: choose elevation models of the GSI (.xml, .zip) or a folder.</source>
-        <translation>ファイルが指定されていません。国土地理院の数値標高モデル（.xml, .zip）またはフォルダを選択してください。</translation>
     </message>
     <message>
         <source>{0} meshes ({1}), heights in {2}, {3:.1f} to {4:.1f} m, {5:.1f} % of the cells empty</source>
@@ -14196,6 +14118,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0}: the walls have no heights; give the result of “Walls from a mobile survey”.</source>
         <translation>{0}: 壁面に高さがありません。「MMS計測の壁面」の結果を指定してください。</translation>
+    </message>
+    <message>
+        <source>{0} are made of points: give “{1}”, or leave them out.</source>
+        <translation>{0}は点群から作られます。「{1}」を指定するか、これを指定しないでください。</translation>
     </message>
     <message>
         <source>{0} of {1} buildings have no mesh; the field “reason” tells why.</source>
@@ -14268,6 +14194,82 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0} is no layout for this report: change a copy of the plugin's own, and keep the ids of its items ({1}).</source>
         <translation>{0}はこの報告書のレイアウトではありません。プラグインのレイアウトの複製を変更し、アイテムのID（{1}）は残してください。</translation>
+    </message>
+    <message>
+        <source>Check of a lane map</source>
+        <translation>車線地図の検査</translation>
+    </message>
+    <message>
+        <source>Faults by rule</source>
+        <translation>規則別の不備</translation>
+    </message>
+    <message>
+        <source>No file was given: choose a city model (.gml, .zip), a folder of them, or a lane map (.osm).</source>
+        <translation>ファイルが指定されていません。3D都市モデル（.gml、.zip）、そのフォルダ、または車線地図（.osm）を選んでください。</translation>
+    </message>
+    <message>
+        <source>{0} lanelets, {1} errors, {2} warnings.</source>
+        <translation>レーンレット {0}、エラー {1}、警告 {2}。</translation>
+    </message>
+    <message>
+        <source>Put the errors right first: with them programs refuse the map or lead the wrong way.</source>
+        <translation>まずエラーを直してください。エラーがあると、プログラムが地図を拒否するか誤った経路を示します。</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>重大度</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>規則</translation>
+    </message>
+    <message>
+        <source>The map can be loaded; look at the warnings before routes rely on it.</source>
+        <translation>地図は読み込めます。経路に使う前に警告を確認してください。</translation>
+    </message>
+    <message>
+        <source>Element</source>
+        <translation>要素</translation>
+    </message>
+    <message>
+        <source>{0}: a lane map is checked by itself, and has no tables of files and features: leave the folder and these outputs out.</source>
+        <translation>{0}：車線地図は単独で検査し、ファイルや地物の表はありません。フォルダとこれらの出力を指定しないでください。</translation>
+    </message>
+    <message>
+        <source>{0}: the file holds no lanelets (relations of type lanelet); give a Lanelet2 map.</source>
+        <translation>{0}: ファイルにlanelet（タイプlaneletのrelation）がありません。Lanelet2地図を指定してください。</translation>
+    </message>
+    <message>
+        <source>{0}: the rules are those of CityGML; write {1} as CityGML by “Export city model” first.</source>
+        <translation>{0}: 規則は CityGML のものです。先に「3D都市モデルの書き出し」で {1} を CityGML にしてください。</translation>
+    </message>
+    <message>
+        <source>The first 500 of {0} are shown; the layer holds all.</source>
+        <translation>{0}件のうち最初の500件を表示しています。レイヤにはすべて含まれます。</translation>
+    </message>
+    <message>
+        <source>as reported</source>
+        <translation>補正前</translation>
+    </message>
+    <message>
+        <source>A corrected trajectory is compared with the reported one: give this too.</source>
+        <translation>補正後の軌跡は計測時の軌跡と比較します。計測時の軌跡も指定してください。</translation>
+    </message>
+    <message>
+        <source>A trajectory is judged by control points: give these as check points.</source>
+        <translation>軌跡は検証点で判定します。検証点を指定してください。</translation>
+    </message>
+    <message>
+        <source>corrected</source>
+        <translation>補正後</translation>
+    </message>
+    <message>
+        <source>{0}: residuals are of control points in a survey: give its trajectory, or leave them out.</source>
+        <translation>{0}：残差は計測データ中の検証点について求めます。その軌跡を指定するか、これを指定しないでください。</translation>
+    </message>
+    <message>
+        <source>{0} control points were not measured during this survey: they are left out.</source>
+        <translation>検証点 {0} 点はこの計測の時間外のため除外します。</translation>
     </message>
     <message>
         <source>Laser points are compared with edges of building models: give these too.</source>
@@ -14360,6 +14362,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0}: {1} is none of {2}; give one of these words, or its number from 0 on.</source>
         <translation>{0}: {1}は{2}のいずれでもありません。これらの語のいずれか、または0から始まる番号を指定してください。</translation>
+    </message>
+    <message>
+        <source>{0} is an id of earlier versions: “{1}” ({2}) does this now; give that.</source>
+        <translation>{0}は以前の版のidです。現在は「{1}」（{2}）が行います。今後はこれを指定してください。</translation>
     </message>
     <message>
         <source>{0}: “{1}” was retired; the run takes “{2}” instead: give that.</source>
@@ -16486,18 +16492,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>補正後の画像の位置姿勢が求められていますが、画像の位置姿勢が指定されていません。</translation>
     </message>
     <message>
-        <source>as reported</source>
-        <translation>補正前</translation>
-    </message>
-    <message>
-        <source>corrected</source>
-        <translation>補正後</translation>
-    </message>
-    <message>
-        <source>{0} control points were not measured during this survey: they are left out.</source>
-        <translation>検証点 {0} 点はこの計測の時間外のため除外します。</translation>
-    </message>
-    <message>
         <source>{0}: {1} is neither a raster nor a polygon layer; check the file.</source>
         <translation>{0}: {1}はラスタでもポリゴンレイヤでもありません。ファイルを確認してください。</translation>
     </message>
@@ -16556,46 +16550,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The module {0} cannot be loaded:</source>
         <translation>モジュール{0}を読み込めません:</translation>
-    </message>
-    <message>
-        <source>Check of a lane map</source>
-        <translation>車線地図の検査</translation>
-    </message>
-    <message>
-        <source>Faults by rule</source>
-        <translation>規則別の不備</translation>
-    </message>
-    <message>
-        <source>{0} lanelets, {1} errors, {2} warnings.</source>
-        <translation>レーンレット {0}、エラー {1}、警告 {2}。</translation>
-    </message>
-    <message>
-        <source>Put the errors right first: with them programs refuse the map or lead the wrong way.</source>
-        <translation>まずエラーを直してください。エラーがあると、プログラムが地図を拒否するか誤った経路を示します。</translation>
-    </message>
-    <message>
-        <source>Severity</source>
-        <translation>重大度</translation>
-    </message>
-    <message>
-        <source>Rule</source>
-        <translation>規則</translation>
-    </message>
-    <message>
-        <source>The map can be loaded; look at the warnings before routes rely on it.</source>
-        <translation>地図は読み込めます。経路に使う前に警告を確認してください。</translation>
-    </message>
-    <message>
-        <source>Element</source>
-        <translation>要素</translation>
-    </message>
-    <message>
-        <source>{0}: the file holds no lanelets (relations of type lanelet); give a Lanelet2 map.</source>
-        <translation>{0}: ファイルにlanelet（タイプlaneletのrelation）がありません。Lanelet2地図を指定してください。</translation>
-    </message>
-    <message>
-        <source>The first 500 of {0} are shown; the layer holds all.</source>
-        <translation>{0}件のうち最初の500件を表示しています。レイヤにはすべて含まれます。</translation>
     </message>
     <message>
         <source>old map</source>

@@ -86,7 +86,7 @@ def town(qgis_app, synthetic, make_cloud, save_outlines, tmp_path_factory):
     outlines = save_outlines(folder / "建物 外周.gpkg", [block.outline for block in blocks.values()],
                              {"名称": list(blocks)})
     wanted = {"OUTPUT": "モデル.gpkg", "OUTPUT_SURFACES": "面.gpkg", "OUTPUT_CITYJSON": "都市 模型.city.json",
-              "OUTPUT_REPORT": "報告.html", "OUTPUT_MESH": "網.obj"}
+              "OUTPUT_REPORT": "報告.html", "OUTPUT_MESH": "網.obj", "OUTPUT_MESHES": "三角網.gpkg"}
     results = run_chain(folder, files, outlines, **{name: str(folder / file) for name, file in wanted.items()})
     return SimpleNamespace(folder=folder, results=results, wanted=wanted, blocks=blocks, points=points, files=files,
                            outlines=outlines)

@@ -9,7 +9,7 @@ import shapely
 
 RESULTS = {
     "survey": {"reference_report.html", "survey_1.laz", "survey_1_trajectory.csv", "survey_1_images.csv",
-               "accuracy_1.gpkg", "acceptance_1_report.html"},
+               "acceptance_1.gpkg", "acceptance_1_report.html", "acceptance_1_errors.html"},
     "lanemap": {"lanes_lanelet2.osm", "lanes_opendrive.xodr", "lanes_report.html", "lanes_lanes.gpkg"},
     "walls": {"buildings.gpkg", "walls.gpkg", "merged.gpkg", "merged_cityjson.city.json", "merged_report.html"},
     "accuracymap": {"localisation.gpkg", "localisation_report.html"},

@@ -16,7 +16,7 @@ ROOT = Path(__file__).resolve().parents[2]
 CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes", "filtervehicles",
             "roadmarkingsfromorthophoto", "aerialmarkings",
             "registermms", "adjustsurveys", "calibratescanner",
-            "georeferencemms", "applytrajectory", "landmarkupdate", "checkaccuracy",
+            "georeferencemms", "applytrajectory", "landmarkupdate", "checkaccuracy", "loadgsi", "checkmodel",
             "facadetextures", "objectsfromimages", "overlayonimages", "groundfrommms", "roadmarkingsfrommms",
             "georeferencescans", "rectifytrajectory", "tiepointproposals",
             "loadgsibuildings", "loadgsidem", "loadcitymodel", "convertheights",

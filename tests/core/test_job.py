@@ -127,7 +127,7 @@ def test_parts_of_the_sample_city(city_parts):
     assert roles_taken(plan_chain("reference", city_parts).steps) >= {"frames", "als"}
 
 
-SURVEYED = ("georeferencemms", "checkaccuracy", "acceptance")
+SURVEYED = ("georeferencemms", "acceptance")
 MEASURED = ("roadedges", "vectormap", "roadmodel")
 ALGORITHMS = {
     "reference": ["aerialmarkings"], "buildings": ["buildingsfromals"],
@@ -232,12 +232,12 @@ def test_given_markings_and_official_outlines_change_the_chain():
     parts = Parts({"als": ("/a.laz",), "gsi_footprints": ("/b.xml",), "marking_mask": ("/m.tif",),
                    "survey_1": ("/s.laz",), "trajectory_1": ("/t.csv",)}, (1,))
     assert [step.algorithm for step in plan_chain("buildings", parts, "EPSG:6677").steps] == [
-        "loadgsibuildings", "buildingsfromals"]
+        "loadgsi", "buildingsfromals"]
     survey = plan_chain("survey", parts)
     assert [step.algorithm for step in survey.steps] == ["surfacefromals", "georeferencemms"] and len(survey.notes) == 3
     official = plan_chain("survey", replace(parts, inputs={**{role: given for role, given in parts.inputs.items()
                                                               if role != "als"}, "gsi_ground": ("/d.xml",)}))
-    assert [step.algorithm for step in official.steps] == ["loadgsidem", "georeferencemms"]
+    assert [step.algorithm for step in official.steps] == ["loadgsi", "georeferencemms"]
     assert any("polygons are missing" in sentence for sentence in plan_chain("lanemap", parts).missing)
 
 
@@ -268,7 +268,7 @@ def test_files_are_used_as_the_user_says(city_facts, city_parts):
     assert set(parts.inputs["als"]) == {survey, classified} and parts.inputs["survey_1"] == (second,)
     assert parts.surveys == (1,) and "footprints" not in parts.inputs  # “frames” does not fit a cloud
     steps = [step.algorithm for step in plan_chain("buildings", parts, "EPSG:6677").steps]
-    assert steps == ["loadgsibuildings", "buildingsfromals"]
+    assert steps == ["loadgsi", "buildingsfromals"]
     photo = source_of(city_facts, "ortho.tif")
     parts = parts_of(put_to_use(city_facts, {photo: "orthophoto"}))
     assert [step.algorithm for step in plan_chain("reference", parts).steps] == [

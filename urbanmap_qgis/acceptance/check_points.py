@@ -80,9 +80,10 @@ def check_points_from_columns(columns: Mapping[str, Sequence], places: np.ndarra
 
     Parameters
     ----------
-    columns : of a layer of residuals (east_after, north_after, up_after, or ..._before, as “Check accuracy at control
-        points” writes them), or of a table with x, y, z (true) and x_product, y_product, z_product, m; id and role
-        (check, adjusted) where there are such, and edge, which names the edge of a building that a point is an end of.
+    columns : of a layer of residuals (east_after, north_after, up_after, or ..._before, as an acceptance
+        report with a trajectory writes them), or of a table with x, y, z (true) and x_product, y_product, z_product,
+        m; id and role (check, adjusted) where there are such, and edge, which names the edge of a building that a
+        point is an end of.
     places : (n, 3) of the layer's points, m, where x and y are no columns.
     unit_field : column that names each point's unit of inspection.
     name : of the table, for messages.
@@ -148,9 +149,9 @@ def _errors(columns: Mapping[str, Sequence], lower: Mapping[str, str], places: n
                 return np.asarray(true, float), errors, state
     missing = [field for field in (*TRUE[:2], *IN_PRODUCT[:2]) if field not in lower]
     if missing:
-        raise InputError(say("{name} has no column {missing}: give the residuals of “Check accuracy at control "
-                             "points”, or a table with x, y, z (true) and x_product, y_product, z_product.", name=name,
-                             missing=", ".join(missing)))
+        raise InputError(say("{name} has no column {missing}: give control points with a trajectory, the "
+                             "residuals of such a run, or a table with x, y, z (true) and x_product, y_product, "
+                             "z_product.", name=name, missing=", ".join(missing)))
     true, product = (np.column_stack([
         _numbers(columns[lower[field]], field, name) if field in lower else np.full(len(columns[lower["x"]]), np.nan)
         for field in fields]) for fields in (TRUE, IN_PRODUCT))

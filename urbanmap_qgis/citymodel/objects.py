@@ -53,7 +53,7 @@ def placed(building: CityObject, places: Places) -> CityObject:
         moved = places(np.concatenate(rings))
     except InputError as error:
         raise InputError(say("'{id}' has corners where its reference system cannot be computed: check the system, and "
-                             "the corners by “Check city model”.", id=building.id)) from error
+                             "the corners by “Check city model or lane map”.", id=building.id)) from error
     moved_rings = iter(np.split(moved, np.cumsum([len(ring) for ring in rings])[:-1]))
 
     def with_places(item: CityObject) -> CityObject:

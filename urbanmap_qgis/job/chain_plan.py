@@ -147,8 +147,9 @@ class _Planning:
             return _given(roles.FOOTPRINTS)
         if self.has(roles.GSI_FOOTPRINTS):
             if "outlines" not in self.made:
-                self.add("outlines", "loadgsibuildings", INPUT=_given(roles.GSI_FOOTPRINTS), CRS=self.crs or None)
-                self.made["outlines"] = {"OUTPUT": _result("outlines")}
+                self.add("outlines", "loadgsi", INPUT=_given(roles.GSI_FOOTPRINTS), CRS=self.crs or None,
+                         OUTPUT_BUILDINGS=WANTED, OUTPUT_GROUND="")
+                self.made["outlines"] = {"OUTPUT": _result("outlines", "OUTPUT_BUILDINGS")}
             return self.made["outlines"]["OUTPUT"]
         if needed:
             self.lacks(roles.FOOTPRINTS)
@@ -178,8 +179,9 @@ class _Planning:
             self.add("surface", "surfacefromals", POINTS=self.als(), POINTS_CRS=self.crs_for(roles.ALS))
             return _result("surface", "OUTPUT_GROUND")
         if self.has(roles.GSI_GROUND):
-            self.add("elevation", "loadgsidem", INPUT=_given(roles.GSI_GROUND), CRS=self.crs or None)
-            return _result("elevation")
+            self.add("elevation", "loadgsi", INPUT=_given(roles.GSI_GROUND), CRS=self.crs or None,
+                     OUTPUT_BUILDINGS="", OUTPUT_GROUND=WANTED)
+            return _result("elevation", "OUTPUT_GROUND")
         return None
 
     def als(self) -> Value:
@@ -261,11 +263,10 @@ class _Planning:
                  IMAGES=optional("poses"), OUTPUT_IMAGES=WANTED if optional("poses") else None,
                  POINTS_CRS=self.crs_for(f"survey_{number}"))
         if self.has(f"control_{number}"):
-            self.add(f"accuracy_{number}", "checkaccuracy", CONTROL=_given(f"control_{number}"),
+            self.add(f"acceptance_{number}", "acceptance", INPUT=_given(f"control_{number}"),
                      TRAJECTORY=_given(f"trajectory_{number}"),
-                     CORRECTED=_result(f"survey_{number}", "OUTPUT_TRAJECTORY"), CRS=self.crs or None)
-            self.add(f"acceptance_{number}", "acceptance", INPUT=_result(f"accuracy_{number}"),
-                     PATCHES=_result(f"survey_{number}", "OUTPUT_PATCHES"))
+                     CORRECTED=_result(f"survey_{number}", "OUTPUT_TRAJECTORY"), CRS=self.crs or None,
+                     PATCHES=_result(f"survey_{number}", "OUTPUT_PATCHES"), OUTPUT=WANTED, OUTPUT_ERRORS=WANTED)
         elif self.parts.surveys:
             self.plan.notes.append(say("Survey {number}: no control points measured in its times are given, so that "
                                        "its accuracy is not checked independently.", number=number))

@@ -374,6 +374,11 @@ def text_table(parameters: Mapping, name: str) -> str:
     return text if found else ""
 
 
+def is_optional(definition) -> bool:
+    """Whether a parameter may be left out."""
+    return bool(definition.flags() & definition.Flag.FlagOptional)
+
+
 def check_names(given: Mapping[str, object], known: Sequence[str]) -> list[str]:
     """One sentence for each given parameter name that the algorithm does not have."""
     import difflib  # only for a mistake, not with every start of QGIS

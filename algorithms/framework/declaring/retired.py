@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from qgis.core import QgsApplication
+
+from ..running.step_feedback import StepsMultiStepFeedback
 from .parameters import check_names, tr, with_words
 
 
@@ -25,3 +28,13 @@ def of_today(algorithm, parameters: Mapping) -> tuple[dict, list[str]]:
             sentences.append(tr("{0}: “{1}” was retired; the run takes “{2}” instead: give that.").format(
                 algorithm.label_of(name), given, words[given]))
     return with_words(result, algorithm.parameterDefinitions()), sentences
+
+
+def succession(algorithm, feedback) -> list[str]:
+    """What is said of an algorithm whose work another does now, where the user, not a chain, runs it."""
+    if not algorithm.SUCCESSOR or isinstance(feedback, StepsMultiStepFeedback):
+        return []
+    identity = f"urbanmap:{algorithm.SUCCESSOR}"
+    today = QgsApplication.processingRegistry().algorithmById(identity)
+    return [tr("{0} is an id of earlier versions: “{1}” ({2}) does this now; give that.").format(
+        f"urbanmap:{algorithm.name()}", today.displayName(), identity)]

@@ -23,7 +23,7 @@ GUIDES = {"start": "sample_city.md", "aerial": "aerial.md", "mobile": "mobile.md
 """Page on the methods of each group, in docs/."""
 
 TUTORIALS = {"buildingsfromals": "tutorial_buildings.html", "aerialmarkings": "tutorial_reference.html",
-             "georeferencemms": "tutorial_survey.html", "checkaccuracy": "tutorial_survey.html",
+             "georeferencemms": "tutorial_survey.html", "acceptance": "tutorial_survey.html",
              "lanemap": "tutorial_lanemap.html", "roadspace": "tutorial_roadspace.html"}
 """Tutorial that leads through an algorithm, on the website."""
 

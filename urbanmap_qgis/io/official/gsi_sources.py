@@ -138,6 +138,15 @@ def some_of(items: list[str], count: int = 3) -> str:
     return ", ".join(items[:count]) + (say(" and {count} more", count=more) if more > 0 else "")
 
 
+def may_hold(paths: PathLike | Sequence[PathLike], wanted: Wanted) -> bool:
+    """Whether a file behind the paths can hold what is wanted, by the files' names; not of what cannot be listed."""
+    with ExitStack() as stack:
+        try:
+            return any(not wanted.other(source.short_name) for source in list_sources(paths, stack, wanted).sources)
+        except InputError:
+            return False
+
+
 @contextmanager
 def opened(source: XmlSource) -> Iterator[IO[bytes]]:
     """Open a source; what goes wrong while it is read becomes an `InputError` that names it."""
