@@ -82,9 +82,9 @@ def test_every_tutorial_and_the_start_page_are_there_in_japanese():
 
 def test_help_in_japanese_opens_japanese_pages(plugin, tmp_path, monkeypatch, algorithms):
     pages, speaking = (plugin(f"algorithms.framework.language.{name}") for name in ("help_page", "language"))
-    for name in ("index.html", "tutorial_survey.html", "mobile.html"):
+    for name in ("index.html", "tutorial_survey.html", "acceptance.html"):
         for folder in (tmp_path, tmp_path / "ja"):
-            if folder == tmp_path or name != "mobile.html":
+            if folder == tmp_path or name != "acceptance.html":
                 folder.mkdir(exist_ok=True)
                 (folder / name).write_text(name, encoding="utf-8")
     monkeypatch.setattr(pages, "SITES", (tmp_path,))
@@ -95,7 +95,7 @@ def test_help_in_japanese_opens_japanese_pages(plugin, tmp_path, monkeypatch, al
         text = pages.page_html(next(item for item in algorithms if item.name() == "acceptance"))
     finally:
         speaking.stop_speaking(translator)
-    assert (tmp_path / "ja" / "tutorial_survey.html").as_uri() in text and (tmp_path / "mobile.html").as_uri() in text
+    assert (tmp_path / "ja" / "tutorial_survey.html").as_uri() in text and (tmp_path / "acceptance.html").as_uri() in text
 
 
 def test_pictures_of_tutorials_are_those_that_the_script_makes():
