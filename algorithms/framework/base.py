@@ -52,7 +52,6 @@ GROUPS = {
 }
 
 POINT_SUFFIXES = (".las", ".laz")
-
 AROUND = 60.0  # m of a raster read beyond the features that it is for
 
 

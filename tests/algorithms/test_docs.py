@@ -95,7 +95,8 @@ def test_help_in_japanese_opens_japanese_pages(plugin, tmp_path, monkeypatch, al
         text = pages.page_html(next(item for item in algorithms if item.name() == "acceptance"))
     finally:
         speaking.stop_speaking(translator)
-    assert (tmp_path / "ja" / "tutorial_survey.html").as_uri() in text and (tmp_path / "acceptance.html").as_uri() in text
+    for name in ("ja/tutorial_survey.html", "acceptance.html"):
+        assert (tmp_path / name).as_uri() in text
 
 
 def test_pictures_of_tutorials_are_those_that_the_script_makes():
