@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
-from itertools import chain
 
 import numpy as np
 import shapely
@@ -67,7 +66,6 @@ class _SlopedFaces(FaceCollector):
     def __init__(self, edges: HalfEdges, cells: Sequence[SlopedCell], base: int):
         super().__init__(edges, base)
         self.roofs, self.lowest = cells, base + round(LEAST_HEIGHT * UNITS)
-        self.planes = [_plane_above(cell, self.lowest / UNITS) for cell in cells]
         self.heights: dict[tuple[int, int], int] = {}
         self.areas = [cell.polygon.area for cell in cells]
 
@@ -86,7 +84,7 @@ class _SlopedFaces(FaceCollector):
 
     def _height(self, cell: int, node: int) -> int:
         """Height of a cell's plane at a node, lattice units."""
-        roof, plane = self.roofs[cell], self.planes[cell]
+        roof, plane = self.roofs[cell], self.roofs[cell].plane
         x = self.edges.origin[0] - roof.origin[0] + self.edges.x[node] / UNITS
         y = self.edges.origin[1] - roof.origin[1] + self.edges.y[node] / UNITS
         return round((plane[0] * x + plane[1] * y + plane[2]) * UNITS)
@@ -153,7 +151,7 @@ class _SlopedFaces(FaceCollector):
         """Heights of all cells at their nodes; the number of roofs raised to the least height."""
         raised = set()
         for node, cells in self._around().items():
-            raised.update(cell for cell in cells if self.planes[cell] != self.roofs[cell].plane)
+            raised.update(cell for cell in cells if self._height(cell, node) < self.lowest)
             for cell, level in self._levels(node, cells).items():
                 self.heights[cell, node] = level
         return len(raised)
@@ -161,34 +159,9 @@ class _SlopedFaces(FaceCollector):
     def _roofs(self) -> None:
         """One face for each cell."""
         for cell, directed in self.cells().items():
-            off_plane = {node for edge in directed for node in edge
-                         if abs(self.heights[cell, node] - self._height(cell, node)) > FLAT * UNITS}
-            for outer, *holes in self.shapes(directed):
-                corners, outer = self._cut_off(outer, holes, off_plane)
-                parts: list[list] = [[outer, *holes], *([corner] for corner in corners)]
-                for rings in parts:
-                    self.add([[(node, self.heights[cell, node]) for node in ring] for ring in rings], ROOF,
-                              self.roofs[cell].roof_id)
-
-    def _cut_off(self, ring: list[int], holes: list[list[int]],
-                 off_plane: set[int]) -> tuple[list[tuple[int, int, int]], list[int]]:
-        """Triangles at the bent nodes of a ring and the ring without them, so that only these leave the plane."""
-        corners: list[tuple[int, int, int]] = []
-        for node in [node for node in ring if node in off_plane]:
-            at = ring.index(node)
-            corner = ring[at - 1], node, ring[(at + 1) % len(ring)]
-            others = [*ring, *chain.from_iterable(holes)]
-            if len(ring) > 3 and not off_plane & {corner[0], corner[2]} and self._is_ear(corner, others):
-                corners.append(corner)
-                ring = ring[:at] + ring[at + 1:]
-        return corners, ring
-
-    def _is_ear(self, corner: tuple[int, int, int], others: list[int]) -> bool:
-        """Whether a corner is a triangle counterclockwise that no other node lies in or on."""
-        if self.edges.twice_area(corner) <= 0:
-            return False
-        return all(min(self.edges.twice_area([a, b, other]) for a, b in zip(corner, (*corner[1:], corner[0]))) < 0
-                   for other in others if other not in corner)
+            for rings in self.shapes(directed):
+                self.add([[(node, self.heights[cell, node]) for node in ring] for ring in rings], ROOF,
+                         self.roofs[cell].roof_id)
 
     def _walls(self) -> None:
         """One upright face for each plan edge with a step, its sides split where other walls end at the same node."""
@@ -226,23 +199,6 @@ class _SlopedFaces(FaceCollector):
                 types.append(kind)
                 ids.append(roof_id)
         return faces, types, ids
-
-
-def _plane_above(cell: SlopedCell, lowest: float) -> tuple[float, float, float]:
-    """A cell's plane, where it is nowhere under `lowest` (m); else the plane over it that lies nearest to its corners,
-    those under `lowest` put there: bent in them it would fall into slivers."""
-    corners = shapely.get_coordinates(cell.polygon) - cell.origin
-    rows = np.column_stack([corners, np.ones(len(corners))])
-    heights = rows @ cell.plane
-    if heights.min() >= lowest:
-        return cell.plane
-    wanted = np.maximum(heights, lowest)
-    above = []
-    for plane in (np.array(cell.plane), np.linalg.lstsq(rows, wanted, rcond=None)[0], np.array([0.0, 0.0, lowest])):
-        plane[2] += max(lowest - float((rows @ plane).min()), 0.0)
-        above.append((float(np.abs(rows @ plane - wanted).mean()), plane.tolist()))
-    a, b, c = min(above)[1]
-    return a, b, c
 
 
 def _is_flat(corners: np.ndarray) -> bool:
