@@ -21,7 +21,7 @@ from .building_points import coordinates, iter_building_blocks, require_dimensio
 from .outlines.evidence import BUILDING_CLASS
 from .outlines.footprint import Footprints
 from .planes.plane_segmentation import segment_planes
-from .roofs.paper_roofs import PaperRoofs, paper_roofs
+from .roofs.paper_roofs import paper_roofs
 from .roofs.roof_segmentation import RoofSegmentation, segment_roofs
 
 SEGMENT_BUILDINGS = "Segment buildings"
@@ -168,7 +168,7 @@ def _known_ground(ground: float, z: np.ndarray, parameters: RoofParameters) -> f
     return float(ground) if np.isfinite(ground) else float(z.min()) - parameters.min_height
 
 
-def _table_rows(result: RoofSegmentation | PaperRoofs) -> Iterator[tuple]:
+def _table_rows(result: RoofSegmentation) -> Iterator[tuple]:
     table = result.roofs
     for values in zip(table.number, table.height, table.height_max, table.points, table.area, table.density,
                       table.rmse):

@@ -2,30 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 import shapely
 
 from ...settings.buildings import RoofParameters
 from .height_histogram import PARAPET_SHARE, HeightPeaks, height_histogram, height_peaks, minimum_points
-from .roof_segmentation import NO_POINTS, OK, RoofTable
-
-_EMPTY = RoofTable(np.empty(0, np.int32), np.empty(0), np.empty(0), np.empty(0, np.int64), np.empty(0), np.empty(0),
-                   np.empty(0))
-
-
-@dataclass(frozen=True)
-class PaperRoofs:
-    """Roofs of one building: roof of each point (n,) int32, 0 = none; table of the roofs; status word."""
-
-    roof_of_point: np.ndarray
-    roofs: RoofTable
-    status: str
+from .roof_segmentation import NO_POINTS, NO_ROOFS, OK, RoofSegmentation, RoofTable
 
 
 def paper_roofs(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely.Geometry, density: float,
-                parameters: RoofParameters) -> PaperRoofs:
+                parameters: RoofParameters) -> RoofSegmentation:
     """Roofs of a building from the height histogram of the points in its primary outline (J 5.3.2).
 
     Local maxima of at least alpha = `min_roof_area` times `density` points are roofs; consecutive ones are one
@@ -49,10 +35,10 @@ def paper_roofs(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely.Ge
     beta = PARAPET_SHARE * alpha if parameters.parapet_threshold is None else parameters.parapet_threshold
     peaks = height_peaks(primary, parameters.bin_width, parameters.bin_shift, alpha=alpha, beta=beta)
     if not len(peaks):
-        return PaperRoofs(np.zeros(len(z), np.int32), _EMPTY, NO_POINTS)
+        return RoofSegmentation(np.zeros(len(z), np.int32), NO_ROOFS, NO_POINTS)
     roof = peaks.assign(z) + 1
     roof[(z < lower_limit(primary, peaks, parameters.bin_width, parameters.bin_shift)) | (z > primary.max())] = 0
-    return PaperRoofs(roof.astype(np.int32), _table(z, roof, len(peaks), density), OK)
+    return RoofSegmentation(roof.astype(np.int32), _table(z, roof, len(peaks), density), OK)
 
 
 def lower_limit(z: np.ndarray, peaks: HeightPeaks, bin_width: float, bin_shift: float) -> float:

@@ -8,10 +8,8 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 import shapely
-from scipy import ndimage
 
 from ...errors import InputError
-from ...geometry.grid import Grid
 from ...geometry.tolerances import SIGMA_OF_MAD
 from ...settings.buildings import RoofParameters
 from ...wording import say
@@ -33,13 +31,6 @@ class RoofSegmentationLimits:
     # Distance above or below the cells of a roof at which a point still belongs to it, m.
     height_tolerance: float = 0.3
     parapet_slice: float = 0.3  # Height range of the hits on the top of a parapet, m.
-    # Inside cells this far from a supported one still get its roof, m; farther ones under trees and in small
-    # gaps.
-    gap_fill: float = 1.5
-    # Area in m2 and share of the border along roofs of gaps that are filled however far the next point is. A
-    # building no larger than that has no courtyard: it is filled whole.
-    max_gap_area: float = 25.0
-    enclosure: float = 0.75
     nowhere: float = -1e9  # Height of what is no roof, m.
 
 
@@ -61,8 +52,8 @@ class RoofTable:
     height : median height of the roof's points, m.
     height_max : height of its highest point, m (the roof height of J 5.3.2: the top of the parapet).
     points : number of points.
-    area : area of its cells in plan, m2.
-    density : points on its supported cells, points/m2.
+    area : area of its cells with points and of gaps of a cell between them, m2.
+    density : points/m2 of that.
     rmse : root mean square distance of its points from `height`, m.
     """
 
@@ -78,6 +69,10 @@ class RoofTable:
         return len(self.number)
 
 
+NO_ROOFS = RoofTable(np.empty(0, np.int32), np.empty(0), np.empty(0), np.empty(0, np.int64), np.empty(0), np.empty(0),
+                     np.empty(0))
+
+
 @dataclass(frozen=True)
 class RoofSegmentation:
     """Roofs of one building.
@@ -86,18 +81,11 @@ class RoofSegmentation:
     ----------
     roof_of_point : (n,) int32 roof of each point, 0 = none (clutter, wall, tree, ground).
     roofs : the table of the roofs.
-    grid : place of the plan raster.
-    roof_of_cell : (rows, columns) int32 roof of each cell, 0 = no roof.
-    inside : (rows, columns) bool, cell centre inside the outline. Inside cells without a roof have no data or
-        are open to the ground.
     status : OK, FEW_POINTS (one flat roof, from too few points to separate parts) or NO_POINTS (no roof).
     """
 
     roof_of_point: np.ndarray
     roofs: RoofTable
-    grid: Grid
-    roof_of_cell: np.ndarray
-    inside: np.ndarray
     status: str
 
 
@@ -132,14 +120,12 @@ def segment_roofs(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely.
     returns = None if multi_return is None else np.asarray(multi_return, dtype=bool)[usable]
     surface = roof_surface(x[usable], y[usable], z[usable], outline, density, returns)
     if len(usable) < MIN_POINTS:
-        return _no_roof(len(z), surface)
+        return RoofSegmentation(np.zeros(len(z), np.int32), NO_ROOFS, NO_POINTS)
     if len(usable) < LIMITS.points_to_divide:
         return _one_roof(z, usable, surface)
     plan = roof_levels(surface, z[usable], density, outline.area, parameters)
     of_point = roofs_of_points(plan, surface, z[usable], parameters)
-    open_cells = _open_cells(surface, x[~high], y[~high], parameters)
-    of_cell, supported = _complete(plan, surface, of_point, open_cells)
-    return _numbered(z, usable, surface, of_point, of_cell, supported, OK)
+    return _numbered(z, usable, surface, of_point, plan.labels, OK)
 
 
 def _check(x: np.ndarray, y: np.ndarray, z: np.ndarray, ground: float, density: float,
@@ -247,58 +233,12 @@ def _drops_beside(labels: np.ndarray, middle: np.ndarray, step: float, reach: in
     return (labels > 0) & (lowest <= height - step)
 
 
-def _open_cells(surface: RoofSurface, x: np.ndarray, y: np.ndarray, parameters: RoofParameters) -> np.ndarray:
-    """Cells that show the ground: courtyards and places where the roof stands back."""
-    row, column, on_grid = surface.grid.cells(x, y)
-    ground = np.zeros(surface.grid.shape, dtype=bool)
-    ground[row[on_grid], column[on_grid]] = True
-    ground &= surface.count == 0
-    if not ground.any():
-        return ground
-    ground = cv2.morphologyEx(ground.astype(np.uint8), cv2.MORPH_CLOSE, NEIGHBOURHOOD) > 0
-    ground &= surface.count == 0
-    part, _ = ndimage.label(ground)
-    large = np.bincount(part.ravel()) * surface.grid.cell**2 >= parameters.small_roof_area
-    large[0] = False
-    return large[part]
-
-
-def _complete(plan: RoofLevels, surface: RoofSurface, roof_of_point: np.ndarray,
-              open_cells: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Roof of each cell, with the gaps inside the outline filled, and whether points support it."""
-    hit = np.zeros(surface.grid.shape, dtype=np.uint8)
-    hit.ravel()[surface.cell_of_point[roof_of_point > 0]] = 1
-    supported = (cv2.morphologyEx(hit, cv2.MORPH_CLOSE, NEIGHBOURHOOD) > 0) & (plan.labels > 0)
-    distance, nearest = ndimage.distance_transform_edt(~supported, return_indices=True)
-    under_clutter = (surface.count > 0) | (plan.labels > 0)
-    near = distance * surface.grid.cell <= LIMITS.gap_fill
-    gap = surface.inside & ~open_cells & ~supported & ~under_clutter
-    if surface.inside.sum() * surface.grid.cell**2 > LIMITS.max_gap_area:
-        gap = _enclosed(gap, supported, surface.grid.cell)
-    fill = surface.inside & ~open_cells & (under_clutter | near | gap)
-    of_cell = np.where(supported | (fill & supported.any()), plan.labels[tuple(nearest)], 0)
-    return of_cell, supported
-
-
-def _enclosed(gap: np.ndarray, supported: np.ndarray, cell: float) -> np.ndarray:
-    """Cells of gaps that are small and have roofs around: no returns came back, but no courtyard is that small."""
-    part, n = ndimage.label(gap)
-    if n == 0:
-        return gap
-    small = np.bincount(part.ravel()) * cell**2 <= LIMITS.max_gap_area
-    padded, roof = np.pad(part, 1), np.pad(supported, 1)
-    sides, closed = np.zeros(n + 1), np.zeros(n + 1)
-    for axis, shift in ((0, 1), (0, -1), (1, 1), (1, -1)):
-        beside, roof_beside = np.roll(padded, shift, axis), np.roll(roof, shift, axis)
-        border = (padded > 0) & (beside == 0)
-        sides += np.bincount(padded[border], minlength=n + 1)
-        closed += np.bincount(padded[border & roof_beside], minlength=n + 1)
-    return gap & (small & (closed >= LIMITS.enclosure * sides))[part]
-
-
-def _numbered(z: np.ndarray, usable: np.ndarray, surface: RoofSurface, of_point: np.ndarray,
-              of_cell: np.ndarray, supported: np.ndarray, status: str) -> RoofSegmentation:
-    """The result, with roofs numbered from low to high."""
+def _numbered(z: np.ndarray, usable: np.ndarray, surface: RoofSurface, of_point: np.ndarray, of_cell: np.ndarray,
+              status: str) -> RoofSegmentation:
+    """The result, with roofs numbered from low to high; `of_cell` (rows, columns) roof of each cell."""
+    hit = np.zeros(surface.grid.shape, np.uint8)
+    hit.ravel()[surface.cell_of_point[of_point > 0]] = 1
+    of_cell = np.where(cv2.morphologyEx(hit, cv2.MORPH_CLOSE, NEIGHBOURHOOD) > 0, of_cell, 0)
     k = int(of_cell.max(initial=0))
     points = np.bincount(of_point, minlength=k + 1)
     order = sorted_within(of_point, z[usable])
@@ -318,12 +258,11 @@ def _numbered(z: np.ndarray, usable: np.ndarray, surface: RoofSurface, of_point:
     points = points[present]
     cell_area = surface.grid.cell**2
     area = np.bincount(of_cell.ravel(), minlength=len(present) + 1)[1:] * cell_area
-    firm = np.bincount(of_cell[supported], minlength=len(present) + 1)[1:] * cell_area
     table = RoofTable(np.arange(1, len(present) + 1, dtype=np.int32), height, sorted_z[last[rank]], points,
-                      area, points / np.maximum(firm, cell_area), np.sqrt(squares / points))
+                      area, points / np.maximum(area, cell_area), np.sqrt(squares / points))
     roof_of_point = np.zeros(len(z), dtype=np.int32)
     roof_of_point[usable] = of_point
-    return RoofSegmentation(roof_of_point, table, surface.grid, of_cell, surface.inside, status)
+    return RoofSegmentation(roof_of_point, table, status)
 
 
 def _one_roof(z: np.ndarray, usable: np.ndarray, surface: RoofSurface) -> RoofSegmentation:
@@ -334,13 +273,4 @@ def _one_roof(z: np.ndarray, usable: np.ndarray, surface: RoofSurface) -> RoofSe
     near = np.abs(z[usable] - np.median(z[usable][inner])) <= 2 * LIMITS.height_tolerance
     if not near.any():
         near = inner
-    of_cell = surface.inside.astype(np.int64)
-    of_cell.ravel()[surface.cell_of_point[near]] = 1
-    return _numbered(z, usable, surface, near.astype(np.int64), of_cell, surface.count > 0, FEW_POINTS)
-
-
-def _no_roof(n: int, surface: RoofSurface) -> RoofSegmentation:
-    nothing = np.empty(0)
-    table = RoofTable(np.empty(0, np.int32), nothing, nothing, np.empty(0, np.int64), nothing, nothing, nothing)
-    of_cell = np.zeros(surface.grid.shape, dtype=np.int32)
-    return RoofSegmentation(np.zeros(n, dtype=np.int32), table, surface.grid, of_cell, surface.inside, NO_POINTS)
+    return _numbered(z, usable, surface, near.astype(np.int64), np.ones(surface.grid.shape, np.int64), FEW_POINTS)
