@@ -141,7 +141,6 @@ def _segment_building(block: RoofBlock, polygon: shapely.Geometry, records: np.n
                       ground: float) -> tuple[np.ndarray, list[tuple]]:
     """Roof of each point of one building, and the rows of its roofs without the building's number."""
     x, y, z = coordinates(block.layout, records)
-    result: RoofSegmentation | PaperRoofs
     if block.parameters.method == PAPER:
         result = paper_roofs(x, y, z, polygon, block.density, block.parameters)
         return result.roof_of_point, list(_table_rows(result))
