@@ -236,7 +236,7 @@ def test_paper_takes_sets_of_two_as_they_are(true):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("method", ["drift", "paper"])
-@pytest.mark.parametrize(("count", "seconds"), [(2, 20.0), (4, 40.0), (8, 60.0)])
+@pytest.mark.parametrize(("count", "seconds"), [(2, 20.0), (8, 60.0)])
 def test_sets_in_one_place_do_not_vouch_for_the_whole_drive(true, method, count, seconds):
     """What was not observed is in the sigma: nine of ten coordinates within two of it, all over the drive."""
     within = []

@@ -11,8 +11,7 @@ import pytest
 import rasterio
 import shapely
 
-from urbanmap_qgis.errors import Cancelled
-from urbanmap_qgis.progress import SILENT, Progress
+from urbanmap_qgis.progress import SILENT
 from urbanmap_qgis.samplecity.aerial.camera import Camera, Exposure, ray_matrix
 from urbanmap_qgis.samplecity.aerial.depth_image import DepthImage
 from urbanmap_qgis.samplecity.aerial.flight import plan_flight
@@ -107,14 +106,6 @@ def test_every_place_lies_in_three_frames_or_more(size):
         assert seen.min() >= 3
         step = pixels_of(camera, exposures[0], places[:1] + np.array([[0, 0, 0], [1.0, 0, 0]]))
         assert 0.118 < 1 / np.hypot(*(step[1] - step[0])) < 0.122
-
-
-def test_strips_of_larger_cities_run_to_and_fro():
-    _, exposures = plan_flight(make_scene(200.0, "canyon", 1), np.random.default_rng(1))
-    kappa = np.array([e.kappa for e in exposures])
-    assert (np.minimum(np.abs(kappa), np.abs(kappa - 180)) < 2).all()
-    assert (kappa > 90).any() and (kappa < 90).any()
-    assert all(a.time < b.time for a, b in zip(exposures, exposures[1:]))
 
 
 def test_polygons_cover_the_pixels_whose_centres_they_hold_and_the_nearest_wins():
@@ -346,20 +337,3 @@ def test_files_are_of_the_right_kind(city, written):
     assert west < x_min and north > y_max
     assert west + 0.12 * image.shape[2] > x_max and north - 0.12 * image.shape[1] < y_min
     assert (image.max(axis=0) > 0).all()
-
-
-@pytest.mark.slow
-def test_same_seed_same_bytes(city, written, tmp_path):
-    folder, _ = written
-    seed = np.random.SeedSequence(7)
-    seed.spawn(3)
-    write_aerial(city, tmp_path, seed, SILENT)
-    names = sorted(path.relative_to(folder) for path in folder.rglob("*") if path.is_file())
-    assert names == sorted(path.relative_to(tmp_path) for path in tmp_path.rglob("*") if path.is_file())
-    for name in names:
-        assert (folder / name).read_bytes() == (tmp_path / name).read_bytes(), name
-
-
-def test_cancelling_stops_the_run(city, tmp_path):
-    with pytest.raises(Cancelled):
-        write_aerial(city, tmp_path, np.random.SeedSequence(7), Progress(cancelled=lambda: True))

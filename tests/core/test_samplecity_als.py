@@ -5,8 +5,6 @@ import numpy as np
 import pytest
 import shapely
 
-from urbanmap_qgis.errors import Cancelled
-from urbanmap_qgis.progress import Progress
 from urbanmap_qgis.samplecity.laser import als
 from urbanmap_qgis.samplecity.scene.world import make_scene
 
@@ -91,8 +89,3 @@ def test_files_hold_the_points_and_the_same_seed_gives_the_same_bytes(city, scan
     np.testing.assert_array_equal(las.classification, points.classification)
     assert las.header.parse_crs().to_epsg() == 6677
     assert set(laspy.read(str(tmp_path / "a/als/als.laz")).classification) == {1}
-
-
-def test_cancel_stops_the_scan(city):
-    with pytest.raises(Cancelled):
-        als.simulate_strips(city, np.random.SeedSequence(9), Progress(cancelled=lambda: True))

@@ -15,8 +15,7 @@ import pytest
 import shapely
 
 from tests.core.rinex_by_hand import SYSTEM_GM, TURN, C, read_navigation, read_observations, state
-from urbanmap_qgis.errors import Cancelled
-from urbanmap_qgis.progress import SILENT, Progress
+from urbanmap_qgis.progress import SILENT
 from urbanmap_qgis.samplecity.gnss.atmosphere import klobuchar_delay, saastamoinen_delay
 from urbanmap_qgis.samplecity.gnss.displaced_walls import deliver
 from urbanmap_qgis.samplecity.gnss.earth_fixed import GEOID_SEPARATION, CityFrame
@@ -214,22 +213,6 @@ def test_facts_and_trajectories(city, scene):
         assert table[0, 0] < min(times) and max(times) < table[-1, 0]
 
 
-@pytest.mark.slow
-def test_same_seed_same_bytes(tmp_path):
-    scene = make_scene(60.0, "few markings", 1)
-    contents = []
-    for name in "ab":
-        write_gnss(scene, tmp_path / name, np.random.SeedSequence(9), SILENT)
-        contents.append({path.relative_to(tmp_path / name): path.read_bytes()
-                         for path in sorted((tmp_path / name).rglob("*")) if path.is_file()})
-    assert contents[0] == contents[1]
-
-
-def test_cancel(scene, tmp_path):
-    with pytest.raises(Cancelled):
-        write_gnss(scene, tmp_path, np.random.SeedSequence(1), Progress(cancelled=lambda: True))
-
-
 # Measurements
 
 def test_code_range_is_geometry_clocks_and_stated_errors(city, signals, navigation):
@@ -317,12 +300,6 @@ def make_record(name: str, record: dict) -> Orbits:
     values |= {"toe": record["toe"], "af0": record["clock"][0], "af1": record["clock"][1], "delay": record["delay"],
                "delay2": 0.0}
     return Orbits(satellite=np.array([name]), **{key: np.array([value]) for key, value in values.items()})
-
-
-def test_zenith_delays():
-    assert saastamoinen_delay(np.radians(35.7), 0.0, np.array(np.pi / 2)) == pytest.approx(2.40, abs=0.08)
-    night = klobuchar_delay(np.radians(35.7), np.radians(139.8), np.array(0.0), np.array(np.pi / 2), np.array(57600.0))
-    assert night == pytest.approx(C * 5e-9, rel=1e-2)
 
 
 # Signals and walls

@@ -1,7 +1,6 @@
 """Line scanners and line camera of the sample city against formulas written here anew."""
 
 import gzip
-import hashlib
 import json
 
 import cv2
@@ -90,14 +89,6 @@ def test_raw_scans_lie_on_the_true_surfaces(scene, files):
         assert np.median(error) < 0.03
 
 
-def test_angle_nought_looks_down_and_ninety_to_the_right():
-    for scanner in lines.SCANNERS:
-        assert scanner.angles[0] == -150 and scanner.angles[-1] == 150 and len(scanner.angles) == 480
-        beams = scanner.directions()
-        assert beams[np.abs(scanner.angles).argmin()][2] > 0.9999
-        assert beams[np.abs(scanner.angles - 90).argmin()][1] > 0.7
-
-
 def test_strip_shows_each_place_where_the_formula_says(scene, files):
     """A place of the road is found in the strip by its own time and angle (Z eq. 2), and has its paint's colour."""
     folder, _ = files
@@ -137,12 +128,6 @@ def test_strip_shows_each_place_where_the_formula_says(scene, files):
     assert np.mean(painted > 130) > 0.9 and np.mean(bare < 120) > 0.95
 
 
-def test_strip_shows_sky_above_and_road_below(files):
-    strip = cv2.imread(str(files[0] / "lines" / "camera_1.png"))
-    assert strip[-20:].mean() < 110
-    assert (strip[:5].min(axis=2) > 150).mean() > 0.05 or strip[:5].std() > 5
-
-
 def test_tie_points_are_corners_moved_by_the_drift(scene, tmp_path):
     path = lines.corner_path(*lines.survey_lanes(scene)[0], scene.size / 2 + lines.RUN_IN)
     rng = np.random.default_rng(5)
@@ -163,12 +148,3 @@ def test_tie_points_are_corners_moved_by_the_drift(scene, tmp_path):
     corner = np.column_stack([rows[:, 4:], scene.ground_height(rows[:, 4], rows[:, 5]) + lines.TIE_HEIGHT])
     body = np.einsum("nji,nj->ni", r, corner - p)
     np.testing.assert_allclose(rows[:, 2:4], (q + np.einsum("nij,nj->ni", s, body))[:, :2], atol=1e-3)
-
-
-def test_same_seed_gives_the_same_bytes(scene, files, tmp_path):
-    def digest(folder):
-        return {str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest()
-                for path in sorted(folder.rglob("*")) if path.is_file()}
-
-    write_short(scene, tmp_path, 7)
-    assert digest(tmp_path) == digest(files[0])

@@ -73,9 +73,3 @@ def test_geopackage_keeps_types_heights_and_empty_layers(tmp_path):
     assert [row[1:] for row in rows] == [(1, 0.5, "a", 1), (2, None, "b", 0)]
     assert types == {"fid": "INTEGER", "geom": "BLOB", "n": "INTEGER", "w": "DOUBLE", "t": "TEXT", "f": "BOOLEAN"}
     assert shapely.from_wkb(rows[0][0][8:]).equals(point) and shapely.from_wkb(rows[0][0][8:]).has_z
-
-
-def test_same_seed_same_bytes(city, written, tmp_path):
-    outlines.write_outlines(city, tmp_path, np.random.SeedSequence(1))
-    for path in written[0].iterdir():
-        assert path.read_bytes() == (tmp_path / "footprints" / path.name).read_bytes()
