@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from types import MappingProxyType
 
+from ...urbanmap_qgis.settings.lines import RectifySettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
 from ..framework.layers.layers import make_fields
 from .report_images import add_report_images, check_report_images, report_pictures
 
-METHODS = ("drift", "paper")
 SET_FIELDS = ("set", "time", "pairs", "before", "after", "east", "north", "heading", "misfit", "predicted", "status")
 EPOCH_FIELDS = ("time", "east", "north", "up", "heading", "sigma", "sigma_up", "sigma_heading", "status")
 
@@ -42,18 +42,7 @@ class RectifyTrajectory(UrbanMapAlgorithm):
                         "(m). In a line layer with set and time each line may run from survey to reference instead.")
         self.add_raster("GROUND", "Ground", "Heights of the ground, or a surface, along the course: then heights are "
                         "corrected too.", optional=True)
-        self.add_distance("SENSOR_HEIGHT", "Height of the origin", "Height of the trajectory's origin above the "
-                          "ground, in metres. Without it the mean height stays as reported.", None, -100.0, 100.0,
-                          optional=True)
-        self.add_choice("METHOD", "Method", "Best estimate of the drift from all tie points; or the paper "
-                        "to the letter.", METHODS, "drift", advanced=True)
-        self.add_distance("TIE_SIGMA", "Sigma of tie points", "Standard deviation of a tie point's coordinate in "
-                          "metres; 0 finds it from the tie points.", 0.0, 0.0, 100.0, advanced=True)
-        self.add_number("HEADING_SIGMA", "Expected error of the heading", "Standard deviation in degrees: what is "
-                        "known of the heading where the pairs of a set lie close together.", 0.5, 0.001, 45.0,
-                        unit="degrees", advanced=True)
-        self.add_boolean("KEEP_BLUNDERS", "Keep doubtful sets", "Use sets even though the other sets put them "
-                         "elsewhere.", False, advanced=True)
+        self.add_settings(RectifySettings)
         self.add_crs("CRS", "Coordinate reference system", "Of trajectory and tie points, where no layer says it; "
                      "needed for SBET trajectories.", optional=True, advanced=True)
         self.add_trajectory_reading()
@@ -86,19 +75,14 @@ class RectifyTrajectory(UrbanMapAlgorithm):
         check_report_images(self, parameters, context)
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.mobile.lines.rectification import RectifySettings, rectify
+        from ...urbanmap_qgis.mobile.lines.rectification import rectify
 
         progress = self.progress(feedback)
         notes: list[str] = []
         warned = noting(progress, notes)
         table, ties = self._tie_points(parameters, context, progress)
         file, crs = self._trajectory(parameters, context, table, warned)
-        height = (None if parameters.get("SENSOR_HEIGHT") is None
-                  else self.parameterAsDouble(parameters, "SENSOR_HEIGHT", context))
-        settings = RectifySettings(self.parameterAsString(parameters, "METHOD", context),
-                                   self.parameterAsDouble(parameters, "TIE_SIGMA", context) or None,
-                                   self.parameterAsDouble(parameters, "HEADING_SIGMA", context),
-                                   self.parameterAsBool(parameters, "KEEP_BLUNDERS", context), height)
+        settings = self.settings(RectifySettings, parameters, context)
         ground = self.raster_path(parameters, "GROUND", context)
         result = self._rectified(rectify, file.trajectory, ties, ground, settings, crs, warned)
         if result.heights is not None and result.heights.found:

@@ -20,13 +20,13 @@ from urbanmap_qgis.io.raster import RasterSampler
 from urbanmap_qgis.mobile.calibration import read_calibration
 from urbanmap_qgis.mobile.gps_time import time_shift
 from urbanmap_qgis.mobile.lines.georeferencing import georeference_scans
-from urbanmap_qgis.mobile.lines.rectification import METHODS, RectifySettings, rectify
+from urbanmap_qgis.mobile.lines.rectification import rectify
 from urbanmap_qgis.mobile.lines.rectification_report import write_report
 from urbanmap_qgis.mobile.lines.reference_corners import outline_corners
 from urbanmap_qgis.mobile.lines.tie_point_proposals import propose_tie_points
 from urbanmap_qgis.mobile.lines.tie_points import read_tie_points
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
-from urbanmap_qgis.settings.lines import ScanSettings, TextureSettings
+from urbanmap_qgis.settings.lines import METHODS, RectifySettings, ScanSettings, TextureSettings
 
 WKT = CRS.from_epsg(6677).to_wkt()
 

@@ -15,12 +15,10 @@ from urbanmap_qgis.mobile.lines.rectification import (
     BLUNDER,
     CONTRADICTING,
     EXTRAPOLATED,
-    METHODS,
     ONE_PAIR,
     POSITION_ONLY,
     SUSPECT,
     USED,
-    RectifySettings,
     rectify,
 )
 from urbanmap_qgis.mobile.lines.rectification_report import course_map, write_report
@@ -28,6 +26,7 @@ from urbanmap_qgis.mobile.lines.tie_points import TiePoints, read_tie_points, ti
 from urbanmap_qgis.mobile.trajectory import Trajectory
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 from urbanmap_qgis.progress import Progress
+from urbanmap_qgis.settings.lines import METHODS, RectifySettings
 
 HEIGHT = 1.9
 
@@ -426,9 +425,9 @@ def test_nothing_to_work_with():
         rectify(reported, TiePoints(ties.sets, ties.time + 1e5, ties.measured, ties.reference))
     with pytest.raises(InsufficientDataError, match="All 8 sets"):
         rectify(reported, changed(ties, np.arange(0, 16, 2), [0.0, 4.0]), settings=RectifySettings(tie_sigma=0.05))
-    with pytest.raises(InputError, match="method"):
+    with pytest.raises(InputError, match="other is none of drift, paper"):
         RectifySettings(method="other")
-    with pytest.raises(InputError, match="greater than 0"):
+    with pytest.raises(InputError, match="must not be less than 0"):
         RectifySettings(tie_sigma=-1.0)
     with pytest.raises(Cancelled):
         rectify(reported, ties, progress=Progress(cancelled=lambda: True))

@@ -8,10 +8,11 @@ from scipy.ndimage import gaussian_filter1d
 from scipy.spatial.transform import Rotation
 
 from urbanmap_qgis.io.raster import RasterSampler
-from urbanmap_qgis.mobile.lines.rectification import BETWEEN, RectifySettings, rectify
+from urbanmap_qgis.mobile.lines.rectification import BETWEEN, rectify
 from urbanmap_qgis.mobile.lines.tie_points import TiePoints
 from urbanmap_qgis.mobile.trajectory import Trajectory
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
+from urbanmap_qgis.settings.lines import RectifySettings
 
 
 def seen_from(trajectory, time, body):

@@ -4,6 +4,10 @@ from __future__ import annotations
 
 from .declaration import Settings, record, setting
 
+METHODS = ("drift", "paper")
+"""Best estimate of a random-walk drift; all of Z 3 to the letter: sets of two pairs by eq. 13 to 17, eq. 8 and 9,
+sampled heights, nothing left out as wrong."""
+
 
 @record(frozen=True)
 class ScanSettings(Settings):
@@ -72,3 +76,23 @@ class BoresightSettings(Settings):
     max_apart: float = 0.3
     determined_angle: float = 0.05
     determined_arm: float = 0.03
+
+
+@record(frozen=True)
+class RectifySettings(Settings):
+    """How a trajectory is rectified."""
+
+    sensor_height: float | None = setting(
+        None, "Height of the origin", "Height of the trajectory's origin above the ground, in metres. Without it the "
+        "mean height stays as reported.", "m", -100.0, 100.0)
+    method: str = setting(
+        "drift", "Method", "Best estimate of the drift from all tie points; or the paper to the letter.",
+        choices=METHODS, advanced=True)
+    tie_sigma: float = setting(
+        0.0, "Sigma of tie points", "Standard deviation of a tie point's coordinate in metres; 0 finds it from the tie "
+        "points.", "m", 0.0, 100.0, advanced=True)
+    heading_sigma: float = setting(
+        0.5, "Expected error of the heading", "Standard deviation in degrees: what is known of the heading where the "
+        "pairs of a set lie close together.", "degrees", 0.001, 45.0, advanced=True)
+    keep_blunders: bool = setting(
+        False, "Keep doubtful sets", "Use sets even though the other sets put them elsewhere.", advanced=True)

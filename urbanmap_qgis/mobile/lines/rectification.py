@@ -14,6 +14,7 @@ import numpy as np
 from ...errors import InputError, InsufficientDataError
 from ...geometry.tolerances import SIGMA_OF_MAD
 from ...progress import SILENT, Progress
+from ...settings.lines import RectifySettings
 from ...wording import say
 from ..trajectory import Trajectory, interpolate
 from .course_heights import CourseHeights, course_heights, sampled_heights
@@ -29,10 +30,6 @@ from .drift_adjustment import (
 from .ground_truths import misfit, rotated_vectors, set_drift, two_pair_drift
 from .relative_motion import adjust_relative_motion
 from .tie_points import TiePoints, pairs_within
-
-METHODS = ("drift", "paper")
-"""Best estimate of a random-walk drift; all of Z 3 to the letter: sets of two pairs by eq. 13 to 17, eq. 8 and 9,
-sampled heights, nothing left out as wrong."""
 
 USED, POSITION_ONLY, SUSPECT, BLUNDER, CONTRADICTING = "used", "position only", "suspect", "blunder", "contradicting"
 ONE_PAIR = "one pair"
@@ -65,32 +62,6 @@ class RectificationLimits:
 LIMITS = RectificationLimits()
 
 _MAX_ROTATION = np.radians(10.0)
-
-
-@dataclass(frozen=True)
-class RectifySettings:
-    """How a trajectory is rectified.
-
-    Attributes
-    ----------
-    method : one of `METHODS`.
-    tie_sigma : standard deviation of a tie point's coordinate, m; None finds it.
-    heading_sigma : expected error of the heading, degrees: what is known where the pairs of a set lie close together.
-    keep_blunders : use sets although they do not fit their neighbours at all.
-    sensor_height : of the body's origin above the ground, m; None leaves the mean height as it is.
-    """
-
-    method: str = "drift"
-    tie_sigma: float | None = None
-    heading_sigma: float = 0.5
-    keep_blunders: bool = False
-    sensor_height: float | None = None
-
-    def __post_init__(self) -> None:
-        if self.method not in METHODS:
-            raise InputError(say("The method must be one of {methods}.", methods=", ".join(METHODS)))
-        if (self.tie_sigma is not None and not self.tie_sigma > 0) or not self.heading_sigma > 0:
-            raise InputError(say("The standard deviations of tie points and heading must be greater than 0."))
 
 
 @dataclass(frozen=True)
@@ -203,7 +174,7 @@ def rectify(trajectory: Trajectory, ties: TiePoints, ground: Ground | None = Non
     _warn_of_jumps(ties, number, keep, status, names, progress)
     corrected = _corrected(trajectory, ties, number, place, keep, model, settings)
     _warn_of_extent(trajectory, model, progress)
-    if settings.tie_sigma is None and len(np.unique(number[keep])) < LIMITS.min_sets_for_sigma:
+    if not settings.tie_sigma and len(np.unique(number[keep])) < LIMITS.min_sets_for_sigma:
         progress.warn(say("{unique_count} sets do not tell how good the tie points are: give their sigma, or add "
                           "sets.", unique_count=len(np.unique(number[keep]))))
     progress.step(0.7)
@@ -285,7 +256,7 @@ def _first_two(ties: TiePoints, names: list[str], number: np.ndarray, place: np.
 
 def _misfit_limit(ties: TiePoints, number: np.ndarray, place: np.ndarray, settings: RectifySettings) -> float:
     """Largest misfit within a set, m: five sigmas of it, which are what most sets show."""
-    if settings.tie_sigma is not None:
+    if settings.tie_sigma:
         return LIMITS.contradiction * np.sqrt(2.0) * settings.tie_sigma
     least = LIMITS.contradiction * np.sqrt(2.0) * SIGMA
     sets = [np.flatnonzero(number == k) for k in range(number.max() + 1)]
@@ -324,7 +295,7 @@ def _model(trajectory: Trajectory, ties: TiePoints, number: np.ndarray, place: n
            status: np.ndarray, names: list[str], settings: RectifySettings, progress: Progress) -> RandomWalkDrift:
     """The drift of all tie points; sets that do not fit their neighbours are left out of it (`keep`, `status`)."""
     start = RandomWalk(sigma=settings.tie_sigma or SIGMA, heading_sigma=np.radians(settings.heading_sigma))
-    fixed = settings.tie_sigma is not None
+    fixed = settings.tie_sigma > 0.0
     pairs, sets = _pairs(ties, number, place, keep)
     model = fit_drift(pairs, trajectory, start, fixed)
     examined = np.zeros(len(names), bool)
@@ -468,4 +439,3 @@ def _sets(before: Trajectory, after: Trajectory, ties: TiePoints, names: list[st
                               float(off_before[some].mean()), float(off_after[some].mean()), fit,
                               float(predicted.get(k, np.nan)), str(status[k])))
     return tuple(results)
-

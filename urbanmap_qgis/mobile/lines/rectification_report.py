@@ -59,7 +59,7 @@ def write_report(path: str | os.PathLike, before: Trajectory, rectified: Rectifi
     report.paragraph("Before and after: mean distance of the set's pairs from the reference. Off without itself: how "
                      "far the set would lie from the reference if it were not used, which is more than what to expect "
                      "halfway between sets.")
-    if rectified.settings.tie_sigma is None:
+    if not rectified.settings.tie_sigma:
         report.paragraph("The sigma of the tie points was found from how well they fit each other. An error that they "
                          "share, such as that of the reference, is not in it nor in the sigmas of the epochs.")
     if rectified.heights is not None:
