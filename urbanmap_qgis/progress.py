@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass
 
 from .errors import Cancelled
@@ -50,3 +52,23 @@ class Progress:
 
 
 SILENT = Progress()
+
+_NOTICES: ContextVar[tuple[Callable[[str], None], set[str]] | None] = ContextVar("notices", default=None)
+
+
+@contextmanager
+def notices_to(warn: Callable[[str], None]) -> Iterator[None]:
+    """In the block, what `notice` says is given to `warn`, each sentence once; a block within another adds nothing."""
+    token = _NOTICES.set(_NOTICES.get() or (warn, set()))
+    try:
+        yield
+    finally:
+        _NOTICES.reset(token)
+
+
+def notice(sentence: str) -> None:
+    """Say what a user must know of an input where it is opened, however deep in the work that is."""
+    listener = _NOTICES.get()
+    if listener and sentence not in listener[1]:
+        listener[1].add(sentence)
+        listener[0](sentence)

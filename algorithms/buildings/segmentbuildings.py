@@ -96,20 +96,25 @@ class SegmentBuildings(UrbanMapAlgorithm):
         fields = make_fields((BUILDING_ID, "int"), "points", "density", "ground", "shift_x", "shift_y", "shift_sigma",
                              "shift_status", "status", "open_share", "cloud_density", "beyond", (NOTE, "text"),
                              base=table.fields)
+        names = building_names(table)
+        takers = [names.own.get(footprints.ids[row], footprints.ids[row]) if row >= 0 else None
+                  for row in buildings.takers()]
         columns = {**table.columns, BUILDING_ID: footprints.ids, "points": buildings.points,
                    "density": buildings.density, "ground": buildings.ground, "shift_x": buildings.shift_x,
                    "shift_y": buildings.shift_y, "shift_sigma": buildings.shift_sigma,
                    "shift_status": buildings.shift_status, "status": buildings.status,
                    "open_share": buildings.open_share, "cloud_density": buildings.cloud_density,
                    "beyond": buildings.beyond,
-                   NOTE: [_note(*row) for row in zip(footprints.notes, footprints.usable, buildings.points,
+                   NOTE: [_note(*row) for row in zip(footprints.notes, footprints.usable, buildings.points, takers,
                                                   dates.notes(buildings.points))]}
         return self.write_layer(parameters, "OUTPUT_BUILDINGS", context, fields, columns, table.crs,
-                                buildings.outlines, "MultiPolygon", "segmented_buildings", progress,
-                                building_names(table))
+                                buildings.outlines, "MultiPolygon", "segmented_buildings", progress, names)
 
 
-def _note(note: str, usable: bool, points: int, dated: str) -> str:
-    """What is to be said of an outline: its flaws, that nothing stands in it, and what its dates say of the flight."""
+def _note(note: str, usable: bool, points: int, taker, dated: str) -> str:
+    """What is to be said of an outline: its flaws, that nothing stands in it or which building has its points, and what
+    its dates say of the flight."""
     nothing = "there are no points of a building in its outline" if usable and not points else ""
+    if nothing and taker is not None:
+        nothing = f"its points went to building {taker}, whose outline covers it"
     return "; ".join(filter(None, (note, nothing, dated)))

@@ -151,6 +151,8 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
 
     def initAlgorithm(self, configuration=None):
         self.declare()
+        if "POINTS" in self.points_names() and self.parameterDefinition("POINTS_CRS") is None:
+            self.add_points_crs()
         for output in self.outputDefinitions():
             if output.type() == "outputHtml":  # QGIS lists the reports of all runs under this name
                 output.setDescription(f"{self.displayName()}: {output.description()}")
@@ -247,14 +249,14 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         """Called when all outputs are in their places; raises where the run must not count as one that went well."""
 
     def _points_crs(self, parameters: Mapping, context: QgsProcessingContext):
-        """Context in which point clouds that state no CRS have the one of POINTS_CRS, where that is given."""
+        """Context in which the files of POINTS, and others that state no CRS, have that of POINTS_CRS, where given."""
         if not parameters.get("POINTS_CRS") or self.parameterDefinition("POINTS_CRS") is None:
             return nullcontext()
-        from ...urbanmap_qgis.io.points.pointcloud import assumed_crs
+        from ...urbanmap_qgis.io.points.pointcloud import given_crs
 
         crs = self.parameterAsCrs(parameters, "POINTS_CRS", context)
         self.require_projected("POINTS_CRS", crs)
-        return assumed_crs(crs_checks.wkt_of(crs))
+        return given_crs(crs_checks.wkt_of(crs), self.point_files(parameters, "POINTS", context))
 
     def _scheduler(self, parameters: Mapping, context: QgsProcessingContext):
         """Context in which pieces go to the cluster that SCHEDULER names, where one is given."""

@@ -196,8 +196,8 @@
         <translation>点群の座標参照系</translation>
     </message>
     <message>
-        <source>Projected coordinate system in metres of files that state none; those that state one keep it.</source>
-        <translation>座標参照系の記載がないファイルの投影座標系（単位m）です。記載のあるファイルはそれに従います。</translation>
+        <source>Projected coordinate system in metres of files that state none or a wrong one; it counts before what they state.</source>
+        <translation>座標系を記していない、または誤って記しているファイルの投影座標系（メートル）。ファイルの記載より優先されます。</translation>
     </message>
     <message>
         <source>Shifted points</source>
@@ -5860,6 +5860,10 @@
         <translation>タイル処理</translation>
     </message>
     <message>
+        <source>Projected coordinate system in metres of files that state none; those that state one keep it.</source>
+        <translation>座標参照系の記載がないファイルの投影座標系（単位m）です。記載のあるファイルはそれに従います。</translation>
+    </message>
+    <message>
         <source>2. Lays the frames on the ground that they see, without moving vehicles.</source>
         <translation>2. 写真を、写っている地表に正射投影します。走行車両は除きます。</translation>
     </message>
@@ -10896,6 +10900,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>追加属性の記録に未知の種類があります</translation>
     </message>
     <message>
+        <source>its record of extra attributes describes {sizes} bytes a point, and its points have room for {room}</source>
+        <translation>追加属性のレコードは1点あたり {sizes} バイトと記していますが、点には {room} バイト分しかありません</translation>
+    </message>
+    <message>
         <source>there is no room for its {evlrs:,} extended records</source>
         <translation>拡張レコード {evlrs:,} 件の入る余地がありません</translation>
     </message>
@@ -10972,6 +10980,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>途中で切れています：{count:,} 点中 {held:,} 点</translation>
     </message>
     <message>
+        <source>{path} says that it is in {stated}; {given} counts, which was given for it.</source>
+        <translation>{path} は {stated} と記していますが、指定された {given} を使います。</translation>
+    </message>
+    <message>
+        <source>The box in the header of {path} does not hold its points: it was found from them.</source>
+        <translation>{path} のヘッダーの範囲に点が入っていないため、範囲を点から求めました。</translation>
+    </message>
+    <message>
         <source>No point cloud was given: choose one or several LAS or LAZ files.</source>
         <translation>点群が与えられていません。LASまたはLAZファイルを1つ以上選択してください。</translation>
     </message>
@@ -11000,16 +11016,24 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path}をLASまたはLAZとして読み込めません（{error}）。途中で切れているか、別の形式の可能性があります。</translation>
     </message>
     <message>
-        <source>The coordinate reference system in {path} cannot be understood: set it right in the file.</source>
-        <translation>{path}の座標参照系を解釈できません。ファイルに正しく設定してください。</translation>
-    </message>
-    <message>
         <source>{path} is truncated: it holds {read:,} of {point_count:,} points; copy or download it again.</source>
         <translation>{path}は途中で切れており、{point_count:,} 点のうち {read:,} 点しかありません。再度コピーまたはダウンロードしてください。</translation>
     </message>
     <message>
         <source>{path} is damaged or truncated after {read:,} of {point_count:,} points: copy or download it again.</source>
         <translation>{path}は {point_count:,} 点のうち {read:,} 点以降が破損しているか、途切れています。再度コピーまたはダウンロードしてください。</translation>
+    </message>
+    <message>
+        <source>{path} contradicts itself: {crs} counts in units of {own:.4f} m, and the file says that its units are {unit:.4f} m. Give the reference system that it is in.</source>
+        <translation>{path} は矛盾しています。{crs} の単位は {own:.4f} m ですが、ファイルは単位を {unit:.4f} m と記しています。正しい座標系を指定してください。</translation>
+    </message>
+    <message>
+        <source>{path} states two reference systems: {crs} counts, as its header says, and not {other}.</source>
+        <translation>{path} は2つの座標系を記しています。ヘッダーに従い {other} ではなく {crs} を使います。</translation>
+    </message>
+    <message>
+        <source>The coordinate reference system in {path} cannot be understood: set it right in the file.</source>
+        <translation>{path}の座標参照系を解釈できません。ファイルに正しく設定してください。</translation>
     </message>
     <message>
         <source>{path} is turned or its cells are not square: warp it to a north-up raster first.</source>
@@ -11050,6 +11074,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{datum} (vertical) height</source>
         <translation>{datum} 標高</translation>
+    </message>
+    <message>
+        <source>{name}: in {crs} lengths at this place are {scale:.3f} times those on the ground; reproject to a system whose metres are metres, such as {zone}. If the data lie elsewhere, they are in another system than they say.</source>
+        <translation>{name}：{crs} では、この場所の長さが実際の {scale:.3f} 倍になります。1メートルが実際の1メートルになる座標系（{zone} など）に変換してください。データが別の場所のものであれば、記された座標系が誤っています。</translation>
+    </message>
+    <message>
+        <source>{name}: in {crs} lengths at this place are {scale:.5f} times those on the ground; so are the lengths of the results.</source>
+        <translation>{name}：{crs} では、この場所の長さが実際の {scale:.5f} 倍になります。結果の長さも同じです。</translation>
     </message>
     <message>
         <source>{names} and {count} more</source>
@@ -16118,6 +16150,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0}: the folder {1} does not exist or cannot be written; choose another output.</source>
         <translation>{0}: フォルダ{1}がないか、書き込めません。別の出力先を選択してください。</translation>
+    </message>
+    <message>
+        <source>{0} holds features of the kind {1}, not polygons; give a polygon layer, or take the polygons out of it first (“Extract parts” by geometry type).</source>
+        <translation>{0} の地物は {1} で、ポリゴンではありません。ポリゴンのレイヤーを指定するか、先にポリゴンを取り出してください。</translation>
     </message>
     <message>
         <source>{0} cannot be written; choose another output.</source>

@@ -150,8 +150,8 @@ class Declarations:
 
     def add_points_crs(self, name: str = "POINTS_CRS", label: str = "CRS of the point clouds"):
         """The CRS of point clouds that state none: taken by itself wherever a file without one is opened in the run."""
-        return self.add_crs(name, label, "Projected coordinate system in metres of files that state none; those that "
-                            "state one keep it.", optional=True, advanced=True)
+        return self.add_crs(name, label, "Projected coordinate system in metres of files that state none or a wrong "
+                            "one; it counts before what they state.", optional=True, advanced=True)
 
     def add_file(self, name: str, label: str, help: str, filter: str = "", extension: str = "",
                  folder: bool = False, optional: bool = False, advanced: bool = False):

@@ -179,9 +179,16 @@ def read_polygon_source(source: QgsProcessingFeatureSource, label: str, progress
     import numpy as np
     import shapely
 
+    from ....urbanmap_qgis.io.reference.true_lengths import require_true_lengths
+
     if needs_moving(source.sourceCrs(), target_wkt):
         table = table_in(read_source(source, label, progress), target_wkt, progress)
     else:
+        kind = QgsWkbTypes.geometryType(source.wkbType())
+        if kind != QgsWkbTypes.GeometryType.PolygonGeometry and source.wkbType() != QgsWkbTypes.Type.Unknown:
+            raise InputError(tr("{0} holds features of the kind {1}, not polygons; give a polygon layer, or take the "
+                                "polygons out of it first (“Extract parts” by geometry type).").format(
+                                    label, QgsWkbTypes.displayString(source.wkbType())))
         require_projected(label, source.sourceCrs())
         table = read_source(source, label, progress, extent)
     problems: dict[int, str] = {}
@@ -199,6 +206,7 @@ def read_polygon_source(source: QgsProcessingFeatureSource, label: str, progress
             label, len(table)))
     if not len(table):
         raise InputError(tr("{0}: there are no polygons to work on; check the layer and its filter.").format(label))
+    require_true_lengths(label, table.crs_wkt, shapely.total_bounds(geometries))
     if problems:
         shown = ", ".join(str(table.ids[row]) for row in sorted(problems)[:10])
         more = " ..." if len(problems) > 10 else ""

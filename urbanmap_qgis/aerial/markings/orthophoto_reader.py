@@ -23,6 +23,7 @@ from rasterio.windows import Window
 from ...errors import InputError
 from ...geometry.tolerances import ROUNDING
 from ...io.raster import OPENING_ERRORS
+from ...io.reference.true_lengths import require_true_lengths
 from ...wording import say
 from .colour_cast import ColourCast
 from .image_strips import row_strips
@@ -73,6 +74,7 @@ class OrthophotoReader:
             raise InputError(say("{path} has pixels of {own_pixel:.2f} m, in which road markings cannot be seen: use "
                                  "an orthophoto of {max_pixel} m or finer.", path=self.path.name,
                                  own_pixel=self.own_pixel, max_pixel=MAX_PIXEL))
+        require_true_lengths(self.path.name, self.source.crs and self.source.crs.to_wkt(), self.source.bounds)
         self.factor = max(int(min_pixel / self.own_pixel), 1)
         self.pixel = self.own_pixel * self.factor
         self.rows = -(-self.source.height // self.factor)

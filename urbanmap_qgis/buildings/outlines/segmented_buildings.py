@@ -82,3 +82,17 @@ class SegmentedBuildings:
         before, after = shapely.area(given), shapely.area(outlines)
         self.open_share[:] = np.where(before > 0, np.clip(1.0 - after / np.maximum(before, LEAST_DIVISOR), 0.0, 1.0),
                                       0.0)
+
+    def takers(self) -> np.ndarray:
+        """Row (n,) of the building that has the points where an outline without any stands: the one that covers more
+        than half of it; -1 where there is none."""
+        takers = np.full(len(self.points), -1, np.int64)
+        usable = ~shapely.is_missing(self.outlines)
+        bare, full = np.flatnonzero(usable & (self.points == 0)), np.flatnonzero(usable & (self.points > 0))
+        pair, other = shapely.STRtree(self.outlines[full]).query(self.outlines[bare], predicate="intersects")
+        bare, full = bare[pair], full[other]
+        common = shapely.area(shapely.intersection(shapely.make_valid(self.outlines[bare]),
+                                                   shapely.make_valid(self.outlines[full])))
+        covers = common > 0.5 * shapely.area(self.outlines[bare])
+        takers[bare[covers]] = full[covers]
+        return takers

@@ -41,6 +41,8 @@ _LAYERS = {10: 9, 11: 1, 12: 2, 13: 1}
 """Layers of the items of LASzip 3 by their type: point, colours, colours with near infrared, wave packet."""
 _EXTRA_TYPES, _EXTRA_BYTES = 30, 192
 """Kinds of extra attributes by the number that tells them, and bytes of the description of one."""
+_EXTRA_SIZES = (1, 1, 2, 2, 4, 4, 8, 8, 4, 8)
+"""Bytes of the kinds 1 to 10; the next ten are pairs, the last triples of them."""
 
 
 class _Damaged(Exception):
@@ -145,17 +147,23 @@ def _vlrs(file: BinaryIO, header: _Header) -> list[tuple[bytes, int, bytes]]:
         place += _VLR + length
     for user, record, content in records:
         if (user, record) == (b"LASF_Spec", 4):
-            _check_extra(content)
+            _check_extra(content, header.record_length - LIMITS.record_lengths[header.point_format])
     return records
 
 
-def _check_extra(content: bytes) -> None:
-    """Descriptions of extra attributes: their kinds are known, and those of any bytes (kind 0) have some."""
+def _check_extra(content: bytes, room: int) -> None:
+    """Descriptions of extra attributes: their kinds are known, those of any bytes (kind 0) have some, and the points
+    have room for them (bytes)."""
     if len(content) % _EXTRA_BYTES:
         raise _Damaged(say("its record of extra attributes is cut off"))
     kinds = np.frombuffer(content, np.uint8).reshape(-1, _EXTRA_BYTES)[:, 2:4]
     if (kinds[:, 0] > _EXTRA_TYPES).any() or ((kinds[:, 0] == 0) & (kinds[:, 1] == 0)).any():
         raise _Damaged(say("its record of extra attributes holds one of no known kind"))
+    kind, count = kinds[:, 0].astype(int), kinds[:, 1].astype(int)
+    sizes = np.where(kind == 0, count, np.array(_EXTRA_SIZES)[(kind - 1) % 10] * ((kind - 1) // 10 + 1))
+    if sizes.sum() > room:
+        raise _Damaged(say("its record of extra attributes describes {sizes} bytes a point, and its points have room "
+                           "for {room}", sizes=int(sizes.sum()), room=room))
 
 
 def _check_evlrs(file: BinaryIO, header: _Header, size: int) -> None:

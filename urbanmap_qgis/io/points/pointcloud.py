@@ -7,28 +7,33 @@ from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 
 import laspy
 import lazrs
 import numpy as np
+from laspy.vlrs.known import GeoKeyDirectoryVlr, WktCoordinateSystemVlr
 from lazrs import LazrsError
 from pyproj import CRS
-from pyproj.exceptions import CRSError
 
 from ...errors import InputError, InsufficientDataError
-from ...progress import SILENT, Progress
+from ...progress import SILENT, Progress, notice
 from ...wording import say
 from ..files.atomic import written_beside
 from ..reference.crs_text import same_horizontal
 from ..reference.height_systems import refuse_other_heights
-from ..reference.renamed_crs import known_wkt
+from ..reference.true_lengths import require_true_lengths
 from .decoded_points import decoded_points
 from .las_check import check_las, decoding, is_pointwise
+from .stated_crs import stated_crs
 from .whole_records import copied_records, record_rows
 
 CHUNK_POINTS = 1_000_000
 """Points held in memory at a time while reading."""
+
+FIRST_POINTS = 1000
+"""Points of a file that are held against the box in its header."""
 
 NAMES_NOT_ASCII = "replace"
 """What laspy does with names that are not ASCII, as programs in Japan write them: it writes them as it read them."""
@@ -43,17 +48,18 @@ _SHAPE = (laspy.DecompressionSelection.base() | laspy.DecompressionSelection.Z
 _READ_ERRORS = (laspy.errors.LaspyException, LazrsError, OSError, ValueError, EOFError, RuntimeError)
 
 
-_ASSUMED: ContextVar[str | None] = ContextVar("assumed_crs", default=None)
+_GIVEN: ContextVar[tuple[str | None, frozenset[Path]]] = ContextVar("given_crs", default=(None, frozenset()))
 
 
 @contextmanager
-def assumed_crs(crs_wkt: str | None) -> Iterator[None]:
-    """In the block, files that state no CRS are taken to be in this one (WKT); None leaves things as they are."""
-    token = _ASSUMED.set(crs_wkt or _ASSUMED.get())
+def given_crs(crs_wkt: str | None, paths: Iterable[Path] = ()) -> Iterator[None]:
+    """In the block, files that state no CRS are taken to be in this one (WKT), and those of `paths` whatever they
+    state; None leaves things as they are."""
+    token = _GIVEN.set((crs_wkt, frozenset(paths)) if crs_wkt else _GIVEN.get())
     try:
         yield
     finally:
-        _ASSUMED.reset(token)
+        _GIVEN.reset(token)
 
 
 @dataclass(frozen=True)
@@ -103,7 +109,9 @@ def open_cloud(paths: Sequence[str | os.PathLike], crs_wkt: str | None = None,
     if not files:
         raise InputError(say("No point cloud was given: choose one or several LAS or LAZ files."))
     headers = tuple(_header(path) for path in files)
-    stated = [(path, crs) for path, header in zip(files, headers) if (crs := _stated_crs(path, header))]
+    given, renamed = _GIVEN.get()
+    stated = [(path, crs) for path, header in zip(files, headers)
+              if (crs := _counting_crs(path, header, given if path in renamed else None))]
     for path, crs in stated[1:]:
         if not same_plan_crs(crs, stated[0][1]):
             raise InputError(say("{path} is in {crs}, but {stated} is in {stated_2}: give files of one coordinate "
@@ -113,12 +121,67 @@ def open_cloud(paths: Sequence[str | os.PathLike], crs_wkt: str | None = None,
     full = [header for header in headers if header.point_count]
     if not full and not may_be_empty:
         raise InsufficientDataError(say("{files} holds no points: choose another point cloud.", files=files[0].name))
-    corners = np.array([[header.mins, header.maxs] for header in full or headers[:1]], dtype=float)
+    corners = np.array([_box(path, header) for path, header in zip(files, headers) if header.point_count]
+                       or [[headers[0].mins, headers[0].maxs]], dtype=float)
     if not np.isfinite(corners).all():
         raise InputError(say("{files} has coordinates that are not numbers: repair the file's header.",
                              files=files[0].name))
-    return PointCloud(files, headers, stated[0][1].to_wkt() if stated else crs_wkt or _ASSUMED.get(),
-                      corners[:, 0].min(axis=0), corners[:, 1].max(axis=0))
+    minimum, maximum = corners[:, 0].min(axis=0), corners[:, 1].max(axis=0)
+    wkt = stated[0][1].to_wkt() if stated else given or crs_wkt
+    if full:
+        require_true_lengths(files[0].name, wkt, (*minimum[:2], *maximum[:2]))
+    return PointCloud(files, headers, wkt, minimum, maximum)
+
+
+def _counting_crs(path: Path, header: laspy.LasHeader, given: str | None) -> CRS | None:
+    """The system that a file states, or the one that was given for it; the user is told where they differ."""
+    if given is None:
+        return stated_crs(path, header)
+    counting = CRS.from_wkt(given)
+    try:
+        stated = stated_crs(path, header)
+    except InputError:  # what is given is there to put it right
+        return counting
+    if stated is None:
+        return counting
+    if same_plan_crs(stated, counting) and not counting.is_compound:
+        return stated  # with its heights
+    notice(say("{path} says that it is in {stated}; {given} counts, which was given for it.", path=path.name,
+               stated=stated.name, given=counting.name))
+    return counting
+
+
+def _box(path: Path, header: laspy.LasHeader) -> tuple[np.ndarray, np.ndarray]:
+    """Least and greatest coordinates (3,) of a file, which its header states, or where its first points lie outside of
+    these, found from all points."""
+    stated = np.asarray(header.mins, float), np.asarray(header.maxs, float)
+    if not np.isfinite(stated).all():
+        return stated
+    stamp = path.stat()
+    if _first_points_lie_in(path, stamp.st_mtime_ns, stamp.st_size):
+        return stated
+    notice(say("The box in the header of {path} does not hold its points: it was found from them.", path=path.name))
+    return _true_box(path, stamp.st_mtime_ns, stamp.st_size)
+
+
+@lru_cache(maxsize=4096)
+def _first_points_lie_in(path: Path, _changed: int, _size: int) -> bool:
+    with decoding(path), laspy.open(path) as reader:
+        header = reader.header
+        points = reader.read_points(min(FIRST_POINTS, header.point_count))
+    place = np.array([points.x, points.y, points.z])
+    slack = header.scales[:, None]
+    return bool(((place >= header.mins[:, None] - slack) & (place <= header.maxs[:, None] + slack)).all())
+
+
+@lru_cache(maxsize=4096)
+def _true_box(path: Path, _changed: int, _size: int) -> tuple[np.ndarray, np.ndarray]:
+    low, high = np.full(3, np.inf), np.full(3, -np.inf)
+    with decoding(path), laspy.open(path, decompression_selection=_SHAPE) as reader:
+        for chunk in reader.chunk_iterator(CHUNK_POINTS):
+            place = np.array([chunk.x, chunk.y, chunk.z])
+            low, high = np.fmin(low, place.min(axis=1)), np.fmax(high, place.max(axis=1))
+    return low, high
 
 
 def _header(path: Path) -> laspy.LasHeader:
@@ -132,17 +195,6 @@ def _header(path: Path) -> laspy.LasHeader:
     except _READ_ERRORS as error:
         raise InputError(say("{path} cannot be read as LAS or LAZ ({error}): it may be truncated or of another kind.",
                              path=path.name, error=error)) from error
-
-
-def _stated_crs(path: Path, header: laspy.LasHeader) -> CRS | None:
-    """The CRS that a header states, None where it states none."""
-    try:
-        crs = header.parse_crs()
-        stated = crs.to_wkt() if crs else ""
-        return crs if known_wkt(stated) == stated else CRS.from_wkt(known_wkt(stated))
-    except CRSError as error:
-        raise InputError(say("The coordinate reference system in {path} cannot be understood: set it right in the "
-                             "file.", path=path.name)) from error
 
 
 def plan_crs(crs: CRS) -> CRS:
@@ -248,8 +300,8 @@ class PointLayout:
     def __init__(self, cloud: PointCloud, extra: Sequence[tuple[str, str]] = ()):
         first = max(cloud.headers, key=lambda header: header.point_format.id)
         header = laspy.LasHeader(point_format=first.point_format.id, version=first.version)
-        header.scales = np.min([h.scales for h in cloud.headers], axis=0)
         header.offsets = _common_offsets(cloud)
+        header.scales = _common_scales(cloud, header.offsets)
         header.global_encoding = cloud.headers[0].global_encoding
         header.system_identifier = cloud.headers[0].system_identifier
         header.generating_software = "UrbanMap"
@@ -261,9 +313,10 @@ class PointLayout:
         header.add_extra_dims([laspy.ExtraBytesParams(name, np.uint32, description[:31])
                                for name, description in extra])
         skipped = {"copc", "laszip encoded", "LASF_Spec"}
-        header.vlrs.extend(vlr for vlr in first.vlrs if vlr.user_id not in skipped)
-        if cloud.crs_wkt and not any(vlr.user_id == "LASF_Projection" for vlr in header.vlrs):
+        if cloud.crs_wkt and not _states(cloud.paths[cloud.headers.index(first)], first, cloud.crs_wkt):
+            skipped.add("LASF_Projection")
             header.add_crs(CRS.from_wkt(cloud.crs_wkt))
+        header.vlrs.extend(vlr for vlr in first.vlrs if vlr.user_id not in skipped)
         self.header = header
         self.dtype = header.point_format.dtype()
 
@@ -293,6 +346,18 @@ class PointLayout:
                                            self.header.scales, self.header.offsets)
 
 
+def _states(path: Path, header: laspy.LasHeader, wkt: str) -> bool:
+    """Whether a file states the system, and no other beside it."""
+    kinds = {type(record) for record in header.vlrs if record.user_id == "LASF_Projection"}
+    if kinds >= {GeoKeyDirectoryVlr, WktCoordinateSystemVlr}:
+        return False
+    try:
+        stated = stated_crs(path, header)
+    except InputError:
+        return False
+    return stated is not None and stated.to_wkt() == wkt
+
+
 def _common_offsets(cloud: PointCloud) -> np.ndarray:
     """Offsets (3,) that suit all files: their own, or where they differ the cloud's corner in whole units.
 
@@ -302,6 +367,15 @@ def _common_offsets(cloud: PointCloud) -> np.ndarray:
     alike = all(np.array_equal(header.offsets, first.offsets) and np.array_equal(header.scales, first.scales)
                 for header in cloud.headers)
     return first.offsets if alike else np.floor(cloud.minimum)
+
+
+def _common_scales(cloud: PointCloud, offsets: np.ndarray) -> np.ndarray:
+    """Scales (3,) that suit all files: the finest of theirs, or where coordinates would not fit into 32 bits the next
+    power of ten in which they do."""
+    finest = np.min([header.scales for header in cloud.headers], axis=0)
+    reach = np.maximum(np.abs(cloud.maximum - offsets), np.abs(cloud.minimum - offsets))
+    needed = np.maximum(reach, finest) / (2.0**31 - 1)
+    return np.where(needed > finest, 10.0 ** np.ceil(np.log10(needed)), finest)
 
 
 def _extra_parameters(dimension: laspy.DimensionInfo) -> laspy.ExtraBytesParams:

@@ -175,29 +175,30 @@ def refuse_other_heights(label_a: str, wkt_a: str, label_b: str, wkt_b: str) -> 
                              label_b=label_b, second=second))
 
 
-def stating_heights(wkt: str, system: HeightSystem, coded: bool = True) -> str:
+def stating_heights(wkt: str, system: HeightSystem, coded: bool = True, unit: float = 1.0) -> str:
     """A horizontal system (WKT 2) with a height system: compound where there is something to say.
 
     `coded=False` leaves the vertical system's code out and puts a word in front of its name: programs that look a
     compound system up and keep its horizontal part only (QGIS 3.22) then do not know it, and keep it whole.
 
-    What the system said of heights before is replaced. Ellipsoidal heights and systems without a name cannot be said in
-    a compound system; the horizontal part alone is given then.
+    `unit` : metres of a unit of the heights. What the system said of heights before is replaced. Ellipsoidal heights
+    and systems without a name cannot be said in a compound system; the horizontal part alone is given then.
     """
     node = horizontal_part(parse_wkt(wkt)) if wkt else None
     if node is None or not system.known or system.kind == "ellipsoidal" or not (system.name or system.epsg):
         return wkt_text(node) if node is not None else wkt
-    vertical = _vertical(system, coded)
+    vertical = _vertical(system, coded, unit)
     name = f"{node.name} + {vertical.name}"
     return wkt_text(WktNode("COMPOUNDCRS", (name, node, vertical)))
 
 
-def _vertical(system: HeightSystem, coded: bool) -> WktNode:
+def _vertical(system: HeightSystem, coded: bool, unit: float) -> WktNode:
     """A vertical system written out, so that a database that does not know its code can read it."""
     name = system.name or f"EPSG:{system.epsg}"
     datum = (f"Japanese Geodetic Datum {system.kind[3:]} (vertical)" if system.kind in JAPANESE else name)
     parts = [name if coded else f"{_SPELT_OUT}{name}", WktNode("VDATUM", (datum,)), WktNode("CS", ("vertical", 1)),
-             WktNode("AXIS", ("gravity-related height (H)", "up", WktNode("LENGTHUNIT", ("metre", 1))))]
+             WktNode("AXIS", ("gravity-related height (H)", "up", WktNode(
+                 "LENGTHUNIT", ("metre", 1) if unit == 1.0 else ("foot", unit))))]
     if system.epsg and coded:
         parts.append(WktNode("ID", ("EPSG", system.epsg)))
     return WktNode("VERTCRS", tuple(parts))
