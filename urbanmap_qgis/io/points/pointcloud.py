@@ -158,10 +158,14 @@ def _box(path: Path, header: laspy.LasHeader) -> tuple[np.ndarray, np.ndarray]:
     if not np.isfinite(stated).all():
         return stated
     stamp = path.stat()
-    if _first_points_lie_in(path, stamp.st_mtime_ns, stamp.st_size):
-        return stated
+    try:
+        if _first_points_lie_in(path, stamp.st_mtime_ns, stamp.st_size):
+            return stated
+        box = _true_box(path, stamp.st_mtime_ns, stamp.st_size)
+    except _READ_ERRORS as error:
+        raise InputError(say("{path} is damaged: copy or download it again.", path=path.name)) from error
     notice(say("The box in the header of {path} does not hold its points: it was found from them.", path=path.name))
-    return _true_box(path, stamp.st_mtime_ns, stamp.st_size)
+    return box
 
 
 @lru_cache(maxsize=4096)
