@@ -11,7 +11,7 @@ from pyproj import CRS
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.io.points.pointcloud import PointLayout, given_crs, open_cloud
 from urbanmap_qgis.io.reference.height_systems import height_unit, heights_of
-from urbanmap_qgis.io.reference.true_lengths import fitting_zone, point_scale, require_true_lengths
+from urbanmap_qgis.io.reference.true_lengths import metric_zone, point_scale, require_true_lengths
 from urbanmap_qgis.progress import notices_to
 
 X, Y = -7000.0, -34000.0
@@ -126,4 +126,4 @@ def test_lengths_that_are_none_are_refused_with_a_zone_that_fits():
         require_true_lengths("a", CRS.from_epsg(2154).to_wkt(), (870_000, 6_618_000, 871_000, 6_619_000))
         require_true_lengths("b", CRS.from_epsg(6677).to_wkt(), (X, Y, X + 500, Y + 500))
     assert len(said) == 1 and said[0].startswith("a: in ") and "0.999" in said[0]
-    assert "UTM zone 31N" in fitting_zone(2.3, 48.9) and "zone 56S" in fitting_zone(151.2, -33.9)
+    assert "UTM zone 31N" in metric_zone(2.3, 48.9) and "zone 56S" in metric_zone(151.2, -33.9)

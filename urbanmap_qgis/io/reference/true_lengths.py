@@ -62,14 +62,14 @@ def require_true_lengths(name: str, wkt: str | None, bounds: Sequence[float]) ->
         raise InputError(say("{name}: in {crs} lengths at this place are {scale:.3f} times those on the ground; "
                              "reproject to a system whose metres are metres, such as {zone}. If the data lie "
                              "elsewhere, they are in another system than they say.", name=name, crs=plan_part(
-                                 CRS.from_wkt(wkt)).name, scale=scale, zone=fitting_zone(longitude, latitude)))
+                                 CRS.from_wkt(wkt)).name, scale=scale, zone=metric_zone(longitude, latitude)))
     if abs(scale - 1.0) > TOLD:
         notice(say("{name}: in {crs} lengths at this place are {scale:.5f} times those on the ground; so are "
                    "the lengths of the results.", name=name, crs=plan_part(CRS.from_wkt(wkt)).name,
                    scale=scale))
 
 
-def fitting_zone(longitude: float, latitude: float) -> str:
+def metric_zone(longitude: float, latitude: float) -> str:
     """A projected system for a place (degrees): Japan's plane rectangular zone there, else UTM."""
     west, south, east, north = _JAPAN
     if west <= longitude <= east and south <= latitude <= north:
