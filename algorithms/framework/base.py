@@ -151,11 +151,7 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
 
     def initAlgorithm(self, configuration=None):
         self.declare()
-        if "POINTS" in self.points_names() and self.parameterDefinition("POINTS_CRS") is None:
-            self.add_points_crs()
-        for output in self.outputDefinitions():
-            if output.type() == "outputHtml":  # QGIS lists the reports of all runs under this name
-                output.setDescription(f"{self.displayName()}: {output.description()}")
+        self.complete_declarations()
 
     def canExecute(self):
         message = refusal(self.REQUIRES)

@@ -109,6 +109,14 @@ class Declarations:
     Labels and help are given in English and translated here. `advanced` puts a parameter under "Advanced".
     """
 
+    def complete_declarations(self) -> None:
+        """What all algorithms have: a system for their point clouds, and names of reports that tell whose they are."""
+        if "POINTS" in self.points_names() and self.parameterDefinition("POINTS_CRS") is None:
+            self.add_points_crs()
+        for output in self.outputDefinitions():
+            if output.type() == "outputHtml":  # QGIS lists the reports of all runs under this name
+                output.setDescription(f"{self.displayName()}: {output.description()}")
+
     def output_helps(self) -> dict[str, str]:
         """Help of outputs that are not parameters (numbers, texts), by name."""
         if not hasattr(self, "_output_helps"):
