@@ -40,11 +40,11 @@ from urbanmap_qgis.buildings.merging.wall_match import KEPT, MOVED, measured_wal
 from urbanmap_qgis.buildings.solids.plan_partition import Cell  # noqa: E402
 from urbanmap_qgis.buildings.solids.solid import building_solids  # noqa: E402
 from urbanmap_qgis.facades.building_plans import building_plans  # noqa: E402
-from urbanmap_qgis.facades.wall_stage import MAIN, OK, OUTERMOST, PARTLY, WALL, FacadeWall, contour_area, find_walls  # noqa: E402
+from urbanmap_qgis.facades.wall_stage import OK, PARTLY, WALL, FacadeWall, contour_area, find_walls  # noqa: E402
 from urbanmap_qgis.geometry.solid import multipolygon  # noqa: E402
 from urbanmap_qgis.io.points.pointcloud import open_cloud  # noqa: E402
 from urbanmap_qgis.settings.buildings import MergeSettings  # noqa: E402
-from urbanmap_qgis.settings.facades import WallSettings  # noqa: E402
+from urbanmap_qgis.settings.facades import MAIN, OUTERMOST, WallSettings  # noqa: E402
 
 NEAR, STEP, SIDE = 0.05, 0.1, 0.4  # m: right; between samples; left out beside the ends and steps of the truth
 
