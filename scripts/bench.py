@@ -28,7 +28,6 @@ from scripts.bench_images import image_kinds_table  # noqa: E402
 from scripts.bench_large import large_roofs_table  # noqa: E402
 from scripts.bench_sloped import sloped_table  # noqa: E402
 from scripts.bench_stages import stage_tables  # noqa: E402
-from scripts.bench_street import street_tables  # noqa: E402
 from scripts.bench_table import print_table  # noqa: E402
 from scripts.layers import read_layer  # noqa: E402
 from scripts.scoring import Score, points_inside, score_building, summary  # noqa: E402
@@ -49,7 +48,6 @@ from urbanmap_qgis.settings.buildings import (  # noqa: E402
     RoofParameters,
     SegmentationParameters,
 )
-from urbanmap_qgis.terrain.cloth import classify_ground  # noqa: E402
 
 DATA = ROOT.parent / "shared" / "data" / "als"
 DELFT = DATA / "delft_west"
@@ -203,25 +201,12 @@ def cells_table(reference: float) -> None:
                  "all / reference", "modelled"), rows)
 
 
-def ground_table(reference: float) -> None:
-    """Speed of the cloth filter on a made scene."""
-    rng = np.random.default_rng(1)
-    x, y = rng.uniform(0, 400, (2, 2_000_000))
-    z = 0.02 * x + np.where((x % 40 < 15) & (y % 40 < 15), 12.0, 0.0) + rng.normal(0, 0.03, len(x))
-    start = time.process_time()
-    ground = classify_ground(x, y, z)
-    spent = time.process_time() - start
-    print_table("Cloth filter, 2 million made points", ("CPU s", "million points/s", "CPU / reference", "ground share"),
-                [(spent, len(x) / spent / 1e6, spent / reference, float(ground.mean()))])
-
-
 def main() -> int:
     """Print all tables that the data here allow."""
     reference = reference_seconds()
     print(f"Reference: Delaunay triangulation of 200,000 points by scipy, {reference:.2f} s of CPU")
     stage_tables()
     goals_table()
-    ground_table(reference)
     large_roofs_table()
     if DELFT.is_dir():
         delft = Delft.read()
@@ -231,7 +216,6 @@ def main() -> int:
         cells_table(reference)
     else:
         print("\nThe real data are not beside the checkout: models are not scored.")
-    street_tables(DATA.parent / "city", reference)
     fault_tables()
     image_kinds_table()
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024

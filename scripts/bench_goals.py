@@ -27,8 +27,7 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from scripts import tiled_town  # noqa: E402
-from scripts.bench_stages import DATA, cost, reading_cost, run_cost, start_row  # noqa: E402
-from scripts.bench_street import city  # noqa: E402
+from scripts.bench_stages import DATA, city, cost, reading_cost, run_cost, start_row  # noqa: E402
 from scripts.bench_table import print_table  # noqa: E402
 from urbanmap_qgis.gnss.rays.wall_faces import building_walls  # noqa: E402
 from urbanmap_qgis.localisation.accuracy_map import accuracy_map  # noqa: E402

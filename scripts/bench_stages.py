@@ -16,7 +16,8 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -25,12 +26,24 @@ import laspy
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
-from scripts.bench_street import city  # noqa: E402
 from scripts.bench_table import print_table  # noqa: E402
 
 DATA = ROOT.parent / "shared" / "data"
 URBANMAP = ROOT / "scripts" / "urbanmap"
 HEADER = ("work", "CPU s", "MB", "reference", "reference CPU s", "CPU / reference")
+
+
+@contextmanager
+def city(data: Path) -> Iterator[Path]:
+    """Folder of the independent city, or of a sample city made for the purpose."""
+    if data.is_dir():
+        yield data
+        return
+    from urbanmap_qgis.samplecity.write import make_city
+
+    with tempfile.TemporaryDirectory() as folder:
+        make_city(Path(folder) / "city", 120, seed=1)
+        yield Path(folder) / "city"
 
 
 @dataclass(frozen=True)
@@ -112,14 +125,11 @@ def reading_cost(paths: Iterable[Path]) -> tuple[str, float]:
 
 def works(data: Path, out: Path) -> list[Work]:
     """The runs on a city, in an order in which each finds what it reads; results go to the folder `out`."""
-    als, survey = data / "als" / "als.laz", data / "mms" / "survey_01.laz"
+    als = data / "als" / "als.laz"
     frames, outlines = sorted((data / "aerial").glob("frame_*.tif")), data / "footprints" / "gsi_buildings.gpkg"
     camera = {"CAMERA": data / "aerial" / "camera.json", "EXTERIOR": data / "aerial" / "exterior.csv"}
-    driven = {"POINTS": survey, "TRAJECTORY": data / "mms" / "survey_01_trajectory.csv",
-              "CALIBRATION": data / "mms" / "calibration.json"}
     flat = {"ROOFS": "levels", "OUTPUT_CITYJSON": out / "models.json", "OUTPUT": out / "models.gpkg"}
-    delft = DATA / "als" / "delft_west"
-    list_ = [
+    return [
         Work("surface and ground", "surfacefromals", {
             "POINTS": als, "OUTPUT": out / "dsm.tif", "OUTPUT_GROUND": out / "ground.tif"}, (als,)),
         Work("occlusion map, one frame", "occlusionmap", {
@@ -131,19 +141,10 @@ def works(data: Path, out: Path) -> list[Work]:
         Work(f"aerial markings, {len(frames)} frames", "aerialmarkings", {
             "FRAMES": frames, **camera, "ALS": als, "FOOTPRINTS": outlines, "OUTPUT": out / "aerial.tif",
             "OUTPUT_POLYGONS": out / "aerial.gpkg"}, tuple(frames)),
-        Work("ground of a drive", "groundfrommms", {"POINTS": survey, "OUTPUT": out / "ground.laz"}, (survey,)),
-        Work("mobile chain, one drive", "georeferencemms", {
-            **driven, "MARKINGS": out / "aerial.gpkg", "GROUND": out / "ground.tif", "OUTPUT": out / "survey.laz",
-            "OUTPUT_TRAJECTORY": out / "way.csv", "OUTPUT_PATCHES": out / "patches.gpkg"}, (survey,)),
         Work("buildings, level roofs", "buildingsfromals", {"POINTS": als, "FOOTPRINTS": outlines, **flat}, (als,)),
         Work("buildings, roof planes", "buildingsfromals", {
             "POINTS": als, "FOOTPRINTS": outlines, **flat, "ROOFS": "planes"}, (als,)),
     ]
-    if delft.is_dir():
-        points = delft / "points.laz"
-        list_.append(Work("buildings of Delft, level roofs", "buildingsfromals", {
-            "POINTS": points, "FOOTPRINTS": delft / "outlines.gpkg", **flat}, (points,)))
-    return list_
 
 
 def start_row(folder: Path) -> tuple:
@@ -176,7 +177,6 @@ def stage_tables(only: str = "") -> None:
                 rows.append((work.name, spent, round(memory), name, reference, spent / reference))
             elif any(work.makes_what(other) for other in wanted):
                 run_cost(work.algorithm, work.parameters)
-        rows.append(start_row(Path(folder)))
     print_table("Whole runs on the command line, each with a start of QGIS, beside reading their data alone", HEADER,
                 rows)
 

@@ -1,4 +1,4 @@
-"""The two papers are cited alike everywhere: as scripts/paper_steps.toml has them."""
+"""Pages refer to what there is: the two papers, as scripts/paper_steps.toml has them, and scripts."""
 
 import re
 
@@ -37,3 +37,10 @@ def test_no_other_words_for_them():
     texts = {path: plain(path.read_text(encoding="utf-8")) for path in files}
     assert sum("Javanmardi" in text for text in texts.values()) > 60
     assert {path.name: found[0] for path, text in texts.items() if (found := WRONG.search(text))} == {}
+
+
+def test_scripts_that_pages_name_are_there():
+    pages = [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md"), ROOT / "Makefile"]
+    named = {script for page in pages for script in re.findall(r"scripts/[\w/]+\.(?:py|sh|toml)",
+                                                               page.read_text(encoding="utf-8"))}
+    assert len(named) > 30 and not [script for script in named if not (ROOT / script).is_file()]
