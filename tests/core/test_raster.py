@@ -58,24 +58,11 @@ def test_sampler_equals_sampling_in_memory(tmp_path):
     assert np.isnan(heights[:2]).all()
 
 
-@pytest.mark.parametrize("cell", [0.12, 0.5, 3.3])
-@pytest.mark.parametrize("corner", [(-7012.0, -33988.0), (-6990.3, -34020.1), (-6700.0, -34140.0)])
-def test_crossing_rows_and_columns_are_the_samples_to_the_bit(tmp_path, cell, corner):
-    raster = np.random.default_rng(3).random((900, 1300), np.float32)
-    raster[100:120, 200:240] = np.nan
-    write_raster(tmp_path / "a.tif", raster, Grid(-7000.0, -34000.0, 0.5, *raster.shape), WKT)
-    x, y = Grid(*corner, cell, 250, 310).centres()
-    with RasterSampler(tmp_path / "a.tif") as source:
-        heights = source.sample_grid(x, y)
-        each = source.sample(*(values.ravel() for values in np.meshgrid(x, y))).reshape(250, 310)
-    assert np.isfinite(heights).any() and np.array_equal(heights, each, equal_nan=True)
-
-
-def test_a_raster_of_one_row_has_samples_where_rows_and_columns_cross(tmp_path):
+def test_a_raster_of_one_row_has_samples_at_the_cells_of_a_grid(tmp_path):
     write_raster(tmp_path / "a.tif", np.arange(5, dtype=np.float32)[None], Grid(0.0, 1.0, 1.0, 1, 5), WKT)
     with RasterSampler(tmp_path / "a.tif") as source:
-        heights = source.sample_grid(np.array([0.2, 2.0, 4.9]), np.array([0.6, 0.3]))
-    assert heights.tolist() == [[0.0, 1.5, 4.0]] * 2
+        heights = source.sample_cells(Grid(1.0, 1.0, 0.5, 2, 3))
+    assert heights.tolist() == [[0.75, 1.25, 1.75]] * 2
 
 
 def test_plane_is_sampled_exactly():

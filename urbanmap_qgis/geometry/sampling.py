@@ -100,34 +100,6 @@ def sample(grid: Grid, raster: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.n
     return height
 
 
-def sample_grid(grid: Grid, raster: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
-    """Bilinear heights where columns x (n,) and rows y (m,) of points cross, (m, n): those of `sample`, to the bit.
-
-    Along the columns only the raster's own rows are interpolated, which are fewer than the rows of points.
-
-    Parameters
-    ----------
-    grid, raster : as in `sample`.
-    """
-    x_min, y_min, x_max, y_max = grid.bounds
-    if min(grid.shape) < 2 or x.min() < x_min or x.max() > x_max or y.min() < y_min or y.max() > y_max:
-        return sample(grid, raster, *(values.ravel() for values in np.meshgrid(x, y))).reshape(len(y), len(x))
-    left, u = _before(x, 1.0 / grid.cell, -grid.x_min / grid.cell - 0.5, grid.columns)
-    top, v = _before(y, -1.0 / grid.cell, grid.y_max / grid.cell - 0.5, grid.rows)
-    along, right = raster[:, left], raster[:, left + 1]
-    right -= along
-    right *= u
-    along += right
-    height, lower = along[top], along[top + 1]
-    lower -= height
-    lower *= v[:, None]
-    height += lower
-    row, column = np.nonzero(np.isnan(height))
-    if len(row):
-        height[row, column] = sample(grid, raster, x[column], y[row])
-    return height
-
-
 def _mean_of_filled(corners: np.ndarray, weights: np.ndarray) -> np.ndarray:
     """Weighted means over the first axis of the corners that are not NaN; NaN where there is none."""
     filled = ~np.isnan(corners)

@@ -18,7 +18,7 @@ from rasterio.windows import Window
 
 from ..errors import InputError, OutputError
 from ..geometry.grid import Grid
-from ..geometry.sampling import sample, sample_grid
+from ..geometry.sampling import sample
 from ..progress import SILENT, Progress
 from ..wording import say
 from .files.atomic import written_beside
@@ -174,17 +174,10 @@ class RasterSampler:
                 heights[part] = sample(grid, values, x[part], y[part])
         return heights
 
-    def sample_grid(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
-        """The same where columns x (n,) and rows y (m,) of points cross, (m, n) float32; much faster."""
-        x, y = np.asarray(x, dtype=np.float64), np.asarray(y, dtype=np.float64)
-        heights = np.full((len(y), len(x)), np.nan, dtype=np.float32)
-        _, column, across = self.grid.cells(x, np.full(len(x), self.grid.y_max - 0.5 * self.grid.cell))
-        row, _, down = self.grid.cells(np.full(len(y), self.grid.x_min + 0.5 * self.grid.cell), y)
-        for rows in _blocks(row, down):
-            for columns in _blocks(column, across):
-                grid, values = self._around(row[rows], column[columns])
-                heights[rows, columns] = sample_grid(grid, values, x[columns], y[rows])
-        return heights
+    def sample_cells(self, grid: Grid) -> np.ndarray:
+        """The same at the centres of a grid's cells, (rows, columns)."""
+        x, y = np.meshgrid(*grid.centres())
+        return self.sample(x.ravel(), y.ravel()).reshape(grid.shape)
 
     def _around(self, row: np.ndarray, column: np.ndarray) -> tuple[Grid, np.ndarray]:
         """The part of the raster with these cells and one more all round: its grid and values."""
@@ -193,13 +186,6 @@ class RasterSampler:
         grid = Grid(self.grid.x_min + columns.start * self.grid.cell, self.grid.y_max - rows.start * self.grid.cell,
                     self.grid.cell, rows.stop - rows.start, columns.stop - columns.start)
         return grid, self.read(rows, columns)
-
-
-def _blocks(cells: np.ndarray, inside: np.ndarray) -> list[slice]:
-    """Runs of points inside, (n,), whose rows or columns lie in the same block of the raster."""
-    block = np.where(inside, cells // _SAMPLE_BLOCK, -1)
-    borders = [0, *(np.flatnonzero(np.diff(block)) + 1).tolist(), len(block)]
-    return [slice(start, stop) for start, stop in zip(borders, borders[1:]) if stop > start and block[start] >= 0]
 
 
 def _grid_of(source: rasterio.DatasetReader, path: Path) -> Grid:

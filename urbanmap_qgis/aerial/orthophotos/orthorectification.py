@@ -153,8 +153,8 @@ class Terrain:
 
     def heights(self, grid: Grid) -> tuple[np.ndarray, np.ndarray | None]:
         """Ground and surface (None without a DSM) at the cell centres, (rows, columns) float32."""
-        surface = self.surface and self.surface.sample_grid(*grid.centres())
-        ground = self.ground.sample_grid(*grid.centres())
+        surface = self.surface and self.surface.sample_cells(grid)
+        ground = self.ground.sample_cells(grid)
         return ground, self._with_outlines(grid, ground, surface)
 
     def _with_outlines(self, grid: Grid, ground: np.ndarray, surface: np.ndarray | None) -> np.ndarray | None:
