@@ -13,8 +13,6 @@ from .whole_records import put_records, record_rows
 MEMORY_LIMIT = 300_000_000
 """Bytes of records held in memory before the buckets move to disk."""
 
-_RUN_SHARE = 0.25
-
 
 def fill_from(stream: BufferedIOBase, part: memoryview) -> None:
     """Read bytes until a part of memory is full.
@@ -31,20 +29,9 @@ def fill_from(stream: BufferedIOBase, part: memoryview) -> None:
 
 
 def stable_order(keys: np.ndarray) -> np.ndarray:
-    """Order (n,) that sorts whole numbers, equal ones as they came.
-
-    Numbers of 16 bits are sorted by their digits; of others, runs of equal ones are moved together.
-    """
+    """Order (n,) that sorts whole numbers, equal ones as they came; numbers of 16 bits numpy sorts by their digits."""
     low, high = (int(keys.min()), int(keys.max())) if len(keys) else (0, 0)
-    if high - low < 2**16:
-        return np.argsort((keys - low).astype(np.uint16), kind="stable")
-    starts = np.flatnonzero(np.concatenate([[True], keys[1:] != keys[:-1]]))
-    if len(starts) > _RUN_SHARE * len(keys):
-        return np.argsort(keys, kind="stable")
-    runs = np.argsort(keys[starts], kind="stable")
-    length = np.diff(np.append(starts, len(keys)))[runs]
-    before = np.cumsum(length) - length
-    return np.repeat(starts[runs] - before, length) + np.arange(len(keys))
+    return np.argsort((keys - low).astype(np.uint16) if high - low < 2**16 else keys, kind="stable")
 
 
 class PointBuckets:
