@@ -1,16 +1,13 @@
 """Vector layers in and out, and their styles.
 
 A feature sink empties an existing destination as soon as it is opened. `write_layer` is therefore called when all is
-computed, writes a file beside its place and moves it there when it is whole: a run that fails or is cancelled leaves
-the earlier result as it was.
+computed; files have scratch places then (`destinations.staged`), so that a run that fails or is cancelled leaves the
+earlier result as it was.
 """
 
 from __future__ import annotations
 
-import os
-import shutil
 import sqlite3
-import tempfile
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import closing
 from dataclasses import dataclass, field
@@ -36,7 +33,7 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QMetaType, QVariant
 
 from ....urbanmap_qgis.errors import InputError, OutputError
-from ....urbanmap_qgis.io.files.staging import JOURNALS, final_text
+from ....urbanmap_qgis.io.files.staging import final_text
 from ....urbanmap_qgis.progress import SILENT, Progress
 from ..declaring.destinations import definition_of, sink_file
 from ..declaring.parameters import tr
@@ -222,8 +219,7 @@ def write_layer(algorithm, parameters: Mapping, name: str, context: QgsProcessin
                 progress: Progress = SILENT) -> str | None:
     """Write one output layer, when all of it is computed.
 
-    A file is written beside its place and moved there when it is whole; other destinations (memory, databases) are
-    opened only now.
+    Destinations that are no files (memory, databases) are opened only now.
 
     Parameters
     ----------
@@ -343,51 +339,31 @@ def _fill(sink: QgsFeatureSink, features: Iterable[list[QgsFeature]], label: str
         del sink
 
 
-def check_place(algorithm, parameters: Mapping, name: str, context: QgsProcessingContext) -> None:
-    """Refuse a layer output whose folder does not exist or cannot be written, before anything is computed.
-
-    Raises
-    ------
-    OutputError : with what to do.
-    """
-    path = sink_file(parameters, name, context)
-    if path is not None and not (path.parent.is_dir() and os.access(path.parent, os.W_OK)):
-        raise OutputError(tr("{0}: the folder {1} does not exist or cannot be written; choose another output.").format(
-            algorithm.label_of(name), path.parent))
-
-
 def _write_file(algorithm, parameters: Mapping, name: str, context: QgsProcessingContext, path: Path,
                 layer: tuple, features: Iterable[list[QgsFeature]], looks: tuple[str, tuple[str, ...], Earlier],
                 progress: Progress) -> str:
     style, results, earlier = looks
-    label = algorithm.label_of(name)
-    folder = path.parent
-    check_place(algorithm, parameters, name, context)
-    definition = definition_of(parameters, name)
+    label, definition = algorithm.label_of(name), definition_of(parameters, name)
     try:
-        with tempfile.TemporaryDirectory(prefix=".urbanmap_", dir=folder) as scratch:
-            target = Path(scratch) / path.name
-            beside = QgsProcessingOutputLayerDefinition(str(target))
-            if definition is not None:
-                beside.createOptions = definition.createOptions
-            sink, written = algorithm.parameterAsSink({**parameters, name: beside}, name, context, *layer)
-            if sink is None:
-                raise OutputError(tr("{0} cannot be written to {1}; choose another file.").format(label, path))
-            try:
-                _fill(sink, features, label)
-            finally:
-                del sink
-            if target.suffix.lower() == ".gpkg":
-                save_style(target, style, results, progress, earlier)
-            without_times(target)
-            _move_into_place(Path(scratch), folder)
+        plain = QgsProcessingOutputLayerDefinition(str(path))
+        if definition is not None:
+            plain.createOptions = definition.createOptions
+        sink, place = algorithm.parameterAsSink({**parameters, name: plain}, name, context, *layer)
+        if sink is None:
+            raise OutputError(tr("{0} cannot be written to {1}; choose another file.").format(label, path))
+        try:
+            _fill(sink, features, label)
+        finally:
+            del sink
+        if path.suffix.lower() == ".gpkg":
+            save_style(path, style, results, progress, earlier)
+        without_times(path)
     except OSError as error:
         raise OutputError(tr("{0} cannot be written ({1}); close the program that has it open.").format(
             path, error.strerror or error)) from error
     except sqlite3.Error as error:  # on a full disk QGIS says nothing of a GeoPackage without features
         raise OutputError(tr("{0} was not written whole ({1}): make room on its disk, or choose another file.").format(
             path, error)) from error
-    place = str(folder / Path(written).name)
     if definition is not None and definition.destinationProject is not None:
         title = definition.destinationName or label
         context.addLayerToLoadOnCompletion(final_text(place), QgsProcessingContext.LayerDetails(
@@ -409,13 +385,3 @@ def without_times(path: Path) -> None:
         for place in (24, 92):
             file.seek(place)
             file.write((1).to_bytes(4, "big"))
-
-
-def _move_into_place(scratch: Path, folder: Path) -> None:
-    for file in sorted(scratch.iterdir()):
-        target = folder / file.name
-        # A journal left by a program that still shows the old file would be replayed into the new one.
-        for journal in JOURNALS:
-            shutil.rmtree(target.with_name(target.name + journal), ignore_errors=True)
-            target.with_name(target.name + journal).unlink(missing_ok=True)
-        os.replace(file, target)
