@@ -14,7 +14,6 @@ from ..framework.layers.outlines import (
     footprints_of,
     open_points,
 )
-from ..framework.layers.point_outputs import check_points_output, points_output
 from ..framework.layers.reprojection import with_heights_of_points
 from ..framework.running.workers import workers
 
@@ -58,9 +57,6 @@ class SegmentBuildings(UrbanMapAlgorithm):
                                "model.")
         self.add_number_output("POINT_COUNT", "Points", "Points given to buildings.")
 
-    def check(self, parameters, context):
-        check_points_output(self, parameters, context)
-
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.buildings.outlines.outline_dates import BEGINS, ENDS, dated_outlines
         from ...urbanmap_qgis.buildings.segmentation import segment_buildings
@@ -72,12 +68,12 @@ class SegmentBuildings(UrbanMapAlgorithm):
         table = with_heights_of_points(table, cloud, progress)
         settings = self.settings(SegmentationParameters, parameters, context)
         ground = self.ground_heights(parameters, "GROUND", context, "FOOTPRINTS", table, progress)
-        with points_output(self, parameters, context) as points:
-            with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
-                buildings = segment_buildings(cloud, footprints, points, settings, ground, executor,
-                                              progress.part(0.0, 0.95))
-            dates = dated_outlines(cloud, dated_columns(table, BEGINS + ENDS), len(footprints))
-            layer = self._write(parameters, context, table, footprints, buildings, dates, progress.part(0.95, 1.0))
+        points = self.output_path(parameters, "OUTPUT", context)
+        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+            buildings = segment_buildings(cloud, footprints, points, settings, ground, executor,
+                                          progress.part(0.0, 0.95))
+        dates = dated_outlines(cloud, dated_columns(table, BEGINS + ENDS), len(footprints))
+        layer = self._write(parameters, context, table, footprints, buildings, dates, progress.part(0.95, 1.0))
         if dates.younger.any() or dates.gone.any():
             progress.message(tr("Flown {0} to {1}: {2} of {3} outlines are dated after it ({4} of them have no "
                                 "points), {5} had ended before it.").format(
@@ -88,7 +84,7 @@ class SegmentBuildings(UrbanMapAlgorithm):
             progress.warn(tr("{0} of {1} buildings have too few points for a model.").format(
                 without, len(footprints)))
         return {
-            "OUTPUT": str(self.output_path(parameters, "OUTPUT", context)), "OUTPUT_BUILDINGS": layer,
+            "OUTPUT": str(points), "OUTPUT_BUILDINGS": layer,
             "BUILDINGS": len(footprints), "WITHOUT_POINTS": without, "POINT_COUNT": int(buildings.points.sum()),
         }
 

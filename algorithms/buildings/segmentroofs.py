@@ -8,7 +8,6 @@ from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from ..framework.layers.layers import make_fields
 from ..framework.layers.outlines import BUILDING_ID, building_names, footprints_of, numbers, open_points
-from ..framework.layers.point_outputs import check_points_output, points_output
 from ..framework.running.workers import workers
 
 
@@ -48,7 +47,6 @@ class SegmentRoofs(UrbanMapAlgorithm):
                                "found.")
 
     def check(self, parameters, context):
-        check_points_output(self, parameters, context)
         width, shift = (self.parameterAsDouble(parameters, name, context) for name in ("BIN_WIDTH", "BIN_SHIFT"))
         if shift > width:
             raise InputError(tr("{0} is {1} m, more than {2}, {3} m: heights between the bins would be lost; give at "
@@ -70,16 +68,16 @@ class SegmentRoofs(UrbanMapAlgorithm):
         known = numbers(table, "density")
         positive = known[known > 0] if known is not None else np.zeros(0)
         density = float(np.median(positive)) if len(positive) else None
-        with points_output(self, parameters, context) as points:
-            with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
-                roofs = segment_cloud_roofs(cloud, footprints, points, settings, numbers(table, "ground"), density,
-                                            executor, progress.part(0.0, 0.95), planes)
-            layer = self._write(parameters, context, table, roofs, progress.part(0.95, 1.0))
+        points = self.output_path(parameters, "OUTPUT", context)
+        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+            roofs = segment_cloud_roofs(cloud, footprints, points, settings, numbers(table, "ground"), density,
+                                        executor, progress.part(0.0, 0.95), planes)
+        layer = self._write(parameters, context, table, roofs, progress.part(0.95, 1.0))
         without = int((~np.isin(footprints.ids, roofs.building_id)).sum())
         if without:
             progress.warn(tr("{0} of {1} buildings have no roof in their points.").format(without, len(footprints)))
         return {
-            "OUTPUT": str(self.output_path(parameters, "OUTPUT", context)), "OUTPUT_ROOFS": layer,
+            "OUTPUT": str(points), "OUTPUT_ROOFS": layer,
             "ROOFS": len(roofs.roof_id), "WITHOUT_ROOFS": without,
         }
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
-from ..framework.layers.point_outputs import check_points_output
 
 OUTSIDE = ("move", "keep", "refuse")
 POSES_FILTER = "Image poses (*.csv *.txt)"
@@ -50,7 +49,7 @@ class ApplyTrajectory(UrbanMapAlgorithm):
         self.add_number_output("MAX_MOVEMENT", "Maximum movement", "Maximum length of a movement.", unit="m")
 
     def check(self, parameters, context):
-        check_moved_outputs(self, parameters, context)
+        check_poses(self, parameters, context)
 
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.io.points.pointcloud import open_cloud
@@ -75,9 +74,8 @@ class ApplyTrajectory(UrbanMapAlgorithm):
         return results
 
 
-def check_moved_outputs(algorithm, parameters, context) -> None:
-    """Refuse a name of OUTPUT that is no point cloud's, and image poses that are wanted but not given."""
-    check_points_output(algorithm, parameters, context)
+def check_poses(algorithm, parameters, context) -> None:
+    """Refuse image poses that are wanted but not given."""
     if algorithm.output_path(parameters, "OUTPUT_IMAGES", context) and not algorithm.input_path(parameters, "IMAGES",
                                                                                                context):
         raise InputError(tr("Corrected image poses are wanted, but no image poses are given."))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from ...urbanmap_qgis.settings.terrain import ClothSettings
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.layers.point_outputs import check_points_output
 from ..framework.running.workers import workers
 
 
@@ -40,9 +39,6 @@ class GroundFromMms(UrbanMapAlgorithm):
         self.add_number_output("GROUND_POINTS", "Ground points", "Points of class 2 in the result.")
         self.add_number_output("GROUND_SHARE", "Ground share", "Ground points as a share of the points used, 0 to 1.")
         self.add_number_output("PASSES", "Passes", "Passes through the same place that were filtered apart.")
-
-    def check(self, parameters, context):
-        check_points_output(self, parameters, context)
 
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.io.points.pointcloud import open_cloud

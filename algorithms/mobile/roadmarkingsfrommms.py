@@ -8,7 +8,6 @@ from ...urbanmap_qgis.settings.mobile import ReachRules, StrokeRules
 from ...urbanmap_qgis.settings.terrain import ClothSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER
-from ..framework.layers.point_outputs import check_points_output
 from ..framework.running.workers import workers
 from .survey_inputs import read_survey
 
@@ -72,9 +71,6 @@ class RoadMarkingsFromMms(UrbanMapAlgorithm):
                                "points, 0 to 1.")
         self.add_number_output("LEFT_OUT", "Points left out", "Points at times for which the trajectory has no place, "
                                "or at which the vehicle stood.")
-
-    def check(self, parameters, context):
-        check_points_output(self, parameters, context)
 
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.mobile.calibration import read_calibration

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.running.chain import GivenParameters, files_read_once
-from ..mobile.applytrajectory import ApplyTrajectory, check_moved_outputs
+from ..mobile.applytrajectory import ApplyTrajectory, check_poses
 from ..mobile.registermms import RegisterMms
 from ..mobile.roadmarkingsfrommms import RoadMarkingsFromMms
 from ..mobile.survey_inputs import read_survey_and_reference
@@ -48,7 +48,7 @@ class GeoreferenceMms(UrbanMapAlgorithm):
         self.add_from(RegisterMms, *FIGURES)
 
     def check(self, parameters, context):
-        check_moved_outputs(self, parameters, context)
+        check_poses(self, parameters, context)
 
     def compute(self, parameters, context, feedback):
         with files_read_once():

@@ -278,3 +278,16 @@ def test_frames_over_tiles_are_the_mosaic_of_one_run(run, small_city, tmp_path):
     assert np.allclose((where.bounds[0], where.bounds[3]), (place.bounds[0], place.bounds[3]))
     rows, columns = min(one.shape[0], tiled.shape[0]), min(one.shape[1], tiled.shape[1])
     assert np.mean(np.abs(one[:rows, :columns] - tiled[:rows, :columns]) > 3) < 0.01
+
+
+def test_points_and_reports_are_made_by_tile_in_any_language(plugin, monkeypatch):
+    """Dialogs show filters of files in the user's language."""
+    parameters = plugin("algorithms.framework.declaring.parameters")
+    words = {parameters.LAZ_FILTER: "LAZ点群 (*.laz);;LAS点群 (*.las)", parameters.HTML_FILTER: "HTML報告書 (*.html)"}
+    monkeypatch.setattr(parameters, "tr", lambda text: words.get(text, text))
+    stage = plugin("algorithms.buildings.segmentbuildings").SegmentBuildings().create()
+    outputs = plugin("algorithms.framework.tiles.tiled_inputs")._outputs(stage, {})
+    assert outputs["OUTPUT"] == "output.laz"
+    stage = plugin("algorithms.workflows.buildingsfromals").BuildingsFromAls().create()
+    outputs = plugin("algorithms.framework.tiles.tiled_inputs")._outputs(stage, {})
+    assert outputs["OUTPUT_REPORT"] == "output_report.html" and "OUTPUT_CITYJSON" not in outputs

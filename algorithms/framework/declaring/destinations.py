@@ -29,7 +29,7 @@ _DATABASES = ("memory:", "ogr:", "postgis:", "postgres:", "spatialite:", "mssql:
 
 
 def check_destinations(algorithm, parameters: Mapping, context: QgsProcessingContext) -> None:
-    """Refuse outputs in the place of an input or of each other, or where none can be put.
+    """Refuse outputs in the place of an input or of each other, where none can be put, or under a wrong name.
 
     Raises
     ------
@@ -39,7 +39,10 @@ def check_destinations(algorithm, parameters: Mapping, context: QgsProcessingCon
     taken: list[tuple[str, set[tuple]]] = []
     inputs = list(_input_files(algorithm, parameters, context))
     for name, path, table in _wanted(algorithm, parameters, context):
-        label = algorithm.label_of(name)
+        label, definition = algorithm.label_of(name), algorithm.parameterDefinition(name)
+        if (definition.type() == "fileDestination" and definition.defaultFileExtension() == "laz"
+                and path.suffix.lower() not in (".las", ".laz")):
+            raise InputError(tr("{0}: the name {1} must end in .laz or .las.").format(label, path.name))
         known = _with_table(identities(path), table)
         for other, used, its_table in inputs:
             if _meet(known, _with_table(identities(used), its_table)):
@@ -53,7 +56,7 @@ def check_destinations(algorithm, parameters: Mapping, context: QgsProcessingCon
                 raise InputError(tr("{0} and {1} have the same name, {2}; give each its own.").format(
                     other, label, path))
         taken.append((label, known))
-        if not table and algorithm.parameterDefinition(name).type() != "folderDestination":
+        if not table and definition.type() != "folderDestination":
             try:
                 refuse_unless_replaceable(path)
             except OutputError as error:

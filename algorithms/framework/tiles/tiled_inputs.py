@@ -15,7 +15,7 @@ from ....urbanmap_qgis.sources import sources_mark
 from ....urbanmap_qgis.tiling.journal import fingerprint
 from ....urbanmap_qgis.tiling.point_pieces import LARGE, FileIndex, PointFile, point_file, sorted_into_pieces
 from ....urbanmap_qgis.tiling.tile_grid import GridTile, TileGrid
-from ..declaring.parameters import HTML_FILTER, LAZ_FILTER, tr, with_words
+from ..declaring.parameters import tr, with_words
 from ..layers import layers
 from ..layers.crs import crs_from, wkt_of
 from ..layers.outlines import BUILDING_ID, building_names
@@ -26,7 +26,7 @@ from .tiled_algorithms import CUTTABLE
 
 CUT, PIECES = "inputs", "pieces"
 _SUFFIXES = {"sink": LAYER_SUFFIX, "rasterDestination": ".tif"}
-_FILES = {LAZ_FILTER: POINTS_SUFFIX, HTML_FILTER: ".html"}
+_FILES = (POINTS_SUFFIX, ".html")
 WHERE = ("WORKERS", "SCHEDULER")
 """Where pieces are worked on: the run's own, and no matter for the results."""
 LONGEST_SHIFT = "MAX_DISPLACEMENT"
@@ -162,7 +162,8 @@ def _outputs(stage, given: Mapping[str, object]) -> dict[str, str]:
     outputs = {}
     for definition in stage.destinationParameterDefinitions():
         name, kind = definition.name(), definition.type()
-        suffix = _SUFFIXES.get(kind) or _FILES.get(getattr(definition, "fileFilter", str)())
+        suffix = _SUFFIXES.get(kind, f".{definition.defaultFileExtension()}")
+        suffix = suffix if kind in _SUFFIXES or suffix in _FILES else ""
         asked = given.get(name)
         wanted = definition.createByDefault() if asked is None else str(asked).strip().lower() not in _NO
         if wanted and suffix:
