@@ -50,11 +50,11 @@ class BuildingsFromAls(UrbanMapAlgorithm):
         run = self.child_runner(context, feedback, 4)
         buildings = run("segmentbuildings", **given.pick("POINTS", "FOOTPRINTS", "GROUND", "EXPANSION",
                                                          "MAX_DISPLACEMENT", "WORKERS"), METHOD=stage_method,
-                        OUTPUT=self.temporary_file(context, "buildings.laz"), OUTPUT_BUILDINGS="TEMPORARY_OUTPUT")
+                        OUTPUT=self.temporary_file(context, "buildings.las"), OUTPUT_BUILDINGS="TEMPORARY_OUTPUT")
         roofs = run("segmentroofs", **given.pick("ROOFS", "MIN_ROOF_AREA", "PARAPET_THRESHOLD", "HEIGHT_RMSE",
                                                   "PLANE_TOLERANCE", "WORKERS"),
                     METHOD=stage_method, POINTS=[buildings["OUTPUT"]],
-                    FOOTPRINTS=buildings["OUTPUT_BUILDINGS"], OUTPUT=self.temporary_file(context, "roofs.laz"),
+                    FOOTPRINTS=buildings["OUTPUT_BUILDINGS"], OUTPUT=self.temporary_file(context, "roofs.las"),
                     OUTPUT_ROOFS="TEMPORARY_OUTPUT")
         polygons = run("roofpolygons", **given.pick("METHOD", "ROOFS", "HEIGHT", "MIN_LINE_POINTS", "WORKERS"),
                        POINTS=[roofs["OUTPUT"]], FOOTPRINTS=buildings["OUTPUT_BUILDINGS"], OUTPUT="TEMPORARY_OUTPUT")

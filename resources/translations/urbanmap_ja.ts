@@ -12196,14 +12196,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>タイポイントは {duration:.0f} s のうち {last:.0f} s の範囲にしかありません。残りの走行軌跡はそれに伴って移動するだけでσが大きくなります。その部分に組を追加してください。</translation>
     </message>
     <message>
-        <source>The method must be one of {methods}.</source>
-        <translation>方法は{methods}のいずれかにしてください。</translation>
-    </message>
-    <message>
-        <source>The standard deviations of tie points and heading must be greater than 0.</source>
-        <translation>タイポイントと方位の標準偏差は0より大きくしてください。</translation>
-    </message>
-    <message>
         <source>{left_out} of {samples} samples of the ground along the course stand out and are left out: check that it is the ground that was driven on.</source>
         <translation>走行軌跡に沿う地表面のサンプル {samples} 個のうち {left_out} 個が外れ値のため除外されました。走行した地表面か確認してください。</translation>
     </message>
@@ -14364,6 +14356,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{0}: {1}はLAS、LAZ、COPCファイルではありません。先に変換してください。</translation>
     </message>
     <message>
+        <source>{0}: the name {1} must end in .laz or .las.</source>
+        <translation>{0}: 名前{1}は.lazまたは.lasで終わるように指定してください。</translation>
+    </message>
+    <message>
         <source>{0}: choose a folder; a temporary one is gone when QGIS ends.</source>
         <translation>{0}：フォルダを選んでください。一時フォルダは QGIS の終了時に消えます。</translation>
     </message>
@@ -16148,16 +16144,16 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{0}: ポリゴン{2}件中{1}件が空か、不正のため修復されました（地物id {3}{4}）。</translation>
     </message>
     <message>
-        <source>{0}: the folder {1} does not exist or cannot be written; choose another output.</source>
-        <translation>{0}: フォルダ{1}がないか、書き込めません。別の出力先を選択してください。</translation>
-    </message>
-    <message>
         <source>{0} holds features of the kind {1}, not polygons; give a polygon layer, or take the polygons out of it first (“Extract parts” by geometry type).</source>
         <translation>{0} の地物は {1} で、ポリゴンではありません。ポリゴンのレイヤーを指定するか、先にポリゴンを取り出してください。</translation>
     </message>
     <message>
         <source>{0} cannot be written; choose another output.</source>
         <translation>{0}に書き込めません。別の出力先を選択してください。</translation>
+    </message>
+    <message>
+        <source>{0} cannot be written to {1}; choose another file.</source>
+        <translation>{0}を{1}に書き込めません。別のファイルを選択してください。</translation>
     </message>
     <message>
         <source>{0} cannot be written ({1}); close the program that has it open.</source>
@@ -16170,10 +16166,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0} cannot be written: {1}</source>
         <translation>{0}に書き込めません: {1}</translation>
-    </message>
-    <message>
-        <source>{0} cannot be written to {1}; choose another file.</source>
-        <translation>{0}を{1}に書き込めません。別のファイルを選択してください。</translation>
     </message>
     <message>
         <source>{0} and {1} lie on each other only where x and y of one of them are swapped; swap them in the one that counts x to the north.</source>
@@ -16198,10 +16190,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0}: the {1} {2} is there more than once; give each building its own, or remove the field.</source>
         <translation>{0}: {1} {2}が重複しています。建物ごとに固有の値を付けるか、フィールドを削除してください。</translation>
-    </message>
-    <message>
-        <source>{0}: the name {1} must end in .laz or .las.</source>
-        <translation>{0}: 名前{1}は.lazまたは.lasで終わるように指定してください。</translation>
     </message>
     <message>
         <source>{0}: reprojected from {1} to {2}, the system of the points</source>
