@@ -96,7 +96,6 @@ PACKAGES = {
         Package("laspy", "laspy", (2, 4), (), (3,)),
         Package("lazrs", "lazrs", (0, 5), (), (1,)),
         Package("cv2", "opencv-python-headless", (4, 5), (5,)),
-        Package("skimage", "scikit-image", (0, 19), (), (1,)),
     )
 }
 

@@ -17,7 +17,7 @@ class RoofPolygons(UrbanMapAlgorithm):
     NAME = "Roof polygons"
     SOURCE = "Javanmardi, 5.3.3"
     KEYWORDS = ("building", "roof", "polygon", "alpha shape", "Hough", "outline")
-    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "cv2", "skimage")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "cv2")
     HELP = (
         "Draws the polygon of each roof from its points.\n"
         "The method “partition” divides each outline among its roofs along straight lines where roofs meet: no "

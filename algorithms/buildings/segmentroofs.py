@@ -16,7 +16,7 @@ class SegmentRoofs(UrbanMapAlgorithm):
     NAME = "Segment roofs"
     SOURCE = "Javanmardi, 5.3.2"
     KEYWORDS = ("building", "roof", "height", "histogram", "ALS", "lidar", "segmentation")
-    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "cv2", "skimage")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "cv2")
     HELP = (
         "Segments the roofs of each building: planes, level and sloped, grown on its points; or level roofs by the "
         "histogram of its points' heights.\n"

@@ -22,7 +22,7 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
     NAME = "Adjust several drives"
     SOURCE = "network adjustment on the registration of Javanmardi, 3.2.4 and 4"
     KEYWORDS = ("MMS", "mobile", "adjustment", "network", "tie", "control", "trajectory", "strip")
-    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs", "cv2", "skimage")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs", "cv2")
     HELP = (
         "Corrects several drives of a mobile survey at once. Road markings that two drives saw, or one drive twice, "
         "tie them to each other, and so do facades and road as planes; control points and reference markings place "

@@ -23,7 +23,7 @@ class RegisterMms(UrbanMapAlgorithm):
     NAME = "Register mobile survey"
     SOURCE = "Javanmardi, 3.2.4 and 4"
     KEYWORDS = ("MMS", "mobile", "registration", "NDT", "trajectory", "correction", "marking", "georeferencing")
-    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs", "cv2", "skimage")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs", "cv2")
     HELP = (
         "Finds how the trajectory of a mobile survey is off, by laying its road markings on those of an aerial "
         "reference, and corrects it.\n"

@@ -15,7 +15,7 @@ class AerialMarkings(UrbanMapAlgorithm):
     NAME = "Road markings from aerial frames"
     SOURCE = "Javanmardi, 3.2.1, 3.2.2 and 4.1"
     KEYWORDS = ("road", "marking", "aerial", "frames", "orthophoto", "ALS", "reference", "workflow")
-    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs", "cv2", "skimage")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs", "cv2")
     HELP = (
         "Goes from aerial frames and airborne laser points to the reference that mobile surveys are tied to, in one "
         "run: surface and ground from ALS, orthophoto of the ground that the frames see, without moving vehicles, and "

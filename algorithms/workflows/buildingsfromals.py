@@ -16,7 +16,7 @@ class BuildingsFromAls(UrbanMapAlgorithm):
     NAME = "Buildings from ALS"
     SOURCE = "Javanmardi, chapter 5"
     KEYWORDS = ("building", "3D", "ALS", "lidar", "CityJSON", "LOD1", "LOD2", "workflow")
-    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "cv2", "skimage")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "cv2")
     HELP = (
         "Goes from airborne laser points and rough outlines to closed 3D building models in one run: segment "
         "buildings, segment roofs, roof polygons, building models.\n"

@@ -24,7 +24,7 @@ class GeoreferenceMms(UrbanMapAlgorithm):
     NAME = "Georeference mobile survey"
     SOURCE = "Javanmardi, 3.2.3, 3.2.4 and 4"
     KEYWORDS = ("MMS", "mobile", "georeferencing", "registration", "marking", "trajectory", "workflow")
-    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs", "cv2", "skimage")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs", "cv2")
     HELP = (
         "Goes from a mobile survey to the same survey lying on the aerial reference, in one run: its road markings by "
         "intensity, their registration to the reference markings, and the points as the corrected trajectory places "

@@ -27,7 +27,7 @@ help = registry.algorithmById("urbanmap:segmentroofs").shortHelpString()
 print(json.dumps([sorted(set(sys.modules) - before), len(listed), len(help)]))
 """
 
-HEAVY = {"numpy", "scipy", "shapely", "laspy", "lazrs", "rasterio", "pyproj", "matplotlib", "cv2", "skimage", "osgeo",
+HEAVY = {"numpy", "scipy", "shapely", "laspy", "lazrs", "rasterio", "pyproj", "matplotlib", "cv2", "osgeo",
          "numba", "dask", "distributed", "asyncio", "ssl", "email", "difflib"}
 """Packages, also of Python itself, that take long to load."""
 

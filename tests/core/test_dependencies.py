@@ -149,7 +149,7 @@ def test_message_on_all_packages_holds_nothing_that_a_window_takes_for_a_tag(tmp
 
 
 @pytest.mark.parametrize(("name", "fits", "not_"), [
-    ("shapely", ("2.0", "2.1.4"), ("1.8.5", "3.0")), ("scikit-image", ("0.19", "0.25.1"), ("0.18", "1.0")),
+    ("shapely", ("2.0", "2.1.4"), ("1.8.5", "3.0")), ("laspy", ("2.4", "2.7.1"), ("2.3", "3.0")),
     ("rasterio", ("1.3.9", "1.4"), ("1.2", "2.0"))])
 def test_requirement_asks_for_the_versions_that_work(name, fits, not_):
     specifiers = pytest.importorskip("packaging.requirements")

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 from scipy import ndimage
-from skimage.measure import label as label_regions
 
+from ...geometry.grid_regions import grid_regions
 from ...settings.buildings import RoofParameters
 from .height_histogram import HeightPeaks, height_peaks, minimum_points
 from .region_merging import RegionGraph
@@ -113,7 +113,7 @@ def _pieces(height: np.ndarray, covered: np.ndarray, peaks: HeightPeaks,
         piece = piece * (level.max() + 1) + level
     classes = np.zeros(height.shape, dtype=np.int64)
     classes[covered] = piece + 1
-    return label_regions(classes, background=0, connectivity=1)
+    return grid_regions(classes)
 
 
 def _join(labels: np.ndarray, height: np.ndarray, peaks: HeightPeaks, smallest: float,
@@ -169,7 +169,7 @@ def _without_slivers(labels: np.ndarray, height: np.ndarray, smallest: float, ce
 
     With a mask of the cells of parapets: their heights are not those of the roof that they were joined to.
     """
-    labels = label_regions(labels, background=0, connectivity=1)
+    labels = grid_regions(labels)
     graph = RegionGraph(labels, height)
     width = _widths(labels, graph.size) * cell
     strip = (width < MAX_PARAPET_WIDTH) | (_strip_widths(labels, graph.size) * cell < MAX_PARAPET_WIDTH)
