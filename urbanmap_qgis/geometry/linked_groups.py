@@ -33,6 +33,13 @@ def linked_groups(one: np.ndarray, two: np.ndarray, count: int) -> tuple[int, np
     return groups, np.array(number, np.int32)
 
 
+def linked_members(one: np.ndarray, two: np.ndarray, count: int) -> list[np.ndarray]:
+    """Numbers, in order, of the members of each group of `linked_groups`."""
+    group = linked_groups(np.asarray(one, np.int64), np.asarray(two, np.int64), count)[1]
+    order = np.argsort(group, kind="stable")
+    return np.split(order, np.flatnonzero(np.diff(group[order])) + 1) if count else []
+
+
 def _first_of(first: list[int], thing: int) -> int:
     """The first member of a thing's group, found on ways that become shorter."""
     while first[thing] != thing:

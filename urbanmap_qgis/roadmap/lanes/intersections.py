@@ -7,6 +7,7 @@ from collections.abc import Iterable
 import numpy as np
 import shapely
 
+from ...geometry.linked_groups import linked_members
 from ...wording import known, say
 from ..map_records import Finding, Intersection, VectorMap
 from .right_of_way import complete_rights, rights_of_way
@@ -54,19 +55,8 @@ def _yields(built: VectorMap, covered: list[int]) -> dict[int, list[int]]:
 
 def _groups(built: VectorMap, virtual: list[int]) -> list[list[int]]:
     areas = [built.area(number) for number in virtual]
-    owner = list(range(len(virtual)))
-
-    def root(k: int) -> int:
-        while owner[k] != k:
-            k = owner[k]
-        return k
-
-    for one, other in shapely.STRtree(areas).query(areas, predicate="intersects").T.tolist() if areas else ():
-        owner[root(one)] = root(other)
-    groups: dict[int, list[int]] = {}
-    for k, number in enumerate(virtual):
-        groups.setdefault(root(k), []).append(number)
-    return list(groups.values())
+    one, other = shapely.STRtree(areas).query(areas, predicate="intersects") if areas else ((), ())
+    return [[virtual[k] for k in group] for group in linked_members(one, other, len(areas))]
 
 
 def _joined(built: VectorMap, groups: list[list[int]]) -> list[list[int]]:

@@ -7,9 +7,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 import shapely
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 
+from ...geometry.linked_groups import linked_members
 from ...geometry.tolerances import LEAST_DIVISOR
 from ...settings.roadmap import MapSettings
 from ..map_records import MapLine
@@ -216,10 +215,7 @@ def _beside(paths: Sequence[np.ndarray], borders: Sequence[bool], settings: MapS
             turn = _turn(plan, plans[other], at[near], foot[near])
             if (turn < PARALLEL).sum() >= least and _level(paths[k], paths[other], settings):
                 links.append((k, int(other)))
-    count = len(paths)
-    a, b = np.array(links, np.int64).reshape(-1, 2).T
-    label = connected_components(coo_matrix((np.ones(len(a)), (a, b)), shape=(count, count)), directed=False)[1]
-    return [np.flatnonzero(label == one).tolist() for one in np.unique(label)]
+    return [group.tolist() for group in linked_members(*np.array(links, np.int64).reshape(-1, 2).T, len(paths))]
 
 
 def _turn(plan: shapely.LineString, other: shapely.LineString, at: np.ndarray, foot: np.ndarray) -> np.ndarray:

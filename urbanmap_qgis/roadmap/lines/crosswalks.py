@@ -7,9 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 import shapely
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 
+from ...geometry.linked_groups import linked_members
 from .crosswalk_extent import BarRow, extended
 from .strokes import Stroke
 from .worn_crosswalks import faced_rows, worn_rows
@@ -132,10 +131,7 @@ def _groups(start: np.ndarray, end: np.ndarray) -> list[np.ndarray]:
     ahead = np.abs((separation * along[a]).sum(axis=1))
     beside = (turn < np.sin(PARALLEL)) & (across > LIMITS.pitch[0]) & (across < LIMITS.pitch[1])
     beside &= ahead < 0.5 * np.maximum(length[a], length[b])
-    count = len(start)
-    links = coo_matrix((np.ones(beside.sum()), (a[beside], b[beside])), shape=(count, count))
-    label = connected_components(links, directed=False)[1]
-    return [np.flatnonzero(label == one) for one in np.unique(label) if (label == one).sum() >= SEED]
+    return [group for group in linked_members(a[beside], b[beside], len(start)) if len(group) >= SEED]
 
 
 def _bar_row(start: np.ndarray, end: np.ndarray, width: np.ndarray) -> BarRow | None:

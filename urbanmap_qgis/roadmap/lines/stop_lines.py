@@ -7,9 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 import shapely
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 
+from ...geometry.linked_groups import linked_members
 from ...geometry.tolerances import LEAST_DIVISOR
 from .crosswalks import Crosswalk
 from .line_chains import StrokeChain
@@ -86,10 +85,7 @@ def joined_bars(bars: Sequence[StrokeChain], crumbs: Sequence[StrokeChain] = ())
 def _joined(bars: Sequence[StrokeChain]) -> list[StrokeChain]:
     tree = shapely.STRtree([shapely.LineString(bar.axis) for bar in bars])
     a, b = tree.query(tree.geometries, predicate="dwithin", distance=LIMITS.joint)
-    label = connected_components(coo_matrix((np.ones(len(a)), (a, b)), shape=(len(bars),) * 2), directed=False)[1]
-    order = np.argsort(label, kind="stable")
-    groups = np.split(order, np.flatnonzero(np.diff(label[order])) + 1)
-    return [chain for group in groups for chain in _joined_near([bars[k] for k in group])]
+    return [chain for group in linked_members(a, b, len(bars)) for chain in _joined_near([bars[k] for k in group])]
 
 
 def _joined_near(bars: Sequence[StrokeChain]) -> list[StrokeChain]:
