@@ -8,8 +8,6 @@ import numpy as np
 import shapely
 from scipy import ndimage
 
-from .crown_boards import LIMITS as FACES
-from .crown_boards import face_in_crown
 from .object_records import Board, StemAxis
 from .overhead_boards import LIMITS as OVERHEAD
 from .overhead_boards import overhead_face
@@ -40,7 +38,6 @@ class HangingPartsLimits:
     beside_post: float = 0.08  # m between an edge of a board and the face of its post, where the post may hide the rest
     off_post: float = 0.06  # m to either side of a post's face, where points may be its own
     emptier: float = 0.15  # points on one side of the post, of those on the other, of a board that shows by one half
-    fixed: float = 0.2  # m from its axis, within which the middle of a board on it lies
     shade: float = 0.12  # m from its face, that a post reaches behind a board
     arm: float = 0.4  # m, shortest arm
     flat: float = 0.9  # m, height over which an arm's points spread, with its head
@@ -97,8 +94,7 @@ def hanging_parts(place: np.ndarray, height: np.ndarray, axis: StemAxis, stem_to
     top = float(max(stem_top, np.percentile(up, 99.5)))
     crown = _crown(offset, away, up)
     if crown:
-        board = _board_in_crown(place, axis, seen_from)
-        return HangingParts(top, crown, board, 0.0, np.nan, np.nan, (0.0, 0.0))
+        return HangingParts(top, crown, None, 0.0, np.nan, np.nan, (0.0, 0.0))
     beside = away > axis.diameter / 2.0 + LIMITS.skin
     wall = (away > LIMITS.wall) & (up < min(stem_top, LIMITS.wall_top))
     aside = away > axis.diameter / 2.0 + LIMITS.frame
@@ -176,17 +172,6 @@ def _board(place: np.ndarray, beyond: np.ndarray, up: np.ndarray, axis: StemAxis
     if np.sqrt(max(spread[0], 0.0)) > LIMITS.thick or abs(normal[2]) > LIMITS.upright:
         return None
     return outlined_board(place[near], normal, axis, seen_from)
-
-
-def _board_in_crown(place: np.ndarray, axis: StemAxis, seen_from: np.ndarray) -> Board | None:
-    """The board of a sign that stands among leaves; None without one."""
-    face = face_in_crown(place, axis)
-    if face is None:
-        return None
-    board = outlined_board(place[face[0]], face[1], axis, seen_from)
-    # What is as thick as a trunk is the post of a board only where that is fixed on it, not where a sign stands by.
-    aside = 0.0 if board is None else np.hypot(*(board.centre[:2] - axis.plan_at(board.centre[2])))
-    return board if axis.diameter < FACES.trunk or aside < LIMITS.fixed else None
 
 
 def _overhead_board(place: np.ndarray, offset: np.ndarray, up: np.ndarray, axis: StemAxis,

@@ -5,11 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from scipy import ndimage
 from scipy.spatial import cKDTree
 
 from ...geometry.tolerances import LEAST_DIVISOR
-from .crown_boards import LIMITS as FACES
-from .crown_boards import face_at
 from .hanging_parts import outlined_board
 from .object_records import Board, StemAxis
 from .sweep_index import SweepIndex
@@ -28,8 +27,15 @@ class LoneBoardsLimits:
     layer: float = 0.02  # m; three of them are as thick as a board in noise
     wall: tuple[float, float] = (1.1, 2.0)  # m: a plane that goes on so far away is a wall, or the side of a vehicle
     one_plane: float = 0.2  # m off each other's planes, whose directions are known to half a step
-    reach: float = 1.5  # m about a cell, in which its face is looked for
-    post: float = 0.08  # m, diameter of a post that is not seen
+    reach: float = 1.5  # m about a cell, in which its plane is looked for
+    face: float = 1.0  # m in plan about the middle of the plane, in which its face lies
+    off: float = 0.25  # m outside its face, that this middle may be
+    beside: tuple[float, float] = (0.07, 0.16)  # m before and behind a face, where leaves would go on
+    full: float = 0.12  # m, side of the cells of a face
+    taken: int = 7  # of a cell and the eight about it that hold points, where the cell is within a face
+    cells: int = 4  # within a face, that hang together by their sides
+    denser: float = 4.0  # than what lies before and behind it, for the same thickness
+    flat: float = 0.02  # m, standard deviation of its points
     same: float = 0.4  # m between middles of boards that are one
     aside: float = 0.25  # m from the axis of a post to the face of its board
     side: tuple[float, float] = (0.3, 1.3)  # m, of a board
@@ -72,8 +78,7 @@ def lone_boards(place: np.ndarray, height: np.ndarray, index: SweepIndex, seen_f
         core = _plane_of_board(place[near] - middle, normal)
         if not len(core):
             continue
-        axis = StemAxis(middle, np.zeros(2), LIMITS.post, np.zeros(2))
-        face = face_at(place[near], axis, core)
+        face = face_of(place[near], middle, core)
         if face is None:
             continue
         rows = near[face[0]]
@@ -166,13 +171,60 @@ def _plane_of_board(off: np.ndarray, normal: np.ndarray) -> np.ndarray:
     off = off - middle
     inner = np.flatnonzero(np.linalg.norm(off, axis=1) < LIMITS.core / 2.0)
     away = np.abs(off[inner] @ own)
-    near, far = FACES.beside
+    near, far = LIMITS.beside
     leaves = np.count_nonzero((away > near) & (away < far)) / (far - near)
     if np.count_nonzero(away < LIMITS.thin) / LIMITS.thin < LIMITS.fuller * leaves:
         return _NONE
     left, right, under, over = _beyond(off, level, (LIMITS.core, LIMITS.core), LIMITS.farther)
     wall = max(min(left, right), min(under, over)) > LIMITS.thinner
     return _NONE if wall else inner[away < LIMITS.thin]
+
+
+def face_of(place: np.ndarray, seed: np.ndarray, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray] | None:
+    """Rows of the points of the face in whose plane some `rows` (m,) lie, and its unit normal (3,); None where it is
+    not flat and thin: leaves go on before and behind any layer.
+
+    Parameters
+    ----------
+    place : (n, 3) m.
+    seed : (3,) a place at the face, m.
+    """
+    near = np.flatnonzero(np.hypot(*(place[:, :2] - seed[:2]).T) < LIMITS.face)
+    for _ in range(3):
+        middle = place[rows].mean(axis=0)
+        normal = np.linalg.eigh(np.cov((place[rows] - middle).T))[1][:, 0]
+        level = np.array([*normal[:2], 0.0]) / max(np.hypot(*normal[:2]), LEAST_DIVISOR)
+        across = np.array([-level[1], level[0], 0.0])
+        flat = (place[near] - middle) @ np.column_stack([across, [0.0, 0.0, 1.0]])
+        away = (place[near] - middle) @ normal
+        part = _full_part(flat, np.flatnonzero(np.abs(away) < LIMITS.thin))
+        if not len(part):
+            return None
+        rows = near[part]
+    low, high = np.percentile(flat[part], [2, 98], axis=0)
+    framed = ((flat >= low) & (flat <= high)).all(axis=1)
+    on = np.count_nonzero(framed & (np.abs(away) < LIMITS.thin)) / (2.0 * LIMITS.thin)
+    first, last = LIMITS.beside
+    off = np.count_nonzero(framed & (np.abs(away) > first) & (np.abs(away) < last)) / (2.0 * (last - first))
+    covers = low[0] - LIMITS.off < (seed - middle) @ across < high[0] + LIMITS.off
+    thin = np.std(away[part]) <= LIMITS.flat and on >= LIMITS.denser * off
+    return (rows, normal) if thin and covers else None
+
+
+def _full_part(flat: np.ndarray, rows: np.ndarray) -> np.ndarray:
+    """Those of some rows (m,) of places (n, 2) along and up a plane that lie in its largest part full everywhere."""
+    if len(rows) < LIMITS.taken:
+        return _NONE
+    cells = np.floor(flat[rows] / LIMITS.full).astype(np.int64)
+    cells += 1 - cells.min(axis=0)
+    taken = np.zeros(cells.max(axis=0) + 2, np.int8)
+    taken[tuple(cells.T)] = 1
+    part, count = ndimage.label(ndimage.convolve(taken, np.ones((3, 3), np.int8), mode="constant") >= LIMITS.taken)
+    sizes = np.bincount(part.ravel(), minlength=count + 1)[1:]
+    if not count or sizes.max() < LIMITS.cells:
+        return _NONE
+    face = ndimage.binary_dilation(part == 1 + np.argmax(sizes), np.ones((3, 3), bool))
+    return rows[face[tuple(cells.T)]]
 
 
 def _seeds(place: np.ndarray, height: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -19,7 +19,7 @@ from ..edges.ground_profile import Heights, above_ground
 from .axis_fit import fit_axis
 from .hanging_parts import LIMITS as AROUND
 from .hanging_parts import HangingParts, hanging_parts
-from .lone_boards import board_on, ends, lone_boards, stands_alone, well_shaped
+from .lone_boards import board_on, lone_boards, stands_alone, well_shaped
 from .low_objects import ends_as, low_objects
 from .object_kind import kind_of
 from .object_records import DOUBTFUL, MEASURED, OBJECT_POINT, POLE, SIGN, TREE, Board, Stem, StemAxis, StreetObject
@@ -132,13 +132,13 @@ def _objects_of_tile(tile: EdgeTile, height: np.ndarray, survey: EdgePoints,
             near = near[~_in_trunks(place[near], trunks, foot)]
         seen_from = survey.body(points["time"][stem.rows]).mean(axis=0)
         around = _with_board(hanging_parts(place[near], height[near], axis, stem.high, seen_from), boards, axis,
-                             stem.beside, place[near])
+                             stem.beside)
         beside = _beside_board(place[stem.rows], around.board, bool(around.crown))
         if beside is not None:
             axis = fit_axis(place[stem.rows[beside]], survey.body(points["time"][stem.rows[beside]]))
             foot = axis.plan_at(ground)
             around = _with_board(hanging_parts(place[near], height[near], axis, stem.high, seen_from), boards, axis,
-                             stem.beside, place[near])
+                             stem.beside)
         short = stem.high - stem.low < LIMITS.post and not around.crown and not _under_board(stem, around, axis, ground)
         wall = around.straight and around.wall > LIMITS.wall * len(stem.rows)
         if short or wall or max(around.top, stem.high) < settings.min_height or (
@@ -170,19 +170,13 @@ def _in_trunks(place: np.ndarray, trunks: list[StemAxis], foot: np.ndarray) -> n
     return inside
 
 
-def _with_board(around: HangingParts, boards: list[Board], axis: StemAxis, beside: bool,
-                place: np.ndarray) -> HangingParts:
-    """What hangs on a stem, with the board found before it where its own points show none. A trunk has none; where one
-    stands `beside` it, a face that is shaped like a trunk is that one's. In leaves, one that goes on beyond its edges
-    among the points about the stem, `place` (n, 3), is a part of a wall."""
+def _with_board(around: HangingParts, boards: list[Board], axis: StemAxis, beside: bool) -> HangingParts:
+    """What hangs on a stem, with the board found before it where its own points show none, as in leaves. A trunk has
+    none; where one stands `beside` it, a face that is shaped like a trunk is that one's."""
     if around.crown and axis.diameter > LIMITS.trunk:
-        return replace(around, board=None)
+        return around
     if beside and around.board is not None and not well_shaped(around.board):
         around = replace(around, board=None)
-    if around.crown and around.board is not None:
-        clear = np.hypot(*(place[:, :2] - axis.plan_at(place[:, 2])).T) > axis.diameter / 2.0 + AROUND.off_post
-        if not ends(place[clear], around.board):
-            around = replace(around, board=None)
     return around if around.board is not None else replace(around, board=board_on(boards, axis))
 
 
