@@ -32,6 +32,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from scripts.bench_table import table_lines
 from scripts.layers import plans_of
+from scripts.virtual_control import reference_corners, survey_corners, virtual_control
 from urbanmap_qgis.errors import UrbanMapError
 from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.mobile.calibration import read_calibration
@@ -48,7 +49,6 @@ from urbanmap_qgis.mobile.registration.run import RegistrationRun
 from urbanmap_qgis.mobile.registration.stage import register_markings
 from urbanmap_qgis.mobile.registration.start.reference import Reference
 from urbanmap_qgis.mobile.registration.survey_markings import survey_markings
-from urbanmap_qgis.mobile.registration.virtual_control import reference_corners, survey_corners, virtual_control
 from urbanmap_qgis.mobile.trajectory import Trajectory, interpolate, path_chainage
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 

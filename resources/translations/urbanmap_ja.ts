@@ -12900,14 +12900,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{paths}の属性{weight}に0未満の値があります。「MMS計測の路面標示」が出力した路面標示か、計測データ自体を指定してください。</translation>
     </message>
     <message>
-        <source>There is no bar among the markings of the survey or of the reference, whose corners could be control points.</source>
-        <translation>計測データまたは基準の路面標示に、角を仮想検証点にできる帯状の標示がありません。</translation>
-    </message>
-    <message>
-        <source>No corner of a marking in the survey lies near one of the reference.</source>
-        <translation>計測データの路面標示の角で、基準の路面標示の角に近いものがありません。</translation>
-    </message>
-    <message>
         <source>The airborne laser points show no wall where the survey saw facades: check that both lie in one place and have one height system.</source>
         <translation>計測に建物正面が写った場所で、航空レーザ点群に壁が見つかりません。両者の場所と高さの基準が同じであることを確認してください。</translation>
     </message>

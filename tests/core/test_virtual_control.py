@@ -4,17 +4,17 @@ import numpy as np
 import pytest
 import shapely
 
-from urbanmap_qgis.errors import InsufficientDataError
-from urbanmap_qgis.mobile.control import residuals
-from urbanmap_qgis.mobile.markings.records import MarkingPoints
-from urbanmap_qgis.mobile.pose_correction import correction_between
-from urbanmap_qgis.mobile.registration.start.reference import Reference
-from urbanmap_qgis.mobile.registration.virtual_control import (
+from scripts.virtual_control import (
     bar_corners,
     reference_corners,
     survey_corners,
     virtual_control,
 )
+from urbanmap_qgis.errors import InsufficientDataError
+from urbanmap_qgis.mobile.control import residuals
+from urbanmap_qgis.mobile.markings.records import MarkingPoints
+from urbanmap_qgis.mobile.pose_correction import correction_between
+from urbanmap_qgis.mobile.registration.start.reference import Reference
 from urbanmap_qgis.mobile.trajectory import Trajectory
 
 ORIGIN = np.array([-7000.0, -34000.0, 12.0])

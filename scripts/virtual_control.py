@@ -16,29 +16,20 @@ import numpy as np
 import shapely
 from scipy.spatial import cKDTree
 
-from ...errors import InsufficientDataError
-from ...wording import say
-from ..control import ControlPoints
-from ..markings.records import MarkingPoints
-from ..pose_correction import PoseCorrection
-from .start.reference import Reference
+from urbanmap_qgis.errors import InsufficientDataError
+from urbanmap_qgis.mobile.control import ControlPoints
+from urbanmap_qgis.mobile.markings.records import MarkingPoints
+from urbanmap_qgis.mobile.pose_correction import PoseCorrection
+from urbanmap_qgis.mobile.registration.start.reference import Reference
 
+CELL = 0.05
+"""m, of the raster on which the survey's points become bars; gaps of up to 2 cells within a bar are closed."""
 
-@dataclass(frozen=True)
-class VirtualControlLimits:
-    """Limits of virtual control, each with its unit."""
+LENGTH, WIDTH, FILLED = (0.8, 12.0), (0.1, 0.8), 0.8
+"""Sides of bars, m, and the share of its smallest rectangle that one fills."""
 
-    cell: float = 0.05  # m of the raster on which the survey's points become bars
-    joined: int = 3  # cells: gaps of up to 10 cm within a bar are closed
-    filled: float = 0.8  # of its smallest rectangle a bar fills
-    # m, sides of bars
-    length: tuple[float, ...] = (0.8, 12.0)
-    width: tuple[float, ...] = (0.1, 0.8)
-    at_corner: float = 0.25  # m round a corner whose points give its time and height
-    break_limit: float = 3.0  # s after which a place is seen by another pass
-
-
-LIMITS = VirtualControlLimits()
+AT_CORNER, PASS = 0.25, 3.0
+"""m round a corner whose points give its time and height, and s after which a place is seen by another pass."""
 
 
 @dataclass(frozen=True)
@@ -53,7 +44,7 @@ def survey_corners(markings: MarkingPoints) -> SurveyCorners:
     """Corners of the bars among a survey's marking points, of each pass on its own."""
     order = np.argsort(markings.time, kind="stable")
     markings = markings.select(order)
-    cell = np.floor(np.column_stack([markings.x, markings.y]) / LIMITS.cell).astype(np.int64)
+    cell = np.floor(np.column_stack([markings.x, markings.y]) / CELL).astype(np.int64)
     places, times = [np.zeros((0, 3))], [np.zeros(0)]
     for first in np.arange(markings.time[0] - 5.0, markings.time[-1], 20.0):  # pieces of 20 s that overlap
         rows = np.flatnonzero((markings.time >= first) & (markings.time < first + 30.0))
@@ -70,7 +61,7 @@ def _corners_of_piece(markings: MarkingPoints, cell: np.ndarray) -> SurveyCorner
     mask = np.zeros(tuple((cell.max(axis=0) - low + 5)[::-1]), np.uint8)
     column, row = (cell - low).T
     mask[row, column] = 1
-    mask = cv2.morphologyEx(mask, cv2.MORPH_CLOSE, np.ones((LIMITS.joined, LIMITS.joined), np.uint8))
+    mask = cv2.morphologyEx(mask, cv2.MORPH_CLOSE, np.ones((3, 3), np.uint8))
     contours, _ = cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
     points = np.column_stack([markings.x, markings.y])
     tree = cKDTree(points)
@@ -78,18 +69,18 @@ def _corners_of_piece(markings: MarkingPoints, cell: np.ndarray) -> SurveyCorner
     for contour in contours:
         if len(contour) < 8:
             continue
-        outline = (contour[:, 0] + low + 0.5) * LIMITS.cell
+        outline = (contour[:, 0] + low + 0.5) * CELL
         inside = tree.query_ball_point(outline.mean(axis=0), np.ptp(outline, axis=0).max())
         corners = bar_corners(points[inside][_in_outline(points[inside], outline)])
-        near = [tree.query_ball_point(corner, LIMITS.at_corner) for corner in corners]
-        if len(corners) and all(near) and max(np.ptp(markings.time[some]) for some in near) < LIMITS.break_limit:
+        near = [tree.query_ball_point(corner, AT_CORNER) for corner in corners]
+        if len(corners) and all(near) and max(np.ptp(markings.time[some]) for some in near) < PASS:
             places.append(np.column_stack([corners, [np.median(markings.z[some]) for some in near]]))
             times.append(np.array([np.median(markings.time[some]) for some in near]))
     return SurveyCorners(np.concatenate(places), np.concatenate(times))
 
 
 def _in_outline(points: np.ndarray, outline: np.ndarray) -> np.ndarray:
-    area = shapely.Polygon(outline).buffer(LIMITS.cell)
+    area = shapely.Polygon(outline).buffer(CELL)
     return shapely.contains_xy(area, points[:, 0], points[:, 1])
 
 
@@ -101,8 +92,8 @@ def bar_corners(points: np.ndarray) -> np.ndarray:
     rectangle = cv2.minAreaRect((points - base).astype(np.float32))
     width, length = sorted(rectangle[1])
     hull = shapely.MultiPoint(points).convex_hull
-    if not (LIMITS.length[0] <= length <= LIMITS.length[1] and LIMITS.width[0] <= width <= LIMITS.width[1]
-            and hull.area >= LIMITS.filled * width * length):
+    if not (LENGTH[0] <= length <= LENGTH[1] and WIDTH[0] <= width <= WIDTH[1]
+            and hull.area >= FILLED * width * length):
         return np.zeros((0, 2))
     return cv2.boxPoints(rectangle).astype(float) + base
 
@@ -116,8 +107,8 @@ def reference_corners(reference: Reference, polygons: Sequence[shapely.Geometry]
             continue
         corners = shapely.get_coordinates(rectangle)[:4]
         width, length = sorted(np.hypot(*(corners[1:3] - corners[:2]).T))
-        if (LIMITS.length[0] <= length <= LIMITS.length[1] and LIMITS.width[0] <= width <= LIMITS.width[1]
-                and polygon.area >= LIMITS.filled * rectangle.area):
+        if (LENGTH[0] <= length <= LENGTH[1] and WIDTH[0] <= width <= WIDTH[1]
+                and polygon.area >= FILLED * rectangle.area):
             found.append(corners)
     corners = np.concatenate(found)
     height = reference.heights(*corners.T) if reference.has_heights and len(corners) else np.full(len(corners), np.nan)
@@ -138,14 +129,14 @@ def virtual_control(survey: SurveyCorners, reference: np.ndarray, correction: Po
     InsufficientDataError : no corner finds another.
     """
     if not len(survey.time) or not len(reference):
-        raise InsufficientDataError(say("There is no bar among the markings of the survey or of the reference, whose "
-                                        "corners could be control points."))
+        raise InsufficientDataError("There is no bar among the markings of the survey or of the reference, whose "
+                                    "corners could be control points.")
     moved = survey.place + correction.translations(survey.place, survey.time)
     away, nearest = cKDTree(reference[:, :2]).query(moved[:, :2])
     back = cKDTree(moved[:, :2]).query(reference[:, :2])[1]
     pair = np.flatnonzero((away < tolerance) & (back[nearest] == np.arange(len(moved)))
                           & np.isfinite(reference[nearest, 2]))
     if not len(pair):
-        raise InsufficientDataError(say("No corner of a marking in the survey lies near one of the reference."))
+        raise InsufficientDataError("No corner of a marking in the survey lies near one of the reference.")
     names = tuple(f"V{number}" for number in nearest[pair])
     return ControlPoints(names, reference[nearest[pair]], survey.time[pair], survey.place[pair])
