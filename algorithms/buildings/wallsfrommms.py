@@ -6,7 +6,7 @@ from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
 
-from ...urbanmap_qgis.settings.facades import ContourSettings, FacadeSettings, PlaneSettings, WallSettings
+from ...urbanmap_qgis.settings.facades import WallSettings
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
 from ..framework.layers.building_layers import read_buildings
@@ -38,17 +38,14 @@ class WallsFromMms(DriveInputs, UrbanMapAlgorithm):
         self.add_polygons("BUILDINGS", "Buildings", "Outlines, or models with their heights (MultiPolygonZ of "
                           "“Building models”). A field building_id, of any type, names the buildings; "
                           "without it, buildings are numbered from 1 in the layer's order.")
-        self.add_settings(FacadeSettings, "max_height")
-        self.add_settings(WallSettings)
+        self.add_settings(WallSettings, "max_height", "front")
         self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres. Without it the ground is taken "
                         "from the lowest points round each building.", optional=True)
         self.add_trajectories("Where the vehicle was while it measured these points, in their time, CRS and heights, "
                               "such as the corrected trajectory of each drive: CSV, SBET, or point layers. With them "
                               "each wall tells what hid it along the lines of sight, and where beams went through it "
                               "(glass, openings); without them, hidden is a guess from what stands in front.", True)
-        self.add_settings(FacadeSettings)
-        self.add_settings(PlaneSettings)
-        self.add_settings(ContourSettings)
+        self.add_settings(WallSettings)
         self.add_workers()
         self.add_layer_output("OUTPUT", "Walls", "PolygonZ, one feature a contour: building_id, wall_id, status, note, "
                               "area (m2), height, length (m), azimuth and tilt (degrees), normal_x, normal_y, "
@@ -80,7 +77,7 @@ class WallsFromMms(DriveInputs, UrbanMapAlgorithm):
               workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor):
             if ground is not None:
                 self.same_crs("GROUND", ground.crs_wkt, "BUILDINGS", table.crs)
-            walls, counts = find_walls(cloud, plans, self._settings(parameters, context), ground, executor,
+            walls, counts = find_walls(cloud, plans, self.settings(WallSettings, parameters, context), ground, executor,
                                        progress.part(0.0, 0.95), trajectory)
         if counts.with_walls < counts.near:
             progress.message(tr("{0} of {1} buildings near the survey show no wall.").format(
@@ -122,9 +119,3 @@ class WallsFromMms(DriveInputs, UrbanMapAlgorithm):
         read = self.read_trajectories(parameters, context, table.crs_wkt, progress)
         names = [Path(text.split("|")[0]).name for text in self.trajectory_texts(parameters, context)]
         return joined_trajectory([item.trajectory for item in read], names)
-
-    def _settings(self, parameters, context):
-        planes = self.settings(PlaneSettings, parameters, context)
-        contours = self.settings(ContourSettings, parameters, context, min_area=planes.min_area, max_gap=planes.max_gap)
-        return self.settings(WallSettings, parameters, context, planes=planes, contours=contours,
-                             facade=self.settings(FacadeSettings, parameters, context))

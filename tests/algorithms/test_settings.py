@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-RECORDS = {"segmentroofs": 2, "wallsfrommms": 4, "roadmarkingsfrommms": 3, "localisationaccuracy": 2, "registermms": 3,
+RECORDS = {"segmentroofs": 2, "wallsfrommms": 1, "roadmarkingsfrommms": 3, "localisationaccuracy": 2, "registermms": 3,
            "rectifytrajectory": 1}
 """Algorithms with the number of records that each reads."""
 

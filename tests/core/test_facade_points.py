@@ -10,7 +10,7 @@ from urbanmap_qgis.errors import InputError, InsufficientDataError
 from urbanmap_qgis.facades.building_plans import building_plans, outline_edges
 from urbanmap_qgis.facades.facade_points import NearestOutline, facade_points, ground_plane
 from urbanmap_qgis.io.points.pointcloud import open_cloud
-from urbanmap_qgis.settings.facades import FacadeSettings
+from urbanmap_qgis.settings.facades import WallSettings
 
 X0, Y0 = -7000.0, -34000.0
 
@@ -116,7 +116,7 @@ def street(make_cloud, tmp_path):
 
 
 def collected(path, plans, **settings):
-    with facade_points(open_cloud([path]), plans, FacadeSettings(**settings)) as buildings:
+    with facade_points(open_cloud([path]), plans, WallSettings(**settings)) as buildings:
         return dict(buildings)
 
 
@@ -147,6 +147,6 @@ def test_a_survey_of_another_place_is_told(street):
 
 def test_settings_are_checked():
     with pytest.raises(InputError, match="greater than 0"):
-        FacadeSettings(max_height=0)
-    with pytest.raises(InputError, match="tolerance"):
-        FacadeSettings(tolerance=30.0)
+        WallSettings(max_height=0)
+    with pytest.raises(InputError, match="Tolerance of the outlines"):
+        WallSettings(reach=0.0)

@@ -9,7 +9,7 @@ import shapely
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.facades.plane_fit import WallPlane
 from urbanmap_qgis.facades.wall_contours import in_plane, on_map, wall_contours, wall_coverage
-from urbanmap_qgis.settings.facades import ContourSettings
+from urbanmap_qgis.settings.facades import WallSettings
 
 NAN = float("nan")
 
@@ -57,8 +57,8 @@ def test_small_gaps_are_filled_and_told():
     plane = plane_towards(90)
     flat = wall_with(np.random.default_rng(2), [(-4, 0, 1.2, 1.2), (2, 1, 1.1, 1.1)])
     points = points_on(plane, flat)
-    kept, = wall_contours(plane, points, ContourSettings(min_opening=0.3))
-    filled, = wall_contours(plane, points, ContourSettings(min_opening=3.0))
+    kept, = wall_contours(plane, points, WallSettings(min_opening=0.3))
+    filled, = wall_contours(plane, points, WallSettings(min_opening=3.0))
     assert len(kept.polygon.interiors) == 2 and kept.filled < 0.003
     assert not filled.polygon.interiors and filled.filled == pytest.approx(2.2 / 120, rel=0.3)
 
@@ -98,7 +98,7 @@ def test_pieces_near_each_other_are_one_contour_and_the_gap_is_told():
     for gap in (1.0, 2.5):
         along = np.concatenate([start + rng.uniform(0, 3, 3000) for start in (0, 3 + gap, 6 + 2 * gap)])
         flat = np.column_stack([along, rng.uniform(0, 5, len(along))])
-        made[gap] = wall_contours(plane, points_on(plane, flat), ContourSettings(max_gap=1.5))
+        made[gap] = wall_contours(plane, points_on(plane, flat), WallSettings(max_gap=1.5))
     (whole,), apart = made[1.0], made[2.5]
     assert np.ptp(np.array(whole.polygon.bounds)[[0, 2]]) == pytest.approx(11.0, abs=0.2) and len(apart) == 3
     assert whole.filled == pytest.approx(2 * 5 / 55, abs=0.03) and whole.points > 8700
@@ -107,8 +107,8 @@ def test_pieces_near_each_other_are_one_contour_and_the_gap_is_told():
     # Pieces too small by themselves are a wall together.
     small = np.concatenate([flat[(flat[:, 1] < 0.8)] for flat in [np.column_stack([
         np.concatenate([start + rng.uniform(0, 3, 3000) for start in (0, 4, 8)]), rng.uniform(0, 5, 9000)])]])
-    assert len(wall_contours(plane, points_on(plane, small), ContourSettings(min_area=4.0, max_gap=1.5))) == 1
-    assert not wall_contours(plane, points_on(plane, small), ContourSettings(min_area=4.0, max_gap=0.0))
+    assert len(wall_contours(plane, points_on(plane, small), WallSettings(min_area=4.0, max_gap=1.5))) == 1
+    assert not wall_contours(plane, points_on(plane, small), WallSettings(min_area=4.0, max_gap=0.0))
 
 
 def test_plane_coordinates_are_lengths():
@@ -119,4 +119,4 @@ def test_plane_coordinates_are_lengths():
 
 def test_bad_settings():
     with pytest.raises(InputError):
-        ContourSettings(min_opening=-1.0)
+        WallSettings(min_opening=-1.0)

@@ -10,7 +10,7 @@ from urbanmap_qgis.errors import Cancelled, InputError
 from urbanmap_qgis.facades.building_plans import outline_edges
 from urbanmap_qgis.facades.wall_planes import wall_segments
 from urbanmap_qgis.progress import Progress
-from urbanmap_qgis.settings.facades import PlaneSettings
+from urbanmap_qgis.settings.facades import WallSettings
 
 ORIGIN = np.array([-7000.0, -34000.0])
 
@@ -28,7 +28,7 @@ def facade(rng, start, end, low, high, density=40.0, noise=0.01):
 
 def segments_of(points, plan, **settings):
     ends, outward = outline_edges(shapely.transform(plan, lambda c: c + ORIGIN))
-    return wall_segments(points, np.full(len(points), np.nan), ends, outward, PlaneSettings(**settings))
+    return wall_segments(points, np.full(len(points), np.nan), ends, outward, WallSettings(**settings))
 
 
 def azimuths(segments):
@@ -118,4 +118,4 @@ def test_cancelling_and_bad_settings():
     with pytest.raises(Cancelled):
         wall_segments(points, np.zeros(len(points)), ends, outward, progress=Progress(cancelled=lambda: True))
     with pytest.raises(InputError):
-        PlaneSettings(tolerance=0)
+        WallSettings(tolerance=0)

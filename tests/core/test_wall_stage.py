@@ -23,7 +23,7 @@ from urbanmap_qgis.geometry.solid import multipolygon
 from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.mobile.trajectory import move_points
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
-from urbanmap_qgis.settings.facades import FacadeSettings, WallSettings
+from urbanmap_qgis.settings.facades import WallSettings
 
 
 def features(path, layer):
@@ -156,7 +156,7 @@ def test_a_lower_limit_gives_lower_walls_and_workers_change_nothing(small_city, 
 
     outlines, _ = features(small_city / "footprints" / "gsi_buildings.gpkg", "BldA")
     plans = building_plans(outlines, range(1, len(outlines) + 1))
-    settings = WallSettings(facade=FacadeSettings(max_height=6.0))
+    settings = WallSettings(max_height=6.0)
     with ThreadPoolExecutor(2) as executor:
         low, _ = find_walls(open_cloud([true_survey]), plans, settings, executor=executor)
     again, _ = find_walls(open_cloud([true_survey]), plans, settings)

@@ -23,7 +23,7 @@ from ..io.points.pointcloud import PointCloud, iter_chunks, valid_points
 from ..io.points.whole_records import record_rows
 from ..io.raster import RasterSampler
 from ..progress import SILENT, Progress
-from ..settings.facades import FacadeSettings
+from ..settings.facades import WallSettings
 from ..wording import say
 from .building_plans import BuildingPlans
 from .plane_fit import component
@@ -52,7 +52,7 @@ class FacadePointsLimits:
 
 LIMITS = FacadePointsLimits()
 
-DEFAULTS = FacadeSettings()
+DEFAULTS = WallSettings()
 
 
 @dataclass(frozen=True, eq=False)
@@ -236,7 +236,7 @@ def ground_plane(xy: np.ndarray, z: np.ndarray) -> np.ndarray:
 
 
 @contextmanager
-def facade_points(cloud: PointCloud, plans: BuildingPlans, settings: FacadeSettings = DEFAULTS,
+def facade_points(cloud: PointCloud, plans: BuildingPlans, settings: WallSettings = DEFAULTS,
                   ground: RasterSampler | None = None,
                   progress: Progress = SILENT) -> Iterator[Iterator[tuple[int, FacadePoints]]]:
     """Read a cloud and give (row of the building, its points), building after building.
@@ -265,7 +265,7 @@ def facade_points(cloud: PointCloud, plans: BuildingPlans, settings: FacadeSetti
         yield _buildings(sorted(rows), buckets, plans, settings, origin, planes)
 
 
-def _collect(cloud: PointCloud, nearest: NearestOutline, settings: FacadeSettings, ground: RasterSampler | None,
+def _collect(cloud: PointCloud, nearest: NearestOutline, settings: WallSettings, ground: RasterSampler | None,
              buckets: PointBuckets, low: LowestPoints, progress: Progress) -> set[int]:
     """Sort the cloud's points into buckets; which buildings have any within tolerance."""
     timed = cloud.has_dimension("gps_time")
@@ -281,7 +281,7 @@ def _collect(cloud: PointCloud, nearest: NearestOutline, settings: FacadeSetting
         records = np.empty(len(near), RECORD)
         records["x"], records["y"], records["z"] = x, y, z
         records["time"] = np.asarray(chunk["gps_time"])[near] if timed else np.nan
-        within = distance <= settings.tolerance
+        within = distance <= settings.reach
         if ground is not None:
             height = z - ground.sample(x, y)
             within &= ~(height > settings.max_height)
@@ -315,7 +315,7 @@ def _given_ground(plans: BuildingPlans, ground: RasterSampler, origin: np.ndarra
     return planes
 
 
-def _buildings(rows: list[int], buckets: PointBuckets, plans: BuildingPlans, settings: FacadeSettings,
+def _buildings(rows: list[int], buckets: PointBuckets, plans: BuildingPlans, settings: WallSettings,
                origin: np.ndarray, planes: np.ndarray) -> Iterator[tuple[int, FacadePoints]]:
     """The buckets as the buildings' points, above the ground and below the height."""
     for row in rows:

@@ -16,7 +16,7 @@ from scipy import ndimage
 
 from ..geometry.alpha_shape import alpha_shape, signed_area
 from ..io.points.point_buckets import stable_order
-from ..settings.facades import ContourSettings
+from ..settings.facades import WallSettings
 from .laser_beams import LaserBeams, crossed_cells
 from .normals import numbered_cells
 from .plane_fit import WallPlane, component
@@ -40,7 +40,7 @@ class WallContoursLimits:
 
 LIMITS = WallContoursLimits()
 
-DEFAULTS = ContourSettings()
+DEFAULTS = WallSettings()
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,7 +102,7 @@ def on_map(plane: WallPlane, flat: shapely.Geometry) -> shapely.Geometry:
 
 
 def wall_contours(plane: WallPlane, points: np.ndarray,
-                  settings: ContourSettings = DEFAULTS) -> list[Contour]:
+                  settings: WallSettings = DEFAULTS) -> list[Contour]:
     """Contours of a wall's points (n, 3), the largest first; empty where none is large enough."""
     flat = in_plane(plane, points)
     alpha = settings.alpha or contour_alpha(flat)

@@ -17,7 +17,7 @@ from scipy import ndimage
 from ..geometry.tolerances import LEAST_DIVISOR, LEAST_SQUARE, SIGMA_OF_MAD
 from ..io.points.point_buckets import stable_order
 from ..progress import SILENT, Progress
-from ..settings.facades import PlaneSettings
+from ..settings.facades import WallSettings
 from .normals import NormalVoxels, voxel_normals
 from .plane_fit import WallPlane, component, least_squares_plane, robust_plane
 from .statistical_outliers import statistical_outliers
@@ -41,7 +41,7 @@ class WallPlanesLimits:
 
 LIMITS = WallPlanesLimits()
 
-DEFAULTS = PlaneSettings()
+DEFAULTS = WallSettings()
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,7 +53,7 @@ class Segment:
 
 
 def wall_segments(points: np.ndarray, time: np.ndarray, edges: np.ndarray, outward: np.ndarray,
-                  settings: PlaneSettings = DEFAULTS, progress: Progress = SILENT) -> list[Segment]:
+                  settings: WallSettings = DEFAULTS, progress: Progress = SILENT) -> list[Segment]:
     """Planes of a building's walls, the largest first.
 
     Parameters
@@ -74,7 +74,7 @@ def wall_segments(points: np.ndarray, time: np.ndarray, edges: np.ndarray, outwa
     return sorted(segments, key=lambda segment: -len(segment.points))
 
 
-def _one_pass(points: np.ndarray, time: np.ndarray, edges: np.ndarray, outward: np.ndarray, settings: PlaneSettings,
+def _one_pass(points: np.ndarray, time: np.ndarray, edges: np.ndarray, outward: np.ndarray, settings: WallSettings,
               progress: Progress) -> tuple[list[Segment], np.ndarray]:
     """Walls among points, and which points lie on one (n,) bool."""
     nothing = [], np.zeros(len(points), bool)
@@ -119,7 +119,7 @@ class _Mask:
         return covered
 
 
-def _grow_all(voxels: NormalVoxels, wall: np.ndarray, edges: np.ndarray, outward: np.ndarray, settings: PlaneSettings,
+def _grow_all(voxels: NormalVoxels, wall: np.ndarray, edges: np.ndarray, outward: np.ndarray, settings: WallSettings,
               progress: Progress) -> list[tuple[np.ndarray, np.ndarray, _Mask]]:
     """Planes (point, normal, mask) grown from seeds until no seed is left."""
     mean, normal, weight = voxels.mean[wall], voxels.normal[wall], voxels.count[wall].astype(float)
@@ -176,7 +176,7 @@ def edge_distance(xy: np.ndarray, edges: np.ndarray) -> np.ndarray:
 
 
 def _grow(seed: int, mean: np.ndarray, normal: np.ndarray, weight: np.ndarray, free: np.ndarray,
-          settings: PlaneSettings, voxel: float):
+          settings: WallSettings, voxel: float):
     """The plane that grows from a seed: point, normal, its voxels, its mask; None where it dies."""
     centre, facing = mean[seed], normal[seed]
     members = np.array([seed])
@@ -262,7 +262,7 @@ def _outwards(centre: np.ndarray, facing: np.ndarray, places: np.ndarray, edges:
     return facing if np.sum(np.sign(agreement)) >= 0 else -facing
 
 
-def _claim(points: np.ndarray, voxels: NormalVoxels, grown: list, settings: PlaneSettings) -> np.ndarray:
+def _claim(points: np.ndarray, voxels: NormalVoxels, grown: list, settings: WallSettings) -> np.ndarray:
     """Number of the plane that each point lies on, (n,), -1 for none: the nearest of those that cover its place."""
     owner = np.full(len(points), -1, np.int32)
     best = np.full(len(points), LIMITS.point_tolerance)

@@ -136,7 +136,7 @@ def find_walls(cloud: PointCloud, plans: BuildingPlans, settings: WallSettings =
         check_start(cloud, trajectory)
     walls: list[FacadeWall] = []
     near = with_walls = 0
-    with facade_points(cloud, plans, settings.facade, ground, progress.part(0.0, 0.5)) as buildings:
+    with facade_points(cloud, plans, settings, ground, progress.part(0.0, 0.5)) as buildings:
         # A worker in another process cannot be asked to stop; between buildings it is.
         work = partial(_walls_of, settings=settings, check=progress if executor is None else None)
         counted = _pieces(buildings, plans, trajectory, progress.part(0.5, 1.0))
@@ -170,8 +170,8 @@ def _walls_of(piece: _Piece, settings: WallSettings, check: Progress | None) -> 
     ends, outward = outline_edges(piece.plan)
     given = piece.points
     planes = []
-    for segment in wall_segments(given.points, given.time, ends, outward, settings.planes, check or SILENT):
-        contours = wall_contours(segment.plane, given.points[segment.points], settings.contours)
+    for segment in wall_segments(given.points, given.time, ends, outward, settings, check or SILENT):
+        contours = wall_contours(segment.plane, given.points[segment.points], settings)
         contours = [contour for contour in contours if contour.points >= LIMITS.none]
         if contours:
             planes.append((segment.plane, contours))
@@ -196,7 +196,7 @@ def _placed(piece: _Piece, planes: Sequence[tuple[WallPlane, Sequence[Contour]]]
         ground = float(plane.point[2] - given.height(plane.point[None])[0]) if known else min(
             float(_heights(plane, contour.polygon).min()) for contour in contours)
         for contour in contours:
-            facade = _depth(piece.plan, plane, contour.polygon) <= settings.facade.tolerance
+            facade = _depth(piece.plan, plane, contour.polygon) <= settings.reach
             placed.append(PlacedWall(plane, contour, offset, ends[edge] if edge >= 0 else None, facade, ground))
             edges.append(edge)
     return placed, edges
@@ -208,7 +208,7 @@ def _described(piece: _Piece, placed: PlacedWall, edge: int, kind: tuple[str, fl
     plane, contour = placed.plane, placed.contour
     polygon = on_map(plane, contour.polygon)
     z = shapely.get_coordinates(polygon, include_z=True)[:, 2]
-    foot, top = _span(piece, plane, z, settings.facade.max_height)
+    foot, top = _span(piece, plane, z, settings.max_height)
     depth = _depth(piece.plan, plane, contour.polygon)
     if depth > 0 and edge >= 0:
         depth = max(depth, -placed.offset)  # near a corner another edge is nearer than its own
@@ -235,7 +235,7 @@ def _inside(piece: _Piece, placed: PlacedWall, depth: float, heights: tuple[floa
     if depth <= LIMITS.deep:
         return False
     (foot, top), hidden = heights, _behind_another(placed.plane, placed.contour, walls)
-    if depth > settings.facade.tolerance:
+    if depth > settings.reach:
         return hidden or foot > LIMITS.deep or top < LIMITS.storey or not _free_ground(piece, placed, depth)
     return hidden or foot > LIMITS.podium
 
