@@ -7,7 +7,8 @@ damaged by a seeded generator (bytes flipped, cut out, doubled, cut off; numbers
 nesting) and read in a process of its own with 2 GB of memory to take and 10 s a file. Columns: read as if sound;
 refused in a sentence; and what must not be: sentences that name no row or element where there is one, tracebacks,
 hangs, ends of the process, more memory than 2 GB, values that are not finite. `--keep` keeps the files of the latter.
-The exit code is 1 where there is any. Formats are in `fuzz_formats.py`, their sound files in `fuzz_sound.py`.
+The exit code is 1 where there is any. Formats are in `fuzz_formats.py`, their sound files in `fuzz_sound.py`; layers
+of QGIS for algorithms that take no files (EDGES, LINES, ...) in `fuzz_layers.py`: 90 s each, only where they are named.
 """
 
 from __future__ import annotations
@@ -31,6 +32,8 @@ sys.path.insert(0, str(ROOT))
 
 from scripts.fuzz_damage import damaged  # noqa: E402
 from scripts.fuzz_formats import FORMATS  # noqa: E402
+from scripts.fuzz_layers import LAYERS, SOUND, layer_reader  # noqa: E402
+from scripts.fuzz_layers import SECONDS as LAYER_SECONDS  # noqa: E402
 
 SECONDS, MEMORY = 10.0, 2 << 30
 OUTCOMES = ("read", "sentence", "unnamed", "traceback", "hang", "ended", "memory", "not finite")
@@ -67,15 +70,16 @@ def _is_unnamed(error: Exception, name: str) -> bool:
             and "it is damaged or of another kind" in str(error))
 
 
-def serve(name: str) -> None:
-    """Read the files whose paths come by standard input; answer with the outcome of each."""
+def serve(name: str, seed: int) -> None:
+    """Read the files whose paths (of layers: numbers of damages) come by standard input; tell the outcome of each."""
     import warnings
 
     from urbanmap_qgis.errors import UrbanMapError
 
     warnings.simplefilter("ignore")
-    reader = FORMATS[name][2]
     answers = os.fdopen(os.dup(1), "w")
+    os.dup2(2, 1)  # what libraries print is no answer
+    reader = layer_reader(name, seed) if name in LAYERS else FORMATS[name][2]
     print("ready", file=answers, flush=True)
     reader_ready = False
     for line in sys.stdin:
@@ -100,26 +104,29 @@ def serve(name: str) -> None:
 class Server:
     """The reading process of a format, started again when it ends."""
 
-    def __init__(self, name: str, sound: Path):
-        self.name, self.sound = name, sound
+    def __init__(self, name: str, sound: Path, seed: int):
+        self.name, self.sound, self.seed = name, sound, seed
+        self.seconds = LAYER_SECONDS if name in LAYERS else SECONDS
         self._start()
 
     def _start(self) -> None:
-        self.process = subprocess.Popen([sys.executable, __file__, "--serve", self.name], stdin=subprocess.PIPE,
+        self.process = subprocess.Popen([sys.executable, __file__, "--serve", self.name,
+                                         "--seed", str(self.seed)], stdin=subprocess.PIPE,
                                         stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
-                                        env={**os.environ, "OPENBLAS_NUM_THREADS": "1", "RAYON_NUM_THREADS": "1"})
+                                        env={**os.environ, "OPENBLAS_NUM_THREADS": "1", "RAYON_NUM_THREADS": "1",
+                                             "TMPDIR": str(self.sound.parent)})
         self.process.stdout.readline()
-        outcome, told = self.read(self.sound, 60.0)
+        outcome, told = self.read(self.sound, 90.0)
         if outcome != "read":
             sys.exit(f"{self.name}: the sound file gives {outcome}: {told}")
 
-    def read(self, path: Path, seconds: float = SECONDS) -> tuple[str, str]:
-        """Outcome and words for one file."""
+    def read(self, path: Path, seconds: float = 0.0) -> tuple[str, str]:
+        """Outcome and words for one file or number."""
         self.process.stdin.write(f"{path}\n")
         self.process.stdin.flush()
         with selectors.DefaultSelector() as selector:
             selector.register(self.process.stdout, selectors.EVENT_READ)
-            there = selector.select(seconds)
+            there = selector.select(seconds or self.seconds)
         line = self.process.stdout.readline() if there else ""
         if line:
             return tuple(json.loads(line))
@@ -134,23 +141,29 @@ class Server:
         self.process.wait()
 
 
-def trial(name: str, city: Path, count: int, seed: int, folder: Path, keep: Path | None) -> tuple[Counter, list[str]]:
-    """Outcomes of one format, and a line on each that must not be."""
-    file, make, _ = FORMATS[name]
-    sound = make(folder / file, city)
-    data = sound.read_bytes()
-    (folder / "damaged").mkdir(exist_ok=True)
-    target, found, lines = folder / "damaged" / file, Counter(), []
-    server = Server(name, sound)
+def trial(name: str, city: Path | None, count: int, seed: int, folder: Path, keep: Path | None
+          ) -> tuple[Counter, list[str]]:
+    """Outcomes of one format or layer, and a line on each that must not be."""
+    found, lines, target, data = Counter(), [], Path(), b""
+    if name in LAYERS:
+        sound = folder / SOUND
+    else:
+        file, make, _ = FORMATS[name]
+        sound = make(folder / file, city)
+        data = sound.read_bytes()
+        (folder / "damaged").mkdir(exist_ok=True)
+        target = folder / "damaged" / file
+    server = Server(name, sound, seed)
     for number in range(count):
-        target.write_bytes(damaged(data, random.Random(f"{name}-{seed}-{number}")))
-        outcome, told = server.read(target)
+        if data:
+            target.write_bytes(damaged(data, random.Random(f"{name}-{seed}-{number}")))
+        outcome, told = server.read(target if data else Path(str(number)))
         found[outcome] += 1
         if outcome not in GOOD:
             lines.append(f"{name}, seed {seed}, file {number}: {outcome} {told}")
-            if keep is not None:
+            if keep is not None and data:
                 keep.mkdir(parents=True, exist_ok=True)
-                shutil.copy(target, keep / f"{name.replace(' ', '_')}-{seed}-{number}-{file}")
+                shutil.copy(target, keep / f"{name.replace(' ', '_')}-{seed}-{number}-{target.name}")
     server.close()
     return found, lines
 
@@ -161,14 +174,14 @@ def main() -> None:
     parser.add_argument("--city", type=Path)
     parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--format", action="append", choices=list(FORMATS))
+    parser.add_argument("--format", action="append", choices=[*FORMATS, *LAYERS])
     parser.add_argument("--keep", type=Path)
-    parser.add_argument("--serve", choices=list(FORMATS))
+    parser.add_argument("--serve", choices=[*FORMATS, *LAYERS])
     given = parser.parse_args()
     if given.serve:
-        serve(given.serve)
+        serve(given.serve, given.seed)
         return
-    if given.city is None:
+    if given.city is None and not set(given.format or FORMATS) <= set(LAYERS):
         parser.error("--city is needed")
     print(f"{'format':<22}" + "".join(f"{outcome:>12}" for outcome in OUTCOMES))
     bad = []

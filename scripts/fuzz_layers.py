@@ -1,28 +1,17 @@
-#!/usr/bin/env python3
-"""Damaged layers of QGIS for the algorithms whose inputs are no files: what becomes of them, as a table.
-
-    .venv/bin/python scripts/fuzz_layers.py [--count 100] [--seed 1] [--first 0] [--layer EDGES]
+"""Damaged layers of QGIS for the algorithms whose inputs are no files: a part of `fuzz.py`, as its formats are.
 
 Each layer of `LAYERS` is damaged by a seeded generator (places that are not finite, far off, doubled, turned round or
 missing; fields of other types, empty, huge or gone; rows left out, doubled or put in another order) and given to its
-algorithm beside sound ones, in a process of its own that is started again where it hangs or ends. Columns: read as if
-sound, or refused in a sentence; and what must not be: tracebacks, sentences of the catch-all net, values that are not
-finite, hangs (90 s), ends of the process. The exit code is 1 where there is any.
+algorithm beside sound ones. Needs a Python that sees QGIS.
 """
 
 from __future__ import annotations
 
-import argparse
-import faulthandler
-import json
 import math
-import os
 import random
 import re
-import subprocess
 import sys
 import tempfile
-from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -33,14 +22,15 @@ sys.path.insert(0, str(ROOT))
 import numpy as np  # noqa: E402
 import shapely  # noqa: E402
 
-SECONDS = 90
+SOUND = "sound"
+"""In the place of the number of a damage: the layer as it is."""
+SECONDS = 90.0
+"""That a run may take."""
 ORIGIN = np.array([-5000.0, -35000.0])
 CRS = "EPSG:6677"
 NUMBERS = (math.nan, math.inf, -math.inf, 1e308, -1e308, 1e15, -1e15, 1e6, -1.0, 0.0, 1e-300, -0.5, 2.0**31, 99999999.0)
 TEXTS = ("nan", "inf", "", "abc", "-inf", "1e999", "9" * 400, "\x00", "いいえ", "stop line", "lane", "kerb",
          "lowered kerb", "road border", "0x10", "1_000", " 3 ")
-OUTCOMES = ("read", "sentence", "unnamed", "traceback", "not finite", "hang", "ended")
-GOOD = OUTCOMES[:2]
 OBJECT_FIELDS = [("kind", str), ("status", str), *((name, float) for name in (
     "height", "diameter", "azimuth", "arm", "arm_height", "head_height", "board_width", "board_height", "board_z"))]
 EMPTY = {0: "POINT EMPTY", 1: "LINESTRING EMPTY", 3: "POLYGON EMPTY", 5: "MULTILINESTRING EMPTY",
@@ -265,115 +255,51 @@ def _as_type(value, kind: type):
     return int(min(max(number, -2**31), 2**31 - 1)) if math.isfinite(number) else None
 
 
-def _not_finite(results: dict) -> bool:
-    """Whether a number or a place of a layer, or a number of a map's file, that was made is none."""
+def _made(results: dict) -> list:
+    """Numbers of the layers and of a map's file that were made, to be searched for values that are not finite."""
     from qgis.core import QgsVectorLayer
 
+    found: list = []
     for layer in results.values():
         if str(layer).endswith((".osm", ".xodr")) and _NO_NUMBER.search(Path(layer).read_text(encoding="utf-8")):
-            return True
+            found.append(math.nan)
         for feature in layer.getFeatures() if isinstance(layer, QgsVectorLayer) else ():
-            if any(isinstance(value, float) and not math.isfinite(value) for value in feature.attributes()):
-                return True
+            found += [value for value in feature.attributes() if isinstance(value, float)]
             if not feature.geometry().isNull():
                 shape = shapely.from_wkb(bytes(feature.geometry().asWkb()))
-                if not np.isfinite(shapely.get_coordinates(shape, include_z=shape.has_z)).all():
-                    return True
-    return False
+                found.append(shapely.get_coordinates(shape, include_z=shape.has_z))
+    return found
 
 
-def serve(name: str, first: int, count: int, seed: int) -> None:
-    """Give an algorithm `count` damaged layers; a line of JSON on each: number, outcome, what was said."""
+def layer_reader(name: str, seed: int) -> Callable[[Path], list]:
+    """Starts QGIS; a function that runs the layer's algorithm on the damage of a number, or on `SOUND`.
+
+    What the algorithm refuses is an `UrbanMapError`, with a cause where the sentence names no row.
+    """
     sys.path.insert(0, str(ROOT / "tests" / "algorithms"))
     import conftest
 
-    answers = os.fdopen(os.dup(1), "w")
-    with tempfile.TemporaryDirectory() as place:
-        folder = Path(place)
-        _application, _plugin = conftest.start_qgis(folder / "profile")
-        make, outputs = ALGORITHMS[LAYERS[name]]
-        sound = make(folder)
-        for number in range(first, first + count):
-            ch = random.Random(f"{name}-{seed}-{number}")
-            given = {one: _as_layer(damaged(table, ch) if one == name else table) for one, table in sound.items()}
-            print(json.dumps([number, "begun", ""]), file=answers, flush=True)
-            faulthandler.dump_traceback_later(SECONDS, exit=True)
-            outcome = _outcome(LAYERS[name], {**given, **outputs(folder, ch)})
-            faulthandler.cancel_dump_traceback_later()
-            print(json.dumps([number, *outcome]), file=answers, flush=True)
-    answers.flush()
-    os._exit(0)  # QGIS may crash where it is taken down
+    folder = Path(tempfile.mkdtemp(prefix="urbanmap-fuzz-"))
+    started = conftest.start_qgis(folder / "profile")  # lives as long as the function
+    make, outputs = ALGORITHMS[LAYERS[name]]
+    layers = make(folder)
 
+    def run(number: Path, _qgis=started) -> list:
+        import processing
+        from qgis.core import QgsProcessingException, QgsProcessingFeedback
 
-def _outcome(algorithm: str, parameters: dict) -> tuple[str, str]:
-    """What became of one run, and what was said."""
-    import processing
-    from qgis.core import QgsProcessingException, QgsProcessingFeedback
+        from urbanmap_qgis.errors import UrbanMapError
 
-    try:
-        results = processing.run(f"urbanmap:{algorithm}", parameters, feedback=QgsProcessingFeedback(False))
-    except QgsProcessingException as error:
-        told = str(error)
-        outcome = ("traceback" if "Traceback" in told else "unnamed" if "damaged or of another kind" in told
-                   else "sentence")
-        return outcome, told[-400:]
-    except BaseException as error:  # what a panic is, too
-        return "traceback", f"{type(error).__name__}: {error}"[:400]
-    return ("not finite" if _not_finite(results) else "read"), ""
+        ch = random.Random(f"{name}-{seed}-{number}")
+        harmed = {name: damaged(layers[name], ch)} if number.name != SOUND else {}
+        given = {one: _as_layer(table) for one, table in {**layers, **harmed}.items()}
+        try:
+            return _made(processing.run(f"urbanmap:{LAYERS[name]}", {**given, **outputs(folder, ch)},
+                                        feedback=QgsProcessingFeedback(False)))
+        except QgsProcessingException as error:
+            told = str(error)
+        if "Traceback" in told:
+            raise RuntimeError(told[-400:])
+        raise UrbanMapError(told) from (ValueError() if "damaged or of another kind" in told else None)
 
-
-# The table
-
-def trial(name: str, first: int, count: int, seed: int) -> tuple[Counter, list[str]]:
-    """Outcomes of one layer's damages, and a line on each that must not be."""
-    found, bad, following, last = Counter(), [], first, first + count
-    while following < last:
-        command = [sys.executable, __file__, "--serve", name, str(following), str(last - following), str(seed)]
-        begun = None
-        with tempfile.TemporaryFile("w+") as errors, subprocess.Popen(
-                command, stdout=subprocess.PIPE, stderr=errors, text=True,
-                env={**os.environ, "OPENBLAS_NUM_THREADS": "1"}) as process:
-            for line in process.stdout:
-                if not line.startswith("["):
-                    continue
-                number, outcome, told = json.loads(line)
-                begun, following = (number, following) if outcome == "begun" else (None, number + 1)
-                if outcome != "begun":
-                    found[outcome] += 1
-                if outcome not in ("begun", *GOOD):
-                    bad.append(f"{name} {number}: {outcome}: {told}")
-            process.wait()
-            errors.seek(0)
-            said = errors.read()
-        if following < last:
-            if begun is None:
-                sys.exit(f"{name}: the process ends before a layer is read: {said[-1000:]}")
-            outcome = "hang" if "Timeout" in said else "ended"
-            found[outcome] += 1
-            bad.append(f"{name} {begun}: {outcome}")
-            following = begun + 1
-    return found, bad
-
-
-def main() -> int:
-    """Damage the layers and print the table."""
-    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
-    parser.add_argument("--count", type=int, default=100)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--first", type=int, default=0, help="number of the first, to see one again")
-    parser.add_argument("--layer", choices=LAYERS, action="append")
-    options = parser.parse_args()
-    print("| layer | " + " | ".join(OUTCOMES) + " |\n|" + "---|" * (1 + len(OUTCOMES)))
-    all_bad: list[str] = []
-    for name in options.layer or LAYERS:
-        found, bad = trial(name, options.first, options.count, options.seed)
-        all_bad += bad
-        print(f"| {name} | " + " | ".join(str(found[outcome]) for outcome in OUTCOMES) + " |", flush=True)
-    print("\n".join(["", *all_bad]))
-    return 1 if all_bad else 0
-
-
-if __name__ == "__main__":
-    if sys.argv[1:2] == ["--serve"]:
-        serve(sys.argv[2], *map(int, sys.argv[3:6]))
-    sys.exit(main())
+    return run
