@@ -1,11 +1,19 @@
 """Building evidence of points whose truth is known."""
 
+import gc
+import pickle
+import weakref
+
 import numpy as np
 import pytest
+import shapely
 
 from urbanmap_qgis.buildings.outlines.evidence import EvidenceAccumulator, evidence_cell
+from urbanmap_qgis.buildings.quality import RoofCell, height_differences, model_fit
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.geometry.grid import Grid
+from urbanmap_qgis.geometry.kept_answers import Kept
+from urbanmap_qgis.geometry.ring_products import cross_with_next
 
 GRID = Grid.covering(0, 0, 39.9, 39.9, 0.5)
 
@@ -98,3 +106,74 @@ def test_cell_follows_the_density():
     assert evidence_cell(0.1) == 1.0
     with pytest.raises(InputError, match="density"):
         evidence_cell(0)
+
+
+# Fit of points to flat models
+
+
+WALLS = np.array([[0, 0, 10, 0, 0, 5], [10, 0, 10, 10, 0, 5], [10, 10, 0, 10, 0, 5], [0, 10, 0, 0, 0, 5.0]])
+BOX = [RoofCell(shapely.box(0, 0, 10, 10), 5.0)]
+
+
+def test_distances_to_roof_wall_and_edge():
+    x, y, z = np.array([[5, 5, 7], [5, 5, 4], [12, 5, 2], [13, 5, 9], [9.5, 5, 3]], float).T
+    fit = model_fit(x, y, z, BOX, WALLS)
+    # over the roof by 2, under it by 1, 2 beside a wall, 3-4-5 off the edge, 0.5 inside a wall
+    assert fit.rmse_3d == pytest.approx(np.sqrt((4 + 1 + 4 + 25 + 0.25) / 5))
+    assert fit.coverage == pytest.approx(3 / 5)
+    assert fit.rmse_z == pytest.approx(np.sqrt((4 + 1 + 4) / 3))
+    assert fit.median_dz == pytest.approx(2)
+
+
+def test_trimmed_rmse_leaves_out_the_worst_twentieth():
+    x = np.linspace(1, 9, 100)
+    z = np.full(100, 5.1)
+    z[:5] = 50
+    fit = model_fit(x, x, z, BOX, WALLS)
+    assert fit.rmse_z95 == pytest.approx(0.1) and fit.rmse_z > 9
+
+
+def test_the_upper_of_two_overlapping_roofs_counts():
+    cells = [RoofCell(shapely.box(0, 0, 4, 4), 9.0), *BOX]
+    dz = height_differences(np.array([1.0, 6.0, 20.0]), np.array([1.0, 6.0, 20.0]), np.full(3, 9.0), cells)
+    assert dz[:2].tolist() == [0.0, 4.0] and np.isnan(dz[2])
+
+
+def test_no_points_or_no_model_gives_no_figures():
+    none = np.zeros(0)
+    assert np.isnan(model_fit(none, none, none, BOX, WALLS).rmse_z)
+    fit = model_fit(np.ones(2), np.ones(2), np.ones(2), [], WALLS[:0])
+    assert fit.coverage == 0 and np.isnan(fit.rmse_3d)
+
+
+# Answers kept with the thing they were given for, and products of rings
+
+
+class Thing:
+    def __init__(self, value):
+        self.value = value
+
+
+def test_each_thing_is_worked_on_once_and_forgotten_with_the_thing():
+    asked = []
+
+    @Kept
+    def double(thing):
+        """Twice its value."""
+        asked.append(thing.value)
+        return 2 * thing.value
+
+    first, same = Thing(3), Thing(3)
+    assert [double(first), double(first), double(same)] == [6, 6, 6] and asked == [3, 3]
+    assert double.__name__ == "double" and double.__doc__ == "Twice its value."
+    gone = weakref.ref(first)
+    del first
+    gc.collect()
+    assert gone() is None
+    assert pickle.loads(pickle.dumps(same)).value == 3
+
+
+@pytest.mark.parametrize("corners", [1, 3, 8, 50])
+def test_products_of_a_ring_are_numpys_to_the_last_digit(corners):
+    ring = np.random.default_rng(corners).uniform(-1e5, 1e5, (corners, 3))
+    assert np.array_equal(cross_with_next(ring), np.cross(ring, np.roll(ring, -1, axis=0)))

@@ -10,13 +10,16 @@ import pytest
 import shapely
 
 from tests.core import laid_out_roads as roads
+from tests.core import object_scene as scene
 from tests.core.lane_map_judges import judge, loaded_by, opendrive_issues
+from tests.core.road_scene import Street, to_local, write_drive
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.io.osm import read_osm, write_osm
 from urbanmap_qgis.roadmap.checks.map_check import check_map
 from urbanmap_qgis.roadmap.formats.lanelet_map import META, lanelet_elements
 from urbanmap_qgis.roadmap.formats.opendrive_map import opendrive_tree, write_opendrive
 from urbanmap_qgis.roadmap.formats.opendrive_tags import drive_faults
+from urbanmap_qgis.roadmap.lanes.street_corners import cut_at_corners
 from urbanmap_qgis.roadmap.map_objects import (
     LAMP,
     POLE,
@@ -28,7 +31,12 @@ from urbanmap_qgis.roadmap.map_objects import (
     rails_of,
     signals_of_stop_lines,
 )
+from urbanmap_qgis.roadmap.map_records import DrivenPath, MapLine
+from urbanmap_qgis.roadmap.objects.close_stems import close_stems
+from urbanmap_qgis.roadmap.objects.object_records import BOLLARD, DOUBTFUL, MEASURED, OTHER, Stem
+from urbanmap_qgis.roadmap.objects.street_objects import street_objects
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
+from urbanmap_qgis.settings.roadmap import MapSettings, ObjectSettings
 
 WKT = pyproj.CRS.from_epsg(6677).to_wkt()
 AZIMUTH = 90.0 - np.degrees(roads.ANGLE)
@@ -188,3 +196,213 @@ def test_a_stop_line_of_lanes_of_two_roads_is_one_signal_that_the_second_refers_
     assert all(one.get("fromLane") == one.get("toLane") for one in held)
     write_opendrive(tmp_path / "map.xodr", tree)
     assert not opendrive_issues(tmp_path / "map.xodr", tmp_path)
+
+
+# Bollards and boxes of a made-up street: where they stand, and what is none of them
+
+
+def found_of(tmp_path, *makers, angle=0.0):
+    trajectory = write_drive(tmp_path / "drive.las", Street(kerb=0.0, length=30.0), angle, 1,
+                             more=lambda rng: np.concatenate([make(rng) for make in makers]))
+    return street_objects([tmp_path / "drive.las"], trajectory, ObjectSettings(survey_sigma=0.0)).objects
+
+
+def bollard(along, across, top=0.9, lean=(0.0, 0.0)):
+    return lambda rng: scene.post(rng, along, across, top, 0.14, lean=lean)
+
+
+@pytest.mark.parametrize("angle", [0.0, 33.0])
+def test_bollards_stand_where_they_are(tmp_path, angle):
+    true = np.array([[8.0, 5.0], [9.5, 5.0], [20.0, -6.0]])
+    things = found_of(tmp_path, *(bollard(*place) for place in true), angle=angle)
+    things = sorted(things, key=lambda thing: to_local(thing.foot[None], angle)[0, 0])
+    assert [(thing.kind, thing.status) for thing in things] == [(BOLLARD, MEASURED)] * 3
+    feet = np.array([to_local(thing.foot[None], angle)[0] for thing in things])
+    assert np.abs(feet[:, :2] - true).max() < 0.04
+    assert [thing.height for thing in things] == pytest.approx([0.9] * 3, abs=0.1)
+    assert [thing.diameter for thing in things] == pytest.approx([0.14] * 3, abs=0.04)
+
+
+def test_a_bollard_under_a_crown_is_no_trunk(tmp_path):
+    things = found_of(tmp_path, bollard(15.0, 5.0), lambda rng: scene.tree(rng, 16.2, 5.0, trunk=2.4, radius=1.8))
+    assert sorted(thing.kind for thing in things) == [BOLLARD, "tree"]
+    found, = (one for one in things if one.kind == BOLLARD)
+    assert to_local(found.foot[None], 0.0)[0, 0] == pytest.approx(15.0, abs=0.05)
+
+
+def test_close_things_make_a_bollard_doubtful_unless_it_stands_in_a_row(tmp_path):
+    def beside(rng):
+        return scene.wall(rng, 11.0, 5.5, 1.2, 1.0)
+
+    alone, = (one for one in found_of(tmp_path, bollard(12.0, 5.0), beside) if one.kind == BOLLARD)
+    assert alone.status == DOUBTFUL and "close beside" in alone.reason
+    row = [one for one in found_of(tmp_path, bollard(12.0, 5.0), bollard(13.8, 5.0), beside) if one.kind == BOLLARD]
+    assert [one.status for one in row] == [MEASURED] * 2
+    other = [one for one in found_of(tmp_path, bollard(12.0, 5.0), bollard(13.8, 5.0, 1.2), beside)
+             if one.kind == BOLLARD]
+    assert sorted(one.status for one in other) == [DOUBTFUL, MEASURED]
+
+
+@pytest.mark.parametrize("make", [
+    lambda rng: scene.post(rng, 15.0, 5.0, 3.0),
+    lambda rng: scene.post(rng, 15.0, 5.0, 0.45),
+    lambda rng: scene.post(rng, 15.0, 5.0, 0.9, lean=(0.5, 0.0)),
+    lambda rng: scene.post(rng, 15.0, 5.0, 0.9, 0.5),
+    lambda rng: np.concatenate([scene.post(rng, 15.0, 5.0, 1.3), scene.post(rng, 15.0, 5.0, 3.0, low=1.45)])],
+    ids=["post", "stone", "leaning", "thick", "hidden in the middle"])
+def test_what_is_no_bollard(tmp_path, make):
+    assert not any(thing.kind == BOLLARD for thing in found_of(tmp_path, make))
+
+
+@pytest.mark.parametrize("angle", [0.0, 33.0])
+def test_a_cabinet_is_a_box(tmp_path, angle):
+    cabinet, = found_of(tmp_path, lambda rng: scene.box(rng, 15.0, 5.5, 0.65, (0.9, 0.4, 1.3)), angle=angle)
+    assert (cabinet.kind, cabinet.status, cabinet.board) == (OTHER, MEASURED, None)
+    assert np.abs(to_local(cabinet.foot[None], angle)[0][:2] - [15.0, 5.5]).max() < 0.05
+    assert cabinet.height == pytest.approx(1.3, abs=0.1) and cabinet.diameter == pytest.approx(0.9, abs=0.06)
+    # Its longer side runs along the street.
+    assert abs((cabinet.azimuth + angle + 90.0) % 180.0 - 90.0) < 4.0
+
+
+def test_a_box_among_other_things_is_doubtful(tmp_path):
+    """Parts of a thinly measured vehicle look like boxes."""
+    boxes = [one for one in found_of(
+        tmp_path, lambda rng: scene.box(rng, 15.0, 5.5, 0.65, (0.9, 0.4, 1.3)),
+        lambda rng: scene.box(rng, 16.1, 5.5, 0.65, (0.9, 0.4, 1.3))) if one.kind == OTHER]
+    assert boxes and {one.status for one in boxes} == {DOUBTFUL}
+
+
+def test_a_bollard_before_a_cabinet_does_not_hide_it(tmp_path):
+    things = found_of(tmp_path, lambda rng: scene.box(rng, 15.0, 5.5, 0.65, (0.9, 0.4, 1.3)), bollard(15.2, 5.15, 0.8))
+    assert any(thing.kind == OTHER and abs(to_local(thing.foot[None], 0.0)[0, 0] - 15.0) < 0.05 for thing in things)
+
+
+@pytest.mark.parametrize("make", [
+    lambda rng: scene.wall(rng, 14.0, 5.0, 1.5, 1.2),
+    lambda rng: scene.box(rng, 15.0, 5.5, 0.8, (4.2, 1.7, 1.5)),
+    lambda rng: scene.leaves(rng, 15.0, 5.0, 0.7, 0.6, 900.0)], ids=["wall", "car", "bush"])
+def test_what_is_no_box(tmp_path, make):
+    assert not any(thing.kind == OTHER for thing in found_of(tmp_path, make))
+
+
+# Posts that stand so close to a trunk that both pass for one stem
+
+
+def corner_seen(rng, x, y, side, number, low=0.4, high=2.2, noise=0.006):
+    """Places (n, 3), m, on the two sides of a square post that a survey from the south east sees."""
+    along, up = rng.uniform(-side / 2, side / 2, number), rng.uniform(low, high, number)
+    south = rng.random(number) < 0.5
+    plan = np.where(south[:, None], np.column_stack([along, np.full(number, -side / 2)]),
+                    np.column_stack([np.full(number, side / 2), along]))
+    return np.column_stack([plan + [x, y] + noise * rng.standard_normal((number, 2)), up])
+
+
+def parted(*things):
+    place = np.concatenate(things)
+    stem = Stem(np.arange(len(place)), float(place[:, 2].min()), float(place[:, 2].max()), 1.0)
+    return close_stems(stem, place)
+
+
+@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("away", [0.24, 0.3, 0.4])
+def test_a_post_beside_a_trunk_is_told_apart(seed, away):
+    rng = np.random.default_rng(seed)
+    trunk, post = corner_seen(rng, -away, 0.02, 0.25, 300), corner_seen(rng, 0.0, 0.0, 0.08, 80)
+    first, second = parted(trunk, post)
+    assert (first.beside, second.beside) == (False, True)
+    assert np.mean(first.rows < 300) == np.mean(second.rows >= 300) == 1.0
+    assert len(second.rows) > 70
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+@pytest.mark.parametrize("aside", [0.28, 0.32])
+def test_a_sign_close_to_a_trunk_is_found_beside_its_tree(tmp_path, aside, seed):
+    trajectory = write_drive(tmp_path / "drive.las", Street(kerb=0.0, length=34.0), seed=seed,
+                             more=lambda rng: np.concatenate(
+                                 [scene.post(rng, 16.0, 5.0, 2.7, 0.12),
+                                  scene.board(rng, 15.93, 5.0, 2.4, 0.8, 0.6, 0.0),
+                                  scene.leafy(rng, 16.0 + aside, 5.1, 60.0, trunk=2.6)]))
+    found = street_objects([tmp_path / "drive.las"], trajectory, ObjectSettings(survey_sigma=0.0)).objects
+    foot = np.array([to_local(thing.foot[None], 0.0)[0, :2] for thing in found]).reshape(-1, 2)
+    # Clusters of leaves may pass for trunks of few points, doubtful: they do so without the sign too.
+    sure = [k for k, thing in enumerate(found) if thing.kind != "tree" or thing.status == "measured"]
+    at = {found[k].kind: foot[k] for k in sure}
+    assert len(sure) == 2 and set(at) == {"sign", "tree"}
+    assert np.hypot(*(at["sign"] - [16.0, 5.0])) < 0.05
+    assert np.hypot(*(at["tree"] - [16.0 + aside, 5.1])) < 0.1
+    board = next(thing.board for thing in found if thing.board is not None)
+    assert np.linalg.norm(to_local(board.centre[None], 0.0)[0, :2] - [15.93, 5.0]) < 0.1
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_stray_points_between_them_do_not_join_them(seed):
+    rng = np.random.default_rng(seed)
+    twigs = np.column_stack([rng.uniform(-0.2, 0.0, 6), rng.uniform(-0.1, 0.1, 6), rng.uniform(0.4, 2.2, 6)])
+    assert len(parted(corner_seen(rng, -0.3, 0.0, 0.25, 300), corner_seen(rng, 0.0, 0.0, 0.08, 80), twigs)) == 2
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_one_thing_stays_one(seed):
+    rng = np.random.default_rng(seed)
+    alone = corner_seen(rng, 0.0, 0.0, 0.3, 400)
+    assert len(parted(alone)) == 1
+    assert len(parted(alone[rng.random(400) < 0.15])) == 1  # seen by few points
+    # Its two sides with a gap between them: each is one face alone.
+    assert len(parted(alone[np.abs(alone[:, 0] + alone[:, 1]) > 0.04])) == 1
+    low = corner_seen(rng, 0.35, 0.0, 0.12, 100, 0.4, 0.9)
+    assert len(parted(alone, low)) == 1  # a bollard is no post
+    thin = corner_seen(rng, 0.35, 0.0, 0.12, 12)
+    assert len(parted(alone, thin)) == 1
+
+
+# Kerbs that turn round a corner: cut there, so that each street keeps its own lanes
+
+
+def straight(start, end, kind="solid"):
+    """A level line with a station each half metre."""
+    length = np.hypot(*(np.array(end, float) - start))
+    share = np.linspace(0.0, 1.0, int(2 * length) + 1)[:, None]
+    plan = (1 - share) * np.array(start, float) + share * np.array(end, float)
+    return MapLine(np.column_stack([plan, np.zeros(len(plan))]), kind)
+
+
+def round_corner(radius, arms=40.0):
+    """A border along the x axis that turns north with a radius."""
+    angle = np.arange(0.0, 90.1, 5.0)
+    arc = np.column_stack([radius * np.sin(np.radians(angle)), radius * (1.0 - np.cos(np.radians(angle)))])
+    west = straight([-arms, 0.0], [0.0, 0.0], "road border").points[:-1]
+    north = straight(arc[-1], [radius, radius + arms], "road border").points[1:]
+    return MapLine(np.vstack([west, np.column_stack([arc, np.zeros(len(arc))]), north]), "road border")
+
+
+@pytest.mark.parametrize("radius", [0.5, 3.0, 8.0])
+def test_a_corner_is_cut_in_its_middle(radius):
+    border = round_corner(radius)
+    one, other = cut_at_corners([border])
+    assert one.points[-1] == pytest.approx(other.points[0])
+    middle = radius * np.array([np.sin(np.pi / 4), 1.0 - np.cos(np.pi / 4)])
+    assert np.hypot(*(one.points[-1, :2] - middle)) < 1.0
+    length = sum(np.hypot(*np.diff(part.points[:, :2], axis=0).T).sum() for part in (one, other))
+    assert length == pytest.approx(np.hypot(*np.diff(border.points[:, :2], axis=0).T).sum())
+
+
+def test_bends_of_roads_and_paint_stay_whole():
+    bend, short = round_corner(40.0), straight([0.0, 0.0], [5.0, 0.0], "road border")
+    paint = MapLine(round_corner(3.0).points, "solid")
+    assert [id(line) for line in cut_at_corners([bend, short, paint])] == [id(bend), id(short), id(paint)]
+
+
+def test_a_kerb_round_the_corner_costs_neither_street_its_lanes():
+    """The side street's lines lie beside the longer arm's kerb only through the corner that both share."""
+    lines = [round_corner(3.0, 60.0),
+             straight([-60.0, -1.0], [-8.0, -1.0]), straight([-60.0, -4.5], [-8.0, -4.5]),
+             straight([4.0, 11.0], [4.0, 60.0]), straight([7.5, 11.0], [7.5, 60.0])]
+    drives = [DrivenPath(np.array([[-60.0, -2.75, 0.0], [-8.0, -2.75, 0.0]])),
+              DrivenPath(np.array([[5.75, 60.0, 0.0], [5.75, 11.0, 0.0]]))]
+    built = build_vector_map(lines, (), drives, MapSettings(traffic="left"))
+    length = {False: 0.0, True: 0.0}
+    for lane in built.lanes:
+        if lane.kind == "lane":
+            extent = np.ptp(lane.centre[:, :2], axis=0)
+            length[bool(extent[1] > extent[0])] += float(extent.max())
+    assert length[False] > 45.0 and length[True] > 42.0

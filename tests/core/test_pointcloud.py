@@ -1,10 +1,16 @@
 """Reading and writing point clouds."""
 
+import os
+from types import SimpleNamespace
+
 import laspy
 import numpy as np
 import pytest
 
 from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError, OutputError
+from urbanmap_qgis.io.files.read_once import once, read_once
+from urbanmap_qgis.io.points import decoded_points
+from urbanmap_qgis.io.points.decoded_points import decoded_once
 from urbanmap_qgis.io.points.pointcloud import (
     PointLayout,
     can_be_entered,
@@ -14,6 +20,10 @@ from urbanmap_qgis.io.points.pointcloud import (
     read_all,
     valid_points,
 )
+from urbanmap_qgis.io.points.whole_records import copied_records, joined_records, put_records, record_rows
+from urbanmap_qgis.mobile.packed_points import PackedPoints
+from urbanmap_qgis.mobile.passes import SurveyPasses
+from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 from urbanmap_qgis.progress import Progress
 
 
@@ -161,3 +171,210 @@ def test_points_keep_their_place_in_a_layout_of_another_format_or_offset(tmp_pat
         made = layout.view(layout.adapt(chunk, np.array([False, True])))
         assert (made.x[0], made.y[0], made.z[0]) == pytest.approx((1001.5, 2002.0, 31.0), abs=1e-6)
         assert made.intensity.tolist() == [6]
+
+
+# Points packed for sorting: the same coordinates and passes as the files give
+
+
+def packable(scale, offset, count=500, seed=0):
+    header = laspy.LasHeader(point_format=6, version="1.4")
+    header.scales, header.offsets = np.full(3, scale), np.array([offset, 2 * offset, 0.0])
+    rng = np.random.default_rng(seed)
+    made = laspy.ScaleAwarePointRecord.zeros(count, header=header)
+    for name in "XYZ":
+        made[name] = rng.integers(-2**31, 2**31, count)
+    return header, made
+
+
+@pytest.mark.parametrize("kinds", [[(0.001, -6863.0)], [(0.001, -6863.0), (0.0025, 0.1)]])
+def test_coordinates_come_back_to_the_last_digit(kinds):
+    given = [packable(*kind, seed=seed) for seed, kind in enumerate(kinds)]
+    packing = PackedPoints([header for header, _ in given])
+    records = np.concatenate([packing.packed(made, np.zeros(len(made))) for _, made in given])
+    rows = np.array([3, 1, len(records) - 1])
+    for name in "xyz":
+        expected = np.concatenate([np.asarray(made[name]) for _, made in given])
+        assert np.array_equal(packing.column(records, name), expected)
+        assert np.array_equal(packing.column(records, name, rows), expected[rows])
+        assert packing.extent(records, name, rows) == (expected[rows].min(), expected[rows].max())
+    assert packing.dtype.itemsize == (16 if len(kinds) == 1 else 20)
+
+
+def test_passes_are_those_of_the_times_themselves():
+    header, made = packable(0.001, 0.0, 9)
+    time = np.array([3e8, 3e8 + 59.999, 3e8 + 60.0, 3e8 + 60.5, 3e8 - 2.5, 3e8 + 200.0, -1e300, 1e300, np.nan])
+    passes = SurveyPasses(np.array([3e8 + 60.0, 3e8 + 200.0]))
+    packing = PackedPoints([header])
+    records = packing.packed(made, time)
+    assert packing.passes(records, passes).tolist() == passes.of(time).tolist() == [0, 0, 1, 1, 0, 2, 0, 2, 2]
+    assert packing.passes(records, SurveyPasses(np.empty(0))).tolist() == [0] * 9
+
+
+# What a run has read is kept for its length, and only while the file is the same
+
+
+def test_nothing_is_kept_outside_a_block_nor_after_it():
+    answers = iter(range(9))
+    assert [once("a", lambda: next(answers)) for _ in range(2)] == [0, 1]
+    with read_once():
+        assert [once(key, lambda: next(answers)) for key in "aab"] == [2, 2, 3]
+        with read_once():
+            assert once("a", lambda: next(answers)) == 2
+        assert once("a", lambda: next(answers)) == 2
+    assert once("a", lambda: next(answers)) == 4
+
+
+def test_a_trajectory_is_read_again_where_its_file_has_changed(tmp_path):
+    path = tmp_path / "way.csv"
+
+    def write(step):
+        rows = "\n".join(f"{t},{step * t},0,0,0,0,90" for t in range(5))
+        path.write_text(f"time,x,y,z,roll,pitch,heading\n{rows}\n", encoding="utf-8")
+
+    write(1.0)
+    with read_once():
+        first = read_trajectory(path)
+        assert read_trajectory(path) is first
+        write(2.0)
+        os.utime(path, ns=(1, 1))
+        assert np.array_equal(read_trajectory(path).trajectory.place[:, 0], 2 * first.trajectory.place[:, 0])
+    assert read_trajectory(path) is not read_trajectory(path)
+
+
+# Rows of structured arrays moved whole are what numpy's own ways give
+
+
+KINDS = {
+    "packed": np.dtype([("X", "<i4"), ("flag", "u1"), ("time", "<f8"), ("rgb", "<u2", (3,))]),
+    "padded": np.dtype([("flag", "u1"), ("time", "<f8")], align=True),
+    "one field": np.dtype([("z", "<f8")]),
+}
+
+
+def made(kind: np.dtype, count: int, seed: int = 0) -> np.ndarray:
+    records = np.zeros(count, kind)
+    rng = np.random.default_rng(seed)
+    for name in kind.names:
+        records[name] = rng.integers(0, 200, records[name].shape)
+    return records
+
+
+@pytest.fixture(params=KINDS.values(), ids=KINDS)
+def records(request) -> np.ndarray:
+    return made(request.param, 50)
+
+
+def test_rows_by_number_and_by_mask(records):
+    rows = np.array([3, 3, 49, -1, 0])
+    assert (record_rows(records, rows) == records[rows]).all() and record_rows(records, rows).dtype == records.dtype
+    mask = np.arange(50) % 3 == 1
+    assert (record_rows(records, mask) == records[mask]).all()
+    assert len(record_rows(records, rows[:0])) == 0
+    with pytest.raises(IndexError):
+        record_rows(records, np.array([50]))
+
+
+def test_what_is_given_back_is_a_copy(records):
+    for copy in (record_rows(records, np.arange(50)), copied_records(records), joined_records([records])):
+        before = records.copy()
+        copy[records.dtype.names[0]] = 250
+        assert (records == before).all()
+
+
+def test_pieces_of_a_strided_array(records):
+    every_other = records[::2]
+    assert (copied_records(every_other) == every_other).all()
+    assert (joined_records([every_other, records, records[:0]]) == np.concatenate([every_other, records])).all()
+
+
+def test_put_tells_the_place_behind(records):
+    target = made(records.dtype, 80, 1)
+    wanted = target.copy()
+    wanted[10:60] = records
+    assert put_records(target, 10, records) == 60 and put_records(target, 60, records[:0]) == 60
+    assert (target == wanted).all()
+
+
+def test_what_does_not_fit_is_refused(records):
+    with pytest.raises(ValueError, match="broadcast"):
+        put_records(made(records.dtype, 20), 0, records)
+
+
+# Points kept decoded: the same points as from the file, and only for as long as the file is the same
+
+
+def survey(path, count, seed=0):
+    """A LAZ file of `count` points."""
+    header = laspy.LasHeader(point_format=6, version="1.4")
+    header.scales, header.offsets = np.full(3, 0.001), np.array([1000.0, 2000.0, 0.0])
+    rng = np.random.default_rng(seed)
+    points = laspy.LasData(header)
+    points.x, points.y, points.z = rng.uniform(0, 100, (3, count)) + np.array([[1000.0], [2000.0], [0.0]])
+    points.gps_time = np.sort(rng.uniform(0, 50, count))
+    points.write(path)
+    return path
+
+
+@pytest.fixture
+def decodings(monkeypatch):
+    """The files that are decoded, in order."""
+    opened, original = [], laspy.open
+    monkeypatch.setattr(laspy, "open", lambda path, *rest, **named: opened.append(str(path)) or original(
+        path, *rest, **named))
+    return opened
+
+
+def all_records(cloud, size=700):
+    return np.concatenate([chunk.array for chunk in iter_chunks(cloud, chunk_points=size)])
+
+
+def test_files_are_decoded_once_and_give_the_same_points(tmp_path, decodings):
+    cloud = open_cloud([survey(tmp_path / "a.laz", 2000), survey(tmp_path / "b.laz", 900, 1)])
+    expected = all_records(cloud)
+    del decodings[:]
+    with decoded_once():
+        assert np.array_equal(all_records(cloud), expected)
+        assert np.array_equal(all_records(cloud, 333), expected)
+        chunk = next(iter(iter_chunks(cloud, chunk_points=500)))
+    assert len(decodings) == 2
+    assert np.array_equal(chunk.x, expected["X"][:500] * 0.001 + 1000.0)
+    assert np.array_equal(all_records(cloud), expected) and len(decodings) == 4
+
+
+def test_what_was_not_read_to_its_end_is_decoded_again(tmp_path, decodings):
+    cloud = open_cloud([survey(tmp_path / "a.laz", 2000)])
+    with decoded_once():
+        next(iter(iter_chunks(cloud, chunk_points=500)))
+        assert len(all_records(cloud)) == 2000
+        assert len(all_records(cloud)) == 2000
+    assert len(decodings) == 3  # the header, the first chunk, all
+
+
+def test_a_file_that_was_changed_is_decoded_again(tmp_path):
+    path = survey(tmp_path / "a.laz", 2000)
+    with decoded_once():
+        before = all_records(open_cloud([path]))
+        survey(path, 1500, 5)
+        assert len(all_records(open_cloud([path]))) == 1500 < len(before)
+
+
+def test_a_full_disk_costs_time_only(tmp_path, monkeypatch):
+    cloud = open_cloud([survey(tmp_path / "a.laz", 2000)])
+    expected = all_records(cloud)
+    full = SimpleNamespace(disk_usage=lambda _folder: SimpleNamespace(free=100))
+    for where, name, value in ((decoded_points.DecodedPoints, "_append", lambda _self, _part: False),
+                               (decoded_points, "shutil", full)):
+        with decoded_once(), monkeypatch.context() as patched:
+            patched.setattr(where, name, value)
+            assert np.array_equal(all_records(cloud), expected)
+            assert np.array_equal(all_records(cloud), expected)
+            assert not decoded_points.decoded_points()._places
+
+
+def test_blocks_inside_each_other_share_the_points(tmp_path):
+    with decoded_once():
+        outer = decoded_points.decoded_points()
+        with decoded_once():
+            assert decoded_points.decoded_points() is outer
+        assert decoded_points.decoded_points() is outer
+    assert decoded_points.decoded_points() is None

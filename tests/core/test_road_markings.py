@@ -14,10 +14,14 @@ import shapely
 from pyproj import CRS
 from rasterio.enums import ColorInterp
 from rasterio.transform import Affine
+from scipy.ndimage import gaussian_filter
 
 from urbanmap_qgis.aerial.markings import marking_filter
+from urbanmap_qgis.aerial.markings.disc_opening import disc_opened
+from urbanmap_qgis.aerial.markings.marching_squares import zero_lines
 from urbanmap_qgis.aerial.markings.marking_files import markings_from_orthophoto
 from urbanmap_qgis.aerial.markings.marking_filter import CleanSettings
+from urbanmap_qgis.aerial.markings.marking_pieces import marking_pieces_of
 from urbanmap_qgis.aerial.markings.orthophoto_reader import SearchArea
 from urbanmap_qgis.aerial.markings.road_markings import (
     MarkingSettings,
@@ -28,7 +32,9 @@ from urbanmap_qgis.aerial.markings.road_markings import (
 )
 from urbanmap_qgis.aerial.markings.road_model import road_model_of
 from urbanmap_qgis.aerial.markings.signs import strokes_in_company
-from urbanmap_qgis.aerial.markings.signs.crossing_bars import CONFIDENCE
+from urbanmap_qgis.aerial.markings.signs.crossing_bars import BARS_REACH, CONFIDENCE, crossing_bars
+from urbanmap_qgis.aerial.markings.signs.lane_spacing import LaneSpacing, lane_spacing
+from urbanmap_qgis.aerial.markings.signs.strokes import strokes_of
 from urbanmap_qgis.errors import Cancelled, InputError
 from urbanmap_qgis.progress import Progress
 
@@ -351,3 +357,174 @@ def test_cancel_leaves_nothing(tmp_path):
     with pytest.raises(Cancelled):
         markings_from_orthophoto(path, tmp_path / "m.tif", progress=Progress(cancelled=lambda: True))
     assert [file.name for file in tmp_path.iterdir()] == ["a.tif"]
+
+
+# The opening by a disc is OpenCV's, to the bit
+
+
+@pytest.mark.parametrize("side", [3, 7, 9, 11, 13, 17, 25, 31])
+@pytest.mark.parametrize("shape", [(1, 40), (300, 270), (20, 300), (257, 5)])
+def test_it_is_opencvs(side, shape):
+    image = np.random.default_rng(side).normal(100.0, 30.0, shape).astype(np.float32)
+    disc = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (side, side))
+    wanted = cv2.morphologyEx(image, cv2.MORPH_OPEN, disc, borderType=cv2.BORDER_REPLICATE)
+    assert np.array_equal(disc_opened(image, disc), wanted)
+
+
+def test_a_line_goes_and_a_field_stays():
+    image = np.zeros((100, 100), np.float32)
+    image[:, 20:28] = image[40:80, 50:90] = 7.0
+    opened = disc_opened(image, cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (11, 11)))
+    assert not opened[:, 15:40].any()
+    assert (opened[50:70, 60:80] == 7.0).all()
+
+
+# Distance of neighbouring lane lines: lines in metres and in feet, crossings and single lines that tell nothing
+
+
+def drawn(boxes, turn=0.0, unit=1.0):
+    """Spacing of boxes (left, low, right, high) in m, turned by degrees, in a CRS of a unit in m."""
+    made = np.array([shapely.box(*one) for one in boxes], object)
+    sides = np.array([[right - left, high - low] for left, low, right, high in boxes]).reshape(-1, 2)
+    moved = shapely.transform([shapely.affinity.rotate(one, turn, (0, 0)) for one in made], lambda p: p / unit + 5e5)
+    return lane_spacing(moved, shapely.area(made), sides.max(axis=1), sides.min(axis=1))
+
+
+def dashes(at, count=8, step=9.0, dash=4.0):
+    return [(step * k, at - 0.075, step * k + dash, at + 0.075) for k in range(count)]
+
+
+@pytest.mark.parametrize("turn", [0.0, 37.0, 90.0])
+@pytest.mark.parametrize("unit", [1.0, 0.3048])
+def test_neighbouring_lines(turn, unit):
+    """Of four lines the nearest neighbours are 3.2, 3.2 and 3.4 m away, which share all 8 dashes of 4 m."""
+    lines = [*dashes(0.0), *dashes(3.2), *dashes(6.4), *dashes(9.8)]
+    made = drawn(lines, turn, unit)
+    assert made.spacing == pytest.approx(3.2, abs=0.01)
+    assert made.length == pytest.approx(6 * 8 * 4.0, rel=0.01)
+    wider = drawn([*dashes(0.0), *dashes(3.4), *dashes(6.8)], turn, unit)
+    assert wider.spacing == pytest.approx(3.4, abs=0.01)
+
+
+def test_a_pixel_said_half_as_large_halves_it():
+    lines = np.array([*dashes(0.0), *dashes(3.2)])
+    assert drawn(lines / 2).spacing == pytest.approx(1.6, abs=0.01)
+
+
+@pytest.mark.parametrize("boxes", [
+    [], dashes(0.0), [(0.0, 0.9 * k, 3.0, 0.9 * k + 0.45) for k in range(10)],
+    [(0.0, 2.5 * k, 5.0, 2.5 * k + 0.1) for k in range(10)]], ids=["none", "one line", "crossing", "one row of bays"])
+def test_what_tells_nothing(boxes):
+    assert drawn(boxes) == LaneSpacing(0.0, 0.0)
+
+
+# Bars of a crossing vouch for each other: combs of any direction, and what is no comb
+
+
+PIXEL_BARS = 0.12
+
+
+def bars_found(places, length=4.0, width=0.45, turn=0.0, side=300):
+    """How many of bars drawn at these places (m across, m along) are found, of how many pieces there are."""
+    flags = np.zeros((side, side), np.uint8)
+    along = np.array([np.cos(np.deg2rad(turn)), np.sin(np.deg2rad(turn))])
+    across = np.array([-along[1], along[0]])
+    for place, shift, *own in places:
+        middle = side * PIXEL_BARS / 2 + across * place + along * shift
+        sides = (np.outer((-1, 1, 1, -1), along) * (own or [length])[0] + np.outer((-1, -1, 1, 1), across) * width) / 2
+        cv2.fillPoly(flags, [np.rint((middle + sides) / PIXEL_BARS).astype(np.int32)], 1)
+    pieces = marking_pieces_of(flags > 0, flags, PIXEL_BARS, 12.0)
+    accepted = pieces.size > 0
+    accepted[0] = False
+    found = crossing_bars(strokes_of(pieces, accepted, side, PIXEL_BARS), 0.8)
+    return int(found.sum()), int(accepted.sum())
+
+
+def drawn_with_parts(places, parts):
+    """As `bars_found`, with parts of bars 1 m long at such places too."""
+    return bars_found([*((*place, 4.0) for place in places), *((*place, 1.0) for place in parts)])
+
+
+def comb(count, step=0.9):
+    return [(step * (k - count / 2), 0.0) for k in range(count)]
+
+
+@pytest.mark.parametrize("turn", [0.0, 17.0, 45.0, 90.0, 131.0])
+@pytest.mark.parametrize("length", [2.0, 4.0, 5.5])
+def test_bars_of_a_comb(turn, length):
+    assert bars_found(comb(6), length, turn=turn) == (6, 6)
+
+
+def test_parts_of_a_worn_bar():
+    """A bar of which two parts are left, beside four whole ones; a part beyond their ends stays out."""
+    whole = comb(5)[:4]
+    place = comb(5)[4][0]
+    made = [drawn_with_parts(whole, [(place, shift) for shift in shifts]) for shifts in ((-1.2, 1.2), (-1.2, 3.2))]
+    assert made == [(6, 6), (5, 6)]
+
+
+def test_a_missing_bar_does_not_matter():
+    bars = comb(7)
+    assert bars_found(bars[:3] + bars[4:]) == (6, 6)
+
+
+@pytest.mark.parametrize(("places", "shape"), [
+    (comb(2), {}),  # a pair has no step
+    (comb(6, 2.5), {}),  # bays of a car park
+    (comb(8, 1.3), {"width": 0.1}),  # ribs of a roof
+    (comb(5), {"length": 0.9}),  # blocks of paving
+    ([(0.9 * k, 1.9 * k) for k in range(-2, 3)], {}),  # each begins where the last one ends
+    ([(0.0, 0.0), (0.8, 0.0), (2.0, 0.0)], {"width": 0.3}),  # no steady step
+])
+def test_what_is_no_comb(places, shape):
+    found, pieces = bars_found(places, **shape)
+    assert found == 0 and pieces == len(places)
+
+
+def test_the_reach_holds_all_that_vouches():
+    assert CleanSettings().piece_reach >= BARS_REACH
+
+
+# Lines along which a field is zero
+
+
+def framed(field):
+    return np.pad(field.astype(np.float32), 1, constant_values=np.float32(-1e9))
+
+
+@pytest.mark.parametrize("side, smooth", [(5, 0.0), (60, 0.0), (200, 0.7), (300, 3.0)])
+def test_lines_are_those_of_scikit_image_to_the_last_bit(side, smooth):
+    measure = pytest.importorskip("skimage.measure")
+    noise = np.random.default_rng(side).normal(size=(side, side + 3))
+    field = framed(gaussian_filter(noise, smooth) if smooth else noise)
+    wanted = measure.find_contours(field, 0.0)
+    points, counts = zero_lines(field)
+    assert len(wanted) > 1
+    assert counts.tolist() == [len(line) for line in wanted]
+    assert np.array_equal(points, np.concatenate(wanted))
+
+
+def test_one_high_value_has_four_crossings():
+    field = -np.ones((3, 3))
+    field[1, 1] = 3
+    points, counts = zero_lines(field)
+    assert counts.tolist() == [5]
+    assert {tuple(point) for point in points.tolist()} == {(0.25, 1), (1.75, 1), (1, 0.25), (1, 1.75)}
+    assert points[0].tolist() == points[-1].tolist()
+
+
+def test_high_values_across_a_square_do_not_touch():
+    field = -np.ones((4, 4))
+    field[1, 1] = field[2, 2] = 1
+    assert zero_lines(field)[1].tolist() == [5, 5]
+
+
+def test_nothing_high_has_no_lines():
+    points, counts = zero_lines(-np.ones((4, 5)))
+    assert points.shape == (0, 2)
+    assert len(counts) == 0
+
+
+def test_a_field_high_at_its_edge_is_refused():
+    with pytest.raises(ValueError, match="below zero along its edges"):
+        zero_lines(np.ones((3, 3)))

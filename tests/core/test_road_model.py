@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import shapely
 from shapely.affinity import rotate
 
+from tests.core.surveyed_scene import HALF_EAST, HALF_NORTH, REACH, carriageway, crossing, edge, official, road_height
 from urbanmap_qgis.errors import InputError
+from urbanmap_qgis.roadspace.road_cuts import cut_surface
 from urbanmap_qgis.roadspace.road_model import Structures, build_road_model, with_functions
 from urbanmap_qgis.roadspace.road_surface import surface_of
+from urbanmap_qgis.roadspace.survey.area_records import CARRIAGEWAY, CROSSING, ISLAND, SIDEWALK, EdgeLine
+from urbanmap_qgis.roadspace.survey.given_roads import laid_on_kerbs
+from urbanmap_qgis.roadspace.survey.survey_roads import SurveyInputs, surveyed_roads
 
 FAR = 60.0
 
@@ -44,11 +51,11 @@ def share_all_edges(built, whole):
     for polygon in polygons:
         for ring in (polygon.exterior, *polygon.interiors):
             points = list(map(tuple, np.asarray(ring.coords)))
-            for edge in zip(points, points[1:]):
-                seen[edge] = seen.get(edge, 0) + 1
-    assert set(seen.values()) == {1}  # no edge twice in one sense
-    inner = [edge for edge in seen if (edge[1], edge[0]) in seen]
-    outline = sum(shapely.length(shapely.linestrings(edge)) for edge in seen if (edge[1], edge[0]) not in seen)
+            for pair in zip(points, points[1:]):
+                seen[pair] = seen.get(pair, 0) + 1
+    assert set(seen.values()) == {1}  # no pair twice in one sense
+    inner = [pair for pair in seen if (pair[1], pair[0]) in seen]
+    outline = sum(shapely.length(shapely.linestrings(pair)) for pair in seen if (pair[1], pair[0]) not in seen)
     assert outline == pytest.approx(whole.length, abs=1e-6) and len(inner) % 2 == 0
 
 
@@ -214,3 +221,174 @@ def test_functions_are_those_of_the_surfaces_that_cover_most():
     built = with_functions(model(*surfaces[:2]), surfaces, ["3", "4", "2"])
     assert sorted(piece.function for piece in built.pieces) == ["3", "3", "3", "4"]
     assert {piece.function for piece in with_functions(built, surfaces, [None, "", "2"]).pieces} == {"3", "4"}
+
+
+# Surfaces cut by lines: known areas, shared edges to the bit, slivers given away
+
+
+SQUARE = shapely.box(0.0, 0.0, 10.0, 10.0)
+
+
+def areas(pieces):
+    return sorted(piece.area for piece in pieces)
+
+
+def test_a_cut_keeps_its_bends():
+    """Bent up by 2 m in its middle, the cut gives the lower piece a triangle of 10 m2."""
+    pieces = cut_surface(SQUARE, [np.array([[0.0, 5.0], [5.0, 7.0], [10.0, 5.0]])])
+    assert areas(pieces) == pytest.approx([40.0, 60.0])
+    shared = shapely.intersection(*pieces)
+    assert shared.length == pytest.approx(2 * np.hypot(5.0, 2.0))
+    assert [5.0, 7.0] in shapely.get_coordinates(shared).tolist()
+
+
+def test_ends_are_put_onto_the_boundary_and_onto_corners_near_them():
+    pieces = cut_surface(SQUARE, [np.array([[0.01, -0.3], [9.99, 10.4]])])
+    assert areas(pieces) == pytest.approx([50.0, 50.0])
+    assert {tuple(place) for piece in pieces for place in shapely.get_coordinates(piece)} == {
+        (0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)}
+    assert all(piece.exterior.is_ccw for piece in pieces)
+
+
+def test_a_sliver_goes_to_the_neighbour_with_the_longest_edge():
+    lines = [np.array([[4.0, 0.0], [4.0, 10.0]]), np.array([[4.004, 0.0], [4.004, 10.0]])]
+    assert len(cut_surface(SQUARE, lines, sliver=0.0)) == 3
+    pieces = cut_surface(SQUARE, lines)
+    assert len(pieces) == 2 and sum(areas(pieces)) == pytest.approx(100.0, abs=1e-9)
+
+
+# A bridge over a street: its edges cross those of the street in plan
+
+
+def roads(clearance):
+    """A street to the east, and a road to the north that runs `clearance` above it."""
+    street = [edge([[-REACH, side * HALF_EAST], [REACH, side * HALF_EAST]], chain=k) for k, side in enumerate((1, -1))]
+    lift = np.array([0.0, 0.0, clearance])
+    over = [edge([[side * HALF_NORTH, -REACH], [side * HALF_NORTH, REACH]], chain=5 + k)
+            for k, side in enumerate((1, -1))]
+    return [*street, *(replace(one, foot=one.foot + lift, top=one.top + lift) for one in over)]
+
+
+def test_a_bridge_over_a_street_is_told_once_with_its_place_and_height():
+    told = [one for one in surveyed_roads(roads(5.5), "3.0").findings if one.kind == "road above a road"]
+    assert len(told) == 1 and "5.5 m" in told[0].text
+    assert (abs(told[0].x), abs(told[0].y)) == pytest.approx((HALF_NORTH, HALF_EAST), abs=0.1)
+
+
+@pytest.mark.parametrize("clearance", [0.0, 0.3, np.nan])
+def test_edges_that_cross_at_one_height_or_an_unknown_one_are_no_bridge(clearance):
+    assert "road above a road" not in {one.kind for one in surveyed_roads(roads(clearance), "3.0").findings}
+
+
+# Given roads a metre beside the measured kerbs, as edges of a map at 1:2500 lie
+
+
+KERBS = shapely.union_all([shapely.linestrings(one.plan) for one in crossing()])
+
+
+def shifted(shape, east, north):
+    return shapely.transform(shape, lambda corners: corners + np.array([east, north]))
+
+
+@pytest.mark.parametrize("east, north", [(1.0, 0.0), (-0.6, 0.8), (0.0, -1.5)])
+def test_roads_without_sidewalks_are_moved_onto_the_kerbs_and_it_is_said(east, north):
+    model = surveyed_roads(crossing(), "2", SurveyInputs([shifted(carriageway(), east, north)]))
+    assert not model.count(SIDEWALK)
+    told = [one for one in model.findings if one.kind == "given roads moved"]
+    assert len(told) == 1 and f"{np.hypot(east, north):.2f} m" in told[0].text
+    assert shapely.distance(KERBS, shapely.points(told[0].x, told[0].y)) < 0.01
+
+
+def test_without_a_shift_nothing_is_moved_or_said():
+    roads = [carriageway()]
+    assert laid_on_kerbs(roads, KERBS) == (roads, [])
+
+
+@pytest.mark.parametrize("east, north", [(0.0, 0.0), (1.0, 0.5)])
+def test_roads_with_sidewalks_stay(east, north):
+    roads = [shifted(official(), east, north)]
+    assert laid_on_kerbs(roads, KERBS) == (roads, [])
+    assert surveyed_roads(crossing(), "2", SurveyInputs(roads)).count(SIDEWALK) == 4
+
+
+def test_kerbs_of_another_place_and_too_few_move_nothing():
+    far = [shifted(carriageway(), 500.0, 0.0)]
+    assert laid_on_kerbs(far, KERBS) == (far, [])
+    few = [shifted(carriageway(), 1.0, 0.0)]
+    assert laid_on_kerbs(few, shapely.linestrings([[30.0, 6.0], [35.0, 6.0]])) == (few, [])
+    assert laid_on_kerbs((), KERBS) == ((), [])
+
+
+def test_one_kerb_beside_its_sidewalk_moves_nothing():
+    """The border 2.5 m behind the one kerb that was seen is that of a sidewalk, or of a road drawn beside its place."""
+    kerb = shapely.linestrings([[-30.0, 6.0], [30.0, 6.0]])
+    roads = [shapely.box(-40.0, -9.0, 40.0, 8.5)]
+    assert laid_on_kerbs(roads, kerb) == (roads, [])
+
+
+@pytest.mark.parametrize("far", [1e15, -1e12, 1e308])
+def test_a_road_with_a_corner_far_away_shows_no_shift_and_hinders_none(far):
+    spike = shapely.Polygon([(0, 0), (30, 0), (far, 20), (0, 8)])
+    assert laid_on_kerbs([spike], KERBS) == ([spike], [])
+    moved, told = laid_on_kerbs([spike, shifted(carriageway(), 1.0, 0.0)], KERBS)
+    assert [one.kind for one in told] == ["given roads moved"] and moved[1].distance(carriageway()) == 0
+
+
+# Low edges of a tram's tracks amid a measured carriageway
+
+
+def low(y, x0=-40.0, x1=40.0, height=0.06, chain=20, bend=0.0):
+    """A low edge along the road to the east, 1.5 cm (standard deviation) beside its place, with a wave of `bend` m."""
+    rng = np.random.default_rng(chain)
+    x = np.arange(x0, x1 + 0.1, 0.5)
+    return edge(np.column_stack([x, y + bend * np.sin(x / 9.0) + 0.015 * rng.standard_normal(len(x))]), height, chain)
+
+
+def ring(length, half, height=0.06):
+    """The closed edge of a strip with round ends in the arm to the west."""
+    strip = shapely.LineString([[-37.0, 0.0], [-37.0 + length, 0.0]]).buffer(half, quad_segs=4)
+    return [edge(shapely.get_coordinates(strip.exterior), height, 30)]
+
+
+def model_with(more, level="3.3"):
+    return surveyed_roads([*crossing(), *more], level, SurveyInputs([official()], ground=road_height))
+
+
+def area_of(model, *kinds):
+    return shapely.union_all([area.polygon for area in model.areas if area.kind in kinds])
+
+
+@pytest.mark.parametrize("more", [
+    [low(1.3, chain=20), low(-1.3, chain=21)],
+    [low(2.9, chain=20, bend=0.4), low(0.3, chain=21, bend=0.4)],
+    [low(1.3, -36.0, -12.0, 0.08, 20), low(-1.3, -36.0, -12.0, 0.05, 21)],
+    [low(y, height=0.03, chain=20 + k) for k, y in enumerate((-2.2, -1.13, 1.13, 2.2))],
+    [low(-1.3, chain=20), low(-0.53, height=0.02, chain=21), low(0.53, height=0.02, chain=22), low(1.3, chain=23)],
+    ring(23.0, 1.3),
+], ids=["bed through a junction", "winding bed", "bed of one arm", "four rails", "rails on a bed", "closed bed"])
+def test_tracks_are_a_part_of_the_carriageway_and_are_told(more):
+    model = model_with(more)
+    assert not area_of(model, ISLAND).area
+    made = area_of(model, CARRIAGEWAY, CROSSING)
+    assert shapely.intersection(made, carriageway()).area / shapely.union(made, carriageway()).area > 0.999
+    assert [finding.kind for finding in model.findings].count("tram track") == len({one.chain for one in more})
+
+
+@pytest.mark.parametrize("more", [ring(12.0, 1.3), ring(23.0, 1.3, 0.15), ring(23.0, 0.85)],
+                         ids=["short", "high", "of no track's width"])
+def test_islands_stay_islands(more):
+    model = model_with(more)
+    true = shapely.Polygon(more[0].plan)
+    assert area_of(model, ISLAND).area == pytest.approx(true.area, rel=0.02)
+    assert "tram track" not in {finding.kind for finding in model.findings}
+
+
+def test_low_kerbs_of_a_narrow_carriageway_that_rise_away_from_it_are_no_track():
+    """Borders stand behind low kerbs 3 m apart: what lies between borders and kerbs is no carriageway."""
+    sides = []
+    for chain, side in enumerate((1.0, -1.0)):
+        foot = edge([[0.0, 1.5 * side], [60.0, 1.5 * side]], 0.05, chain)
+        sides.append(EdgeLine(foot.foot, foot.top + np.array([0.0, 0.02 * side, 0.0]), 0.05, 0.01, 0.005, chain, 0.0))
+        sides.append(edge([[0.0, 4.0 * side], [60.0, 4.0 * side]], 0.0, 10 + chain))
+    model = surveyed_roads(sides, "3.3")
+    assert "tram track" not in {finding.kind for finding in model.findings}

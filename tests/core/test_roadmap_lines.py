@@ -8,10 +8,16 @@ import shapely
 import shapely.affinity
 from shapely import affinity
 
+from urbanmap_qgis.mobile.registration.matching.subpixel import MarkingField, field_terms
+from urbanmap_qgis.mobile.registration.start.reference import Reference
 from urbanmap_qgis.roadmap.lines.crosswalks import find_crosswalks
-from urbanmap_qgis.roadmap.lines.dash_pattern import line_sections
+from urbanmap_qgis.roadmap.lines.dash_consensus import with_common_patterns
+from urbanmap_qgis.roadmap.lines.dash_pattern import Section, line_sections
+from urbanmap_qgis.roadmap.lines.line_chains import StrokeChain
 from urbanmap_qgis.roadmap.lines.line_fit import fit_centre_line
+from urbanmap_qgis.roadmap.lines.line_width import line_widths
 from urbanmap_qgis.roadmap.lines.line_work import line_work, with_ground_heights
+from urbanmap_qgis.roadmap.lines.short_lines import supported_chains
 from urbanmap_qgis.roadmap.lines.strokes import all_strokes, polygon_strokes
 from urbanmap_qgis.roadmap.lines.symbol_patterns import CELL, raster
 
@@ -425,3 +431,190 @@ def test_the_gap_of_a_line_is_known_worse_than_its_paint():
     gap = (found.chainage > 20.0) & (found.chainage < 22.0)
     assert not found.covered[gap].any() and found.sigma[gap].min() > 0.03
     assert found.sigma[(found.chainage > 3.0) & (found.chainage < 12.0)].max() < 0.02
+
+
+# Points on narrow reference lines count as lying on a marking, whatever the blur of the coverage
+
+
+@pytest.mark.parametrize("blur", [0.0, 0.05, 0.15])
+@pytest.mark.parametrize("width", [0.1, 0.15, 0.3, 0.5])
+def test_points_on_and_beside_a_line(width, blur):
+    line = shapely.LineString([(0.03, 0.02), (30.0, 7.3)]).buffer(width / 2, cap_style="flat")
+    coverage = Reference.from_polygons([line]).coverage(-5.0, -5.0, 35.0, 15.0)
+    field = MarkingField.of(coverage, blur, 0.05)
+    along, normal = np.array([29.97, 7.28]) / np.hypot(29.97, 7.28), np.array([-7.28, 29.97]) / np.hypot(29.97, 7.28)
+    middle = np.array([0.03, 0.02]) + np.linspace(2.0, 28.0, 200)[:, None] * along
+    found = field_terms(field, *middle.T).on_marking.mean()
+    assert found > (0.85 if width == 0.1 else 0.95)  # 0.1 m is drawn two cells wide
+    for side in (-1, 1):
+        beside = middle + side * (width / 2 + 0.25 + blur) * normal
+        assert not field_terms(field, *beside.T).on_marking.any()
+
+
+# Widths of lines: from marking points, from lines alike, from sharp outlines, else unknown
+
+
+LENGTH = 30.0
+
+
+def course(north: float) -> np.ndarray:
+    """A bent line of about 30 m."""
+    x = np.linspace(0.0, LENGTH, 61)
+    return np.column_stack([x, north + 0.004 * (x - LENGTH / 2.0) ** 2])
+
+
+def points(north: float, width: float, rng: np.random.Generator, beside: float = 0.0, count: int = 1500) -> np.ndarray:
+    """Marking points evenly over the paint of such a line, as a drive measures them: `beside` it and scattered."""
+    x = rng.uniform(0.0, LENGTH, count)
+    slope = 0.008 * (x - LENGTH / 2.0)
+    across = rng.uniform(-width / 2.0, width / 2.0, count) + rng.normal(0.0, 0.004, count) + beside
+    normal = np.column_stack([-slope, np.ones(count)]) / np.hypot(1.0, slope)[:, None]
+    return np.column_stack([x, north + 0.004 * (x - LENGTH / 2.0) ** 2]) + across[:, None] * normal
+
+
+@pytest.mark.parametrize("width", [0.10, 0.15, 0.20, 0.45])
+def test_points_of_two_drives_tell_the_width_that_outlines_do_not(width):
+    rng = np.random.default_rng(1)
+    drives = [points(0.0, width, rng, 0.03), points(0.0, width, rng, -0.03, 3000)]
+    ((found, sigma),) = line_widths([course(0.0)], np.array([width + 0.05]), np.array([0.03]), drives)
+    assert found == pytest.approx(width, abs=0.01) and abs(found - width) <= 2.0 * sigma <= 0.06
+
+
+def test_ragged_outlines_alone_tell_no_width_and_sharp_ones_do():
+    found = line_widths([course(0.0), course(4.0)], np.array([0.19, 0.15]), np.array([0.03, 0.002]), [])
+    assert np.isnan(found[0]).all() and found[1] == pytest.approx([0.15, 0.002])
+
+
+def test_a_line_without_points_is_as_wide_as_its_outlines_less_what_those_of_others_are_off_by():
+    rng = np.random.default_rng(2)
+    widths = [0.15, 0.15, 0.14, 0.15, 0.16, 0.15]
+    outlined = np.array(widths) + 0.04
+    drive = np.concatenate([points(4.0 * k, width, rng) for k, width in enumerate(widths[:5])])
+    lines = [course(4.0 * k) for k in range(6)]
+    found = line_widths(lines, outlined, np.full(6, 0.03), [drive])
+    assert found[5, 0] == pytest.approx(0.15, abs=0.01) and found[5, 1] < 0.03
+    # Too few lines alike say nothing of another: nor do lines of another width.
+    assert np.isnan(line_widths(lines[2:], outlined[2:], np.full(4, 0.03), [drive])[3, 0])
+    outlined[5] = 0.30
+    assert np.isnan(line_widths(lines, outlined, np.full(6, 0.03), [drive])[5, 0])
+
+
+@pytest.mark.parametrize("drive", [points(0.0, 0.15, np.random.default_rng(3), count=60),
+                                   points(0.0, 1.5, np.random.default_rng(4), count=8000), np.zeros((0, 2))],
+                         ids=["few", "surface", "none"])
+def test_points_that_show_no_edges_tell_no_width(drive):
+    assert np.isnan(line_widths([course(0.0)], np.array([0.19]), np.array([0.03]), [drive])).all()
+
+
+def test_drives_that_disagree_are_no_sure_width():
+    rng = np.random.default_rng(5)
+    drives = [points(0.0, 0.12, rng), points(0.0, 0.24, rng)]
+    ((found, sigma),) = line_widths([course(0.0)], np.array([0.2]), np.array([0.03]), drives)
+    assert np.isnan(found) or 2.0 * sigma > 0.05
+
+
+# Short pieces of lines beside sure ones: which are lines
+
+
+ROAD = [np.array([(0.0, y), (50.0, y)]) for y in (0.0, 3.5, 7.0)]
+WIDTHS = [0.15] * 3
+
+
+def piece(x0, y0, x1, y1, painted=None, width=0.15):
+    length = float(np.hypot(x1 - x0, y1 - y0))
+    return StrokeChain(np.array([(x0, y0), (x1, y1)], float), [0], length if painted is None else painted, width)
+
+
+def is_line(one, axes=ROAD, widths=WIDTHS):
+    return supported_chains([one], axes, widths) == [one]
+
+
+def test_piece_at_the_width_of_the_lanes_beside_is_a_line():
+    assert is_line(piece(20, 10.5, 23, 10.5))
+
+
+@pytest.mark.parametrize("one", [
+    piece(20, 10.0, 23, 10.0),  # at no width that lanes have here
+    piece(20, 5.25, 23, 5.25),  # between the lines of a lane: a symbol's shaft
+    piece(20, 10.5, 23, 11.2),  # askew
+    piece(20, 10.5, 21, 10.5),  # too little paint
+    piece(20, 10.5, 30, 10.5, painted=1.6),  # scraps in a row
+    piece(20, 10.5, 23, 10.5, width=0.26),  # of another width
+    piece(20, 40.0, 23, 40.0),  # far from all lines
+], ids=["width", "within", "askew", "little", "scraps", "broad", "far"])
+def test_other_pieces_are_none(one):
+    assert not is_line(one)
+
+
+def test_piece_that_continues_a_line_is_one_near_its_end_only():
+    assert is_line(piece(55, 3.5, 58, 3.5))
+    assert not is_line(piece(80, 3.5, 83, 3.5))
+
+
+def test_one_line_alone_tells_of_no_width():
+    assert not is_line(piece(20, 3.5, 23, 3.5), ROAD[:1], WIDTHS[:1])
+    assert is_line(piece(55, 0.0, 58, 0.0), ROAD[:1], WIDTHS[:1])
+
+
+def test_without_sure_lines_none_is_taken():
+    assert supported_chains([piece(0, 0, 3, 0)], [], []) == []
+
+
+# What lines of one town say of each other's dashes, and lines that are large because they are long
+
+
+def dashed(starts, lengths, period, dash):
+    runs = np.column_stack([starts, np.add(starts, lengths)]).astype(float)
+    return Section(runs[0, 0], runs[-1, 1], "dashed", runs, period, dash, 0.8)
+
+
+def regular(count=6, period=7.5, dash=3.0):
+    rng = np.random.default_rng(3)
+    return dashed(np.arange(count) * period + rng.normal(0, 0.05, count), dash + rng.normal(0, 0.05, count), period,
+                  dash)
+
+
+WORN = dashed([0, 2.1, 7.5, 13.1, 14.5], [1.0, 4.3, 5.0, 0.6, 4.4], 5.3, 4.0)
+"""A solid line with gaps worn into it, which a pattern of its own explained well enough."""
+
+
+def test_worn_edge_is_solid_beside_regular_dashes():
+    sections = with_common_patterns([[regular()], [WORN]])
+    assert [one.kind for one in sections[0]] == ["dashed"] and [one.kind for one in sections[1]] == ["solid"]
+    assert sections[0][0].period == pytest.approx(7.5) and len(sections[0][0].dashes) == 6
+    assert (sections[1][0].start, sections[1][0].end) == (WORN.start, WORN.end)
+
+
+def test_worn_edge_alone_is_solid_too():
+    assert [one.kind for one in with_common_patterns([[WORN]])[0]] == ["solid"]
+
+
+def test_line_that_is_solid_before_and_dashed_behind_is_cut_where_it_changes():
+    starts, lengths = [0.0, 9.7, 12.0, 17.0, 24.5, 32.0, 39.5], [8.8, 1.8, 4.4, 3.0, 2.9, 3.1, 3.0]
+    mixed = dashed(starts, lengths, 14.6, 8.0)
+    found = with_common_patterns([[regular()], [mixed]])[1]
+    assert [one.kind for one in found] == ["solid", "dashed"]
+    assert found[1].dashes[:, 0].tolist() == starts[3:] and found[1].period == pytest.approx(7.5)
+
+
+def test_worn_dash_in_step_stays_a_dash():
+    starts, lengths = [0.0, 7.5, 15.4, 22.5, 30.0], [3.0, 3.0, 1.2, 3.0, 3.0]
+    found = with_common_patterns([[dashed(starts, lengths, 7.5, 3.0)]])[0]
+    assert [one.kind for one in found] == ["dashed"] and len(found[0].dashes) == 5
+
+
+def test_solid_lines_and_two_dashes_stay_as_they_are():
+    solid = Section(0.0, 50.0, "solid", np.array([[0.0, 50.0]]), np.nan, np.nan, 1.0)
+    pair = dashed([0.0, 8.0], [3.0, 2.9], 8.0, 3.0)
+    found = with_common_patterns([[solid], [pair]])
+    assert [one.kind for one in found[0]] == ["solid"] and [one.kind for one in found[1]] == ["dashed"]
+
+
+def test_long_curved_line_gives_its_stroke_and_a_bright_yard_none():
+    turn = np.linspace(0.0, 1.05, 200)
+    arc = shapely.LineString(400.0 * np.column_stack([np.sin(turn), 1.0 - np.cos(turn)]))
+    longest = polygon_strokes(arc.buffer(0.075, cap_style="flat"))[0]
+    assert longest.polygon == 0 and 400.0 * 1.05 * 0.15 > 60.0
+    assert longest.length == pytest.approx(420.0, abs=1.0) and longest.width == pytest.approx(0.15, abs=0.02)
+    yard = shapely.box(0, 0, 12, 10).difference(shapely.box(4, 4, 6, 6))
+    assert polygon_strokes(yard) == []

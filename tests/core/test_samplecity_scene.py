@@ -1,5 +1,7 @@
 """The true world of the sample city."""
 
+from __future__ import annotations
+
 from types import SimpleNamespace
 
 import numpy as np
@@ -12,6 +14,7 @@ from urbanmap_qgis.samplecity.scene.model import AERIAL, GROUND, FaceKind, Mater
 from urbanmap_qgis.samplecity.scene.paint import Paint
 from urbanmap_qgis.samplecity.scene.world import SCENES, make_scene
 from urbanmap_qgis.samplecity.truth.lines import true_lines
+from urbanmap_qgis.samplecity.truth.road_surfaces import REACH, true_carriageway, true_junctions
 
 
 @pytest.fixture(scope="module")
@@ -167,3 +170,24 @@ def test_paint_is_where_it_was_put_and_nowhere_beyond():
     paint = Paint([marking])
     x, y = np.array([(101, 200.5), (101, 100), (101, 900), (0, 200.5), (300, 200.5), (0, 0), (300, 0)], float).T
     assert paint.marking_at(x, y).tolist() == [0, -1, -1, -1, -1, -1, -1]
+
+
+# True areas of the sample city's roads, against areas reckoned from its streets
+
+
+def test_carriageways_and_junctions_are_those_of_the_streets():
+    scene = make_scene(120.0, "canyon", 3)
+    streets, long = scene.ground.streets, scene.size + 2.0 * REACH
+    crossings = [(one, other) for one in streets if one.along == "u" for other in streets if other.along == "v"]
+    plain = sum(2.0 * street.half_width * long for street in streets)
+    plain -= sum(4.0 * one.half_width * other.half_width for one, other in crossings)
+    plain -= shapely.union_all(list(scene.ground.islands)).area
+    road = true_carriageway(scene)
+    rounded = road.area - plain  # corners of kerbs that are rounded off
+    assert 0.0 <= rounded < 0.05 * plain
+    junctions = true_junctions(scene)
+    assert len(junctions) == len(crossings) > 0
+    for shape, (one, other) in zip(junctions, crossings):
+        centre = scene.ground.plan_to_world(shapely.Point(other.at, one.at))
+        assert shape.within(road.buffer(1e-6)) and shape.area > 4.0 * one.half_width * other.half_width * 0.9
+        assert np.hypot(*np.subtract(shape.centroid.coords[0], centre.coords[0])) == pytest.approx(0.0, abs=1.0)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -12,9 +13,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 import rasterio
+import shapely
 from pyproj import CRS
 
 from tests.small_disk import small_disk
+from urbanmap_qgis.citymodel.tiles.tile_content import TileBuilding
+from urbanmap_qgis.citymodel.tiles.tile_scratch import append_building, stored_buildings
 from urbanmap_qgis.errors import InputError, OutputError
 from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.io.points.pointcloud import open_cloud, read_all
@@ -34,13 +38,18 @@ from urbanmap_qgis.tiling.journal import (
     tile_folder,
 )
 from urbanmap_qgis.tiling.mosaic_tiles import mosaic_tiles, write_tile_raster
+from urbanmap_qgis.tiling.outline_sets import buffers_needed
 from urbanmap_qgis.tiling.point_pieces import (
     FileIndex,
+    all_inside,
     keep_own_points,
     point_file,
     sorted_into_pieces,
     write_tile_points,
 )
+from urbanmap_qgis.tiling.report import write_tiles_report
+from urbanmap_qgis.tiling.result_counts import ResultCounts
+from urbanmap_qgis.tiling.stretches import StretchGrid
 from urbanmap_qgis.tiling.tile_grid import TileGrid
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -300,3 +309,163 @@ def test_files_are_met_by_their_boxes(make_cloud, tmp_path):
     far = point_file(make_cloud(tmp_path / "far.laz", np.array([101.0, 109.0]), np.array([1.0, 9.0]), np.zeros(2)))
     assert FileIndex([near, far]).meeting((0, 0, 50, 50)) == [near]
     assert FileIndex([near, far]).meeting((20, 20, 50, 50)) == []
+
+
+# Outlines that are moved together, and the buffer that holds them
+
+
+def test_a_row_across_tiles_needs_a_buffer_to_its_end():
+    grid = TileGrid(100.0, 20.0)
+    row = [shapely.box(x, 40, x + 10, 50) for x in range(60, 250, 14)]  # gaps of 4 m, to x = 252
+    alone = [shapely.box(20, 20, 30, 30), None, shapely.Polygon(), shapely.box(930, 930, 940, 940)]
+    outlines = np.array([*row, *alone], dtype=object)
+    tiles = [grid.tile(column, 0) for column in range(3)]
+    needed = buffers_needed(outlines, grid, tiles, 5.0)
+    end = max(shape.bounds[2] for shape in row)
+    by_tile = (end - 100, max(100 - 60, end - 200), 200 - 60)
+    expected = [by_tile[int(shape.centroid.x // 100)] for shape in row]
+    assert np.allclose(needed[:len(row)], expected)
+    assert needed[len(row)] == 0 and np.isnan(needed[len(row) + 1:]).all()
+    assert (buffers_needed(outlines, grid, tiles, 3.0)[:len(row)] <= 10).all()
+
+
+def test_the_order_of_outlines_does_not_matter():
+    generator = np.random.default_rng(3)
+    corners = generator.uniform(0, 300, (80, 2))
+    outlines = shapely.box(*corners.T, *(corners + 9).T)
+    grid = TileGrid(100.0, 10.0)
+    tiles = grid.covering((0, 0, 310, 310))
+    order = generator.permutation(80)
+    assert np.array_equal(buffers_needed(outlines, grid, tiles, 5.0)[order],
+                          buffers_needed(outlines[order], grid, tiles, 5.0))
+
+
+# Counts of a run over tiles: what is good, doubtful and missing, in the verdict of its report
+
+
+def verdict_of(tmp_path, results, statuses=(DONE, DONE)):
+    grid = TileGrid(10.0, 0.0)
+    tiles = grid.covering((0.5, 0.5, 19.5, 9.5))
+    assert len(tiles) == 2
+    records = [TileRecord(tile.name, status, seconds=1.0) for tile, status in zip(tiles, statuses)]
+    write_tiles_report(tmp_path / "report.html", "Run", {}, grid, tiles, records, 0, {}, results)
+    text = (tmp_path / "report.html").read_text(encoding="utf-8")
+    return re.search(r'<p class="verdict (\w+)">(.*?)</p>', text).groups()
+
+
+@pytest.mark.parametrize("statuses, grade, words", [
+    ({"ok": 5}, "good", "5 buildings: 5 ok, 0 doubtful, 0 failed. All 2 tiles are done."),
+    ({"ok": 4, "low": 2, "not modelled": 1}, "look", "7 buildings: 4 ok, 2 doubtful, 1 failed. The field “status”"),
+    ({"not modelled": 3}, "bad", "3 buildings: 0 ok, 0 doubtful, 3 failed."),
+])
+def test_the_verdict_is_about_buildings(tmp_path, statuses, grade, words):
+    found = verdict_of(tmp_path, ResultCounts.of("buildings", statuses, ("ok",), ("not modelled",)))
+    assert found[0] == grade and words in found[1]
+
+
+def test_a_failed_tile_is_told_behind_the_buildings(tmp_path):
+    results = ResultCounts.of("walls", {"ok": 2}, ("ok",), ())
+    grade, text = verdict_of(tmp_path, results, (DONE, FAILED))
+    assert grade == "bad" and text.startswith("2 walls: 2 ok, 0 doubtful.") and "1 of 2 tiles failed" in text
+
+
+def test_results_without_a_status_tell_of_the_tiles_alone(tmp_path):
+    assert verdict_of(tmp_path, None) == ("good", "All 2 tiles are done.")
+
+
+# Buildings of tiles in scratch files: what comes back is what went in
+
+
+def building(seed):
+    random = np.random.default_rng(seed)
+    attributes = {"id": f"棟 {seed}", "height": 0.1 + 0.2, "floors": 2**40, "known": None, "flat": True,
+                  "uses": ["住宅", {"type": "店舗"}], "far": float("inf")}
+    return TileBuilding(attributes, {"roof": random.normal(4e6, 1e6, (seed, 3, 3)),
+                                     "image:a b.jpg": np.ones((2, 3, 3))},
+                        {"image:a b.jpg": random.random((2, 3, 2))})
+
+
+def test_buildings_come_back_as_they_went_in(tmp_path):
+    path = tmp_path / "cell"
+    for seed in (3, 1, 2, 0):
+        append_building(path, building(seed))
+    append_building(path, TileBuilding({}, {}, {}))
+    found = list(stored_buildings(path))
+    assert found[-1].attributes == {} and found[-1].triangles == {}
+    for seed, read in zip((3, 1, 2, 0), found):
+        made = building(seed)
+        assert read.attributes == made.attributes
+        assert list(read.triangles) == list(made.triangles) and list(read.places) == list(made.places)
+        for look in made.triangles:
+            assert np.array_equal(read.triangles[look], made.triangles[look])
+        assert np.array_equal(read.places["image:a b.jpg"], made.places["image:a b.jpg"])
+
+
+@pytest.mark.parametrize("left", [2, 40, -1])
+def test_a_file_that_is_cut_off_is_told(tmp_path, left):
+    path = tmp_path / "cell"
+    append_building(path, building(2))
+    path.write_bytes(path.read_bytes()[:left])
+    with pytest.raises(OutputError, match="cut off"):
+        list(stored_buildings(path))
+
+
+# Stretches of a drive: every point is one stretch's own by its time, also where the drive crosses itself
+
+
+def drive():
+    """There and back on one street of 520 m at 10 m/s, with a stop of 20 s on the way; from the second 1000."""
+    time = np.arange(0.0, 124.1, 0.1)
+    way = np.interp(time, [0, 30, 50, 124], [0, 300, 300, 1040])
+    x = np.where(way < 520, way, 1040 - way)
+    return time + 1000.0, np.column_stack([x, np.zeros_like(x), np.zeros_like(x)])
+
+
+def test_stretches_share_the_drive():
+    grid = StretchGrid.along(*drive(), 200.0, 30.0)
+    tiles = grid.covering((0.0, -5.0, 520.0, 5.0))
+    assert [tile.name for tile in tiles] == [f"stretch_{number:05d}" for number in range(5)]
+    assert tiles[0].core_times[0] == -np.inf and tiles[-1].core_times[1] == np.inf
+    for before, after in zip(tiles, tiles[1:]):
+        assert before.core_times[1] == after.core_times[0]
+        assert after.read[0] == pytest.approx(after.core_times[0] - 3.0, abs=0.2)
+    assert tiles[1].core_times == pytest.approx((1020.0, 1060.0), abs=0.2)  # with the stop in it
+    assert tiles[4].core_times[0] == pytest.approx(1100.0, abs=0.2)  # 240 m: no stretch of 40 m is left over
+    assert all(tile.square.area > 10 * 190 for tile in tiles[:1])
+
+
+@pytest.mark.parametrize("sort", [False, True])
+def test_points_go_by_their_time(make_cloud, tmp_path, sort):
+    time, place = drive()
+    rng = np.random.default_rng(4)
+    when = np.concatenate([np.sort(rng.uniform(time[0], time[-1], 5000)), [time[0] - 0.5, time[-1] + 0.5]])
+    x = np.interp(when, time, place[:, 0]) + rng.normal(0, 5, len(when))
+    cloud = make_cloud(tmp_path / "survey.laz", x, rng.normal(0, 5, len(when)), np.zeros(len(when)), gps_time=when)
+    grid, files = StretchGrid.along(time, place, 200.0, 30.0), [point_file(cloud)]
+    if sort:
+        (tmp_path / "pieces").mkdir()
+        files = sorted_into_pieces(files[0], grid, tmp_path / "pieces")
+        assert len(files) == 5 and sum(file.points for file in files) == len(when)
+    own = []
+    for tile in grid.covering(files[0].bounds if not sort else point_file(cloud).bounds):
+        path = tmp_path / f"{tile.name}.laz"
+        near = FileIndex(files).meeting(tile.outer)
+        assert not all_inside(near, tile)
+        count = write_tile_points(near, tile, path)
+        assert count == np.count_nonzero((when >= tile.read[0]) & (when < tile.read[1]))
+        keep_own_points(path, tile)
+        own.append(read_all(open_cloud([path]), ("gps_time",))["gps_time"])
+    assert np.allclose(np.sort(np.concatenate(own)), np.sort(when))
+
+
+def test_a_short_drive_is_one_stretch():
+    time, place = drive()
+    tile, = StretchGrid.along(time, place, 5000.0, 10.0).covering((0, 0, 1, 1))
+    assert tile.core_times == tile.read == (-np.inf, np.inf)
+
+
+def test_points_without_times_are_told(make_cloud, tmp_path):
+    cloud = make_cloud(tmp_path / "no_times.las", *np.zeros((3, 10)), point_format=0)
+    grid = StretchGrid.along(*drive(), 200.0, 30.0)
+    with pytest.raises(InputError, match="no GPS time"):
+        write_tile_points([point_file(cloud)], grid.tile(0, 0), tmp_path / "out.laz")
