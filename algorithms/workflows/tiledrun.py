@@ -104,7 +104,7 @@ class TiledRun(UrbanMapAlgorithm):
 
     def _run(self, parameters, context, inputs, folder, progress):
         from ...urbanmap_qgis.tiling.journal import DONE, EMPTY, FAILED, kept_record
-        from ..framework.tiles.tile_merge import counts_of, merge_results, whole_records
+        from ..framework.tiles.tile_merge import add_missing, counts_of, merge_results, whole_records
         from ..framework.tiles.tile_pool import run_tiles
 
         tiles = self._chosen(inputs.tiles, self.parameterAsInt(parameters, "ESTIMATE", context))
@@ -129,6 +129,12 @@ class TiledRun(UrbanMapAlgorithm):
                 len(tiles)))
         joined = CUTTABLE[inputs.stage.name()].joined
         merged = merge_results(folder, tiles, records, inputs.outputs, joined, progress.part(0.9, 0.97))
+        cut = CUTTABLE[inputs.stage.name()]
+        if len(tiles) == len(inputs.tiles) and cut.things == "buildings" and "OUTPUT" in merged:
+            added = add_missing(merged["OUTPUT"], inputs.layers[cut.owner], tiles, records, cut.missing[0])
+            if added:
+                progress.warn(tr("{0} outlines lie where no tile has a result; the merged layer has a row for each, "
+                                 "with the reason.").format(added))
         for name, path in merged.items():
             progress.message(tr("{0}: {1}").format(name, path))
         counts = counts_of(merged.get("OUTPUT"), CUTTABLE[inputs.stage.name()])

@@ -16344,6 +16344,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{0} を最後まで読み込めません。このファイルがあるフォルダーを削除して再実行してください。</translation>
     </message>
     <message>
+        <source>{0} cannot be written; check the disk.</source>
+        <translation>{0} に書き込めません。ディスクを確認してください。</translation>
+    </message>
+    <message>
         <source>The process that worked on this tile was ended, by lack of memory or a fault in a library; make the tiles smaller.</source>
         <translation>このタイルの処理プロセスが、メモリ不足またはライブラリの不具合により終了しました。タイルを小さくしてください。</translation>
     </message>
@@ -17122,6 +17126,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Tile {0} failed: {1}</source>
         <translation>タイル{0}が失敗しました: {1}</translation>
+    </message>
+    <message>
+        <source>{0} outlines lie where no tile has a result; the merged layer has a row for each, with the reason.</source>
+        <translation>{0} 棟の外周は結果のあるタイルにありません。結合したレイヤーに、それぞれの行を理由とともに入れました。</translation>
     </message>
     <message>
         <source>Acceptance: errors at check points</source>

@@ -97,7 +97,10 @@ def test_one_failed_tile_does_not_end_the_run(run, town, make_cloud, read_layer,
     rows = [row.attributes for row in read_layer(tmp_path / "tiles.gpkg")]
     failed = [row for row in rows if row["status"] == "failed"]
     assert len(failed) == 4 and sum(row["status"] == "done" for row in rows) == 2
-    assert (tmp_path / "run" / "merged" / "output.gpkg").is_file()
+    merged = [row.attributes for row in read_layer(tmp_path / "run" / "merged" / "output.gpkg")]
+    assert sorted(row["building_id"] for row in merged) == sorted(town["heights"])  # as many rows as outlines
+    lost = [row for row in merged if row["status"] == "not modelled"]
+    assert lost and all("damaged.laz" in row["reason"] for row in lost)
     assert all("damaged.laz" in row["reason"] for row in failed)
     assert any("failed" in text for text in run.feedback.warnings)
     assert "tiles failed" in (tmp_path / "report.html").read_text(encoding="utf-8")

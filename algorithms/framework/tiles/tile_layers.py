@@ -18,11 +18,20 @@ from qgis.core import (
 )
 
 from ....urbanmap_qgis.errors import OutputError
+from ....urbanmap_qgis.tiling.tile_grid import GridTile
 from ..declaring.parameters import tr
 from ..layers.layers import own_fields
 
 LAYER_SUFFIX = ".gpkg"
 TILE_FIELD = "tile"
+
+
+def is_own(tile: GridTile, feature) -> bool:
+    """Whether the middle of a feature's box is in the core: the same for every tile, and cheap."""
+    if not feature.hasGeometry() or feature.geometry().isEmpty():
+        return False
+    middle = feature.geometry().boundingBox().center()
+    return bool(tile.owns(middle.x(), middle.y()))
 
 
 @contextmanager

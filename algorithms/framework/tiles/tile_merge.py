@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from qgis.core import QgsVectorLayer
+from qgis.core import QgsFeature, QgsVectorLayer
 
 from ....urbanmap_qgis.errors import OutputError
 from ....urbanmap_qgis.progress import SILENT, Progress
@@ -16,9 +16,10 @@ from ....urbanmap_qgis.tiling.result_counts import ResultCounts
 from ....urbanmap_qgis.tiling.tile_grid import GridTile
 from ..declaring.parameters import tr
 from ..layers.layers import features_of, without_times
+from ..layers.outlines import BUILDING_ID
 from ..layers.styles import save_style_text, saved_style
 from .tile_joins import EdgePieces, joined_fields, read_layer
-from .tile_layers import count_of, layer_file
+from .tile_layers import count_of, is_own, layer_file, open_layer
 from .tiled_algorithms import Cut
 
 MERGED = "merged"
@@ -72,6 +73,38 @@ def merge_layers(parts: Sequence[Path], target: Path, joined: bool = False, prog
         if style is not None:
             save_style_text(temporary, *style)
         without_times(temporary)
+
+
+def add_missing(path: Path, owner: Path, tiles: Sequence[GridTile], records: Mapping[str, TileRecord],
+                status: str) -> int:
+    """Give every building of the `owner` layer its row in the merged layer: those of tiles without points, of failed
+    ones and beyond all tiles have none yet. As many rows come out as outlines went in; returns how many were added."""
+    with open_layer(owner) as source:
+        given = {str(feature[BUILDING_ID]): feature for feature in source.getFeatures()}
+        known = source.fields()
+    with open_layer(path) as layer:
+        fields = layer.fields()
+        made = {str(feature[BUILDING_ID]) for feature in layer.getFeatures()}
+        rows = []
+        for name in (name for name in given if name not in made):
+            row = QgsFeature(fields)
+            for place, item in enumerate(fields):
+                if known.lookupField(item.name()) >= 0 and item.name() != "fid":
+                    row[place] = given[name][item.name()]
+            row["status"], row["reason"] = status, _why_missing(given[name], tiles, records)
+            rows.append(row)
+        if not layer.dataProvider().addFeatures(rows)[0]:
+            raise OutputError(tr("{0} cannot be written; check the disk.").format(path))
+    without_times(path)
+    return len(rows)
+
+
+def _why_missing(feature: QgsFeature, tiles: Sequence[GridTile], records: Mapping[str, TileRecord]) -> str:
+    for tile in tiles:
+        if is_own(tile, feature):
+            record = records.get(tile.name)
+            return f"tile {tile.name}: {record.reason}" if record is not None and record.reason else f"tile {tile.name}"
+    return "no point cloud reaches its outline"
 
 
 def whole_records(run_folder: Path, tiles: Sequence[GridTile], records: Mapping[str, TileRecord]

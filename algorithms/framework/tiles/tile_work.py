@@ -37,7 +37,7 @@ from ..layers.layers import make_fields, own_fields, without_times
 from ..layers.outlines import BUILDING_ID, NUMBER
 from ..running.cluster import require_cluster
 from .tile_joins import cut_features
-from .tile_layers import LAYER_SUFFIX, TILE_FIELD, layer_file, layers_closed, open_layer
+from .tile_layers import LAYER_SUFFIX, TILE_FIELD, is_own, layer_file, layers_closed, open_layer
 from .tiled_algorithms import CUTTABLE
 
 if TYPE_CHECKING:
@@ -196,18 +196,10 @@ def cut_layer(source: Path, tile: GridTile, target: Path) -> dict[str, int]:
         owned = {}
         if BUILDING_ID in names:
             number = NUMBER if NUMBER in names else BUILDING_ID
-            owned = {str(feature[BUILDING_ID]): int(feature[number]) for feature in near if _is_own(tile, feature)}
+            owned = {str(feature[BUILDING_ID]): int(feature[number]) for feature in near if is_own(tile, feature)}
         with layer_file(target, layer.fields(), layer.wkbType(), layer.crs()) as add:
             add(near)
     return owned
-
-
-def _is_own(tile: GridTile, feature) -> bool:
-    """Whether the middle of a feature's box is in the core: the same for every tile, and cheap."""
-    if not feature.hasGeometry() or feature.geometry().isEmpty():
-        return False
-    middle = feature.geometry().boundingBox().center()
-    return bool(tile.owns(middle.x(), middle.y()))
 
 
 def _keep_own(path: Path, tile: GridTile, own: Mapping[str, int] | None, joined: bool) -> None:
@@ -233,7 +225,7 @@ def keep_own_features(path: Path, tile: GridTile, own: Mapping[str, int] | None)
         by_id = own is not None and layer.fields().lookupField(BUILDING_ID) >= 0
         others, rest = [], []
         for feature in layer.getFeatures():
-            if str(feature[BUILDING_ID]) in own if by_id else not feature.hasGeometry() or _is_own(tile, feature):
+            if str(feature[BUILDING_ID]) in own if by_id else not feature.hasGeometry() or is_own(tile, feature):
                 rest.append(feature.id())
             else:
                 others.append(feature.id())
