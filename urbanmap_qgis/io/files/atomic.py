@@ -11,7 +11,7 @@ from pathlib import Path
 
 from ...errors import OutputError
 from ...wording import say
-from .staging import final_text
+from .staging import final_text, refuse_unless_replaceable
 
 _LEAST_ROOM = 2**20  # bytes, below which a disk counts as full
 STEM_LENGTH = 32
@@ -27,22 +27,11 @@ def written_beside(path: str | os.PathLike) -> Iterator[Path]:
 
     Raises
     ------
-    OutputError : the folder does not exist or cannot be written, or the file is locked.
+    OutputError : no file can be put there (`refuse_unless_replaceable`), or it cannot be written.
     """
     target = Path(path)
     folder, shown = target.parent, final_text(str(target))
-    try:
-        if not folder.is_dir():
-            raise OutputError(say("The folder {final_text} does not exist: create it or choose another output.",
-                                  final_text=final_text(str(folder))))
-        if not os.access(folder, os.W_OK):
-            raise OutputError(say("The folder {final_text} cannot be written: choose another output.",
-                                  final_text=final_text(str(folder))))
-        if target.is_dir():
-            raise OutputError(say("{shown} is a folder: give the name of a file.", shown=shown))
-    except OSError as error:
-        raise OutputError(say("{shown} cannot be the name of a file ({strerror}): choose another output.", shown=shown,
-                              strerror=error.strerror)) from error
+    refuse_unless_replaceable(target)
     suffix = "".join(target.suffixes[-2:]) or target.suffix
     suffix = suffix if len(suffix) <= STEM_LENGTH else target.suffix
     temporary = folder / f".{target.stem.split('.')[0][:STEM_LENGTH]}-{uuid.uuid4().hex[:8]}{suffix}"
