@@ -10412,22 +10412,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{shown}に書き込めません。ディスクの空き容量を確保するか、別の出力先を選択してください。</translation>
     </message>
     <message>
-        <source>The folder {final_text} does not exist: create it or choose another output.</source>
-        <translation>フォルダ{final_text}が存在しません。作成するか、別の出力先を選択してください。</translation>
-    </message>
-    <message>
-        <source>The folder {final_text} cannot be written: choose another output.</source>
-        <translation>フォルダ{final_text}に書き込めません。別の出力先を選択してください。</translation>
-    </message>
-    <message>
-        <source>{shown} is a folder: give the name of a file.</source>
-        <translation>{shown}はフォルダです。ファイル名を指定してください。</translation>
-    </message>
-    <message>
-        <source>{shown} cannot be the name of a file ({strerror}): choose another output.</source>
-        <translation>{shown}はファイル名として使用できません（{strerror}）。別の出力先を選択してください。</translation>
-    </message>
-    <message>
         <source>{shown} cannot be written ({strerror}).</source>
         <translation>{shown}に書き込めません（{strerror}）。</translation>
     </message>
