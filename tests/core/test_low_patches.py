@@ -5,7 +5,7 @@ import pytest
 import shapely
 from scipy.spatial import cKDTree
 
-from urbanmap_qgis.buildings.planes.high_corners import high_corner_costs, highest_near
+from urbanmap_qgis.buildings.planes.high_corners import highest_near
 from urbanmap_qgis.buildings.planes.low_patches import low_patches
 from urbanmap_qgis.buildings.planes.plane_partition import partition_planes
 from urbanmap_qgis.buildings.planes.plane_solids import checked_sloped_solids
@@ -80,15 +80,6 @@ def test_the_highest_point_near():
     found = highest_near(np.array([[0.0, 0], [2.1, 0], [9, 9]]), points, 0.3)
     assert found.tolist() == [7.0, 9.0, np.inf]
     assert highest_near(np.array([[0.0, 0]]), points, 1.6).tolist() == [9.0]
-
-
-def test_corners_too_high_cost_by_height_and_area():
-    squares = np.array([shapely.box(0, 0, 1, 1), shapely.box(1, 0, 3, 2)], object)
-    points = np.array([[x, y, 4.0] for x in (0.1, 0.9, 1.1, 2, 2.9) for y in (0.1, 0.9, 1.9)])
-    planes = np.array([[0, 0, 4.0], [0, 0, 5.4], [0, 0, 99.0]])
-    near = np.array([[True, True, True], [True, True, False]])
-    costs = high_corner_costs(squares, planes, near, points, 0.3)
-    assert costs == pytest.approx(np.array([[0, 2.0, 6.0], [0, 4.0, 0]]))
 
 
 def test_patches_need_points_near():

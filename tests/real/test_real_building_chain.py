@@ -34,7 +34,7 @@ def test_delft_is_modelled_whole_and_valid(delft, cloud, rmse_z95, flat):
     assert reached["rmse_z95"] <= rmse_z95
     assert reached["flat"] <= flat
     assert reached["iou"] >= 0.98
-    assert reached["roofs"] <= 300
+    assert reached["roofs"] <= 350
 
 
 @pytest.mark.parametrize("cloud", ["points", "points_unclassified"])

@@ -29,8 +29,10 @@ from .displacement_search import (
     OutlineNetwork,
     choose,
     coarse_search,
+    covered_by_others,
     drop_insignificant_shifts,
     fine_search,
+    separate_overlapping,
     shift_lattice,
 )
 
@@ -185,6 +187,10 @@ def _placed(polygons: np.ndarray, pairs: np.ndarray, sums: np.ndarray, measured:
         shifts, belief = fine_search(network, shifts, step, width)
         beliefs.append(belief)
     shifts = _wall_to_wall(network, shifts, max_shift)
+    separated = separate_overlapping(network, shifts, area, cover, max_shift)
+    if (separated != shifts).any():
+        again = _wall_to_wall(network, separated, max_shift)
+        shifts = np.where(covered_by_others(network, again, area)[:, None], separated, again)
     shifts = drop_insignificant_shifts(network, shifts)
     shifts = np.where(seen[:, None], shifts, network.common)
     shifts = np.round(shifts * np.minimum(1, max_shift / np.maximum(np.hypot(*shifts.T), LEAST_DIVISOR))[:, None], 3)

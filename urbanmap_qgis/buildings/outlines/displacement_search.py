@@ -33,6 +33,7 @@ class DisplacementSearchLimits:
     damping: float = 0.3
     chance: float = .5  # share of the score of newly meeting walls that speaks for a departure
     same_place: float = 1e-3  # m
+    max_covered: float = 0.4  # share of its area that others cover from which an outline looks for another place
     pairs_at_once: int = 2048  # pairs whose tables over all candidates are held at once
 
 
@@ -214,6 +215,49 @@ def choose(network: OutlineNetwork, candidates: np.ndarray) -> np.ndarray:
     tables = network.pair_score(relative, LIMITS.exact_width)
     belief = max_sum_belief(network.unary_score(candidates), network.pairs, score)
     return np.take_along_axis(candidates, belief.argmax(1)[:, None, None], 1)[:, 0]
+
+
+def separate_overlapping(network: OutlineNetwork, shifts: np.ndarray, area: np.ndarray, cover: np.ndarray,
+                         max_shift: float) -> np.ndarray:
+    """Shifts (n, 2) where outlines that came to lie on others found places of their own, one after another.
+
+    The search for all may end with two equal sheds in one place and none beside it; here one outline moves at a
+    time, the one that gains most, while all others stay. `cover` (n, k) is that of the coarse lattice.
+    """
+    shifts = shifts.copy()
+    n = len(shifts)
+    steps = shift_lattice(COARSE_STEP, max_shift) * COARSE_STEP
+    unary = network.unary_score(np.broadcast_to(steps, (n, *steps.shape)), cover)
+    placed = np.zeros(n, bool)
+    while True:
+        overlapping = covered_by_others(network, shifts, area) & ~placed
+        if not overlapping.any():
+            return shifts
+        part = network.only(overlapping[network.pairs].any(axis=1))
+        first, second = shifts[part.pairs[:, 0]][:, None], shifts[part.pairs[:, 1]][:, None]
+        score = unary + _of_both(part, part.pair_score(second - steps, LIMITS.coarse_width),
+                                 part.pair_score(steps - first, LIMITS.coarse_width))
+        present = part.pair_score(part.relative(shifts)[:, None], LIMITS.coarse_width)
+        gain = score.max(axis=1) - (network.unary_score(shifts[:, None]) + _of_both(part, present, present))[:, 0]
+        mover = np.where(overlapping, gain, -np.inf).argmax()
+        if gain[mover] <= 0:
+            return shifts
+        shifts[mover] = steps[score[mover].argmax()]
+        placed[mover] = True
+
+
+def covered_by_others(network: OutlineNetwork, shifts: np.ndarray, area: np.ndarray) -> np.ndarray:
+    """Mask (n,) of the outlines that lie on others with too much of their area (n,) m2."""
+    overlap = network.overlap(network.relative(shifts)[:, None])
+    return _of_both(network, overlap, overlap)[:, 0] > LIMITS.max_covered * area
+
+
+def _of_both(network: OutlineNetwork, of_first: np.ndarray, of_second: np.ndarray) -> np.ndarray:
+    """Sums (n, k) over the pairs of each outline of what the pairs (p, k) mean to their first and their second."""
+    total = np.zeros((len(network.perimeter), of_first.shape[1]))
+    np.add.at(total, network.pairs[:, 0], of_first)
+    np.add.at(total, network.pairs[:, 1], of_second)
+    return total
 
 
 def drop_insignificant_shifts(network: OutlineNetwork, shifts: np.ndarray) -> np.ndarray:

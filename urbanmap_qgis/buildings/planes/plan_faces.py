@@ -14,7 +14,6 @@ from ...geometry.tolerances import LEAST_DIVISOR
 from ...wording import say
 from ..polygons.plan_arrangement import GRID, common_borders
 from .alpha_expansion import expand_labels
-from .high_corners import high_corner_costs
 from .label_raster import LabelRaster
 
 SMOOTHNESS = 0.13
@@ -147,7 +146,7 @@ def _data_costs(faces: PlanFaces, raster: LabelRaster, planes: np.ndarray, point
     tree = shapely.STRtree(faces.polygons)
     _add_sums(data, near, tree, labelled[:, :2], of_points, 1.0)
     _add_sums(data, near, tree, xy, of_cells, raster.cell**2)
-    return data + high_corner_costs(faces.polygons, planes, near, points, raster.cell)
+    return data
 
 
 def _near_planes(faces: PlanFaces, raster: LabelRaster, count: int) -> np.ndarray:

@@ -26,14 +26,6 @@ def moments_of(points: np.ndarray) -> np.ndarray:
     return np.array([len(x), x.sum(), y.sum(), z.sum(), x @ x, x @ y, y @ y, x @ z, y @ z, z @ z])
 
 
-def mean_square(m: np.ndarray, plane: np.ndarray) -> float:
-    """Mean square height error of a plane (3,) at the points of moments (10,), m2."""
-    a, b, c = plane
-    total = (m[9] + a * a * m[4] + 2 * a * b * m[5] + b * b * m[6] + c * c * m[0] - 2 * (a * m[7] + b * m[8] + c * m[3])
-             + 2 * c * (a * m[1] + b * m[2]))
-    return max(float(total / m[0]), 0.0)
-
-
 def solve(m: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Planes (..., 3) as a, b, c and the sums of squared height plane_distances (...) from moments (..., 10)."""
     m = np.asarray(m, float)

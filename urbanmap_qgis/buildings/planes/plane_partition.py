@@ -8,9 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
-from ..polygons.partition_lines import edge_rows
 from ..polygons.plan_arrangement import dissolve
-from ..polygons.regularisation import main_directions
 from .candidate_segments import candidate_segments
 from .label_raster import LabelRaster, label_raster
 from .low_patches import LowPatches, high_patches, low_patches
@@ -77,7 +75,7 @@ def partition_planes(outline: shapely.Geometry, points: np.ndarray, roof: np.nda
     points = points - np.array([*origin, 0.0])
     local = shapely.transform(shapely.force_2d(outline), lambda c: c - origin)
     if planes is None:
-        planes = regular_planes(moments(points, of_point, len(numbers)), _axes(edge_rows(local)[:, 2:]))
+        planes = regular_planes(moments(points, of_point, len(numbers)))
     density = max(np.count_nonzero(of_point >= 0) / local.area, 0.3)
     raster = label_raster(points, of_point, local, density)
     step = -(-len(points) // LIMITS.most_points)
@@ -87,13 +85,6 @@ def partition_planes(outline: shapely.Geometry, points: np.ndarray, roof: np.nda
                   for polygon in meeting_polygons(polygons, planes[labels]))
     status = ONE_PLANE if len(planes) == 1 else OK
     return PlanePartition(moved, numbers[number][labels], planes[labels], origin, _coverage(raster, polygons), status)
-
-
-def _axes(edges: np.ndarray) -> np.ndarray:
-    """Unit vectors (d, 2) of the main directions of edges (n, 2) of outlines, and across them."""
-    angle = np.radians(main_directions(edges))
-    return np.concatenate([np.column_stack([np.cos(angle), np.sin(angle)]),
-                           np.column_stack([-np.sin(angle), np.cos(angle)])])
 
 
 def _divided(outline: shapely.Geometry, raster: LabelRaster, planes: np.ndarray, points: np.ndarray,

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import cv2
 import numpy as np
 import shapely
 
@@ -21,12 +20,6 @@ class PlaneSegmentationLimits:
 
     # A building of whose points a smaller share lies on planes has no planes worth the name.
     least_explained: float = 0.35
-    # Cells (m) three of which make a roof broad enough; share of such cells of a level roof; slope up to which
-    # one is level: steep strips are mansards.
-    strip_cell: float = 0.4
-    least_broad: float = 0.25
-    level: float = 0.1
-    strip_density: float = 4.0  # Points/m2 from which a strip can be told from a roof with few points.
     fewest_points: int = 3
     most_points: int = 30_000  # Points of one building that planes are grown on; of more a regular choice is taken.
 
@@ -87,8 +80,6 @@ def segment_planes(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely
         label = _spread(points, points[chosen], label, parameters.tolerance)
     shapely.prepare(outline)
     label = _seen_inside(label, shapely.contains_xy(outline, x[high], y[high]))
-    if density >= LIMITS.strip_density:
-        label = _without_strips(points, label, max(LIMITS.strip_cell, density**-0.5))
     if label.max(initial=-1) < 0:
         return PlaneSegmentation(roof, (), NO_PLANES)
     heights = [float(np.median(points[label == number, 2])) for number in range(label.max() + 1)]
@@ -106,27 +97,6 @@ def _seen_inside(label: np.ndarray, inside: np.ndarray) -> np.ndarray:
     keep = (inner >= 3) & (inner / every > 0.15)
     number = np.cumsum(keep) - 1
     return np.where((label >= 0) & keep[label], number[label], -1) if count else label
-
-
-def _without_strips(points: np.ndarray, label: np.ndarray, cell: float) -> np.ndarray:
-    """Labels without level planes that are narrow everywhere: parapets, ledges and gutters."""
-    count = int(label.max(initial=-1)) + 1
-    if count < 2:
-        return label
-    planes = fitted_planes(points, label)
-    keep = np.ones(count, bool)
-    for number in np.flatnonzero(np.hypot(planes[:, 0], planes[:, 1]) < LIMITS.level):
-        xy = points[label == number, :2]
-        column, row = (np.floor((xy - xy.min(axis=0)) / cell).astype(np.int64) + 2).T
-        hit = np.zeros((row.max() + 3, column.max() + 3), np.uint8)
-        hit[row, column] = 1
-        hit = cv2.morphologyEx(hit, cv2.MORPH_CLOSE, np.ones((2, 2), np.uint8))
-        broad = cv2.morphologyEx(hit, cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
-        keep[number] = np.count_nonzero(broad) >= LIMITS.least_broad * np.count_nonzero(hit)
-    if not keep.any():
-        return label
-    renumbered = np.cumsum(keep) - 1
-    return np.where((label >= 0) & keep[label], renumbered[label], -1)
 
 
 def _spread(points: np.ndarray, chosen: np.ndarray, label: np.ndarray, tolerance: float) -> np.ndarray:
