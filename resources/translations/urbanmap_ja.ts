@@ -5213,7 +5213,7 @@
     </message>
     <message>
         <source>The trajectory with which a mobile survey was placed: CSV time,x,y,z,roll,pitch,heading, SBET, or a point layer with these fields. The check points are then control points: id,x,y,z (where a point truly lies, metres) and time,x_mms,y_mms,z_mms (when the survey measured it, GPS seconds, and where it lies in the survey); heights may be missing.</source>
-        <translation>移動計測データの座標付けに使った軌跡です。CSV time,x,y,z,roll,pitch,heading、SBET、またはこれらのフィールドを持つ点レイヤを指定します。このとき検証点は、id,x,y,z（点の正しい位置、m）とtime,x_mms,y_mms,z_mms（計測時刻（GPS秒）と計測データ上の位置）の列を持つものとします。高さはなくてもかまいません。</translation>
+        <translation>MMS計測データの座標付けに使った軌跡です。CSV time,x,y,z,roll,pitch,heading、SBET、またはこれらのフィールドを持つ点レイヤを指定します。このとき検証点は、id,x,y,z（点の正しい位置、m）とtime,x_mms,y_mms,z_mms（計測時刻（GPS秒）と計測データ上の位置）の列を持つものとします。高さはなくてもかまいません。</translation>
     </message>
     <message>
         <source>The same after a correction. Without it the survey is measured as it is.</source>
@@ -6027,7 +6027,7 @@ The standard deviation is that about a mean of 0. With few points it says little
 Building models without check points yet: their edges are drawn at random, 21 of each quarter regional mesh, into a table in which the survey fills in what it measured. That table is then given as check points.
 Building models with laser points instead: 84 edges of each mesh are looked for in the points, and the models judged by those that the points show. If the models were made from the same points, that checks the modelling and not the accuracy, and nothing is judged.</source>
         <translation>計測成果または建物モデルを検証点により判定し、公共測量の精度管理表の形式で示します：水平位置と標高それぞれの値、地図情報レベルの制限値、項目ごとの合否、較差の分布図、全点の一覧。
-移動計測は検証点で判定します：軌跡と、あれば補正後の軌跡を指定すると、残差をここで計算します。
+MMS計測は検証点で判定します：軌跡と、あれば補正後の軌跡を指定すると、残差をここで計算します。
 検証点は独立に測量した点とします。role列で調整に用いたとされた点は除外します。点数が足りない場合は合格としません。
 標準偏差は母平均を0とした値です。点数が少ない場合は、95 %の信頼度で標準偏差の上限となる値も示します。
 検証点のまだない建物モデルでは、4分の1地域メッシュごとに21辺を無作為に抽出し、点検測量の結果を記入する表を作ります。記入した表を検証点として指定します。
@@ -13941,7 +13941,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{0} is no longer used: nothing is learned from answers. Raise or lower MIN_CONFIDENCE, and delete from the markings what is no paint.</source>
-        <translation>{0}はもう使われません（回答からの学習は行いません）。MIN_CONFIDENCEを上げ下げし、塗装でないものは路面標示から削除してください。</translation>
+        <translation>{0}はもう使われません（回答からの学習は行いません）。MIN_CONFIDENCEを上げ下げし、標示でないものはレイヤから削除してください。</translation>
     </message>
     <message>
         <source>Nothing of the orthophoto is left to look at: check that roads, buildings and hidden areas lie where the image does; the mask is empty.</source>

@@ -46,7 +46,7 @@ RECIPES: dict[str, dict] = {
     "segmentroofs": {"POINTS": ["segmentbuildings:OUTPUT"], "FOOTPRINTS": "segmentbuildings:OUTPUT_BUILDINGS"},
     "roofpolygons": {"POINTS": ["segmentroofs:OUTPUT"], "FOOTPRINTS": "segmentbuildings:OUTPUT_BUILDINGS"},
     "buildingmodels": {"ROOFS": "roofpolygons:OUTPUT", "FOOTPRINTS": "segmentbuildings:OUTPUT_BUILDINGS",
-                       "GROUND": HEIGHTS["GROUND"]},
+                       "GROUND": HEIGHTS["GROUND"], "POINTS": ["segmentroofs:OUTPUT"]},
     "buildingsfromals": {"POINTS": ["city:als/als.laz"], **OUTLINES},
     "mesh25d": {"POINTS": ["city:als/als.laz"], **OUTLINES, "GROUND": HEIGHTS["GROUND"]},
     "wallsfrommms": {"POINTS": DRIVE["POINTS"], "BUILDINGS": OUTLINES["FOOTPRINTS"],

@@ -174,7 +174,7 @@ def test_unpacked_zip_lists_the_algorithms(package, new_profile, linked_profile)
     enabled = profile.call("plugins", "enable", "urbanmap_qgis")
     assert enabled.code == 0, enabled.err
     found = own_lines(profile.call("list").out)
-    assert any("urbanmap:loadgsibuildings" in line for line in found)
+    assert any("urbanmap:loadgsi\t" in line for line in found)
     assert found == own_lines(linked_profile().call("list").out)
 
 
