@@ -171,7 +171,7 @@ def test_dialogs_are_in_japanese(speaking, data_words):
 
 SPOKEN = ("surfacefromals", "aerialmarkings", "segmentbuildings", "segmentroofs", "roofpolygons", "buildingmodels",
           "wallsfrommms", "mergebuildingmodels", "exportcitymodel", "loadcitymodel", "markinglines", "streetobjects",
-          "vectormap", "checkvectormap", "roadmarkingsfrommms", "registermms", "checkaccuracy", "acceptance",
+          "vectormap", "checkmodel", "roadmarkingsfrommms", "registermms", "acceptance",
           "rectifytrajectory", "gnssreflections", "adjustwalls", "localisationaccuracy")
 """Runs whose reports and messages are read: one of every kind of report that does not take long."""
 
