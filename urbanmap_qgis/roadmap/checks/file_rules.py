@@ -11,15 +11,10 @@ import shapely
 from ...geometry.tolerances import LEAST_DIVISOR
 from ..formats.lanelet_tags import (
     AUTOWARE_RULES,
-    FASTEST,
-    LANELET2_RULES,
     LINE_SUBTYPES,
     PARTICIPANTS,
     TAGS,
-    VEHICLE_SUBTYPES,
     YES_NO,
-    speed_kmh,
-    tag_rule,
 )
 from .inspection import MapInspection
 from .rule_table import Broken, MapRule, broken, rule
@@ -162,13 +157,6 @@ def _as_read(heights: np.ndarray) -> np.ndarray:
     return np.where(beside, 0.0, heights)
 
 
-@rule("Lanelet2.Load-001")
-def _rule_without_subtype(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for one in inspected.rules.values():
-        if "subtype" not in one.tags:
-            yield broken("relation", one.number)
-
-
 @rule("Lanelet2.Load-002")
 def _sides(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
     for number, relation in inspected.content.relations.items():
@@ -186,14 +174,6 @@ def _sign_without_kind(inspected: MapInspection, rule: MapRule) -> Iterator[Brok
             yield broken("relation", one.number)
 
 
-@rule("Lanelet2.Load-005")
-def _unknown_rules(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    declared = tag_rule("regulatory element", "subtype")
-    for one in inspected.rules.values():
-        if one.subtype and not declared.allows(one.subtype):
-            yield broken("relation", one.number, value=one.subtype)
-
-
 @rule("Lanelet2.Load-006")
 def _extension(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
     reported: set[str] = set()
@@ -203,34 +183,12 @@ def _extension(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
             yield broken("relation", one.number, value=one.subtype)
 
 
-@rule("Lanelet2.Load-007")
-def _refers_to_nothing(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    asked = ({"traffic_light"} | set(AUTOWARE_RULES)) - {"speed_bump", "roundabout"}
-    for one in inspected.rules.values():
-        if one.subtype in asked and not one.ids("refers"):
-            yield broken("relation", one.number, value=one.subtype)
-
-
 @rule("Lanelet2.Load-008")
 def _virtual_light_lines(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
     for one in inspected.rules_of("virtual_traffic_light"):
         starts, ends = len(one.ids("start_line")), len(one.ids("end_line"))
         if starts != 1 or not ends:
             yield broken("relation", one.number, starts=starts, ends=ends)
-
-
-@rule("Lanelet2.Unused-001")
-def _unused(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for one in inspected.rules.values():
-        if one.subtype in (*LANELET2_RULES, *AUTOWARE_RULES) and one.number not in inspected.referrers:
-            yield broken("relation", one.number)
-
-
-@rule("Lanelet2.Yield-001")
-def _nobody_yields(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for one in inspected.rules_of("right_of_way"):
-        if one.ids("right_of_way") and not one.ids("yield"):
-            yield broken("relation", one.number)
 
 
 def _without_participants(inspected: MapInspection) -> tuple[dict[str, list[int]], set[str]]:
@@ -258,21 +216,6 @@ def _participants_nowhere(inspected: MapInspection, rule: MapRule) -> Iterator[B
     without, stated = _without_participants(inspected)
     for subtype in sorted(without.keys() - stated):
         yield broken("relation", without[subtype][0], value=subtype)
-
-
-@rule("Lanelet2.SpeedLimit-001")
-def _no_speed_limit(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for lane in inspected.lanes.values():
-        if lane.subtype in VEHICLE_SUBTYPES and "speed_limit" not in lane.tags:
-            yield broken("relation", lane.number)
-
-
-@rule("Lanelet2.SpeedLimit-002")
-def _no_speed(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for lane in inspected.lanes.values():
-        value = lane.tags.get("speed_limit", "")
-        if value and not 0.0 < speed_kmh(value) <= FASTEST:
-            yield broken("relation", lane.number, value=value)
 
 
 def _tagged(inspected: MapInspection) -> Iterator[tuple[str, str, int, Mapping[str, str]]]:

@@ -9,7 +9,6 @@ import shapely
 
 from ...geometry.tolerances import LEAST_DIVISOR
 from ..formats.lanelet_tags import as_number
-from ..map_records import TURNS
 from .inspection import CheckedLane, CheckedRule, MapInspection
 from .rule_table import Broken, MapRule, broken, rule
 
@@ -63,13 +62,6 @@ def _no_turn(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
             yield broken("relation", lane.number)
 
 
-@rule("Intersection.TurnDirectionTagging-002")
-def _unknown_turn(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for lane in _turning(inspected):
-        if lane.tags["turn_direction"] not in TURNS:
-            yield broken("relation", lane.number, value=lane.tags["turn_direction"])
-
-
 @rule("Intersection.IntersectionAreaSegmentType-001")
 def _area_points(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
     border_nodes = {node for way in inspected.ways_of("road_border") for node in inspected.line(way)}
@@ -102,13 +94,6 @@ def _area_left(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
         area = inspected.valid_areas[lane.number]
         if polygon is not None and area.difference(polygon).area > BEYOND * area.area:
             yield broken("relation", lane.number, value=lane.tags["intersection_area"])
-
-
-@rule("Intersection.IntersectionAreaTagging-004")
-def _turn_without_area(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for lane in _turning(inspected):
-        if "intersection_area" not in lane.tags:
-            yield broken("relation", lane.number, value=lane.tags["turn_direction"])
 
 
 @rule("Intersection.LaneletDivision-001")

@@ -9,7 +9,7 @@ import numpy as np
 import shapely
 
 from ...geometry.tolerances import LEAST_DIVISOR, LEAST_SQUARE
-from ..formats.lanelet_tags import FASTEST, as_number, speed_kmh
+from ..formats.lanelet_tags import FASTEST, speed_kmh
 from .inspection import CheckedLane, MapInspection
 from .rule_table import Broken, MapRule, broken, rule
 
@@ -201,21 +201,6 @@ def _lane_change_value(inspected: MapInspection, rule: MapRule) -> Iterator[Brok
             yield broken("way", way, value=value)
 
 
-@rule("Lane.LaneletGeometry-001")
-def _shared_points(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for lane in inspected.lanes.values():
-        if set(lane.left) & set(lane.right):
-            yield broken("relation", lane.number)
-
-
-@rule("Lane.SpeedLimitValidity-001")
-def _speed_no_number(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for lane in inspected.lanes.values():
-        value = lane.tags.get("speed_limit")
-        if lane.subtype in ("road", "private") and value is not None and not speed_kmh(value) > 0.0:
-            yield broken("relation", lane.number, value=value)
-
-
 @rule("Lane.SpeedLimitValidity-002")
 def _speed_out_of_range(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
     for lane in inspected.lanes.values():
@@ -224,20 +209,6 @@ def _speed_out_of_range(inspected: MapInspection, rule: MapRule) -> Iterator[Bro
         speed = speed_kmh(value) if value else np.nan
         if lane.subtype in ("road", "private") and speed > 0.0 and not LIMITS.slowest <= speed <= high:
             yield broken("relation", lane.number, value=value, low=f"{LIMITS.slowest:g}", high=f"{high:g}")
-
-
-@rule("Lane.RoadLaneletAttribute-001")
-def _road_location(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for lane in inspected.lanes.values():
-        if lane.tags.get("subtype") == "road" and lane.tags.get("location") not in ("urban", "private"):
-            yield broken("relation", lane.number)
-
-
-@rule("Lane.RoadLaneletAttribute-002")
-def _road_one_way(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for lane in inspected.lanes.values():
-        if lane.tags.get("subtype") == "road" and lane.tags.get("one_way") != "yes":
-            yield broken("relation", lane.number)
 
 
 def _by_sides(inspected: MapInspection, subtype: str) -> Iterator[tuple[CheckedLane, list[CheckedLane], list[int]]]:
@@ -297,12 +268,3 @@ def _walkway_short(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
             if extension < LIMITS.walkway_reach:
                 yield broken("relation", lane.number, other=other.number, extension=f"{extension:.2f}")
                 break
-
-
-@rule("Crosswalk.SafetyAttributes-001", "Crosswalk.SafetyAttributes-002")
-def _safety_attributes(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    key = "safety_slow_down_speed" if rule.code.endswith("001") else "safety_slow_down_distance"
-    for lane in inspected.lanes.values():
-        value = lane.tags.get(key)
-        if lane.subtype == "crosswalk" and value is not None and not as_number(value) > 0.0:
-            yield broken("relation", lane.number, value=value)

@@ -36,21 +36,6 @@ def _sign_line_subtype(inspected: MapInspection, rule: MapRule) -> Iterator[Brok
                 yield broken("way", way)
 
 
-@rule("Intersection.RoadMarkings-001")
-def _marking_members(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for one in inspected.rules_of("road_marking"):
-        if len(one.ids("refers")) != 1 or one.ids("ref_line"):
-            yield broken("relation", one.number)
-
-
-@rule("TrafficLight.RegulatoryElementDetails-001")
-def _light_without_stop_line(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for one in inspected.rules_of("traffic_light"):
-        lanes = inspected.referrers.get(one.number, ())
-        if not one.ids("ref_line") and any(lane.subtype not in ("crosswalk", "walkway") for lane in lanes):
-            yield broken("relation", one.number)
-
-
 @rule("TrafficLight.RegulatoryElementDetails-005")
 def _bulbs_without_light(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
     for way in sorted({way for one in inspected.rules_of("traffic_light") for way in one.ids("light_bulbs")}):

@@ -10,6 +10,7 @@ import numpy as np
 from ...io.osm import OsmFile
 from . import (
     area_rules,
+    element_rules,
     file_rules,
     intersection_rules,
     lane_rules,
@@ -23,7 +24,7 @@ from .inspection import MapInspection
 from .rule_table import MAP_RULES, SEVERITIES, Broken, MapRule
 
 ROOMS = (file_rules, shape_rules, sense_rules, lane_rules, light_rules, area_rules, intersection_rules,
-         virtual_light_rules, member_rules)
+         virtual_light_rules, member_rules, element_rules)
 """Modules whose rules are checked, one kind of elements each."""
 
 

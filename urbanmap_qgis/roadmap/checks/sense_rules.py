@@ -72,15 +72,6 @@ def _yields_to_no_crosswalk(inspected: MapInspection, rule: MapRule) -> Iterator
                 yield broken("relation", one.number, other=number)
 
 
-@rule("Lanelet2.Participants-003")
-def _crosswalk_without_pedestrians(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
-    for lane in inspected.lanes.values():
-        named = [key for key in lane.tags if key.startswith("participant:")]
-        if lane.subtype in ("crosswalk", "walkway", "stairs") and named and \
-                not any(key.startswith("participant:pedestrian") for key in named):
-            yield broken("relation", lane.number)
-
-
 @rule("Shape.StopLine-001")
 def _stop_line_along_or_aside(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
     numbers, tree = inspected.lane_tree
