@@ -13316,10 +13316,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>進入してくる側</translation>
     </message>
     <message>
-        <source>An arrow contradicts the stop line across several lanes here; the direction of the stop line was taken.</source>
-        <translation>ここでは矢印が複数車線にわたる停止線と矛盾しています。停止線の方向を採用しました。</translation>
-    </message>
-    <message>
         <source>Drives, arrows or stop lines contradict each other about the direction here.</source>
         <translation>ここでは方向について、走行、矢印、停止線が互いに矛盾しています。</translation>
     </message>

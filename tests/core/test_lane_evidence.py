@@ -113,16 +113,6 @@ def test_only_strips_in_the_course_of_a_lane_take_its_direction():
     assert len([lane for lane in plain_lanes(built) if lane.evidence == "beyond the junction"]) == 2
 
 
-def test_driven_neighbour_settles_paint_that_contradicts_itself():
-    arrows = [arrow(30, 1.7), arrow(50, 1.7), arrow(70, 1.7, back=True)]
-    driven = [drive((0, 5.2), (80, 5.2))]
-    built = build_vector_map(avenue(0, 80), arrows, driven, LEFT)
-    assert course(built.lanes[lane_at(built, 40, 1.7)]) == 1.0
-    against = [arrow(30, 1.7, back=True), arrow(50, 1.7, back=True), arrow(70, 1.7)]
-    left_open = build_vector_map(avenue(0, 80), against, driven, LEFT)
-    assert not has_lane(left_open, 40, 1.7)
-
-
 def test_bound_between_two_others_goes_on_from_five_metres():
     lines = [line(3.5, 0, 20), line(-3.5, 0, 20), path_line([(6, 0), (12, 0)], "solid", "yellow")]
     built = build_vector_map(lines, (), [drive((0, 1.7), (20, 1.7))], LEFT)

@@ -60,9 +60,7 @@ class Strip:
     source : what the direction comes from.
     stopped : a stop line at its end tells of its direction.
     parted : numbers of its tracks at which that stop line ends: beyond them traffic does not come towards it.
-    contradicted : its own evidence contradicts itself; only a driven neighbour that agrees with most of it settles
-        that.
-    broad_stop : direction (as `sign`) that a stop line across two strips or more tells, 0 without one.
+    contradicted : its own evidence contradicts itself.
     outside : a stop line ends, away from the middle of the road, at the solid line between it and the lanes: pavement.
     wide : it is wider than a lane may be between two lines.
     arrows : kinds of the arrows in it.
@@ -82,7 +80,6 @@ class Strip:
     stopped: bool = False
     parted: set[int] = field(default_factory=set)
     contradicted: bool = False
-    broad_stop: int = 0
     outside: bool = False
     wide: bool = False
     arrows: list[str] = field(default_factory=list)
@@ -330,7 +327,6 @@ def add_stops(strips: Sequence[Strip], section: RoadSection, stops: Sequence[np.
             strip.forward += 10.0 * at_end
             strip.backward += 10.0 * (not at_end)
             strip.stopped = True
-            strip.broad_stop = (1 if at_end else -1) if len({one.right for one in covered}) > 1 else strip.broad_stop
             strip.parted |= {track for track, end in ((strip.right, low), (strip.left, high))
                              if abs(end - offset_of(section, track, level)) < LIMITS.at_line}
             if left_hand is not None:

@@ -70,24 +70,10 @@ def spread_directions(strips: Sequence[Strip], section: RoadSection, left_hand: 
     while changed:
         changed = False
         for strip in strips:
-            if strip.sign == 0:
-                sign, source = _from_neighbours(strip, strips, section, left_hand)
-                if sign and (not strip.contradicted or _is_settled(strip, sign, strips)):
-                    strip.sign, strip.source, changed = sign, source, True
+            if strip.sign == 0 and not strip.contradicted:
+                strip.sign, strip.source = _from_neighbours(strip, strips, section, left_hand)
+                changed |= strip.sign != 0
     return _against_the_rule(strips, section, left_hand)
-
-
-def _is_settled(strip: Strip, sign: int, strips: Sequence[Strip]) -> bool:
-    """Whether a direction from the neighbours settles a strip whose paint contradicts itself.
-
-    It does where most of the paint agrees with it, a neighbour was driven and the strip itself was not.
-    """
-    members = [one for one in strips if (one.right, one.left) == (strip.right, strip.left)]
-    if any(max(one.driven) > 0 for one in members):
-        return False
-    beside = any(one.source == DRIVEN and one.start == strip.start and (one.right == strip.left
-                                                                        or one.left == strip.right) for one in strips)
-    return beside and sign * sum(one.forward - one.backward for one in members) > 0
 
 
 def _against_the_rule(strips: Sequence[Strip], section: RoadSection, left_hand: bool) -> list[Finding]:
@@ -124,10 +110,6 @@ def _own_direction(members: Sequence[Strip]) -> tuple[int, str, str]:
         return 1 if ways[0] > ways[1] else -1, DRIVEN, (
             say("Arrows or stop lines contradict the drives about the direction here; that of the drives was taken.")
             if contradicts else "")
-    broad = {one.broad_stop for one in members if one.broad_stop}
-    if contradicts and max(ways) == 0 and len(broad) == 1 and (sign := broad.pop()) * (forward - backward) >= 0:
-        return sign, PAINTED, say("An arrow contradicts the stop line across several lanes here; the direction of the "
-                                  "stop line was taken.")
     if contradicts:
         return 0, "", say("Drives, arrows or stop lines contradict each other about the direction here.")
     if max(forward, backward) >= min(LIMITS.least_drive,
