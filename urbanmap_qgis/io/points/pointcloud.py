@@ -122,7 +122,7 @@ def open_cloud(paths: Sequence[str | os.PathLike], crs_wkt: str | None = None,
     if not full and not may_be_empty:
         raise InsufficientDataError(say("{files} holds no points: choose another point cloud.", files=files[0].name))
     corners = np.array([_box(path, header) for path, header in zip(files, headers) if header.point_count]
-                       or [[headers[0].mins, headers[0].maxs]], dtype=float)
+                       or [(headers[0].mins, headers[0].maxs)], dtype=float)
     if not np.isfinite(corners).all():
         raise InputError(say("{files} has coordinates that are not numbers: repair the file's header.",
                              files=files[0].name))
