@@ -118,7 +118,7 @@ def test_a_fault_of_ours_fails_one_tile(run, plugin, town, tmp_path, monkeypatch
 
     monkeypatch.setattr(work, "_make", faulty)
     assert run_with_failures(run, town, tmp_path / "run") == {"done": 3, "failed": 1}
-    assert any("TypeError" in text and "fault.txt" in text for text in run.feedback.warnings)
+    assert any("fault.txt in the tile" in text for text in run.feedback.warnings)
     fault, = tmp_path.glob("run/tiles/*/fault.txt")
     assert "TypeError" in fault.read_text(encoding="utf-8")
 
