@@ -116,8 +116,8 @@ class SatelliteVisibility(GnssInputs, UrbanMapAlgorithm):
         columns |= {field: seen.by_system.get(letter, np.full(len(time), np.nan))
                     for field, letter in SYSTEM_FIELDS.items()}
         fields = make_fields("time", "satellites", *((name, "int") for name in SYSTEM_FIELDS), "above", "pdop")
-        layer = self.write_layer(parameters, "OUTPUT", context, fields, _whole(columns, fields), table.crs,
-                                 shapely.points(place), "PointZ", "satellite_visibility", progress.part(0.9, 1.0))
+        layer = self.write_layer(parameters, "OUTPUT", context, fields, columns, table.crs, shapely.points(place),
+                                 "PointZ", "satellite_visibility", progress.part(0.9, 1.0))
         outside = np.isfinite(seen.satellites)
         if not outside.all():
             progress.warn(tr("{0} of {1} places lie inside buildings and have no number.").format(
@@ -183,9 +183,3 @@ class SatelliteVisibility(GnssInputs, UrbanMapAlgorithm):
 
 def _share(values):
     return float(values.mean())
-
-
-def _whole(columns, fields):
-    """Whole numbers as such, None where there is none."""
-    return {name: [None if value != value else int(value) for value in values]
-            if name not in ("time", "pdop") else values for name, values in columns.items()}

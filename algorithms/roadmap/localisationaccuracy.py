@@ -12,8 +12,6 @@ from ..framework.declaring.parameters import HTML_FILTER, tr
 from .localisation_inputs import LocalisationInputs
 from .localisation_sensors import LocalisationSensors
 
-WHOLE = ("street", "n_walls", "undetermined")
-
 
 class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgorithm):
     ID = "localisationaccuracy"
@@ -89,7 +87,6 @@ class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgo
         result = accuracy_map(city, places, settings, progress.part(0.2, 0.4))
         check = self._simulated(parameters, context, city, result, settings, crs, progress.part(0.4, 0.9))
         columns = accuracy_columns(result)
-        columns |= {name: [None if value != value else int(value) for value in columns[name]] for name in WHOLE}
         place = np.where(np.isfinite(result.places.place), result.places.place, 0.0)
         results = {"OUTPUT": self.write_layer(parameters, "OUTPUT", context, None, columns, crs,
                                               shapely.points(place), "PointZ", "localisation_accuracy",

@@ -291,13 +291,13 @@ def features_of(fields: QgsFields, columns: Mapping[str, Sequence], geometries: 
 
     Both are sliced batch by batch, so sequences that read from a file need not fit into memory.
     """
-    values = [columns[item.name()] for item in fields]
+    values, whole = [columns[item.name()] for item in fields], [item.type() == _TYPES.LongLong for item in fields]
     count = len(geometries) if geometries is not None else len(values[0]) if values else 0
     if any(len(column) != count for column in values):
         raise ValueError("columns and geometries differ in length")
     for start in range(0, count, BATCH):
         progress.check()
-        yield _batch(fields, [_values(column[start:start + BATCH]) for column in values],
+        yield _batch(fields, [_values(column[start:start + BATCH], kind) for column, kind in zip(values, whole)],
                      None if geometries is None else geometries[start:start + BATCH], min(BATCH, count - start))
 
 
@@ -322,11 +322,12 @@ def _batch(fields: QgsFields, values: list[list], geometries: Sequence | None, c
     return batch
 
 
-def _values(column: Sequence) -> list:
-    """Plain Python values; NaN becomes no value."""
+def _values(column: Sequence, whole: bool) -> list:
+    """Plain Python values, whole numbers where they are to be; NaN becomes no value."""
     plain = column.tolist() if hasattr(column, "tolist") else [
         value.item() if hasattr(value, "item") else value for value in column]
-    return [None if isinstance(value, float) and value != value else value for value in plain]
+    plain = [None if isinstance(value, float) and value != value else value for value in plain]
+    return [int(value) if isinstance(value, float) else value for value in plain] if whole else plain
 
 
 def _fill(sink: QgsFeatureSink, features: Iterable[list[QgsFeature]], label: str) -> None:
