@@ -26,7 +26,7 @@ BUDGET = {  # to be lowered only
     "numbers in functions": 2_040,
     "records that at most one other module names": 351,
     "lines of algorithms": 18_120,
-    "lines of scripts": 14_670,
+    "lines of scripts": 13_050,
     "lines of tests": 60_100,
     "algorithms and models in the toolbox": 46,
 }
