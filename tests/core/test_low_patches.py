@@ -5,7 +5,6 @@ import pytest
 import shapely
 from scipy.spatial import cKDTree
 
-from urbanmap_qgis.buildings.planes.high_corners import highest_near
 from urbanmap_qgis.buildings.planes.low_patches import low_patches
 from urbanmap_qgis.buildings.planes.plane_partition import partition_planes
 from urbanmap_qgis.buildings.planes.plane_solids import checked_sloped_solids
@@ -63,23 +62,6 @@ def test_points_below_all_roofs_and_small_steps_make_no_patch():
     assert len(partition_planes(HOUSE, points, roof).polygons) == 1
     points[roof == 0, 2] = ROOF - 0.3
     assert len(partition_planes(HOUSE, points, roof).polygons) == 1
-
-
-def test_a_low_tip_of_half_a_square_metre_is_a_patch():
-    plan = shapely.Polygon([(0, 0), (10, 0), (14, 0), (14, 4), (10, 4)])
-    xy = np.random.default_rng(6).uniform((0, 0), (14, 4), (900, 2))
-    xy = xy[shapely.contains_xy(plan, *xy.T)]
-    z = np.select([xy[:, 0] < 1.6, xy[:, 0] < 10], [LOW, ROOF], LOW - 0.3)
-    made = partition_planes(plan, np.column_stack([xy, z]), np.select([xy[:, 0] < 1.6, xy[:, 0] < 10], [0, 1], 2))
-    tip = min(made.polygons, key=lambda polygon: polygon.bounds[0])
-    assert tip.area < 1.0 and shapely.get_coordinates(tip, include_z=True)[:, 2].max() < 4.0
-
-
-def test_the_highest_point_near():
-    points = np.array([[0.0, 0, 5], [0.9, 0, 7], [3, 0, 9]])
-    found = highest_near(np.array([[0.0, 0], [2.1, 0], [9, 9]]), points, 0.3)
-    assert found.tolist() == [7.0, 9.0, np.inf]
-    assert highest_near(np.array([[0.0, 0]]), points, 1.6).tolist() == [9.0]
 
 
 def test_patches_need_points_near():

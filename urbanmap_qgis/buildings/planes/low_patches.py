@@ -9,10 +9,7 @@ import cv2
 import numpy as np
 import shapely
 from scipy import ndimage
-from scipy.spatial import cKDTree
 
-from .high_corners import LIMITS as HIGH
-from .high_corners import high_corners
 from .label_raster import LabelRaster
 
 
@@ -21,6 +18,8 @@ class LowPatchLimits:
     """Limits of low patches, each with its unit."""
 
     least_area: float = 0.25  # Area (m2) of a patch.
+    reach: float = 1.0  # Distance in plan (m) to which a low place goes on about what stands too high.
+    clearance: float = 0.4  # Height (m) over the highest point near from which a roof is too high.
     below: float = 0.5  # Points so far (m) under the lowest roof point are no roof.
     near: float = 0.5  # A point within this height (m) of a patch belongs to it.
     # Height (m) over the roof, area (m2), width (m) and points from which a place is a high patch, and the scatter of
@@ -96,7 +95,7 @@ def low_patches(raster: LabelRaster, planes: np.ndarray, points: np.ndarray, lab
     x, y = np.meshgrid(raster.x, raster.y)
     a, b, c = np.moveaxis(planes[shown], -1, 0)
     height = a * x + b * y + c
-    high = _high_cells(raster, height, high_corners(polygons, planes[chosen], points, raster.cell))
+    high = raster.inside & np.isfinite(raster.ceiling) & (height > raster.ceiling + LIMITS.clearance)
     if not high.any() or not (label >= 0).any():
         return None
     cells = _Cells.of(raster, points)
@@ -174,16 +173,6 @@ def _filled(top: np.ndarray) -> np.ndarray:
     return top[tuple(nearest)]
 
 
-def _high_cells(raster: LabelRaster, height: np.ndarray, corners: np.ndarray) -> np.ndarray:
-    """Mask of the cells whose roof, at `height`, is higher than any point near, or that lie at such corners (c, 2)."""
-    high = raster.inside & np.isfinite(raster.ceiling) & (height > raster.ceiling + HIGH.clearance)
-    if len(corners):
-        row, column = np.nonzero(raster.inside)
-        away = cKDTree(corners).query(np.column_stack([raster.x[column], raster.y[row]]))[0]
-        high[row, column] |= away < raster.cell
-    return high
-
-
 def _places(raster: LabelRaster, high: np.ndarray, height: np.ndarray, top: np.ndarray,
             count: int) -> list[tuple[float, np.ndarray]]:
     """Height (m) and cells of each connected low place that has one of the cells `high`.
@@ -192,10 +181,10 @@ def _places(raster: LabelRaster, high: np.ndarray, height: np.ndarray, top: np.n
     has any. Cells of planes from `count` on are left out.
     """
     filled = _filled(top)
-    reach = max(round(HIGH.reach / raster.cell), 1)
+    reach = max(round(LIMITS.reach / raster.cell), 1)
     window = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * reach + 1, 2 * reach + 1))
     about = cv2.dilate(high.astype(np.uint8), window) > 0
-    part, _ = ndimage.label(about & raster.inside & (raster.label < count) & (filled < height - HIGH.clearance))
+    part, _ = ndimage.label(about & raster.inside & (raster.label < count) & (filled < height - LIMITS.clearance))
     found = []
     for number in np.unique(part[high & (part > 0)]):
         patch = part == number

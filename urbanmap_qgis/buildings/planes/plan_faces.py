@@ -134,13 +134,11 @@ def _data_costs(faces: PlanFaces, raster: LabelRaster, planes: np.ndarray, point
     xy = np.column_stack([raster.x[column], raster.y[row]])
     shown = _heights(planes, raster.label[row, column], xy)
     unseen = np.where(raster.seen[row, column], 0.0, LIMITS.unseen_weight)
-    ceiling = raster.ceiling[row, column] + LIMITS.clearance
     low, high = seen_heights(planes, points, label, raster.cell)
 
     def of_cells(place: np.ndarray, plane: np.ndarray) -> np.ndarray:
         height = _heights(planes, plane, xy[place])
         cost = np.minimum(np.abs(height - shown[place]), LIMITS.cap) * unseen[place]
-        cost += LIMITS.excess_weight * np.clip(height - ceiling[place], 0.0, 3.0)
         return cost + LIMITS.excess_weight * np.clip(np.maximum(height - high[plane], low[plane] - height), 0.0, 3.0)
 
     tree = shapely.STRtree(faces.polygons)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...settings.buildings import PlaneParameters
-from .plane_merging import merge_planes, nearest_plane_labels
+from .plane_merging import merge_planes
 from .plane_moments import moments, solve
 from .region_growing import grow_planes, surroundings
 
@@ -18,9 +18,6 @@ class PlaneDetectionLimits:
     """Limits of plane detection, each with its unit."""
 
     fewest: int = 4  # Points of the smallest plane, however thin the cloud.
-    # A plane steeper than this needs so many points: a few points on a wall and an eave make a plane, too.
-    fewest_steep: int = 8
-    steep: float = math.tan(math.radians(50.0))
     # Points/m2 below which the tolerance grows with the distance between points, and how far it grows.
     dense: float = 8.0
     thin_factor: float = 2.0
@@ -44,18 +41,13 @@ def detect_planes(points: np.ndarray, density: float, parameters: PlaneParameter
     tolerance = parameters.tolerance * min(max(math.sqrt(LIMITS.dense / density), 1.0), LIMITS.thin_factor)
     label = grow_planes(points, around, tolerance, fewest)
     label = merge_planes(points, around.neighbours, label, parameters.merge_tolerance)
-    for _ in range(2):
-        label = nearest_plane_labels(points, around.neighbours, label, tolerance)
-    return _without_small(points, label, fewest)
+    return _without_small(label, fewest)
 
 
-def _without_small(points: np.ndarray, label: np.ndarray, fewest: int) -> np.ndarray:
+def _without_small(label: np.ndarray, fewest: int) -> np.ndarray:
     """Labels without those of too few points, numbered anew."""
     count = np.bincount(label[label >= 0], minlength=1)
     large = count >= fewest
-    if label.max(initial=-1) >= 0:
-        slope = np.hypot(*fitted_planes(points, label)[:, :2].T)
-        large &= (count >= LIMITS.fewest_steep) | (slope < LIMITS.steep)
     number = np.cumsum(large) - 1
     keep = (label >= 0) & large[label]
     return np.where(keep, number[label], -1)

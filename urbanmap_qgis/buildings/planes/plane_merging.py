@@ -53,20 +53,3 @@ def _adjacency(neighbours: np.ndarray, label: np.ndarray, count: int) -> list[tu
     low, high = np.minimum(first, other)[meets], np.maximum(first, other)[meets]
     pairs, times = np.unique(low * count + high, return_counts=True)
     return [(int(pair // count), int(pair % count)) for pair in pairs[times >= 3]]
-
-
-def nearest_plane_labels(points: np.ndarray, neighbours: np.ndarray, label: np.ndarray, tolerance: float) -> np.ndarray:
-    """Labels (n,) with every point at the nearest plane among its neighbours', none beyond `tolerance` m."""
-    count = int(label.max(initial=-1)) + 1
-    if not count:
-        return label
-    planes = solve(moments(points, label, count))[0]
-    steep = np.sqrt(1.0 + planes[:, 0]**2 + planes[:, 1]**2)
-    near = label[neighbours]
-    fitted = planes[near]
-    off = (points[:, None, 2] - fitted[..., 0] * points[:, None, 0] - fitted[..., 1] * points[:, None, 1]
-           - fitted[..., 2]) / steep[near]
-    off = np.where(near >= 0, np.abs(off), np.inf)
-    best = off.argmin(axis=1)
-    row = np.arange(len(points))
-    return np.where(off[row, best] < tolerance, near[row, best], -1)

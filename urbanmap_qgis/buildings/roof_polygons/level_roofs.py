@@ -2,32 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 import shapely
 
-from ...geometry.tolerances import SIGMA_OF_MAD
 from ...settings.buildings import MAXIMUM, PolygonParameters
 from ..model_status import LOST_AREA, LOST_ROOFS
 from ..planes.level_alternative import has_lost_plane
 from ..planes.plane_partition import partition_planes
-from ..quality import PARAPET_REACH
 from .polygon_rows import DrawnRoof, RoofedBuilding, RoofPolygons
-
-
-@dataclass(frozen=True)
-class LevelRoofLimits:
-    """Limits of the heights of level roofs, each with its unit."""
-
-    # A flat roof inside a parapet: so many points well inside, of no more spread (m, robust standard deviation),
-    # and so much (m) below the middle of all its points.
-    min_inner_points: int = 10
-    flat_spread: float = 0.15
-    min_parapet: float = 0.5
-
-
-LIMITS = LevelRoofLimits()
 
 
 def level_roofs(building: RoofedBuilding, parameters: PolygonParameters) -> RoofPolygons:
@@ -46,8 +28,7 @@ def level_roofs(building: RoofedBuilding, parameters: PolygonParameters) -> Roof
         members = roof == roof_id
         shapely.prepare(polygon)
         members[members] = shapely.contains_xy(polygon, x[members], y[members])
-        height = _inner_height(polygon, x[members], y[members], z[members],
-                               parameters) if members.any() else levels[roof_id]
+        height = roof_height(z[members], parameters) if members.any() else levels[roof_id]
         top = float(z[members].max()) if members.any() else height
         table.add(building.number, DrawnRoof(roof_id, polygon, height, top, z[members], status, coverage))
     return table
@@ -56,19 +37,3 @@ def level_roofs(building: RoofedBuilding, parameters: PolygonParameters) -> Roof
 def roof_height(z: np.ndarray, parameters: PolygonParameters) -> float:
     """Height of a roof from its points' heights `z`, m."""
     return float(z.max() if parameters.height == MAXIMUM else np.median(z))
-
-
-def _inner_height(polygon: shapely.Polygon, x: np.ndarray, y: np.ndarray, z: np.ndarray,
-                  parameters: PolygonParameters) -> float:
-    """Height of a roof from its points, m. A flat roof inside a parapet has the height of its inner points."""
-    height = roof_height(z, parameters)
-    if parameters.height == MAXIMUM:
-        return height
-    inner = shapely.buffer(polygon, -PARAPET_REACH)
-    shapely.prepare(inner)
-    heights = z[shapely.contains_xy(inner, x, y)]
-    if len(heights) < LIMITS.min_inner_points:
-        return height
-    level = float(np.median(heights))
-    flat = SIGMA_OF_MAD * float(np.median(np.abs(heights - level))) < LIMITS.flat_spread
-    return level if flat and height - level >= LIMITS.min_parapet else height
