@@ -53,7 +53,7 @@ class BuildingModels(UrbanMapAlgorithm):
                               "unseen, beyond (shares), lod, roof_type, not_explained (share of the points that can be "
                               "roof and lie far from the model), quality (0 to 1), roof_min, roof_50, roof_70, "
                               "roof_max (m above the ground), volume_lod12, volume_lod13, volume_lod22 (m3), "
-                              "area_roof_flat, area_roof_sloped (m2), storeys_estimated.")
+                              "area_roof_flat, area_roof_sloped (m2), storeys_estimated.", solids=True)
         self.add_layer_output("OUTPUT_SURFACES", "Surfaces", "MultiPolygonZ, one feature a surface, with building_id, "
                               "roof_id and surface_type: roof, outer wall, inner wall, ground; of roofs seen (share "
                               "that the points have seen) and sigma (expected error of its height, m).", optional=True)

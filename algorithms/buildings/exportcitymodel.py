@@ -59,7 +59,8 @@ class ExportCityModel(UrbanMapAlgorithm):
                               "ground_height, roof_min, roof_50, roof_70, roof_max (m above the ground), volume_lod12, "
                               "volume_lod13, volume_lod22 (m3), area_ground, area_roof_flat, area_roof_sloped, "
                               "area_outer_walls, area_party_walls (m2), storeys_estimated, data_date, problems. A name "
-                              "ending in .parquet gives GeoParquet where GDAL has it.", optional=True, by_default=True)
+                              "ending in .parquet gives GeoParquet where GDAL has it.", optional=True, by_default=True,
+                              solids=True)
         self.add_file_output("OUTPUT_CITYJSON", "CityJSON", "CityJSON 2.0 file.", CITYJSON_FILTER, optional=True)
         self.add_file_output("OUTPUT_CITYJSONSEQ", "CityJSONSeq", "CityJSON sequence, a line a building, for large "
                              "areas.", CITYJSONSEQ_FILTER, optional=True)

@@ -62,7 +62,7 @@ class LoadCityModel(UrbanMapAlgorithm):
         self.add_layer_output(
             "OUTPUT_MODELS", "Building models",
             "MultiPolygonZ, one feature a building with all faces of its most detailed solid, as “Building models” "
-            "writes them.", optional=True)
+            "writes them.", optional=True, solids=True)
         self.add_layer_output(
             "OUTPUT_SURFACES", "Surfaces", "PolygonZ, one feature a face, with building_id, roof_id and surface_type: "
             "roof, outer wall, inner wall, ground, overhang.", optional=True)

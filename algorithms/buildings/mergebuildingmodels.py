@@ -45,7 +45,8 @@ class MergeBuildingModels(UrbanMapAlgorithm):
         self.add_workers()
         self.add_layer_output("OUTPUT", "Merged models", "MultiPolygonZ, one feature a building with all faces of its "
                               "solids; status, reason, valid, walls, walls_moved, measured (share of the walls' "
-                              "length), mean_offset, max_offset, base, height (m), volume, volume_change (m3).")
+                              "length), mean_offset, max_offset, base, height (m), volume, volume_change (m3).",
+                              solids=True)
         self.add_layer_output("OUTPUT_WALLS", "Walls of the models", "PolygonZ, one feature an outer wall below the "
                               "height, with what became of it: building_id, edge, status, note, wall (row of the "
                               "measured wall), length, offset (m), turn (degrees), seen (share), rmse, sigma (m).",

@@ -45,7 +45,7 @@ class Mesh25D(UrbanMapAlgorithm):
         self.add_workers()
         self.add_layer_output("OUTPUT", "Meshes", "MultiPolygonZ, one feature a building with all triangles; status, "
                               "reason, triangles, surfaces, base, height (m), points, rmse, p95, max_error (m), within "
-                              "(share of the uppermost points), watertight, valid.")
+                              "(share of the uppermost points), watertight, valid.", solids=True)
         self.add_file_output("OUTPUT_MESH", "OBJ mesh", "Wavefront OBJ file, a group for each building.", OBJ_FILTER,
                              optional=True)
         self.add_file_output("OUTPUT_PLY", "PLY mesh", "All meshes in one binary PLY file, which QGIS opens as a mesh "

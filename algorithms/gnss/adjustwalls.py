@@ -34,7 +34,8 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
         self.add_gnss_inputs()
         self.add_settings(AdjustmentSettings)
         self.add_layer_output("OUTPUT", "Adjusted buildings", "The buildings with their fields, and walls_adjusted "
-                              "(number of walls moved by their own observations) and walls_moved_by (m, largest).")
+                              "(number of walls moved by their own observations) and walls_moved_by (m, largest).",
+                              solids=True)
         self.add_layer_output("OUTPUT_WALLS", "Walls", "LineStringZ where each wall now stands: building, edge, status "
                               "(adjusted, likely, not observable, held), reason why it is not adjusted, offset and "
                               "sigma (m, outwards), applied (m "

@@ -9516,6 +9516,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>画像 {place} に書き込めません（{strerror}）。</translation>
     </message>
     <message>
+        <source>A surface of the model has coordinates that are no numbers, as a file without heights has them (a Shapefile of buildings, for example): give the models as they were made.</source>
+        <translation>モデルの面に数値でない座標があります（建物のシェープファイルなど、高さのないファイル）。作成されたままのモデルを指定してください。</translation>
+    </message>
+    <message>
         <source>{where}: the coordinate reference system {name} is not known; give the one that it is in.</source>
         <translation>{where}: 座標参照系 {name} は不明です。データの座標参照系を指定してください。</translation>
     </message>
@@ -14330,6 +14334,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0}: the name {1} must end in .laz or .las.</source>
         <translation>{0}: 名前{1}は.lazまたは.lasで終わるように指定してください。</translation>
+    </message>
+    <message>
+        <source>{0}: {1} files do not hold closed bodies, as upright faces are lost in them; choose a GeoPackage (.gpkg).</source>
+        <translation>{0}：{1} 形式では垂直な面が失われるため、閉じた立体を保存できません。GeoPackage（.gpkg）を選んでください。</translation>
     </message>
     <message>
         <source>{0}: choose a folder; a temporary one is gone when QGIS ends.</source>

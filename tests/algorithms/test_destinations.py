@@ -453,3 +453,17 @@ def test_rasters_that_steps_opened_are_closed_before_they_are_moved(modules, tmp
         staging.publish()
     assert [path.name for path in tmp_path.iterdir()] == ["o.tif"]
     assert "auxiliary" not in capfd.readouterr().err
+
+
+def test_models_go_into_no_format_that_loses_their_walls(qgis_app, modules, errors, tmp_path):
+    """A Shapefile kept 0 of 23 solids whole: asked of every output of closed bodies, before the run."""
+    destinations, _ = modules
+    solids = {algorithm.name(): [item.name() for item in algorithm.destinationParameterDefinitions()
+                                 if item.metadata().get("urbanmap_solids")] for algorithm in algorithms()}
+    assert {"buildingmodels", "buildingsfromals", "mergebuildingmodels", "adjustwalls"} <= {
+        name for name, outputs in solids.items() if outputs}
+    for algorithm in algorithms():
+        for name in solids[algorithm.name()]:
+            with pytest.raises(errors.InputError, match="closed bodies"):
+                destinations.check_destinations(algorithm, {name: str(tmp_path / "models.shp")}, new_context())
+            destinations.check_destinations(algorithm, {name: str(tmp_path / "models.gpkg")}, new_context())

@@ -16,7 +16,7 @@ from tests.solid_files import read_solids
 from urbanmap_qgis.citymodel.citygml.reader import open_citygml
 from urbanmap_qgis.citymodel.citygml.writer import WRITTEN_BY, gml_folder_trouble, write_citygml
 from urbanmap_qgis.citymodel.cityjson.writer import plain_attributes, write_model_cityjson, write_model_cityjsonseq
-from urbanmap_qgis.citymodel.model import AttributeGroup, CityReference, CodeValue, Measure
+from urbanmap_qgis.citymodel.model import AttributeGroup, CityReference, CitySurface, CodeValue, Measure
 from urbanmap_qgis.citymodel.reading_notes import ReadingNotes
 from urbanmap_qgis.citymodel.reference import compound_epsg
 from urbanmap_qgis.errors import InputError
@@ -243,3 +243,9 @@ def test_the_reader_of_solids_takes_one_level_of_detail_and_puts_parts_together(
     write_model_cityjson(tmp_path / "town.city.json", town())
     solids = {item.id: len(item.solids) for item in read_solids(tmp_path / "town.city.json")}
     assert solids == {"家 1": 1, "b2": 2, "b3": 0, "b4": 1}
+
+
+def test_no_writer_is_given_a_coordinate_that_is_no_number():
+    ring = np.array([[0.0, 0.0, 1.0], [5.0, 0.0, np.nan], [5.0, 5.0, 1.0]])
+    with pytest.raises(InputError, match="no numbers"):
+        CitySurface((ring,))

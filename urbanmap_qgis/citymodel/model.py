@@ -13,7 +13,9 @@ from typing import Any
 
 import numpy as np
 
+from ..errors import InputError
 from ..geometry.solid import FaceTexture
+from ..wording import say
 
 BUILDING, BUILDING_PART, ROAD = "Building", "BuildingPart", "Road"
 TRAFFIC_AREA, AUXILIARY_AREA = "TrafficArea", "AuxiliaryTrafficArea"
@@ -99,6 +101,18 @@ class CitySurface:
     group: str = ""
     texture: FaceTexture | None = None
     parent: str = ""
+
+    def __post_init__(self) -> None:
+        """So that no writer is ever given a coordinate that is no number.
+
+        Raises
+        ------
+        InputError : a coordinate is none.
+        """
+        if not all(np.isfinite(ring).all() for ring in self.rings):
+            raise InputError(say("A surface of the model has coordinates that are no numbers, as a file without "
+                                 "heights has them (a Shapefile of buildings, for example): give the models as they "
+                                 "were made."))
 
 
 @dataclass(frozen=True, eq=False)

@@ -18,11 +18,14 @@ from qgis.core import (
 
 from ....urbanmap_qgis.errors import InputError, OutputError
 from ....urbanmap_qgis.io.files.staging import Staging, final_text, identities, refuse_unless_replaceable
-from .parameters import tr
+from .parameters import SOLIDS, tr
 
 FILES = ("fileDestination", "rasterDestination", "vectorDestination", "folderDestination")
 LAYERS = ("source", "vector", "raster", "layer", "pointcloud", "mesh")
 IMAGES = (".tif", ".tiff", ".jpg", ".jpeg", ".png")
+WITHOUT_SOLIDS = (".shp", ".dbf", ".csv", ".xlsx", ".ods", ".tab", ".mif", ".dxf", ".kml", ".kmz", ".gpx")
+"""Formats of layers that keep neither faces nor rings that stand upright: polygons in them are areas in plan."""
+
 """What is read from a folder of images, whatever its name: a result of such an ending there would be read as well."""
 
 _DATABASES = ("memory:", "ogr:", "postgis:", "postgres:", "spatialite:", "mssql:", "oracle:")
@@ -40,9 +43,6 @@ def check_destinations(algorithm, parameters: Mapping, context: QgsProcessingCon
     inputs = list(_input_files(algorithm, parameters, context))
     for name, path, table in _wanted(algorithm, parameters, context):
         label, definition = algorithm.label_of(name), algorithm.parameterDefinition(name)
-        if (definition.type() == "fileDestination" and definition.defaultFileExtension() == "laz"
-                and path.suffix.lower() not in (".las", ".laz")):
-            raise InputError(tr("{0}: the name {1} must end in .laz or .las.").format(label, path.name))
         known = _with_table(identities(path), table)
         for other, used, its_table in inputs:
             if _meet(known, _with_table(identities(used), its_table)):
@@ -55,6 +55,12 @@ def check_destinations(algorithm, parameters: Mapping, context: QgsProcessingCon
             if _meet(known, used):
                 raise InputError(tr("{0} and {1} have the same name, {2}; give each its own.").format(
                     other, label, path))
+        if (definition.type() == "fileDestination" and definition.defaultFileExtension() == "laz"
+                and path.suffix.lower() not in (".las", ".laz")):
+            raise InputError(tr("{0}: the name {1} must end in .laz or .las.").format(label, path.name))
+        if definition.metadata().get(SOLIDS) and path.suffix.lower() in WITHOUT_SOLIDS:
+            raise InputError(tr("{0}: {1} files do not hold closed bodies, as upright faces are lost in them; choose a "
+                                "GeoPackage (.gpkg).").format(label, path.suffix.lower()))
         taken.append((label, known))
         if not table and definition.type() != "folderDestination":
             try:

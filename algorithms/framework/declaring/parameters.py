@@ -49,6 +49,9 @@ CHOICE_WIDGET = f"{__package__}.choice_widget.ChoiceWidget"
 
 TEXT_TABLES = (".csv", ".txt", ".tsv")
 
+SOLIDS = "urbanmap_solids"
+"""Mark in the metadata of outputs that hold closed bodies."""
+
 UNIT = re.compile(r" \([^()]*\)$")
 """The unit at the end of a label."""
 
@@ -319,10 +322,13 @@ class Declarations:
             name, tr(label), None, optional, not optional or by_default), help)
 
     def add_layer_output(self, name: str, label: str, help: str, optional: bool = False,
-                         source_type=_POLYGON, by_default: bool = False):
-        """A vector layer or table to write with `write_layer`."""
-        return self.declare_parameter(QgsProcessingParameterFeatureSink(
-            name, tr(label), source_type, None, optional, not optional or by_default), help)
+                         source_type=_POLYGON, by_default: bool = False, solids: bool = False):
+        """A vector layer or table to write with `write_layer`; `solids`: of closed bodies, which few formats hold."""
+        definition = QgsProcessingParameterFeatureSink(
+            name, tr(label), source_type, None, optional, not optional or by_default)
+        if solids:
+            definition.setMetadata({SOLIDS: True})
+        return self.declare_parameter(definition, help)
 
     def add_number_output(self, name: str, label: str, help: str, unit: str = ""):
         """A number among the results."""
