@@ -8612,6 +8612,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>変更なし：{count}。理由は表にあります。</translation>
     </message>
     <message>
+        <source>not merged</source>
+        <translation>統合なし</translation>
+    </message>
+    <message>
         <source>its measured walls are beyond the limits</source>
         <translation>計測壁面が許容範囲を超えています</translation>
     </message>

@@ -26,7 +26,7 @@ from ...geometry.solid import Solid
 from ...geometry.solid_faces import solids_of
 from ...progress import SILENT, Progress
 from ...settings.buildings import MergeSettings
-from ...wording import say
+from ...wording import mark, say
 from ..solids.sloped_solid import SlopedCell, sloped_solids
 from ..solids.validity import check_solid
 from .cut_solid import cut_height, on_the_grid, with_sloped_top
@@ -47,7 +47,7 @@ from .wall_match import (
     steps_along,
 )
 
-MERGED, UNCHANGED, NOT_MERGED = "merged", "unchanged", "not merged"
+MERGED, UNCHANGED, NOT_MERGED = "merged", "unchanged", mark("not merged")
 """Status of a building: on measured walls; no wall moved it (or all fitted); kept as it was, as it cannot be merged."""
 
 
