@@ -72,7 +72,7 @@ def test_georeferenced_scans_stay(small_city, drive, tmp_path):
 @pytest.mark.parametrize("method", METHODS)
 def test_rectified_trajectory_stays(small_city, drive, tmp_path, method):
     ties = read_tie_points(small_city / "lines" / "tie_points.csv")
-    settings = RectifySettings(method)
+    settings = RectifySettings(method=method)
     with RasterSampler(small_city / "truth" / "ground.tif") as ground:
         made = rectify(drive, ties, None if method == "paper" else ground.sample, settings)
     write_report(tmp_path / "report.html", drive, made, ["said"])
