@@ -55,18 +55,24 @@ def check_destinations(algorithm, parameters: Mapping, context: QgsProcessingCon
             if _meet(known, used):
                 raise InputError(tr("{0} and {1} have the same name, {2}; give each its own.").format(
                     other, label, path))
-        if (definition.type() == "fileDestination" and definition.defaultFileExtension() == "laz"
-                and path.suffix.lower() not in (".las", ".laz")):
-            raise InputError(tr("{0}: the name {1} must end in .laz or .las.").format(label, path.name))
-        if definition.metadata().get(SOLIDS) and path.suffix.lower() in WITHOUT_SOLIDS:
-            raise InputError(tr("{0}: {1} files do not hold closed bodies, as upright faces are lost in them; choose a "
-                                "GeoPackage (.gpkg).").format(label, path.suffix.lower()))
         taken.append((label, known))
         if not table and definition.type() != "folderDestination":
             try:
                 refuse_unless_replaceable(path)
             except OutputError as error:
                 raise OutputError(f"{label}: {error}") from error
+    for name, path, _ in _wanted(algorithm, parameters, context):
+        _refuse_other_format(algorithm.parameterDefinition(name), path)
+
+
+def _refuse_other_format(definition, path: Path) -> None:
+    """Refuse a name by which the result could not be held."""
+    if (definition.type() == "fileDestination" and definition.defaultFileExtension() == "laz"
+            and path.suffix.lower() not in (".las", ".laz")):
+        raise InputError(tr("{0}: the name {1} must end in .laz or .las.").format(definition.description(), path.name))
+    if definition.metadata().get(SOLIDS) and path.suffix.lower() in WITHOUT_SOLIDS:
+        raise InputError(tr("{0}: {1} files do not hold closed bodies, as upright faces are lost in them; choose a "
+                            "GeoPackage (.gpkg).").format(definition.description(), path.suffix.lower()))
 
 
 def _refuse_passing_folders(algorithm, parameters: Mapping, context: QgsProcessingContext) -> None:
