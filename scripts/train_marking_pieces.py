@@ -20,7 +20,6 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from scripts.marking_scenes.scene import MadeScene, make_marking_scene  # noqa: E402
-from urbanmap_qgis.aerial.markings.colour_cast import ColourCast  # noqa: E402
 from urbanmap_qgis.aerial.markings.marking_filter import figures_of_pieces, judged_pieces  # noqa: E402
 from urbanmap_qgis.aerial.markings.paint_model import FILE, PaintModel  # noqa: E402
 from urbanmap_qgis.aerial.markings.road_markings import MarkingSettings, candidates_of  # noqa: E402
@@ -53,15 +52,6 @@ class ImagePieces:
         bands = self._bands[:, rows, columns]
         return bands, np.ones(bands.shape[1:], bool), None
 
-    def places(self, rows: slice, columns: slice) -> tuple[np.ndarray, np.ndarray]:
-        """x and y of the pixels' centres."""
-        return (np.arange(columns.start, columns.stop)[None] + 0.5) * self.pixel, \
-            -(np.arange(rows.start, rows.stop)[:, None] + 0.5) * self.pixel
-
-    def balanced(self, bands: np.ndarray, rows: slice, columns: slice, cast: ColourCast | None) -> np.ndarray:
-        """Bands without a cast."""
-        return bands if cast is None else cast.removed(bands, *self.places(rows, columns))
-
 
 @dataclass(frozen=True)
 class Cells:
@@ -80,7 +70,7 @@ def cells_of_image(image: np.ndarray, pixel: float, paint: np.ndarray) -> Cells:
     levels = sampled_levels(pieces, settings, SILENT)
     whole = slice(0, pieces.rows), slice(0, pieces.columns)
     bands, seen, _ = pieces.read(*whole)
-    found = candidates_of(pieces.balanced(bands, *whole, levels.cast), seen, None, pixel, levels, settings)
+    found = candidates_of(bands, seen, None, pixel, levels, settings)
     judged = judged_pieces(found, pixel, settings.cleaning, whole)
     counts = judged.accepted[judged.pieces.labels]
     told = figures_of_pieces(judged, found, pixel, counts)

@@ -236,7 +236,6 @@ def _tile_markings(scene: OrthophotoReader, rows: slice, columns: slice, levels:
     wanted = (slice(rows.start, min(rows.stop + 1, scene.rows)),
               slice(columns.start, min(columns.stop + 1, scene.columns)))
     bands, seen, roads = scene.read(*window)
-    bands = scene.balanced(bands, *window, levels.cast)
     allowed = seen if roads is None else seen & roads
     if not allowed.any():
         empty = np.zeros((wanted[0].stop - wanted[0].start, wanted[1].stop - wanted[1].start), np.float32)

@@ -25,8 +25,6 @@ from ...geometry.tolerances import ROUNDING
 from ...io.raster import OPENING_ERRORS
 from ...io.reference.true_lengths import require_true_lengths
 from ...wording import say
-from .colour_cast import ColourCast
-from .image_strips import row_strips
 
 MAX_PIXEL = 0.5
 """m. Markings are 0.1 to 0.45 m wide: with larger pixels there is nothing to see."""
@@ -129,25 +127,6 @@ class OrthophotoReader:
         if self.buildings is not None:
             seen &= ~_burnt(self.buildings, shape, place)
         return bands, seen, None if self.roads is None else _burnt(self.roads, shape, place)
-
-    def places(self, rows: slice, columns: slice) -> tuple[np.ndarray, np.ndarray]:
-        """x and y of the pixels' centres of a piece, in the CRS; (rows, columns) or what broadcasts to it."""
-        row = np.arange(rows.start, rows.stop)[:, None] + 0.5
-        column = np.arange(columns.start, columns.stop)[None] + 0.5
-        place = self.transform
-        if not place.b and not place.d:
-            return place.a * column + place.c, place.e * row + place.f
-        return place.a * column + place.b * row + place.c, place.d * column + place.e * row + place.f
-
-    def balanced(self, bands: np.ndarray, rows: slice, columns: slice, cast: ColourCast | None) -> np.ndarray:
-        """Bands of a piece without a cast."""
-        if cast is None or len(bands) < 3:
-            return bands
-        balanced_bands = np.empty_like(bands)
-        for strip, _, _ in row_strips(bands.shape[1]):
-            x, y = self.places(slice(rows.start + strip.start, rows.start + strip.stop), columns)
-            balanced_bands[:, strip] = cast.removed(bands[:, strip], x, y)
-        return balanced_bands
 
 
 def colour_bands(source: rasterio.DatasetReader, path: Path) -> list[int]:

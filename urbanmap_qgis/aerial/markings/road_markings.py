@@ -16,7 +16,6 @@ import numpy as np
 from ...errors import InputError
 from ...settings.aerial import MarkingThreshold
 from ...wording import say
-from .colour_cast import ColourCast
 from .disc_opening import coarse_step, disc_kernel, disc_opened
 from .image_strips import flat_places, grown, row_strips, within
 from .marking_confidence import clear_of_paint, colours_of, mean_over, texture
@@ -82,20 +81,17 @@ class LevelAdjustment:
     """Level adjustment: brightness `low` becomes 0, `high` 255; `middle` is the median after it.
 
     road : the image's own road, see `ground_figures`.
-    cast : what is taken out of the colours first; None for nothing.
     """
 
     low: float
     high: float
     middle: float
     road: RoadModel = field(default_factory=RoadModel)
-    cast: ColourCast | None = None
 
     @property
     def text(self) -> str:
-        """The seven numbers, and the fifteen of a cast, to the last bit."""
-        numbers = (self.low, self.high, self.middle, *astuple(self.road), *(self.cast.numbers if self.cast else ()))
-        return " ".join(repr(value) for value in numbers)
+        """The seven numbers, to the last bit."""
+        return " ".join(repr(value) for value in (self.low, self.high, self.middle, *astuple(self.road)))
 
     @classmethod
     def of_text(cls, text: str) -> LevelAdjustment | None:
@@ -106,12 +102,10 @@ class LevelAdjustment:
             numbers = []
         if not text.strip():
             return None
-        if len(numbers) not in (7, 22) or not np.isfinite(numbers).all() or numbers[1] <= numbers[0]:
+        if len(numbers) != 7 or not np.isfinite(numbers).all() or numbers[1] <= numbers[0]:
             raise InputError(say("Levels are seven numbers, low, high, middle and the road's texture, warmth, green "
-                                 "and brightness, the second above the first, and where the image has a cast fifteen "
-                                 "of that: give those, or none."))
-        cast = ColourCast.of_numbers(numbers[7:]) if len(numbers) > 7 else None
-        return cls(*numbers[:3], RoadModel(*numbers[3:7]), cast)
+                                 "and brightness, the second above the first: give those, or none."))
+        return cls(*numbers[:3], RoadModel(*numbers[3:]))
 
 
 @dataclass(frozen=True)
