@@ -31,10 +31,8 @@ from urbanmap_qgis.aerial.markings.road_markings import (
     paint_brightness,
 )
 from urbanmap_qgis.aerial.markings.road_model import road_model_of
-from urbanmap_qgis.aerial.markings.signs import strokes_in_company
 from urbanmap_qgis.aerial.markings.signs.crossing_bars import BARS_REACH, CONFIDENCE, crossing_bars
 from urbanmap_qgis.aerial.markings.signs.lane_spacing import LaneSpacing, lane_spacing
-from urbanmap_qgis.aerial.markings.signs.strokes import strokes_of
 from urbanmap_qgis.errors import Cancelled, InputError
 from urbanmap_qgis.progress import Progress
 
@@ -173,8 +171,7 @@ def test_result_does_not_depend_on_the_cut(tmp_path, tile, trained):
 
 
 def narrow_street(rows=320, columns=420):
-    """RGB (3, rows, columns) of a crossing 4 m long between light paving with a stop line, and where its bars and that
-    line are."""
+    """RGB (3, rows, columns) of a crossing 4 m long between light paving, and where its bars are."""
     image = np.full((rows, columns, 3), 175.0)
     image[130:190] = 90.0
     bars = np.zeros((rows, columns), np.uint8)
@@ -184,40 +181,27 @@ def narrow_street(rows=320, columns=420):
     # Narrow shadows beside it leave no smooth ground.
     for beside in np.s_[130:190, 232:], np.s_[130:190, :182]:
         image[beside] = np.where(np.arange(image[beside].shape[1])[:, None] // 4 % 2, 50.0, 90.0)
-    line = np.zeros((rows, columns), bool)
-    line[132:160, 240:244] = True
-    image[line] = 205.0
     image = cv2.GaussianBlur(image, (0, 0), 0.6) + np.random.default_rng(3).normal(0, 2.5, image.shape)
-    return np.clip(np.moveaxis(image, 2, 0), 0, 255), bars > 0, line
+    return np.clip(np.moveaxis(image, 2, 0), 0, 255), bars > 0
 
 
-@pytest.fixture
-def alone(monkeypatch):
-    """None vouch for others of such a kind."""
-    def stop(module, kind):
-        monkeypatch.setattr(module, kind, lambda strokes, *_: np.zeros(len(strokes.box), bool))
-    return stop
-
-
-def test_a_crossing_of_a_narrow_street_is_found(alone):
-    bands, *painted = narrow_street()
+def test_a_crossing_of_a_narrow_street_is_found(monkeypatch):
+    bands, bars = narrow_street()
     found = search(bands, MarkingSettings())
-    kinds = (strokes_in_company, "_before_bars"), (marking_filter, "crossing_bars")
-    for paint, kind in zip(reversed(painted), kinds):
-        assert found.mask[paint].mean() > 0.8
-        assert np.median(found.confidence[found.mask & paint]) == pytest.approx(CONFIDENCE)
-        alone(*kind)
-        assert search(bands, MarkingSettings()).mask[paint].mean() < 0.3
+    assert found.mask[bars].mean() > 0.8
+    assert np.median(found.confidence[found.mask & bars]) == pytest.approx(CONFIDENCE)
+    monkeypatch.setattr(marking_filter, "crossing_bars", lambda pieces, *_: np.zeros(len(pieces.size), bool))
+    assert search(bands, MarkingSettings()).mask[bars].mean() < 0.3
 
 
 @pytest.mark.parametrize("tile", [96, 160])
 def test_bars_do_not_depend_on_the_cut(tmp_path, tile):
-    bands, bars, line = narrow_street()
+    bands, bars = narrow_street()
     path = write(tmp_path / "street.tif", bands)
     for name, side in (("whole", 4096), ("cut", tile)):
         markings_from_orthophoto(path, tmp_path / f"{name}.tif", settings=replace_cleaning(), tile=side)
     whole, cut = (read_mask(tmp_path / f"{name}.tif") for name in ("whole", "cut"))
-    assert whole[bars | line].mean() > 0.8 and np.array_equal(whole, cut)
+    assert whole[bars].mean() > 0.8 and np.array_equal(whole, cut)
 
 
 @pytest.mark.slow
@@ -436,7 +420,7 @@ def bars_found(places, length=4.0, width=0.45, turn=0.0, side=300):
     pieces = marking_pieces_of(flags > 0, flags, PIXEL_BARS, 12.0)
     accepted = pieces.size > 0
     accepted[0] = False
-    found = crossing_bars(strokes_of(pieces, accepted, side, PIXEL_BARS), 0.8)
+    found = crossing_bars(pieces, accepted, side, PIXEL_BARS, 0.8)
     return int(found.sum()), int(accepted.sum())
 
 

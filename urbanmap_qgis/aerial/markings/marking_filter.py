@@ -36,9 +36,8 @@ from .marking_pieces import (
 )
 from .paint_model import HARD_LIGHT, SOFT_LIGHT, KindOfLight, paint_model
 from .road_model import RoadModel
-from .signs.crossing_bars import BARS_REACH, crossing_bars, on_smooth_ground
-from .signs.strokes import strokes_of
-from .signs.strokes_in_company import STROKES_REACH, vouched_confidence
+from .signs.crossing_bars import BARS_REACH, crossing_bars
+from .signs.crossing_bars import CONFIDENCE as OF_BARS
 from .signs.thick_paint import THICK, paint_around
 from .surroundings import REACH, road_share
 
@@ -114,7 +113,7 @@ class CleanSettings(PaintRules):
     @property
     def piece_reach(self) -> float:
         """How far, m, from a pixel its piece and what is company to it or vouches for it reach."""
-        return max(self.max_length + self.wear_gap, STROKES_REACH, BARS_REACH + max(self.company_reach, self.bars_near))
+        return max(self.max_length + self.wear_gap, BARS_REACH + max(self.company_reach, self.bars_near))
 
 
 @dataclass(frozen=True)
@@ -174,17 +173,14 @@ def remove_non_markings(found: Candidates, pixel: float, settings: CleanSettings
     by_rules = values = np.where(specks, np.float32(0), rules)
     accepted = judged.accepted[pieces.labels]
     if found.roads is None:
-        strokes = strokes_of(pieces, judged.accepted, mask.shape[1], pixel)
-        bars = crossing_bars(strokes, settings.max_width)
-        places = shifted_places(pieces.inside, near, found.core.shape)
-        bars = on_smooth_ground(pieces, bars, ground, places, pixel)
+        bars = crossing_bars(pieces, judged.accepted, mask.shape[1], pixel, settings.max_width)[pieces.labels]
         if settings.trained:
             values = _by_model(judged, found, pixel, settings, rules, specks, within(wanted, near))
         else:
+            places = shifted_places(pieces.inside, near, found.core.shape)
             roads = road_share(places, found.bands, found.image, ground, found.model, pixel, found.scale)
-            values = np.where(_alone(judged, bars[pieces.labels], roads, pixel, settings), np.float32(0), values)
-        vouched = vouched_confidence(strokes, bars, pieces.labels, rules)
-        values = np.maximum(values, np.where(specks, np.float32(0), vouched[pieces.labels]))
+            values = np.where(_alone(judged, bars, roads, pixel, settings), np.float32(0), values)
+        values = np.maximum(values, np.where(bars & ~specks, np.float32(OF_BARS), 0))
     good = accepted & (values >= settings.min_confidence)
     evidence = SearchTally(colder=judged.colder, clear=np.count_nonzero(ground.clear[counted]),
                            smooth=np.count_nonzero(ground.smooth[counted]))

@@ -9,13 +9,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-import cv2
 import numpy as np
 from scipy.spatial import cKDTree
 
-from ..marking_confidence import GroundBeside
-from ..marking_pieces import MarkingPieces
-from .strokes import Strokes
+from ..marking_pieces import MarkingPieces, stroke_axes
 
 
 @dataclass(frozen=True)
@@ -35,8 +32,6 @@ class CrossingBarsLimits:
     unsteady: float = 0.12  # of the step, that others lie off whole steps
     company: int = 2  # others like it that vouch for a bar
     part: float = 0.6  # of the length of others, that a part of a worn bar reaches from beside their middles at most
-    around: float = 5.0  # m round it, in which so much of the clear ground is smooth and grey: not on tiles and grass
-    smooth: float = 0.25
     part_company: int = 3  # others that vouch for it, none off whole steps
 
 
@@ -52,34 +47,25 @@ _FARTHEST = math.hypot(LIMITS.reach, LIMITS.part * LIMITS.longest)
 BARS_REACH = LIMITS.longest + _FARTHEST
 """m from a piece's pixel to the far end of one that vouches for it."""
 
+_PARTS = 64.0
+"""Of a pixel, in which middles are told: what is compared does not depend on where an image is cut."""
 
-def on_smooth_ground(pieces: MarkingPieces, found: np.ndarray, ground: GroundBeside, places: np.ndarray, pixel: float
-                     ) -> np.ndarray:
-    """Which of the pieces found (m,) have smooth grey ground among what is clear within 5 m, bool.
 
-    Parameters
-    ----------
-    places : (n,) of the pieces' pixels in the flat image of the ground.
-    pixel : side, m.
-    """
-    if not found.any():
-        return found
+def crossing_bars(pieces: MarkingPieces, accepted: np.ndarray, columns: int, pixel: float,
+                  max_width: float) -> np.ndarray:
+    """Which accepted pieces (m,) of an image of so many columns are bars, or parts of worn ones, with others beside
+    them, bool; `pixel` and `max_width` in m."""
+    found = accepted & (pieces.length < LIMITS.longest)
     inside = found[pieces.labels]
-    side = (2 * round(LIMITS.around / pixel) + 1,) * 2
-    smooth, clear = (np.bincount(pieces.labels[inside], cv2.boxFilter(
-        flags, cv2.CV_32F, side, normalize=False, borderType=cv2.BORDER_CONSTANT).take(places[inside]), len(found))
-        for flags in (ground.smooth, ground.clear))
-    return found & (smooth > LIMITS.smooth * clear)
-
-
-def crossing_bars(strokes: Strokes, max_width: float) -> np.ndarray:
-    """Which strokes (m,) are bars, or parts of worn ones, with others beside them, bool; `max_width` in m."""
-    narrow = np.flatnonzero((strokes.box < LIMITS.longest) & (strokes.width < max_width))
-    length, width = strokes.length[narrow], strokes.width[narrow]
+    axes = stroke_axes(pieces.labels[inside], *np.divmod(pieces.inside[inside], columns), pieces.size)
+    length, width = (pixel * np.sqrt(12 * square + 1) for square in (axes.along, axes.across))
+    narrow = np.flatnonzero(found & (width < max_width))
+    length, width = length[narrow], width[narrow]
     bars = (length > LIMITS.shortest) & (length > LIMITS.slender * width)
-    found = np.zeros(len(strokes.box), bool)
+    found = np.zeros(len(found), bool)
     if np.count_nonzero(bars) > LIMITS.company:
-        found[narrow] = _vouched(strokes.middle[narrow], strokes.direction[narrow], length, width, bars)
+        middle = np.rint(axes.middle[narrow] * _PARTS) / _PARTS * pixel
+        found[narrow] = _vouched(middle, axes.direction[narrow], length, width, bars)
     return found
 
 
