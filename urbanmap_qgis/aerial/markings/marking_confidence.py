@@ -13,7 +13,6 @@ import cv2
 import numpy as np
 
 from .image_strips import STRIP, row_strips
-from .road_model import LIMITS as ROAD
 from .road_model import RoadModel
 
 
@@ -96,7 +95,6 @@ class MarkingConfidenceLimits:
     reach_round: float = 6.0
     step_slack: int = 6  # grey values: dark ground may differ by these whatever its share
     min_pairs: float = 0.02
-    shaded: float = 0.1  # of the smooth ground round paint that lies in shade, from which it may be at a shadow's rim
     max_difference: float = 100.0  # grey values; keeps sums of squares whole
 
 
@@ -122,7 +120,6 @@ class GroundBeside:
     smooth : uint8, 1 where it is smooth, grey and about as bright as such ground around.
     brightness : float32, mean of the smooth ground within 4 m.
     shades : int16, warmth of the ground in `_SHADES`; None for grey images.
-    violet : uint8, 1 where ground is grey only as what lies in shade is; None for grey images.
     """
 
     clear: np.ndarray
@@ -130,21 +127,11 @@ class GroundBeside:
     smooth: np.ndarray
     brightness: np.ndarray
     shades: np.ndarray | None
-    violet: np.ndarray | None = None
 
     def rows(self, rows: slice) -> GroundBeside:
         """That of some rows."""
         return GroundBeside(*(None if values is None else values[rows] for values in (
-            self.clear, self.even, self.smooth, self.brightness, self.shades, self.violet)))
-
-    def in_shade(self, inside: np.ndarray, pixel: float) -> np.ndarray:
-        """Whether much of the smooth ground within 4 m of pixels, by their places in the flat image, is grey only as
-        what lies in shade is, bool (n,)."""
-        if self.violet is None:
-            return np.zeros(len(inside), bool)
-        violet, smooth = (_totals(flags, LIMITS.brightness_box, pixel).take(inside)
-                          for flags in (self.violet & self.smooth, self.smooth))
-        return violet > LIMITS.shaded * smooth
+            self.clear, self.even, self.smooth, self.brightness, self.shades)))
 
 
 def texture(image: np.ndarray, clear: np.ndarray, pixel: float, lag: float) -> np.ndarray:
@@ -205,22 +192,21 @@ def ground_beside(bands: np.ndarray, image: np.ndarray, road: np.ndarray, bright
     model : the image's own road.
     """
     clear = _clear(bright, seen, pixel)
-    smooth, even, shades, violet = _grey_and_smooth(bands, image, clear, pixel, model, settings)
+    smooth, even, shades = _grey_and_smooth(bands, image, clear, pixel, model, settings)
     smooth = _as_bright_as_around(road, smooth, pixel, settings)
     brightness = np.empty(road.shape, np.float32)
     for strip, wide, inner in row_strips(len(road), _box_pixels(LIMITS.brightness_box, pixel) // 2, 2 * STRIP):
         weight = smooth[wide].astype(np.float32)
         brightness[strip] = _mean_with(np.rint(road[wide]), weight, _share_of(weight, pixel), pixel)[inner]
-    return GroundBeside(clear, even, smooth, brightness, shades, violet)
+    return GroundBeside(clear, even, smooth, brightness, shades)
 
 
 def _grey_and_smooth(bands: np.ndarray, image: np.ndarray, clear: np.ndarray, pixel: float, model: RoadModel,
-                     settings: ConfidenceSettings
-                     ) -> tuple[np.ndarray, np.ndarray, np.ndarray | None, np.ndarray | None]:
+                     settings: ConfidenceSettings) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
     """Clear ground with a texture below the limit and without colour, likewise with wider limits, uint8 (rows,
-    columns); its warmth in whole shades, int16, and where it is violet, uint8, both None for grey images."""
+    columns); its warmth in whole shades, int16, None for grey images."""
     smooth, even = np.empty_like(clear), np.empty_like(clear)
-    shades, violet = (np.empty(clear.shape, np.int16), np.empty_like(clear)) if len(bands) >= 3 else (None, None)
+    shades = np.empty(clear.shape, np.int16) if len(bands) >= 3 else None
     halo = _box_pixels(LIMITS.texture_box, pixel) // 2 + _lag_pixels(settings.texture_lag, pixel)
     limit = settings.max_texture(model)
     warmest = max(settings.max_warmth, model.warmth + settings.warmer_than_road)
@@ -230,9 +216,7 @@ def _grey_and_smooth(bands: np.ndarray, image: np.ndarray, clear: np.ndarray, pi
         calm, fair = rough < limit, rough < settings.worn * limit
         if shades is not None:
             warmth, green = (values[inner] for values in colours_of(bands[:, wide], weight))
-            np.less_equal(green, -settings.max_green, out=violet[strip].view(bool))
-            violet[strip] &= (image[strip] < np.float32(ROAD.lit * model.brightness)).view(np.uint8)
-            _as_in_the_light(green, image[strip], model)
+            np.abs(green, out=green)
             calm &= warmth < warmest
             calm &= green < settings.max_green
             fair &= warmth < settings.worn * warmest
@@ -242,22 +226,7 @@ def _grey_and_smooth(bands: np.ndarray, image: np.ndarray, clear: np.ndarray, pi
             shades[strip] = np.maximum(warmth, np.float32(-32000), out=warmth)  # the colder ones are no ground
         np.bitwise_and(clear[strip], calm.view(np.uint8), out=smooth[strip])
         np.bitwise_and(clear[strip], fair.view(np.uint8), out=even[strip])
-    return smooth, even, shades, violet
-
-
-def _as_in_the_light(green: np.ndarray, image: np.ndarray, model: RoadModel) -> None:
-    """Make green (rows, columns) its size, where it is less than none as a share of the brightness that the road has
-    in the light.
-
-    Light of the sky and haze add a little blue everywhere: next to nothing in the light, it is a large share of what is
-    bright in shade, where grey ground turns violet. Nothing that grows does.
-    """
-    if model.brightness > 0:
-        share = np.maximum(image, np.float32(1.0))
-        share /= np.float32(model.brightness)
-        np.minimum(share, np.float32(1.0), out=share)
-        np.multiply(green, share, out=green, where=green < 0)
-    np.abs(green, out=green)
+    return smooth, even, shades
 
 
 def _as_bright_as_around(road: np.ndarray, smooth: np.ndarray, pixel: float, settings: ConfidenceSettings

@@ -32,13 +32,11 @@ from .marking_pieces import (
     PieceImage,
     marking_pieces_of,
     piece_figures,
-    straight_strokes,
 )
 from .paint_model import HARD_LIGHT, SOFT_LIGHT, KindOfLight, paint_model
 from .road_model import RoadModel
 from .signs.crossing_bars import BARS_REACH, crossing_bars
 from .signs.crossing_bars import CONFIDENCE as OF_BARS
-from .signs.thick_paint import THICK, paint_around
 from .surroundings import REACH, road_share
 
 
@@ -168,23 +166,21 @@ def remove_non_markings(found: Candidates, pixel: float, settings: CleanSettings
     counted = counted or wanted
     judged = judged_pieces(found, pixel, settings, wanted)
     near, ground, mask, pieces = judged.near, judged.ground, judged.mask, judged.pieces
-    specks = _specks(judged, found, pixel, settings)
-    rules = _of_pieces(judged, judged.by_rules, pixel)
-    by_rules = values = np.where(specks, np.float32(0), rules)
+    rules = values = _of_pieces(judged, judged.by_rules, pixel)
     accepted = judged.accepted[pieces.labels]
     if found.roads is None:
         bars = crossing_bars(pieces, judged.accepted, mask.shape[1], pixel, settings.max_width)[pieces.labels]
         if settings.trained:
-            values = _by_model(judged, found, pixel, settings, rules, specks, within(wanted, near))
+            values = _by_model(judged, found, pixel, settings, rules, within(wanted, near))
         else:
             places = shifted_places(pieces.inside, near, found.core.shape)
             roads = road_share(places, found.bands, found.image, ground, found.model, pixel, found.scale)
             values = np.where(_alone(judged, bars, roads, pixel, settings), np.float32(0), values)
-        values = np.maximum(values, np.where(bars & ~specks, np.float32(OF_BARS), 0))
+        values = np.maximum(values, np.where(bars, np.float32(OF_BARS), 0))
     good = accepted & (values >= settings.min_confidence)
     evidence = SearchTally(colder=judged.colder, clear=np.count_nonzero(ground.clear[counted]),
                            smooth=np.count_nonzero(ground.smooth[counted]))
-    evidence += _tally(judged, accepted & (by_rules >= settings.min_confidence), good, within(counted, near), pixel)
+    evidence += _tally(judged, accepted & (rules >= settings.min_confidence), good, within(counted, near), pixel)
     markings, confidence = np.zeros(mask.shape, bool), np.zeros(mask.shape, np.float32)
     markings.ravel()[pieces.inside] = good
     confidence.ravel()[pieces.inside] = np.where(good, values, 0)
@@ -262,14 +258,14 @@ def figures_of_pieces(judged: JudgedPieces, found: Candidates, pixel: float, cou
                          judged.pieces.labels[counts], pixel)
 
 
-def _matters(judged: JudgedPieces, window: tuple[slice, slice], specks: np.ndarray, pixel: float) -> np.ndarray:
-    """Which of the pieces' pixels the result in a window of the mask depends on, bool (n,): pieces that reach into it
-    and are more than specks, and of those too long to be judged as one what lies at it."""
+def _matters(judged: JudgedPieces, window: tuple[slice, slice], pixel: float) -> np.ndarray:
+    """Which of the pieces' pixels the result in a window of the mask depends on, bool (n,): pieces that reach into it,
+    and of those too long to be judged as one what lies at it."""
     pieces = judged.pieces
     wide = grown(window, math.ceil(ALONG_REACH / pixel) + 1, judged.mask.shape)
     rows, columns = np.divmod(pieces.inside, judged.mask.shape[1])
     at = ((rows >= wide[0].start) & (rows < wide[0].stop) & (columns >= wide[1].start) & (columns < wide[1].stop))
-    reaching = np.bincount(pieces.labels, at & ~specks, minlength=len(pieces.size)) > 0
+    reaching = np.bincount(pieces.labels, at, minlength=len(pieces.size)) > 0
     return np.where(pieces.long[pieces.labels], at, reaching[pieces.labels])
 
 
@@ -278,17 +274,16 @@ def _light(found: Candidates, settings: CleanSettings) -> KindOfLight:
 
 
 def _by_model(judged: JudgedPieces, found: Candidates, pixel: float, settings: CleanSettings, rules: np.ndarray,
-              specks: np.ndarray, window: tuple[slice, slice]) -> np.ndarray:
+              window: tuple[slice, slice]) -> np.ndarray:
     """Confidence (n,) of the pieces' pixels by the trained model; of those that do not matter in a window of the mask,
     and of those to which the rules (n,) give next to none, it may be 0."""
     light = _light(found, settings)
     counts = judged.accepted[judged.pieces.labels] & (rules >= light.least_rules)
-    counts &= _matters(judged, window, specks, pixel)
+    counts &= _matters(judged, window, pixel)
     figures = figures_of_pieces(judged, found, pixel, counts)
     evidence = np.zeros(len(counts), np.float32)
     evidence[counts] = paint_model().evidence_of(figures.values, len(figures.pixels), light)[figures.cell]
-    values = paint_model().probability(_of_pieces(judged, evidence, pixel, counts), light)
-    return np.where(specks, np.float32(0), values)
+    return paint_model().probability(_of_pieces(judged, evidence, pixel, counts), light)
 
 
 def _tally(judged: JudgedPieces, by_rules: np.ndarray, good: np.ndarray, counted: tuple[slice, slice], pixel: float
@@ -334,35 +329,37 @@ def _of_pieces(judged: JudgedPieces, values: np.ndarray, pixel: float, known: np
     return np.where(pieces.long[pieces.labels], along, mean[pieces.labels].astype(np.float32))
 
 
-def _specks(judged: JudgedPieces, found: Candidates, pixel: float, settings: CleanSettings) -> np.ndarray:
-    """Which of the pieces' pixels (bool, n) lie in shade off known roads, are no straight stroke and no sure paint
-    among much of it. There the sun falls through leaves, in specks that joined look like worn paint."""
-    if found.roads is not None:
-        return np.zeros(len(judged.pieces.inside), bool)
-    specks = judged.ground.in_shade(shifted_places(judged.pieces.inside, judged.near, judged.narrow.shape), pixel)
-    if specks.any():
-        sunlit = ~specks & (along_strokes(judged.by_rules, judged.mask, pixel) >= settings.sure)
-        whole = marking_pieces_of(judged.mask, judged.mask.view(np.uint8), pixel, settings.max_length)
-        specks &= ~straight_strokes(whole, judged.mask.shape[1], pixel, settings.max_width)[whole.labels]
-        around = paint_around(sunlit, judged.pieces.inside, judged.mask.shape, pixel, settings.company_reach)
-        specks &= (_of_pieces(judged, judged.by_rules, pixel) < settings.sure) | (around * pixel ** 2 < THICK)
-    return specks
-
-
 def _alone(judged: JudgedPieces, bars: np.ndarray, roads: np.ndarray, pixel: float, settings: CleanSettings
            ) -> np.ndarray:
     """Which of the pieces' pixels (bool, n) lie on doubtful ground and have hardly any sure paint round them, nor bars
     of a crossing (bool, n), or lie where little can be a road (share, n) and no crossing is near."""
     pieces = judged.pieces
     sure = bars | (along_strokes(judged.by_rules, judged.mask, pixel) >= settings.sure)
-    around = paint_around(sure, pieces.inside, judged.mask.shape, pixel, settings.company_reach)
-    crossing = paint_around(bars, pieces.inside, judged.mask.shape, pixel, settings.bars_near)
+    around = _paint_around(sure, pieces.inside, judged.mask.shape, pixel, settings.company_reach)
+    crossing = _paint_around(bars, pieces.inside, judged.mask.shape, pixel, settings.bars_near)
     own = np.bincount(pieces.labels, sure, len(pieces.size)) * (pieces.length < settings.own_length + settings.wear_gap)
     few = (around - own[pieces.labels]) * pixel ** 2 < settings.company
     off = (_of_pieces(judged, roads, pixel) < settings.least_road) & (crossing * pixel ** 2 < settings.company)
     # Worn paint is faint, but lies on a road: it needs no company. A crossing shows a road where little is to be seen.
     by_ground = _of_pieces(judged, judged.by_rules / contrast_confidence(judged.relief, settings.confidence), pixel)
     return (by_ground < settings.doubtful) & (few | off)
+
+
+def _paint_around(sure: np.ndarray, inside: np.ndarray, shape: tuple[int, int], pixel: float, reach: float
+                 ) -> np.ndarray:
+    """How many sure pixels (float32, n) lie within `reach` m by rows and columns of each pixel of pieces.
+
+    Parameters
+    ----------
+    sure : (n,) bool, pixels that are paint for sure.
+    inside : (n,) places of the pixels in the flat image of the shape (rows, columns).
+    pixel : m.
+    """
+    flags = np.zeros(shape, np.uint8)
+    flags.ravel()[inside] = sure
+    side = 2 * round(reach / pixel) + 1
+    around = cv2.boxFilter(flags, cv2.CV_32F, (side, side), normalize=False, borderType=cv2.BORDER_CONSTANT)
+    return around.take(inside)
 
 
 def _narrow(found: Candidates, ratio: float) -> np.ndarray:

@@ -22,8 +22,6 @@ class MarkingPiecesLimits:
 
     highest: float = 15.0  # thresholds, that reliefs are cut at
     largest: float = 20.0  # m2, the same of areas
-    stroke_length: float = 1.0  # m, least of a stroke of paint
-    stroke_slenderness: float = 3.0  # times its width that it is long
 
 
 LIMITS = MarkingPiecesLimits()
@@ -97,15 +95,6 @@ def variances(labels: np.ndarray, rows: np.ndarray, columns: np.ndarray, size: n
     """Variances (m,) along and across the main axes, see `stroke_axes`."""
     axes = stroke_axes(labels, rows, columns, size)
     return axes.along, axes.across
-
-
-def straight_strokes(pieces: MarkingPieces, columns: int, pixel: float, max_width: float) -> np.ndarray:
-    """Which pieces (m,) of an image of so many columns are straight strokes narrower than `max_width` (m), bool; those
-    too long to be judged as one are, whatever their course."""
-    along, across = variances(pieces.labels, *np.divmod(pieces.inside, columns), pieces.size)
-    length, width = pixel * np.sqrt(12 * along + 1), pixel * np.sqrt(12 * across + 1)
-    straight = (length > LIMITS.stroke_length) & (length > LIMITS.stroke_slenderness * width) & (width < max_width)
-    return straight | pieces.long
 
 
 @dataclass(frozen=True)
