@@ -9,7 +9,6 @@ import pytest
 
 from urbanmap_qgis.mobile.registration.correction.disagreements import NodeStep
 from urbanmap_qgis.mobile.registration.correction.error_steps import LIMITS, UnseenSteps, short_gaps, window_steps
-from urbanmap_qgis.mobile.registration.correction.patch_status import contradicted, opposing_spread
 from urbanmap_qgis.mobile.registration.start.fast_drift import fast_drift_rate
 from urbanmap_qgis.mobile.trajectory import Trajectory
 
@@ -86,15 +85,6 @@ def test_what_the_trajectory_wanders_while_the_vehicle_stands_is_no_step():
     nodes = np.arange(0.0, 300.0, 2.0)
     assert window_steps(windows, nodes, 3.0, moving)[0].any()
     assert not window_steps(windows, nodes, 3.0, trajectory)[0].any()
-
-
-def test_contradicted_windows():
-    residual = np.array([[0.5, 0.0], [0.05, 0.0], [0.5, 0.0], [np.nan, np.nan]])
-    covariance = np.broadcast_to(np.eye(2) * 0.02**2, (4, 2, 2))
-    own = np.array([np.eye(2) * size**2 for size in (0.03, 0.001, 1.0, 0.03)])
-    mask = contradicted(residual, covariance, own, np.ones(4, bool))
-    assert mask.tolist() == [True, False, False, False]
-    assert np.sqrt(opposing_spread(residual, mask)[:, 0, 0]) == pytest.approx([0.25, 0, 0, 0])
 
 
 def test_a_short_gap_holds_what_the_correction_changes_in_it_but_for_the_wandering_of_a_stop():

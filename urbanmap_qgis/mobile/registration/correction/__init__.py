@@ -7,7 +7,7 @@ In the order of the work:
 - how the error goes: `gauss_markov` (drift of places), `error_model` (with the angles), `error_steps` (faster than
   drift);
 - the fit: `chain` (nodes along the path), `robust_fit` (evidence weighed against itself, then onto the points);
-- who is right: `disagreements` (sharp steps), `side_slip` and `slip_steps` (what the vehicle cannot have done),
+- who is right: `disagreements` (sharp steps), `side_slip` (what the vehicle cannot have done),
   `fast_changes` (the drive's or the reference's), `second_witness` (the walls);
 - what is told: `patch_status`, `patch_corrections`, `moved_markings`.
 

@@ -17,7 +17,7 @@ from ...trajectory import Trajectory, path_chainage
 from ..records import WindowResults
 from .chain import NodeChain, nodes_along
 from .error_steps import unseen_steps, window_steps
-from .fast_changes import by_slip, fast_changes, with_silences, with_steps
+from .fast_changes import fast_changes, with_silences, with_steps, with_undecided
 from .gauss_markov import path_parameters_of
 from .normal_equations import normal_equations_of
 from .patch_corrections import (
@@ -33,7 +33,7 @@ from .patch_status import only_own_mode_fits
 from .robust_fit import Evaluate, chain_likelihood, onto_points, robust_fit
 from .second_witness import Witness, WitnessConflict, where_walls_want_it, with_upright_walls, with_witness
 from .settings import CorrectionSettings
-from .side_slip import SideSlip
+from .side_slip import SideSlip, with_denied_gaps
 
 
 def adjust_correction(windows: WindowResults, trajectory: Trajectory,
@@ -81,7 +81,8 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
     changes = fast_changes(chain, fit, model, at_nodes, partial(chain_likelihood, settings=settings))
     found = with_steps(chain, fit, model, at_nodes, changes, slip, points, settings)
     found, conflict = with_witness(walls, found, model) if walls is not None else (found, WitnessConflict(()))
-    found = with_silences(by_slip(found, changes, model, slip), model, at_patches, windows.correction[:, :2])
+    found = with_undecided(with_denied_gaps(found, slip), changes, model, slip)
+    found = with_silences(found, model, at_patches, windows.correction[:, :2])
     found, model = with_upright_walls(walls, found, model) if walls is not None else (found, model)
     unseen = unseen_steps(found.chain, model, found.fit, found.all_steps)
     chain, unmeasured = found.chain, unmeasured_angles(found.chain, found.fit, model.attitude.sigma)

@@ -21,10 +21,8 @@ from .error_model import PoseErrorModel
 from .error_steps import times_as_likely
 from .patch_status import MOST_SPAN
 from .robust_fit import Evaluate, Fit, adjusted_again, chain_likelihood
-from .second_witness import with_free_gaps
 from .settings import CorrectionSettings
-from .side_slip import SideSlip, with_denied_gaps
-from .slip_steps import with_slip_steps
+from .side_slip import SideSlip
 
 
 @dataclass(frozen=True)
@@ -132,18 +130,6 @@ def with_steps(chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.nd
                   partial(adjusted_again, points=points, model=model, settings=settings),
                   partial(chain_likelihood, settings=settings), MOST_SPAN, slip.denies,
                   [change.step for change in changes if not change.spread])
-
-
-def by_slip(found: Disagreements, changes: Sequence[FastChange], model: PoseErrorModel,
-            slip: SideSlip) -> Disagreements:
-    """What was found with what the trajectory's own slip says of it, and what nothing decides."""
-    found = with_free_gaps(with_denied_gaps(found, slip), model)
-
-    def course(path_parameter: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        value, covariance = found.chain.interpolate(found.fit.state, found.fit.covariance, path_parameter)
-        return value[:, :2], covariance[:, :2, :2]
-
-    return with_undecided(with_slip_steps(found, slip, course), changes, model, slip)
 
 
 def with_undecided(found: Disagreements, changes: Sequence[FastChange], model: PoseErrorModel,

@@ -21,9 +21,7 @@ from .patch_status import (
     LEAST_MET,
     MOST_SPAN,
     REGISTERED,
-    contradicted,
     evidence_spans,
-    opposing_spread,
     own_information,
     patch_statuses,
     plan_sigma,
@@ -215,11 +213,9 @@ def correction_at_patches(windows: WindowResults, found: Disagreements, at_patch
     piece = np.searchsorted(0.5 * (normals.path_parameter[1:] + normals.path_parameter[:-1]), at_patches)
     weight = np.where(normals.present, fit.weight, np.nan)[piece]
     residual = windows.correction - value
-    opposed = contradicted(residual[:, :2], covariance[:, :2, :2], windows.covariance[:, :2, :2], windows.usable)
     wide = evidence_spans(normals, fit.weight, at_patches) > MOST_SPAN
     if chain.held is not None:  # where no markings are, walls hold the place, and the windows reach for others
-        opposed, doubtful = opposed & ~wide, doubtful & ~wide
-    covariance[:, :2, :2] += opposing_spread(residual[:, :2], opposed)
+        doubtful = doubtful & ~wide
     if windows.spread is not None:
         covariance[doubtful, :2, :2] += windows.spread[doubtful]
     covariance[:, :2, :2] *= hidden_factor(found.hidden, at_patches)[:, None, None]
@@ -244,7 +240,6 @@ def correction_at_patches(windows: WindowResults, found: Disagreements, at_patch
     if normals.met is not None:
         few = (normals.met[piece] < LEAST_MET) & (near_walls > settings.registered_sigma)
         status, reason = _bridged(status, reason, few, say("few of the markings here are in the reference"))
-    status, reason = _bridged(status, reason, opposed, say("the window here contradicts the correction"))
     status, reason = with_disagreements(status, reason, found, at_patches, beside)
     status, reason = with_conflict(status, reason, against)
     return Correction(windows.time, windows.chainage, value, covariance, status, reason, weight, residual,

@@ -21,9 +21,6 @@ drift. not to be trusted: too far from them, or contradictory or ambiguous marki
 class PatchStatusLimits:
     """Limits of patch status, each with its unit."""
 
-    contradiction: float = 9.2  # squared Mahalanobis distance in plan that chance exceeds in 1 % of the cases
-    min_contradiction: float = 0.1  # m: smaller differences are within what drift in a window does
-    opposed_share: float = 0.5  # of the difference that is one standard deviation then
     rejected: float = 0.2  # weight below which a piece's own evidence counts as contradicted
 
 
@@ -61,29 +58,6 @@ def patch_statuses(window_sigma: np.ndarray, weight: np.ndarray, sigma: np.ndarr
     if not (np.isfinite(window_sigma) & ~doubtful).any():
         status[:] = DISTRUSTED
     return status, reason
-
-
-def contradicted(residual: np.ndarray, covariance: np.ndarray, window_covariance: np.ndarray,
-                 usable: np.ndarray) -> np.ndarray:
-    """(n,) mask of patches whose own window lies farther from the correction than both covariances allow.
-
-    Parameters
-    ----------
-    residual : (n, 2) m, window less correction in plan.
-    covariance, window_covariance : (n, 2, 2) of the correction and the window.
-    usable : (n,) windows that carry a correction.
-    """
-    comparable = usable & np.isfinite(residual).all(axis=1) & np.isfinite(window_covariance).all(axis=(1, 2))
-    inverse = np.linalg.inv(np.where(comparable[:, None, None], covariance + window_covariance, np.eye(2)))
-    off = np.where(comparable[:, None], residual, 0.0)
-    distance = np.einsum("ni,nij,nj->n", off, inverse, off)
-    return comparable & (distance > LIMITS.contradiction) & (np.hypot(*off.T) > LIMITS.min_contradiction)
-
-
-def opposing_spread(residual: np.ndarray, opposed: np.ndarray) -> np.ndarray:
-    """(n, 2, 2) m2 added where correction and window contradict each other: either may be right."""
-    off = np.where(opposed[:, None], np.nan_to_num(residual), 0.0)
-    return LIMITS.opposed_share**2 * off[:, :, None] * off[:, None, :]
 
 
 def only_own_mode_fits(windows: WindowResults, value: np.ndarray, covariance: np.ndarray,

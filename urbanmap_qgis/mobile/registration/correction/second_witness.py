@@ -122,23 +122,6 @@ def settled_offset(chain: NodeChain, fit: Fit, model: PoseErrorModel, weight: np
     return replace(fit, state=settled.state, covariance=settled.covariance), settled.offset
 
 
-def with_free_gaps(found: Disagreements, model: PoseErrorModel) -> Disagreements:
-    """What was found, with a correction that may jump where a step hides: it bends neither side towards the other."""
-    chain, fit = found.chain, found.fit
-    fast, places = chain.fast.copy(), 0.5 * (chain.nodes[1:] + chain.nodes[:-1])
-    for begin, end, step in found.hidden:
-        if found.hides(step):
-            inside = (places > begin) & (places < end)
-            fast[inside] = np.maximum(fast[inside], step.size / np.sqrt(max(np.count_nonzero(inside), 1)))
-    if (fast == chain.fast).all():
-        return found
-    chain, weight = chain.with_fast(fast), fit.weight / fit.noise_factor
-    if chain.held is not None:
-        return replace(found, chain=chain, fit=settled_offset(chain, fit, model, weight)[0])
-    state, covariance, _ = chain.solve(model, weight)
-    return replace(found, chain=chain, fit=replace(fit, state=state, covariance=covariance))
-
-
 @dataclass(frozen=True)
 class WitnessConflict:
     """Stretches of the path where markings and walls disagree."""
