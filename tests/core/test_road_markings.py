@@ -130,16 +130,6 @@ def test_shade_keeps_markings():
     assert scores(found[:, 210:], (white | yellow)[:, 210:])[1] > 0.9
 
 
-def test_leaves_are_no_paint():
-    bands, _white, _yellow = street()
-    rng = np.random.default_rng(2)
-    spots = np.zeros(bands.shape[1:], np.uint8)
-    for column, row in rng.integers((20, 210), (400, 250), (60, 2)):
-        cv2.circle(spots, (int(column), int(row)), 2, 1, -1)
-    bands[:, spots > 0] = np.array([[110.0], [170.0], [70.0]])
-    assert search(bands, replace_cleaning(min_area=0.0)).mask[205:255].sum() < 10
-
-
 def replace_cleaning(**rules):
     return MarkingSettings(cleaning=CleanSettings(**rules))
 

@@ -17,8 +17,8 @@ from ...errors import InputError
 from ...settings.aerial import MarkingThreshold
 from ...wording import say
 from .disc_opening import coarse_step, disc_kernel, disc_opened
-from .image_strips import flat_places, grown, row_strips, within
-from .marking_confidence import clear_of_paint, colours_of, mean_over, texture
+from .image_strips import grown, row_strips, within
+from .marking_confidence import clear_of_paint, colours_of, texture
 from .marking_evidence import SearchTally
 from .marking_filter import Candidates, Cleaned, CleanSettings, remove_non_markings
 from .road_model import RoadModel
@@ -34,9 +34,6 @@ class RoadMarkingsLimits:
     # In shade paint stands out less, in proportion; the threshold follows down to this share of itself.
     shade_floor: float = 0.35
     edge_spread: float = 0.25  # m round a marking's pixels in which its edge is looked for, and its own brightness.
-    # Where green exceeds red by this factor there are leaves; neither white nor yellow paint does, in sun or
-    # shade.
-    greenness: float = 1.08
     # Times the ground's brightness: what is brighter, and wider than paint can be, is a surface of its own.
     brighter: float = 1.2
     # Paint whose warmth (red less blue), less that of the ground beside it, exceeds this share of its red is
@@ -228,8 +225,6 @@ def candidates_of(bands: np.ndarray, seen: np.ndarray, roads: np.ndarray | None,
     core &= seen if roads is None else seen & roads
     width = settings.cleaning.max_width if settings.cleaning else CleanSettings().max_width
     road = disc_opened(image, disc_kernel(width, pixel))
-    if settings.cleaning:
-        _leave_out_green(core, bands)
     return Candidates(core, bands, image, road, threshold, seen, roads, levels.road,
                       255.0 / (levels.high - levels.low), settings.contrast)
 
@@ -353,18 +348,6 @@ def _weight_of_block(side: int) -> np.float32:
     """Sum of the weights of a block, 1 but for rounding."""
     ones = np.ones((2 * side, 2 * side), np.float32)
     return cv2.GaussianBlur(ones, (side, side), 0, borderType=cv2.BORDER_REPLICATE)[side, side]
-
-
-def _leave_out_green(core: np.ndarray, bands: np.ndarray) -> None:
-    """Take what an image shows as leaves out of bright pixels, in place: green above red and blue, over a few pixels
-    because JPEG spreads colours."""
-    if len(bands) < 3:
-        return
-    for strip, wide, _ in row_strips(len(core), 1):
-        inside = flat_places(core, (strip, slice(0, core.shape[1])))
-        above = inside - wide.start * core.shape[1]
-        red, green, blue = (mean_over(bands[band, wide], 3).take(above) for band in (0, 1, 2))
-        core.ravel()[inside] = (green <= blue) | (green <= red * np.float32(LIMITS.greenness))
 
 
 def _refined(core: np.ndarray, image: np.ndarray, road: np.ndarray, bands: np.ndarray, allowed: np.ndarray,
