@@ -12,7 +12,6 @@ from ..registration.correction.gauss_markov import path_parameters_of
 from ..registration.run import RegistrationRun
 from ..trajectory import Trajectory
 from .network import KINDS, WALL, Network, NetworkObservations, plan_information, plan_residuals
-from .reference_steps import ReferenceStep
 
 PLACED, BRIDGED, RELATIVE, NOT_TIED = range(4)
 STATUS_NAMES = ("placed", "bridged", "relative only", "not tied")
@@ -80,7 +79,6 @@ class AdjustedSurvey:
     observations, network : of the adjustment.
     place : (n, 3) m, where each observation lies after it.
     relative : whether no drive is tied to control or reference.
-    reference_steps : of the reference markings, as several drives show them; observations of doubt are left out.
     """
 
     drives: tuple[AdjustedDrive, ...]
@@ -88,7 +86,6 @@ class AdjustedSurvey:
     network: Network
     place: np.ndarray
     relative: bool
-    reference_steps: tuple[ReferenceStep, ...] = ()
 
     def median_sigma(self) -> float:
         """Median standard deviation in plan over all drives, m."""

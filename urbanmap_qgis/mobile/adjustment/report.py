@@ -44,8 +44,6 @@ def _verdict(report: Report, survey: AdjustedSurvey) -> None:
         sigma = np.concatenate([drive.plan_sigma() for drive in survey.drives])
         report.verdict(GOOD, say("The drives are placed with a standard deviation of {sigma:.1f} cm in plan (median; "
                                  "largest {max:.0f} cm).", sigma=100 * np.median(sigma), max=100 * sigma.max()))
-    for step in survey.reference_steps:
-        report.warning(step.sentence(survey.drives[step.drive].name))
     for drive in survey.drives:
         if (drive.status == STATUS_NAMES.index("not tied")).all():
             report.warning(say("{drive} shares no markings with other drives, control or reference: it stays as "

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from dataclasses import replace
 
 from ...errors import InsufficientDataError
 from ...progress import SILENT, Progress
@@ -14,7 +13,6 @@ from ..control import ControlPoints
 from ..registration.start.reference import Reference
 from ..trajectory import Trajectory
 from .control_ties import control_observations
-from .disputed_reference import without_reference_steps
 from .drive_clouds import read_drives
 from .network import NetworkObservations
 from .plane_observations import plane_observations
@@ -54,5 +52,4 @@ def adjust_surveys(clouds: Sequence[Sequence[str | os.PathLike]], trajectories: 
         raise InsufficientDataError(say("The drives share no markings and planes, and no control point or reference "
                                         "marking fits them: nothing can be adjusted."))
     walls = None if buildings is None else walls_of_drives(buildings, clouds, drives, run, progress.part(0.95, 1.0))
-    observations, steps = without_reference_steps(drives, observations, run, progress)
-    return replace(adjust_with_walls(walls, clouds, drives, observations, run, progress), reference_steps=steps)
+    return adjust_with_walls(walls, clouds, drives, observations, run, progress)
