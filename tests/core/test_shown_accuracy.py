@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
 from tests.core.simulated_windows import simulate
 from urbanmap_qgis.mobile.registration.correction.adjustment import adjust_correction
-from urbanmap_qgis.mobile.registration.correction.patch_corrections import shown_factor, with_shown_pitch
+from urbanmap_qgis.mobile.registration.correction.patch_corrections import Correction, shown_factor, with_shown_pitch
 from urbanmap_qgis.mobile.registration.correction.patch_status import REGISTERED
 from urbanmap_qgis.mobile.registration.correction.settings import CorrectionSettings
 
@@ -35,7 +33,8 @@ def made(roll_error, heading_factor, pitch_sigma=0.05):
     covariance = np.tile(np.diag(sigma**2), (10, 1, 1))
     covariance[:, 2, 4] = covariance[:, 4, 2] = 0.5 * 0.02 * pitch_sigma
     stated = np.tile([0.05, 0.05, 0.1], (10, 1))
-    return covariance, with_shown_pitch(value, covariance, stated, heading_factor)
+    correction = Correction(None, None, value, covariance, *[None] * 7, heading_factor, *[None] * 4)
+    return covariance, with_shown_pitch(correction, stated).covariance
 
 
 def test_a_roll_twice_as_bad_as_stated_doubles_the_pitch_alone():
@@ -52,20 +51,6 @@ def test_what_was_measured_stays():
     assert (after == before).all()
     before, after = made(0.0, 5.0)
     assert (after == before).all()
-
-
-def test_an_angle_that_nothing_measures_stays_as_it_was_reported():
-    """Heights of one line of points tell the roll; the pitch would follow what the ground is off by."""
-    drive = simulate(2, three_d=True)
-    information = drive.windows.information.copy()
-    information[:, 4, :], information[:, :, 4] = 0.0, 0.0
-    heights = 0.02 * np.sqrt(information[:, 2, 2] * 1e-3)
-    information[:, 4, 4], information[:, 2, 4], information[:, 4, 2] = heights**2, heights, heights
-    made = adjust_correction(replace(drive.windows, information=information), drive.reported)
-    assert np.abs(made.value[:, 4]).max() < 0.002
-    assert np.median(made.sigma()[:, 4]) >= CorrectionSettings().attitude_sigma[1]
-    whole = adjust_correction(drive.windows, drive.reported)  # lever arms of 6 m to either side measure it
-    assert np.abs(whole.value[:, 4]).max() > 0.01
 
 
 def test_relative_sigma_is_without_what_the_reference_is_off_by():

@@ -23,11 +23,9 @@ from .normal_equations import normal_equations_of
 from .patch_corrections import (
     Correction,
     correction_at_patches,
-    unmeasured_angles,
     with_distrusted,
     with_plan_noise,
-    with_reported_angles,
-    with_shown_angles,
+    with_shown_pitch,
 )
 from .patch_status import only_own_mode_fits
 from .robust_fit import Evaluate, chain_likelihood, onto_points, robust_fit
@@ -79,24 +77,21 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
     slip = SideSlip.of(trajectory, path_parameter)
     at_nodes = np.interp(chain.nodes, at_patches, allowed)
     changes = fast_changes(chain, fit, model, at_nodes, partial(chain_likelihood, settings=settings))
-    found = with_steps(chain, fit, model, at_nodes, changes, slip, points, settings)
+    found = with_steps(chain, fit, model, at_nodes, changes, points, settings)
     found, conflict = with_witness(walls, found, model) if walls is not None else (found, WitnessConflict(()))
     found = with_undecided(with_denied_gaps(found, slip), changes, model, slip)
     found = with_silences(found, model, at_patches, windows.correction[:, :2])
     found, model = with_upright_walls(walls, found, model) if walls is not None else (found, model)
     unseen = unseen_steps(found.chain, model, found.fit, found.all_steps)
-    chain, unmeasured = found.chain, unmeasured_angles(found.chain, found.fit, model.attitude.sigma)
-    fit, model = with_reported_angles(chain, found.fit, model, unmeasured)
-    found = replace(found, fit=with_plan_noise(chain, fit, model, points is not None))
+    found = replace(found, fit=with_plan_noise(found.chain, found.fit, model, points is not None))
     correction = correction_at_patches(windows, found, at_patches, doubtful, settings, conflict, unseen, model)
     if correction.three_d:
-        correction = with_shown_angles(correction, _angle_sigma(trajectory, path_parameter, at_patches, settings),
-                                       unmeasured)
+        correction = with_shown_pitch(correction, _angle_sigma(trajectory, path_parameter, at_patches, settings))
     steps = (*found.listed(partial(_along, trajectory, path_parameter)),
              *conflict.listed(windows.chainage, windows.time))
     correction = replace(correction, steps=tuple(sorted(steps, key=lambda step: step.place)))
     # Walls hold the survey where few markings let the start wander off.
-    return with_distrusted(correction, trajectory, windows.beyond and chain.held is None, settings)
+    return with_distrusted(correction, trajectory, windows.beyond and found.chain.held is None, settings)
 
 
 def _angle_sigma(trajectory: Trajectory, path_parameter: np.ndarray, nodes: np.ndarray,

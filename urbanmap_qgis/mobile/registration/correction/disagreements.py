@@ -36,7 +36,6 @@ _FREE = (0.1, 1.0)  # m, by which the error may jump at a suspect, at least and 
 _BESIDE = 20.0  # m to either side, whose evidence must bear the step out
 _BORNE_OUT = 0.9  # of the evidence that a smooth correction believes there
 _SHARP = 0.85  # of all evidence there: a sharp step meets 0.9 to 1.0 of it, a re-fix over 20 m 0.3 to 0.5
-_DENIED = 0.6  # of all evidence there, where the trajectory's slip says that the step is not the drive's
 _LIKELIER = 5.0  # log-likelihood by which jumps must beat the drift that may change fast over 20 m
 _SILENT, _SILENCE = 0.5, 12.0  # weight of evidence that is hardly believed; m of path of it that a step may explain
 _AROUND = 60.0  # m to either side of such a silence, whose evidence a step there must make likelier
@@ -137,11 +136,8 @@ def with_free_steps(chain: NodeChain, steps: Sequence[NodeStep]) -> NodeChain:
 
 
 def proven(steps: Sequence[NodeStep], chain: NodeChain, fit: Fit, smooth: tuple[NodeChain, Fit],
-           model: PoseErrorModel, denies: Denies) -> list[NodeStep]:
-    """Those steps that the adjustment which may jump (`chain`, `fit`) needs, and that its evidence bears out.
-
-    A change that the trajectory's own slip denies is none of its re-fixes: it need not be as sharp.
-    """
+           model: PoseErrorModel) -> list[NodeStep]:
+    """Those steps that the adjustment which may jump (`chain`, `fit`) needs, and that its evidence bears out."""
     firm = chain.with_fast(np.where(np.isin(np.arange(len(chain.fast)), [step.node for step in steps]), 0.0,
                                     chain.fast))
     tests, found = step_tests(firm, model, fit, fit.noise_factor), []
@@ -152,9 +148,7 @@ def proven(steps: Sequence[NodeStep], chain: NodeChain, fit: Fit, smooth: tuple[
         near = np.abs(chain.normals.path_parameter - chain.nodes[step.node]) <= _BESIDE
         near &= chain.normals.present
         believed = fit.weight[near].sum()
-        place = chain.nodes[step.node:step.node + 2].mean()
-        least_share = _DENIED if denies(place, place, test) else _SHARP
-        if believed >= max(_BORNE_OUT * smooth[1].weight[near].sum(), least_share * np.count_nonzero(near)):
+        if believed >= max(_BORNE_OUT * smooth[1].weight[near].sum(), _SHARP * np.count_nonzero(near)):
             found.append(test)
     return found
 
@@ -281,22 +275,18 @@ class Disagreements:
 Adjust = Callable[[NodeChain, Fit, np.ndarray], tuple[NodeChain, Fit]]
 """Adjusts a chain from a fit on, with how far the evidence at the nodes (k,) may be believed."""
 
-Denies = Callable[[float, float, NodeStep], bool]
-"""Whether a change between two path parameters is not the drive's own."""
-
 Likelihood = Callable[[NodeChain, np.ndarray, PoseErrorModel], float]
 """Log-likelihood of a model with such evidence of a chain."""
 
 
 def settle(chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.ndarray, adjust: Adjust,
-           likelihood: Likelihood, longest: float, denies: Denies, likeliest: Sequence[NodeStep] = ()) -> Disagreements:
+           likelihood: Likelihood, longest: float, likeliest: Sequence[NodeStep] = ()) -> Disagreements:
     """The adjustment with its sharp steps found, and what cannot be decided told.
 
     Parameters
     ----------
     allowed : (k,) 0 to 1, how far the evidence at each node may be believed.
     longest : m without evidence beyond which a step may hide.
-    denies : see `SideSlip.denies`.
     likeliest : the likeliest steps instead of fast changes that may be steps.
     """
     silencing = silencing_steps(chain, model, fit, allowed, likelihood)
@@ -308,7 +298,7 @@ def settle(chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.ndarra
     if likely:
         free = with_free_steps(chain, likely)
         jumped = adjust(free, fit, allowed)
-        steps = proven(likely, *jumped, (chain, fit), model, denies)
+        steps = proven(likely, *jumped, (chain, fit), model)
         slips = [step.node for step in silencing]
         steps = [step for step in steps if step.size < _MOST_OFF or step.node not in slips]
         if steps and not _likelier(jumped[0].with_fast(chain.fast), steps, allowed, partial(likelihood, model=model)):

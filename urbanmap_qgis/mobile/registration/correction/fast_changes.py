@@ -121,14 +121,14 @@ def _change(chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.ndarr
 
 
 def with_steps(chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.ndarray, changes: list[FastChange],
-               slip: SideSlip, points: Evaluate | None, settings: CorrectionSettings) -> Disagreements:
+               points: Evaluate | None, settings: CorrectionSettings) -> Disagreements:
     """The adjustment with its steps found; those fast changes are suspects that are not spread over their stretch.
 
     `allowed` : (k,) 0 to 1, how far the evidence at the nodes may be believed; `points` as in `adjust_correction`.
     """
     return settle(chain, fit, model, allowed,
                   partial(adjusted_again, points=points, model=model, settings=settings),
-                  partial(chain_likelihood, settings=settings), MOST_SPAN, slip.denies,
+                  partial(chain_likelihood, settings=settings), MOST_SPAN,
                   [change.step for change in changes if not change.spread])
 
 

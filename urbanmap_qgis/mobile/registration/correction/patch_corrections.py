@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -12,7 +11,7 @@ from ...trajectory import Trajectory, gaps, jumps
 from ..records import WindowResults
 from .chain import NodeChain, smooth_between
 from .disagreements import CorrectionStep, Disagreements, either_side, hidden_factor, with_disagreements
-from .error_model import ANGLES, PoseErrorModel
+from .error_model import PoseErrorModel
 from .error_steps import UnseenSteps, short_gaps
 from .gauss_markov import path_parameters_of
 from .patch_status import (
@@ -47,7 +46,6 @@ class PatchCorrectionLimits:
     search_margin: float = 0.4  # m from the largest error looked for
     search_share: float = 0.02  # of the patches that may be there
     determined: float = 0.5  # of the stated variance: an angle that keeps less of it was measured
-    as_reported: float = 1e-2  # of the stated accuracy: by so much an angle may change that stays as it was reported
 
 
 LIMITS = PatchCorrectionLimits()
@@ -144,46 +142,6 @@ def with_plan_noise(chain: NodeChain, fit: Fit, model: PoseErrorModel, on_points
     return replace(fit, covariance=_scaled_in_plan(chain, fit.covariance, quiet))
 
 
-def unmeasured_angles(chain: NodeChain, fit: Fit, stated: np.ndarray) -> list[int]:
-    """Those of roll and pitch (3, 4) that the drive as a whole leaves about as unsure as stated.
-
-    What heights and markings would make of such an angle is their own error: it is better left as it was reported.
-
-    `stated` : (k, 3) degrees, of roll, pitch and heading at the nodes.
-    """
-    found = []
-    for number, angle in enumerate(chain.normals.active):
-        if angle in (_ROLL, _PITCH):
-            variance = fit.covariance[:, 2 * number, 2 * number]
-            if np.median(variance / stated[:, angle - ANGLES[0]] ** 2) >= LIMITS.determined:
-                found.append(angle)
-    return found
-
-
-def with_reported_angles(chain: NodeChain, fit: Fit, model: PoseErrorModel,
-                         angles: Sequence[int]) -> tuple[Fit, PoseErrorModel]:
-    """The fit, with the weights that it has, and the model with some angles as reported."""
-    if not angles:
-        return fit, model
-    size = np.where(np.isin(ANGLES, angles), LIMITS.as_reported, 1.0)
-    model = replace(model, attitude=replace(model.attitude, sigma=model.attitude.sigma * size))
-    weight = fit.weight / fit.noise_factor
-    if chain.held is not None:
-        return settled_offset(chain, fit, model, weight)[0], model
-    state, covariance, _ = chain.solve(model, weight)
-    return replace(fit, state=state, covariance=covariance), model
-
-
-def with_shown_angles(correction: Correction, stated: np.ndarray, unmeasured: Sequence[int]) -> Correction:
-    """The correction with the stated accuracy (n, 3), degrees, of angles as reported, and a pitch as the unit shows it.
-    """
-    covariance = correction.covariance.copy()
-    for angle in unmeasured:
-        covariance[:, angle, angle] = stated[:, angle - ANGLES[0]] ** 2
-    return replace(correction, covariance=with_shown_pitch(correction.value, covariance, stated,
-                                                           correction.heading_factor))
-
-
 def _scaled_in_plan(chain: NodeChain, covariance: np.ndarray, found: np.ndarray) -> np.ndarray:
     """Covariances of the nodes with the variances east and north of others: heights and angles have noise of their own.
 
@@ -271,28 +229,24 @@ def shown_factor(value: np.ndarray, covariance: np.ndarray, stated: np.ndarray) 
     return max(1.0, float(np.sqrt(share.mean())))
 
 
-def with_shown_pitch(value: np.ndarray, covariance: np.ndarray, stated: np.ndarray,
-                     heading_factor: float) -> np.ndarray:
-    """Covariances (n, 6, 6), m and degrees, whose pitch is as accurate as roll and heading show the unit to be.
+def with_shown_pitch(correction: Correction, stated: np.ndarray) -> Correction:
+    """The correction with a pitch that is as accurate as roll and heading show the unit to be.
 
     The points of a scanner lie in one line ahead of or behind the vehicle: the ground tells the roll, the markings tell
     the heading, but the pitch mostly keeps what was reported, and with it the accuracy that was stated. One unit
-    measures all three: where roll or heading were off by more than stated, the pitch is taken for as much worse.
+    measures all three: where roll or heading were off by more than stated, the pitch is taken for as much worse. A
+    heading that was let loose is a misaligned unit's, and shows nothing.
 
-    Parameters
-    ----------
-    value : (n, 6) corrections.
-    stated : (n, 3) degrees, of roll, pitch and heading before.
-    heading_factor : by which the heading was let loose: where over 1 it is a misaligned unit's, and shows nothing.
+    `stated` : (n, 3) degrees, of roll, pitch and heading before.
     """
-    variance = np.einsum("nii->ni", covariance)
+    value, variance = correction.value, np.einsum("nii->ni", correction.covariance)
     factors = [shown_factor(value[:, _ROLL], variance[:, _ROLL], stated[:, 0])]
-    if heading_factor == 1.0:
+    if correction.heading_factor == 1.0:
         factors.append(shown_factor(value[:, _HEADING], variance[:, _HEADING], stated[:, 2]))
     undetermined = variance[:, _PITCH] >= LIMITS.determined * stated[:, 1] ** 2
-    size = np.ones(covariance.shape[:2])
+    size = np.ones(variance.shape)
     size[undetermined, _PITCH] = max(factors)
-    return covariance * size[:, :, None] * size[:, None, :]
+    return replace(correction, covariance=correction.covariance * size[:, :, None] * size[:, None, :])
 
 
 def with_distrusted(correction: Correction, trajectory: Trajectory, beyond: bool,
