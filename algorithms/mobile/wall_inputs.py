@@ -18,7 +18,7 @@ def add_buildings(algorithm) -> None:
                            "markings. How far facades stand inside them is found.", optional=True)
     algorithm.add_choice("FEATURES", "Features", "What the survey is laid by. Automatic: paint, and walls where "
                          "buildings are given. Paint: the markings alone. Walls: the markings give the start only. "
-                         "All: both; without buildings walls say only where the correction breaks them.", FEATURES,
+                         "All: both; without buildings walls tell the pitch alone.", FEATURES,
                          "automatic", advanced=True)
     algorithm.add_points("ALS", "Airborne laser points", "Instead of buildings: walls stand where these points "
                          "step from roof to ground beside facades that the survey saw. In the height system of the "

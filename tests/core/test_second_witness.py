@@ -25,7 +25,6 @@ from urbanmap_qgis.mobile.registration.records import RegistrationSettings
 from urbanmap_qgis.mobile.registration.start.reference import Reference
 from urbanmap_qgis.mobile.registration.walls.facade_planes import FacadePlanes
 from urbanmap_qgis.mobile.registration.walls.outline_walls import WallEdges
-from urbanmap_qgis.mobile.registration.walls.straightness import own_walls, wall_jumps
 from urbanmap_qgis.mobile.registration.walls.witness import WallWitness
 from urbanmap_qgis.mobile.trajectory import interpolate, path_chainage
 
@@ -167,41 +166,6 @@ def test_what_is_held_does_not_follow_a_shift_of_the_markings():
     middle = (drive.windows.chainage > 90.0) & (drive.windows.chainage < 110.0)
     assert found[middle, 0, 0].max() < 0.3 and found[0] == pytest.approx(np.eye(2), abs=0.05)
     assert (bare.shift_response(model, weight, at) == np.eye(2)).all()
-
-
-def test_a_straight_wall_tells_a_jump_of_the_correction_and_only_that():
-    x = np.arange(0.0, 60.0, 0.5)
-    place = np.concatenate([np.column_stack([x, np.full(len(x), side)]) for side in (8.0, -8.0)])
-    place += np.random.default_rng(1).normal(0.0, 0.01, place.shape)
-    normal = np.repeat([[0.0, -1.0], [0.0, 1.0]], len(x), axis=0)
-    chainage = np.tile(x, 2)
-    order = np.argsort(chainage, kind="stable")
-    place, normal, chainage = place[order], normal[order], chainage[order]
-    wall = own_walls(place, normal, np.zeros(len(place)))
-    assert len(np.unique(wall)) == 2
-    assert wall_jumps(chainage, chainage, place, normal, wall) == []
-    broken = place + np.where(chainage > 30.0, 1.0, 0.0)[:, None] * [0.1, 0.2]
-    (jump,) = wall_jumps(chainage, chainage, broken, normal, own_walls(broken, normal, np.zeros(len(place))))
-    assert jump.path_parameter == pytest.approx(30.0, abs=3.0)
-    assert jump.change == pytest.approx([0.0, 0.2], abs=0.03)  # along the street they cannot tell
-    one_side = place + np.where((chainage > 30.0) & (normal[:, 1] > 0), 1.0, 0.0)[:, None] * [0.0, 0.2]
-    assert wall_jumps(chainage, chainage, one_side, normal, own_walls(one_side, normal, np.zeros(len(place)))) == []
-
-
-@pytest.mark.parametrize("of_time", [False, True])
-def test_two_buildings_in_a_line_are_no_jump_of_the_correction(of_time):
-    """A scanner that looks ahead sees a place at many times: a setback goes with the place, a jump does not."""
-    rng = np.random.default_rng(4)
-    x, ahead = (part.ravel() for part in np.meshgrid(np.arange(0.0, 80.0, 0.8), np.arange(2.0, 20.0, 4.0)))
-    place = np.concatenate([np.column_stack([x, np.full(len(x), side * WIDE)]) for side in (1, -1)])
-    chainage = np.tile(x - ahead + 20.0, 2)
-    place[:, 1] += np.where((chainage > 50.0) if of_time else (place[:, 0] > 41.0), 0.3, 0.0)
-    place[:, 1] += rng.normal(0.0, 0.01, len(place))
-    order = np.argsort(chainage, kind="stable")
-    normal = np.column_stack([np.zeros(len(place)), -np.sign(place[:, 1])])
-    place, normal, chainage, height = place[order], normal[order], chainage[order], np.tile(ahead / 2, 2)[order]
-    jumps = wall_jumps(chainage, chainage, place, normal, own_walls(place, normal, height))
-    assert len(jumps) == of_time
 
 
 @pytest.mark.parametrize("eaves", [0.0, 0.6])

@@ -13,7 +13,7 @@ from ....geometry.tolerances import LEAST_DIVISOR
 from ....wording import mark, say
 from ..records import WindowResults
 from .chain import NodeChain, NodeCurve, smooth_between
-from .disagreements import CorrectionStep, Disagreements, NodeStep, hidden_steps
+from .disagreements import CorrectionStep, Disagreements, hidden_steps
 from .error_model import PITCH, PoseErrorModel
 from .held_observations import HeldObservations
 from .normal_equations import NormalEquations
@@ -29,7 +29,7 @@ AGAINST_WALLS = mark("markings and walls disagree")
 class SecondWitnessLimits:
     """Limits of second witness, each with its unit."""
 
-    same: float = 25.0  # m of path within which a broken wall and a step of the markings are one
+    same: float = 25.0  # m of path within which a step belongs to markings that were led astray
     # Standard deviations and m from which markings count as led astray; standard deviations within which others
     # agree with the walls, and how many nodes must.
     astray: float = 5.0
@@ -43,15 +43,6 @@ class SecondWitnessLimits:
 
 
 LIMITS = SecondWitnessLimits()
-
-
-class Jump(Protocol):
-    """A place where a correction breaks walls: change (2,) m, covariance (2, 2), chi square."""
-
-    path_parameter: float
-    change: np.ndarray
-    covariance: np.ndarray
-    square: float
 
 
 class Stretch(Protocol):
@@ -84,8 +75,6 @@ class Witness(Protocol):
 
     def among(self, spans: Callable[[np.ndarray], np.ndarray]) -> Witness: ...
 
-    def jumps(self, curve: Callable) -> Sequence[Jump]: ...
-
     def about(self, curve: Callable, active: tuple[int, ...]) -> HeldObservations | None: ...
 
     def upright(self) -> Upright | None: ...
@@ -97,20 +86,6 @@ class Witness(Protocol):
     def stretches(self, curve: Callable) -> Sequence[Stretch]: ...
 
     def by_walls(self, chain: NodeChain, model: PoseErrorModel) -> Alone: ...
-
-
-def with_broken_walls(found: Disagreements, jumps: Sequence[Jump]) -> Disagreements:
-    """With a step at each place where the correction breaks walls: the reference has one, the drive has none.
-
-    Steps that the markings told themselves stay as they are.
-    """
-    nodes, steps = found.chain.nodes, list(found.steps)
-    known = [nodes[step.node] for step in (*steps, *(step for pair in found.changed for step in pair))]
-    for jump in jumps:
-        if all(abs(jump.path_parameter - place) > LIMITS.same for place in known):
-            node = int(np.clip(np.searchsorted(nodes, jump.path_parameter) - 1, 0, len(nodes) - 2))
-            steps.append(NodeStep(node, jump.change, jump.covariance, jump.square))
-    return replace(found, steps=sorted(steps, key=lambda step: step.node))
 
 
 def settled_offset(chain: NodeChain, fit: Fit, model: PoseErrorModel, weight: np.ndarray) -> tuple[Fit, float]:
@@ -206,17 +181,18 @@ def where_walls_want_it(walls: Witness, chain: NodeChain, fit: Fit, model: PoseE
 
 
 def with_witness(walls: Witness, found: Disagreements, model: PoseErrorModel) -> tuple[Disagreements, WitnessConflict]:
-    """What was found with what the walls say of it: steps that break them, and where outlines want the survey."""
+    """What was found with what the walls say of it: where outlines want the survey."""
     walls, none = walls.fitted(found.chain, model, NodeCurve(found.chain, found.fit.state)), WitnessConflict(())
     wall_observations = None if walls.course is None else walls.about(walls.course, found.chain.normals.active)
     if wall_observations is not None and not walls.alone:
         found = without_astray(found, wall_observations, model, walls)
-    chain, fit = found.chain, found.fit
-    curve, marked = NodeCurve(chain, fit.state), walls.among(partial(_marked, chain, fit))
-    found = with_broken_walls(found, marked.jumps(curve))
     if wall_observations is None:
         return found, none
-    conflict = none if walls.alone else WitnessConflict(marked.stretches(curve))
+    chain, fit = found.chain, found.fit
+    conflict = none
+    if not walls.alone:
+        marked = walls.among(partial(_marked, chain, fit))
+        conflict = WitnessConflict(marked.stretches(NodeCurve(chain, fit.state)))
     if walls.alone:
         silent = chain.unsoftened.softened(np.zeros(len(fit.weight)))
         chain = chain.with_normals(replace(silent, present=np.zeros(len(fit.weight), bool)))

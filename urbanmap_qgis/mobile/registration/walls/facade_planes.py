@@ -7,6 +7,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields
 
 import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import cKDTree
 
 from ....geometry.tolerances import LEAST_DIVISOR, LEAST_SQUARE
 from ....io.points.pointcloud import PointCloud, iter_chunks, open_cloud, valid_points
@@ -30,6 +33,10 @@ class FacadePlanesLimits:
     piece: float = 4.0  # m of path parameter whose points are fitted together
     groups: int = 1 << 16  # numbers of pieces, after which they begin anew
     chunk: int = 500_000  # points
+    # Planes of one wall follow each other within so many m, are parallel, and lie on one line to so many m.
+    neighbour: float = 2.0
+    parallel: float = 0.97
+    on_line: float = 0.45
 
 
 LIMITS = FacadePlanesLimits()
@@ -135,3 +142,22 @@ def _near_facades(chunk, shift: float, trajectory: Trajectory) -> tuple[np.ndarr
     away = np.hypot(x - place[:, 0], y - place[:, 1])
     near = np.flatnonzero((away >= LIMITS.nearest) & (away <= LIMITS.reach))
     return np.column_stack([x[near], y[near], z[near] + place[near, 2]]), time[near]
+
+
+def own_walls(place: np.ndarray, normal: np.ndarray, height: np.ndarray) -> np.ndarray:
+    """(n,) number of the wall that each plane belongs to, by planes alone: those that go on in one line are one wall.
+
+    Parameters
+    ----------
+    place, normal : (n, 2) m in plan, unit vectors.
+    height : (n,) m.
+    """
+    if not len(place):
+        return np.zeros(0, int)
+    one, other = cKDTree(np.column_stack([place, 0.5 * height])).query_pairs(LIMITS.neighbour, output_type="ndarray").T
+    mean = normal[one] + normal[other]
+    off = np.abs(((place[one] - place[other]) * mean).sum(axis=1)) / 2.0
+    same = ((normal[one] * normal[other]).sum(axis=1) >= LIMITS.parallel) & (off <= LIMITS.on_line)
+    ones = np.ones(np.count_nonzero(same))
+    graph = coo_matrix((ones, (one[same], other[same])), shape=(len(place), len(place)))
+    return connected_components(graph, directed=False)[1]

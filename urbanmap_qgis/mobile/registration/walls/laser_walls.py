@@ -23,9 +23,8 @@ from ....geometry.tolerances import LEAST_DIVISOR
 from ....io.points.pointcloud import PointCloud, iter_chunks, open_cloud, valid_points
 from ....progress import SILENT, Progress
 from ....wording import say
-from .facade_planes import FacadePlanes
+from .facade_planes import FacadePlanes, own_walls
 from .outline_walls import WallEdges, facing
-from .straightness import own_walls
 
 
 @dataclass(frozen=True)

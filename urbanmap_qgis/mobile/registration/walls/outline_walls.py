@@ -62,7 +62,6 @@ class WallEdges:
     inside : m, mean and standard deviation of how far what the survey saw stands inside of them all.
     possible : m, least and most of it.
     reach : m outside and inside of an edge within which what belongs to it is looked for.
-    straight : whether what belongs to an edge goes on straight; kerbs bend with their road.
     """
 
     ends: np.ndarray
@@ -73,7 +72,6 @@ class WallEdges:
     inside: tuple[float, float] = LIMITS.inside
     possible: tuple[float, float] = LIMITS.possible
     reach: tuple[float, float] = (LIMITS.before, LIMITS.behind)
-    straight: bool = True
 
     def __post_init__(self) -> None:
         if self.building is None:
@@ -112,7 +110,7 @@ class WallEdges:
         left = np.column_stack([-along[:, 1], along[:, 0]]) / np.hypot(*along.T)[:, None]
         outward = np.concatenate([left, -left])
         return cls(np.concatenate([ends, ends]), outward, facing(outward), None, KERBS.shared, KERBS.inside,
-                   KERBS.possible, KERBS.reach, straight=False)
+                   KERBS.possible, KERBS.reach)
 
     def select(self, which: np.ndarray) -> WallEdges:
         """Some of them, by mask or index."""

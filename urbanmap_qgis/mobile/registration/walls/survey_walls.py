@@ -25,7 +25,7 @@ def walls_of(paths: Sequence[str | os.PathLike], trajectory: Trajectory, time_we
     Parameters
     ----------
     time_weight : of the path parameter, see `path_parameters_of`, m/s.
-    edges : of buildings; without them walls say only whether they stay straight.
+    edges : of buildings; without them walls tell the pitch alone.
     alone : the markings give the start only, the walls the correction.
     laser : airborne points, in which the walls are looked for where no edges are given.
 

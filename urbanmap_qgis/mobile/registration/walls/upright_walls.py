@@ -15,8 +15,7 @@ import numpy as np
 
 from ....geometry.tolerances import SIGMA_OF_MAD
 from ..correction.held_observations import HeldObservations
-from .facade_planes import FacadePlanes
-from .straightness import own_walls
+from .facade_planes import FacadePlanes, own_walls
 
 
 @dataclass(frozen=True)

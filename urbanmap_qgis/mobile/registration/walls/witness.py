@@ -1,4 +1,4 @@
-"""What walls say of a correction: where it breaks them, and where the outlines want them.
+"""What walls say of a correction: where the outlines want it.
 
 Eaves, balconies and what an outline is off by stand between a facade and its outline: how far facades stand inside the
 outlines in the mean is one unknown of the whole drive, by how much each building differs from it and each wall from its
@@ -20,7 +20,6 @@ from ..correction.held_observations import HeldObservations, OwnOffsets
 from .facade_planes import FacadePlanes
 from .outline_walls import LIMITS as OUTLINES
 from .outline_walls import MatchedWalls, WallEdges
-from .straightness import WallJump, own_walls, wall_jumps
 from .stretches import ShiftedStretch, WallReadings, shifted_stretches
 from .upright_walls import UprightWalls
 
@@ -64,7 +63,7 @@ class WallWitness:
     Attributes
     ----------
     planes : in the order driven.
-    edges : None where no outlines are given: then walls say only whether they stay straight.
+    edges : None where no outlines are given: then walls tell the pitch alone.
     alone : whether markings give the start only, and walls the correction.
     eaves : m, by which facades stand inside the outlines in the mean, as taken at last.
     differ : m, standard deviation of single walls about it.
@@ -83,14 +82,6 @@ class WallWitness:
     def among(self, marked: Callable[[np.ndarray], np.ndarray]) -> WallWitness:
         """With the planes alone that were seen where a mask of path parameters (n,) is true."""
         return replace(self, planes=self.planes.select(marked(self.planes.path_parameter)))
-
-    def jumps(self, curve: Curve) -> list[WallJump]:
-        """Places where a curve breaks the walls; none of what need not be straight."""
-        if self.edges is not None and not self.edges.straight:
-            return []
-        place = self.planes.translated(curve)
-        wall = own_walls(place, self.planes.normal, self.planes.place[:, 2])
-        return wall_jumps(self.planes.chainage, self.planes.path_parameter, place, self.planes.normal, wall)
 
     def matched(self, curve: Curve) -> MatchedWalls:
         """The planes that belong to outlines, as a curve places them."""
