@@ -1216,8 +1216,8 @@
         <translation>すべて（標示と壁面）</translation>
     </message>
     <message>
-        <source>What the survey is laid by. Automatic: paint, and walls where buildings are given. Paint: the markings alone. Walls: the markings give the start only. All: both; without buildings walls say only where the correction breaks them. (automatic, paint, walls, all)</source>
-        <translation>位置合わせに使う地物。automatic：標示、建物が指定されていれば壁面も。paint：標示だけ。walls：標示は初期値だけに使う。all：両方。建物がなければ、壁面は補正によって折れる場所だけを示します。(automatic, paint, walls, all)</translation>
+        <source>What the survey is laid by. Automatic: paint, and walls where buildings are given. Paint: the markings alone. Walls: the markings give the start only. All: both; without buildings walls tell the pitch alone. (automatic, paint, walls, all)</source>
+        <translation>位置合わせに使う地物。automatic：標示、建物が指定されていれば壁面も。paint：標示だけ。walls：標示は初期値だけに使う。all：両方。建物がなければ、壁面はピッチだけを示します。(automatic, paint, walls, all)</translation>
     </message>
     <message>
         <source>Airborne laser points</source>
@@ -8208,8 +8208,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path} をラスタとして読み込めません。ファイルを確認してください。</translation>
     </message>
     <message>
-        <source>Levels are seven numbers, low, high, middle and the road's texture, warmth, green and brightness, the second above the first, and where the image has a cast fifteen of that: give those, or none.</source>
-        <translation>レベルは七つの数です（下限、上限、中央値、道路の粗さ、暖かさ、緑、明るさ。二つ目は一つ目より大きい値）。画像に色かぶりがあれば、その十五の数が続きます。それらを指定するか、何も指定しないでください。</translation>
+        <source>Levels are seven numbers, low, high, middle and the road's texture, warmth, green and brightness, the second above the first: give those, or none.</source>
+        <translation>レベルは七つの数です（下限、上限、中央値、道路の粗さ、暖かさ、緑、明るさ。二つ目は一つ目より大きい値）。それらを指定するか、何も指定しないでください。</translation>
     </message>
     <message>
         <source>No control point is in any frame: give points with x, y, z and their places in the images.</source>
@@ -11776,10 +11776,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>基準点{name}はどの走行でも計測されていません。その時刻に {control_reach:.0f} m 以内を通る軌跡がありません。</translation>
     </message>
     <message>
-        <source>The reference steps where the drives do not, and nothing else ties them: nothing can be adjusted.</source>
-        <translation>走行軌跡にないずれが基準にあり、他に走行を結び付けるものがないため、調整できません。</translation>
-    </message>
-    <message>
         <source>{paths} belongs to none of the trajectories: none covers its GPS times near its points. Give the trajectory of each drive.</source>
         <translation>{paths}に対応する軌跡がありません。点の近くでそのGPS時刻を含む軌跡がないためです。各走行の軌跡を指定してください。</translation>
     </message>
@@ -11822,10 +11818,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Looking for planes that drives share.</source>
         <translation>走行間で共通する平面を探しています。</translation>
-    </message>
-    <message>
-        <source>The reference steps by {size:.2f} m at {chainage:.0f} m of {drive}, where the drives do not: nobody can say which side of it is right, so that reference markings beside it are left out.</source>
-        <translation>{drive}の{chainage:.0f} m地点で基準が{size:.2f} mずれていますが、走行軌跡にはずれがありません。どちら側が正しいか判断できないため、その両側の基準標示は使用しません。</translation>
     </message>
     <message>
         <source>Correction along the path. Look for steps that no loss of satellites explains.</source>
@@ -12598,10 +12590,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>no markings just before or after the patch</source>
         <translation>パッチの直前または直後に路面標示がありません</translation>
-    </message>
-    <message>
-        <source>the window here contradicts the correction</source>
-        <translation>ここのウィンドウは補正量と矛盾します</translation>
     </message>
     <message>
         <source>few of the markings here are in the reference</source>
