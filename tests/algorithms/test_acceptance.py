@@ -119,6 +119,8 @@ def test_registration_stands_in_the_pdf(run, checks, tmp_path):
 
 
 def test_long_names_stand_whole_in_the_form(run, checks, tmp_path):
+    if not (shutil.which("fc-list") and subprocess.run(["fc-list", ":lang=ja"], capture_output=True).stdout):
+        pytest.skip("no font of this system has Japanese letters")
     name = "".join(f"第{number}地区道路台帳附図更新（その{number}）、" for number in range(1, 9))
     run("urbanmap:acceptance", {"INPUT": checks, "OUTPUT_PDF": str(tmp_path / "a.pdf"), "JOB": name,
                                 "OUTPUT_REPORT": str(tmp_path / "a.html"), "INSTRUMENT": "GNSS/IMU AP60"})
