@@ -9948,10 +9948,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{file}：読めない数値 {unread} 件を除きました。</translation>
     </message>
     <message>
-        <source>{file} holds no code observation of the chosen systems: check the file.</source>
-        <translation>{file}に、選択した衛星系のコード観測値がありません。ファイルを確認してください。</translation>
-    </message>
-    <message>
         <source>{file} counts time in "{scale}", which is not known: convert it to GPS time.</source>
         <translation>{file}の時系「{scale}」は未対応です。GPS時刻に変換してください。</translation>
     </message>
@@ -9964,6 +9960,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{file}に観測種別の記載がありません。ヘッダが不完全です。</translation>
     </message>
     <message>
+        <source>{file}: {count} of {total} observations of system {system} are left out: their codes (of {kinds}) are on no band whose group delay the navigation messages tell (bands {bands}).</source>
+        <translation>{file}：衛星系 {system} の観測値 {total} 個のうち {count} 個を使いません。コード（{kinds}）が、航法メッセージで群遅延が分かる周波数帯（{bands}）にないためです。</translation>
+    </message>
+    <message>
         <source>{file} holds no epoch with observations: check the file.</source>
         <translation>{file}に観測値のあるエポックがありません。ファイルを確認してください。</translation>
     </message>
@@ -9974,6 +9974,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{name}: {skipped} lines fit in no epoch and are left out.</source>
         <translation>{name}：どのエポックにも合わない {skipped} 行を除きました。</translation>
+    </message>
+    <message>
+        <source>{name} is made of several files: {left_out} lines behind a header with another version, kind, time or scale are left out; give its parts as files of their own.</source>
+        <translation>{name} は複数のファイルをつないだものです。版・種類・時刻系・倍率の異なるヘッダーより後の {left_out} 行は使いません。元のファイルに分けて指定してください。</translation>
+    </message>
+    <message>
+        <source>{file} holds no code observation of the chosen systems: check the file.</source>
+        <translation>{file}に、選択した衛星系のコード観測値がありません。ファイルを確認してください。</translation>
     </message>
     <message>
         <source>{file} has a scale factor that cannot be read: check its header.</source>

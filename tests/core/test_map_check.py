@@ -176,6 +176,8 @@ def test_rule_notices_what_breaks_it(rule):
 
 
 DAMAGES = {
+    "degrees of a node moved by a metre, its local coordinates not": ("File.Coordinates-002", {
+        "nodes": {11: moved(11, local_x="21.0")}}),
     "misspelt subtype": ("mapping.unknown_tag_values", {"relations": {200: relation(200, subtype="rood")}}),
     "misspelt location": ("mapping.unknown_tag_values", {"relations": {200: relation(200, location="urbn")}}),
     "misspelt subtype of a line": ("mapping.unknown_tag_values", {"ways": {111: way(111, subtype="solidd")}}),

@@ -65,9 +65,9 @@ def epoch_2(second: float, satellites: list[str], rows: list[list[str]], flag: i
     return lines
 
 
-def write(folder: Path, text: str, name: str = "a.obs") -> Path:
+def write(folder: Path, text: str, name: str = "a.obs", lead: bytes = b"") -> Path:
     path = folder / name
-    path.write_bytes(text.encode("ascii"))
+    path.write_bytes(lead + text.encode("ascii"))
     return path
 
 
@@ -294,6 +294,37 @@ def test_files_without_what_is_needed(tmp_path):
     (tmp_path / "a.Z").write_bytes(b"\x1f\x9d\x90rest")
     with pytest.raises(InputError, match="unpack"):
         read_observations(tmp_path / "a.Z")
+
+
+def test_a_byte_order_mark_is_passed_over(tmp_path):
+    text, _ = sample(3, 3)
+    assert len(read_observations(write(tmp_path, text, lead=b"\xef\xbb\xbf")).code) == len(
+        read_observations(write(tmp_path, text)).code)
+
+
+@pytest.mark.parametrize("version", [2, 3])
+def test_a_second_header_in_the_file_is_obeyed_or_named(tmp_path, version):
+    """Two files in one, the second with its columns exchanged; then the second by another clock."""
+    kinds = ["C1C", "S1C"] if version == 3 else ["C1", "S1"]
+
+    def part(kinds, second):
+        row = [field(2.1e7 + second if kind[0] == "C" else 41.0) for kind in kinds]
+        return (header_3({"G": kinds}) + epoch_3(second, ["G01" + "".join(row)]) if version == 3
+                else header_2(kinds) + epoch_2(second, ["G01"], [row]))
+
+    first, second = part(kinds, 0.0), part(kinds[::-1], 30.0)
+    found = read_observations(write(tmp_path, first + second))
+    assert rows_of(found) == {(0.0, "G01"): (2.1e7, 41.0), (30.0, "G01"): (2.1e7 + 30.0, 41.0)} and not found.notes
+    found = read_observations(write(tmp_path, first + second.replace("GPS", "GLO")))
+    assert rows_of(found) == {(0.0, "G01"): (2.1e7, 41.0)} and "made of several files" in found.notes[0]
+
+
+def test_observations_on_a_band_that_cannot_serve_are_told(tmp_path):
+    text = header_3({"G": ["C5Q", "S5Q"], "E": ["C1C", "S1C"]}) + epoch_3(0.0, [
+        name + field(2.1e7) + field(40.0) for name in ("G01", "G02", "E03")])
+    found = read_observations(write(tmp_path, text))
+    assert set(found.satellite) == {"E03"}
+    assert len(found.notes) == 1 and "2 of 2 observations of system G" in found.notes[0] and "C5Q" in found.notes[0]
 
 
 def test_cancel(tmp_path):

@@ -18,8 +18,9 @@ from ...errors import InputError, InsufficientDataError
 from ...io.files.guard import reads
 from ...progress import SILENT, Progress
 from ...wording import say
+from .columns import column_values, strength_by_digit
 from .gnss_time import calendar_seconds, known_scale, to_gps
-from .text_lines import RinexFile, read_rinex
+from .text_lines import RinexFile, headers_within, read_rinex
 
 MEGAHERTZ = {
     "G": {"1": 1575.42, "2": 1227.60, "5": 1176.45}, "J": {"1": 1575.42, "2": 1227.60, "5": 1176.45},
@@ -30,10 +31,11 @@ MEGAHERTZ = {
 BESIDE_ONLY = {"G": "5", "J": "5"}
 """Bands whose group delay only the CNAV messages tell: they serve as second ones."""
 
+USELESS_SHARE = 0.05
+"""Observations of a system without a code that can serve are told from this share on."""
+
 _ATTRIBUTES = "CSLXBAPWIQYMDNZ"
-_BATCH = 200_000
 _SYSTEM_SCALE = {"R": "GLO", "E": "GAL", "C": "BDT", "J": "QZS"}
-_WEIGHTS = np.array([1e9, 1e8, 1e7, 1e6, 1e5, 1e4, 1e3, 1e2, 1e1, 1.0, 0.0, 0.1, 0.01, 0.001])
 _EPOCH_2 = re.compile(r"^ [ \d]\d [ \d]\d [ \d]\d [ \d]\d [ \d]\d[ \d]{2}\d\.\d[ \d]{6}  [01][ \d]{2}\d")
 _EVENT_2 = re.compile(r"^.{28}[2-6][ \d]{2}\d")
 _SATELLITE = re.compile(r"[GREJCSI ][ \d]\d")
@@ -75,7 +77,7 @@ class Observations:
 @dataclass(frozen=True)
 class _Codes:
     """Of the rows (n,): code ranges on the first band and their strengths, codes on the second, both bands by system;
-    and how many numbers could not be read."""
+    how many numbers could not be read; by system how many of all its rows have no code that can serve."""
 
     code: np.ndarray
     cn0: np.ndarray
@@ -83,6 +85,7 @@ class _Codes:
     bands: dict[str, str]
     second_bands: dict[str, str]
     unread: int
+    useless: dict[str, tuple[int, int]]
 
 
 @dataclass(frozen=True)
@@ -120,10 +123,19 @@ def read_observations(path: str | os.PathLike, systems: str = "GRECJ", progress:
     if codes.unread:
         notes.append(say("{file}: {unread} numbers cannot be read and are left out.", file=file.name,
                          unread=codes.unread))
+    for system, (count, total) in codes.useless.items():
+        if count > USELESS_SHARE * total:
+            kinds = sorted({kind for types in walk.types for kind in types.get(system if file.version >= 3 else "2", [])
+                            if kind[0] in "CP"})
+            notes.append(say(
+                "{file}: {count} of {total} observations of system {system} are left out: their codes (of {kinds}) are "
+                "on no band whose group delay the navigation messages tell (bands {bands}).", file=file.name,
+                count=count, total=total, system=system, kinds=" ".join(kinds) or "-",
+                bands=", ".join(band for band in MEGAHERTZ[system] if band != BESIDE_ONLY.get(system))))
     found = _in_order(file.name, to_gps(np.array(walk.times), scale), rows, codes, notes)
     if not len(found.code):
-        raise InsufficientDataError(say("{file} holds no code observation of the chosen systems: check the file.",
-                                        file=file.name))
+        raise InsufficientDataError(" ".join([say(
+            "{file} holds no code observation of the chosen systems: check the file.", file=file.name), *notes]))
     return found
 
 
@@ -163,7 +175,18 @@ class _Walk:
         self._versions: list[int] = []
         self._skipped = 0
         self._short = 0
-        self._kept = np.flatnonzero(~_comments(file))
+        self._left_out = 0
+        kept = ~_comments(file)
+        self._headers: list[tuple[int, RinexFile]] = []
+        headers = headers_within(file)
+        for (first, stop, part), following in zip(headers, [first for first, *_ in headers[1:]] + [len(file)]):
+            if _read_alike(part, file):
+                self._headers.append((stop, part))
+            else:
+                self._left_out += following - stop
+                stop = following
+            kept[first:stop] = False
+        self._kept = np.flatnonzero(kept)
 
     def rows(self) -> _Rows:
         """The lines of all satellites."""
@@ -191,7 +214,16 @@ class _Walk:
         if self._skipped:
             notes.append(say("{name}: {skipped} lines fit in no epoch and are left out.", name=name,
                              skipped=self._skipped))
+        if self._left_out:
+            notes.append(say("{name} is made of several files: {left_out} lines behind a header with another version, "
+                             "kind, time or scale are left out; give its parts as files of their own.", name=name,
+                             left_out=self._left_out))
         return notes
+
+    def _obey_headers(self, line: int) -> None:
+        """From a header within the body on its types of observations hold."""
+        while self._headers and self._headers[0][0] <= line:
+            self.types.append(_types_of(self._headers[0][1].header, self._headers.pop(0)[1]))
 
     def _add(self, time: float, first: np.ndarray, names: list[str], version: int) -> None:
         self.times.append(time)
@@ -210,12 +242,14 @@ class _Walk:
 
     def _walk_3(self) -> None:
         file, lines = self.file, self._kept
-        heads = np.flatnonzero((file.length > 0) & (file.data[np.minimum(file.start, len(file.data) - 1)] == ord(">")))
+        heads = lines[(file.length[lines] > 0) & (file.data[np.minimum(file.start[lines], len(file.data) - 1)]
+                                                  == ord(">"))]
         self._skipped += int(np.searchsorted(lines, heads[0])) if len(heads) else len(lines)
         ends = np.append(heads[1:], len(file))
         # Of the lines that are not comments: the first behind each head, and the first of the next epoch.
         behind, stop = np.searchsorted(lines, heads + 1), np.searchsorted(lines, ends)
         for head, low, high in zip(heads.tolist(), behind.tolist(), stop.tolist()):
+            self._obey_headers(head)
             text = file.line(head)
             try:
                 flag, count = int(text[31]), int(text[32:35])
@@ -237,6 +271,7 @@ class _Walk:
         file, lines = self.file, self._kept
         place = 0
         while place < len(lines):
+            self._obey_headers(lines[place])
             text = file.line(lines[place])
             if _EPOCH_2.match(text):
                 place = self._epoch_2(text, place)
@@ -279,6 +314,14 @@ class _Walk:
         self._short += not whole.all()
         self._add(_epoch_2(text), lines[first[whole]], names[:int(whole.sum())], len(self.types) - 1)
         return place + 1 + more + each * count
+
+
+def _read_alike(part: RinexFile, file: RinexFile) -> bool:
+    """Whether what follows a header within a file can be read as the file is, by that header's types."""
+    if (part.kind, int(part.version), part.version < 3.03) != (file.kind, int(file.version), file.version < 3.03):
+        return False
+    return (bool(_types_of(part.header, part)) and _time_scale(part) == _time_scale(file)
+            and _scale_factors(part) == _scale_factors(file) and (file.version >= 3 or part.system == file.system))
 
 
 def _comments(file: RinexFile) -> np.ndarray:
@@ -376,6 +419,7 @@ def _values(file: RinexFile, rows: _Rows, types: list[dict[str, list[str]]], sys
     code, cn0, second = (np.full(len(rows.line), np.nan) for _ in range(3))
     bands: dict[str, str] = {}
     second_bands: dict[str, str] = {}
+    useless: dict[str, tuple[int, int]] = {}
     unread = 0
     letter = rows.satellite.astype("U1")
     present = [system for system in systems if system in MEGAHERTZ]
@@ -386,7 +430,13 @@ def _values(file: RinexFile, rows: _Rows, types: list[dict[str, list[str]]], sys
         beside = BESIDE_ONLY.get(system)
         band = _best_band(system, {name: columns for name, columns in found.items() if name != beside})
         if not band:
+            if len(mine):
+                useless[system] = (len(mine), len(mine))
             continue
+        if beside in found:
+            alone = (found[beside][0] > 0) & ~np.any([codes > 0 for name, (codes, _) in found.items()
+                                                      if name != beside], axis=0)
+            useless[system] = (int(alone.sum()), len(mine))
         code[mine], cn0[mine] = found.pop(band)
         bands[system] = band
         other = _best_band(system, found)
@@ -396,7 +446,7 @@ def _values(file: RinexFile, rows: _Rows, types: list[dict[str, list[str]]], sys
         progress.step((step + 1) / len(present))
     code[~(code > 1e6)] = np.nan
     second[~(second > 1e6)] = np.nan
-    return _Codes(code, np.where(cn0 > 0, cn0, np.nan), second, bands, second_bands, unread)
+    return _Codes(code, np.where(cn0 > 0, cn0, np.nan), second, bands, second_bands, unread, useless)
 
 
 def _bands(file: RinexFile, line: np.ndarray, version: np.ndarray, system: str, types: list[dict[str, list[str]]],
@@ -412,13 +462,13 @@ def _bands(file: RinexFile, line: np.ndarray, version: np.ndarray, system: str, 
         for band, column, strength in _candidates(system, kinds, file.version):
             codes, strengths = found.setdefault(band, (np.full(len(line), np.nan), np.full(len(line), np.nan)))
             empty = some[np.isnan(codes[some])]
-            values, bad = _column(file, line[empty], column, progress)
+            values, bad = column_values(file, line[empty], column, progress)
             codes[empty] = values / scale[column]
             unread += bad
             if strength is None:
-                strengths[empty] = _strength_digit(file, line[empty], column)
+                strengths[empty] = strength_by_digit(file, line[empty], column)
             else:
-                values, bad = _column(file, line[empty], strength, progress)
+                values, bad = column_values(file, line[empty], strength, progress)
                 strengths[empty] = values / scale[strength]
                 unread += bad
     return found, unread
@@ -429,58 +479,3 @@ def _best_band(system: str, found: dict[str, tuple[np.ndarray, np.ndarray]]) -> 
     counts = {band: int(np.count_nonzero(codes > 0)) for band, (codes, _) in found.items()}
     most = max(counts.values(), default=0)
     return next((band for band in MEGAHERTZ[system] if most and counts.get(band, 0) * 2 >= most), None)
-
-
-def _column(file: RinexFile, line: np.ndarray, column: int, progress: Progress) -> tuple[np.ndarray, int]:
-    """(m,) numbers of an observation's column at satellites' first lines, NaN where blank; count of unreadable ones."""
-    if file.version >= 3:
-        offset = 3 + 16 * column
-    else:
-        line, offset = line + column // 5, 16 * (column % 5)
-    values = np.empty(len(line))
-    unread = 0
-    for first in range(0, len(line), _BATCH):
-        progress.check()
-        some = line[first:first + _BATCH]
-        values[first:first + _BATCH], bad = _numbers(_field(file, some, offset))
-        unread += bad
-    return values, unread
-
-
-def _strength_digit(file: RinexFile, line: np.ndarray, column: int) -> np.ndarray:
-    """(m,) dB-Hz, in steps of 6, by the digit behind an observation; NaN where it is blank or 0, not known."""
-    if file.version < 3:
-        line = line + column // 5
-    offset = 3 + 16 * column if file.version >= 3 else 16 * (column % 5)
-    digit = _field(file, line, offset + 15, 1)[:, 0].astype(np.int64) - ord("0")
-    return np.where((digit >= 1) & (digit <= 9), 6.0 * digit + 3.0, np.nan)
-
-
-def _field(file: RinexFile, line: np.ndarray, offset: int, width: int = 14) -> np.ndarray:
-    """(m, width) bytes of a field; blanks behind the end of a line, and where the file is cut within the field."""
-    line = np.minimum(line, len(file) - 1)
-    at = offset + np.arange(width)
-    cut = (line == len(file) - 1) & file.cut & (file.length[line] < offset + width)
-    length = np.where(cut, 0, file.length[line])
-    index = np.minimum(file.start[line][:, None] + at, len(file.data) - 1)
-    return np.where(at < length[:, None], file.data[index], np.uint8(ord(" ")))
-
-
-def _numbers(field: np.ndarray) -> tuple[np.ndarray, int]:
-    """(m,) numbers written as F14.3 in (m, 14) bytes, NaN where blank; and how many could not be read."""
-    digit = field - np.uint8(ord("0"))
-    is_digit = digit < 10
-    blank = field == ord(" ")
-    values = np.where(is_digit, digit, 0) @ _WEIGHTS
-    usual = (field[:, 10] == ord(".")) & is_digit[:, 11:].all(axis=1) & (is_digit | blank)[:, :10].all(axis=1)
-    usual &= ~(is_digit[:, :9] & blank[:, 1:10]).any(axis=1)
-    empty = blank.all(axis=1)
-    values[empty] = np.nan
-    unread = 0
-    for row in np.flatnonzero(~usual & ~empty):
-        try:
-            values[row] = float(field[row].tobytes())
-        except ValueError:
-            values[row] = np.nan
-            unread += 1
-    return values, unread

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import bz2
 import os
+import re
 import zlib
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +20,7 @@ _LARGEST = 2**30
 _PIECE = 1 << 16
 _MAGIC_GZIP, _MAGIC_BZIP = b"\x1f\x8b", b"BZh"
 _MAGIC_COMPRESS, _MAGIC_ZIP = b"\x1f\x9d", b"PK\x03\x04"
+BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 
 
 @dataclass(frozen=True)
@@ -89,7 +91,7 @@ def read_bytes(path: str | os.PathLike) -> tuple[bytes, tuple[str, ...]]:
                              path=path.name))
     if not data.strip():
         raise InputError(say("{path} is empty: choose another file.", path=path.name))
-    return data, notes
+    return data.removeprefix(BYTE_ORDER_MARK), notes
 
 
 def _unpacked(data: bytes, name: str) -> tuple[bytes, bool]:
@@ -175,6 +177,25 @@ def _split_header(data: bytes, name: str) -> tuple[tuple[tuple[str, str], ...], 
     stop = len(data) if stop < 0 else stop + 1
     lines = data[:stop].decode("latin-1").split("\n")
     return tuple((line[60:].strip(), line[:60]) for line in lines if line), data[stop:]
+
+
+def headers_within(file: RinexFile) -> list[tuple[int, int, RinexFile]]:
+    """Whole headers in the body of a file made of several: first line, the line behind it, the file by that header."""
+    found = []
+    for first in map(int, np.flatnonzero(file.length > 60)):
+        if not file.line(first)[60:].startswith("RINEX VERSION / TYPE"):
+            continue
+        lines = [file.line(first)]
+        while first + len(lines) < len(file) and not lines[-1][60:].startswith("END OF HEADER"):
+            following = file.line(first + len(lines))
+            if not following[60:61].strip("0123456789.> -"):
+                break
+            lines.append(following)
+        header = tuple((line[60:].strip(), line[:60]) for line in lines)
+        version = float(lines[0][:9]) if re.fullmatch(r" *\d+(\.\d*)? *", lines[0][:9]) else 0.0
+        found.append((first, first + len(lines), replace(file, version=version, kind=lines[0][20], system=lines[0][40],
+                                                         header=header)))
+    return found
 
 
 def _lines(body: bytes) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

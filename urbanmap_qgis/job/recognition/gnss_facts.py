@@ -14,7 +14,7 @@ from ...gnss.orbits.sp3 import read_sp3
 from ...gnss.rinex.compact import is_compact
 from ...gnss.rinex.gnss_time import calendar_seconds
 from ...gnss.rinex.navigation import read_navigation_files
-from ...gnss.rinex.text_lines import RinexFile, read_rinex
+from ...gnss.rinex.text_lines import BYTE_ORDER_MARK, RinexFile, read_rinex
 from ...io.conversion.reprojection import epsg_wkt
 from ...wording import say
 from ..file_facts import NAVIGATION, OBSERVATIONS, ORBITS, OTHER, FileFacts
@@ -28,6 +28,7 @@ _LEAST_RADIUS = 6.0e6  # m; an approximate position nearer to the Earth's centre
 
 def is_gnss(head: bytes) -> bool:
     """Whether a file begins as RINEX, compact RINEX or SP3."""
+    head = head.removeprefix(BYTE_ORDER_MARK)
     return b"RINEX VERSION / TYPE" in head[:85] or is_compact(head) or bool(_SP3.match(head))
 
 
@@ -38,7 +39,7 @@ def gnss_facts(path: Path, head: bytes) -> list[FileFacts]:
     ------
     InputError : it is damaged.
     """
-    if _SP3.match(head):
+    if _SP3.match(head.removeprefix(BYTE_ORDER_MARK)):
         orbits = read_sp3(path)
         return [FileFacts(path, ORBITS, detail="SP3", times=(float(orbits.time[0]), float(orbits.time[-1])),
                           count=len(orbits.time))]

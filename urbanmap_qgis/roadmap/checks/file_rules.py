@@ -19,8 +19,9 @@ from ..formats.lanelet_tags import (
 from .inspection import MapInspection
 from .rule_table import Broken, MapRule, broken, rule
 
-APART = 3.0
-"""Local and geographic coordinates may differ by so much beyond what projections do, m."""
+APART, CURVATURE = 0.2, 1e-8
+"""Local and geographic coordinates may differ by so much, m, and, with the square of the distance from the middle of
+the map, by what the change of scale of projections makes of it, 1/m."""
 
 FAR = 20000.0
 """A node so far from the middle one, and from every other, is not of the map, m."""
@@ -97,7 +98,7 @@ def _local_against_geographic(inspected: MapInspection, rule: MapRule) -> Iterat
     if abs(abs(turn) - 1.0) > 0.02:
         yield broken("node", numbers[both[0]], apart=f"{np.median(np.abs(np.abs(one) - np.abs(other))):.0f}")
         return
-    for k in np.flatnonzero(off > max(APART, 5.0 * float(np.median(off)))):
+    for k in np.flatnonzero(off > np.maximum(APART + CURVATURE * np.abs(one - middle) ** 2, 5.0 * np.median(off))):
         yield broken("node", numbers[both[k]], apart=f"{off[k]:.1f}")
     off = np.abs(goal + turn * (inspected.projected[far] @ [1, 1j] - middle) - inspected.local[far] @ [1, 1j])
     # Projections differ more and more with the distance.
