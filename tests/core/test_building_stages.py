@@ -197,7 +197,7 @@ def test_roofs_of_other_outlines_are_refused(footprints):
 def test_report_names_what_to_distrust(chain, tmp_path):
     *_, models = chain
     columns = model_columns(models)
-    assert list(columns) == [name for name, _ in COLUMNS]
+    assert list(columns) == list(COLUMNS)
     write_model_report(tmp_path / "報告.html", columns, note="Outlines: <b>; Expansion: 1")
     page = (tmp_path / "報告.html").read_text(encoding="utf-8")
     assert "Without a model: 1;" in page and "&lt;b&gt;" in page and "<svg" in page
