@@ -28,6 +28,7 @@ NOT_OF_USERS = {
     "citymodel/tiles/tile_scratch.py:stored_buildings": "written by the run",
     "io/files/rule_table.py:RuleTable.rules": "table of the program",
     "citymodel/citygml/codelists.py:lists_of_module": "table of the program",
+    "io/points/pointcloud.py:_true_box": "the points of a file whose header is wrong, read as all points are",
     "io/files/staging.py:_leased_elsewhere": "locks a file, reads none",
     "io/files/staging.py:_locked": "locks a file, reads none",
     "io/files/staging.py:clear_leftovers": "locks a file, reads none",

@@ -8,9 +8,7 @@ import shapely
 
 from tests.core.road_scene import KERB_AT, Street, to_local, to_map, write_drive
 from urbanmap_qgis.errors import InsufficientDataError
-from urbanmap_qgis.mobile.registration.walls.facade_planes import FacadePlanes
 from urbanmap_qgis.mobile.registration.walls.outline_walls import KERBS, WallEdges
-from urbanmap_qgis.mobile.registration.walls.witness import WallWitness
 from urbanmap_qgis.mobile.trajectory import path_chainage
 from urbanmap_qgis.roadmap.edges.kerb_witness import kerbs_of
 from urbanmap_qgis.roadmap.edges.survey_kerbs import survey_kerbs
@@ -69,29 +67,13 @@ def test_kerbs_tell_how_far_off_the_drive_is_across_it(witness, off):
     assert held.offset_prior == KERBS.inside
 
 
-def test_what_need_not_be_straight_is_not_broken():
-    """Both sides of a road break where the correction steps by 0.3 m across it: walls would tell of it."""
-    x = np.repeat(np.arange(0.5, 100.0, 0.5), 2)
-    side = np.tile([1.0, -1.0], len(x) // 2)
-    nothing, normal = np.zeros((len(x), 3)), np.column_stack([np.zeros(len(x)), -side])
-    planes = FacadePlanes(x, x, np.column_stack([x, 5.0 * side, nothing[:, 0]]), nothing, normal,
-                          np.tile(np.eye(6), (len(x), 1, 1)))
-
-    def curve(path_parameter):
-        return np.where(path_parameter > 50.0, 0.3, 0.0)[:, None] * [0.0, 1.0, 0.0, 0.0, 0.0, 0.0]
-
-    jump, = WallWitness(planes).jumps(curve)
-    assert jump.change[1] == pytest.approx(0.3, abs=0.05)
-    assert WallWitness(planes, WallEdges.of_kerbs(line()), False, 0.0).jumps(curve) == []
-
-
 def test_lines_of_a_map_have_either_side_outside_and_pieces():
     edges = WallEdges.of_kerbs(np.concatenate([line(begin=0.0, end=40.0), line(begin=40.0, end=70.0)]))
     length = np.hypot(*(edges.ends[:, 1] - edges.ends[:, 0]).T)
     assert length.max() <= KERBS.piece and length.sum() == pytest.approx(2 * 70.0, abs=1e-6)
     half = len(edges) // 2
     assert edges.outward[:half] == pytest.approx(-edges.outward[half:])
-    assert len(set(edges.building.tolist())) == 2 and not edges.straight
+    assert len(set(edges.building.tolist())) == 2
 
 
 @pytest.mark.parametrize("lines", [line(across=30.0), np.array([shapely.LineString()]), np.array([None]),

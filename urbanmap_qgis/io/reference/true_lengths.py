@@ -53,11 +53,15 @@ def require_true_lengths(name: str, wkt: str | None, bounds: Sequence[float]) ->
     ------
     InputError : the scale differs from 1 by more than 1 %, with a system that fits the place.
     """
-    x, y = (bounds[0] + bounds[2]) / 2, (bounds[1] + bounds[3]) / 2
-    found = point_scale(wkt, x, y) if wkt and np.isfinite([x, y]).all() else None
-    if found is None:
+    if not wkt or not np.isfinite(bounds).all():
         return
-    scale, longitude, latitude = found
+    middle = (bounds[0] + bounds[2]) / 2, (bounds[1] + bounds[3]) / 2
+    corners = ((x, y) for x in bounds[::2] for y in bounds[1::2])
+    found = [scaled for place in (middle, *corners) if (scaled := point_scale(wkt, *place)) is not None]
+    if not found:
+        return
+    # Of a box that a stray point makes large, the place where lengths are best.
+    scale, longitude, latitude = min(found, key=lambda scaled: abs(scaled[0] - 1.0))
     if abs(scale - 1.0) > REFUSED:
         raise InputError(say("{name}: in {crs} lengths at this place are {scale:.3f} times those on the ground; "
                              "reproject to a system whose metres are metres, such as {zone}. If the data lie "
