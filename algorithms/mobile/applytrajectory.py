@@ -59,7 +59,8 @@ class ApplyTrajectory(UrbanMapAlgorithm):
         paths = self.point_files(parameters, "POINTS", context)
         crs = open_cloud(paths).crs_wkt
         reported = self.read_trajectory(parameters, "TRAJECTORY", context, crs, progress)
-        corrected = self.read_trajectory(parameters, "CORRECTED", context, crs, progress)
+        corrected = self.read_trajectory(parameters, "CORRECTED", context, crs,
+                                         None if reported.notes else progress)
         images = self.input_path(parameters, "IMAGES", context)
         poses = self.output_path(parameters, "OUTPUT_IMAGES", context)
         output = self.output_path(parameters, "OUTPUT", context)

@@ -12540,8 +12540,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name}に、路面標示の識別に必要な反射強度がありません（すべて0）。反射強度付きで計測データを出力してください。</translation>
     </message>
     <message>
-        <source>All points of {name} have the intensity {most:g}, by which markings cannot be told: export the survey with the measured intensities.</source>
-        <translation>{name}の全点の反射強度が {most:g} で、路面標示を識別できません。計測された反射強度付きで計測データを出力してください。</translation>
+        <source>All points of {name} have the intensity {values}, by which markings cannot be told: export the survey with the measured intensities.</source>
+        <translation>{name} の点の反射強度はすべて {values} で、標示を見分けられません。計測された反射強度を付けて計測データを書き出してください。</translation>
     </message>
     <message>
         <source> (they lie {heights:+.0f} m above the scanner)</source>
@@ -13036,6 +13036,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>で跳んでいます</translation>
     </message>
     <message>
+        <source>The times of {name} are rounded to {step:g} s: {count} epochs of different poses share their time with another. Export it with more decimals of the time.</source>
+        <translation>{name} の時刻は {step:g} 秒に丸められています。位置や姿勢の異なる {count} 個のエポックが、ほかと同じ時刻になっています。時刻の小数点以下の桁数を増やして書き出してください。</translation>
+    </message>
+    <message>
         <source>{name} gives two different poses for the time {time:.4f} s: remove the wrong one.</source>
         <translation>{name}に時刻 {time:.4f} s の異なる位置姿勢が2つあります。誤っている方を削除してください。</translation>
     </message>
@@ -13082,6 +13086,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{name}: the headings lie {off:.0f}° beside the direction of travel (median), but read as {angle_names} they go with it ({away:.1f}°): say that the angles are counted so, or convert them to {angle_names_2}.</source>
         <translation>{name}: 方位が進行方向から {off:.0f}°（中央値）ずれていますが、{angle_names}として読むと進行方向と一致します（{away:.1f}°）。角度をそのように指定するか、{angle_names_2}に変換してください。</translation>
+    </message>
+    <message>
+        <source>{name} holds no attitude: roll, pitch and heading are {angles} at all epochs. Mounting angles and corrections of the attitude are wrong by it; export the trajectory with its angles.</source>
+        <translation>{name} には姿勢がありません。すべてのエポックでロール、ピッチ、方位角が {angles} です。このままでは取付角や姿勢の補正が誤ります。角度を付けて軌跡を書き出してください。</translation>
     </message>
     <message>
         <source>{name}: the vehicle drove backwards, or its headings are half a turn off: they point against the direction of travel.</source>

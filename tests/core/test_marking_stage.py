@@ -252,6 +252,7 @@ def test_page_of_the_fit(write, tmp_path):
 @pytest.mark.parametrize(("attributes", "words"), [
     ({"intensity": 0}, "no intensity"),
     ({"intensity": 700}, "All points .* have the intensity 700"),
+    ({"intensity": np.arange(260 * 480) % 3 % 2}, "All points .* have the intensity 0, 1,"),
     ({"gps_time": 0.0}, "GPS times .* are zero"),
     ({"point_source_id": 5}, "no scanner with point source id 5"),
     ({"gps_time": 5000.0 + np.arange(260 * 480) * 1e-5}, "trajectory runs from"),

@@ -58,6 +58,7 @@ def test_rows_out_of_order_and_repeated_epochs_are_put_right_and_told(tmp_path):
     ([*ROWS, "10.3,4,2,x,0,0,0"], HEAD, "is no number"),
     ([*ROWS, "10.3,4,2,nan,0,0,0"], HEAD, "has no number in row 5"),
     ([*ROWS, "10.2,9,9,3,0,0,3"], HEAD, r"two different poses for the time 10\.2000"),
+    ([f"{10 + k // 5},{k},2,3,0,0,90" for k in range(20)], HEAD, "times of .* are rounded to 1 s: 16 epochs"),
     (ROWS[:1], HEAD, "at least two"),
     ([], "", "has no column time"),
 ])

@@ -78,6 +78,14 @@ def test_backwards_and_sidewards_are_told(tmp_path):
         assert sentence in note
 
 
+@pytest.mark.parametrize("heading", [0.0, 40.0])
+def test_a_file_without_attitude_is_told(tmp_path, heading):
+    true = drive()
+    still = Trajectory(true.time, true.place, np.full_like(true.angles, (0.0, 0.0, heading)))
+    note, = read_trajectory(written(tmp_path / "a.csv", still, "degrees")).notes
+    assert "holds no attitude" in note
+
+
 def sbet(path, heading_unit=1.0):
     n = 60
     table = np.zeros((n, 17))

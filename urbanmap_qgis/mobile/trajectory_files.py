@@ -46,6 +46,7 @@ COLUMNS = names_of(TRAJECTORY)
 _ALIASES = aliases_of(TRAJECTORY)
 _DECIMALS = {"time": 6, "x": 4, "y": 4, "z": 4, "roll": 6, "pitch": 6, "heading": 6}
 _SHOWN = 3
+_ROUNDED_SHARE = 0.25  # of the epochs; more of them with the time of another pose come of rounded times
 
 
 @dataclass(frozen=True)
@@ -200,7 +201,12 @@ def _order(table: np.ndarray, name: str) -> tuple[np.ndarray, list[str]]:
         difference = np.abs(table[order[same]] - table[order[same + 1]])
         difference[:, 4:] = np.abs((difference[:, 4:] + 180.0) % 360.0 - 180.0)
         worst = int(np.argmax(difference[:, 1:4].max(axis=1)))
-        if difference[:, 1:4].max() > 0.01 or difference[:, 4:].max() > 0.1:
+        different = (difference[:, 1:4].max(axis=1) > 0.01) | (difference[:, 4:].max(axis=1) > 0.1)
+        if different.sum() > _ROUNDED_SHARE * len(time) and not notes:
+            raise InputError(say("The times of {name} are rounded to {step:g} s: {count} epochs of different poses "
+                                 "share their time with another. Export it with more decimals of the time.", name=name,
+                                 step=np.diff(np.unique(time)).min(initial=np.inf), count=different.sum()))
+        if different.any():
             raise InputError(say("{name} gives two different poses for the time {time:.4f} s: remove the wrong one.",
                                  name=name, time=time[order[same[worst]]]))
         notes.append(say("{name}: {same_count} epochs are repeated; each was taken once.", name=name,

@@ -93,12 +93,16 @@ def judged_headings(trajectory: Trajectory, angles: np.ndarray, counted: str, na
     if not np.isfinite(off) or off <= LIMITS.agrees:
         return []
     best = min(away, key=lambda way: away[way])
-    if best != counted and away[best] <= LIMITS.agrees and off > LIMITS.clearly * away[best]:
+    if best != counted and angles.any() and away[best] <= LIMITS.agrees and off > LIMITS.clearly * away[best]:
         raise InputError(say("{name}: the headings lie {off:.0f}° beside the direction of travel (median), but read "
                              "as {angle_names} they go with it ({away:.1f}°): say that the angles are counted so, or "
                              "convert them to {angle_names_2}.", name=name, off=off,
                              angle_names=known(ANGLE_NAMES[ANGLES.index(best)]), away=away[best],
                              angle_names_2=known(ANGLE_NAMES[0])))
+    if not np.ptp(angles, axis=0).any():
+        return [say("{name} holds no attitude: roll, pitch and heading are {angles} at all epochs. Mounting angles and "
+                    "corrections of the attitude are wrong by it; export the trajectory with its angles.", name=name,
+                    angles=", ".join(f"{angle:g}" for angle in angles[0]))]
     if off > 180.0 - LIMITS.agrees:
         return [say("{name}: the vehicle drove backwards, or its headings are half a turn off: they point against "
                     "the direction of travel.", name=name)]

@@ -124,8 +124,10 @@ def write_trajectory_file(path: Path, like, trajectory, crs_wkt: str | None, con
 
 def tell_of(read, progress) -> None:
     """Tell what was put right, looks wrong or was done to the heights of a core's `TrajectoryFile`."""
+    from ....urbanmap_qgis.progress import notice
+
     for note in read.notes:
-        progress.warn(note)
+        notice(note)
     if read.applied:
         progress.message(read.applied)
 

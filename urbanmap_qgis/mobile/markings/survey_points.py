@@ -32,6 +32,9 @@ be the number of its laser."""
 MIN_GROUND_SHARE = 0.01
 """Ground is a third or more of the points near the vehicle; a smaller share than this cannot be right."""
 
+FEW_INTENSITIES = 4
+"""So few different intensities are none that a scanner measured."""
+
 LASER_DIMENSIONS = ("ring", "laser", "laser_id", "laser_number", "channel", "beam", "user_data")
 """Attributes that may number the lasers of a scanner; the first one that the files have is taken."""
 
@@ -67,7 +70,7 @@ class ReadCounts:
     standing : measured while the vehicle stood.
     nearby : near the vehicle.
     classes : (256,) number of usable points by class.
-    least, most : intensity.
+    intensities : (65536,) whether any point has this intensity.
     height : m, median height over the vehicle of points near it in plan; NaN without any.
     """
 
@@ -77,8 +80,7 @@ class ReadCounts:
     standing: int = 0
     nearby: int = 0
     classes: np.ndarray = field(default_factory=lambda: np.zeros(256, dtype=np.int64))
-    least: float = np.inf
-    most: float = -np.inf
+    intensities: np.ndarray = field(default_factory=lambda: np.zeros(1 << 16, dtype=bool))
     heights: list[float] = field(default_factory=list)
 
 
@@ -130,8 +132,7 @@ class SurveyPoints:
             return
         x, y, z = (np.asarray(chunk[name])[rows] for name in "xyz")
         intensity, source = (np.asarray(chunk[name])[rows] for name in ("intensity", "point_source_id"))
-        self.read_counts.least = min(self.read_counts.least, float(intensity.min()))
-        self.read_counts.most = max(self.read_counts.most, float(intensity.max()))
+        self.read_counts.intensities[intensity] = True
         near, distance = self._near(x, y, z, time, source)
         nearby = np.flatnonzero(near)
         self.read_counts.nearby += len(nearby)
@@ -186,13 +187,14 @@ class SurveyPoints:
     def _check(self) -> None:
         """Refuse a survey that cannot be used."""
         read_counts, name = self.read_counts, self.cloud.paths[0].name
-        if read_counts.most <= 0 and np.isfinite(read_counts.most):
+        values = np.flatnonzero(read_counts.intensities)
+        if len(values) == 1 and values[0] == 0:
             raise InputError(say("{name} has no intensity (all are 0), by which markings are told: export the survey "
                                  "with it.", name=name))
-        if read_counts.most == read_counts.least:
-            raise InputError(say("All points of {name} have the intensity {most:g}, by which markings cannot be "
-                                 "told: export the survey with the measured intensities.", name=name,
-                                 most=read_counts.most))
+        if 0 < len(values) <= FEW_INTENSITIES:
+            raise InputError(say("All points of {name} have the intensity {values}, by which markings cannot be told: "
+                                 "export the survey with the measured intensities.", name=name,
+                                 values=", ".join(map(str, values))))
         if not read_counts.nearby:
             heights = read_counts.heights
             difference = (say(" (they lie {heights:+.0f} m above the scanner)", heights=np.median(heights)) if heights
