@@ -8204,6 +8204,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path} は {path_2} に重なりません。同じ場所のマスクを指定してください。</translation>
     </message>
     <message>
+        <source>{path} has the no-data value {nodata:g} within the image too, as saturated paint has: specks of it ({share:.2f} % of the pixels looked at) are taken as white.</source>
+        <translation>{path} では、無効値 {nodata:g} が画像の内側にもあります（白飛びした標示も同じ値になります）。小さなもの（調べた画素の {share:.2f} %）は白として扱います。</translation>
+    </message>
+    <message>
         <source>{path} cannot be read as a raster: check the file.</source>
         <translation>{path} をラスタとして読み込めません。ファイルを確認してください。</translation>
     </message>

@@ -34,7 +34,7 @@ from urbanmap_qgis.aerial.markings.road_model import road_model_of
 from urbanmap_qgis.aerial.markings.signs.crossing_bars import BARS_REACH, CONFIDENCE, crossing_bars
 from urbanmap_qgis.aerial.markings.signs.lane_spacing import LaneSpacing, lane_spacing
 from urbanmap_qgis.errors import Cancelled, InputError
-from urbanmap_qgis.progress import Progress
+from urbanmap_qgis.progress import Progress, notices_to
 
 WKT = CRS.from_epsg(6677).to_wkt()
 PIXEL = 0.12
@@ -245,6 +245,22 @@ def test_no_data_is_not_looked_at(tmp_path):
     assert found.searched_area == pytest.approx((bands[0].size - 1200) * PIXEL ** 2)
     mask = read_mask(tmp_path / "m.tif")
     assert not mask[30:150, 80:90].any() and scores(mask[:160], white[:160] & (bands[0, :160] > 0))[1] > 0.95
+
+
+def test_saturated_paint_is_no_hole_where_no_data_is_white(tmp_path):
+    """Paint of 255 in all bands under a no-data value of 255, in one image with a border that holds no image."""
+    bands, white, _yellow = street()
+    bands[:, white] = 255
+    bands[:, :, :12] = 255
+    plain = markings_from_orthophoto(write(tmp_path / "a.tif", bands), tmp_path / "a_mask.tif")
+    told = []
+    with notices_to(told.append):
+        path = write(tmp_path / "b.tif", bands, nodata=255)
+        found = markings_from_orthophoto(path, tmp_path / "b_mask.tif", tile=160)
+    assert len(told) == 1 and "no-data value 255" in told[0]
+    assert plain.searched_area - found.searched_area == pytest.approx(12 * bands.shape[1] * PIXEL ** 2)
+    mask = read_mask(tmp_path / "b_mask.tif")
+    assert not mask[:, :12].any() and scores(mask[:160, 16:], white[:160, 16:])[1] > 0.95
 
 
 def test_limits_roads_buildings_and_mask(tmp_path):

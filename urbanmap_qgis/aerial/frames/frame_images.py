@@ -17,6 +17,7 @@ from rasterio.windows import Window
 from ...errors import InputError
 from ...io.raster import OPENING_ERRORS, own_gdal
 from ...wording import say
+from ..valid_pixels import valid_pixels
 from .camera import ExteriorOrientation, FrameCamera
 
 _NAMED = 5
@@ -145,6 +146,6 @@ class FrameImage:
         window = Window(columns.start, rows.start, columns.stop - columns.start, rows.stop - rows.start)
         try:
             with own_gdal():
-                return self._source.dataset_mask(window=window) > 0
+                return valid_pixels(self._source, window)[0]
         except RasterioError as error:
             raise InputError(say("{path} is damaged: {error}.", path=self.path.name, error=error)) from error

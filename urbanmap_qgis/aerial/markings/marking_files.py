@@ -96,6 +96,7 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
             progress.warn(say("{mask} does not cover all of {path}: where it does not, nothing is taken as hidden.",
                               mask=Path(places.mask).name, path=scene.path.name))
         levels = sampled_levels(scene, settings, progress.part(0.0, 0.1))
+        scene.tell_white_specks()
         settings = _of_image(settings, levels, places, progress)
         profile = {"driver": "GTiff", "width": scene.source.width, "height": scene.source.height, "count": 1,
                    "dtype": "uint8", "transform": scene.source.transform, "crs": scene.source.crs, "tiled": True,
@@ -141,7 +142,9 @@ def levels_of_orthophoto(path: str | os.PathLike, places: SearchArea | None = No
     settings = settings or MarkingSettings()
     with own_gdal(CACHE), ExitStack() as stack:
         scene = open_orthophoto(path, places or SearchArea(), settings, metres_per_unit, stack)
-        return sampled_levels(scene, settings, progress)
+        levels = sampled_levels(scene, settings, progress)
+        scene.tell_white_specks()
+        return levels
 
 
 def open_orthophoto(path: str | os.PathLike, places: SearchArea, settings: MarkingSettings, metres_per_unit: float,

@@ -24,7 +24,9 @@ from ...errors import InputError
 from ...geometry.tolerances import ROUNDING
 from ...io.raster import OPENING_ERRORS
 from ...io.reference.true_lengths import require_true_lengths
+from ...progress import notice
 from ...wording import say
+from ..valid_pixels import valid_pixels
 
 MAX_PIXEL = 0.5
 """m. Markings are 0.1 to 0.45 m wide: with larger pixels there is nothing to see."""
@@ -80,6 +82,7 @@ class OrthophotoReader:
         self.transform = place * Affine.scale(self.factor)
         kind = np.dtype(self.source.dtypes[0])
         self.top = np.iinfo(kind).max if kind.kind in "iu" else np.inf  # that values can have
+        self._white = self._pixels = 0
         self.roads = _tree(places.roads)
         self.buildings = _tree(places.buildings)
         self.mask = self._mask_on_grid(places.mask, stack) if places.mask else None
@@ -106,6 +109,13 @@ class OrthophotoReader:
         return (other.left <= bounds.left + slack and other.right >= bounds.right - slack
                 and other.bottom <= bounds.bottom + slack and other.top >= bounds.top - slack)
 
+    def tell_white_specks(self) -> None:
+        """Tell which share of what was read so far has the no-data value and is taken as white."""
+        if self._white:
+            notice(say("{path} has the no-data value {nodata:g} within the image too, as saturated paint has: specks "
+                       "of it ({share:.2f} % of the pixels looked at) are taken as white.", path=self.path.name,
+                       nodata=self.source.nodata, share=100.0 * self._white / self._pixels))
+
     def read(self, rows: slice, columns: slice) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
         """Bands, where ground is seen, and roads (or None) of a piece, in blocks of `factor` pixels."""
         factor = self.factor
@@ -114,11 +124,13 @@ class OrthophotoReader:
         window = Window(columns.start * factor, rows.start * factor, width, height)
         try:
             bands = self.source.read(self.bands, window=window)
-            seen = self.source.dataset_mask(window=window) > 0
+            seen, white = valid_pixels(self.source, window)
             if self.mask is not None:
                 seen &= self.mask.read(1, window=window) == 0
         except RasterioError as error:
             raise InputError(say("{path} is damaged: {error}.", path=self.path.name, error=error)) from error
+        self._white += white
+        self._pixels += seen.size
         if np.issubdtype(bands.dtype, np.floating):
             seen &= np.isfinite(bands).all(axis=0)
             bands = np.where(seen, bands, 0)
