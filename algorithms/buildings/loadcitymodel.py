@@ -53,7 +53,8 @@ class LoadCityModel(UrbanMapAlgorithm):
             "CRS", "Coordinate reference system",
             "Projected system of the result. If none is chosen, that of the model, or for degrees in Japan the zone of "
             "the Japan Plane Rectangular CS in which the first building lies.", optional=True)
-        self.add_crs("SOURCE_CRS", "CRS of the city model", "Of files that name none.", optional=True, advanced=True)
+        self.add_crs("SOURCE_CRS", "CRS of the city model", "Of files that name none, or one that is not known.",
+                     optional=True, advanced=True)
         self.add_layer_output(
             "OUTPUT", "Buildings",
             "MultiPolygon outlines (footprint, else roof edge, else the plan of the solid) with building_id (the "
@@ -109,7 +110,7 @@ class LoadCityModel(UrbanMapAlgorithm):
             self.require_projected("CRS", wkt)
             store = stack.enter_context(TableStore(bool(parameters.get("OUTPUT_MODELS")),
                                                    bool(parameters.get("OUTPUT_SURFACES"))))
-            roads, things = RoadTable(places), StreetTable(places)
+            roads, things = RoadTable(places, counts.unknown), StreetTable(places, counts.unknown)
             others = things.without_street_objects(roads.without_roads(buildings))
             for row in building_rows(others, places, counts):
                 store.add(row)
@@ -121,6 +122,10 @@ class LoadCityModel(UrbanMapAlgorithm):
             if counts.with_problems:
                 progress.warn(tr("{0} of {1} buildings have something wrong; the field “note” says what.").format(
                     counts.with_problems, counts.buildings))
+            if counts.unknown:
+                progress.message(tr("{0} values stand for “unknown” ({1}): their fields are empty, a height is top "
+                                    "less ground.").format(sum(counts.unknown.values()), ", ".join(
+                                        f"{name} {count}" for name, count in counts.unknown.most_common(6))))
             progress.message(tr("{0} buildings in {1}, heights: {2}").format(
                 counts.buildings, crs_name(wkt), tr(model.reference.heights)))
             results = self._write(parameters, context, store, wkt, progress)

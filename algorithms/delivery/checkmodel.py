@@ -74,7 +74,7 @@ class CheckModel(UrbanMapAlgorithm):
             raise InputError(tr("No file was given: choose a city model (.gml, .zip), a folder of them, or a lane map "
                                 "(.osm)."))
         for path in paths:
-            if path.suffix.lower() in (".json", ".jsonl"):
+            if path.suffix.lower() in (".json", ".jsonl") or _kind(path) == "json":
                 raise InputError(tr("{0}: the rules are those of CityGML; write {1} as CityGML by “Export city model” "
                                     "first.").format(self.label_of("INPUT"), path.name))
         tables = [name for name in ("OUTPUT_TABLE", "OUTPUT_COUNTS") if parameters.get(name)]
@@ -167,5 +167,12 @@ class CheckModel(UrbanMapAlgorithm):
         return [path for path in paths if path is not None]
 
 
+def _kind(path) -> str:
+    """What a file holds: see the core's `content_kind`."""
+    from ...urbanmap_qgis.io.files.packed import content_kind
+
+    return content_kind(path)
+
+
 def _is_map(paths) -> bool:
-    return any(path.suffix.lower() == ".osm" for path in paths)
+    return any(path.suffix.lower() == ".osm" or _kind(path) in ("osm", "OpenDRIVE") for path in paths)

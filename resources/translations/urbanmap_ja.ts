@@ -172,12 +172,12 @@
         <translation>すべてのファイル (*)</translation>
     </message>
     <message>
-        <source>Control points</source>
-        <translation>基準点（調整点・検証点）</translation>
-    </message>
-    <message>
         <source>Control points (*.csv *.txt)</source>
         <translation>調整点 (*.csv *.txt)</translation>
+    </message>
+    <message>
+        <source>Control points</source>
+        <translation>基準点（調整点・検証点）</translation>
     </message>
     <message>
         <source>CSV file id,x,y,z in the cloud's coordinate system and heights; x_als,y_als,z_als where the point lies in the cloud, if it was found there; role: control or check.</source>
@@ -540,12 +540,12 @@
         <translation>最大のずれ</translation>
     </message>
     <message>
-        <source>Points in the frames</source>
-        <translation>写真上の点</translation>
-    </message>
-    <message>
         <source>Points in frames (*.csv *.txt)</source>
         <translation>写真上の点 (*.csv *.txt)</translation>
+    </message>
+    <message>
+        <source>Points in the frames</source>
+        <translation>写真上の点</translation>
     </message>
     <message>
         <source>CSV file point,image,column,row,x,y,z: a row for each frame in which a point was measured, pixels from the centre of the upper left one, coordinates in metres, none for tie points; role: control or check.</source>
@@ -656,12 +656,12 @@
         <translation>データのある割合</translation>
     </message>
     <message>
-        <source>Frame</source>
-        <translation>写真</translation>
-    </message>
-    <message>
         <source>Images (*.tif *.tiff *.jpg *.jpeg *.TIF *.TIFF *.JPG *.JPEG)</source>
         <translation>画像 (*.tif *.tiff *.jpg *.jpeg *.TIF *.TIFF *.JPG *.JPEG)</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>写真</translation>
     </message>
     <message>
         <source>The image: TIFF or JPEG, 8 or 16 bit.</source>
@@ -1136,12 +1136,12 @@
         <translation>表とレイヤのroll、pitch、headingの表し方です。度またはラジアンで、方位は座標北から時計回り、または東から反時計回りです。SBETでは指定不要です。（degrees, radians, degrees_from_east, radians_from_east）</translation>
     </message>
     <message>
-        <source>Geoid model</source>
-        <translation>ジオイドモデル</translation>
-    </message>
-    <message>
         <source>Geoid model (*.tif *.tiff *.gtx *.asc *.isg);;All files (*)</source>
         <translation>ジオイドモデル (*.tif *.tiff *.gtx *.asc *.isg);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Geoid model</source>
+        <translation>ジオイドモデル</translation>
     </message>
     <message>
         <source>GeoTIFF, GTX or text grid of GSI (.asc, .isg) of the geoid's heights above the ellipsoid: with it the ellipsoidal heights of SBET become heights above sea level, as those of the points must be.</source>
@@ -1156,12 +1156,12 @@
         <translation>モデルの代わりに、すべての場所に適用する1つのジオイド高です。</translation>
     </message>
     <message>
-        <source>Calibration</source>
-        <translation>校正値</translation>
-    </message>
-    <message>
         <source>Calibration (*.json)</source>
         <translation>校正値 (*.json)</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>校正値</translation>
     </message>
     <message>
         <source>JSON file of the scanners' (and cameras') lever arms and angles on the vehicle.</source>
@@ -1336,12 +1336,12 @@
         <translation>計測データです。GPS時刻を持ち、補正前の軌跡で座標付けされた1つまたは複数のLAS、LAZまたはCOPCファイルを指定します。</translation>
     </message>
     <message>
-        <source>Reported trajectory</source>
-        <translation>補正前の軌跡</translation>
-    </message>
-    <message>
         <source>Trajectory (*.csv *.txt *.out *.sbet *.gpkg *.shp *.geojson);;All files (*)</source>
         <translation>軌跡 (*.csv *.txt *.out *.sbet *.gpkg *.shp *.geojson);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Reported trajectory</source>
+        <translation>補正前の軌跡</translation>
     </message>
     <message>
         <source>The trajectory with which the survey was placed: CSV time,x,y,z,roll,pitch,heading, SBET, or a point layer with these fields.</source>
@@ -1356,12 +1356,12 @@
         <translation>補正後の同じ軌跡です。</translation>
     </message>
     <message>
-        <source>Image poses</source>
-        <translation>画像の位置姿勢</translation>
-    </message>
-    <message>
         <source>Image poses (*.csv *.txt)</source>
         <translation>画像の位置姿勢 (*.csv *.txt)</translation>
+    </message>
+    <message>
+        <source>Image poses</source>
+        <translation>画像の位置姿勢</translation>
     </message>
     <message>
         <source>CSV id,time,x,y,z,roll,pitch,heading of the survey's images, angles counted as those of the trajectory.</source>
@@ -2796,12 +2796,12 @@
         <translation>「建物モデル」の出力など、建物ごとにすべての面を持つMultiPolygonZです。指定しない場合は都市モデルを指定してください。</translation>
     </message>
     <message>
-        <source>City model</source>
-        <translation>都市モデル</translation>
-    </message>
-    <message>
         <source>City models (*.gml *.GML *.zip *.json *.jsonl *.xml);;All files (*)</source>
         <translation>都市モデル (*.gml *.GML *.zip *.json *.jsonl *.xml);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>City model</source>
+        <translation>都市モデル</translation>
     </message>
     <message>
         <source>CityGML (.gml, .zip) or CityJSON file instead of the layer: its buildings are written with all that they hold, and nothing is added. Of CityGML roads, city furniture and trees are written, too.</source>
@@ -2956,8 +2956,8 @@
         <translation>都市モデルの座標参照系</translation>
     </message>
     <message>
-        <source>Of files that name none.</source>
-        <translation>座標参照系の記載がないファイルに適用します。</translation>
+        <source>Of files that name none, or one that is not known.</source>
+        <translation>座標参照系の記載がないファイル、または記載された座標参照系が不明なファイルの座標参照系です。</translation>
     </message>
     <message>
         <source>MultiPolygon outlines (footprint, else roof edge, else the plan of the solid) with building_id (the model's own id), lod (levels there are), ground and top (heights in m), height (m, measuredHeight where it is given), parts, note (what is wrong), attributes (all, as JSON), and simple attributes as fields.</source>
@@ -3004,12 +3004,12 @@
         <translation>モデルの記載によるもの：unknown（不明）、JGD2011、JGD2024など。</translation>
     </message>
     <message>
-        <source>File of the GSI</source>
-        <translation>国土地理院のファイル</translation>
-    </message>
-    <message>
         <source>GSI data (*.xml *.XML *.zip *.ZIP);;All files (*)</source>
         <translation>国土地理院のデータ (*.xml *.XML *.zip *.ZIP);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>File of the GSI</source>
+        <translation>国土地理院のファイル</translation>
     </message>
     <message>
         <source>FG-GML-...-BldA, -BldL or -DEM5A-... .xml (or another product), or a .zip as downloaded (zips inside are opened too). The path of a folder can be typed here as well.</source>
@@ -3984,12 +3984,12 @@
         <translation>衛星</translation>
     </message>
     <message>
-        <source>Old map: Lanelet2 file</source>
-        <translation>旧地図：Lanelet2 ファイル</translation>
-    </message>
-    <message>
         <source>Lanelet2 (*.osm)</source>
         <translation>Lanelet2 (*.osm)</translation>
+    </message>
+    <message>
+        <source>Old map: Lanelet2 file</source>
+        <translation>旧地図：Lanelet2 ファイル</translation>
     </message>
     <message>
         <source>OSM file; or give lines.</source>
@@ -5404,12 +5404,12 @@
         <translation>すべての検証点、または抽出したすべての辺とその較差。</translation>
     </message>
     <message>
-        <source>Layout of the PDF</source>
-        <translation>PDFのレイアウト</translation>
-    </message>
-    <message>
         <source>Layout templates (*.qpt)</source>
         <translation>レイアウトテンプレート (*.qpt)</translation>
+    </message>
+    <message>
+        <source>Layout of the PDF</source>
+        <translation>PDFのレイアウト</translation>
     </message>
     <message>
         <source>Layout template of QGIS (.qpt): a changed copy of the plugin's resources/layouts/acceptance.qpt, whose items are filled by their ids.</source>
@@ -5500,12 +5500,12 @@
         <translation>精度管理表</translation>
     </message>
     <message>
-        <source>City model or lane map</source>
-        <translation>3D都市モデルまたは車線地図</translation>
-    </message>
-    <message>
         <source>City models and lane maps (*.gml *.GML *.zip *.osm);;All files (*)</source>
         <translation>3D都市モデルと車線地図 (*.gml *.GML *.zip *.osm);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>City model or lane map</source>
+        <translation>3D都市モデルまたは車線地図</translation>
     </message>
     <message>
         <source>CityGML (.gml), a .zip of a data set, or a Lanelet2 file (.osm). The path of a folder can be typed here as well.</source>
@@ -5858,10 +5858,6 @@
     <message>
         <source>Run over tiles</source>
         <translation>タイル処理</translation>
-    </message>
-    <message>
-        <source>Projected coordinate system in metres of files that state none; those that state one keep it.</source>
-        <translation>座標参照系の記載がないファイルの投影座標系（単位m）です。記載のあるファイルはそれに従います。</translation>
     </message>
     <message>
         <source>2. Lays the frames on the ground that they see, without moving vehicles.</source>
@@ -9352,6 +9348,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>都市モデルを {told} により別の測地系に変換しました。</translation>
     </message>
     <message>
+        <source>Latitude and longitude of the city model are exchanged: as its reference system orders degrees, its first building lies at latitude {latitude}, longitude {longitude}, and only the other way round where the system is used. Export the model with the degrees in the order of its reference system.</source>
+        <translation>都市モデルの緯度と経度が入れ替わっています。座標参照系の順序どおりに読むと、最初の建築物は緯度{latitude}、経度{longitude}になり、逆に読んだ場合にだけ座標参照系の使用範囲に入ります。座標参照系の順序どおりの緯度・経度でモデルを出力し直してください。</translation>
+    </message>
+    <message>
         <source>The city model is in degrees outside of Japan: choose a projected coordinate reference system in metres for the result.</source>
         <translation>都市モデルが日本の外にあり、度単位です。結果にはメートル単位の投影座標参照系を選択してください。</translation>
     </message>
@@ -10504,6 +10504,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name} の単位が {unit} になっています。読めるのはメートル、秒、度（十進）です。これらの単位で書き出してください。</translation>
     </message>
     <message>
+        <source>{label} holds more than {largest_zip} GB: unpack it first.</source>
+        <translation>{label}は {largest_zip} GB を超えています。先に展開してください。</translation>
+    </message>
+    <message>
         <source>{name}: {north} counts north and {east} east, by the names, the numbers or the headings of the table; if that is wrong, call the columns “東” and “北”.</source>
         <translation>{name}：表の列名、数値または方位角から、{north}を北方向、{east}を東方向としました。違う場合は列名を「東」「北」にしてください。</translation>
     </message>
@@ -10784,10 +10788,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{label}は {compress_size} MB から {file_size} GB に展開されるため、地図データではあり得ません。提供元からファイルを再度取得してください。</translation>
     </message>
     <message>
-        <source>{label} holds more than {largest_zip} GB: unpack it first.</source>
-        <translation>{label}は {largest_zip} GB を超えています。先に展開してください。</translation>
-    </message>
-    <message>
         <source>{name} is damaged or not a zip file ({error}): download it again.</source>
         <translation>{name}は破損しているか、zipファイルではありません（{error}）。再度ダウンロードしてください。</translation>
     </message>
@@ -10826,6 +10826,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{tag} (element {number} of the file)</source>
         <translation>{tag}（ファイルの {number} 番目の要素）</translation>
+    </message>
+    <message>
+        <source>{path} is an OpenDRIVE file, which is written here and not read: give the Lanelet2 file (.osm) of the map.</source>
+        <translation>{path}はOpenDRIVEファイルです。OpenDRIVEは出力のみで、読み込みには対応していません。地図のLanelet2ファイル（.osm）を指定してください。</translation>
     </message>
     <message>
         <source>{path} is no OSM file: its outermost element is {tag}, not osm.</source>
@@ -14094,6 +14098,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0} of {1} buildings have something wrong; the field “note” says what.</source>
         <translation>建物{1}棟中{0}棟に不備があります。内容はフィールド「note」を参照してください。</translation>
+    </message>
+    <message>
+        <source>{0} values stand for “unknown” ({1}): their fields are empty, a height is top less ground.</source>
+        <translation>「不明」を表す値が{0}個あります（{1}）。これらの属性は空とし、高さは上端と地盤の高さの差とします。</translation>
     </message>
     <message>
         <source>No file was given: choose building outlines or elevation models of the GSI (.xml, .zip) or a folder.</source>

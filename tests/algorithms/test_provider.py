@@ -120,6 +120,15 @@ def test_every_algorithm_is_complete(provider, plugin):
             assert text or (parameter is not None and parameter.help()), (algorithm.ID, output.name())
 
 
+def test_no_file_is_refused_for_its_suffix(provider):
+    files = [(algorithm.name(), definition) for algorithm in provider.algorithms()
+             for definition in algorithm.parameterDefinitions()
+             if definition.type() == "file" and definition.behavior() == definition.Behavior.File]
+    assert len(files) > 20
+    assert [(name, definition.name()) for name, definition in files
+            if not definition.checkValueIsAcceptable("/data/a.ori")] == []
+
+
 def test_icons_of_all_groups_are_there(plugin):
     base = plugin("algorithms.framework.base")
     assert all((base.ICONS / f"{group}.svg").is_file() for group in base.GROUPS)

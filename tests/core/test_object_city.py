@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import xml.etree.ElementTree as Xml
+from collections import Counter
 from contextlib import ExitStack
 from types import SimpleNamespace
 
@@ -124,7 +125,7 @@ def loaded(path, more=STREET_THINGS):
     notes = ReadingNotes()
     with ExitStack() as stack:
         _, objects, places = placed_model(open_city_model(path, stack, notes, more=more), None, [])
-        table = StreetTable(places)
+        table = StreetTable(places, Counter())
         return table, [item.id for item in table.without_street_objects(objects)], notes
 
 

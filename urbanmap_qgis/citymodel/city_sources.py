@@ -10,9 +10,11 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from pyproj import CRS
 
 from ..errors import InputError, InsufficientDataError
 from ..io.conversion.reprojection import epsg_wkt, plane_transform
+from ..io.files.packed import content_kind, unpacked_suffix
 from ..io.official.gsi_sources import PathLike
 from ..io.reference.height_systems import carried_heights, stating_heights
 from ..io.reference.plane_rectangular import zone_epsg, zone_numbers
@@ -25,13 +27,15 @@ from .objects import rings_of
 from .reading_notes import ReadingNotes
 
 _JSON = (".json", ".jsonl", ".ndjson", ".cityjson")
+_GML = (".gml", ".zip", ".citygml")
 _JAPAN = (122.0, 20.0, 154.0, 46.0)
 
 
 def open_city_model(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: ReadingNotes,
                     given: CityReference | None = None, progress: Progress = SILENT, more: Collection[str] = (),
                     fittings: bool = False) -> CityModel:
-    """Open city models: CityGML (.gml, .zip), CityJSON (.json), CityJSONSeq (.jsonl), or folders of them.
+    """Open city models: CityGML (.gml, .zip), CityJSON (.json), CityJSONSeq (.jsonl), also gzipped, or folders of
+    them.
 
     The buildings are read while they are walked through, once; `stack` must stay open until then. Of CityGML
     the modules `more` come among them (`ROADS`, `STREET_THINGS` of the reader); `fittings` (installations and rooms)
@@ -43,7 +47,7 @@ def open_city_model(path: PathLike | Sequence[PathLike], stack: ExitStack, notes
     """
     given_paths = [Path(item) for item in ([path] if isinstance(path, (str, os.PathLike)) else path)]
     texts = [file for item in given_paths for file in _json_files(item)]
-    others = [item for item in given_paths if not (item.is_file() and item.suffix.lower() in _JSON)
+    others = [item for item in given_paths if not (item.is_file() and _json_files(item))
               and not (item.is_dir() and _json_files(item) and not _gml_there(item))]
     models = [open_cityjson(file, notes, given, progress, fittings) for file in texts]
     if others:
@@ -57,12 +61,12 @@ def open_city_model(path: PathLike | Sequence[PathLike], stack: ExitStack, notes
 
 def _json_files(path: Path) -> list[Path]:
     if path.is_dir():
-        return sorted(file for file in path.rglob("*") if file.suffix.lower() in _JSON and file.is_file())
-    return [path] if path.suffix.lower() in _JSON and path.is_file() else []
+        return sorted(file for file in path.rglob("*") if unpacked_suffix(file) in _JSON and file.is_file())
+    return [path] if path.is_file() and (unpacked_suffix(path) in _JSON or content_kind(path) == "json") else []
 
 
 def _gml_there(folder: Path) -> bool:
-    return any(file.suffix.lower() in (".gml", ".zip", ".citygml") for file in folder.rglob("*"))
+    return any(unpacked_suffix(file) in _GML for file in folder.rglob("*"))
 
 
 def placed_model(model: CityModel, target_wkt: str | None, notes: list[str],
@@ -77,7 +81,8 @@ def placed_model(model: CityModel, target_wkt: str | None, notes: list[str],
 
     Raises
     ------
-    InputError : degrees outside of Japan without a wanted reference, or no transformation between the two is known.
+    InputError : latitude and longitude are exchanged, degrees lie outside of Japan without a wanted reference, or no
+        transformation between the two is known.
     InsufficientDataError : there is no building.
     """
     buildings = iter(model.buildings)
@@ -94,6 +99,8 @@ def placed_model(model: CityModel, target_wkt: str | None, notes: list[str],
         heading += more
         place = next((ring[0] for ring in rings_of(more[0])), None)
     source = model.reference.wkt
+    if model.reference.geographic:
+        _refuse_exchanged(source, place)
     target = target_wkt or (_own_zone(place) if model.reference.geographic else source)
     x, y = float(place[0]), float(place[1])
     transform = plane_transform(source, target, (x, y, x, y))
@@ -107,6 +114,23 @@ def placed_model(model: CityModel, target_wkt: str | None, notes: list[str],
 
     return (stating_heights(target, carried_heights(model.reference.heights)), itertools.chain(heading, buildings),
             places)
+
+
+def _refuse_exchanged(wkt: str, place: np.ndarray) -> None:
+    """Refuse degrees that lie where their reference system is used only with latitude and longitude exchanged."""
+    area = CRS.from_wkt(wkt).area_of_use
+    box = area.bounds if area is not None else (-180.0, -90.0, 180.0, 90.0)
+
+    def inside(longitude: float, latitude: float) -> bool:
+        return box[0] <= longitude <= box[2] and box[1] <= latitude <= box[3]
+
+    longitude, latitude = float(place[0]), float(place[1])
+    if inside(latitude, longitude) and not inside(longitude, latitude):
+        raise InputError(say("Latitude and longitude of the city model are exchanged: as its reference system orders "
+                             "degrees, its first building lies at latitude {latitude}, longitude {longitude}, and only "
+                             "the other way round where the system is used. Export the model with the degrees in the "
+                             "order of its reference system.",
+                             latitude=f"{latitude:.5f}", longitude=f"{longitude:.5f}"))
 
 
 def _own_zone(place: np.ndarray) -> str:

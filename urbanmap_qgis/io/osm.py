@@ -14,6 +14,7 @@ from ..errors import InputError
 from ..wording import say
 from .files.atomic import written_beside
 from .files.guard import PARSER_ERRORS, reads, unreadable_part
+from .files.packed import open_unpacked
 from .official.xml_stream import decoded
 
 
@@ -57,17 +58,20 @@ class OsmFile:
 
 @reads("an OSM file")
 def read_osm(path: str | os.PathLike) -> OsmFile:
-    """Read nodes, ways and relations of an OSM file.
+    """Read nodes, ways and relations of an OSM file, plain or gzipped.
 
     Raises
     ------
     InputError : it is no OSM XML, has a document type, or an element lacks something or has a number that is none.
     """
     parser = XMLParser()  # nosec B314 # `decoded` refuses document types
-    with open(path, "rb") as file:
+    with open_unpacked(path) as file:
         for text, _ in decoded(file, Path(path).name, "a lane map"):
             parser.feed(text)
     root = parser.close()
+    if root.tag == "OpenDRIVE":
+        raise InputError(say("{path} is an OpenDRIVE file, which is written here and not read: give the Lanelet2 file "
+                             "(.osm) of the map.", path=Path(path).name))
     if root.tag != "osm":
         raise InputError(say("{path} is no OSM file: its outermost element is {tag}, not osm.", path=Path(path).name,
                              tag=root.tag))

@@ -166,11 +166,15 @@ class Declarations:
 
     def add_file(self, name: str, label: str, help: str, filter: str = "", extension: str = "",
                  folder: bool = False, optional: bool = False, advanced: bool = False):
-        """An existing file (or folder); read with `input_path`."""
+        """An existing file (or folder); read with `input_path`. What it is, its reader tells from its content.
+
+        QGIS itself refuses, without a reason, names that no filter has.
+        """
         behavior = QgsProcessingParameterFile.Behavior
+        filters = tr(filter) if "(*)" in filter or not filter else f"{tr(filter)};;{tr('All files (*)')}"
         return self.declare_parameter(QgsProcessingParameterFile(
             name, tr(label), behavior.Folder if folder else behavior.File, extension, None, optional,
-            tr(filter)), help, advanced)
+            filters), help, advanced)
 
     def add_polygons(self, name: str, label: str, help: str, optional: bool = False):
         """A polygon layer; read with `read_polygons`."""

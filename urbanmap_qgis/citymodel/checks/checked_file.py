@@ -76,7 +76,7 @@ class CheckedFile:
     @cached_property
     def parts(self) -> tuple[str, str, str, str] | None:
         """Mesh, prefix, reference system and option of its name (specification, 7.2.3); None of another form."""
-        found = _NAME.match(re.sub(r"\.(gml|xml|citygml)\Z", "", self.name, flags=re.IGNORECASE))
+        found = _NAME.match(re.sub(r"\.(gml|xml|citygml)(\.gz)?\Z", "", self.name, flags=re.IGNORECASE))
         return (found.group(1), found.group(2), found.group(3), found.group(4) or "") if found else None
 
     @cached_property

@@ -20,6 +20,7 @@ import numpy as np
 from ...errors import InputError
 from ...io.files.guard import reads
 from ...io.files.named_files import CODE_LIST, IMAGE
+from ...io.files.packed import unpacked_name
 from ...io.official.gsi_sources import PathLike, Wanted, XmlSource, list_sources, opened
 from ...io.official.xml_stream import root_children
 from ...progress import SILENT, Progress
@@ -94,7 +95,7 @@ def open_citygml(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: R
     Parameters
     ----------
     notes : filled while the buildings are walked through.
-    given : reference of files that name none.
+    given : reference of files that name none, or one that is not known.
     more : modules whose objects come among the buildings, too (`ROADS`, `STREET_THINGS`); else they are passed over.
     fittings : whether installations and rooms of buildings are read, and areas of roads as objects of their own; else
         those of buildings are counted among what is left out, and areas are surfaces of their road.
@@ -126,7 +127,7 @@ def open_citygml(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: R
             done += source.size
             notes.files.append(source.name)
 
-    return CityModel(reference.reference, buildings(path), images.places, title=Path(sources[0].name).stem)
+    return CityModel(reference.reference, buildings(path), images.places, title=unpacked_name(sources[0].name).stem)
 
 
 def _wanted(modules: frozenset[str]) -> Wanted:
@@ -204,7 +205,7 @@ def _reference_of(source: XmlSource, given: CityReference | None) -> NamedRefere
                                  source=source.name))
         for item in (root, *element.iter()):
             if item.get("srsName"):
-                return named_reference(item.get("srsName"), source.name)
+                return named_reference(item.get("srsName"), source.name, given)
         if split_tag(element.tag)[0] == "gml":  # names and descriptions may stand before the envelope
             continue
         break

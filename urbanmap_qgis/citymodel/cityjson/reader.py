@@ -10,6 +10,7 @@ import math
 import os
 import re
 from collections.abc import Iterator, Mapping
+from io import TextIOWrapper
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +20,7 @@ from ...errors import InputError
 from ...geometry.solid import FaceTexture
 from ...io.files.guard import first_not_finite, read_json, reading_part, reads
 from ...io.files.named_files import IMAGE, named_file
+from ...io.files.packed import open_unpacked, unpacked_suffix
 from ...io.reference.height_systems import JAPANESE
 from ...progress import SILENT, Progress
 from ...wording import say
@@ -49,6 +51,7 @@ from ..reading_notes import ReadingNotes
 
 _TITLE_HEIGHTS = re.compile(r"heights: (\w+)$")
 _SOLIDS = {"Solid": 1, "MultiSolid": 2, "CompositeSolid": 2}
+_INSTANCE = "GeometryInstance"
 _KINDS = (BUILDING, BUILDING_PART)
 _INNER = "interior"
 """Attribute of an installation within a building, which CityJSON has no type for."""
@@ -66,7 +69,7 @@ def open_cityjson(path: str | os.PathLike, notes: ReadingNotes, given: CityRefer
     Parameters
     ----------
     notes : filled while the buildings are walked through.
-    given : reference of files that name none.
+    given : reference of files that name none, or one that is not known.
     fittings : whether installations and rooms of buildings are read; else they are counted among what is left out.
 
     Raises
@@ -121,9 +124,9 @@ def _opened(path: Path, progress: Progress) -> tuple[Mapping, Iterator[Mapping]]
 
 def _first_line(path: Path) -> dict | None:
     """The head of a sequence; None where the file is one CityJSON object."""
-    if path.suffix.lower() not in (".jsonl", ".ndjson"):
+    if unpacked_suffix(path) not in (".jsonl", ".ndjson"):
         return None
-    with open(path, encoding="utf-8-sig") as file:
+    with TextIOWrapper(open_unpacked(path), "utf-8-sig") as file:
         return _line(file.readline(_LONGEST_LINE), path, 1)
 
 
@@ -144,7 +147,7 @@ def _features(path: Path, head: Mapping, progress: Progress) -> Iterator[Mapping
     size, done = max(path.stat().st_size, 1), 0
     if head.get("CityObjects"):
         yield head
-    with open(path, encoding="utf-8-sig") as file:
+    with TextIOWrapper(open_unpacked(path), "utf-8-sig") as file:
         for number, text in enumerate(iter(lambda: file.readline(_LONGEST_LINE), ""), 1):
             done += len(text)
             if number > 1 and text.strip():
@@ -159,7 +162,7 @@ def _reference(metadata: Mapping, path: Path, given: CityReference | None) -> Ci
             raise InputError(say("{path} names no coordinate reference system: give the one that it is in.",
                                  path=path.name))
         return given
-    found = named_reference(str(name), path.name).reference
+    found = named_reference(str(name), path.name, given).reference
     stated = _TITLE_HEIGHTS.search(str(metadata.get("title") or ""))
     if found.heights == UNKNOWN_HEIGHTS and stated and stated.group(1) in JAPANESE:
         return CityReference(found.wkt, found.epsg, found.geographic, stated.group(1))
@@ -171,7 +174,7 @@ class _Piece:
 
     def __init__(self, content: Mapping, head: Mapping, path: Path, notes: ReadingNotes, images: dict[str, Path],
                  reference: CityReference, fittings: bool = False):
-        self.path, self.notes, self.digits = path, notes, 9 if reference.geographic else 3
+        self.path, self.notes, self.geographic = path, notes, reference.geographic
         self.kept = FITTINGS if fittings else ()
         self.reading = ""  # the object that is read, for messages
         self.objects = content.get("CityObjects")
@@ -183,7 +186,11 @@ class _Piece:
         # east of 90 degrees, where only one of the two can be a latitude.
         if reference.geographic and len(vertices) and np.abs(vertices[:, 0]).max() <= 90 < np.abs(vertices[:, 1]).max():
             vertices = vertices[:, [1, 0, 2]]
-        self.vertices = vertices
+        self.vertices, self.turn = vertices, slice(None)
+        with reading_part(path, "geometry-templates"):
+            templates = head.get("geometry-templates") or {}
+            self.templates = templates.get("templates") or ()
+            self.template_vertices = _vertices(templates.get("vertices-templates") or [], None, path)
         with reading_part(path, "appearance"):
             appearance = content.get("appearance") or head.get("appearance") or {}
             self.images = [str(item.get("image") or "") for item in appearance.get("textures") or ()]
@@ -262,6 +269,8 @@ class _Piece:
             surfaces = self._shell(boundaries, values, semantics, textures, problems)
             outline = FOOTPRINT if lod.startswith("0") else MULTI_SURFACE
             return [CityShape("0" if outline == FOOTPRINT else lod, outline, (surfaces,))] if surfaces else []
+        if kind == _INSTANCE:
+            return self._instance(geometry, problems)
         if kind not in _SOLIDS:
             self.notes.unread[str(kind)] += 1
             return []
@@ -273,11 +282,28 @@ class _Piece:
                          for place, shell in enumerate(shells))
             if read and read[0]:
                 shapes.append(CityShape(lod, SOLID, read))
-                gaps = sum(unmatched_edges(shell, self.digits) for shell in read)
+                gaps = sum(unmatched_edges(shell, 9 if self.geographic else 3) for shell in read)
                 if gaps:
                     problems.append(say("its solid of level {lod} is not closed ({gaps} edges without a neighbour)",
                                         lod=lod, gaps=gaps))
         return shapes
+
+    def _instance(self, geometry: Mapping, problems: list[str]) -> list[CityShape]:
+        """A template at its place: corners times the matrix, then moved to the vertex that the instance names."""
+        template = self.templates[_index(geometry["template"])]
+        if template.get("type") == _INSTANCE or self.geographic:  # templates are in metres
+            self.notes.unread[_INSTANCE] += 1
+            return []
+        matrix = np.asarray(geometry["transformationMatrix"], float).reshape(4, 4)
+        own = self.vertices
+        place = own[_index(geometry["boundaries"][0])]
+        try:
+            self.vertices = self.template_vertices @ matrix[:3, :3].T + matrix[:3, 3] + place
+            # A mirror turns faces inside out.
+            self.turn = slice(None, None, -1 if np.linalg.det(matrix[:3, :3]) < 0 else 1)
+            return self._shapes(template, problems)
+        finally:
+            self.vertices, self.turn = own, slice(None)
 
     def _shell(self, faces: list, values: list | None, semantics: Mapping, textures: list | None,
                problems: list[str]) -> tuple[CitySurface, ...]:
@@ -313,7 +339,7 @@ class _Piece:
         if len(numbers) and (numbers.min() < 0 or numbers.max() >= len(self.vertices)):
             raise InputError(say("{path} is damaged: {key} names a vertex that is not there; export it again.",
                                  path=self.path.name, key=self.reading))
-        return self.vertices[numbers] if len(numbers) >= 3 else None
+        return self.vertices[numbers[self.turn]] if len(numbers) >= 3 else None
 
     def _texture(self, rings: list | None, count: int) -> FaceTexture | None:
         if not rings or len(rings) != count or any(not ring or ring[0] is None for ring in rings):
@@ -321,7 +347,7 @@ class _Piece:
         image = rings[0][0]
         if not 0 <= image < len(self.images) or any(max(ring[1:], default=0) >= len(self.places) for ring in rings):
             return None
-        return FaceTexture(self.images[image], tuple(self.places[ring[1:]] for ring in rings))
+        return FaceTexture(self.images[image], tuple(self.places[ring[1:]][self.turn] for ring in rings))
 
 
 def _vertices(listed: list, transform: Mapping | None, path: Path) -> np.ndarray:
@@ -373,6 +399,18 @@ def _value(value: Any) -> Any:
                               {name: _value(item) for name, item in value.items() if name != "type"})
     if isinstance(value, list):
         return [_value(item) for item in value]
+    return value
+
+
+def _index(value: Any) -> int:
+    """A place in a list.
+
+    Raises
+    ------
+    ValueError : it is none.
+    """
+    if not isinstance(value, int) or value < 0:
+        raise ValueError(value)
     return value
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import itertools
 import json
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -30,6 +31,7 @@ from ..model import (
 from ..objects import Places, placed
 from ..plain_values import plain_attributes
 from ..solids import TYPES
+from ..unknown_values import UNKNOWN_HEIGHT, known_value
 
 _UPRIGHT = 0.05  # of the unit normal's height: within 3 degrees of upright
 _LONGEST_NAME = 60
@@ -63,26 +65,27 @@ class BuildingRow:
 
 @dataclass
 class TableNotes:
-    """Counts that the rows do not show: buildings without outline, with problems."""
+    """Counts that the rows do not show: buildings without outline, with problems; values that stand for "unknown"."""
 
     buildings: int = 0
     without_outline: int = 0
     with_problems: int = 0
     lods: dict[str, int] = field(default_factory=dict)
+    unknown: Counter = field(default_factory=Counter)
 
 
 def building_rows(buildings: Iterator[CityObject], places: Places, notes: TableNotes) -> Iterator[BuildingRow]:
     """A row for each building, its parts taken together."""
     for building in buildings:
         notes.buildings += 1
-        row = _row(placed(building, places))
+        row = _row(placed(building, places), notes.unknown)
         notes.without_outline += row.outline is None
         notes.with_problems += bool(row.values["note"])
         notes.lods[row.values["lod"]] = notes.lods.get(row.values["lod"], 0) + 1
         yield row
 
 
-def _row(building: CityObject) -> BuildingRow:
+def _row(building: CityObject, unknown: Counter) -> BuildingRow:
     problems = [problem for item in building.objects() for problem in item.problems]
     shapes = [shape for item in building.objects() for shape in item.shapes]
     model = best_model(building)
@@ -97,9 +100,11 @@ def _row(building: CityObject) -> BuildingRow:
         problems.append(say("it has no outline and no face from which one could be made"))
     z = np.concatenate([ring[:, 2] for surface in _heights_of(model, shapes) for ring in surface.rings] or
                        [np.empty(0)])
+    z = z[z != UNKNOWN_HEIGHT]
     ground, top = (float(z.min()), float(z.max())) if len(z) else (None, None)
     attributes = plain_attributes(building.attributes)
-    height = attributes.get("measuredHeight")
+    simple = {name: known_value(name, value, unknown) for name, value in simple_attributes(attributes).items()}
+    height = simple.get("measuredHeight", attributes.get("measuredHeight"))
     problems += _impossible(height, [ring for shape in shapes for surface in shape.surfaces for ring in surface.rings])
     # Outlines that lie at height 0 say nothing of it.
     if not model and len(z) and not z.any():
@@ -114,7 +119,7 @@ def _row(building: CityObject) -> BuildingRow:
                                  default=str),
     }
     # An attribute of the file called "note" or "lod" does not hide what is found here; the JSON holds it.
-    values = {**values, **{name: value for name, value in simple_attributes(attributes).items() if name not in values}}
+    values = {**values, **{name: value for name, value in simple.items() if name not in values}}
     solid = shapely.multipolygons(array) if len(array) else None
     return BuildingRow(values, outline, solid, array, kinds, roofs)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 
 import numpy as np
@@ -10,6 +11,7 @@ import shapely
 
 from ..model import ROAD, AttributeGroup, CityObject, Measure
 from ..plain_values import code_text, plain_attributes
+from ..unknown_values import known_value
 
 
 class RoadTable:
@@ -22,9 +24,11 @@ class RoadTable:
     outlines : MultiPolygon of each road, m; None where it has no surface.
     """
 
-    def __init__(self, places: Callable[[np.ndarray], np.ndarray]) -> None:
-        """`places` : function from corners (n, 3) as read to corners in the wanted reference."""
-        self._places = places
+    def __init__(self, places: Callable[[np.ndarray], np.ndarray], unknown: Counter) -> None:
+        """`places` : function from corners (n, 3) as read to corners in the wanted reference.
+        `unknown` : gets the number of values that stand for "unknown", by attribute.
+        """
+        self._places, self._unknown = places, unknown
         self.columns: dict[str, list] = {name: [] for name in (
             "road_id", "lod", "class", "function", "usage", "section", "width", "note", "attributes")}
         self.outlines: list[shapely.MultiPolygon | None] = []
@@ -44,7 +48,8 @@ class RoadTable:
         row = {"road_id": road.id, "lod": ",".join(sorted({shape.lod for shape in road.shapes})),
                **{name: code_text(road.attributes.get(name)) for name in ("class", "function", "usage")},
                "section": code_text(more.get("uro:sectionType")),
-               "width": width.value if isinstance(width, Measure) else None, "note": "; ".join(road.problems),
+               "width": known_value("width", width.value, self._unknown) if isinstance(width, Measure) else None,
+               "note": "; ".join(road.problems),
                "attributes": json.dumps(plain_attributes(road.attributes), ensure_ascii=False)}
         for name, column in self.columns.items():
             column.append(row[name])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 
 import numpy as np
@@ -12,6 +13,7 @@ from ...wording import say
 from ..model import SINGLE_TREE, STREET_KINDS, CityObject, CitySurface, Measure
 from ..objects import placed
 from ..plain_values import code_text, plain_attributes
+from ..unknown_values import UNKNOWN_HEIGHT, known_value
 
 FURNITURE, TREE = "furniture", "tree"
 """Kinds of rows."""
@@ -27,9 +29,11 @@ class StreetTable:
     models : MultiPolygon with z of each object, m; None where it has no surface.
     """
 
-    def __init__(self, places: Callable[[np.ndarray], np.ndarray]) -> None:
-        """`places` : function from corners (n, 3) as read to corners in the wanted reference."""
-        self._places = places
+    def __init__(self, places: Callable[[np.ndarray], np.ndarray], unknown: Counter) -> None:
+        """`places` : function from corners (n, 3) as read to corners in the wanted reference.
+        `unknown` : gets the number of values that stand for "unknown", by attribute.
+        """
+        self._places, self._unknown = places, unknown
         self.columns: dict[str, list] = {name: [] for name in (
             "object_id", "kind", "lod", "class", "function", "usage", "species", "ground", "top", "height", "note",
             "attributes")}
@@ -46,14 +50,16 @@ class StreetTable:
     def _add(self, item: CityObject) -> None:
         surfaces = _most_detailed(item)
         z = np.concatenate([surface.rings[0][:, 2] for surface in surfaces]) if surfaces else np.empty(0)
+        z = z[z != UNKNOWN_HEIGHT]
         ground, top = (float(z.min()), float(z.max())) if len(z) else (None, None)
         given = item.attributes.get("height")
+        height = known_value("height", given.value, self._unknown) if isinstance(given, Measure) else None
         problems = [*item.problems, *([] if surfaces else [say("it has no surface that could be read")])]
         row = {"object_id": item.id, "kind": TREE if item.type == SINGLE_TREE else FURNITURE,
                "lod": ",".join(sorted({shape.lod for shape in item.shapes})),
                **{name: code_text(item.attributes.get(name)) for name in ("class", "function", "usage", "species")},
                "ground": ground, "top": top,
-               "height": given.value if isinstance(given, Measure) else None if top is None else top - ground,
+               "height": height if height is not None else None if top is None else top - ground,
                "note": "; ".join(dict.fromkeys(problems)),
                "attributes": json.dumps(plain_attributes(item.attributes), ensure_ascii=False)}
         for name, column in self.columns.items():

@@ -23,6 +23,7 @@ import numpy as np
 
 from ...errors import InputError, UrbanMapError
 from ...wording import say
+from .packed import read_unpacked
 
 Read = TypeVar("Read", bound=Callable)
 
@@ -143,15 +144,15 @@ def _reason(error: BaseException) -> str:
 
 
 def read_text(path: str | os.PathLike, what: str) -> str:
-    """A text file in UTF-8, in UTF-16 with its mark, or as Windows in Japanese saves it (code page 932).
+    """A text file in UTF-8, in UTF-16 with its mark, or as Windows in Japanese saves it (code page 932), also gzipped.
 
     Raises
     ------
     InputError : it is no text, or cannot be read.
     """
     try:
-        return _decoded(Path(path).read_bytes()).replace("\r\n", "\n").replace("\r", "\n")
-    except (OSError, UnicodeError) as error:
+        return _decoded(read_unpacked(path)).replace("\r\n", "\n").replace("\r", "\n")
+    except (EOFError, OSError, UnicodeError, zlib.error) as error:
         raise _refusal(path, what, error) from error
 
 

@@ -18,6 +18,7 @@ from typing import IO, Union
 from ...errors import InputError
 from ...wording import say
 from ..files.named_files import is_kind, named_file, relative_name
+from ..files.packed import open_unpacked, unpacked_suffix
 
 PathLike = Union[str, os.PathLike]
 
@@ -101,7 +102,8 @@ class Listing:
 def list_sources(paths: PathLike | Sequence[PathLike], stack: ExitStack, wanted: Wanted = BUILDINGS) -> Listing:
     """List the XML files behind one path or several, in an order that depends on their names only.
 
-    A path is an .xml, a .zip (zips inside are opened too) or a folder, searched with all its subfolders.
+    A path is an .xml, maybe packed with gzip, a .zip (zips inside are opened too) or a folder, searched with all its
+    subfolders.
     Zip archives stay open until `stack` is closed; nothing of them is written anywhere under a name of theirs.
 
     Raises
@@ -159,7 +161,7 @@ def _files_of(path: Path, wanted: Wanted) -> list[Path]:
         return [path]
     if not path.is_dir():
         raise InputError(say("{path} does not exist: check the path.", path=path))
-    return sorted((file for file in path.rglob("*") if file.suffix.lower() in {*wanted.suffixes, ".zip"}
+    return sorted((file for file in path.rglob("*") if unpacked_suffix(file) in {*wanted.suffixes, ".zip"}
                    and file.is_file()), key=lambda file: file.as_posix())
 
 
@@ -198,7 +200,7 @@ def _list_zip(archive: zipfile.ZipFile, name: str, listing: Listing, stack: Exit
 
 def _on_disk(file: Path, root: Path | None = None) -> XmlSource:
     """A file on disk: it can be handed to another process."""
-    return XmlSource(str(file), file.stat().st_size, partial(file.open, "rb"), partial(_beside_on_disk, file, root),
+    return XmlSource(str(file), file.stat().st_size, partial(open_unpacked, file), partial(_beside_on_disk, file, root),
                      file)
 
 
