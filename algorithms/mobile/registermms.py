@@ -107,7 +107,7 @@ class RegisterMms(UrbanMapAlgorithm):
         paths, crs, trajectory, reference = read_survey_and_reference(self, parameters, context, progress)
         file = self.input_path(parameters, "CALIBRATION", context)
         calibration = read_calibration(file) if file else None
-        run = self._run(parameters, context, reference)
+        run = self._run(parameters, context, reference, paths)
         walls = read_walls(self, parameters, context, (paths, crs, trajectory.trajectory), run, progress.part(0.0, 0.2))
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
             result = register_survey(paths, trajectory.trajectory, reference, run, calibration,
@@ -120,8 +120,10 @@ class RegisterMms(UrbanMapAlgorithm):
                                    self.raster_path(parameters, "IMAGE", context))
         return results
 
-    def _run(self, parameters, context, reference):
+    def _run(self, parameters, context, reference, paths):
         """The core's settings."""
+        from ...urbanmap_qgis.io.points.coordinate_steps import rounding_variance
+        from ...urbanmap_qgis.io.points.pointcloud import open_cloud
         from ...urbanmap_qgis.mobile.markings.extraction import ExtractionSettings
         from ...urbanmap_qgis.mobile.markings.plain_threshold import PlainThreshold
         from ...urbanmap_qgis.mobile.registration.correction.settings import CorrectionSettings
@@ -132,6 +134,7 @@ class RegisterMms(UrbanMapAlgorithm):
         make = RegistrationSettings.paper if paper else RegistrationSettings
         attitude = self.parameterAsDouble(parameters, "ATTITUDE_SIGMA", context)
         correction = self.settings(CorrectionSettings, parameters, context,
+                                   rounding_variance=rounding_variance(open_cloud(paths)),
                                    attitude_sigma=(attitude, attitude, 2.0 * attitude))
         usual = make(three_d=reference.has_heights)
         chosen = vars(self.settings(WindowChoice, parameters, context))

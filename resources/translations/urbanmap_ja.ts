@@ -10872,6 +10872,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>較差 {length:g} cm</translation>
     </message>
     <message>
+        <source>The coordinates of the points are rounded ({axes}), and what is found by them is no more accurate: export the points with finer coordinates.</source>
+        <translation>点の座標が丸められています（{axes}）。結果の精度もそれより良くはなりません。座標の桁数を増やして点群を書き出してください。</translation>
+    </message>
+    <message>
+        <source>{axis} in steps of {step:g} m</source>
+        <translation>{axis} は {step:g} m 単位</translation>
+    </message>
+    <message>
         <source>it does not begin as such a file does</source>
         <translation>この種のファイルの先頭ではありません</translation>
     </message>

@@ -62,6 +62,14 @@ def test_relative_sigma_is_without_what_the_reference_is_off_by():
     assert (made.relative_sigma() < made.plan_sigma()).all() and made.unseen.median < made.unseen.largest
 
 
+def test_rounded_coordinates_add_to_the_axes_that_are_rounded():
+    drive = simulate(1, crossings=25.0, turn=None)
+    made, rounded = (adjust_correction(drive.windows, drive.reported, CorrectionSettings(rounding_variance=added))
+                     for added in ((0.0, 0.0, 0.0), (0.0, 0.0052, 0.0)))
+    difference = (rounded.covariance - made.covariance)[:, :2, :2]
+    assert np.allclose(difference, np.diag([0.0, 0.0052]), atol=1e-9)
+
+
 def test_a_reference_of_little_accuracy_takes_no_patch_its_registration():
     """Its markings fix the place on it as well as ever; the sigma tells the rest."""
     drive = simulate(1, crossings=25.0, turn=None)

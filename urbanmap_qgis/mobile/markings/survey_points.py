@@ -10,6 +10,7 @@ import laspy
 import numpy as np
 
 from ...errors import InputError, InsufficientDataError
+from ...io.points.coordinate_steps import probes
 from ...io.points.decoded_points import FileState, file_state
 from ...io.points.point_buckets import PointBuckets
 from ...io.points.pointcloud import PointCloud, can_be_entered, iter_chunks, valid_points
@@ -54,7 +55,6 @@ _CREEP = 0.02
 _PART = 1 << 32
 _ABOVE, _BELOW = 0.5, 4.5
 _RISE = 0.15
-_PLACES, _PROBE = 6, 20_000
 _FEW = 0.05
 
 
@@ -265,17 +265,9 @@ def _sampled(files: tuple[FileState, ...]) -> tuple[float, float] | None:
 
     Times that are no numbers are left out: such points lie outside of any trajectory.
     """
-    times = np.concatenate([time for path, *_ in files for time in _probes(path)])
+    times = np.concatenate([np.asarray(points["gps_time"]) for path, *_ in files for points in probes(path)])
     times = times[np.isfinite(times)]
     return tuple(np.quantile(times, [_FEW, 1.0 - _FEW]).tolist()) if times.any() else None
-
-
-def _probes(path: str) -> Iterator[np.ndarray]:
-    """Some gps_times of a file from several places on."""
-    with laspy.open(path) as reader:
-        for share in np.linspace(0.0, 1.0, _PLACES):
-            reader.seek(int(share * max(reader.header.point_count - _PROBE, 0)))
-            yield np.asarray(reader.read_points(_PROBE)["gps_time"])
 
 
 def require_points(number: int, near: int, name: str) -> None:

@@ -168,6 +168,7 @@ def correction_at_patches(windows: WindowResults, found: Disagreements, at_patch
     floor = np.zeros(6)
     floor[:2], floor[2] = settings.reference_sigma**2, settings.reference_sigma_z**2
     covariance[np.ix_(range(n), active, active)] = spread + np.diag(floor[active])
+    covariance[:, range(3), range(3)] += settings.rounding_variance
     piece = np.searchsorted(0.5 * (normals.path_parameter[1:] + normals.path_parameter[:-1]), at_patches)
     weight = np.where(normals.present, fit.weight, np.nan)[piece]
     residual = windows.correction - value

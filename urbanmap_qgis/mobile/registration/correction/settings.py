@@ -33,6 +33,7 @@ class CorrectionSettings(TrustSettings):
     registered_sigma : m in plan, a registered patch has at most, also by the markings around alone.
     blurs : m, by which the reference is softened in the rounds on the points.
     reference_sigma, reference_sigma_z : m, what the reference itself is off by, added to every sigma.
+    rounding_variance : m2, of rounded coordinates of the points, by axis, added to every variance of a place.
     """
 
     node_length: float = 2.0
@@ -54,6 +55,7 @@ class CorrectionSettings(TrustSettings):
     registered_sigma: float = 0.10
     blurs: tuple[float, ...] = (0.15, 0.05, 0.0, 0.0, 0.0)
     reference_sigma_z: float = 0.015
+    rounding_variance: tuple[float, ...] = (0.0, 0.0, 0.0)
 
     def model(self) -> GaussMarkovDrift:
         """The drift as these settings expect it."""

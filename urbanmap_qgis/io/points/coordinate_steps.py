@@ -1,0 +1,76 @@
+"""Steps that the coordinates of a cloud were rounded to, found from samples of its points."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import lru_cache
+
+import laspy
+import numpy as np
+
+from ...progress import notice
+from ...wording import say
+from .decoded_points import FileState, file_state
+from .pointcloud import PointCloud, can_be_entered
+
+COARSE_STEP = 0.02
+"""m; steps from this on are told: their rounding weighs beside what a survey is off by."""
+
+_PLACES, _PROBE = 6, 20_000
+_FEW_VALUES = 12
+_OFF_STEP = 0.05  # of a step
+
+
+def probes(path: str, places: int = _PLACES) -> Iterator[laspy.ScaleAwarePointRecord]:
+    """Some points of a file from several places on."""
+    with laspy.open(path) as reader:
+        for share in np.linspace(0.0, 1.0, places):
+            if share:
+                reader.seek(int(share * max(reader.header.point_count - _PROBE, 0)))
+            yield reader.read_points(_PROBE)
+
+
+def told_steps(cloud: PointCloud) -> np.ndarray:
+    """Steps (3,), m, of x, y and z, the largest of the files, told to the user where any is coarse; 0 where none is."""
+    steps = np.zeros(3)
+    for path, header in zip(cloud.paths, cloud.headers):
+        if not header.point_count:
+            continue
+        try:
+            found = np.array(_steps(file_state(path), _PLACES if can_be_entered(header) else 1))
+        except (laspy.errors.LaspyException, RuntimeError, OSError, ValueError, EOFError):
+            continue  # a damaged file says so when it is read through
+        if found.any():
+            notice(say("The coordinates of the points are rounded ({axes}), and what is found by them is no more "
+                       "accurate: export the points with finer coordinates.",
+                       axes=", ".join(say("{axis} in steps of {step:g} m", axis=axis, step=float(f"{step:.3g}"))
+                                      for axis, step in zip("xyz", found) if step)))
+        steps = np.maximum(steps, found)
+    return steps
+
+
+def rounding_variance(cloud: PointCloud) -> tuple[float, ...]:
+    """Variances, m2, of x, y and z that come of their steps, which are told: even within a step."""
+    return tuple((told_steps(cloud) ** 2 / 12.0).tolist())
+
+
+@lru_cache(maxsize=64)
+def _steps(file: FileState, places: int) -> tuple[float, ...]:
+    points = list(probes(file[0], places))
+    steps = [coordinate_step(np.concatenate([np.asarray(part[axis]) for part in points])) * float(scale)
+             for axis, scale in zip("XYZ", points[0].scales)]
+    return tuple(step if step >= COARSE_STEP else 0.0 for step in steps)
+
+
+def coordinate_step(values: np.ndarray) -> float:
+    """Step that all values (n,) are whole multiples of, counted from the first, in their unit; 0 where there is none
+    to be told."""
+    values = np.unique(values).astype(float)
+    if len(values) < _FEW_VALUES:
+        return 0.0
+    gaps = np.diff(values)
+    step = float(np.quantile(gaps, 0.05))
+    number = np.concatenate([[0.0], np.cumsum(np.round(gaps / step))])
+    step, start = np.polyfit(number, values, 1)
+    off = np.abs(start + step * number - values)
+    return float(step) if off.max() <= _OFF_STEP * step else 0.0
