@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from datetime import date
 
 from qgis.core import QgsVectorFileWriter
@@ -9,6 +10,7 @@ from qgis.core import QgsVectorFileWriter
 from ...urbanmap_qgis.errors import InputError, OutputError
 from ..framework.declaring.destinations import sink_file
 from ..framework.declaring.parameters import tr
+from ..framework.layers.crs import stated_wkt
 
 IUR_VERSIONS = ("3.2", "3.1", "2.0")
 MAP_LEVELS = ("none", "500", "1000", "2500", "5000")
@@ -56,6 +58,28 @@ def write_files(algorithm, parameters, context, names, model, progress):
     write_city_files(model, *paths.values(), _geoid(algorithm, parameters, context),
                      _delivery(algorithm, parameters, context), progress)
     return {name: str(path) for name, path in paths.items() if path}
+
+def whole_model(algorithm, parameters, context, stack, progress):
+    """All of CITY_MODEL in memory, its images until `stack` is closed; what its reader met is told."""
+    from ...urbanmap_qgis.citymodel.city_sources import open_city_model
+    from ...urbanmap_qgis.citymodel.citygml.reader import STREET_SPACE_MODULES
+    from ...urbanmap_qgis.citymodel.reading_notes import ReadingNotes
+
+    notes = ReadingNotes()
+    model = open_city_model(algorithm.input_path(parameters, "CITY_MODEL", context), stack, notes,
+                            given_source(algorithm, parameters, context), progress, STREET_SPACE_MODULES, fittings=True)
+    model = replace(model, buildings=list(model.buildings))
+    for sentence in notes.sentences():
+        progress.warn(sentence)
+    return model
+
+
+def given_source(algorithm, parameters, context):
+    """The reference of files that name none or an unknown one, for the core; None where it was not given."""
+    from ...urbanmap_qgis.citymodel.named_reference import given_reference
+
+    crs = algorithm.parameterAsCrs(parameters, "SOURCE_CRS", context)
+    return given_reference(stated_wkt(crs)) if crs.isValid() else None
 
 
 def _delivery(algorithm, parameters, context):

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from ...urbanmap_qgis.errors import InputError, OutputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import CITY_MODEL_FILTER, CITYJSON_FILTER, tr
@@ -11,7 +9,8 @@ from ..framework.layers.building_layers import read_buildings
 from ..framework.layers.layers import make_fields
 from ..framework.layers.outlines import column
 from ..framework.layers.trajectories import GEOID_FILTER
-from .city_outputs import add_plateau_parameters, check_parquet, day_of, write_files
+from .city_outputs import add_plateau_parameters, check_parquet, day_of, whole_model, write_files
+from .loadcitymodel import LoadCityModel
 
 CITYJSONSEQ_FILTER = "CityJSONSeq (*.city.jsonl *.jsonl)"
 OWN_IDS = ("gml_id", "building_id")
@@ -38,6 +37,7 @@ class ExportCityModel(UrbanMapAlgorithm):
         self.add_file("CITY_MODEL", "City model", "CityGML (.gml, .zip) or CityJSON file instead of the layer: its "
                       "buildings are written with all that they hold, and nothing is added. Of CityGML roads, city "
                       "furniture and trees are written, too.", CITY_MODEL_FILTER, optional=True)
+        self.add_from(LoadCityModel, "SOURCE_CRS")
         self.add_vector("SURFACES", "Surfaces", "Surfaces of “Building models”, for the roofs' ids and the types of "
                         "walls; without them types are told by the faces.", optional=True)
         self.add_file("TEXTURES", "Textured model", "CityJSON file of “Facade textures” of the same buildings: its "
@@ -177,21 +177,13 @@ class ExportCityModel(UrbanMapAlgorithm):
         """The files of a city model that is one already."""
         from contextlib import ExitStack
 
-        from ...urbanmap_qgis.citymodel.city_sources import open_city_model
-        from ...urbanmap_qgis.citymodel.citygml.reader import STREET_SPACE_MODULES
         from ...urbanmap_qgis.citymodel.model import STREET_SPACE
-        from ...urbanmap_qgis.citymodel.reading_notes import ReadingNotes
 
         if parameters.get("OUTPUT"):
             progress.message(tr("{0} is not written from a city model; for a layer use “Load city model”.").format(
                 self.label_of("OUTPUT")))
-        notes = ReadingNotes()
         with ExitStack() as stack:
-            model = open_city_model(self.input_path(parameters, "CITY_MODEL", context), stack, notes,
-                                    progress=progress.part(0.0, 0.5), more=STREET_SPACE_MODULES, fittings=True)
-            model = replace(model, buildings=list(model.buildings))
-            for sentence in notes.sentences():
-                progress.warn(sentence)
+            model = whole_model(self, parameters, context, stack, progress.part(0.0, 0.5))
             results = write_files(self, parameters, context, FILES, model, progress.part(0.5, 1.0))
         buildings = [item for item in model.buildings if item.type not in STREET_SPACE]
         return {**results, "BUILDINGS_WRITTEN": len(buildings),

@@ -8,8 +8,9 @@ from pathlib import Path
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import CITY_MODEL_FILTER, tr
-from ..framework.layers.crs import crs_name, stated_wkt, wkt_of
+from ..framework.layers.crs import crs_name, wkt_of
 from ..framework.layers.layers import make_fields, own_fields
+from .city_outputs import given_source
 
 COLUMNS = (("building_id", "text"), ("lod", "text"), ("ground", "real"), ("top", "real"), ("height", "real"),
            ("parts", "int"), ("note", "text"), ("attributes", "text"))
@@ -104,7 +105,7 @@ class LoadCityModel(UrbanMapAlgorithm):
         wanted = self.parameterAsCrs(parameters, "CRS", context)
         with ExitStack() as stack:
             model = open_city_model(self._paths(parameters, context), stack, reading,
-                                    self._given(parameters, context), progress.part(0.0, 0.6),
+                                    given_source(self, parameters, context), progress.part(0.0, 0.6),
                                     _modules(parameters))
             wkt, buildings, places = placed_model(model, wkt_of(wanted) or None, sentences)
             self.require_projected("CRS", wkt)
@@ -160,13 +161,6 @@ class LoadCityModel(UrbanMapAlgorithm):
             store.outlines, "MultiPolygon",
             "loaded_buildings", progress.part(0.9, 1.0))
         return results
-
-    def _given(self, parameters, context):
-        """The reference of files that name none, for the core; None where it was not given."""
-        from ...urbanmap_qgis.citymodel.named_reference import given_reference
-
-        crs = self.parameterAsCrs(parameters, "SOURCE_CRS", context)
-        return given_reference(stated_wkt(crs)) if crs.isValid() else None
 
     def _paths(self, parameters, context) -> list[Path]:
         """The file and the folder, as far as they were given."""

@@ -2808,6 +2808,78 @@
         <translation>レイヤの代わりとするCityGML（.gml、.zip）またはCityJSONのファイル。建物は持つものすべてとともに書き出され、何も加えられません。CityGMLの道路、都市設備、樹木も書き出されます。</translation>
     </message>
     <message>
+        <source>CityGML (.gml, or a .zip of them), CityJSON (.json) or CityJSONSeq (.jsonl). The path of a folder, such as that of a PLATEAU data set, can be typed here as well.</source>
+        <translation>CityGML（.gml、またはそれらの.zip）、CityJSON（.json）またはCityJSONSeq（.jsonl）です。PLATEAUのデータセットなどのフォルダのパスも入力できます。</translation>
+    </message>
+    <message>
+        <source>Folder of city models</source>
+        <translation>都市モデルのフォルダ</translation>
+    </message>
+    <message>
+        <source>All city models in this folder and its subfolders; instead of the file or beside it.</source>
+        <translation>このフォルダとサブフォルダにあるすべての都市モデルです。ファイルの代わりに、またはファイルと併せて指定します。</translation>
+    </message>
+    <message>
+        <source>Projected system of the result. If none is chosen, that of the model, or for degrees in Japan the zone of the Japan Plane Rectangular CS in which the first building lies.</source>
+        <translation>結果の投影座標系です。選択しない場合はモデルの座標系とし、日本の経緯度座標の場合は最初の建物がある平面直角座標系の系とします。</translation>
+    </message>
+    <message>
+        <source>CRS of the city model</source>
+        <translation>都市モデルの座標参照系</translation>
+    </message>
+    <message>
+        <source>Of files that name none, or one that is not known.</source>
+        <translation>座標参照系の記載がないファイル、または記載された座標参照系が不明なファイルの座標参照系です。</translation>
+    </message>
+    <message>
+        <source>MultiPolygon outlines (footprint, else roof edge, else the plan of the solid) with building_id (the model's own id), lod (levels there are), ground and top (heights in m), height (m, measuredHeight where it is given), parts, note (what is wrong), attributes (all, as JSON), and simple attributes as fields.</source>
+        <translation>MultiPolygonの外周線（フットプリント、なければ屋根の縁、なければ立体の平面形）です。building_id（モデル自体のid）、lod（含まれる詳細度）、groundとtop（標高、m）、height（m、あればmeasuredHeight）、parts、note（問題点）、attributes（すべての属性、JSON）と、フィールドにした単純な属性を持ちます。</translation>
+    </message>
+    <message>
+        <source>MultiPolygonZ, one feature a building with all faces of its most detailed solid, as “Building models” writes them.</source>
+        <translation>建物ごとに1地物のMultiPolygonZです。「建物モデル」の出力と同じく、最も詳細な立体のすべての面を持ちます。</translation>
+    </message>
+    <message>
+        <source>PolygonZ, one feature a face, with building_id, roof_id and surface_type: roof, outer wall, inner wall, ground, overhang.</source>
+        <translation>面ごとに1地物のPolygonZです。building_id、roof_id、surface_type（roof 屋根、outer wall 外壁、inner wall 内壁、ground 地面、overhang 張り出し）を持ちます。</translation>
+    </message>
+    <message>
+        <source>MultiPolygon surfaces of the roads (tran:Road) of CityGML, of their plainest level of detail: road_id, lod, class, function, usage, section (code of the kind of section), width (m), note, attributes (all, as JSON).</source>
+        <translation>CityGML の道路（tran:Road）の、最も簡略な LOD の面（MultiPolygon）：road_id、lod、class、function、usage、section（道路構造の種別のコード）、width（m）、note、attributes（全属性、JSON）。</translation>
+    </message>
+    <message>
+        <source>Street objects</source>
+        <translation>道路沿いの地物</translation>
+    </message>
+    <message>
+        <source>MultiPolygonZ, city furniture and single trees (frn, veg) of CityGML, the faces of their most detailed level: object_id, kind (furniture, tree), lod, class, function, usage, species (codes), ground and top (m), height (m, as given, else of the faces), note, attributes (all, as JSON).</source>
+        <translation>MultiPolygonZ。CityGML の都市設備と単独木（frn、veg）の、最も詳細な LOD の面。object_id、kind（furniture は都市設備、tree は樹木）、lod、class、function、usage、species（コード）、ground と top（m）、height（m。属性にあればその値、なければ面から）、note、attributes（全属性の JSON）。</translation>
+    </message>
+    <message>
+        <source>Number of buildings written.</source>
+        <translation>書き出した建物の数です。</translation>
+    </message>
+    <message>
+        <source>Number of buildings</source>
+        <translation>建物の数</translation>
+    </message>
+    <message>
+        <source>Buildings in which something is wrong.</source>
+        <translation>何らかの問題がある建物の数です。</translation>
+    </message>
+    <message>
+        <source>Buildings with a note</source>
+        <translation>注記のある建物</translation>
+    </message>
+    <message>
+        <source>As the model says it: unknown, JGD2011, JGD2024, ...</source>
+        <translation>モデルの記載によるもの：unknown（不明）、JGD2011、JGD2024など。</translation>
+    </message>
+    <message>
+        <source>Height system</source>
+        <translation>高さの基準</translation>
+    </message>
+    <message>
         <source>Surfaces of “Building models”, for the roofs' ids and the types of walls; without them types are told by the faces.</source>
         <translation>「建物モデル」による面です。屋根のidと壁の種別に使います。指定しない場合、種別は面から判定します。</translation>
     </message>
@@ -2822,10 +2894,6 @@
     <message>
         <source>Field with the source's own ids. Without it gml_id or building_id is taken.</source>
         <translation>元データのidを持つフィールドです。指定しない場合はgml_idまたはbuilding_idを使います。</translation>
-    </message>
-    <message>
-        <source>Height system</source>
-        <translation>高さの基準</translation>
     </message>
     <message>
         <source>What heights count from, where the layer's CRS does not say it: JGD2011, JGD2024, ellipsoidal or the EPSG code of a vertical system.</source>
@@ -2934,74 +3002,6 @@
     <message>
         <source>Not closed</source>
         <translation>閉じていない建物</translation>
-    </message>
-    <message>
-        <source>CityGML (.gml, or a .zip of them), CityJSON (.json) or CityJSONSeq (.jsonl). The path of a folder, such as that of a PLATEAU data set, can be typed here as well.</source>
-        <translation>CityGML（.gml、またはそれらの.zip）、CityJSON（.json）またはCityJSONSeq（.jsonl）です。PLATEAUのデータセットなどのフォルダのパスも入力できます。</translation>
-    </message>
-    <message>
-        <source>Folder of city models</source>
-        <translation>都市モデルのフォルダ</translation>
-    </message>
-    <message>
-        <source>All city models in this folder and its subfolders; instead of the file or beside it.</source>
-        <translation>このフォルダとサブフォルダにあるすべての都市モデルです。ファイルの代わりに、またはファイルと併せて指定します。</translation>
-    </message>
-    <message>
-        <source>Projected system of the result. If none is chosen, that of the model, or for degrees in Japan the zone of the Japan Plane Rectangular CS in which the first building lies.</source>
-        <translation>結果の投影座標系です。選択しない場合はモデルの座標系とし、日本の経緯度座標の場合は最初の建物がある平面直角座標系の系とします。</translation>
-    </message>
-    <message>
-        <source>CRS of the city model</source>
-        <translation>都市モデルの座標参照系</translation>
-    </message>
-    <message>
-        <source>Of files that name none, or one that is not known.</source>
-        <translation>座標参照系の記載がないファイル、または記載された座標参照系が不明なファイルの座標参照系です。</translation>
-    </message>
-    <message>
-        <source>MultiPolygon outlines (footprint, else roof edge, else the plan of the solid) with building_id (the model's own id), lod (levels there are), ground and top (heights in m), height (m, measuredHeight where it is given), parts, note (what is wrong), attributes (all, as JSON), and simple attributes as fields.</source>
-        <translation>MultiPolygonの外周線（フットプリント、なければ屋根の縁、なければ立体の平面形）です。building_id（モデル自体のid）、lod（含まれる詳細度）、groundとtop（標高、m）、height（m、あればmeasuredHeight）、parts、note（問題点）、attributes（すべての属性、JSON）と、フィールドにした単純な属性を持ちます。</translation>
-    </message>
-    <message>
-        <source>MultiPolygonZ, one feature a building with all faces of its most detailed solid, as “Building models” writes them.</source>
-        <translation>建物ごとに1地物のMultiPolygonZです。「建物モデル」の出力と同じく、最も詳細な立体のすべての面を持ちます。</translation>
-    </message>
-    <message>
-        <source>PolygonZ, one feature a face, with building_id, roof_id and surface_type: roof, outer wall, inner wall, ground, overhang.</source>
-        <translation>面ごとに1地物のPolygonZです。building_id、roof_id、surface_type（roof 屋根、outer wall 外壁、inner wall 内壁、ground 地面、overhang 張り出し）を持ちます。</translation>
-    </message>
-    <message>
-        <source>MultiPolygon surfaces of the roads (tran:Road) of CityGML, of their plainest level of detail: road_id, lod, class, function, usage, section (code of the kind of section), width (m), note, attributes (all, as JSON).</source>
-        <translation>CityGML の道路（tran:Road）の、最も簡略な LOD の面（MultiPolygon）：road_id、lod、class、function、usage、section（道路構造の種別のコード）、width（m）、note、attributes（全属性、JSON）。</translation>
-    </message>
-    <message>
-        <source>Street objects</source>
-        <translation>道路沿いの地物</translation>
-    </message>
-    <message>
-        <source>MultiPolygonZ, city furniture and single trees (frn, veg) of CityGML, the faces of their most detailed level: object_id, kind (furniture, tree), lod, class, function, usage, species (codes), ground and top (m), height (m, as given, else of the faces), note, attributes (all, as JSON).</source>
-        <translation>MultiPolygonZ。CityGML の都市設備と単独木（frn、veg）の、最も詳細な LOD の面。object_id、kind（furniture は都市設備、tree は樹木）、lod、class、function、usage、species（コード）、ground と top（m）、height（m。属性にあればその値、なければ面から）、note、attributes（全属性の JSON）。</translation>
-    </message>
-    <message>
-        <source>Number of buildings written.</source>
-        <translation>書き出した建物の数です。</translation>
-    </message>
-    <message>
-        <source>Number of buildings</source>
-        <translation>建物の数</translation>
-    </message>
-    <message>
-        <source>Buildings in which something is wrong.</source>
-        <translation>何らかの問題がある建物の数です。</translation>
-    </message>
-    <message>
-        <source>Buildings with a note</source>
-        <translation>注記のある建物</translation>
-    </message>
-    <message>
-        <source>As the model says it: unknown, JGD2011, JGD2024, ...</source>
-        <translation>モデルの記載によるもの：unknown（不明）、JGD2011、JGD2024など。</translation>
     </message>
     <message>
         <source>GSI data (*.xml *.XML *.zip *.ZIP);;All files (*)</source>

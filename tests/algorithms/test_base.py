@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import signal
 from pathlib import Path
 
@@ -394,3 +395,12 @@ def test_choice_that_is_none_is_refused(example, qgis_app, polygon_layer, given)
     accepted, message = example().create().checkParameterValues(
         {"FOOTPRINTS": polygon_layer([SQUARE]), "MODE": given, "OUTPUT": "memory:"}, QgsProcessingContext())
     assert not accepted and "is none of copy, user error" in message
+
+
+def test_a_table_is_told_by_its_content_where_its_suffix_is_of_no_layer(plugin, tmp_path):
+    known = plugin("algorithms.framework.declaring.parameters").text_table
+    for name, content, wanted in (("a.ori", b"x,y\n1,2\n", True), ("a.csv.gz", gzip.compress(b"x,y\n1,2\n"), True),
+                                  ("a.dxf", b"  0\nSECTION\n", False), ("a.ori", b"\x00\x01", False),
+                                  ("a.geo", b"{}", False), ("a.dat", b"<gpx/>", False)):
+        (tmp_path / name).write_bytes(content)
+        assert bool(known({"T": str(tmp_path / name)}, "T")) == wanted, name

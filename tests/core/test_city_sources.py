@@ -5,10 +5,12 @@ from __future__ import annotations
 import gzip
 import json
 from contextlib import ExitStack
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
+from urbanmap_qgis.citymodel.city_files import write_city_files
 from urbanmap_qgis.citymodel.city_sources import open_city_model, placed_model
 from urbanmap_qgis.citymodel.model import CityReference
 from urbanmap_qgis.citymodel.named_reference import named_reference
@@ -107,6 +109,10 @@ def test_exchanged_degrees_are_named(tmp_path, name, place):
     path.write_text(gml(BOX * [1e-5, 1e-5, 1] + np.array([*place[::-1], 0]), name))
     with pytest.raises(InputError, match="Latitude and longitude of the city model are exchanged"):
         rows_of(path)
+    with ExitStack() as stack, pytest.raises(InputError, match="are exchanged"):
+        model = open_city_model(path, stack, ReadingNotes())
+        write_city_files(replace(model, buildings=list(model.buildings)), tiles=tmp_path / "tiles")
+    assert not (tmp_path / "tiles").exists()
 
 
 @pytest.mark.parametrize("turned", [1, -1])

@@ -15,14 +15,14 @@ from ..io.conversion.geoid import Geoid
 from ..io.reference.height_systems import ELLIPSOIDAL, UNKNOWN
 from ..progress import SILENT, Progress
 from ..wording import known, say
-from .city_sources import placed_model
+from .city_sources import placed_model, refuse_exchanged
 from .citygml.codelists import lists_of_module
 from .citygml.plateau import PlateauDelivery, with_plateau_attributes
 from .citygml.writer import write_citygml
 from .cityjson.writer import write_model_cityjson, write_model_cityjsonseq
 from .images import images_beside, with_images_there
 from .model import FITTINGS, ROAD, STREET_KINDS, STREET_SPACE, CityModel, CityObject
-from .objects import placed, street_counts
+from .objects import placed, rings_of, street_counts
 from .reference import PLATEAU_SYSTEMS, city_reference
 from .tiles.tiles_writer import write_tiles
 
@@ -41,7 +41,14 @@ def write_city_files(model: CityModel, cityjson: _Place = None, cityjsonseq: _Pl
     citygml, tiles : folders.
     geoid : added to heights in 3D Tiles, unless they are ellipsoidal.
     delivery : what CityGML says of all its buildings.
+
+    Raises
+    ------
+    InputError : latitude and longitude of the model are exchanged.
     """
+    place = next((rings[0][0] for rings in map(rings_of, model.buildings) if rings), None)
+    if place is not None:
+        refuse_exchanged(model.reference, place)
     delivery = delivery or PlateauDelivery()
     delivery = replace(delivery, created=delivery.created or model.date)
     model = with_images_there(model, progress)

@@ -99,8 +99,7 @@ def placed_model(model: CityModel, target_wkt: str | None, notes: list[str],
         heading += more
         place = next((ring[0] for ring in rings_of(more[0])), None)
     source = model.reference.wkt
-    if model.reference.geographic:
-        _refuse_exchanged(source, place)
+    refuse_exchanged(model.reference, place)
     target = target_wkt or (_own_zone(place) if model.reference.geographic else source)
     x, y = float(place[0]), float(place[1])
     transform = plane_transform(source, target, (x, y, x, y))
@@ -116,9 +115,16 @@ def placed_model(model: CityModel, target_wkt: str | None, notes: list[str],
             places)
 
 
-def _refuse_exchanged(wkt: str, place: np.ndarray) -> None:
-    """Refuse degrees that lie where their reference system is used only with latitude and longitude exchanged."""
-    area = CRS.from_wkt(wkt).area_of_use
+def refuse_exchanged(reference: CityReference, place: np.ndarray) -> None:
+    """Refuse degrees that lie where their reference system is used only with latitude and longitude exchanged.
+
+    Raises
+    ------
+    InputError : they do.
+    """
+    if not reference.geographic:
+        return
+    area = CRS.from_wkt(reference.wkt).area_of_use
     box = area.bounds if area is not None else (-180.0, -90.0, 180.0, 90.0)
 
     def inside(longitude: float, latitude: float) -> bool:

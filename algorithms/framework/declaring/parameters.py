@@ -28,6 +28,7 @@ from qgis.core import (
     QgsProcessingParameterRasterLayer,
     QgsProcessingParameterString,
     QgsUnitTypes,
+    QgsVectorFileWriter,
 )
 from qgis.PyQt.QtCore import QCoreApplication
 
@@ -388,8 +389,17 @@ class Declarations:
 def text_table(parameters: Mapping, name: str) -> str:
     """The file of text that a parameter names, "" for a layer or none."""
     text = parameters.get(name)
-    found = isinstance(text, str) and Path(text).suffix.lower() in TEXT_TABLES and Path(text).is_file()
+    found = isinstance(text, str) and Path(text).is_file() and (
+        Path(text).suffix.lower() in TEXT_TABLES or is_plain_table(text))
     return text if found else ""
+
+
+def is_plain_table(text: str) -> bool:
+    """Whether a file is a text whose suffix is of no format of layers, such as a table called “drive.ori”."""
+    from ....urbanmap_qgis.io.files.packed import content_kind
+
+    return Path(text).is_file() and content_kind(text) == "text" and not QgsVectorFileWriter.driverForExtension(
+        Path(text).suffix[1:])
 
 
 def is_optional(definition) -> bool:

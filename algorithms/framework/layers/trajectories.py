@@ -15,7 +15,7 @@ from qgis.core import (
 )
 
 from ....urbanmap_qgis.errors import InputError, OutputError
-from ..declaring.parameters import Declarations, tr
+from ..declaring.parameters import Declarations, is_plain_table, tr
 from . import layers
 from .crs import crs_from
 
@@ -143,7 +143,7 @@ def trajectory_of(text: str, label: str, context: QgsProcessingContext, crs_wkt:
     from ....urbanmap_qgis.mobile.trajectory_reading import USUAL
 
     reading = reading or USUAL
-    if Path(text).suffix.lower() in TABLE_SUFFIXES:
+    if Path(text).suffix.lower() in TABLE_SUFFIXES or is_plain_table(text):
         return read_trajectory(text, crs_wkt, reading)
     table = _layer_table(text, label, context)
     columns = dict(table.columns)

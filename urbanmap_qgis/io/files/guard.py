@@ -23,11 +23,9 @@ import numpy as np
 
 from ...errors import InputError, UrbanMapError
 from ...wording import say
-from .packed import read_unpacked
+from .packed import CONTROL, read_unpacked
 
 Read = TypeVar("Read", bound=Callable)
-
-_CONTROL = re.compile(rb"[\x00-\x08\x0e-\x19\x1b-\x1f\x7f]")
 
 LONGEST_FIELD = 2**27
 """Characters of a field of a table: as long as the longest file that is read whole."""
@@ -164,7 +162,7 @@ def _decoded(data: bytes) -> str:
         return data.decode("utf-8-sig")
     except UnicodeError:
         # Bytes of no text at all may pass as Japanese: text has no control characters.
-        if _CONTROL.search(data):
+        if CONTROL.search(data):
             raise
         with contextlib.suppress(UnicodeError):
             return data.decode("cp932")

@@ -17,6 +17,9 @@ _MAGIC = b"\x1f\x8b"
 _LARGEST = 2**31
 _PIECE = 2**20
 _HEAD = 4096
+CONTROL = re.compile(rb"[\x00-\x08\x0e-\x19\x1b-\x1f\x7f]")
+"""What no text has in it."""
+
 _ROOT = re.compile(rb"<(?![?!])(?:[\w.-]+:)?([A-Za-z_][\w.-]*)[\s/>]")
 
 
@@ -57,7 +60,8 @@ def unpacked_suffix(path: str | os.PathLike) -> str:
 
 
 def content_kind(path: str | os.PathLike) -> str:
-    """What a file holds by its first bytes: "json", the local name of the root of XML, "" for all else."""
+    """What a file holds by its first bytes: "json", the local name of the root of XML, "text" for other text, "" for
+    all else."""
     try:
         with open_unpacked(path) as stream:
             head = stream.read(_HEAD)
@@ -66,4 +70,4 @@ def content_kind(path: str | os.PathLike) -> str:
     if head.removeprefix(codecs.BOM_UTF8).lstrip()[:1] == b"{":
         return "json"
     found = _ROOT.search(head) if b"<" in head[:100] else None
-    return found.group(1).decode() if found else ""
+    return found.group(1).decode() if found else "" if CONTROL.search(head) or not head else "text"
