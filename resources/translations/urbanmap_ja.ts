@@ -9336,6 +9336,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>ファイル {place} に書き込めません（{strerror}）。</translation>
     </message>
     <message>
+        <source>East and north of the city model are exchanged: as its reference system orders them, its first building lies at east {east} m, north {north} m, and only the other way round where the system is used. Export the model with the coordinates in the order of its reference system, or name the system in its short form (EPSG:31467), which counts east first.</source>
+        <translation>都市モデルの東方向と北方向の座標が入れ替わっています。座標参照系の順序どおりに読むと、最初の建築物は東{east} m、北{north} mになり、逆に読んだ場合にだけ座標参照系の使用範囲に入ります。座標参照系の順序どおりの座標でモデルを出力し直すか、座標参照系を東方向が先になる短い形式（EPSG:31467）で記載してください。</translation>
+    </message>
+    <message>
         <source>The city models are in different reference systems: load them in separate runs.</source>
         <translation>都市モデルの座標参照系が異なります。別々に実行して読み込んでください。</translation>
     </message>

@@ -102,6 +102,19 @@ def test_lane_maps_are_unpacked_and_another_format_is_named(tmp_path):
         read_osm(path)
 
 
+def test_exchanged_metres_are_named_and_the_other_order_is_read(tmp_path):
+    path = tmp_path / "a.gml"
+    stuttgart = np.array([3513000, 5404000, 200])
+    path.write_text(gml(BOX + stuttgart, "urn:ogc:def:crs:EPSG::31467"))
+    with pytest.raises(InputError, match="East and north of the city model are exchanged"):
+        rows_of(path)
+    for corners, name in ((BOX + stuttgart, "urn:adv:crs:DE_DHDN_3GK3"),
+                          ((BOX + stuttgart)[:, [1, 0, 2]], "urn:ogc:def:crs:EPSG::31467"),
+                          (BOX + np.array([-250000, 180000, 0]), "EPSG:6677")):  # beyond the zone, as some surveys are
+        path.write_text(gml(corners, name))
+        assert rows_of(path)[0][0].values["height"] == 6.0
+
+
 @pytest.mark.parametrize("name, place", [("http://www.opengis.net/def/crs/EPSG/0/6697", TOKYO),
                                          ("urn:ogc:def:crs:EPSG::4258", (52.5, 13.4))])
 def test_exchanged_degrees_are_named(tmp_path, name, place):

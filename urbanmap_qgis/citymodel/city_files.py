@@ -44,7 +44,7 @@ def write_city_files(model: CityModel, cityjson: _Place = None, cityjsonseq: _Pl
 
     Raises
     ------
-    InputError : latitude and longitude of the model are exchanged.
+    InputError : the two coordinates in plan are exchanged.
     """
     place = next((rings[0][0] for rings in map(rings_of, model.buildings) if rings), None)
     if place is not None:

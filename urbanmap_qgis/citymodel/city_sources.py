@@ -10,7 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from pyproj import CRS
+from pyproj import CRS, Transformer
 
 from ..errors import InputError, InsufficientDataError
 from ..io.conversion.reprojection import epsg_wkt, plane_transform
@@ -28,6 +28,9 @@ from .reading_notes import ReadingNotes
 
 _JSON = (".json", ".jsonl", ".ndjson", ".cityjson")
 _GML = (".gml", ".zip", ".citygml")
+_BEYOND = 3.0
+"""Models may lie so far beyond the area of use of their reference system, degrees."""
+
 _JAPAN = (122.0, 20.0, 154.0, 46.0)
 
 
@@ -81,7 +84,7 @@ def placed_model(model: CityModel, target_wkt: str | None, notes: list[str],
 
     Raises
     ------
-    InputError : latitude and longitude are exchanged, degrees lie outside of Japan without a wanted reference, or no
+    InputError : coordinates are exchanged, degrees lie outside of Japan without a wanted reference, or no
         transformation between the two is known.
     InsufficientDataError : there is no building.
     """
@@ -116,27 +119,39 @@ def placed_model(model: CityModel, target_wkt: str | None, notes: list[str],
 
 
 def refuse_exchanged(reference: CityReference, place: np.ndarray) -> None:
-    """Refuse degrees that lie where their reference system is used only with latitude and longitude exchanged.
+    """Refuse coordinates that lie where their reference system is used only with the two in plan exchanged.
 
     Raises
     ------
     InputError : they do.
     """
-    if not reference.geographic:
+    crs = CRS.from_wkt(reference.wkt) if reference.wkt else None
+    if crs is None or crs.geodetic_crs is None:
         return
-    area = CRS.from_wkt(reference.wkt).area_of_use
-    box = area.bounds if area is not None else (-180.0, -90.0, 180.0, 90.0)
+    code = crs.to_epsg() if crs.area_of_use is None else None  # parts of compound systems come without their area
+    area = CRS.from_epsg(code).area_of_use if code else crs.area_of_use
+    west, south, east, north = area.bounds if area is not None else (-180.0, -90.0, 180.0, 90.0)
+    degrees = Transformer.from_crs(crs, crs.geodetic_crs, always_xy=True)
 
-    def inside(longitude: float, latitude: float) -> bool:
-        return box[0] <= longitude <= box[2] and box[1] <= latitude <= box[3]
+    def inside(first: float, second: float, margin: float) -> bool:
+        longitude, latitude = degrees.transform(first, second) if crs.is_projected else (first, second)
+        return (west - margin <= longitude <= east + margin
+                and max(south - margin, -90.0) <= latitude <= min(north + margin, 90.0))
 
-    longitude, latitude = float(place[0]), float(place[1])
-    if inside(latitude, longitude) and not inside(longitude, latitude):
+    first, second = float(place[0]), float(place[1])
+    if not inside(second, first, 0.0) or inside(first, second, _BEYOND):
+        return
+    if reference.geographic:
         raise InputError(say("Latitude and longitude of the city model are exchanged: as its reference system orders "
                              "degrees, its first building lies at latitude {latitude}, longitude {longitude}, and only "
                              "the other way round where the system is used. Export the model with the degrees in the "
                              "order of its reference system.",
-                             latitude=f"{latitude:.5f}", longitude=f"{longitude:.5f}"))
+                             latitude=f"{second:.5f}", longitude=f"{first:.5f}"))
+    raise InputError(say("East and north of the city model are exchanged: as its reference system orders them, its "
+                         "first building lies at east {east} m, north {north} m, and only the other way round where "
+                         "the system is used. Export the model with the coordinates in the order of its reference "
+                         "system, or name the system in its short form (EPSG:31467), which counts east first.",
+                         east=f"{first:.0f}", north=f"{second:.0f}"))
 
 
 def _own_zone(place: np.ndarray) -> str:
