@@ -12060,6 +12060,50 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>計測の時間内に検証点がないため、精度を確認できません。</translation>
     </message>
     <message>
+        <source>They fit if the former count {count}: convert their times to GPS seconds.</source>
+        <translation>前者の時刻を「{count}」とみなすと合います。GPS 秒に変換してください。</translation>
+    </message>
+    <message>
+        <source>Unix time (seconds since 1970)</source>
+        <translation>Unix 時刻（1970年からの秒）</translation>
+    </message>
+    <message>
+        <source>milliseconds</source>
+        <translation>ミリ秒</translation>
+    </message>
+    <message>
+        <source>microseconds</source>
+        <translation>マイクロ秒</translation>
+    </message>
+    <message>
+        <source>nanoseconds</source>
+        <translation>ナノ秒</translation>
+    </message>
+    <message>
+        <source>milliseconds of Unix time</source>
+        <translation>Unix 時刻のミリ秒</translation>
+    </message>
+    <message>
+        <source>microseconds of Unix time</source>
+        <translation>Unix 時刻のマイクロ秒</translation>
+    </message>
+    <message>
+        <source>nanoseconds of Unix time</source>
+        <translation>Unix 時刻のナノ秒</translation>
+    </message>
+    <message>
+        <source>seconds of the day</source>
+        <translation>その日の0時からの秒</translation>
+    </message>
+    <message>
+        <source>seconds of the hour</source>
+        <translation>正時からの秒</translation>
+    </message>
+    <message>
+        <source>They fit if the trajectory counts {count}: convert its times to GPS seconds.</source>
+        <translation>軌跡の時刻を「{count}」とみなすと合います。GPS 秒に変換してください。</translation>
+    </message>
+    <message>
         <source>The points of {paths} carry no GPS time, which ties them to the trajectory: export the survey with it.</source>
         <translation>{paths}の点に、軌跡と対応付けるためのGPS時刻がありません。GPS時刻付きで計測データを出力してください。</translation>
     </message>
@@ -12936,6 +12980,18 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path}のレコード {bad} が計測データの座標参照系の範囲外にあります。正しい座標参照系を選択してください。</translation>
     </message>
     <message>
+        <source>UTC against GPS time, 18 s since 2017 and 17 s before</source>
+        <translation>UTC と GPS 時の差。2017年以降は18秒、それ以前は17秒</translation>
+    </message>
+    <message>
+        <source>UTC against TAI, 37 s since 2017 and 36 s before</source>
+        <translation>UTC と TAI の差。2017年以降は37秒、それ以前は36秒</translation>
+    </message>
+    <message>
+        <source>The points of {name} lie {now:.0f} m (median) from where the vehicle was at their times, but {near:.0f} m from where it was about {seconds:.0f} s {value}: their clocks seem to differ{clocks}.</source>
+        <translation>{name} の点は、その時刻の車両位置から {now:.0f} m（中央値）離れていますが、約 {seconds:.0f} 秒{value}の車両位置からは {near:.0f} m です。点群と軌跡の時計がずれているようです{clocks}。</translation>
+    </message>
+    <message>
         <source>give both of one survey, in one coordinate reference system</source>
         <translation>同じ計測の両方を、同じ座標参照系で指定してください</translation>
     </message>
@@ -12962,6 +13018,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The reference markings</source>
         <translation>基準の路面標示</translation>
+    </message>
+    <message>
+        <source>later</source>
+        <translation>後</translation>
+    </message>
+    <message>
+        <source>earlier</source>
+        <translation>前</translation>
     </message>
     <message>
         <source>The ground elevation</source>

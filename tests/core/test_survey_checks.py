@@ -1,5 +1,6 @@
 """Points, trajectory and reference of different places, times and heights are told apart before any work."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -14,7 +15,7 @@ from urbanmap_qgis.io.raster import write_raster
 from urbanmap_qgis.mobile.registration.start.reference import Reference
 from urbanmap_qgis.mobile.survey_checks import require_reference, require_survey, survey_span
 from urbanmap_qgis.mobile.trajectory import Trajectory
-from urbanmap_qgis.progress import Progress
+from urbanmap_qgis.progress import Progress, notices_to
 
 X, Y, Z = 5000.0, -36000.0, 42.0
 
@@ -53,6 +54,47 @@ def test_points_of_the_drive_are_accepted(make_cloud, tmp_path):
 def test_points_of_another_survey_are_refused(make_cloud, tmp_path, change, sentence):
     with pytest.raises(InputError, match=sentence):
         require_survey(cloud(make_cloud, tmp_path, **change), drive())
+
+
+WEDNESDAY = 3 * 86_400.0
+
+
+@pytest.mark.parametrize(("count", "sentence"), [
+    (lambda time: time + WEDNESDAY + 315_964_800.0 + 2000 * 604_800.0, "Unix time"),
+    (lambda time: 1e6 * (time + WEDNESDAY), "count microseconds"),
+    (lambda time: time, "seconds of the day"),
+    (lambda time: (time + WEDNESDAY) % 3600.0, "seconds of the hour"),
+])
+def test_times_of_another_count_are_named(make_cloud, tmp_path, count, sentence):
+    """A drive on a Wednesday; the points' times as other programs count them, and the trajectory's likewise."""
+    time, later = 7000.0 + np.arange(101.0), drive()
+    points = cloud(make_cloud, tmp_path)
+    path = make_cloud(points.paths[0], X + 2.0 * np.arange(101.0), np.full(101, Y + 5.0), np.full(101, 40.0),
+                      gps_time=count(time))
+    with pytest.raises(InputError, match=sentence):
+        require_survey(open_cloud([path]), replace(later, time=WEDNESDAY + time))
+    path = make_cloud(path, X + 2.0 * np.arange(101.0), np.full(101, Y + 5.0), np.full(101, 40.0),
+                      gps_time=WEDNESDAY + time)
+    with pytest.raises(InputError, match=f"the trajectory counts .*{sentence.split()[-1]}"):
+        require_survey(open_cloud([path]), replace(later, time=count(time)))
+
+
+@pytest.mark.parametrize(("later", "refused", "sentence"), [
+    (0.0, False, ""), (3.0, False, "3 s earlier.*clocks"), (-3.0, False, "3 s later.*clocks"),
+    (18.0, True, "UTC against GPS time"), (-37.0, True, "UTC against TAI")])
+def test_clocks_that_differ_are_told(make_cloud, tmp_path, later, refused, sentence):
+    """Points 5 m beside the path, where the vehicle was at their times; the clocks differ by some seconds."""
+    fast, told = drive(), []
+    fast = replace(fast, place=fast.place + np.column_stack([6.0 * np.arange(101.0), np.zeros((101, 2))]))
+    path = make_cloud(tmp_path / "a.laz", X + 8.0 * np.arange(0.0, 100.0, 0.05), np.full(2000, Y + 5.0),
+                      np.full(2000, 40.0), gps_time=1000.0 + np.arange(0.0, 100.0, 0.05) + later)
+    with notices_to(told.append):
+        if refused:
+            with pytest.raises(InputError, match=sentence):
+                require_survey(open_cloud([path]), fast)
+        else:
+            require_survey(open_cloud([path]), fast)
+    assert len(told) == (bool(sentence) and not refused) and all(re.search(sentence, line) for line in told)
 
 
 @pytest.mark.parametrize(("factor", "sentence"), [

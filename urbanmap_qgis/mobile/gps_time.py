@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 
 from ..errors import InputError
 from ..io.points.pointcloud import PointCloud, iter_chunks
-from ..wording import say
+from ..wording import known, mark, say
 from .trajectory import Trajectory
 
 EPOCH = np.datetime64("1980-01-06", "D")
@@ -19,6 +21,14 @@ ADJUSTMENT = 1e9
 """Adjusted standard GPS time is full GPS seconds less this (LAS 1.2 and later)."""
 
 _ENOUGH = 0.5
+
+# Name, seconds in its unit, and seconds to add to be full GPS seconds.
+_COUNTS = ((mark("Unix time (seconds since 1970)"), 1.0, -315_964_800.0), (mark("milliseconds"), 1e-3, 0.0),
+           (mark("microseconds"), 1e-6, 0.0), (mark("nanoseconds"), 1e-9, 0.0),
+           (mark("milliseconds of Unix time"), 1e-3, -315_964_800.0),
+           (mark("microseconds of Unix time"), 1e-6, -315_964_800.0),
+           (mark("nanoseconds of Unix time"), 1e-9, -315_964_800.0))
+_PERIODS = ((mark("seconds of the day"), 86_400.0), (mark("seconds of the hour"), 3600.0))
 
 
 def time_range(cloud: PointCloud) -> tuple[float, float]:
@@ -81,18 +91,53 @@ def shift_between(span: tuple[float, float], wanted: tuple[float, float], what: 
     ------
     InputError : the two overlap by less than half of `span`.
     """
-    weeks = WEEK * np.round((0.5 * sum(wanted) - 0.5 * sum(span)) / WEEK)
-    adjusted = ADJUSTMENT * np.array([0.0, 1.0, -1.0])
-    shifts = [0.0, weeks]
-    for base in adjusted[1:]:
+    share, shift = _best_shift(span, wanted)
+    if share < _ENOUGH:
+        raise InputError(" ".join([say("{what} were measured from {span:.1f} to {span_2:.1f} s{kind}, but the "
+                                       "trajectory runs from {wanted:.1f} to {wanted_2:.1f} s: give those of one "
+                                       "survey.", what=what, span=span[0], span_2=span[1], kind=kind,
+                                       wanted=wanted[0], wanted_2=wanted[1]), *_other_count(span, wanted)]))
+    return shift
+
+
+def _best_shift(span: tuple[float, float], wanted: tuple[float, float]) -> tuple[float, float]:
+    """Largest share of `span` that lies in `wanted` after a shift by whole weeks or an adjustment, and the shift, s."""
+    if max(span[1] - span[0], wanted[1] - wanted[0]) > WEEK:  # anything fits there by some number of weeks
+        return _overlap(span, wanted), 0.0
+    shifts = []
+    for base in (0.0, ADJUSTMENT, -ADJUSTMENT):
         shifts += [base, base + WEEK * np.round((0.5 * sum(wanted) - 0.5 * sum(span) - base) / WEEK)]
     shares = [_overlap((span[0] + shift, span[1] + shift), wanted) for shift in shifts]
     best = int(np.argmax(shares))
-    if shares[best] < _ENOUGH:
-        raise InputError(say("{what} were measured from {span:.1f} to {span_2:.1f} s{kind}, but the trajectory runs "
-                             "from {wanted:.1f} to {wanted_2:.1f} s: give those of one survey.", what=what,
-                             span=span[0], span_2=span[1], kind=kind, wanted=wanted[0], wanted_2=wanted[1]))
-    return float(shifts[best])
+    return shares[best], float(shifts[best])
+
+
+def _other_count(span: tuple[float, float], wanted: tuple[float, float]) -> list[str]:
+    """Which of the two counts time in another usual way, if that lets them overlap: one sentence, or none."""
+    fitting = []
+    for (name, factor, offset), of_trajectory in itertools.product(_COUNTS, (False, True)):
+        both = [span, wanted]
+        both[of_trajectory] = tuple(factor * time + offset for time in both[of_trajectory])
+        if both[of_trajectory][0] >= 0.0 and _best_shift(*both)[0] >= _ENOUGH:
+            lengths = [max(last - first, 1e-3) for first, last in both]
+            fitting.append((max(lengths) / min(lengths), of_trajectory, name))
+    if fitting:
+        _, of_trajectory, name = min(fitting)
+        return [_count_sentence(of_trajectory, known(name))]
+    for name, period in _PERIODS:
+        for of_trajectory, (one, other) in enumerate(((span, wanted), (wanted, span))):
+            turns = period * np.round((sum(other) - sum(one)) / (2.0 * period))
+            shifted = one[0] + turns, one[1] + turns
+            share = _overlap(other, shifted) if of_trajectory else _overlap(shifted, other)
+            if one[0] >= 0.0 and one[1] <= 1.5 * period and share >= _ENOUGH:
+                return [_count_sentence(bool(of_trajectory), known(name))]
+    return []
+
+
+def _count_sentence(of_trajectory: bool, count: str) -> str:
+    if of_trajectory:
+        return say("They fit if the trajectory counts {count}: convert its times to GPS seconds.", count=count)
+    return say("They fit if the former count {count}: convert their times to GPS seconds.", count=count)
 
 
 def _overlap(span: tuple[float, float], wanted: tuple[float, float]) -> float:

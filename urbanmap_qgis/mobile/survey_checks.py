@@ -8,10 +8,12 @@ import numpy as np
 import shapely
 
 from ..errors import InputError
+from ..geometry.tolerances import ROUNDING
+from ..io.points.coordinate_steps import sampled_points
 from ..io.points.pointcloud import PointCloud
 from ..io.raster import RasterSampler
-from ..progress import SILENT, Progress
-from ..wording import say
+from ..progress import SILENT, Progress, notice
+from ..wording import known, mark, say
 from .gps_time import time_shift
 from .markings.survey_points import sampled_span
 from .registration.start.reference import Reference
@@ -29,6 +31,11 @@ class SurveyChecksLimits:
     most: float = 0.9  # of the path; less is told
     samples: int = 500
     over_ground: float = 15.0  # m; no body of a vehicle is higher
+    clocks: float = 60.0  # s; clocks that differ by up to this are looked for
+    alike: float = 1.5  # s; a difference is known no better, as scanners look forward or back
+    known: float = 0.25  # of the samples
+    nearer: float = 1.25  # times; as much nearer to the path points must lie at other times to be told
+    surely: float = 2.0  # times; then a usual difference of clocks is refused
     # m by which a body is never above all points, or below them
     above: float = 30.0
     below: float = 5.0
@@ -36,6 +43,8 @@ class SurveyChecksLimits:
 
 LIMITS = SurveyChecksLimits()
 
+_CLOCKS = {mark("UTC against GPS time, 18 s since 2017 and 17 s before"): (17.0, 18.0),
+           mark("UTC against TAI, 37 s since 2017 and 36 s before"): (36.0, 37.0)}
 _UNITS = {"millimetres": 1e-3, "centimetres": 1e-2, "feet": 0.3048, "kilometres": 1e3}
 
 
@@ -55,7 +64,7 @@ class Box:
 
 
 def require_survey(cloud: PointCloud, trajectory: Trajectory) -> None:
-    """Refuse a cloud that was not measured along a trajectory, by its times and by the corners of its headers.
+    """Refuse a cloud that was not measured along a trajectory, by its times, the corners of its headers and samples.
 
     Raises
     ------
@@ -76,6 +85,44 @@ def require_survey(cloud: PointCloud, trajectory: Trajectory) -> None:
                              "the ellipsoid and above sea level cannot be mixed; convert one of them (a geoid model "
                              "can be given for SBET).", name=name, above=max(above, below),
                              value=say("below") if above > below else say("above")))
+    _require_clock(cloud, trajectory, shift)
+
+
+def _require_clock(cloud: PointCloud, trajectory: Trajectory, shift: float) -> None:
+    """Tell of samples that lie nearer to where the vehicle was some seconds before or after; refuse UTC and TAI."""
+    time, place = sampled_points(cloud)
+    most = np.floor(min(LIMITS.clocks, 0.5 * np.ptp(time))) if len(time) else 0.0  # in less time all is near
+    later = np.arange(-most, most + 1.0)
+    away = _distances_later(time, place, trajectory, shift, later) if most else np.full(1, np.nan)
+    if not np.isfinite(away[len(later) // 2]):
+        return
+    best = int(np.nanargmin(away))
+    seconds, ratio = float(later[best]), away[len(later) // 2] / max(away[best], ROUNDING)
+    if abs(seconds) <= LIMITS.alike or ratio < LIMITS.nearer:
+        return
+    named = [known(clocks) for clocks, (low, high) in _CLOCKS.items()
+             if low - LIMITS.alike <= abs(seconds) <= high + LIMITS.alike]
+    text = say("The points of {name} lie {now:.0f} m (median) from where the vehicle was at their times, but "
+               "{near:.0f} m from where it was about {seconds:.0f} s {value}: their clocks seem to differ{clocks}.",
+               name=cloud.paths[0].name, now=away[len(later) // 2], near=away[best], seconds=abs(seconds),
+               value=say("later") if seconds > 0 else say("earlier"), clocks=f" ({named[0]})" if named else "")
+    if named and ratio >= LIMITS.surely:
+        raise InputError(text)
+    notice(text)
+
+
+def _distances_later(time: np.ndarray, place: np.ndarray, trajectory: Trajectory, shift: float,
+                     later: np.ndarray) -> np.ndarray:
+    """(k,) m, median distance in plan of points (n,), (n, 2) from where the vehicle was `later` (k,) seconds after
+    their times; NaN where it is known for less than a quarter of them."""
+    found = np.full(len(later), np.nan)
+    for k, seconds in enumerate(later):
+        at = time + shift + seconds
+        known_at = trajectory.within(at)
+        if known_at.mean() >= LIMITS.known:
+            x, y = (np.interp(at[known_at], trajectory.time, axis) for axis in trajectory.place[:, :2].T)
+            found[k] = np.median(np.hypot(place[known_at, 0] - x, place[known_at, 1] - y))
+    return found
 
 
 def _reason(box: Box, place: np.ndarray) -> str:

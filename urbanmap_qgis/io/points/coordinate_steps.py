@@ -17,6 +17,7 @@ COARSE_STEP = 0.02
 """m; steps from this on are told: their rounding weighs beside what a survey is off by."""
 
 _PLACES, _PROBE = 6, 20_000
+_EVERY, _MANY_FILES = 40, 8
 _FEW_VALUES = 12
 _OFF_STEP = 0.05  # of a step
 
@@ -28,6 +29,26 @@ def probes(path: str, places: int = _PLACES) -> Iterator[laspy.ScaleAwarePointRe
             if share:
                 reader.seek(int(share * max(reader.header.point_count - _PROBE, 0)))
             yield reader.read_points(_PROBE)
+
+
+def sampled_points(cloud: PointCloud) -> tuple[np.ndarray, np.ndarray]:
+    """gps_time (n,), s, and places (n, 2), m, of some points of each file that can be entered anywhere."""
+    found = [np.empty((0, 3))]
+    for path, header in zip(cloud.paths, cloud.headers):
+        if header.point_count and can_be_entered(header):
+            try:
+                found.append(_thinned(file_state(path), -(-len(cloud.paths) // _MANY_FILES)))
+            except (laspy.errors.LaspyException, RuntimeError, OSError, ValueError, EOFError):
+                continue  # a damaged file says so when it is read through
+    samples = np.concatenate(found)
+    samples = samples[np.isfinite(samples).all(axis=1)]
+    return samples[:, 0], samples[:, 1:]
+
+
+@lru_cache(maxsize=64)
+def _thinned(file: FileState, files: int) -> np.ndarray:
+    return np.concatenate([np.column_stack([np.asarray(values)[::_EVERY * files] for values in (
+        part["gps_time"], part.x, part.y)]) for part in probes(file[0])])
 
 
 def told_steps(cloud: PointCloud) -> np.ndarray:
