@@ -16220,8 +16220,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{0}: ポリゴン{2}件中{1}件が空か、不正のため修復されました（地物id {3}{4}）。</translation>
     </message>
     <message>
-        <source>{0} holds features of the kind {1}, not polygons; give a polygon layer, or take the polygons out of it first (“Extract parts” by geometry type).</source>
-        <translation>{0} の地物は {1} で、ポリゴンではありません。ポリゴンのレイヤーを指定するか、先にポリゴンを取り出してください。</translation>
+        <source>{0} holds features of the kind {1}, not polygons; choose a polygon layer, or take the polygons out of it first.</source>
+        <translation>{0} の地物は {1} で、ポリゴンではありません。ポリゴンのレイヤーを選ぶか、先にポリゴンを取り出してください。</translation>
     </message>
     <message>
         <source>{0} cannot be written; choose another output.</source>

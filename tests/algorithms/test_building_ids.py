@@ -55,7 +55,8 @@ def test_ids_come_back_in_every_output(run, read_layer, save_outlines, cloud, tm
     polygons = run("urbanmap:roofpolygons", {"POINTS": [roofs["OUTPUT"]], "FOOTPRINTS": turned, "OUTPUT": path("p")})
     assert polygons["WITHOUT_ROOFS"] == 0 and ids_in(polygons["OUTPUT"]) == expected
     models = run("urbanmap:buildingmodels", {
-        "ROOFS": polygons["OUTPUT"], "FOOTPRINTS": turned, "POINTS": [roofs["OUTPUT"]], "OUTPUT": path("m"),
+        "ROOFS": polygons["OUTPUT"], "FOOTPRINTS": turned, "POINTS": [roofs["OUTPUT"]],
+        "OUTPUT": str(tmp_path / "m.gpkg"),
         "OUTPUT_SURFACES": str(tmp_path / "s.gpkg"), "OUTPUT_CITYJSON": str(tmp_path / "m.city.json"),
         "OUTPUT_MESH": str(tmp_path / "m.obj"), "OUTPUT_REPORT": str(tmp_path / "m.html")})
     assert models["MODELLED"] == 2
@@ -66,7 +67,8 @@ def test_ids_come_back_in_every_output(run, read_layer, save_outlines, cloud, tm
     names = {f"building-{value}" if kind == "numbers" else str(value) for value in ids}
     assert set(json.loads((tmp_path / "m.city.json").read_text())["CityObjects"]) == names
     assert all(f"g {name}\n" in (tmp_path / "m.obj").read_text() for name in names)
-    meshes = run("urbanmap:mesh25d", {"POINTS": [str(cloud)], "FOOTPRINTS": turned, "OUTPUT": path("t")})
+    meshes = run("urbanmap:mesh25d", {"POINTS": [str(cloud)], "FOOTPRINTS": turned,
+                                         "OUTPUT": str(tmp_path / "t.gpkg")})
     assert ids_in(meshes["OUTPUT"]) == expected
 
 

@@ -183,8 +183,8 @@ def read_polygon_source(source: QgsProcessingFeatureSource, label: str, progress
     else:
         kind = QgsWkbTypes.geometryType(source.wkbType())
         if kind != QgsWkbTypes.GeometryType.PolygonGeometry and source.wkbType() != QgsWkbTypes.Type.Unknown:
-            raise InputError(tr("{0} holds features of the kind {1}, not polygons; give a polygon layer, or take the "
-                                "polygons out of it first (“Extract parts” by geometry type).").format(
+            raise InputError(tr("{0} holds features of the kind {1}, not polygons; choose a polygon layer, or take "
+                                "the polygons out of it first.").format(
                                     label, QgsWkbTypes.displayString(source.wkbType())))
         require_projected(label, source.sourceCrs())
         table = read_source(source, label, progress, extent)
