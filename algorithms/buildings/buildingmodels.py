@@ -64,7 +64,7 @@ class BuildingModels(UrbanMapAlgorithm):
                              optional=True)
         self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: counts, quality, the worst buildings with "
                              "reasons.", HTML_FILTER, optional=True)
-        self.add_from(Mesh25D, optional=True, label="2.5D meshes", OUTPUT_MESHES="OUTPUT")
+        self.add_from(Mesh25D, optional=True, by_default=False, label="2.5D meshes", OUTPUT_MESHES="OUTPUT")
         self.add_number_output("BUILDINGS", "Buildings", "Number of outlines.")
         self.add_number_output("MODELLED", "Modelled", "Buildings with a model.")
         self.add_number_output("RMSE_Z95", "Mean RMSE of height, best 95 %", "Mean over the buildings, where points "

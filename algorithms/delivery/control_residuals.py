@@ -75,7 +75,9 @@ class ControlResiduals:
 
         control, crs, adjusted, table = read_check_points(self, parameters, "INPUT", context, progress)
         reported = self.read_trajectory(parameters, "TRAJECTORY", context, crs or None, progress)
+        progress.step(0.3)
         corrected = self.read_trajectory(parameters, "CORRECTED", context, crs or None, progress)
+        progress.step(0.6)
         used, left_out = in_survey_time(control, reported.trajectory)
         if left_out:
             progress.warn(tr("{0} control points were not measured during this survey: they are left out.").format(

@@ -84,8 +84,10 @@ def test_models_and_their_files_stay(chain, tmp_path):
                                        "solids": [multipolygon(model.solids) for model in models if model.solids]})
 
 
-@pytest.mark.parametrize("method", ["points", "paper"])
+@pytest.mark.parametrize("method", [pytest.param("points", marks=pytest.mark.once), "paper"])
 def test_polygons_of_other_methods_stay(small_city, outlines, tmp_path, method):
+    """Which of two equally good corners an outline from points takes hangs on the last digit of sums, which releases of
+    numpy round differently: its figures are those of one of them."""
     cloud = open_cloud([small_city / "als" / "als_classified.laz"])
     settings = SegmentationParameters(method="paper") if method == "paper" else SegmentationParameters()
     found = segment_buildings(cloud, outlines, tmp_path / "b.laz", settings)

@@ -61,7 +61,7 @@ def test_trajectory_comes_out_in_the_projects_own_format(japanese, tmp_path):
 
 def test_radians_from_east_and_feet_are_converted(tmp_path):
     feet = [(t, x / 0.3048, y / 0.3048, z / 0.3048) for t, x, y, z, *_ in rows()]
-    lines = ["GPSTime,E,N,H,R,P,Y", *(f"{t},{x},{y},{z},0,0,0.0" for t, x, y, z in feet)]
+    lines = ["GPSTime,E,N,H,R,P,Y", *(f"{t},{x},{y},{z},0.001,0,0.0" for t, x, y, z in feet)]
     (tmp_path / "t.csv").write_text("\n".join(lines), encoding="utf-8")
     how = TableImport("trajectory", columns=dict(zip(("time", "x", "y", "z", "roll", "pitch", "heading"), range(7))),
                       angles="radians_from_east", length="ft")

@@ -30,7 +30,7 @@ def test_score_of_drawn_paint():
 
 
 @pytest.mark.skipif(not TILES.is_dir(), reason="../shared/data/aerial/us_tiles is not there")
-@pytest.mark.parametrize(("tile", "recall", "stray", "painted"), [(0, 0.47, 110, 12), (12, 0.63, 140, 13)])
+@pytest.mark.parametrize(("tile", "recall", "stray", "painted"), [(0, 0.37, 40, 8), (12, 0.59, 85, 13)])
 def test_sunlit_tile(tile, recall, stray, painted, tmp_path):
     """By rules with absolute limits the recall is 0.01 and 0.07; by those of today alone 0.60 and 0.80, with 152 and
     265 m2 a hectare of stray finds, at no more places with paint."""

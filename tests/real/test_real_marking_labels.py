@@ -31,4 +31,4 @@ def test_real_photograph(name, roads, least, tmp_path):
     assert made.f1 > least
     if not roads:
         sure, count = made.classes[-1]
-        assert count >= 12 and sure > 0.95  # the highest class of confidence is what it says
+        assert count >= 12 and sure > 0.94  # the highest class of confidence is what it says

@@ -345,8 +345,8 @@ def _alone(judged: JudgedPieces, bars: np.ndarray, roads: np.ndarray, pixel: flo
     return (by_ground < settings.doubtful) & (few | off)
 
 
-def _paint_around(sure: np.ndarray, inside: np.ndarray, shape: tuple[int, int], pixel: float, reach: float
-                 ) -> np.ndarray:
+def _paint_around(sure: np.ndarray, inside: np.ndarray, shape: tuple[int, int], pixel: float,
+                  reach: float) -> np.ndarray:
     """How many sure pixels (float32, n) lie within `reach` m by rows and columns of each pixel of pieces.
 
     Parameters
