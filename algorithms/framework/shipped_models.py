@@ -60,6 +60,8 @@ class ShippedModel(QgsProcessingModelAlgorithm):
         for child in children:
             for output in child.modelOutputs().values():
                 definition = self.parameterDefinition(f"{child.childId()}:{output.name()}")
+                if definition is None:  # later releases name outputs otherwise in models that they wrote themselves
+                    continue
                 optional = definition.Flag.FlagOptional
                 must = not definition.flags() & optional
                 if not output.isMandatory() and (must or (child.childId(), output.childOutputName()) in taken):
