@@ -20,14 +20,14 @@ if __name__ == "__main__":
 from scripts import source_tree
 
 BUDGET = {  # to be lowered only
-    "lines of the core": 116_530,
-    "lines of code of the core": 77_040,
-    "named numbers": 3_020,
-    "numbers in functions": 2_040,
-    "records that at most one other module names": 351,
-    "lines of algorithms": 18_120,
-    "lines of scripts": 13_050,
-    "lines of tests": 60_100,
+    "lines of the core": 112_760,
+    "lines of code of the core": 74_680,
+    "named numbers": 2_690,
+    "numbers in functions": 2_010,
+    "records that at most one other module names": 328,
+    "lines of algorithms": 18_090,
+    "lines of scripts": 13_040,
+    "lines of tests": 59_900,
     "algorithms and models in the toolbox": 46,
 }
 

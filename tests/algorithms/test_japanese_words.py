@@ -18,7 +18,7 @@ CATALOGUE = ROOT / "resources" / "translations" / "urbanmap_ja.ts"
 
 NAMES = set("""
     UrbanMap QGIS Python PyPI Dask GDAL PROJ Autoware OpenStreetMap Cesium PLATEAU README Javanmardi Shibasaki
-    Zhao Zhang Applanix Metashape Pix Omega Phi Kappa Project Galileo BeiDou TransverseMercator distributed numpy
+    Unix Zhao Zhang Applanix Metashape Pix Omega Phi Kappa Project Galileo BeiDou TransverseMercator distributed numpy
 """.split())  # noqa: SIM905
 """Proper names of programs, projects, authors and systems."""
 

@@ -72,7 +72,7 @@ def test_repeated_epochs_are_told(run, shift, tmp_path):
     assert any("repeated" in text for text in run.feedback.warnings)
 
 
-@pytest.mark.parametrize(("name", "sentence"), [("missing.csv", "does not exist"), ("a.laz", "neither a CSV")])
+@pytest.mark.parametrize(("name", "sentence"), [("missing.csv", "does not exist"), ("a.laz", "has no column time")])
 def test_what_is_no_trajectory_is_refused(run, shift, tmp_path, name, sentence):
     from qgis.core import QgsProcessingException
 
