@@ -117,15 +117,16 @@ def _other_count(span: tuple[float, float], wanted: tuple[float, float]) -> list
     fitting = []
     for (name, factor, offset), of_trajectory in itertools.product(_COUNTS, (False, True)):
         both = [span, wanted]
-        both[of_trajectory] = tuple(factor * time + offset for time in both[of_trajectory])
+        first, last = both[of_trajectory]
+        both[of_trajectory] = factor * first + offset, factor * last + offset
         if both[of_trajectory][0] >= 0.0 and _best_shift(*both)[0] >= _ENOUGH:
-            lengths = [max(last - first, 1e-3) for first, last in both]
+            lengths = [max(end - begin, 1e-3) for begin, end in both]
             fitting.append((max(lengths) / min(lengths), of_trajectory, name))
     if fitting:
         _, of_trajectory, name = min(fitting)
         return [_count_sentence(of_trajectory, known(name))]
     for name, period in _PERIODS:
-        for of_trajectory, (one, other) in enumerate(((span, wanted), (wanted, span))):
+        for of_trajectory, one, other in ((False, span, wanted), (True, wanted, span)):
             turns = period * np.round((sum(other) - sum(one)) / (2.0 * period))
             shifted = one[0] + turns, one[1] + turns
             share = _overlap(other, shifted) if of_trajectory else _overlap(shifted, other)
