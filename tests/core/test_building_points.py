@@ -4,7 +4,6 @@ import multiprocessing
 import time
 from concurrent.futures import ThreadPoolExecutor
 
-import laspy
 import numpy as np
 import pytest
 import shapely
@@ -139,22 +138,3 @@ def test_only_workers_started_since_are_ended():
         assert after.exitcode is not None and before.exitcode is None
     finally:
         before.kill()
-
-
-def cloud_file(path, offset, point_format, vlr=None):
-    header_of = laspy.LasHeader(point_format=point_format, version="1.4")
-    header_of.scales, header_of.offsets = [0.001] * 3, offset
-    if vlr:
-        header_of.vlrs.append(laspy.VLR(vlr, 7, "note", b"content"))
-    las = laspy.LasData(header_of)
-    las.x, las.y, las.z = np.array([1000.25, 1001.5]), np.array([2000.75, 2002.0]), np.array([30.125, 31.0])
-    las.intensity = np.array([5, 6], np.uint16)
-    las.write(path)
-    return path
-
-
-def test_records_of_others_stay_in_a_layout(tmp_path):
-    layout = PointLayout(open_cloud([cloud_file(tmp_path / "a.las", [0.0] * 3, 6, "somebody")]))
-    assert [(vlr.user_id, vlr.record_data_bytes()) for vlr in layout.header.vlrs] == [("somebody", b"content")]
-    packed = cloud_file(tmp_path / "b.laz", [0.0] * 3, 6, "copc")
-    assert not PointLayout(open_cloud([packed])).header.vlrs

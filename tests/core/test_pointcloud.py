@@ -378,3 +378,10 @@ def test_blocks_inside_each_other_share_the_points(tmp_path):
             assert decoded_points.decoded_points() is outer
         assert decoded_points.decoded_points() is outer
     assert decoded_points.decoded_points() is None
+
+
+def test_records_of_others_stay_in_a_layout(tmp_path):
+    layout = PointLayout(open_cloud([cloud_file(tmp_path / "a.las", [0.0] * 3, 6, "somebody")]))
+    assert [(vlr.user_id, vlr.record_data_bytes()) for vlr in layout.header.vlrs] == [("somebody", b"content")]
+    packed = cloud_file(tmp_path / "b.laz", [0.0] * 3, 6, "copc")
+    assert not PointLayout(open_cloud([packed])).header.vlrs
