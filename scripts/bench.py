@@ -1,4 +1,4 @@
-"""Table of speed, memory and accuracy: `make bench`.
+"""Tables of speed, memory and accuracy: `make bench`; `python scripts/bench.py faults warnings` prints some.
 
 Times are CPU seconds of this process. Each is also given as a ratio to a reference measured in the same run, the
 Delaunay triangulation of 200,000 random points by scipy, so that figures of different machines compare.
@@ -29,6 +29,7 @@ from scripts.bench_large import large_roofs_table  # noqa: E402
 from scripts.bench_sloped import sloped_table  # noqa: E402
 from scripts.bench_stages import stage_tables  # noqa: E402
 from scripts.bench_table import print_table  # noqa: E402
+from scripts.bench_warnings import warnings_table  # noqa: E402
 from scripts.layers import read_layer  # noqa: E402
 from scripts.scoring import Score, points_inside, score_building, summary  # noqa: E402
 from urbanmap_qgis.buildings.building_model import BuildingModel, RoofInput  # noqa: E402
@@ -201,23 +202,27 @@ def cells_table(reference: float) -> None:
                  "all / reference", "modelled"), rows)
 
 
+def delft_tables(reference: float) -> None:
+    """All tables of Delft and the independent city, where they are beside the checkout."""
+    if not DELFT.is_dir():
+        print("\nThe real data are not beside the checkout: models are not scored.")
+        return
+    delft = Delft.read()
+    delft_table(delft)
+    sloped_table(delft, chain, score, DELFT)
+    steps_table(delft)
+    cells_table(reference)
+
+
 def main() -> int:
-    """Print all tables that the data here allow."""
+    """Print the tables that are named on the command line; all where none is."""
     reference = reference_seconds()
     print(f"Reference: Delaunay triangulation of 200,000 points by scipy, {reference:.2f} s of CPU")
-    stage_tables()
-    goals_table()
-    large_roofs_table()
-    if DELFT.is_dir():
-        delft = Delft.read()
-        delft_table(delft)
-        sloped_table(delft, chain, score, DELFT)
-        steps_table(delft)
-        cells_table(reference)
-    else:
-        print("\nThe real data are not beside the checkout: models are not scored.")
-    fault_tables()
-    image_kinds_table()
+    tables = {"stages": stage_tables, "goals": goals_table, "large": large_roofs_table,
+              "delft": lambda: delft_tables(reference), "faults": fault_tables, "images": image_kinds_table,
+              "warnings": warnings_table}
+    for name in sys.argv[1:] or tables:
+        tables[name]()
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
     print(f"\nPeak memory of this process: {peak:.0f} MB")
     return 0

@@ -1,7 +1,4 @@
-#!/usr/bin/env python3
 """What the mobile side makes of each fault of the sample city: a part of `make bench`.
-
-    python scripts/bench_faults.py [--size 120] [--seed 31] [--faults steps,ghosts]
 
 For each fault a city is made (the same seed, one fault), its ground and markings are found, and the first survey is
 registered to the true aerial markings. Errors are those of the patches against the true trajectory.
@@ -9,15 +6,11 @@ registered to the true aerial markings. Errors are those of the patches against 
 
 from __future__ import annotations
 
-import argparse
-import sys
 import tempfile
 from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from scripts.bench_table import print_table
 from scripts.evaluate_faults import WRONG, DrivenSurvey, Outcome, constant_fault, percent, run
@@ -109,18 +102,3 @@ def fault_tables(size: float = 120.0, seed: int = 31,
         with tempfile.TemporaryDirectory() as folder:
             rows.append(fault_row(name, Path(folder), size, seed))
     print_table(f"Faults, sample city of {size:g} m, seed {seed}", HEADER, rows)
-
-
-def main() -> int:
-    """Print the table alone."""
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--size", type=float, default=120.0)
-    parser.add_argument("--seed", type=int, default=31)
-    parser.add_argument("--faults", default=",".join(("none", *FAULTS)))
-    given = parser.parse_args()
-    fault_tables(given.size, given.seed, given.faults.split(","))
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -1,7 +1,4 @@
-#!/usr/bin/env python3
 """One line for each work that has a goal of speed: a part of `make bench`.
-
-    python scripts/bench_goals.py [--only walls]
 
 Each is held to a reference of the same run: what decoding its points costs alone, or for work without points the
 Delaunay triangulation of `bench.py`. The surveys of the independent city are laid side by side until they have the
@@ -10,8 +7,6 @@ millions of points of the goal. Without that city beside the checkout a sample c
 
 from __future__ import annotations
 
-import argparse
-import sys
 import tempfile
 import time
 from collections.abc import Callable, Sequence
@@ -23,20 +18,19 @@ import numpy as np
 import shapely
 from scipy.spatial import Delaunay
 
-ROOT = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(ROOT))
+from scripts import tiled_town
+from scripts.bench_stages import DATA, city, cost, reading_cost, run_cost, start_row
+from scripts.bench_table import print_table
+from urbanmap_qgis.gnss.rays.wall_faces import building_walls
+from urbanmap_qgis.localisation.accuracy_map import accuracy_map
+from urbanmap_qgis.localisation.accuracy_records import LocalisationMap
+from urbanmap_qgis.localisation.localisation_settings import LocalisationSettings, VehicleScanner
+from urbanmap_qgis.localisation.places.road_places import places_on_roads
+from urbanmap_qgis.localisation.walls.wall_map import WallMap, wall_sigmas
+from urbanmap_qgis.mobile.trajectory import path_chainage
+from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 
-from scripts import tiled_town  # noqa: E402
-from scripts.bench_stages import DATA, city, cost, reading_cost, run_cost, start_row  # noqa: E402
-from scripts.bench_table import print_table  # noqa: E402
-from urbanmap_qgis.gnss.rays.wall_faces import building_walls  # noqa: E402
-from urbanmap_qgis.localisation.accuracy_map import accuracy_map  # noqa: E402
-from urbanmap_qgis.localisation.accuracy_records import LocalisationMap  # noqa: E402
-from urbanmap_qgis.localisation.localisation_settings import LocalisationSettings, VehicleScanner  # noqa: E402
-from urbanmap_qgis.localisation.places.road_places import places_on_roads  # noqa: E402
-from urbanmap_qgis.localisation.walls.wall_map import WallMap, wall_sigmas  # noqa: E402
-from urbanmap_qgis.mobile.trajectory import path_chainage  # noqa: E402
-from urbanmap_qgis.mobile.trajectory_files import read_trajectory  # noqa: E402
+ROOT = Path(__file__).resolve().parents[1]
 
 HEADER = ("work", "CPU s", "value", "unit", "goal", "MB", "goal MB", "reference CPU s", "CPU / reference")
 POINTS = 16_000_000
@@ -236,15 +230,3 @@ def goals_table(only: str = "") -> None:
             _, spent, memory, _, bare, ratio = start_row(Path(folder))
         print_table("Start of qgis_process", ("CPU s", "without plugin", "more", "MB", "ratio"),
                     [(spent, bare, spent - bare, memory, ratio)])
-
-
-def main() -> int:
-    """Print these tables alone."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--only", default="", help="words in the names of the works")
-    goals_table(parser.parse_args().only)
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

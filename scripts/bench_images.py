@@ -1,7 +1,4 @@
-#!/usr/bin/env python3
 """Road markings in every kind of image: a part of `make bench`.
-
-    python scripts/bench_images.py [--size 120] [--seed 31]
 
 The orthophoto of a sample city is changed to each kind of `image_kinds`, and its markings are found and scored by the
 city's truth. Paint that buildings hide counts as missed, in all kinds alike.
@@ -9,13 +6,9 @@ city's truth. Paint that buildings hide counts as missed, in all kinds alike.
 
 from __future__ import annotations
 
-import argparse
-import sys
 import tempfile
 import time
 from pathlib import Path
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from scripts.bench_table import print_table
 from scripts.image_kinds import KINDS
@@ -46,17 +39,3 @@ def image_kinds_table(size: float = 120.0, seed: int = 31) -> None:
             grade = GRADES[marking_verdict(found, MarkingSettings().contrast).grade]
             rows.append((name, recall, round(stray), grade, spent))
     print_table(f"Road markings by kind of image, sample city of {size:g} m, seed {seed}", HEADER, rows)
-
-
-def main() -> int:
-    """Print the table alone."""
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--size", type=float, default=120.0)
-    parser.add_argument("--seed", type=int, default=31)
-    given = parser.parse_args()
-    image_kinds_table(given.size, given.seed)
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -1,7 +1,4 @@
-#!/usr/bin/env python3
 """Cost of whole runs on the command line beside what reading their data costs alone: a part of `make bench`.
-
-    python scripts/bench_stages.py [--only buildings]
 
 Each run is a `qgis_process` of its own: CPU seconds (user and system, its workers with it) and greatest memory. The
 reference beside it is what any program must do at least: LAZ is decoded by laspy, an image copied by GDAL, QGIS
@@ -10,7 +7,6 @@ started without the plugin. The ratio of the two lasts from machine to machine.
 
 from __future__ import annotations
 
-import argparse
 import os
 import subprocess
 import sys
@@ -23,10 +19,9 @@ from pathlib import Path
 
 import laspy
 
-ROOT = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(ROOT))
+from scripts.bench_table import print_table
 
-from scripts.bench_table import print_table  # noqa: E402
+ROOT = Path(__file__).resolve().parents[1]
 
 DATA = ROOT.parent / "shared" / "data"
 URBANMAP = ROOT / "scripts" / "urbanmap"
@@ -179,15 +174,3 @@ def stage_tables(only: str = "") -> None:
                 run_cost(work.algorithm, work.parameters)
     print_table("Whole runs on the command line, each with a start of QGIS, beside reading their data alone", HEADER,
                 rows)
-
-
-def main() -> int:
-    """Print these tables alone."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--only", default="", help="words in the names of the runs to make")
-    stage_tables(parser.parse_args().only)
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -79,6 +79,6 @@ def _run(stage: Stage, folder: Path, options: Mapping[str, str] | None = None) -
                           check=False)
     if done.returncode == 0:
         return ""
-    if stage.parameters["OUTPUT"] == OUTLINES:
+    if stage.parameters.get("OUTPUT_BUILDINGS") == OUTLINES:
         raise SystemExit(done.stderr)
     return next((line for line in reversed(done.stderr.splitlines()) if line.strip()), "failed")

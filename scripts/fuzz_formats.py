@@ -259,9 +259,9 @@ def _check_points(path: Path):
 
 
 def _crs_text(path: Path):
-    from urbanmap_qgis.io.reference.crs_text import parse_wkt
+    from urbanmap_qgis.io.reference.system_parts import parsed_crs
 
-    return str(parse_wkt(path.read_text(encoding="utf-8", errors="replace")))
+    return str(parsed_crs(path.read_text(encoding="utf-8", errors="replace")))
 
 
 def _marked(path: Path):

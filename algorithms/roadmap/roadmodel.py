@@ -202,4 +202,4 @@ class RoadModel(UrbanMapAlgorithm):
         for kind, count in sorted(Counter(piece.kind for piece in built.pieces).items()):
             progress.message(tr("{0}: {1}").format(tr(kind), count))
         for kind, count in sorted(Counter(one.kind for one in built.findings).items()):
-            progress.warn(tr("{0}: {1}").format(tr(kind), count))
+            progress.message(tr("{0}: {1}").format(tr(kind), count))

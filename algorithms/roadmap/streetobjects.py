@@ -160,4 +160,4 @@ class StreetObjects(UrbanMapAlgorithm):
             progress.message(tr("{0}: {1}").format(tr(kind), count))
         reasons = Counter(thing.reason for thing in found.objects if thing.reason)
         for reason, count in sorted(reasons.items()):
-            progress.warn(tr("{0} objects are doubtful: {1}.").format(count, tr(reason)))
+            progress.message(tr("{0} objects are doubtful: {1}.").format(count, tr(reason)))

@@ -89,7 +89,7 @@ def tell_surveyed(model, progress) -> None:
     for kind, count in sorted(Counter(area.kind for area in model.areas).items()):
         progress.message(tr("{0}: {1}").format(tr(kind), count))
     for kind, count in sorted(Counter(one.kind for one in model.findings).items()):
-        progress.warn(tr("{0}: {1}").format(tr(kind), count))
+        progress.message(tr("{0}: {1}").format(tr(kind), count))
 
 
 def modelled_or_told(edges, level, inputs, progress):

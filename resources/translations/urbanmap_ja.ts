@@ -9784,16 +9784,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>位置 {latitude:.5f}, {longitude:.5f} にはメッシュコードがありません。日本の外です。</translation>
     </message>
     <message>
-        <source>{crs} is not a projected CRS in metres: reproject the data.</source>
-        <translation>{crs} はメートル単位の投影CRSではありません。データを再投影してください。</translation>
+        <source>The map</source>
+        <translation>地図</translation>
     </message>
     <message>
         <source>The trajectory lies outside the area of its CRS: check the CRS.</source>
         <translation>軌跡がそのCRSの範囲外にあります。CRSを確認してください。</translation>
-    </message>
-    <message>
-        <source>The CRS of the map is not known: give the data a projected CRS in metres.</source>
-        <translation>地図のCRSが不明です。データにメートル単位の投影CRSを設定してください。</translation>
     </message>
     <message>
         <source>No navigation file is given: give the satellites' navigation files of the day.</source>
@@ -11068,14 +11064,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path}のバンド数は {bands} で、バンド {band} はありません。</translation>
     </message>
     <message>
-        <source>The coordinate reference system is no WKT that can be understood: set another one.</source>
-        <translation>座標参照系が解釈できるWKTではありません。別のものを設定してください。</translation>
-    </message>
-    <message>
-        <source>The coordinate reference system is cut off: set another one.</source>
-        <translation>座標参照系の記述が途中で切れています。別のものを設定してください。</translation>
-    </message>
-    <message>
         <source>The height system {word} is not known: give JGD2000, JGD2011, JGD2024, ellipsoidal or the EPSG code of a vertical reference system.</source>
         <translation>高さの基準{word}は未対応です。JGD2000、JGD2011、JGD2024、ellipsoidal または鉛直座標参照系のEPSGコードを指定してください。</translation>
     </message>
@@ -11094,6 +11082,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{datum} (vertical) height</source>
         <translation>{datum} 標高</translation>
+    </message>
+    <message>
+        <source>{name} states no coordinate reference system: assign one to the file first.</source>
+        <translation>{name}に座標参照系の記載がありません。先にファイルに設定してください。</translation>
+    </message>
+    <message>
+        <source>{name} is in {crs}, which is no system of plane coordinates in metres: reproject it to one first.</source>
+        <translation>{name} は {crs} ですが、これはメートル単位の平面座標系ではありません。先にそのような座標系へ投影変換してください。</translation>
     </message>
     <message>
         <source>{name}: in {crs} lengths at this place are {scale:.3f} times those on the ground; reproject to a system whose metres are metres, such as {zone}. If the data lie elsewhere, they are in another system than they say.</source>
@@ -11684,16 +11680,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>位置が {crs} の範囲にありません。計測の座標系を選ぶか、緯度と経度を入れ替えてください。</translation>
     </message>
     <message>
-        <source>{crs} is no system of plane coordinates in metres: choose one, such as the zone of the Japan Plane Rectangular CS.</source>
-        <translation>{crs} はメートル単位の平面座標系ではありません。平面直角座標系の系などを選んでください。</translation>
+        <source>The table</source>
+        <translation>表</translation>
     </message>
     <message>
         <source>A latitude is beyond 90°, or a longitude beyond 360°: choose other columns.</source>
         <translation>緯度が90°、または経度が360°を超えています。別の列を選んでください。</translation>
-    </message>
-    <message>
-        <source>{crs} is no reference system: choose one.</source>
-        <translation>{crs} は座標参照系ではありません。座標参照系を選んでください。</translation>
     </message>
     <message>
         <source>markings</source>
@@ -13834,18 +13826,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Ground by {value}: {reason}.</source>
         <translation>地表面の取得元: {value}（{reason}）。</translation>
-    </message>
-    <message>
-        <source>{name} states no coordinate reference system: assign one to the file first.</source>
-        <translation>{name}に座標参照系の記載がありません。先にファイルに設定してください。</translation>
-    </message>
-    <message>
-        <source>{name} is in {crs}, which is not projected: reproject it to metres first.</source>
-        <translation>{name}の{crs}は投影座標系ではありません。先にメートル単位の座標系に変換してください。</translation>
-    </message>
-    <message>
-        <source>{name} is in {crs}, which is not in metres: reproject it to metres first.</source>
-        <translation>{name}の{crs}はメートル単位ではありません。先にメートル単位の座標系に変換してください。</translation>
     </message>
     <message>
         <source>{left_out:,} of {triangles:,} triangles were longer than {max_edge:g} m and left out.</source>

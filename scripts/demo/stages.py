@@ -60,8 +60,8 @@ def stages(size: float, seed: int) -> list[Stage]:
     return [
         Stage("Sample city", "urbanmap:samplecity", {"SIZE": size, "SEED": seed, "OUTPUT": CITY},
               checks.city_as_delivered),
-        Stage("Load GSI buildings", "urbanmap:loadgsibuildings",
-              {"INPUT_FOLDER": CITY / "footprints", "OUTPUT": OUTLINES}, checks.loaded_outlines),
+        Stage("Load GSI buildings", "urbanmap:loadgsi",
+              {"INPUT_FOLDER": CITY / "footprints", "OUTPUT_BUILDINGS": OUTLINES}, checks.loaded_outlines),
         Stage("Surface and ground from ALS", "urbanmap:surfacefromals",
               {"POINTS": ALS, "OUTPUT": Path("dsm.tif"), "OUTPUT_GROUND": Path("ground.tif")}, checks.surfaces),
         _buildings("Buildings from unclassified ALS", ALS, "models"),

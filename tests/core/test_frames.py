@@ -71,8 +71,8 @@ def test_another_datum_is_transformed():
     assert 300 < np.linalg.norm(old - new) < 600
 
 
-@pytest.mark.parametrize("crs, words", [("EPSG:4326", "not a projected"), ("", "not known"), ("nonsense", "not known"),
-                                        ("EPSG:2263", "metres")])
+@pytest.mark.parametrize("crs, words", [("EPSG:4326", "in metres"), ("", "states no"), ("nonsense", "understood"),
+                                        ("EPSG:2263", "in metres")])
 def test_crs_that_cannot_be_used(crs, words):
     with pytest.raises(InputError, match=words):
         MapFrame(crs)

@@ -340,7 +340,7 @@ def test_files_swapped_or_missing(gnss):
         load_observations([], [navigation], drive(gnss), CRS)
     with pytest.raises(InputError, match="No navigation file"):
         load_observations([observed], [], drive(gnss), CRS)
-    with pytest.raises(InputError, match="not a projected CRS"):
+    with pytest.raises(InputError, match="no system of plane coordinates"):
         load_observations([observed], [navigation], drive(gnss), "EPSG:4326")
 
 

@@ -12,14 +12,6 @@ from pyproj import CRS
 from urbanmap_qgis.citymodel.named_reference import given_reference, named_reference
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.io.points.pointcloud import open_cloud
-from urbanmap_qgis.io.reference.crs_text import (
-    datum_key,
-    horizontal_part,
-    parse_wkt,
-    same_horizontal,
-    vertical_part,
-    wkt_text,
-)
 from urbanmap_qgis.io.reference.height_systems import (
     ELLIPSOIDAL,
     UNKNOWN,
@@ -35,6 +27,14 @@ from urbanmap_qgis.io.reference.height_systems import (
 )
 from urbanmap_qgis.io.reference.plane_rectangular import TOWNS, ZONE_NAMES, zone_epsg, zone_numbers
 from urbanmap_qgis.io.reference.renamed_crs import known_wkt
+from urbanmap_qgis.io.reference.system_parts import (
+    datum_key,
+    horizontal_part,
+    own_code,
+    parsed_crs,
+    same_horizontal,
+    vertical_part,
+)
 
 FORMS = ("WKT2_2019", "WKT2_2015", "WKT1_GDAL")
 PLANE = CRS.from_epsg(6677).to_wkt()
@@ -76,18 +76,11 @@ def test_degrees_are_equal_in_two_and_in_three_dimensions():
     assert same_horizontal(CRS.from_epsg(6668).to_wkt(), CRS.from_epsg(6697).to_wkt())
 
 
-@pytest.mark.parametrize("code", [6677, 6697, 10168, 7415, 28992, 8353, 3857, 2154, 4979])
-def test_text_is_parsed_and_written_without_loss(code):
-    for form in FORMS[:2]:
-        text = CRS.from_epsg(code).to_wkt(form)
-        assert CRS.from_wkt(wkt_text(parse_wkt(text))).equals(CRS.from_wkt(text))
-
-
-@pytest.mark.parametrize("text", ["", "PROJCRS", 'PROJCRS["a"', "EPSG:6677", 'A["b"]]', "+proj=tmerc", '"x"[1]',
+@pytest.mark.parametrize("text", ["", "PROJCRS", 'PROJCRS["a"', 'A["b"]]', '"x"[1]',
                                   "[" * 99, "A[" * 999])
 def test_what_is_no_text_of_a_system_is_refused(text):
     with pytest.raises(InputError):
-        parse_wkt(text)
+        parsed_crs(text)
 
 
 @pytest.mark.parametrize("form", ["WKT2_2019", "WKT1_GDAL", "WKT1_ESRI"])
@@ -135,8 +128,8 @@ def test_stated_heights_come_back_from_every_form(kind):
         again = crs.to_wkt(form)
         assert heights_of(again) == japanese(kind), form
         assert same_horizontal(again, PLANE)
-    assert vertical_part(parse_wkt(stating_heights(stated, UNKNOWN))) is None
-    assert horizontal_part(parse_wkt(stated)).epsg == 6677
+    assert vertical_part(stating_heights(stated, UNKNOWN)) is None
+    assert own_code(horizontal_part(stated)) == 6677
 
 
 def test_result_states_the_heights_of_what_it_was_made_from():
@@ -158,9 +151,9 @@ def test_different_heights_are_refused_in_one_sentence_and_unknown_ones_are_not(
 
 
 def test_datum_is_one_word_under_all_its_names():
-    assert {datum_key(parse_wkt(CRS.from_epsg(code).to_wkt(form))) for code in (6668, 6677, 6697)
+    assert {datum_key(parsed_crs(CRS.from_epsg(code).to_wkt(form))) for code in (6668, 6677, 6697)
             for form in (*FORMS, "WKT1_ESRI")} == {"jgd2011"}
-    assert datum_key(parse_wkt(renamed(without_codes(PLANE)))) == "jgd2011"
+    assert datum_key(parsed_crs(renamed(without_codes(PLANE)))) == "jgd2011"
 
 
 @pytest.mark.parametrize(("system", "unit"), [
@@ -173,10 +166,10 @@ def test_the_unit_of_heights_is_that_of_the_vertical_system(system, unit, versio
     assert height_unit("") == 1.0
 
 
-@pytest.mark.parametrize("text", ["", 'LOCAL_CS["a"] € ¥', '§LOCAL_CS["a"]'])
+@pytest.mark.parametrize("text", ["", '§LOCAL_CS["a"]'])
 def test_text_with_what_is_no_wkt_is_refused(text):
-    with pytest.raises(InputError, match="no WKT"):
-        parse_wkt(text)
+    with pytest.raises(InputError, match="cannot be understood"):
+        parsed_crs(text)
 
 
 # Systems under the names that newer databases give them are the ones that older databases know

@@ -167,7 +167,7 @@ def test_refusals(survey, make_cloud, tmp_path):
     path, _ = survey("noise.laz", classification=7)
     with pytest.raises(InsufficientDataError, match="no usable points"):
         classify_ground_files([path], tmp_path / "g.laz")
-    for epsg, words in ((None, "coordinate reference system"), (6668, "not projected")):
+    for epsg, words in ((None, "coordinate reference system"), (6668, "in metres")):
         path, _ = survey("crs.laz", epsg=epsg)
         with pytest.raises(InputError, match=words):
             classify_ground_files([path], tmp_path / "g.laz")

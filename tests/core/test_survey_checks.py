@@ -97,6 +97,19 @@ def test_clocks_that_differ_are_told(make_cloud, tmp_path, later, refused, sente
     assert len(told) == (bool(sentence) and not refused) and all(re.search(sentence, line) for line in told)
 
 
+def test_a_scanner_that_looks_back_has_no_other_clock(make_cloud, tmp_path):
+    """Points 8 m behind, 2 m beside a vehicle that speeds up from 2 to 6 m/s: 2 s earlier it was right beside them."""
+    time, told = np.arange(0.0, 100.0, 0.05), []
+    chainage = 2.0 * time + 0.02 * time**2
+    steady = Trajectory(1000.0 + time, np.column_stack([X + chainage, np.full(2000, Y), np.full(2000, Z)]),
+                        np.tile([0.0, 0.0, 90.0], (2000, 1)))
+    path = make_cloud(tmp_path / "a.laz", X + chainage - 8.0, np.full(2000, Y + 2.0), np.full(2000, 40.0),
+                      gps_time=1000.0 + time)
+    with notices_to(told.append):
+        require_survey(open_cloud([path]), steady)
+    assert not told
+
+
 @pytest.mark.parametrize(("factor", "sentence"), [
     (1000.0, "the trajectory is in millimetres; give it in metres"),
     (1 / 0.3048, "the trajectory is in feet; give it in metres"),

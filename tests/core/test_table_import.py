@@ -237,7 +237,7 @@ def test_a_place_gets_its_zone(name, longitude, latitude, crs):
 
 
 @pytest.mark.parametrize(("change", "says"), [
-    ({"crs": "EPSG:4326"}, "no system of plane coordinates"), ({"crs": "nowhere"}, "is no reference system"),
+    ({"crs": "EPSG:4326"}, "no system of plane coordinates"), ({"crs": "nowhere"}, "cannot be understood"),
     ({"crs": "EPSG:2263"}, "in metres"), ({"columns": {"latitude": 0, "longitude": 1}}, "beyond 90"),
     ({"columns": {"latitude": 1}}, "No column is chosen for time, longitude")])
 def test_wrong_places_get_a_sentence(tmp_path, change, says):

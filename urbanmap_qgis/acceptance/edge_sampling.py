@@ -19,7 +19,7 @@ from ..geometry.mesh_code import COLUMNS as COLUMNS_A_DEGREE
 from ..geometry.mesh_code import ROWS, WEST, regional_mesh_code, third_mesh_code
 from ..geometry.tolerances import LEAST_DIVISOR, LEAST_FACE
 from ..io.files.excel_table import write_excel_table
-from ..io.reference.plan_part import plan_part
+from ..io.reference.system_parts import plan_part
 from ..wording import say
 
 EDGES_OF_UNIT, POINTS_OF_EDGE = 21, 2

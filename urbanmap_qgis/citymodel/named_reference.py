@@ -13,8 +13,8 @@ from pyproj import CRS
 from pyproj.exceptions import CRSError
 
 from ..errors import InputError
-from ..io.reference.crs_text import horizontal_part, parse_wkt, wkt_text
 from ..io.reference.height_systems import HeightSystem, height_system, heights_of
+from ..io.reference.system_parts import horizontal_part, parsed_crs, plan_part
 from ..wording import say
 from .model import CityReference
 from .reference import GEOGRAPHIC, GEOGRAPHIC_2024, JGD2024
@@ -76,7 +76,7 @@ def _known_reference(name: str, where: str) -> NamedReference:
         return NamedReference(reference, ordered)
     crs = _wkt(codes[0], where)
     heights = height_system(f"EPSG:{codes[1]}") if len(codes) > 1 else _coded_heights(crs)
-    plane = CRS.from_wkt(wkt_text(horizontal_part(parse_wkt(crs.to_wkt()))))
+    plane = plan_part(crs)
     epsg = plane.to_epsg() or codes[0]
     first = plane.axis_info[0].direction.lower() if plane.axis_info else "east"
     return NamedReference(CityReference(plane.to_wkt(), epsg, plane.is_geographic, heights.word),
@@ -125,9 +125,8 @@ def given_reference(wkt: str) -> CityReference:
     ------
     InputError : it is no horizontal system.
     """
-    part = horizontal_part(parse_wkt(wkt))
-    if part is None:
+    plane = horizontal_part(wkt)
+    if plane is None:
         raise InputError(say("The coordinate reference system has no horizontal part: choose another."))
-    plane = CRS.from_wkt(wkt_text(part))
     return CityReference(plane.to_wkt(), plane.to_epsg(), plane.is_geographic,
-                         _coded_heights(CRS.from_wkt(wkt)).word)
+                         _coded_heights(parsed_crs(wkt)).word)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ..errors import InputError
-from ..io.reference.crs_text import horizontal_part, parse_wkt
 from ..io.reference.height_systems import height_system, heights_of, same_heights
+from ..io.reference.system_parts import horizontal_part, own_code
 from ..wording import say
 from .model import CityReference
 
@@ -47,7 +47,7 @@ def city_reference(wkt: str, heights: str = "") -> CityReference:
     if given.known and stated.known and not same_heights(given, stated):
         raise InputError(say("The models state heights in {stated}, not in {given}: convert them first, or leave the "
                              "height system out.", stated=stated, given=given))
-    plane = horizontal_part(parse_wkt(wkt)) if wkt else None
+    plane = horizontal_part(wkt)
     system = stated if stated.known else given
-    return CityReference(wkt, plane.epsg if plane is not None else None,
-                         plane is not None and plane.word.startswith("GEO"), system.word)
+    return CityReference(wkt, None if plane is None else own_code(plane),
+                         plane is not None and not plane.is_projected, system.word)

@@ -13,10 +13,9 @@ from ..aerial.frames.camera import read_camera
 from ..aerial.frames.exterior_files import read_exterior
 from ..errors import InputError, UrbanMapError
 from ..geometry.earth import METRES_A_DEGREE
-from ..io.reference.crs_text import same_horizontal
 from ..io.reference.height_systems import refuse_other_heights
-from ..io.reference.plan_part import plan_part
 from ..io.reference.system_names import local_name
+from ..io.reference.system_parts import plan_part, same_horizontal
 from ..mobile.gps_time import shift_between
 from ..wording import say
 from .file_facts import (

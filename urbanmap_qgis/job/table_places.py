@@ -11,14 +11,14 @@ from collections.abc import Sequence
 
 import numpy as np
 from pyproj import CRS, Proj, Transformer
-from pyproj.exceptions import CRSError, ProjError
+from pyproj.exceptions import ProjError
 
 from ..errors import InputError
 from ..io.files.columns import LATITUDE as LATITUDE_NAMES
 from ..io.files.columns import LONGITUDE as LONGITUDE_NAMES
 from ..io.files.named_table import WRITTEN_NUMBER
-from ..io.points.pointcloud import plan_crs
 from ..io.reference.plane_rectangular import zone_epsg, zone_numbers
+from ..io.reference.system_parts import metric_plane
 from ..wording import say
 
 LATITUDE = ("latitude", "latitude_minutes", "latitude_seconds")
@@ -86,13 +86,7 @@ def placed_in(crs: str, longitude: np.ndarray, latitude: np.ndarray) -> tuple[np
     ------
     InputError : the system is none, is not one of plane coordinates in metres, or does not reach a place.
     """
-    try:
-        plan = plan_crs(CRS.from_user_input(crs))
-    except CRSError as error:
-        raise InputError(say("{crs} is no reference system: choose one.", crs=crs or "–")) from error
-    if not plan.is_projected or any(axis.unit_conversion_factor != 1.0 for axis in plan.axis_info):
-        raise InputError(say("{crs} is no system of plane coordinates in metres: choose one, such as the zone of the "
-                             "Japan Plane Rectangular CS.", crs=plan.name))
+    plan = metric_plane(say("The table"), crs)
     if (np.abs(latitude) > 90.0).any() or (np.abs(longitude) > 360.0).any():
         raise InputError(say("A latitude is beyond 90°, or a longitude beyond 360°: choose other columns."))
     try:

@@ -23,11 +23,11 @@ from ..io.points.pointcloud import (
     open_cloud,
     valid_points,
 )
+from ..io.reference.system_parts import metric_plane
 from ..progress import SILENT, Progress
 from ..settings.terrain import ClothSettings
 from ..terrain.cloth import JAVANMARDI, LowestHeights, bottom_points, final_cloth, first_cloth
 from ..terrain.outliers import isolation_limit, plausible
-from ..terrain.surface_files import metric_crs_wkt
 from ..terrain.tiles import ClothPart, TilePoints, layer_of_tile, lowest_heights_of_tile, point_margin
 from ..wording import say
 from .markings.survey_points import MIN_GROUND_SHARE
@@ -108,7 +108,7 @@ def classify_ground_files(paths: Sequence[str | os.PathLike], output: str | os.P
     InsufficientDataError : no usable points, or a share of ground that cannot be right.
     """
     cloud = open_cloud(paths, crs_wkt)
-    wkt = metric_crs_wkt(cloud)
+    wkt = metric_plane(cloud.paths[0].name, cloud.crs_wkt).to_wkt()
     with decoded_once():
         with tiles_of_survey(cloud, settings.resolution, point_margin(settings), progress.part(0.0, 0.35)) as tiles:
             grounds = _grounds(tiles, settings, executor, progress.part(0.35, 0.65))

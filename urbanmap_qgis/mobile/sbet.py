@@ -11,7 +11,7 @@ from pyproj import CRS, Proj, Transformer
 from ..errors import InputError
 from ..io.conversion.geoid import Geoid
 from ..io.files.guard import first_not_finite
-from ..io.points.pointcloud import plan_crs
+from ..io.reference.system_parts import parsed_crs, plan_part
 from ..wording import say
 from .trajectory import Trajectory
 
@@ -74,7 +74,7 @@ def sbet_records(trajectory: Trajectory, given: Mapping[str, Sequence], crs_wkt:
     records = np.empty(len(trajectory), _RECORD)
     for name in _RECORD.names:
         records[name] = given[name]
-    crs = plan_crs(CRS.from_wkt(crs_wkt))
+    crs = plan_part(parsed_crs(crs_wkt))
     back = Transformer.from_crs(crs, crs.geodetic_crs, always_xy=True)
     longitude, latitude = back.transform(trajectory.place[:, 0], trajectory.place[:, 1])
     records["longitude"], records["latitude"] = np.radians(longitude), np.radians(latitude)
@@ -98,7 +98,7 @@ def _heights(records: np.ndarray, geoid: Geoid | None, name: str) -> tuple[np.nd
 
 def _projected(records: np.ndarray, crs_wkt: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Map coordinates and meridian convergence (degrees, grid north east of true north)."""
-    crs = plan_crs(CRS.from_wkt(crs_wkt))
+    crs = plan_part(parsed_crs(crs_wkt))
     longitude, latitude = np.degrees(records["longitude"]), np.degrees(records["latitude"])
     x, y = Transformer.from_crs(crs.geodetic_crs, crs, always_xy=True).transform(longitude, latitude)
     return x, y, _convergence(crs, longitude, latitude)

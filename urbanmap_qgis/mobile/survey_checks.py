@@ -93,35 +93,42 @@ def _require_clock(cloud: PointCloud, trajectory: Trajectory, shift: float) -> N
     time, place = sampled_points(cloud)
     most = np.floor(min(LIMITS.clocks, 0.5 * np.ptp(time))) if len(time) else 0.0  # in less time all is near
     later = np.arange(-most, most + 1.0)
-    away = _distances_later(time, place, trajectory, shift, later) if most else np.full(1, np.nan)
-    if not np.isfinite(away[len(later) // 2]):
+    now = len(later) // 2
+    away, along = _places_later(time, place, trajectory, shift, later) if most else np.full((2, 1), np.nan)
+    if not np.isfinite(away[now]):
         return
     best = int(np.nanargmin(away))
-    seconds, ratio = float(later[best]), away[len(later) // 2] / max(away[best], ROUNDING)
-    if abs(seconds) <= LIMITS.alike or ratio < LIMITS.nearer:
+    seconds, ratio = float(later[best]), away[now] / max(away[best], ROUNDING)
+    # A scanner that looks ahead or back does so by the same length at any speed, a wrong clock does not.
+    if abs(seconds) <= LIMITS.alike or ratio < LIMITS.nearer or along[best] > LIMITS.nearer * along[now]:
         return
     named = [known(clocks) for clocks, (low, high) in _CLOCKS.items()
              if low - LIMITS.alike <= abs(seconds) <= high + LIMITS.alike]
     text = say("The points of {name} lie {now:.0f} m (median) from where the vehicle was at their times, but "
                "{near:.0f} m from where it was about {seconds:.0f} s {value}: their clocks seem to differ{clocks}.",
-               name=cloud.paths[0].name, now=away[len(later) // 2], near=away[best], seconds=abs(seconds),
+               name=cloud.paths[0].name, now=away[now], near=away[best], seconds=abs(seconds),
                value=say("later") if seconds > 0 else say("earlier"), clocks=f" ({named[0]})" if named else "")
     if named and ratio >= LIMITS.surely:
         raise InputError(text)
     notice(text)
 
 
-def _distances_later(time: np.ndarray, place: np.ndarray, trajectory: Trajectory, shift: float,
-                     later: np.ndarray) -> np.ndarray:
-    """(k,) m, median distance in plan of points (n,), (n, 2) from where the vehicle was `later` (k,) seconds after
-    their times; NaN where it is known for less than a quarter of them."""
-    found = np.full(len(later), np.nan)
+def _places_later(time: np.ndarray, place: np.ndarray, trajectory: Trajectory, shift: float,
+                  later: np.ndarray) -> np.ndarray:
+    """(2, k) m, of points (n,), (n, 2) seen from where the vehicle was `later` (k,) seconds after their times: median
+    distance in plan, and the range of the middle half of their places along its course; NaN where it is known for less
+    than a quarter of them."""
+    found = np.full((2, len(later)), np.nan)
+    course = np.gradient(trajectory.place[:, :2], trajectory.time, axis=0)
     for k, seconds in enumerate(later):
         at = time + shift + seconds
         known_at = trajectory.within(at)
         if known_at.mean() >= LIMITS.known:
-            x, y = (np.interp(at[known_at], trajectory.time, axis) for axis in trajectory.place[:, :2].T)
-            found[k] = np.median(np.hypot(place[known_at, 0] - x, place[known_at, 1] - y))
+            x, y, east, north = (np.interp(at[known_at], trajectory.time, axis)
+                                 for axis in (*trajectory.place[:, :2].T, *course.T))
+            x, y = place[known_at].T - [x, y]
+            along = (x * east + y * north) / np.maximum(np.hypot(east, north), ROUNDING)
+            found[:, k] = np.median(np.hypot(x, y)), np.subtract(*np.quantile(along, [0.75, 0.25]))
     return found
 
 

@@ -9,13 +9,13 @@ from contextlib import ExitStack
 from dataclasses import dataclass
 
 import numpy as np
-from pyproj import CRS
 
-from ..errors import InputError, InsufficientDataError
+from ..errors import InsufficientDataError
 from ..geometry.grid import Grid
 from ..io.ply import mesh_writer
-from ..io.points.pointcloud import PointCloud, open_cloud, plan_crs
+from ..io.points.pointcloud import open_cloud
 from ..io.raster import write_raster
+from ..io.reference.system_parts import metric_plane
 from ..progress import SILENT, Progress
 from ..settings.terrain import SurfaceSettings
 from ..wording import say
@@ -55,26 +55,6 @@ class SurfaceSummary:
     crs_wkt: str
 
 
-def metric_crs_wkt(cloud: PointCloud) -> str:
-    """WKT of the cloud's CRS, which must be projected and in metres.
-
-    Raises
-    ------
-    InputError : it is missing, geographic or in other units.
-    """
-    name = cloud.paths[0].name
-    if not cloud.crs_wkt:
-        raise InputError(say("{name} states no coordinate reference system: assign one to the file first.", name=name))
-    crs = plan_crs(CRS.from_wkt(cloud.crs_wkt))
-    if not crs.is_projected:
-        raise InputError(say("{name} is in {crs}, which is not projected: reproject it to metres first.", name=name,
-                             crs=crs.name))
-    if any(abs(axis.unit_conversion_factor - 1.0) > 1e-9 for axis in crs.axis_info):
-        raise InputError(say("{name} is in {crs}, which is not in metres: reproject it to metres first.", name=name,
-                             crs=crs.name))
-    return crs.to_wkt()
-
-
 def surfaces_from_files(paths: Sequence[str | os.PathLike], surface_path: str | os.PathLike,
                         ground_path: str | os.PathLike | None = None, mesh_path: str | os.PathLike | None = None,
                         settings: SurfaceSettings | None = None, progress: Progress = SILENT,
@@ -98,7 +78,7 @@ def surfaces_from_files(paths: Sequence[str | os.PathLike], surface_path: str | 
     OutputError : a result cannot be written.
     """
     cloud, settings = open_cloud(paths, crs_wkt), settings or SurfaceSettings()
-    wkt = metric_crs_wkt(cloud)
+    wkt = metric_plane(cloud.paths[0].name, cloud.crs_wkt).to_wkt()
     with ExitStack() as stack:
         points = CloudTiles(cloud, settings, executor, stack)
         points.read(progress.part(0.0, 0.35))

@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ..errors import InputError
-from ..io.reference.plan_part import plan_part
+from ..io.reference.system_parts import plan_part
 from ..wording import say
 from .tile_grid import Bounds, GridTile, TileGrid
 

@@ -11,7 +11,7 @@ import shapely
 
 from ..errors import InputError
 from ..geometry.mesh_code import COLUMNS, ROWS, WEST, regional_mesh_code
-from ..io.reference.plan_part import plan_part
+from ..io.reference.system_parts import plan_part
 from ..wording import say
 from .tile_grid import MAX_TILES, Bounds, GridTile, TileGrid
 

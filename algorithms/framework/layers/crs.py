@@ -84,13 +84,14 @@ def horizontal(crs: QgsCoordinateReferenceSystem | str | None) -> QgsCoordinateR
     wkt = wkt_of(crs_from(crs))
     if not _COMPOUND.match(wkt):
         return crs_from(crs)
-    from ....urbanmap_qgis.io.reference.crs_text import horizontal_part, parse_wkt, wkt_text
+    from ....urbanmap_qgis.io.reference.system_parts import horizontal_part, own_code
 
-    part = horizontal_part(parse_wkt(wkt))
+    part = horizontal_part(wkt)
     if part is None:
         return crs_from(crs)
-    return QgsCoordinateReferenceSystem(f"EPSG:{part.epsg}") if part.epsg else QgsCoordinateReferenceSystem.fromWkt(
-        wkt_text(part))
+    code = own_code(part)
+    return QgsCoordinateReferenceSystem(f"EPSG:{code}") if code else QgsCoordinateReferenceSystem.fromWkt(
+        part.to_wkt())
 
 
 def crs_name(crs: QgsCoordinateReferenceSystem | str | None) -> str:
@@ -178,7 +179,7 @@ def same_plan(a: QgsCoordinateReferenceSystem | str | None, b: QgsCoordinateRefe
 
 
 def _equal(a: QgsCoordinateReferenceSystem, b: QgsCoordinateReferenceSystem) -> bool:
-    from ....urbanmap_qgis.io.reference.crs_text import datum_key, parse_wkt, same_horizontal
+    from ....urbanmap_qgis.io.reference.system_parts import datum_key, parsed_crs, same_horizontal
 
     if a == b:
         return True
@@ -187,4 +188,4 @@ def _equal(a: QgsCoordinateReferenceSystem, b: QgsCoordinateReferenceSystem) -> 
     if same_horizontal(wkt_of(a), wkt_of(b)):
         return True
     # Parameters under other programs' names: PROJ knows them all, but not the datum.
-    return a.toProj() == b.toProj() and datum_key(parse_wkt(wkt_of(a))) == datum_key(parse_wkt(wkt_of(b)))
+    return a.toProj() == b.toProj() and datum_key(parsed_crs(wkt_of(a))) == datum_key(parsed_crs(wkt_of(b)))

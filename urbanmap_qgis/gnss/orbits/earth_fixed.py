@@ -5,12 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from pyproj import CRS, Transformer
-from pyproj.exceptions import CRSError
+from pyproj import Transformer
 
 from ...errors import InputError
 from ...geometry.earth import curvature_radii, earth_fixed
-from ...io.reference.plan_part import plan_part
+from ...io.reference.system_parts import metric_plane
 from ...wording import say
 
 SPEED_OF_LIGHT = 299792458.0  # m/s
@@ -50,14 +49,7 @@ class MapFrame:
     """
 
     def __init__(self, crs_wkt: str, geoid_separation: float = 0.0):
-        try:
-            crs = CRS.from_user_input(crs_wkt)
-        except CRSError as error:
-            raise InputError(say("The CRS of the map is not known: give the data a projected CRS in "
-                                 "metres.")) from error
-        crs = plan_part(crs)
-        if not crs.is_projected or abs(crs.axis_info[0].unit_conversion_factor - 1.0) > 1e-9:
-            raise InputError(say("{crs} is not a projected CRS in metres: reproject the data.", crs=crs.name))
+        crs = metric_plane(say("The map"), crs_wkt)
         self.geoid_separation = float(geoid_separation)
         self._to_degrees = Transformer.from_crs(crs, "EPSG:4326", always_xy=True)
 

@@ -13,14 +13,13 @@ from dataclasses import dataclass, field
 import laspy
 import numpy as np
 import shapely
-from pyproj import CRS, Transformer
+from pyproj import Transformer
 
 from ...errors import InputError, InsufficientDataError
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..points.pointcloud import PointLayout, cloud_writer, iter_chunks, open_cloud
 from ..raster import RasterSampler, write_raster
-from ..reference.crs_text import horizontal_part, parse_wkt, same_horizontal, wkt_text
 from ..reference.height_systems import (
     ELLIPSOIDAL,
     JAPANESE,
@@ -29,6 +28,7 @@ from ..reference.height_systems import (
     same_heights,
     stating_heights,
 )
+from ..reference.system_parts import horizontal_part, same_horizontal
 from .geoid import Geoid
 
 LARGEST_CORRECTION = 5.0
@@ -139,10 +139,9 @@ def height_conversion(wkt: str, stated: HeightSystem, target: HeightSystem, grid
                                  "{target} give the grid of corrections.", grid=grid.name, size=size, source=source,
                                  target=target))
         sign = _sign(source, target, reverse)
-    part = horizontal_part(parse_wkt(wkt)) if wkt else None
-    if part is None:
+    plane = horizontal_part(wkt)
+    if plane is None:
         raise InputError(say("The data have no coordinate reference system: assign the one that they are in."))
-    plane = CRS.from_wkt(wkt_text(part))
     to_degrees = None if plane.is_geographic else Transformer.from_crs(plane, plane.geodetic_crs, always_xy=True)
     return HeightConversion(grid, sign, target, stating_heights(plane.to_wkt(), target), to_degrees)
 

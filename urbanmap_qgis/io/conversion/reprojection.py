@@ -16,8 +16,7 @@ from ...errors import InputError
 from ...geometry.grid import Grid
 from ...wording import say
 from ..raster import RasterSampler
-from ..reference.crs_text import datum_key, horizontal_part, parse_wkt, same_horizontal, wkt_text
-from ..reference.renamed_crs import known_wkt
+from ..reference.system_parts import datum_key, horizontal_part, same_horizontal
 
 # West, south, east and north of the prefectures that the earthquake of 2011 moved by up to 5 m: there EPSG's change
 # from JGD2000 to JGD2011 is GSI's grid, which this program has not.
@@ -77,10 +76,9 @@ def plane_transform(source_wkt: str, target_wkt: str, bounds: tuple[float, float
     """
     if same_horizontal(source_wkt, target_wkt):
         return None
-    first, second = (_horizontal(wkt) for wkt in (source_wkt, target_wkt))
+    source, target = (_horizontal(wkt) for wkt in (source_wkt, target_wkt))
     try:
-        source, target = CRS.from_wkt(first), CRS.from_wkt(second)
-        if datum_key(parse_wkt(first)) == datum_key(parse_wkt(second)):
+        if datum_key(source) == datum_key(target):
             return PlaneTransform(Transformer.from_crs(source, target, always_xy=True), 0.0, "")
         with warnings.catch_warnings():
             # That better grids exist elsewhere is told below, in the refusal.
@@ -88,7 +86,7 @@ def plane_transform(source_wkt: str, target_wkt: str, bounds: tuple[float, float
             group = TransformerGroup(source, target, always_xy=True)
     except (CRSError, ProjError) as error:
         raise InputError(say("A coordinate reference system cannot be understood: set another one.")) from error
-    moved = ({datum_key(parse_wkt(first)), datum_key(parse_wkt(second))} == {"jgd2000", "jgd2011"}
+    moved = ({datum_key(source), datum_key(target)} == {"jgd2000", "jgd2011"}
              and _touches(bounds, source, _MOVED_2011))
     usable = [] if moved else [
         found for found in group.transformers if 0.0 <= found.accuracy <= ROUGH and "allpark" not in found.description]
@@ -110,11 +108,11 @@ def _touches(bounds: tuple[float, float, float, float] | None, source: CRS, area
     return west <= area[2] and east >= area[0] and south <= area[3] and north >= area[1]
 
 
-def _horizontal(wkt: str) -> str:
-    node = horizontal_part(parse_wkt(known_wkt(wkt)))
-    if node is None:
+def _horizontal(wkt: str) -> CRS:
+    part = horizontal_part(wkt)
+    if part is None:
         raise InputError(say("A coordinate reference system has no horizontal part: set another one."))
-    return wkt_text(node)
+    return part
 
 
 def epsg_wkt(code: int) -> str:

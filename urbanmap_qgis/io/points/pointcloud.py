@@ -21,8 +21,8 @@ from ...errors import InputError, InsufficientDataError
 from ...progress import SILENT, Progress, notice
 from ...wording import say
 from ..files.atomic import written_beside
-from ..reference.crs_text import same_horizontal
 from ..reference.height_systems import refuse_other_heights
+from ..reference.system_parts import parsed_crs, same_horizontal
 from ..reference.true_lengths import require_true_lengths
 from .decoded_points import decoded_points
 from .las_check import check_las, decoding, is_pointwise
@@ -113,7 +113,7 @@ def open_cloud(paths: Sequence[str | os.PathLike], crs_wkt: str | None = None,
     stated = [(path, crs) for path, header in zip(files, headers)
               if (crs := _counting_crs(path, header, given if path in renamed else None))]
     for path, crs in stated[1:]:
-        if not same_plan_crs(crs, stated[0][1]):
+        if not same_horizontal(crs.to_wkt(), stated[0][1].to_wkt()):
             raise InputError(say("{path} is in {crs}, but {stated} is in {stated_2}: give files of one coordinate "
                                  "reference system.", path=path.name, crs=crs.name, stated=stated[0][0].name,
                                  stated_2=stated[0][1].name))
@@ -137,14 +137,14 @@ def _counting_crs(path: Path, header: laspy.LasHeader, given: str | None) -> CRS
     """The system that a file states, or the one that was given for it; the user is told where they differ."""
     if given is None:
         return stated_crs(path, header)
-    counting = CRS.from_wkt(given)
+    counting = parsed_crs(given)
     try:
         stated = stated_crs(path, header)
     except InputError:  # what is given is there to put it right
         return counting
     if stated is None:
         return counting
-    if same_plan_crs(stated, counting) and not counting.is_compound:
+    if same_horizontal(stated.to_wkt(), given) and not counting.is_compound:
         return stated  # with its heights
     notice(say("{path} says that it is in {stated}; {given} counts, which was given for it.", path=path.name,
                stated=stated.name, given=counting.name))
@@ -199,24 +199,6 @@ def _header(path: Path) -> laspy.LasHeader:
     except _READ_ERRORS as error:
         raise InputError(say("{path} cannot be read as LAS or LAZ ({error}): it may be truncated or of another kind.",
                              path=path.name, error=error)) from error
-
-
-def plan_crs(crs: CRS) -> CRS:
-    """The horizontal part of a CRS: what outlines and rasters are compared with."""
-    if crs.is_compound:
-        return plan_crs(crs.sub_crs_list[0])
-    return plan_crs(crs.source_crs) if crs.is_bound else crs
-
-
-def same_plan_crs(first: CRS, second: CRS) -> bool:
-    """Whether two CRS have the same horizontal part (axis order aside)."""
-    first, second = plan_crs(first), plan_crs(second)
-    if first.equals(second, ignore_axis_order=True):
-        return True
-    if same_horizontal(first.to_wkt(), second.to_wkt()):
-        return True
-    code = first.to_epsg(min_confidence=70)
-    return code is not None and code == second.to_epsg(min_confidence=70)
 
 
 def iter_chunks(cloud: PointCloud, progress: Progress = SILENT, chunk_points: int = CHUNK_POINTS, *,

@@ -18,8 +18,8 @@ from ...errors import InputError
 from ...progress import notice
 from ...wording import say
 from ..reference.height_systems import HeightSystem, height_system, stating_heights
-from ..reference.plan_part import plan_part
 from ..reference.renamed_crs import known_wkt
+from ..reference.system_parts import same_horizontal
 
 _PLAN_UNITS, _VERTICAL, _VERTICAL_UNITS = 3076, 4096, 4099
 _CODES = range(1024, 32767)
@@ -49,7 +49,7 @@ def stated_crs(path: str | os.PathLike, header: laspy.LasHeader) -> CRS | None:
     if not usable:
         return None
     for other in usable[1:]:
-        if not plan_part(other).equals(plan_part(usable[0]), ignore_axis_order=True):
+        if not same_horizontal(other.to_wkt(), usable[0].to_wkt()):
             notice(say("{path} states two reference systems: {crs} counts, as its header says, and not {other}.",
                        path=path.name, crs=usable[0].name, other=other.name))
     return usable[0]

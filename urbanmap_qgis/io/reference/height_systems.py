@@ -12,14 +12,7 @@ from dataclasses import dataclass
 
 from ...errors import InputError
 from ...wording import say
-from .crs_text import (
-    WktNode,
-    horizontal_part,
-    is_ellipsoidal,
-    parse_wkt,
-    vertical_part,
-    wkt_text,
-)
+from .system_parts import horizontal_part, own_code, parsed_crs, vertical_part
 
 JAPANESE = {"JGD2000": 6694, "JGD2011": 6695, "JGD2024": 11317}
 """EPSG code of each of Japan's height systems."""
@@ -117,15 +110,15 @@ def heights_of(wkt: str) -> HeightSystem:
     """
     if not wkt or not wkt.strip():
         return UNKNOWN
-    node = parse_wkt(wkt)
-    if node.epsg and any(node.epsg in codes for codes in _COMPOUND_OF.values()):
-        return _coded(node.epsg)
-    vertical = vertical_part(node)
+    code, vertical = own_code(parsed_crs(wkt)), vertical_part(wkt)
+    if code and any(code in codes for codes in _COMPOUND_OF.values()):
+        return _coded(code)
     if vertical is None:
-        return ELLIPSOIDAL if is_ellipsoidal(node) else UNKNOWN
+        plan = horizontal_part(wkt)
+        return ELLIPSOIDAL if plan is not None and any(axis.direction == "up" for axis in plan.axis_info) else UNKNOWN
     name = vertical.name.removeprefix(_SPELT_OUT)
-    if vertical.epsg:
-        return _coded(vertical.epsg, name)
+    if own_code(vertical):
+        return _coded(own_code(vertical), name)
     # EPSG's databases call 6695 "JGD2011 (vertical) height"; a text without code is told by its name.
     year = _YEAR.search(name)
     if year:
@@ -142,9 +135,8 @@ def height_unit(wkt: str) -> float:
     ------
     InputError : it is no WKT.
     """
-    vertical = vertical_part(parse_wkt(wkt)) if wkt and wkt.strip() else None
-    units = [] if vertical is None else [item for item in vertical.walk() if item.word in ("LENGTHUNIT", "UNIT")]
-    return float(units[0].values[1]) if units else 1.0
+    vertical = vertical_part(wkt)
+    return 1.0 if vertical is None else float(vertical.axis_info[0].unit_conversion_factor)
 
 
 def same_heights(first: HeightSystem, second: HeightSystem) -> bool:
@@ -184,24 +176,17 @@ def stating_heights(wkt: str, system: HeightSystem, coded: bool = True, unit: fl
     `unit` : metres of a unit of the heights. What the system said of heights before is replaced. Ellipsoidal heights
     and systems without a name cannot be said in a compound system; the horizontal part alone is given then.
     """
-    node = horizontal_part(parse_wkt(wkt)) if wkt else None
-    if node is None or not system.known or system.kind == "ellipsoidal" or not (system.name or system.epsg):
-        return wkt_text(node) if node is not None else wkt
-    vertical = _vertical(system, coded, unit)
-    name = f"{node.name} + {vertical.name}"
-    return wkt_text(WktNode("COMPOUNDCRS", (name, node, vertical)))
-
-
-def _vertical(system: HeightSystem, coded: bool, unit: float) -> WktNode:
-    """A vertical system written out, so that a database that does not know its code can read it."""
-    name = system.name or f"EPSG:{system.epsg}"
-    datum = (f"Japanese Geodetic Datum {system.kind[3:]} (vertical)" if system.kind in JAPANESE else name)
-    parts = [name if coded else f"{_SPELT_OUT}{name}", WktNode("VDATUM", (datum,)), WktNode("CS", ("vertical", 1)),
-             WktNode("AXIS", ("gravity-related height (H)", "up", WktNode(
-                 "LENGTHUNIT", ("metre", 1) if unit == 1.0 else ("foot", unit))))]
-    if system.epsg and coded:
-        parts.append(WktNode("ID", ("EPSG", system.epsg)))
-    return WktNode("VERTCRS", tuple(parts))
+    plan = horizontal_part(wkt)
+    if plan is None or not system.known or system.kind == "ellipsoidal" or not (system.name or system.epsg):
+        return wkt if plan is None else plan.to_wkt()
+    # Written out, so that a database that does not know the code can read it.
+    own = (system.name or f"EPSG:{system.epsg}").replace('"', '""')
+    name = own if coded else f"{_SPELT_OUT}{own}"
+    datum = f"Japanese Geodetic Datum {system.kind[3:]} (vertical)" if system.kind in JAPANESE else own
+    length = f'"foot",{unit!r}' if unit != 1.0 else '"metre",1'
+    code = f',ID["EPSG",{system.epsg}]' if system.epsg and coded else ""
+    return (f'COMPOUNDCRS["{plan.name} + {name}",{plan.to_wkt()},VERTCRS["{name}",VDATUM["{datum}"],CS[vertical,1],'
+            f'AXIS["gravity-related height (H)",up,LENGTHUNIT[{length}]]{code}]]')
 
 
 def stating_heights_of(wkt: str, *others: str) -> str:

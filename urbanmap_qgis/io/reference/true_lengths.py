@@ -15,8 +15,8 @@ from pyproj.exceptions import CRSError, ProjError
 from ...errors import InputError
 from ...progress import notice
 from ...wording import say
-from .plan_part import plan_part
 from .plane_rectangular import ZONE_NAMES, zone_epsg, zone_numbers
+from .system_parts import plan_part
 
 REFUSED, TOLD = 0.01, 5e-4
 """Differences of the scale from 1: none within the zone of a survey's projection, and that of a UTM zone's rim."""

@@ -10,7 +10,7 @@ import pyproj
 
 from ...errors import InputError
 from ...io.files.atomic import written_beside
-from ...io.reference.plan_part import plan_part
+from ...io.reference.system_parts import plan_part
 from ...wording import say
 
 PROJECTORS = ("TransverseMercator", "MGRS")

@@ -14,7 +14,7 @@ import shapely
 
 from ...errors import InputError
 from ...io.files.atomic import written_beside
-from ...io.reference.plan_part import plan_part
+from ...io.reference.system_parts import plan_part
 from ...wording import say
 from ..map_objects import signals_of_stop_lines
 from ..map_records import Bound, MapArea, VectorMap
