@@ -1,6 +1,5 @@
 """Outlines put back to their places in scenes whose truth is known."""
 
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -129,10 +128,10 @@ def test_pieces_of_work_do_not_matter(monkeypatch):
     truth = terrace()
     polygons, evidence = shifted(truth, random_shifts(len(truth), 1.5, seed=8)), evidence_of(truth)
     whole = found(estimate_displacements(polygons, evidence, GRID))
-    monkeypatch.setattr(displacement_search, "LIMITS", replace(displacement_search.LIMITS, pairs_at_once=3))
+    monkeypatch.setattr(displacement_search, "PAIRS_AT_ONCE", 3)
     monkeypatch.setattr("urbanmap_qgis.buildings.outlines.displacement_pairs.PAIRS_AT_ONCE", 2)
     monkeypatch.setattr("urbanmap_qgis.buildings.outlines.displacement_boundary.LOOKUPS", 1000)
-    monkeypatch.setattr(displacement, "LIMITS", replace(displacement.LIMITS, outlines_at_once=1))
+    monkeypatch.setattr(displacement, "OUTLINES_AT_ONCE", 1)
     assert np.array_equal(found(estimate_displacements(polygons, evidence, GRID)), whole)
 
 

@@ -85,7 +85,7 @@ def test_lines_are_drawn_on_less_far_where_they_would_cut_very_many_faces(monkey
     outline, planes = shapely.box(0, 0, 40, 40), np.column_stack([np.zeros((16, 2)), 5.0 + np.arange(16) % 7])
     raster = label_raster(points, label, outline, 5.0)
     usual = module.candidate_segments(raster, planes, outline, points, label)
-    monkeypatch.setattr(module, "LIMITS", module.CandidateSegmentsLimits(many_faces=20.0))
+    monkeypatch.setattr(module, "MANY_FACES", 20.0)
     short = module.candidate_segments(raster, planes, outline, points, label)
     assert len(short) == len(usual)
     length = np.hypot(*(usual[:, 1] - usual[:, 0]).T) - np.hypot(*(short[:, 1] - short[:, 0]).T)

@@ -121,59 +121,59 @@ class PointsAboutEdge:
         return float(np.percentile(beside, 10)) if len(beside) else np.nan
 
 
-def roof_edge(points: PointsAboutEdge, limits: MeasurementLimits = LIMITS) -> MeasuredEdge:
+def roof_edge(points: PointsAboutEdge) -> MeasuredEdge:
     """The place where the roof's points end.
 
     Along the outward axis the points of a roof have one density up to its edge and none beyond, blurred by the beam and
     by the edge's own bends: the places are weighed by the likelihood of the points' places, over all blurs. That needs
     neither the density nor points beside the edge near it, which walls often hide.
     """
-    if np.count_nonzero(points.outward <= points.reach) < limits.least_points or not np.isfinite(points.ground):
+    if np.count_nonzero(points.outward <= points.reach) < LIMITS.least_points or not np.isfinite(points.ground):
         return MeasuredEdge(reason=FEW)
-    if points.roof - points.ground < limits.least_drop:
+    if points.roof - points.ground < LIMITS.least_drop:
         return MeasuredEdge(reason=OPEN)
-    on_roof, below = _roof_points(points, limits)
+    on_roof, below = _roof_points(points)
     near = np.abs(points.outward) <= points.reach
     upper = points.outward[on_roof & near]
     places = points.along[on_roof & near]
     count = len(upper)
-    if count < limits.least_points:
-        many = np.count_nonzero(below & near) >= limits.least_points
+    if count < LIMITS.least_points:
+        many = np.count_nonzero(below & near) >= LIMITS.least_points
         return MeasuredEdge(points=count, reason=ABSENT if many else FEW)
     inside = points.outward[on_roof & (points.outward <= 0.5 * points.reach)]
-    place, sigma = _end_by_sections(places, upper, points, _independence(inside), limits)
+    place, sigma = _end_by_sections(places, upper, points, _independence(inside))
     beside = np.count_nonzero(below & (points.outward > place))
     # An end so near to the window's that the points cannot tell it from one beyond is none that was found.
     if place > points.reach - max(0.1 * points.reach, 2.0 * sigma):
-        return MeasuredEdge(points=count, reason=OPEN if beside < limits.least_lower else ABSENT)
-    if beside < limits.least_lower:
+        return MeasuredEdge(points=count, reason=OPEN if beside < LIMITS.least_lower else ABSENT)
+    if beside < LIMITS.least_lower:
         return MeasuredEdge(points=count, reason=OPEN)
     at_end = points.along[on_roof & (points.outward > place - 1.5)]
-    if _covered(at_end, points.length, 2 * limits.piece) < limits.covered:
+    if _covered(at_end, points.length, 2 * LIMITS.piece) < LIMITS.covered:
         return MeasuredEdge(points=count, reason=FEW)
-    return MeasuredEdge(place, float(np.hypot(sigma, limits.floor)), points=count)
+    return MeasuredEdge(place, float(np.hypot(sigma, LIMITS.floor)), points=count)
 
 
-def _roof_points(points: PointsAboutEdge, limits: MeasurementLimits) -> tuple[np.ndarray, np.ndarray]:
+def _roof_points(points: PointsAboutEdge) -> tuple[np.ndarray, np.ndarray]:
     """Masks of points of the roof at the edge, and of what lies well below it.
 
     The roof's surface is the model's, raised and tilted as the points inside the edge ask.
     """
     raised = points.height > 0.5 * (points.roof + points.ground)
     use = raised & (points.outward < 0.0)
-    if np.count_nonzero(use) < limits.least_points:
+    if np.count_nonzero(use) < LIMITS.least_points:
         use = raised
     off = points.above.copy()
     columns = np.column_stack([np.ones_like(off), points.along - points.length / 2, points.outward])
-    spread = limits.roof_tolerance
+    spread = LIMITS.roof_tolerance
     for _ in range(4):
-        if np.count_nonzero(use) < limits.least_points:
+        if np.count_nonzero(use) < LIMITS.least_points:
             break
         fitted, *_ = np.linalg.lstsq(columns[use], points.above[use], rcond=None)
         off = points.above - columns @ fitted
-        spread = max(limits.roof_tolerance, 3.0 * SIGMA_OF_MAD * float(np.median(np.abs(off[use]))))
+        spread = max(LIMITS.roof_tolerance, 3.0 * SIGMA_OF_MAD * float(np.median(np.abs(off[use]))))
         use = raised & (np.abs(off) <= spread) & (points.outward < 0.5 * points.reach)
-    on_roof = raised & (off >= -spread) & (off <= max(spread, limits.parapet))
+    on_roof = raised & (off >= -spread) & (off <= max(spread, LIMITS.parapet))
     return on_roof, off < -max(spread, 0.3 * (points.roof - points.ground))
 
 
@@ -188,18 +188,18 @@ def _independence(outward: np.ndarray) -> float:
     return min(1.0, 2.0 * float(gaps.mean()) ** 2 / square) if square > 0.0 else 1.0
 
 
-def _end_by_sections(along: np.ndarray, outward: np.ndarray, points: PointsAboutEdge, share: float,
-                     limits: MeasurementLimits) -> tuple[float, float]:
+def _end_by_sections(along: np.ndarray, outward: np.ndarray, points: PointsAboutEdge,
+                     share: float) -> tuple[float, float]:
     """Place of the roof's end at the middle of the edge, m, and its sigma.
 
     The end is found section by section, as the points' edge may be turned against the model's; how far the sections lie
     off a straight line counts in the sigma.
     """
-    number = min(int(points.length / limits.section), limits.most_sections)
+    number = min(int(points.length / LIMITS.section), LIMITS.most_sections)
     of = np.clip((along / points.length * number).astype(int), 0, max(number - 1, 0))
-    if number < 2 or min(np.bincount(of, minlength=number)) < limits.least_points:
-        return _end_of(outward, points.reach, share, limits)
-    ends = np.array([_end_of(outward[of == section], points.reach, share, limits) for section in range(number)])
+    if number < 2 or min(np.bincount(of, minlength=number)) < LIMITS.least_points:
+        return _end_of(outward, points.reach, share)
+    ends = np.array([_end_of(outward[of == section], points.reach, share) for section in range(number)])
     formal = float(np.sqrt((ends[:, 1] ** 2).sum())) / number
     if number < 3:
         return float(ends[:, 0].mean()), formal
@@ -208,22 +208,22 @@ def _end_by_sections(along: np.ndarray, outward: np.ndarray, points: PointsAbout
     return float(ends[:, 0].mean()), max(formal, float(np.sqrt(rest @ rest / (number - 2) / number)))
 
 
-def _end_of(outward: np.ndarray, reach: float, share: float, limits: MeasurementLimits) -> tuple[float, float]:
+def _end_of(outward: np.ndarray, reach: float, share: float) -> tuple[float, float]:
     """Mean and sigma, m, of the place where points (n,) of one density over -`reach` to `reach` end; each counts by
     `share`."""
     from scipy.special import ndtr
 
-    places = np.arange(-reach, reach + limits.step / 2, limits.step)
+    places = np.arange(-reach, reach + LIMITS.step / 2, LIMITS.step)
     grid = np.linspace(-reach, reach, 401)
     weights = []
-    for blur in limits.blurs:
-        density = ndtr((places[:, None] - outward) / blur) + limits.background
-        whole = (ndtr((places[:, None] - grid) / blur) + limits.background).mean(axis=1)
+    for blur in LIMITS.blurs:
+        density = ndtr((places[:, None] - outward) / blur) + LIMITS.background
+        whole = (ndtr((places[:, None] - grid) / blur) + LIMITS.background).mean(axis=1)
         weights.append(np.log(density).sum(axis=1) - len(outward) * np.log(whole))
     weight = np.exp(share * (np.array(weights) - np.max(weights))).sum(axis=0)
     weight /= weight.sum()
     place = float(weight @ places)
-    return place, float(np.sqrt(weight @ (places - place) ** 2 + limits.step ** 2 / 12))
+    return place, float(np.sqrt(weight @ (places - place) ** 2 + LIMITS.step ** 2 / 12))
 
 
 def _covered(along: np.ndarray, length: float, piece: float) -> float:
@@ -233,52 +233,52 @@ def _covered(along: np.ndarray, length: float, piece: float) -> float:
     return len(np.unique(taken)) / pieces
 
 
-def wall_edge(points: PointsAboutEdge, limits: MeasurementLimits = LIMITS) -> MeasuredEdge:
+def wall_edge(points: PointsAboutEdge) -> MeasuredEdge:
     """The place of the wall's face: the straight line across the edge's window that most of its pieces lie on."""
     if not np.isfinite(points.ground):
         return MeasuredEdge(reason=FEW)
-    wall = ((np.abs(points.outward) <= points.reach) & (points.height > points.ground + limits.wall_foot)
-            & (points.height < points.roof - limits.wall_top))
+    wall = ((np.abs(points.outward) <= points.reach) & (points.height > points.ground + LIMITS.wall_foot)
+            & (points.height < points.roof - LIMITS.wall_top))
     along, outward = points.along[wall], points.outward[wall]
-    if len(along) < limits.least_points:
-        many = np.count_nonzero((points.outward > 0.0) & (points.outward <= points.reach)) >= limits.least_points
+    if len(along) < LIMITS.least_points:
+        many = np.count_nonzero((points.outward > 0.0) & (points.outward <= points.reach)) >= LIMITS.least_points
         return MeasuredEdge(points=len(along), reason=OPEN if many else FEW)
-    places = np.arange(-points.reach, points.reach + limits.step / 2, limits.step)
-    share = np.array([_covered(along[np.abs(outward - place) <= limits.wall_width / 2], points.length, limits.piece)
+    places = np.arange(-points.reach, points.reach + LIMITS.step / 2, LIMITS.step)
+    share = np.array([_covered(along[np.abs(outward - place) <= LIMITS.wall_width / 2], points.length, LIMITS.piece)
                       for place in places])
-    number = np.array([np.count_nonzero(np.abs(outward - place) <= limits.wall_width / 2) for place in places])
+    number = np.array([np.count_nonzero(np.abs(outward - place) <= LIMITS.wall_width / 2) for place in places])
     best = int(np.lexsort((number, share))[-1])
-    if share[best] < limits.covered:
+    if share[best] < LIMITS.covered:
         return MeasuredEdge(points=len(along), reason=ABSENT)
-    if (share[np.abs(places - places[best]) > limits.separation] >= limits.covered).any():
+    if (share[np.abs(places - places[best]) > LIMITS.separation] >= LIMITS.covered).any():
         return MeasuredEdge(points=len(along), reason=OPEN)
-    on_line = np.abs(outward - places[best]) <= 2 * limits.wall_width
-    place, sigma = _line(along[on_line], outward[on_line], points.length, limits)
+    on_line = np.abs(outward - places[best]) <= 2 * LIMITS.wall_width
+    place, sigma = _line(along[on_line], outward[on_line], points.length)
     return MeasuredEdge(place, sigma, points=int(np.count_nonzero(on_line)))
 
 
-def _line(along: np.ndarray, outward: np.ndarray, length: float, limits: MeasurementLimits) -> tuple[float, float]:
+def _line(along: np.ndarray, outward: np.ndarray, length: float) -> tuple[float, float]:
     """Place at the middle of the edge, m, and its sigma; points of one piece count as one measurement."""
-    pieces = np.floor(along / limits.piece).astype(int)
+    pieces = np.floor(along / LIMITS.piece).astype(int)
     middles = np.array([(along[pieces == one].mean(), np.median(outward[pieces == one])) for one in np.unique(pieces)])
     place = float(np.median(middles[:, 1]))
     off = np.abs(middles[:, 1] - place)
-    inliers = middles[off <= max(3 * SIGMA_OF_MAD * float(np.median(off)), limits.wall_width)]
+    inliers = middles[off <= max(3 * SIGMA_OF_MAD * float(np.median(off)), LIMITS.wall_width)]
     if len(inliers) < 3:
-        return float(inliers[:, 1].mean()), float(np.hypot(limits.wall_width / np.sqrt(len(inliers)), limits.floor))
+        return float(inliers[:, 1].mean()), float(np.hypot(LIMITS.wall_width / np.sqrt(len(inliers)), LIMITS.floor))
     columns = np.column_stack([np.ones(len(inliers)), inliers[:, 0] - length / 2])
     fitted, *_ = np.linalg.lstsq(columns, inliers[:, 1], rcond=None)
     rest = inliers[:, 1] - columns @ fitted
     inverse = np.linalg.inv(columns.T @ columns)
-    sigma = np.sqrt(inverse[0, 0] * (rest @ rest) / (len(inliers) - 2)) if len(inliers) > 2 else limits.wall_width
-    return float(fitted[0]), float(np.hypot(sigma, limits.floor))
+    sigma = np.sqrt(inverse[0, 0] * (rest @ rest) / (len(inliers) - 2)) if len(inliers) > 2 else LIMITS.wall_width
+    return float(fitted[0]), float(np.hypot(sigma, LIMITS.floor))
 
 
-def height_at_edge(above: np.ndarray, limits: MeasurementLimits = LIMITS) -> tuple[float, float]:
+def height_at_edge(above: np.ndarray) -> tuple[float, float]:
     """Height, m, of points above the model's surface as far from the edge, and its sigma; NaN for too few."""
     known = above[np.isfinite(above)]
-    if len(known) < limits.least_points:
+    if len(known) < LIMITS.least_points:
         return np.nan, np.nan
     middle = float(np.median(known))
     spread = SIGMA_OF_MAD * float(np.median(np.abs(known - middle)))
-    return middle, float(np.hypot(1.2533 * spread / np.sqrt(len(known)), limits.floor))
+    return middle, float(np.hypot(1.2533 * spread / np.sqrt(len(known)), LIMITS.floor))

@@ -8,7 +8,7 @@ more arms, with and without corner cut-offs; junctions that overlap are one), an
 from __future__ import annotations
 
 from collections import defaultdict
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import numpy as np
 import shapely
@@ -92,13 +92,13 @@ class Junction:
     uncut: list[Arm] = field(default_factory=list)
 
 
-def junctions_of(skeleton: Skeleton, limits: JunctionLimits = LIMITS) -> list[Junction]:
+def junctions_of(skeleton: Skeleton) -> list[Junction]:
     """The junctions of a surface with their cuts; those that overlap are one."""
     groups = _near_nodes(skeleton)
     known: dict[frozenset[int], Junction] = {}
     while True:
-        known = {key: known.get(key) or _junction(skeleton, key, limits) for key in map(frozenset, groups)}
-        merged = _overlapping(skeleton, list(known.values()), limits)
+        known = {key: known.get(key) or _junction(skeleton, key) for key in map(frozenset, groups)}
+        merged = _overlapping(skeleton, list(known.values()))
         if not merged:
             return list(known.values())
         groups = _joined(groups, merged)
@@ -124,7 +124,7 @@ def _joined(groups: list[set[int]], pairs: list[tuple[int, int]]) -> list[set[in
     return list({id(group): group for group in of_node.values()}.values())
 
 
-def _junction(skeleton: Skeleton, nodes: frozenset[int], limits: JunctionLimits) -> Junction:
+def _junction(skeleton: Skeleton, nodes: frozenset[int]) -> Junction:
     """One junction with the cuts of its arms."""
     arms, corners = [], []
     for node in nodes:
@@ -139,12 +139,12 @@ def _junction(skeleton: Skeleton, nodes: frozenset[int], limits: JunctionLimits)
     for arm in arms:
         corners.append(arm.branch.points[0])
     result = Junction(nodes, np.mean(corners, axis=0), np.unique(corners, axis=0), arms)
-    contacts = _contacts(skeleton.rings, arms, limits)
+    contacts = _contacts(skeleton.rings, arms, LIMITS.corner)
     if (None, None) in contacts.values():  # every arm is cut: where no corner is clear, a faint one is
-        faint = _contacts(skeleton.rings, arms, replace(limits, corner=limits.faint))
+        faint = _contacts(skeleton.rings, arms, LIMITS.faint)
         contacts = {key: faint[key] if found == (None, None) else found for key, found in contacts.items()}
     for arm in arms:
-        cut = _cut(skeleton.rings, arm, *contacts[arm.key], len(arms), limits)
+        cut = _cut(skeleton.rings, arm, *contacts[arm.key], len(arms))
         if cut is None:
             result.uncut.append(arm)
         else:
@@ -162,7 +162,7 @@ Contact = tuple[int, float]
 """Ring and place along it, m."""
 
 
-def _contacts(rings: tuple[Ring, ...], arms: list[Arm], limits: JunctionLimits,
+def _contacts(rings: tuple[Ring, ...], arms: list[Arm], least: float
               ) -> dict[tuple[int, int], tuple[Contact | None, Contact | None]]:
     """Where the edges of each arm touch those of its neighbours: on its left and on its right, None for nowhere."""
     left: dict[tuple[int, int], Contact | None] = {}
@@ -178,39 +178,38 @@ def _contacts(rings: tuple[Ring, ...], arms: list[Arm], limits: JunctionLimits,
         if following is None:
             continue
         gap = (following[0] - place + 1e-6) % length - 1e-6
-        one, other = _corner(rings, ring, arm, following[1], place, place + gap, limits)
+        one, other = _corner(rings, ring, arm, following[1], place, place + gap, least)
         left[arm.key] = None if one is None else (ring, one)
         right[following[1].key] = None if other is None else (ring, other)
     return {arm.key: (left.get(arm.key), right.get(arm.key)) for arm in arms}
 
 
 def _corner(rings: tuple[Ring, ...], number: int, arm: Arm, following: Arm, start: float, end: float,
-            limits: JunctionLimits) -> tuple[float | None, float | None]:
+            least: float) -> tuple[float | None, float | None]:
     """Places of the contacts of an arm's left edge and of the next arm's right edge; None where the corner is none.
 
     start, end : places along the ring between which the corner's middle lies.
     """
     ring = rings[number]
     before, after = _width(arm), _width(following)
-    reach = limits.reach * max(arm.branch.clearance[0], following.branch.clearance[0])
+    reach = LIMITS.reach * max(arm.branch.clearance[0], following.branch.clearance[0])
     points = _points_around(ring, start - reach - 4 * before, end + reach + 4 * after)
     near = [item for item in points if start - reach <= item[0] <= end + reach]
     core = min(near, key=lambda item: item[1], default=(0.0, 0.0))
     if core[1] >= 0:
         return None, None
-    longest = limits.cut_off * max(before, after)
+    longest = LIMITS.cut_off * max(before, after)
     last = _flare_end(ring, [item for item in points if item[0] >= core[0]], _edge(rings, following.branch.left),
-                      longest, limits)
+                      longest)
     first = _flare_end(ring, [item for item in reversed(points) if item[0] <= core[0]],
-                       _edge(rings, arm.branch.right), longest, limits)
+                       _edge(rings, arm.branch.right), longest)
     chain = [turn for place, turn in points if first - ROUNDING <= place <= last + ROUNDING]
-    if sum(chain) > -np.radians(limits.corner):
+    if sum(chain) > -np.radians(least):
         return None, None
     return first, last
 
 
-def _flare_end(ring: Ring, points: list[tuple[float, float]], opposite: shapely.LineString, longest: float,
-               limits: JunctionLimits) -> float:
+def _flare_end(ring: Ring, points: list[tuple[float, float]], opposite: shapely.LineString, longest: float) -> float:
     """Place of the point from which on an edge runs beside the opposite one.
 
     points : places and turns, from the corner outwards; longest : edge that is still one of a cut-off, m.
@@ -222,9 +221,9 @@ def _flare_end(ring: Ring, points: list[tuple[float, float]], opposite: shapely.
     for number in range(1, len(places)):
         edge = abs(places[number] - places[number - 1])
         taper = (widths[number - 1] - widths[number]) / edge
-        if taper < np.sin(np.radians(limits.turn)) or edge > longest:
+        if taper < np.sin(np.radians(LIMITS.turn)) or edge > longest:
             break
-        if turns[number] < -np.radians(limits.bend):
+        if turns[number] < -np.radians(LIMITS.bend):
             found = number
     return places[found]
 
@@ -248,8 +247,7 @@ def _points_around(ring: Ring, start: float, end: float) -> list[tuple[float, fl
     return found
 
 
-def _cut(rings: tuple[Ring, ...], arm: Arm, left: Contact | None, right: Contact | None, arms: int,
-         limits: JunctionLimits) -> Cut | None:
+def _cut(rings: tuple[Ring, ...], arm: Arm, left: Contact | None, right: Contact | None, arms: int) -> Cut | None:
     """The cut of an arm by its contacts; None where it has none."""
     if left is None and right is None:
         return None
@@ -257,7 +255,7 @@ def _cut(rings: tuple[Ring, ...], arm: Arm, left: Contact | None, right: Contact
     other = None if right is None else rings[right[0]].points_at(right[1])
     if one is not None and other is not None:
         direct = _placed(arm, one, other, "contacts")
-        if direct is not None and arms > 3 and _skew(arm, direct) < limits.skew:
+        if direct is not None and arms > 3 and _skew(arm, direct) < LIMITS.skew:
             return direct
         found = [cut for cut in (_across(rings, arm, one, None), _across(rings, arm, None, other)) if cut is not None]
         return max(found, key=lambda cut: cut.place, default=direct)
@@ -304,7 +302,7 @@ def _skew(arm: Arm, cut: Cut) -> float:
     return float(np.degrees(np.arcsin(min(sine, 1.0))))
 
 
-def _overlapping(skeleton: Skeleton, found: list[Junction], limits: JunctionLimits) -> list[tuple[int, int]]:
+def _overlapping(skeleton: Skeleton, found: list[Junction]) -> list[tuple[int, int]]:
     """Pairs of nodes of junctions whose cuts of the road between them pass each other."""
     cuts = {cut.arm: (cut, junction) for junction in found for cut in junction.cuts}
     pairs = []
@@ -313,7 +311,7 @@ def _overlapping(skeleton: Skeleton, found: list[Junction], limits: JunctionLimi
         if one is None or other is None or one[1] is other[1]:
             continue
         lines = [shapely.linestrings([cut.left, cut.right]) for cut, _ in (one, other)]
-        near = limits.overlap * min(line.length for line in lines)
+        near = LIMITS.overlap * min(line.length for line in lines)
         if one[0].place + other[0].place >= branch.length or shapely.distance(*lines) <= near:
             pairs.append((branch.start, branch.end))
     return pairs

@@ -125,12 +125,12 @@ class Skeleton:
     nodes: dict[int, list[int]]
 
 
-def skeleton_of(surface: shapely.Polygon, limits: AxisLimits = LIMITS) -> Skeleton:
+def skeleton_of(surface: shapely.Polygon) -> Skeleton:
     """The skeleton of a valid polygon, m."""
     oriented = shapely.geometry.polygon.orient(surface)
     rings = tuple(Ring(shapely.get_coordinates(ring)[:-1]) for ring in (oriented.exterior, *oriented.interiors))
     width = 2 * surface.area / surface.length
-    step = float(np.clip(width / limits.points_a_width, limits.shortest_step, limits.longest_step))
+    step = float(np.clip(width / LIMITS.points_a_width, LIMITS.shortest_step, LIMITS.longest_step))
     points, owners = _samples(rings, step)
     if len(points) < 4:
         return Skeleton(rings, (), {})
@@ -145,7 +145,7 @@ def skeleton_of(surface: shapely.Polygon, limits: AxisLimits = LIMITS) -> Skelet
     ends, pairs = ends[finite], pairs[finite]
     clearance = np.zeros(len(corners))
     clearance[ends] = np.hypot(*np.moveaxis(corners[ends] - points[pairs[:, :1]], -1, 0))
-    alive = _pruned(ends, _deep(pairs, points, owners, rings, limits.depth))
+    alive = _pruned(ends, _deep(pairs, points, owners, rings, LIMITS.depth))
     return _branches(rings, corners, clearance, owners, points, ends[alive], pairs[alive])
 
 

@@ -40,29 +40,29 @@ class EndLimits:
 LIMITS = EndLimits()
 
 
-def with_ends_drawn_on(surface: shapely.Polygon, limits: EndLimits = LIMITS) -> shapely.Polygon:
+def with_ends_drawn_on(surface: shapely.Polygon) -> shapely.Polygon:
     """A valid polygon, m, with a strip at each edge that closes a road; itself where nothing can be drawn on."""
-    strips = [strip for strip in _strips(surface, limits)
-              if shapely.area(shapely.intersection(strip, surface)) <= limits.free * strip.area]
+    strips = [strip for strip in _strips(surface)
+              if shapely.area(shapely.intersection(strip, surface)) <= LIMITS.free * strip.area]
     if not strips:
         return surface
     whole = shapely.union_all([surface, *strips], grid_size=GRID)
     return whole if whole.geom_type == "Polygon" else surface
 
 
-def _strips(surface: shapely.Polygon, limits: EndLimits) -> list[shapely.Polygon]:
+def _strips(surface: shapely.Polygon) -> list[shapely.Polygon]:
     ring = Ring(shapely.get_coordinates(shapely.geometry.polygon.orient(surface).exterior)[:-1])
     following = np.roll(ring.points, -1, axis=0)
     turn, next_turn = np.degrees(ring.turns), np.degrees(np.roll(ring.turns, -1))
-    closes = (np.minimum(turn, next_turn) >= limits.corner) & (turn + next_turn >= limits.both)
+    closes = (np.minimum(turn, next_turn) >= LIMITS.corner) & (turn + next_turn >= LIMITS.both)
     along = (following - ring.points) / ring.lengths[:, None]
     outwards = np.roll(along, 1, axis=0) - np.roll(along, -1, axis=0)  # as both sides of the road run
     outwards /= np.maximum(np.hypot(*outwards.T), GRID)[:, None]
     strips = []
     for number in np.flatnonzero(closes):
         start, end, length = ring.points[number], following[number], ring.lengths[number]
-        if length <= limits.widest * _width_around(surface, (start + end) / 2.0, limits.around * length):
-            step = outwards[number] * length * limits.drawn_on
+        if length <= LIMITS.widest * _width_around(surface, (start + end) / 2.0, LIMITS.around * length):
+            step = outwards[number] * length * LIMITS.drawn_on
             strips.append(shapely.Polygon([start, end, end + step, start + step]))
     return strips
 

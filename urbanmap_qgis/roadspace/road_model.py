@@ -16,8 +16,7 @@ import shapely
 from ..geometry.tolerances import LEAST_DIVISOR
 from ..progress import SILENT, Progress
 from ..wording import say
-from .junctions import LIMITS as JUNCTION_LIMITS
-from .junctions import Junction, JunctionLimits, junctions_of
+from .junctions import Junction, junctions_of
 from .road_axis import Skeleton, skeleton_of
 from .road_cuts import cut_surface
 from .road_ends import with_ends_drawn_on
@@ -71,7 +70,7 @@ class _Built:
 
 
 def build_road_model(surface: RoadSurface, structures: Structures | None = None,
-                     limits: JunctionLimits = JUNCTION_LIMITS, progress: Progress = SILENT) -> RoadSurfaceModel:
+                     progress: Progress = SILENT) -> RoadSurfaceModel:
     """Cut surfaces of roads at their junctions, bridges and tunnels.
 
     Parameters
@@ -85,16 +84,16 @@ def build_road_model(surface: RoadSurface, structures: Structures | None = None,
     done = 0.0
     for polygon in surface.polygons:
         progress.check()
-        _add_surface(built, polygon, bridge, tunnel, limits)
+        _add_surface(built, polygon, bridge, tunnel)
         done += polygon.area
         progress.step(done / total)
     return RoadSurfaceModel(tuple(built.pieces), tuple(built.axes), tuple(built.findings))
 
 
-def _add_surface(built: _Built, polygon: shapely.Polygon, bridge, tunnel, limits: JunctionLimits) -> None:
+def _add_surface(built: _Built, polygon: shapely.Polygon, bridge, tunnel) -> None:
     skeleton = skeleton_of(with_ends_drawn_on(_smooth(polygon)))
     built_up = shapely.union(bridge, tunnel)
-    found = junctions_of(_without_ends_on(skeleton, built_up), limits)
+    found = junctions_of(_without_ends_on(skeleton, built_up))
     every = [np.vstack([cut.left, cut.right]) for junction in found for cut in junction.cuts]
     within = shapely.buffer(polygon, -SMOOTHING)
     every = [line for line in every if _mostly_on(line, within)]
