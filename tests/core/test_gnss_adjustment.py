@@ -15,7 +15,7 @@ from urbanmap_qgis.gnss.walls import moved_buildings
 from urbanmap_qgis.gnss.walls.adjustment import ADJUSTED, LIKELY, NOT_OBSERVABLE, adjust_walls
 from urbanmap_qgis.gnss.walls.moved_buildings import PlanNet, applied_offsets, move_buildings, moved_walls
 from urbanmap_qgis.gnss.walls.offset_observations import OffsetObservations
-from urbanmap_qgis.gnss.walls.offset_posterior import LIMITS, ErrorModel, estimate_offsets
+from urbanmap_qgis.gnss.walls.offset_posterior import ANTENNA, ErrorModel, estimate_offsets
 from urbanmap_qgis.gnss.walls.receiver_clock import pass_clocks
 from urbanmap_qgis.gnss.walls.residuals import trace_residuals
 from urbanmap_qgis.gnss.walls.signal_strength import expected_cn0
@@ -217,7 +217,7 @@ def test_an_error_shared_within_a_pass_is_not_averaged_away():
     observations, _ = simulated_observations(rng, walls=3, passes=2, per=60, late=0.0, shared=0.8, slopes=(0.6, 0.6))
     unshared = replace(observations, covariance=tuple(1e-12 * c for c in observations.covariance))
     # Without what the antenna may be off by in each of the two passes.
-    told, ignored = (np.sqrt(estimate_offsets(some, 1.0).sigma ** 2 - LIMITS.antenna**2 / 2)
+    told, ignored = (np.sqrt(estimate_offsets(some, 1.0).sigma ** 2 - ANTENNA**2 / 2)
                      for some in (observations, unshared))
     assert (told > 2 * ignored).all()
     # In the limit of many observations each wall tells -1.2 offset + c, c the mean of two errors of 0.8 m: Gaussian

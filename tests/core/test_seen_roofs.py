@@ -9,7 +9,7 @@ from urbanmap_qgis.buildings.model_status import CLOUD_EDGE, OK, UNSEEN, quality
 from urbanmap_qgis.buildings.model_table import surface_columns
 from urbanmap_qgis.buildings.quality import RoofCell
 from urbanmap_qgis.buildings.seen.cloud_cover import CloudCover, cloud_cover
-from urbanmap_qgis.buildings.seen.seen_roofs import LIMITS, seen_roofs
+from urbanmap_qgis.buildings.seen.seen_roofs import LEVEL_ERROR, seen_roofs
 
 HOUSE = shapely.box(50, 50, 60, 60)
 
@@ -83,7 +83,7 @@ def test_the_expected_error_grows_with_what_is_not_seen_and_with_the_height():
         points[:, 2] = height + slope * (points[:, 0] - 50.0)
         return seen_roofs([flat(HOUSE, height, slope)], points, 4.0, 0.0).sigma[0]
 
-    assert sigma(58, 8.0) < sigma(55, 8.0) < sigma(52, 8.0) < LIMITS.level_error * 8.0
+    assert sigma(58, 8.0) < sigma(55, 8.0) < sigma(52, 8.0) < LEVEL_ERROR * 8.0
     assert sigma(55, 20.0) == pytest.approx(2.5 * sigma(55, 8.0))
     assert sigma(55, 8.0, 0.1) < sigma(55, 8.0)
 

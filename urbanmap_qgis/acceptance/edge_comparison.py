@@ -20,9 +20,10 @@ from .criteria import HEIGHT, PASSED, PLAN, Criterion
 from .edge_measurement import (
     ABSENT,
     FEW,
-    LIMITS,
+    LEAST_DROP,
     OPEN,
     REASONS,
+    ROOF_DEPTH,
     SHOWN,
     VAGUE,
     WALLS,
@@ -111,7 +112,7 @@ def compare_edges(drawn: SampledEdges, models: Sequence[shapely.Geometry | None]
     reach = max(_REACH, 2.0 * (limits.plan or 0.0))
     frames = [EdgeFrame.of(ends) for ends in drawn.ends]
     free = [_free_part(frame, surface, reach) for frame in frames]
-    windows = [frame.window(reach + LIMITS.roof_depth, reach) for frame, _ in filter(None, free)]
+    windows = [frame.window(reach + ROOF_DEPTH, reach) for frame, _ in filter(None, free)]
     found = iter(points_of_windows(cloud, windows, progress) if windows else [])
     measured = [MeasuredEdge(reason=OPEN) if part is None
                 else _measured(part[0], part[1], next(found), surface, limits, shown_by) for part in free]
@@ -128,7 +129,7 @@ def _free_part(frame: EdgeFrame, surface: ModelSurface, reach: float) -> tuple[E
         away = np.arange(_INSIDE, width + 0.25, 0.5)
         beside = surface.heights(frame.world(np.repeat(places, len(away)), np.tile(away, len(places))))
         highest = np.fmax.reduce(beside.reshape(len(places), -1), axis=1)
-        first, last = _longest_run(np.isfinite(inside) & ~(highest > inside - LIMITS.least_drop))
+        first, last = _longest_run(np.isfinite(inside) & ~(highest > inside - LEAST_DROP))
         if last > first and places[last] - places[first] >= min(MIN_LENGTH, frame.length / 2) - ROUNDING:
             start = frame.world(places[first:first + 1], np.zeros(1))[0]
             return replace(frame, origin=start, length=float(places[last] - places[first])), width

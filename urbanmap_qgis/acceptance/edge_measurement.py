@@ -23,52 +23,24 @@ REASONS = {
 }
 """Why an edge is left out; only `ABSENT` speaks against the model."""
 
-
-@dataclass(frozen=True)
-class MeasurementLimits:
-    """What the estimate goes by.
-
-    Attributes
-    ----------
-    roof_depth : m of roof inside an edge that is looked at beyond the window.
-    least_points : of a roof or a wall.
-    least_lower : points below the roof beside the edge that show it ends there.
-    least_drop : m that the roof stands above what is beside it.
-    roof_tolerance : m off the roof's surface within which points are of the roof, at least.
-    parapet : m above the roof's surface that its edge may stand.
-    background : share of the roof's density that other things have beside it.
-    blurs : m, standard deviations of the edge's sharpness that are tried.
-    step : m of the places that are tried.
-    floor : m, least sigma of a place or height, which bends of the edge itself have.
-    section, most_sections : m of an edge, at least, of which each is measured for itself, and how many.
-    covered : share of the pieces of an edge that must have points.
-    piece : m of an edge, within which points are taken to be one measurement of a wall.
-    wall_width : m about a wall's line.
-    wall_foot, wall_top : m above the ground and below the roof between which points are of walls.
-    separation : m between two surfaces, of which one cannot say which the edge is.
-    """
-
-    roof_depth: float = 2.0
-    least_points: int = 8
-    least_lower: int = 3
-    least_drop: float = 1.5
-    roof_tolerance: float = 0.4
-    parapet: float = 1.5
-    background: float = 0.02
-    blurs: tuple[float, ...] = (0.03, 0.06, 0.12, 0.25)
-    step: float = 0.02
-    floor: float = 0.02
-    section: float = 4.0
-    most_sections: int = 6
-    covered: float = 0.5
-    piece: float = 0.5
-    wall_width: float = 0.15
-    wall_foot: float = 1.0
-    wall_top: float = 0.3
-    separation: float = 0.3
-
-
-LIMITS = MeasurementLimits()
+ROOF_DEPTH = 2.0  # m of roof inside an edge that is looked at beyond the window.
+LEAST_POINTS = 8  # of a roof or a wall.
+LEAST_LOWER = 3  # points below the roof beside the edge that show it ends there.
+LEAST_DROP = 1.5  # m that the roof stands above what is beside it.
+ROOF_TOLERANCE = 0.4  # m off the roof's surface within which points are of the roof, at least.
+PARAPET = 1.5  # m above the roof's surface that its edge may stand.
+BACKGROUND = 0.02  # share of the roof's density that other things have beside it.
+BLURS = (0.03, 0.06, 0.12, 0.25)  # m, standard deviations of the edge's sharpness that are tried.
+STEP = 0.02  # m of the places that are tried.
+FLOOR = 0.02  # m, least sigma of a place or height, which bends of the edge itself have.
+SECTION = 4.0  # m of an edge, at least, of which each is measured for itself, and how many.
+MOST_SECTIONS = 6
+COVERED = 0.5  # share of the pieces of an edge that must have points.
+PIECE = 0.5  # m of an edge, within which points are taken to be one measurement of a wall.
+WALL_WIDTH = 0.15  # m about a wall's line.
+WALL_FOOT = 1.0  # m above the ground and below the roof between which points are of walls.
+WALL_TOP = 0.3
+SEPARATION = 0.3  # m between two surfaces, of which one cannot say which the edge is.
 
 
 @dataclass(frozen=True)
@@ -128,30 +100,30 @@ def roof_edge(points: PointsAboutEdge) -> MeasuredEdge:
     by the edge's own bends: the places are weighed by the likelihood of the points' places, over all blurs. That needs
     neither the density nor points beside the edge near it, which walls often hide.
     """
-    if np.count_nonzero(points.outward <= points.reach) < LIMITS.least_points or not np.isfinite(points.ground):
+    if np.count_nonzero(points.outward <= points.reach) < LEAST_POINTS or not np.isfinite(points.ground):
         return MeasuredEdge(reason=FEW)
-    if points.roof - points.ground < LIMITS.least_drop:
+    if points.roof - points.ground < LEAST_DROP:
         return MeasuredEdge(reason=OPEN)
     on_roof, below = _roof_points(points)
     near = np.abs(points.outward) <= points.reach
     upper = points.outward[on_roof & near]
     places = points.along[on_roof & near]
     count = len(upper)
-    if count < LIMITS.least_points:
-        many = np.count_nonzero(below & near) >= LIMITS.least_points
+    if count < LEAST_POINTS:
+        many = np.count_nonzero(below & near) >= LEAST_POINTS
         return MeasuredEdge(points=count, reason=ABSENT if many else FEW)
     inside = points.outward[on_roof & (points.outward <= 0.5 * points.reach)]
     place, sigma = _end_by_sections(places, upper, points, _independence(inside))
     beside = np.count_nonzero(below & (points.outward > place))
     # An end so near to the window's that the points cannot tell it from one beyond is none that was found.
     if place > points.reach - max(0.1 * points.reach, 2.0 * sigma):
-        return MeasuredEdge(points=count, reason=OPEN if beside < LIMITS.least_lower else ABSENT)
-    if beside < LIMITS.least_lower:
+        return MeasuredEdge(points=count, reason=OPEN if beside < LEAST_LOWER else ABSENT)
+    if beside < LEAST_LOWER:
         return MeasuredEdge(points=count, reason=OPEN)
     at_end = points.along[on_roof & (points.outward > place - 1.5)]
-    if _covered(at_end, points.length, 2 * LIMITS.piece) < LIMITS.covered:
+    if _covered(at_end, points.length, 2 * PIECE) < COVERED:
         return MeasuredEdge(points=count, reason=FEW)
-    return MeasuredEdge(place, float(np.hypot(sigma, LIMITS.floor)), points=count)
+    return MeasuredEdge(place, float(np.hypot(sigma, FLOOR)), points=count)
 
 
 def _roof_points(points: PointsAboutEdge) -> tuple[np.ndarray, np.ndarray]:
@@ -161,19 +133,19 @@ def _roof_points(points: PointsAboutEdge) -> tuple[np.ndarray, np.ndarray]:
     """
     raised = points.height > 0.5 * (points.roof + points.ground)
     use = raised & (points.outward < 0.0)
-    if np.count_nonzero(use) < LIMITS.least_points:
+    if np.count_nonzero(use) < LEAST_POINTS:
         use = raised
     off = points.above.copy()
     columns = np.column_stack([np.ones_like(off), points.along - points.length / 2, points.outward])
-    spread = LIMITS.roof_tolerance
+    spread = ROOF_TOLERANCE
     for _ in range(4):
-        if np.count_nonzero(use) < LIMITS.least_points:
+        if np.count_nonzero(use) < LEAST_POINTS:
             break
         fitted, *_ = np.linalg.lstsq(columns[use], points.above[use], rcond=None)
         off = points.above - columns @ fitted
-        spread = max(LIMITS.roof_tolerance, 3.0 * SIGMA_OF_MAD * float(np.median(np.abs(off[use]))))
+        spread = max(ROOF_TOLERANCE, 3.0 * SIGMA_OF_MAD * float(np.median(np.abs(off[use]))))
         use = raised & (np.abs(off) <= spread) & (points.outward < 0.5 * points.reach)
-    on_roof = raised & (off >= -spread) & (off <= max(spread, LIMITS.parapet))
+    on_roof = raised & (off >= -spread) & (off <= max(spread, PARAPET))
     return on_roof, off < -max(spread, 0.3 * (points.roof - points.ground))
 
 
@@ -195,9 +167,9 @@ def _end_by_sections(along: np.ndarray, outward: np.ndarray, points: PointsAbout
     The end is found section by section, as the points' edge may be turned against the model's; how far the sections lie
     off a straight line counts in the sigma.
     """
-    number = min(int(points.length / LIMITS.section), LIMITS.most_sections)
+    number = min(int(points.length / SECTION), MOST_SECTIONS)
     of = np.clip((along / points.length * number).astype(int), 0, max(number - 1, 0))
-    if number < 2 or min(np.bincount(of, minlength=number)) < LIMITS.least_points:
+    if number < 2 or min(np.bincount(of, minlength=number)) < LEAST_POINTS:
         return _end_of(outward, points.reach, share)
     ends = np.array([_end_of(outward[of == section], points.reach, share) for section in range(number)])
     formal = float(np.sqrt((ends[:, 1] ** 2).sum())) / number
@@ -213,17 +185,17 @@ def _end_of(outward: np.ndarray, reach: float, share: float) -> tuple[float, flo
     `share`."""
     from scipy.special import ndtr
 
-    places = np.arange(-reach, reach + LIMITS.step / 2, LIMITS.step)
+    places = np.arange(-reach, reach + STEP / 2, STEP)
     grid = np.linspace(-reach, reach, 401)
     weights = []
-    for blur in LIMITS.blurs:
-        density = ndtr((places[:, None] - outward) / blur) + LIMITS.background
-        whole = (ndtr((places[:, None] - grid) / blur) + LIMITS.background).mean(axis=1)
+    for blur in BLURS:
+        density = ndtr((places[:, None] - outward) / blur) + BACKGROUND
+        whole = (ndtr((places[:, None] - grid) / blur) + BACKGROUND).mean(axis=1)
         weights.append(np.log(density).sum(axis=1) - len(outward) * np.log(whole))
     weight = np.exp(share * (np.array(weights) - np.max(weights))).sum(axis=0)
     weight /= weight.sum()
     place = float(weight @ places)
-    return place, float(np.sqrt(weight @ (places - place) ** 2 + LIMITS.step ** 2 / 12))
+    return place, float(np.sqrt(weight @ (places - place) ** 2 + STEP ** 2 / 12))
 
 
 def _covered(along: np.ndarray, length: float, piece: float) -> float:
@@ -237,48 +209,48 @@ def wall_edge(points: PointsAboutEdge) -> MeasuredEdge:
     """The place of the wall's face: the straight line across the edge's window that most of its pieces lie on."""
     if not np.isfinite(points.ground):
         return MeasuredEdge(reason=FEW)
-    wall = ((np.abs(points.outward) <= points.reach) & (points.height > points.ground + LIMITS.wall_foot)
-            & (points.height < points.roof - LIMITS.wall_top))
+    wall = ((np.abs(points.outward) <= points.reach) & (points.height > points.ground + WALL_FOOT)
+            & (points.height < points.roof - WALL_TOP))
     along, outward = points.along[wall], points.outward[wall]
-    if len(along) < LIMITS.least_points:
-        many = np.count_nonzero((points.outward > 0.0) & (points.outward <= points.reach)) >= LIMITS.least_points
+    if len(along) < LEAST_POINTS:
+        many = np.count_nonzero((points.outward > 0.0) & (points.outward <= points.reach)) >= LEAST_POINTS
         return MeasuredEdge(points=len(along), reason=OPEN if many else FEW)
-    places = np.arange(-points.reach, points.reach + LIMITS.step / 2, LIMITS.step)
-    share = np.array([_covered(along[np.abs(outward - place) <= LIMITS.wall_width / 2], points.length, LIMITS.piece)
+    places = np.arange(-points.reach, points.reach + STEP / 2, STEP)
+    share = np.array([_covered(along[np.abs(outward - place) <= WALL_WIDTH / 2], points.length, PIECE)
                       for place in places])
-    number = np.array([np.count_nonzero(np.abs(outward - place) <= LIMITS.wall_width / 2) for place in places])
+    number = np.array([np.count_nonzero(np.abs(outward - place) <= WALL_WIDTH / 2) for place in places])
     best = int(np.lexsort((number, share))[-1])
-    if share[best] < LIMITS.covered:
+    if share[best] < COVERED:
         return MeasuredEdge(points=len(along), reason=ABSENT)
-    if (share[np.abs(places - places[best]) > LIMITS.separation] >= LIMITS.covered).any():
+    if (share[np.abs(places - places[best]) > SEPARATION] >= COVERED).any():
         return MeasuredEdge(points=len(along), reason=OPEN)
-    on_line = np.abs(outward - places[best]) <= 2 * LIMITS.wall_width
+    on_line = np.abs(outward - places[best]) <= 2 * WALL_WIDTH
     place, sigma = _line(along[on_line], outward[on_line], points.length)
     return MeasuredEdge(place, sigma, points=int(np.count_nonzero(on_line)))
 
 
 def _line(along: np.ndarray, outward: np.ndarray, length: float) -> tuple[float, float]:
     """Place at the middle of the edge, m, and its sigma; points of one piece count as one measurement."""
-    pieces = np.floor(along / LIMITS.piece).astype(int)
+    pieces = np.floor(along / PIECE).astype(int)
     middles = np.array([(along[pieces == one].mean(), np.median(outward[pieces == one])) for one in np.unique(pieces)])
     place = float(np.median(middles[:, 1]))
     off = np.abs(middles[:, 1] - place)
-    inliers = middles[off <= max(3 * SIGMA_OF_MAD * float(np.median(off)), LIMITS.wall_width)]
+    inliers = middles[off <= max(3 * SIGMA_OF_MAD * float(np.median(off)), WALL_WIDTH)]
     if len(inliers) < 3:
-        return float(inliers[:, 1].mean()), float(np.hypot(LIMITS.wall_width / np.sqrt(len(inliers)), LIMITS.floor))
+        return float(inliers[:, 1].mean()), float(np.hypot(WALL_WIDTH / np.sqrt(len(inliers)), FLOOR))
     columns = np.column_stack([np.ones(len(inliers)), inliers[:, 0] - length / 2])
     fitted, *_ = np.linalg.lstsq(columns, inliers[:, 1], rcond=None)
     rest = inliers[:, 1] - columns @ fitted
     inverse = np.linalg.inv(columns.T @ columns)
-    sigma = np.sqrt(inverse[0, 0] * (rest @ rest) / (len(inliers) - 2)) if len(inliers) > 2 else LIMITS.wall_width
-    return float(fitted[0]), float(np.hypot(sigma, LIMITS.floor))
+    sigma = np.sqrt(inverse[0, 0] * (rest @ rest) / (len(inliers) - 2)) if len(inliers) > 2 else WALL_WIDTH
+    return float(fitted[0]), float(np.hypot(sigma, FLOOR))
 
 
 def height_at_edge(above: np.ndarray) -> tuple[float, float]:
     """Height, m, of points above the model's surface as far from the edge, and its sigma; NaN for too few."""
     known = above[np.isfinite(above)]
-    if len(known) < LIMITS.least_points:
+    if len(known) < LEAST_POINTS:
         return np.nan, np.nan
     middle = float(np.median(known))
     spread = SIGMA_OF_MAD * float(np.median(np.abs(known - middle)))
-    return middle, float(np.hypot(1.2533 * spread / np.sqrt(len(known)), LIMITS.floor))
+    return middle, float(np.hypot(1.2533 * spread / np.sqrt(len(known)), FLOOR))

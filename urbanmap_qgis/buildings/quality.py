@@ -11,19 +11,11 @@ from ..execution import checkpoint
 from ..geometry.polygon_rings import polygon_rings
 from ..geometry.tolerances import LEAST_SQUARE, SAME_PLACE
 
-
-@dataclass(frozen=True)
-class BuildingsQualityLimits:
-    """Limits of buildings quality, each with its unit."""
-
-    best_share: float = 0.95  # Share of the points, those that fit best, that the trimmed RMSE is taken over.
-    explained: float = 0.5  # Distance (m) to the nearest surface of the model up to which it explains a point.
-    # Distance (m) of a point that no roof took from a wall up to which it is a point of that wall: outlines are
-    # rough.
-    wall_point: float = 1.0
-
-
-LIMITS = BuildingsQualityLimits()
+BEST_SHARE = 0.95  # Share of the points, those that fit best, that the trimmed RMSE is taken over.
+EXPLAINED = 0.5  # Distance (m) to the nearest surface of the model up to which it explains a point.
+# Distance (m) of a point that no roof took from a wall up to which it is a point of that wall: outlines are
+# rough.
+WALL_POINT = 1.0
 
 _AT_ONCE = 20_000
 """Points times edges whose distances are found at once: they stay in the processor's cache."""
@@ -60,7 +52,7 @@ class ModelFit:
     rmse_3d : root mean square distance to the nearest surface of the model.
     p95 : 95th percentile of that distance.
     coverage : share of the points that lie over or under a roof of the model.
-    not_explained : share of points farther than `LIMITS.explained` from all surfaces of the model, parapets apart.
+    not_explained : share of points farther than `EXPLAINED` from all surfaces of the model, parapets apart.
     """
 
     points: int
@@ -88,12 +80,12 @@ def model_fit(x: np.ndarray, y: np.ndarray, z: np.ndarray, cells: list[RoofCell]
     on_wall = np.zeros(len(x), bool)
     if on_roof is not None and len(walls) and not on_roof.all():
         other = np.flatnonzero(~on_roof)
-        limit = np.full(len(other), LIMITS.wall_point)
-        on_wall[other] = _wall_distances(x[other], y[other], z[other], walls, limit) < LIMITS.wall_point
+        limit = np.full(len(other), WALL_POINT)
+        on_wall[other] = _wall_distances(x[other], y[other], z[other], walls, limit) < WALL_POINT
         over &= ~on_wall
     distance = surface_distances(x, y, z, cells, walls, below)
     absolute = np.sort(np.abs(dz[over]))
-    best = absolute[:max(int(np.ceil(LIMITS.best_share * len(absolute))), 1)]
+    best = absolute[:max(int(np.ceil(BEST_SHARE * len(absolute))), 1)]
     median = (float(absolute[(len(absolute) - 1) // 2] + absolute[len(absolute) // 2]) / 2 if len(absolute)
               else np.nan)
     return ModelFit(len(x), _rms(absolute), _rms(best), median, _rms(distance), float(np.percentile(distance, 95)),
@@ -104,7 +96,7 @@ def model_fit(x: np.ndarray, y: np.ndarray, z: np.ndarray, cells: list[RoofCell]
 def unexplained_points(x: np.ndarray, y: np.ndarray, dz: np.ndarray, distance: np.ndarray,
                        cells: list[RoofCell]) -> np.ndarray:
     """Mask (n,) of the points that neither a surface of the model nor a parapet on one of its roofs explains."""
-    far = distance > LIMITS.explained
+    far = distance > EXPLAINED
     low = np.flatnonzero(far & (dz > 0) & (dz <= PARAPET_HEIGHT))
     if len(low):
         edges = shapely.union_all([shapely.boundary(cell.polygon) for cell in cells])

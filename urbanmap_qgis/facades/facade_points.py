@@ -36,21 +36,13 @@ CELL = 0.25
 TILE = 512
 """Cells along a tile."""
 
-
-@dataclass(frozen=True)
-class FacadePointsLimits:
-    """Limits of facade points, each with its unit."""
-
-    tiles_held: int = 64
-    front: float = 6.0  # What stands up to this far from an outline (m) may hide the facade.
-    front_cell: float = 0.5
-    low_cell: float = 1.0
-    front_key: float = 1 << 40
-    margin_below: float = 3.0
-    bucket_bytes: int = 120_000_000  # Points held in memory; more go to the disk.
-
-
-LIMITS = FacadePointsLimits()
+TILES_HELD = 64
+FRONT = 6.0  # What stands up to this far from an outline (m) may hide the facade.
+FRONT_CELL = 0.5
+LOW_CELL = 1.0
+FRONT_KEY = 1 << 40
+MARGIN_BELOW = 3.0
+BUCKET_BYTES = 120_000_000  # Points held in memory; more go to the disk.
 
 DEFAULTS = WallSettings()
 
@@ -121,7 +113,7 @@ class NearestOutline:
             self._tiles.move_to_end(key)
         else:
             self._tiles[key] = self._rasterised(key)
-            if len(self._tiles) > LIMITS.tiles_held:
+            if len(self._tiles) > TILES_HELD:
                 self._tiles.popitem(last=False)
         return self._tiles[key]
 
@@ -166,7 +158,7 @@ class LowestPoints:
 
     def add(self, row: np.ndarray, x: np.ndarray, y: np.ndarray, z: np.ndarray) -> None:
         """Take points (n,) near buildings `row`."""
-        cells = np.floor(x / LIMITS.low_cell), np.floor(y / LIMITS.low_cell)
+        cells = np.floor(x / LOW_CELL), np.floor(y / LOW_CELL)
         starts = np.flatnonzero(_changes(row, *cells))
         if len(starts):  # of points that follow each other in one cell the lowest
             table = np.column_stack([row[starts], *(cell[starts] for cell in cells), np.minimum.reduceat(z, starts)])
@@ -187,7 +179,7 @@ class LowestPoints:
         for row in range(count):
             cells = table[starts[row]:starts[row + 1]]
             if len(cells):
-                planes[row] = ground_plane((cells[:, 1:3] + 0.5) * LIMITS.low_cell - origin[row], cells[:, 3])
+                planes[row] = ground_plane((cells[:, 1:3] + 0.5) * LOW_CELL - origin[row], cells[:, 3])
         return planes
 
 
@@ -250,9 +242,9 @@ def facade_points(cloud: PointCloud, plans: BuildingPlans, settings: WallSetting
     ------
     InsufficientDataError : no point lies near any building.
     """
-    nearest = NearestOutline(plans, LIMITS.front)
+    nearest = NearestOutline(plans, FRONT)
     low = LowestPoints()
-    with PointBuckets(RECORD, LIMITS.bucket_bytes) as buckets:
+    with PointBuckets(RECORD, BUCKET_BYTES) as buckets:
         rows = _collect(cloud, nearest, settings, ground, buckets, low, progress)
         if not rows:
             raise InsufficientDataError(
@@ -288,13 +280,13 @@ def _collect(cloud: PointCloud, nearest: NearestOutline, settings: WallSettings,
         buckets.add(row[within], record_rows(records, within))
         rows.update(np.unique(row[within]).tolist())
         front = _thinned(x, y, z, row)
-        buckets.add(row[front] + LIMITS.front_key, record_rows(records, front))
+        buckets.add(row[front] + FRONT_KEY, record_rows(records, front))
     return rows
 
 
 def _thinned(x: np.ndarray, y: np.ndarray, z: np.ndarray, row: np.ndarray) -> np.ndarray:
     """Indices of one point of each half-metre cube."""
-    cube = [np.floor((axis - axis.min()) / LIMITS.front_cell).astype(np.int64) for axis in (x, y, z)]
+    cube = [np.floor((axis - axis.min()) / FRONT_CELL).astype(np.int64) for axis in (x, y, z)]
     size = [int(axis.max()) + 1 for axis in cube]
     code = ((row * size[0] + cube[0]) * size[1] + cube[1]) * size[2] + cube[2]
     starts = np.flatnonzero(_changes(code))
@@ -324,7 +316,7 @@ def _buildings(rows: list[int], buckets: PointBuckets, plans: BuildingPlans, set
         if len(records) > settings.max_points:
             share = settings.max_points / len(records)
             records = record_rows(records, np.random.default_rng(row).random(len(records)) < share)
-        front = buckets.read(row + LIMITS.front_key)
+        front = buckets.read(row + FRONT_KEY)
         plane = planes[row]
         if not np.isfinite(plane[0]) and np.isfinite(plans.base[row]):
             plane = np.array([plans.base[row], 0.0, 0.0])
@@ -332,7 +324,7 @@ def _buildings(rows: list[int], buckets: PointBuckets, plans: BuildingPlans, set
         keep = np.ones(len(records), bool)
         if np.isfinite(plane[0]):
             height = facade.height(facade.points)
-            keep = (height > -LIMITS.margin_below) & (height <= settings.max_height)
+            keep = (height > -MARGIN_BELOW) & (height <= settings.max_height)
         yield row, replace(facade, points=facade.points[keep], time=facade.time[keep])
 
 

@@ -13,16 +13,8 @@ import numpy as np
 from ..mobile.trajectory import Trajectory, gaps, interpolate
 from .plane_fit import WallPlane, component
 
-
-@dataclass(frozen=True)
-class LaserBeamsLimits:
-    """Limits of lines of sight, each with its unit."""
-
-    off: float = 0.3  # What ends less than this (m) before or behind a plane belongs to its wall.
-    spread: float = 1.0  # Largest half width (m) of a shadow: farther apart the few beams that are kept tell nothing.
-
-
-LIMITS = LaserBeamsLimits()
+OFF = 0.3  # What ends less than this (m) before or behind a plane belongs to its wall.
+SPREAD = 1.0  # Largest half width (m) of a shadow: farther apart the few beams that are kept tell nothing.
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,16 +68,16 @@ def crossed_cells(lines: LaserBeams, plane: WallPlane, corner: tuple[float, floa
     hidden, through : masks of `shape`; a cell may be both, by beams from different places.
     """
     start, end = plane.distance(lines.origin), plane.distance(lines.target)
-    faced = start > np.maximum(end, 0.0) + LIMITS.off
+    faced = start > np.maximum(end, 0.0) + OFF
     masks = []
-    for rows in (faced & (end > LIMITS.off), faced & (end < -LIMITS.off)):
+    for rows in (faced & (end > OFF), faced & (end < -OFF)):
         # Where the beam meets the plane, in lengths of the beam.
         share = start[rows] / (start[rows] - end[rows])
         half = share * lines.width / 2
         place = lines.origin[rows] + share[:, None] * (lines.target[rows] - lines.origin[rows])
         away = place - plane.point
         flat = np.column_stack([component(away, axis) for axis in plane.axes]) - corner
-        near = half <= LIMITS.spread
+        near = half <= SPREAD
         masks.append(_covered(flat[near], half[near], shape, cell))
     return masks[0], masks[1]
 

@@ -13,20 +13,12 @@ import numpy as np
 VOXEL = 0.3
 """Side of a voxel where points are dense, m."""
 
-
-@dataclass(frozen=True)
-class NormalsLimits:
-    """Limits of normals, each with its unit."""
-
-    min_support: int = 12  # Points that a neighbourhood should have: voxels grow until half of the neighbourhoods do.
-    max_voxel: float = 1.2
-    upright: float = 0.35  # Walls have normals that rise or fall by less than this (sine): 20 degrees.
-    # The extent of a flat neighbourhood across is at most this share of its second extent (standard deviations).
-    flat: float = 0.2
-    rounding: float = 1e-9  # Of variances, m2.
-
-
-LIMITS = NormalsLimits()
+MIN_SUPPORT = 12  # Points that a neighbourhood should have: voxels grow until half of the neighbourhoods do.
+MAX_VOXEL = 1.2
+UPRIGHT = 0.35  # Walls have normals that rise or fall by less than this (sine): 20 degrees.
+# The extent of a flat neighbourhood across is at most this share of its second extent (standard deviations).
+FLAT = 0.2
+ROUNDING = 1e-9  # Of variances, m2.
 
 _DIRECTIONS = [(x - 1, y - 1, z - 1) for x, y, z in np.ndindex(3, 3, 3) if (x, y, z) != (1, 1, 1)]
 """To the 26 voxels round one, those in opposite directions equally far from both ends."""
@@ -62,8 +54,8 @@ class NormalVoxels:
     @property
     def upright(self) -> np.ndarray:
         """Voxels (v,) that lie on a flat upright surface."""
-        return ((np.abs(self.normal[:, 2]) < LIMITS.upright) & (self.support >= 5)
-                & (self.thickness < np.maximum(LIMITS.flat * self.extent, 0.01)))
+        return ((np.abs(self.normal[:, 2]) < UPRIGHT) & (self.support >= 5)
+                & (self.thickness < np.maximum(FLAT * self.extent, 0.01)))
 
 
 def voxel_normals(points: np.ndarray) -> NormalVoxels:
@@ -74,7 +66,7 @@ def voxel_normals(points: np.ndarray) -> NormalVoxels:
     size = VOXEL
     while True:
         cells = _Cells.of(points, size)
-        if size * 1.5 > LIMITS.max_voxel or np.median(cells.support) >= LIMITS.min_support:
+        if size * 1.5 > MAX_VOXEL or np.median(cells.support) >= MIN_SUPPORT:
             return _voxels(points, cells)
         size *= 1.5
 
@@ -168,7 +160,7 @@ def _neighbourhood_axes(cells: _Cells, sums: np.ndarray):
     # Points on a surface nearer to upright than to level spread less along some level line than up and down.
     (a, b), c = covariance[:, 0, :2].T, covariance[:, 1, 1]
     least = (a + c) / 2 - np.hypot((a - c) / 2, b)
-    upright = np.flatnonzero((least <= covariance[:, 2, 2] + LIMITS.rounding) & (support >= 5))
+    upright = np.flatnonzero((least <= covariance[:, 2, 2] + ROUNDING) & (support >= 5))
     values, vectors = np.linalg.eigh(covariance[upright])
     normal, extents = np.full((len(sums), 3), np.nan), np.full((len(sums), 2), np.nan)
     normal[upright], extents[upright] = vectors[:, :, 0], np.sqrt(np.maximum(values[:, :2], 0.0))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 import shapely
@@ -12,17 +12,9 @@ from shapely.geometry.polygon import orient
 from .standing_before import BALCONY, RECESS, WALL, PlacedWall
 from .wall_contours import Contour, in_plane, on_map
 
-
-@dataclass(frozen=True)
-class OutermostLimits:
-    """Limits of outermost fronts, each with its unit."""
-
-    before: float = 0.3  # Distance from which on a balcony stands before a wall, m.
-    facing: float = 0.94  # Cosine of the greatest angle between both.
-    narrow: float = 0.5  # Pieces of a wall narrower than this, m, go with what lies beside them.
-
-
-LIMITS = OutermostLimits()
+BEFORE = 0.3  # Distance from which on a balcony stands before a wall, m.
+FACING = 0.94  # Cosine of the greatest angle between both.
+NARROW = 0.5  # Pieces of a wall narrower than this, m, go with what lies beside them.
 
 Kind = tuple[str, float]
 
@@ -52,17 +44,17 @@ def _strips(wall: PlacedWall, balconies: Sequence[PlacedWall]) -> shapely.Geomet
     left, low, right, high = wall.contour.polygon.bounds
     strips = []
     for balcony in balconies:
-        if balcony.plane.normal @ wall.plane.normal < LIMITS.facing:
+        if balcony.plane.normal @ wall.plane.normal < FACING:
             continue
         corners = shapely.get_coordinates(on_map(balcony.plane, shapely.box(*balcony.contour.polygon.bounds)),
                                           include_z=True)[:-1]
-        if np.mean(wall.plane.distance(corners)) <= LIMITS.before:
+        if np.mean(wall.plane.distance(corners)) <= BEFORE:
             continue
         along = in_plane(wall.plane, corners)[:, 0]
         first, last = max(float(along.min()), left), min(float(along.max()), right)
-        first = left if first - left < LIMITS.narrow else first
-        last = right if right - last < LIMITS.narrow else last
-        if last - first >= LIMITS.narrow:
+        first = left if first - left < NARROW else first
+        last = right if right - last < NARROW else last
+        if last - first >= NARROW:
             strips.append(shapely.box(first, low - 1.0, last, high + 1.0))
     return shapely.union_all(strips)
 
@@ -72,7 +64,7 @@ def _pieces(wall: PlacedWall, shape: shapely.Geometry) -> list[PlacedWall]:
     pieces = []
     for polygon in shapely.get_parts(shape):
         left, _, right, _ = polygon.bounds if not polygon.is_empty else (0.0,) * 4
-        if polygon.geom_type == "Polygon" and right - left >= LIMITS.narrow:
+        if polygon.geom_type == "Polygon" and right - left >= NARROW:
             given = wall.contour
             # Anticlockwise seen from in front, as contours are; cutting turns rings round.
             contour = Contour(orient(polygon), round(given.points * polygon.area / given.polygon.area), given.filled,

@@ -9,21 +9,13 @@ import numpy as np
 from ..geometry.tolerances import SIGMA_OF_MAD
 from .normals import numbered_cells
 
-
-@dataclass(frozen=True)
-class PlaneFitLimits:
-    """Limits of plane fit, each with its unit."""
-
-    tukey: float = 4.685
-    min_noise: float = 0.003
-    iterations: int = 7
-    enough: int = 20_000  # Points on which a plane is found, evenly taken from all; its figures are those of all.
-    # Points within a square of this side (m) share their errors: the accuracy counts squares, not points.
-    block: float = 1.0
-    pass_gap: float = 20.0  # Seconds without a point between two passes.
-
-
-LIMITS = PlaneFitLimits()
+TUKEY = 4.685
+MIN_NOISE = 0.003
+ITERATIONS = 7
+ENOUGH = 20_000  # Points on which a plane is found, evenly taken from all; its figures are those of all.
+# Points within a square of this side (m) share their errors: the accuracy counts squares, not points.
+BLOCK = 1.0
+PASS_GAP = 20.0  # Seconds without a point between two passes.
 
 _PAIRS = {size: [(i, j) for i in range(size) for j in range(i, size)] for size in (2, 3)}
 """Which two coordinates of two or three are multiplied, in order."""
@@ -122,7 +114,7 @@ def robust_plane(points: np.ndarray, time: np.ndarray, normal: np.ndarray) -> Wa
     if len(points) < 10:
         return None
     columns = np.ascontiguousarray(points.T)
-    some = np.ascontiguousarray(columns[:, ::max(1, len(points) // LIMITS.enough)])
+    some = np.ascontiguousarray(columns[:, ::max(1, len(points) // ENOUGH)])
     plane = _described(columns, time, normal, *_solved(some, True))
     if np.ptp(columns[2]) < 2.0:
         return plane
@@ -147,11 +139,11 @@ def _solved(columns: np.ndarray, upright: bool) -> tuple[np.ndarray, np.ndarray,
     middle, scale = 0.0, np.inf
     origin, products = _products(columns, upright)
     centre, normal = _plane_of_products(origin, products, np.ones(columns.shape[1]), upright)
-    for _ in range(LIMITS.iterations):
+    for _ in range(ITERATIONS):
         residual = _residual(products, centre - origin, normal)
-        inliers = residual[np.abs(residual - middle) < LIMITS.tukey * scale]
+        inliers = residual[np.abs(residual - middle) < TUKEY * scale]
         middle = float(np.median(inliers))
-        scale = max(SIGMA_OF_MAD * float(np.median(np.abs(inliers - middle))), LIMITS.min_noise)
+        scale = max(SIGMA_OF_MAD * float(np.median(np.abs(inliers - middle))), MIN_NOISE)
         centre, normal = _plane_of_products(origin, products, _weights(residual, middle, scale), upright)
     return centre, normal, scale
 
@@ -162,7 +154,7 @@ def _described(columns: np.ndarray, time: np.ndarray, side: np.ndarray, centre: 
     if normal @ side < 0:
         normal = -normal
     residual = _residual(columns, centre, normal)
-    inlier = np.flatnonzero(np.abs(residual) < LIMITS.tukey * scale)
+    inlier = np.flatnonzero(np.abs(residual) < TUKEY * scale)
     passes = pass_numbers(time[inlier])
     residual = residual[inlier]
     sigma, spread = _sigma(columns[:, inlier], residual, passes, normal)
@@ -173,7 +165,7 @@ def _described(columns: np.ndarray, time: np.ndarray, side: np.ndarray, centre: 
 def _weights(residual: np.ndarray, middle: float, scale: float) -> np.ndarray:
     """Tukey's weights (n,)."""
     weights = residual - middle
-    weights /= LIMITS.tukey * scale
+    weights /= TUKEY * scale
     weights *= weights
     np.minimum(weights, 1.0, out=weights)
     np.subtract(1.0, weights, out=weights)
@@ -182,12 +174,12 @@ def _weights(residual: np.ndarray, middle: float, scale: float) -> np.ndarray:
 
 
 def pass_numbers(time: np.ndarray) -> np.ndarray:
-    """Number of the drive (n,) that each point belongs to: a pause of `LIMITS.pass_gap` seconds parts two."""
+    """Number of the drive (n,) that each point belongs to: a pause of `PASS_GAP` seconds parts two."""
     if not np.isfinite(time).all():
         return np.zeros(len(time), np.int64)
     order = np.argsort(time, kind="stable")
     number = np.zeros(len(time), np.int64)
-    number[order[1:]] = np.cumsum(np.diff(time[order]) > LIMITS.pass_gap)
+    number[order[1:]] = np.cumsum(np.diff(time[order]) > PASS_GAP)
     return number
 
 
@@ -196,7 +188,7 @@ def _sigma(columns: np.ndarray, residual: np.ndarray, passes: np.ndarray, normal
     level = np.array([-normal[1], normal[0]]) / np.hypot(*normal[:2])
     beside = columns[0] * level[0] + columns[1] * level[1]
     code = np.zeros(len(residual), np.int64)
-    for place in (np.floor(beside / LIMITS.block), np.floor(columns[2] / LIMITS.block), passes):
+    for place in (np.floor(beside / BLOCK), np.floor(columns[2] / BLOCK), passes):
         place = (place - place.min()).astype(np.int64)
         code = code * (int(place.max()) + 1) + place
     _, of, count = numbered_cells(code)

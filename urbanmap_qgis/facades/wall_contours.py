@@ -21,24 +21,16 @@ from .laser_beams import LaserBeams, crossed_cells
 from .normals import numbered_cells
 from .plane_fit import WallPlane, component
 
-
-@dataclass(frozen=True)
-class WallContoursLimits:
-    """Limits of wall contours, each with its unit."""
-
-    thin: float = 0.12  # One point in each square of this side (m) is enough for a hull.
-    off: float = 0.1705  # How far the middles of two squares may be from what is in them, both together, m.
-    cell: float = 0.25  # Cells on which shares are counted, m.
-    spacings: float = 3.0
-    min_alpha: float = 0.35
-    max_alpha: float = 1.2
-    in_front: float = 0.3
-    sidewards: int = 4
-    simplification: float = 0.04
-    grid: float = 0.001
-
-
-LIMITS = WallContoursLimits()
+THIN = 0.12  # One point in each square of this side (m) is enough for a hull.
+OFF = 0.1705  # How far the middles of two squares may be from what is in them, both together, m.
+CELL = 0.25  # Cells on which shares are counted, m.
+SPACINGS = 3.0
+MIN_ALPHA = 0.35
+MAX_ALPHA = 1.2
+IN_FRONT = 0.3
+SIDEWARDS = 4
+SIMPLIFICATION = 0.04
+GRID = 0.001
 
 DEFAULTS = WallSettings()
 
@@ -139,7 +131,7 @@ def _joined(pieces: np.ndarray, max_gap: float) -> list[tuple[shapely.Polygon, s
             # Only what leads from one piece to another: bays of one piece stay as they are.
             links = [part for part in bridges if part.geom_type == "Polygon"
                      and np.count_nonzero(shapely.dwithin(members, part, 1e-6)) > 1]
-            joined = shapely.union_all([measured, *links], grid_size=LIMITS.grid)
+            joined = shapely.union_all([measured, *links], grid_size=GRID)
         parts = [part for part in shapely.get_parts(joined) if part.geom_type == "Polygon" and part.area > 1e-3]
         contours += [(part, shapely.intersection(part, measured)) for part in parts]
     return contours
@@ -149,7 +141,7 @@ def _thinned(flat: np.ndarray, alpha: float) -> tuple[np.ndarray, np.ndarray]:
     """One point of each small square, well within the wall one of each four: those that the alpha shape needs, and
     those too deep within for it.
     """
-    place = np.floor((flat - flat.min(axis=0)) / LIMITS.thin).astype(np.int64)
+    place = np.floor((flat - flat.min(axis=0)) / THIN).astype(np.int64)
     height = int(place[:, 1].max()) + 1
     code = place[:, 0] * height + place[:, 1]
     first = _first_of_each(code)
@@ -167,18 +159,18 @@ def _deep(row: np.ndarray, column: np.ndarray, alpha: float) -> np.ndarray:
     A wider circle holds one as wide as alpha through the same point. That is empty: no point is nearer to its middle
     than alpha, and this one is no farther.
     """
-    if alpha <= LIMITS.off:
+    if alpha <= OFF:
         return np.zeros(len(row), bool)
-    pad = math.ceil((alpha + LIMITS.off) / LIMITS.thin) + 1
+    pad = math.ceil((alpha + OFF) / THIN) + 1
     empty = np.ones((int(row.max()) + 2 * pad + 1, int(column.max()) + 2 * pad + 1), np.uint8)
     empty[row + pad, column + pad] = 0
-    middles = _away(empty) < alpha - LIMITS.off
-    return _away(middles.view(np.uint8))[row + pad, column + pad] > alpha + LIMITS.off
+    middles = _away(empty) < alpha - OFF
+    return _away(middles.view(np.uint8))[row + pad, column + pad] > alpha + OFF
 
 
 def _away(squares: np.ndarray) -> np.ndarray:
     """Distance of squares from the nearest that is 0, m."""
-    return cv2.distanceTransform(squares, cv2.DIST_L2, cv2.DIST_MASK_PRECISE) * LIMITS.thin
+    return cv2.distanceTransform(squares, cv2.DIST_L2, cv2.DIST_MASK_PRECISE) * THIN
 
 
 def _first_of_each(code: np.ndarray) -> np.ndarray:
@@ -202,7 +194,7 @@ def contour_alpha(flat: np.ndarray) -> float:
     height = int(place[:, 1].max()) + 1
     *_, count = numbered_cells(place[:, 0] * height + place[:, 1])
     spacing = 0.5 / math.sqrt(float(np.quantile(count, 0.2)))
-    return float(np.clip(LIMITS.spacings * spacing, LIMITS.min_alpha, LIMITS.max_alpha))
+    return float(np.clip(SPACINGS * spacing, MIN_ALPHA, MAX_ALPHA))
 
 
 def alpha_polygon(flat: np.ndarray, left_out: np.ndarray, alpha: float) -> shapely.Geometry:
@@ -220,7 +212,7 @@ def alpha_polygon(flat: np.ndarray, left_out: np.ndarray, alpha: float) -> shape
     hull = shapely.union_all(shapely.make_valid(outer))
     if holes:
         hull = shapely.difference(hull, shapely.union_all(shapely.make_valid(holes)))
-    hull = shapely.simplify(hull, LIMITS.simplification)
+    hull = shapely.simplify(hull, SIMPLIFICATION)
     parts = shapely.get_parts(hull if hull.is_valid else shapely.make_valid(hull))
     return shapely.MultiPolygon([part for part in parts if part.geom_type == "Polygon"])
 
@@ -248,24 +240,24 @@ def wall_coverage(plane: WallPlane, contours: list[Contour], foot: float, top: f
     shape = shapely.union_all([contour.measured for contour in contours])
     left, low, right, high = shape.bounds
     low, high = min(low, foot - plane.point[2]), max(high, top - plane.point[2])
-    columns = max(math.ceil((right - left) / LIMITS.cell), 1)
-    rows = max(math.ceil((high - low) / LIMITS.cell), 1)
-    u, v = np.meshgrid(left + (np.arange(columns) + 0.5) * LIMITS.cell, low + (np.arange(rows) + 0.5) * LIMITS.cell)
+    columns = max(math.ceil((right - left) / CELL), 1)
+    rows = max(math.ceil((high - low) / CELL), 1)
+    u, v = np.meshgrid(left + (np.arange(columns) + 0.5) * CELL, low + (np.arange(rows) + 0.5) * CELL)
     shapely.prepare(shape)
     seen = shapely.contains_xy(shape, u, v)
     if beams is not None:
-        before, through = crossed_cells(beams, plane, (left, low), (rows, columns), LIMITS.cell)
+        before, through = crossed_cells(beams, plane, (left, low), (rows, columns), CELL)
         through &= ~seen
         return _shares((right - left) * (high - low), seen, before & ~through, float(through.mean()))
     before = np.zeros_like(seen)
     if len(front):
         off = plane.distance(front)
-        flat = in_plane(plane, front[off > LIMITS.in_front])
-        place = np.floor((flat - (left, low)) / LIMITS.cell).astype(np.int64)
+        flat = in_plane(plane, front[off > IN_FRONT])
+        place = np.floor((flat - (left, low)) / CELL).astype(np.int64)
         inside = ((place >= 0) & (place < (columns, rows))).all(axis=1)
         before[place[inside, 1], place[inside, 0]] = True
         # It is seen aslant: what stands in front hides something to its sides and above.
-        before = ndimage.binary_dilation(before, np.ones((2 * LIMITS.sidewards + 1, 2 * LIMITS.sidewards + 1)))
+        before = ndimage.binary_dilation(before, np.ones((2 * SIDEWARDS + 1, 2 * SIDEWARDS + 1)))
     return _shares((right - left) * (high - low), seen, before)
 
 

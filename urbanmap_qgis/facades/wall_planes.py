@@ -26,20 +26,12 @@ _SEED_COSINE = np.cos(np.radians(25.0))
 _EDGE_COSINE = np.cos(np.radians(12.0))
 _GROWTH = (1.2, 2.5, 5.0, 10.0, 20.0, np.inf)
 
-
-@dataclass(frozen=True)
-class WallPlanesLimits:
-    """Limits of wall planes, each with its unit."""
-
-    point_tolerance: float = 0.12
-    slice: int = 20_000
-    seeds: int = 3000
-    # Beside a large wall the normals of a narrow one are bent; with the points of the large one gone they are
-    # not.
-    passes: int = 2
-
-
-LIMITS = WallPlanesLimits()
+POINT_TOLERANCE = 0.12
+SLICE = 20_000
+SEEDS = 3000
+# Beside a large wall the normals of a narrow one are bent; with the points of the large one gone they are
+# not.
+PASSES = 2
 
 DEFAULTS = WallSettings()
 
@@ -65,7 +57,7 @@ def wall_segments(points: np.ndarray, time: np.ndarray, edges: np.ndarray, outwa
     """
     segments: list[Segment] = []
     left = np.arange(len(points))
-    for _ in range(LIMITS.passes):
+    for _ in range(PASSES):
         found, taken = _one_pass(points[left], time[left], edges, outward, settings, progress)
         segments += [Segment(segment.plane, left[segment.points]) for segment in found]
         if not found:
@@ -134,7 +126,7 @@ def _grow_all(voxels: NormalVoxels, wall: np.ndarray, edges: np.ndarray, outward
         if not free[seed] or tried[seed]:
             continue
         tries += 1
-        if tries > LIMITS.seeds:
+        if tries > SEEDS:
             break
         progress.check()
         found = _grow(seed, mean, normal, weight, free, settings, voxels.size)
@@ -160,8 +152,8 @@ def _agrees(mean: np.ndarray, normal: np.ndarray, edges: np.ndarray, outward: np
         return np.zeros(len(mean), bool)
     level = normal[:, :2] / np.maximum(np.hypot(*normal[:, :2].T), LEAST_DIVISOR)[:, None]
     agrees = np.zeros(len(mean), bool)
-    for start in range(0, len(mean), LIMITS.slice):
-        part = slice(start, start + LIMITS.slice)
+    for start in range(0, len(mean), SLICE):
+        part = slice(start, start + SLICE)
         near = edge_distance(mean[part, :2], edges).argmin(axis=1)
         agrees[part] = np.abs((level[part] * outward[near]).sum(axis=1)) > _EDGE_COSINE
     return agrees
@@ -265,11 +257,11 @@ def _outwards(centre: np.ndarray, facing: np.ndarray, places: np.ndarray, edges:
 def _claim(points: np.ndarray, voxels: NormalVoxels, grown: list, settings: WallSettings) -> np.ndarray:
     """Number of the plane that each point lies on, (n,), -1 for none: the nearest of those that cover its place."""
     owner = np.full(len(points), -1, np.int32)
-    best = np.full(len(points), LIMITS.point_tolerance)
+    best = np.full(len(points), POINT_TOLERANCE)
     order = stable_order(voxels.of_point)
     starts = np.cumsum(voxels.count) - voxels.count
     for number, (centre, normal, mask) in enumerate(grown):
-        distance = LIMITS.point_tolerance + voxels.size
+        distance = POINT_TOLERANCE + voxels.size
         near = np.flatnonzero(np.abs(component(voxels.mean - centre, normal)) < distance)
         grownmask = _Mask(mask.axes, mask.low, mask.cell, ndimage.binary_dilation(mask.filled, np.ones((3, 3))))
         near = near[grownmask.holds(voxels.mean[near])]

@@ -19,8 +19,7 @@ from ..settings.facades import OUTERMOST, WallSettings
 from ..wording import say
 from .beam_checks import BeamFacts, check_beams, check_start
 from .building_plans import BuildingPlans, outline_edges
-from .facade_points import LIMITS as POINT_LIMITS
-from .facade_points import FacadePoints, facade_points
+from .facade_points import FRONT_CELL, FacadePoints, facade_points
 from .laser_beams import LaserBeams, laser_beams
 from .outermost_fronts import cut_behind_balconies
 from .plane_fit import WallPlane
@@ -35,28 +34,20 @@ to trust it; inside the outline behind another wall, on a roof, or farther than 
 seen through a window; a canopy, sign, balcony, garden wall, hoarding or post before the facade; it or a wall at another
 depth is the facade."""
 
-
-@dataclass(frozen=True)
-class WallStageLimits:
-    """Limits of wall stage, each with its unit."""
-
-    rough: float = 0.05
-    half: float = 0.5
-    few: int = 30
-    none: int = 10  # Fewer points than this are no wall.
-    deep: float = 1.0  # A wall deeper inside the outline than this, m, is one only where no other stands before it.
-    podium: float = 8.0  # A wall inside the outline of which nothing up to this height was seen, m, stands on a roof.
-    overlap: float = 0.3  # Distance (m) by which, and share of its area of which, a wall stands before another.
-    step: float = 0.5
-    # A wall from the ground up to this height, m, is that of a storey at least.
-    storey: float = 3.2
-    floor: float = 2.2  # A wall from the ground up to this height, m, can be that of a ground floor.
-    facing: float = 0.94
-    # Cosine of the maximum angle between a wall and the outline's edge that it belongs to: 15 degrees.
-    min_edge_cosine: float = 0.966
-
-
-LIMITS = WallStageLimits()
+ROUGHEST = 0.05
+HALF = 0.5
+FEW_POINTS = 30
+NONE = 10  # Fewer points than this are no wall.
+DEEP = 1.0  # A wall deeper inside the outline than this, m, is one only where no other stands before it.
+PODIUM = 8.0  # A wall inside the outline of which nothing up to this height was seen, m, stands on a roof.
+OVERLAP = 0.3  # Distance (m) by which, and share of its area of which, a wall stands before another.
+STEP = 0.5
+# A wall from the ground up to this height, m, is that of a storey at least.
+STOREY = 3.2
+FLOOR = 2.2  # A wall from the ground up to this height, m, can be that of a ground floor.
+FACING = 0.94
+# Cosine of the maximum angle between a wall and the outline's edge that it belongs to: 15 degrees.
+MIN_EDGE_COSINE = 0.966
 
 DEFAULTS = WallSettings()
 
@@ -158,7 +149,7 @@ def _pieces(buildings: Iterator[tuple[int, FacadePoints]], plans: BuildingPlans,
                               "than fit into memory.", ids=plans.ids[row], kept_share=100 * points.kept_share))
         beams = None
         if trajectory is not None:
-            beams = laser_beams(points.front, points.front_time, trajectory, POINT_LIMITS.front_cell)
+            beams = laser_beams(points.front, points.front_time, trajectory, FRONT_CELL)
             facts.append(BeamFacts.of(beams, points))
         yield _Piece(int(plans.ids[row]), plans.plan[row], float(plans.top[row]), points, beams)
     if trajectory is not None:
@@ -172,7 +163,7 @@ def _walls_of(piece: _Piece, settings: WallSettings, check: Progress | None) -> 
     planes = []
     for segment in wall_segments(given.points, given.time, ends, outward, settings, check or SILENT):
         contours = wall_contours(segment.plane, given.points[segment.points], settings)
-        contours = [contour for contour in contours if contour.points >= LIMITS.none]
+        contours = [contour for contour in contours if contour.points >= NONE]
         if contours:
             planes.append((segment.plane, contours))
     if not planes:
@@ -232,12 +223,12 @@ def _inside(piece: _Piece, placed: PlacedWall, depth: float, heights: tuple[floa
     What is seen from the ground up past a storey, with nothing before it but the ground, is one at any depth: the
     outline lacks a step that the building has.
     """
-    if depth <= LIMITS.deep:
+    if depth <= DEEP:
         return False
     (foot, top), hidden = heights, _behind_another(placed.plane, placed.contour, walls)
     if depth > settings.reach:
-        return hidden or foot > LIMITS.deep or top < LIMITS.storey or not _free_ground(piece, placed, depth)
-    return hidden or foot > LIMITS.podium
+        return hidden or foot > DEEP or top < STOREY or not _free_ground(piece, placed, depth)
+    return hidden or foot > PODIUM
 
 
 def _free_ground(piece: _Piece, placed: PlacedWall, depth: float) -> bool:
@@ -247,11 +238,11 @@ def _free_ground(piece: _Piece, placed: PlacedWall, depth: float) -> bool:
         return False
     left, _, right, _ = placed.contour.polygon.bounds
     away = plane.distance(given.points)
-    near = given.points[(away > _BEFORE) & (away < depth) & (np.abs(given.height(given.points)) < LIMITS.step)]
+    near = given.points[(away > _BEFORE) & (away < depth) & (np.abs(given.height(given.points)) < STEP)]
     along = in_plane(plane, near)[:, 0]
     stretches = max(int(right - left), 1)
-    seen = np.histogram(along, stretches, (left, right))[0] >= LIMITS.none
-    return bool(seen.mean() > LIMITS.half)
+    seen = np.histogram(along, stretches, (left, right))[0] >= NONE
+    return bool(seen.mean() > HALF)
 
 
 def _front_status(kind: str, before: float) -> tuple[str, str]:
@@ -278,7 +269,7 @@ def _edge_of(plane: WallPlane, contours: Sequence[Contour], ends: np.ndarray,
              outward: np.ndarray) -> tuple[int, float]:
     """Outline edge that a wall runs along: the nearest that faces as it does; and how far the wall stands before it."""
     facing = outward @ plane.normal[:2]
-    parallel = np.flatnonzero(facing > LIMITS.min_edge_cosine)
+    parallel = np.flatnonzero(facing > MIN_EDGE_COSINE)
     if not len(parallel):
         return -1, float("nan")
     along = plane.axes[0][:2]
@@ -311,17 +302,17 @@ def _behind_another(plane: WallPlane, contour: Contour, walls: Sequence[PlacedWa
     ground = min((float(_heights(other.plane, other.contour.polygon).min()) for other in walls), default=foot)
     covered = []
     for other in walls:
-        if other.plane.normal @ plane.normal < LIMITS.facing:
+        if other.plane.normal @ plane.normal < FACING:
             continue
         corners = shapely.get_coordinates(on_map(other.plane, shapely.box(*other.contour.polygon.bounds)),
                                           include_z=True)[:-1]
         if np.mean(plane.distance(corners)) > _BEFORE:
             flat, z = in_plane(plane, corners), corners[:, 2]
             (left, low), (right, high) = flat.min(axis=0), flat.max(axis=0)
-            if z.min() < ground + 1.0 and z.max() > ground + LIMITS.floor and foot > z.max() - LIMITS.step:
+            if z.min() < ground + 1.0 and z.max() > ground + FLOOR and foot > z.max() - STEP:
                 high = extent.bounds[3]
             covered.append(shapely.intersection(shapely.box(left, low, right, high), extent))
-    return bool(shapely.union_all(covered).area > LIMITS.overlap * extent.area) if covered else False
+    return bool(shapely.union_all(covered).area > OVERLAP * extent.area) if covered else False
 
 
 def _heights(plane: WallPlane, flat: shapely.Polygon) -> np.ndarray:
@@ -331,15 +322,15 @@ def _heights(plane: WallPlane, flat: shapely.Polygon) -> np.ndarray:
 
 def _status(plane: WallPlane, points: int, seen: WallCoverage, depth: float) -> tuple[str, str]:
     """Status of a wall and the reason; `depth` is m inside the outline of what is no facade, else 0."""
-    if points < LIMITS.few:
+    if points < FEW_POINTS:
         return FEW, say("only {points} points lie on it", points=points)
-    if plane.rmse > LIMITS.rough:
+    if plane.rmse > ROUGHEST:
         return ROUGH, say("its points scatter by {rmse:.0f} cm: no flat wall, or drives that disagree",
                           rmse=100 * plane.rmse)
     if depth > 0:
         return INSIDE, say("it lies {depth:.1f} m inside the outline: a setback, or a room seen through a window",
                            depth=depth)
-    if seen.coverage < LIMITS.half:
+    if seen.coverage < HALF:
         return PARTLY, say("{coverage:.0f} % of it was seen; {why}", coverage=100 * seen.coverage, why=_why(seen))
     return OK, ""
 

@@ -16,35 +16,17 @@ import shapely
 from ..geometry.tolerances import ROUNDING
 from .road_axis import Branch, Ring, Skeleton
 
-
-@dataclass(frozen=True)
-class JunctionLimits:
-    """What contacts and cuts go by.
-
-    Attributes
-    ----------
-    corner : least turn from one arm's edge to the next arm's edge at which their edges touch, degrees.
-    faint : least turn at which an arm is cut that has no corner otherwise, degrees.
-    turn : an edge that leaves the direction of the road's other edge by more is one of a cut-off, degrees.
-    cut_off : longest edge of a cut-off, in widths of the wider arm.
-    reach : farthest place of a corner from the foot of the node on the boundary, in distances of that foot.
-    bend : least turn at the end of a cut-off, degrees.
-    skew : a cut from contact to contact leaves the road's cross direction by less, degrees; else it runs across the
-        road from the farther contact.
-    overlap : cuts of neighbouring junctions nearer to each other overlap, in widths of the road.
-    """
-
-    corner: float = 35.0
-    faint: float = 12.0
-    turn: float = 18.0
-    bend: float = 8.0
-    cut_off: float = 1.5
-    skew: float = 50.0
-    overlap: float = 0.1
-    reach: float = 0.8
-
-
-LIMITS = JunctionLimits()
+# What contacts and cuts go by.
+CORNER = 35.0  # least turn from one arm's edge to the next arm's edge at which their edges touch, degrees.
+FAINT = 12.0  # least turn at which an arm is cut that has no corner otherwise, degrees.
+TURN = 18.0  # an edge that leaves the direction of the road's other edge by more is one of a cut-off, degrees.
+BEND = 8.0  # least turn at the end of a cut-off, degrees.
+CUT_OFF = 1.5  # longest edge of a cut-off, in widths of the wider arm.
+# a cut from contact to contact leaves the road's cross direction by less, degrees; else it runs across the road from
+# the farther contact.
+SKEW = 50.0
+OVERLAP = 0.1  # cuts of neighbouring junctions nearer to each other overlap, in widths of the road.
+REACH = 0.8  # farthest place of a corner from the foot of the node on the boundary, in distances of that foot.
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,9 +121,9 @@ def _junction(skeleton: Skeleton, nodes: frozenset[int]) -> Junction:
     for arm in arms:
         corners.append(arm.branch.points[0])
     result = Junction(nodes, np.mean(corners, axis=0), np.unique(corners, axis=0), arms)
-    contacts = _contacts(skeleton.rings, arms, LIMITS.corner)
+    contacts = _contacts(skeleton.rings, arms, CORNER)
     if (None, None) in contacts.values():  # every arm is cut: where no corner is clear, a faint one is
-        faint = _contacts(skeleton.rings, arms, LIMITS.faint)
+        faint = _contacts(skeleton.rings, arms, FAINT)
         contacts = {key: faint[key] if found == (None, None) else found for key, found in contacts.items()}
     for arm in arms:
         cut = _cut(skeleton.rings, arm, *contacts[arm.key], len(arms))
@@ -192,13 +174,13 @@ def _corner(rings: tuple[Ring, ...], number: int, arm: Arm, following: Arm, star
     """
     ring = rings[number]
     before, after = _width(arm), _width(following)
-    reach = LIMITS.reach * max(arm.branch.clearance[0], following.branch.clearance[0])
+    reach = REACH * max(arm.branch.clearance[0], following.branch.clearance[0])
     points = _points_around(ring, start - reach - 4 * before, end + reach + 4 * after)
     near = [item for item in points if start - reach <= item[0] <= end + reach]
     core = min(near, key=lambda item: item[1], default=(0.0, 0.0))
     if core[1] >= 0:
         return None, None
-    longest = LIMITS.cut_off * max(before, after)
+    longest = CUT_OFF * max(before, after)
     last = _flare_end(ring, [item for item in points if item[0] >= core[0]], _edge(rings, following.branch.left),
                       longest)
     first = _flare_end(ring, [item for item in reversed(points) if item[0] <= core[0]],
@@ -221,9 +203,9 @@ def _flare_end(ring: Ring, points: list[tuple[float, float]], opposite: shapely.
     for number in range(1, len(places)):
         edge = abs(places[number] - places[number - 1])
         taper = (widths[number - 1] - widths[number]) / edge
-        if taper < np.sin(np.radians(LIMITS.turn)) or edge > longest:
+        if taper < np.sin(np.radians(TURN)) or edge > longest:
             break
-        if turns[number] < -np.radians(LIMITS.bend):
+        if turns[number] < -np.radians(BEND):
             found = number
     return places[found]
 
@@ -255,7 +237,7 @@ def _cut(rings: tuple[Ring, ...], arm: Arm, left: Contact | None, right: Contact
     other = None if right is None else rings[right[0]].points_at(right[1])
     if one is not None and other is not None:
         direct = _placed(arm, one, other, "contacts")
-        if direct is not None and arms > 3 and _skew(arm, direct) < LIMITS.skew:
+        if direct is not None and arms > 3 and _skew(arm, direct) < SKEW:
             return direct
         found = [cut for cut in (_across(rings, arm, one, None), _across(rings, arm, None, other)) if cut is not None]
         return max(found, key=lambda cut: cut.place, default=direct)
@@ -311,7 +293,7 @@ def _overlapping(skeleton: Skeleton, found: list[Junction]) -> list[tuple[int, i
         if one is None or other is None or one[1] is other[1]:
             continue
         lines = [shapely.linestrings([cut.left, cut.right]) for cut, _ in (one, other)]
-        near = LIMITS.overlap * min(line.length for line in lines)
+        near = OVERLAP * min(line.length for line in lines)
         if one[0].place + other[0].place >= branch.length or shapely.distance(*lines) <= near:
             pairs.append((branch.start, branch.end))
     return pairs

@@ -16,26 +16,11 @@ from scipy.spatial import Voronoi
 
 from ..geometry.tolerances import LEAST_SQUARE
 
-
-@dataclass(frozen=True)
-class AxisLimits:
-    """What the skeleton goes by.
-
-    Attributes
-    ----------
-    points_a_width : points of the boundary on each side in one mean width of the road.
-    longest_step : farthest distance of two points, m.
-    shortest_step : nearest distance of two points, m: half of the narrowest road that map level 1000 asks for.
-    depth : a strip is a road of its own where the way around its end is that many times its width.
-    """
-
-    points_a_width: float = 8.0
-    longest_step: float = 0.5
-    shortest_step: float = 0.25
-    depth: float = 2.2
-
-
-LIMITS = AxisLimits()
+# What the skeleton goes by.
+POINTS_A_WIDTH = 8.0  # points of the boundary on each side in one mean width of the road.
+LONGEST_STEP = 0.5  # farthest distance of two points, m.
+SHORTEST_STEP = 0.25  # nearest distance of two points, m: half of the narrowest road that map level 1000 asks for.
+DEPTH = 2.2  # a strip is a road of its own where the way around its end is that many times its width.
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,7 +115,7 @@ def skeleton_of(surface: shapely.Polygon) -> Skeleton:
     oriented = shapely.geometry.polygon.orient(surface)
     rings = tuple(Ring(shapely.get_coordinates(ring)[:-1]) for ring in (oriented.exterior, *oriented.interiors))
     width = 2 * surface.area / surface.length
-    step = float(np.clip(width / LIMITS.points_a_width, LIMITS.shortest_step, LIMITS.longest_step))
+    step = float(np.clip(width / POINTS_A_WIDTH, SHORTEST_STEP, LONGEST_STEP))
     points, owners = _samples(rings, step)
     if len(points) < 4:
         return Skeleton(rings, (), {})
@@ -145,7 +130,7 @@ def skeleton_of(surface: shapely.Polygon) -> Skeleton:
     ends, pairs = ends[finite], pairs[finite]
     clearance = np.zeros(len(corners))
     clearance[ends] = np.hypot(*np.moveaxis(corners[ends] - points[pairs[:, :1]], -1, 0))
-    alive = _pruned(ends, _deep(pairs, points, owners, rings, LIMITS.depth))
+    alive = _pruned(ends, _deep(pairs, points, owners, rings, DEPTH))
     return _branches(rings, corners, clearance, owners, points, ends[alive], pairs[alive])
 
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import zlib
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -38,23 +37,15 @@ STEP, STEP_LENGTH = 2.0, 20.0
 LONG_STOP = 60.0
 """s."""
 
-
-@dataclass(frozen=True)
-class FaultsLimits:
-    """Limits of faults, each with its unit."""
-
-    # Share of the points; points of a cluster; its radius, m.
-    ghosts: float = 5e-4
-    ghost_cluster: int = 60
-    ghost_reach: float = 0.4
-    laser_spread: float = 0.5  # Standard deviation of the logarithm of the lasers' answers.
-    stretch: float = 15.0  # m: stretches of wet or concrete road, every fourth one each.
-    # Reflectance as a share of asphalt's.
-    wet: float = 0.4
-    concrete: float = 1.8
-
-
-LIMITS = FaultsLimits()
+# Share of the points; points of a cluster; its radius, m.
+GHOSTS = 5e-4
+GHOST_CLUSTER = 60
+GHOST_REACH = 0.4
+LASER_SPREAD = 0.5  # Standard deviation of the logarithm of the lasers' answers.
+STRETCH = 15.0  # m: stretches of wet or concrete road, every fourth one each.
+# Reflectance as a share of asphalt's.
+WET = 0.4
+CONCRETE = 1.8
 
 LASERS = 32
 
@@ -101,11 +92,11 @@ def ghost_rows(ground: np.ndarray, place: np.ndarray, rng: np.random.Generator) 
     place : (n, 3) m.
     """
     candidates = np.flatnonzero(ground)
-    clusters = rng.poisson(LIMITS.ghosts * len(place) / LIMITS.ghost_cluster) if len(candidates) else 0
+    clusters = rng.poisson(GHOSTS * len(place) / GHOST_CLUSTER) if len(candidates) else 0
     rows, depth = [], []
     for _ in range(clusters):
         middle = place[rng.choice(candidates), :2]
-        near = candidates[np.hypot(*(place[candidates, :2] - middle).T) < LIMITS.ghost_reach][:LIMITS.ghost_cluster]
+        near = candidates[np.hypot(*(place[candidates, :2] - middle).T) < GHOST_REACH][:GHOST_CLUSTER]
         rows.append(near)
         depth.append(rng.uniform(0.2, 1.0) + rng.normal(0, 0.02, len(near)))
     return (np.concatenate(rows), np.concatenate(depth)) if rows else (np.zeros(0, int), np.zeros(0))
@@ -118,10 +109,10 @@ def laser_of(angle: np.ndarray) -> np.ndarray:
 
 def laser_answers(rng: np.random.Generator) -> np.ndarray:
     """Answer (LASERS,) of each laser, as a share of the scanner's."""
-    return np.exp(rng.normal(0.0, LIMITS.laser_spread, LASERS))
+    return np.exp(rng.normal(0.0, LASER_SPREAD, LASERS))
 
 
 def surface_factor(along: np.ndarray, across: np.ndarray) -> np.ndarray:
     """Reflectance (n,) of the carriageway as a share of asphalt's, at places u, v of the city's axes, m."""
-    stretch = (np.floor(along / LIMITS.stretch) + np.floor(across / LIMITS.stretch)).astype(int) % 4
-    return np.select([stretch == 1, stretch == 3], [LIMITS.wet, LIMITS.concrete], 1.0)
+    stretch = (np.floor(along / STRETCH) + np.floor(across / STRETCH)).astype(int) % 4
+    return np.select([stretch == 1, stretch == 3], [WET, CONCRETE], 1.0)

@@ -36,22 +36,14 @@ from .trend import trend_surface
 # under a hall of 100 m by 100 m.
 _CURVATURE = {1: 0.02, 2: 0.006, 3: 0.002}
 
-
-@dataclass(frozen=True)
-class TerrainClothLimits:
-    """Limits of terrain cloth, each with its unit."""
-
-    converged: float = 0.002
-    step: float = 0.3
-    layer: float = 0.2
-    pit_radius: int = 4
-    pit_cells: int = 12
-    pit_rounds: int = 30
-    firm: float = 0.1
-    lifts: int = 20
-
-
-LIMITS = TerrainClothLimits()
+CONVERGED = 0.002
+STEP = 0.3
+LAYER = 0.2
+PIT_RADIUS = 4
+PIT_CELLS = 12
+PIT_ROUNDS = 30
+FIRM = 0.1
+LIFTS = 20
 
 JAVANMARDI = ClothSettings()
 """The settings of J Table 3-2."""
@@ -142,7 +134,7 @@ def lowest_layer(bottom: BottomPoints, cloth: np.ndarray) -> np.ndarray:
     """
     above = bottom.z - bottom.place.heights(cloth)
     lowest = extreme_in_cells(bottom.cell, above, cloth.size, highest=False)
-    layer = np.flatnonzero(above <= lowest[bottom.cell] + LIMITS.layer)
+    layer = np.flatnonzero(above <= lowest[bottom.cell] + LAYER)
     cell = bottom.cell[layer]
     count = np.bincount(cell, minlength=cloth.size)
     total = np.bincount(cell, weights=above[layer], minlength=cloth.size)
@@ -167,11 +159,11 @@ def first_cloth(levels: LowestHeights, settings: ClothSettings,
     if not np.isfinite(lowest).any():
         raise InsufficientDataError(say("The cloud has no points that could be ground."))
     filled = support[support > 0]
-    firm = support >= max(LIMITS.firm * float(np.median(filled)), 1.0) if len(filled) else support > 0
+    firm = support >= max(FIRM * float(np.median(filled)), 1.0) if len(filled) else support > 0
     # Pits must not tilt the trend. Under dense forest hardly any cell is firm: there all must serve.
-    enough = np.count_nonzero(firm) > LIMITS.firm * np.count_nonzero(np.isfinite(lowest))
+    enough = np.count_nonzero(firm) > FIRM * np.count_nonzero(np.isfinite(lowest))
     trend = trend_surface(np.where(firm, lowest, np.inf) if enough else lowest, settings.resolution)
-    for _ in range(LIMITS.pit_rounds):
+    for _ in range(PIT_ROUNDS):
         obstacle = lowest - trend
         cloth = _equilibrium(obstacle, settings, np.zeros(lowest.shape, dtype=bool), progress)
         pit = _pits(obstacle, _grow(obstacle, obstacle - cloth <= PIT_DEPTH), firm)
@@ -191,16 +183,16 @@ def _pits(obstacle: np.ndarray, ground: np.ndarray, firm: np.ndarray) -> np.ndar
     row, column = np.nonzero(suspect)
     if not len(row):
         return suspect
-    support = np.pad(np.where(ground & firm, obstacle, np.nan), LIMITS.pit_radius, constant_values=np.nan)
+    support = np.pad(np.where(ground & firm, obstacle, np.nan), PIT_RADIUS, constant_values=np.nan)
     level = obstacle[row, column]
     supported = np.zeros(len(row), dtype=bool)
-    for down in range(2 * LIMITS.pit_radius + 1):
-        for right in range(2 * LIMITS.pit_radius + 1):
+    for down in range(2 * PIT_RADIUS + 1):
+        for right in range(2 * PIT_RADIUS + 1):
             supported |= np.abs(support[row + down, column + right] - level) < NEIGHBOUR_STEP
     patch, count = ndimage.label(ndimage.binary_dilation(suspect, np.ones((5, 5), dtype=bool)), np.ones((3, 3)))
     patch = np.where(suspect, patch, 0)
     cells = np.bincount(patch.ravel(), minlength=count + 1)
-    is_pit = cells <= LIMITS.pit_cells
+    is_pit = cells <= PIT_CELLS
     is_pit[patch[row[supported], column[supported]]] = False
     is_pit[0] = False
     return is_pit[patch]
@@ -222,7 +214,7 @@ def final_cloth(lowest: np.ndarray, trend: np.ndarray, settings: ClothSettings,
     obstacle = lowest - trend
     pinned = np.zeros(lowest.shape, dtype=bool)
     cloth = _equilibrium(obstacle, settings, pinned, progress)
-    for _ in range(LIMITS.lifts):
+    for _ in range(LIFTS):
         progress.check()
         grown = _grow(obstacle, pinned | (obstacle - cloth <= settings.threshold))
         if np.array_equal(grown, pinned):
@@ -238,7 +230,7 @@ def _grow(obstacle: np.ndarray, ground: np.ndarray) -> np.ndarray:
     joined = []
     with np.errstate(invalid="ignore"):
         for first, second in ((np.s_[:, :-1], np.s_[:, 1:]), (np.s_[:-1], np.s_[1:])):
-            smooth = np.abs(obstacle[first] - obstacle[second]) < LIMITS.step
+            smooth = np.abs(obstacle[first] - obstacle[second]) < STEP
             joined.append((number[first][smooth], number[second][smooth]))
     start, end = (np.concatenate(ends) for ends in zip(*joined))
     graph = coo_matrix((np.ones(len(start), dtype=bool), (start, end)), shape=(obstacle.size,) * 2)
@@ -312,7 +304,7 @@ def _relax(start: np.ndarray, obstacle: np.ndarray, sag: np.ndarray, pinned: np.
             inner[quarter] = new
         cloth[0], cloth[-1] = cloth[1], cloth[-2]
         cloth[:, 0], cloth[:, -1] = cloth[:, 1], cloth[:, -2]
-        if moved < LIMITS.converged:
+        if moved < CONVERGED:
             break
         if sweep % 50 == 49:
             progress.check()

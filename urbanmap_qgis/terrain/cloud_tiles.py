@@ -7,7 +7,6 @@ from collections import Counter
 from collections.abc import Iterator
 from concurrent.futures import Executor
 from contextlib import ExitStack
-from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
@@ -37,20 +36,12 @@ from .tiles import (
     reduce_tile,
 )
 
-
-@dataclass(frozen=True)
-class CloudTileLimits:
-    """Limits of cloud tiles, each with its unit."""
-
-    most_cells: int = 4_000_000_000
-    most_nodes: int = 100_000_000
-    place: float = 1000.0  # m
-    # times the squares of `place` with points: a corridor of 100 km from corner to corner takes 35
-    least_filled: int = 300
-    widest_spacing: float = 5.0  # m
-
-
-LIMITS = CloudTileLimits()
+MOST_CELLS = 4_000_000_000
+MOST_NODES = 100_000_000
+PLACE = 1000.0  # m
+# times the squares of `place` with points: a corridor of 100 km from corner to corner takes 35
+LEAST_FILLED = 300
+WIDEST_SPACING = 5.0  # m
 
 
 class CloudTiles:
@@ -74,7 +65,7 @@ class CloudTiles:
         area = float(extent[0] * extent[1])
         spacing = math.sqrt(area / cloud.point_count)
         self.neighbours = isolation_limit(cloud.point_count, area)
-        self.blocks = Blocks.for_spacing(max(settings.resolution, min(spacing, LIMITS.widest_spacing)))
+        self.blocks = Blocks.for_spacing(max(settings.resolution, min(spacing, WIDEST_SPACING)))
         self.tiling = Tiling.for_blocks(settings.resolution, self.blocks)
         self.points = stack.enter_context(PointBuckets(POINT))
         self.highest, self.ground = TiledVertices(stack), TiledVertices(stack)
@@ -102,7 +93,7 @@ class CloudTiles:
             high = np.maximum(high, [records["x"].max(), records["y"].max()])
             tile = self.tiling.keys(records["x"], records["y"])
             keys.update(np.unique(tile).tolist())
-            place, count = np.unique(np.floor(records["x"] / LIMITS.place) + 1j * np.floor(records["y"] / LIMITS.place),
+            place, count = np.unique(np.floor(records["x"] / PLACE) + 1j * np.floor(records["y"] / PLACE),
                                      return_counts=True)
             places.update(dict(zip(place.tolist(), count.tolist())))
             self.points.add(tile, records)
@@ -111,7 +102,7 @@ class CloudTiles:
                                             "valid height.", paths=self.cloud.paths[0].name))
         self.keys = sorted(keys)
         self.grid = Grid.covering(*low, *high, self.settings.resolution)
-        if self.grid.rows * self.grid.columns > LIMITS.most_cells:
+        if self.grid.rows * self.grid.columns > MOST_CELLS:
             raise InputError(say("The raster would have {columns:,} x {rows:,} cells: choose a coarser resolution, "
                                  "or check for points far outside the area.", columns=self.grid.columns,
                                  rows=self.grid.rows))
@@ -124,7 +115,7 @@ class CloudTiles:
         """Highest points and ground points of all cells."""
         with_cloth = source is not None and source.method == "cloth"
         grid = self.cloth_grid if with_cloth else None
-        if grid and grid.rows * grid.columns > LIMITS.most_nodes:
+        if grid and grid.rows * grid.columns > MOST_NODES:
             raise InputError(say("The area is too large for one cloth: choose a coarser cloth resolution."))
         levels = [np.full(grid.shape, fill) for fill in (np.inf, np.inf, 0)] if grid else []
         work = partial(reduce_tile, cell=self.settings.resolution, neighbours=self.neighbours, cloth_grid=grid)
@@ -176,12 +167,12 @@ class CloudTiles:
 
 
 def _require_filled(places: Counter[complex]) -> None:
-    """Refuse points whose squares of `LIMITS.place` fill next to nothing of their box: one strange place does that."""
+    """Refuse points whose squares of `PLACE` fill next to nothing of their box: one strange place does that."""
     corners = np.array([(place.real, place.imag) for place in places])
-    if np.prod(np.ptp(corners, axis=0) + 1) > LIMITS.least_filled * len(corners):
+    if np.prod(np.ptp(corners, axis=0) + 1) > LEAST_FILLED * len(corners):
         most = places.most_common(1)[0][0]
-        away = np.linalg.norm(corners - (most.real, most.imag), axis=1) * LIMITS.place / 1000
-        x, y = (corners[np.argmax(away)] + 0.5) * LIMITS.place
+        away = np.linalg.norm(corners - (most.real, most.imag), axis=1) * PLACE / 1000
+        x, y = (corners[np.argmax(away)] + 0.5) * PLACE
         raise InputError(say("The points fill next to nothing of the box around them, and some lie near "
                              "{x:.0f}, {y:.0f}, {length:.0f} km from the others: remove those, or work on the "
                              "places one by one.", x=x, y=y, length=away.max()))

@@ -24,19 +24,11 @@ GROUND_CLASSES = (2, 8, 10, 11)
 """LAS classes that are ground: ground, key points of it, rail beds, roads. Water (9) is left out: it lies below
 the quays and would pull the ground under waterside buildings down."""
 
-
-@dataclass(frozen=True)
-class SurfaceLimits:
-    """Limits of surface, each with its unit."""
-
-    noise_classes: tuple[float, ...] = (7, 18)
-    undecided: tuple[float, ...] = (0, 1)
-    building: int = 6
-    enough: float = 0.01
-    frame_steps: int = 16
-
-
-LIMITS = SurfaceLimits()
+NOISE_CLASSES = (7, 18)
+UNDECIDED = (0, 1)
+BUILDING = 6
+ENOUGH = 0.01
+FRAME_STEPS = 16
 
 
 @dataclass(frozen=True)
@@ -64,15 +56,15 @@ def ground_source(class_counts: np.ndarray, wanted: str = "automatic") -> Ground
     if not total:
         raise InsufficientDataError(say("The cloud holds no usable points: all are noise or have no valid height."))
     ground = int(class_counts[list(GROUND_CLASSES)].sum())
-    undecided = int(class_counts[list(LIMITS.undecided)].sum())
+    undecided = int(class_counts[list(UNDECIDED)].sum())
     if wanted not in ("automatic", "classes", "cloth"):
         raise InputError(say("The ground source must be automatic, classes or cloth, not {wanted}.", wanted=wanted))
     if wanted == "classes" and not ground:
         raise InsufficientDataError(say("The cloud has no ground points (class 2): choose the cloth filter instead."))
-    if wanted == "classes" or (wanted == "automatic" and ground >= LIMITS.enough * total):
+    if wanted == "classes" or (wanted == "automatic" and ground >= ENOUGH * total):
         return GroundSource("classes", say("{ground:,} of {total:,} points have a ground class", ground=ground,
                                            total=total))
-    if undecided + ground < LIMITS.enough * total:
+    if undecided + ground < ENOUGH * total:
         raise InsufficientDataError(say("The cloud has no ground points, only points classified as something else "
                                         "(such as buildings): give the whole cloud with its ground."))
     return GroundSource("cloth", say("{undecided:,} of {total:,} points are unclassified", undecided=undecided,
@@ -95,14 +87,14 @@ def ground_mask(x: np.ndarray, y: np.ndarray, z: np.ndarray, classification: np.
     """
     if classification is None:
         classification = np.ones(len(z), dtype=np.uint8)
-    usable = plausible(x, y, z) & ~np.isin(classification, LIMITS.noise_classes)
+    usable = plausible(x, y, z) & ~np.isin(classification, NOISE_CLASSES)
     counts = np.bincount(classification[usable], minlength=256)
     mask = np.zeros(len(z), dtype=bool)
     if ground_source(counts, wanted).method == "classes":
         mask = usable & np.isin(classification, GROUND_CLASSES)
     else:
         mask[usable] = classify_ground(x[usable], y[usable], z[usable], settings, progress)
-        mask &= classification != LIMITS.building
+        mask &= classification != BUILDING
     if not mask.any():
         raise InsufficientDataError(say("No ground points were found: check that the cloud shows the ground."))
     return mask
@@ -182,11 +174,11 @@ def frame_points(x: np.ndarray, y: np.ndarray, z: np.ndarray,
     margin = 0.05 * max(x_max - x_min, y_max - y_min) + 1.0
     west, east = min(x_min, x.min()) - margin, max(x_max, x.max()) + margin
     south, north = min(y_min, y.min()) - margin, max(y_max, y.max()) + margin
-    along = np.linspace(0.0, 1.0, LIMITS.frame_steps, endpoint=False)
-    fx = np.concatenate((west + along * (east - west), np.full(LIMITS.frame_steps, east),
-                         east - along * (east - west), np.full(LIMITS.frame_steps, west)))
-    fy = np.concatenate((np.full(LIMITS.frame_steps, south), south + along * (north - south),
-                         np.full(LIMITS.frame_steps, north), north - along * (north - south)))
+    along = np.linspace(0.0, 1.0, FRAME_STEPS, endpoint=False)
+    fx = np.concatenate((west + along * (east - west), np.full(FRAME_STEPS, east),
+                         east - along * (east - west), np.full(FRAME_STEPS, west)))
+    fy = np.concatenate((np.full(FRAME_STEPS, south), south + along * (north - south),
+                         np.full(FRAME_STEPS, north), north - along * (north - south)))
     _distance, nearest = cKDTree(np.column_stack((x, y))).query(np.column_stack((fx, fy)))
     return fx, fy, z[nearest]
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from scipy import ndimage
 from scipy.sparse import coo_matrix, csc_matrix, diags
@@ -11,21 +9,13 @@ from scipy.sparse.linalg import spsolve
 
 from ..geometry.tolerances import LEAST_DIVISOR
 
-
-@dataclass(frozen=True)
-class TrendLimits:
-    """Limits of trend, each with its unit."""
-
-    block: float = 16.0
-    knot: float = 32.0
-    most_knots: int = 40_000
-    stiffness: float = 3.0
-    above: float = 0.05
-    scale: float = 2.0
-    passes: int = 10
-
-
-LIMITS = TrendLimits()
+BLOCK = 16.0
+KNOT = 32.0
+MOST_KNOTS = 40_000
+STIFFNESS = 3.0
+ABOVE = 0.05
+SCALE = 2.0
+PASSES = 10
 
 
 def trend_surface(lowest: np.ndarray, cell: float) -> np.ndarray:
@@ -41,8 +31,8 @@ def trend_surface(lowest: np.ndarray, cell: float) -> np.ndarray:
     lowest : (rows, columns) metres, inf where empty, at least one finite.
     cell : m.
     """
-    row, column, height = _lowest_of_blocks(lowest, max(1, round(LIMITS.block / cell)))
-    knot = max(LIMITS.knot / cell, np.sqrt(lowest.size / LIMITS.most_knots), 1.0)
+    row, column, height = _lowest_of_blocks(lowest, max(1, round(BLOCK / cell)))
+    knot = max(KNOT / cell, np.sqrt(lowest.size / MOST_KNOTS), 1.0)
     rows, columns = (int(np.ceil((size - 1) / knot)) + 1 for size in lowest.shape)
     rows, columns = max(rows, 2), max(columns, 2)
     design = _bilinear(row / knot, column / knot, rows, columns)
@@ -51,13 +41,13 @@ def trend_surface(lowest: np.ndarray, cell: float) -> np.ndarray:
     target = height - base
     weight = np.ones(len(target))
     values = np.zeros(rows * columns)
-    for turn in range(LIMITS.passes):
+    for turn in range(PASSES):
         normal = design.T @ diags(weight) @ design + plate
         values = spsolve(csc_matrix(normal), design.T @ (weight * target))
         residual = target - design @ values
-        far = np.minimum(1.0, LIMITS.scale / np.maximum(np.abs(residual), LEAST_DIVISOR))
+        far = np.minimum(1.0, SCALE / np.maximum(np.abs(residual), LEAST_DIVISOR))
         # At first whatever lies low draws the plate down; then what stays far below counts less and less.
-        weight = np.where(residual > 0, LIMITS.above * far ** 2, far if turn < LIMITS.passes // 2 else far ** 2)
+        weight = np.where(residual > 0, ABOVE * far ** 2, far if turn < PASSES // 2 else far ** 2)
     place = np.mgrid[:lowest.shape[0], :lowest.shape[1]] / knot
     return base + ndimage.map_coordinates(values.reshape(rows, columns), place, order=3, mode="nearest")
 
@@ -104,4 +94,4 @@ def _plate(rows: int, columns: int) -> csc_matrix:
                             shape=(count, rows * columns)).tocsc()
         energy = energy + matrix.T @ matrix
     # A whisper of a tie to the base keeps the system solvable where fewer than three blocks have points.
-    return LIMITS.stiffness * energy + 1e-9 * diags(np.ones(rows * columns))
+    return STIFFNESS * energy + 1e-9 * diags(np.ones(rows * columns))

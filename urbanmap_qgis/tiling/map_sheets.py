@@ -17,24 +17,16 @@ from .tile_grid import Bounds, GridTile, TileGrid
 SHEET_PARTS = {5000: 1, 2500: 2, 1000: 5, 500: 10}
 """Sheets of a level along each side of one of level 5000."""
 
-
-@dataclass(frozen=True)
-class MapSheetsLimits:
-    """Limits of map sheets, each with its unit."""
-
-    width: float = 4000.0
-    height: float = 3000.0
-    east: float = 160_000.0
-    north: float = 300_000.0
-    # Latitude and longitude of the origins of the systems 1 to 19, degrees and minutes.
-    origins: tuple[tuple[float, ...], ...] = ((33, 0, 129, 30), (33, 0, 131, 0), (36, 0, 132, 10), (33, 0, 133, 30),
-                                              (36, 0, 134, 20), (36, 0, 136, 0), (36, 0, 137, 10), (36, 0, 138, 30),
-                                              (36, 0, 139, 50), (40, 0, 140, 50), (44, 0, 140, 15), (44, 0, 142, 15),
-                                              (44, 0, 144, 15), (26, 0, 142, 0), (26, 0, 127, 30), (26, 0, 124, 0),
-                                              (26, 0, 131, 0), (20, 0, 136, 0), (26, 0, 154, 0))
-
-
-LIMITS = MapSheetsLimits()
+WIDTH = 4000.0
+HEIGHT = 3000.0
+EAST = 160_000.0
+NORTH = 300_000.0
+# Latitude and longitude of the origins of the systems 1 to 19, degrees and minutes.
+ORIGINS = ((33, 0, 129, 30), (33, 0, 131, 0), (36, 0, 132, 10), (33, 0, 133, 30),
+                                          (36, 0, 134, 20), (36, 0, 136, 0), (36, 0, 137, 10), (36, 0, 138, 30),
+                                          (36, 0, 139, 50), (40, 0, 140, 50), (44, 0, 140, 15), (44, 0, 142, 15),
+                                          (44, 0, 144, 15), (26, 0, 142, 0), (26, 0, 127, 30), (26, 0, 124, 0),
+                                          (26, 0, 131, 0), (20, 0, 136, 0), (26, 0, 154, 0))
 
 
 def plane_system(crs_wkt: str) -> int:
@@ -54,7 +46,7 @@ def plane_system(crs_wkt: str) -> int:
     given = {item.name: item.value for item in plan.coordinate_operation.params} if plan.coordinate_operation else {}
     place = [given.get(f"{name} of natural origin", 0.0) for name in ("Latitude", "Longitude")]
     scale = given.get("Scale factor at natural origin", 0.0)
-    for number, (north, minutes, east, east_minutes) in enumerate(LIMITS.origins, 1):
+    for number, (north, minutes, east, east_minutes) in enumerate(ORIGINS, 1):
         if (abs(place[0] - north - minutes / 60) < 1e-6 and abs(place[1] - east - east_minutes / 60) < 1e-6
                 and abs(scale - 0.9999) < 1e-9):
             return number
@@ -72,8 +64,8 @@ class SheetTile(GridTile):
     @property
     def name(self) -> str:
         """Code: system, sheet of 40 by 30 km by letters, sheet of level 5000 by two digits, its part."""
-        column = self.column + round(LIMITS.east / LIMITS.width) * self.parts
-        row = round(LIMITS.north / LIMITS.height) * self.parts - 1 - self.row
+        column = self.column + round(EAST / WIDTH) * self.parts
+        row = round(NORTH / HEIGHT) * self.parts - 1 - self.row
         big, part = (row // self.parts, column // self.parts), (row % self.parts, column % self.parts)
         code = f"{self.system:02d}{chr(65 + big[0] // 10)}{chr(65 + big[1] // 10)}{big[0] % 10}{big[1] % 10}"
         if self.parts == 2:
@@ -99,12 +91,12 @@ class SheetGrid(TileGrid):
     @classmethod
     def of(cls, level: int, crs_wkt: str, buffer: float) -> SheetGrid:
         """Sheets of a level in a CRS. Raises `InputError` where it is no plane rectangular system."""
-        return cls(LIMITS.height / SHEET_PARTS[level], buffer, level, plane_system(crs_wkt))
+        return cls(HEIGHT / SHEET_PARTS[level], buffer, level, plane_system(crs_wkt))
 
     @property
     def sides(self) -> tuple[float, float]:
         """Width and height of a sheet, m."""
-        return LIMITS.width / SHEET_PARTS[self.level], LIMITS.height / SHEET_PARTS[self.level]
+        return WIDTH / SHEET_PARTS[self.level], HEIGHT / SHEET_PARTS[self.level]
 
     @property
     def key(self) -> object:
@@ -125,7 +117,7 @@ class SheetGrid(TileGrid):
     def covering(self, bounds: Bounds) -> list[GridTile]:
         """As of `TileGrid`; raises `InputError` too where the box leaves the area that sheets cover."""
         x_min, y_min, x_max, y_max = bounds
-        if not (x_min >= -LIMITS.east and x_max < LIMITS.east and y_min >= -LIMITS.north and y_max < LIMITS.north):
+        if not (x_min >= -EAST and x_max < EAST and y_min >= -NORTH and y_max < NORTH):
             raise InputError(say("The data leaves the area of the map sheets, 160 km east and west and 300 km north "
                                  "and south of the origin: choose squares or meshes."))
         return super().covering(bounds)

@@ -50,22 +50,14 @@ from .wall_match import (
 MERGED, UNCHANGED, NOT_MERGED = "merged", "unchanged", mark("not merged")
 """Status of a building: on measured walls; no wall moved it (or all fitted); kept as it was, as it cannot be merged."""
 
-
-@dataclass(frozen=True)
-class MergeStageLimits:
-    """Limits of merge stage, each with its unit."""
-
-    # A roof up to this far above the height (m) belongs below it: no thin slice of the old plan stays on top.
-    low: float = 0.5
-    # Neighbours may share a strip this wide (m) more than before: walls are measured to no less.
-    touch: float = 0.02
-    # Those that overlap already do so by what their outlines are rough: two walls of 0.02 m each, two sigma, are this.
-    turn: float = 0.05
-    max_iterations: int = 20
-    lift: float = 0.01
-
-
-LIMITS = MergeStageLimits()
+# A roof up to this far above the height (m) belongs below it: no thin slice of the old plan stays on top.
+LOW = 0.5
+# Neighbours may share a strip this wide (m) more than before: walls are measured to no less.
+TOUCH = 0.02
+# Those that overlap already do so by what their outlines are rough: two walls of 0.02 m each, two sigma, are this.
+TURN = 0.05
+MAX_ITERATIONS = 20
+LIFT = 0.01
 
 
 @dataclass(frozen=True, eq=False)
@@ -181,7 +173,7 @@ def _matched(piece: tuple[int, shapely.Geometry | None], index: WallIndex, weak:
     if parts.problem:
         return _Plan(building_id, geometry, parts, reason=parts.problem)
     cut = None
-    if parts.sloped and max(cell.height for cell in parts.cells) > parts.base + settings.height + LIMITS.low:
+    if parts.sloped and max(cell.height for cell in parts.cells) > parts.base + settings.height + LOW:
         cut = cut_height(parts, parts.base + settings.height)
         if cut is None:
             return _Plan(building_id, geometry, parts, reason=say("it has sloped roofs and is higher than the walls "
@@ -224,7 +216,7 @@ def _clear_of_neighbours(plans: list[_Plan], progress: Progress) -> list[_Plan]:
     rows = [row for row, plan in enumerate(plans) if plan.geometry is not None and plan.edges is not None]
     before = {row: shapely.union_all([cell.polygon for cell in plans[row].parts.cells]) for row in rows}
     after = {row: _union(plans[row]) for row in rows}
-    for _ in range(LIMITS.max_iterations):
+    for _ in range(MAX_ITERATIONS):
         changed = False
         tree = shapely.STRtree([shapely.union(before[row], after[row]) for row in rows])
         pairs = tree.query(tree.geometries, predicate="intersects")
@@ -252,11 +244,11 @@ def _clear_of_neighbours(plans: list[_Plan], progress: Progress) -> list[_Plan]:
 def _gained(before: shapely.Geometry, beside_before: shapely.Geometry, after: shapely.Geometry,
             beside_after: shapely.Geometry) -> shapely.Geometry:
     """Place that two neighbours share and did not share before; empty where they share no more in all, or a strip that
-    is nowhere wider than `LIMITS.touch`, or `LIMITS.turn` where they overlap already: rough outlines overlap by
+    is nowhere wider than `TOUCH`, or `TURN` where they overlap already: rough outlines overlap by
     metres, whose borders turn with the walls."""
     shared, common = shapely.intersection(before, beside_before), shapely.intersection(after, beside_after)
     gained = shapely.difference(common, shared)
-    width = LIMITS.touch if shared.area == 0.0 else LIMITS.turn
+    width = TOUCH if shared.area == 0.0 else TURN
     more = common.area > shared.area and not shapely.is_empty(shapely.buffer(gained, -width / 2))
     return gained if more else shapely.Polygon()
 
@@ -310,7 +302,7 @@ def _merged(plan: _Plan, settings: MergeSettings) -> MergedBuilding:
 def _checked(plan: _Plan, settings: MergeSettings) -> tuple[tuple[Solid, ...], str]:
     """The solids of a plan with its edges moved, and what the check says against them, "" if nothing."""
     problem = ""
-    lifts = (0.0,) if plan.parts.sloped and plan.cut is None else (0.0, LIMITS.lift)
+    lifts = (0.0,) if plan.parts.sloped and plan.cut is None else (0.0, LIFT)
     # Corners a centimetre apart are made one where a valid solid comes of it, else they stay.
     for short_sides, lift in itertools.product((False, True), lifts):
         try:
@@ -339,7 +331,7 @@ def _cut_solids(plan: _Plan, settings: MergeSettings, lift: float, short_sides: 
     """Measured walls up to the cut, and above it the sloped roofs as they were."""
     parts, cut = plan.parts, plan.cut
     tall = [cell.height > cut for cell in parts.cells]
-    level = tuple(replace(cell, height=cut + 4 * LIMITS.low) if high else cell for cell, high in zip(parts.cells, tall))
+    level = tuple(replace(cell, height=cut + 4 * LOW) if high else cell for cell, high in zip(parts.cells, tall))
     lower = layered_solids(_prisms(replace(plan, parts=replace(parts, cells=level)), settings), lift, short_sides)
     roofs = [SlopedCell(piece, cell.roof_id, plane, parts.origin)
              for cell, plane, high in zip(parts.cells, parts.planes, tall) if high
@@ -387,7 +379,7 @@ def _prisms(plan: _Plan, settings: MergeSettings) -> list[Prism]:
     prisms: list[Prism] = []
     for number, cell in enumerate(plan.parts.cells):
         old, name = _pieces(cell.polygon), (cell.roof_id,)
-        if cell.height > cut + LIMITS.low:
+        if cell.height > cut + LOW:
             prisms += [Prism(piece, base, cut) for piece in _pieces(below[number])]
             prisms += [Prism(piece, cut, cell.height, *name) for piece in old]
             continue

@@ -12,17 +12,9 @@ from ...geometry.tolerances import LEAST_FACE
 from ...wording import say
 from ..solids.plan_partition import Cell
 
-
-@dataclass(frozen=True)
-class ModelPartsLimits:
-    """Limits of model parts, each with its unit."""
-
-    level: float = 0.005  # A face whose heights differ by less than this (m) is level.
-    sloped_area: float = 0.05
-    off_plane: float = 0.02  # A sloped face bends by no more than this (m).
-
-
-LIMITS = ModelPartsLimits()
+LEVEL = 0.005  # A face whose heights differ by less than this (m) is level.
+SLOPED_AREA = 0.05
+OFF_PLANE = 0.02  # A sloped face bends by no more than this (m).
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,14 +55,14 @@ def model_parts(faces: Sequence[shapely.Polygon]) -> ModelParts:
         plan = shapely.force_2d(face)
         if plan.area < LEAST_FACE:
             continue
-        level = np.ptp(z) <= LIMITS.level
-        if level and z.mean() - base < LIMITS.level:
+        level = np.ptp(z) <= LEVEL
+        if level and z.mean() - base < LEVEL:
             grounds.append(plan)
             continue
         plane, off = (np.array([0.0, 0.0, z.mean()]), 0.0) if level else _plane(face, origin)
-        if off > LIMITS.off_plane and plan.area > LIMITS.sloped_area:
+        if off > OFF_PLANE and plan.area > SLOPED_AREA:
             return ModelParts(base, (), say("a sloped face of it is not plane"))
-        sloped = sloped or (not level and plan.area > LIMITS.sloped_area)
+        sloped = sloped or (not level and plan.area > SLOPED_AREA)
         roofs.append(plan)
         heights.append(float(z.max() if not level else z.mean()))
         planes.append(tuple(plane.tolist()))

@@ -18,21 +18,13 @@ from ...errors import InputError
 from ...settings.buildings import MergeSettings
 from ...wording import say
 from .plan_edges import Line, OuterEdge
-from .wall_match import KEPT, LIMITS, MOVED, NOT_SEEN, TOO_FAR, EdgeMatch, MeasuredWall
+from .wall_match import KEPT, MIN_PIECE, MOVED, NOT_SEEN, SAME, STEP_REACH, TOO_FAR, EdgeMatch, MeasuredWall
 
-
-@dataclass(frozen=True)
-class SatelliteLimits:
-    """Limits of walls by satellites, each with its unit."""
-
-    # Sigma of a wall's place, m, that a GNSS adjustment takes before it has seen anything (its expected offset): the
-    # sigma that it gives holds this already.
-    expected: float = 1.0
-    street: float = 0.05  # What a survey on the map may be off by, m, where its walls are compared with others.
-    contradiction: float = 3.0  # Sigmas from which on a wall from the street and one by satellites contradict.
-
-
-WEAK = SatelliteLimits()
+# Sigma of a wall's place, m, that a GNSS adjustment takes before it has seen anything (its expected offset): the
+# sigma that it gives holds this already.
+EXPECTED = 1.0
+STREET = 0.05  # What a survey on the map may be off by, m, where its walls are compared with others.
+CONTRADICTION = 3.0  # Sigmas from which on a wall from the street and one by satellites contradict.
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,13 +72,13 @@ class SatelliteIndex:
         """The wall that runs along an edge, most of it first and then the surest, and its offset outwards, m."""
         found = []
         near = self.tree.query(shapely.LineString(edge.ends), predicate="dwithin",
-                               distance=settings.max_offset + LIMITS.step_reach)
+                               distance=settings.max_offset + STEP_REACH)
         for number in sorted(near):
             wall, line = self.walls[number], edge.line
             turn = math.degrees(math.acos(min(float(wall.line.along @ line.along), 1.0)))
             extent = np.clip(np.sort((wall.ends - edge.ends[0]) @ line.along), 0.0, edge.length)
             common = float(extent[1] - extent[0])
-            if turn > settings.max_rotation or common < max(settings.min_share * edge.length, LIMITS.min_piece):
+            if turn > settings.max_rotation or common < max(settings.min_share * edge.length, MIN_PIECE):
                 continue
             middle = edge.ends[0] + extent.mean() * line.along
             found.append((-round(common, 2), wall.sigma, number, float((wall.line.foot(middle) - middle)
@@ -102,10 +94,10 @@ def weighed(offset: float, sigma: float, model_sigma: float) -> tuple[float, flo
 
     Parameters
     ----------
-    offset, sigma : by satellites, m, from the model, with `WEAK.expected` as what was known before.
+    offset, sigma : by satellites, m, from the model, with `EXPECTED` as what was known before.
     model_sigma : how well the model's walls are known, m.
     """
-    told = max(sigma**-2 - WEAK.expected**-2, 0.0)
+    told = max(sigma**-2 - EXPECTED**-2, 0.0)
     weight = told + model_sigma**-2
     return (offset * sigma**-2 / weight if told else 0.0), weight**-0.5
 
@@ -124,7 +116,7 @@ def with_satellites(edge: OuterEdge, match: EdgeMatch, walls: SatelliteIndex, se
 def _compared(match: EdgeMatch, wall: SatelliteWall, offset: float) -> EdgeMatch:
     """A match with what satellites say against it."""
     away = offset - match.offset
-    if abs(away) <= WEAK.contradiction * math.hypot(wall.sigma, WEAK.street):
+    if abs(away) <= CONTRADICTION * math.hypot(wall.sigma, STREET):
         return match
     note = _far_note(away, wall.sigma)
     return replace(match, note=f"{match.note}; {note}" if match.note else note)
@@ -147,6 +139,6 @@ def _moved(edge: OuterEdge, match: EdgeMatch, wall: SatelliteWall, offset: float
     line = edge.line
     seen = MeasuredWall(-1, edge.ends[0] + shift * line.outward, line.outward, 0.0, edge.length, math.nan, math.nan,
                         0.0, math.nan, sigma, 0.0)
-    if abs(shift) < LIMITS.same:
+    if abs(shift) < SAME:
         return EdgeMatch(KEPT, note, seen, None, shift, 0.0)
     return EdgeMatch(MOVED, note, seen, Line(seen.point, line.along), shift, 0.0)

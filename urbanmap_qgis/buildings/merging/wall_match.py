@@ -19,28 +19,20 @@ MOVED, KEPT, NOT_SEEN, TOO_FAR, NEIGHBOUR, FOLDED = (
 """What became of an edge: on the measured wall; it lay there already; no wall along it; the wall is beyond the limits;
 it would run into a neighbour; the plan would fold."""
 
-
-@dataclass(frozen=True)
-class WallMatchLimits:
-    """Limits of wall match, each with its unit."""
-
-    same: float = 0.01
-    short: float = 0.5
-    long: float = 4.0
-    max_bend: float = 0.3
-    small_rotation: float = 1.0
-    facing: float = 0.94
-    coplanar: float = 0.1  # Walls whose ends lie this near to the line of a larger one, m, are of its plane.
-    over: float = 0.3  # Share of a wall's own length times height from which on another lies over it.
-    step: float = 0.3  # Walls whose depth differs by more than this, m, have a step between them.
-    step_reach: float = 3.0  # Walls up to this far beyond the maximum offset, m, tell where a facade steps.
-    # A step is looked for in gaps between walls up to this wide, m: in a wider one its place is not known.
-    step_gap: float = 2.0
-    # Length of an edge, m, that must have been measured, and of the pieces into which steps cut it.
-    min_piece: float = 1.0
-
-
-LIMITS = WallMatchLimits()
+SAME = 0.01
+SHORT = 0.5
+LONG = 4.0
+MAX_BEND = 0.3
+SMALL_ROTATION = 1.0
+FACING = 0.94
+COPLANAR = 0.1  # Walls whose ends lie this near to the line of a larger one, m, are of its plane.
+OVER = 0.3  # Share of a wall's own length times height from which on another lies over it.
+STEP = 0.3  # Walls whose depth differs by more than this, m, have a step between them.
+STEP_REACH = 3.0  # Walls up to this far beyond the maximum offset, m, tell where a facade steps.
+# A step is looked for in gaps between walls up to this wide, m: in a wider one its place is not known.
+STEP_GAP = 2.0
+# Length of an edge, m, that must have been measured, and of the pieces into which steps cut it.
+MIN_PIECE = 1.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -201,7 +193,7 @@ def _coplanar(first: MeasuredWall, other: MeasuredWall) -> bool:
     """Whether a wall lies on the line of a larger one that faces the same way."""
     ends = np.array([other.point + end * other.along for end in (other.left, other.right)])
     away = np.abs((ends - first.point) @ first.normal).max()
-    return bool(first.normal @ other.normal > LIMITS.facing and away < LIMITS.coplanar)
+    return bool(first.normal @ other.normal > FACING and away < COPLANAR)
 
 
 def _summed(first: MeasuredWall, parts: Sequence[MeasuredWall]) -> MeasuredWall:
@@ -239,7 +231,7 @@ def _apart(first: MeasuredWall, parts: Sequence[MeasuredWall]) -> list[MeasuredW
     for wall in sorted(parts, key=lambda wall: (-wall.points, -wall.area, wall.number)):
         ends = [float((wall.point + end * wall.along - first.point) @ first.along) for end in (wall.left, wall.right)]
         box = shapely.box(min(ends), wall.foot, max(ends), wall.top)
-        if not boxes or shapely.intersection(box, shapely.union_all(boxes)).area <= LIMITS.over * box.area:
+        if not boxes or shapely.intersection(box, shapely.union_all(boxes)).area <= OVER * box.area:
             holding.append(wall)
             boxes.append(box)
     return holding
@@ -264,12 +256,12 @@ def steps_along(edge: OuterEdge, walls: WallIndex, base: float, top: float, sett
     """
     free = [(0.0, edge.length)]
     pieces: list[tuple[float, float, int]] = []
-    found = [one for one in walls_along(edge, walls, base, top, settings, LIMITS.step_reach)
+    found = [one for one in walls_along(edge, walls, base, top, settings, STEP_REACH)
              if abs(one.rotation) <= settings.max_rotation]
     ordered = sorted(found, key=lambda one: -one.area_along)
     for number, one in enumerate(ordered):
         free_spans = [(max(low, start), min(high, end)) for low, high in one.spans for start, end in free
-                      if min(high, end) - max(low, start) >= LIMITS.min_piece]
+                      if min(high, end) - max(low, start) >= MIN_PIECE]
         pieces += [(low, high, number) for low, high in free_spans]
         for low, high in free_spans:
             free = [part for start, end in free for part in ((start, min(low, end)), (max(high, start), end))
@@ -277,9 +269,9 @@ def steps_along(edge: OuterEdge, walls: WallIndex, base: float, top: float, sett
     depth = [one.offset for one in ordered]
     pieces.sort()
     breaks = [(before[1] + after[0]) / 2 for before, after in zip(pieces[:-1], pieces[1:])
-              if abs(depth[before[2]] - depth[after[2]]) > LIMITS.step and after[0] - before[1] < LIMITS.step_gap]
+              if abs(depth[before[2]] - depth[after[2]]) > STEP and after[0] - before[1] < STEP_GAP]
     ends = [0.0, *breaks, edge.length]
-    return breaks if breaks and min(np.diff(ends)) >= LIMITS.min_piece else []
+    return breaks if breaks and min(np.diff(ends)) >= MIN_PIECE else []
 
 
 def match_edge(edge: OuterEdge, walls: WallIndex, base: float, top: float, settings: MergeSettings) -> EdgeMatch:
@@ -287,7 +279,7 @@ def match_edge(edge: OuterEdge, walls: WallIndex, base: float, top: float, setti
     found: list[WallsAlong] = []
     far = None
     for one in walls_along(edge, walls, base, top, settings):
-        if one.measured < settings.min_share or one.measured * edge.length < LIMITS.min_piece:
+        if one.measured < settings.min_share or one.measured * edge.length < MIN_PIECE:
             continue
         if abs(one.offset) > settings.max_offset or abs(one.rotation) > settings.max_rotation:
             if far is None or abs(one.offset) < abs(far.offset):
@@ -299,14 +291,14 @@ def match_edge(edge: OuterEdge, walls: WallIndex, base: float, top: float, setti
     # What is longer but low stands before the facade: a canopy, a sign, a garden wall, a hoarding.
     best = max(found, key=lambda one: (round(one.area_along, 1), one.measured))
     others = [one for one in found
-              if one is not best and abs(one.offset - best.offset) > LIMITS.step and one.measured > 0.25]
+              if one is not best and abs(one.offset - best.offset) > STEP and one.measured > 0.25]
     note = say("{others_count} more wall{value} at another depth along it", others_count=len(others),
                value="s" * (len(others) > 1)) if others else ""
     line = _new_line(edge, best.wall, best.measured, best.rotation)
-    if best.measured < LIMITS.short and _walls_off_line(edge, line, walls, best.wall, base, top, settings):
+    if best.measured < SHORT and _walls_off_line(edge, line, walls, best.wall, base, top, settings):
         return _match(TOO_FAR, say("the facade along it is not straight"), best)
     ends = np.array([line.foot(end) for end in edge.ends]) - edge.ends
-    if np.hypot(*ends.T).max() < LIMITS.same:
+    if np.hypot(*ends.T).max() < SAME:
         return _match(KEPT, note, best)
     if np.hypot(*ends.T).max() > 1.5 * settings.max_offset:
         return _match(TOO_FAR, say("an end would move too far"), best)
@@ -326,7 +318,7 @@ def _walls_off_line(edge: OuterEdge, line: Line, walls: WallIndex, chosen: Measu
             continue
         middle = wall.point + (wall.left + wall.right) / 2 * wall.along
         extent = (middle - edge.ends[0]) @ edge.line.along
-        if 0 < extent < edge.length and abs((middle - line.point) @ line.outward) > LIMITS.max_bend:
+        if 0 < extent < edge.length and abs((middle - line.point) @ line.outward) > MAX_BEND:
             return True
     return False
 
@@ -336,7 +328,7 @@ def _along(edge: OuterEdge, wall: MeasuredWall, base: float, top: float) -> tupl
     not."""
     line = edge.line
     cosine = float(line.outward @ wall.normal)
-    if cosine < LIMITS.facing or min(wall.top, top) - max(wall.foot, base) < 0.5:
+    if cosine < FACING or min(wall.top, top) - max(wall.foot, base) < 0.5:
         return None
     ends = np.array([wall.point + extent * wall.along for extent in (wall.left, wall.right)])
     extent = np.sort((ends - edge.ends[0]) @ line.along)
@@ -353,7 +345,7 @@ def _along(edge: OuterEdge, wall: MeasuredWall, base: float, top: float) -> tupl
 def _new_line(edge: OuterEdge, wall: MeasuredWall, measured: float, rotation: float) -> Line:
     """The wall's trace; an edge of which little was measured, on a wall that is short or rotated, keeps its
     direction."""
-    if measured >= LIMITS.short or (wall.right - wall.left >= LIMITS.long and abs(rotation) < LIMITS.small_rotation):
+    if measured >= SHORT or (wall.right - wall.left >= LONG and abs(rotation) < SMALL_ROTATION):
         return Line(wall.point, wall.along)
     line = edge.line
     ends = np.array([wall.point + extent * wall.along for extent in (wall.left, wall.right)])

@@ -15,18 +15,10 @@ from ...errors import InsufficientDataError
 from ...geometry.grid import Grid
 from ...wording import say
 
-
-@dataclass(frozen=True)
-class HeightGridLimits:
-    """Limits of height grid, each with its unit."""
-
-    min_cell: float = 0.2
-    max_cell: float = 1.0
-    layer: float = 0.3  # Points this far below the highest of their cell (m) lie on the same surface.
-    max_iterations: int = 20
-
-
-LIMITS = HeightGridLimits()
+MIN_CELL = 0.2
+MAX_CELL = 1.0
+LAYER = 0.3  # Points this far below the highest of their cell (m) lie on the same surface.
+MAX_ITERATIONS = 20
 
 MIN_POINTS = 20
 """Points that a mesh needs at least."""
@@ -54,7 +46,7 @@ class HeightGrid:
 
 def cell_size(points: np.ndarray, area: float) -> float:
     """Side of a cell (m) that holds about one of points (n, 3) on an area (m2)."""
-    return float(np.clip(math.sqrt(area / max(len(points), 1)), LIMITS.min_cell, LIMITS.max_cell))
+    return float(np.clip(math.sqrt(area / max(len(points), 1)), MIN_CELL, MAX_CELL))
 
 
 def height_grid(points: np.ndarray, plan: shapely.Geometry, step: float, min_area: float) -> HeightGrid:
@@ -77,7 +69,7 @@ def height_grid(points: np.ndarray, plan: shapely.Geometry, step: float, min_are
     if not measured.any():
         raise InsufficientDataError(say("none of its points lies on its outline"))
     inside = _inside(plan, grid)
-    for _ in range(LIMITS.max_iterations):
+    for _ in range(MAX_ITERATIONS):
         filled = _filled(z)
         label = _surfaces(filled, max(step, 1.5 * cell))
         small = _small(label, inside & np.isfinite(z), min_area / cell**2)
@@ -99,7 +91,7 @@ def _top_heights(points: np.ndarray, grid: Grid) -> np.ndarray:
     z = points[inside, 2]
     top = np.full(grid.rows * grid.columns, -np.inf)
     np.maximum.at(top, cell, z)
-    upper = z > top[cell] - LIMITS.layer
+    upper = z > top[cell] - LAYER
     cell, z = cell[upper], z[upper]
     order = np.lexsort((z, cell))
     cell, z = cell[order], z[order]
@@ -147,7 +139,7 @@ def _small(label: np.ndarray, counted: np.ndarray, least: float) -> np.ndarray:
 def _without_corner_contacts(label: np.ndarray) -> np.ndarray:
     """Labels without cells that touch others of their surface only at a corner, and numbered from 0."""
     label = label.copy()
-    for _ in range(LIMITS.max_iterations):
+    for _ in range(MAX_ITERATIONS):
         a, b, c, d = label[:-1, :-1], label[:-1, 1:], label[1:, :-1], label[1:, 1:]
         # Two surfaces crosswise, or four: the lower right cell joins its left neighbour.
         cross = ((a == d) & (b != a) & (c != a)) | ((b == c) & (a != b) & (d != b))

@@ -34,21 +34,13 @@ OK, COARSE, GROUND_UNKNOWN, NOT_MODELLED = "ok", "error exceeded", "ground unkno
 
 STOREY = 3.0
 
-
-@dataclass(frozen=True)
-class MeshStageLimits:
-    """Limits of mesh stage, each with its unit."""
-
-    enough: float = 0.95
-    # Shares of the stated error, step and minimum area that are tried one after another while the points are not
-    # met.
-    tries: tuple[float, ...] = (1.0, 0.7, 0.4)
-    under: float = 0.02  # Share of points under the uppermost surface that is told.
-    gain: float = 0.01  # More triangles must bring at least this share of points within the error.
-    checked: int = 4000  # Meshes of up to so many triangles are checked for self-intersection.
-
-
-LIMITS = MeshStageLimits()
+ENOUGH = 0.95
+# Shares of the stated error, step and minimum area that are tried one after another while the points are not
+# met.
+TRIES = (1.0, 0.7, 0.4)
+UNDER = 0.02  # Share of points under the uppermost surface that is told.
+GAIN = 0.01  # More triangles must bring at least this share of points within the error.
+CHECKED = 4000  # Meshes of up to so many triangles are checked for self-intersection.
 
 DEFAULTS = MeshSettings()
 
@@ -121,11 +113,11 @@ def mesh_building(number: int, plan: shapely.Geometry | None, points: np.ndarray
         if assumed and len(points):
             base = float(np.quantile(points[:, 2], 0.05)) - STOREY
         best = None
-        for share in LIMITS.tries:
+        for share in TRIES:
             mesh = _meshed(number, plan, points, base, settings, share)
-            if best is None or (mesh.watertight, mesh.fit.within - LIMITS.gain) > (best.watertight, best.fit.within):
+            if best is None or (mesh.watertight, mesh.fit.within - GAIN) > (best.watertight, best.fit.within):
                 best = mesh
-            if best.watertight and best.fit.within >= LIMITS.enough:
+            if best.watertight and best.fit.within >= ENOUGH:
                 break
     except InsufficientDataError as error:
         return BuildingMesh(number, None, NOT_MODELLED, "; ".join(filter(None, (note, str(error)))))
@@ -177,17 +169,17 @@ def _judged(mesh: BuildingMesh, assumed: bool, note: str, settings: MeshSettings
     if not mesh.watertight:
         return BuildingMesh(mesh.building_id, None, NOT_MODELLED,
                             "; ".join([*reasons, say("no closed mesh could be made")]), mesh.base)
-    valid = not check_solid(mesh.mesh) if len(mesh.mesh.faces) <= LIMITS.checked else None
+    valid = not check_solid(mesh.mesh) if len(mesh.mesh.faces) <= CHECKED else None
     status = OK
     if assumed:
         status = GROUND_UNKNOWN
         reasons.append(say("its ground is not known, the foot is put {storey:g} m under its lowest roof",
                            storey=STOREY))
-    if mesh.fit.within < LIMITS.enough:
+    if mesh.fit.within < ENOUGH:
         status = COARSE
         reasons.append(say("only {within:.0f} % of its uppermost points lie within {max_error:g} m",
                            within=100 * mesh.fit.within, max_error=settings.max_error))
-    if mesh.fit.under > LIMITS.under:
+    if mesh.fit.under > UNDER:
         reasons.append(say("{under:.0f} % of its points lie under the uppermost surface, which alone is meshed",
                            under=100 * mesh.fit.under))
     if valid is False:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -12,18 +11,10 @@ from ...geometry.tolerances import UNITS
 from ..solids.half_edges import OUTSIDE, HalfEdges
 from .surface_plan import SurfacePlan
 
-
-@dataclass(frozen=True)
-class NodeHeightsLimits:
-    """Limits of node heights, each with its unit."""
-
-    neighbours: int = 12
-    level: float = 1.0  # Weight (m2 a point) with which a plane is held level: decides where the points tell no slope.
-    beyond: float = 0.3
-    same: float = 0.05  # Surfaces whose heights at a node differ by less than this (m) meet there.
-
-
-LIMITS = NodeHeightsLimits()
+NEIGHBOURS = 12
+LEVEL = 1.0  # Weight (m2 a point) with which a plane is held level: decides where the points tell no slope.
+BEYOND = 0.3
+SAME = 0.05  # Surfaces whose heights at a node differ by less than this (m) meet there.
 
 Heights = dict[tuple[int, int], int]
 """Height of each surface at each node of its border: (surface, node) -> units."""
@@ -97,7 +88,7 @@ def _fitted(plan: SurfacePlan, cells: list[np.ndarray], base: float) -> Heights:
 
 def local_heights(cells: np.ndarray, places: np.ndarray) -> np.ndarray:
     """Heights (n,) at places (n, 2) by planes through the nearest of cells (k, 3)."""
-    count = min(LIMITS.neighbours, len(cells))
+    count = min(NEIGHBOURS, len(cells))
     near = cKDTree(cells[:, :2]).query(places, count)[1].reshape(len(places), count)
     points = cells[near]
     middle = np.median(points[:, :, 2], axis=1)
@@ -106,11 +97,11 @@ def local_heights(cells: np.ndarray, places: np.ndarray) -> np.ndarray:
     centre = (points * weight[..., None]).sum(axis=1) / total[:, None]
     away = points - centre[:, None]
     normal = np.einsum("nk,nki,nkj->nij", weight, away[..., :2], away[..., :2])
-    normal += np.eye(2) * (LIMITS.level * 0.02 * total)[:, None, None]
+    normal += np.eye(2) * (LEVEL * 0.02 * total)[:, None, None]
     right = np.einsum("nk,nki,nk->ni", weight, away[..., :2], away[..., 2])
     slope = np.linalg.solve(normal, right[..., None])[..., 0]
     height = centre[:, 2] + ((places - centre[:, :2]) * slope).sum(axis=1)
-    return np.clip(height, points[:, :, 2].min(axis=1) - LIMITS.beyond, points[:, :, 2].max(axis=1) + LIMITS.beyond)
+    return np.clip(height, points[:, :, 2].min(axis=1) - BEYOND, points[:, :, 2].max(axis=1) + BEYOND)
 
 
 def _simplify_chain(edges: HalfEdges, chain: list[int], heights: Heights, tolerance: int) -> None:
@@ -152,7 +143,7 @@ def _equalise_heights(edges: HalfEdges, heights: Heights, base: int) -> None:
         group: list[int] = []
         for surface in [*names, None]:
             if surface is not None and (not group
-                                        or heights[surface, node] - heights[group[-1], node] < LIMITS.same * UNITS):
+                                        or heights[surface, node] - heights[group[-1], node] < SAME * UNITS):
                 group.append(surface)
                 continue
             level = round(sum(heights[name, node] for name in group) / len(group))

@@ -7,7 +7,6 @@ well inside an outline show them.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 import shapely
@@ -18,20 +17,12 @@ from ...geometry.grid import Grid
 from ..point_assignment import PlanIndex
 from ..polygons.outline_from_points import outline_from_points
 
-
-@dataclass(frozen=True)
-class CourtyardsLimits:
-    """Limits of courtyards, each with its unit."""
-
-    least_area: float = 16.0  # Area (m2) of the smallest courtyard.
-    least_width: float = 2.5  # Width (m) of the narrowest courtyard.
-    # Share of a cell's points that must lie on the ground: trees may stand in a courtyard, roofs let nothing
-    # through.
-    low_share: float = 0.3
-    points_per_cell: float = 4.0
-
-
-LIMITS = CourtyardsLimits()
+LEAST_AREA = 16.0  # Area (m2) of the smallest courtyard.
+LEAST_WIDTH = 2.5  # Width (m) of the narrowest courtyard.
+# Share of a cell's points that must lie on the ground: trees may stand in a courtyard, roofs let nothing
+# through.
+LOW_SHARE = 0.3
+POINTS_PER_CELL = 4.0
 
 INSIDE = 1.5
 """Distance (m) from the outline within which ground is that of the street: outlines are not exact."""
@@ -51,11 +42,11 @@ def with_courtyards(outlines: np.ndarray, x: np.ndarray, y: np.ndarray, low: np.
     result = outlines.copy()
     on_ground = np.flatnonzero(low)
     ground_index, index = PlanIndex(x[on_ground], y[on_ground]), None
-    cell = max(math.sqrt(LIMITS.points_per_cell / density), 0.5)
-    least = LIMITS.least_area / cell**2
+    cell = max(math.sqrt(POINTS_PER_CELL / density), 0.5)
+    least = LEAST_AREA / cell**2
     for row in np.flatnonzero(~shapely.is_missing(outlines)):
         inner = shapely.buffer(outlines[row], -INSIDE)
-        if inner.area < LIMITS.least_area:
+        if inner.area < LEAST_AREA:
             continue
         if len(ground_index.inside(inner)) < least:  # at least one point in each cell of the smallest courtyard
             continue
@@ -75,8 +66,8 @@ def _courtyards(inner: shapely.Geometry, x: np.ndarray, y: np.ndarray, low: np.n
     place = row * grid.columns + column
     size = grid.rows * grid.columns
     count, below = np.bincount(place, minlength=size), np.bincount(place[low], minlength=size)
-    is_open = ((below > 0) & (below >= LIMITS.low_share * count)).reshape(grid.shape)
-    side = max(math.ceil(LIMITS.least_width / cell), 1)
+    is_open = ((below > 0) & (below >= LOW_SHARE * count)).reshape(grid.shape)
+    side = max(math.ceil(LEAST_WIDTH / cell), 1)
     is_open = ndimage.binary_opening(ndimage.binary_closing(np.pad(is_open, side), np.ones((2, 2))),
                                      np.ones((side, side)))[side:-side, side:-side]
     label, number = ndimage.label(is_open)
@@ -85,12 +76,12 @@ def _courtyards(inner: shapely.Geometry, x: np.ndarray, y: np.ndarray, low: np.n
     for court in range(1, number + 1):
         area = np.count_nonzero(label == court) * cell**2
         members = low & (of_point == court)
-        if area < LIMITS.least_area:
+        if area < LEAST_AREA:
             continue
         try:
             drawn = outline_from_points(x[members], y[members], np.count_nonzero(members) / area)
         except InsufficientDataError:
             continue  # too few points to draw its walls: it stays covered
         courts.extend(part for part in shapely.get_parts(shapely.intersection(drawn.outline, inner))
-                      if part.geom_type == "Polygon" and part.area >= LIMITS.least_area)
+                      if part.geom_type == "Polygon" and part.area >= LEAST_AREA)
     return courts

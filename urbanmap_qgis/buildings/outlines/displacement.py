@@ -39,23 +39,15 @@ from .displacement_search import (
 KEPT, MOVED, NOT_OBSERVABLE = "kept", "moved", "not observable"
 MAX_SHIFT = 2.5  # m
 
-
-@dataclass(frozen=True)
-class DisplacementLimits:
-    """Limits of displacement, each with its unit."""
-
-    outlines_at_once: int = 1000  # connected sets of outlines are worked on together up to this number
-    min_measured: float = 0.2  # share of its area that must hold points (in a sparse cloud many cells hold none)
-    half_measured: float = 0.4  # the same, for the common shift: one cut by the end of the points does not count
-    unseen_weight: float = 100.0  # price of departing, for an outline that is not observable
-    stacked: float = 0.9  # share of the smaller outline in the larger one from which the two lie above one another
-    register_sigma: float = 0.2  # m: outlines are walls, points are roofs; their difference cannot be told from a shift
-    misfit: float = 0.5  # share of the strip that an outline covers wrongly which its place is uncertain by
-    min_common: float = 0.35  # m, a shorter common shift may as well be eaves, or the strips' own error
-    moved_from: float = 0.005  # m, shorter shifts are none
-
-
-LIMITS = DisplacementLimits()
+OUTLINES_AT_ONCE = 1000  # connected sets of outlines are worked on together up to this number
+MIN_MEASURED = 0.2  # share of its area that must hold points (in a sparse cloud many cells hold none)
+HALF_MEASURED = 0.4  # the same, for the common shift: one cut by the end of the points does not count
+UNSEEN_WEIGHT = 100.0  # price of departing, for an outline that is not observable
+STACKED = 0.9  # share of the smaller outline in the larger one from which the two lie above one another
+REGISTER_SIGMA = 0.2  # m: outlines are walls, points are roofs; their difference cannot be told from a shift
+MISFIT = 0.5  # share of the strip that an outline covers wrongly which its place is uncertain by
+MIN_COMMON = 0.35  # m, a shorter common shift may as well be eaves, or the strips' own error
+MOVED_FROM = 0.005  # m, shorter shifts are none
 
 MIN_SEEN = 0.25  # share of its area that must be covered by building evidence somewhere in reach
 NOISE = 0.8  # m2, worth that chance adds: sets the scale of sigma
@@ -124,7 +116,7 @@ def estimate_displacements(polygons: np.ndarray, evidence: np.ndarray, grid: Gri
         shifts[which], sigma[which], seen[which] = part
         done += len(members)
     progress.step(1.0)
-    far = np.hypot(*shifts.T) >= LIMITS.moved_from
+    far = np.hypot(*shifts.T) >= MOVED_FROM
     status = np.where(seen, np.where(far, MOVED, KEPT), NOT_OBSERVABLE)
     return Displacements(shifts[:, 0], shifts[:, 1], sigma, status)
 
@@ -155,7 +147,7 @@ def _batches(n: int, pairs: np.ndarray) -> list[tuple[np.ndarray, np.ndarray]]:
         return []
     _, label = connected_components(coo_matrix((np.ones(len(pairs)), pairs.T), (n, n)), directed=False)
     size = np.bincount(label)
-    batch = (np.cumsum(size) - size) // LIMITS.outlines_at_once
+    batch = (np.cumsum(size) - size) // OUTLINES_AT_ONCE
     of_outline, of_pair = batch[label], batch[label[pairs[:, 0]]]
     number = np.empty(n, np.int64)
     result = []
@@ -175,12 +167,12 @@ def _placed(polygons: np.ndarray, pairs: np.ndarray, sums: np.ndarray, measured:
     network = _network(polygons, area, pairs, sums, grid, max_shift)
     still = np.zeros((len(area), 1, 2))
     measured_share = np.ones(len(area)) if measured is None else network.of(measured, still)[:, 0] / area
-    network, cover = _with_common_shift(network, measured_share >= LIMITS.half_measured, max_shift)
+    network, cover = _with_common_shift(network, measured_share >= HALF_MEASURED, max_shift)
     seen = cover.max(axis=1) >= MIN_SEEN * area
     network = replace(network, common=np.where(_in_observed_set(network, seen)[:, None], network.common, 0.0))
     if measured is not None:
-        seen &= network.of(measured, network.common[:, None])[:, 0] >= LIMITS.min_measured * area
-    network = replace(network, shift_weight=np.where(seen, 1.0, LIMITS.unseen_weight))
+        seen &= network.of(measured, network.common[:, None])[:, 0] >= MIN_MEASURED * area
+    network = replace(network, shift_weight=np.where(seen, 1.0, UNSEEN_WEIGHT))
     shifts = coarse_search(network, cover, max_shift)
     beliefs = []
     for step, width in FINE_STEPS:
@@ -197,7 +189,7 @@ def _placed(polygons: np.ndarray, pairs: np.ndarray, sums: np.ndarray, measured:
     score = np.clip(network.cover(shifts[:, None])[:, 0] / area, -1, 1)  # mean building evidence under the outline
     # What an outline covers wrongly even at its best place, as a strip along its boundary: it has another shape.
     strip = area * (1 - score) / network.perimeter
-    sigma = np.hypot(_sigma(beliefs[0], FINE_STEPS[0][0], max_shift), LIMITS.misfit * strip)
+    sigma = np.hypot(_sigma(beliefs[0], FINE_STEPS[0][0], max_shift), MISFIT * strip)
     return shifts, np.where(seen, np.minimum(sigma, max_shift), max_shift), seen
 
 
@@ -219,7 +211,7 @@ def _network(polygons: np.ndarray, area: np.ndarray, pairs: np.ndarray, sums: np
     reach = 2 * max_shift
     overlaps = overlap_tables(polygons, pieces, pairs, reach)
     middle = overlaps.shape[1] // 2
-    stacked = overlaps[:, middle, middle] > LIMITS.stacked * area[pairs].min(axis=1)
+    stacked = overlaps[:, middle, middle] > STACKED * area[pairs].min(axis=1)
     overlaps[stacked] = 0
     perimeter = np.bincount(edges.owner, np.hypot(*(edges.end - edges.start).T), len(polygons))
     return OutlineNetwork(edges, pieces, pieces_of(edges, COARSE_PIECE), perimeter, sums, grid, pairs,
@@ -247,7 +239,7 @@ def _with_common_shift(network: OutlineNetwork, observed: np.ndarray,
     # Chance adds up slower than the outlines; an offset between all roofs and walls is no shift of the map.
     perimeter, members = np.bincount(label, network.perimeter, sets), np.bincount(label, minlength=sets)
     price = DEPARTURE_PRICE * perimeter / np.sqrt(members)
-    clear = (gain >= price) & (np.hypot(*shift.T) >= LIMITS.min_common)
+    clear = (gain >= price) & (np.hypot(*shift.T) >= MIN_COMMON)
     shift = np.where(clear[:, None], shift, 0)
     return replace(network, common=shift[label]), cover
 
@@ -274,4 +266,4 @@ def _sigma(belief: np.ndarray, step: float, max_shift: float) -> np.ndarray:
     away = places[None] - best[:, None]
     weight = np.exp(-np.minimum(loss / NOISE, 50.0))
     spread = (weight[..., None] * away**2).sum(1) / weight.sum(1)[:, None]
-    return np.minimum(np.sqrt(spread.mean(1) + LIMITS.register_sigma**2), max_shift)
+    return np.minimum(np.sqrt(spread.mean(1) + REGISTER_SIGMA**2), max_shift)

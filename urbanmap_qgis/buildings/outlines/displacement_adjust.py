@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.linalg import spsolve
@@ -11,19 +9,11 @@ from scipy.sparse.linalg import spsolve
 from ...geometry.tolerances import LEAST_DIVISOR
 from .displacement_search import OutlineNetwork
 
-
-@dataclass(frozen=True)
-class DisplacementAdjustLimits:
-    """Limits of displacement adjust, each with its unit."""
-
-    probe: float = 0.3  # m, distance at which the evidence is probed around an outline
-    tied: float = 0.25  # m, walls nearer than this are taken as one
-    stiffness: float = 30.0  # weight of a metre of joined wall, against 2 of a metre of wall on the evidence's edge
-    min_stiffness: float = 0.08  # weight of a metre of boundary that keeps an outline where it is
-    longest_step: float = 0.4  # m
-
-
-LIMITS = DisplacementAdjustLimits()
+PROBE = 0.3  # m, distance at which the evidence is probed around an outline
+TIED = 0.25  # m, walls nearer than this are taken as one
+STIFFNESS = 30.0  # weight of a metre of joined wall, against 2 of a metre of wall on the evidence's edge
+MIN_STIFFNESS = 0.08  # weight of a metre of boundary that keeps an outline where it is
+LONGEST_STEP = 0.4  # m
 
 PASSES = 2
 
@@ -51,20 +41,20 @@ def adjust_to_walls(network: OutlineNetwork, shifts: np.ndarray) -> np.ndarray:
         np.add.at(right, i, -weight[:, None] * misfit)
         step = spsolve(normal, right.ravel()).reshape(n, 2)
         length = np.hypot(*step.T)
-        shifts = shifts + step * np.minimum(1, LIMITS.longest_step / np.maximum(length, LEAST_DIVISOR))[:, None]
+        shifts = shifts + step * np.minimum(1, LONGEST_STEP / np.maximum(length, LEAST_DIVISOR))[:, None]
     return shifts
 
 
 def _evidence_gradient(network: OutlineNetwork, shifts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Slope (n, 2) and curvature (n, 2, 2, positive definite) of the evidence that each outline covers."""
-    offsets = LIMITS.probe * np.array([(0, 0), (1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, -1), (1, -1), (-1, 1)])
+    offsets = PROBE * np.array([(0, 0), (1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, -1), (1, -1), (-1, 1)])
     o, e, w, n, s, ne, sw, se, nw = network.cover(shifts[:, None] + offsets).T
-    slope = np.column_stack((e - w, n - s)) / (2 * LIMITS.probe)
-    xx, yy = (e + w - 2 * o) / LIMITS.probe**2, (n + s - 2 * o) / LIMITS.probe**2
-    xy = (ne + sw - se - nw) / (4 * LIMITS.probe**2)
+    slope = np.column_stack((e - w, n - s)) / (2 * PROBE)
+    xx, yy = (e + w - 2 * o) / PROBE**2, (n + s - 2 * o) / PROBE**2
+    xy = (ne + sw - se - nw) / (4 * PROBE**2)
     bend = -np.stack((np.stack((xx, xy), -1), np.stack((xy, yy), -1)), -2)
     value, vector = np.linalg.eigh(bend)
-    value = np.maximum(value, LIMITS.min_stiffness * network.perimeter[:, None])
+    value = np.maximum(value, MIN_STIFFNESS * network.perimeter[:, None])
     return slope, np.einsum("nij,nj,nkj->nik", vector, value, vector)
 
 
@@ -72,8 +62,8 @@ def _wall_ties(network: OutlineNetwork, shifts: np.ndarray) -> tuple[np.ndarray,
     """Joined walls: outlines i and j (m,), misfit (m, 2) m of their relative shift, weight (m,)."""
     walls = network.walls
     misfit = walls.meeting - network.relative(shifts)[walls.pair]
-    joined = np.hypot(*misfit.T) < LIMITS.tied
-    return *network.pairs[walls.pair[joined]].T, misfit[joined], LIMITS.stiffness * walls.length[joined]
+    joined = np.hypot(*misfit.T) < TIED
+    return *network.pairs[walls.pair[joined]].T, misfit[joined], STIFFNESS * walls.length[joined]
 
 
 def wall_snap_candidates(network: OutlineNetwork, shifts: np.ndarray, max_shift: float, most: int) -> np.ndarray:

@@ -18,26 +18,18 @@ from ...geometry.tolerances import ROUNDING
 from .displacement_boundary import Edges, Pieces, sums_inside
 from .displacement_pairs import MASK_CELL, SharedWalls, meeting_tables
 
-
-@dataclass(frozen=True)
-class DisplacementSearchLimits:
-    """Limits of displacement search, each with its unit."""
-
-    # score lost per m2 of overlap: 1 for the evidence counted twice, the rest for the overlap itself
-    overlap: float = 1.5
-    departure_range: float = 0.25  # m, the whole price is paid from this departure on
-    # m, the same distance for the coarse lattice and for the last choice
-    coarse_width: float = 0.6
-    exact_width: float = 0.15
-    rounds: int = 16
-    damping: float = 0.3
-    chance: float = .5  # share of the score of newly meeting walls that speaks for a departure
-    same_place: float = 1e-3  # m
-    max_covered: float = 0.4  # share of its area that others cover from which an outline looks for another place
-    pairs_at_once: int = 2048  # pairs whose tables over all candidates are held at once
-
-
-LIMITS = DisplacementSearchLimits()
+# score lost per m2 of overlap: 1 for the evidence counted twice, the rest for the overlap itself
+OVERLAP = 1.5
+DEPARTURE_RANGE = 0.25  # m, the whole price is paid from this departure on
+# m, the same distance for the coarse lattice and for the last choice
+COARSE_WIDTH = 0.6
+EXACT_WIDTH = 0.15
+ROUNDS = 16
+DAMPING = 0.3
+CHANCE = .5  # share of the score of newly meeting walls that speaks for a departure
+SAME_PLACE = 1e-3  # m
+MAX_COVERED = 0.4  # share of its area that others cover from which an outline looks for another place
+PAIRS_AT_ONCE = 2048  # pairs whose tables over all candidates are held at once
 
 WALL = 1.6  # m2, score of one metre of meeting wall
 DEPARTURE_PRICE = 0.1  # m: an outline departs from the common shift only if it gains such a strip all around it
@@ -85,7 +77,7 @@ class OutlineNetwork:
     def unary_score(self, shifts: np.ndarray, cover: np.ndarray | None = None) -> np.ndarray:
         """Score (m2) of each outline by itself at its shifts (n, k, 2): (n, k). `cover` saves computing it."""
         away = np.hypot(*np.moveaxis(shifts - self.common[:, None], 2, 0))
-        price = DEPARTURE_PRICE * np.minimum(away / LIMITS.departure_range, 1) + TIE * away
+        price = DEPARTURE_PRICE * np.minimum(away / DEPARTURE_RANGE, 1) + TIE * away
         return (self.cover(shifts) if cover is None else cover) - (self.shift_weight * self.perimeter)[:, None] * price
 
     def relative(self, shifts: np.ndarray) -> np.ndarray:
@@ -101,7 +93,7 @@ class OutlineNetwork:
 
     def pair_score(self, relative: np.ndarray, width: float) -> np.ndarray:
         """Score (m2) of each pair at its relative shifts (p, k, 2): (p, k)."""
-        return self.meeting(relative, width) - LIMITS.overlap * self.overlap(relative)
+        return self.meeting(relative, width) - OVERLAP * self.overlap(relative)
 
     def meeting(self, relative: np.ndarray, width: float) -> np.ndarray:
         """Score (m2) of the walls of each pair that meet at its relative shifts (p, k, 2): (p, k)."""
@@ -136,7 +128,7 @@ def max_sum_belief(single: np.ndarray, pairs: np.ndarray, score: Callable[[slice
     """Belief (n, k) in every candidate of every outline: its score with the others at their best around it.
 
     Max-sum message passing, all outlines at once, a fixed number of rounds: the work is linear in the outlines,
-    each outline hears of others at most `LIMITS.rounds` neighbours away, and no order of outlines matters.
+    each outline hears of others at most `ROUNDS` neighbours away, and no order of outlines matters.
 
     Parameters
     ----------
@@ -146,7 +138,7 @@ def max_sum_belief(single: np.ndarray, pairs: np.ndarray, score: Callable[[slice
     single = single.astype(np.float32)
     if not len(pairs):
         return single
-    parts = [slice(b, b + LIMITS.pairs_at_once) for b in range(0, len(pairs), LIMITS.pairs_at_once)]
+    parts = [slice(b, b + PAIRS_AT_ONCE) for b in range(0, len(pairs), PAIRS_AT_ONCE)]
     stored = score(parts[0]).astype(np.float32) if len(parts) == 1 else None
     to_second = np.zeros((len(pairs), single.shape[1]), np.float32)
     to_first = np.zeros_like(to_second)
@@ -155,8 +147,8 @@ def max_sum_belief(single: np.ndarray, pairs: np.ndarray, score: Callable[[slice
     receiver = np.concatenate((first, second))
     order = np.argsort(receiver, kind="stable")
     begin = np.flatnonzero(np.r_[True, np.diff(receiver[order]) > 0])
-    sums = np.empty((min(len(pairs), LIMITS.pairs_at_once), single.shape[1], single.shape[1]), np.float32)
-    for _ in range(LIMITS.rounds):
+    sums = np.empty((min(len(pairs), PAIRS_AT_ONCE), single.shape[1], single.shape[1]), np.float32)
+    for _ in range(ROUNDS):
         new_second, new_first = np.empty_like(to_second), np.empty_like(to_first)
         for part in parts:
             table = score(part).astype(np.float32) if stored is None else stored
@@ -173,7 +165,7 @@ def max_sum_belief(single: np.ndarray, pairs: np.ndarray, score: Callable[[slice
 
 
 def _damped(old: np.ndarray, new: np.ndarray) -> np.ndarray:
-    return np.float32(LIMITS.damping) * old + np.float32(1 - LIMITS.damping) * (new - new.max(1, keepdims=True))
+    return np.float32(DAMPING) * old + np.float32(1 - DAMPING) * (new - new.max(1, keepdims=True))
 
 
 def coarse_search(network: OutlineNetwork, cover: np.ndarray, max_shift: float) -> np.ndarray:
@@ -181,10 +173,10 @@ def coarse_search(network: OutlineNetwork, cover: np.ndarray, max_shift: float) 
     steps = shift_lattice(COARSE_STEP, max_shift)
     q = 2 * int(np.abs(steps).max())
     single = network.unary_score(np.broadcast_to(steps * COARSE_STEP, (*cover.shape, 2)), cover)
-    fits = meeting_tables(network.walls, len(network.pairs), _square(q) * COARSE_STEP, LIMITS.coarse_width)
+    fits = meeting_tables(network.walls, len(network.pairs), _square(q) * COARSE_STEP, COARSE_WIDTH)
     stride, middle = round(COARSE_STEP / MASK_CELL), network.overlaps.shape[1] // 2
     at = middle + stride * _square(q)
-    tables = (WALL * fits - LIMITS.overlap * network.overlaps[:, at[:, 1], at[:, 0]]).astype(np.float32)
+    tables = (WALL * fits - OVERLAP * network.overlaps[:, at[:, 1], at[:, 0]]).astype(np.float32)
     difference = steps[None, :] - steps[:, None]
     index = (difference[..., 1] + q) * (2 * q + 1) + difference[..., 0] + q
     belief = max_sum_belief(single, network.pairs, lambda part: tables[part][:, index])
@@ -212,7 +204,7 @@ def choose(network: OutlineNetwork, candidates: np.ndarray) -> np.ndarray:
 
     first, second = candidates[network.pairs[:, 0]], candidates[network.pairs[:, 1]]
     relative = (second[:, None, :] - first[:, :, None]).reshape(len(network.pairs), k * k, 2)
-    tables = network.pair_score(relative, LIMITS.exact_width)
+    tables = network.pair_score(relative, EXACT_WIDTH)
     belief = max_sum_belief(network.unary_score(candidates), network.pairs, score)
     return np.take_along_axis(candidates, belief.argmax(1)[:, None, None], 1)[:, 0]
 
@@ -235,9 +227,9 @@ def separate_overlapping(network: OutlineNetwork, shifts: np.ndarray, area: np.n
             return shifts
         part = network.only(overlapping[network.pairs].any(axis=1))
         first, second = shifts[part.pairs[:, 0]][:, None], shifts[part.pairs[:, 1]][:, None]
-        score = unary + _of_both(part, part.pair_score(second - steps, LIMITS.coarse_width),
-                                 part.pair_score(steps - first, LIMITS.coarse_width))
-        present = part.pair_score(part.relative(shifts)[:, None], LIMITS.coarse_width)
+        score = unary + _of_both(part, part.pair_score(second - steps, COARSE_WIDTH),
+                                 part.pair_score(steps - first, COARSE_WIDTH))
+        present = part.pair_score(part.relative(shifts)[:, None], COARSE_WIDTH)
         gain = score.max(axis=1) - (network.unary_score(shifts[:, None]) + _of_both(part, present, present))[:, 0]
         mover = np.where(overlapping, gain, -np.inf).argmax()
         if gain[mover] <= 0:
@@ -249,7 +241,7 @@ def separate_overlapping(network: OutlineNetwork, shifts: np.ndarray, area: np.n
 def covered_by_others(network: OutlineNetwork, shifts: np.ndarray, area: np.ndarray) -> np.ndarray:
     """Mask (n,) of the outlines that lie on others with too much of their area (n,) m2."""
     overlap = network.overlap(network.relative(shifts)[:, None])
-    return _of_both(network, overlap, overlap)[:, 0] > LIMITS.max_covered * area
+    return _of_both(network, overlap, overlap)[:, 0] > MAX_COVERED * area
 
 
 def _of_both(network: OutlineNetwork, of_first: np.ndarray, of_second: np.ndarray) -> np.ndarray:
@@ -267,16 +259,16 @@ def drop_insignificant_shifts(network: OutlineNetwork, shifts: np.ndarray) -> np
     come to meet count in part only, for equal walls may meet by chance; walls torn apart count whole.
     """
     n = len(shifts)
-    departing = np.hypot(*(shifts - network.common).T) > LIMITS.same_place
+    departing = np.hypot(*(shifts - network.common).T) > SAME_PLACE
     inside = departing[network.pairs].all(axis=1)
     groups, label = connected_components(
         coo_matrix((np.ones(inside.sum()), network.pairs[inside].T), (n, n)), directed=False)
     gain = np.bincount(label, _difference(network.unary_score(np.stack((network.common, shifts), 1))), groups)
     relative = np.stack((network.relative(network.common), network.relative(shifts)), 1)
     of_pair = np.where(departing[network.pairs[:, 0]], *label[network.pairs].T)
-    gain -= LIMITS.overlap * np.bincount(of_pair, _difference(network.overlap(relative)), groups)
-    walls = np.bincount(of_pair, _difference(network.meeting(relative, LIMITS.exact_width)), groups)
-    gain += np.where(walls > 0, LIMITS.chance * walls, walls)
+    gain -= OVERLAP * np.bincount(of_pair, _difference(network.overlap(relative)), groups)
+    walls = np.bincount(of_pair, _difference(network.meeting(relative, EXACT_WIDTH)), groups)
+    gain += np.where(walls > 0, CHANCE * walls, walls)
     return np.where((gain[label] > 0)[:, None], shifts, network.common)
 
 

@@ -7,7 +7,6 @@ estimation", which holds only where they are not off by a metre or two.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 from scipy.ndimage import minimum_filter, uniform_filter
@@ -19,20 +18,12 @@ from ...wording import say
 BUILDING_CLASS = 6
 GROUND_CLASSES = (2, 9, 11)  # ground, water, road surface (ASPRS)
 
-
-@dataclass(frozen=True)
-class EvidenceLimits:
-    """Limits of evidence, each with its unit."""
-
-    finest_cell: float = 0.5
-    coarsest_cell: float = 1.0
-    points_per_cell: float = 1.0
-    high: float = 2.0  # m above ground: from here on a smooth surface is a building
-    smooth: float = 0.12  # m, deviation from a plane of a window lying on one roof
-    guess: float = 0.5  # weight of the shape where a cloud has classes but this cell holds neither building nor ground
-
-
-LIMITS = EvidenceLimits()
+FINEST_CELL = 0.5
+COARSEST_CELL = 1.0
+POINTS_PER_CELL = 1.0
+HIGH = 2.0  # m above ground: from here on a smooth surface is a building
+SMOOTH = 0.12  # m, deviation from a plane of a window lying on one roof
+GUESS = 0.5  # weight of the shape where a cloud has classes but this cell holds neither building nor ground
 
 LOW = 1.2  # m above ground: below this nothing is a building
 ROUGH = 0.35  # m, the same in foliage
@@ -44,7 +35,7 @@ def evidence_cell(density: float) -> float:
     """Cell side (m) that suits a cloud of `density` points per m2: 0.5 m, up to 1 m for sparse clouds."""
     if not density > 0:
         raise InputError(say("The point density is not a positive number: check that the points cover the outlines."))
-    return float(np.clip(math.sqrt(LIMITS.points_per_cell / density), LIMITS.finest_cell, LIMITS.coarsest_cell))
+    return float(np.clip(math.sqrt(POINTS_PER_CELL / density), FINEST_CELL, COARSEST_CELL))
 
 
 class EvidenceAccumulator:
@@ -116,7 +107,7 @@ class EvidenceAccumulator:
             classed = (self.building + self.ground).astype(np.float32)
             share = np.divide(self.building - self.ground, classed, out=np.zeros_like(classed), where=classed > 0)
             # A wall's cell holds roof and ground points: their balance tells where in the cell the wall stands.
-            shape = np.where(classed > 0, share, LIMITS.guess * shape)
+            shape = np.where(classed > 0, share, GUESS * shape)
         return _filled(shape.astype(np.float32), seen, self.grid.cell)
 
     def _from_shape(self, ground: np.ndarray, seen: np.ndarray) -> np.ndarray:
@@ -124,11 +115,11 @@ class EvidenceAccumulator:
         height = np.where(seen & np.isfinite(ground), self.highest - ground, np.float32(np.nan))
         known = np.isfinite(height)
         height = np.where(known, height, np.float32(0))
-        smooth = 1 - np.clip((_roughness(height, known) - LIMITS.smooth) / (ROUGH - LIMITS.smooth), 0, 1)
+        smooth = 1 - np.clip((_roughness(height, known) - SMOOTH) / (ROUGH - SMOOTH), 0, 1)
         points = _box(self.count, 3)
         multiple = np.divide(_box(self.multiple, 3), points, out=np.zeros_like(points), where=points > 0)
         single = 1 - np.clip((multiple - 0.4) / 0.3, 0, 1)
-        tall = np.clip((height - LOW) / (LIMITS.high - LOW), 0, 1)
+        tall = np.clip((height - LOW) / (HIGH - LOW), 0, 1)
         high = VEGETATION + (1 - VEGETATION) * smooth * single
         return np.where(known, tall * high - (height < LOW), 0)
 
@@ -173,7 +164,7 @@ def _roughness(height: np.ndarray, known: np.ndarray, size: int = 3) -> np.ndarr
         sound = (n > 4.5) & (determinant > 0.05)
         rough = np.where(sound, np.sqrt(np.maximum(variance, 0) * n / np.maximum(n - 3, 1)), np.inf)
     rough = minimum_filter(rough, size, mode="nearest")
-    return np.where(np.isfinite(rough), rough, (LIMITS.smooth + ROUGH) / 2)
+    return np.where(np.isfinite(rough), rough, (SMOOTH + ROUGH) / 2)
 
 
 def _filled(evidence: np.ndarray, seen: np.ndarray, cell: float) -> np.ndarray:

@@ -11,22 +11,14 @@ from ...errors import InputError
 from ...geometry.polygon_rings import polygon_rings
 from ...wording import say
 
-
-@dataclass(frozen=True)
-class FootprintLimits:
-    """Limits of footprint, each with its unit."""
-
-    # Outlines are wall_snap_candidates to this grid (m), so that all later steps see the same coordinates.
-    grid_size: float = 0.001
-    # A curved wall: bends between these angles (degrees) at edges shorter than this (m), on this share of the
-    # length.
-    min_bend: float = 3.0
-    max_bend: float = 35.0
-    longest_chord: float = 5.0
-    curved_share: float = 0.25
-
-
-LIMITS = FootprintLimits()
+# Outlines are wall_snap_candidates to this grid (m), so that all later steps see the same coordinates.
+GRID_SIZE = 0.001
+# A curved wall: bends between these angles (degrees) at edges shorter than this (m), on this share of the
+# length.
+MIN_BEND = 3.0
+MAX_BEND = 35.0
+LONGEST_CHORD = 5.0
+CURVED_SHARE = 0.25
 
 
 @dataclass(frozen=True)
@@ -109,7 +101,7 @@ def _clean(geometry: shapely.Geometry | None) -> tuple[shapely.Geometry | None, 
     if not plan.is_valid:
         plan = shapely.make_valid(plan)
         note = say("the outline was invalid and was repaired")
-    plan = _polygonal(shapely.set_precision(plan, LIMITS.grid_size))
+    plan = _polygonal(shapely.set_precision(plan, GRID_SIZE))
     if plan is None:
         return None, say("the outline has no area")
     return plan, note
@@ -124,9 +116,9 @@ def has_curved_walls(outline: shapely.Geometry) -> bool:
         before = np.roll(edge, 1, axis=0)
         bend = np.degrees(np.arctan2(before[:, 0] * edge[:, 1] - before[:, 1] * edge[:, 0],
                                      (before * edge).sum(axis=1)))
-        small = (np.abs(bend) > LIMITS.min_bend) & (np.abs(bend) < LIMITS.max_bend) & (length < LIMITS.longest_chord)
+        small = (np.abs(bend) > MIN_BEND) & (np.abs(bend) < MAX_BEND) & (length < LONGEST_CHORD)
         same = np.sign(bend) == np.sign(np.roll(bend, -1))
-        if length[small & np.roll(small, -1) & same].sum() >= LIMITS.curved_share * length.sum():
+        if length[small & np.roll(small, -1) & same].sum() >= CURVED_SHARE * length.sum():
             return True
     return False
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import cv2
 import numpy as np
@@ -14,25 +13,17 @@ from .label_raster import LabelRaster
 from .plan_faces import expected_faces
 from .step_lines import building_directions, cracks_by_pair, step_lines
 
-
-@dataclass(frozen=True)
-class CandidateSegmentsLimits:
-    """Limits of candidate segments, each with its unit."""
-
-    # Difference of two planes' slopes below which they have no useful intersection (about 4 degrees).
-    least_bend: float = 0.07
-    least_length: float = 1.0  # Metres of common border that make a segment.
-    # Metres by which segments are drawn on beyond the place where one of their two planes ends: the first of these that
-    # cuts no more than about `many_faces` faces, or the last.
-    extensions: tuple[float, ...] = 6.0, 3.0, 1.5
-    many_faces: float = 8_000.0
-    # Parallel lines nearer than this (m) are one; the intersection of planes stays, else the stronger one.
-    merge: float = 0.3
-    most_walls: int = 12
-    overhang: float = 1.0  # Metres by which the sides of a patch's rectangle are drawn on.
-
-
-LIMITS = CandidateSegmentsLimits()
+# Difference of two planes' slopes below which they have no useful intersection (about 4 degrees).
+LEAST_BEND = 0.07
+LEAST_LENGTH = 1.0  # Metres of common border that make a segment.
+# Metres by which segments are drawn on beyond the place where one of their two planes ends: the first of these that
+# cuts no more than about `many_faces` faces, or the last.
+EXTENSIONS = 6.0, 3.0, 1.5
+MANY_FACES = 8_000.0
+# Parallel lines nearer than this (m) are one; the intersection of planes stays, else the stronger one.
+MERGE = 0.3
+MOST_WALLS = 12
+OVERHANG = 1.0  # Metres by which the sides of a patch's rectangle are drawn on.
 
 PARALLEL = np.sin(np.radians(5.0))
 
@@ -53,17 +44,17 @@ def candidate_segments(raster: LabelRaster, planes: np.ndarray, outline: shapely
     explained = _intersections(drawn, cracks, planes, raster.cell, reach)
     rest = LabelBoundaries(cracks.xy[~explained], cracks.left[~explained], cracks.right[~explained])
     normals = building_directions(edge_rows(outline)[:, 2:], planes)
-    for line, along, pair in step_lines(rest, normals, raster.cell, LIMITS.least_length, points[:, :2], label):
+    for line, along, pair in step_lines(rest, normals, raster.cell, LEAST_LENGTH, points[:, :2], label):
         drawn.add(line, drawn.reach(line, along, pair), True)
     for line, along in _rectangles(raster, main_axes(outline) if len(enclosed) else np.zeros((0, 2)), enclosed):
         drawn.add(line, along)
     bounds = outline.bounds
     whole = float(np.hypot(bounds[2] - bounds[0], bounds[3] - bounds[1])) + 1.0
-    for line in inward_walls(outline, LIMITS.least_length)[:LIMITS.most_walls]:
+    for line in inward_walls(outline, LEAST_LENGTH)[:MOST_WALLS]:
         drawn.add(line, _around(line, bounds, whole))
-    segments = drawn.ends(LIMITS.extensions[0])
-    for extension in LIMITS.extensions[1:]:
-        if expected_faces(outline, segments) <= LIMITS.many_faces:
+    segments = drawn.ends(EXTENSIONS[0])
+    for extension in EXTENSIONS[1:]:
+        if expected_faces(outline, segments) <= MANY_FACES:
             break
         segments = drawn.ends(extension)
     return segments
@@ -90,11 +81,11 @@ def _intersections(drawn: _Segments, cracks: LabelBoundaries, planes: np.ndarray
     for one, two, members in cracks_by_pair(cracks, len(planes)):
         difference = planes[one] - planes[two]
         bend = float(np.hypot(difference[0], difference[1]))
-        if bend < LIMITS.least_bend:
+        if bend < LEAST_BEND:
             continue
         line = (difference[0] / bend, difference[1] / bend, -difference[2] / bend)
         near = members[np.abs(cracks.xy[members] @ np.array(line[:2]) - line[2]) < reach]
-        if len(near) * cell < LIMITS.least_length:
+        if len(near) * cell < LEAST_LENGTH:
             continue
         explained[near] = True
         along = cracks.xy[near] @ np.array([-line[1], line[0]])
@@ -110,9 +101,9 @@ def _rectangles(raster: LabelRaster, axes: np.ndarray, enclosed: Sequence[int]) 
         low, high = ends.min(axis=0) - raster.cell / 2, ends.max(axis=0) + raster.cell / 2
         # Along (-ny, nx): the second axis runs so for the first, the first the other way for the second.
         for offset in (low[0], high[0]):
-            yield (*axes[0], offset), [low[1] - LIMITS.overhang, high[1] + LIMITS.overhang]
+            yield (*axes[0], offset), [low[1] - OVERHANG, high[1] + OVERHANG]
         for offset in (low[1], high[1]):
-            yield (*axes[1], offset), [-high[0] - LIMITS.overhang, -low[0] + LIMITS.overhang]
+            yield (*axes[1], offset), [-high[0] - OVERHANG, -low[0] + OVERHANG]
 
 
 def _around(line: tuple, bounds: tuple, reach: float) -> list[float]:
@@ -146,7 +137,7 @@ class _Segments:
         middle = np.array(line[:2]) * line[2] + np.array([-line[1], line[0]]) * (along[0] + along[1]) / 2
         start, end = np.where(turned > 0, along[0], -along[1]), np.where(turned > 0, along[1], -along[0])
         on = np.abs(line[0] * rows[:, 1] - line[1] * rows[:, 0]) < PARALLEL
-        on &= np.abs(rows[:, :2] @ middle - rows[:, 2]) < LIMITS.merge
+        on &= np.abs(rows[:, :2] @ middle - rows[:, 2]) < MERGE
         if on.any():
             place = int(np.argmax(on))
             self.rows[place, 3:] = (min(rows[place, 3], start[place]), max(rows[place, 4], end[place]),

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import cv2
 import numpy as np
@@ -19,29 +18,21 @@ at again."""
 BETTER = 0.96
 """Level roofs are taken where their misfit is below this share of the planes'."""
 
-
-@dataclass(frozen=True)
-class LevelAlternativeLimits:
-    """Limits of level alternative, each with its unit."""
-
-    best_share: float = 0.95
-    # Points this far (m) from the model are not explained; side of the cells (m) that tell how broad their place
-    # is.
-    lost_step: float = 0.5
-    lost_cell: float = 0.5
-    below: float = 0.5
-    missed: float = 3.0
-
-
-LIMITS = LevelAlternativeLimits()
+BEST_SHARE = 0.95
+# Points this far (m) from the model are not explained; side of the cells (m) that tell how broad their place
+# is.
+LOST_STEP = 0.5
+LOST_CELL = 0.5
+BELOW = 0.5
+MISSED = 3.0
 
 
 def roof_misfit(polygons: Sequence[shapely.Polygon], points: np.ndarray) -> float:
     """Root mean square height difference of the best 95 % of points (n, 3) to the polygons with z over or under them,
     m; a difference counts as 3 m at most."""
     off = heights_over(polygons, points)
-    off = np.sort(np.minimum(np.abs(off[np.isfinite(off)]), LIMITS.missed))
-    best = off[:max(int(np.ceil(LIMITS.best_share * len(off))), 1)]
+    off = np.sort(np.minimum(np.abs(off[np.isfinite(off)]), MISSED))
+    best = off[:max(int(np.ceil(BEST_SHARE * len(off))), 1)]
     return float(np.sqrt(np.mean(best**2))) if len(best) else 0.0
 
 
@@ -74,7 +65,7 @@ def has_lost_plane(polygons: Sequence[shapely.Polygon], plane_of: Sequence[int],
     if not lost.any():
         return False
     off = np.abs(heights_over(polygons, points[lost]))
-    return broad_area(points[lost][off > LIMITS.lost_step], density) >= least_area
+    return broad_area(points[lost][off > LOST_STEP], density) >= least_area
 
 
 def broad_area(points: np.ndarray, density: float) -> float:
@@ -86,7 +77,7 @@ def broad_area(points: np.ndarray, density: float) -> float:
     """
     if not len(points):
         return 0.0
-    cell = max(LIMITS.lost_cell, 1.0 / np.sqrt(density))
+    cell = max(LOST_CELL, 1.0 / np.sqrt(density))
     grid = Grid.covering(*points[:, :2].min(axis=0), *points[:, :2].max(axis=0), cell)
     row, column, _ = grid.cells(points[:, 0], points[:, 1])
     hit = np.zeros((grid.rows + 2, grid.columns + 2), np.uint8)
@@ -96,12 +87,12 @@ def broad_area(points: np.ndarray, density: float) -> float:
 
 def high_points(points: np.ndarray, roof: np.ndarray) -> np.ndarray:
     """Points (m, 3) that are not below all roofs: those of roofs (not 0) and what stands on and between them."""
-    return points[points[:, 2] >= points[roof > 0, 2].min() - LIMITS.below]
+    return points[points[:, 2] >= points[roof > 0, 2].min() - BELOW]
 
 
 def level_roof_numbers(outline: shapely.Geometry, points: np.ndarray, roof: np.ndarray) -> np.ndarray:
     """Level roofs (n,) of points (n, 3), numbered after the planes in `roof` (n,); 0 where a point has none."""
     inside = max(np.count_nonzero(roof) / outline.area, 0.1)
-    ground = float(points[roof > 0, 2].min()) - LIMITS.below - 2.0
+    ground = float(points[roof > 0, 2].min()) - BELOW - 2.0
     found = segment_roofs(*points.T, outline, ground, inside).roof_of_point.astype(np.int64)
     return np.where(found > 0, found + int(roof.max()), 0)

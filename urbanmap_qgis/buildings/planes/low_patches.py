@@ -12,29 +12,21 @@ from scipy import ndimage
 
 from .label_raster import LabelRaster
 
-
-@dataclass(frozen=True)
-class LowPatchLimits:
-    """Limits of low patches, each with its unit."""
-
-    least_area: float = 0.25  # Area (m2) of a patch.
-    reach: float = 1.0  # Distance in plan (m) to which a low place goes on about what stands too high.
-    clearance: float = 0.4  # Height (m) over the highest point near from which a roof is too high.
-    below: float = 0.5  # Points so far (m) under the lowest roof point are no roof.
-    near: float = 0.5  # A point within this height (m) of a patch belongs to it.
-    # Height (m) over the roof, area (m2), width (m) and points from which a place is a high patch, and the scatter of
-    # its points' heights (m) up to which: a tree's is greater.
-    high: float = 0.4
-    # Rise over run from which a roof has such: on level ones stand machines.
-    high_slope: float = 0.1
-    high_area: float = 1.0
-    high_width: float = 0.5
-    high_points: int = 4
-    high_scatter: float = 0.2
-    lower_share: float = 0.3  # Share of a high patch's points, the lowest, that its height leaves out: of edges.
-
-
-LIMITS = LowPatchLimits()
+LEAST_AREA = 0.25  # Area (m2) of a patch.
+REACH = 1.0  # Distance in plan (m) to which a low place goes on about what stands too high.
+CLEARANCE = 0.4  # Height (m) over the highest point near from which a roof is too high.
+BELOW = 0.5  # Points so far (m) under the lowest roof point are no roof.
+NEAR = 0.5  # A point within this height (m) of a patch belongs to it.
+# Height (m) over the roof, area (m2), width (m) and points from which a place is a high patch, and the scatter of
+# its points' heights (m) up to which: a tree's is greater.
+HIGH = 0.4
+# Rise over run from which a roof has such: on level ones stand machines.
+HIGH_SLOPE = 0.1
+HIGH_AREA = 1.0
+HIGH_WIDTH = 0.5
+HIGH_POINTS = 4
+HIGH_SCATTER = 0.2
+LOWER_SHARE = 0.3  # Share of a high patch's points, the lowest, that its height leaves out: of edges.
 
 
 @dataclass(frozen=True)
@@ -95,18 +87,18 @@ def low_patches(raster: LabelRaster, planes: np.ndarray, points: np.ndarray, lab
     x, y = np.meshgrid(raster.x, raster.y)
     a, b, c = np.moveaxis(planes[shown], -1, 0)
     height = a * x + b * y + c
-    high = raster.inside & np.isfinite(raster.ceiling) & (height > raster.ceiling + LIMITS.clearance)
+    high = raster.inside & np.isfinite(raster.ceiling) & (height > raster.ceiling + CLEARANCE)
     if not high.any() or not (label >= 0).any():
         return None
     cells = _Cells.of(raster, points)
-    floor = points[label >= 0, 2].min() - LIMITS.below
+    floor = points[label >= 0, 2].min() - BELOW
     labels, of_point, level, taken_from = raster.label.copy(), label.copy(), [], []
     for place, patch in _places(raster, high, height, cells.top, count):
         if place < floor:
             continue
         number = len(planes) + len(level)
         labels[patch] = number
-        of_point[cells.members(patch) & (np.abs(points[:, 2] - place) < LIMITS.near)] = number
+        of_point[cells.members(patch) & (np.abs(points[:, 2] - place) < NEAR)] = number
         level.append((0.0, 0.0, place))
         taken_from.append(int(np.bincount(shown[patch]).argmax()))
     if not level:
@@ -121,23 +113,23 @@ def high_patches(raster: LabelRaster, planes: np.ndarray, points: np.ndarray, la
 
     Parameters as for `low_patches`.
     """
-    if not (np.hypot(*planes[:, :2].T) > LIMITS.high_slope).any():
+    if not (np.hypot(*planes[:, :2].T) > HIGH_SLOPE).any():
         return None
     shown = _shown(raster, polygons, chosen)
     x, y = np.meshgrid(raster.x, raster.y)
     a, b, c = np.moveaxis(planes[shown], -1, 0)
     cells = _Cells.of(raster, points)
-    high = (_filled(cells.top) > a * x + b * y + c + LIMITS.high) & (np.hypot(a, b) > LIMITS.high_slope)
+    high = (_filled(cells.top) > a * x + b * y + c + HIGH) & (np.hypot(a, b) > HIGH_SLOPE)
     part = _standing(raster, high, count)
     labels, of_point, level, taken_from = raster.label.copy(), label.copy(), [], []
     for number in range(1, int(part.max(initial=0)) + 1):
         patch = part == number
         members = cells.members(patch)
-        place = _level_of(points[members, 2]) if np.count_nonzero(patch) * raster.cell**2 >= LIMITS.high_area else None
+        place = _level_of(points[members, 2]) if np.count_nonzero(patch) * raster.cell**2 >= HIGH_AREA else None
         if place is None:
             continue
         below = int(np.bincount(shown[patch]).argmax())
-        members &= np.abs(points[:, 2] - place) < LIMITS.near
+        members &= np.abs(points[:, 2] - place) < NEAR
         if np.mean(label[members] == below) > 0.5:
             continue  # steps that one plane was fitted through
         labels[patch] = len(planes) + len(level)
@@ -152,7 +144,7 @@ def high_patches(raster: LabelRaster, planes: np.ndarray, points: np.ndarray, la
 
 def _standing(raster: LabelRaster, high: np.ndarray, count: int) -> np.ndarray:
     """Number (rows, columns) of each connected broad place of the cells `high`, 0 elsewhere and on patches."""
-    side = max(round(LIMITS.high_width / raster.cell), 1)
+    side = max(round(HIGH_WIDTH / raster.cell), 1)
     mask = raster.inside & (raster.label < count) & high
     broad = cv2.morphologyEx(mask.astype(np.uint8), cv2.MORPH_OPEN, np.ones((side, side), np.uint8))
     return ndimage.label(broad)[0]
@@ -162,9 +154,9 @@ def _level_of(z: np.ndarray) -> float | None:
     """Height (m) of a high patch by those (n,) of its points; None where they are few or of no one height."""
     if not len(z):
         return None
-    place = float(np.median(z[z >= np.quantile(z, LIMITS.lower_share)]))
-    near = z[np.abs(z - place) < LIMITS.near]
-    return place if len(near) >= LIMITS.high_points and np.std(near) <= LIMITS.high_scatter else None
+    place = float(np.median(z[z >= np.quantile(z, LOWER_SHARE)]))
+    near = z[np.abs(z - place) < NEAR]
+    return place if len(near) >= HIGH_POINTS and np.std(near) <= HIGH_SCATTER else None
 
 
 def _filled(top: np.ndarray) -> np.ndarray:
@@ -181,14 +173,14 @@ def _places(raster: LabelRaster, high: np.ndarray, height: np.ndarray, top: np.n
     has any. Cells of planes from `count` on are left out.
     """
     filled = _filled(top)
-    reach = max(round(LIMITS.reach / raster.cell), 1)
+    reach = max(round(REACH / raster.cell), 1)
     window = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * reach + 1, 2 * reach + 1))
     about = cv2.dilate(high.astype(np.uint8), window) > 0
-    part, _ = ndimage.label(about & raster.inside & (raster.label < count) & (filled < height - LIMITS.clearance))
+    part, _ = ndimage.label(about & raster.inside & (raster.label < count) & (filled < height - CLEARANCE))
     found = []
     for number in np.unique(part[high & (part > 0)]):
         patch = part == number
-        if np.count_nonzero(patch) * raster.cell**2 >= LIMITS.least_area:
+        if np.count_nonzero(patch) * raster.cell**2 >= LEAST_AREA:
             of_patch = patch & np.isfinite(top)
             found.append((float(np.median(filled[of_patch if of_patch.any() else patch])), patch))
     return found

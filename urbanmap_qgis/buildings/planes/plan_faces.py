@@ -19,21 +19,13 @@ from .label_raster import LabelRaster
 SMOOTHNESS = 0.13
 """Cubic metres of misfit that a metre of border between two planes is worth."""
 
-
-@dataclass(frozen=True)
-class PlanFacesLimits:
-    """Limits of plan faces, each with its unit."""
-
-    level_favour: float = 0.5  # A border where two planes meet at equal height costs this share of one with a step.
-    full_step: float = 0.3  # Step (m) from which a border costs all.
-    cap: float = 2.0  # Heights farther off (m) cost no more: what lies there is not this roof.
-    unseen_weight: float = 0.3  # Weight of a cell without points, which tells the plane of its nearest neighbour.
-    clearance: float = 0.3  # A roof more than this (m) above the highest point near it is not seen.
-    excess_weight: float = 2.0  # Cost (m3) of a square metre of roof that stands a metre too high.
-    far: float = 6.0  # Metres from the places where a plane is seen up to which it may go on.
-
-
-LIMITS = PlanFacesLimits()
+LEVEL_FAVOUR = 0.5  # A border where two planes meet at equal height costs this share of one with a step.
+FULL_STEP = 0.3  # Step (m) from which a border costs all.
+CAP = 2.0  # Heights farther off (m) cost no more: what lies there is not this roof.
+UNSEEN_WEIGHT = 0.3  # Weight of a cell without points, which tells the plane of its nearest neighbour.
+CLEARANCE = 0.3  # A roof more than this (m) above the highest point near it is not seen.
+EXCESS_WEIGHT = 2.0  # Cost (m3) of a square metre of roof that stands a metre too high.
+FAR = 6.0  # Metres from the places where a plane is seen up to which it may go on.
 
 MOST_FACES = 40_000
 """Faces above which a plan is not divided: planes of noise or of trees, and no limit that a real roof meets."""
@@ -96,7 +88,7 @@ class _PlaneBorders:
         between = self.planes[one] - self.planes[two]
         ends = self.ends[rows]
         step = np.abs(ends[..., 0] * between[:, :1] + ends[..., 1] * between[:, 1:2] + between[:, 2:]).mean(axis=1)
-        return np.where(one == two, 0.0, self.most[rows] * np.clip(step / LIMITS.full_step, LIMITS.level_favour, 1.0))
+        return np.where(one == two, 0.0, self.most[rows] * np.clip(step / FULL_STEP, LEVEL_FAVOUR, 1.0))
 
 
 def label_faces(faces: PlanFaces, raster: LabelRaster, planes: np.ndarray, points: np.ndarray,
@@ -128,18 +120,18 @@ def _data_costs(faces: PlanFaces, raster: LabelRaster, planes: np.ndarray, point
 
     def of_points(place: np.ndarray, plane: np.ndarray) -> np.ndarray:
         return np.minimum(np.abs(labelled[place, 2] - _heights(planes, plane, labelled[place])),
-                          LIMITS.cap) * weight[place]
+                          CAP) * weight[place]
 
     row, column = np.nonzero(raster.inside)
     xy = np.column_stack([raster.x[column], raster.y[row]])
     shown = _heights(planes, raster.label[row, column], xy)
-    unseen = np.where(raster.seen[row, column], 0.0, LIMITS.unseen_weight)
+    unseen = np.where(raster.seen[row, column], 0.0, UNSEEN_WEIGHT)
     low, high = seen_heights(planes, points, label, raster.cell)
 
     def of_cells(place: np.ndarray, plane: np.ndarray) -> np.ndarray:
         height = _heights(planes, plane, xy[place])
-        cost = np.minimum(np.abs(height - shown[place]), LIMITS.cap) * unseen[place]
-        return cost + LIMITS.excess_weight * np.clip(np.maximum(height - high[plane], low[plane] - height), 0.0, 3.0)
+        cost = np.minimum(np.abs(height - shown[place]), CAP) * unseen[place]
+        return cost + EXCESS_WEIGHT * np.clip(np.maximum(height - high[plane], low[plane] - height), 0.0, 3.0)
 
     tree = shapely.STRtree(faces.polygons)
     _add_sums(data, near, tree, labelled[:, :2], of_points, 1.0)
@@ -148,7 +140,7 @@ def _data_costs(faces: PlanFaces, raster: LabelRaster, planes: np.ndarray, point
 
 
 def _near_planes(faces: PlanFaces, raster: LabelRaster, count: int) -> np.ndarray:
-    """Mask (n, count) of the planes that cells show within `LIMITS.far` of each face's box; all where none is."""
+    """Mask (n, count) of the planes that cells show within `FAR` of each face's box; all where none is."""
     row, column = np.nonzero(raster.inside)
     label = raster.label[row, column]
     low, high = np.full((count, 2), np.inf), np.full((count, 2), -np.inf)
@@ -158,8 +150,8 @@ def _near_planes(faces: PlanFaces, raster: LabelRaster, count: int) -> np.ndarra
     bounds = shapely.bounds(faces.polygons)
     near = np.ones((len(bounds), count), bool)
     for axis in range(2):
-        near &= bounds[:, axis, None] <= high[:, axis] + LIMITS.far
-        near &= bounds[:, axis + 2, None] >= low[:, axis] - LIMITS.far
+        near &= bounds[:, axis, None] <= high[:, axis] + FAR
+        near &= bounds[:, axis + 2, None] >= low[:, axis] - FAR
     near[~near.any(axis=1)] = True
     return near
 
@@ -172,13 +164,13 @@ def _heights(planes: np.ndarray, plane: np.ndarray, xy: np.ndarray) -> np.ndarra
 
 def seen_heights(planes: np.ndarray, points: np.ndarray, label: np.ndarray,
                  spacing: float) -> tuple[np.ndarray, np.ndarray]:
-    """Lowest and highest height (k,) at which each plane is seen, with what `LIMITS.clearance` and the `spacing` of
+    """Lowest and highest height (k,) at which each plane is seen, with what `CLEARANCE` and the `spacing` of
     points leave open: no plane is drawn on to where it was not seen. One without points is free."""
     labelled = label >= 0
     low, high = np.full(len(planes), np.inf), np.full(len(planes), -np.inf)
     np.minimum.at(low, label[labelled], points[labelled, 2])
     np.maximum.at(high, label[labelled], points[labelled, 2])
-    reach = LIMITS.clearance + spacing * np.hypot(planes[:, 0], planes[:, 1])
+    reach = CLEARANCE + spacing * np.hypot(planes[:, 0], planes[:, 1])
     return (np.where(np.isfinite(low), low - reach, -np.inf), np.where(np.isfinite(high), high + reach, np.inf))
 
 

@@ -2,26 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 import shapely
 
 from ...geometry.tolerances import UNITS
 from ..solids.half_edges import HalfEdges, half_edges, trace_rings
 
-
-@dataclass(frozen=True)
-class PlanNodesLimits:
-    """Limits of plan nodes, each with its unit."""
-
-    shortest_edge: float = 0.03  # Nodes nearer to each other than this (m) along an edge are one.
-    meeting: float = 0.06  # Planes whose heights at a node differ by less than this (m) are to meet there.
-    hold: float = 1e-3
-    outline: float = 0.05  # Weights of a node's own place and of the outline beside those of the planes.
-
-
-LIMITS = PlanNodesLimits()
+SHORTEST_EDGE = 0.03  # Nodes nearer to each other than this (m) along an edge are one.
+MEETING = 0.06  # Planes whose heights at a node differ by less than this (m) are to meet there.
+HOLD = 1e-3
+OUTLINE = 0.05  # Weights of a node's own place and of the outline beside those of the planes.
 
 FARTHEST = 0.25
 """A node is moved no farther than this, m."""
@@ -82,7 +72,7 @@ def _collapsed(edges: HalfEdges) -> HalfEdges | None:
         return node
 
     for a, b in sorted(edges.cell):
-        if edges.length(a, b) < LIMITS.shortest_edge:
+        if edges.length(a, b) < SHORTEST_EDGE:
             one, two = sorted((root(a), root(b)))
             parent[two] = one
     if all(parent[node] == node for node in range(len(parent))):
@@ -125,9 +115,9 @@ def _move_nodes(edges: HalfEdges, planes: np.ndarray) -> None:
             continue
         for other in outline.get(node, ()):
             away = np.array([edges.x[other], edges.y[other]]) / UNITS - position
-            rows.append(np.array([-away[1], away[0]]) / np.hypot(*away) * LIMITS.outline)
+            rows.append(np.array([-away[1], away[0]]) / np.hypot(*away) * OUTLINE)
             right.append(0.0)
-        rows += [np.array([LIMITS.hold, 0.0]), np.array([0.0, LIMITS.hold])]
+        rows += [np.array([HOLD, 0.0]), np.array([0.0, HOLD])]
         right += [0.0, 0.0]
         shift = np.linalg.lstsq(np.array(rows), np.array(right), rcond=None)[0]
         if np.hypot(*shift) <= FARTHEST:
@@ -142,7 +132,7 @@ def _meeting_equations(planes: np.ndarray, position: np.ndarray) -> tuple[list[n
     order = np.argsort(height, kind="stable")
     rows, right = [], []
     for low, high in zip(order, order[1:]):
-        if height[high] - height[low] >= LIMITS.meeting:
+        if height[high] - height[low] >= MEETING:
             continue
         slope = planes[high, :2] - planes[low, :2]
         steep = float(np.hypot(*slope))

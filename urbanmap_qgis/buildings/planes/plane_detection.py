@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -12,18 +11,10 @@ from .plane_merging import merge_planes
 from .plane_moments import moments, solve
 from .region_growing import grow_planes, surroundings
 
-
-@dataclass(frozen=True)
-class PlaneDetectionLimits:
-    """Limits of plane detection, each with its unit."""
-
-    fewest: int = 4  # Points of the smallest plane, however thin the cloud.
-    # Points/m2 below which the tolerance grows with the distance between points, and how far it grows.
-    dense: float = 8.0
-    thin_factor: float = 2.0
-
-
-LIMITS = PlaneDetectionLimits()
+FEWEST = 4  # Points of the smallest plane, however thin the cloud.
+# Points/m2 below which the tolerance grows with the distance between points, and how far it grows.
+DENSE = 8.0
+THIN_FACTOR = 2.0
 
 
 def detect_planes(points: np.ndarray, density: float, parameters: PlaneParameters) -> np.ndarray:
@@ -34,11 +25,11 @@ def detect_planes(points: np.ndarray, density: float, parameters: PlaneParameter
     points : those that stand above the ground, m, on a local origin.
     density : points/m2 on roofs.
     """
-    if len(points) < LIMITS.fewest:
+    if len(points) < FEWEST:
         return np.full(len(points), -1)
     around = surroundings(points, density)
-    fewest = max(LIMITS.fewest, round(parameters.least_area * density))
-    tolerance = parameters.tolerance * min(max(math.sqrt(LIMITS.dense / density), 1.0), LIMITS.thin_factor)
+    fewest = max(FEWEST, round(parameters.least_area * density))
+    tolerance = parameters.tolerance * min(max(math.sqrt(DENSE / density), 1.0), THIN_FACTOR)
     label = grow_planes(points, around, tolerance, fewest)
     label = merge_planes(points, around.neighbours, label, parameters.merge_tolerance)
     return _without_small(label, fewest)

@@ -17,19 +17,11 @@ from .plan_nodes import meeting_polygons
 from .plane_moments import moments
 from .plane_regularisation import regular_planes
 
-
-@dataclass(frozen=True)
-class PlanePartitionLimits:
-    """Limits of plane partition, each with its unit."""
-
-    # Times that patches are looked for, and faces of a plan above which none are: it would be divided anew.
-    patch_rounds: int = 3
-    patch_faces: int = 10_000
-    # Points of one building that lines are placed and planes are chosen by; of more a regular choice is taken.
-    most_points: int = 100_000
-
-
-LIMITS = PlanePartitionLimits()
+# Times that patches are looked for, and faces of a plan above which none are: it would be divided anew.
+PATCH_ROUNDS = 3
+PATCH_FACES = 10_000
+# Points of one building that lines are placed and planes are chosen by; of more a regular choice is taken.
+MOST_POINTS = 100_000
 
 OK, ONE_PLANE = "ok", "one plane"
 
@@ -78,7 +70,7 @@ def partition_planes(outline: shapely.Geometry, points: np.ndarray, roof: np.nda
         planes = regular_planes(moments(points, of_point, len(numbers)))
     density = max(np.count_nonzero(of_point >= 0) / local.area, 0.3)
     raster = label_raster(points, of_point, local, density)
-    step = -(-len(points) // LIMITS.most_points)
+    step = -(-len(points) // MOST_POINTS)
     polygons, labels, planes, number = _divided(local, raster, planes, points[::step], of_point[::step])
     shift = np.array([*origin, 0.0])
     moved = tuple(shapely.set_coordinates(polygon, shapely.get_coordinates(polygon, include_z=True) + shift)
@@ -93,7 +85,7 @@ def _divided(outline: shapely.Geometry, raster: LabelRaster, planes: np.ndarray,
     faces, chosen = _labelled(outline, raster, planes, points, label)
     count = len(planes)
     number = np.arange(count)
-    for _ in range(LIMITS.patch_rounds):
+    for _ in range(PATCH_ROUNDS):
         found = _patches(raster, planes, points, label, faces.polygons, chosen, count)
         if found is None:
             break
@@ -106,7 +98,7 @@ def _divided(outline: shapely.Geometry, raster: LabelRaster, planes: np.ndarray,
 def _patches(raster: LabelRaster, planes: np.ndarray, points: np.ndarray, label: np.ndarray, polygons: np.ndarray,
              chosen: np.ndarray, count: int) -> LowPatches | None:
     """Low patches of a divided plan, high ones where there are no low ones, None in plans of many faces."""
-    if len(polygons) > LIMITS.patch_faces:
+    if len(polygons) > PATCH_FACES:
         return None
     given = (raster, planes, points, label, polygons, chosen, count)
     found = low_patches(*given)

@@ -13,18 +13,10 @@ from .plane_moments import azimuth_degrees, slope_degrees
 
 OK, FEW_POINTS, NO_POINTS, NO_PLANES = "ok", "few points", "no roof points", "no planes"
 
-
-@dataclass(frozen=True)
-class PlaneSegmentationLimits:
-    """Limits of plane segmentation, each with its unit."""
-
-    # A building of whose points a smaller share lies on planes has no planes worth the name.
-    least_explained: float = 0.35
-    fewest_points: int = 3
-    most_points: int = 30_000  # Points of one building that planes are grown on; of more a regular choice is taken.
-
-
-LIMITS = PlaneSegmentationLimits()
+# A building of whose points a smaller share lies on planes has no planes worth the name.
+LEAST_EXPLAINED = 0.35
+FEWEST_POINTS = 3
+MOST_POINTS = 30_000  # Points of one building that planes are grown on; of more a regular choice is taken.
 
 
 @dataclass(frozen=True)
@@ -67,14 +59,14 @@ def segment_planes(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely
     """
     roof = np.zeros(len(z), np.int32)
     high = np.flatnonzero(z >= ground + min_height)
-    if len(high) < LIMITS.fewest_points:
+    if len(high) < FEWEST_POINTS:
         return PlaneSegmentation(roof, (), NO_POINTS)
     corner = np.floor([x[high].min(), y[high].min(), 0.0])
     points = np.column_stack([x[high], y[high], z[high]]) - corner
-    step = -(-len(points) // LIMITS.most_points)
+    step = -(-len(points) // MOST_POINTS)
     chosen = np.arange(0, len(points), step)
     label = detect_planes(points[chosen], density / step, parameters)
-    if (label >= 0).mean() < LIMITS.least_explained:
+    if (label >= 0).mean() < LEAST_EXPLAINED:
         return PlaneSegmentation(roof, (), NO_PLANES)
     if step > 1:
         label = _spread(points, points[chosen], label, parameters.tolerance)

@@ -11,22 +11,14 @@ from scipy.spatial import cKDTree
 from ...execution import checkpoint
 from .plane_moments import moments_of, plane_distances, solve
 
-
-@dataclass(frozen=True)
-class RegionGrowingLimits:
-    """Limits of region growing, each with its unit."""
-
-    radius: float = 0.8  # Wanted radius of the neighbourhood a normal is fitted to, m.
-    neighbours: tuple[float, ...] = (5, 12)  # Fewest and most neighbours of it; the density decides between them.
-    steepest: float = math.tan(math.radians(72.5))  # Steeper places are walls.
-    # Cosine of the largest angle between the normal of a point and its plane.
-    max_angle: float = math.cos(math.radians(30.0))
-    promising: int = 6  # A seed with fewer points on its plane among its neighbours' neighbours is not grown.
-    rounds: int = 6
-    seed_tries: int = 150
-
-
-LIMITS = RegionGrowingLimits()
+RADIUS = 0.8  # Wanted radius of the neighbourhood a normal is fitted to, m.
+NEIGHBOURS = (5, 12)  # Fewest and most neighbours of it; the density decides between them.
+STEEPEST = math.tan(math.radians(72.5))  # Steeper places are walls.
+# Cosine of the largest angle between the normal of a point and its plane.
+MAX_ANGLE = math.cos(math.radians(30.0))
+PROMISING = 6  # A seed with fewer points on its plane among its neighbours' neighbours is not grown.
+ROUNDS = 6
+SEED_TRIES = 150
 
 
 @dataclass(frozen=True)
@@ -41,8 +33,8 @@ class Surroundings:
 
 def surroundings(points: np.ndarray, density: float) -> Surroundings:
     """Neighbours and normals of points (n, 3), local coordinates in m, at `density` points/m2."""
-    wanted = round(math.pi * LIMITS.radius**2 * density)
-    k = min(min(max(wanted, LIMITS.neighbours[0]), LIMITS.neighbours[1]) + 1, len(points))
+    wanted = round(math.pi * RADIUS**2 * density)
+    k = min(min(max(wanted, NEIGHBOURS[0]), NEIGHBOURS[1]) + 1, len(points))
     near = cKDTree(points).query(points, k)[1].reshape(len(points), k)
     away = points[near] - points[:, None, :]
     x, y, z = away[..., 0], away[..., 1], away[..., 2]
@@ -76,7 +68,7 @@ def grow_planes(points: np.ndarray, around: Surroundings, tolerance: float, fewe
     fewest : points of the smallest plane.
     """
     label = np.full(len(points), -1)
-    free = np.hypot(*around.slope.T) < LIMITS.steepest
+    free = np.hypot(*around.slope.T) < STEEPEST
     normals = _normals(around.slope)
     tried = np.zeros(len(points), bool)
     number = failures = 0
@@ -88,7 +80,7 @@ def grow_planes(points: np.ndarray, around: Surroundings, tolerance: float, fewe
         if len(members) < fewest:
             tried[members] = tried[seed] = True
             failures += 1
-            if failures > LIMITS.seed_tries:
+            if failures > SEED_TRIES:
                 break
             continue
         label[members] = number
@@ -104,14 +96,14 @@ def _grown(points: np.ndarray, around: Surroundings, normals: np.ndarray, free: 
     plane[2] = points[seed, 2] - plane[:2] @ points[seed, :2]
     near = np.unique(around.neighbours[around.neighbours[seed]])
     near = near[free[near] & (np.abs(plane_distances(plane, points[near])) < tolerance)]
-    if np.count_nonzero(normals[near] @ normals[seed] > LIMITS.max_angle) < min(fewest, LIMITS.promising):
+    if np.count_nonzero(normals[near] @ normals[seed] > MAX_ANGLE) < min(fewest, PROMISING):
         return near[:0]
     members = np.intersect1d(near, around.neighbours[seed])
-    for _ in range(LIMITS.rounds):
+    for _ in range(ROUNDS):
         if len(members) >= 3:
             plane = solve(moments_of(points[members]))[0]
         fits = free & (np.abs(plane_distances(plane, points)) < tolerance)
-        fits &= normals @ _normals(plane[None, :2])[0] > LIMITS.max_angle
+        fits &= normals @ _normals(plane[None, :2])[0] > MAX_ANGLE
         if not fits[seed]:
             return members[:0]
         before, members = members, connected(around.neighbours, fits, seed)

@@ -15,22 +15,14 @@ from .height_histogram import HeightPeaks, height_peaks, minimum_points
 from .region_merging import RegionGraph
 from .roof_surface import RoofSurface
 
-
-@dataclass(frozen=True)
-class RoofLevelsLimits:
-    """Limits of roof levels, each with its unit."""
-
-    piece_thickness: float = 0.5  # Height range of the level pieces that roofs are put together from, m.
-    refinements: int = 5  # Rounds of moving the boundaries between roofs; each moves them by one cell at most.
-    # Standard deviation (m) of cell heights up to which a region is a flat roof; level pieces of slopes have
-    # 0.15.
-    flat_spread: float = 0.1
-    # Share of a roof inside the outline below which it is a neighbour's, unless it continues a roof inside.
-    min_inside: float = 0.25
-    strip_elongation: float = 8.0  # Regions this many times as long as wide are strips.
-
-
-LIMITS = RoofLevelsLimits()
+PIECE_THICKNESS = 0.5  # Height range of the level pieces that roofs are put together from, m.
+REFINEMENTS = 5  # Rounds of moving the boundaries between roofs; each moves them by one cell at most.
+# Standard deviation (m) of cell heights up to which a region is a flat roof; level pieces of slopes have
+# 0.15.
+FLAT_SPREAD = 0.1
+# Share of a roof inside the outline below which it is a neighbour's, unless it continues a roof inside.
+MIN_INSIDE = 0.25
+STRIP_ELONGATION = 8.0  # Regions this many times as long as wide are strips.
 
 SMOOTHNESS = 0.15
 """What one neighbouring cell of another roof weighs beside squared height errors, in distinct_step squared.
@@ -106,7 +98,7 @@ def _pieces(height: np.ndarray, covered: np.ndarray, peaks: HeightPeaks,
     if parameters.height_rmse:
         # The cuts lie where they meet the fewest cells: a flat roof must not fall apart along a cut.
         steps = 5
-        fine = np.floor((inner - inner.min()) * (steps / LIMITS.piece_thickness)).astype(np.int64)
+        fine = np.floor((inner - inner.min()) * (steps / PIECE_THICKNESS)).astype(np.int64)
         phase = np.bincount(fine % steps, minlength=steps)
         shift = int(np.argmin(phase + np.roll(phase, 1)))
         level = (fine - shift) // steps + 1
@@ -131,7 +123,7 @@ def _refine(labels: np.ndarray, height: np.ndarray, parameters: RoofParameters) 
     weight = SMOOTHNESS * parameters.distinct_step**2
     columns = labels.shape[1]
     offsets = np.array([i * (columns + 2) + j for i in (-1, 0, 1) for j in (-1, 0, 1) if i or j])
-    for _ in range(LIMITS.refinements):
+    for _ in range(REFINEMENTS):
         n = np.bincount(labels.ravel())
         mean = np.bincount(labels.ravel(), height.ravel()) / np.maximum(n, 1)
         row, column = np.nonzero(_at_boundaries(labels))  # no other cell has a choice
@@ -175,7 +167,7 @@ def _without_slivers(labels: np.ndarray, height: np.ndarray, smallest: float, ce
     strip = (width < MAX_PARAPET_WIDTH) | (_strip_widths(labels, graph.size) * cell < MAX_PARAPET_WIDTH)
     raised = {r for r in graph.regions() if strip[r] and _is_parapet(graph, r, parameters)}
     narrow = raised | {r for r in graph.regions() if width[r] < parameters.min_roof_width}
-    parapets = {r for r in raised if _is_parapet(graph, r, parameters, LIMITS.flat_spread)}
+    parapets = {r for r in raised if _is_parapet(graph, r, parameters, FLAT_SPREAD)}
     graph.absorb_small(smallest, parameters.distinct_step, narrow, parapets)
     return graph.lookup()[labels], np.isin(labels, list(parapets))
 
@@ -218,7 +210,7 @@ def _strip_widths(labels: np.ndarray, size: int) -> np.ndarray:
     area = np.bincount(labels.ravel(), minlength=size)
     width = 2 * area / np.maximum(perimeter, 1)
     length = perimeter / 2
-    return np.where(length >= LIMITS.strip_elongation * width, width, np.inf)
+    return np.where(length >= STRIP_ELONGATION * width, width, np.inf)
 
 
 def _of_this_building(labels: np.ndarray, height: np.ndarray, inside: np.ndarray, smallest: float,
@@ -230,7 +222,7 @@ def _of_this_building(labels: np.ndarray, height: np.ndarray, inside: np.ndarray
     graph = RegionGraph(labels, height)
     inner = np.bincount(labels[inside], minlength=graph.size)
     members = {r for r in graph.regions()
-                   if inner[r] >= smallest / 2 and inner[r] >= LIMITS.min_inside * graph.area[r]}
+                   if inner[r] >= smallest / 2 and inner[r] >= MIN_INSIDE * graph.area[r]}
     if not members:
         members = {max(graph.regions(), key=lambda r: (inner[r], graph.area[r], -r))}
     front = list(members)

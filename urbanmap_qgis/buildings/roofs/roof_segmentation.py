@@ -22,19 +22,11 @@ OK, FEW_POINTS, NO_POINTS = "ok", "few points", "no roof points"
 MIN_POINTS = 3
 """A building with fewer usable points gets no roof."""
 
-
-@dataclass(frozen=True)
-class RoofSegmentationLimits:
-    """Limits of roof segmentation, each with its unit."""
-
-    points_to_divide: int = 12  # A building with fewer usable points gets one flat roof.
-    # Distance above or below the cells of a roof at which a point still belongs to it, m.
-    height_tolerance: float = 0.3
-    parapet_slice: float = 0.3  # Height range of the hits on the top of a parapet, m.
-    nowhere: float = -1e9  # Height of what is no roof, m.
-
-
-LIMITS = RoofSegmentationLimits()
+POINTS_TO_DIVIDE = 12  # A building with fewer usable points gets one flat roof.
+# Distance above or below the cells of a roof at which a point still belongs to it, m.
+HEIGHT_TOLERANCE = 0.3
+PARAPET_SLICE = 0.3  # Height range of the hits on the top of a parapet, m.
+NOWHERE = -1e9  # Height of what is no roof, m.
 
 PARAPET_SHARE = 0.15
 """Hits in that range for each cell of the roof's border strip that make a parapet."""
@@ -121,7 +113,7 @@ def segment_roofs(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely.
     surface = roof_surface(x[usable], y[usable], z[usable], outline, density, returns)
     if len(usable) < MIN_POINTS:
         return RoofSegmentation(np.zeros(len(z), np.int32), NO_ROOFS, NO_POINTS)
-    if len(usable) < LIMITS.points_to_divide:
+    if len(usable) < POINTS_TO_DIVIDE:
         return _one_roof(z, usable, surface)
     plan = roof_levels(surface, z[usable], density, outline.area, parameters)
     of_point = roofs_of_points(plan, surface, z[usable], parameters)
@@ -159,7 +151,7 @@ def roofs_of_points(plan: RoofLevels, surface: RoofSurface, z: np.ndarray,
     padded = np.pad(plan.labels, 1).ravel()
     at = (cell[rest] // columns + 1) * (columns + 2) + cell[rest] % columns + 1
     nearest = np.full(len(rest), np.inf)
-    middle = np.where(low <= high, (low + high) / 2, LIMITS.nowhere)
+    middle = np.where(low <= high, (low + high) / 2, NOWHERE)
     for shift in (-columns - 3, -columns - 2, -columns - 1, -1, 1, columns + 1, columns + 2, columns + 3):
         beside = padded[at + shift]
         distance = np.abs(z[rest] - middle[beside])
@@ -190,12 +182,12 @@ def _parapet_tops(roof: np.ndarray, above: np.ndarray, border_cells: np.ndarray)
     roof, above = roof[order], above[order]
     # Roofs one after the other on one axis, so far apart that no slice reaches into the next.
     axis = roof * 1e3 + above
-    count = np.searchsorted(axis, axis + LIMITS.parapet_slice, side="right") - np.arange(len(axis))
+    count = np.searchsorted(axis, axis + PARAPET_SLICE, side="right") - np.arange(len(axis))
     level = count >= np.maximum(PARAPET_SHARE * border_cells[roof], MIN_POINTS)
     best = np.lexsort((count, roof))
     best = best[level[best]]
     top = np.zeros(len(border_cells))
-    top[roof[best]] = above[best] + LIMITS.parapet_slice
+    top[roof[best]] = above[best] + PARAPET_SLICE
     return top
 
 
@@ -206,11 +198,11 @@ def _height_ranges(plan: RoofLevels) -> tuple[np.ndarray, np.ndarray]:
     k = int(plan.labels.max(initial=0))
     distance = np.abs(height - _group_medians(label, height, k)[label])
     # Walls and clutter among the cells must not widen the range: nothing beyond three standard deviations counts.
-    limit = np.maximum(3 * SIGMA_OF_MAD * _group_medians(label, distance, k), LIMITS.height_tolerance)
+    limit = np.maximum(3 * SIGMA_OF_MAD * _group_medians(label, distance, k), HEIGHT_TOLERANCE)
     typical = distance <= limit[label]
-    low, high = np.full(k + 1, -LIMITS.nowhere), np.full(k + 1, LIMITS.nowhere)
-    np.minimum.at(low, label[typical], height[typical] - LIMITS.height_tolerance)
-    np.maximum.at(high, label[typical], height[typical] + LIMITS.height_tolerance)
+    low, high = np.full(k + 1, -NOWHERE), np.full(k + 1, NOWHERE)
+    np.minimum.at(low, label[typical], height[typical] - HEIGHT_TOLERANCE)
+    np.maximum.at(high, label[typical], height[typical] + HEIGHT_TOLERANCE)
     return low, high
 
 
@@ -227,9 +219,9 @@ def _group_medians(label: np.ndarray, value: np.ndarray, k: int) -> np.ndarray:
 
 def _drops_beside(labels: np.ndarray, middle: np.ndarray, step: float, reach: int) -> np.ndarray:
     """Cells of a roof with no roof or a roof lower by `step` m at most `reach` cells away."""
-    height = np.where(labels > 0, middle[labels], LIMITS.nowhere)
+    height = np.where(labels > 0, middle[labels], NOWHERE)
     window = np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)
-    lowest = cv2.erode(height, window, borderType=cv2.BORDER_CONSTANT, borderValue=LIMITS.nowhere)
+    lowest = cv2.erode(height, window, borderType=cv2.BORDER_CONSTANT, borderValue=NOWHERE)
     return (labels > 0) & (lowest <= height - step)
 
 
@@ -270,7 +262,7 @@ def _one_roof(z: np.ndarray, usable: np.ndarray, surface: RoofSurface) -> RoofSe
     inner = surface.inside.ravel()[surface.cell_of_point]
     if inner.sum() < MIN_POINTS:
         inner = np.ones(len(usable), dtype=bool)
-    near = np.abs(z[usable] - np.median(z[usable][inner])) <= 2 * LIMITS.height_tolerance
+    near = np.abs(z[usable] - np.median(z[usable][inner])) <= 2 * HEIGHT_TOLERANCE
     if not near.any():
         near = inner
     return _numbered(z, usable, surface, near.astype(np.int64), np.ones(surface.grid.shape, np.int64), FEW_POINTS)

@@ -13,26 +13,18 @@ from ...geometry.grid import Grid
 from ...geometry.tolerances import ROUNDING
 from ...io.points.point_buckets import stable_order
 
-
-@dataclass(frozen=True)
-class RoofSurfaceLimits:
-    """Limits of roof surface, each with its unit."""
-
-    # Cells are made this full on average: the finest at which neighbouring points still lie in neighbouring
-    # cells.
-    points_per_cell: float = 1.0
-    # Limits of the cell size, m.
-    min_cell: float = 0.4
-    max_cell: float = 2.0
-    # The largest raster of a building; a larger building (or a stray point) gets larger cells.
-    max_cells: int = 250_000
-    # Roughness in m and share of multiple returns that are both exceeded in trees (measured on AHN3 in Delft: by
-    # four in five cells of trees, by one in fifty of roofs).
-    tree_roughness: float = 0.3
-    tree_multi_return: float = 0.5
-
-
-LIMITS = RoofSurfaceLimits()
+# Cells are made this full on average: the finest at which neighbouring points still lie in neighbouring
+# cells.
+POINTS_PER_CELL = 1.0
+# Limits of the cell size, m.
+MIN_CELL = 0.4
+MAX_CELL = 2.0
+# The largest raster of a building; a larger building (or a stray point) gets larger cells.
+MAX_CELLS = 250_000
+# Roughness in m and share of multiple returns that are both exceeded in trees (measured on AHN3 in Delft: by
+# four in five cells of trees, by one in fifty of roofs).
+TREE_ROUGHNESS = 0.3
+TREE_MULTI_RETURN = 0.5
 
 NEIGHBOURHOOD = np.ones((3, 3), np.uint8)
 
@@ -70,13 +62,13 @@ class RoofSurface:
         """
         if self.multi_return is None:
             return self.roughness > max_roughness
-        return (self.roughness > LIMITS.tree_roughness) & (self.multi_return > LIMITS.tree_multi_return)
+        return (self.roughness > TREE_ROUGHNESS) & (self.multi_return > TREE_MULTI_RETURN)
 
 
 def roof_cell_size(density: float, width: float, depth: float) -> float:
     """Cell size in m, a multiple of 0.1, for `density` points/m2 and a building of width x depth m."""
-    size = min(max(math.sqrt(LIMITS.points_per_cell / density), LIMITS.min_cell), LIMITS.max_cell)
-    return math.ceil(10 * max(size, math.sqrt(width * depth / LIMITS.max_cells)) - ROUNDING) / 10
+    size = min(max(math.sqrt(POINTS_PER_CELL / density), MIN_CELL), MAX_CELL)
+    return math.ceil(10 * max(size, math.sqrt(width * depth / MAX_CELLS)) - ROUNDING) / 10
 
 
 def roof_surface(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely.Geometry,

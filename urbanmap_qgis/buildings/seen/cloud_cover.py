@@ -14,22 +14,14 @@ from scipy.ndimage import distance_transform_edt
 
 from ...geometry.grid import Grid
 
-
-@dataclass(frozen=True)
-class CloudCoverLimits:
-    """Limits of cloud cover, each with its unit."""
-
-    points_per_cell: float = 8.0  # Pulses a cell on average.
-    least_cell: float = 1.0  # Least side (m) of a cell.
-    reach: float = 20.0  # Distance (m) beyond an outline within which the density is told.
-    least_cells: int = 12  # Cells with points from which a density is told; from fewer that of all round is taken.
-    # Width (m) of a gap in the cloud up to which it is not the cloud's edge: streets of clouds of buildings alone,
-    # a shadow, a canal.
-    gap: float = 40.0
-    trimmed: float = 0.25  # Share of the fullest and of the emptiest cells that a density leaves out.
-
-
-LIMITS = CloudCoverLimits()
+POINTS_PER_CELL = 8.0  # Pulses a cell on average.
+LEAST_CELL = 1.0  # Least side (m) of a cell.
+REACH = 20.0  # Distance (m) beyond an outline within which the density is told.
+LEAST_CELLS = 12  # Cells with points from which a density is told; from fewer that of all round is taken.
+# Width (m) of a gap in the cloud up to which it is not the cloud's edge: streets of clouds of buildings alone,
+# a shadow, a canal.
+GAP = 40.0
+TRIMMED = 0.25  # Share of the fullest and of the emptiest cells that a density leaves out.
 
 
 @dataclass(frozen=True)
@@ -38,7 +30,7 @@ class CloudCover:
 
     Attributes
     ----------
-    density : (n,) pulses a m2 within `LIMITS.reach` of the outline, its own points left out; NaN where there are none.
+    density : (n,) pulses a m2 within `REACH` of the outline, its own points left out; NaN where there are none.
     beyond : (n,) share of the outline that lies beyond the cloud's edge; NaN where it is not known.
     """
 
@@ -78,8 +70,8 @@ def cloud_cover(x: np.ndarray, y: np.ndarray, last: np.ndarray, outlines: np.nda
     known = np.flatnonzero(~shapely.is_missing(outlines))
     if not len(x) or not len(known):
         return found
-    cell = max(math.sqrt(LIMITS.points_per_cell / density), LIMITS.least_cell)
-    margin = LIMITS.reach + LIMITS.gap
+    cell = max(math.sqrt(POINTS_PER_CELL / density), LEAST_CELL)
+    margin = REACH + GAP
     bounds = shapely.total_bounds(outlines[known])
     grid = Grid.covering(*(bounds[:2] - margin), *(bounds[2:] + margin), cell)
     count, hit = _counts(grid, x[last], y[last]), _counts(grid, x, y) > 0
@@ -94,7 +86,7 @@ def _of_outline(outline: shapely.Geometry, grid: Grid, count: np.ndarray, ended:
                 everywhere: float) -> tuple[float, float]:
     """Density about an outline, and its share beyond the cloud's edge."""
     west, south, east, north = outline.bounds
-    reach = LIMITS.reach
+    reach = REACH
     rows, columns, part = grid.window(west - reach, south - reach, east + reach, north + reach)
     x, y = np.meshgrid(*part.centres())
     shapely.prepare(outline)
@@ -110,9 +102,9 @@ def _of_outline(outline: shapely.Geometry, grid: Grid, count: np.ndarray, ended:
 def _density(count: np.ndarray, cell: float, otherwise: float = float("nan")) -> float:
     """Mean pulses a m2 of the middle half of the cells that have any, or `otherwise` where they are few."""
     count = count[count > 0]
-    if len(count) < LIMITS.least_cells:
+    if len(count) < LEAST_CELLS:
         return otherwise
-    out = int(LIMITS.trimmed * len(count))  # at each end
+    out = int(TRIMMED * len(count))  # at each end
     return float(np.sort(count)[out:len(count) - out].mean()) / cell**2
 
 
@@ -127,6 +119,6 @@ def _ended(hit: np.ndarray, cell: float) -> np.ndarray:
     """Cells beyond the cloud's edge: those that closing the gaps between the cells with points does not reach."""
     if not hit.any():
         return np.ones(hit.shape, bool)
-    half = 0.5 * LIMITS.gap
+    half = 0.5 * GAP
     far = distance_transform_edt(~hit) * cell > half
     return distance_transform_edt(~far) * cell <= half if far.any() else np.zeros(hit.shape, bool)

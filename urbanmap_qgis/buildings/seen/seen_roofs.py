@@ -13,27 +13,20 @@ from ...geometry.grid import Grid
 from ...geometry.tolerances import LEAST_SQUARE
 from ..quality import RoofCell, height_differences, points_over
 
-
-@dataclass(frozen=True)
-class SeenRoofsLimits:
-    """Limits of seen roofs, each with its unit; error and growth were measured on Delft west with parts deleted."""
-
-    spacings: float = 2.0  # Spacings of the cloud's points from the nearest roof point within which a place is seen.
-    cells_per_spacing: float = 2.0  # Cells of the plan a spacing.
-    most_cells: int = 20_000  # Cells of one plan.
-    # Height error far from all points, as a share of the model's height there over the ground: of level roofs, whose
-    # unseen part may be an annex or a yard, and of sloped ones, whose planes go on.
-    level_error: float = 0.40
-    sloped_error: float = 0.28
-    slope: float = 0.09  # Rise (m a m) from which a roof is sloped.
-    growth: float = 3.0  # Distance (m) beyond what is seen in which the error grows to 63 % of that.
-    least_height: float = 0.1  # Height (m) over the ground at least.
-    # Share of the plan that may be unseen before the quality falls: the RMSE leaves as much out.
-    tolerated: float = 0.05
-    fewest_cells: int = 10  # Cells of a plan from which the share without points is told: on fewer it would be chance.
-
-
-LIMITS = SeenRoofsLimits()
+# Error and growth were measured on Delft west with parts deleted.
+SPACINGS = 2.0  # Spacings of the cloud's points from the nearest roof point within which a place is seen.
+CELLS_PER_SPACING = 2.0  # Cells of the plan a spacing.
+MOST_CELLS = 20_000  # Cells of one plan.
+# Height error far from all points, as a share of the model's height there over the ground: of level roofs, whose
+# unseen part may be an annex or a yard, and of sloped ones, whose planes go on.
+LEVEL_ERROR = 0.40
+SLOPED_ERROR = 0.28
+SLOPE = 0.09  # Rise (m a m) from which a roof is sloped.
+GROWTH = 3.0  # Distance (m) beyond what is seen in which the error grows to 63 % of that.
+LEAST_HEIGHT = 0.1  # Height (m) over the ground at least.
+# Share of the plan that may be unseen before the quality falls: the RMSE leaves as much out.
+TOLERATED = 0.05
+FEWEST_CELLS = 10  # Cells of a plan from which the share without points is told: on fewer it would be chance.
 
 
 @dataclass(frozen=True)
@@ -42,7 +35,7 @@ class SeenRoofs:
 
     Attributes
     ----------
-    unseen : share of the plan farther than `LIMITS.spacings` from every roof point.
+    unseen : share of the plan farther than `SPACINGS` from every roof point.
     doubt : expected height error of the plan by what is not seen, m.
     seen : (k,) share of each roof that is seen.
     sigma : (k,) expected height error of each roof, m: of its points, and of what is not seen.
@@ -69,10 +62,10 @@ def seen_roofs(cells: list[RoofCell], points: np.ndarray, density: float, base: 
     distance = np.full(len(place), np.inf)
     if len(points):
         distance = cKDTree(points[:, :2]).query(place)[0]
-    far = distance > LIMITS.spacings * spacing
-    error = np.where(far, _errors(cells, place, owner, distance - LIMITS.spacings * spacing, base), 0.0)
+    far = distance > SPACINGS * spacing
+    error = np.where(far, _errors(cells, place, owner, distance - SPACINGS * spacing, base), 0.0)
     unseen = min(float(share @ far), 1.0)
-    doubt = math.sqrt(float(share @ error**2)) * max(unseen - LIMITS.tolerated, 0.0) / max(unseen, LIMITS.tolerated)
+    doubt = math.sqrt(float(share @ error**2)) * max(unseen - TOLERATED, 0.0) / max(unseen, TOLERATED)
     weight = np.maximum(np.bincount(owner, share, len(cells)), LEAST_SQUARE)
     seen = 1.0 - np.bincount(owner, share * far, len(cells)) / weight
     grown = np.bincount(owner, share * error**2, len(cells)) / weight
@@ -85,7 +78,7 @@ def _plan_places(cells: list[RoofCell], spacing: float) -> tuple[np.ndarray, np.
     A roof too small for a place has one.
     """
     areas = np.array([cell.polygon.area for cell in cells])
-    side = max(spacing / LIMITS.cells_per_spacing, math.sqrt(areas.sum() / LIMITS.most_cells))
+    side = max(spacing / CELLS_PER_SPACING, math.sqrt(areas.sum() / MOST_CELLS))
     places, owners, shares = [], [], []
     for number, (cell, area) in enumerate(zip(cells, areas.tolist())):
         x, y = (axis.ravel() for axis in np.meshgrid(*Grid.covering(*cell.polygon.bounds, side).centres()))
@@ -105,9 +98,9 @@ def _errors(cells: list[RoofCell], place: np.ndarray, owner: np.ndarray, beyond:
             base: float) -> np.ndarray:
     """Expected height errors (n,) at places that lie so far beyond what is seen (m)."""
     height = np.concatenate([cell.heights(*place[owner == number].T) for number, cell in enumerate(cells)])
-    sloped = np.array([math.hypot(*cell.gradient) >= LIMITS.slope for cell in cells])[owner]
-    most = np.where(sloped, LIMITS.sloped_error, LIMITS.level_error) * np.maximum(height - base, LIMITS.least_height)
-    return most * -np.expm1(-np.maximum(beyond, 0.0) / LIMITS.growth)
+    sloped = np.array([math.hypot(*cell.gradient) >= SLOPE for cell in cells])[owner]
+    most = np.where(sloped, SLOPED_ERROR, LEVEL_ERROR) * np.maximum(height - base, LEAST_HEIGHT)
+    return most * -np.expm1(-np.maximum(beyond, 0.0) / GROWTH)
 
 
 def _squared_misfits(cells: list[RoofCell], points: np.ndarray) -> np.ndarray:
@@ -131,4 +124,4 @@ def unseen_share(plan: shapely.Geometry, points: np.ndarray, density: float) -> 
     x, y = np.meshgrid(*grid.centres())
     shapely.prepare(plan)
     within = shapely.contains_xy(plan, x, y)
-    return float(1.0 - hit[within].mean()) if within.sum() >= LIMITS.fewest_cells else 0.0
+    return float(1.0 - hit[within].mean()) if within.sum() >= FEWEST_CELLS else 0.0

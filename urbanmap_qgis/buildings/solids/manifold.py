@@ -17,20 +17,12 @@ from .half_edges import OUTSIDE, HalfEdges
 Height = Callable[[int, int], int]
 """Height of a cell at a node, in the unit of the base."""
 
-
-@dataclass(frozen=True)
-class ManifoldLimits:
-    """Limits of manifold, each with its unit."""
-
-    corner_size: float = 0.01  # Wanted length of the legs of a cut corner, m.
-    largest_corner: float = 0.1
-    shortest_edge: float = 0.0015
-    widest_corner: float = math.radians(170)
-    # Lattice steps that must lie between the edges of a corner where one of them gets a new, rounded node.
-    rounding: float = 2.5
-
-
-LIMITS = ManifoldLimits()
+CORNER_SIZE = 0.01  # Wanted length of the legs of a cut corner, m.
+LARGEST_CORNER = 0.1
+SHORTEST_EDGE = 0.0015
+WIDEST_CORNER = math.radians(170)
+# Lattice steps that must lie between the edges of a corner where one of them gets a new, rounded node.
+ROUNDING = 2.5
 
 
 @dataclass(frozen=True)
@@ -132,10 +124,10 @@ def _reluctance(repair: _Repair) -> tuple:
 def _cut(edges: HalfEdges, node: int, repair: _Repair) -> bool:
     """Carry a repair out; False, with nothing changed, where a corner is too wide or too narrow for the room."""
     narrowest = min(corner.angle for corner in repair.corners)
-    needed = max(LIMITS.shortest_edge, LIMITS.shortest_edge / (2 * math.sin(min(narrowest, math.pi) / 2)),
-                 LIMITS.rounding * edges.resolution / repair.narrowest)
-    leg = min(max(LIMITS.corner_size, needed), 0.4 * _clearance(edges, node) * edges.resolution, LIMITS.largest_corner)
-    if leg < needed or max(corner.angle for corner in repair.corners) > LIMITS.widest_corner:
+    needed = max(SHORTEST_EDGE, SHORTEST_EDGE / (2 * math.sin(min(narrowest, math.pi) / 2)),
+                 ROUNDING * edges.resolution / repair.narrowest)
+    leg = min(max(CORNER_SIZE, needed), 0.4 * _clearance(edges, node) * edges.resolution, LARGEST_CORNER)
+    if leg < needed or max(corner.angle for corner in repair.corners) > WIDEST_CORNER:
         return False
     steps = leg / edges.resolution
     split: dict[int, int] = {}

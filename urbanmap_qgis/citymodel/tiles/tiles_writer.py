@@ -32,17 +32,9 @@ GENERATOR = "UrbanMap"
 CELL = 250.0
 """Side of a tile of content, m."""
 
-
-@dataclass(frozen=True)
-class TilesWriterLimits:
-    """Limits of tiles writer, each with its unit."""
-
-    # Geometric errors, m: of blocks in place of details, and of nothing in place of a cell's blocks.
-    block_error: float = 4.0
-    cell_error: float = 60.0
-
-
-LIMITS = TilesWriterLimits()
+# Geometric errors, m: of blocks in place of details, and of nothing in place of a cell's blocks.
+BLOCK_ERROR = 4.0
+CELL_ERROR = 60.0
 
 GeoidHeights = Callable[[np.ndarray, np.ndarray], np.ndarray]
 """Function from longitudes and latitudes (n,), degrees, to heights of the geoid above the ellipsoid, m."""
@@ -124,7 +116,7 @@ def tileset(cells: Mapping[tuple[int, int], TileCell], asset: Mapping[str, Any])
     level: dict[tuple[int, int], tuple[dict, np.ndarray, np.ndarray]] = {}
     for (column, row), cell in sorted(cells.items()):
         level[column, row] = _cell_tile(column, row, cell), cell.low, cell.high
-    error = LIMITS.cell_error
+    error = CELL_ERROR
     while len(level) > 1:
         error *= 2.0
         above: dict[tuple[int, int], list] = {}
@@ -250,7 +242,7 @@ def _cell_tile(column: int, row: int, cell: TileCell) -> dict[str, Any]:
     matrix[:3, :3] = local_axes(*origin[:2]).T
     matrix[:3, 3] = earth_centred(origin[None])[0]
     volume = {"region": cell.region()}
-    return {"boundingVolume": volume, "geometricError": LIMITS.block_error, "refine": "REPLACE",
+    return {"boundingVolume": volume, "geometricError": BLOCK_ERROR, "refine": "REPLACE",
             "transform": matrix.T.ravel().tolist(), "content": {"uri": f"tiles/{_file(column, row, 'blocks')}"},
             "children": [{"boundingVolume": volume, "geometricError": 0.0,
                           "content": {"uri": f"tiles/{_file(column, row, 'details')}"}}]}

@@ -21,20 +21,12 @@ from ..rinex.observation_file import BESIDE_ONLY
 from .earth_fixed import SPEED_OF_LIGHT
 from .sp3 import PreciseOrbits, interpolate_orbits, is_sp3, read_sp3
 
-
-@dataclass(frozen=True)
-class EphemerisLimits:
-    """Limits of ephemeris, each with its unit."""
-
-    earth_rotation_rate: float = 7.2921151467e-5  # Angular rate of the earth, rad/s (WGS 84).
-    glonass_gravity: float = 3.9860044e14
-    glonass_radius: float = 6378136.0
-    glonass_j2: float = 1.0826257e-3
-    glonass_rotation_rate: float = 7.292115e-5
-    glonass_step: float = 60.0
-
-
-LIMITS = EphemerisLimits()
+EARTH_ROTATION_RATE = 7.2921151467e-5  # Angular rate of the earth, rad/s (WGS 84).
+GLONASS_GRAVITY = 3.9860044e14
+GLONASS_RADIUS = 6378136.0
+GLONASS_J2 = 1.0826257e-3
+GLONASS_ROTATION_RATE = 7.292115e-5
+GLONASS_STEP = 60.0
 
 MAX_EPHEMERIS_AGE = {"G": 7500.0, "J": 7500.0, "E": 14400.0, "C": 7500.0, "R": 1830.0}
 """Largest distance in time, s, from an ephemeris's reference time at which it is used."""
@@ -43,7 +35,7 @@ OK, NO_EPHEMERIS, UNHEALTHY = 0, 1, 2
 """Status of a satellite at a time."""
 
 _GRAVITY = {"G": 3.986005e14, "J": 3.986005e14, "E": 3.986004418e14, "C": 3.986004418e14}
-_ROTATION_RATE = {"G": LIMITS.earth_rotation_rate, "J": LIMITS.earth_rotation_rate, "E": LIMITS.earth_rotation_rate,
+_ROTATION_RATE = {"G": EARTH_ROTATION_RATE, "J": EARTH_ROTATION_RATE, "E": EARTH_ROTATION_RATE,
                   "C": 7.292115e-5}
 _GEOSTATIONARY_TILT = np.radians(-5.0)
 _GAMMA = {("G", "2"): (77 / 60) ** 2, ("J", "2"): (77 / 60) ** 2, ("E", "7"): (154 / 118) ** 2,
@@ -322,7 +314,7 @@ def glonass_states(records: GlonassRecords, time: np.ndarray) -> tuple[np.ndarra
     Integrated by Runge and Kutta of order 4 in steps of a minute at most. The broadcast clock holds relativity already.
     """
     since = time - records.toe
-    steps = max(int(np.ceil(np.abs(since).max(initial=0.0) / LIMITS.glonass_step)), 1)
+    steps = max(int(np.ceil(np.abs(since).max(initial=0.0) / GLONASS_STEP)), 1)
     step = (since / steps)[:, None]
     state = np.hstack([records.place, records.velocity])
     for _ in range(steps):
@@ -339,10 +331,10 @@ def _glonass_motion(state: np.ndarray, acceleration: np.ndarray) -> np.ndarray:
     moon."""
     place, velocity = state[:, :3], state[:, 3:]
     squared = np.einsum("ij,ij->i", place, place)
-    gravity = -LIMITS.glonass_gravity / squared ** 1.5
-    flat = 1.5 * LIMITS.glonass_j2 * LIMITS.glonass_gravity * LIMITS.glonass_radius ** 2 / squared ** 2.5
+    gravity = -GLONASS_GRAVITY / squared ** 1.5
+    flat = 1.5 * GLONASS_J2 * GLONASS_GRAVITY * GLONASS_RADIUS ** 2 / squared ** 2.5
     share = 5 * place[:, 2] ** 2 / squared
-    rate = LIMITS.glonass_rotation_rate
+    rate = GLONASS_ROTATION_RATE
     x = (gravity - flat * (1 - share) + rate ** 2) * place[:, 0] + 2 * rate * velocity[:, 1]
     y = (gravity - flat * (1 - share) + rate ** 2) * place[:, 1] - 2 * rate * velocity[:, 0]
     z = (gravity - flat * (3 - share)) * place[:, 2]
@@ -447,7 +439,7 @@ def sagnac_corrected(place: np.ndarray, antenna: np.ndarray) -> tuple[np.ndarray
     the travel (Sagnac effect)."""
     distance = np.linalg.norm(place - antenna, axis=1)
     for _ in range(2):
-        angle = LIMITS.earth_rotation_rate * distance / SPEED_OF_LIGHT
+        angle = EARTH_ROTATION_RATE * distance / SPEED_OF_LIGHT
         cos, sin = np.cos(angle), np.sin(angle)
         rotated = np.column_stack([cos * place[:, 0] + sin * place[:, 1], -sin * place[:, 0] + cos * place[:, 1],
                                    place[:, 2]])

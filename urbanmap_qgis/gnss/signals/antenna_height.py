@@ -6,8 +6,6 @@ above sea level and above the ellipsoid, of times, and of places.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from scipy import sparse
 
@@ -16,27 +14,19 @@ from ...geometry.tolerances import SIGMA_OF_MAD
 from ...wording import say
 from .tables import Signals
 
-
-@dataclass(frozen=True)
-class AntennaHeightLimits:
-    """Limits of antenna height, each with its unit."""
-
-    tukey: float = 4.7
-    block: float = 60.0
-    low_loss: float = 7.0
-    fading: float = 4.0
-    high: float = 50.0
-    air_height: float = 0.7
-
-
-LIMITS = AntennaHeightLimits()
+TUKEY = 4.7
+BLOCK = 60.0
+LOW_LOSS = 7.0
+FADING = 4.0
+HIGH = 50.0
+AIR_HEIGHT = 0.7
 
 _COARSE = np.array([40.0, 20.0, 10.0, 6.0, 4.0, 3.0, 3.0, 3.0, 3.0, 3.0])
 
 
 def tukey(scaled: np.ndarray) -> np.ndarray:
     """Tukey's weights: 1 at 0, 0 from 4.7 sigma on; 0 for NaN."""
-    return np.where(np.abs(scaled) < LIMITS.tukey, (1 - (scaled / LIMITS.tukey) ** 2) ** 2, 0.0)
+    return np.where(np.abs(scaled) < TUKEY, (1 - (scaled / TUKEY) ** 2) ** 2, 0.0)
 
 
 def grouped_median(value: np.ndarray, group: np.ndarray, count: int) -> np.ndarray:
@@ -59,14 +49,14 @@ def strong_signals(signals: Signals) -> np.ndarray:
     the horizon), sets the measure; 4 dB below it, more than fading takes and less than a reflection costs, is the
     limit. Signals without a strength count from 50 degrees of elevation.
     """
-    raised = signals.cn0 + LIMITS.low_loss * (1.0 - signals.direction[:, 2])
+    raised = signals.cn0 + LOW_LOSS * (1.0 - signals.direction[:, 2])
     strong = np.zeros(len(signals), bool)
     for name in np.unique(signals.system):
         of_system = (signals.system == name) & np.isfinite(raised)
         if of_system.any():
-            strong[of_system] = raised[of_system] >= np.percentile(raised[of_system], 90) - LIMITS.fading
+            strong[of_system] = raised[of_system] >= np.percentile(raised[of_system], 90) - FADING
     unknown = ~np.isfinite(signals.cn0)
-    strong[unknown] = signals.elevation[unknown] >= LIMITS.high
+    strong[unknown] = signals.elevation[unknown] >= HIGH
     return strong
 
 
@@ -117,10 +107,10 @@ def estimate_height(signals: Signals, line_of_sight: np.ndarray | None = None) -
     inverse = np.linalg.pinv(_normal(unknowns, weight, group, count), rcond=1e-10, hermitian=True)
     slope = unknowns @ inverse[0]
     influence = weight * left * (slope - _centre(slope, weight, group, count)[group])
-    block = np.floor(signals.time[rows] / LIMITS.block).astype(np.int64)
+    block = np.floor(signals.time[rows] / BLOCK).astype(np.int64)
     satellite, satellites = _numbered(signals.satellite[rows])
     score = np.bincount(_numbered(block * satellites + satellite)[0], influence)
-    return -float(solution[0]), float(np.hypot(np.sqrt(np.sum(score ** 2)), LIMITS.air_height))
+    return -float(solution[0]), float(np.hypot(np.sqrt(np.sum(score ** 2)), AIR_HEIGHT))
 
 
 def _numbered(values: np.ndarray) -> tuple[np.ndarray, int]:

@@ -17,39 +17,31 @@ import numpy as np
 from ...geometry.tolerances import SIGMA_OF_MAD
 from ..rinex.observation_file import MEGAHERTZ
 
-
-@dataclass(frozen=True)
-class MeasuredIonosphereLimits:
-    """Limits of the measured ionosphere, each with its unit."""
-
-    earth: float = 6371.0  # radius, km
-    layer: float = 350.0  # height of the layer, km (single-layer model)
-    # Beside other reflections a code errs alike for about so long, s, and as long as the antenna has not moved by so
-    # many m: that is one piece of evidence, however many epochs it has.
-    block: float = 30.0
-    moved: float = 10.0
-    fewest: int = 4  # satellites with two bands, of which two more than systems
-    # Before anything is measured: the broadcast model is off by so much of the vertical delay (IS-GPS-200: half of the
-    # delay is left), and by at least so many m; without a model the delay is within so many m of none.
-    model_error: float = 0.5
-    least_error: float = 0.5
-    without_model: float = 10.0
-    slope: float = 0.1  # rad over which the layer may change by as much as it is off
-    hour: float = 3600.0  # s in which it may do so
-    bias: float = 1e3  # standard deviation of a system's bias before it is measured, m
-    usual_deviation: float = 0.5  # of a satellite, m, as if so many satellites had told it
-    usual_count: float = 4.0
-    least_deviation: float = 0.1  # m
-    # Standard deviation, m, of a satellite's delay between the bands where it is not broadcast (some 5 ns among
-    # satellites).
-    unknown_delay: float = 2.0
-    code_noise: float = 0.5  # m, of a code on the second band
-    usual_noise: float = 10.0  # pieces of evidence that the expected noise of codes counts as
-    rounds: int = 12
-    forget: float = 3.5  # sigmas at which a block counts a quarter
-
-
-LIMITS = MeasuredIonosphereLimits()
+EARTH = 6371.0  # radius, km
+LAYER = 350.0  # height of the layer, km (single-layer model)
+# Beside other reflections a code errs alike for about so long, s, and as long as the antenna has not moved by so
+# many m: that is one piece of evidence, however many epochs it has.
+BLOCK = 30.0
+MOVED = 10.0
+FEWEST = 4  # satellites with two bands, of which two more than systems
+# Before anything is measured: the broadcast model is off by so much of the vertical delay (IS-GPS-200: half of the
+# delay is left), and by at least so many m; without a model the delay is within so many m of none.
+MODEL_ERROR = 0.5
+LEAST_ERROR = 0.5
+WITHOUT_MODEL = 10.0
+SLOPE = 0.1  # rad over which the layer may change by as much as it is off
+HOUR = 3600.0  # s in which it may do so
+BIAS = 1e3  # standard deviation of a system's bias before it is measured, m
+USUAL_DEVIATION = 0.5  # of a satellite, m, as if so many satellites had told it
+USUAL_COUNT = 4.0
+LEAST_DEVIATION = 0.1  # m
+# Standard deviation, m, of a satellite's delay between the bands where it is not broadcast (some 5 ns among
+# satellites).
+UNKNOWN_DELAY = 2.0
+CODE_NOISE = 0.5  # m, of a code on the second band
+USUAL_NOISE = 10.0  # pieces of evidence that the expected noise of codes counts as
+ROUNDS = 12
+FORGET = 3.5  # sigmas at which a block counts a quarter
 
 
 @dataclass(frozen=True)
@@ -78,7 +70,7 @@ class MeasuredIonosphere:
     @property
     def is_calibrated(self) -> bool:
         """Whether enough satellites have known delays for the vertical delay to be measured, not only its slopes."""
-        return self.calibrated >= LIMITS.fewest
+        return self.calibrated >= FEWEST
 
 
 @dataclass(frozen=True)
@@ -116,7 +108,7 @@ class TwoBands:
 
 def layer_mapping(elevation: np.ndarray) -> np.ndarray:
     """Slant by vertical delay of a thin layer, by elevation in rad (e.g. Schaer 1999, 2.3)."""
-    ratio = LIMITS.earth / (LIMITS.earth + LIMITS.layer)
+    ratio = EARTH / (EARTH + LAYER)
     return 1.0 / np.sqrt(1.0 - (ratio * np.cos(elevation)) ** 2)
 
 
@@ -125,7 +117,7 @@ def measure_ionosphere(signals: TwoBands) -> MeasuredIonosphere | None:
     measured = np.isfinite(signals.difference)
     satellites, number = np.unique(signals.satellite, return_inverse=True)
     seen = satellites[np.unique(number[measured])]
-    if len(seen) < max(LIMITS.fewest, len(np.unique(seen.astype("U1"))) + 2):
+    if len(seen) < max(FEWEST, len(np.unique(seen.astype("U1"))) + 2):
         return None
     scale, spread = _band_factors(signals)
     # Everything is reckoned at GPS's L1; `scale` brings it to the signal's own band.
@@ -134,11 +126,11 @@ def measure_ionosphere(signals: TwoBands) -> MeasuredIonosphere | None:
     per_satellite[np.arange(len(number)), number.ravel()] = 1.0
     design = np.column_stack([design, per_satellite])
     observed = (signals.difference / spread - signals.modelled) / scale
-    noise = np.hypot(signals.noise, LIMITS.code_noise) / spread / scale
+    noise = np.hypot(signals.noise, CODE_NOISE) / spread / scale
     vertical = np.median((signals.modelled / scale) / layer_mapping(signals.elevation))
     start = _start_error(float(vertical), signals.has_model)
     known = measured if signals.known is None else measured & signals.known
-    delays = per_satellite * (LIMITS.unknown_delay / spread / scale * ~known)[:, None]
+    delays = per_satellite * (UNKNOWN_DELAY / spread / scale * ~known)[:, None]
     latent, covariance = _estimate(design, delays, observed, noise, _blocks(signals, number), satellites, start)
     shared = _system_means(design, number, satellites)
     contrast = design - shared
@@ -163,15 +155,15 @@ def _band_factors(signals: TwoBands) -> tuple[np.ndarray, np.ndarray]:
 def _layer(signals: TwoBands) -> np.ndarray:
     """(n, 4) vertical delay, and its change with time and towards north and east, each by what may be expected."""
     reach = np.pi / 2 - signals.elevation - np.arcsin(
-        LIMITS.earth / (LIMITS.earth + LIMITS.layer) * np.cos(signals.elevation))
-    late = (signals.time - (signals.time.min() + signals.time.max()) / 2) / LIMITS.hour
-    return np.column_stack([np.ones(len(reach)), late, reach * np.cos(signals.azimuth) / LIMITS.slope,
-                            reach * np.sin(signals.azimuth) / LIMITS.slope])
+        EARTH / (EARTH + LAYER) * np.cos(signals.elevation))
+    late = (signals.time - (signals.time.min() + signals.time.max()) / 2) / HOUR
+    return np.column_stack([np.ones(len(reach)), late, reach * np.cos(signals.azimuth) / SLOPE,
+                            reach * np.sin(signals.azimuth) / SLOPE])
 
 
 def _start_error(vertical: float, has_model: bool) -> float:
     """Standard deviation of the layer before anything is measured, m."""
-    return max(LIMITS.model_error * vertical, LIMITS.least_error) if has_model else LIMITS.without_model
+    return max(MODEL_ERROR * vertical, LEAST_ERROR) if has_model else WITHOUT_MODEL
 
 
 def _blocks(signals: TwoBands, number: np.ndarray) -> np.ndarray:
@@ -180,7 +172,7 @@ def _blocks(signals: TwoBands, number: np.ndarray) -> np.ndarray:
     place = signals.place[first, :2]
     block, start = np.zeros(len(times), np.int64), 0
     for k in range(1, len(times)):
-        away = times[k] - times[start] >= LIMITS.block and np.hypot(*(place[k] - place[start])) >= LIMITS.moved
+        away = times[k] - times[start] >= BLOCK and np.hypot(*(place[k] - place[start])) >= MOVED
         start = k if away else start
         block[k] = block[k - 1] + away
     return np.unique(number.ravel() * (block[-1] + 1) + block[epoch.ravel()], return_inverse=True)[1].ravel()
@@ -205,9 +197,9 @@ def _estimate(design: np.ndarray, delays: np.ndarray, observed: np.ndarray, nois
     biases = rows[:, layer:] @ np.eye(len(letters))[system.ravel()]
     whole = np.column_stack([rows, biases, delays])
     heard = (rows[:, layer:] > 0).any(axis=0)
-    deviation, unit, weight = LIMITS.usual_deviation, 1.0, np.ones(len(values))
-    for _ in range(LIMITS.rounds):
-        prior = np.r_[np.full(layer, start), np.full(len(satellites), deviation), np.full(len(letters), LIMITS.bias),
+    deviation, unit, weight = USUAL_DEVIATION, 1.0, np.ones(len(values))
+    for _ in range(ROUNDS):
+        prior = np.r_[np.full(layer, start), np.full(len(satellites), deviation), np.full(len(letters), BIAS),
                       np.ones(delays.shape[1])]
         scaled = weight / (unit * sigma) ** 2
         covariance = np.linalg.inv((whole * scaled[:, None]).T @ whole + np.diag(prior**-2.0))
@@ -215,12 +207,12 @@ def _estimate(design: np.ndarray, delays: np.ndarray, observed: np.ndarray, nois
         left = (values - whole @ latent) / sigma
         free = max(len(values) - float(np.trace((whole * scaled[:, None]).T @ whole @ covariance)), 0.0)
         scatter = SIGMA_OF_MAD * float(np.median(np.abs(left))) * np.sqrt(len(values) / max(free, 1.0))
-        unit = np.sqrt((free * scatter**2 + LIMITS.usual_noise) / (free + LIMITS.usual_noise))
-        weight = (1.0 + (left / unit / LIMITS.forget) ** 2) ** -2.0
+        unit = np.sqrt((free * scatter**2 + USUAL_NOISE) / (free + USUAL_NOISE))
+        weight = (1.0 + (left / unit / FORGET) ** 2) ** -2.0
         bias_columns = slice(layer, layer + len(satellites))
         square = latent[bias_columns][heard] ** 2 + np.diag(covariance)[bias_columns][heard]
-        deviation = max(np.sqrt((square.sum() + LIMITS.usual_count * LIMITS.usual_deviation**2)
-                                / (len(square) + LIMITS.usual_count)), LIMITS.least_deviation)
+        deviation = max(np.sqrt((square.sum() + USUAL_COUNT * USUAL_DEVIATION**2)
+                                / (len(square) + USUAL_COUNT)), LEAST_DEVIATION)
     unknowns = design.shape[1]
     return latent[:unknowns], covariance[:unknowns, :unknowns]
 

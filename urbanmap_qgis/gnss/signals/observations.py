@@ -36,28 +36,20 @@ from .atmosphere import ionosphere, nearest_model, troposphere
 from .measured_ionosphere import MeasuredIonosphere, TwoBands, layer_mapping, measure_ionosphere
 from .tables import SYSTEM_NAMES, Epochs, Signals
 
-
-@dataclass(frozen=True)
-class ObservationsLimits:
-    """Limits of observations, each with its unit."""
-
-    # Heights that differ from what the satellites say by more than this, m, are taken for a mix-up of heights; by more
-    # where the ionosphere is only modelled, as what the model leaves of a vertical delay (up to once the model's at the
-    # solar maximum) moves the height by so many times as much.
-    height_limit: float = 12.0
-    height_by_delay: float = 3.0
-    largest_separation: float = 120.0  # The geoid is nowhere farther from the ellipsoid, m.
-    # Scatter of the strongest signals, m: up to which no other time is tried, that is told, and that is refused.
-    usual_scatter: float = 1.5
-    wide_scatter: float = 5.0
-    largest_scatter: float = 30.0
-    glonass_factor: float = 1.5
-    glonass_channel: float = 2.5
-    no_cn0: float = 38.0
-    model_error: float = 0.3  # Share of the delay by which the ionosphere's model is off.
-
-
-LIMITS = ObservationsLimits()
+# Heights that differ from what the satellites say by more than this, m, are taken for a mix-up of heights; by more
+# where the ionosphere is only modelled, as what the model leaves of a vertical delay (up to once the model's at the
+# solar maximum) moves the height by so many times as much.
+HEIGHT_LIMIT = 12.0
+HEIGHT_BY_DELAY = 3.0
+LARGEST_SEPARATION = 120.0  # The geoid is nowhere farther from the ellipsoid, m.
+# Scatter of the strongest signals, m: up to which no other time is tried, that is told, and that is refused.
+USUAL_SCATTER = 1.5
+WIDE_SCATTER = 5.0
+LARGEST_SCATTER = 30.0
+GLONASS_FACTOR = 1.5
+GLONASS_CHANNEL = 2.5
+NO_CN0 = 38.0
+MODEL_ERROR = 0.3  # Share of the delay by which the ionosphere's model is off.
 
 
 def load_observations(observation_paths: Sequence[str | os.PathLike], navigation_paths: Sequence[str | os.PathLike],
@@ -284,7 +276,7 @@ def _modelled(part: _Measured, frame: MapFrame, model, separation: float,
     north = azimuth + site.convergence[epoch]
     free = (np.zeros(len(visible)) if model is None else
             ionosphere(model, system, part.bands, latitude, longitude, north, elevation, part.gps_time[epoch]))
-    free_sigma = (5.0 / np.sin(elevation + 0.2)) if model is None else LIMITS.model_error * free
+    free_sigma = (5.0 / np.sin(elevation + 0.2)) if model is None else MODEL_ERROR * free
     noise = expected_code_noise(part.cn0[visible], system)
     air = measure_ionosphere(TwoBands(
         part.gps_time[epoch], part.place[epoch], part.satellite[visible], elevation, north, free, model is not None,
@@ -307,9 +299,9 @@ def expected_code_noise(cn0: np.ndarray, system: np.ndarray) -> np.ndarray:
 
     A receiver delays GLONASS's channels differently, by some metres.
     """
-    strength = np.where(np.isfinite(cn0), cn0, LIMITS.no_cn0)
+    strength = np.where(np.isfinite(cn0), cn0, NO_CN0)
     noise = np.sqrt(0.25 ** 2 + 1500.0 * 10 ** (-strength / 10))
-    return np.where(system == "R", np.hypot(LIMITS.glonass_factor * noise, LIMITS.glonass_channel), noise)
+    return np.where(system == "R", np.hypot(GLONASS_FACTOR * noise, GLONASS_CHANNEL), noise)
 
 
 def expected_sigma(noise: np.ndarray, elevation: np.ndarray, ionosphere_sigma: np.ndarray) -> np.ndarray:
@@ -382,7 +374,7 @@ def _with_height(given: float | None, settings: SignalSettings, at_height: Calla
         return signals
     note = _check_fit(signals, retimed)
     if given is None:
-        if abs(offset) > LIMITS.largest_separation:
+        if abs(offset) > LARGEST_SEPARATION:
             raise InputError(say("By the satellites the antenna is {offset:.0f} m above the heights of the "
                                  "trajectory, more than any geoid separation: trajectory and observations do not "
                                  "belong together.", offset=offset))
@@ -391,8 +383,8 @@ def _with_height(given: float | None, settings: SignalSettings, at_height: Calla
         derived = (say("The geoid separation was not given; the satellites say {offset:.1f} m (sigma {sigma:.1f} m), "
                        "which is used: the official value is better.", offset=offset + further, sigma=sigma))
         return replace(signals.raised(further), geoid_sigma=sigma, notes=(*signals.notes, *note, derived))
-    doubt = 0.0 if signals.ionosphere_measured else LIMITS.height_by_delay * _vertical_delay(signals)
-    if abs(offset) > max(LIMITS.height_limit + doubt, 4 * sigma):
+    doubt = 0.0 if signals.ionosphere_measured else HEIGHT_BY_DELAY * _vertical_delay(signals)
+    if abs(offset) > max(HEIGHT_LIMIT + doubt, 4 * sigma):
         raise InputError(say("By the satellites the antenna is {offset:.0f} m {value} than the trajectory with a "
                              "geoid separation of {given:g} m says: heights above sea level and above the ellipsoid "
                              "seem to be mixed up; a separation of about {given_2:.0f} m would fit.",
@@ -422,18 +414,18 @@ def _check_fit(signals: Signals, retimed: Callable[[float, float], Signals]) -> 
     InputError : the trajectory's times are UTC, or it does not belong to the observations.
     """
     scatter = _scatter(signals)
-    if not scatter > LIMITS.usual_scatter:
+    if not scatter > USUAL_SCATTER:
         return ()
     leap = float(leap_seconds(signals.epochs.gps_time[:1])[0])
     for seconds, fault in ((leap, say("too early, as UTC is")), (-leap, say("too late"))):
-        if _scatter(retimed(seconds, signals.geoid_separation)) < min(scatter / 2.5, LIMITS.wide_scatter):
+        if _scatter(retimed(seconds, signals.geoid_separation)) < min(scatter / 2.5, WIDE_SCATTER):
             raise InputError(say("The trajectory's times are {leap:.0f} s {fault}: give them in GPS time.", leap=leap,
                                  fault=fault))
-    if scatter > LIMITS.largest_scatter:
+    if scatter > LARGEST_SCATTER:
         raise InputError(say("The code ranges do not fit the trajectory (the strongest signals contradict each other "
                              "by {scatter:.0f} m): its CRS, its times or the observation file are of another drive.",
                              scatter=scatter))
-    if scatter < LIMITS.wide_scatter:
+    if scatter < WIDE_SCATTER:
         return ()
     return (say("The strongest signals contradict each other by {scatter:.1f} m at the places of the trajectory, "
                 "more than the 1 to 3 m that are usual: check its times, its places and the lever arm of the antenna.",

@@ -34,18 +34,11 @@ ADJUSTED, LIKELY, NOT_OBSERVABLE, HELD = mark("adjusted"), mark("likely"), mark(
 """Moved by its observations; moved though they are few or contradict each other, with the larger sigma that they leave;
 left because the observations tell too little; to be moved, but the building would not stay valid."""
 
-@dataclass(frozen=True)
-class AdjustmentLimits:
-    """Limits of the decision on a wall."""
-
-    rival: float = 0.05  # probability of another offset
-    inlier_share: float = 0.6
-    halves: float = 3.0  # sigmas between the offsets of the halves of the passes
-    likely_inliers: float = 3.0
-    likely_satellites: int = 2
-
-
-LIMITS = AdjustmentLimits()
+RIVAL = 0.05  # probability of another offset
+INLIER_SHARE = 0.6
+HALVES = 3.0  # sigmas between the offsets of the halves of the passes
+LIKELY_INLIERS = 3.0
+LIKELY_SATELLITES = 2
 
 UNWEAKENED = 3.0
 """Signals weaker by less than this are no reflections, dB."""
@@ -260,9 +253,9 @@ def _are_likely(found: Offsets, inliers: np.ndarray, numbers: dict, halves: np.n
     others there are.
     """
     wall = found.wall
-    return ((found.sigma <= settings.likely_sigma) & (found.rival <= LIMITS.rival) & (halves <= LIMITS.halves)
-            & (np.abs(found.offset) <= settings.max_offset) & (inliers[wall] >= LIMITS.likely_inliers)
-            & (numbers["satellites"][wall] >= LIMITS.likely_satellites)
+    return ((found.sigma <= settings.likely_sigma) & (found.rival <= RIVAL) & (halves <= HALVES)
+            & (np.abs(found.offset) <= settings.max_offset) & (inliers[wall] >= LIKELY_INLIERS)
+            & (numbers["satellites"][wall] >= LIKELY_SATELLITES)
             & (numbers["passes"][wall] >= settings.min_passes))
 
 
@@ -280,11 +273,11 @@ def _reason_against(k: int, wall: int, found: Offsets, numbers: dict, inlier_sha
                    min_satellites=settings.min_satellites)
     if passes < settings.min_passes:
         return say("too few passes ({passes} of {min_passes})", passes=passes, min_passes=settings.min_passes)
-    if found.rival[k] > LIMITS.rival:
+    if found.rival[k] > RIVAL:
         return say("contradicting observations: two offsets are possible")
-    if inlier_share[wall] < LIMITS.inlier_share:
+    if inlier_share[wall] < INLIER_SHARE:
         return say("contradicting observations: most are NLOS-delayed or outliers")
-    if halves[k] > LIMITS.halves:
+    if halves[k] > HALVES:
         return say("contradicting observations: the passes do not agree")
     if found.sigma[k] > settings.max_sigma:
         flat = np.median(observations.cosine[observations.wall == wall]) < 0.25

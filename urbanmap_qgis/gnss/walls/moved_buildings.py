@@ -20,20 +20,12 @@ from ...geometry.tolerances import LEAST_DIVISOR, LEAST_FACE
 from ...progress import SILENT, Progress
 from ..rays.wall_faces import WallPieces, is_solid
 
-
-@dataclass(frozen=True)
-class MovedBuildingsLimits:
-    """Limits of moved buildings, each with its unit."""
-
-    node: float = 2e-3  # Corners nearer than this in plan are one, m.
-    same_line: float = 0.05
-    crossing: float = 0.03  # 1 - cos of the least angle (14 degrees) at which two lines fix a corner between them.
-    shortest_edge: float = 0.1  # Length that an edge must keep, m (or what it had, if less).
-    overlap: float = 0.05  # Area by which a building may run into others more than before, m2.
-    on_edge: float = 0.05  # Corners of a shape this near to a wall, and at no node, follow the wall, m.
-
-
-LIMITS = MovedBuildingsLimits()
+NODE = 2e-3  # Corners nearer than this in plan are one, m.
+SAME_LINE = 0.05
+CROSSING = 0.03  # 1 - cos of the least angle (14 degrees) at which two lines fix a corner between them.
+SHORTEST_EDGE = 0.1  # Length that an edge must keep, m (or what it had, if less).
+OVERLAP = 0.05  # Area by which a building may run into others more than before, m2.
+ON_EDGE = 0.05  # Corners of a shape this near to a wall, and at no node, follow the wall, m.
 
 _PARALLEL = np.cos(np.radians(1.0))
 
@@ -65,7 +57,7 @@ class PlanNet:
         """Net of walls."""
         ends = np.concatenate([walls.start, walls.end])
         owner = np.tile(walls.building, 2)
-        cells = np.column_stack([owner, np.round(ends / LIMITS.node)]).astype(np.int64)
+        cells = np.column_stack([owner, np.round(ends / NODE)]).astype(np.int64)
         _, first, number = np.unique(cells, axis=0, return_index=True, return_inverse=True)
         number = _joined(ends[first], owner[first])[number.ravel()]
         _, first, number = np.unique(number, return_index=True, return_inverse=True)
@@ -92,7 +84,7 @@ class PlanNet:
         size, axis = np.linalg.eigh(matrix)
         along = np.einsum("nij,ni->nj", axis, right)
         # Lines that hardly cross do not fix a corner along themselves: there it keeps its place.
-        along = np.divide(along, size, out=np.zeros_like(along), where=size > LIMITS.crossing)
+        along = np.divide(along, size, out=np.zeros_like(along), where=size > CROSSING)
         return np.einsum("nij,nj->ni", axis, along)
 
 
@@ -195,11 +187,11 @@ class _MoveCheck:
         length = np.linalg.norm(edge, axis=1)
         after = edge + displacement[net.end[pieces]] - displacement[net.start[pieces]]
         along = np.einsum("ij,ij->i", after, edge) / length
-        if (along < np.minimum(LIMITS.shortest_edge, length) - 1e-6).any():
+        if (along < np.minimum(SHORTEST_EDGE, length) - 1e-6).any():
             return False
         moved = self.translated(walls, net, displacement)
         return all(_sound(before, after) for before, after in zip(self.shapes, moved)) and (
-            self._overlap(moved) <= self._overlap(self.shapes) + LIMITS.overlap)
+            self._overlap(moved) <= self._overlap(self.shapes) + OVERLAP)
 
     def _overlap(self, shapes: np.ndarray) -> float:
         """Area in common with other buildings and between its own parts, m2."""
@@ -221,7 +213,7 @@ class _Follower:
     def __call__(self, coordinates: np.ndarray) -> np.ndarray:
         moved = coordinates.copy()
         distance, nearest = self._tree.query(coordinates[:, :2])
-        at_node = distance < 2 * LIMITS.node
+        at_node = distance < 2 * NODE
         moved[at_node, :2] += self._by[nearest[at_node]]
         for corner in np.flatnonzero(~at_node):
             moved[corner, :2] += self._beside(shapely.Point(coordinates[corner, :2]))
@@ -231,7 +223,7 @@ class _Follower:
         """How a corner moves that lies on an edge between nodes; one on no edge stays."""
         away = shapely.distance(self._edges, point)
         edge = int(away.argmin())
-        if away[edge] > LIMITS.on_edge:
+        if away[edge] > ON_EDGE:
             return np.zeros(2)
         share = shapely.line_locate_point(self._edges[edge], point, normalized=True)
         return (1 - share) * self._ends[0][edge] + share * self._ends[1][edge]
@@ -289,7 +281,7 @@ def _neighbours(tree: shapely.STRtree, plans: list, current: np.ndarray, members
 def _joined(node: np.ndarray, building: np.ndarray) -> np.ndarray:
     """For each corner the number of the first one of its building within the width of a node."""
     first = np.arange(len(node))
-    for a, b in sorted(cKDTree(node).query_pairs(LIMITS.node)):
+    for a, b in sorted(cKDTree(node).query_pairs(NODE)):
         if building[a] == building[b]:
             first[b] = min(first[b], first[a])
     return first
@@ -309,7 +301,7 @@ def _lines(walls: WallPieces) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
             continue
         cosine = normal @ normal[wall]
         same = (line < 0) & (building == building[wall]) & (np.abs(cosine) > _PARALLEL)
-        same &= np.abs((place - place[wall]) @ normal[wall]) < LIMITS.same_line
+        same &= np.abs((place - place[wall]) @ normal[wall]) < SAME_LINE
         line[same], facing[same] = len(normals), np.sign(cosine[same])
         normals.append(normal[wall])
     return line, facing, np.array(normals)

@@ -17,21 +17,13 @@ from scipy.special import log_ndtr, logsumexp
 from ...progress import SILENT, Progress
 from .offset_observations import OffsetObservations
 
-
-@dataclass(frozen=True)
-class OffsetPosteriorLimits:
-    """Limits of offset posterior, each with its unit."""
-
-    outlier_span: float = 80.0  # Outliers are spread evenly over this length, m.
-    chunk: int = 2000
-    # What no number of observations makes smaller, m: facades are not planes, and antennas are not where the
-    # trajectory says.
-    facade: float = 0.1
-    antenna: float = 0.3  # What the trajectory of a pass may be off by before a wall, m; passes are off apart.
-    usual: float = 5.0  # Observations that the scatter of all observations counts for in that of one wall.
-
-
-LIMITS = OffsetPosteriorLimits()
+OUTLIER_SPAN = 80.0  # Outliers are spread evenly over this length, m.
+CHUNK = 2000
+# What no number of observations makes smaller, m: facades are not planes, and antennas are not where the
+# trajectory says.
+FACADE = 0.1
+ANTENNA = 0.3  # What the trajectory of a pass may be off by before a wall, m; passes are off apart.
+USUAL = 5.0  # Observations that the scatter of all observations counts for in that of one wall.
 
 _GRID = np.arange(-4.0, 4.0001, 0.02)
 """Offsets that are tried for each wall, m."""
@@ -61,7 +53,7 @@ class ErrorModel:
         rate = 1.0 / self.nlos_mean_delay
         inlier = -0.5 * (error / sigma) ** 2 - np.log(np.sqrt(2 * np.pi) * sigma)
         delayed = np.log(rate) + 0.5 * (sigma * rate) ** 2 - rate * error + log_ndtr(error / sigma - sigma * rate)
-        outlier = np.full(error.shape, -np.log(LIMITS.outlier_span))
+        outlier = np.full(error.shape, -np.log(OUTLIER_SPAN))
         return np.stack([inlier + np.log(1 - self.nlos_share - self.outlier_share), delayed + np.log(self.nlos_share),
                          outlier + np.log(self.outlier_share)])
 
@@ -202,8 +194,8 @@ class _System:
         """(k, grid) log probability of each offset of the grid for each wall, latent errors held."""
         remaining = self.observations.value - self.shared(latent)
         log = np.zeros((len(self.walls), len(_GRID)))
-        for first in range(0, len(remaining), LIMITS.chunk):
-            some = slice(first, first + LIMITS.chunk)
+        for first in range(0, len(remaining), CHUNK):
+            some = slice(first, first + CHUNK)
             error = remaining[some, None] + 2 * self.observations.cosine[some, None] * _GRID
             each = np.logaddexp.reduce(model.log_parts(error, self.observations.variance[some, None]), axis=0)
             of_wall = csr_matrix((np.ones(len(each)), (self.wall[some], np.arange(len(each)))), (len(log), len(each)))
@@ -257,7 +249,7 @@ class _System:
         shared = np.maximum(np.diag(covariance) - separate, 0.0)
         inlier = model.shares(error, self.observations.variance)[0]
         widened = spread * self._scatter(error, inlier, model)
-        limit = LIMITS.facade**2 + LIMITS.antenna**2 / self._passes()
+        limit = FACADE**2 + ANTENNA**2 / self._passes()
         return Offsets(self.walls, mean, np.sqrt(widened + shared + limit), _rival(density), inlier, error, model)
 
     def _passes(self) -> np.ndarray:
@@ -270,7 +262,7 @@ class _System:
         says."""
         square = np.bincount(self.wall, inlier * error**2 / model.variance(self.observations.variance))
         count = np.bincount(self.wall, inlier)
-        return np.maximum((square + LIMITS.usual) / (np.maximum(count - 1.0, 0.0) + LIMITS.usual), 1.0)
+        return np.maximum((square + USUAL) / (np.maximum(count - 1.0, 0.0) + USUAL), 1.0)
 
 
 def _derivatives(model: ErrorModel, error: np.ndarray, variance: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

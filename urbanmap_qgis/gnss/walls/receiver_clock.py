@@ -16,23 +16,15 @@ from ...geometry.tolerances import LEAST_DIVISOR, SIGMA_OF_MAD
 from ...progress import SILENT, Progress
 from ..signals.tables import Signals
 
-
-@dataclass(frozen=True)
-class ReceiverClockLimits:
-    """Limits of receiver clock, each with its unit."""
-
-    huber: float = 1.5
-    forget: float = 3.5
-    rounds: int = 15
-    least_satellite_error: float = 0.2  # Of orbit, satellite clock and atmosphere together, m: less is not believed.
-    # What is expected of it before anything is measured, m, as if so many satellites had told it.
-    usual_error: float = 0.5
-    usual_count: float = 4.0
-    outlier: float = 15.0  # Satellites whose squared error is so many times the median's are not in sight.
-    open: float = 1e3  # Standard deviation of a system's offset before it is measured, m.
-
-
-LIMITS = ReceiverClockLimits()
+HUBER = 1.5
+FORGET = 3.5
+ROUNDS = 15
+LEAST_SATELLITE_ERROR = 0.2  # Of orbit, satellite clock and atmosphere together, m: less is not believed.
+# What is expected of it before anything is measured, m, as if so many satellites had told it.
+USUAL_ERROR = 0.5
+USUAL_COUNT = 4.0
+OUTLIER = 15.0  # Satellites whose squared error is so many times the median's are not in sight.
+OPEN = 1e3  # Standard deviation of a system's offset before it is measured, m.
 
 
 @dataclass(frozen=True)
@@ -88,9 +80,9 @@ def _pass_clock(signals: Signals, rows: np.ndarray, is_los: np.ndarray, least: i
     fit = is_los & enough
     satellite_error, unit = 1.0, 1.0
     weight = np.where(fit, sigma ** -2.0, 0.0)
-    for number in range(LIMITS.rounds):
+    for number in range(ROUNDS):
         progress.check()
-        prior = np.r_[np.full(systems, LIMITS.open), np.full(design.shape[1] - systems, satellite_error)]
+        prior = np.r_[np.full(systems, OPEN), np.full(design.shape[1] - systems, satellite_error)]
         latent, covariance, mean, total = _solved(design, residual, weight / unit**2, epoch, prior)
         left = residual - design @ latent
         clock = np.bincount(epoch, weights=weight * left) / np.where(total > 0, total * unit**2, np.nan)
@@ -102,7 +94,7 @@ def _pass_clock(signals: Signals, rows: np.ndarray, is_los: np.ndarray, least: i
         # A signal that was not in sight after all errs as a whole: its satellite's lasting error counts with it.
         whole = left + design[:, systems:] @ latent[systems:]
         scaled = np.abs(whole) / np.sqrt((unit * sigma) ** 2 + satellite_error**2)
-        weight = np.where(fit, _robust(scaled, redescending=number >= LIMITS.rounds // 3) * sigma ** -2.0, 0.0)
+        weight = np.where(fit, _robust(scaled, redescending=number >= ROUNDS // 3) * sigma ** -2.0, 0.0)
     fit &= weight > 0.1 * sigma ** -2.0
     heard = design[fit, :systems].any(axis=0) if fit.any() else np.zeros(systems, bool)
     # A system without a signal in sight has no clock of its own.
@@ -144,8 +136,8 @@ def _solved(design, residual, weight, epoch, prior):
 def _robust(scaled: np.ndarray, redescending: bool) -> np.ndarray:
     """Weights by normalised residuals: Huber's to begin with, then Geman and McClure's, which forget outliers."""
     if redescending:
-        return (1.0 + (scaled / LIMITS.forget) ** 2) ** -2.0
-    return np.minimum(1.0, LIMITS.huber / np.maximum(scaled, LEAST_DIVISOR))
+        return (1.0 + (scaled / FORGET) ** 2) ** -2.0
+    return np.minimum(1.0, HUBER / np.maximum(scaled, LEAST_DIVISOR))
 
 
 def _scatter(normalised: np.ndarray, freedom: int) -> float:
@@ -159,6 +151,6 @@ def _scatter(normalised: np.ndarray, freedom: int) -> float:
 def _lasting(error: np.ndarray, variance: np.ndarray, heard: np.ndarray) -> float:
     """Standard deviation of the satellites' lasting errors: of the estimates, robustly, and what they leave open."""
     square = error[heard] ** 2 + variance[heard]
-    inlier = square <= LIMITS.outlier * np.median(square) if len(square) else np.zeros(0, bool)
-    total = square[inlier].sum() + LIMITS.usual_count * LIMITS.usual_error**2
-    return float(max(np.sqrt(total / (np.count_nonzero(inlier) + LIMITS.usual_count)), LIMITS.least_satellite_error))
+    inlier = square <= OUTLIER * np.median(square) if len(square) else np.zeros(0, bool)
+    total = square[inlier].sum() + USUAL_COUNT * USUAL_ERROR**2
+    return float(max(np.sqrt(total / (np.count_nonzero(inlier) + USUAL_COUNT)), LEAST_SATELLITE_ERROR))

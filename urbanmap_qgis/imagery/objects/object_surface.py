@@ -9,20 +9,12 @@ import numpy as np
 from ...geometry.tolerances import LEAST_DIVISOR, SIGMA_OF_MAD
 from .outline_points import OutlinePoints
 
-
-@dataclass(frozen=True)
-class ObjectSurfaceLimits:
-    """Limits of object surface, each with its unit."""
-
-    # Points whose distances differ by more than this (m), with none between, lie on different things.
-    depth_gap: float = 0.4
-    # A surface holds at least this share of the points behind the outline: single outliers are passed over.
-    min_share: float = 0.1
-    flat: float = 0.05
-    wide: float = 0.05
-
-
-LIMITS = ObjectSurfaceLimits()
+# Points whose distances differ by more than this (m), with none between, lie on different things.
+DEPTH_GAP = 0.4
+# A surface holds at least this share of the points behind the outline: single outliers are passed over.
+MIN_SHARE = 0.1
+FLAT = 0.05
+WIDE = 0.05
 
 MIN_POINTS = 8
 """Laser points that a surface needs."""
@@ -55,9 +47,9 @@ def nearest_surface(points: OutlinePoints) -> OutlinePoints:
     """The points on the nearest thing connected in depth; none where there is no such thing."""
     order = np.argsort(points.distance, kind="stable")
     distance = points.distance[order]
-    ends = np.flatnonzero(np.diff(distance) > LIMITS.depth_gap) + 1
+    ends = np.flatnonzero(np.diff(distance) > DEPTH_GAP) + 1
     for group in np.split(order, ends):
-        if len(group) >= max(MIN_POINTS, LIMITS.min_share * len(points)):
+        if len(group) >= max(MIN_POINTS, MIN_SHARE * len(points)):
             return points.subset(np.sort(group))
     return points.subset(np.empty(0, int))
 
@@ -79,7 +71,7 @@ def surface_plane(points: OutlinePoints, camera: np.ndarray) -> SurfacePlane:
         weight = np.maximum((1.0 - share**2) ** 2, 1e-12)
     used = np.abs(residual) < 4.0 * scale
     rmse = float(np.sqrt(np.mean(residual[used] ** 2)))
-    flat = rmse < LIMITS.flat and np.sqrt(max(spread[1], 0.0)) > LIMITS.wide and used.sum() >= MIN_POINTS
+    flat = rmse < FLAT and np.sqrt(max(spread[1], 0.0)) > WIDE and used.sum() >= MIN_POINTS
     normal = axes[:, 0]
     if not flat:
         towards = (camera - middle) * [1.0, 1.0, 0.0]

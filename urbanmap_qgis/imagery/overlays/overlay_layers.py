@@ -15,23 +15,15 @@ from .roof_heights import RoofHeights
 BLOCK = 3
 """Side of the square of pixels that shows one laser point, the nearest."""
 
-
-@dataclass(frozen=True)
-class OverlayLayersLimits:
-    """Limits of overlay layers, each with its unit."""
-
-    around: int = 5  # blocks in which a nearer surface hides what lies behind it
-    # m and share of the distance behind the nearest point: still its surface
-    deeper: float = 0.5
-    deeper_share: float = 0.03
-    # m
-    point_clearance: float = 2.0
-    edge_clearance: float = 0.5
-    # pixels between neighbours along an edge: farther ones lie in different passes of a line camera
-    longest: float = 40.0
-
-
-LIMITS = OverlayLayersLimits()
+AROUND = 5  # blocks in which a nearer surface hides what lies behind it
+# m and share of the distance behind the nearest point: still its surface
+DEEPER = 0.5
+DEEPER_SHARE = 0.03
+# m
+POINT_CLEARANCE = 2.0
+EDGE_CLEARANCE = 0.5
+# pixels between neighbours along an edge: farther ones lie in different passes of a line camera
+LONGEST = 40.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,13 +77,13 @@ class NearestPoints:
 
     def drawn(self, roofs: RoofHeights) -> DrawnPoints:
         """Those that neither a nearer surface of points nor a building hides."""
-        near = minimum_filter(self._distance, LIMITS.around, mode="nearest")
-        seen = np.isfinite(self._distance) & (self._distance <= near * (1 + LIMITS.deeper_share) + LIMITS.deeper)
+        near = minimum_filter(self._distance, AROUND, mode="nearest")
+        seen = np.isfinite(self._distance) & (self._distance <= near * (1 + DEEPER_SHARE) + DEEPER)
         row, column = np.nonzero(seen)
         column, row_middle = column * BLOCK + BLOCK // 2, row * BLOCK + BLOCK // 2
         place, value = self._place[seen], self._value[seen]
         cameras, _ = self._source.rays(column.astype(float), row_middle.astype(float))
-        keep = ~roofs.hidden(place, cameras, LIMITS.point_clearance)
+        keep = ~roofs.hidden(place, cameras, POINT_CLEARANCE)
         return DrawnPoints(column[keep], row_middle[keep], value[keep])
 
 
@@ -110,13 +102,13 @@ def visible_edges(source: Source, samples: EdgeSamples, max_range: float, roofs:
     columns, rows = source.size()
     index, column, row, _ = source.pixels(samples.place, (0.0, 0.0, columns - 1.0, rows - 1.0), max_range)
     cameras, _ = source.rays(column, row)
-    seen = ~roofs.hidden(samples.place[index], cameras, LIMITS.edge_clearance)
+    seen = ~roofs.hidden(samples.place[index], cameras, EDGE_CLEARANCE)
     index, column, row = index[seen], column[seen], row[seen]
     sweep = _rank_in_group(index)
     order = np.lexsort((index, sweep))
     index, place = index[order], np.column_stack([column, row])[order]
     joined = ((np.diff(index) == 1) & (np.diff(sweep[order]) == 0) & (np.diff(samples.edge[index]) == 0)
-              & (np.abs(np.diff(place, axis=0)).max(axis=1, initial=0.0) < LIMITS.longest))
+              & (np.abs(np.diff(place, axis=0)).max(axis=1, initial=0.0) < LONGEST))
     return DrawnEdges(place[:-1][joined], place[1:][joined])
 
 

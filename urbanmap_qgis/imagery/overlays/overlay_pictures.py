@@ -11,19 +11,11 @@ from ...geometry.tolerances import LEAST_DIVISOR
 from ..views.views import Source
 from .overlay_layers import DrawnEdges, DrawnPoints
 
-
-@dataclass(frozen=True)
-class OverlayPicturesLimits:
-    """Limits of overlay pictures, each with its unit."""
-
-    window: tuple[float, ...] = (1200, 900)  # Most columns and rows of a picture on a page.
-    edge_colour: tuple[float, ...] = (255, 230, 0)
-    other_class: tuple[float, ...] = (200, 200, 255)
-    one_colour: tuple[float, ...] = (0, 210, 255)
-    opaque: float = 0.7  # of points: the image shows through
-
-
-LIMITS = OverlayPicturesLimits()
+WINDOW = (1200, 900)  # Most columns and rows of a picture on a page.
+EDGE_COLOUR = (255, 230, 0)
+OTHER_CLASS = (200, 200, 255)
+ONE_COLOUR = (0, 210, 255)
+OPAQUE = 0.7  # of points: the image shows through
 
 CLASS_COLOURS = {1: (170, 170, 170), 2: (166, 116, 54), 3: (120, 200, 80), 4: (60, 170, 60), 5: (20, 120, 40),
                  6: (226, 88, 62), 7: (255, 0, 255), 9: (60, 120, 230), 11: (150, 150, 160), 17: (240, 220, 90)}
@@ -51,9 +43,9 @@ class PointColours:
     def of(self, values: np.ndarray) -> np.ndarray:
         """Red, green, blue (n, 3) uint8 of values (n,)."""
         if self.kind == "one" or not len(values):
-            return np.broadcast_to(np.array(LIMITS.one_colour, np.uint8), (len(values), 3))
+            return np.broadcast_to(np.array(ONE_COLOUR, np.uint8), (len(values), 3))
         if self.kind == "class":
-            table = np.full((256, 3), LIMITS.other_class, np.uint8)
+            table = np.full((256, 3), OTHER_CLASS, np.uint8)
             table[list(CLASS_COLOURS)] = list(CLASS_COLOURS.values())
             return table[np.clip(values, 0, 255).astype(int)]
         share = np.clip((values - self.low) / max(self.high - self.low, LEAST_DIVISOR), 0.0, 1.0)
@@ -67,10 +59,10 @@ def draw(pixels: np.ndarray, overlay: Overlay, colours: PointColours, left: int 
     rows, columns = picture.shape[:2]
     column, row = overlay.points.column - left, overlay.points.row - top
     inside = (column >= 0) & (column < columns - 1) & (row >= 0) & (row < rows - 1)
-    colour = LIMITS.opaque * colours.of(overlay.points.value[inside])
+    colour = OPAQUE * colours.of(overlay.points.value[inside])
     for across, down in ((0, 0), (1, 0), (0, 1), (1, 1)):
         at = row[inside] + down, column[inside] + across
-        picture[at] = colour + (1.0 - LIMITS.opaque) * picture[at]
+        picture[at] = colour + (1.0 - OPAQUE) * picture[at]
     _draw_lines(picture, overlay.edges, left, top)
     return picture
 
@@ -84,7 +76,7 @@ def _draw_lines(image: np.ndarray, edges: DrawnEdges, left: int, top: int) -> No
     for points in np.rint(8 * np.stack([start[inside], end[inside]], axis=1)).astype(np.int32):
         cv2.line(image, points[0].tolist(), points[1].tolist(), (0, 0, 0), 4, cv2.LINE_AA, 3)
     for points in np.rint(8 * np.stack([start[inside], end[inside]], axis=1)).astype(np.int32):
-        cv2.line(image, points[0].tolist(), points[1].tolist(), LIMITS.edge_colour, 2, cv2.LINE_AA, 3)
+        cv2.line(image, points[0].tolist(), points[1].tolist(), EDGE_COLOUR, 2, cv2.LINE_AA, 3)
 
 
 def jpeg(pixels: np.ndarray) -> bytes:
@@ -102,7 +94,7 @@ def beside(first: np.ndarray, second: np.ndarray) -> np.ndarray:
 def best_windows(source: Source, overlay: Overlay, count: int) -> list[tuple[int, int, int, int]]:
     """Windows (left, top, right, bottom) in which most is drawn, the fullest first, none over another."""
     columns, rows = source.size()
-    width, height = min(LIMITS.window[0], columns), min(LIMITS.window[1], rows)
+    width, height = min(WINDOW[0], columns), min(WINDOW[1], rows)
     across, down = max(-(-columns // width), 1), max(-(-rows // height), 1)
     amount = np.zeros((down, across))
     middles = (overlay.edges.start + overlay.edges.end) / 2

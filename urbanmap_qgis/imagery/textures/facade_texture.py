@@ -13,19 +13,11 @@ from ..views.obstacles import ViewObstacles
 from ..views.views import Source, View
 from .facades import Facade, Lattice, TexelGrid, lattice, on_facade
 
-
-@dataclass(frozen=True)
-class FacadeTextureLimits:
-    """Limits of facade texture, each with its unit."""
-
-    # Where places lie in images, and whether they are hidden, is found on a lattice of this step, m.
-    nodes: float = 0.25
-    blend: float = 0.3  # Views pass into each other over this width, m.
-    overlap: int = 200  # Texels that two views must share for their brightness to be compared.
-    unseen: int = 190  # Grey of texels that no image shows.
-
-
-LIMITS = FacadeTextureLimits()
+# Where places lie in images, and whether they are hidden, is found on a lattice of this step, m.
+NODES = 0.25
+BLEND = 0.3  # Views pass into each other over this width, m.
+OVERLAP = 200  # Texels that two views must share for their brightness to be compared.
+UNSEEN = 190  # Grey of texels that no image shows.
 
 NOT_FACED, HIDDEN = "no image looks at it", "hidden in all images"
 
@@ -62,7 +54,7 @@ def texture_facade(facade: Facade, grid: TexelGrid, sources: Sequence[Source],
     obstacles : gives what may hide the facade from cameras (n, 3); asked only when an image looks at it.
     """
     face = on_facade(facade, grid)
-    nodes = lattice(facade, grid, max(LIMITS.nodes, grid.step))
+    nodes = lattice(facade, grid, max(NODES, grid.step))
     views = [view for source in sources for view in source.views(nodes.places, facade.normal, settings.max_range)]
     views = [view for view in views if (view.detail >= settings.min_detail).any()]
     if not views:
@@ -129,7 +121,7 @@ def compensation_gains(colours: np.ndarray, visible: np.ndarray) -> np.ndarray:
     for a in range(count):
         for b in range(a + 1, count):
             both = visible[a] & visible[b]
-            if both.sum() >= LIMITS.overlap:
+            if both.sum() >= OVERLAP:
                 weight = np.sqrt(both.sum())
                 row = np.zeros(count)
                 row[[a, b]] = weight, -weight
@@ -149,7 +141,7 @@ def _blended(grid: TexelGrid, face: np.ndarray, colours: np.ndarray, visible: np
     """Pixels (rows, columns, 3) uint8: each texel from its best view, passing softly into the neighbour's view."""
     total = np.zeros((*face.shape, 3), np.float32)
     weights = np.zeros(face.shape, np.float32)
-    side = 2 * max(round(LIMITS.blend / grid.step / 2), 1) + 1
+    side = 2 * max(round(BLEND / grid.step / 2), 1) + 1
     for number in np.unique(best[best >= 0]):
         chosen = np.zeros(face.shape, np.float32)
         chosen[face] = best == number
@@ -161,6 +153,6 @@ def _blended(grid: TexelGrid, face: np.ndarray, colours: np.ndarray, visible: np
         total += weight[:, :, None] * layer
         weights += weight
     seen = weights > 0
-    pixels = np.full((*face.shape, 3), LIMITS.unseen, np.uint8)
+    pixels = np.full((*face.shape, 3), UNSEEN, np.uint8)
     pixels[seen] = np.clip(np.rint(total[seen] / weights[seen][:, None]), 0, 255).astype(np.uint8)
     return pixels

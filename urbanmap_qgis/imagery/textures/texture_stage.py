@@ -26,18 +26,10 @@ from .atlas import coarsest_step, draw_atlas, pack_textures
 from .facade_texture import NOT_FACED, FacadeTexture, texture_facade
 from .facades import Facade, TexelGrid, facades_of, texel_grid
 
-
-@dataclass(frozen=True)
-class TextureStageLimits:
-    """Limits of texture stage, each with its unit."""
-
-    jpeg_quality: int = 90
-    whole: float = 0.95
-    frame_range: float = 60.0
-    above: float = 2.0
-
-
-LIMITS = TextureStageLimits()
+JPEG_QUALITY = 90
+WHOLE = 0.95
+FRAME_RANGE = 60.0
+ABOVE = 2.0
 
 TEXTURED, PARTLY, NOT_SEEN = "textured", "partly seen", "not seen"
 
@@ -172,9 +164,9 @@ def _piece(building: BuildingSolids, sources: Sequence[Source], roofs: _Roofs, v
     low = np.min([solid.vertices.min(axis=0) for solid in building.solids], axis=0)
     high = np.max([solid.vertices.max(axis=0) for solid in building.solids], axis=0)
     frames = any(isinstance(source, FrameSource) for source in sources)
-    around = np.array([1.0, 1.0, 0.0]) * max(settings.max_range, LIMITS.frame_range if frames else 0.0)
+    around = np.array([1.0, 1.0, 0.0]) * max(settings.max_range, FRAME_RANGE if frames else 0.0)
     return _Piece(building, *roofs.around(low - around, high + around),
-                  OccupiedVoxels(voxels.within(low - around - LIMITS.above, high + around + LIMITS.above)))
+                  OccupiedVoxels(voxels.within(low - around - ABOVE, high + around + ABOVE)))
 
 
 def _texture_building(piece: _Piece, sources: Sequence[Source], settings: TextureSettings) -> Textured:
@@ -191,7 +183,7 @@ def _texture_building(piece: _Piece, sources: Sequence[Source], settings: Textur
         if place is not None:
             textures[facade.solid][facade.face] = _face_texture(building, facade, grid, place, names[place.page],
                                                                 pages[place.page].shape)
-    images = {name: cv2.imencode(".jpg", page[:, :, ::-1], [cv2.IMWRITE_JPEG_QUALITY, LIMITS.jpeg_quality])[1].tobytes()
+    images = {name: cv2.imencode(".jpg", page[:, :, ::-1], [cv2.IMWRITE_JPEG_QUALITY, JPEG_QUALITY])[1].tobytes()
               for name, page in zip(names, pages)}
     records = tuple(_record(building, number, facade, texture, sources)
                     for number, (facade, texture) in enumerate(zip(facades, facade_textures)))
@@ -205,12 +197,12 @@ def _obstacles(cameras: np.ndarray, piece: _Piece, facade: Facade) -> ViewObstac
     """What may stand between a facade and cameras (n, 3)."""
     corners = facade.places(np.array([0.0, facade.width]), np.array([0.0, facade.height]))
     everything = np.vstack([corners, cameras])
-    low, high = everything.min(axis=0) - LIMITS.above, everything.max(axis=0) + LIMITS.above
-    top = max(float(piece.heights.max(initial=corners[:, 2].max())), corners[:, 2].max()) + LIMITS.above
+    low, high = everything.min(axis=0) - ABOVE, everything.max(axis=0) + ABOVE
+    top = max(float(piece.heights.max(initial=corners[:, 2].max())), corners[:, 2].max()) + ABOVE
     # Above the highest roof nothing hides, so that rays to an aircraft end there.
-    max_range = np.array([*np.full(2, max(LIMITS.frame_range, np.ptp(corners, axis=0).max())), 0.0])
-    low, high = (np.maximum(low, corners.min(axis=0) - max_range - LIMITS.above),
-                 np.minimum(high, corners.max(axis=0) + max_range + LIMITS.above))
+    max_range = np.array([*np.full(2, max(FRAME_RANGE, np.ptp(corners, axis=0).max())), 0.0])
+    low, high = (np.maximum(low, corners.min(axis=0) - max_range - ABOVE),
+                 np.minimum(high, corners.max(axis=0) + max_range + ABOVE))
     high[2] = min(max(high[2], corners[:, 2].max()), top)
     return obstacles_within(low, high, piece.roofs, piece.heights, piece.voxels)
 
@@ -241,7 +233,7 @@ def _record(building: BuildingSolids, number: int, facade: Facade, texture: Faca
             sources: Sequence[Source]) -> FacadeRecord:
     solid = building.solids[facade.solid]
     rings = [solid.vertices[list(ring)] for ring in solid.faces[facade.face]]
-    status = NOT_SEEN if texture.reason else TEXTURED if texture.share >= LIMITS.whole else PARTLY
+    status = NOT_SEEN if texture.reason else TEXTURED if texture.share >= WHOLE else PARTLY
     azimuth = float(np.degrees(np.arctan2(facade.normal[0], facade.normal[1])) % 360.0)
     return FacadeRecord(building.id, number, shapely.Polygon(rings[0], rings[1:]), float(facade.outline.area), azimuth,
                         texture.share, 1.0 / texture.detail if texture.detail > 0 else np.nan,

@@ -14,19 +14,11 @@ from ..localisation_settings import LocalisationSettings
 from ..walls.wall_scan import WallScan
 from .information import Evidence, SharedError, surface_rows
 
-
-@dataclass(frozen=True)
-class MarkingMapLimits:
-    """Limits of marking map, each with its unit."""
-
-    sample: float = 0.5
-    straight: float = 0.02
-    dash: float = 20.0
-    other_end: float = 0.5
-    level: float = 5.0  # Markings higher or lower than the road by more than this, m, are on another road.
-
-
-LIMITS = MarkingMapLimits()
+SAMPLE = 0.5
+STRAIGHT = 0.02
+DASH = 20.0
+OTHER_END = 0.5
+LEVEL = 5.0  # Markings higher or lower than the road by more than this, m, are on another road.
 
 
 @dataclass(frozen=True)
@@ -68,7 +60,7 @@ def marking_map(shapes: Sequence[shapely.Geometry | None], sigma: np.ndarray) ->
         if shape is None or shape.is_empty:
             continue
         heights[row] = shapely.get_coordinates(shape, include_z=True)[:, 2].mean()
-        for part in shapely.get_parts(shapely.simplify(shapely.force_2d(shape), LIMITS.straight)):
+        for part in shapely.get_parts(shapely.simplify(shapely.force_2d(shape), STRAIGHT)):
             part_edges = _outline_edges(part) if part.geom_type == "Polygon" else _line_edges(part)
             edges.append(part_edges)
             owner.append(np.full(len(part_edges), row))
@@ -100,7 +92,7 @@ def visible_markings(markings: MarkingMap, tree: cKDTree, place: np.ndarray, hea
         azimuths = scan.reach.shape[1]
         ray = np.round(azimuth / (2 * np.pi) * azimuths).astype(np.int64) % azimuths
         seen &= distance < scan.reach[of, ray]
-    other = np.abs(markings.height[number] - place[of, 2]) > LIMITS.level
+    other = np.abs(markings.height[number] - place[of, 2]) > LEVEL
     return of[seen & ~other], number[seen & ~other], np.bincount(of[seen & other], minlength=len(place))
 
 
@@ -112,7 +104,7 @@ def marking_evidence(markings: MarkingMap, of: np.ndarray, number: np.ndarray, p
     noise = settings.marking_noise * np.maximum(np.hypot(off[:, 0], off[:, 1]) / 10.0, 1.0)
     sigma, normal = markings.sigma[number], markings.normal[number]
     # A sample stands for the points along its stretch, of which the detection rate is found.
-    points = settings.detection * np.maximum(markings.length[number] / LIMITS.sample, 0.1)
+    points = settings.detection * np.maximum(markings.length[number] / SAMPLE, 0.1)
     common, one = np.full(len(of), settings.marking_common), np.zeros(len(of), np.int64)
     shared = tuple(SharedError(group, normal[:, axis], spread) for axis in range(2)
                    for group, spread in ((markings.marking[number], sigma), (one, common)))
@@ -132,7 +124,7 @@ def _line_edges(line: shapely.LineString) -> np.ndarray:
     """Edges (m, 5) of a line, and across its ends, marked 1, those of a paint stroke 0.15 m wide."""
     points = shapely.get_coordinates(line)
     edges = [np.column_stack([points[:-1], points[1:], np.zeros(len(points) - 1)])]
-    if line.length <= LIMITS.dash:
+    if line.length <= DASH:
         for end, before in ((points[0], points[1]), (points[-1], points[-2])):
             along = end - before
             across = np.array([-along[1], along[0]]) / max(np.hypot(*along), LEAST_DIVISOR) * 0.075
@@ -146,7 +138,7 @@ def _free_ends(edges: np.ndarray, owner: np.ndarray) -> tuple[np.ndarray, np.nda
     if not len(ends):
         return edges, owner
     middle = (edges[ends, :2] + edges[ends, 2:4]) / 2
-    near = cKDTree(middle).query_pairs(LIMITS.other_end, output_type="ndarray")
+    near = cKDTree(middle).query_pairs(OTHER_END, output_type="ndarray")
     touching = near[owner[ends[near[:, 0]]] != owner[ends[near[:, 1]]]].ravel()
     free = np.ones(len(edges), bool)
     free[ends[touching]] = False
@@ -157,7 +149,7 @@ def _edge_samples(edges: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray
     """Middles of stretches of edges, their normals and lengths, and the number of the edge."""
     direction = edges[:, 2:4] - edges[:, :2]
     length = np.hypot(direction[:, 0], direction[:, 1])
-    count = np.where(length > 1e-3, np.maximum(np.round(length / LIMITS.sample), 1), 0).astype(np.int64)
+    count = np.where(length > 1e-3, np.maximum(np.round(length / SAMPLE), 1), 0).astype(np.int64)
     edge = np.repeat(np.arange(len(edges)), count)
     share = (np.arange(len(edge)) - np.repeat(np.cumsum(count) - count, count) + 0.5) / count[edge]
     unit = direction[edge] / length[edge, None]

@@ -13,20 +13,12 @@ from ..map_aliases import ScoreField
 from ..walls.wall_cells import pieces_at_height, wall_points
 from ..walls.wall_map import WallMap
 
-
-@dataclass(frozen=True)
-class LineMatchLimits:
-    """Limits of ICP, each with its unit."""
-
-    reach: float = 2.0  # m, to the line of a point in the first steps
-    sigmas: float = 3.0  # of the lines, and of the noise: farther points are left out in the last steps
-    steps: int = 20
-    settled: float = 1e-4  # m
-    least_points: int = 5
-    facing: float = 4.0  # m, that lines facing opposite ways count as apart
-
-
-LIMITS = LineMatchLimits()
+REACH = 2.0  # m, to the line of a point in the first steps
+SIGMAS = 3.0  # of the lines, and of the noise: farther points are left out in the last steps
+STEPS = 20
+SETTLED = 1e-4  # m
+LEAST_POINTS = 5
+FACING = 4.0  # m, that lines facing opposite ways count as apart
 
 
 @dataclass(frozen=True)
@@ -38,7 +30,7 @@ class LineMap:
     field : the score.
     xy : (k, 2) points on the lines, m.
     normal : (k, 2) of the lines.
-    tree : of both, normals times half of `LIMITS.facing`.
+    tree : of both, normals times half of `FACING`.
     reach : m, of the last steps.
     faces : whether measured points have normals: edges of paint know their bright side, points of a scan do not.
     """
@@ -55,9 +47,9 @@ class LineMap:
     @classmethod
     def of(cls, field: ScoreField, xy: np.ndarray, normal: np.ndarray, sigma: float, faces: bool) -> LineMap:
         """Map of points (k, 2) on lines with normals (k, 2), whose places have the standard deviation `sigma`, m."""
-        apart = LIMITS.facing / 2 if faces else 0.0
+        apart = FACING / 2 if faces else 0.0
         return cls(field, xy, normal, cKDTree(np.column_stack([xy, apart * normal])),
-                   min(max(LIMITS.sigmas * sigma, 0.3), LIMITS.reach), faces)
+                   min(max(SIGMAS * sigma, 0.3), REACH), faces)
 
     def registered(self, points: np.ndarray, pose: RigidMotion, normal: np.ndarray | None = None,
                    sigma: np.ndarray | None = None) -> tuple[RigidMotion, float]:
@@ -69,22 +61,22 @@ class LineMap:
         counts = np.ones(len(points)) if sigma is None else 1.0 / sigma
         angle, translation = np.arctan2(pose.rotation[1, 0], pose.rotation[0, 0]), pose.translation.copy()
         fits = 0.0
-        for number in range(LIMITS.steps):
+        for number in range(STEPS):
             c, s = np.cos(angle), np.sin(angle)
             arm = points @ np.array([[c, s], [-s, c]])
             faces = np.zeros_like(arm) if normal is None else normal @ np.array([[c, s], [-s, c]])
-            away, nearest = self.tree.query(np.column_stack([arm + translation, LIMITS.facing / 2 * faces]))
+            away, nearest = self.tree.query(np.column_stack([arm + translation, FACING / 2 * faces]))
             n = self.normal[nearest]
             off = ((self.xy[nearest] - arm - translation) * n).sum(axis=1)
-            rows = np.flatnonzero(away < (LIMITS.reach if number < LIMITS.steps // 4 else self.reach))
-            if len(rows) < LIMITS.least_points:
+            rows = np.flatnonzero(away < (REACH if number < STEPS // 4 else self.reach))
+            if len(rows) < LEAST_POINTS:
                 return _pose(pose, translation, angle), 0.0
             turn = arm[rows, 0] * n[rows, 1] - arm[rows, 1] * n[rows, 0]
             design = np.column_stack([n[rows], turn]) * counts[rows, None]
             step = np.linalg.lstsq(design, off[rows] * counts[rows], rcond=1e-6)[0]
             translation, angle = translation + step[:2], angle + step[2]
             fits = float(np.maximum(1.0 - (off[rows] / self.reach) ** 2, 0.0).sum())
-            if number >= LIMITS.steps // 4 and np.abs(step[:2]).max() < LIMITS.settled:
+            if number >= STEPS // 4 and np.abs(step[:2]).max() < SETTLED:
                 break
         return _pose(pose, translation, angle), fits
 

@@ -8,7 +8,7 @@ from scipy.spatial import cKDTree
 from ...mobile.registration.matching.ndt_match import RigidMotion
 from ...progress import SILENT, Progress
 from ..accuracy_records import AccuracyMap
-from ..evidence.marking_map import LIMITS, MarkingMap, visible_markings
+from ..evidence.marking_map import SAMPLE, MarkingMap, visible_markings
 from ..localisation_settings import LocalisationSettings
 from ..map_aliases import ScoreField
 from .line_matches import LineMap
@@ -51,7 +51,7 @@ def _displaced(markings: MarkingMap, settings: LocalisationSettings, rng: np.ran
 def _measured(markings: MarkingMap, true: np.ndarray, number: np.ndarray, place: np.ndarray,
               settings: LocalisationSettings, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Points (k, 2) from the place on those of the samples that are found, normals of their edges and sigmas, m."""
-    share = settings.detection * np.minimum(markings.length[number] / LIMITS.sample, 1.0)
+    share = settings.detection * np.minimum(markings.length[number] / SAMPLE, 1.0)
     number = number[rng.random(len(number)) < share]
     off, normal = true[number] - place, markings.normal[number]
     noise = settings.marking_noise * np.maximum(np.hypot(off[:, 0], off[:, 1]) / 10.0, 1.0)

@@ -15,21 +15,13 @@ from ..walls.wall_cells import space_cells, wall_plan_cells
 from ..walls.wall_map import WallMap
 from .line_matches import LineMap
 
-
-@dataclass(frozen=True)
-class SimulatedMatchesLimits:
-    """Limits of simulated matches, each with its unit."""
-
-    coarse: tuple[float, ...] = LEVELS
-    ground_sigma: float = 0.05
-    same_start: float = 3.0  # Starts are looked for within so many sigmas.
-    starts: int = 2  # Starts from which the NDT is tried; the likeliest result is kept.
-    # Share of an independent observation that a point of a scan counts for, as its neighbours are on the same
-    # wall.
-    evidence_of_point: float = 0.05
-
-
-LIMITS = SimulatedMatchesLimits()
+COARSE = LEVELS
+GROUND_SIGMA = 0.05
+SAME_START = 3.0  # Starts are looked for within so many sigmas.
+STARTS = 2  # Starts from which the NDT is tried; the likeliest result is kept.
+# Share of an independent observation that a point of a scan counts for, as its neighbours are on the same
+# wall.
+EVIDENCE_OF_POINT = 0.05
 
 
 @dataclass(frozen=True)
@@ -65,14 +57,14 @@ def space_matching_map(walls: WallMap, field: ScoreField, settings: Localisation
     """Map for scans of several layers around a place (2,), with a level road at height `foot`, m."""
     reach = settings.scanner.max_range
     rise = reach * np.tan(np.radians(max(settings.scanner.highest, 0.0))) + settings.scanner.height
-    levels = tuple(space_cells(each, settings.cell, rise, foot, xy, reach + 5.0, LIMITS.ground_sigma)
+    levels = tuple(space_cells(each, settings.cell, rise, foot, xy, reach + 5.0, GROUND_SIGMA)
                    for each in _levels(walls))
     return MatchingMap(field, levels, Mixture.of(settings.outliers, settings.cell, 3))
 
 
 def _levels(walls: WallMap) -> list[WallMap]:
     """The walls with less and less tolerance, at last as accurate as they are."""
-    return [replace(walls, sigma=np.maximum(walls.sigma, least)) for least in LIMITS.coarse
+    return [replace(walls, sigma=np.maximum(walls.sigma, least)) for least in COARSE
             if walls.sigma.min() < least] + [walls]
 
 
@@ -98,7 +90,7 @@ def match_error(scan: np.ndarray, place: np.ndarray, city: MatchingMap | LineMap
         turned = np.arctan2(found.rotation[1, 0], found.rotation[0, 0])
         away = ((found.translation - start)[:2] ** 2).sum() / settings.start_sigma ** 2
         away += (turned / np.radians(settings.start_heading)) ** 2
-        likelihood = LIMITS.evidence_of_point * value - away / 2
+        likelihood = EVIDENCE_OF_POINT * value - away / 2
         if likelihood > best[0]:
             best = (likelihood, np.array([*(found.translation[:2] - place[:2]), turn + turned]))
     return best[1]
@@ -107,7 +99,7 @@ def match_error(scan: np.ndarray, place: np.ndarray, city: MatchingMap | LineMap
 def _starts(points: np.ndarray, start: np.ndarray, field: ScoreField, settings: LocalisationSettings
             ) -> list[tuple[np.ndarray, float]]:
     """Shifts (2,), m, and turns, rad, that fit best, what was known before taken into account."""
-    most = int(np.ceil(LIMITS.same_start * settings.start_sigma / STEP))
+    most = int(np.ceil(SAME_START * settings.start_sigma / STEP))
     offset = np.arange(-most, most + 1) * STEP
     before = (offset[:, None] ** 2 + offset ** 2) / (2 * settings.start_sigma ** 2)
     found = []
@@ -119,4 +111,4 @@ def _starts(points: np.ndarray, start: np.ndarray, field: ScoreField, settings: 
         row, column = np.unravel_index(score.argmax(), score.shape)
         found.append((float(score[row, column]), offset[column], offset[row], turn))
     found.sort(key=lambda each: -each[0])
-    return [(np.array([east, north]), turn) for _, east, north, turn in found[:LIMITS.starts]]
+    return [(np.array([east, north]), turn) for _, east, north, turn in found[:STARTS]]

@@ -2,30 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ..localisation_settings import VehicleScanner
 
-
-@dataclass(frozen=True)
-class ClutterLimits:
-    """Limits of clutter, each with its unit."""
-
-    patterns: int = 16  # Arrangements of vehicles and trees over which the prediction is the mean.
-    truck: tuple[float, ...] = (8.0, 2.5, 3.2)
-    car: tuple[float, ...] = (4.5, 1.8, 1.5)
-    trunk: tuple[float, ...] = (0.35, 0.35, 7.0)
-    crown: tuple[float, ...] = (4.0, 4.0, 4.0)
-    crown_foot: float = 3.0
-    through_crown: float = 0.3
-    along: float = 35.0
-    lanes: tuple[float, ...] = (2.8, 6.0)
-    pavement: tuple[float, ...] = (6.0, 9.0)
-
-
-LIMITS = ClutterLimits()
+PATTERNS = 16  # Arrangements of vehicles and trees over which the prediction is the mean.
+TRUCK = (8.0, 2.5, 3.2)
+CAR = (4.5, 1.8, 1.5)
+TRUNK = (0.35, 0.35, 7.0)
+CROWN = (4.0, 4.0, 4.0)
+CROWN_FOOT = 3.0
+THROUGH_CROWN = 0.3
+ALONG = 35.0
+LANES = (2.8, 6.0)
+PAVEMENT = (6.0, 9.0)
 
 _HIDDEN_BY_ONE = {"2D": 0.08, "multi-layer": 0.18}
 """What the usual number of vehicles and trees hides, -log(1 - share): means over the sample city."""
@@ -37,8 +27,8 @@ def clutter_patterns(scanner: VehicleScanner, elevation: np.ndarray, azimuths: i
     up, round_ = (values.ravel() for values in np.meshgrid(elevation, angle, indexing="ij"))
     direction = np.column_stack([np.cos(up) * np.sin(round_), np.cos(up) * np.cos(round_), np.sin(up)])
     reaches = [clutter_reach(direction, 0.0, scanner, np.random.default_rng([7, number]))
-               for number in range(LIMITS.patterns)]
-    return np.stack(reaches).reshape(LIMITS.patterns, len(elevation), azimuths)
+               for number in range(PATTERNS)]
+    return np.stack(reaches).reshape(PATTERNS, len(elevation), azimuths)
 
 
 def clutter_reach(direction: np.ndarray, heading: float, scanner: VehicleScanner, rng: np.random.Generator
@@ -52,17 +42,17 @@ def clutter_reach(direction: np.ndarray, heading: float, scanner: VehicleScanner
     ahead = direction[:, 0] * np.sin(heading) + direction[:, 1] * np.cos(heading)
     right = direction[:, 0] * np.cos(heading) - direction[:, 1] * np.sin(heading)
     local = np.column_stack([ahead, right, direction[:, 2]])
-    for size, foot, sides, usual in ((LIMITS.truck, 0.0, LIMITS.lanes, 0.7), (LIMITS.car, 0.0, LIMITS.lanes, 6.3),
-                                     (LIMITS.trunk, 0.0, LIMITS.pavement, 5.0),
-                                     (LIMITS.crown, LIMITS.crown_foot, LIMITS.pavement, 5.0)):
+    for size, foot, sides, usual in ((TRUCK, 0.0, LANES, 0.7), (CAR, 0.0, LANES, 6.3),
+                                     (TRUNK, 0.0, PAVEMENT, 5.0),
+                                     (CROWN, CROWN_FOOT, PAVEMENT, 5.0)):
         for _ in range(rng.poisson(usual * amount)):
-            middle = np.array([rng.uniform(-LIMITS.along, LIMITS.along), rng.choice([-1, 1]) * rng.uniform(*sides),
+            middle = np.array([rng.uniform(-ALONG, ALONG), rng.choice([-1, 1]) * rng.uniform(*sides),
                                foot + size[2] / 2 - scanner.height])
             enter, leave = _through_box(local, middle, np.array(size))
             met = enter < leave
             if foot > 0:
                 # Crowns are porous: some rays pass, others end within.
-                met &= rng.random(len(enter)) > LIMITS.through_crown
+                met &= rng.random(len(enter)) > THROUGH_CROWN
                 enter = enter + rng.random(len(enter)) * np.where(met, leave - enter, 0.0)
             reach = np.where(met & (enter > 0.5), np.minimum(reach, enter), reach)
     return reach

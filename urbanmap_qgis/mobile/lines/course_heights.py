@@ -25,21 +25,13 @@ from ..trajectory import Trajectory, path_chainage
 SPACING = 2.0
 """m along the course between samples."""
 
-
-@dataclass(frozen=True)
-class CourseHeightsLimits:
-    """Limits of course heights, each with its unit."""
-
-    standing_step: float = 5.0  # s between samples where the vehicle stands.
-    window: int = 51  # samples
-    min_scatter: float = 0.03  # m
-    lowest_eighth: float = 0.48  # sigmas from the lower quartile to the lowest eighth
-    sigmas: float = 4.0
-    min_samples: int = 5
-    spans: tuple[float, ...] = (2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0)  # s
-
-
-LIMITS = CourseHeightsLimits()
+STANDING_STEP = 5.0  # s between samples where the vehicle stands.
+WINDOW = 51  # samples
+MIN_SCATTER = 0.03  # m
+LOWEST_EIGHTH = 0.48  # sigmas from the lower quartile to the lowest eighth
+SIGMAS = 4.0
+MIN_SAMPLES = 5
+SPANS = (2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0)  # s
 
 MAX_ERROR = 3.0
 """m: ground farther from where it should be is not believed to be the vehicle's (bridges, roofs)."""
@@ -96,7 +88,7 @@ def course_heights(trajectory: Trajectory, ground: Callable[[np.ndarray, np.ndar
     place = trajectory.place[row]
     below = np.asarray(ground(place[:, 0], place[:, 1]), float)
     known = np.isfinite(below)
-    if np.count_nonzero(known) < LIMITS.min_samples:
+    if np.count_nonzero(known) < MIN_SAMPLES:
         raise InsufficientDataError(say("The ground does not reach the trajectory's course: give a ground of the "
                                         "same place and coordinate reference system."))
     time, above = trajectory.time[row[known]], (place[:, 2] - below)[known]
@@ -104,7 +96,7 @@ def course_heights(trajectory: Trajectory, ground: Callable[[np.ndarray, np.ndar
     # What stands on the ground comes nearer to the vehicle: the upper quarter is the road's.
     start = float(np.percentile(above, 75)) if found else float(sensor_height)
     believed = np.abs(start - above) <= MAX_ERROR
-    if np.count_nonzero(believed) < LIMITS.min_samples:
+    if np.count_nonzero(believed) < MIN_SAMPLES:
         raise InsufficientDataError(say("The trajectory lies {above:.1f} m above the ground (median), not "
                                         "{start:.1f} m: check the origin's height and both height systems.",
                                         above=np.median(above), start=start))
@@ -154,11 +146,11 @@ def _samples(trajectory: Trajectory) -> np.ndarray:
     row = np.searchsorted(chainage, np.arange(0.0, chainage[-1] + ROUNDING, SPACING))
     row = np.unique(np.minimum(row, len(chainage) - 1))
     standing = np.searchsorted(trajectory.time, np.arange(trajectory.time[0], trajectory.time[-1],
-                                                          LIMITS.standing_step))
+                                                          STANDING_STEP))
     taken = np.concatenate([[-np.inf], trajectory.time[row], [np.inf]])
     next_one = np.searchsorted(taken, trajectory.time[standing])
     away = np.minimum(taken[next_one] - trajectory.time[standing], trajectory.time[standing] - taken[next_one - 1])
-    return np.unique(np.concatenate([row, standing[away > 0.5 * LIMITS.standing_step]]))
+    return np.unique(np.concatenate([row, standing[away > 0.5 * STANDING_STEP]]))
 
 
 def _on_the_ground(error: np.ndarray) -> np.ndarray:
@@ -166,12 +158,12 @@ def _on_the_ground(error: np.ndarray) -> np.ndarray:
 
     The lower quarter of the samples around is the ground's; its scatter is estimated from what lies below that quarter.
     """
-    window = min(LIMITS.window, len(error) // 2 * 2 + 1)
+    window = min(WINDOW, len(error) // 2 * 2 + 1)
     low = percentile_filter(error, 25, window, mode="mirror")
     below = low[error < low] - error[error < low]
-    scatter = max(float(np.median(below)) / LIMITS.lowest_eighth,
-                  LIMITS.min_scatter) if len(below) else LIMITS.min_scatter
-    return (error >= low - LIMITS.sigmas * scatter) & (error <= low + (LIMITS.sigmas + 0.67) * scatter)
+    scatter = max(float(np.median(below)) / LOWEST_EIGHTH,
+                  MIN_SCATTER) if len(below) else MIN_SCATTER
+    return (error >= low - SIGMAS * scatter) & (error <= low + (SIGMAS + 0.67) * scatter)
 
 
 def _rms(values: np.ndarray) -> float:
@@ -209,7 +201,7 @@ def _fitted(time: np.ndarray, error: np.ndarray) -> tuple[_HeightWalk, np.ndarra
     """The most likely walk through samples, and which of them it used: those within four sigmas of a first walk."""
     coefficient, sigma = _most_likely(time, error)
     value = _solve(time, error, coefficient, sigma)[0]
-    used = np.abs(error - value) <= max(LIMITS.sigmas * sigma, LIMITS.min_scatter)
+    used = np.abs(error - value) <= max(SIGMAS * sigma, MIN_SCATTER)
     time, error = time[used], error[used]
     coefficient, sigma = _most_likely(time, error)
     value, factor, _ = _solve(time, error, coefficient, sigma)
@@ -226,7 +218,7 @@ def _long_span_walk(time: np.ndarray, value: np.ndarray) -> float:
     """Largest random walk coefficient, m per square root of a second, of errors over some span of time."""
     walks = [0.0]
     longest = 0.5 * (time[-1] - time[0])
-    for span in (item for item in LIMITS.spans if item < longest):
+    for span in (item for item in SPANS if item < longest):
         later = np.searchsorted(time, time + span)
         paired = later < len(time)
         paired[paired] = time[later[paired]] - time[paired] < 1.5 * span

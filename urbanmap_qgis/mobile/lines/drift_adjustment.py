@@ -33,29 +33,21 @@ POSITION_WALK, HEADING_WALK, SIGMA = 0.05, np.radians(0.01), 0.05
 
 _SPREAD = np.log([4.0, 4.0, 3.0])
 
-
-@dataclass(frozen=True)
-class DriftAdjustmentLimits:
-    """Limits of drift adjustment, each with its unit."""
-
-    start_sigma: float = 1000.0
-    min_step: float = 1e-3
-    node_steps: tuple[float, ...] = 1.0, 5.0  # s
-    iterations: int = 3
-    band: int = 5
-    coupling_evidence: float = 20.0
-    min_share: float = 1e-9
-    least_odds: float = 1e-6
-    least_pace: float = 1e-4  # of an even walk
-    stated_doubt: float = 5.0  # logarithm of the odds that sets must show against the accuracy that is stated
-    memories: tuple[float, ...] = 0.0, 20.0, 100.0  # s
-    smoothings: tuple[float, ...] = 0.0, 5.0  # s
-    # Errors that nothing was seen of walk this many times as fast as expected: so that most navigations do not
-    # faster.
-    unseen: float = 2.0
-
-
-LIMITS = DriftAdjustmentLimits()
+START_SIGMA = 1000.0
+MIN_STEP = 1e-3
+NODE_STEPS = 1.0, 5.0  # s
+ITERATIONS = 3
+BAND = 5
+COUPLING_EVIDENCE = 20.0
+MIN_SHARE = 1e-9
+LEAST_ODDS = 1e-6
+LEAST_PACE = 1e-4  # of an even walk
+STATED_DOUBT = 5.0  # logarithm of the odds that sets must show against the accuracy that is stated
+MEMORIES = 0.0, 20.0, 100.0  # s
+SMOOTHINGS = 0.0, 5.0  # s
+# Errors that nothing was seen of walk this many times as fast as expected: so that most navigations do not
+# faster.
+UNSEEN = 2.0
 
 _NODES, _MAX_NODES = 600, 4000
 
@@ -169,7 +161,7 @@ class RandomWalkDrift:
         total = np.zeros_like(drift)
         for weight, other in self.alternatives:
             known = np.array([other.walk.position_walk, other.walk.position_walk, other.walk.heading_walk])
-            unseen = np.maximum((LIMITS.unseen * np.array([POSITION_WALK, POSITION_WALK,
+            unseen = np.maximum((UNSEEN * np.array([POSITION_WALK, POSITION_WALK,
                                                            HEADING_WALK])) ** 2 - known**2, 0.0)
             total += weight * (other.variances(time) + (other.interpolate(time) - drift) ** 2
                                + np.maximum(beyond, 0.0)[:, None] * unseen)
@@ -205,12 +197,12 @@ def fit_drift(pairs: TiePairs, trajectory: Trajectory, walk: RandomWalk, fixed_s
                   for coupled in ((False,) if pace.memory else (False, True))]
     evidence = np.array([likelihood for _, _, likelihood, _ in found])
     if trajectory.place_sigma is not None:
-        evidence -= LIMITS.stated_doubt * np.array([not pace.is_stated for pace, *_ in found])
+        evidence -= STATED_DOUBT * np.array([not pace.is_stated for pace, *_ in found])
     chosen = _chosen(evidence, np.array([mode.coupled for _, mode, _, _ in found]))
     odds = np.exp(np.clip(evidence - evidence[chosen], -50.0, 50.0))
     odds /= odds.sum()
     alternatives = [(float(odds[k]), _widened(system, *found[k], start))
-                    for k in np.flatnonzero(odds > LIMITS.least_odds)]
+                    for k in np.flatnonzero(odds > LEAST_ODDS)]
     system.take_pace(found[chosen][0])
     return replace(_model(system, found[chosen][1], start), alternatives=tuple(alternatives))
 
@@ -219,8 +211,8 @@ def _paces(trajectory: Trajectory) -> list[WalkPace]:
     """What the tie points choose from: an even walk; where the navigation states its accuracy, walks that follow it."""
     spread = [WalkPace()]
     if trajectory.place_sigma is not None:
-        spread += [WalkPace(2.0, memory) for memory in LIMITS.memories]
-    return [replace(pace, smoothing=smoothing) for pace in spread for smoothing in LIMITS.smoothings]
+        spread += [WalkPace(2.0, memory) for memory in MEMORIES]
+    return [replace(pace, smoothing=smoothing) for pace in spread for smoothing in SMOOTHINGS]
 
 
 def _chosen(evidence: np.ndarray, coupled: np.ndarray) -> int:
@@ -230,7 +222,7 @@ def _chosen(evidence: np.ndarray, coupled: np.ndarray) -> int:
     """
     uncoupled = np.where(coupled, -np.inf, evidence)
     best = int(np.argmax(evidence))
-    return best if evidence[best] > uncoupled.max() + LIMITS.coupling_evidence else int(np.argmax(uncoupled))
+    return best if evidence[best] > uncoupled.max() + COUPLING_EVIDENCE else int(np.argmax(uncoupled))
 
 
 def _widened(system: _System, pace: WalkPace, mode: RandomWalk, likelihood: float, spread: np.ndarray,
@@ -262,7 +254,7 @@ def _integral(time: np.ndarray, values: np.ndarray) -> np.ndarray:
 def _model(system: _System, walk: RandomWalk, start: np.ndarray) -> RandomWalkDrift:
     """The drift of a given random walk, the rotations linearised about it; `start` (k, 3) to begin with."""
     system.linearise(start)
-    for _ in range(LIMITS.iterations):
+    for _ in range(ITERATIONS):
         value = system.solve(walk)[0]
         system.linearise(value)
     covariance, gain = system.covariances(walk)
@@ -304,7 +296,7 @@ def leave_one_out_misfits(pairs: TiePairs, model: RandomWalkDrift) -> tuple[np.n
         share, axes = np.linalg.eigh(np.eye(len(spread)) - spread / model.walk.sigma**2)
         mean = np.tile(np.eye(2), len(members)) / len(members)
         # What only this set determines has a share of nought: nothing is predicted there, its sigma is infinite.
-        left = mean @ axes / np.maximum(share, LIMITS.min_share)
+        left = mean @ axes / np.maximum(share, MIN_SHARE)
         misfit[number] = np.hypot(*(left @ axes.T @ residual[members].ravel()))
         sigmas[number] = misfit[number] / (model.walk.sigma * np.sqrt(np.trace(left @ axes.T @ mean.T)))
     return misfit, sigmas
@@ -323,16 +315,16 @@ def misfit_of_excluded(others: TiePairs, model: RandomWalkDrift) -> tuple[float,
 
 
 class _System:
-    """The normal equations of the pairs, linear about a drift, banded (upper, `LIMITS.band` diagonals above)."""
+    """The normal equations of the pairs, linear about a drift, banded (upper, `BAND` diagonals above)."""
 
     def __init__(self, pairs: TiePairs, trajectory: Trajectory):
         self.pairs = pairs
-        step = np.clip(trajectory.duration / _NODES, *LIMITS.node_steps)
+        step = np.clip(trajectory.duration / _NODES, *NODE_STEPS)
         count = int(np.clip(trajectory.duration / step, 2, _MAX_NODES))
         self.time = np.unique(np.concatenate([np.linspace(trajectory.time[0], trajectory.time[-1], count + 1),
                                               pairs.time]))
         self.node = np.searchsorted(self.time, pairs.time)
-        self.step = np.maximum(np.diff(self.time), LIMITS.min_step)
+        self.step = np.maximum(np.diff(self.time), MIN_STEP)
         self.trajectory = trajectory
         self.take_pace(WalkPace())
         place = [np.interp(self.time, trajectory.time, axis) for axis in trajectory.place[:, :2].T]
@@ -345,10 +337,10 @@ class _System:
         growth, self.carried, self.start = np.diff(since), np.ones(len(self.step)), np.inf
         if pace.memory:
             growth, self.carried, self.start = self._with_memory(pace.memory)
-        growth = np.maximum(growth, LIMITS.least_pace * self.step)
+        growth = np.maximum(growth, LEAST_PACE * self.step)
         slower = np.ones(len(self.step))
         for first, last in self._set_spans() if pace.smoothing else ():
-            span = max(self.time[last] - self.time[first], LIMITS.min_step)
+            span = max(self.time[last] - self.time[first], MIN_STEP)
             slower[first:last] = 1.0 + np.expm1(-span / pace.smoothing) * pace.smoothing / span
         self.growth = slower[:, None] * np.column_stack([growth, growth, self.step])
 
@@ -379,13 +371,13 @@ class _System:
         lever = rotated_vectors(self.pairs.seen, rotation + np.pi / 2)
         observed = self.pairs.true - rotated_vectors(self.pairs.seen, rotation) + lever * rotation[:, None]
         size = 3 * len(self.time)
-        self.normal, self.right = np.zeros((LIMITS.band + 1, size)), np.zeros(size)
+        self.normal, self.right = np.zeros((BAND + 1, size)), np.zeros(size)
         column = 3 * self.node
         for axis in (0, 1):
-            np.add.at(self.normal[LIMITS.band], column + axis, 1.0)
-            np.add.at(self.normal[LIMITS.band - 2 + axis], column + 2, lever[:, axis])
+            np.add.at(self.normal[BAND], column + axis, 1.0)
+            np.add.at(self.normal[BAND - 2 + axis], column + 2, lever[:, axis])
             np.add.at(self.right, column + axis, observed[:, axis])
-        np.add.at(self.normal[LIMITS.band], column + 2, (lever**2).sum(axis=1))
+        np.add.at(self.normal[BAND], column + 2, (lever**2).sum(axis=1))
         np.add.at(self.right, column + 2, (lever * observed).sum(axis=1))
         self.squares, self.observations = float((observed**2).sum()), 2 * len(observed)
 
@@ -395,7 +387,7 @@ class _System:
         From a node x to the next y the walk is y - F x, F = [[a, 0, -dn], [0, a, de], [0, 0, 1]] with the course step
         (de, dn) where it is coupled, what is carried on a (1 for a walk), and weights w: F'wF, -F'w and w are added.
         """
-        first = min(LIMITS.start_sigma, walk.position_walk * np.sqrt(self.start))
+        first = min(START_SIGMA, walk.position_walk * np.sqrt(self.start))
         start = np.array([first, first, walk.heading_sigma]) ** -2.0
         weight = np.array([walk.position_walk, walk.position_walk, walk.heading_walk]) ** -2.0 / self.growth
         across = np.column_stack([-self.course[:, 1], self.course[:, 0]]) * float(walk.coupled)
@@ -406,12 +398,12 @@ class _System:
         diagonal[:-1, 2] += (across**2 * weight[:, :2]).sum(axis=1)
         diagonal[1:] += weight
         band = np.zeros_like(self.normal)
-        band[LIMITS.band] = diagonal.ravel()
-        band[LIMITS.band - 3, 3:] = -(carry * weight).ravel()
+        band[BAND] = diagonal.ravel()
+        band[BAND - 3, 3:] = -(carry * weight).ravel()
         for axis in (0, 1):
             carried = across[:, axis] * weight[:, axis]
-            band[LIMITS.band - 2 + axis, 2:-1:3] += self.carried * carried
-            band[LIMITS.band - 1 - axis, 3 + axis::3] -= carried
+            band[BAND - 2 + axis, 2:-1:3] += self.carried * carried
+            band[BAND - 1 - axis, 3 + axis::3] -= carried
         return band, float(np.log(start).sum() + np.log(weight).sum())
 
     def solve(self, walk: RandomWalk) -> tuple[np.ndarray, float]:
@@ -421,7 +413,7 @@ class _System:
         right = self.right / walk.sigma**2
         value = cho_solve_banded((factor, False), right, check_finite=False)
         misfit = self.squares / walk.sigma**2 - float(right @ value)
-        likelihood = 0.5 * (determinant - misfit) - np.log(factor[LIMITS.band]).sum()
+        likelihood = 0.5 * (determinant - misfit) - np.log(factor[BAND]).sum()
         likelihood -= self.observations * np.log(walk.sigma)
         return value.reshape(-1, 3), likelihood
 
@@ -433,8 +425,8 @@ class _System:
         for row in range(3):
             for column in range(3):
                 if column >= row:
-                    node_covariance[:, row, column] = factor[LIMITS.band + row - column, column::3]
-                beside[:, row, column] = factor[LIMITS.band + row - column - 3, 3 + column::3]
+                    node_covariance[:, row, column] = factor[BAND + row - column, column::3]
+                beside[:, row, column] = factor[BAND + row - column - 3, 3 + column::3]
         back = np.linalg.inv(node_covariance)
         gain = back[:-1] @ beside
         covariance = back @ back.transpose(0, 2, 1)

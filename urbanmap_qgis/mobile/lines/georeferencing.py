@@ -27,17 +27,9 @@ from ..trajectory import Trajectory, body_to_map, gaps
 from .line_camera import mount_matrix
 from .range_scans import RangeScans, read_scans
 
-
-@dataclass(frozen=True)
-class GeoreferencingLimits:
-    """Limits of georeferencing, each with its unit."""
-
-    max_gap: float = 1.0  # s: between epochs farther apart nothing is placed.
-    scale: float = 0.001
-    min_rows_for_radians: int = 1000
-
-
-LIMITS = GeoreferencingLimits()
+MAX_GAP = 1.0  # s: between epochs farther apart nothing is placed.
+SCALE = 0.001
+MIN_ROWS_FOR_RADIANS = 1000
 
 
 @dataclass(frozen=True)
@@ -118,7 +110,7 @@ class _Georeferencer:
         self.span = [np.inf, -np.inf]
         self.counts = dict.fromkeys(("read", "no_return", "too_near", "too_far", "outside"), 0)
         self.by_scanner: dict[int, int] = {}
-        self.holes = gaps(trajectory, LIMITS.max_gap)
+        self.holes = gaps(trajectory, MAX_GAP)
 
     def georeference(self, scans: RangeScans) -> tuple[np.ndarray, RangeScans]:
         """Points (m, 3) and returns of a chunk that can be placed; their scanner numbers are the calibration's."""
@@ -191,7 +183,7 @@ class _Georeferencer:
         if len(time):
             self.span = [min(self.span[0], float(time.min())), max(self.span[1], float(time.max()))]
         angle = np.abs(scans.angle[np.isfinite(scans.angle)])
-        if (not self.counts["read"] and not self.settings.radians and len(angle) >= LIMITS.min_rows_for_radians
+        if (not self.counts["read"] and not self.settings.radians and len(angle) >= MIN_ROWS_FOR_RADIANS
                 and angle.max() <= 2 * np.pi):
             self.progress.warn(say("All angles are within {max:.2f} degrees: if they are radians, say so.",
                                    max=angle.max()))
@@ -216,7 +208,7 @@ class _Georeferencer:
 
 def _header(trajectory: Trajectory, crs_wkt: str | None) -> laspy.LasHeader:
     header = laspy.LasHeader(point_format=6, version="1.4")
-    header.scales = [LIMITS.scale] * 3
+    header.scales = [SCALE] * 3
     header.offsets = np.floor(trajectory.place.min(axis=0))
     header.generating_software = "UrbanMap"
     header.global_encoding.gps_time_type = int(trajectory.time[0] > WEEK)

@@ -18,23 +18,15 @@ from ...progress import SILENT, Progress
 Planes = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
 """From times (n,) to points (n, 3) on the planes and unit normals (n, 3)."""
 
-
-@dataclass(frozen=True)
-class PlaneSweepLimits:
-    """Limits of plane sweep, each with its unit."""
-
-    fan: int = 4
-    coarsest: int = 6
-    cell_level: int = 3
-    cell: float = 8.0  # m
-    pairs_at_once: int = 300_000
-    max_step_ratio: float = 10.0
-    on_plane: float = 1e-6  # m
-    touch: float = 2e-3  # m
-    iterations: int = 40
-
-
-LIMITS = PlaneSweepLimits()
+FAN = 4
+COARSEST = 6
+CELL_LEVEL = 3
+CELL = 8.0  # m
+PAIRS_AT_ONCE = 300_000
+MAX_STEP_RATIO = 10.0
+ON_PLANE = 1e-6  # m
+TOUCH = 2e-3  # m
+ITERATIONS = 40
 
 
 @dataclass(frozen=True)
@@ -81,8 +73,8 @@ class Sweep:
         """Planes at times (m >= 2,). Steps ten times as long as usual are gaps, over which nothing is swept."""
         place, normal = planes(time)
         step = np.diff(time)
-        levels = [_level(place, normal, LIMITS.fan ** power) for power in range(1, LIMITS.coarsest + 1)]
-        return cls(time, place, normal, step <= LIMITS.max_step_ratio * np.median(step), planes, tuple(levels))
+        levels = [_level(place, normal, FAN ** power) for power in range(1, COARSEST + 1)]
+        return cls(time, place, normal, step <= MAX_STEP_RATIO * np.median(step), planes, tuple(levels))
 
 
 def _level(place: np.ndarray, normal: np.ndarray, steps: int) -> _Level:
@@ -129,13 +121,13 @@ def _candidates(points: np.ndarray, sweep: Sweep, max_distance: float):
     """Pieces of places and steps (index, step) within which the plane may sweep over the place."""
     centre, radius, members, bounds = _cells(points)
     cell, interval = _all_pairs(len(centre), len(sweep.levels[-1].moved))
-    for power in range(LIMITS.coarsest, LIMITS.cell_level, -1):
+    for power in range(COARSEST, CELL_LEVEL, -1):
         possible = _possible(centre[cell], radius[cell], sweep.levels[power - 1], interval, max_distance)
         cell, interval = _children(cell[possible], interval[possible], len(sweep.levels[power - 2].moved))
-    possible = _possible(centre[cell], radius[cell], sweep.levels[LIMITS.cell_level - 1], interval, max_distance)
+    possible = _possible(centre[cell], radius[cell], sweep.levels[CELL_LEVEL - 1], interval, max_distance)
     cell, interval = cell[possible], interval[possible]
     size = np.diff(bounds)[cell]
-    piece = np.cumsum(size) // LIMITS.pairs_at_once
+    piece = np.cumsum(size) // PAIRS_AT_ONCE
     for some in np.split(np.arange(len(cell)), np.flatnonzero(np.diff(piece)) + 1):
         many = size[some]
         within = np.arange(many.sum()) - np.repeat(np.cumsum(many) - many, many)
@@ -146,7 +138,7 @@ def _candidates(points: np.ndarray, sweep: Sweep, max_distance: float):
 def _steps(points: np.ndarray, index: np.ndarray, interval: np.ndarray, sweep: Sweep,
            max_distance: float) -> tuple[np.ndarray, np.ndarray]:
     """Of places and intervals the steps within which the plane may sweep over the place."""
-    for power in range(LIMITS.cell_level, 0, -1):
+    for power in range(CELL_LEVEL, 0, -1):
         possible = _possible(points[index], 0.0, sweep.levels[power - 1], interval, max_distance)
         limit = len(sweep.levels[power - 2].moved) if power > 1 else len(sweep.time) - 1
         index, interval = _children(index[possible], interval[possible], limit)
@@ -160,7 +152,7 @@ def _swept(points: np.ndarray, index: np.ndarray, step: np.ndarray,
     start, end = (_ahead(points[index], sweep.place[step + k], sweep.normal[step + k]) for k in (0, 1))
     side = start < 0.0
     passed = side != (end < 0.0)
-    near = np.flatnonzero(~passed & (np.abs(start) < LIMITS.touch) & (np.abs(start) < np.abs(end)) & (step > 0))
+    near = np.flatnonzero(~passed & (np.abs(start) < TOUCH) & (np.abs(start) < np.abs(end)) & (step > 0))
     before = _ahead(points[index[near]], sweep.place[step[near] - 1], sweep.normal[step[near] - 1])
     near = near[(np.abs(before) >= np.abs(start[near])) & ((before < 0.0) == side[near])]
     return (index[passed], step[passed]), (index[near], step[near])
@@ -187,14 +179,14 @@ def _all_pairs(first: int, second: int) -> tuple[np.ndarray, np.ndarray]:
 
 def _children(index: np.ndarray, interval: np.ndarray, limit: int) -> tuple[np.ndarray, np.ndarray]:
     """Every pair with each of the four parts of its interval."""
-    part = (LIMITS.fan * interval[:, None] + np.arange(LIMITS.fan)).ravel()
+    part = (FAN * interval[:, None] + np.arange(FAN)).ravel()
     existing = np.flatnonzero(part < limit)
-    return np.repeat(index, LIMITS.fan)[existing], part[existing]
+    return np.repeat(index, FAN)[existing], part[existing]
 
 
 def _cells(points: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Places gathered in cubes: centres (c, 3), radii (c,), rows sorted by cube (n,) and where each begins (c + 1,)."""
-    cube = np.floor((points - points.min(axis=0)) / LIMITS.cell).astype(np.int64)
+    cube = np.floor((points - points.min(axis=0)) / CELL).astype(np.int64)
     size = cube.max(axis=0) + 1
     number = (cube[:, 0] * size[1] + cube[:, 1]) * size[2] + cube[:, 2]
     members = np.argsort(number, kind="stable")
@@ -211,9 +203,9 @@ def _refined(points: np.ndarray, step: np.ndarray, sweep: Sweep) -> np.ndarray:
     time = low - at_low * (high - low) / (at_high - at_low)
     side = np.zeros(len(points), np.int8)
     left = np.arange(len(points))
-    for _ in range(LIMITS.iterations):
+    for _ in range(ITERATIONS):
         value = _ahead(points[left], *sweep.planes(time[left]))
-        going = np.abs(value) > LIMITS.on_plane
+        going = np.abs(value) > ON_PLANE
         left, value = left[going], value[going]
         if not len(left):
             break

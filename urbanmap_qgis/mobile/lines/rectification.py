@@ -40,26 +40,18 @@ EXTRAPOLATED, BETWEEN = 0, 1
 
 Ground = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
-
-@dataclass(frozen=True)
-class RectificationLimits:
-    """Limits of rectification, each with its unit."""
-
-    contradiction: float = 5.0  # sigmas of the misfit within a set
-    suspect: float = 3.5  # sigmas of what the other sets alone say
-    blunder: float = 8.0  # sigmas
-    sets_tried: int = 3  # of those that stand out most, how many are left out in turn
-    min_suspect: float = 0.1  # m
-    # m, m/s
-    jump: float = 1.0
-    max_drift_rate: float = 0.5
-    min_sets_to_compare: int = 4
-    min_sets_to_leave_out: int = 5
-    min_sets_for_sigma: int = 4
-    short_share: float = 0.5
-
-
-LIMITS = RectificationLimits()
+CONTRADICTION = 5.0  # sigmas of the misfit within a set
+SUSPECT_LIMIT = 3.5  # sigmas of what the other sets alone say
+BLUNDER_LIMIT = 8.0  # sigmas
+SETS_TRIED = 3  # of those that stand out most, how many are left out in turn
+MIN_SUSPECT = 0.1  # m
+# m, m/s
+JUMP = 1.0
+MAX_DRIFT_RATE = 0.5
+MIN_SETS_TO_COMPARE = 4
+MIN_SETS_TO_LEAVE_OUT = 5
+MIN_SETS_FOR_SIGMA = 4
+SHORT_SHARE = 0.5
 
 _MAX_ROTATION = np.radians(10.0)
 
@@ -174,7 +166,7 @@ def rectify(trajectory: Trajectory, ties: TiePoints, ground: Ground | None = Non
     _warn_of_jumps(ties, number, keep, status, names, progress)
     corrected = _corrected(trajectory, ties, number, place, keep, model, settings)
     _warn_of_extent(trajectory, model, progress)
-    if not settings.tie_sigma and len(np.unique(number[keep])) < LIMITS.min_sets_for_sigma:
+    if not settings.tie_sigma and len(np.unique(number[keep])) < MIN_SETS_FOR_SIGMA:
         progress.warn(say("{unique_count} sets do not tell how good the tie points are: give their sigma, or add "
                           "sets.", unique_count=len(np.unique(number[keep]))))
     progress.step(0.7)
@@ -257,12 +249,12 @@ def _first_two(ties: TiePoints, names: list[str], number: np.ndarray, place: np.
 def _misfit_limit(ties: TiePoints, number: np.ndarray, place: np.ndarray, settings: RectifySettings) -> float:
     """Largest misfit within a set, m: five sigmas of it, which are what most sets show."""
     if settings.tie_sigma:
-        return LIMITS.contradiction * np.sqrt(2.0) * settings.tie_sigma
-    least = LIMITS.contradiction * np.sqrt(2.0) * SIGMA
+        return CONTRADICTION * np.sqrt(2.0) * settings.tie_sigma
+    least = CONTRADICTION * np.sqrt(2.0) * SIGMA
     sets = [np.flatnonzero(number == k) for k in range(number.max() + 1)]
     shown = [misfit(place[rows], ties.measured[rows], ties.reference[rows]).max() for rows in sets if len(rows) > 1]
-    usual = SIGMA_OF_MAD * float(np.median(shown)) if len(shown) >= LIMITS.min_sets_for_sigma else 0.0
-    return max(least, LIMITS.contradiction * usual)
+    usual = SIGMA_OF_MAD * float(np.median(shown)) if len(shown) >= MIN_SETS_FOR_SIGMA else 0.0
+    return max(least, CONTRADICTION * usual)
 
 
 def _without_outliers(ties: TiePoints, place: np.ndarray, members: np.ndarray,
@@ -300,13 +292,13 @@ def _model(trajectory: Trajectory, ties: TiePoints, number: np.ndarray, place: n
     model = fit_drift(pairs, trajectory, start, fixed)
     examined = np.zeros(len(names), bool)
     # At most a quarter of the sets can be blunders: more would be a drift that jumps.
-    for _ in range(max(1, len(names) // 4) if len(sets) >= LIMITS.min_sets_to_compare else 0):
+    for _ in range(max(1, len(names) // 4) if len(sets) >= MIN_SETS_TO_COMPARE else 0):
         found = _worst_set(trajectory, ties, number, place, keep, examined, model, start, fixed, progress)
         if found is None:
             break
         worst, away, sigmas_off, without = found
         examined[worst], name, suspect = True, names[worst], number == worst
-        if (sigmas_off > LIMITS.blunder and len(sets) >= LIMITS.min_sets_to_leave_out and not settings.keep_blunders):
+        if (sigmas_off > BLUNDER_LIMIT and len(sets) >= MIN_SETS_TO_LEAVE_OUT and not settings.keep_blunders):
             progress.warn(say("Set {name} lies {away:.2f} m from where the other sets put it and is left out: check "
                               "that survey and reference show the same place.", name=name, away=away))
             status[worst], keep[suspect] = BLUNDER, False
@@ -322,21 +314,21 @@ def _worst_set(trajectory: Trajectory, ties: TiePoints, number: np.ndarray, plac
                examined: np.ndarray, model: RandomWalkDrift, start: RandomWalk, fixed: bool,
                progress: Progress) -> tuple[int, float, float, RandomWalkDrift] | None:
     """The set that lies farthest from where the others alone put it: its number, m, sigmas, and their drift; None where
-    none lies farther than `LIMITS.suspect`.
+    none lies farther than `SUSPECT_LIMIT`.
 
     A wrong set widens what is held possible, and draws its neighbours along: hence a drift of its own without each.
     """
     pairs, sets = _pairs(ties, number, place, keep)
     shown = np.where(examined[sets], 0.0, leave_one_out_misfits(pairs, model)[1])
     worst = None
-    for k in sets[np.argsort(-shown)[:LIMITS.sets_tried]]:
+    for k in sets[np.argsort(-shown)[:SETS_TRIED]]:
         progress.check()
         if examined[k]:
             continue
         others, _ = _pairs(ties, number, place, keep & (number != k))
         without = fit_drift(others, trajectory, start, fixed)
         away, sigmas_off = misfit_of_excluded(_pairs(ties, number, place, keep & (number == k))[0], without)
-        if away > LIMITS.min_suspect and sigmas_off > (worst[2] if worst else LIMITS.suspect):
+        if away > MIN_SUSPECT and sigmas_off > (worst[2] if worst else SUSPECT_LIMIT):
             worst = int(k), away, sigmas_off, without
     return worst
 
@@ -349,7 +341,7 @@ def _warn_of_jumps(ties: TiePoints, number: np.ndarray, keep: np.ndarray, status
     time = np.array([ties.time[members].mean() for members in rows])
     shift = np.array([(ties.reference - ties.measured)[members].mean(axis=0) for members in rows])
     change, step = np.hypot(*np.diff(shift, axis=0).T), np.diff(time)
-    for k in np.flatnonzero((change > LIMITS.jump) & (change > LIMITS.max_drift_rate * step)):
+    for k in np.flatnonzero((change > JUMP) & (change > MAX_DRIFT_RATE * step)):
         progress.warn(say("Sets {names} and {names_2} contradict each other: within {step:.1f} s the drift would "
                           "change by {change:.1f} m; check both.", names=names[used[k]], names_2=names[used[k + 1]],
                           step=step[k], change=change[k]))
@@ -405,14 +397,14 @@ def _sigma_factor(ties: TiePoints, number: np.ndarray, place: np.ndarray, keep: 
                   model: RandomWalkDrift) -> float:
     """Root mean square of the sets' misfits against the others, in sigmas of these; 1 where it is less."""
     pairs, sets = _pairs(ties, number, place, keep)
-    if len(sets) < LIMITS.min_sets_for_sigma:
+    if len(sets) < MIN_SETS_FOR_SIGMA:
         return 1.0
     return max(1.0, float(np.sqrt(np.mean(leave_one_out_misfits(pairs, model)[1] ** 2))))
 
 
 def _warn_of_extent(trajectory: Trajectory, model: RandomWalkDrift, progress: Progress) -> None:
     """Warn where much of the course has no set on both sides."""
-    if model.last - model.first < LIMITS.short_share * trajectory.duration:
+    if model.last - model.first < SHORT_SHARE * trajectory.duration:
         progress.warn(say("The tie points lie within {last:.0f} of {duration:.0f} s: the rest of the course is only "
                           "moved along with them, and its sigma grows; add sets there.", last=model.last - model.first,
                           duration=trajectory.duration))

@@ -12,19 +12,11 @@ from scipy.spatial import cKDTree
 from ...geometry.tolerances import LEAST_DIVISOR
 from ..trajectory import Trajectory
 
-
-@dataclass(frozen=True)
-class CornerLimits:
-    """Limits of corners, each with its unit."""
-
-    merge_gap: float = 0.05  # m: outlines nearer than this are one block
-    # degrees between the edges of a corner
-    min_angle: float = 50.0
-    max_angle: float = 130.0
-    min_edge: float = 3.0  # m
-
-
-LIMITS = CornerLimits()
+MERGE_GAP = 0.05  # m: outlines nearer than this are one block
+# degrees between the edges of a corner
+MIN_ANGLE = 50.0
+MAX_ANGLE = 130.0
+MIN_EDGE = 3.0  # m
 
 
 @dataclass(frozen=True)
@@ -39,9 +31,9 @@ class BuildingCorners:
 def outline_corners(outlines: Sequence[shapely.Geometry | None]) -> BuildingCorners:
     """Corners between long edges of outlines; outlines that touch are one block."""
     shapes = [shape for shape in outlines if shape is not None and not shape.is_empty]
-    merged = shapely.union_all([shape.buffer(LIMITS.merge_gap, join_style="mitre") for shape in shapes])
+    merged = shapely.union_all([shape.buffer(MERGE_GAP, join_style="mitre") for shape in shapes])
     rings = []
-    for polygon in shapely.get_parts(shapely.buffer(merged, -LIMITS.merge_gap, join_style="mitre")):
+    for polygon in shapely.get_parts(shapely.buffer(merged, -MERGE_GAP, join_style="mitre")):
         if polygon.geom_type == "Polygon" and not polygon.is_empty:
             rings += [shapely.get_coordinates(shapely.simplify(ring, 0.1))[:-1, :2]
                       for ring in (polygon.exterior, *polygon.interiors)]
@@ -54,7 +46,7 @@ def ring_corners(ring: np.ndarray) -> BuildingCorners:
     length = np.linalg.norm(edges, axis=2)
     unit = edges / np.maximum(length, LEAST_DIVISOR)[..., None]
     angle = np.degrees(np.arccos(np.clip((unit[:, 0] * unit[:, 1]).sum(axis=1), -1, 1)))
-    good = (angle > LIMITS.min_angle) & (angle < LIMITS.max_angle) & (length.min(axis=1) >= LIMITS.min_edge)
+    good = (angle > MIN_ANGLE) & (angle < MAX_ANGLE) & (length.min(axis=1) >= MIN_EDGE)
     return BuildingCorners(ring[good], unit[good], length[good])
 
 

@@ -19,24 +19,15 @@ from ...geometry.tolerances import SIGMA_OF_MAD
 from ...io.raster import RasterSampler
 from ...progress import SILENT, Progress
 from ..trajectory import Trajectory
-from .reference_corners import LIMITS as CORNERS
-from .reference_corners import BuildingCorners, joined_corners
+from .reference_corners import MAX_ANGLE, MIN_ANGLE, MIN_EDGE, BuildingCorners, joined_corners
 
-
-@dataclass(frozen=True)
-class SurfaceCornersLimits:
-    """Limits of a surface's corners, each with its unit."""
-
-    step: float = 2.5  # m: neighbouring heights this far apart are a building's edge
-    around: float = 8.0  # m: the ground of a cell is the lowest height so near
-    window: int = 512  # cells of a window that is read at once, without its margin
-    straight: float = 1.5  # cells that a straight edge's cells lie off it at the most
-    across: float = 3.0  # cells looked at on either side of an edge
-    seen: float = 0.6  # share of an edge's length that must show the step
-    outlying: float = 3.0  # times the noise beyond which a place of an edge counts no more
-
-
-LIMITS = SurfaceCornersLimits()
+STEP = 2.5  # m: neighbouring heights this far apart are a building's edge
+AROUND = 8.0  # m: the ground of a cell is the lowest height so near
+WINDOW = 512  # cells of a window that is read at once, without its margin
+STRAIGHT = 1.5  # cells that a straight edge's cells lie off it at the most
+ACROSS = 3.0  # cells looked at on either side of an edge
+SEEN = 0.6  # share of an edge's length that must show the step
+OUTLYING = 3.0  # times the noise beyond which a place of an edge counts no more
 
 
 @dataclass(frozen=True)
@@ -58,15 +49,15 @@ def surface_corners(surface: RasterSampler, trajectory: Trajectory, max_distance
     max_distance : corners farther from the course are left out, m.
     """
     grid, found = surface.grid, []
-    margin = int(np.ceil((LIMITS.around + 2 * CORNERS.min_edge) / grid.cell))
+    margin = int(np.ceil((AROUND + 2 * MIN_EDGE) / grid.cell))
     windows = list(_windows(surface, trajectory, max_distance))
     for number, (row, column) in enumerate(windows):
         progress.step(number / len(windows))
-        rows = slice(max(row - margin, 0), min(row + LIMITS.window + margin, grid.rows))
-        columns = slice(max(column - margin, 0), min(column + LIMITS.window + margin, grid.columns))
+        rows = slice(max(row - margin, 0), min(row + WINDOW + margin, grid.rows))
+        columns = slice(max(column - margin, 0), min(column + WINDOW + margin, grid.columns))
         corners = raster_corners(surface.read(rows, columns), grid.cell)
         cells = corners.place + np.array([columns.start, rows.start])
-        within = ((cells >= (column, row)) & (cells < (column + LIMITS.window, row + LIMITS.window))).all(axis=1)
+        within = ((cells >= (column, row)) & (cells < (column + WINDOW, row + WINDOW))).all(axis=1)
         place = np.column_stack([grid.x_min + cells[within, 0] * grid.cell, grid.y_max - cells[within, 1] * grid.cell])
         found.append(BuildingCorners(place, corners.edge[within] * (1.0, -1.0), corners.length[within] * grid.cell))
     return joined_corners(found)
@@ -74,10 +65,10 @@ def surface_corners(surface: RasterSampler, trajectory: Trajectory, max_distance
 
 def _windows(surface: RasterSampler, trajectory: Trajectory, max_distance: float) -> Iterator[tuple[int, int]]:
     """First row and column of the windows that come near the course."""
-    grid, size = surface.grid, LIMITS.window * surface.grid.cell
+    grid, size = surface.grid, WINDOW * surface.grid.cell
     course = cKDTree(trajectory.place[:, :2])
-    for row in range(0, grid.rows, LIMITS.window):
-        for column in range(0, grid.columns, LIMITS.window):
+    for row in range(0, grid.rows, WINDOW):
+        for column in range(0, grid.columns, WINDOW):
             middle = grid.x_min + column * grid.cell + size / 2, grid.y_max - row * grid.cell - size / 2
             if course.query(middle)[0] <= max_distance + size * np.sqrt(0.5):
                 yield row, column
@@ -87,15 +78,15 @@ def raster_corners(heights: np.ndarray, cell: float) -> BuildingCorners:
     """Corners in a raster of heights (r, c), m, with NaN where nothing is known; places and lengths in cells, x to the
     right and y down from the raster's corner."""
     known = np.where(np.isfinite(heights), heights, np.inf)
-    reach = 2 * int(np.ceil(LIMITS.around / cell)) + 1
+    reach = 2 * int(np.ceil(AROUND / cell)) + 1
     ground = cv2.erode(known.astype(np.float32), np.ones((reach, reach), np.uint8), borderValue=np.inf)
-    raised = (np.isfinite(heights) & (known > ground + LIMITS.step)).astype(np.uint8)
+    raised = (np.isfinite(heights) & (known > ground + STEP)).astype(np.uint8)
     outlines, _ = cv2.findContours(raised, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)
-    least = CORNERS.min_edge / cell
+    least = MIN_EDGE / cell
     filled = np.where(np.isfinite(heights), heights, np.nan)
     found = []
     for outline in outlines:
-        ring = cv2.approxPolyDP(outline, LIMITS.straight, True)[:, 0].astype(float)
+        ring = cv2.approxPolyDP(outline, STRAIGHT, True)[:, 0].astype(float)
         if len(ring) >= 3 and len(outline) >= 3 * least:
             found.append(_ring_corners(filled, ring, least))
     return joined_corners(found)
@@ -113,12 +104,12 @@ def _ring_corners(heights: np.ndarray, ring: np.ndarray, least: float) -> Buildi
             continue
         turn = first.along[0] * second.along[1] - first.along[1] * second.along[0]
         angle = np.degrees(np.arccos(np.clip(-first.along @ second.along, -1.0, 1.0)))
-        if not CORNERS.min_angle < angle < CORNERS.max_angle:
+        if not MIN_ANGLE < angle < MAX_ANGLE:
             continue
         away = second.place - first.place
         share = (away[0] * second.along[1] - away[1] * second.along[0]) / turn
         place = first.place + share * first.along
-        if np.hypot(*(place - ring[number] - 0.5)) > LIMITS.across:
+        if np.hypot(*(place - ring[number] - 0.5)) > ACROSS:
             continue
         places.append(place[None])
         directions.append(np.array([[-first.along, second.along]]))
@@ -133,17 +124,17 @@ def _edge(heights: np.ndarray, start: np.ndarray, end: np.ndarray) -> _Edge | No
     along = (end - start) / length
     normal = np.array([-along[1], along[0]])
     # Near its ends a corner takes part.
-    places = np.arange(min(LIMITS.across, length / 4), length - min(LIMITS.across, length / 4) + 0.5, 0.5)
-    across = np.linspace(-LIMITS.across, LIMITS.across, 8 * int(LIMITS.across) + 1)
+    places = np.arange(min(ACROSS, length / 4), length - min(ACROSS, length / 4) + 0.5, 0.5)
+    across = np.linspace(-ACROSS, ACROSS, 8 * int(ACROSS) + 1)
     x, y = (start[axis] + places[:, None] * along[axis] + across * normal[axis] for axis in (0, 1))
     profile = ndimage.map_coordinates(heights, [y, x], order=1, mode="nearest")
     third = len(across) // 4
     sides = np.median(profile[:, :third], axis=1), np.median(profile[:, -third:], axis=1)
     step = sides[1] - sides[0]
     with np.errstate(invalid="ignore"):
-        shown = np.abs(step) > LIMITS.step
+        shown = np.abs(step) > STEP
         above = (profile - (sides[0] + sides[1])[:, None] / 2) * np.sign(step)[:, None] > 0
-    if np.count_nonzero(shown) < LIMITS.seen * len(places) or np.count_nonzero(shown) < 3:
+    if np.count_nonzero(shown) < SEEN * len(places) or np.count_nonzero(shown) < 3:
         return None
     # Cells' values stand at their middles: half a cell from the raster's lattice.
     crossing = across[0] + np.count_nonzero(~above[shown], axis=1) * (across[1] - across[0]) - (across[1]
@@ -161,6 +152,6 @@ def _line(start: np.ndarray, along: np.ndarray, normal: np.ndarray, places: np.n
         slope, offset = np.polyfit(places[keep], crossing[keep], 1)
         residual = crossing - offset - slope * places
         noise = max(SIGMA_OF_MAD * float(np.median(np.abs(residual[keep]))), 0.1)
-        keep = np.abs(residual) < LIMITS.outlying * noise
+        keep = np.abs(residual) < OUTLYING * noise
     direction = along + slope * normal
     return _Edge(start + offset * normal, direction / np.hypot(*direction), noise)

@@ -23,30 +23,22 @@ from .tie_points import TiePoints
 CELL = 0.25
 """m, side of the cells in plan in which points stand over each other."""
 
-
-@dataclass(frozen=True)
-class TiePointProposalsLimits:
-    """Limits of tie point proposals, each with its unit."""
-
-    pass_limit: float = 10.0  # s: points of one wall measured within this time are one view of it.
-    min_wall_height: float = 1.2  # m from the lowest to the highest point of a wall's cell
-    min_points: int = 4
-    wall: float = 10.0  # m of a wall looked at from the corner
-    # m, of the search across and of coverage along
-    bin: float = 0.1
-    along: float = 0.5
-    min_bins: int = 4  # bins along
-    peaks: int = 3
-    near_line: float = 0.3  # m
-    max_rms: float = 0.12  # m
-    from_corner: float = 3.0  # m between the corner and what is seen of each wall
-    neighbours: float = 15.0  # s
-    agree: float = 0.35
-    set_seconds: float = 4.0
-    baseline: float = 4.0
-
-
-LIMITS = TiePointProposalsLimits()
+PASS_LIMIT = 10.0  # s: points of one wall measured within this time are one view of it.
+MIN_WALL_HEIGHT = 1.2  # m from the lowest to the highest point of a wall's cell
+MIN_POINTS = 4
+WALL = 10.0  # m of a wall looked at from the corner
+# m, of the search across and of coverage along
+BIN = 0.1
+ALONG = 0.5
+MIN_BINS = 4  # bins along
+PEAKS = 3
+NEAR_LINE = 0.3  # m
+MAX_RMS = 0.12  # m
+FROM_CORNER = 3.0  # m between the corner and what is seen of each wall
+NEIGHBOURS = 15.0  # s
+AGREE = 0.35
+SET_SECONDS = 4.0
+BASELINE = 4.0
 
 LOWEST, HIGHEST = -0.5, 8.0
 """m above the body's origin: walls are looked at between these heights."""
@@ -150,7 +142,7 @@ def wall_cells(cloud: PointCloud, trajectory: Trajectory, max_distance: float, s
     start = np.flatnonzero(np.diff(key[order], prepend=-1))
     sums = np.add.reduceat(sums[order], start)
     height = np.maximum.reduceat(high[order], start) - np.minimum.reduceat(low[order], start)
-    wall = (height >= LIMITS.min_wall_height) & (sums[:, 3] >= LIMITS.min_points)
+    wall = (height >= MIN_WALL_HEIGHT) & (sums[:, 3] >= MIN_POINTS)
     if not wall.any():
         raise InsufficientDataError(say("The survey shows no walls: its points nowhere stand over each other."))
     mean = sums[wall, :3] / sums[wall, 3:]
@@ -172,7 +164,7 @@ def _at_wall_height(chunk, cloud: PointCloud, trajectory: Trajectory, max_distan
     place, time = place[some], time[keep][some] - trajectory.time[0]
     cell = np.floor((place[:, :2] - cloud.minimum[:2]) / CELL).astype(np.int64)
     size = np.floor((cloud.maximum[:2] - cloud.minimum[:2]) / CELL).astype(np.int64) + 2
-    key = (np.floor(time / LIMITS.pass_limit).astype(np.int64) * size[0] + cell[:, 0]) * size[1] + cell[:, 1]
+    key = (np.floor(time / PASS_LIMIT).astype(np.int64) * size[0] + cell[:, 0]) * size[1] + cell[:, 1]
     return key, np.column_stack([place[:, :2] - cloud.minimum[:2], time]), place[:, 2]
 
 
@@ -191,11 +183,11 @@ def _candidates(cells: WallCells, corners: BuildingCorners, search: float, progr
     for number in range(len(corners.place)):
         if number % 20 == 0:
             progress.step(number / len(corners.place))
-        near = np.array(tree.query_ball_point(corners.place[number], LIMITS.wall + search), int)
+        near = np.array(tree.query_ball_point(corners.place[number], WALL + search), int)
         if not len(near):
             continue
         near = near[np.argsort(cells.time[near])]
-        for view in np.split(near, np.flatnonzero(np.diff(cells.time[near]) > LIMITS.set_seconds) + 1):
+        for view in np.split(near, np.flatnonzero(np.diff(cells.time[near]) > SET_SECONDS) + 1):
             found += _corner_candidates(cells, view, corners, number, search)
     return found
 
@@ -205,7 +197,7 @@ def _corner_candidates(cells: WallCells, view: np.ndarray, corners: BuildingCorn
     """The corner from all pairs of walls that one view of it shows along its two edges."""
     corner = corners.place[number]
     place = cells.place[view] - corner
-    walls = [_wall_lines(place, corners.edge[number, k], min(corners.length[number, k], LIMITS.wall), search)
+    walls = [_wall_lines(place, corners.edge[number, k], min(corners.length[number, k], WALL), search)
              for k in (0, 1)]
     found = []
     for first in walls[0]:
@@ -214,12 +206,12 @@ def _corner_candidates(cells: WallCells, view: np.ndarray, corners: BuildingCorn
             if np.hypot(*where) > search:
                 continue
             distances = [np.hypot(*(place[wall.rows] - where).T) for wall in (first, second)]
-            if max(distance.min() for distance in distances) > LIMITS.from_corner:
+            if max(distance.min() for distance in distances) > FROM_CORNER:
                 continue
-            rows = np.concatenate([wall.rows[distance < 2 * LIMITS.from_corner] for wall, distance in
+            rows = np.concatenate([wall.rows[distance < 2 * FROM_CORNER] for wall, distance in
                                    zip((first, second), distances)])
             time = cells.time[view[rows]]
-            if np.ptp(time) <= 2 * LIMITS.set_seconds:
+            if np.ptp(time) <= 2 * SET_SECONDS:
                 found.append(_Candidate(number, float(np.median(time)), corner + where, -where,
                                         max(first.fit, second.fit)))
     return found
@@ -239,20 +231,20 @@ def _wall_lines(place: np.ndarray, edge: np.ndarray, length: float, search: floa
     """Walls parallel to an edge from the origin, those that cover most of it first."""
     along, across = place @ edge, place @ np.array([-edge[1], edge[0]])
     rows = np.flatnonzero((along > -search) & (along < length + search) & (np.abs(across) < search))
-    if len(rows) < LIMITS.min_bins:
+    if len(rows) < MIN_BINS:
         return []
-    column = np.floor((across[rows] + search) / LIMITS.bin).astype(int)
-    row = np.floor((along[rows] + search) / LIMITS.along).astype(int)
-    grid = np.zeros((int(2 * search / LIMITS.bin) + 3, int((length + 2 * search) / LIMITS.along) + 2), bool)
+    column = np.floor((across[rows] + search) / BIN).astype(int)
+    row = np.floor((along[rows] + search) / ALONG).astype(int)
+    grid = np.zeros((int(2 * search / BIN) + 3, int((length + 2 * search) / ALONG) + 2), bool)
     grid[column + 1, row] = True
     # Walls are a little rotated against the outline: three bins together.
     covered = (grid[:-2] | grid[1:-1] | grid[2:]).sum(axis=1)
     lines = []
-    for _ in range(LIMITS.peaks):
+    for _ in range(PEAKS):
         peak = int(np.argmax(covered))
-        if covered[peak] < LIMITS.min_bins:
+        if covered[peak] < MIN_BINS:
             break
-        near = rows[np.abs(across[rows] - ((peak + 0.5) * LIMITS.bin - search)) < LIMITS.near_line]
+        near = rows[np.abs(across[rows] - ((peak + 0.5) * BIN - search)) < NEAR_LINE]
         line = _fitted(place, near, edge)
         if line is not None:
             lines.append(line)
@@ -262,18 +254,18 @@ def _wall_lines(place: np.ndarray, edge: np.ndarray, length: float, search: floa
 
 def _fitted(place: np.ndarray, rows: np.ndarray, edge: np.ndarray) -> _Line | None:
     """The line through cells, the far ones left out; None where it is no wall along the edge."""
-    for limit in (LIMITS.near_line, 2 * LIMITS.max_rms, LIMITS.max_rms * 1.5):
-        if len(rows) < LIMITS.min_bins:
+    for limit in (NEAR_LINE, 2 * MAX_RMS, MAX_RMS * 1.5):
+        if len(rows) < MIN_BINS:
             return None
         centre = place[rows].mean(axis=0)
         _, axes = np.linalg.eigh(np.cov((place[rows] - centre).T))
         direction = axes[:, 1]
         away = (place[rows] - centre) @ np.array([-direction[1], direction[0]])
         rows = rows[np.abs(away) <= limit]
-    if len(rows) < LIMITS.min_bins or abs(direction @ edge) < _MIN_DIRECTION_COSINE:
+    if len(rows) < MIN_BINS or abs(direction @ edge) < _MIN_DIRECTION_COSINE:
         return None
     fit = float(np.sqrt(np.mean(away[np.abs(away) <= limit] ** 2)))
-    return _Line(centre, direction, rows, fit) if fit <= LIMITS.max_rms else None
+    return _Line(centre, direction, rows, fit) if fit <= MAX_RMS else None
 
 
 def _intersection(first: _Line, second: _Line) -> np.ndarray:
@@ -293,11 +285,11 @@ def _agreeing(candidates: list[_Candidate], limit: float) -> tuple[list[_Candida
     corner = np.array([item.corner for item in candidates])
     best: dict[tuple[int, int], tuple[int, float, int]] = {}
     for k, item in enumerate(candidates):
-        near = np.flatnonzero((np.abs(time - time[k]) < LIMITS.neighbours) & (corner != corner[k]))
+        near = np.flatnonzero((np.abs(time - time[k]) < NEIGHBOURS) & (corner != corner[k]))
         alike = near[np.hypot(*(shift[near] - shift[k]).T) < limit]
         support, around = len(np.unique(corner[alike])), len(np.unique(corner[near]))
-        key = (item.corner, int(time[k] // LIMITS.pass_limit))
-        if support >= 2 and support >= LIMITS.agree * around and (support, -item.fit) > best.get(key, (0, 0.0, 0))[:2]:
+        key = (item.corner, int(time[k] // PASS_LIMIT))
+        if support >= 2 and support >= AGREE * around and (support, -item.fit) > best.get(key, (0, 0.0, 0))[:2]:
             best[key] = support, -item.fit, k
     chosen = sorted(entry[2] for entry in best.values())
     supporters = {entry[2]: entry[0] for entry in best.values()}
@@ -312,12 +304,12 @@ def _in_sets(chosen: list[_Candidate], trajectory: Trajectory) -> list[tuple[int
     seen = np.array([item.place for item in chosen]) - interpolate(trajectory, time, "hold").place[:, :2]
     free, pairs = np.ones(len(chosen), bool), []
     for k in range(len(chosen)):
-        others = np.flatnonzero(free & (time >= time[k]) & (time - time[k] <= LIMITS.set_seconds))
+        others = np.flatnonzero(free & (time >= time[k]) & (time - time[k] <= SET_SECONDS))
         others = others[others > k]
         if not free[k] or not len(others):
             continue
         baseline = np.hypot(*(seen[others] - seen[k]).T)
-        if baseline.max() >= LIMITS.baseline:
+        if baseline.max() >= BASELINE:
             partner = int(others[baseline.argmax()])
             free[[k, partner]] = False
             pairs.append((k, partner))

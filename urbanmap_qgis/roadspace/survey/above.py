@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 import shapely
@@ -12,16 +11,8 @@ from ...wording import say
 from ..road_records import RoadFinding
 from .area_records import EdgeLine
 
-
-@dataclass(frozen=True)
-class AboveLimits:
-    """Limits of roads above each other, each with its unit."""
-
-    height: float = 2.0  # m between edges that cross; ramps and walls beside roads stay below where kerbs meet
-    place: float = 15.0  # m: crossings nearer to each other are one place, the four of two roads among them
-
-
-LIMITS = AboveLimits()
+HEIGHT = 2.0  # m between edges that cross; ramps and walls beside roads stay below where kerbs meet
+PLACE = 15.0  # m: crossings nearer to each other are one place, the four of two roads among them
 
 
 def roads_above(edges: Sequence[EdgeLine]) -> list[RoadFinding]:
@@ -34,11 +25,11 @@ def roads_above(edges: Sequence[EdgeLine]) -> list[RoadFinding]:
         for point in shapely.get_parts(shapely.intersection(*shapely.force_2d(lines[[one, other]]))):
             place = shapely.centroid(point)
             height = float(np.abs(np.diff([_height(lines[number], place) for number in (one, other)])).item())
-            if height > LIMITS.height:
+            if height > HEIGHT:
                 found.append((*shapely.get_coordinates(place)[0].tolist(), height))
     places: list[tuple[float, float, float]] = []
     for x, y, height in sorted(found):
-        if all(np.hypot(x - a, y - b) > LIMITS.place for a, b, _ in places):
+        if all(np.hypot(x - a, y - b) > PLACE for a, b, _ in places):
             places.append((x, y, height))
     return [RoadFinding("road above a road", say(
         "Edges cross here with {height:.1f} m between them: one road runs above another, and the surfaces here are a "

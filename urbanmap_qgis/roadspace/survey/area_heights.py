@@ -30,19 +30,11 @@ from .area_records import (
 Heights = Callable[[np.ndarray, np.ndarray], np.ndarray]
 """Heights (m), NaN where unknown, of places x, y."""
 
-
-@dataclass(frozen=True)
-class AreaHeightLimits:
-    """Limits of area heights, each with its unit."""
-
-    station: float = 0.6  # m between measured places of an edge; a corner nearer to one lies on it
-    clear: float = 0.5  # m from kerbs, where a raster mixes road and sidewalk
-    sigmas: float = 2.0  # by which a step may be measured too low
-    least_sigma: float = 0.003  # m, of a step
-    neighbours: int = 6
-
-
-LIMITS = AreaHeightLimits()
+STATION = 0.6  # m between measured places of an edge; a corner nearer to one lies on it
+CLEAR = 0.5  # m from kerbs, where a raster mixes road and sidewalk
+SIGMAS = 2.0  # by which a step may be measured too low
+LEAST_SIGMA = 0.003  # m, of a step
+NEIGHBOURS = 6
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,7 +80,7 @@ def raised_areas(areas: Sequence[TrafficSurface], edges: EdgeHeights, level: str
         top, sigma = high.heights_at(corners), low.sigma(corners)
         beside = np.array([corner in road for corner in corners], bool)
         step = beside & (top - foot >= np.maximum(
-            least - np.maximum(LIMITS.sigmas * sigma, LIMITS.least_sigma), SHORTEST))
+            least - np.maximum(SIGMAS * sigma, LEAST_SIGMA), SHORTEST))
         heights = np.where(beside & ~step, foot, top)
         raised.append(replace(area, heights=dict(zip(corners, heights.tolist()))))
         feet = dict(zip(corners, foot.tolist()))
@@ -146,7 +138,7 @@ class _Surface:
         if self.ground is None:
             return along
         ground = self.ground(*places.T)
-        return np.where((near > LIMITS.clear) & np.isfinite(ground), ground, along)
+        return np.where((near > CLEAR) & np.isfinite(ground), ground, along)
 
     def across(self, corners: Sequence[tuple[float, float]]) -> np.ndarray:
         """Heights of the edge nearest to each corner, m: one height across the road."""
@@ -158,10 +150,10 @@ class _Surface:
 
     def _along_edges(self, places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Distance to the nearest measured place, and the mean of the heights about by the distances' squares."""
-        count = min(LIMITS.neighbours, len(self.heights))
+        count = min(NEIGHBOURS, len(self.heights))
         away, at = self.tree.query(places, k=count)
         away, at = away.reshape(len(places), count), at.reshape(len(places), count)
         # Near an edge only its own two stations count: those of another edge lie at its height.
-        reach = np.where(away[:, :1] < LIMITS.station, 2.0 * LIMITS.station, np.inf)
+        reach = np.where(away[:, :1] < STATION, 2.0 * STATION, np.inf)
         weight = np.where(away <= reach, 1.0 / np.maximum(away, 1e-3)**2, 0.0)
         return away[:, 0], (weight * self.heights[at]).sum(axis=1) / weight.sum(axis=1)

@@ -19,23 +19,15 @@ from .area_records import EdgeLine
 from .one_sided import one_sided_carriageways
 from .tram_tracks import without_tracks
 
-
-@dataclass(frozen=True)
-class CarriagewayLimits:
-    """Limits of carriageways, each with its unit."""
-
-    same: float = 0.8  # m: parts of one chain whose ends are nearer follow each other; stations are 0.5 m apart
-    gap: float = 12.0  # m; two parked cars; what was not seen over more is not drawn on
-    turn: float = 60.0  # degrees by which an edge may turn from its end into a gap
-    smooth: float = 0.01  # m by which lines may leave what was measured, in plan and in height
-    station: float = 0.5  # m between places of an edge that is drawn on
-    on: float = 0.03  # m: borders this near to a measured line are measured
-    across: float = 0.5  # cosine of the angle between an edge and the line that closes it; less runs across the road
-    narrow: float = 2.0  # m: what is narrower on average is no carriageway
-    piece: float = 6.0  # m: shorter edges beside one at least twice as long, nearer than `narrow`, bound no carriageway
-
-
-LIMITS = CarriagewayLimits()
+SAME = 0.8  # m: parts of one chain whose ends are nearer follow each other; stations are 0.5 m apart
+GAP = 12.0  # m; two parked cars; what was not seen over more is not drawn on
+TURN = 60.0  # degrees by which an edge may turn from its end into a gap
+SMOOTH = 0.01  # m by which lines may leave what was measured, in plan and in height
+STATION = 0.5  # m between places of an edge that is drawn on
+ON = 0.03  # m: borders this near to a measured line are measured
+ACROSS = 0.5  # cosine of the angle between an edge and the line that closes it; less runs across the road
+NARROW = 2.0  # m: what is narrower on average is no carriageway
+PIECE = 6.0  # m: shorter edges beside one at least twice as long, nearer than `narrow`, bound no carriageway
 
 
 class NoCarriagewayError(InputError):
@@ -77,12 +69,12 @@ class Carriageways:
     @cached_property
     def near(self) -> shapely.Geometry:
         """What lies so near to a measured line that it is measured."""
-        return shapely.buffer(self.measured, LIMITS.on)
+        return shapely.buffer(self.measured, ON)
 
     @cached_property
     def near_sure(self) -> shapely.Geometry:
         """What lies so near to a line without doubt that it is measured."""
-        return shapely.buffer(self.sure, LIMITS.on)
+        return shapely.buffer(self.sure, ON)
 
     @cached_property
     def border(self) -> shapely.Geometry:
@@ -155,10 +147,10 @@ def surface_between(edges: Sequence[EdgeLine]) -> list[shapely.Polygon]:
 def _between_two(lines: Sequence[shapely.LineString]) -> tuple[list[shapely.Polygon], tuple[RoadFinding, ...]]:
     """Polygons that lines enclose, and findings; none where they enclose nothing."""
     try:
-        surface = surface_of(lines, ClosingLimits(touch=LIMITS.on))
+        surface = surface_of(lines, ClosingLimits(touch=ON))
     except OpenEdgesError:
         return [], ()
-    polygons = [polygon for polygon in surface.polygons if 2.0 * polygon.area / polygon.length > LIMITS.narrow]
+    polygons = [polygon for polygon in surface.polygons if 2.0 * polygon.area / polygon.length > NARROW]
     return polygons, surface.findings if polygons else ()
 
 
@@ -177,11 +169,11 @@ def _without_pieces(edges: Sequence[EdgeLine], findings: list[RoadFinding]) -> l
     remaining = []
     for edge, plan in zip(edges, plans):
         longer = [other for one, other in zip(edges, plans) if length[one.chain] >= 2.0 * length[edge.chain]]
-        if length[edge.chain] < LIMITS.piece and longer and shapely.covers(
-                shapely.buffer(shapely.union_all(longer), LIMITS.narrow), plan):
+        if length[edge.chain] < PIECE and longer and shapely.covers(
+                shapely.buffer(shapely.union_all(longer), NARROW), plan):
             findings.append(RoadFinding("edge beside another", say(
                 "A short edge lies nearer than {distance:.0f} m beside a longer one: no carriageway runs between them, "
-                "and it is left out.", distance=LIMITS.narrow), *edge.plan.mean(axis=0).tolist()))
+                "and it is left out.", distance=NARROW), *edge.plan.mean(axis=0).tolist()))
         else:
             remaining.append(edge)
     return remaining
@@ -192,13 +184,13 @@ def _thinned(edge: EdgeLine) -> np.ndarray:
     plan = edge.plan
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(plan, axis=0).T))])
     plan_corners = {tuple(point) for point in shapely.get_coordinates(shapely.simplify(
-        shapely.linestrings(plan), LIMITS.smooth)).tolist()}
+        shapely.linestrings(plan), SMOOTH)).tolist()}
     marks = set()
     for heights in (edge.foot[:, 2], edge.top[:, 2] - edge.foot[:, 2]):
         known = np.isfinite(heights)
         if np.count_nonzero(known) < 2:
             continue
-        profile = shapely.simplify(shapely.linestrings(np.column_stack([along, heights])[known]), LIMITS.smooth)
+        profile = shapely.simplify(shapely.linestrings(np.column_stack([along, heights])[known]), SMOOTH)
         marks |= set(shapely.get_coordinates(profile)[:, 0].tolist())
     return plan[[place in marks or tuple(point) in plan_corners for place, point in zip(along.tolist(), plan.tolist())]]
 
@@ -216,11 +208,11 @@ def _bridges(edges: Sequence[EdgeLine], findings: list[RoadFinding],
             length = float(np.hypot(*(end - start)))
             if length == 0:
                 continue
-            if length > LIMITS.same and (not one.gap or length > LIMITS.gap):
+            if length > SAME and (not one.gap or length > GAP):
                 continue
             line = shapely.linestrings(_course(one.plan, other.plan))
             bridges.append(line)
-            if length > LIMITS.same:
+            if length > SAME:
                 findings.append(_continued(np.vstack([start, end])))
                 continued.append(_drawn_on(one, other, line))
     return bridges
@@ -228,7 +220,7 @@ def _bridges(edges: Sequence[EdgeLine], findings: list[RoadFinding],
 
 def _drawn_on(one: EdgeLine, other: EdgeLine, line: shapely.LineString) -> EdgeLine:
     """The edge along a line between two parts: without it a kerb would sink into the road where nobody saw it."""
-    plan = shapely.get_coordinates(shapely.segmentize(line, LIMITS.station))
+    plan = shapely.get_coordinates(shapely.segmentize(line, STATION))
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(plan, axis=0).T))])
     foot, top = (np.column_stack([plan, np.interp(along, along[[0, -1]], ends)])[1:-1] for ends in (
         (one.foot[-1, 2], other.foot[0, 2]), (one.top[-1, 2], other.top[0, 2])))
@@ -248,8 +240,8 @@ def _course(before: np.ndarray, after: np.ndarray) -> np.ndarray:
     chord = end - start
     length = np.hypot(*chord)
     leaving, arriving = _direction(before[::-1]) * -1.0, _direction(after)
-    limit = np.cos(np.radians(LIMITS.turn))
-    if length < LIMITS.same or min(leaving @ chord, arriving @ chord) < limit * length:
+    limit = np.cos(np.radians(TURN))
+    if length < SAME or min(leaving @ chord, arriving @ chord) < limit * length:
         return np.array([start, end])
     share = np.linspace(0.0, 1.0, max(int(np.ceil(length)), 2) + 1)[:, None]
     return ((2 * share**3 - 3 * share**2 + 1) * start + (share**3 - 2 * share**2 + share) * length * leaving
@@ -272,18 +264,18 @@ def _closed_over(polygon: shapely.Polygon, known: shapely.STRtree) -> list[tuple
     chords = np.roll(corners, -1, axis=0) - corners
     length = np.hypot(*chords.T)
     unit = chords / length[:, None]
-    for number in np.flatnonzero(length > LIMITS.narrow):
+    for number in np.flatnonzero(length > NARROW):
         line = np.vstack([corners[number], corners[(number + 1) % len(corners)]])
         open_length = _open_length(shapely.linestrings(line), known)
         onwards = [float(unit[number] @ unit[other]) for other in (number - 1, (number + 1) % len(unit))]
-        if open_length > 0.5 * length[number] and (max(map(abs, onwards)) < LIMITS.across
-                                                   or length[number] > LIMITS.gap):
+        if open_length > 0.5 * length[number] and (max(map(abs, onwards)) < ACROSS
+                                                   or length[number] > GAP):
             # Where the survey ends the border turns back, along the other edge; beside a gap it goes on.
-            found.append((line, min(onwards) >= LIMITS.across))
+            found.append((line, min(onwards) >= ACROSS))
     return found
 
 
 def _open_length(line: shapely.LineString, known: shapely.STRtree) -> float:
     """How much of a line, m, is farther than `on` from all known lines; only those about it are asked."""
-    near = known.geometries[known.query(line, predicate="dwithin", distance=LIMITS.on)]
-    return float(shapely.length(shapely.difference(line, shapely.buffer(shapely.union_all(near), LIMITS.on))))
+    near = known.geometries[known.query(line, predicate="dwithin", distance=ON)]
+    return float(shapely.length(shapely.difference(line, shapely.buffer(shapely.union_all(near), ON))))

@@ -7,7 +7,6 @@ would be a sidewalk that is not there.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 import shapely
@@ -16,23 +15,15 @@ from scipy.spatial import cKDTree
 from ...wording import say
 from ..road_records import RoadFinding
 
-
-@dataclass(frozen=True)
-class MoveLimits:
-    """Limits of moving given roads, each with its unit."""
-
-    step: float = 0.5  # m between places along both borders
-    search: float = 3.0  # m; maps at 1:2500 keep 1.75 m (standard deviation)
-    least: float = 0.1  # m; nearer borders stay
-    same: float = 0.2  # m between the moved border and a kerb that it is
-    share: float = 0.7  # of the kerbs' places that have the border so near
-    side: float = 0.3  # of the kerbs across the shift on one side of roads, those on the other at least
-    places: int = 20
-    rounds: int = 30
-    longest: float = 10_000.0  # m; a border with a straight side longer than this is damaged and shows no shift
-
-
-LIMITS = MoveLimits()
+STEP = 0.5  # m between places along both borders
+SEARCH = 3.0  # m; maps at 1:2500 keep 1.75 m (standard deviation)
+LEAST = 0.1  # m; nearer borders stay
+SAME = 0.2  # m between the moved border and a kerb that it is
+SHARE = 0.7  # of the kerbs' places that have the border so near
+SIDE = 0.3  # of the kerbs across the shift on one side of roads, those on the other at least
+PLACES = 20
+ROUNDS = 30
+LONGEST = 10_000.0  # m; a border with a straight side longer than this is damaged and shows no shift
 
 
 def laid_on_kerbs(official: Sequence[shapely.Polygon], kerbs: shapely.Geometry,
@@ -56,11 +47,11 @@ def laid_on_kerbs(official: Sequence[shapely.Polygon], kerbs: shapely.Geometry,
     if not len(border):
         return official, []
     shift = _shift(measured, border)
-    if len(measured) < LIMITS.places or np.hypot(*shift) < LIMITS.least:
+    if len(measured) < PLACES or np.hypot(*shift) < LEAST:
         return official, []
     away, at = cKDTree(border + shift).query(measured)
-    same = away < LIMITS.same
-    if np.mean(same) < LIMITS.share or not _both_sides(_courses(border)[at[same]], shift):
+    same = away < SAME
+    if np.mean(same) < SHARE or not _both_sides(_courses(border)[at[same]], shift):
         return official, []
     moved = [shapely.transform(shape, lambda corners: corners + shift) for shape in official]
     x, y = measured[int(np.argmin(np.hypot(*(measured - measured.mean(axis=0)).T)))].tolist()
@@ -81,12 +72,12 @@ def _both_sides(courses: np.ndarray, shift: np.ndarray) -> bool:
     side alone a sidewalk is moved as well as a road."""
     outwards = np.column_stack([courses[:, 1], -courses[:, 0]]) @ (shift / np.hypot(*shift))
     ahead, behind = np.count_nonzero(outwards > 0.5), np.count_nonzero(outwards < -0.5)
-    return min(ahead, behind) >= LIMITS.side * max(ahead, behind, 1)
+    return min(ahead, behind) >= SIDE * max(ahead, behind, 1)
 
 
 def _places(lines: Sequence[shapely.Geometry]) -> np.ndarray:
     """Places (n, 2) along lines, m, of those without a side longer than any road's."""
-    parts = [shapely.segmentize(part, LIMITS.step) for part in lines if _longest_side(part) < LIMITS.longest]
+    parts = [shapely.segmentize(part, STEP) for part in lines if _longest_side(part) < LONGEST]
     return np.concatenate([np.zeros((0, 2)), *(shapely.get_coordinates(part) for part in parts)])
 
 
@@ -98,17 +89,17 @@ def _longest_side(line: shapely.Geometry) -> float:
 
 def _shift(measured: np.ndarray, border: np.ndarray) -> np.ndarray:
     """Shift (2,) of the border onto the measured places, m: medians across both, those near each other alone."""
-    shift, reach = np.zeros(2), LIMITS.search
+    shift, reach = np.zeros(2), SEARCH
     course = _courses(border)
-    for _ in range(LIMITS.rounds):
+    for _ in range(ROUNDS):
         away, at = cKDTree(border + shift).query(measured)
         near = away < reach
-        if np.count_nonzero(near) < LIMITS.places:
+        if np.count_nonzero(near) < PLACES:
             return np.zeros(2)
         across = np.column_stack([-course[at[near], 1], course[at[near], 0]])
         off = ((measured[near] - border[at[near]] - shift) * across).sum(axis=1)
         # Robust least squares across the border alone: along a straight road nothing tells.
-        weight = 1.0 / np.maximum(np.abs(off), LIMITS.least)
+        weight = 1.0 / np.maximum(np.abs(off), LEAST)
         normal = (across * weight[:, None]).T @ across + 1e-6 * np.eye(2) * weight.sum()
         change = np.linalg.solve(normal, (across * weight[:, None]).T @ off)
         shift = shift + change
@@ -121,6 +112,6 @@ def _courses(places: np.ndarray) -> np.ndarray:
     """Unit vectors (n, 2) from each place to the one after it; of the one before where rings meet."""
     chord = np.diff(places, axis=0, append=places[-1:])
     length = np.hypot(*chord.T)
-    far = (length == 0) | (length > 2.0 * LIMITS.step)
+    far = (length == 0) | (length > 2.0 * STEP)
     chord[far] = np.roll(chord, 1, axis=0)[far]
     return chord / np.maximum(np.hypot(*chord.T), 1e-12)[:, None]

@@ -8,7 +8,7 @@ direction, and the shorter of the two where it ends.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 import shapely
@@ -17,25 +17,17 @@ from scipy.spatial import cKDTree
 from ...wording import say
 from .area_records import EdgeLine
 
-
-@dataclass(frozen=True)
-class NarrowIslandLimits:
-    """Limits of narrow islands, each with its unit."""
-
-    width: tuple[float, float] = (0.3, 2.0)  # m
-    slender: float = 4.0  # least length in widths
-    beside: float = 1.0  # m from its border, within which its edges lie
-    share: float = 0.6  # of an edge that lies there
-    seen: float = 0.95  # share of its border; one that was measured so far is left as it is
-    on: float = 0.05  # m, border on a measured edge
-    near: float = 0.1  # m from what was measured for certain, within which the fitted border is measured
-    off: float = 0.06  # m, by which nine tenths of the sure places may leave straight sides
-    sure: float = 0.3  # share of each side's length measured for certain
-    station: float = 0.25  # m
-    overshoot: float = 3.0  # m, farthest that an end may be drawn in
-
-
-LIMITS = NarrowIslandLimits()
+WIDTH = (0.3, 2.0)  # m
+SLENDER = 4.0  # least length in widths
+BESIDE = 1.0  # m from its border, within which its edges lie
+SHARE = 0.6  # of an edge that lies there
+SEEN = 0.95  # share of its border; one that was measured so far is left as it is
+ON = 0.05  # m, border on a measured edge
+NEAR = 0.1  # m from what was measured for certain, within which the fitted border is measured
+OFF = 0.06  # m, by which nine tenths of the sure places may leave straight sides
+SURE = 0.3  # share of each side's length measured for certain
+STATION = 0.25  # m
+OVERSHOOT = 3.0  # m, farthest that an end may be drawn in
 
 
 def with_round_ends(edges: Sequence[EdgeLine],
@@ -48,21 +40,21 @@ def with_round_ends(edges: Sequence[EdgeLine],
     for polygon in surface_between(edges):
         for ring in polygon.interiors:
             hole = shapely.Polygon(ring)
-            if 2.0 * hole.area / hole.length < LIMITS.width[1]:
+            if 2.0 * hole.area / hole.length < WIDTH[1]:
                 made = _drawn_anew(made, hole)
     return made
 
 
 def _drawn_anew(edges: list[EdgeLine], hole: shapely.Polygon) -> list[EdgeLine]:
     """Edges with those of one island in its fitted shape; as they are where it does not fit."""
-    near = shapely.buffer(hole, LIMITS.beside)
+    near = shapely.buffer(hole, BESIDE)
     plans = [shapely.linestrings(edge.plan) for edge in edges]
-    own = [shapely.intersection(plan, near).length > LIMITS.share * plan.length for plan in plans]
+    own = [shapely.intersection(plan, near).length > SHARE * plan.length for plan in plans]
     around = [edge for edge, mine in zip(edges, own) if mine]
     least = 0.5 * max((edge.height for edge in around), default=0.0)
     raised = [edge for edge in around if edge.height > least]
     sure = shapely.union_all([shapely.linestrings(edge.plan) for edge in raised if not edge.doubt])
-    if shapely.intersection(hole.exterior, shapely.buffer(sure, LIMITS.on)).length > LIMITS.seen * hole.length:
+    if shapely.intersection(hole.exterior, shapely.buffer(sure, ON)).length > SEEN * hole.length:
         return edges
     spine = _spine(raised, hole)
     if spine is None:
@@ -79,7 +71,7 @@ def _spine(raised: Sequence[EdgeLine], hole: shapely.Polygon) -> tuple[np.ndarra
     places: dict[int, list[np.ndarray]] = {-1: [], 1: []}
     certain: dict[int, list[np.ndarray]] = {-1: [], 1: []}
     for edge in raised:
-        points = shapely.get_coordinates(shapely.segmentize(shapely.linestrings(edge.plan), LIMITS.station)) - origin
+        points = shapely.get_coordinates(shapely.segmentize(shapely.linestrings(edge.plan), STATION)) - origin
         course = np.gradient(points, axis=0)
         straight = np.abs(course @ along) > 2.0 * np.abs(course @ across)
         points = np.column_stack([points @ along, points @ across])[straight]
@@ -96,9 +88,9 @@ def _spine(raised: Sequence[EdgeLine], hole: shapely.Polygon) -> tuple[np.ndarra
     half = (left - right) / 2.0
     reach = (shapely.get_coordinates(hole) - origin) @ along
     drawn_in = max(start - half - reach.min(), reach.max() - end - half)
-    seen = min(len(np.vstack(found)) for found in certain.values()) * LIMITS.station
-    if (not LIMITS.width[0] < 2.0 * half < LIMITS.width[1] or end - start < 2.0 * LIMITS.slender * half
-            or off > LIMITS.off or drawn_in > LIMITS.overshoot or seen < LIMITS.sure * (end - start)):
+    seen = min(len(np.vstack(found)) for found in certain.values()) * STATION
+    if (not WIDTH[0] < 2.0 * half < WIDTH[1] or end - start < 2.0 * SLENDER * half
+            or off > OFF or drawn_in > OVERSHOOT or seen < SURE * (end - start)):
         return None
     one, other = (origin + along * place + across * (tilt * place + (left + right) / 2.0) for place in (start, end))
     return one, other, half
@@ -120,7 +112,7 @@ def _parallels(left: np.ndarray, right: np.ndarray) -> tuple[float, float, float
 def _outline(spine: tuple[np.ndarray, np.ndarray, float], raised: Sequence[EdgeLine]) -> list[EdgeLine]:
     """The island's border in parts, with the heights of the nearest measured places; doubtful where none is near."""
     one, other, half = spine
-    border = shapely.segmentize(shapely.buffer(shapely.linestrings([one, other]), half).exterior, 2 * LIMITS.station)
+    border = shapely.segmentize(shapely.buffer(shapely.linestrings([one, other]), half).exterior, 2 * STATION)
     plan = shapely.get_coordinates(border)
     feet, tops = (np.vstack([getattr(edge, part) for edge in raised]) for part in ("foot", "top"))
     nearest = cKDTree((feet[:, :2] + tops[:, :2]) / 2.0).query(plan)[1]
@@ -128,7 +120,7 @@ def _outline(spine: tuple[np.ndarray, np.ndarray, float], raised: Sequence[EdgeL
     certain = [edge for edge in raised if not edge.doubt]
     best = max(certain, key=lambda edge: len(edge.foot))
     sure = shapely.union_all([shapely.linestrings(edge.plan) for edge in certain])
-    seen = shapely.distance(shapely.points((plan[:-1] + plan[1:]) / 2.0), sure) < LIMITS.near
+    seen = shapely.distance(shapely.points((plan[:-1] + plan[1:]) / 2.0), sure) < NEAR
     doubt = say("drawn from what was seen of this island")
     bounds = [0, *(np.flatnonzero(np.diff(seen)) + 1), len(seen)]
     return [replace(best, foot=foot[begin:end + 1], top=top[begin:end + 1], gap=0.0,

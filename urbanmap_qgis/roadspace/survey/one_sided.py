@@ -12,22 +12,14 @@ from ...wording import say
 from ..road_records import RoadFinding
 from ..road_surface import GRID
 
-
-@dataclass(frozen=True)
-class OneSidedLimits:
-    """Limits of carriageways with one edge, each with its unit."""
-
-    beside: float = 6.0  # m from an edge to the nearest lane: a row of parked cars, a cycle path, a wide shoulder
-    between: float = 0.6  # m between two lanes side by side: a double line
-    widest: float = 30.0  # m across
-    chord: float = 1.0  # m to either side, over which an edge's direction is taken
-    beginning: float = 0.3  # m from an edge's own place, from which what is met is another edge
-    beyond: float = 1.5  # m past the outermost lane at which another edge is the carriageway's
-    narrow: float = 1.0  # m: what is narrower on average beside known carriageways is none
-    least: float = 5.0  # m of an edge: shorter pieces make no carriageway, and are not told
-
-
-LIMITS = OneSidedLimits()
+BESIDE = 6.0  # m from an edge to the nearest lane: a row of parked cars, a cycle path, a wide shoulder
+BETWEEN = 0.6  # m between two lanes side by side: a double line
+WIDEST = 30.0  # m across
+CHORD = 1.0  # m to either side, over which an edge's direction is taken
+BEGINNING = 0.3  # m from an edge's own place, from which what is met is another edge
+BEYOND = 1.5  # m past the outermost lane at which another edge is the carriageway's
+NARROW = 1.0  # m: what is narrower on average beside known carriageways is none
+LEAST = 5.0  # m of an edge: shorter pieces make no carriageway, and are not told
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,7 +67,7 @@ def one_sided_carriageways(edges: Sequence[shapely.LineString], lanes: Sequence[
         strips = [strip for line in lines for strip in _strips(line, met, room, whole)]
     surface = shapely.difference(shapely.union_all([strip.polygon for strip in strips]), whole)
     polygons = [part for part in shapely.get_parts(surface)
-                if part.geom_type == "Polygon" and 2.0 * part.area > LIMITS.narrow * part.length]
+                if part.geom_type == "Polygon" and 2.0 * part.area > NARROW * part.length]
     rings = [polygon.exterior for polygon in polygons]
     border, tree = shapely.union_all(rings), shapely.STRtree(rings)
     ends = [end for strip in strips for end in (np.vstack([strip.near[k], strip.far[k]]) for k in (0, -1))
@@ -95,10 +87,10 @@ def _on(line: np.ndarray, rings: shapely.STRtree) -> bool:
 
 def _strips(line: shapely.LineString, edges: _Segments, room: _Room, whole: shapely.Geometry) -> list[_Strip]:
     """Strips along a line on the side on which lanes lie nearer to it."""
-    places = shapely.get_coordinates(shapely.segmentize(line, LIMITS.chord))
+    places = shapely.get_coordinates(shapely.segmentize(line, CHORD))
     at = shapely.line_locate_point(line, shapely.points(places))
     behind, ahead = (shapely.get_coordinates(shapely.line_interpolate_point(line, np.clip(at + by, 0.0, line.length)))
-                     for by in (-LIMITS.chord, LIMITS.chord))
+                     for by in (-CHORD, CHORD))
     course = (ahead - behind) / np.maximum(np.hypot(*(ahead - behind).T), GRID)[:, None]
     across = np.column_stack([-course[:, 1], course[:, 0]])
     sides = []
@@ -109,31 +101,31 @@ def _strips(line: shapely.LineString, edges: _Segments, room: _Room, whole: shap
     _, _, side, far = max(sides, key=lambda one: one[:2])
     runs = np.split(np.arange(len(places)), np.flatnonzero(np.diff(np.isfinite(far).astype(int))) + 1)
     return [_Strip(places[run], places[run] + side * across[run] * far[run, None]) for run in runs
-            if np.isfinite(far[run[0]]) and len(run) > 1 and at[run[-1]] - at[run[0]] >= LIMITS.least]
+            if np.isfinite(far[run[0]]) and len(run) > 1 and at[run[-1]] - at[run[0]] >= LEAST]
 
 
 def _behind(places: np.ndarray, course: np.ndarray, whole: shapely.Geometry) -> np.ndarray:
     """Mask (n,) of places on the border of known carriageways from which a course leads away from these: an edge has a
     carriageway on one side, an island or a sidewalk on the other."""
-    on = shapely.distance(whole.boundary, shapely.points(places)) < LIMITS.beginning / 2.0
-    return on & ~shapely.contains(whole, shapely.points(places + LIMITS.beginning * course))
+    on = shapely.distance(whole.boundary, shapely.points(places)) < BEGINNING / 2.0
+    return on & ~shapely.contains(whole, shapely.points(places + BEGINNING * course))
 
 
 def _reaches(places: np.ndarray, course: np.ndarray, edges: _Segments, room: _Room) -> tuple[np.ndarray, np.ndarray]:
     """How far from each place (n, 2) along a unit vector lanes begin and the carriageway ends, m; NaN without lanes."""
     near, far = np.full(len(places), np.nan), np.full(len(places), np.nan)
-    rays = np.stack([places + LIMITS.beginning * course, places + LIMITS.widest * course], axis=1)
+    rays = np.stack([places + BEGINNING * course, places + WIDEST * course], axis=1)
     walls = edges.met(rays, places, course)
     for k, (met, spans) in enumerate(zip(walls, room.spans(rays, places, course))):
         wall = float(met.min()) if len(met) else np.inf
         spans = [(low, min(high, wall)) for low, high in spans if low < wall]
-        if not spans or spans[0][0] > LIMITS.beside:
+        if not spans or spans[0][0] > BESIDE:
             continue
         near[k], far[k] = spans[0]
         for low, high in spans[1:]:
-            if low - far[k] <= LIMITS.between:
+            if low - far[k] <= BETWEEN:
                 far[k] = max(far[k], high)
-        far[k] = wall if wall - far[k] < LIMITS.beyond else far[k]
+        far[k] = wall if wall - far[k] < BEYOND else far[k]
     return near, far
 
 
@@ -187,7 +179,7 @@ def _open_findings(polygons: Sequence[shapely.Polygon], open_sides: shapely.Geom
     found = []
     for polygon in polygons:
         side = shapely.intersection(polygon.exterior, shapely.buffer(open_sides, 2 * GRID))
-        if side.length < LIMITS.least:
+        if side.length < LEAST:
             continue
         longest = max(shapely.get_parts(shapely.line_merge(side)), key=shapely.length)
         x, y = shapely.get_coordinates(shapely.line_interpolate_point(longest, 0.5, normalized=True))[0]
@@ -203,7 +195,7 @@ def _lonely(lines: Sequence[shapely.LineString], polygons: Sequence[shapely.Poly
     near = shapely.buffer(shapely.union_all([polygon.boundary for polygon in polygons]), 0.1)
     found = []
     for part in shapely.get_parts(shapely.difference(shapely.union_all(list(lines)), near)):
-        if part.length < LIMITS.least:
+        if part.length < LEAST:
             continue
         x, y = shapely.get_coordinates(shapely.line_interpolate_point(part, 0.5, normalized=True))[0]
         found.append(RoadFinding("edge without a carriageway", say(

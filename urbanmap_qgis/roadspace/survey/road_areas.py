@@ -25,25 +25,16 @@ from .area_records import (
     UNDIVIDED,
     TrafficSurface,
 )
-from .carriageways import LIMITS as EDGE_LIMITS
-from .carriageways import Carriageways
+from .carriageways import GAP, NARROW, Carriageways
 from .stop_cuts import CutJunctions
 
-
-@dataclass(frozen=True)
-class RoadAreaLimits:
-    """Limits of road areas, each with its unit."""
-
-    sliver: float = 0.05  # m2; smaller faces go to a neighbour
-    thin: float = 0.12  # m, mean width; likewise
-    sidewalk: float = 12.0  # m; what lies farther from a kerb is none of its sidewalk
-    beside: float = 0.5  # m of kerb that a sidewalk has at least
-    weak: float = 0.1  # share of a border from which its source counts
-    lane_end: float = 1.5  # m between the end of a lane and the cut of its junction, which is the lane's
-    lane_skew: float = 0.5  # m by which one side of a lane may end before the other
-
-
-LIMITS = RoadAreaLimits()
+SLIVER = 0.05  # m2; smaller faces go to a neighbour
+THIN = 0.12  # m, mean width; likewise
+SIDEWALK_WIDTH = 12.0  # m; what lies farther from a kerb is none of its sidewalk
+BESIDE = 0.5  # m of kerb that a sidewalk has at least
+WEAK = 0.1  # share of a border from which its source counts
+LANE_END = 1.5  # m between the end of a lane and the cut of its junction, which is the lane's
+LANE_SKEW = 0.5  # m by which one side of a lane may end before the other
 
 
 @dataclass(eq=False)
@@ -111,7 +102,7 @@ def _outward(ways: Carriageways, outer: shapely.Geometry) -> list[shapely.LineSt
     """Lines from where the survey or an edge ends at each side to the outer border of the sidewalk."""
     lines = []
     for corner, outwards in _outward_rays(ways):
-        ray = shapely.linestrings(np.vstack([corner, corner + LIMITS.sidewalk * outwards]))
+        ray = shapely.linestrings(np.vstack([corner, corner + SIDEWALK_WIDTH * outwards]))
         met = shapely.intersection(ray, outer.boundary)
         if met.is_empty:
             continue
@@ -153,7 +144,7 @@ def _name_ways(net: _Net, ways: Carriageways, cut: Sequence[CutJunctions], findi
         surfaces = [shapely.union_all([net.faces[number] for number in members]) for members in groups]
         meeting = _where_roads_meet(surfaces, junctions)
         for members, surface, nodes in zip(groups, surfaces, meeting):
-            if surface.area < LIMITS.sliver:
+            if surface.area < SLIVER:
                 continue  # it goes to a neighbour in the end
             net.pieces.append(_piece(surface, nodes, findings))
             for number in members:
@@ -165,7 +156,7 @@ def _name_ways(net: _Net, ways: Carriageways, cut: Sequence[CutJunctions], findi
             for number in _inside(net, hole):
                 net.kinds[number] = ISLAND if shown > 0.5 else UNDIVIDED
                 net.roads[number] = _nearest_road(net, net.faces[number])
-            if shown <= 0.5 or 2 * hole.area / hole.length > EDGE_LIMITS.gap:
+            if shown <= 0.5 or 2 * hole.area / hole.length > GAP:
                 x, y = shapely.get_coordinates(shapely.point_on_surface(hole))[0]
                 findings.append(RoadFinding("island not shown", say(
                     "The edges leave out a part of the carriageway here of which less than half of the border was "
@@ -259,13 +250,13 @@ def _name_beside(net: _Net, ways: Carriageways, official: Sequence[shapely.Polyg
     for number in _inside(net, shapely.union_all(list(official))):
         face = net.faces[number]
         beside, open_end = (shapely.length(shapely.intersection(face.boundary, zone)) for zone in (at_kerbs, at_ends))
-        farthest = shapely.hausdorff_distance(face, shapely.intersection(whole, face.buffer(LIMITS.sidewalk))) if (
+        farthest = shapely.hausdorff_distance(face, shapely.intersection(whole, face.buffer(SIDEWALK_WIDTH))) if (
             beside) else np.inf
-        sidewalk = beside > LIMITS.beside and open_end < EDGE_LIMITS.narrow and (
-            face.area / beside < LIMITS.sidewalk) and np.isfinite(farthest)
+        sidewalk = beside > BESIDE and open_end < NARROW and (
+            face.area / beside < SIDEWALK_WIDTH) and np.isfinite(farthest)
         net.kinds[number] = SIDEWALK if sidewalk else UNDIVIDED
         net.roads[number] = _nearest_road(net, face) if sidewalk else -1
-        if not sidewalk and face.area > EDGE_LIMITS.narrow**2:
+        if not sidewalk and face.area > NARROW**2:
             x, y = shapely.get_coordinates(shapely.point_on_surface(face))[0]
             findings.append(RoadFinding("not surveyed", say(
                 "{area:.0f} m² of the given roads were not surveyed: they are left undivided.", area=face.area), x, y))
@@ -290,12 +281,12 @@ def _reaching(lane: shapely.Polygon, cuts: Sequence[np.ndarray]) -> shapely.Poly
     for cut in cuts:
         line = shapely.linestrings(cut)
         away = shapely.distance(line, shapely.points(corners))
-        if not GRID < away.min() < LIMITS.lane_end:
+        if not GRID < away.min() < LANE_END:
             continue
-        end = corners[away < away.min() + LIMITS.lane_skew]
+        end = corners[away < away.min() + LANE_SKEW]
         distance = np.hypot(*(end[:, None] - end[None]).transpose(2, 0, 1))
         one, other = np.unravel_index(int(np.argmax(distance)), distance.shape)
-        if distance[one, other] < LIMITS.lane_skew:
+        if distance[one, other] < LANE_SKEW:
             continue
         feet = shapely.get_coordinates(shapely.line_interpolate_point(line, shapely.line_locate_point(
             line, shapely.points(end[[one, other]]))))
@@ -323,8 +314,8 @@ def _without_slivers(areas: list[tuple[shapely.Polygon, str, int]]) -> list[tupl
     """Areas with those too small or thin given to the neighbour with the longest common border."""
     areas = list(areas)
     while True:
-        small = next((k for k, (polygon, kind, _) in enumerate(areas) if polygon.area < LIMITS.sliver
-                      or (kind != ISLAND and 2.0 * polygon.area / polygon.length < LIMITS.thin)), None)
+        small = next((k for k, (polygon, kind, _) in enumerate(areas) if polygon.area < SLIVER
+                      or (kind != ISLAND and 2.0 * polygon.area / polygon.length < THIN)), None)
         if small is None:
             return areas
         polygon = areas.pop(small)[0]
@@ -346,9 +337,9 @@ def _area(polygon: shapely.Polygon, kind: str, road: int, ways: Carriageways, si
     source = MEASURED
     if kind == UNDIVIDED:
         source = OFFICIAL
-    elif kerb.length and unseen > LIMITS.weak * kerb.length:
+    elif kerb.length and unseen > WEAK * kerb.length:
         source = CONTINUED
-    elif kerb.length and unsure > LIMITS.weak * kerb.length:
+    elif kerb.length and unsure > WEAK * kerb.length:
         source = DOUBTFUL
     elif kind == SIDEWALK:
         source = OFFICIAL  # its outer border is that of the given roads

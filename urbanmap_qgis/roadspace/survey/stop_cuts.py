@@ -15,27 +15,19 @@ import shapely
 from ..junctions import Arm, Junction, junctions_of
 from ..road_axis import skeleton_of
 
-
-@dataclass(frozen=True)
-class StopCutLimits:
-    """Limits of cuts, each with its unit."""
-
-    reach: float = 20.0  # m from the cut at the corners outwards; stop lines farther away belong to another junction
-    inside: float = 3.0  # m inwards of it
-    least: float = 1.2  # m, of a stop line
-    whole: float = 0.4  # share of the road's width from which a stop line tells its own direction
-    turned: float = 6.0  # degrees; a shorter one that turns less from the road's cross direction takes that
-    skew: float = 40.0  # degrees from the road's cross direction
-    smooth: float = 0.1  # m: corners nearer to a straight line are none
-    # m along an edge from a contact: where its straight part is fitted, and how far inwards a curve is followed.
-    straight: tuple[float, float] = (3.0, 8.0)
-    inwards: float = 3.0
-    station: float = 0.1  # m
-    bend: float = 0.04  # m off the straight part, from which an edge is bent; four times that tells of a curve
-    curve: float = 0.35  # m between the two places, of a curve; less is a corner
-
-
-LIMITS = StopCutLimits()
+REACH = 20.0  # m from the cut at the corners outwards; stop lines farther away belong to another junction
+INSIDE = 3.0  # m inwards of it
+LEAST = 1.2  # m, of a stop line
+WHOLE = 0.4  # share of the road's width from which a stop line tells its own direction
+TURNED = 6.0  # degrees; a shorter one that turns less from the road's cross direction takes that
+SKEW = 40.0  # degrees from the road's cross direction
+SMOOTH = 0.1  # m: corners nearer to a straight line are none
+# m along an edge from a contact: where its straight part is fitted, and how far inwards a curve is followed.
+STRAIGHT = (3.0, 8.0)
+INWARDS = 3.0
+STATION = 0.1  # m
+BEND = 0.04  # m off the straight part, from which an edge is bent; four times that tells of a curve
+CURVE = 0.35  # m between the two places, of a curve; less is a corner
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,7 +58,7 @@ def junction_cuts(polygon: shapely.Polygon, stops: Sequence[shapely.LineString],
     """
     whole = shapely.Polygon(polygon.exterior, [ring for ring in polygon.interiors
                                               if not any(shapely.Polygon(ring).equals(island) for island in inner)])
-    smooth = shapely.simplify(whole, LIMITS.smooth)
+    smooth = shapely.simplify(whole, SMOOTH)
     if smooth.geom_type != "Polygon" or not smooth.is_valid or smooth.is_empty:
         smooth = whole
     junctions = junctions_of(skeleton_of(smooth))
@@ -93,21 +85,21 @@ def _curve_end(surface: shapely.Polygon, contact: np.ndarray, arm: Arm) -> np.nd
     rings = [shapely.LinearRing(ring) for ring in (surface.exterior, *surface.interiors)]
     ring = min(rings, key=lambda one: shapely.distance(one, shapely.points(contact)))
     start = shapely.line_locate_point(ring, shapely.points(contact))
-    marks = np.arange(-LIMITS.inwards, LIMITS.straight[1], LIMITS.station)
+    marks = np.arange(-INWARDS, STRAIGHT[1], STATION)
     axis = shapely.linestrings(arm.branch.points)
     ahead, back = (shapely.line_locate_point(axis, shapely.line_interpolate_point(
-        ring, (start + side * LIMITS.straight[0]) % ring.length)) for side in (1.0, -1.0))
+        ring, (start + side * STRAIGHT[0]) % ring.length)) for side in (1.0, -1.0))
     sense = 1.0 if ahead > back else -1.0
     places = shapely.get_coordinates(shapely.line_interpolate_point(ring, (start + sense * marks) % ring.length))
-    fitted = places[marks >= LIMITS.straight[0]]
+    fitted = places[marks >= STRAIGHT[0]]
     middle = fitted.mean(axis=0)
     along = np.linalg.svd(fitted - middle, full_matrices=False)[2][0]
     off = np.abs((places - middle) @ np.array([-along[1], along[0]]))
-    first, second = (np.flatnonzero(off > limit) for limit in (LIMITS.bend, 4.0 * LIMITS.bend))
-    if not len(first) or not len(second) or off[marks >= LIMITS.straight[0]].max() > LIMITS.bend:
+    first, second = (np.flatnonzero(off > limit) for limit in (BEND, 4.0 * BEND))
+    if not len(first) or not len(second) or off[marks >= STRAIGHT[0]].max() > BEND:
         return contact
     between = marks[first[-1]] - marks[second[-1]]
-    if between < LIMITS.curve:
+    if between < CURVE:
         return contact
     end = start + sense * (marks[first[-1]] + between)
     return shapely.get_coordinates(shapely.line_interpolate_point(ring, end % ring.length))[0]
@@ -121,7 +113,7 @@ def _stop_cut(arm: Arm, place: float, stops: Sequence[shapely.LineString],
     for stop in stops:
         middle = shapely.line_interpolate_point(stop, 0.5, normalized=True)
         along = float(shapely.line_locate_point(axis, middle))
-        if not place - LIMITS.inside <= along <= place + LIMITS.reach or along == 0.0:
+        if not place - INSIDE <= along <= place + REACH or along == 0.0:
             continue
         width = 2.0 * float(np.interp(along, _chainage(arm.branch.points), arm.branch.clearance))
         off = shapely.distance(axis, middle)
@@ -131,9 +123,9 @@ def _stop_cut(arm: Arm, place: float, stops: Sequence[shapely.LineString],
             axis, np.clip([along - width / 4.0, along + width / 4.0], 0.0, axis.length)))
         course = behind - before
         cosine = abs(across @ course) / max(np.hypot(*across) * np.hypot(*course), 1e-12)
-        if off > width / 2.0 or np.hypot(*across) < LIMITS.least or cosine > np.sin(np.radians(LIMITS.skew)):
+        if off > width / 2.0 or np.hypot(*across) < LEAST or cosine > np.sin(np.radians(SKEW)):
             continue  # among them lines that come back to where they begin
-        if stop.length < LIMITS.whole * width and cosine < np.sin(np.radians(LIMITS.turned)):
+        if stop.length < WHOLE * width and cosine < np.sin(np.radians(TURNED)):
             cross = np.array([-course[1], course[0]]) / np.hypot(*course)
             ends = ends.mean(axis=0) + np.outer([-0.5, 0.5], cross)
         cut = _extended(ends, surface, width)

@@ -2,27 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ..scene.world import AERIAL_TIME, Scene
 from .camera import Camera, Exposure, ray_matrix
 
-
-@dataclass(frozen=True)
-class FlightLimits:
-    """Limits of flight, each with its unit."""
-
-    # Ground sampling distance and height above ground, m.
-    gsd: float = 0.12
-    flying_height: float = 760.0
-    # Maximum useful extent of a frame across and along the strips, m; a larger city gets more frames.
-    widest: tuple[float, ...] = (480.0, 400.0)
-    pitch: float = 0.006
-
-
-LIMITS = FlightLimits()
+# Ground sampling distance and height above ground, m.
+GSD = 0.12
+FLYING_HEIGHT = 760.0
+# Maximum useful extent of a frame across and along the strips, m; a larger city gets more frames.
+WIDEST = (480.0, 400.0)
+PITCH = 0.006
 
 MARGIN = 19.0
 """Ground that a frame may lose at each side by tilt, drift and relief, m."""
@@ -44,13 +34,13 @@ def plan_flight(scene: Scene, rng: np.random.Generator) -> tuple[Camera, list[Ex
         extent = (length, length + 2 * step)
         strips, stations = np.zeros(1), step * np.array([-1.0, 0.0, 1.0])
     else:
-        extent = (min(1.24 * length, LIMITS.widest[0]), min(length, LIMITS.widest[1]))
+        extent = (min(1.24 * length, WIDEST[0]), min(length, WIDEST[1]))
         steps = (min(0.24 * length, 0.47 * extent[0]), min(0.28 * length, 0.47 * extent[1]))
         strips, stations = (_twice_covered(length, r, s) for r, s in zip(extent, steps))
-    width, height = (int(np.ceil((r + 2 * MARGIN) / LIMITS.gsd / 8)) * 8 for r in extent)
+    width, height = (int(np.ceil((r + 2 * MARGIN) / GSD / 8)) * 8 for r in extent)
     middle = (x_min + x_max) / 2, (y_min + y_max) / 2
     ground = float(scene.ground_height(*np.array(middle)))
-    camera = Camera(round(LIMITS.flying_height / LIMITS.gsd * LIMITS.pitch + rng.uniform(-0.02, 0.02), 4), LIMITS.pitch,
+    camera = Camera(round(FLYING_HEIGHT / GSD * PITCH + rng.uniform(-0.02, 0.02), 4), PITCH,
                     width, height, tuple(round(float(v), 4) for v in rng.uniform(-0.03, 0.03, 2)))
     exposures = []
     for number, strip in enumerate(strips):
@@ -61,7 +51,7 @@ def plan_flight(scene: Scene, rng: np.random.Generator) -> tuple[Camera, list[Ex
             kappa = 180.0 * (number % 2) + np.clip(rng.normal(0.0, 0.8), -1.5, 1.5)
             exposures.append(Exposure(
                 f"frame_{len(exposures) + 1:02d}.tif", round(middle[0] + strip + x, 3),
-                round(middle[1] + station + y, 3), round(ground + LIMITS.flying_height + z, 3),
+                round(middle[1] + station + y, 3), round(ground + FLYING_HEIGHT + z, 3),
                 round(omega, 5), round(phi, 5), round(kappa, 5),
                 round(start + place * (stations[1] - stations[0]) / SPEED, 3)))
     return camera, exposures

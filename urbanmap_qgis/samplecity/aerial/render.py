@@ -24,18 +24,10 @@ BUILDING, VEGETATION, VEHICLE = 255, 128, 64
 
 A pixel has the value if half of it or more shows such things."""
 
-
-@dataclass(frozen=True)
-class RenderLimits:
-    """Limits of render, each with its unit."""
-
-    fine: int = 2  # What is nearest is found for so many places each way in a pixel.
-    blur: float = 0.55  # Spread of the point spread function, pixels.
-    rows_at_once: int = 480  # Rows of a frame that are worked on together: they bound the memory.
-    points_at_once: int = 1 << 20
-
-
-LIMITS = RenderLimits()
+FINE = 2  # What is nearest is found for so many places each way in a pixel.
+BLUR = 0.55  # Spread of the point spread function, pixels.
+ROWS_AT_ONCE = 480  # Rows of a frame that are worked on together: they bound the memory.
+POINTS_AT_ONCE = 1 << 20
 
 NOISE = (1.2, 0.012)
 """Spread of the noise: grey values in the dark, and its growth with brightness."""
@@ -108,10 +100,10 @@ def render_frame(stage: Stage, camera: Camera, exposure: Exposure, gain: float, 
     shading = Shading(Surfaces.of(faces, stage.scene, shadows), stage.leaves, shadows, stage.stains)
     image = np.empty((camera.height, camera.width, 3), np.float32)
     mask = np.empty((camera.height, camera.width), np.uint8)
-    for top in range(0, camera.height, LIMITS.rows_at_once):
+    for top in range(0, camera.height, ROWS_AT_ONCE):
         part = progress.part(0.1 + 0.75 * top / camera.height, 0.85)
         part.step(0.0)
-        rows = slice(top, min(top + LIMITS.rows_at_once, camera.height))
+        rows = slice(top, min(top + ROWS_AT_ONCE, camera.height))
         view = _View(camera, exposure, ground, rows)
         nearest = view.draw(faces, stage.leaves)
         image[rows] = view.colour(nearest, shading, part)
@@ -141,12 +133,12 @@ class _View:
         self._ground_nearness = 1.0 / t - 1.0
 
     def draw(self, faces: Faces, leaves: Leaves) -> DepthImage:
-        """What is nearest on the fine grid of `LIMITS.fine` x `LIMITS.fine` places a pixel."""
+        """What is nearest on the fine grid of `FINE` x `FINE` places a pixel."""
         rows, columns = self._ground_nearness.shape
-        image = DepthImage(cv2.resize(self._ground_nearness, (columns * LIMITS.fine, rows * LIMITS.fine),
+        image = DepthImage(cv2.resize(self._ground_nearness, (columns * FINE, rows * FINE),
                                       interpolation=cv2.INTER_LINEAR))
         pixels = self._fine_pixels(faces.corners)
-        shift = np.array([[1 / LIMITS.fine, 0, 0.5 / LIMITS.fine - 0.5], [0, 1 / LIMITS.fine, 0.5 / LIMITS.fine - 0.5],
+        shift = np.array([[1 / FINE, 0, 0.5 / FINE - 0.5], [0, 1 / FINE, 0.5 / FINE - 0.5],
                           [0, 0, 1]])
         self._fine_matrix = self._matrix @ shift
         # On a face n . (C + t d) = offset, so 1/t = n . d / (offset - n . C): linear in column and row.
@@ -154,7 +146,7 @@ class _View:
         with np.errstate(divide="ignore", invalid="ignore"):
             planes = faces.normal @ self._fine_matrix / distance[:, None] - [0.0, 0.0, 1.0]
         low, high = pixels.min(axis=1), pixels.max(axis=1)
-        seen = (high >= 0).all(axis=1) & (low[:, 0] < columns * LIMITS.fine) & (low[:, 1] < rows * LIMITS.fine)
+        seen = (high >= 0).all(axis=1) & (low[:, 0] < columns * FINE) & (low[:, 1] < rows * FINE)
         for i in np.flatnonzero(seen & (np.abs(distance) > 1e-6)):
             image.draw_polygon(pixels[i], planes[i], i)
         for crown in range(len(leaves.centre)):
@@ -163,7 +155,7 @@ class _View:
 
     def _fine_pixels(self, points: np.ndarray) -> np.ndarray:
         """Columns and rows on the fine grid of these rows."""
-        return (project(self._camera, self._exposure, points) - [0.0, self._rows.start] + 0.5) * LIMITS.fine - 0.5
+        return (project(self._camera, self._exposure, points) - [0.0, self._rows.start] + 0.5) * FINE - 0.5
 
     def _draw_crown(self, image: DepthImage, leaves: Leaves, crown: int) -> None:
         signs = np.array(np.meshgrid([-1, 1], [-1, 1], [-1, 1])).reshape(3, -1).T
@@ -193,11 +185,11 @@ class _View:
         for part in _chunks(np.flatnonzero(~one), progress.part(0.7, 1.0)):
             row, column = np.divmod(part, self._camera.width)
             light = np.zeros((len(part), 3), np.float32)
-            for k in range(LIMITS.fine * LIMITS.fine):
-                fine_row, fine_column = row * LIMITS.fine + k // LIMITS.fine, column * LIMITS.fine + k % LIMITS.fine
+            for k in range(FINE * FINE):
+                fine_row, fine_column = row * FINE + k // FINE, column * FINE + k % FINE
                 points = self._points(self._fine_matrix, fine_column, fine_row, nearness[k].ravel()[part])
                 light += self._any_colour(label[k].ravel()[part], points, shading)
-            flat[part] = light / (LIMITS.fine * LIMITS.fine)
+            flat[part] = light / (FINE * FINE)
         return image
 
     def _any_colour(self, label: np.ndarray, points: np.ndarray, shading: Shading) -> np.ndarray:
@@ -228,14 +220,14 @@ class _View:
 
 def _parts(image: np.ndarray) -> list[np.ndarray]:
     """The four fine places of each pixel, row by row, as four images."""
-    fine = LIMITS.fine
+    fine = FINE
     return [np.ascontiguousarray(image[k // fine::fine, k % fine::fine]) for k in range(fine * fine)]
 
 
 def _chunks(items: np.ndarray, progress: Progress) -> Iterator[np.ndarray]:
-    for start in range(0, len(items), LIMITS.points_at_once):
+    for start in range(0, len(items), POINTS_AT_ONCE):
         progress.step(start / len(items))
-        yield items[start:start + LIMITS.points_at_once]
+        yield items[start:start + POINTS_AT_ONCE]
 
 
 def _class_of(faces: Faces) -> np.ndarray:
@@ -261,7 +253,7 @@ def _expose(image: np.ndarray, gain: float, rng: np.random.Generator | None) -> 
     """Blur, exposure and noise of the camera."""
     if rng is None:
         return np.clip(np.rint(image * gain), 0, 255).astype(np.uint8)
-    image = cv2.GaussianBlur(image, (0, 0), LIMITS.blur) * np.float32(gain)
+    image = cv2.GaussianBlur(image, (0, 0), BLUR) * np.float32(gain)
     for band in range(3):
         spread = NOISE[0] + NOISE[1] * image[..., band]
         image[..., band] += spread * rng.standard_normal(spread.shape, np.float32)

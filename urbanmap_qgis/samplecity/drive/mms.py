@@ -36,19 +36,11 @@ SCANNERS = (
 )
 CAMERA = {"id": "front", "lever_arm_m": [1.05, 0.0, -0.25], "roll": 0.0, "pitch": 0.0, "heading": 0.0}
 
-
-@dataclass(frozen=True)
-class MmsLimits:
-    """Limits of mms, each with its unit."""
-
-    image_spacing: float = 5.0  # Way between two images, m.
-    scans_at_once: int = 90  # Scans of each scanner worked on at once; bounds the memory.
-    # Below this speed (m/s) the vehicle waits and only one scan in so many is recorded.
-    waiting_speed: float = 0.1
-    waiting_scans: int = 8
-
-
-LIMITS = MmsLimits()
+IMAGE_SPACING = 5.0  # Way between two images, m.
+SCANS_AT_ONCE = 90  # Scans of each scanner worked on at once; bounds the memory.
+# Below this speed (m/s) the vehicle waits and only one scan in so many is recorded.
+WAITING_SPEED = 0.1
+WAITING_SCANS = 8
 
 LABELS = {Material.ASPHALT: 1, Material.PAINT_WHITE: 2, Material.PAINT_YELLOW: 2, Material.PAVEMENT: 3,
           Material.PLOT: 3, Material.FACADE: 4, Material.GLASS: 5, Material.ROOF: 4, Material.PARAPET: 4,
@@ -157,9 +149,9 @@ def simulate_survey(scene: Scene, caster: RayCaster, true: SimulatedTrajectory, 
                     rng: np.random.Generator, progress: Progress) -> Iterator[Points]:
     """Points of both scanners in the order of time, a second or two at once."""
     scans = recorded_scans(true, SCANNERS[0])
-    for first in range(0, len(scans), LIMITS.scans_at_once):
+    for first in range(0, len(scans), SCANS_AT_ONCE):
         progress.step(first / len(scans))
-        some = scans[first:first + LIMITS.scans_at_once]
+        some = scans[first:first + SCANS_AT_ONCE]
         parts = [_points(scanner, simulate_scans(scene, caster, scanner, some, true, rng), reported)
                  for scanner in SCANNERS]
         order = np.argsort(np.concatenate([part.time for part in parts]), kind="stable")
@@ -171,7 +163,7 @@ def recorded_scans(true: SimulatedTrajectory, scanner: SimulatedScanner) -> np.n
     """Times at which scans begin that are recorded: all while the vehicle moves, few while it waits."""
     scans = scanner.scan_times(true.time[0], true.time[-1])
     speed = np.interp(scans, true.time, np.gradient(true.chainage(), true.time))
-    return scans[(speed > LIMITS.waiting_speed) | (np.arange(len(scans)) % LIMITS.waiting_scans == 0)]
+    return scans[(speed > WAITING_SPEED) | (np.arange(len(scans)) % WAITING_SCANS == 0)]
 
 
 def _points(scanner: SimulatedScanner, returns: Returns, reported: SimulatedTrajectory) -> Points:
@@ -207,9 +199,9 @@ def _write_calibration(path: Path) -> None:
 
 
 def _write_images(path: Path, reported: SimulatedTrajectory) -> None:
-    """Poses of the camera at every `LIMITS.image_spacing` m of chainage, on the reported trajectory."""
+    """Poses of the camera at every `IMAGE_SPACING` m of chainage, on the reported trajectory."""
     chainage = reported.chainage()
-    marks = np.arange(LIMITS.image_spacing / 2, chainage[-1], LIMITS.image_spacing)
+    marks = np.arange(IMAGE_SPACING / 2, chainage[-1], IMAGE_SPACING)
     time = np.round(np.interp(marks, chainage, reported.time), 4)
     place, rotation = reported.interpolate(time)
     place = place + rotation @ np.array(CAMERA["lever_arm_m"])

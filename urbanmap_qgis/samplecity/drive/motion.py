@@ -14,33 +14,25 @@ from ..scene.model import Lane, Marking
 from ..scene.world import Scene
 from .trajectory import SimulatedTrajectory
 
-
-@dataclass(frozen=True)
-class MotionLimits:
-    """Limits of motion, each with its unit."""
-
-    rate: float = 100.0  # Epochs per second.
-    body_height: float = 1.95  # Of the body's origin above the road, m.
-    # Distances of the wheels along and across, m.
-    wheelbase: float = 2.7
-    track: float = 1.55
-    # Maximum acceleration and braking, m/s2; speed in a bend, m/s.
-    acceleration: float = 1.8
-    bend_speed: float = 4.4
-    # A bend starts this far before the corner, m; the speed falls this far around it already.
-    bend_start: float = 14.0
-    bend_widening: float = 2.0
-    stop_gap: float = 3.0  # The body's origin stands this far behind a stop line, m.
-    # The body leans out of a bend and backwards when it speeds up, degrees for each m/s2.
-    lean_roll: float = 0.45
-    lean_pitch: float = 0.30
-    # Vibration at 8 m/s (standard deviations): m, degrees.
-    shake_height: float = 0.002
-    shake_angle: float = 0.04
-    step: float = 0.05
-
-
-LIMITS = MotionLimits()
+RATE = 100.0  # Epochs per second.
+BODY_HEIGHT = 1.95  # Of the body's origin above the road, m.
+# Distances of the wheels along and across, m.
+WHEELBASE = 2.7
+TRACK = 1.55
+# Maximum acceleration and braking, m/s2; speed in a bend, m/s.
+ACCELERATION = 1.8
+BEND_SPEED = 4.4
+# A bend starts this far before the corner, m; the speed falls this far around it already.
+BEND_START = 14.0
+BEND_WIDENING = 2.0
+STOP_GAP = 3.0  # The body's origin stands this far behind a stop line, m.
+# The body leans out of a bend and backwards when it speeds up, degrees for each m/s2.
+LEAN_ROLL = 0.45
+LEAN_PITCH = 0.30
+# Vibration at 8 m/s (standard deviations): m, degrees.
+SHAKE_HEIGHT = 0.002
+SHAKE_ANGLE = 0.04
+STEP = 0.05
 
 RUN_IN = 10.0
 """The drive begins and ends this far outside the city's square, m."""
@@ -48,7 +40,7 @@ RUN_IN = 10.0
 
 @dataclass(frozen=True)
 class DrivePath:
-    """A path in plan, every `LIMITS.step` m: s (n,), x, y (n,), heading (n,) degrees, curvature (n,) to the right 1/m.
+    """A path in plan, every `STEP` m: s (n,), x, y (n,), heading (n,) degrees, curvature (n,) to the right 1/m.
 
     `corner` is the chainage at which the two straight lanes would meet.
     """
@@ -89,9 +81,9 @@ def corner_path(first: Lane, second: Lane, distance: float) -> DrivePath:
     share = np.linspace(0.0, 1.0, 2001)
     angle = angle_change * (share - np.sin(2 * np.pi * share) / (2 * np.pi))
     tangent = _integral(np.sin(angle), share)[-1] / np.sin(angle_change)
-    length = LIMITS.bend_start / tangent
-    straight = distance - LIMITS.bend_start
-    s = np.arange(0.0, 2 * straight + length + LIMITS.step / 2, LIMITS.step)
+    length = BEND_START / tangent
+    straight = distance - BEND_START
+    s = np.arange(0.0, 2 * straight + length + STEP / 2, STEP)
     share = np.clip((s - straight) / length, 0.0, 1.0)
     heading = np.radians(first.heading) + angle_change * (share - np.sin(2 * np.pi * share) / (2 * np.pi))
     x0, y0 = corner - distance * _direction(first)
@@ -114,20 +106,20 @@ def stop_at_line(path: DrivePath, markings: Sequence[Marking], default: float) -
     line = shapely.LineString(np.column_stack([path.x, path.y])[before])
     lines = [line.intersection(m.plan) for m in markings if m.kind == "stop" and m.plan.intersects(line)]
     reached = [line.project(shapely.Point(crossing.coords[0])) for crossing in lines if not crossing.is_empty]
-    return max(max(reached) - LIMITS.stop_gap if reached else default, 0.0)
+    return max(max(reached) - STOP_GAP if reached else default, 0.0)
 
 
 def chainage_over_time(path: DrivePath, cruise: float, stops: Sequence[Stop]) -> np.ndarray:
-    """Chainage (n,) at epochs of `LIMITS.rate`: smoothly at `cruise` m/s, slower in bends; on the move at both ends."""
+    """Chainage (n,) at epochs of `RATE`: smoothly at `cruise` m/s, slower in bends; on the move at both ends."""
     speed = np.full(len(path.s), cruise)
-    widening = int(LIMITS.bend_widening / LIMITS.step)
+    widening = int(BEND_WIDENING / STEP)
     in_bend = np.convolve(np.abs(path.curvature) > 0.02, np.ones(2 * widening + 1), "same") > 0
-    speed[in_bend] = np.minimum(cruise, LIMITS.bend_speed)
-    number = [round(stop.s / LIMITS.step) for stop in stops]
+    speed[in_bend] = np.minimum(cruise, BEND_SPEED)
+    number = [round(stop.s / STEP) for stop in stops]
     speed[number] = 0.0
     square = speed**2
     for order in (slice(None), slice(None, None, -1)):
-        ramp = 2 * LIMITS.acceleration * path.s
+        ramp = 2 * ACCELERATION * path.s
         square[order] = np.minimum.accumulate(square[order] - ramp) + ramp
     speed = np.sqrt(np.maximum(square, 0.0))
     ticks = np.concatenate([[0.0], np.cumsum(2 * np.diff(path.s) / (speed[1:] + speed[:-1]))])
@@ -135,9 +127,9 @@ def chainage_over_time(path: DrivePath, cruise: float, stops: Sequence[Stop]) ->
     for stop, index in sorted(zip(stops, number), key=lambda pair: -pair[1]):
         ticks = np.concatenate([ticks[:index + 1], ticks[index:] + stop.seconds])
         chainages = np.concatenate([chainages[:index + 1], chainages[index:]])
-    smoothing = 0.35 * LIMITS.rate
+    smoothing = 0.35 * RATE
     ends = int(4 * smoothing)
-    chainage = np.interp(np.arange(int(ticks[-1] * LIMITS.rate) + 1) / LIMITS.rate, ticks, chainages)
+    chainage = np.interp(np.arange(int(ticks[-1] * RATE) + 1) / RATE, ticks, chainages)
     # Near its ends the smoothing knows one side only.
     return gaussian_filter1d(chainage, smoothing, mode="nearest")[ends:-ends]
 
@@ -147,16 +139,16 @@ def drive(scene: Scene, path: DrivePath, chainage: np.ndarray, start: float,
     """True trajectory of a vehicle at the chainages (m) of the path at epochs from `start` s on."""
     heading = np.interp(chainage, path.s, path.heading)
     x, y = np.interp(chainage, path.s, path.x), np.interp(chainage, path.s, path.y)
-    speed = np.gradient(chainage) * LIMITS.rate
+    speed = np.gradient(chainage) * RATE
     height, roll, pitch = _on_wheels(scene.ground_height, x, y, heading)
     lateral_acceleration = speed**2 * np.interp(chainage, path.s, path.curvature)
-    roll = roll - LIMITS.lean_roll * lateral_acceleration
-    pitch = pitch + LIMITS.lean_pitch * gaussian_filter1d(np.gradient(speed) * LIMITS.rate, 0.15 * LIMITS.rate)
+    roll = roll - LEAN_ROLL * lateral_acceleration
+    pitch = pitch + LEAN_PITCH * gaussian_filter1d(np.gradient(speed) * RATE, 0.15 * RATE)
     liveliness = np.minimum(speed / 8.0, 1.0)
-    z = height + LIMITS.body_height + liveliness * LIMITS.shake_height * _shake(len(chainage), rng)
+    z = height + BODY_HEIGHT + liveliness * SHAKE_HEIGHT * _shake(len(chainage), rng)
     roll, pitch, heading = (angle + liveliness * size * _shake(len(chainage), rng) for angle, size in (
-        (roll, LIMITS.shake_angle), (pitch, LIMITS.shake_angle), (heading, 0.3 * LIMITS.shake_angle)))
-    time = start + np.arange(len(chainage)) / LIMITS.rate
+        (roll, SHAKE_ANGLE), (pitch, SHAKE_ANGLE), (heading, 0.3 * SHAKE_ANGLE)))
+    time = start + np.arange(len(chainage)) / RATE
     return SimulatedTrajectory(time, np.column_stack([x, y, z]), np.column_stack([roll, pitch, heading])).rounded()
 
 
@@ -179,12 +171,12 @@ def _on_wheels(ground: Callable, x: np.ndarray, y: np.ndarray, heading: np.ndarr
     wheels = {}
     for along in (-1, 1):
         for right in (-1, 1):
-            forward, side = along * LIMITS.wheelbase / 2, right * LIMITS.track / 2
+            forward, side = along * WHEELBASE / 2, right * TRACK / 2
             wheels[along, right] = ground(x + sin * forward + cos * side, y + cos * forward - sin * side)
     height = sum(wheels.values()) / 4
-    rise = (wheels[1, -1] + wheels[1, 1] - wheels[-1, -1] - wheels[-1, 1]) / (2 * LIMITS.wheelbase)
-    fall = (wheels[1, -1] + wheels[-1, -1] - wheels[1, 1] - wheels[-1, 1]) / (2 * LIMITS.track)
-    soft = (gaussian_filter1d(v, 0.15 * LIMITS.rate) for v in (height, np.degrees(np.arctan(fall)),
+    rise = (wheels[1, -1] + wheels[1, 1] - wheels[-1, -1] - wheels[-1, 1]) / (2 * WHEELBASE)
+    fall = (wheels[1, -1] + wheels[-1, -1] - wheels[1, 1] - wheels[-1, 1]) / (2 * TRACK)
+    soft = (gaussian_filter1d(v, 0.15 * RATE) for v in (height, np.degrees(np.arctan(fall)),
                                                        np.degrees(np.arctan(rise))))
     return tuple(soft)
 

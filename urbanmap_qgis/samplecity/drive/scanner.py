@@ -14,22 +14,14 @@ from ..scene.paint import value_noise
 from ..scene.world import Scene
 from .trajectory import SimulatedTrajectory, mounting
 
-
-@dataclass(frozen=True)
-class ScannerLimits:
-    """Limits of scanner, each with its unit."""
-
-    # Ground is brighter and darker by this share (half to half) in spots of this size, m.
-    grain: float = 0.2
-    grain_size: float = 0.35
-    # A beam lights a spot of this width (m) at the scanner, and wider by this for each metre of range.
-    aperture: float = 0.014
-    divergence: float = 0.005
-    lost: float = 0.004  # Share of beams whose return is lost for no reason seen.
-    glass_lost: float = 0.5  # Share of the beams on glass that pass through it.
-
-
-LIMITS = ScannerLimits()
+# Ground is brighter and darker by this share (half to half) in spots of this size, m.
+GRAIN = 0.2
+GRAIN_SIZE = 0.35
+# A beam lights a spot of this width (m) at the scanner, and wider by this for each metre of range.
+APERTURE = 0.014
+DIVERGENCE = 0.005
+LOST = 0.004  # Share of beams whose return is lost for no reason seen.
+GLASS_LOST = 0.5  # Share of the beams on glass that pass through it.
 
 SPECKLE, NOISE = 0.09, 20.0
 """Of the intensity: share of the signal, and counts of the receiver (standard deviations)."""
@@ -119,7 +111,7 @@ class SimulatedScanner:
         """
         signal = self.response.signal(reflectance, distance, np.maximum(cos_incidence, 0.01))
         weak = np.exp(np.clip(4.0 * (1.0 - signal / self.response.threshold), -30.0, 30.0))
-        chance = (1.0 - LIMITS.lost) * np.where(glass, 1.0 - LIMITS.glass_lost, 1.0) / (1.0 + weak)
+        chance = (1.0 - LOST) * np.where(glass, 1.0 - GLASS_LOST, 1.0) / (1.0 + weak)
         measured = (rng.random(len(distance)) < chance) & (distance >= self.min_range)
         shine = 1.0 + SPECKLE * rng.standard_normal(len(distance))
         counts = signal * np.maximum(shine, 0.1) + self.response.floor + NOISE * rng.standard_normal(len(distance))
@@ -183,7 +175,7 @@ def spot_reflectance(scene: Scene, material: np.ndarray, point: np.ndarray, dire
     street = scene.ground.kerb_distance(point[painted, 0], point[painted, 1]) <= 0
     base[painted] = np.where(street, Material.ASPHALT, Material.PAVEMENT)
     along = direction[:, :2] / np.hypot(direction[:, 0], direction[:, 1])[:, None]
-    half_length = 0.5 * (LIMITS.aperture + LIMITS.divergence * distance) / np.maximum(cosine, 0.05)
+    half_length = 0.5 * (APERTURE + DIVERGENCE * distance) / np.maximum(cosine, 0.05)
     total = REFLECTANCE[material].copy()
     for share in (0.7, -0.7):
         x, y = (point[:, :2] + (share * half_length)[:, None] * along).T
@@ -192,5 +184,5 @@ def spot_reflectance(scene: Scene, material: np.ndarray, point: np.ndarray, dire
     if "surface" in scene.faults:
         road = scene.ground.kerb_distance(point[:, 0], point[:, 1]) <= 0
         total[road] *= surface_factor(*scene.ground.to_local(point[road, 0], point[road, 1]))
-    spots = value_noise(point[:, 0], point[:, 1], LIMITS.grain_size) - 0.5
-    return total / 3 * (1.0 + LIMITS.grain * spots)
+    spots = value_noise(point[:, 0], point[:, 1], GRAIN_SIZE) - 0.5
+    return total / 3 * (1.0 + GRAIN * spots)

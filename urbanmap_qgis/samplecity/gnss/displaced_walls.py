@@ -15,22 +15,14 @@ import shapely
 from ..scene.faces import ring_of
 from ..scene.model import Building, FaceKind, Faces, RoofPart
 
-
-@dataclass(frozen=True)
-class DisplacedWallsLimits:
-    """Limits of displaced walls, each with its unit."""
-
-    offset: tuple[float, ...] = (0.7, 1.3)  # Minimum and maximum displacement, m.
-    # Share of the walls that stand where they are, and of the others that are moved outwards.
-    unmoved: float = 0.12
-    outwards: float = 0.75
-    close: float = 3.0  # A wall with a neighbour in front of it within this distance is moved inwards, m.
-    touching: float = 0.05
-    min_edge: float = 0.1  # Length that is left at least of a wall whose neighbours are moved, m.
-    on_line: float = 2e-3
-
-
-LIMITS = DisplacedWallsLimits()
+OFFSET = (0.7, 1.3)  # Minimum and maximum displacement, m.
+# Share of the walls that stand where they are, and of the others that are moved outwards.
+UNMOVED = 0.12
+OUTWARDS = 0.75
+CLOSE = 3.0  # A wall with a neighbour in front of it within this distance is moved inwards, m.
+TOUCHING = 0.05
+MIN_EDGE = 0.1  # Length that is left at least of a wall whose neighbours are moved, m.
+ON_LINE = 2e-3
 
 SMOOTH = np.radians(30.0)
 """Walls that meet at a flatter angle are facets of one curved wall."""
@@ -84,7 +76,7 @@ def deliver(buildings: tuple[Building, ...], faces: Faces,
     outlines = [shapely.union_all([part.plan for part in building.parts]) for building in buildings]
     tree = shapely.STRtree(outlines)
     for index, building in enumerate(buildings):
-        near = [outlines[other] for other in tree.query(outlines[index], predicate="dwithin", distance=2 * LIMITS.close)
+        near = [outlines[other] for other in tree.query(outlines[index], predicate="dwithin", distance=2 * CLOSE)
                 if other != index]
         lines = _Lines(building, shapely.union_all(near) if near else shapely.Polygon(), rng)
         rings = [np.round(lines.delivered(number), 3) for number in range(len(building.parts))]
@@ -139,7 +131,7 @@ class _Lines:
         edge = end - start
         normal = np.array([edge[1], -edge[0]]) / np.hypot(*edge)
         off = np.maximum(np.abs(self.normal @ start - self.at), np.abs(self.normal @ end - self.at))
-        known = np.flatnonzero(off < LIMITS.on_line)
+        known = np.flatnonzero(off < ON_LINE)
         if len(known):
             return int(known[0])
         self.normal = np.vstack([self.normal, normal])
@@ -166,16 +158,16 @@ class _Lines:
 
     def _shifts(self, near: shapely.Geometry, rng: np.random.Generator) -> np.ndarray:
         count = len(self.at)
-        size = rng.uniform(*LIMITS.offset, count)
-        moved, outwards = rng.random(count) >= LIMITS.unmoved, rng.random(count) < LIMITS.outwards
+        size = rng.uniform(*OFFSET, count)
+        moved, outwards = rng.random(count) >= UNMOVED, rng.random(count) < OUTWARDS
         stays, inwards = np.zeros(count, bool), np.zeros(count, bool)
         surface = np.arange(count)
         for part in range(len(self.rings)):
             ends, normal = self.edges(part)
             line = self.line[part]
             room = self._room(ends, normal, near)
-            stays[line[room < LIMITS.touching]] = True
-            inwards[line[room < LIMITS.close]] = True
+            stays[line[room < TOUCHING]] = True
+            inwards[line[room < CLOSE]] = True
             bend = np.einsum("ij,ij->i", normal, np.roll(normal, 1, axis=0))
             for i in np.flatnonzero(bend > np.cos(SMOOTH)):
                 surface[surface == surface[line[i]]] = surface[line[i - 1]]
@@ -198,16 +190,16 @@ class _Lines:
         edge, true_edge = np.roll(moved, -1, axis=0) - moved, np.roll(ring, -1, axis=0) - ring
         along = np.einsum("ij,ij->i", edge, true_edge) / np.linalg.norm(true_edge, axis=1)
         plan = shapely.Polygon(moved)
-        return bool(along.min() > LIMITS.min_edge and plan.is_valid and plan.area > 0.5 * shapely.Polygon(ring).area)
+        return bool(along.min() > MIN_EDGE and plan.is_valid and plan.area > 0.5 * shapely.Polygon(ring).area)
 
     def _room(self, ends: np.ndarray, normal: np.ndarray, near: shapely.Geometry) -> np.ndarray:
         """(n,) distance from each edge to the neighbours in front of it, without what is just beside its ends."""
         middle = ends.mean(axis=1, keepdims=True)
         ahead = middle + (ends - middle) * 0.98
-        fronts = np.concatenate([ahead, (ahead + LIMITS.close * normal[:, None])[:, ::-1]], axis=1)
+        fronts = np.concatenate([ahead, (ahead + CLOSE * normal[:, None])[:, ::-1]], axis=1)
         seen = shapely.intersection(shapely.polygons(fronts), near)
         room = shapely.distance(shapely.linestrings(ahead), seen)
-        touching = shapely.length(shapely.intersection(shapely.buffer(near, LIMITS.touching),
+        touching = shapely.length(shapely.intersection(shapely.buffer(near, TOUCHING),
                                                        shapely.linestrings(ahead)))
         return np.where(touching > 0.5, 0.0, np.where(np.isnan(room), np.inf, room))
 
@@ -224,8 +216,8 @@ def _with_corners_of(corners: np.ndarray, ring: np.ndarray) -> np.ndarray:
         edge = end - start
         along = (corners - start) @ edge / (edge @ edge)
         across = np.abs((corners - start) @ np.array([edge[1], -edge[0]])) / np.hypot(*edge)
-        on = ((across < LIMITS.on_line) & (along * np.hypot(*edge) > LIMITS.on_line)
-              & ((1 - along) * np.hypot(*edge) > LIMITS.on_line))
+        on = ((across < ON_LINE) & (along * np.hypot(*edge) > ON_LINE)
+              & ((1 - along) * np.hypot(*edge) > ON_LINE))
         between = corners[on][np.argsort(along[on], kind="stable")]
         full += [start, *between]
     return np.array(full)
@@ -242,7 +234,7 @@ def _walls(building: Building, number: int, lines: _Lines, ring: np.ndarray, fac
     for i, ends in enumerate(true):
         edge = ends[1] - ends[0]
         across, along = (middle - ends[0]) @ normal[i], (middle - ends[0]) @ edge / (edge @ edge)
-        mine = of_part[(np.abs(across) < LIMITS.on_line) & (along > 0) & (along < 1)
+        mine = of_part[(np.abs(across) < ON_LINE) & (along > 0) & (along < 1)
                        & (faces.normal[of_part, :2] @ normal[i] > 0.999)]
         lookup[mine] = before + i + 1
         heights = faces.corners[mine, :, 2]

@@ -25,25 +25,17 @@ MASK = np.radians(10.0)
 MAX_RANGE = 120.0
 """Walls farther than this from the antenna reflect nothing that is tracked, m."""
 
-
-@dataclass(frozen=True)
-class SignalsLimits:
-    """Limits of signals, each with its unit."""
-
-    tracked: float = 25.0  # Minimum carrier to noise density that the receiver tracks, dB-Hz.
-    leaf_loss: float = 0.8  # Loss per metre of a tree's crown, dB.
-    # Standard deviations, m: of what the atmosphere models leave in the zenith; of a reflection by an uneven
-    # wall.
-    residual_delay: float = 0.12
-    wall_roughness: float = 0.5
-    # Share of the reflected signals that arrive later still (by further detours), how much (m) and for how long
-    # (s).
-    nlos_delay_share: float = 0.15
-    nlos_delay_mean: float = 4.0
-    nlos_delay_seconds: int = 20
-
-
-LIMITS = SignalsLimits()
+TRACKED = 25.0  # Minimum carrier to noise density that the receiver tracks, dB-Hz.
+LEAF_LOSS = 0.8  # Loss per metre of a tree's crown, dB.
+# Standard deviations, m: of what the atmosphere models leave in the zenith; of a reflection by an uneven
+# wall.
+RESIDUAL_DELAY = 0.12
+WALL_ROUGHNESS = 0.5
+# Share of the reflected signals that arrive later still (by further detours), how much (m) and for how long
+# (s).
+NLOS_DELAY_SHARE = 0.15
+NLOS_DELAY_MEAN = 4.0
+NLOS_DELAY_SECONDS = 20
 
 WALL_LOSS = {Material.FACADE: 12.0, Material.GLASS: 8.0}
 """Loss of a reflection, with that of the reversed polarisation in the antenna, dB; steeper reflections lose more."""
@@ -160,11 +152,11 @@ def receive(site: Site, drive: Pass, orbits: Orbits, orbit_error: np.ndarray, rn
     trace = _trace(site, antenna, direction, above, _persistent(draw["bounce_strength"], 15.0))
     fade = 1.0 * draw["strength"]
     strength = 36.0 + 12.0 * np.sqrt(np.sin(np.where(above, elevation, MASK))) - trace.loss + fade
-    tracked = above & (strength > LIMITS.tracked)
+    tracked = above & (strength > TRACKED)
     kind = np.where((trace.kind != SignalKind.LOS) & ~tracked, SignalKind.BLOCKED, trace.kind)
     reflected = kind == SignalKind.REFLECTED
-    slow = _persistent(draw["slow"], 40.0) * LIMITS.residual_delay / np.sin(np.maximum(elevation, MASK))
-    rough = reflected * LIMITS.wall_roughness * _persistent(draw["bounce"], 15.0)
+    slow = _persistent(draw["slow"], 40.0) * RESIDUAL_DELAY / np.sin(np.maximum(elevation, MASK))
+    rough = reflected * WALL_ROUGHNESS * _persistent(draw["bounce"], 15.0)
     noise = draw["code"] * code_noise(strength) + orbit_error + slow + rough
     nlos_delay = nlos_delay * reflected
     excess = np.where((kind == SignalKind.REFLECTED) | (kind == SignalKind.DIFFRACTED), trace.excess, 0.0)
@@ -211,7 +203,7 @@ def _trace(site: Site, antenna: np.ndarray, direction: np.ndarray, above: np.nda
     kind = np.full(len(start), int(SignalKind.LOS))
     kind[hidden] = SignalKind.DIFFRACTED
     loss[hidden], excess[hidden] = edge_loss(edge, away, towards[hidden]), edge_excess(edge, away, towards[hidden])
-    loss[free] = LIMITS.leaf_loss * path_through_crowns(site.crowns, start[free], towards[free])
+    loss[free] = LEAF_LOSS * path_through_crowns(site.crowns, start[free], towards[free])
     face, count, multipath = np.full(len(start), -1), np.zeros(len(start), np.int64), np.zeros(len(start))
     reflection = site.mirrors.reflect(site.obstacles, start, towards, MAX_RANGE)
     material = site.mirrors.faces.material[reflection.face]
@@ -254,9 +246,9 @@ def _persistent(white: np.ndarray, seconds: float) -> np.ndarray:
 
 
 def _nlos_delay(shape: tuple[int, int], rng: np.random.Generator) -> np.ndarray:
-    blocks = (shape[0] // LIMITS.nlos_delay_seconds + 1, shape[1])
-    nlos_delay = (rng.random(blocks) < LIMITS.nlos_delay_share) * rng.exponential(LIMITS.nlos_delay_mean, blocks)
-    return np.repeat(nlos_delay, LIMITS.nlos_delay_seconds, axis=0)[:shape[0]]
+    blocks = (shape[0] // NLOS_DELAY_SECONDS + 1, shape[1])
+    nlos_delay = (rng.random(blocks) < NLOS_DELAY_SHARE) * rng.exponential(NLOS_DELAY_MEAN, blocks)
+    return np.repeat(nlos_delay, NLOS_DELAY_SECONDS, axis=0)[:shape[0]]
 
 
 def _ionosphere(site: Site, orbits: Orbits, azimuth: np.ndarray, elevation: np.ndarray, epochs: np.ndarray, sky: Sky,

@@ -19,23 +19,15 @@ from ..scene.world import ALS_TIME, CRS, SURVEYED, Scene
 from .raycast import Hit, Hits, RayCaster
 from .surfaces import hit_material
 
-
-@dataclass(frozen=True)
-class AlsLimits:
-    """Limits of als, each with its unit."""
-
-    flying_height: float = 650.0
-    speed: float = 62.0
-    side: float = 60.0  # Distance of each flight line from the middle of the city, m.
-    # Standard deviations, m: of each point, and of the shift of a whole strip.
-    strip_plan: float = 0.05
-    strip_height: float = 0.015
-    outliers: float = 1e-4  # Share of points that a bird or an echo of an echo puts far too high or too low.
-    max_returns: int = 3
-    leaf_gap: float = 1.0  # A further return comes from at least so many mean free paths deeper in the leaves.
-
-
-LIMITS = AlsLimits()
+FLYING_HEIGHT = 650.0
+SPEED = 62.0
+SIDE = 60.0  # Distance of each flight line from the middle of the city, m.
+# Standard deviations, m: of each point, and of the shift of a whole strip.
+STRIP_PLAN = 0.05
+STRIP_HEIGHT = 0.015
+OUTLIERS = 1e-4  # Share of points that a bird or an echo of an echo puts far too high or too low.
+MAX_RETURNS = 3
+LEAF_GAP = 1.0  # A further return comes from at least so many mean free paths deeper in the leaves.
 
 DENSITY = 7.0
 """Pulses per m2 of both strips together."""
@@ -108,7 +100,7 @@ def simulate_strips(scene: Scene, seed: np.random.SeedSequence, progress: Progre
     caster = RayCaster(scene, AERIAL)
     randoms = [np.random.default_rng(np.random.SeedSequence(seed.entropy, spawn_key=(*seed.spawn_key, use)))
                for use in range(3)]
-    shifts = randoms[2].normal(size=(2, 3)) * (LIMITS.strip_plan, LIMITS.strip_plan, LIMITS.strip_height)
+    shifts = randoms[2].normal(size=(2, 3)) * (STRIP_PLAN, STRIP_PLAN, STRIP_HEIGHT)
     strips = []
     for number in (0, 1):
         pulses = strip_pulses(scene, number)
@@ -123,15 +115,15 @@ def strip_pulses(scene: Scene, number: int) -> Pulses:
     forward = 1.0 if number == 0 else -1.0
     half = scene.size / 2 + MARGIN + 30.0
     spacing = np.sqrt(2.0 / DENSITY)
-    height = scene.ground.z0 + LIMITS.flying_height
-    v_flight = -forward * LIMITS.side
-    angle_low, angle_high = (np.arctan2(edge - v_flight, LIMITS.flying_height) for edge in (-half, half))
-    angles = np.arange(angle_low, angle_high, spacing / LIMITS.flying_height)
+    height = scene.ground.z0 + FLYING_HEIGHT
+    v_flight = -forward * SIDE
+    angle_low, angle_high = (np.arctan2(edge - v_flight, FLYING_HEIGHT) for edge in (-half, half))
+    angles = np.arange(angle_low, angle_high, spacing / FLYING_HEIGHT)
     lines = np.arange(-half, half, spacing)
     line, pulse = (grid.ravel() for grid in np.meshgrid(np.arange(len(lines)), np.arange(len(angles)), indexing="ij"))
     # A line takes 60 % of the time until the next one: the mirror then turns its next side in.
-    time = (line + 0.6 * pulse / len(angles)) * spacing / LIMITS.speed
-    u, v = forward * (lines[0] + time * LIMITS.speed), np.full(len(time), v_flight)
+    time = (line + 0.6 * pulse / len(angles)) * spacing / SPEED
+    u, v = forward * (lines[0] + time * SPEED), np.full(len(time), v_flight)
     start = ALS_TIME + number * 240.0
     roll, pitch = 0.4 * np.sin(2 * np.pi * time / 3.1 + number), 0.3 * np.sin(2 * np.pi * time / 2.3)
     across = angles[pulse] + np.radians(roll)
@@ -149,8 +141,8 @@ def _measure(scene: Scene, caster: RayCaster, pulses: Pulses, number: int, shift
     n = len(pulses.time)
     alive, order, depth = np.arange(n), np.zeros(n, np.uint8), rng.exponential(size=n)
     pulse, true, source, material, cosine = [], [], [], [], []
-    for echo in range(LIMITS.max_returns):
-        hits = caster.cast(pulses.origin[alive], pulses.direction[alive], pulses.time[alive], 2 * LIMITS.flying_height,
+    for echo in range(MAX_RETURNS):
+        hits = caster.cast(pulses.origin[alive], pulses.direction[alive], pulses.time[alive], 2 * FLYING_HEIGHT,
                            depth[alive], executor)
         met = hits.source != Hit.NOTHING
         point = pulses.origin[alive[met]] + hits.distance[met, None] * pulses.direction[alive[met]]
@@ -162,7 +154,7 @@ def _measure(scene: Scene, caster: RayCaster, pulses: Pulses, number: int, shift
         cosine.append(hits.cosine)
         order[alive[met]] = echo + 1
         alive = alive[met][(hits.source == Hit.CROWN) & (rng.random(len(point)) < 0.7)]
-        depth[alive] += LIMITS.leaf_gap + rng.exponential(size=len(alive))
+        depth[alive] += LEAF_GAP + rng.exponential(size=len(alive))
     pulse, true, classification, material, cosine = (
         np.concatenate(column) for column in (pulse, true, source, material, cosine))
     echo = np.concatenate([np.full(len(column), k + 1, np.uint8) for k, column in enumerate(source)]) if n else pulse
@@ -170,7 +162,7 @@ def _measure(scene: Scene, caster: RayCaster, pulses: Pulses, number: int, shift
     if "ground" in scene.faults:
         wave = 2.0 * value_noise(true[:, 0], true[:, 1], GROUND_LENGTH) - 1.0
         xyz[:, 2] += GROUND_MEAN + GROUND_WAVE * wave
-    wild = rng.random(len(xyz)) < LIMITS.outliers
+    wild = rng.random(len(xyz)) < OUTLIERS
     high, low = rng.uniform(25.0, 150.0, len(xyz)), rng.uniform(-9.0, -3.0, len(xyz))
     xyz[wild, 2] += np.where(rng.random(len(xyz)) < 0.6, high, low)[wild]
     intensity = 26000 * REFLECTANCE[material] * (0.3 + 0.7 * cosine) * rng.normal(1.0, 0.06, len(xyz))

@@ -18,20 +18,12 @@ from .model import Building, RoofPart, Structure
 
 STOREY = 3.5
 
-
-@dataclass(frozen=True)
-class BuildingsLimits:
-    """Limits of buildings, each with its unit."""
-
-    half_row: float = 34.0  # Blocks deeper than this are built up in two rows, m.
-    walls: tuple[tuple[float, ...], ...] = ((178, 170, 158), (150, 146, 140), (196, 190, 182), (128, 112, 100),
-                                            (104, 108, 116), (168, 150, 134))
-    roofs: tuple[tuple[float, ...], ...] = ((132, 134, 132), (112, 116, 114), (152, 150, 144), (98, 122, 108),
-                                            (140, 128, 120))
-    tiles: tuple[tuple[float, ...], ...] = ((96, 62, 52), (70, 74, 84), (84, 92, 80))
-
-
-LIMITS = BuildingsLimits()
+HALF_ROW = 34.0  # Blocks deeper than this are built up in two rows, m.
+WALLS = ((178, 170, 158), (150, 146, 140), (196, 190, 182), (128, 112, 100),
+                                        (104, 108, 116), (168, 150, 134))
+ROOFS = ((132, 134, 132), (112, 116, 114), (152, 150, 144), (98, 122, 108),
+                                        (140, 128, 120))
+TILES = ((96, 62, 52), (70, 74, 84), (84, 92, 80))
 
 
 @dataclass(frozen=True)
@@ -90,7 +82,7 @@ def _lots(block: tuple[float, float, float, float], rng: np.random.Generator) ->
     """Lots of a block, in one or two rows with a gap of 1 m between."""
     west, south, east, north = block
     rows = [(south, north)]
-    if north - south > LIMITS.half_row:
+    if north - south > HALF_ROW:
         middle = south + (north - south) * float(rng.uniform(0.45, 0.55))
         rows = [(south, middle - 0.5), (middle + 0.5, north)]
     lots = []
@@ -210,7 +202,7 @@ def _raised(ground: Ground, scene: str, lot: Lot, number: int, shape: str, parts
     low, high = _height_range(scene, lot)
     full = STOREY * round(float(rng.uniform(low, high)) / STOREY) + float(rng.uniform(0.3, 0.9))
     wall, roof = (list_[int(rng.integers(len(list_)))]
-                  for list_ in (LIMITS.walls, LIMITS.tiles if shape == "gable" else LIMITS.roofs))
+                  for list_ in (WALLS, TILES if shape == "gable" else ROOFS))
     middle = shapely.union_all([part.plan for part in parts]).centroid
     raised = []
     for part in parts:

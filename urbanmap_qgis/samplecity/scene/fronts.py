@@ -16,27 +16,20 @@ from .model import Building, FaceKind, Furniture, Material, StandingBefore
 KINDS = ("canopy", "sign band", "garden wall", "hoarding", "balcony", "awning", "pilotis")
 """What may stand before a front; each front has one of them. Of pilotis the storeys over the columns are the facade."""
 
-
-@dataclass(frozen=True)
-class FrontLimits:
-    """Measures of fronts, m."""
-
-    width: float = 8.0  # Smallest front.
-    height: float = 6.0
-    gap: tuple[float, float] = (1.0, 14.0)  # Between a front and the kerb of its street.
-    clear: float = 0.4  # Between what stands before a front and the kerb.
-    storey: float = 3.0
-    highest: float = 20.0  # Balconies end here.
-    slab: float = 0.2
-    gate: float = 1.5
-    sink: float = 0.2  # Walls on the ground go so deep into it.
-    cloth: float = 0.05
-    fall: float = 0.4  # Of an awning, m per m.
-    column: float = 0.4
-    bay: float = 5.0  # Widest between columns.
-
-
-LIMITS = FrontLimits()
+# Measures of fronts, m.
+WIDTH = 8.0  # Smallest front.
+HEIGHT = 6.0
+GAP = (1.0, 14.0)  # Between a front and the kerb of its street.
+CLEAR = 0.4  # Between what stands before a front and the kerb.
+STOREY = 3.0
+HIGHEST = 20.0  # Balconies end here.
+SLAB = 0.2
+GATE = 1.5
+SINK = 0.2  # Walls on the ground go so deep into it.
+CLOTH = 0.05
+FALL = 0.4  # Of an awning, m per m.
+COLUMN = 0.4
+BAY = 5.0  # Widest between columns.
 
 
 @dataclass(frozen=True)
@@ -81,14 +74,14 @@ def _fronts(ground: Ground, building: Building, buildings: Sequence[Building]) -
     others = [other.outline for other in buildings if other.id != building.id]
     for start, end in zip(ring, np.roll(ring, -1, axis=0)):
         width = float(np.hypot(*(end - start)))
-        if width < LIMITS.width:
+        if width < WIDTH:
             continue
         along = (end - start) / width
         outwards = np.array([along[1], -along[0]])
         gap = _gap(ground, (start + end) / 2, outwards)
         top = _top(building, start + along * width / 2 - 0.1 * outwards)
         foot = float(ground.height(*((start + end) / 2)))
-        if gap is None or not LIMITS.gap[0] + LIMITS.clear <= gap <= LIMITS.gap[1] or top - foot < LIMITS.height:
+        if gap is None or not GAP[0] + CLEAR <= gap <= GAP[1] or top - foot < HEIGHT:
             continue
         front = _Front(building.id, start, along, outwards, width, foot, top, gap)
         strip = front.plan(0.0, width, 0.05, gap)
@@ -117,7 +110,7 @@ def _top(building: Building, inside: np.ndarray) -> float:
 
 def _depth(front: _Front, least: float, greatest: float, rng: np.random.Generator) -> float:
     """How far something stands out, m, clear of the kerb."""
-    most = max(min(greatest, front.gap - LIMITS.clear), 0.5 * least)
+    most = max(min(greatest, front.gap - CLEAR), 0.5 * least)
     return float(rng.uniform(min(least, most), most))
 
 
@@ -158,9 +151,9 @@ def _garden_wall(front: _Front, rng: np.random.Generator) -> Iterator[StandingBe
     """A block wall on the border of the plot, with a gate."""
     before, high = _depth(front, 0.8, 3.0, rng), float(rng.uniform(1.2, 1.8))
     gate = float(rng.uniform(0.1, 0.7)) * front.width
-    pieces = [(0.0, gate), (gate + LIMITS.gate, front.width)]
+    pieces = [(0.0, gate), (gate + GATE, front.width)]
     yield _made(front, "garden wall", pieces, before, (front.foot, front.foot + high),
-                [_box(front, *piece, before - 0.12, before, front.foot - LIMITS.sink, front.foot + high)
+                [_box(front, *piece, before - 0.12, before, front.foot - SINK, front.foot + high)
                  for piece in pieces])
 
 
@@ -168,7 +161,7 @@ def _hoarding(front: _Front, rng: np.random.Generator) -> Iterator[StandingBefor
     """A closed fence of a building site."""
     before, high = _depth(front, 0.8, 2.5, rng), float(rng.uniform(2.0, 3.0))
     yield _made(front, "hoarding", [(0.0, front.width)], before, (front.foot, front.foot + high),
-                [_box(front, 0.0, front.width, before - 0.05, before, front.foot - LIMITS.sink, front.foot + high,
+                [_box(front, 0.0, front.width, before - 0.05, before, front.foot - SINK, front.foot + high,
                       Material.METAL)])
 
 
@@ -176,8 +169,8 @@ def _balconies(front: _Front, rng: np.random.Generator) -> Iterator[StandingBefo
     """A parapet on a slab before every upper storey."""
     before, (left, right) = _depth(front, 1.0, 1.8, rng), _span(front, rng)
     high = float(rng.uniform(1.0, 1.3))
-    for z in np.arange(front.foot + LIMITS.storey, min(front.top, front.foot + LIMITS.highest) - 1.5, LIMITS.storey):
-        low, floor, top = float(z - LIMITS.slab), float(z), float(z + high)
+    for z in np.arange(front.foot + STOREY, min(front.top, front.foot + HIGHEST) - 1.5, STOREY):
+        low, floor, top = float(z - SLAB), float(z), float(z + high)
         yield _made(front, "balcony", [(left, right)], before, (low, top), [
             _box(front, left, right, 0.02, before, low, floor),
             _box(front, left, right, before - 0.15, before, floor, top)])
@@ -187,10 +180,10 @@ def _awning(front: _Front, rng: np.random.Generator) -> Iterator[StandingBefore]
     """A cloth that slopes away from the front."""
     before, (left, right) = _depth(front, 0.9, 1.8, rng), _span(front, rng)
     low = front.foot + float(rng.uniform(2.2, 2.6))
-    middle = low + LIMITS.fall * before / 2
-    fall = -LIMITS.fall * front.outwards
-    yield _made(front, "awning", [(left, right)], before, (low, low + LIMITS.fall * before + LIMITS.cloth), [
-        Furniture(front.plan(left, right, 0.02, before), middle, middle + LIMITS.cloth, Material.WOOD, FaceKind.FRONT,
+    middle = low + FALL * before / 2
+    fall = -FALL * front.outwards
+    yield _made(front, "awning", [(left, right)], before, (low, low + FALL * before + CLOTH), [
+        Furniture(front.plan(left, right, 0.02, before), middle, middle + CLOTH, Material.WOOD, FaceKind.FRONT,
                   (float(fall[0]), float(fall[1])))])
 
 
@@ -198,8 +191,8 @@ def _pilotis(front: _Front, rng: np.random.Generator) -> Iterator[StandingBefore
     """Upper storeys on columns along the whole front, up to its top; the ground floor is the building's own wall."""
     before = _depth(front, 0.8, 1.6, rng)
     low = front.foot + float(rng.uniform(2.7, 3.3))
-    bays = int(np.ceil(front.width / LIMITS.bay))
-    columns = [_box(front, left, left + LIMITS.column, before - LIMITS.column, before, front.foot - LIMITS.sink, low)
-               for left in np.linspace(0.0, front.width - LIMITS.column, bays + 1)]
+    bays = int(np.ceil(front.width / BAY))
+    columns = [_box(front, left, left + COLUMN, before - COLUMN, before, front.foot - SINK, low)
+               for left in np.linspace(0.0, front.width - COLUMN, bays + 1)]
     yield _made(front, "pilotis", [(0.0, front.width)], before, (low, front.top),
                 [_box(front, 0.0, front.width, 0.02, before, low, front.top), *columns])

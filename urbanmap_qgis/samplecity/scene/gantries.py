@@ -2,30 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 import shapely
 
 from .ground import Ground, Street
 from .model import Furniture
 
-
-@dataclass(frozen=True)
-class GantryLimits:
-    """Measures of gantries, m."""
-
-    along: float = 24.0  # from the crossing of the main streets
-    behind: float = 0.6  # the kerb line, to the axis of a post
-    post: tuple[float, float] = (0.25, 7.0)  # side and height
-    beam: float = 0.25  # side; it lies under the top of the posts
-    board: tuple[float, float] = (2.0, 1.5)  # width and height
-    board_foot: float = 5.5  # above the ground at the street's axis
-    thick: float = 0.05  # of a board
-    aside: float = 2.5  # from the street's axis to the middle of each board
-
-
-LIMITS = GantryLimits()
+# Measures of gantries, m.
+ALONG = 24.0  # from the crossing of the main streets
+BEHIND = 0.6  # the kerb line, to the axis of a post
+POST = (0.25, 7.0)  # side and height
+BEAM = 0.25  # side; it lies under the top of the posts
+BOARD = (2.0, 1.5)  # width and height
+BOARD_FOOT = 5.5  # above the ground at the street's axis
+THICK = 0.05  # of a board
+ASIDE = 2.5  # from the street's axis to the middle of each board
 
 
 def gantries(ground: Ground) -> tuple[Furniture, ...]:
@@ -34,25 +25,25 @@ def gantries(ground: Ground) -> tuple[Furniture, ...]:
 
 
 def _gantry(ground: Ground, street: Street) -> list[Furniture]:
-    across = street.half_width + LIMITS.behind
-    side, height = LIMITS.post
-    half, top = side / 2.0, _height(ground, street, LIMITS.along, 0.0) + height
-    posts = [_box(ground, street, (LIMITS.along - half, LIMITS.along + half),
+    across = street.half_width + BEHIND
+    side, height = POST
+    half, top = side / 2.0, _height(ground, street, ALONG, 0.0) + height
+    posts = [_box(ground, street, (ALONG - half, ALONG + half),
                   (end * across - half, end * across + half),
-                  _height(ground, street, LIMITS.along, end * across) - 0.2, top) for end in (1, -1)]
-    beam = _box(ground, street, (LIMITS.along - LIMITS.beam / 2.0, LIMITS.along + LIMITS.beam / 2.0),
-                (half - across, across - half), top - LIMITS.beam, top)
+                  _height(ground, street, ALONG, end * across) - 0.2, top) for end in (1, -1)]
+    beam = _box(ground, street, (ALONG - BEAM / 2.0, ALONG + BEAM / 2.0),
+                (half - across, across - half), top - BEAM, top)
     return [*posts, beam, *(_board(ground, street, end) for end in (1, -1))]
 
 
 def _board(ground: Ground, street: Street, side: int) -> Furniture:
     """A board before the beam, on the side from which the traffic under it comes: that keeps to its left."""
     sense = side if street.along == "u" else -side
-    near = LIMITS.along - sense * LIMITS.beam / 2.0
-    width, height = LIMITS.board
-    low = _height(ground, street, LIMITS.along, 0.0) + LIMITS.board_foot
-    middle = side * LIMITS.aside
-    return _box(ground, street, tuple(sorted((near, near - sense * LIMITS.thick))),
+    near = ALONG - sense * BEAM / 2.0
+    width, height = BOARD
+    low = _height(ground, street, ALONG, 0.0) + BOARD_FOOT
+    middle = side * ASIDE
+    return _box(ground, street, tuple(sorted((near, near - sense * THICK))),
                 (middle - width / 2.0, middle + width / 2.0), low, low + height)
 
 

@@ -15,21 +15,13 @@ import shapely
 KERB_HEIGHT = 0.15
 KERB_RADIUS = 4.0
 
-
-@dataclass(frozen=True)
-class SceneGroundLimits:
-    """Limits of scene ground, each with its unit."""
-
-    pavement_fall: float = 0.02
-    # The pavement rises by `pavement_fall` over its first metres from the kerb; all beyond lies as high as there.
-    pavement_reach: float = 2.5
-    lowered_height: float = 0.02  # Height of a lowered kerb, m.
-    # m along the kerb in which it comes down, and behind it in which the pavement reaches its height again.
-    lowered_slope: float = 0.6
-    lowered_depth: float = 1.2
-
-
-LIMITS = SceneGroundLimits()
+PAVEMENT_FALL = 0.02
+# The pavement rises by `pavement_fall` over its first metres from the kerb; all beyond lies as high as there.
+PAVEMENT_REACH = 2.5
+LOWERED_HEIGHT = 0.02  # Height of a lowered kerb, m.
+# m along the kerb in which it comes down, and behind it in which the pavement reaches its height again.
+LOWERED_SLOPE = 0.6
+LOWERED_DEPTH = 1.2
 
 WAVE_LENGTH = 170.0
 """Of the undulation, m."""
@@ -136,7 +128,7 @@ class Ground:
         camber = (rise_u * (1 - shape_u) * shape_v + rise_v * (1 - shape_v) * shape_u
                   + np.maximum(rise_u, rise_v) * (1 - shape_u) * (1 - shape_v))
         kerb = _kerb_distance(*self._beyond(u, v, near_u, near_v))
-        step = np.where(kerb > 0, KERB_HEIGHT + LIMITS.pavement_fall * np.minimum(kerb, LIMITS.pavement_reach), 0.0)
+        step = np.where(kerb > 0, KERB_HEIGHT + PAVEMENT_FALL * np.minimum(kerb, PAVEMENT_REACH), 0.0)
         if self.lowered:
             step = np.where(kerb > 0, step - self._lowering(u, v, kerb), 0.0)
         if self.islands:
@@ -159,16 +151,16 @@ class Ground:
         for place in self.lowered:
             street = streets[place.street]
             along, across = (u, v) if street.along == "u" else (v, u)
-            inside = np.minimum(along - place.start, place.end - along) / LIMITS.lowered_slope
+            inside = np.minimum(along - place.start, place.end - along) / LOWERED_SLOPE
             beside = np.abs((across - street.at) * place.side - street.half_width - kerb) < 1e-6
             share = np.maximum(share, np.where(beside, np.clip(inside, 0.0, 1.0), 0.0))
-        return share * np.clip(1.0 - kerb / LIMITS.lowered_depth, 0.0, 1.0) * (KERB_HEIGHT - LIMITS.lowered_height)
+        return share * np.clip(1.0 - kerb / LOWERED_DEPTH, 0.0, 1.0) * (KERB_HEIGHT - LOWERED_HEIGHT)
 
     def bounds_of_relief(self) -> tuple[float, float]:
         """Least and greatest difference of the height from the general plane z0 + slope . (u, v), m."""
         return (-self.wave, self.wave + max(
             max(street.rise for street in self.streets) + (KERB_HEIGHT if self.islands else 0.0),
-            KERB_HEIGHT + LIMITS.pavement_fall * LIMITS.pavement_reach))
+            KERB_HEIGHT + PAVEMENT_FALL * PAVEMENT_REACH))
 
     def plane(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
         """Height of the general plane, without undulation, camber and kerbs."""

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 import shapely
 from shapely import affinity
@@ -11,24 +9,17 @@ from shapely import affinity
 from .ground import Ground, Street
 from .model import Furniture
 
-
-@dataclass(frozen=True)
-class SignLimits:
-    """Measures of signs and bollards, m."""
-
-    spacing: float = 13.0  # between signs of one side
-    behind: float = 0.6  # the kerb line, to a post
-    post: float = 0.08  # side
-    thick: float = 0.02  # of a board
-    board: tuple[float, float] = (0.6, 0.9)  # sides
-    foot: tuple[float, float] = (1.9, 2.3)  # of a board above the ground
-    turned: float = 15.0  # degrees, standard deviation of no more than this about the street's cross direction
-    clear: float = 3.0  # of the kerb line of a crossing street
-    bollard: tuple[float, float] = (0.12, 0.85)  # side and height
-    bollards: float = 1.5  # between the three of a group
-
-
-LIMITS = SignLimits()
+# Measures of signs and bollards, m.
+SPACING = 13.0  # between signs of one side
+BEHIND = 0.6  # the kerb line, to a post
+POST = 0.08  # side
+THICK = 0.02  # of a board
+BOARD = (0.6, 0.9)  # sides
+FOOT = (1.9, 2.3)  # of a board above the ground
+TURNED = 15.0  # degrees, standard deviation of no more than this about the street's cross direction
+CLEAR = 3.0  # of the kerb line of a crossing street
+BOLLARD = (0.12, 0.85)  # side and height
+BOLLARDS = 1.5  # between the three of a group
 
 
 def signs_and_bollards(ground: Ground, size: float, rng: np.random.Generator) -> tuple[Furniture, ...]:
@@ -36,23 +27,23 @@ def signs_and_bollards(ground: Ground, size: float, rng: np.random.Generator) ->
     things: list[Furniture] = []
     for street in (s for s in ground.streets if s.name in ("A", "B")):
         for side in (1, -1):
-            for start in np.arange(-size / 2 + 4.0, size / 2 - 4.0, LIMITS.spacing):
+            for start in np.arange(-size / 2 + 4.0, size / 2 - 4.0, SPACING):
                 along = float(start + rng.uniform(-1.0, 1.0))
                 if not _clear(ground, street, along):
                     continue
                 things += _sign(ground, street, along, side, rng)
-                things += [_box(ground, street, along + 4.0 + step * LIMITS.bollards, side, LIMITS.bollard)
-                           for step in range(3) if _clear(ground, street, along + 4.0 + step * LIMITS.bollards)]
+                things += [_box(ground, street, along + 4.0 + step * BOLLARDS, side, BOLLARD)
+                           for step in range(3) if _clear(ground, street, along + 4.0 + step * BOLLARDS)]
     return tuple(things)
 
 
 def _clear(ground: Ground, street: Street, along: float) -> bool:
-    return all(abs(along - other.at) > other.half_width + LIMITS.clear
+    return all(abs(along - other.at) > other.half_width + CLEAR
                for other in ground.streets if other.along != street.along)
 
 
 def _place(ground: Ground, street: Street, along: float, side: int) -> tuple[float, float]:
-    across = street.at + side * (street.half_width + LIMITS.behind)
+    across = street.at + side * (street.half_width + BEHIND)
     x, y = ground.to_world(*((along, across) if street.along == "u" else (across, along)))
     return float(x), float(y)
 
@@ -65,17 +56,17 @@ def _box(ground: Ground, street: Street, along: float, side: int, measures: tupl
 
 
 def _sign(ground: Ground, street: Street, along: float, side: int, rng: np.random.Generator) -> list[Furniture]:
-    width, height = rng.uniform(*LIMITS.board, 2)
-    foot = rng.uniform(*LIMITS.foot)
-    post = _box(ground, street, along, side, (LIMITS.post, float(foot + height)))
+    width, height = rng.uniform(*BOARD, 2)
+    foot = rng.uniform(*FOOT)
+    post = _box(ground, street, along, side, (POST, float(foot + height)))
     # Traffic keeps to its left: on the side of +v in the direction of u, on that of +u against the direction of v.
     sense = side if street.along == "u" else -side
     course = np.array([1.0, 0.0]) if street.along == "u" else np.array([0.0, 1.0])
-    turn = np.radians(ground.angle + rng.uniform(-1.0, 1.0) * LIMITS.turned)
+    turn = np.radians(ground.angle + rng.uniform(-1.0, 1.0) * TURNED)
     forward = sense * np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]]) @ course
     across = np.array([-forward[1], forward[0]])
-    middle = np.array(_place(ground, street, along, side)) - forward * (LIMITS.post + LIMITS.thick) / 2.0
-    corners = [middle + a * across * width / 2.0 + b * forward * LIMITS.thick / 2.0
+    middle = np.array(_place(ground, street, along, side)) - forward * (POST + THICK) / 2.0
+    corners = [middle + a * across * width / 2.0 + b * forward * THICK / 2.0
                for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
     low = float(ground.height(*_place(ground, street, along, side))) + float(foot)
     return [post, Furniture(shapely.Polygon(corners), low, low + float(height))]
