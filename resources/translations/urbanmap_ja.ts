@@ -13624,10 +13624,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>与えられた道路は計測した縁石から {distance:.2f} m ずれていました（東へ {east:+.2f} m、北へ {north:+.2f} m 動かしました）。その境界を縁石とみなしています。</translation>
     </message>
     <message>
-        <source>drawn from what was seen of this island</source>
-        <translation>この島の見えた部分から描いた</translation>
-    </message>
-    <message>
         <source>The edge on this side was not seen over {length:.0f} m: the carriageway is drawn to the outermost lane that was measured, and nothing beside it. Give the drive of the other direction, too.</source>
         <translation>こちら側の縁は {length:.0f} m にわたって見えていません。車道は計測された最も外側の車線までとし、その外側には何も作りません。反対方向の走行も指定してください。</translation>
     </message>

@@ -199,21 +199,6 @@ def test_islands_are_areas_with_steps_of_their_own():
     assert length == pytest.approx(ring.length, rel=0.02)
 
 
-def test_a_narrow_island_ends_round_where_its_kerbs_are_drawn_on_past_its_ends():
-    true = shapely.LineString([[-34.6, 0], [-20.4, 0]]).buffer(0.4)
-    far_side = replace(edge([[-20, -0.31], [-27, -0.31]], chain=6), doubt="seen from far")
-    sides = [edge([[-34.6, 0.4], [-20, 0.4]], chain=5), far_side, edge([[-27, -0.4], [-34.6, -0.4]], chain=6)]
-    ends = [replace(edge(line, height=0.0, chain=7), doubt="hidden") for line in (
-        [[-20, 0.4], [-19, 0.4]], [[-19, 0.4], [-19, -0.31]], [[-19, -0.31], [-20, -0.31]],
-        [[-34.6, 0.4], [-35.6, 0.4]], [[-35.6, 0.4], [-35.6, -0.4]], [[-35.6, -0.4], [-34.6, -0.4]])]
-    model = surveyed_roads([*crossing(), *sides, *ends], "3.3",
-                           SurveyInputs([official()], ground=road_height))
-    (island,) = of_kind(model, ISLAND)
-    shared = shapely.intersection(island.polygon, true).area / shapely.union(island.polygon, true).area
-    assert shared > 0.95
-    assert island.source == DOUBTFUL and 0.6 < island.seen < 0.85
-
-
 def test_what_was_not_surveyed_stays_undivided_and_no_sidewalk_is_invented():
     model = surveyed_roads(crossing(), "2", SurveyInputs([official()]))
     beyond = of_kind(model, UNDIVIDED)

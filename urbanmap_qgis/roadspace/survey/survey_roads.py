@@ -18,9 +18,8 @@ from ...wording import say
 from ..road_records import RoadFinding
 from .area_heights import EdgeHeights, Heights, raised_areas
 from .area_records import CROSSING, ISLAND, LEVELS, STEPS, WITH_LANES, EdgeLine, SurveyedRoads
-from .carriageways import Carriageways, carriageways_between, surface_between
+from .carriageways import Carriageways, carriageways_between
 from .given_roads import laid_on_kerbs
-from .narrow_islands import with_round_ends
 from .road_areas import road_areas
 from .stop_cuts import CutJunctions, junction_cuts
 
@@ -51,7 +50,6 @@ def surveyed_roads(edges: Sequence[EdgeLine], level: str, inputs: SurveyInputs |
     if level != "2" and edges and not any(np.isfinite(edge.foot[:, 2]).any() for edge in edges):
         raise InputError(say("The edges have no heights, of which this level of detail is made: give the lines of "
                              "“Road edges” as they were made, or choose level 2."))
-    edges = with_round_ends(edges, surface_between)
     ways = carriageways_between(edges, inputs.lanes)
     progress.step(0.2)
     fine = level in WITH_LANES
