@@ -43,7 +43,10 @@ def _verdict(report, found) -> None:
         text += " " + tr("The whole new map lies {0:+.3f} m to the east and {1:+.3f} m to the north of the old one, "
                          "which was taken off first: look which of them is right.").format(found.offset.east,
                                                                                            found.offset.north)
-    report.verdict(LOOK if changes or found.offset.significant else GOOD, text)
+    if found.unjudged:
+        text += " " + tr("Of {0:.0f} m it is not known whether they moved: the maps are not accurate enough.").format(
+            found.unjudged)
+    report.verdict(LOOK if changes or found.offset.significant or found.unjudged else GOOD, text)
     if found.noises["line"].factor > 1.2:
         report.warning(tr("What did not change scatters {0:.1f} times as much as the maps' sigmas say: they were "
                           "multiplied by it. Look whether one of the maps is placed worse than it states.").format(
@@ -55,7 +58,7 @@ def _facts(found) -> dict[str, object]:
     return {tr("Offset to the east (m)"): offset.east, tr("Its sigma (m)"): offset.sigma_east,
             tr("Offset to the north (m)"): offset.north, tr("Sigma of that (m)"): offset.sigma_north,
             tr("Offset significant"): offset.significant, tr("Compared lines of the old map (m)"): found.compared,
-            tr("Of it as they were (m)"): found.same,
+            tr("Of it as they were (m)"): found.same, tr("Of it not known (m)"): found.unjudged,
             tr("Lines of the old map where the new one shows no road, not judged (m)"): found.outside_old,
             tr("Lines of the new map where the old one shows no road, not judged (m)"): found.outside_new,
             **{tr("In both maps: {0}").format(tr(name)): count for name, count in found.counts.items()}}

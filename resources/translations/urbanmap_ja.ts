@@ -12120,6 +12120,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>計測データが大きすぎて1枚の布では処理できません。布の解像度を粗くするか、部分ごとにフィルタ処理してください。</translation>
     </message>
     <message>
+        <source>In {count} of {all} seconds of the drive, from {first:.0f} s on, less than half as many of the points are ground as elsewhere ({poor:.0f} % for {usual:.0f} %): at steep or humped stretches the cloth leaves ground out; look at them, or give a finer cloth.</source>
+        <translation>走行の {all} 秒のうち {count} 秒({first:.0f} 秒以降)で、地面とされた点の割合がほかの区間の半分未満です({usual:.0f} % に対して {poor:.0f} %)。急な坂やこぶのある区間では布フィルターが地面を取り残します。そこを確認するか、より細かい布を指定してください。</translation>
+    </message>
+    <message>
         <source>Only {ground:,} of {candidates:,} points were found to be ground ({ground_2:.2g} %, needed {min_share:g} %), which cannot be right for a drive: look for many points below the road, a wrong height unit or a survey that does not show the ground; a smaller minimum ground share accepts it.</source>
         <translation>地表面と判定された点が {candidates:,} 点のうち {ground:,} 点（{ground_2:.2g} %、必要な割合 {min_share:g} %）しかなく、走行の計測として正しくありません。路面より下の多数の点、高さの単位の誤り、地表面が写っていない計測でないかを確認してください。地表面点の最小割合を小さくすれば受け入れられます。</translation>
     </message>
@@ -16708,6 +16712,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>うち変化なし (m)</translation>
     </message>
     <message>
+        <source>Of it not known (m)</source>
+        <translation>そのうち不明(m)</translation>
+    </message>
+    <message>
         <source>Lines of the old map where the new one shows no road, not judged (m)</source>
         <translation>新地図に道路が載っていない旧地図の線（判定せず） (m)</translation>
     </message>
@@ -16826,6 +16834,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The whole new map lies {0:+.3f} m to the east and {1:+.3f} m to the north of the old one, which was taken off first: look which of them is right.</source>
         <translation>新地図は全体として旧地図から東へ {0:+.3f} m、北へ {1:+.3f} m ずれています。比較の前に除きました。どちらが正しいか確認してください。</translation>
+    </message>
+    <message>
+        <source>Of {0:.0f} m it is not known whether they moved: the maps are not accurate enough.</source>
+        <translation>{0:.0f} m については、地図の精度が足りないため、移動したかどうか分かりません。</translation>
     </message>
     <message>
         <source>What did not change scatters {0:.1f} times as much as the maps' sigmas say: they were multiplied by it. Look whether one of the maps is placed worse than it states.</source>

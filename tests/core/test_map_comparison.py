@@ -301,6 +301,15 @@ def test_too_small_a_sigma_is_enlarged_by_what_did_not_change():
     assert sum(one.length for one in found.of(MOVED, LINE)) < 0.05 * found.compared
 
 
+@pytest.mark.parametrize(("sigma", "same"), [(SIGMA, True), (1.0, False)])
+def test_maps_that_know_their_places_to_metres_are_not_the_same(sigma, same):
+    """No shift that is looked for would be significant: that nothing moved is not known."""
+    lines = [replace(one, sigma=sigma) for one in town()]
+    found = compare_maps(lines, lines)
+    assert not found.changes and (found.same, found.unjudged)[not same] == pytest.approx(found.compared)
+    assert (found.same, found.unjudged)[same] == 0.0
+
+
 def test_limit_grows_where_sigma_is_known_from_few():
     assert limit_of(1e9) == pytest.approx(3.0, abs=1e-4)
     assert limit_of(10.0) == pytest.approx(3.957, abs=0.001) and limit_of(3.0) > 8.0

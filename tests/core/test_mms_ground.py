@@ -162,6 +162,17 @@ def test_a_share_of_ground_that_cannot_be_right_is_refused(survey, tmp_path):
     assert not (tmp_path / "g.laz").exists()
 
 
+@pytest.mark.parametrize("humped", [False, True])
+def test_stretches_where_the_cloth_leaves_the_ground_out_are_told(survey, tmp_path, humped):
+    """Humps as steep as 37 % on the last third of the street."""
+    x, y, z, time, truth = street(240.0)
+    along, told = x - X0, []
+    z = z + np.where(humped & (along > 160.0), 0.75 * (1.0 - np.cos(along / 2.0)), 0.0)
+    path, _ = survey(parts=(x, y, z, time, truth))
+    classify_ground_files([path], tmp_path / "g.laz", progress=Progress(warn=told.append))
+    assert len(told) == humped and all("seconds of the drive" in line for line in told)
+
+
 @pytest.mark.slow
 def test_refusals(survey, make_cloud, tmp_path):
     path, _ = survey("noise.laz", classification=7)

@@ -166,19 +166,47 @@ def _put(layers: list[np.ndarray], part: ClothPart) -> None:
 def _write(cloud: PointCloud, output: str | os.PathLike, passes: SurveyPasses, grounds: list[PassGround | None],
            settings: ClothSettings, min_share: float, progress: Progress) -> int:
     """Write all points with their new classes; the number of ground points."""
-    total = candidates = 0
+    counts = []
     layout = PointLayout(cloud)
     with cloud_writer(output, layout) as writer:
         for chunk in iter_chunks(cloud, progress, CHUNK):
             ground = _ground_of(chunk, passes, grounds, settings.threshold)
-            total += int(np.count_nonzero(ground))
             undecided = of_classes(chunk, UNDECIDED)
-            candidates += int(np.count_nonzero(undecided & valid_points(chunk)))
+            counts.append(_counts(chunk, undecided & valid_points(chunk), ground))
             points = layout.view(layout.adapt(chunk, np.ones(len(chunk), dtype=bool)))
             points.classification = np.where(undecided, np.where(ground, *_CLASSES), np.asarray(chunk.classification))
             writer.write(points.array)
+        seconds = np.vstack(counts)
+        candidates, total = map(int, seconds[:, 1:].sum(axis=0))
         _check_share(total, candidates, min_share)
+    _tell_poor_seconds(seconds, progress)
     return total
+
+
+def _counts(chunk, candidate: np.ndarray, ground: np.ndarray) -> np.ndarray:
+    """(k, 3) full seconds of a chunk's times (one where it has none), undecided points in them, and ground points."""
+    if "gps_time" not in chunk.point_format.dimension_names or not candidate.any():
+        return np.array([[0.0, np.count_nonzero(candidate), np.count_nonzero(ground)]])
+    time = np.floor(np.asarray(chunk["gps_time"]))
+    seconds, place = np.unique(time, return_inverse=True)
+    return np.column_stack([seconds, np.bincount(place, candidate, len(seconds)),
+                            np.bincount(place, ground, len(seconds))])
+
+
+def _tell_poor_seconds(counts: np.ndarray, progress: Progress) -> None:
+    """Warn where the share of ground is less than half of what the drive has elsewhere (its upper quartile)."""
+    seconds, place = np.unique(counts[:, 0], return_inverse=True)
+    candidates, ground = (np.bincount(place, column, len(seconds)) for column in counts[:, 1:].T)
+    full = candidates > 0.5 * np.median(candidates)
+    share = ground[full] / candidates[full]
+    usual = np.percentile(share, 75)
+    poor = share < 0.5 * usual
+    if 20 * poor.sum() > len(poor):
+        progress.warn(say("In {count} of {all} seconds of the drive, from {first:.0f} s on, less than half as many of "
+                          "the points are ground as elsewhere ({poor:.0f} % for {usual:.0f} %): at steep or humped "
+                          "stretches the cloth leaves ground out; look at them, or give a finer cloth.",
+                          count=int(poor.sum()), all=len(poor), first=seconds[full][poor][0],
+                          poor=100 * np.median(share[poor]), usual=100 * usual))
 
 
 def _check_share(ground: int, candidates: int, min_share: float) -> None:

@@ -145,7 +145,8 @@ def _findings(found: CloudControl, extent: np.ndarray) -> tuple[str, ...]:
                              names=", ".join(np.array(points.id)[found.wrong])))
     if unmeasured:
         sentences.append(say("The cloud has no ground around these points: {names}.", names=", ".join(unmeasured)))
-    if not (np.abs(found.shift) > LIMITS.trusted * np.nan_to_num(found.sigma, nan=np.inf)).any():
+    known = np.isfinite(found.sigma)
+    if known.any() and not (np.abs(found.shift) > LIMITS.trusted * found.sigma)[known].any():
         sentences.append(say("The shift is no larger than its accuracy: the cloud fits as it is."))
     return tuple(sentences)
 

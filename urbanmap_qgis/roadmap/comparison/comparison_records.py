@@ -106,6 +106,7 @@ class MapComparison:
     offset : between the maps.
     noises : by kind of element (stop lines and symbols also along and across), see `MapNoise`.
     compared, same : length of the old map's lines that the new map shows too, and of those that are as they were, m.
+    unjudged : length of the old map's lines of which that is not known: no shift of them would be significant, m.
     outside_old, outside_new : length of lines where the other map shows no road, m: not judged.
     counts : number of matched stop lines, crosswalks and symbols by kind.
     """
@@ -115,6 +116,7 @@ class MapComparison:
     noises: dict[str, MapNoise]
     compared: float
     same: float
+    unjudged: float
     outside_old: float
     outside_new: float
     counts: dict[str, int]

@@ -71,8 +71,9 @@ def missing_changes(kind: str, samples: LineSamples, mask: np.ndarray, lines: Se
 
 def moved_lines(samples: LineSamples, matches: LineMatches, old: Sequence[MapElement], new: Sequence[MapElement],
                 noise: MapNoise, bend: np.ndarray, settings: ComparisonSettings,
-                offset: np.ndarray) -> tuple[list[MapChange], np.ndarray]:
-    """Stretches that moved, and the mask of their samples.
+                offset: np.ndarray) -> tuple[list[MapChange], np.ndarray, np.ndarray]:
+    """Stretches that moved, the mask of their samples, and that of samples of which nothing can be said: where not even
+    a shift as long as is looked for would be significant.
 
     Parameters
     ----------
@@ -96,7 +97,7 @@ def moved_lines(samples: LineSamples, matches: LineMatches, old: Sequence[MapEle
                                      north, np.nan, across, spread, float(np.mean(np.abs(shift[run]) / sigma[run])),
                                      line.identifier, other.identifier))
             moved[run] = True
-    return changes, moved
+    return changes, moved, ~(noise.limit * sigma < settings.reach)
 
 
 def repainted_lines(samples: LineSamples, matches: LineMatches, old: Sequence[MapElement], new: Sequence[MapElement],

@@ -67,7 +67,7 @@ def compare_maps(old: Sequence[MapElement], new: Sequence[MapElement],
     back = line_matches(new_samples, lines, old_lines, settings.reach)
     bend = np.hypot(samples.bend, new_samples.bend[cKDTree(new_samples.places).query(samples.places)[1]])
     noises = _noises(old, shifted, samples, matches, old_lines, lines, bend, settings)
-    moved, shifts = moved_lines(samples, matches, old_lines, lines, noises[LINE], bend, settings, taken)
+    moved, shifts, blind = moved_lines(samples, matches, old_lines, lines, noises[LINE], bend, settings, taken)
     painted, repaints = repainted_lines(samples, matches, old_lines, lines, settings, taken)
     gone, beyond_old = missing_lines(samples, matches, old_lines, lines, area)
     come, beyond_new = missing_lines(new_samples, back, lines, old_lines, area)
@@ -80,9 +80,11 @@ def compare_maps(old: Sequence[MapElement], new: Sequence[MapElement],
                                                 taken)
         changes += found
     weights, new_weights = _lengths(samples, old_lines), _lengths(new_samples, lines)
-    unchanged = (matches.other >= 0) & ~shifts & ~repaints
+    unjudged = (matches.other >= 0) & ~shifts & ~repaints & blind
+    unchanged = (matches.other >= 0) & ~shifts & ~repaints & ~blind
     return MapComparison(changes, offset, noises, float(weights[~beyond_old].sum()), float(weights[unchanged].sum()),
-                         float(weights[beyond_old].sum()), float(new_weights[beyond_new].sum()), counts)
+                         float(weights[unjudged].sum()), float(weights[beyond_old].sum()),
+                         float(new_weights[beyond_new].sum()), counts)
 
 
 def _refuse(old: Sequence[MapElement], new: Sequence[MapElement]) -> None:

@@ -139,7 +139,9 @@ def without_astray(found: Disagreements, observations: HeldObservations, model: 
     square = np.einsum("ki,kij,kj->k", change, np.linalg.inv(spread), change)
     marked, disagreeing = chain.marked(fit.weight), square > LIMITS.agreeing**2
     away = marked & (square > LIMITS.astray**2) & (np.hypot(*change.T) > LIMITS.most_moved)
-    if not away.any() or np.count_nonzero(marked & ~disagreeing) < LIMITS.agreeing_nodes:
+    # Where the walls know too little to show such a move, they agree with nothing.
+    knowing = LIMITS.agreeing**2 * np.linalg.eigvalsh(spread)[:, -1] < LIMITS.most_moved**2
+    if not away.any() or np.count_nonzero(marked & knowing & ~disagreeing) < LIMITS.agreeing_nodes:
         return found
     run = np.cumsum(np.concatenate([[0], np.abs(np.diff(disagreeing.astype(int)))]))
     astray = disagreeing & np.isin(run, run[away])
