@@ -22,7 +22,6 @@ from scipy.spatial import Delaunay
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
-from scripts.bench_faults import fault_tables  # noqa: E402
 from scripts.bench_goals import goals_table  # noqa: E402
 from scripts.bench_images import image_kinds_table  # noqa: E402
 from scripts.bench_large import large_roofs_table  # noqa: E402
@@ -30,6 +29,7 @@ from scripts.bench_sloped import sloped_table  # noqa: E402
 from scripts.bench_stages import stage_tables  # noqa: E402
 from scripts.bench_table import print_table  # noqa: E402
 from scripts.bench_warnings import warnings_table  # noqa: E402
+from scripts.judges import city_faults  # noqa: E402
 from scripts.layers import read_layer  # noqa: E402
 from scripts.scoring import Score, points_inside, score_building, summary  # noqa: E402
 from urbanmap_qgis.buildings.building_model import BuildingModel, RoofInput  # noqa: E402
@@ -219,7 +219,7 @@ def main() -> int:
     reference = reference_seconds()
     print(f"Reference: Delaunay triangulation of 200,000 points by scipy, {reference:.2f} s of CPU")
     tables = {"stages": stage_tables, "goals": goals_table, "large": large_roofs_table,
-              "delft": lambda: delft_tables(reference), "faults": fault_tables, "images": image_kinds_table,
+              "delft": lambda: delft_tables(reference), "faults": city_faults.judge, "images": image_kinds_table,
               "warnings": warnings_table}
     for name in sys.argv[1:] or tables:
         tables[name]()

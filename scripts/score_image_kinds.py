@@ -26,7 +26,7 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from scripts.image_kinds import KINDS, ImageKind  # noqa: E402
-from scripts.score_lane_tiles import FAR, NEAR  # noqa: E402
+from scripts.judges.lane_tiles import FAR, NEAR  # noqa: E402
 from scripts.score_markings import LABELS, burnt, read_labels  # noqa: E402
 from urbanmap_qgis.aerial.markings.marking_files import MarkingResult, markings_from_orthophoto  # noqa: E402
 from urbanmap_qgis.aerial.markings.marking_verdict import marking_verdict  # noqa: E402
@@ -131,7 +131,7 @@ def marked(folder: Path, name: str) -> Photograph:
 
 
 def sunlit(folder: Path, tile: int) -> Photograph:
-    """A sunlit aerial tile of which the lanes' centre lines are known, see `score_lane_tiles`."""
+    """A sunlit aerial tile of which the lanes' centre lines are known, see `judges/lane_tiles.py`."""
     path = folder / "us_tiles" / f"tile_{tile}.jpg"
     image = _read(path)
     with rasterio.open(path) as source:

@@ -1,12 +1,18 @@
-"""Rays among walls: against brute force, against the geometry of mirrors, at awkward places."""
+"""Rays from satellites past the walls of buildings, in fans too."""
+
+from __future__ import annotations
 
 import numpy as np
 import pytest
 import shapely
 
-from urbanmap_qgis.errors import Cancelled
+from urbanmap_qgis.errors import Cancelled, InputError
+from urbanmap_qgis.gnss.rays.ray_fans import FanObstacles, RayFan
 from urbanmap_qgis.gnss.rays.tracing import WallObstacles, legs_in_line_of_sight, mirror_reflections, rotated_directions
-from urbanmap_qgis.gnss.rays.wall_faces import building_walls
+from urbanmap_qgis.gnss.rays.wall_faces import building_walls, is_solid, wall_table
+from urbanmap_qgis.localisation.localisation_settings import VehicleScanner
+from urbanmap_qgis.localisation.walls.wall_map import WallMap, wall_sigmas
+from urbanmap_qgis.localisation.walls.wall_scan import AZIMUTHS, LAYERS, scan_walls
 from urbanmap_qgis.progress import Progress
 
 
@@ -163,3 +169,161 @@ def test_a_march_can_be_cancelled():
     with pytest.raises(Cancelled):
         WallObstacles.of(walls).first_hit(np.array([[0.0, 0.0, 1.0]]), unit([45.0], [1.0]),
                                           progress=Progress(cancelled=lambda: True))
+
+
+LENGTH = 60.0
+
+
+def blocks(seed: int):
+    """Turned houses of all heights, some of them over others, a few without a foot, and a sloping parapet."""
+    rng = np.random.default_rng(seed)
+    shapes, top, low = [], [], []
+    for x in range(-80, 80, 14):
+        for y in range(-80, 80, 14):
+            box = shapely.box(x, y, x + rng.uniform(4, 10), y + rng.uniform(4, 10))
+            shapes.append(shapely.affinity.rotate(box, rng.uniform(0, 90)))
+            top.append(rng.uniform(1, 15))
+            low.append(rng.choice([0.0, np.nan, 6.0]))
+    outlines = building_walls(np.array(shapes, object), None, np.array(top) + np.nan_to_num(low), np.array(low))
+    raised = outlines.top + np.column_stack([np.zeros(len(outlines)), rng.uniform(0, 3, len(outlines))])
+    return outlines.__class__(**{**outlines.__dict__, "top": raised})
+
+
+def marched(walls, place: np.ndarray, fan: RayFan):
+    """What `FanObstacles.first_hits` returns, by rays followed one by one."""
+    angle = np.arange(fan.azimuths) * 2 * np.pi / fan.azimuths
+    round_, up = np.meshgrid(angle, fan.elevation, indexing="ij")
+    direction = np.stack([np.cos(up) * np.sin(round_), np.cos(up) * np.cos(round_), np.sin(up)], axis=2).reshape(-1, 3)
+    piece, distance = WallObstacles.of(walls).first_hit(
+        np.repeat(place, len(direction), axis=0), np.tile(direction, (len(place), 1)), fan.length)
+    shape = (len(place), fan.azimuths, len(fan.elevation))
+    return piece.reshape(shape), distance.reshape(shape) * np.cos(fan.elevation)
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_fans_meet_what_single_rays_meet(seed):
+    walls = blocks(seed)
+    rng = np.random.default_rng(seed)
+    # In courts and streets, inside of houses, above the roofs, and far outside.
+    place = np.column_stack([rng.uniform(-90, 90, (300, 2)), rng.uniform(0, 20, 300)])
+    place = np.concatenate([place, [[500.0, 0.0, 2.0], [-110.0, 3.0, 2.0]]])
+    fan = RayFan(97, np.radians([-15.0, -3.0, 0.0, 7.0, 30.0]), LENGTH)
+    piece, distance = FanObstacles.of(walls).first_hits(place, fan)
+    expected_piece, expected = marched(walls, place, fan)
+    assert np.array_equal(piece, expected_piece)
+    assert (piece >= 0).mean() > 0.3 and (piece[300] == -1).all()
+    assert distance[piece >= 0] == pytest.approx(expected[piece >= 0], rel=1e-9)
+    assert np.isinf(distance[piece < 0]).all()
+
+
+def test_blocks_of_places_change_nothing(monkeypatch):
+    walls, place = blocks(3), np.random.default_rng(3).uniform(0, 10, (40, 3))
+    fan = RayFan(60, np.zeros(1), LENGTH)
+    at_once = FanObstacles.of(walls).first_hits(place, fan)
+    monkeypatch.setattr("urbanmap_qgis.gnss.rays.ray_fans._TESTED", 1)
+    one_by_one = FanObstacles.of(walls).first_hits(place, fan)
+    assert all(np.array_equal(one, other) for one, other in zip(at_once, one_by_one))
+
+
+def test_a_row_of_a_scan_holds_the_layers_that_end_on_one_piece():
+    pieces = blocks(4)
+    walls, scanner = WallMap.of(pieces, wall_sigmas(pieces, 0.2)), VehicleScanner("multi-layer")
+    sensor = np.random.default_rng(4).uniform(-60, 60, (20, 3)) * [1, 1, 0] + [0, 0, 2.0]
+    scan = scan_walls(walls, sensor, scanner)
+    piece, distance = marched(pieces, sensor, RayFan(AZIMUTHS, scanner.elevations(LAYERS), scanner.max_range))
+    row, layer = np.nonzero(scan.layers)
+    assert len(row) == (piece >= 0).sum() > len(scan.of) > 1000
+    assert np.array_equal(piece[scan.of[row], scan.ray[row], layer], scan.piece[row])
+    assert np.hypot(*scan.offset[row].T) == pytest.approx(distance[scan.of[row], scan.ray[row], layer], rel=1e-9)
+    assert scan.distance[row, layer] == pytest.approx(
+        np.hypot(*scan.offset[row].T) / np.cos(scanner.elevations(LAYERS))[layer], rel=1e-12)
+    # 16 layers of 720 rays, of which 5 of 240 are followed.
+    assert scan.weight == pytest.approx(scan.layers.sum(axis=1) * 16 * 720 / (5 * 240))
+    assert (np.diff(scan.of) >= 0).all()
+
+
+def box_solid(x0, y0, x1, y1, low, top, inwards=False):
+    """Faces of a block as MultiPolygonZ."""
+    a, b, c, d = (x0, y0), (x1, y0), (x1, y1), (x0, y1)
+    faces = [[(*p, top) for p in (a, b, c, d)], [(*p, low) for p in (d, c, b, a)]]
+    faces += [[(*p, low), (*q, low), (*q, top), (*p, top)] for p, q in ((a, b), (b, c), (c, d), (d, a))]
+    if inwards:
+        faces = [face[::-1] for face in faces]
+    return shapely.MultiPolygon([shapely.Polygon(face) for face in faces])
+
+
+@pytest.mark.parametrize("inwards", [False, True])
+def test_walls_of_a_block_face_outwards_whichever_way_its_faces_turn(inwards):
+    solid = box_solid(100, 200, 120, 230, 5, 35, inwards)
+    walls = building_walls([solid])
+    assert is_solid(solid) and len(walls) == walls.count == 4
+    middle = (walls.start + walls.end) / 2
+    outwards = middle - [110, 215]
+    assert (np.einsum("ij,ij->i", outwards, walls.normal) > 0).all()
+    assert np.allclose(np.einsum("ij,ij->i", middle, walls.normal), walls.offset)
+    assert np.allclose(walls.low, 5) and np.allclose(walls.top, 35)
+    # Outwards is on the right when walking from start to end.
+    edge = walls.end - walls.start
+    assert np.allclose(np.column_stack([edge[:, 1], -edge[:, 0]]) / np.linalg.norm(edge, axis=1)[:, None], walls.normal)
+
+
+def test_outline_and_solid_give_the_same_walls():
+    outline = building_walls([shapely.box(0, 0, 10, 20)], top=np.array([30.0]), low=np.array([2.0]))
+    solid = building_walls([box_solid(0, 0, 10, 20, 2, 30)])
+
+    def rows(walls):
+        table = np.column_stack([walls.start, walls.end, walls.low, walls.top, walls.normal, walls.offset])
+        return table[np.lexsort(table[:, :4].round(6).T)]
+
+    assert np.allclose(rows(outline), rows(solid))
+
+
+def test_courtyard_walls_face_the_courtyard_and_rings_may_turn_either_way():
+    shape = shapely.Polygon([(0, 0), (0, 30), (30, 30), (30, 0)], [[(10, 10), (20, 10), (20, 20), (10, 20)]])
+    walls = building_walls([shape], top=np.array([20.0]))
+    outside = (walls.start + walls.end) / 2 + 0.1 * walls.normal
+    assert len(walls) == 8
+    assert not shapely.contains_xy(shape, outside).any()
+    assert np.isneginf(walls.low).all() and np.isnan(wall_table(walls).low).all()
+
+
+def test_height_of_an_outline_comes_from_its_z_unless_a_field_tells_it():
+    shape = shapely.Polygon([(0, 0, 12), (10, 0, 12), (10, 10, 12), (0, 10, 12)])
+    assert np.allclose(building_walls([shape]).top, 12)
+    assert np.allclose(building_walls([shape], top=np.array([9.0])).top, 9)
+
+
+def test_gable_is_a_wall_with_a_sloping_edge():
+    face = [(0, 0, 0), (8, 0, 0), (8, 0, 6), (4, 0, 10), (0, 0, 6)]
+    back = [(x, 12, z) for x, _, z in face[::-1]]
+    sides = [[(8, 0, 0), (8, 12, 0), (8, 12, 6), (8, 0, 6)], [(0, 12, 0), (0, 0, 0), (0, 0, 6), (0, 12, 6)]]
+    roofs = [[(8, 0, 6), (8, 12, 6), (4, 12, 10), (4, 0, 10)], [(4, 0, 10), (4, 12, 10), (0, 12, 6), (0, 0, 6)]]
+    ground = [(0, 0, 0), (0, 12, 0), (8, 12, 0), (8, 0, 0)]
+    solid = shapely.MultiPolygon([shapely.Polygon(ring) for ring in (face, back, *sides, *roofs, ground)])
+    walls = building_walls([solid])
+    assert walls.count == 4 and len(walls) == 6
+    gable = walls.normal[:, 1] < -0.9
+    ends = {(round(float(x), 3), round(float(z), 3)) for x, z in zip(
+        np.r_[walls.start[gable, 0], walls.end[gable, 0]], np.r_[walls.top[gable, 0], walls.top[gable, 1]])}
+    assert ends == {(0.0, 6.0), (4.0, 10.0), (8.0, 6.0)}
+
+
+def test_pieces_in_one_plane_are_one_wall_but_not_across_buildings():
+    left, right = shapely.box(0, 0, 10, 10), shapely.box(10, 0, 20, 15)
+    tops = np.array([20.0, 20.0])
+    together = building_walls([left, right], np.array([7, 7]), tops)
+    apart = building_walls([left, right], np.array([7, 8]), tops)
+    south = np.flatnonzero(together.normal[:, 1] < -0.9)
+    assert len(np.unique(together.wall[south])) == 1
+    assert len(np.unique(apart.wall[np.flatnonzero(apart.normal[:, 1] < -0.9)])) == 2
+    table = wall_table(together)
+    row = together.wall[south[0]]
+    assert table.length[row] == pytest.approx(20.0)
+    assert sorted(table.edge[table.building == 0]) == list(range(1, together.count + 1))
+
+
+def test_outlines_without_heights_are_refused_with_a_count():
+    with pytest.raises(InputError, match="1 of 2 buildings have no heights"):
+        building_walls([shapely.box(0, 0, 1, 1), shapely.box(3, 0, 4, 1)], top=np.array([5.0, np.nan]))
+    with pytest.raises(InputError, match="no walls"):
+        building_walls([None, shapely.Polygon()], top=np.array([1.0, 1.0]))

@@ -5,9 +5,9 @@ import dataclasses
 import numpy as np
 import pytest
 
-from scripts.evaluate_fronts import hidden_differences, on_map, street_walls, trial
 from scripts.front_scenes.fronts import make_front
 from scripts.front_scenes.scan import local, scan, trajectory, write_survey
+from scripts.judges.fronts import hidden_differences, on_map, street_walls, trial
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.facades.building_plans import building_plans
 from urbanmap_qgis.facades.wall_stage import find_walls

@@ -1,4 +1,6 @@
-"""HTML reports and their drawings."""
+"""Reports: pages, tables, maps and lines of text."""
+
+from __future__ import annotations
 
 import ast
 import base64
@@ -11,6 +13,7 @@ import pytest
 import shapely
 
 from urbanmap_qgis.errors import InputError, OutputError
+from urbanmap_qgis.io.pages.line_breaks import broken_lines
 from urbanmap_qgis.io.pages.report import BAD, LOOK, Fixed, Report, RunFacts, rounded, run_told
 from urbanmap_qgis.io.pages.svg import RAMP, UNKNOWN, bars, plan_map
 from urbanmap_qgis.io.pages.svg_profile import Series, profile
@@ -166,3 +169,22 @@ def test_values_fill_the_height_of_a_chart():
     page = profile(np.array([0.0, 1.0]), [Series("a", np.array([0.0, 2.0]), dots=True)], "s", "m", height=240)
     foot, top = (float(place) for place in re.findall(r'<circle cx="[^"]*" cy="([^"]*)"', page))
     assert foot == pytest.approx(200.0, abs=0.1) and top == pytest.approx(200.0 - 188.0 / 1.05, abs=0.1)
+
+
+def of_at_most(count):
+    return lambda text: len(text) <= count
+
+
+def test_lines_end_between_words_and_between_japanese_letters():
+    assert broken_lines("道路台帳附図更新", of_at_most(3)) == ["道路台", "帳附図", "更新"]
+    assert broken_lines("計測MX-9型", of_at_most(4)) == ["計測", "MX-9", "型"]
+    assert broken_lines("one two three", of_at_most(7)) == ["one two", "three"]
+
+
+def test_no_line_begins_with_the_end_of_a_bracket_or_a_sentence():
+    assert broken_lines("あい（うえ）お", of_at_most(5)) == ["あい（う", "え）お"]
+    assert broken_lines("あいうえ。", of_at_most(4)) == ["あいう", "え。"]
+
+
+def test_a_word_wider_than_the_column_is_broken():
+    assert broken_lines("abcdefgh", of_at_most(3)) == ["abc", "def", "gh"] and broken_lines("", of_at_most(3)) == [""]

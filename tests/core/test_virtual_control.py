@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import shapely
 
-from scripts.virtual_control import (
+from scripts.judges.virtual_control import (
     bar_corners,
     reference_corners,
     survey_corners,

@@ -10,7 +10,7 @@ import rasterio
 import shapely
 from rasterio.transform import Affine
 
-from scripts.score_lane_tiles import labelled_places, score_lanes, score_places, score_tile
+from scripts.judges.lane_tiles import labelled_places, score_lanes, score_places, score_tile
 
 TILES = Path(__file__).resolve().parents[2].parent / "shared" / "data" / "aerial" / "us_tiles"
 

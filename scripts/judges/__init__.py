@@ -1,0 +1,1 @@
+"""Judges: each compares what a part of the program makes with the truth; `scripts/judge.py` runs them."""
