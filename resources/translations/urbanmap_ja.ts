@@ -13208,6 +13208,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>地図が重なりません。旧地図は {old}、新地図は {new} にあります（x・y の最小、x・y の最大、m）。同じ場所で、同じ座標参照系の地図か確認してください。</translation>
     </message>
     <message>
+        <source>along</source>
+        <translation>進行方向</translation>
+    </message>
+    <message>
+        <source>across</source>
+        <translation>横断方向</translation>
+    </message>
+    <message>
         <source>Give a map with marking lines, road borders or other bounds on the ground; virtual ones are not compared.</source>
         <translation>標示の線、道路縁など地上の境界線のある地図を指定してください。仮想の境界線は比べません。</translation>
     </message>
@@ -13730,6 +13738,18 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{path} cannot be written: {error}</source>
         <translation>{path}に書き込めません: {error}</translation>
+    </message>
+    <message>
+        <source>Aerial frames and orthophoto</source>
+        <translation>空中写真とオルソ画像</translation>
+    </message>
+    <message>
+        <source>Mobile surveys</source>
+        <translation>MMS計測</translation>
+    </message>
+    <message>
+        <source>Airborne laser scanning</source>
+        <translation>航空レーザ測量</translation>
     </message>
     <message>
         <source>The folder {folder} cannot be written ({strerror}): choose another.</source>

@@ -8,6 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+pytestmark = pytest.mark.once
+
 ALGORITHM = "urbanmap:adjustsurveys"
 SURVEYS = ("survey_01", "survey_02")
 

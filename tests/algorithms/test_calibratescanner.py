@@ -9,6 +9,8 @@ import laspy
 import numpy as np
 import pytest
 
+pytestmark = pytest.mark.once
+
 ALGORITHM = "urbanmap:calibratescanner"
 SURVEYS = ("survey_01", "survey_02")
 

@@ -52,6 +52,12 @@ def serve(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
+def pair(serve):
+    """Address of a cluster of two workers, for tests that leave it as it is."""
+    return serve(2)
+
+
+@pytest.fixture(scope="module")
 def town(synthetic, make_cloud, save_outlines, tmp_path_factory):
     folder = tmp_path_factory.mktemp("町")
     blocks = [synthetic.flat(synthetic.rectangle(40 * number, 0, 15, 12), 8.0 + number) for number in range(6)]
@@ -61,9 +67,8 @@ def town(synthetic, make_cloud, save_outlines, tmp_path_factory):
             "FOOTPRINTS": str(save_outlines(folder / "外周.gpkg", [block.outline for block in blocks]))}
 
 
-def test_a_cluster_gives_the_same_bytes(run, serve, town, tmp_path):
-    address = serve(2)
-    for name, scheduler in (("here", ""), ("there", address)):
+def test_a_cluster_gives_the_same_bytes(run, pair, town, tmp_path):
+    for name, scheduler in (("here", ""), ("there", pair)):
         run("urbanmap:buildingsfromals", {
             **town, "OUTPUT": str(tmp_path / f"{name}.gpkg"), "SCHEDULER": scheduler, "OUTPUT_REPORT": None,
             "OUTPUT_CITYJSON": str(tmp_path / f"{name}.city.json")})
@@ -72,12 +77,9 @@ def test_a_cluster_gives_the_same_bytes(run, serve, town, tmp_path):
     assert "building-6" in here
     from distributed import Client
 
-    with Client(address, set_as_default=False) as client:
+    with Client(pair, set_as_default=False) as client:
         loaded = client.run(lambda: [name for name in __import__("sys").modules if name.endswith("model_stage")])
     assert any(loaded.values())  # the pieces did run there
-    again = run("urbanmap:buildingsfromals", {**town, "OUTPUT": "TEMPORARY_OUTPUT", "SCHEDULER": address,
-                                              "OUTPUT_CITYJSON": None, "OUTPUT_REPORT": None})
-    assert again["BUILDINGS"] == 6
 
 
 def test_workers_with_other_sources_are_refused(plugin):
@@ -195,11 +197,11 @@ def test_a_cluster_with_tls_works_and_nobody_else_is_let_in(run, serve, town, ce
         run("urbanmap:segmentbuildings", {**town, **NO_OUTPUTS, "SCHEDULER": address.replace("tls:", "tcp:")})
 
 
-def test_tiles_whose_pieces_go_to_a_cluster_are_the_same_bytes(run, serve, town, tmp_path, plugin, monkeypatch):
+def test_tiles_whose_pieces_go_to_a_cluster_are_the_same_bytes(run, pair, town, tmp_path, plugin, monkeypatch):
     cluster = plugin("algorithms.framework.running.cluster")
     connected = []
     monkeypatch.setattr(cluster, "_client", lambda address, make=cluster._client: connected.append(1) or make(address))
-    for name, scheduler in (("here", ""), ("there", serve(2))):
+    for name, scheduler in (("here", ""), ("there", pair)):
         results = run("urbanmap:tiledrun", {
             **town, "ALGORITHM": "buildingsfromals", "TILE": 80, "BUFFER": 30, "SCHEDULER": scheduler,
             "OUTPUT": str(tmp_path / f"{name}.gpkg"), "OUTPUT_FOLDER": str(tmp_path / name)})

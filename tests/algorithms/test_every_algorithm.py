@@ -1,28 +1,59 @@
-"""Every algorithm runs on small real input: its layers have words, its inputs stay, the bytes are the same again.
+"""Every algorithm runs on small real input, in Japanese: its layers have words, its reports are translated, the bytes
+are the same again.
 
-The runs are those of every_algorithm.py; their results are shared with test_every_algorithm_chained.py.
+The runs are those of every_algorithm.py.
 """
 
 from __future__ import annotations
 
+import html
 import importlib.util
 import json
+import os
+import re
 import shutil
 import sqlite3
+import subprocess
+import sys
 from contextlib import closing
 from pathlib import Path
 
 import pytest
 
-_SPEC = importlib.util.spec_from_file_location("urbanmap_every_results", Path(__file__).with_name("every_results.py"))
-shared = importlib.util.module_from_spec(_SPEC)
-_SPEC.loader.exec_module(shared)
-every, place, made, inputs = shared.every, shared.place, shared.made, shared.inputs
+from tests.japanese import english
 
-WITHOUT_FILES = {"samplecity", "checkcitymodel"}
-"""Their runs have no input, or a folder."""
-TIMED = ("tiledrun", "runjob")
-"""Results that say when and how long they were worked on: not compared byte by byte."""
+SCRIPT = Path(__file__).with_name("every_algorithm.py")
+_SPEC = importlib.util.spec_from_file_location("urbanmap_every_algorithm", SCRIPT)
+every = importlib.util.module_from_spec(_SPEC)
+_SPEC.loader.exec_module(every)
+
+CHAINS = ("aerialmarkings", "buildingsfromals", "georeferencemms", "roadspace", "tiledrun", "runjob")
+"""Their steps are run by themselves too: they are not run again."""
+
+FILES = ("fileDestination", "rasterDestination", "folderDestination")
+
+CHAINED = ("orthorectifyframes", "filtervehicles", "adjustframes", "convertheights", "tiledrun", "registermms")
+"""Few algorithms with inputs and outputs of every kind, to be steps of models."""
+
+
+def run_into(folder, city, workers, *names, **environment):
+    """All of them, or those named, in a process of its own; Qt writes the fonts of a PDF in the order of its hashes."""
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir()
+    language = {"LANG": "ja_JP.UTF-8", "LC_ALL": "", "LC_CTYPE": "C.UTF-8"}
+    done = subprocess.run([sys.executable, str(SCRIPT), str(city), str(folder), str(workers), *names], text=True,
+                          capture_output=True, env={**os.environ, "QT_HASH_SEED": "0", **language, **environment},
+                          timeout=900, check=False)
+    assert done.returncode == 0, done.stderr[-3000:]
+    return folder
+
+
+@pytest.fixture(scope="module")
+def made(qgis_app, small_city, tmp_path_factory):
+    """Folder of the results of all, made by one thread each in `results` and moved: others are made there again."""
+    place = tmp_path_factory.mktemp("every")
+    return run_into(place / "results", small_city, 1, OPENBLAS_NUM_THREADS="1", PYTHONHASHSEED="1").rename(
+        place / "first")
 
 
 def layers_of(path):
@@ -53,41 +84,104 @@ def test_each_algorithm_has_a_run(qgis_app):
     assert {name.split()[0] for name in every.RECIPES} == set(every.algorithms())
 
 
-@pytest.mark.once
-@pytest.mark.parametrize("name", every.RECIPES)
-def test_over_its_own_inputs(run, inputs, made, tmp_path, name):
-    """Each output at the place of each input that is a file: refused, and the input is as it was."""
-    from qgis.core import QgsProcessingException
+CITY_NAMES = {"building", "survey", "trajectory", "way", "node", "File", "Height", "SpeedLimit", "routing", "graph",
+              "status", "reason", "ele", "pass", "mms", "regulatory", "element", "creationDate", "id", "omega", "phi",
+              "kappa", "survey_"}
+"""Names in the sample city's data, parts of codes and of lane maps, and fields to which a message points."""
 
-    given, tried = inputs(name), 0
-    for key, value in given.items():
-        single = value[0] if isinstance(value, list) else value
-        path = Path(str(single).split("|")[0])
-        if not (isinstance(single, str) and path.is_absolute() and path.is_file()):
-            continue
-        copy = Path(shutil.copy(path, tmp_path))
-        moved = str(single).replace(str(path), str(copy))
-        before = copy.read_bytes()
-        for output in shared.algorithm_of(name).destinationParameterDefinitions():
-            if output.type() == "folderDestination" or output.name() in given:
-                continue
-            with pytest.raises(QgsProcessingException, match="would take the place of"):
-                run(f"urbanmap:{name.split()[0]}", {**given, **shared.wanted(name, given), output.name(): str(copy),
-                                                    key: [moved] if isinstance(value, list) else moved})
-            assert copy.read_bytes()[100:] == before[100:]  # the header of a database counts who opened it
-            tried += 1
-    assert tried or name in WITHOUT_FILES
+
+@pytest.mark.once
+def test_reports_and_messages_are_in_japanese(made):
+    texts = [text for said in json.loads((made / "messages.json").read_text(encoding="utf-8")).values()
+             for text in said if not text.startswith("Results:")]  # QGIS's own
+    pages = list(made.glob("*.html"))
+    assert len(pages) >= 12
+    for page in pages:
+        text = re.sub(r"<style.*?</style>|data:image[^\"']*", "", page.read_text(encoding="utf-8"), flags=re.S)
+        assert '<html lang="ja">' in text
+        texts += [html.unescape(part) for part in re.findall(r">([^<]+)<", text)]
+    left = {text.strip(): words for text in texts if (words := english(text, CITY_NAMES | set(every.RECIPES)))}
+    assert left == {}
 
 
 @pytest.mark.once
 def test_the_same_bytes_on_any_number_of_threads_and_workers(made, small_city):
     """Again with two workers, other threads of the libraries, and another order of sets and hashes."""
-    again = shared.run_into(made.with_name("results"), small_city, 2, OPENBLAS_NUM_THREADS="2", PYTHONHASHSEED="2")
-    contents = [{str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
-                for folder in (made, again)]
-    contents = [{name: data for name, data in found.items() if not name.startswith(TIMED)} for found in contents]
+    again = run_into(made.with_name("results"), small_city, 2, *(name for name in every.RECIPES if name not in CHAINS),
+                     OPENBLAS_NUM_THREADS="2", PYTHONHASHSEED="2")
+    contents = [{name: path.read_bytes() for path in folder.rglob("*") if path.is_file() and not (
+        name := str(path.relative_to(folder))).startswith(("results.json", *CHAINS))} for folder in (made, again)]
     said = [{name: texts for name, texts in json.loads(found.pop("messages.json")).items()
-             if name not in (*TIMED, "samplecity")} for found in contents]  # the city names what is begun, at one time
+             if name not in (*CHAINS, "samplecity")} for found in contents]  # the city names what is begun, at one time
     assert said[0] == said[1]
     assert contents[0].keys() == contents[1].keys() and len(contents[0]) > 100
     assert [name for name in contents[0] if contents[0][name] != contents[1][name]] == []
+
+
+@pytest.fixture(scope="module")
+def inputs(made, small_city):
+    """`inputs(name)`: the inputs of a recipe, from the city and from the results of those before it."""
+    text = (made / "results.json").read_text(encoding="utf-8")
+    results = json.loads(text.replace(str(made.with_name("results")), str(made)))
+    workers = {name for name, item in every.algorithms().items() if item.parameterDefinition("WORKERS")}
+    return lambda name: {**every.given(name, small_city, made, results), **({"WORKERS": 1} if name in workers else {})}
+
+
+def outputs_of(name, given):
+    """Definitions of the outputs that a recipe does not leave out."""
+    return [item for item in every.algorithms()[name].destinationParameterDefinitions() if item.name() not in given]
+
+
+def test_the_steps_of_models_have_inputs_and_outputs_of_every_kind(qgis_app):
+    def kinds(names):
+        return {(item.isDestination(), item.type(), item.layerType() if item.type() == "multilayer" else "")
+                for name in names for item in every.algorithms()[name.split()[0]].parameterDefinitions()
+                if item.isDestination() or item.name() in every.RECIPES[name]}
+
+    assert kinds(CHAINED) == kinds(every.RECIPES)
+
+
+@pytest.mark.parametrize("name", CHAINED)
+def test_as_an_exported_model_into_temporary_places(run, inputs, name):
+    """A model of this one step, exported as Python by QGIS, hands the places that it is given on to the step."""
+    exported = exported_model(name, inputs(name))
+    asked = {item.name(): item for item in exported.parameterDefinitions() if item.isDestination()}
+    results = run(exported, dict.fromkeys(asked, "TEMPORARY_OUTPUT"))
+    for key, item in asked.items():
+        assert results[key] is not None, f"{key}: {results}"
+        if item.type() in FILES:
+            assert Path(results[key]).exists() and ".urbanmap-" not in results[key]
+    assert not [word for word in run.feedback.warnings if ".urbanmap-" in word]
+
+
+def exported_model(name, given):
+    """The algorithm that QGIS writes for a model of one step with fixed inputs."""
+    from qgis.core import (
+        QgsProcessing,
+        QgsProcessingAlgorithm,
+        QgsProcessingModelAlgorithm,
+        QgsProcessingModelChildAlgorithm,
+        QgsProcessingModelChildParameterSource,
+        QgsProcessingModelOutput,
+    )
+
+    model = QgsProcessingModelAlgorithm(name, "trials")
+    child = QgsProcessingModelChildAlgorithm(every.algorithms()[name].id())
+    child.setChildId("step")
+    for key, value in given.items():
+        child.addParameterSources(key, [QgsProcessingModelChildParameterSource.fromStaticValue(value)])
+    outputs = {}
+    for item in outputs_of(name, given):
+        output = outputs[item.name()] = QgsProcessingModelOutput(item.name(), item.name())
+        output.setChildId("step")
+        output.setChildOutputName(item.name())
+    child.setModelOutputs(outputs)
+    model.addChildAlgorithm(child)
+    model.updateDestinationParameters()
+    code = "\n".join(model.asPythonCode(QgsProcessing.PythonOutputType.PythonQgsProcessingAlgorithmSubclass, 4))
+    scope: dict = {}
+    exec(compile(code, "exported", "exec"), scope)
+    exported = next(item for item in scope.values() if isinstance(item, type)
+                    and issubclass(item, QgsProcessingAlgorithm) and item is not QgsProcessingAlgorithm)()
+    exported.initAlgorithm()
+    return exported

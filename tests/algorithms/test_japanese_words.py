@@ -1,41 +1,20 @@
-"""In Japanese no English word is left but ids, formats, units, abbreviations: dialogs, help, messages, reports."""
+"""In Japanese no English word is left but ids, formats, units, abbreviations: dialogs and help.
+
+Messages and reports: test_every_algorithm.py.
+"""
 
 from __future__ import annotations
 
 import ast
-import html
-import json
-import os
 import re
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
+from tests.japanese import english
+
 ROOT = Path(__file__).resolve().parents[2]
 CATALOGUE = ROOT / "resources" / "translations" / "urbanmap_ja.ts"
-
-NAMES = set("""
-    UrbanMap QGIS Python PyPI Dask GDAL PROJ Autoware OpenStreetMap Cesium PLATEAU README Javanmardi Shibasaki
-    Unix Zhao Zhang Applanix Metashape Pix Omega Phi Kappa Project Galileo BeiDou TransverseMercator distributed numpy
-""".split())  # noqa: SIM905
-"""Proper names of programs, projects, authors and systems."""
-
-FORMATS = set("""
-    CityGML CityJSON CityJSONSeq GeoParquet GeoPackage GeoTIFF Parquet Lanelet lanelet lanelets OpenDRIVE glTF
-    Wavefront Tiles LoD lod BldA BldL RdEdg RdCompt MultiPolygonZ PolygonZ LineStringZ PointZ zip gzip bzip Hatanaka
-    Dataset gml txt pdf
-""".split())  # noqa: SIM905
-"""Formats, kinds of files and their parts; those in capital letters only need no entry."""
-
-UNITS = set("""
-    cm mm km dm dB Hz sigma px
-""".split())  # noqa: SIM905
-
-FORMULA = set("""
-    R_omega R_phi R_kappa I_ref I_m I_M exp sin cos f(R)
-""".split())  # noqa: SIM905
 
 OUTSIDE = set("""
     sudo apt pip python lasinfo repair Drape PatchJGD Rules withheld ca
@@ -48,18 +27,6 @@ SOURCES = {"et", "al", "eq", "and"}
 SPEAKING = {"InputError", "OutputError", "UrbanMapError", "warn", "message", "pushInfo", "pushWarning", "reportError",
             "QgsProcessingException"}
 """Calls whose first argument the user reads."""
-
-
-def english(text: str, ids: frozenset[str] | set[str]) -> list[str]:
-    """English words of a text that are no ids; files' names, paths, options and capital letters are none."""
-    text = re.sub(r"\{[^}]*\}|https?://\S+|tcp://\S+", " ", text)
-    text = re.sub(r"EPSG:\d+ ?[（(]JGD\d+ / Japan Plane Rectangular CS [IVX]+[）)]", " ", text)
-    text = re.sub(r"JGD\d+ / Japan Plane Rectangular CS [IVX]+", " ", text)
-    text = re.sub(r"[\w./*-]*\.[A-Za-z][A-Za-z0-9]{1,6}\b", " ", text)
-    text = re.sub(r"\b[A-Za-z0-9]+\.[A-Za-z]+-\d{3}\b", " ", text)  # codes of rules
-    words = re.findall(r"[A-Za-z][A-Za-z_]+", text)
-    known = NAMES | FORMATS | UNITS | FORMULA | ids
-    return [word for word in words if word not in known and not word.isupper()]
 
 
 @pytest.fixture(scope="module")
@@ -167,36 +134,3 @@ def test_dialogs_are_in_japanese(speaking, data_words):
         if words:
             left[algorithm.name()] = words
     assert len(list(speaking.algorithms())) > 50 and left == {}
-
-
-SPOKEN = ("surfacefromals", "aerialmarkings", "segmentbuildings", "segmentroofs", "roofpolygons", "buildingmodels",
-          "wallsfrommms", "mergebuildingmodels", "exportcitymodel", "loadcitymodel", "markinglines", "streetobjects",
-          "vectormap", "checkmodel", "roadmarkingsfrommms", "registermms", "acceptance",
-          "rectifytrajectory", "gnssreflections", "adjustwalls", "localisationaccuracy")
-"""Runs whose reports and messages are read: one of every kind of report that does not take long."""
-
-CITY_NAMES = {"building", "survey", "trajectory", "way", "node", "File", "Height", "SpeedLimit", "routing", "graph",
-              "status", "reason", "ele", "pass", "mms", "regulatory", "element", "creationDate"}
-"""Names in the sample city's data, parts of codes and of lane maps, and fields to which a message points."""
-
-
-@pytest.mark.once
-@pytest.mark.slow
-def test_reports_and_messages_are_in_japanese(small_city, tmp_path):
-    place = tmp_path / "results"
-    place.mkdir()
-    done = subprocess.run(
-        [sys.executable, str(Path(__file__).with_name("every_algorithm.py")), str(small_city), str(place), "1",
-         *SPOKEN], text=True, capture_output=True, timeout=600, check=False,
-        env={**os.environ, "LANG": "ja_JP.UTF-8", "LC_ALL": "", "LC_CTYPE": "C.UTF-8"})
-    assert done.returncode == 0, done.stderr[-3000:]
-    texts = [text for said in json.loads((place / "messages.json").read_text(encoding="utf-8")).values()
-             for text in said if not text.startswith("Results:")]  # QGIS's own
-    pages = list(place.glob("*.html"))
-    assert len(pages) >= 12
-    for page in pages:
-        text = re.sub(r"<style.*?</style>|data:image[^\"']*", "", page.read_text(encoding="utf-8"), flags=re.S)
-        assert '<html lang="ja">' in text
-        texts += [html.unescape(part) for part in re.findall(r">([^<]+)<", text)]
-    left = {text.strip(): words for text in texts if (words := english(text, CITY_NAMES))}
-    assert left == {}

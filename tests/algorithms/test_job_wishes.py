@@ -27,6 +27,7 @@ KEPT = {"lanemap": 3, "walls": 3, "accuracymap": 5, "reference": 1, "buildings":
 """Steps that a wish finds done by those before it."""
 
 
+@pytest.mark.once
 @pytest.mark.slow
 def test_every_wish_runs_to_its_end(run, plugin, small_city, save_outlines, tmp_path):
     recognise, roles, chains, files = (plugin(f"urbanmap_qgis.job.{name}") for name in (

@@ -18,6 +18,7 @@ ASKED = {"aerialmarkings": ("OUTPUT", "OUTPUT_POLYGONS"), "buildingsfromals": ("
 """Outputs that are compared; all others are left out, also those that a step of the model cannot do without."""
 
 
+@pytest.mark.once
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ASKED)
 def test_a_model_makes_what_its_chain_makes(run, small_city, tmp_path, name):

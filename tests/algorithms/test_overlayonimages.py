@@ -14,6 +14,7 @@ def given(city, folder, **others):
             "OUTPUT": str(folder / "重ね図"), "OUTPUT_REPORT": str(folder / "頁.html"), **others}
 
 
+@pytest.mark.once
 def test_before_and_after_on_all_kinds_of_images(run, small_city, tmp_path):
     models = run("urbanmap:loadcitymodel", {"INPUT": str(small_city / "models/buildings.city.json"),
                                             "OUTPUT": "memory:",

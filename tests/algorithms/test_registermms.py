@@ -104,6 +104,7 @@ def test_chain_gives_the_survey_itself(run, small_city, read_layer):
     assert read_layer(result["OUTPUT_PATCHES"])
 
 
+@pytest.mark.once
 @pytest.mark.parametrize("heights", [False, True])
 def test_the_papers_method_moves_each_patch_by_its_window(run, small_city, markings, read_layer, tmp_path, heights):
     # The letter finds heights that are a few centimetres off: cells of a level road are thin.
@@ -131,6 +132,7 @@ def test_the_papers_method_moves_each_patch_by_its_window(run, small_city, marki
     assert np.array_equal(before, after) != heights
 
 
+@pytest.mark.once
 @pytest.mark.paper("J 3.2.4, input")
 def test_the_papers_method_takes_the_papers_markings_of_a_survey(run, small_city, tmp_path):
     calibration = str(small_city / "mms/calibration.json")

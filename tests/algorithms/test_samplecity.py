@@ -9,6 +9,7 @@ import pytest
 ALGORITHM = "urbanmap:samplecity"
 
 
+@pytest.mark.once
 def test_a_small_city_whose_files_qgis_opens(run, tmp_path):
     folder = tmp_path / "見本の町"
     result = run(ALGORITHM, {"SEED": 2, "SIZE": 60, "SCENE": "canyon", "WORKERS": 1, "OUTPUT": str(folder)})

@@ -14,6 +14,8 @@ from tests.small_disk import mount, small_disk
 
 SIDE = 40
 
+pytestmark = pytest.mark.once
+
 
 @pytest.fixture(scope="module")
 def town(qgis_app, synthetic, make_cloud, save_outlines, tmp_path_factory):

@@ -70,6 +70,7 @@ def test_no_layer_of_a_tile_stays_open(run, town, tmp_path):
     assert not [name for name in still if name.startswith(str(tmp_path / "run"))]
 
 
+@pytest.mark.once
 def test_a_later_run_does_only_what_is_missing(run, town, read_layer, tmp_path):
     first = run_tiles(run, town, tmp_path)
     merged = tmp_path / "run" / "merged" / "output.gpkg"
@@ -84,6 +85,7 @@ def test_a_later_run_does_only_what_is_missing(run, town, read_layer, tmp_path):
     assert changed["KEPT"] == 0
 
 
+@pytest.mark.once
 def test_one_failed_tile_does_not_end_the_run(run, town, make_cloud, read_layer, tmp_path):
     cloud = make_cloud(tmp_path / "damaged.laz", *np.random.default_rng(1).uniform(0, 50, (3, 20000)))
     data = bytearray(cloud.read_bytes())
@@ -108,6 +110,7 @@ def test_one_failed_tile_does_not_end_the_run(run, town, make_cloud, read_layer,
     assert (repaired["FAILED"], repaired["KEPT"]) == (0, 2)
 
 
+@pytest.mark.once
 def test_a_try_says_what_all_will_take(run, town, tmp_path):
     results = run_tiles(run, town, tmp_path, ESTIMATE=2)
     assert results["TILES"] == 2
@@ -115,6 +118,7 @@ def test_a_try_says_what_all_will_take(run, town, tmp_path):
     assert "estimate from 2 of" in report and "Work of all tiles" in report
 
 
+@pytest.mark.once
 def test_the_ground_over_tiles_is_that_of_one_run(run, town, tmp_path):
     from urbanmap_qgis.io.raster import read_raster
 
@@ -152,6 +156,7 @@ def test_an_area_without_anything_is_said(run, town, make_cloud, tmp_path):
         run_tiles(run, town, tmp_path, POINTS=[str(far)])
 
 
+@pytest.mark.once
 def test_records_tell_time_and_outputs(run, town, tmp_path):
     run_tiles(run, town, tmp_path, ESTIMATE=1)
     record, = (json.loads(path.read_text(encoding="utf-8")) for path in Path(tmp_path).glob("run/tiles/*/tile.json"))
@@ -160,6 +165,7 @@ def test_records_tell_time_and_outputs(run, town, tmp_path):
     assert not list(Path(tmp_path).glob("run/tiles/*/inputs"))
 
 
+@pytest.mark.once
 def test_tiles_on_meshes_carry_their_codes(run, town, read_layer, tmp_path):
     results = run_tiles(run, town, tmp_path, GRID="mesh250m", SETTINGS="MIN_ROOF_AREA=20")
     tiles = read_layer(tmp_path / "tiles.gpkg")
@@ -171,6 +177,7 @@ def test_tiles_on_meshes_carry_their_codes(run, town, read_layer, tmp_path):
     assert sorted(row.attributes["building_id"] for row in merged) == sorted(town["heights"])
 
 
+@pytest.mark.once
 def test_tiles_on_map_sheets_carry_their_codes(run, town, read_layer, tmp_path):
     run_tiles(run, town, tmp_path, GRID="sheet500")
     assert {row.attributes["tile"] for row in read_layer(tmp_path / "tiles.gpkg")} == {"09JE9090", "09KE0000"}
@@ -206,6 +213,7 @@ def street(path, side=60.0, pixel=0.2):
     return path
 
 
+@pytest.mark.once
 def test_markings_across_tiles_are_there_once_and_whole(run, read_layer, tmp_path):
     from urbanmap_qgis.io.raster import read_raster
 
@@ -227,6 +235,7 @@ def test_markings_across_tiles_are_there_once_and_whole(run, read_layer, tmp_pat
     assert total[1] == pytest.approx(total[0], rel=0.02)
 
 
+@pytest.mark.once
 def test_a_mobile_survey_goes_by_stretches(run, small_city, tmp_path):
     from urbanmap_qgis.io.points.pointcloud import open_cloud, read_all
 
@@ -257,6 +266,7 @@ def test_stretches_are_no_meshes(run, small_city, tmp_path):
             "OUTPUT": "TEMPORARY_OUTPUT", "OUTPUT_FOLDER": str(tmp_path / "run")})
 
 
+@pytest.mark.once
 def test_frames_over_tiles_are_the_mosaic_of_one_run(run, small_city, tmp_path):
     from qgis.core import QgsProcessingException
 

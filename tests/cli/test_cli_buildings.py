@@ -1,4 +1,4 @@
-"""The building chain as a user runs it: `qgis_process`, stage by stage and in one command."""
+"""The building chain as a user runs it: `qgis_process`, in one command."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ import shapely
 
 from tests.solid_files import read_solids
 from urbanmap_qgis.buildings.solids.validity import check_solid
-from urbanmap_qgis.io.points.pointcloud import open_cloud, read_all
 
 EAST, NORTH = -7000.0, -35000.0
 PLAN = {"家": shapely.box(EAST, NORTH, EAST + 10, NORTH + 15),
@@ -89,35 +88,3 @@ def test_from_points_to_models_in_one_command(run_algorithm, survey, tmp_path):
     assert {row["surface_type"] for row in rows_of(folder / "面.gpkg")} == {
         "roof", "outer wall", "inner wall", "ground"}
     assert "</html>" in (folder / "報告.html").read_text(encoding="utf-8")
-
-
-def test_stage_by_stage(run_algorithm, survey, tmp_path):
-    def run(algorithm, **parameters):
-        done = run_algorithm(f"urbanmap:{algorithm}", **parameters)
-        assert done.code == 0, done.err
-        return done.results
-
-    buildings = run("segmentbuildings", **survey, OUTPUT=tmp_path / "建物.laz", OUTPUT_BUILDINGS=tmp_path / "建物.gpkg")
-    assert (buildings["BUILDINGS"], buildings["WITHOUT_POINTS"]) == (3, 1)
-    points = read_all(open_cloud([tmp_path / "建物.laz"]), ["building_id"])["building_id"]
-    assert len(points) == buildings["POINT_COUNT"]
-    assert set(points.tolist()) == {1, 2}
-
-    roofs = run("segmentroofs", POINTS=tmp_path / "建物.laz", FOOTPRINTS=tmp_path / "建物.gpkg",
-                OUTPUT=tmp_path / "屋根.laz", OUTPUT_ROOFS=tmp_path / "屋根.gpkg")
-    assert (roofs["ROOFS"], roofs["WITHOUT_ROOFS"]) == (3, 1)
-    found = {(row["building_id"], row["roof_id"]): row["height"] for row in rows_of(tmp_path / "屋根.gpkg")}
-    assert sorted(found.values()) == pytest.approx([10.0, 12.3, 16.0], abs=0.02)
-    cloud = read_all(open_cloud([tmp_path / "屋根.laz"]), ["building_id", "roof_id", "z"])
-    assert set(zip(cloud["building_id"].tolist(), cloud["roof_id"].tolist())) - {(1, 0), (2, 0)} == set(found)
-
-    polygons = run("roofpolygons", POINTS=tmp_path / "屋根.laz", FOOTPRINTS=tmp_path / "建物.gpkg",
-                   OUTPUT=tmp_path / "多角形.gpkg")
-    assert (polygons["ROOFS"], polygons["WITHOUT_ROOFS"]) == (3, 1)
-    assert styles_of(tmp_path / "多角形.gpkg") == 1
-
-    models = run("buildingmodels", ROOFS=tmp_path / "多角形.gpkg", FOOTPRINTS=tmp_path / "建物.gpkg",
-                 POINTS=tmp_path / "屋根.laz", OUTPUT=tmp_path / "モデル.gpkg",
-                 OUTPUT_CITYJSON=tmp_path / "都市.city.json")
-    assert "OUTPUT_SURFACES" not in models and "OUTPUT_MESH" not in models
-    check_models(tmp_path, models)

@@ -54,6 +54,7 @@ def ran(run_algorithm, tmp_path_factory):
     return folder, figures
 
 
+@pytest.mark.once
 def test_every_stage_is_close_to_the_truth(ran):
     _, figures = ran
     assert set(figures) == set(SANE), "give every stage of the demo its bounds here"
@@ -63,6 +64,7 @@ def test_every_stage_is_close_to_the_truth(ran):
             assert low <= figure.value <= high, f"{title}: {figure.what} is {figure.text}"
 
 
+@pytest.mark.once
 def test_checks_find_what_is_wrong(ran, tmp_path):
     """A surface lifted by 0.3 m and models of other buildings do not pass for right."""
     from osgeo import gdal

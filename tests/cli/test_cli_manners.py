@@ -1,11 +1,9 @@
-"""How a run behaves that cannot go on: missing packages, misspelt parameters, Ctrl-C."""
+"""How a run behaves with missing packages, misspelt parameters, another Python, numbers of choices."""
 
 from __future__ import annotations
 
 import dataclasses
 import os
-import signal
-import time
 
 import numpy as np
 import pytest
@@ -52,28 +50,6 @@ def test_unknown_parameter_is_told(run_algorithm, tmp_path, outlines, make_cloud
     assert "Unknown parameter EXPANSON is ignored; did you mean EXPANSION?" in str(done.log)
     assert (tmp_path / "出力.laz").is_file() and (tmp_path / "建物.gpkg").is_file()
     assert done.results["OUTPUT"] == str(tmp_path / "出力.laz")
-
-
-@pytest.mark.skipif(os.name == "nt", reason="Windows has no SIGINT for one process")
-def test_interrupted_run_ends_soon_and_leaves_nothing(linked_profile, tmp_path, outlines, make_cloud):
-    random = np.random.default_rng(1)
-    count = 6_000_000
-    cloud = make_cloud(tmp_path / "cloud.las", random.uniform(0, 100, count), random.uniform(0, 100, count),
-                       random.uniform(0, 30, count))
-    folder = tmp_path / "results"
-    folder.mkdir()
-    process = linked_profile().start(
-        "run", "urbanmap:segmentbuildings", "--", f"POINTS={cloud}", f"FOOTPRINTS={outlines}",
-        f"OUTPUT={folder / 'out.laz'}", f"OUTPUT_BUILDINGS={folder / 'out.gpkg'}")
-    end = time.monotonic() + 60
-    while not list(folder.iterdir()) and process.poll() is None and time.monotonic() < end:
-        time.sleep(0.02)
-    assert process.poll() is None, "the run ended before it could be interrupted"
-    process.send_signal(signal.SIGINT)
-    out, err = process.communicate(timeout=60)
-    assert process.returncode == 1, out + err
-    assert "The run was cancelled." in err
-    assert list(folder.iterdir()) == []
 
 
 def other_python():

@@ -1,4 +1,4 @@
-"""A run over tiles in real processes: killed in the middle, gone on with, the same in the end."""
+"""A run over tiles in real processes: workers that are killed, a cluster. Killed runs: test_cli_soak.py."""
 
 from __future__ import annotations
 
@@ -43,32 +43,6 @@ def town(synthetic, make_cloud, tmp_path_factory):
 def settings(town, folder, workers):
     return {"ALGORITHM": "buildingsfromals", **town, "TILE": TILE, "BUFFER": 20, "WORKERS": workers,
             "MIN_ROOF_AREA": 20, "OUTPUT": folder / "tiles.gpkg", "OUTPUT_FOLDER": folder / "run"}
-
-
-@pytest.mark.skipif(os.name == "nt", reason="Windows kills by other means")
-def test_a_killed_run_goes_on_and_ends_as_one_that_was_not(linked_profile, town, tmp_path):
-    profile = linked_profile()
-    whole, cut = tmp_path / "whole", tmp_path / "cut"
-    whole.mkdir()
-    cut.mkdir()
-    done = profile.run_algorithm("urbanmap:tiledrun", **settings(town, whole, 1))
-    assert done.code == 0, done.err
-    assert done.results["DONE"] == 16
-    process = profile.start("run", "urbanmap:tiledrun", "--", *arguments_of(settings(town, cut, 2)),
-                            start_new_session=True)
-    until = time.monotonic() + 300
-    while len(list(cut.glob("run/tiles/*/tile.json"))) < 3:
-        assert process.poll() is None and time.monotonic() < until
-        time.sleep(0.05)
-    os.killpg(process.pid, signal.SIGKILL)
-    process.communicate()
-    kept = len([path for path in cut.glob("run/tiles/*/tile.json") if not path.parent.name.endswith(".part")])
-    assert not (cut / "tiles.gpkg").exists()
-    again = profile.run_algorithm("urbanmap:tiledrun", **settings(town, cut, 2))
-    assert again.code == 0, again.err
-    assert kept <= again.results["KEPT"] < 16 and again.results["DONE"] == 16
-    assert (cut / "run/merged/output.gpkg").read_bytes() == (whole / "run/merged/output.gpkg").read_bytes()
-    assert not list(cut.glob("run/tiles/*.part"))
 
 
 def workers_of(process):

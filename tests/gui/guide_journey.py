@@ -1,7 +1,7 @@
 """Runs inside QGIS's desktop (`qgis --code`): the dock from dropped files to loaded results, noted for the tests.
 
 URBANMAP_GUIDE names a JSON file: "city" (folder to drop), "report" (file to write after each step), "helpers"
-(folder of `inside_qgis`), "pictures" (a folder or "").
+(folder of `inside_qgis`).
 """
 
 from __future__ import annotations
@@ -16,28 +16,7 @@ TASK = json.loads(Path(os.environ["URBANMAP_GUIDE"]).read_text(encoding="utf-8")
 CITY = Path(TASK["city"])
 sys.path.insert(0, TASK["helpers"])
 
-from inside_qgis import settle, steps_done, wait_until  # noqa: E402
-
-
-def plugin():
-    from qgis import utils
-
-    return utils.plugins["urbanmap_qgis"]
-
-
-def picture(name: str) -> None:
-    """The main window as it looks."""
-    from qgis.PyQt.QtCore import Qt
-    from qgis.utils import iface
-
-    if not TASK["pictures"]:
-        return
-    window = iface.mainWindow()
-    window.showNormal()
-    window.resize(1380, 880)
-    window.resizeDocks([plugin().guide], [560], Qt.Orientation.Horizontal)
-    settle(1.0)
-    window.grab().save(str(Path(TASK["pictures"]) / f"{name}.png"))
+from inside_qgis import plugin, settle, steps_done, wait_until, wish  # noqa: E402
 
 
 def drop(paths: list[Path]) -> None:
@@ -53,13 +32,6 @@ def drop(paths: list[Path]) -> None:
     enter, event = QDragEnterEvent(QPoint(20, 20), *how), QDropEvent(QPointF(20, 20), *how)
     QApplication.sendEvent(tree.viewport(), enter)
     QApplication.sendEvent(tree.viewport(), event)
-
-
-def wish(word: str) -> None:
-    """Choose a wish."""
-    box = plugin().guide.wish
-    box.setCurrentIndex(box.findData(word))
-    settle()
 
 
 def states() -> dict:
@@ -84,7 +56,6 @@ def opened() -> dict:
     """The button opens the dock."""
     plugin().guide_action.trigger()
     settle(1.0)
-    picture("empty")
     return {"visible": plugin().guide.isVisible(), "steps": states()}
 
 
@@ -102,11 +73,9 @@ def planned() -> dict:
     """Buildings wished for; the first step's own dialog could run at once."""
     from qgis.core import QgsProcessingContext
 
-    picture("files")
     guide = plugin().guide
     guide.pages.setCurrentIndex(1)
     wish("buildings")
-    picture("planned")
     found = {"steps": states(), "missing": guide.missing.text(), "job": str(guide.path), "kept": guide.path.is_file()}
     guide.open_step("buildings")
     settle(0.5)
@@ -125,13 +94,11 @@ def ran() -> dict:
     guide.steps.run.click()
     wait_until(lambda: moves or not guide.runner.busy(), "no progress")
     settle(0.5)
-    picture("running")
     told = progress[0]
     wait_until(lambda: not guide.runner.busy(), "the run did not end")
     settle(0.5)
     told = [told, guide.steps.told.text()]
     guide.steps.tree.setCurrentItem(guide.steps.tree.topLevelItem(0))
-    picture("done")
     return {"steps": states(), "layers": loaded(), "moves": len(moves), "told": [*told, guide.steps.told.text()],
             "report": guide.steps.report.isEnabled()}
 
@@ -190,7 +157,6 @@ def cancelled() -> dict:
     guide = plugin().guide
     wish("survey")
     before, moves = states(), []
-    picture("survey")
     guide.runner.moved.connect(moves.append)
     guide.steps.run.click()
     wait_until(lambda: moves or not guide.runner.busy(), "no progress")
@@ -227,7 +193,6 @@ def used() -> dict:
     row.setSelected(True)
     settle()
     offered, played = [box.itemText(number) for number in range(box.count())], row.text(1)
-    picture("use")
 
     def choose(use: str) -> list:
         box.setCurrentIndex(box.findData(use))
@@ -254,9 +219,6 @@ def imported() -> dict:
     sentence = dialog.told.text()
     box.setCurrentIndex(box.findData("heading"))
     dialog.name.setText("社内")
-    if TASK["pictures"]:
-        settle(0.5)
-        dialog.grab().save(str(Path(TASK["pictures"]) / "import.png"))
     before = len(guide.files.given)
     written = dialog.write(str(CITY / "out.csv"))
     wait_until(lambda: not guide.files.recognition.busy(), "files were not recognised")
@@ -291,9 +253,6 @@ def placed() -> dict:
     dialog.open_file(str(table))
     settle(0.2)
     offered, place = dialog.crs.crs().authid(), dialog.placed.text()
-    if TASK["pictures"]:
-        settle(0.5)
-        dialog.grab().save(str(Path(TASK["pictures"]) / "import_degrees.png"))
     shown = [widget.isVisible() for widget in (dialog.crs, dialog.north, dialog.heights, dialog.geoid)]
     refused = [dialog.write(str(CITY / "laid.csv")), dialog.told.text()]
     dialog.heights.setCurrentIndex(dialog.heights.findData("ellipsoidal"))

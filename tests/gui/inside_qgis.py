@@ -27,6 +27,20 @@ def wait_until(done: Callable[[], bool], what: str, patience: float = 300.0) -> 
         settle()
 
 
+def plugin():
+    """The plugin as QGIS has loaded it."""
+    from qgis import utils
+
+    return utils.plugins["urbanmap_qgis"]
+
+
+def wish(word: str) -> None:
+    """Choose a wish in the dock."""
+    box = plugin().guide.wish
+    box.setCurrentIndex(box.findData(word))
+    settle()
+
+
 def steps_done(steps: Sequence[Callable[[], dict]], report_file: Path) -> Iterator[dict]:
     """Do the steps one after another; after each its entry of the report, which is written."""
     from qgis import utils

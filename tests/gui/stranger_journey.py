@@ -16,13 +16,7 @@ TASK = json.loads(Path(os.environ["URBANMAP_STRANGER"]).read_text(encoding="utf-
 CITY, MOVED = Path(TASK["city"]), Path(TASK["moved"])
 sys.path.insert(0, TASK["helpers"])
 
-from inside_qgis import settle, steps_done, wait_until  # noqa: E402
-
-
-def plugin():
-    from qgis import utils
-
-    return utils.plugins["urbanmap_qgis"]
+from inside_qgis import plugin, settle, steps_done, wait_until, wish  # noqa: E402
 
 
 def docks() -> list[bool]:
@@ -48,12 +42,6 @@ def layers() -> list:
 
 def recognised(guide) -> None:
     wait_until(lambda: guide.files.findings.facts and not guide.files.recognition.busy(), "files were not recognised")
-
-
-def wish(word: str) -> None:
-    box = plugin().guide.wish
-    box.setCurrentIndex(box.findData(word))
-    settle()
 
 
 def run() -> str:

@@ -20,17 +20,17 @@ ALS = {"POINTS": ["city:als/als.laz"], "FOOTPRINTS": "city:footprints/gsi_buildi
 MAP = {"BUILDINGS": "city:models/buildings.geojson", "NAVIGATION": ["city:gnss/satellites.nav"]}
 WANTED = "TEMPORARY_OUTPUT"
 RUNS = {
-    "segmentbuildings": (ALS, 3, 1, {"Buildings": "segmented_buildings"}),
-    "roadmarkingsfromorthophoto": ({"INPUT": "city:aerial/ortho.tif"}, 3, 1, {
+    "segmentbuildings": (ALS, 2, 1, {"Buildings": "segmented_buildings"}),
+    "roadmarkingsfromorthophoto": ({"INPUT": "city:aerial/ortho.tif"}, 2, 1, {
         "Marking mask": "marking_mask", "Road markings": "road_markings"}),
     "checkaccuracy": ({"TRAJECTORY": "city:mms/survey_01_trajectory.csv", "CRS": "EPSG:6677",
-                       "CONTROL": "city:truth/control_survey_01.csv"}, 3, 1, {"Residuals": "control_residuals"}),
+                       "CONTROL": "city:truth/control_survey_01.csv"}, 2, 1, {"Residuals": "control_residuals"}),
     "rectifytrajectory": ({"TRAJECTORY": "city:lines/trajectory.csv", "TIE_POINTS": "city:lines/tie_points.csv",
-                           "OUTPUT_SETS": WANTED, "OUTPUT_EPOCHS": WANTED}, 3, 1, {
+                           "OUTPUT_SETS": WANTED, "OUTPUT_EPOCHS": WANTED}, 2, 1, {
         "Sets": "rectification_sets", "Epochs": "rectification_epochs"}),
-    "satellitevisibility": ({**MAP, "TIME": "2024-04-18 02:00:00", "RESOLUTION": 8.0, "OUTPUT_RASTER": WANTED}, 3, 1, {
+    "satellitevisibility": ({**MAP, "TIME": "2024-04-18 02:00:00", "RESOLUTION": 8.0, "OUTPUT_RASTER": WANTED}, 2, 1, {
         "Visible satellites": "satellite_visibility", "Visible satellites over the area": "satellite_visibility_area"}),
-    "localisationaccuracy": ({**MAP, "TRAJECTORY": ["city:truth/survey_01_trajectory.csv"], "SPACING": 10.0}, 3, 1, {
+    "localisationaccuracy": ({**MAP, "TRAJECTORY": ["city:truth/survey_01_trajectory.csv"], "SPACING": 10.0}, 2, 1, {
         "Localisation accuracy": "localisation_accuracy"}),
     "buildingsfromals": (ALS, 2, 0, {"Building models": "building_models"}),
     "tiledrun": ({**ALS, "ALGORITHM": "buildingsfromals", "TILE": 100.0, "OUTPUT_FOLDER": "made:tiles"}, 1, 0, {

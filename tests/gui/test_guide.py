@@ -22,7 +22,7 @@ def told(small_city, tmp_path_factory):
     profile = profile_with_packages(folder)
     (folder / "task.json").write_text(json.dumps({
         "city": str(folder / "city"), "report": str(folder / "report.json"),
-        "helpers": str(Path(__file__).parent), "pictures": ""}), encoding="utf-8")
+        "helpers": str(Path(__file__).parent)}), encoding="utf-8")
     try:
         windows().open_desktop(Path(__file__).with_name("guide_journey.py"), folder, profile,
                                URBANMAP_GUIDE=str(folder / "task.json"))

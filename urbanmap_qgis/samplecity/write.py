@@ -16,7 +16,7 @@ import numpy as np
 
 from ..errors import OutputError
 from ..progress import SILENT, Progress
-from ..wording import say
+from ..wording import known, mark, say
 from .aerial.stage import write_aerial
 from .drive.lines import write_lines
 from .drive.mms import write_mms
@@ -47,12 +47,12 @@ class Sensor:
 
 # The longest first, so that two workers end at about the same time.
 SENSORS = {
-    "aerial": Sensor(write_aerial, 101, 0.45, "Aerial frames and orthophoto"),
-    "mms": Sensor(write_mms, 102, 0.30, "Mobile surveys"),
-    "lines": Sensor(write_lines, 103, 0.13, "Line scanners and line cameras"),
-    "gnss": Sensor(write_gnss, 104, 0.07, "GNSS observations"),
-    "als": Sensor(write_als, 105, 0.04, "Airborne laser scanning"),
-    "footprints": Sensor(write_outlines, 106, 0.01, "Official outlines"),
+    "aerial": Sensor(write_aerial, 101, 0.45, mark("Aerial frames and orthophoto")),
+    "mms": Sensor(write_mms, 102, 0.30, mark("Mobile surveys")),
+    "lines": Sensor(write_lines, 103, 0.13, mark("Line scanners and line cameras")),
+    "gnss": Sensor(write_gnss, 104, 0.07, mark("GNSS observations")),
+    "als": Sensor(write_als, 105, 0.04, mark("Airborne laser scanning")),
+    "footprints": Sensor(write_outlines, 106, 0.01, mark("Official outlines")),
 }
 
 CONTENTS = """A made-up city block with known truth, scene "{scene}", seed {seed}, side {size:g} m. {crs}, heights in
@@ -124,7 +124,7 @@ def _measure(work: Path, world: tuple, progress: Progress, executor: Executor | 
         return _measure_together(work, world, progress, executor)
     summary, done, total = {}, 0.0, sum(sensor.share for sensor in SENSORS.values())
     for name, sensor in SENSORS.items():
-        progress.message(sensor.text)
+        progress.message(known(sensor.text))
         part = progress.part(done / total, (done + sensor.share) / total)
         summary[name] = _run(name, work, world, part)
         done += sensor.share

@@ -12,7 +12,7 @@ from scipy.spatial import cKDTree
 from ...errors import InputError
 from ...progress import SILENT, Progress
 from ...settings.roadmap import ComparisonSettings
-from ...wording import say
+from ...wording import mark, say
 from .area_changes import (
     REACH,
     PairDifferences,
@@ -152,7 +152,7 @@ def _noises(old, new, samples: LineSamples, matches: LineMatches, old_lines, lin
         sigmas = [np.array([one.sigma for one in part if one.element == element])[pairs[:, k]]
                   for k, part in enumerate((old, new))]
         pooled.append(differences.reshape(-1))
-        for k, word in enumerate(("along", "across")):
+        for k, word in enumerate((mark("along"), mark("across"))):
             stated = sigmas if k == 0 or element != STOP_LINE else [np.full(len(pairs), np.nan)] * 2
             by_element[f"{element}, {word}"] = estimated_noise(differences[:, k], *stated, np.zeros(len(pairs)), given,
                                                                len(pairs)) if len(pairs) else None
