@@ -16,6 +16,7 @@ from urbanmap_qgis.citymodel.model import CityReference
 from urbanmap_qgis.citymodel.named_reference import named_reference
 from urbanmap_qgis.citymodel.reading_notes import ReadingNotes
 from urbanmap_qgis.citymodel.tables.building_table import TableNotes, building_rows
+from urbanmap_qgis.citymodel.unknown_values import known_attributes
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.io.osm import read_osm
 
@@ -164,3 +165,5 @@ def test_values_for_unknown_become_empty_and_heights_top_less_ground(tmp_path):
     assert [values[name] for name in ("yearOfConstruction", "measuredHeight", "storeysAboveGround")] == [None] * 3
     assert values["storeysBelowGround"] == 1 and json.loads(values["attributes"])["measuredHeight"] == -9999
     assert notes.unknown == {"yearOfConstruction": 1, "measuredHeight": 1, "storeysAboveGround": 1}
+    assert known_attributes({"uro": [{"height": 9999, "name": "9999"}], "yearOfConstruction": "0001"}) == {
+        "uro": [{"height": None, "name": "9999"}], "yearOfConstruction": None}

@@ -302,6 +302,9 @@ def test_zips_and_databases(small_city, tmp_path):
     packed = tmp_path / "day.nav.gz"
     packed.write_bytes(gzip.compress((small_city / "gnss/satellites.nav").read_bytes()))
     assert recognise_file(packed)[0].kind == "navigation"
+    packed = tmp_path / "town.city.json.gz"
+    packed.write_bytes(gzip.compress(json.dumps({"type": "CityJSON", "CityObjects": {"a": {}}}).encode()))
+    assert [(one.path, one.kind, one.count) for one in recognise_file(packed)] == [(packed, "city_model", 1)]
 
 
 def test_folders_leave_out_what_belongs_to_other_files(tmp_path):

@@ -21,6 +21,14 @@ UNKNOWN_HEIGHT = -9999.0
 """Height of a corner of which the height is not known, m."""
 
 
+def known_attributes(plain: Any, name: str = "") -> Any:
+    """Attributes as JSON has them, with null for what stands for "unknown", at any depth."""
+    if isinstance(plain, dict):
+        return {key: known_attributes(value, key) for key, value in plain.items()}
+    return [known_attributes(value, name) for value in plain] if isinstance(plain, list) else known_value(
+        name, plain, Counter())
+
+
 def known_value(name: str, value: Any, unknown: Counter) -> Any:
     """A number or text, or None where it stands for "unknown", which is counted under the attribute's name."""
     try:

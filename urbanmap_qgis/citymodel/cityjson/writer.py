@@ -36,6 +36,7 @@ from ..model import (
 from ..objects import unique_objects, with_area_surfaces
 from ..plain_values import plain_attributes
 from ..reference import compound_epsg
+from ..unknown_values import known_attributes
 from .vertices import VertexList, json_text, write_end
 
 THEME = "facades"
@@ -123,8 +124,8 @@ def _entries(item: CityObject, vertices: VertexList, appearance: _Appearance,
     if belonging:
         entry["children"] = [one.id for one in belonging]
     postal = _addresses(item)
-    attributes = plain_attributes({name: value for name, value in item.attributes.items()
-                                   if name != ADDRESS or not postal})
+    attributes = known_attributes(plain_attributes({name: value for name, value in item.attributes.items()
+                                                    if name != ADDRESS or not postal}))
     if inner:
         attributes["interior"] = True
     if item.problems:

@@ -25,6 +25,7 @@ from ..gltf.looks import is_image, look_of, surface_triangles
 from ..model import MULTI_SURFACE, SOLID, CityModel, CityObject, CityReference, CityShape
 from ..objects import unique_objects, with_area_surfaces
 from ..plain_values import plain_attributes
+from ..unknown_values import known_attributes
 from .tile_content import TileBuilding, write_tile
 from .tile_scratch import append_building, stored_buildings
 
@@ -163,7 +164,7 @@ def _to_degrees(reference: CityReference) -> Callable[[np.ndarray], np.ndarray]:
 
 def _sort_in(building: CityObject, to_degrees, geoid: GeoidHeights | None, cells: dict, scratch: Path) -> None:
     """Append a building's triangles, plain and detailed, to the files of its cell."""
-    attributes = {"id": building.id, **plain_attributes(building.attributes)}
+    attributes = {"id": building.id, **known_attributes(plain_attributes(building.attributes))}
     plain, detailed = _levels(building)
     if not detailed:
         return

@@ -9,6 +9,7 @@ from __future__ import annotations
 import gzip
 import math
 import os
+import tempfile
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -17,9 +18,10 @@ import shapely
 
 from ...errors import InputError, UrbanMapError
 from ...io.files.guard import PARSER_ERRORS
+from ...io.files.packed import read_unpacked, unpacked_name
 from ...progress import SILENT, Progress
 from ...wording import say
-from ..file_facts import MESH, OTHER, REPORT, SCANS, FileFacts
+from ..file_facts import CITY_MODEL, MESH, OTHER, REPORT, SCANS, FileFacts
 from .cloud_facts import cloud_facts
 from .gnss_facts import gnss_facts, is_gnss
 from .json_facts import json_facts
@@ -156,16 +158,22 @@ def _is_mesh(file: Path, head: bytes) -> bool:
 
 
 def _packed_facts(file: Path, head: bytes) -> Iterable[FileFacts]:
-    """A gzipped file: RINEX, or a table of scans, told from the start of what is packed."""
+    """A gzipped file: RINEX, a city model, or a table of scans, told from the start of what is packed."""
     try:
         with gzip.open(file) as stream:
             inner = stream.read(HEAD_BYTES)
+        if is_gnss(inner):
+            return gnss_facts(file, inner)
+        with tempfile.TemporaryDirectory() as folder:
+            plain = Path(folder) / unpacked_name(file).name
+            is_model = _is_xml(file, inner) or _is_json(file, inner)
+            plain.write_bytes(read_unpacked(file) if is_model else inner[:inner.rfind(b"\n") + 1])
+            (facts, *_) = _by_content(plain, inner)
     except (OSError, EOFError) as error:
         raise InputError(say("{name} is not a sound gzip file: fetch it again.", name=file.name)) from error
-    if is_gnss(inner):
-        return gnss_facts(file, inner)
-    return [facts if facts.kind == SCANS else FileFacts(file, OTHER, detail=say("packed"))
-            for facts in table_facts(file, inner, packed=True)]
+    if facts.kind == CITY_MODEL:
+        return [replace(facts, path=file)]
+    return [FileFacts(file, SCANS) if facts.kind == SCANS else FileFacts(file, OTHER, detail=say("packed"))]
 
 
 _READERS: tuple[tuple[Callable[[Path, bytes], bool], Callable[[Path, bytes], Iterable[FileFacts]]], ...] = (

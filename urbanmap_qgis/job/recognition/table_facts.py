@@ -117,15 +117,13 @@ _TRIED: tuple[tuple[str, Callable[[Path, Path], FileFacts]], ...] = (
     (CLOUD_CONTROL, _cloud_control_facts))
 
 
-def table_facts(path: Path, head: bytes, packed: bool = False) -> list[FileFacts]:
-    """What a text file is; `head`: its first bytes, unpacked where it is `packed`.
+def table_facts(path: Path, head: bytes) -> list[FileFacts]:
+    """What a text file is; `head`: its first bytes.
 
     Raises
     ------
     InputError : a table of a known kind that its reader refuses.
     """
-    if packed:
-        return [FileFacts(path, SCANS if _names_in(head) >= _SIGNATURES[SCANS] else OTHER)]
     if b"\0" in head and not head.startswith((b"\xff\xfe", b"\xfe\xff")):
         return [FileFacts(path, OTHER)]
     with tempfile.TemporaryDirectory() as folder:
