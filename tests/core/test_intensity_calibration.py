@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.errors import InsufficientDataError
-from urbanmap_qgis.mobile.markings.intensity_calibration import LIMITS, RangeHistogram, calibrated, fit_curve
+from urbanmap_qgis.mobile.markings.intensity_calibration import LEVEL, RangeHistogram, calibrated, fit_curve
 
 
 def drawn(law, seed=1, points=200_000, near=5.0, far=25.0, scatter=0.1, shares=((1.0, 0.0, 1.0),), steps=None):
@@ -134,4 +134,4 @@ def test_levels_stand_for_the_intensities_counted_in_them():
         histogram.add(np.array([5.0]), np.array([intensity]))
         level = int(histogram.counts.sum(axis=0).argmax())
         assert histogram.counts.sum() == 1
-        assert histogram.level_values()[level] == pytest.approx(np.log(intensity), abs=0.5001 * LIMITS.level)
+        assert histogram.level_values()[level] == pytest.approx(np.log(intensity), abs=0.5001 * LEVEL)

@@ -22,26 +22,18 @@ from .trajectory import Trajectory, interpolate
 MEASURED = 200.0
 """m: no scanner of a survey vehicle is used farther out."""
 
-
-@dataclass(frozen=True)
-class SurveyChecksLimits:
-    """Limits of survey checks, each with its unit."""
-
-    seen_beside: float = 25.0  # m to either side of the path within which markings are taken.
-    most: float = 0.9  # of the path; less is told
-    samples: int = 500
-    over_ground: float = 15.0  # m; no body of a vehicle is higher
-    clocks: float = 60.0  # s; clocks that differ by up to this are looked for
-    alike: float = 1.5  # s; a difference is known no better, as scanners look forward or back
-    known: float = 0.25  # of the samples
-    nearer: float = 1.25  # times; as much nearer to the path points must lie at other times to be told
-    surely: float = 2.0  # times; then a usual difference of clocks is refused
-    # m by which a body is never above all points, or below them
-    above: float = 30.0
-    below: float = 5.0
-
-
-LIMITS = SurveyChecksLimits()
+SEEN_BESIDE = 25.0  # m to either side of the path within which markings are taken.
+MOST = 0.9  # of the path; less is told
+SAMPLES = 500
+OVER_GROUND = 15.0  # m; no body of a vehicle is higher
+CLOCKS = 60.0  # s; clocks that differ by up to this are looked for
+ALIKE = 1.5  # s; a difference is known no better, as scanners look forward or back
+KNOWN = 0.25  # of the samples
+NEARER = 1.25  # times; as much nearer to the path points must lie at other times to be told
+SURELY = 2.0  # times; then a usual difference of clocks is refused
+# m by which a body is never above all points, or below them
+ABOVE = 30.0
+BELOW = 5.0
 
 _CLOCKS = {mark("UTC against GPS time, 18 s since 2017 and 17 s before"): (17.0, 18.0),
            mark("UTC against TAI, 37 s since 2017 and 36 s before"): (36.0, 37.0)}
@@ -72,7 +64,7 @@ def require_survey(cloud: PointCloud, trajectory: Trajectory) -> None:
     """
     span = sampled_span(cloud)
     shift = time_shift(cloud, trajectory, span)
-    time = np.linspace(span[0] + shift, span[1] + shift, LIMITS.samples)
+    time = np.linspace(span[0] + shift, span[1] + shift, SAMPLES)
     place = interpolate(trajectory, time, "hold").place
     name, low, high = cloud.paths[0].name, cloud.minimum, cloud.maximum
     away = _box(low, high).distance(place[:, 0], place[:, 1]).min()
@@ -80,7 +72,7 @@ def require_survey(cloud: PointCloud, trajectory: Trajectory) -> None:
         raise InputError(say("{name} lies {length} from where the vehicle was at its times: {reason}.", name=name,
                              length=_length(away), reason=_reason(_box(low, high), place)))
     above, below = place[:, 2].min() - high[2], low[2] - place[:, 2].max()
-    if above > LIMITS.above or below > LIMITS.below:
+    if above > ABOVE or below > BELOW:
         raise InputError(say("All points of {name} lie more than {above:.0f} m {value} the trajectory: heights above "
                              "the ellipsoid and above sea level cannot be mixed; convert one of them (a geoid model "
                              "can be given for SBET).", name=name, above=max(above, below),
@@ -91,7 +83,7 @@ def require_survey(cloud: PointCloud, trajectory: Trajectory) -> None:
 def _require_clock(cloud: PointCloud, trajectory: Trajectory, shift: float) -> None:
     """Tell of samples that lie nearer to where the vehicle was some seconds before or after; refuse UTC and TAI."""
     time, place = sampled_points(cloud)
-    most = np.floor(min(LIMITS.clocks, 0.5 * np.ptp(time))) if len(time) else 0.0  # in less time all is near
+    most = np.floor(min(CLOCKS, 0.5 * np.ptp(time))) if len(time) else 0.0  # in less time all is near
     later = np.arange(-most, most + 1.0)
     now = len(later) // 2
     away, along = _places_later(time, place, trajectory, shift, later) if most else np.full((2, 1), np.nan)
@@ -100,15 +92,15 @@ def _require_clock(cloud: PointCloud, trajectory: Trajectory, shift: float) -> N
     best = int(np.nanargmin(away))
     seconds, ratio = float(later[best]), away[now] / max(away[best], ROUNDING)
     # A scanner that looks ahead or back does so by the same length at any speed, a wrong clock does not.
-    if abs(seconds) <= LIMITS.alike or ratio < LIMITS.nearer or along[best] > LIMITS.nearer * along[now]:
+    if abs(seconds) <= ALIKE or ratio < NEARER or along[best] > NEARER * along[now]:
         return
     named = [known(clocks) for clocks, (low, high) in _CLOCKS.items()
-             if low - LIMITS.alike <= abs(seconds) <= high + LIMITS.alike]
+             if low - ALIKE <= abs(seconds) <= high + ALIKE]
     text = say("The points of {name} lie {now:.0f} m (median) from where the vehicle was at their times, but "
                "{near:.0f} m from where it was about {seconds:.0f} s {value}: their clocks seem to differ{clocks}.",
                name=cloud.paths[0].name, now=away[now], near=away[best], seconds=abs(seconds),
                value=say("later") if seconds > 0 else say("earlier"), clocks=f" ({named[0]})" if named else "")
-    if named and ratio >= LIMITS.surely:
+    if named and ratio >= SURELY:
         raise InputError(text)
     notice(text)
 
@@ -123,7 +115,7 @@ def _places_later(time: np.ndarray, place: np.ndarray, trajectory: Trajectory, s
     for k, seconds in enumerate(later):
         at = time + shift + seconds
         known_at = trajectory.within(at)
-        if known_at.mean() >= LIMITS.known:
+        if known_at.mean() >= KNOWN:
             x, y, east, north = (np.interp(at[known_at], trajectory.time, axis)
                                  for axis in (*trajectory.place[:, :2].T, *course.T))
             x, y = place[known_at].T - [x, y]
@@ -159,9 +151,9 @@ def require_reference(trajectory: Trajectory, span: tuple[float, float] | None, 
     InputError : no part of the path lies in them, or the vehicle is far above or below the ground.
     """
     first, last = span or (trajectory.time[0], trajectory.time[-1])
-    time = np.linspace(max(first, trajectory.time[0]), min(last, trajectory.time[-1]), LIMITS.samples)
+    time = np.linspace(max(first, trajectory.time[0]), min(last, trajectory.time[-1]), SAMPLES)
     x, y, z = interpolate(trajectory, time, "hold").place.T
-    boxes = [(say("The reference markings"), _markings_box(reference), LIMITS.seen_beside)]
+    boxes = [(say("The reference markings"), _markings_box(reference), SEEN_BESIDE)]
     if reference.ground is not None:
         boxes.append((say("The ground elevation"), _raster_box(reference.ground), 0.0))
     for what, box, beside in boxes:
@@ -171,13 +163,13 @@ def require_reference(trajectory: Trajectory, span: tuple[float, float] | None, 
             reach = "lie" if what.endswith("s") else "lies"
             raise InputError(say("{what} {reach} {length} from the path of the survey: give those of the same place.",
                                  what=what, reach=reach, length=_length(float(away.min()))))
-        if share < LIMITS.most:
+        if share < MOST:
             progress.warn(say("{what} cover{value} {share:.0f} % of the path only: the rest cannot be registered.",
                               what=what, value="" if what.endswith("s") else "s", share=100 * share))
     if reference.ground is not None:
         height = z - reference.heights(x, y)
         middle = float(np.median(height[np.isfinite(height)])) if np.isfinite(height).any() else 0.0
-        if not -LIMITS.below <= middle <= LIMITS.over_ground:
+        if not -BELOW <= middle <= OVER_GROUND:
             raise InputError(say("The vehicle is {middle:.0f} m {value} the ground elevation: heights above the "
                                  "ellipsoid and above sea level cannot be mixed, convert one of the two (a geoid "
                                  "model can be given for SBET).", middle=abs(middle),

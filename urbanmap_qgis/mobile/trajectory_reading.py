@@ -23,19 +23,11 @@ ANGLES = ("degrees", "radians", "degrees_from_east", "radians_from_east")
 ANGLE_NAMES = (mark("degrees clockwise from grid north"), mark("radians clockwise from grid north"),
                mark("degrees counter-clockwise from east"), mark("radians counter-clockwise from east"))
 
-
-@dataclass(frozen=True)
-class TrajectoryReadingLimits:
-    """Limits of trajectory reading, each with its unit."""
-
-    step: float = 2.0  # m of path over which the direction of travel is taken
-    steps: int = 8  # so many of them say enough
-    agrees: float = 5.0  # degrees; side slip and the mounting of the inertial unit stay below
-    strange: float = 20.0
-    clearly: float = 3.0
-
-
-LIMITS = TrajectoryReadingLimits()
+STEP = 2.0  # m of path over which the direction of travel is taken
+STEPS = 8  # so many of them say enough
+AGREES = 5.0  # degrees; side slip and the mounting of the inertial unit stay below
+STRANGE = 20.0
+CLEARLY = 3.0
 
 _RADIAN_LIMIT = 2.0 * np.pi + 0.01
 
@@ -90,10 +82,10 @@ def judged_headings(trajectory: Trajectory, angles: np.ndarray, counted: str, na
                              max=np.abs(angles).max()))
     away = {way: _away(trajectory, angles, way) for way in ANGLES}
     off = away[counted]
-    if not np.isfinite(off) or off <= LIMITS.agrees:
+    if not np.isfinite(off) or off <= AGREES:
         return []
     best = min(away, key=lambda way: away[way])
-    if best != counted and angles.any() and away[best] <= LIMITS.agrees and off > LIMITS.clearly * away[best]:
+    if best != counted and angles.any() and away[best] <= AGREES and off > CLEARLY * away[best]:
         raise InputError(say("{name}: the headings lie {off:.0f}° beside the direction of travel (median), but read "
                              "as {angle_names} they go with it ({away:.1f}°): say that the angles are counted so, or "
                              "convert them to {angle_names_2}.", name=name, off=off,
@@ -103,10 +95,10 @@ def judged_headings(trajectory: Trajectory, angles: np.ndarray, counted: str, na
         return [say("{name} holds no attitude: roll, pitch and heading are {angles} at all epochs. Mounting angles and "
                     "corrections of the attitude are wrong by it; export the trajectory with its angles.", name=name,
                     angles=", ".join(f"{angle:g}" for angle in angles[0]))]
-    if off > 180.0 - LIMITS.agrees:
+    if off > 180.0 - AGREES:
         return [say("{name}: the vehicle drove backwards, or its headings are half a turn off: they point against "
                     "the direction of travel.", name=name)]
-    if off > LIMITS.strange:
+    if off > STRANGE:
         return [say("{name}: the headings lie {off:.0f}° beside the direction of travel (median): where the body's x "
                     "axis does not point forward, the calibration must say the same; otherwise the headings are "
                     "wrong.", name=name, off=off)]
@@ -123,7 +115,7 @@ def axes_of_travel(orders: Mapping[bool, Trajectory]) -> bool | None:
     away = {x_north: _away(found, found.angles, "degrees") for x_north, found in orders.items()}
     better = min(away, key=lambda x_north: away[x_north])
     # Not known (NaN) is no answer either.
-    decided = away[better] <= LIMITS.agrees and away[not better] > max(LIMITS.strange, LIMITS.clearly * away[better])
+    decided = away[better] <= AGREES and away[not better] > max(STRANGE, CLEARLY * away[better])
     return better if decided else None
 
 
@@ -132,8 +124,8 @@ def _away(trajectory: Trajectory, angles: np.ndarray, counted: str) -> float:
     if counted.startswith("radians") and np.abs(angles).max(initial=0.0) > _RADIAN_LIMIT:
         return np.inf
     chainage = path_chainage(trajectory)
-    at = np.arange(0.0, chainage[-1] + ROUNDING, LIMITS.step)
-    if len(at) <= LIMITS.steps:
+    at = np.arange(0.0, chainage[-1] + ROUNDING, STEP)
+    if len(at) <= STEPS:
         return np.nan
     rising = np.concatenate([[True], np.diff(chainage) > 0])
     time = np.interp(at, chainage[rising], trajectory.time[rising])
@@ -142,7 +134,7 @@ def _away(trajectory: Trajectory, angles: np.ndarray, counted: str) -> float:
     heading = unwrapped(from_file_angles(angles, counted))[:, 2]
     middle = np.interp(0.5 * (time[1:] + time[:-1]), trajectory.time, heading)
     off = np.abs((middle - course + 180.0) % 360.0 - 180.0)[_driven(trajectory, time)]
-    return float(np.median(off)) if len(off) >= LIMITS.steps else np.nan
+    return float(np.median(off)) if len(off) >= STEPS else np.nan
 
 
 def _driven(trajectory: Trajectory, time: np.ndarray) -> np.ndarray:

@@ -11,20 +11,12 @@ import shapely
 from .map_records import Bound, MapLine, VectorMap
 from .node_heights import fill_heights
 
-
-@dataclass(frozen=True)
-class SigmaLimits:
-    """Limits of the standard deviations along bounds, each with its unit."""
-
-    station: float = 1.0  # Lines are looked for so densely along a bound, m.
-    near: float = 0.2  # A line so near to a bound is the one that it follows, m.
-    # Without a line a bound may leave its course by this share of the way to the nearest one beyond the first metre,
-    # as the centre lines of paint themselves do.
-    growth: float = 0.01
-    free_distance: float = 1.0  # m
-
-
-LIMITS = SigmaLimits()
+STATION = 1.0  # Lines are looked for so densely along a bound, m.
+NEAR = 0.2  # A line so near to a bound is the one that it follows, m.
+# Without a line a bound may leave its course by this share of the way to the nearest one beyond the first metre,
+# as the centre lines of paint themselves do.
+GROWTH = 0.01
+FREE_DISTANCE = 1.0  # m
 
 
 @dataclass(frozen=True)
@@ -66,10 +58,10 @@ def _course(built: VectorMap, bound: Bound, tree: shapely.STRtree, lines: Sequen
     """The stations of a bound, its nodes among them, with the sigma of the nearest line."""
     path = built.bound_points(bound)[:, :2]
     at = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1))])
-    chainage = np.union1d(at, np.arange(0.0, at[-1], LIMITS.station))
+    chainage = np.union1d(at, np.arange(0.0, at[-1], STATION))
     places = shapely.points(np.column_stack([np.interp(chainage, at, column) for column in path.T]))
     sigma = np.full(len(chainage), np.nan)
-    for row, line in tree.query_nearest(places, max_distance=LIMITS.near, all_matches=False).T:
+    for row, line in tree.query_nearest(places, max_distance=NEAR, all_matches=False).T:
         sigma[row] = _line_sigma(lines[line], tree.geometries[line], places[row])
     return _Course(chainage, sigma, np.searchsorted(chainage, at))
 
@@ -115,5 +107,5 @@ def _grown(course: _Course, ends: Sequence[tuple[float, float]]) -> np.ndarray:
             sigmas.append(course.sigma[row])
     nearest = np.argmin(ways, axis=0)[None]
     distance, sigma = (np.take_along_axis(np.array(one), nearest, axis=0)[0] for one in (ways, sigmas))
-    grown = np.hypot(sigma, LIMITS.growth * np.maximum(distance - LIMITS.free_distance, 0.0))
+    grown = np.hypot(sigma, GROWTH * np.maximum(distance - FREE_DISTANCE, 0.0))
     return np.where(np.isfinite(distance), grown, np.nan)

@@ -17,18 +17,11 @@ KINDS = (POLE, LAMP, SIGNAL, SIGN, TREE, BOLLARD)
 _NUMBERS = ("height", "diameter", "azimuth", "arm", "arm_height", "head_height", "board_width", "board_height",
             "board_z")
 
-
-@dataclass(frozen=True)
-class GoverningLimits:
-    """What tells that a signal is for those who wait at a stop line."""
-
-    ahead: tuple[float, float] = (-2.0, 45.0)  # m from the stop line: a signal at it or behind the junction
-    beside: float = 1.0  # m to either side of the lanes that end there
-    skew: float = 30.0  # degrees of an arm from the lanes' cross direction
-    course: float = 5.0  # m of a lane, over which its direction is taken
-
-
-LIMITS = GoverningLimits()
+# What tells that a signal is for those who wait at a stop line.
+AHEAD = (-2.0, 45.0)  # m from the stop line: a signal at it or behind the junction
+BESIDE = 1.0  # m to either side of the lanes that end there
+SKEW = 30.0  # degrees of an arm from the lanes' cross direction
+COURSE = 5.0  # m of a lane, over which its direction is taken
 
 
 @dataclass(frozen=True)
@@ -132,7 +125,7 @@ def signals_of_stop_lines(built: VectorMap) -> tuple[dict[int, list[int]], list[
         fits = [] if thing.head is None or not thing.sure else sorted(
             ((along, one) for one in approaches if (along := one.along(thing)) is not None), key=lambda fit: fit[0])
         first = fits[0][1] if fits else None
-        if first is not None and all(one.course @ first.course > np.cos(np.radians(LIMITS.skew)) for _, one in fits):
+        if first is not None and all(one.course @ first.course > np.cos(np.radians(SKEW)) for _, one in fits):
             governed.setdefault(first.stop, []).append(number)
             continue
         findings.append(Finding("signal without stop line", _why(thing, len(fits)), *thing.foot[:2].tolist()))
@@ -164,9 +157,9 @@ class _Approach:
         """How far ahead of the stop line a signal's head hangs above these lanes, m; None where it does not."""
         away = thing.head[:2] - self.place
         along, left = float(away @ self.course), float(away @ np.array([-self.course[1], self.course[0]]))
-        inside = self.across[0] - LIMITS.beside <= left <= self.across[1] + LIMITS.beside
-        squared = abs(float(thing.facing @ self.course)) < np.sin(np.radians(LIMITS.skew))
-        return along if LIMITS.ahead[0] <= along <= LIMITS.ahead[1] and inside and squared else None
+        inside = self.across[0] - BESIDE <= left <= self.across[1] + BESIDE
+        squared = abs(float(thing.facing @ self.course)) < np.sin(np.radians(SKEW))
+        return along if AHEAD[0] <= along <= AHEAD[1] and inside and squared else None
 
 
 def _approach(built: VectorMap, stop: int) -> _Approach | None:
@@ -177,7 +170,7 @@ def _approach(built: VectorMap, stop: int) -> _Approach | None:
     courses = []
     for number in lanes:
         centre = built.lanes[number].centre[:, :2]
-        before = centre[np.hypot(*(centre - centre[-1]).T) >= LIMITS.course]
+        before = centre[np.hypot(*(centre - centre[-1]).T) >= COURSE]
         courses.append(centre[-1] - (before[-1] if len(before) else centre[0]))
     course = np.sum([one / np.hypot(*one) for one in courses], axis=0)
     course /= np.hypot(*course)

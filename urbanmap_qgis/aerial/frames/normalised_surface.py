@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import os
-from dataclasses import dataclass
 
 import cv2
 import numpy as np
@@ -16,21 +15,13 @@ from ...io.raster import RasterSampler
 STEP = 2.5
 """Neighbouring heights this far apart, m, are a wall; so high, m, are the lower parts of a building at least."""
 
-
-@dataclass(frozen=True)
-class NormalisedSurfaceLimits:
-    """Limits of normalised surface, each with its unit."""
-
-    low_part_width: float = 4.0  # Wider than any vehicle, m.
-    low_part_reach: float = 15.0  # How far a lower part may lie from something raised, m.
-    # Share of a wall's height above which a cell is taken for its top. Points on walls scatter, and a surface
-    # holds the highest of what lies in a place, so that half the height stands outside the wall.
-    wall_share: float = 2 / 3
-    # Cells that the top of a wall stands outside the last raised cell's centre; its foot stands at half a cell.
-    top_outward: float = 0.35
-
-
-LIMITS = NormalisedSurfaceLimits()
+LOW_PART_WIDTH = 4.0  # Wider than any vehicle, m.
+LOW_PART_REACH = 15.0  # How far a lower part may lie from something raised, m.
+# Share of a wall's height above which a cell is taken for its top. Points on walls scatter, and a surface
+# holds the highest of what lies in a place, so that half the height stands outside the wall.
+WALL_SHARE = 2 / 3
+# Cells that the top of a wall stands outside the last raised cell's centre; its foot stands at half a cell.
+TOP_OUTWARD = 0.35
 
 _BEYOND = np.float32(1e9)
 
@@ -89,7 +80,7 @@ class NormalisedSurface:
         if not low_parts:
             z, above = self.heights(rows, columns, steepen)
             return z, above > threshold
-        halo = math.ceil((LIMITS.low_part_reach + LIMITS.low_part_width) / self.grid.cell) + 1
+        halo = math.ceil((LOW_PART_REACH + LOW_PART_WIDTH) / self.grid.cell) + 1
         outer, inner = self._widened(rows, columns, halo)
         z, above = self._next_heights(*outer, steepen)
         return np.array(z[inner]), with_low_parts(above, threshold, self.grid.cell)[inner]
@@ -125,7 +116,7 @@ def steepened_walls(z: np.ndarray) -> np.ndarray:
     """Heights (m, n) in which walls drop from one cell to the next.
 
     Triangles between a roof and the ground give the cells between the two heights that are neither. Where the 3 x 3
-    neighbours differ by more than `STEP`, a cell takes the highest of them where it reaches `LIMITS.wall_share` of the
+    neighbours differ by more than `STEP`, a cell takes the highest of them where it reaches `WALL_SHARE` of the
     difference, and the lowest otherwise.
     """
     unknown, square = np.isnan(z), np.ones((3, 3), np.uint8)
@@ -136,15 +127,15 @@ def steepened_walls(z: np.ndarray) -> np.ndarray:
     wall &= ~unknown
     at = np.flatnonzero(wall)
     low, high, steep = low.take(at), high.take(at), np.array(z)
-    steep.ravel()[at] = np.where(z.take(at) > low + np.float32(LIMITS.wall_share) * (high - low), high, low)
+    steep.ravel()[at] = np.where(z.take(at) > low + np.float32(WALL_SHARE) * (high - low), high, low)
     return steep
 
 
 def with_low_parts(above: np.ndarray, threshold: float, cell: float) -> np.ndarray:
     """Cells higher than the threshold, and the podiums and annexes at them.
 
-    These are lower than the threshold but higher than `STEP`, wider than `LIMITS.low_part_width` in both directions of
-    the raster, which no vehicle is, and within `LIMITS.low_part_reach` of a cell above the threshold.
+    These are lower than the threshold but higher than `STEP`, wider than `LOW_PART_WIDTH` in both directions of
+    the raster, which no vehicle is, and within `LOW_PART_REACH` of a cell above the threshold.
 
     Parameters
     ----------
@@ -154,9 +145,9 @@ def with_low_parts(above: np.ndarray, threshold: float, cell: float) -> np.ndarr
     high = above > threshold
     if threshold <= STEP or not high.any():
         return high
-    width = max(round(LIMITS.low_part_width / cell), 1)
+    width = max(round(LOW_PART_WIDTH / cell), 1)
     wide = np.ones((width, width), np.uint8)
-    near = np.ones((2 * round(LIMITS.low_part_reach / cell) + 1,) * 2, np.uint8)
+    near = np.ones((2 * round(LOW_PART_REACH / cell) + 1,) * 2, np.uint8)
     # Opening by squares of even width moves things by a cell, unless the second anchor mirrors the first.
     part = cv2.erode((above > STEP).astype(np.uint8), wide, anchor=(0, 0))
     part = cv2.dilate(part, wide, anchor=(width - 1, width - 1))
@@ -167,12 +158,12 @@ def wall_offsets(high: np.ndarray, cell: float) -> tuple[np.ndarray, np.ndarray]
     """Shifts in x and y, m, (m, n) each, that put walls where they are.
 
     A wall stands between the last raised cell and the first low one: the low cell's vertex, its foot, moves half a
-    cell towards its raised neighbours, the raised cell's, its top, `LIMITS.top_outward` towards its low ones.
+    cell towards its raised neighbours, the raised cell's, its top, `TOP_OUTWARD` towards its low ones.
     """
     flags = high.astype(np.float32)
     # Moves from low to raised neighbours: a foot goes with them, a top against them.
     east = np.array([[-1, 0, 1]] * 3, np.float32)
-    step = np.where(high, np.float32(-LIMITS.top_outward * cell), np.float32(cell / 2))
+    step = np.where(high, np.float32(-TOP_OUTWARD * cell), np.float32(cell / 2))
     shifts = [cv2.filter2D(flags, -1, kernel, borderType=cv2.BORDER_REPLICATE) for kernel in (east, -east.T)]
     step /= np.maximum(np.maximum(np.abs(shifts[0]), np.abs(shifts[1])), 1)
     return shifts[0] * step, shifts[1] * step

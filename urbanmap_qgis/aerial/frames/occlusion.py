@@ -30,20 +30,11 @@ HIDDEN = 255
 _STRIP_VERTICES = 1_000_000
 _STRIP_ROWS = 512
 
-
-@dataclass(frozen=True)
-class OcclusionLimits:
-    """Limits of occlusion, each with its unit."""
-
-    block: int = 256
-    probes: int = 64
-    deeper: float = 15.0
-    standing_height: float = 2.0
-    standing_share: float = 0.1
-
-
-LIMITS = OcclusionLimits()
-
+BLOCK = 256
+PROBES = 64
+DEEPER = 15.0
+STANDING_HEIGHT = 2.0
+STANDING_SHARE = 0.1
 
 DEFAULT_OCCLUSION = OcclusionSettings()
 
@@ -130,19 +121,19 @@ def frame_window(camera: FrameCamera, pose: ExteriorOrientation, surface: Normal
     InputError : the frame looks past the surface altogether.
     """
     grid, ground = surface.grid, surface.ground
-    column, row = np.meshgrid(np.linspace(-0.5, camera.width - 0.5, LIMITS.probes),
-                              np.linspace(-0.5, camera.height - 0.5, LIMITS.probes))
+    column, row = np.meshgrid(np.linspace(-0.5, camera.width - 0.5, PROBES),
+                              np.linspace(-0.5, camera.height - 0.5, PROBES))
     ray = frame_rays(camera, pose, column.ravel(), row.ravel())
     x, y = (values.ravel() for values in np.meshgrid(*(
-        np.linspace(low, high, LIMITS.probes) for low, high in zip(ground.grid.bounds[:2], ground.grid.bounds[2:]))))
+        np.linspace(low, high, PROBES) for low, high in zip(ground.grid.bounds[:2], ground.grid.bounds[2:]))))
     for _ in range(3):
         heights = ground.sample(x, y)
         if not np.isfinite(heights).any():
             break
         level = float(np.nanmedian(heights))
-        bounds = _reach(pose, ray, float(np.nanmin(heights)) - LIMITS.deeper, grid)
-        x, y = (values.ravel() for values in np.meshgrid(np.linspace(bounds[0], bounds[2], LIMITS.probes),
-                                                         np.linspace(bounds[1], bounds[3], LIMITS.probes)))
+        bounds = _reach(pose, ray, float(np.nanmin(heights)) - DEEPER, grid)
+        x, y = (values.ravel() for values in np.meshgrid(np.linspace(bounds[0], bounds[2], PROBES),
+                                                         np.linspace(bounds[1], bounds[3], PROBES)))
     else:
         rows, columns, part = grid.window(*bounds)
         seen = surface.known(*_meet(pose, ray, level))
@@ -199,8 +190,8 @@ def raise_footprints(surface: NormalisedSurface, footprints: Sequence, rows: sli
         shapely.prepare(outline)
         inside = shapely.contains_xy(outline, x, y)
         z, above = surface.heights(down, across)
-        standing = (above > min(settings.threshold, LIMITS.standing_height)) & inside
-        if not standing.any() or standing.sum() < LIMITS.standing_share * inside.sum():
+        standing = (above > min(settings.threshold, STANDING_HEIGHT)) & inside
+        if not standing.any() or standing.sum() < STANDING_SHARE * inside.sum():
             flat += 1
             continue
         nearest = distance_transform_edt(~standing, return_distances=False, return_indices=True)
@@ -282,7 +273,7 @@ def _strips(camera: FrameCamera, sides: SilhouetteEdges) -> Iterator[tuple[int, 
 def _write(output: str | os.PathLike, camera: FrameCamera, sides: SilhouetteEdges, progress: Progress) -> int:
     """Write the mask strip by strip; returns how many pixels are masked."""
     profile = {"driver": "GTiff", "width": camera.width, "height": camera.height, "count": 1, "dtype": "uint8",
-               "tiled": True, "blockxsize": LIMITS.block, "blockysize": LIMITS.block, "compress": "deflate",
+               "tiled": True, "blockxsize": BLOCK, "blockysize": BLOCK, "compress": "deflate",
                "zlevel": 1, "bigtiff": "if_safer"}
     hidden = 0
     try:

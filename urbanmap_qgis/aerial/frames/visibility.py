@@ -15,19 +15,11 @@ import numpy as np
 
 from ...geometry.grid import Grid
 
-
-@dataclass(frozen=True)
-class VisibilityLimits:
-    """Limits of visibility, each with its unit."""
-
-    step: float = 0.5  # of a cell: distance between the samples along a direction, and between directions far out
-    # cells: what stands nearer than this before a point does not hide it; keeps cells from hiding themselves
-    clear: float = 1.5
-    max_directions: int = 30_000  # cv2.remap takes images of up to 32766 rows
-    batch: int = 512
-
-
-LIMITS = VisibilityLimits()
+STEP = 0.5  # of a cell: distance between the samples along a direction, and between directions far out
+# cells: what stands nearer than this before a point does not hide it; keeps cells from hiding themselves
+CLEAR = 1.5
+MAX_DIRECTIONS = 30_000  # cv2.remap takes images of up to 32766 rows
+BATCH = 512
 
 
 @dataclass(frozen=True)
@@ -56,8 +48,8 @@ class _PolarGrid:
         aside = max(left - x, 0.0, x - right), max(bottom - y, 0.0, y - top)
         near = math.hypot(*aside)
         far = math.hypot(max(abs(left - x), abs(right - x)), max(abs(bottom - y), abs(top - y)))
-        step = LIMITS.step * grid.cell
-        turn = max(step / far, 2 * math.pi / LIMITS.max_directions)
+        step = STEP * grid.cell
+        turn = max(step / far, 2 * math.pi / MAX_DIRECTIONS)
         if near > 0:
             middle = math.atan2((bottom + top) / 2 - y, (left + right) / 2 - x)
             corners = np.arctan2([bottom - y, bottom - y, top - y, top - y], [left - x, right - x] * 2) - middle
@@ -113,9 +105,9 @@ def visible_ground(centre: np.ndarray, grid: Grid, ground: np.ndarray, surface: 
     fan = _PolarGrid.round(float(centre[0]), float(centre[1]), grid)
     highest = _running_maximum(fan, standing, grid, east[0], north[0])
     seen = np.empty(grid.shape, bool)
-    for top in range(0, grid.rows, LIMITS.batch):
-        rows = slice(top, min(top + LIMITS.batch, grid.rows))
-        column, row = fan.project(east[None, :], north[rows, None], distance[rows] - LIMITS.clear * grid.cell)
+    for top in range(0, grid.rows, BATCH):
+        rows = slice(top, min(top + BATCH, grid.rows))
+        column, row = fan.project(east[None, :], north[rows, None], distance[rows] - CLEAR * grid.cell)
         before = cv2.remap(highest, column, row, cv2.INTER_NEAREST, borderMode=cv2.BORDER_CONSTANT, borderValue=0.0)
         with np.errstate(invalid="ignore"):
             seen[rows] = bare[rows] >= before
@@ -135,8 +127,8 @@ def _running_maximum(fan: _PolarGrid, standing: np.ndarray, grid: Grid, east: fl
     `east`, `north` are the centre of the grid's first cell from the nadir.
     """
     highest = np.empty((fan.directions, fan.distances), np.float32)
-    for first in range(0, fan.directions, LIMITS.batch):
-        rows = slice(first, min(first + LIMITS.batch, fan.directions))
+    for first in range(0, fan.directions, BATCH):
+        rows = slice(first, min(first + BATCH, fan.directions))
         node_east, node_north = fan.nodes(rows)
         sampled = cv2.remap(standing, ((node_east - east) / grid.cell).astype(np.float32),
                             ((north - node_north) / grid.cell).astype(np.float32), cv2.INTER_NEAREST,

@@ -21,34 +21,26 @@ from ...progress import SILENT, Progress
 from ...wording import say
 from .mosaic import GroundView, ViewSource, reaching, tiles
 
-
-@dataclass(frozen=True)
-class FrameShiftsLimits:
-    """Limits of frame shifts, each with its unit."""
-
-    patch: int = 64  # Pixels, side of the patches compared.
-    tiles: int = 8
-    narrow: int = 11  # pixels: wider things are no markings
-    contrast: float = 0.12  # of the brightest: what a marking stands out by at least
-    min_bright_share: float = 0.01
-    clear_peak: float = 0.3
-    min_patches: int = 5
-    min_reach: int = 1  # patches, east or north, that all of them span: a thing smaller than a patch is no evidence
-    level_share: float = 0.95  # of a patch on which nothing stands
-    # pixels: with a known base, and of orthophotos, in which heights lean anyhow
-    least_shift: float = 0.5
-    least_shift_unknown: float = 1.0
-    heights: tuple[float, ...] = (-2.0, 300.0)  # m: what stands anywhere above the ground, or lies below it
-    ground_sigma: float = 0.1  # m, of the ground's height, the same under all patches
-    max_warnings: int = 5
-    # pixels, and share of the patches with markings in both images, within which shifts agree where these show the same
-    # ground: chance gives one in 140 of the places in a patch. Sound frames .9, off by 3 m still .36, turned ones .05
-    agreement: float = 3.0
-    alike_share: float = 0.2
-    overlap: int = 4  # patches overlap by half in both directions: so many of them speak of the same ground
-
-
-LIMITS = FrameShiftsLimits()
+PATCH = 64  # Pixels, side of the patches compared.
+TILES = 8
+NARROW = 11  # pixels: wider things are no markings
+CONTRAST = 0.12  # of the brightest: what a marking stands out by at least
+MIN_BRIGHT_SHARE = 0.01
+CLEAR_PEAK = 0.3
+MIN_PATCHES = 5
+MIN_REACH = 1  # patches, east or north, that all of them span: a thing smaller than a patch is no evidence
+LEVEL_SHARE = 0.95  # of a patch on which nothing stands
+# pixels: with a known base, and of orthophotos, in which heights lean anyhow
+LEAST_SHIFT = 0.5
+LEAST_SHIFT_UNKNOWN = 1.0
+HEIGHTS = (-2.0, 300.0)  # m: what stands anywhere above the ground, or lies below it
+GROUND_SIGMA = 0.1  # m, of the ground's height, the same under all patches
+MAX_WARNINGS = 5
+# pixels, and share of the patches with markings in both images, within which shifts agree where these show the same
+# ground: chance gives one in 140 of the places in a patch. Sound frames .9, off by 3 m still .36, turned ones .05
+AGREEMENT = 3.0
+ALIKE_SHARE = 0.2
+OVERLAP = 4  # patches overlap by half in both directions: so many of them speak of the same ground
 
 NOT_ALIKE, APART = "not alike", "apart"
 
@@ -112,7 +104,7 @@ class FrameShift:
         if self.parallax is None or self.on_ground:
             return False
         height = float(np.median(self.vectors @ self.parallax)) / float(self.parallax @ self.parallax)
-        return LIMITS.heights[0] <= height <= LIMITS.heights[1]
+        return HEIGHTS[0] <= height <= HEIGHTS[1]
 
     @property
     def unexplained(self) -> tuple[float, float]:
@@ -122,7 +114,7 @@ class FrameShift:
             if self.parallax is None or not self.length:
                 return self.length, self.sigma
             along = abs(self.parallax @ (self.east, self.north)) / self.length
-            return self.length, float(np.hypot(self.sigma, LIMITS.ground_sigma * along))
+            return self.length, float(np.hypot(self.sigma, GROUND_SIGMA * along))
         east, north = self.parallax / np.hypot(*self.parallax)
         across = self.vectors @ (-north, east)
         middle = np.median(across)
@@ -131,7 +123,7 @@ class FrameShift:
 
 
 def _sigma_of_median(spread: float, patches: int) -> float:
-    return float(np.sqrt(np.pi / 2) * spread / np.sqrt(max(patches / LIMITS.overlap, 1)))
+    return float(np.sqrt(np.pi / 2) * spread / np.sqrt(max(patches / OVERLAP, 1)))
 
 
 def shift_columns(shifts: Sequence[FrameShift], pixel: float) -> dict[str, np.ndarray]:
@@ -180,7 +172,7 @@ def status_of(shift: FrameShift, pixel: float) -> str:
 
 
 def _surely(length: float, sigma: float, shift: FrameShift, pixel: float) -> bool:
-    least = LIMITS.least_shift_unknown if shift.parallax is None else LIMITS.least_shift
+    least = LEAST_SHIFT_UNKNOWN if shift.parallax is None else LEAST_SHIFT
     return length > max(least * pixel, 3 * sigma)
 
 
@@ -200,15 +192,15 @@ def warn_of_shifts(shifts: Sequence[FrameShift], pixel: float, progress: Progres
                           "its own orientation, in the right unit, and is not turned or mirrored.",
                           names=", ".join(unlike)))
     bad = sorted((shift for shift in shifts if lie_apart(shift, pixel)), key=lambda shift: -shift.unexplained[0])
-    for shift in bad[:LIMITS.max_warnings]:
+    for shift in bad[:MAX_WARNINGS]:
         progress.warn(say("{first} and {second} lie {unexplained:.2f} m apart on the road markings {value}(east "
                           "{east:.2f}, north {north:.2f}, sigma {unexplained_2:.2f}; {patches} places): check their "
                           "orientation and the ground.", first=shift.first, second=shift.second,
                           unexplained=shift.unexplained[0], value=say("across their base ") if shift.explained else "",
                           east=shift.east, north=shift.north, unexplained_2=shift.unexplained[1],
                           patches=shift.patches))
-    if len(bad) > LIMITS.max_warnings:
-        progress.warn(say("{bad_count} more pairs of images lie apart.", bad_count=len(bad) - LIMITS.max_warnings))
+    if len(bad) > MAX_WARNINGS:
+        progress.warn(say("{bad_count} more pairs of images lie apart.", bad_count=len(bad) - MAX_WARNINGS))
     hidden = sum(status_of(shift, pixel) == "height" for shift in shifts)
     if hidden:
         progress.message(say("In {hidden} pairs of images the shift may come from the height of what stands on the "
@@ -228,7 +220,7 @@ def frame_shifts(sources: Sequence[ViewSource], grid: Grid, progress: Progress =
     metres : in a unit of the grid.
     """
     pieces = list(tiles(grid))
-    pieces = [pieces[k] for k in np.unique(np.linspace(0, len(pieces) - 1, min(LIMITS.tiles, len(pieces))).astype(int))]
+    pieces = [pieces[k] for k in np.unique(np.linspace(0, len(pieces) - 1, min(TILES, len(pieces))).astype(int))]
     found: dict[tuple[int, int], list[np.ndarray]] = defaultdict(list)
     for done, (_, _, tile) in enumerate(pieces):
         progress.step(done / len(pieces))
@@ -248,7 +240,7 @@ def frame_shifts(sources: Sequence[ViewSource], grid: Grid, progress: Progress =
         clear = patches[patches[:, 5] > 0]
         if not _enough(patches, grid):
             continue
-        if _agreeing(clear[:, 2:4], LIMITS.agreement * grid.cell * metres) < LIMITS.alike_share * len(patches):
+        if _agreeing(clear[:, 2:4], AGREEMENT * grid.cell * metres) < ALIKE_SHARE * len(patches):
             nothing = np.full((len(patches), 2), np.nan)
             result.append(FrameShift(sources[first].name, sources[second].name, patches[:, :2], nothing, alike=False))
         elif _enough(clear, grid):
@@ -264,9 +256,9 @@ def _agreeing(vectors: np.ndarray, tolerance: float) -> int:
 
 def _enough(patches: np.ndarray, grid: Grid) -> bool:
     """Whether there are enough patches, and not all at one place."""
-    if len(patches) < LIMITS.min_patches:
+    if len(patches) < MIN_PATCHES:
         return False
-    return float(np.ptp(patches[:, :2], axis=0).max()) >= LIMITS.min_reach * LIMITS.patch * grid.cell
+    return float(np.ptp(patches[:, :2], axis=0).max()) >= MIN_REACH * PATCH * grid.cell
 
 
 def _pair(first: ViewSource, second: ViewSource, patches: np.ndarray, grid: Grid) -> FrameShift:
@@ -288,24 +280,24 @@ def _pair(first: ViewSource, second: ViewSource, patches: np.ndarray, grid: Grid
 def _markings(view: GroundView) -> np.ndarray:
     """What is brighter than its surroundings and narrow, as a share of the brightest, float32."""
     grey = view.values.mean(axis=-1)
-    kernel = np.ones((LIMITS.narrow, LIMITS.narrow), np.uint8)
+    kernel = np.ones((NARROW, NARROW), np.uint8)
     return cv2.morphologyEx(grey, cv2.MORPH_TOPHAT, kernel) / max(grey.max(), 1.0)
 
 
 def _patch_shifts(first: np.ndarray, second: np.ndarray, both: np.ndarray, level: np.ndarray | None) -> np.ndarray:
     """Middle (column, row; corners at whole numbers) and shift (columns, rows) of all patches with markings that both
     see, and whether (1, else 0) they are known to be level and the shift is clear, (n, 6)."""
-    window = cv2.createHanningWindow((LIMITS.patch, LIMITS.patch), cv2.CV_32F)
+    window = cv2.createHanningWindow((PATCH, PATCH), cv2.CV_32F)
     shifts = []
-    for top in range(0, first.shape[0] - LIMITS.patch + 1, LIMITS.patch // 2):
-        for left in range(0, first.shape[1] - LIMITS.patch + 1, LIMITS.patch // 2):
-            part = slice(top, top + LIMITS.patch), slice(left, left + LIMITS.patch)
+    for top in range(0, first.shape[0] - PATCH + 1, PATCH // 2):
+        for left in range(0, first.shape[1] - PATCH + 1, PATCH // 2):
+            part = slice(top, top + PATCH), slice(left, left + PATCH)
             if not both[part].all():
                 continue
             a, b = first[part].copy(), second[part].copy()  # phaseCorrelate lays the window on what it is given
-            if min((a > LIMITS.contrast).mean(), (b > LIMITS.contrast).mean()) < LIMITS.min_bright_share:
+            if min((a > CONTRAST).mean(), (b > CONTRAST).mean()) < MIN_BRIGHT_SHARE:
                 continue
             shift, peak = cv2.phaseCorrelate(a, b, window)
-            flat = level is not None and level[part].mean() >= LIMITS.level_share
-            shifts.append((left + LIMITS.patch / 2, top + LIMITS.patch / 2, *shift, flat, peak > LIMITS.clear_peak))
+            flat = level is not None and level[part].mean() >= LEVEL_SHARE
+            shifts.append((left + PATCH / 2, top + PATCH / 2, *shift, flat, peak > CLEAR_PEAK))
     return np.array(shifts, float).reshape(-1, 6)

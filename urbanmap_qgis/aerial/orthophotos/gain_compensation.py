@@ -16,18 +16,10 @@ import scipy.sparse.linalg
 
 from ...geometry.tolerances import SIGMA_OF_MAD
 
-
-@dataclass(frozen=True)
-class GainCompensationLimits:
-    """Limits of gain compensation, each with its unit."""
-
-    min_common_samples: int = 200  # Pairs of frames with fewer samples in common give no line.
-    rounds: int = 12
-    loose: float = 1e-3  # weight that keeps frames without neighbours at gain 1 and offset 0
-    gain_limits: tuple[float, ...] = (0.25, 4.0)
-
-
-LIMITS = GainCompensationLimits()
+MIN_COMMON_SAMPLES = 200  # Pairs of frames with fewer samples in common give no line.
+ROUNDS = 12
+LOOSE = 1e-3  # weight that keeps frames without neighbours at gain 1 and offset 0
+GAIN_LIMITS = (0.25, 4.0)
 
 
 @dataclass(frozen=True)
@@ -108,7 +100,7 @@ def compensate_gains(samples: RadiometricSamples, frames: int) -> GainCorrection
         shift = np.array([pair.offset[band] for pair in pairs])
         # gain_first v + offset_first = gain_second (ratio v + shift) + offset_second for every v.
         logs = _adjust(first, second, np.log(ratio), weight, frames)
-        gain[:, band] = np.clip(np.exp(logs), *LIMITS.gain_limits)
+        gain[:, band] = np.clip(np.exp(logs), *GAIN_LIMITS)
         offset[:, band] = _adjust(first, second, gain[second, band] * shift, weight, frames)
     return GainCorrection(gain, offset)
 
@@ -122,7 +114,7 @@ def _adjust(first: Sequence[int], second: Sequence[int], difference: np.ndarray,
                                       (np.concatenate((rows, rows)), np.concatenate((first, second)))),
                                      shape=(len(first), frames))
     weighted = design.multiply((weight ** 2)[:, None]).tocsr()
-    normal = (design.T @ weighted + LIMITS.loose * scipy.sparse.identity(frames)).tocsc()
+    normal = (design.T @ weighted + LOOSE * scipy.sparse.identity(frames)).tocsc()
     return scipy.sparse.linalg.spsolve(normal, weighted.T @ difference)
 
 
@@ -134,7 +126,7 @@ def _pairs(samples: RadiometricSamples, frames: int) -> list[_Pair]:
     points = int(point.max()) + 1 if len(point) else 0
     seen = scipy.sparse.csr_matrix((np.ones(len(frame), np.int32), (frame, point)), shape=(frames, points))
     common = scipy.sparse.triu(seen @ seen.T, k=1).tocoo()
-    enough = common.data >= LIMITS.min_common_samples
+    enough = common.data >= MIN_COMMON_SAMPLES
     pairs = []
     for first, second in sorted(zip(common.row[enough].tolist(), common.col[enough].tolist())):
         a, b = slice(starts[first], starts[first + 1]), slice(starts[second], starts[second + 1])
@@ -157,9 +149,9 @@ def robust_line(x: np.ndarray, y: np.ndarray) -> tuple[float, float]:
     spread_x, spread_y = low[1] - low[0], high[1] - high[0]
     if spread_x <= 0 or spread_y <= 0:
         return 1.0, float(np.median(y) - np.median(x))
-    gain = float(np.clip(spread_y / spread_x, *LIMITS.gain_limits))
+    gain = float(np.clip(spread_y / spread_x, *GAIN_LIMITS))
     offset = float(np.median(y) - gain * np.median(x))
-    for _ in range(LIMITS.rounds):
+    for _ in range(ROUNDS):
         residual = y - gain * x - offset
         scale = max(SIGMA_OF_MAD * float(np.median(np.abs(residual))), 1e-6 * spread_y)
         weight = np.clip(1 - (residual / (4.7 * scale)) ** 2, 0, None) ** 2
@@ -168,6 +160,6 @@ def robust_line(x: np.ndarray, y: np.ndarray) -> tuple[float, float]:
         variance_x, variance_y = weight @ (x - mean_x) ** 2, weight @ (y - mean_y) ** 2
         if variance_x <= 0 or variance_y <= 0:
             break
-        gain = float(np.clip(np.sqrt(variance_y / variance_x), *LIMITS.gain_limits))
+        gain = float(np.clip(np.sqrt(variance_y / variance_x), *GAIN_LIMITS))
         offset = float(mean_y - gain * mean_x)
     return gain, offset

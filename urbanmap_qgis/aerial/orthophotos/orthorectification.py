@@ -33,25 +33,17 @@ from .contradictions import refuse_contradiction, require_ground_pixel
 from .frame_shifts import FrameShift, frame_shifts, warn_of_shifts
 from .mosaic import GroundView, Mosaic, MosaicFiles, PixelSelection, Workers, covering_grid, write_mosaic
 
-
-@dataclass(frozen=True)
-class OrthorectificationLimits:
-    """Limits of orthorectification, each with its unit."""
-
-    # of the line-of-sight cells round a pixel: roof edges in the image cost more than half a cell
-    surely_seen: float = 0.99
-    max_open_files: int = 64  # image files
-    max_cells: int = 6000  # side of the raster in which a frame's lines of sight are followed
-    level: float = 0.5  # m: what a surface of bare ground may differ from the ground
-    block: int = 2048
-    margin: int = 3  # pixels round a window that the bicubic kernel reaches
-    black: float = 0.012  # of the full scale
-    black_side: int = 15  # pixels: black squares of this size are no image; smaller ones may be shadow
-    max_blur: float = 4.0  # pixels, standard deviation
-    border: int = 33  # rays along each side of a frame
-
-
-LIMITS = OrthorectificationLimits()
+# of the line-of-sight cells round a pixel: roof edges in the image cost more than half a cell
+SURELY_SEEN = 0.99
+MAX_OPEN_FILES = 64  # image files
+MAX_CELLS = 6000  # side of the raster in which a frame's lines of sight are followed
+LEVEL = 0.5  # m: what a surface of bare ground may differ from the ground
+BLOCK = 2048
+MARGIN = 3  # pixels round a window that the bicubic kernel reaches
+BLACK = 0.012  # of the full scale
+BLACK_SIDE = 15  # pixels: black squares of this size are no image; smaller ones may be shadow
+MAX_BLUR = 4.0  # pixels, standard deviation
+BORDER = 33  # rays along each side of a frame
 
 
 class FramePixels:
@@ -90,7 +82,7 @@ class FramePixels:
 
     def _image(self, path: Path) -> FrameImage:
         if path not in self._open:
-            if len(self._open) >= LIMITS.max_open_files:
+            if len(self._open) >= MAX_OPEN_FILES:
                 self._open.popitem(last=False)[1].__exit__()
             self._open[path] = FrameImage(path, self.camera)
         self._open.move_to_end(path)
@@ -108,15 +100,15 @@ class FramePixels:
         image = self._image(path)
         planes = image.read(rows, columns)[:self.bands]
         window = cv2.merge(list(planes)).reshape(*planes.shape[1:], len(planes))
-        black = (planes.max(axis=0) <= LIMITS.black * np.iinfo(window.dtype).max).view(np.uint8)
+        black = (planes.max(axis=0) <= BLACK * np.iinfo(window.dtype).max).view(np.uint8)
         if black.any():
             # A frame's edge counts as black, so that a narrow border is one too.
-            grown = cv2.copyMakeBorder(black, *(LIMITS.black_side if at_edge else 0 for at_edge in (
+            grown = cv2.copyMakeBorder(black, *(BLACK_SIDE if at_edge else 0 for at_edge in (
                 rows.start == 0, rows.stop == image.height, columns.start == 0, columns.stop == image.width)),
                 cv2.BORDER_CONSTANT, value=1)
-            grown = cv2.morphologyEx(grown, cv2.MORPH_OPEN, np.ones((LIMITS.black_side, LIMITS.black_side), np.uint8),
+            grown = cv2.morphologyEx(grown, cv2.MORPH_OPEN, np.ones((BLACK_SIDE, BLACK_SIDE), np.uint8),
                                      borderType=cv2.BORDER_REPLICATE)
-            top, left = LIMITS.black_side * (rows.start == 0), LIMITS.black_side * (columns.start == 0)
+            top, left = BLACK_SIDE * (rows.start == 0), BLACK_SIDE * (columns.start == 0)
             black = grown[top:top + black.shape[0], left:left + black.shape[1]]
         empty = black > 0
         valid = image.valid(rows, columns)
@@ -181,7 +173,7 @@ class Terrain:
         if self.surface is None:
             return ground, outlined, covered, None
         with np.errstate(invalid="ignore"):
-            level = ~outlined & (np.abs(surface - ground) <= LIMITS.level)
+            level = ~outlined & (np.abs(surface - ground) <= LEVEL)
         return ground, outlined, covered, level
 
 
@@ -192,10 +184,10 @@ def _affine(grid: Grid) -> Affine:
 def _range(raster: RasterSampler) -> tuple[float, float]:
     """Lowest and highest value of a raster."""
     low, high = np.inf, -np.inf
-    for top in range(0, raster.grid.rows, LIMITS.block):
-        for left in range(0, raster.grid.columns, LIMITS.block):
-            values = raster.read(slice(top, min(top + LIMITS.block, raster.grid.rows)),
-                                 slice(left, min(left + LIMITS.block, raster.grid.columns)))
+    for top in range(0, raster.grid.rows, BLOCK):
+        for left in range(0, raster.grid.columns, BLOCK):
+            values = raster.read(slice(top, min(top + BLOCK, raster.grid.rows)),
+                                 slice(left, min(left + BLOCK, raster.grid.columns)))
             values = values[np.isfinite(values)]
             low, high = min(low, values.min(initial=np.inf)), max(high, values.max(initial=-np.inf))
     if not np.isfinite(low):
@@ -209,9 +201,9 @@ def frame_footprint(camera: FrameCamera, pose: ExteriorOrientation, low: float,
 
     None where the frame looks past all ground below the horizon; infinite where it looks over the horizon too.
     """
-    along, across = (np.linspace(-0.5, size - 0.5, LIMITS.border) for size in (camera.width, camera.height))
-    column = np.concatenate((along, along, np.full(LIMITS.border, along[0]), np.full(LIMITS.border, along[-1])))
-    row = np.concatenate((np.full(LIMITS.border, across[0]), np.full(LIMITS.border, across[-1]), across, across))
+    along, across = (np.linspace(-0.5, size - 0.5, BORDER) for size in (camera.width, camera.height))
+    column = np.concatenate((along, along, np.full(BORDER, along[0]), np.full(BORDER, along[-1])))
+    row = np.concatenate((np.full(BORDER, across[0]), np.full(BORDER, across[-1]), across, across))
     direction = frame_rays(camera, pose, column, row)
     direction = direction[np.isfinite(direction).all(axis=1)]
     down = direction[:, 2] < -1e-3
@@ -280,8 +272,8 @@ class OrthorectifiedFrame:
         Where a cell is `ratio` > 1 pixels wide, the frame is smoothed first, so that fine detail does not alias.
         """
         camera = self.pixels.camera
-        blur = min(0.5 * np.sqrt(max(ratio ** 2 - 1, 0)), LIMITS.max_blur)
-        margin = LIMITS.margin + int(np.ceil(3 * blur)) + 2 * LIMITS.black_side
+        blur = min(0.5 * np.sqrt(max(ratio ** 2 - 1, 0)), MAX_BLUR)
+        margin = MARGIN + int(np.ceil(3 * blur)) + 2 * BLACK_SIDE
         columns = _around(column[inside], margin, camera.width)
         rows = _around(row[inside], margin, camera.height)
         window, empty = self.pixels.read(self.frame.path, rows, columns)
@@ -294,7 +286,7 @@ class OrthorectifiedFrame:
         values = cv2.copyTo(values, inside.view(np.uint8)).reshape(*inside.shape, -1).astype(np.float32)
         if not empty.any():
             return values, inside
-        empty = cv2.dilate(empty.astype(np.uint8), np.ones((2 * (margin - 2 * LIMITS.black_side) + 1,) * 2, np.uint8))
+        empty = cv2.dilate(empty.astype(np.uint8), np.ones((2 * (margin - 2 * BLACK_SIDE) + 1,) * 2, np.uint8))
         lost = cv2.remap(empty, place_x, place_y, cv2.INTER_NEAREST, borderMode=cv2.BORDER_REPLICATE)
         return values, inside & (lost.reshape(inside.shape) == 0)
 
@@ -324,7 +316,7 @@ class OrthorectifiedFrame:
         shape = y.shape[0], x.shape[1]
         place_x, place_y = (np.ascontiguousarray(np.broadcast_to(place, shape)) for place in (place_x, place_y))
         share = cv2.remap(part, place_x, place_y, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
-        return share > LIMITS.surely_seen
+        return share > SURELY_SEEN
 
     def _lines_of_sight(self) -> tuple[Grid, np.ndarray]:
         """Grid of the frame's ground and, packed by rows into bits, which of its cells it sees; found once."""
@@ -333,7 +325,7 @@ class OrthorectifiedFrame:
         farthest = max(np.hypot(x - pose.x, y - pose.y) for x in (x_min, x_max) for y in (y_min, y_max))
         shadow = farthest * (terrain.top - terrain.low) / max(pose.z - terrain.low, 1.0) + 2 * terrain.cell
         box = _common((x_min - shadow, y_min - shadow, x_max + shadow, y_max + shadow), terrain.ground.grid.bounds)
-        cell = max(terrain.cell, max(box[2] - box[0], box[3] - box[1]) / LIMITS.max_cells)
+        cell = max(terrain.cell, max(box[2] - box[0], box[3] - box[1]) / MAX_CELLS)
         grid = Grid.covering(*box, cell)
         ground, surface = terrain.heights(grid)
         seen = visible_ground(pose.centre, grid, ground, surface, terrain.threshold)

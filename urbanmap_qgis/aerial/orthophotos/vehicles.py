@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import cv2
 import numpy as np
@@ -17,29 +16,21 @@ METHODS = ("vote", "darkest")
 AGREEMENT = 0.12
 """Views agree where their channels differ by less than this share of the road's own brightness there ..."""
 
-
-@dataclass(frozen=True)
-class VehiclesLimits:
-    """Limits of vehicles, each with its unit."""
-
-    agreement_floor: float = 0.04  # ... or by less than this share of the full scale.
-    # A view is like the road around where its channels differ by less than this share of the road's brightness.
-    likeness: float = 0.2
-    road_box: int = 41  # Pixels, side of the neighbourhood in which the road's colour is looked for.
-    object_box: int = 25  # Pixels, about the size of a vehicle: over this neighbourhood a view is judged as a whole.
-    # A view shows free road where at least this share of the neighbourhood is like the road around, or paint on
-    # it.
-    free_share: float = 0.6
-    clearer: float = 0.2  # ... and this share more than in the view that it replaces.
-    paint_width: int = 9  # Pixels: what is brighter than the road and narrower is paint; vehicles are wider.
-
-
-LIMITS = VehiclesLimits()
+AGREEMENT_FLOOR = 0.04  # ... or by less than this share of the full scale.
+# A view is like the road around where its channels differ by less than this share of the road's brightness.
+LIKENESS = 0.2
+ROAD_BOX = 41  # Pixels, side of the neighbourhood in which the road's colour is looked for.
+OBJECT_BOX = 25  # Pixels, about the size of a vehicle: over this neighbourhood a view is judged as a whole.
+# A view shows free road where at least this share of the neighbourhood is like the road around, or paint on
+# it.
+FREE_SHARE = 0.6
+CLEARER = 0.2  # ... and this share more than in the view that it replaces.
+PAINT_WIDTH = 9  # Pixels: what is brighter than the road and narrower is paint; vehicles are wider.
 
 _STRIP = 32  # rows
 _TOGETHER = 16384  # pixels
 
-REACH = 2 * (LIMITS.road_box // 2) + LIMITS.object_box // 2 + 1
+REACH = 2 * (ROAD_BOX // 2) + OBJECT_BOX // 2 + 1
 """Pixels: what lies farther off has no say in a pixel's vote."""
 
 
@@ -91,11 +82,11 @@ def majority_vote(views: np.ndarray, seen: np.ndarray, full_scale: float, box: i
     for rows in _strips(len(number)):
         around = [plane[rows] for plane in road]
         unlike = np.stack([_largest_difference(planes, around) for planes in _part(smooth, rows)])
-        like[:, rows] = seen[:, rows] & (unlike < np.maximum(LIMITS.likeness * _mean(around),
-                                                             LIMITS.agreement_floor * full_scale))
+        like[:, rows] = seen[:, rows] & (unlike < np.maximum(LIKENESS * _mean(around),
+                                                             AGREEMENT_FLOOR * full_scale))
         alike = _lowest(unlike, like[:, rows])
         number[rows] = np.where(~agreed[rows] & known[rows] & (alike >= 0), alike, number[rows])
-        paint[:, rows] = seen[:, rows] & (narrow[:, rows] > LIMITS.likeness * _sum(around))
+        paint[:, rows] = seen[:, rows] & (narrow[:, rows] > LIKENESS * _sum(around))
     return np.where(known, _freer(number, total, like, paint, seen), number)
 
 
@@ -158,7 +149,7 @@ def _all_agree(smooth: Sequence[Sequence[np.ndarray]], seen: np.ndarray, full_sc
         highest.append(functools.reduce(cv2.max, map(cv2.subtract, planes, beyond)))
     level = _mean(lowest)
     level *= AGREEMENT
-    np.maximum(level, LIMITS.agreement_floor * full_scale, out=level)
+    np.maximum(level, AGREEMENT_FLOOR * full_scale, out=level)
     return _largest_difference(lowest, highest) < level
 
 
@@ -201,12 +192,12 @@ def _freer(number: np.ndarray, total: np.ndarray, like: np.ndarray, paint: np.nd
     chosen = np.zeros(number.shape, np.float32)
     for view, (flags, sees, counts) in enumerate(zip(like | paint, seen, around)):
         np.copyto(chosen, _share(flags, sees, counts), where=np.maximum(number, 0) == view)
-    return np.where((number >= 0) & (freest >= LIMITS.free_share) & (freest > chosen + LIMITS.clearer), best, number)
+    return np.where((number >= 0) & (freest >= FREE_SHARE) & (freest > chosen + CLEARER), best, number)
 
 
 def _narrow(total: np.ndarray) -> np.ndarray:
     """How much brighter than what is wider than paint each pixel of the views is, (views, rows, columns)."""
-    square = np.ones((LIMITS.paint_width, LIMITS.paint_width), np.uint8)
+    square = np.ones((PAINT_WIDTH, PAINT_WIDTH), np.uint8)
     return np.stack([cv2.morphologyEx(view, cv2.MORPH_TOPHAT, square, borderType=cv2.BORDER_REPLICATE)
                      for view in total])
 
@@ -222,7 +213,7 @@ def _share(flags: np.ndarray, seen: np.ndarray, around: np.ndarray) -> np.ndarra
 
 def _count(flags: np.ndarray) -> np.ndarray:
     """Flags set in the neighbourhood, float32."""
-    return cv2.boxFilter(flags.view(np.uint8), cv2.CV_32F, (LIMITS.object_box, LIMITS.object_box), normalize=False,
+    return cv2.boxFilter(flags.view(np.uint8), cv2.CV_32F, (OBJECT_BOX, OBJECT_BOX), normalize=False,
                          borderType=cv2.BORDER_CONSTANT)
 
 
@@ -233,9 +224,9 @@ def _road_around(image: Sequence[np.ndarray], agreed: np.ndarray) -> tuple[list[
     not count.
     """
     weight = agreed.astype(np.float32)
-    mean, _ = _box_mean(image, weight, LIMITS.road_box)
+    mean, _ = _box_mean(image, weight, ROAD_BOX)
     weight[_sum(image) > 1.15 * _sum(mean)] = 0
-    road, share = _box_mean(image, weight, LIMITS.road_box)
+    road, share = _box_mean(image, weight, ROAD_BOX)
     return road, share > 0.05
 
 
@@ -310,7 +301,7 @@ def _agreement(smooth: Sequence[Sequence[np.ndarray]], seen: np.ndarray, full_sc
             one, other = smooth[first], smooth[second]
             level = _mean([np.minimum(a, b) for a, b in zip(one, other)])
             level *= AGREEMENT
-            np.maximum(level, LIMITS.agreement_floor * full_scale, out=level)
+            np.maximum(level, AGREEMENT_FLOOR * full_scale, out=level)
             near = _largest_difference(one, other) < level
             near &= seen[first]
             near &= seen[second]

@@ -32,19 +32,11 @@ _ANY_NAME = re.compile(r"FG-GML-", re.IGNORECASE)
 _SECONDS = {1.0: 0.04, 5.0: 0.2, 10.0: 0.4}
 _SYSTEMS = {"fguuid:jgd2000.bl": "JGD2000", "fguuid:jgd2011.bl": "JGD2011", "fguuid:jgd2024.bl": "JGD2024"}
 
-
-@dataclass(frozen=True)
-class GsiDemLimits:
-    """Limits of gsi dem, each with its unit."""
-
-    largest_mesh: float = 2**28
-    most_cells: float = 2**24
-    # GSI writes -9999. where there is no height, under whichever kind; no place in Japan lies below -200 m.
-    lowest: float = -1000.0
-    highest: float = 9000.0
-
-
-LIMITS = GsiDemLimits()
+LARGEST_MESH = 2**28
+MOST_CELLS = 2**24
+# GSI writes -9999. where there is no height, under whichever kind; no place in Japan lies below -200 m.
+LOWEST = -1000.0
+HIGHEST = 9000.0
 
 _EMPTY_KINDS = {"データなし", "データ無し", "nodata"}
 
@@ -167,7 +159,7 @@ def _newest_of_each(meshes: list[DemMesh]) -> tuple[list[DemMesh], list[str]]:
 def _read_mesh(source: XmlSource, progress: Progress) -> DemMesh | None:
     """The mesh of a file; None where it is another kind of file."""
     found = None
-    for root, element in root_children(source, "GSI data", LIMITS.largest_mesh, progress):
+    for root, element in root_children(source, "GSI data", LARGEST_MESH, progress):
         if root.tag != FGD + "Dataset":
             return None
         if element.tag == FGD + "DEM":
@@ -185,7 +177,7 @@ def _mesh(element: Element, source: XmlSource) -> DemMesh:
     north, east = _pair(coverage, "upperCorner", source)
     columns, rows = (int(high - low) + 1 for low, high in zip(
         _pair(coverage, "low", source), _pair(coverage, "high", source)))
-    if not (0 < rows * columns <= LIMITS.most_cells and rows > 0 and north > south and east > west):
+    if not (0 < rows * columns <= MOST_CELLS and rows > 0 and north > south and east > west):
         raise InputError(say("{source} is damaged: its grid of {columns} x {rows} cells cannot be; download it again.",
                              source=source.name, columns=columns, rows=rows))
     cell = (east - west) / columns
@@ -268,7 +260,7 @@ def _tuples(text: str, source: XmlSource) -> tuple[np.ndarray, Counter]:
     except ValueError as error:
         raise InputError(say("{source} is damaged: a height is no number; download it again.",
                              source=source.name)) from error
-    empty = ~((values > LIMITS.lowest) & (values < LIMITS.highest))
+    empty = ~((values > LOWEST) & (values < HIGHEST))
     empty |= np.array([kind in _EMPTY_KINDS for kind in kinds], bool)
     values[empty] = np.nan
     return values.astype(np.float32), Counter(kind for kind, gone in zip(kinds, empty.tolist()) if not gone)

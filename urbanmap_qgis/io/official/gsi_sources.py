@@ -26,18 +26,10 @@ PathLike = Union[str, os.PathLike]
 _OBJECT_TYPE = re.compile(r"FG-GML-.*?-([A-Z][A-Za-z]+)-\d{8}", re.IGNORECASE)
 _BUILDING_TYPES = {"blda", "bldl", "all"}
 
-
-@dataclass(frozen=True)
-class GsiSourcesLimits:
-    """Limits of gsi sources, each with its unit."""
-
-    deepest_zip: int = 4  # the site packs a zip of map sheets at most twice; deeper is a mistake or a bomb
-    large: float = 2**30
-    most_packed: int = 300  # bytes from one: XML of maps packs to about a thirtieth
-    spool_bytes: int = 32 * 2**20
-
-
-LIMITS = GsiSourcesLimits()
+DEEPEST_ZIP = 4  # the site packs a zip of map sheets at most twice; deeper is a mistake or a bomb
+LARGE = 2**30
+MOST_PACKED = 300  # bytes from one: XML of maps packs to about a thirtieth
+SPOOL_BYTES = 32 * 2**20
 
 _LARGEST_ZIP = 2**31
 _ZIP_ERRORS = (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, RuntimeError, OSError)
@@ -167,9 +159,9 @@ def _files_of(path: Path, wanted: Wanted) -> list[Path]:
 
 def _list_zip(archive: zipfile.ZipFile, name: str, listing: Listing, stack: ExitStack, wanted: Wanted,
               depth: int) -> None:
-    if depth > LIMITS.deepest_zip:
+    if depth > DEEPEST_ZIP:
         raise InputError(say("{name} is a zip nested more than {deepest_zip} deep: unpack it first.", name=name,
-                             deepest_zip=LIMITS.deepest_zip))
+                             deepest_zip=DEEPEST_ZIP))
     entries = sorted((_entry_name(info), index, info) for index, info in enumerate(archive.infolist()))
     for entry, _, info in entries:
         suffix = Path(entry).suffix.lower()
@@ -179,7 +171,7 @@ def _list_zip(archive: zipfile.ZipFile, name: str, listing: Listing, stack: Exit
         if info.flag_bits & 0x1:
             raise InputError(say("{label} is encrypted: unpack it with its password and give the files in it.",
                                  label=label))
-        if info.file_size > LIMITS.large and info.file_size > LIMITS.most_packed * max(info.compress_size, 1):
+        if info.file_size > LARGE and info.file_size > MOST_PACKED * max(info.compress_size, 1):
             raise InputError(say("{label} would unpack to {file_size} GB from {compress_size} MB, which no map data "
                                  "does: get the file again from where it comes from.", label=label,
                                  file_size=info.file_size >> 30, compress_size=info.compress_size >> 20))
@@ -188,7 +180,7 @@ def _list_zip(archive: zipfile.ZipFile, name: str, listing: Listing, stack: Exit
             _add(source, listing, wanted, by_name=True)
             continue
         # A compressed stream can be read forwards only, a zip starts at its end: so unpack the inner one.
-        spool = stack.enter_context(tempfile.SpooledTemporaryFile(LIMITS.spool_bytes))  # noqa: SIM115
+        spool = stack.enter_context(tempfile.SpooledTemporaryFile(SPOOL_BYTES))  # noqa: SIM115
         with _explained(label):
             with archive.open(info) as packed:
                 _copy(packed, spool, label)

@@ -25,20 +25,12 @@ PARAMETERS = (mark("forward"), mark("right"), mark("down"), mark("roll"), mark("
 
 _SIZE = len(PARAMETERS)
 
-
-@dataclass(frozen=True)
-class BoresightAdjustmentLimits:
-    """Limits of boresight adjustment, each with its unit."""
-
-    # m, between the centroids of planes that are compared, round after round.
-    gates: tuple[float, ...] = (1.5, 0.6, 0.3, 0.2, 0.2)
-    max_angle: float = 12.0  # degrees between their normals
-    gross: float = 3.0  # standard deviations
-    reweighted: int = 8
-    floor: float = 0.004  # m, of a plane's place: roughness that is not noise
-
-
-LIMITS = BoresightAdjustmentLimits()
+# m, between the centroids of planes that are compared, round after round.
+GATES = (1.5, 0.6, 0.3, 0.2, 0.2)
+MAX_ANGLE = 12.0  # degrees between their normals
+GROSS = 3.0  # standard deviations
+REWEIGHTED = 8
+FLOOR = 0.004  # m, of a plane's place: roughness that is not noise
 
 
 @dataclass(frozen=True)
@@ -94,7 +86,7 @@ def adjust_boresights(patches: PlanePatches, poses: PatchPoses, node_pass: np.nd
     state = np.zeros(_SIZE * (scanners + len(node_pass)))
     prior = _prior(node_pass, scanners, settings)
     jacobian = _displacements(poses, scanners, len(node_pass))
-    for gate in LIMITS.gates:
+    for gate in GATES:
         moved = patches.centroid + (jacobian @ state).reshape(-1, 3)
         first, second = _pairs(patches, moved, gate)
         if not len(first):
@@ -102,7 +94,7 @@ def adjust_boresights(patches: PlanePatches, poses: PatchPoses, node_pass: np.nd
         normal = _common_normals(patches, first, second)
         distance = np.einsum("ni,ni->n", normal, patches.centroid[first] - patches.centroid[second])
         rows = _along(normal, jacobian, first) - _along(normal, jacobian, second)
-        sigma = np.sqrt(patches.sigma[first] ** 2 + patches.sigma[second] ** 2 + LIMITS.floor**2)
+        sigma = np.sqrt(patches.sigma[first] ** 2 + patches.sigma[second] ** 2 + FLOOR**2)
         state, covariance, weight = _solved(rows, -distance, sigma, prior, _SIZE * scanners)
         after = rows @ state + distance
     if not len(first):
@@ -180,7 +172,7 @@ def skew(vectors: np.ndarray) -> np.ndarray:
 
 def _pairs(patches: PlanePatches, moved: np.ndarray, gate: float) -> tuple[np.ndarray, np.ndarray]:
     """Numbers of planes of different groups that face alike and lie near each other, each with its nearest."""
-    least = np.cos(np.radians(LIMITS.max_angle))
+    least = np.cos(np.radians(MAX_ANGLE))
     found: list[tuple[np.ndarray, np.ndarray]] = [(np.zeros(0, int), np.zeros(0, int))]
     members = {number: np.flatnonzero(patches.group == number) for number in np.unique(patches.group).tolist()}
     trees = {number: cKDTree(moved[rows]) for number, rows in members.items()}
@@ -209,14 +201,14 @@ def _along(normal: np.ndarray, jacobian: csc_matrix, rows: np.ndarray) -> csc_ma
 def _solved(rows: csc_matrix, value: np.ndarray, sigma: np.ndarray, prior: csc_matrix, wanted: int):
     """Robust solution, covariance of the first `wanted` parameters, and weights."""
     weight, noise = np.ones(len(value)), 1.0
-    for _ in range(LIMITS.reweighted):
+    for _ in range(REWEIGHTED):
         scaled = weight / (noise * sigma**2)
         normal = (rows.T @ rows.multiply(scaled[:, None]) + prior).tocsc()
         factors = splu(normal, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
         state = factors.solve(rows.T @ (scaled * value))
         misfit = ((value - rows @ state) / sigma) ** 2
         noise = max(1.0, float(np.median(misfit)) / 0.455)  # the median of a chi square of 1
-        weight = 1.0 / (1.0 + misfit / (noise * LIMITS.gross**2))
+        weight = 1.0 / (1.0 + misfit / (noise * GROSS**2))
     right = np.zeros((normal.shape[0], wanted))
     right[np.arange(wanted), np.arange(wanted)] = 1.0
     return state, factors.solve(right)[:wanted], weight

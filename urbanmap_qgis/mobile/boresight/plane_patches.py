@@ -10,19 +10,11 @@ import numpy as np
 VOXEL = 0.8
 """m, side of the cells in which planes are fitted."""
 
-
-@dataclass(frozen=True)
-class PlanePatchesLimits:
-    """Limits of plane patches, each with its unit."""
-
-    fewest: int = 15  # points of a plane
-    max_roughness: float = 0.04  # m, of the points about their plane
-    min_extent: float = 0.12  # m, standard deviation of the points along the plane's shorter side
-    bits: tuple[int, ...] = (17, 17, 12, 16)  # of a cell's key: x, y, z, group
-    merge_at: int = 4_000_000  # cells held before they are merged
-
-
-LIMITS = PlanePatchesLimits()
+FEWEST = 15  # points of a plane
+MAX_ROUGHNESS = 0.04  # m, of the points about their plane
+MIN_EXTENT = 0.12  # m, standard deviation of the points along the plane's shorter side
+BITS = (17, 17, 12, 16)  # of a cell's key: x, y, z, group
+MERGE_AT = 4_000_000  # cells held before they are merged
 
 
 @dataclass(frozen=True)
@@ -73,7 +65,7 @@ class PatchSearch:
             return
         cell = np.floor((points - self._origin) / VOXEL).astype(np.int64)
         key = np.zeros(len(points), np.int64)
-        for value, bits in zip((*cell.T, group), LIMITS.bits):
+        for value, bits in zip((*cell.T, group), BITS):
             offset = 0 if value is group else 1 << (bits - 1)
             key = (key << bits) | ((value + offset) & ((1 << bits) - 1))
         local = points - self._origin - (cell + 0.5) * VOXEL
@@ -86,7 +78,7 @@ class PatchSearch:
         self._keys.append(names)
         self._sums.append(sums)
         self._held += len(names)
-        if self._held > LIMITS.merge_at:
+        if self._held > MERGE_AT:
             self._merge()
 
     def _merge(self) -> None:
@@ -103,14 +95,14 @@ class PatchSearch:
             return PlanePatches(np.zeros(0, int), np.zeros(0), *np.zeros((2, 0, 3)), np.zeros(0), np.zeros((0, 0)))
         self._merge()
         keys, sums = self._keys[0], self._sums[0]
-        enough = sums[:, 0] >= LIMITS.fewest
+        enough = sums[:, 0] >= FEWEST
         keys, sums = keys[enough], sums[enough]
         count = sums[:, 0]
         mean = sums[:, 1:4] / count[:, None]
         second = (sums[:, 4:10] / count[:, None])[:, [[0, 1, 2], [1, 3, 4], [2, 4, 5]]]
         values, vectors = np.linalg.eigh(second - mean[:, :, None] * mean[:, None, :])
         values = np.maximum(values, 0.0)
-        plane = (np.sqrt(values[:, 0]) <= LIMITS.max_roughness) & (np.sqrt(values[:, 1]) >= LIMITS.min_extent)
+        plane = (np.sqrt(values[:, 0]) <= MAX_ROUGHNESS) & (np.sqrt(values[:, 1]) >= MIN_EXTENT)
         cell, group = _unpacked(keys)
         centre = self._origin + (cell + 0.5) * VOXEL
         sigma = np.sqrt(np.maximum(values[:, 0], 1e-6) / count)
@@ -121,11 +113,11 @@ class PatchSearch:
 def _unpacked(keys: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Cells (n, 3) and groups (n,) of keys."""
     parts = []
-    for bits in reversed(LIMITS.bits):
+    for bits in reversed(BITS):
         parts.append(keys & ((1 << bits) - 1))
         keys = keys >> bits
     group, *cell = parts
-    return np.column_stack([values - (1 << (bits - 1)) for values, bits in zip(reversed(cell), LIMITS.bits)]), group
+    return np.column_stack([values - (1 << (bits - 1)) for values, bits in zip(reversed(cell), BITS)]), group
 
 
 def group_pairs(groups: np.ndarray) -> Iterator[tuple[int, int]]:

@@ -26,38 +26,30 @@ from ...errors import InsufficientDataError
 from ...geometry.tolerances import LEAST_DIVISOR, SIGMA_OF_MAD
 from ...wording import say
 
-
-@dataclass(frozen=True)
-class IntensityCalibrationLimits:
-    """Limits of intensity calibration, each with its unit."""
-
-    bin: float = 0.25  # m, width of the bins of range.
-    level: float = 0.02  # Width of the bins of the intensity's natural logarithm.
-    widths: tuple[float, ...] = (0.08, 0.25)
-    peak_share: float = 0.15
-    window: float = 2.5
-    darkest: float = 1.0
-    max_scatter: float = 0.54
-    catch: float = 0.17
-    followed: float = 0.3
-    neighbours: int = 16
-    shrink: float = 0.01
-    min_points: int = 60
-    min_bins: int = 4
-    share: float = 2e-5
-    at_floor: float = 1.1
-    paint: float = 2.5
-    clear: float = 2.0
-    gap_bins: int = 4
-
-
-LIMITS = IntensityCalibrationLimits()
+BIN = 0.25  # m, width of the bins of range.
+LEVEL = 0.02  # Width of the bins of the intensity's natural logarithm.
+WIDTHS = (0.08, 0.25)
+PEAK_SHARE = 0.15
+WINDOW = 2.5
+DARKEST = 1.0
+MAX_SCATTER = 0.54
+CATCH = 0.17
+FOLLOWED = 0.3
+NEIGHBOURS = 16
+SHRINK = 0.01
+MIN_POINTS = 60
+MIN_BINS = 4
+SHARE = 2e-5
+AT_FLOOR = 1.1
+PAINT = 2.5
+CLEAR = 2.0
+GAP_BINS = 4
 
 MIN_INTENSITY = 0.5
 """Intensities below count as this: there is no logarithm of 0."""
 
 _TOP = np.log(70_000.0)
-_LEVELS = int(np.ceil((_TOP - np.log(MIN_INTENSITY)) / LIMITS.level))
+_LEVELS = int(np.ceil((_TOP - np.log(MIN_INTENSITY)) / LEVEL))
 
 # With a floor or not, with a loss close to the scanner or not: what is not needed is taken for real only where it
 # explains a good part of the misfit.
@@ -73,13 +65,13 @@ class RangeHistogram:
     """
 
     def __init__(self, max_range: float):
-        self.rows = max(int(np.ceil(max_range / LIMITS.bin)), 1)
+        self.rows = max(int(np.ceil(max_range / BIN)), 1)
         self.counts = np.zeros((self.rows, _LEVELS), dtype=np.int64)
 
     def add(self, ranges: np.ndarray, intensity: np.ndarray) -> None:
         """Take points: ranges (n,) in m, intensity (n,)."""
-        row = (ranges * (1.0 / LIMITS.bin)).astype(np.int64)
-        level = (np.log(np.maximum(intensity, MIN_INTENSITY) / MIN_INTENSITY) * (1.0 / LIMITS.level)).astype(np.int64)
+        row = (ranges * (1.0 / BIN)).astype(np.int64)
+        level = (np.log(np.maximum(intensity, MIN_INTENSITY) / MIN_INTENSITY) * (1.0 / LEVEL)).astype(np.int64)
         inside = row < self.rows
         cell = row[inside] * _LEVELS + np.minimum(level[inside], _LEVELS - 1)
         self.counts += np.bincount(cell, minlength=self.counts.size).reshape(self.counts.shape)
@@ -87,7 +79,7 @@ class RangeHistogram:
     @staticmethod
     def level_values() -> np.ndarray:
         """Natural logarithm of the intensity at the middle of each level."""
-        return np.log(MIN_INTENSITY) + (np.arange(_LEVELS) + 0.5) * LIMITS.level
+        return np.log(MIN_INTENSITY) + (np.arange(_LEVELS) + 0.5) * LEVEL
 
 
 @dataclass(frozen=True)
@@ -145,7 +137,7 @@ def calibrated(intensity: np.ndarray, ranges: np.ndarray, curve: IntensityCurve,
 def brightness_counts(histogram: RangeHistogram, curve: IntensityCurve) -> tuple[np.ndarray, np.ndarray]:
     """Brightness (asphalt: 1) of each filled cell of a histogram within R2, (k,), and its number of points (k,)."""
     row, level = np.nonzero(histogram.counts)
-    ranges = (row + 0.5) * LIMITS.bin
+    ranges = (row + 0.5) * BIN
     value = calibrated(np.exp(RangeHistogram.level_values()[level]), ranges, curve, 1.0)
     known = np.isfinite(value)
     return value[known], histogram.counts[row, level][known]
@@ -162,10 +154,10 @@ def fit_curve(histogram: RangeHistogram) -> IntensityCurve:
     # No signal is no level of a surface.
     counts[:, 0] = 0
     points = counts.sum(axis=1)
-    enough = points >= max(LIMITS.min_points, LIMITS.share * points.sum())
-    if np.count_nonzero(enough) < LIMITS.min_bins:
+    enough = points >= max(MIN_POINTS, SHARE * points.sum())
+    if np.count_nonzero(enough) < MIN_BINS:
         raise InsufficientDataError(say("too few ground points with intensity at different ranges"))
-    for width in LIMITS.widths:
+    for width in WIDTHS:
         try:
             return _fitted(_Peaks(counts, enough, width))
         except InsufficientDataError as error:
@@ -175,12 +167,12 @@ def fit_curve(histogram: RangeHistogram) -> IntensityCurve:
 
 def _fitted(peaks: _Peaks) -> IntensityCurve:
     """The curve through the peaks of asphalt."""
-    middle = (np.arange(len(peaks.enough)) + 0.5) * LIMITS.bin
+    middle = (np.arange(len(peaks.enough)) + 0.5) * BIN
     points = peaks.counts.sum(axis=1)
     level = peaks.followed()
     for _ in range(2):
         used = np.isfinite(level)
-        if np.count_nonzero(used) < max(LIMITS.min_bins, LIMITS.followed * np.count_nonzero(peaks.enough)):
+        if np.count_nonzero(used) < max(MIN_BINS, FOLLOWED * np.count_nonzero(peaks.enough)):
             raise InsufficientDataError(say("no surface of even intensity can be followed over the ranges"))
         parameters = _fit(middle[used], level[used], points[used])
         level = peaks.nearest(np.log(_model(middle, *parameters)))
@@ -199,7 +191,7 @@ class _Peaks:
 
     def __init__(self, counts: np.ndarray, enough: np.ndarray, width: float):
         self.counts, self.enough, self.width = counts, enough, width
-        self.smooth = gaussian_filter1d(counts.astype(float), width / LIMITS.level, axis=1, mode="constant")
+        self.smooth = gaussian_filter1d(counts.astype(float), width / LEVEL, axis=1, mode="constant")
 
     def followed(self) -> np.ndarray:
         """Logarithm of asphalt's intensity in each bin of range, NaN where there is none.
@@ -229,12 +221,12 @@ class _Peaks:
         smooth = self.smooth[row]
         inner = smooth[1:-1]
         peaks = 1 + np.flatnonzero((inner >= smooth[:-2]) & (inner > smooth[2:])
-                                   & (inner >= LIMITS.peak_share * smooth.max()))
+                                   & (inner >= PEAK_SHARE * smooth.max()))
         if not len(peaks):
             return np.nan
         values = RangeHistogram.level_values()[peaks]
         best = values[np.argmin(np.abs(values - expected))]
-        return self._mean_shift(row, best) if abs(best - expected) <= LIMITS.catch + self.width else np.nan
+        return self._mean_shift(row, best) if abs(best - expected) <= CATCH + self.width else np.nan
 
     def _mean_shift(self, row: int, start: float) -> float:
         """Mean of the logarithms round a peak, in a window that moves with it.
@@ -242,7 +234,7 @@ class _Peaks:
         It is wider where intensities are so low that their steps show.
         """
         values, counts = RangeHistogram.level_values(), self.counts[row]
-        centre, width = float(start), LIMITS.window * self.width + np.exp(-start)
+        centre, width = float(start), WINDOW * self.width + np.exp(-start)
         for _ in range(8):
             weight = np.where(np.abs(values - centre) <= width, counts, 0)
             moved = float((weight * values).sum() / weight.sum()) if weight.any() else centre
@@ -255,10 +247,10 @@ class _Peaks:
 def _expected(place: np.ndarray, level: np.ndarray, row: int) -> float:
     """Where the known bins nearest to a row point: a straight line over the logarithm of range."""
     known = np.flatnonzero(np.isfinite(level))
-    known = known[np.argsort(np.abs(known - row))[:LIMITS.neighbours]]
+    known = known[np.argsort(np.abs(known - row))[:NEIGHBOURS]]
     x, y = place[known] - place[row], level[known]
     # A slope that few bins give is drawn towards that of the near known ones: none.
-    slope = ((x - x.mean()) * (y - y.mean())).sum() / (((x - x.mean()) ** 2).sum() + LIMITS.shrink)
+    slope = ((x - x.mean()) * (y - y.mean())).sum() / (((x - x.mean()) ** 2).sum() + SHRINK)
     return float(y.mean() - slope * x.mean())
 
 
@@ -293,19 +285,19 @@ def _judged(middle: np.ndarray, level: np.ndarray, points: np.ndarray, counts: n
     """The curve with its limits R1 and R2 and its quality."""
     curve, floor = _model(middle, *parameters), parameters[0]
     spread = _spread(counts, np.log(curve))
-    clear = (LIMITS.paint - 1) * (curve - floor) >= LIMITS.clear * spread * curve
+    clear = (PAINT - 1) * (curve - floor) >= CLEAR * spread * curve
     good = np.flatnonzero(np.isfinite(level) & clear)
-    if len(good) < LIMITS.min_bins:
+    if len(good) < MIN_BINS:
         raise InsufficientDataError(say("the intensity of asphalt scatters too much to tell paint from it"))
-    runs = np.split(good, np.flatnonzero(np.diff(good) > LIMITS.gap_bins) + 1)
+    runs = np.split(good, np.flatnonzero(np.diff(good) > GAP_BINS) + 1)
     run = max(runs, key=lambda some: points[some].sum())
-    nearest, r2 = max(float(run[0]), 0.5) * LIMITS.bin, float(run[-1] + 1) * LIMITS.bin
-    at_floor = np.flatnonzero((curve <= LIMITS.at_floor * floor) & (middle > nearest) & (middle < r2))
+    nearest, r2 = max(float(run[0]), 0.5) * BIN, float(run[-1] + 1) * BIN
+    at_floor = np.flatnonzero((curve <= AT_FLOOR * floor) & (middle > nearest) & (middle < r2))
     r1 = float(middle[at_floor[0]]) if len(at_floor) else r2
     rows = np.flatnonzero(np.isfinite(level))
     residual = np.median(np.abs(level[run] - np.log(curve[run])))
     scatter = np.sqrt((spread[run] ** 2 * points[run]).sum() / points[run].sum())
-    if scatter > LIMITS.max_scatter:
+    if scatter > MAX_SCATTER:
         raise InsufficientDataError(say("the intensity of asphalt scatters too much to tell paint from it"))
     return IntensityCurve(*parameters, r1, r2, nearest, middle[rows], np.exp(level[rows]), points[rows],
                           np.isin(rows, run), float(SIGMA_OF_MAD * residual), float(scatter))
@@ -313,7 +305,7 @@ def _judged(middle: np.ndarray, level: np.ndarray, points: np.ndarray, counts: n
 
 def scatter_about(histogram: RangeHistogram, curve: IntensityCurve) -> float:
     """Scatter of single asphalt points of a histogram about a curve, as a share of it, where the curve holds."""
-    middle = (np.arange(histogram.rows) + 0.5) * LIMITS.bin
+    middle = (np.arange(histogram.rows) + 0.5) * BIN
     used = (middle >= curve.nearest) & (middle <= curve.r2)
     spread = _spread(histogram.counts, np.log(curve.intensity(middle)))[used]
     points = histogram.counts.sum(axis=1)[used]
@@ -323,5 +315,5 @@ def scatter_about(histogram: RangeHistogram, curve: IntensityCurve) -> float:
 def _spread(counts: np.ndarray, centre: np.ndarray) -> np.ndarray:
     """Standard deviation (bins,) of the logarithms of asphalt, from its dark side: no paint or paving lies there."""
     offset = RangeHistogram.level_values()[None, :] - centre[:, None]
-    dark = np.where((offset <= 0) & (offset >= -LIMITS.darkest), counts, 0)
+    dark = np.where((offset <= 0) & (offset >= -DARKEST), counts, 0)
     return np.sqrt((dark * offset ** 2).sum(axis=1) / np.maximum(dark.sum(axis=1), 1))

@@ -27,27 +27,19 @@ ATTRIBUTE, SOURCE, ANGLE = "attribute", "point source id", "vertical angle"
 RESTLESS = 0.3
 """Scatter of a scanner's asphalt from which its lasers are told apart."""
 
+MAX_SILENT = 0.1  # Share of a laser's points without a signal from which it is left out.
+MAX_SCATTER = 0.54  # Scatter of a laser on even ground, of the natural logarithm, from which it is left out.
+BIN = 0.1  # degrees; neighbouring lasers of a scanner lie 0.2 degrees or more apart
+CELL = 0.4  # m
+FEWEST = 200  # points by which a laser is judged
+PASSES = 40
+AS_GOOD = 1.1
+BETTER = 0.9
+BRIGHT = 2.0  # of the cell's brightness: what is brighter is paint or glare
+# lasers, and extent of the logarithm of range, from which a parabola over range can be told
+PARABOLA = 8, 0.5
 
-@dataclass(frozen=True)
-class LasersLimits:
-    """Limits of lasers, each with its unit."""
-
-    max_silent: float = 0.1  # Share of a laser's points without a signal from which it is left out.
-    max_scatter: float = 0.54  # Scatter of a laser on even ground, of the natural logarithm, from which it is left out.
-    bin: float = 0.1  # degrees; neighbouring lasers of a scanner lie 0.2 degrees or more apart
-    cell: float = 0.4  # m
-    fewest: int = 200  # points by which a laser is judged
-    passes: int = 40
-    as_good: float = 1.1
-    better: float = 0.9
-    bright: float = 2.0  # of the cell's brightness: what is brighter is paint or glare
-    # lasers, and extent of the logarithm of range, from which a parabola over range can be told
-    parabola: tuple[float, ...] = 8, 0.5
-
-
-LIMITS = LasersLimits()
-
-_ANGLES = int(180 / LIMITS.bin)
+_ANGLES = int(180 / BIN)
 
 
 @dataclass(frozen=True)
@@ -119,7 +111,7 @@ def told_apart(records: np.ndarray, brightness: np.ndarray, silent: np.ndarray, 
             found.append(gains)
     least = min((gains.after for gains in found), default=0.0)
     # A number is surer than an angle, which neighbouring lasers may share.
-    best = next((gains for gains in found if gains.after <= LIMITS.as_good * least), None)
+    best = next((gains for gains in found if gains.after <= AS_GOOD * least), None)
     return None if best is None else Lasers(track, mount, trajectory, best)
 
 
@@ -131,7 +123,7 @@ def laser_numbers(records: np.ndarray, told_by: str, track: Track, trajectory: T
     if told_by == SOURCE:
         return records["source"].astype(np.int64)
     angle = vertical_angles(records, track, trajectory, mount)
-    return np.clip((angle + 90.0) / LIMITS.bin, 0, _ANGLES - 1).astype(np.int64)
+    return np.clip((angle + 90.0) / BIN, 0, _ANGLES - 1).astype(np.int64)
 
 
 def vertical_angles(records: np.ndarray, track: Track, trajectory: Trajectory, mount: Mount | None) -> np.ndarray:
@@ -167,8 +159,8 @@ def find_gains(x: np.ndarray, y: np.ndarray, ranges: np.ndarray, brightness: np.
     """
     count = int(laser.max(initial=0)) + 1
     points = np.bincount(laser, minlength=count)
-    judged = points >= LIMITS.fewest
-    heard = judged & (np.bincount(laser, weights=silent, minlength=count) <= LIMITS.max_silent * points)
+    judged = points >= FEWEST
+    heard = judged & (np.bincount(laser, weights=silent, minlength=count) <= MAX_SILENT * points)
     if np.count_nonzero(heard) < 3:
         return None
     before = _scatter(x, y, brightness, judged[laser] & ~silent)
@@ -181,9 +173,9 @@ def find_gains(x: np.ndarray, y: np.ndarray, ranges: np.ndarray, brightness: np.
     gain /= _common_over_range(gain, _medians(ranges, laser, count), np.bincount(laser, minlength=count))
     off = _off(cell, cells, brightness / gain[laser])
     scatter = _medians(np.abs(off), laser, count) * SIGMA_OF_MAD
-    good = heard & (scatter <= LIMITS.max_scatter)
+    good = heard & (scatter <= MAX_SCATTER)
     after = float(SIGMA_OF_MAD * np.median(np.abs(off[good[laser]]))) if good.any() else np.inf
-    if not after < LIMITS.better * before:
+    if not after < BETTER * before:
         return None
     return LaserGains(told_by, np.where(good, gain, np.nan), judged, before, after)
 
@@ -196,7 +188,7 @@ def _scatter(x: np.ndarray, y: np.ndarray, brightness: np.ndarray, some: np.ndar
 
 def _cells(x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, int]:
     """Number (n,) of the ground's cell of each point, and how many there are."""
-    column, row = (np.floor((values - values.min()) / LIMITS.cell).astype(np.int64) for values in (x, y))
+    column, row = (np.floor((values - values.min()) / CELL).astype(np.int64) for values in (x, y))
     _, cell = np.unique(row * (int(column.max()) + 1) + column, return_inverse=True)
     return cell, int(cell.max()) + 1
 
@@ -204,7 +196,7 @@ def _cells(x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, int]:
 def _alternating(cell: np.ndarray, cells: int, brightness: np.ndarray, laser: np.ndarray, count: int) -> np.ndarray:
     """Gains (count,) of lasers and brightness of the ground, by turns; points are sorted by laser."""
     gain = np.ones(count)
-    for _ in range(LIMITS.passes):
+    for _ in range(PASSES):
         change = _medians(_off(cell, cells, brightness / gain[laser]), laser, count)
         gain *= np.exp(change)
         # Only ratios are observed: the points' mean stays.
@@ -216,7 +208,7 @@ def _common_over_range(gain: np.ndarray, ranges: np.ndarray, points: np.ndarray)
     """The smooth course (count,) of gains over the lasers' ranges (count,), m: a parabola of the logarithms."""
     some = (points > 0) & (ranges > 0)
     way = np.log(np.where(some, ranges, 1.0))
-    degree = 2 if np.count_nonzero(some) >= LIMITS.parabola[0] and np.ptp(way[some]) > LIMITS.parabola[1] else 0
+    degree = 2 if np.count_nonzero(some) >= PARABOLA[0] and np.ptp(way[some]) > PARABOLA[1] else 0
     parabola = np.polyfit(way[some], np.log(gain[some]), degree, w=np.sqrt(points[some]))
     return np.exp(np.where(some, np.polyval(parabola, way), 0.0))
 
@@ -224,7 +216,7 @@ def _common_over_range(gain: np.ndarray, ranges: np.ndarray, points: np.ndarray)
 def _off(cell: np.ndarray, cells: int, values: np.ndarray) -> np.ndarray:
     """Logarithm (n,) of values (n,) over the mean of their cell, paint and glare aside."""
     mean = np.bincount(cell, weights=values, minlength=cells) / np.bincount(cell, minlength=cells)
-    even = values < LIMITS.bright * mean[cell]
+    even = values < BRIGHT * mean[cell]
     some = np.maximum(np.bincount(cell[even], minlength=cells), 1)
     mean = np.bincount(cell[even], weights=values[even], minlength=cells) / some
     return np.log(values / np.maximum(mean, LEAST_DIVISOR)[cell])

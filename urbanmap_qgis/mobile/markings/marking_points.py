@@ -22,29 +22,21 @@ from ...terrain.delaunay import extreme_in_cells
 CELL = 0.05
 """m, side of the grid's cells."""
 
-
-@dataclass(frozen=True)
-class MarkingPointsLimits:
-    """Limits of marking points, each with its unit."""
-
-    spacings: tuple[float, ...] = (1.0, 2.0, 4.0, 8.0)
-    support: float = 0.02
-    coarsest: int = 8
-    stand_out: float = 1.25
-    clear: float = 5.0
-    near_core: float = 0.12
-    paint_reach: float = 0.25
-    step_reach: float = 0.12
-    foot_reach: float = 0.4
-    foot: float = 0.1
-    step_share: float = 0.3
-    step_sigmas: float = 7.0
-    rough_cell: float = 0.2
-    rough_points: int = 5
-    min_points: int = 50
-
-
-LIMITS = MarkingPointsLimits()
+SPACINGS = (1.0, 2.0, 4.0, 8.0)
+SUPPORT = 0.02
+COARSEST = 8
+STAND_OUT = 1.25
+CLEAR = 5.0
+NEAR_CORE = 0.12
+PAINT_REACH = 0.25
+STEP_REACH = 0.12
+FOOT_REACH = 0.4
+FOOT = 0.1
+STEP_SHARE = 0.3
+STEP_SIGMAS = 7.0
+ROUGH_CELL = 0.2
+ROUGH_POINTS = 5
+MIN_POINTS = 50
 
 
 @dataclass(frozen=True)
@@ -68,7 +60,7 @@ class MarkingPointSettings(StrokeRules):
     @property
     def reach(self) -> float:
         """How far, m, the answer for a point looks round it."""
-        blur = 4 * max(LIMITS.spacings) * CELL
+        blur = 4 * max(SPACINGS) * CELL
         return self.block_size + 2 * self.max_width + 2 * blur + self.longest + 2 * self.join + 1.0
 
 
@@ -107,18 +99,18 @@ def roughness(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> float:
 
     NaN where the points are too few to tell.
     """
-    if len(x) < LIMITS.min_points:
+    if len(x) < MIN_POINTS:
         return float("nan")
-    column = np.floor(x / LIMITS.rough_cell).astype(np.int64)
-    row = np.floor(y / LIMITS.rough_cell).astype(np.int64)
+    column = np.floor(x / ROUGH_CELL).astype(np.int64)
+    row = np.floor(y / ROUGH_CELL).astype(np.int64)
     columns = int(np.ptp(column)) + 1
     _cells, cell = np.unique((row - row.min()) * columns + column - column.min(), return_inverse=True)
     count = np.bincount(cell)
     offset = z - (np.bincount(cell, weights=z) / count)[cell]
-    spread = np.bincount(cell, weights=offset ** 2)[count >= LIMITS.rough_points]
-    if len(spread) < LIMITS.min_points:
+    spread = np.bincount(cell, weights=offset ** 2)[count >= ROUGH_POINTS]
+    if len(spread) < MIN_POINTS:
         return float("nan")
-    return float(np.median(np.sqrt(spread / (count[count >= LIMITS.rough_points] - 1))))
+    return float(np.median(np.sqrt(spread / (count[count >= ROUGH_POINTS] - 1))))
 
 
 def marking_points(x: np.ndarray, y: np.ndarray, z: np.ndarray, brightness: np.ndarray, noise: Noise = Noise(),
@@ -139,23 +131,23 @@ def marking_points(x: np.ndarray, y: np.ndarray, z: np.ndarray, brightness: np.n
     cell = row * grid.columns + column
     image, share = _image(cell, brightness, grid)
     ground = _ground_level(image, settings)
-    share *= np.float32(LIMITS.clear * noise.brightness)
-    contrast = np.maximum(share, np.float32(max(settings.contrast, LIMITS.stand_out * noise.brightness)), out=share)
+    share *= np.float32(CLEAR * noise.brightness)
+    contrast = np.maximum(share, np.float32(max(settings.contrast, STAND_OUT * noise.brightness)), out=share)
     core = _core(image, ground, contrast, settings)
     if not core.any():
         return MarkingAnswer(np.zeros(n, bool), np.zeros(n, np.float32), np.full(n, np.nan, np.float32))
-    near = cv2.dilate(core.astype(np.uint8), _disc(LIMITS.near_core)).ravel()[cell] > 0
+    near = cv2.dilate(core.astype(np.uint8), _disc(NEAR_CORE)).ravel()[cell] > 0
     some = np.flatnonzero(near)
     bright, paint_level = _above_middle(some, cell, brightness, image, ground, core, grid)
-    bright &= ~_on_steps(some, cell, z, bright, grid, max(settings.step, LIMITS.step_sigmas * noise.height))
+    bright &= ~_on_steps(some, cell, z, bright, grid, max(settings.step, STEP_SIGMAS * noise.height))
     bright &= _large_enough(some, cell, bright, grid, settings)
     return _answer(n, some[bright], brightness, ground.ravel()[cell[some[bright]]], paint_level[bright])
 
 
 def _grid(x: np.ndarray, y: np.ndarray) -> Grid:
     """Grid round points, its corners on multiples of the coarsest cells."""
-    coarse = Grid.covering(x.min() - 0.5, y.min() - 0.5, x.max() + 0.5, y.max() + 0.5, CELL * LIMITS.coarsest)
-    return Grid(coarse.x_min, coarse.y_max, CELL, coarse.rows * LIMITS.coarsest, coarse.columns * LIMITS.coarsest)
+    coarse = Grid.covering(x.min() - 0.5, y.min() - 0.5, x.max() + 0.5, y.max() + 0.5, CELL * COARSEST)
+    return Grid(coarse.x_min, coarse.y_max, CELL, coarse.rows * COARSEST, coarse.columns * COARSEST)
 
 
 def _image(cell: np.ndarray, brightness: np.ndarray, grid: Grid) -> tuple[np.ndarray, np.ndarray]:
@@ -167,10 +159,10 @@ def _image(cell: np.ndarray, brightness: np.ndarray, grid: Grid) -> tuple[np.nda
     image, number = np.full(grid.shape, np.nan, dtype=np.float32), np.ones(grid.shape, dtype=np.float32)
     empty, open_ = np.ones(grid.shape, dtype=bool), np.empty(grid.shape, dtype=bool)
     weight, value = np.empty_like(count), np.empty_like(count)
-    for spacing in LIMITS.spacings:
+    for spacing in SPACINGS:
         _blurred(count, spacing, weight)
         _blurred(total, spacing, value)
-        np.greater(weight, LIMITS.support, out=open_)
+        np.greater(weight, SUPPORT, out=open_)
         open_ &= empty
         empty ^= open_
         np.divide(value, weight, out=image, where=open_)
@@ -200,7 +192,7 @@ def _blurred(layer: np.ndarray, sigma: float, out: np.ndarray | None = None) -> 
     `out` is where it goes: new memory for each mean costs as much as the mean.
     The caller's grid must lie on multiples of 8 cells, so that the coarse one does not depend on its extent.
     """
-    step = int(min(max(2 ** np.floor(np.log2(sigma / 1.5)), 1), LIMITS.coarsest))
+    step = int(min(max(2 ** np.floor(np.log2(sigma / 1.5)), 1), COARSEST))
     if step == 1:
         return cv2.GaussianBlur(layer, (0, 0), sigma, dst=out, borderType=cv2.BORDER_CONSTANT)
     rows, columns = layer.shape
@@ -232,7 +224,7 @@ def _core(image: np.ndarray, ground: np.ndarray, contrast: np.ndarray, settings:
         margin += ground
         seen &= image > margin
         # Corners of wide bright surfaces: there the ground beside is as bright.
-        beside = cv2.dilate(ground, _disc(LIMITS.paint_reach), dst=level)
+        beside = cv2.dilate(ground, _disc(PAINT_REACH), dst=level)
         beside *= np.float32(1.0 + 0.5 * settings.contrast)
         seen &= image > beside
     return seen
@@ -247,12 +239,12 @@ def _disc(radius: float) -> np.ndarray:
 def _above_middle(some: np.ndarray, cell: np.ndarray, brightness: np.ndarray, image: np.ndarray, ground: np.ndarray,
                   core: np.ndarray, grid: Grid) -> tuple[np.ndarray, np.ndarray]:
     """Which of some points are brighter than the middle between ground and the paint near them; that paint's level."""
-    highest = cv2.dilate(np.where(core, image, np.float32(0)), _disc(LIMITS.paint_reach)).ravel()
+    highest = cv2.dilate(np.where(core, image, np.float32(0)), _disc(PAINT_REACH)).ravel()
     base = ground.ravel()[cell[some]]
     value = brightness[some]
     bright = value > 0.5 * (highest[cell[some]] + base)
     bright_cell = cell[some[bright]]
-    sigma = LIMITS.paint_reach / CELL / 1.5
+    sigma = PAINT_REACH / CELL / 1.5
     count, total = (_blurred(_few_sums(bright_cell, values, grid), sigma).ravel()[cell[some]]
                     for values in (None, value[bright]))
     level = np.where(count > 1e-6, total / np.maximum(count, 1e-6), highest[cell[some]])
@@ -267,11 +259,11 @@ def _on_steps(some: np.ndarray, cell: np.ndarray, z: np.ndarray, bright: np.ndar
     low[np.isinf(low)] = 1e6
     low = low.reshape(grid.shape)
     beside, around = (cv2.erode(low, _disc(reach)).ravel()[cell[some]]
-                      for reach in (LIMITS.step_reach, LIMITS.foot_reach))
-    above = (height[some] - beside > step) | (height[some] - around > max(step, LIMITS.foot))
+                      for reach in (STEP_REACH, FOOT_REACH))
+    above = (height[some] - beside > step) | (height[some] - around > max(step, FOOT))
     counts = [cv2.GaussianBlur(_few_sums(cell[some[part]], None, grid), (0, 0), 1.5).ravel()[cell[some]]
               for part in (bright & above, bright)]
-    return above | (counts[0] > LIMITS.step_share * counts[1])
+    return above | (counts[0] > STEP_SHARE * counts[1])
 
 
 def _large_enough(some: np.ndarray, cell: np.ndarray, bright: np.ndarray, grid: Grid,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 import shapely
@@ -13,25 +12,17 @@ from ..formats.lanelet_tags import FASTEST, speed_kmh
 from .inspection import CheckedLane, MapInspection
 from .rule_table import Broken, MapRule, broken, rule
 
-
-@dataclass(frozen=True)
-class LaneRulesLimits:
-    """Limits of lane rules, each with its unit."""
-
-    # A lanelet made wider by the first covers the border of one beside it; with more overlap than the second
-    # (area of both over that of either) they lie over each other on purpose.
-    expanded: float = 1.05
-    overlap: float = 0.05
-    # Centre lines may leave their lanelet by so much in plan and in height, m.
-    in_plan: float = 0.01
-    in_height: float = 0.1
-    # Range of speed limits, km/h (the validator's parameters); outside of towns up to `FASTEST`.
-    slowest: float = 10.0
-    usual_fastest: float = 50.0
-    walkway_reach: float = 3.0  # Walkways reach so far beyond the road that they cross, m.
-
-
-LIMITS = LaneRulesLimits()
+# A lanelet made wider by the first covers the border of one beside it; with more overlap than the second
+# (area of both over that of either) they lie over each other on purpose.
+EXPANDED = 1.05
+OVERLAP = 0.05
+# Centre lines may leave their lanelet by so much in plan and in height, m.
+IN_PLAN = 0.01
+IN_HEIGHT = 0.1
+# Range of speed limits, km/h (the validator's parameters); outside of towns up to `FASTEST`.
+SLOWEST = 10.0
+USUAL_FASTEST = 50.0
+WALKWAY_REACH = 3.0  # Walkways reach so far beyond the road that they cross, m.
 
 BESIDE_VEHICLES = ("road", "road_shoulder", "pedestrian_lane", "bicycle_lane")
 
@@ -51,14 +42,14 @@ def _find_beside(inspected: MapInspection) -> dict[int, list[int]]:
     areas = np.array([inspected.valid_areas[number] for number in numbers], object)
     borders = np.array([inspected.bounds[number] for number in numbers], object)
     width = shapely.area(areas) / np.maximum(shapely.length(borders).mean(axis=1), 0.1)
-    wide = shapely.buffer(areas, np.maximum(width * (LIMITS.expanded - 1.0), 0.02), join_style="mitre")
+    wide = shapely.buffer(areas, np.maximum(width * (EXPANDED - 1.0), 0.02), join_style="mitre")
     one, other = tree.query(wide, predicate="intersects")
     within = shapely.covers(wide[one], borders[other, 0]) | shapely.covers(wide[one], borders[other, 1])
     found: dict[int, list[int]] = {}
     for k, j in zip(one[within & (one != other)], other[within & (one != other)]):
         if _unconnected(inspected, lanes[k], lanes[j]):
             both = shapely.area(shapely.intersection(wide[k], areas[j]))
-            if both < LIMITS.overlap * (wide[k].area + areas[j].area - both):
+            if both < OVERLAP * (wide[k].area + areas[j].area - both):
                 found.setdefault(numbers[k], []).append(numbers[j])
     return found
 
@@ -117,7 +108,7 @@ def _centre_line_ends(inspected: MapInspection, rule: MapRule) -> Iterator[Broke
         edges = [shapely.LineString(inspected.places(pair)[:, :2]) for pair in (lane.begin, lane.end)]
         for node in (nodes[0], nodes[-1]):
             place = shapely.Point(inspected.places([node])[0, :2])
-            if min(edge.distance(place) for edge in edges) > LIMITS.in_plan:
+            if min(edge.distance(place) for edge in edges) > IN_PLAN:
                 yield broken("way", way, point=node)
                 break
 
@@ -126,7 +117,7 @@ def _centre_line_ends(inspected: MapInspection, rule: MapRule) -> Iterator[Broke
 def _centre_line_outside(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
     for lane, way, nodes in _centre_lines(inspected):
         distances = shapely.distance(shapely.points(inspected.places(nodes)[:, :2]), inspected.valid_areas[lane.number])
-        outside = [nodes[k] for k in np.flatnonzero(distances > LIMITS.in_plan)]
+        outside = [nodes[k] for k in np.flatnonzero(distances > IN_PLAN)]
         if outside:
             yield broken("way", way, points=", ".join(map(str, outside)))
 
@@ -140,7 +131,7 @@ def _centre_line_height(inspected: MapInspection, rule: MapRule) -> Iterator[Bro
             sides = [_nearest_on(side, place[:2]) for side in (left, right)]
             reach = [np.linalg.norm(side[:2] - place[:2]) for side in sides]
             height = (sides[0][2] * reach[1] + sides[1][2] * reach[0]) / max(sum(reach), LEAST_DIVISOR)
-            off += [node] if abs(height - place[2]) > LIMITS.in_height else []
+            off += [node] if abs(height - place[2]) > IN_HEIGHT else []
         if off:
             yield broken("way", way, points=", ".join(map(str, off)))
 
@@ -205,10 +196,10 @@ def _lane_change_value(inspected: MapInspection, rule: MapRule) -> Iterator[Brok
 def _speed_out_of_range(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
     for lane in inspected.lanes.values():
         value = lane.tags.get("speed_limit", "")
-        high = FASTEST if lane.tags.get("location") == "nonurban" else LIMITS.usual_fastest
+        high = FASTEST if lane.tags.get("location") == "nonurban" else USUAL_FASTEST
         speed = speed_kmh(value) if value else np.nan
-        if lane.subtype in ("road", "private") and speed > 0.0 and not LIMITS.slowest <= speed <= high:
-            yield broken("relation", lane.number, value=value, low=f"{LIMITS.slowest:g}", high=f"{high:g}")
+        if lane.subtype in ("road", "private") and speed > 0.0 and not SLOWEST <= speed <= high:
+            yield broken("relation", lane.number, value=value, low=f"{SLOWEST:g}", high=f"{high:g}")
 
 
 def _by_sides(inspected: MapInspection, subtype: str) -> Iterator[tuple[CheckedLane, list[CheckedLane], list[int]]]:
@@ -265,6 +256,6 @@ def _walkway_short(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
         for other in _roads_crossed(inspected, lane):
             common = inspected.valid_areas[lane.number].intersection(inspected.valid_areas[other.number])
             extension = min(common.distance(edge) for edge in edges)
-            if extension < LIMITS.walkway_reach:
+            if extension < WALKWAY_REACH:
                 yield broken("relation", lane.number, other=other.number, extension=f"{extension:.2f}")
                 break

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 import shapely
@@ -13,22 +12,14 @@ from ..formats.lanelet_tags import VEHICLE_SUBTYPES
 from .inspection import CheckedLane, MapInspection
 from .rule_table import Broken, MapRule, broken, rule
 
-
-@dataclass(frozen=True)
-class SenseRulesLimits:
-    """Limits of the rules, each with its unit."""
-
-    across: float = 0.5  # A stop line lies across a lanelet over so much, m.
-    steepest: float = 0.71  # Cosine of the angle between a stop line and a lanelet's course, at most.
-    beyond: float = 1.0  # It may lie so far beyond the lanelet's end, m.
-    off_lanes: float = 10.0  # Where no lanelet is so near, a stop line may belong to roads that are not drawn, m.
-    turns: float = 5.0  # A turn to a side bends so much to it at least, degrees.
-    straight: float = 60.0  # A way straight on bends by so much at most, degrees.
-    covered: float = 0.5  # Lanelets that share more than this of the smaller one's area are one drawn twice.
-    one_way: float = 0.9  # Cosine between courses that are one.
-
-
-LIMITS = SenseRulesLimits()
+ACROSS = 0.5  # A stop line lies across a lanelet over so much, m.
+STEEPEST = 0.71  # Cosine of the angle between a stop line and a lanelet's course, at most.
+BEYOND = 1.0  # It may lie so far beyond the lanelet's end, m.
+OFF_LANES = 10.0  # Where no lanelet is so near, a stop line may belong to roads that are not drawn, m.
+TURNS = 5.0  # A turn to a side bends so much to it at least, degrees.
+STRAIGHT = 60.0  # A way straight on bends by so much at most, degrees.
+COVERED = 0.5  # Lanelets that share more than this of the smaller one's area are one drawn twice.
+ONE_WAY = 0.9  # Cosine between courses that are one.
 
 ROLES = {"refers", "ref_line", "cancels", "cancel_line", "right_of_way", "yield", "light_bulbs", "start_line",
          "end_line", "crosswalk_polygon", "traffic_light", "regulatory_element"}
@@ -79,10 +70,10 @@ def _stop_line_along_or_aside(inspected: MapInspection, rule: MapRule) -> Iterat
         line = inspected.shape(way)
         if line is None or not numbers:
             continue
-        if line.length < LIMITS.across:
+        if line.length < ACROSS:
             yield broken("way", way)
             continue
-        near = [inspected.lanes[numbers[k]] for k in tree.query(line, predicate="dwithin", distance=LIMITS.off_lanes)]
+        near = [inspected.lanes[numbers[k]] for k in tree.query(line, predicate="dwithin", distance=OFF_LANES)]
         if not near and not _is_referred(inspected, way):
             continue
         if not any(_lies_across(inspected, lane, way) for lane in near):
@@ -96,12 +87,12 @@ def _is_referred(inspected: MapInspection, way: int) -> bool:
 def _lies_across(inspected: MapInspection, lane: CheckedLane, way: int) -> bool:
     line = inspected.shape(way)
     end = shapely.LineString(inspected.places(lane.end)[:, :2])
-    beyond = end.distance(line.interpolate(0.5, normalized=True)) > LIMITS.beyond
-    if beyond and line.intersection(inspected.valid_areas[lane.number]).length < LIMITS.across:
+    beyond = end.distance(line.interpolate(0.5, normalized=True)) > BEYOND
+    if beyond and line.intersection(inspected.valid_areas[lane.number]).length < ACROSS:
         return False
     drawn = np.diff(inspected.places(inspected.line(way))[[0, -1], :2], axis=0)[0]
     middle = np.array(line.interpolate(0.5, normalized=True).coords[0])
-    return any(abs(_cosine(drawn, step)) <= LIMITS.steepest for step in _steps_near(inspected, lane, middle))
+    return any(abs(_cosine(drawn, step)) <= STEEPEST for step in _steps_near(inspected, lane, middle))
 
 
 def _steps_near(inspected: MapInspection, lane: CheckedLane, place: np.ndarray) -> list[np.ndarray]:
@@ -125,7 +116,7 @@ def _turns_otherwise(inspected: MapInspection, rule: MapRule) -> Iterator[Broken
         if value is None:
             continue
         bend = _bend(inspected, lane)
-        wrong = {"left": bend < LIMITS.turns, "right": bend > -LIMITS.turns, "straight": abs(bend) > LIMITS.straight}
+        wrong = {"left": bend < TURNS, "right": bend > -TURNS, "straight": abs(bend) > STRAIGHT}
         if wrong.get(value, False):
             yield broken("relation", lane.number, value=value, bend=f"{bend:+.0f}")
 
@@ -152,7 +143,7 @@ def _drawn_twice(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
         lanes = [inspected.lanes[numbers[n]] for n in sorted((k, j))]
         smaller = min(areas[k].area, areas[j].area)
         if _apart(*lanes) and _one_course(inspected, *lanes) and \
-                areas[k].intersection(areas[j]).area > LIMITS.covered * smaller:
+                areas[k].intersection(areas[j]).area > COVERED * smaller:
             yield broken("relation", lanes[1].number, other=lanes[0].number)
 
 
@@ -164,4 +155,4 @@ def _apart(lane: CheckedLane, other: CheckedLane) -> bool:
 
 def _one_course(inspected: MapInspection, lane: CheckedLane, other: CheckedLane) -> bool:
     chords = [np.diff(inspected.places((one.left[0], one.left[-1]))[:, :2], axis=0)[0] for one in (lane, other)]
-    return _cosine(*chords) > LIMITS.one_way
+    return _cosine(*chords) > ONE_WAY

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 import shapely
@@ -14,20 +13,12 @@ from ..formats.lanelet_tags import VEHICLE_SUBTYPES
 from .inspection import CheckedLane, MapInspection
 from .rule_table import Broken, MapRule, broken, rule
 
-
-@dataclass(frozen=True)
-class ShapeRulesLimits:
-    """Limits of shape rules, each with its unit."""
-
-    too_close: float = 0.05  # Points of one line so near are one point drawn twice, m.
-    # Widths of a lane for vehicles beyond which it is told, m.
-    narrow: float = 1.5
-    wide: float = 8.0
-    back: float = -0.966  # Cosine of the turn at a point by which a bound turns back, 165 degrees.
-    sharpest: float = 0.5  # Largest curvature of a bound, 1/m (lanelet2_validation).
-
-
-LIMITS = ShapeRulesLimits()
+TOO_CLOSE = 0.05  # Points of one line so near are one point drawn twice, m.
+# Widths of a lane for vehicles beyond which it is told, m.
+NARROW = 1.5
+WIDE = 8.0
+BACK = -0.966  # Cosine of the turn at a point by which a bound turns back, 165 degrees.
+SHARPEST = 0.5  # Largest curvature of a bound, 1/m (lanelet2_validation).
 
 ROADS = (*VEHICLE_SUBTYPES, "pedestrian_lane")
 
@@ -52,7 +43,7 @@ def _duplicated(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
 def _too_close(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
     upright = {"traffic_light", "light_bulbs", "traffic_sign", "pole", "post"}
     for number, nodes, steps in _steps(inspected):
-        near = [k for k in np.flatnonzero(steps < LIMITS.too_close) if nodes[k] != nodes[k + 1]]
+        near = [k for k in np.flatnonzero(steps < TOO_CLOSE) if nodes[k] != nodes[k + 1]]
         if near and inspected.way_type(number) not in upright:
             yield broken("way", number, apart=f"{steps[near].min():.3f}")
 
@@ -65,7 +56,7 @@ def _curvature(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
             one, other, chord = places[1:-1] - places[:-2], places[2:] - places[1:-1], places[2:] - places[:-2]
             area = np.abs(one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0])
             sides = np.prod([np.linalg.norm(side, axis=1) for side in (one, other, chord)], axis=0)
-            kinks = np.flatnonzero(2.0 * area > LIMITS.sharpest * np.maximum(sides, LEAST_SQUARE))
+            kinks = np.flatnonzero(2.0 * area > SHARPEST * np.maximum(sides, LEAST_SQUARE))
             if len(kinks):
                 yield broken("relation", lane.number, node=nodes[kinks[0] + 1])
                 break
@@ -91,8 +82,8 @@ def _turns_back(places: np.ndarray) -> bool:
     """Whether a line (n, 2) turns back on its own course at a point, which need not make it cross itself."""
     steps = np.diff(places, axis=0)
     length = np.linalg.norm(steps, axis=1)
-    steps, length = steps[length > LIMITS.too_close], length[length > LIMITS.too_close]
-    return bool(((steps[1:] * steps[:-1]).sum(axis=1) < LIMITS.back * length[1:] * length[:-1]).any())
+    steps, length = steps[length > TOO_CLOSE], length[length > TOO_CLOSE]
+    return bool(((steps[1:] * steps[:-1]).sum(axis=1) < BACK * length[1:] * length[:-1]).any())
 
 
 @rule("Shape.Bounds-003")
@@ -110,8 +101,8 @@ def _width(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
         if lane.subtype not in ROADS or min(left.length, right.length) == 0:
             continue
         width = shapely.distance(shapely.line_interpolate_point(left, shares, normalized=True), right)
-        narrow = LIMITS.narrow if lane.subtype in ("road", "highway", "bus_lane") else 0.0
-        if width.min() < narrow or width.max() > LIMITS.wide:
+        narrow = NARROW if lane.subtype in ("road", "highway", "bus_lane") else 0.0
+        if width.min() < narrow or width.max() > WIDE:
             yield broken("relation", lane.number, narrowest=f"{width.min():.2f}", widest=f"{width.max():.2f}")
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -14,25 +13,17 @@ from .edge_records import Course, EdgeCandidates
 STATION = 0.5
 """m between stations."""
 
-
-@dataclass(frozen=True)
-class CoursesLimits:
-    """Limits of courses, each with its unit."""
-
-    longest_miss: float = 1.5  # m of way without candidates after which a course ends.
-    longest_gap: float = 12.0  # m between the ends of two courses that are looked at as one edge with a gap.
-    # m about a station in which candidates support it
-    along: float = 0.45
-    across: float = 0.25
-    wider: float = 0.1  # m across for each m without candidates
-    taken: float = 0.45  # m beside a course in which no other one starts
-    back: int = 4  # stations that tell the direction
-    fewest: int = 4  # stations
-    stray: float = 0.3  # m
-    beyond: int = 2  # stations beyond the ends of courses that are looked at
-
-
-LIMITS = CoursesLimits()
+LONGEST_MISS = 1.5  # m of way without candidates after which a course ends.
+LONGEST_GAP = 12.0  # m between the ends of two courses that are looked at as one edge with a gap.
+# m about a station in which candidates support it
+ALONG = 0.45
+ACROSS = 0.25
+WIDER = 0.1  # m across for each m without candidates
+TAKEN = 0.45  # m beside a course in which no other one starts
+BACK = 4  # stations that tell the direction
+FEWEST = 4  # stations
+STRAY = 0.3  # m
+BEYOND = 2  # stations beyond the ends of courses that are looked at
 
 _TURN = np.cos(np.radians(50.0))  # candidates know their normal to an eighth of a turn
 _BEND, _BESIDE, _BESIDE_SHARE = np.cos(np.radians(20.0)), 0.3, 0.04  # of courses that a gap parts
@@ -53,7 +44,7 @@ class _Walk:
         offset = self.candidates.place[rows] - place
         beside = offset @ normal
         ahead = np.abs(offset @ np.array([-normal[1], normal[0]]))
-        good = (ahead <= LIMITS.along) & (np.abs(beside) <= across) & (self.candidates.normal[rows] @ normal >= _TURN)
+        good = (ahead <= ALONG) & (np.abs(beside) <= across) & (self.candidates.normal[rows] @ normal >= _TURN)
         return rows[good], beside[good]
 
     def follow(self, start: np.ndarray, normal: np.ndarray, side: int) -> list[tuple[np.ndarray, bool]]:
@@ -61,16 +52,16 @@ class _Walk:
         way = side * np.array([normal[1], -normal[0]])
         stations, seen, missed = [], [start], 0.0
         place = start
-        while missed <= LIMITS.longest_miss:
+        while missed <= LONGEST_MISS:
             place = place + STATION * way
             normal = side * np.array([-way[1], way[0]])
-            rows, beside = self.support(place, normal, LIMITS.across + LIMITS.wider * missed)
+            rows, beside = self.support(place, normal, ACROSS + WIDER * missed)
             rows, beside = rows[~self.used[rows]], beside[~self.used[rows]]
             if len(rows):
                 place = place + normal * np.average(beside, weights=self.candidates.score[rows])
                 missed = 0.0
                 seen.append(place)
-                base = place - seen[max(-LIMITS.back - 1, -len(seen))]
+                base = place - seen[max(-BACK - 1, -len(seen))]
                 if len(seen) >= 3:
                     way = base / np.hypot(*base)
             else:
@@ -83,12 +74,12 @@ class _Walk:
 
 def _turns_off(stations: list[tuple[np.ndarray, bool]]) -> bool:
     """Whether the last station lies beside the line of those before it: a stray candidate where the edge ends."""
-    places = np.array([place for place, _ in stations[-LIMITS.back - 1:]])
-    if len(places) <= LIMITS.back:
+    places = np.array([place for place, _ in stations[-BACK - 1:]])
+    if len(places) <= BACK:
         return False
     way = places[-2] - places[0]
     off = places[-1] - places[-2]
-    return abs(way[0] * off[1] - way[1] * off[0]) > LIMITS.stray * np.hypot(*way)
+    return abs(way[0] * off[1] - way[1] * off[0]) > STRAY * np.hypot(*way)
 
 
 def find_courses(candidates: EdgeCandidates) -> list[Course]:
@@ -106,11 +97,11 @@ def find_courses(candidates: EdgeCandidates) -> list[Course]:
         back, ahead = walk.follow(start, normal, -1), walk.follow(start, normal, 1)
         stations = [*back[::-1], (start, True), *ahead]
         used[row] = True
-        if sum(seen for _, seen in stations) < LIMITS.fewest:
+        if sum(seen for _, seen in stations) < FEWEST:
             continue
         course = _course(stations, normal, len(back))
         for place, across in zip(course.place, course.normal):
-            rows, _ = walk.support(place, across, LIMITS.taken)
+            rows, _ = walk.support(place, across, TAKEN)
             used[rows] = True
         found.append(course)
     return found
@@ -182,7 +173,7 @@ def _links(courses: list[Course]) -> Iterator[tuple[float, int, bool, int, bool]
     place = np.array([courses[number].place[-1 if end else 0] for number, end in ends])
     if len(place) < 2:
         return
-    for i, j in sorted(cKDTree(place).query_pairs(LIMITS.longest_gap)):
+    for i, j in sorted(cKDTree(place).query_pairs(LONGEST_GAP)):
         (a, a_end), (b, b_end) = ends[i], ends[j]
         if a == b:
             continue
@@ -201,7 +192,7 @@ def _links(courses: list[Course]) -> Iterator[tuple[float, int, bool, int, bool]
 def _outward(course: Course, at_end: bool) -> np.ndarray:
     """Direction (2,) in which a course leaves through its end."""
     place = course.place if at_end else course.place[::-1]
-    way = place[-1] - place[max(-1 - LIMITS.back, -len(place))]
+    way = place[-1] - place[max(-1 - BACK, -len(place))]
     return way / np.hypot(*way)
 
 
@@ -230,9 +221,9 @@ def _bridged(one: Course, other: Course) -> Course:
 
 def lengthened(course: Course) -> Course:
     """The course with some more stations straight ahead at both ends, not `seen`."""
-    steps = STATION * np.arange(1, LIMITS.beyond + 1)[:, None]
+    steps = STATION * np.arange(1, BEYOND + 1)[:, None]
     before = course.place[0] + steps[::-1] * _outward(course, False)
     after = course.place[-1] + steps * _outward(course, True)
     return Course(np.concatenate([before, course.place, after]),
-                  np.pad(course.normal, ((LIMITS.beyond, LIMITS.beyond), (0, 0)), mode="edge"),
-                  np.pad(course.seen, LIMITS.beyond))
+                  np.pad(course.normal, ((BEYOND, BEYOND), (0, 0)), mode="edge"),
+                  np.pad(course.seen, BEYOND))

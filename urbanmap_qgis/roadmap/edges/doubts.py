@@ -4,7 +4,7 @@ the kerb; short kerbs lower than the steps that the survey shows."""
 from __future__ import annotations
 
 from collections import defaultdict
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 import shapely
@@ -13,21 +13,13 @@ from scipy.spatial import cKDTree
 from ...wording import say
 from .edge_records import DOUBTFUL, KERB, LOWERED, MEASURED, RAIL, WALL, RoadEdge
 
-
-@dataclass(frozen=True)
-class DoubtsLimits:
-    """Limits of doubts, each with its unit."""
-
-    tallest_vehicle: float = 4.2  # m; higher walls are none.
-    kerbed: float = 0.5  # m of kerb for each m of path from which a road is one with kerbs.
-    # m
-    car_height: float = 1.7
-    car_length: float = 6.5
-    right_at: float = 0.3  # m; a rail may stand on the kerb itself
-    low_length: float = 10.0  # m; scatter along one line of the scanner makes lower steps, but no longer ones
-
-
-LIMITS = DoubtsLimits()
+TALLEST_VEHICLE = 4.2  # m; higher walls are none.
+KERBED = 0.5  # m of kerb for each m of path from which a road is one with kerbs.
+# m
+CAR_HEIGHT = 1.7
+CAR_LENGTH = 6.5
+RIGHT_AT = 0.3  # m; a rail may stand on the kerb itself
+LOW_LENGTH = 10.0  # m; scatter along one line of the scanner makes lower steps, but no longer ones
 
 _BEFORE = 0.5  # share of an edge's stations
 
@@ -40,11 +32,11 @@ def with_doubts(edges: list[RoadEdge], path: np.ndarray, path_length: float) -> 
     path : (k, 2) places of the vehicle, m, in the coordinates of the edges.
     """
     kerbs = _kerbs(edges)
-    if not len(kerbs) or shapely.length(kerbs).sum() < LIMITS.kerbed * path_length:
+    if not len(kerbs) or shapely.length(kerbs).sum() < KERBED * path_length:
         return edges
     tree, places = shapely.STRtree(kerbs), cKDTree(path)
     return [_judged(edge, tree, path[places.query(edge.foot[:, :2])[1]])
-            if edge.kind in (RAIL, WALL) and edge.status == MEASURED and edge.height < LIMITS.tallest_vehicle else edge
+            if edge.kind in (RAIL, WALL) and edge.status == MEASURED and edge.height < TALLEST_VEHICLE else edge
             for edge in edges]
 
 
@@ -64,7 +56,7 @@ def with_low_doubts(edges: list[RoadEdge], least_step: float) -> list[RoadEdge]:
     reason = say("it is short and lower than the steps that show surely in this survey")
     return [replace(edge, status=DOUBTFUL, reason=reason)
             if edge.kind in (KERB, LOWERED) and edge.status == MEASURED and highest[edge.chain] < least_step
-            and lengths[edge.chain] < LIMITS.low_length else edge for edge in edges]
+            and lengths[edge.chain] < LOW_LENGTH else edge for edge in edges]
 
 
 def _kerbs(edges: list[RoadEdge]) -> np.ndarray:
@@ -80,9 +72,9 @@ def _judged(edge: RoadEdge, kerbs: shapely.STRtree, path: np.ndarray) -> RoadEdg
     """The edge, doubtful where no kerb lies between it and its places (n, 2) on the path."""
     ways = shapely.linestrings(np.stack([edge.foot[:, :2], path], axis=1))
     behind = np.zeros(len(ways), bool)
-    behind[kerbs.query(ways, predicate="dwithin", distance=LIMITS.right_at)[0]] = True
+    behind[kerbs.query(ways, predicate="dwithin", distance=RIGHT_AT)[0]] = True
     if np.mean(~behind) > _BEFORE:
         return replace(edge, status=DOUBTFUL, reason=say("no kerb lies before it: it may be the side of a vehicle"))
-    if edge.kind == WALL and edge.height < LIMITS.car_height and edge.length < LIMITS.car_length:
+    if edge.kind == WALL and edge.height < CAR_HEIGHT and edge.length < CAR_LENGTH:
         return replace(edge, status=DOUBTFUL, reason=say("it is as long and high as a car"))
     return edge

@@ -24,19 +24,11 @@ TILE = 20.0
 MARGIN = 2.5
 """Points so far beyond a tile are read with it, m: no step or profile looks farther."""
 
-
-@dataclass(frozen=True)
-class EdgePointsLimits:
-    """Limits of edge points, each with its unit."""
-
-    row: int = 1 << 24
-    ahead: float = 8.0  # m by which a tilted fan reaches ahead of the vehicle
-    below: float = 5.0  # m under the body, at the path
-    slope: float = 0.15  # of the ground across
-    creep: float = 0.02
-
-
-LIMITS = EdgePointsLimits()
+ROW = 1 << 24
+AHEAD = 8.0  # m by which a tilted fan reaches ahead of the vehicle
+BELOW = 5.0  # m under the body, at the path
+SLOPE = 0.15  # of the ground across
+CREEP = 0.02
 
 
 @dataclass(frozen=True)
@@ -116,14 +108,14 @@ class EdgePoints:
         for start, end in self.gaps:
             known &= (time <= start) | (time >= end)
         now, before = (np.interp(at, self.trajectory.time, self.chainage) for at in (time, time - STOPPED))
-        return known & ~((now - before < LIMITS.creep) & (time - STOPPED > self.trajectory.time[0]))
+        return known & ~((now - before < CREEP) & (time - STOPPED > self.trajectory.time[0]))
 
     def _add(self, place: np.ndarray, time: np.ndarray, more: dict[str, np.ndarray]) -> None:
         east, north, height = (axis - np.interp(time, self.trajectory.time, body)
                                for axis, body in zip(place.T, self.trajectory.place.T))
         away = np.hypot(east, north)
-        near = ((away <= self.width + LIMITS.ahead) & (height <= self.reach.above + LIMITS.slope * away)
-                & (height >= -LIMITS.below - LIMITS.slope * away))
+        near = ((away <= self.width + AHEAD) & (height <= self.reach.above + SLOPE * away)
+                & (height >= -BELOW - SLOPE * away))
         place, time = place[near] - self.corner, time[near]
         record = np.empty(len(place), self.buckets.dtype)
         record["x"], record["y"], record["z"] = place.T
@@ -133,7 +125,7 @@ class EdgePoints:
             record["time"] = time
         record["drive"] = np.searchsorted(self.breaks, time).astype(np.uint16)
         column, row = (np.floor(axis / self.reach.tile).astype(np.int64) for axis in place[:, :2].T)
-        keys = column * LIMITS.row + row
+        keys = column * ROW + row
         self.kept_points += len(record)
         self.keys.update(self.buckets.add(keys, record))
 
@@ -151,10 +143,10 @@ class EdgePoints:
         keys = sorted(self.keys)
         loaded: dict[int, np.ndarray] = {}
         for number, key in enumerate(keys):
-            around = [key + i * LIMITS.row + j for i in (-1, 0, 1) for j in (-1, 0, 1)]
+            around = [key + i * ROW + j for i in (-1, 0, 1) for j in (-1, 0, 1)]
             loaded = {name: loaded[name] if name in loaded else self.buckets.read(name)
                       for name in around if name in self.keys}
-            low = np.array([key // LIMITS.row, key % LIMITS.row], float) * self.reach.tile
+            low = np.array([key // ROW, key % ROW], float) * self.reach.tile
             if not self._reached(low):
                 continue
             points = np.concatenate([self._within(loaded[name], low) for name in around if name in loaded])

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 from scipy.ndimage import distance_transform_edt, grey_opening
@@ -14,26 +13,18 @@ from .edge_records import POINT
 CELL = 0.5
 """m."""
 
-
-@dataclass(frozen=True)
-class GroundProfileLimits:
-    """Limits of ground profile, each with its unit."""
-
-    # Cells; what is narrower in some direction and rises above the ground stands on it: vehicles, rails, walls.
-    widest: int = 7
-    shadow: int = 17
-    rise: float = 0.6  # m; retaining walls and steps of terraces are wider plateaus, or lower
-    # m below and above the ground within which points may belong to it or to a kerb.
-    near_below: float = 0.3
-    near_above: float = 0.4
-    # m: side of a cell, and range of the heights in it that only upright things have
-    fine: float = 0.1
-    upright: float = 0.35
-    low: float = 0.1  # share of a cell's points that may lie below its ground
-    ghosts: int = 3  # points below which a cell's lowest ones count for nothing
-
-
-LIMITS = GroundProfileLimits()
+# Cells; what is narrower in some direction and rises above the ground stands on it: vehicles, rails, walls.
+WIDEST = 7
+SHADOW = 17
+RISE = 0.6  # m; retaining walls and steps of terraces are wider plateaus, or lower
+# m below and above the ground within which points may belong to it or to a kerb.
+NEAR_BELOW = 0.3
+NEAR_ABOVE = 0.4
+# m: side of a cell, and range of the heights in it that only upright things have
+FINE = 0.1
+UPRIGHT = 0.35
+LOW = 0.1  # share of a cell's points that may lie below its ground
+GHOSTS = 3  # points below which a cell's lowest ones count for nothing
 
 Heights = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
@@ -54,10 +45,10 @@ def above_ground(points: np.ndarray, ground: Heights | None = None, shaded: bool
     low, cell = _lowest(points)
     known = np.isfinite(low)
     nearest = distance_transform_edt(~known, return_distances=False, return_indices=True)
-    surface = grey_opening(low[tuple(nearest)], LIMITS.widest, mode="nearest")
+    surface = grey_opening(low[tuple(nearest)], WIDEST, mode="nearest")
     if shaded:
-        around = grey_opening(surface, LIMITS.shadow, mode="nearest")
-        surface = np.where(surface - around > LIMITS.rise, around, surface)
+        around = grey_opening(surface, SHADOW, mode="nearest")
+        surface = np.where(surface - around > RISE, around, surface)
     return points["z"] - _smooth_at(surface, points, cell)
 
 
@@ -66,17 +57,17 @@ def near_ground(points: np.ndarray, height: np.ndarray) -> np.ndarray:
 
     `height` (n,) as of `above_ground`.
     """
-    low = (height > -LIMITS.near_below) & (height < LIMITS.near_above)
+    low = (height > -NEAR_BELOW) & (height < NEAR_ABOVE)
     if not low.any():
         return low
-    rows = np.flatnonzero((height > -LIMITS.near_below) & (height < 2.0))
-    column, row = (np.floor((points[name][rows] - points[name][rows].min()) / LIMITS.fine).astype(np.int64)
+    rows = np.flatnonzero((height > -NEAR_BELOW) & (height < 2.0))
+    column, row = (np.floor((points[name][rows] - points[name][rows].min()) / FINE).astype(np.int64)
                    for name in "xy")
     flat = column * (int(row.max()) + 1) + row
     order = np.argsort(flat, kind="stable")
     starts = np.flatnonzero(np.diff(flat[order], prepend=-1))
     z = points["z"][rows][order]
-    tall = np.maximum.reduceat(z, starts) - np.minimum.reduceat(z, starts) > LIMITS.upright
+    tall = np.maximum.reduceat(z, starts) - np.minimum.reduceat(z, starts) > UPRIGHT
     upright = np.zeros(len(rows), bool)
     upright[order] = np.repeat(tall, np.diff(np.append(starts, len(rows))))
     low[rows[upright]] = False
@@ -94,8 +85,8 @@ def _lowest(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     order = by_height[stable_order(flat[by_height])]
     count = np.bincount(flat, minlength=shape[0] * shape[1])
     start = np.concatenate([[0], np.cumsum(count)[:-1]])
-    full = np.flatnonzero(count >= LIMITS.ghosts)
-    rank = np.minimum((LIMITS.low * count[full]).astype(np.int64) + 1, count[full] - 1)
+    full = np.flatnonzero(count >= GHOSTS)
+    rank = np.minimum((LOW * count[full]).astype(np.int64) + 1, count[full] - 1)
     low = np.full(len(count), np.nan)
     low[full] = points["z"][order[start[full] + rank]]
     return low.reshape(shape), corner

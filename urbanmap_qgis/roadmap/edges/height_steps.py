@@ -20,25 +20,17 @@ CELL = 0.1
 DIRECTIONS = 4
 """Directions in which strips run, over half a turn."""
 
-
-@dataclass(frozen=True)
-class HeightStepsLimits:
-    """Limits of height steps, each with its unit."""
-
-    # Cells left out at the step, and cells to which each side reaches: near the vehicle, and where points are
-    # sparse.
-    spans: tuple[tuple[float, ...], ...] = ((1, 7), (1, 17))
-    # what a side's slope may be without being seen, and a point's height error, m
-    slope_sigma: float = 0.04
-    noise: float = 0.01
-    smooth: float = 0.03  # m: a rougher side is no made surface
-    rough_share: float = 0.35  # of the step, at most as rough
-    significant: float = 4.0
-    fewest: int = 3  # points of a side
-    separation: int = 4  # cells between two candidates of a strip
-
-
-LIMITS = HeightStepsLimits()
+# Cells left out at the step, and cells to which each side reaches: near the vehicle, and where points are
+# sparse.
+SPANS = ((1, 7), (1, 17))
+# what a side's slope may be without being seen, and a point's height error, m
+SLOPE_SIGMA = 0.04
+NOISE = 0.01
+SMOOTH = 0.03  # m: a rougher side is no made surface
+ROUGH_SHARE = 0.35  # of the step, at most as rough
+SIGNIFICANT = 4.0
+FEWEST = 3  # points of a side
+SEPARATION = 4  # cells between two candidates of a strip
 
 
 @dataclass(frozen=True)
@@ -101,7 +93,7 @@ class Strips:
 
     def peaks(self, value: np.ndarray, score: np.ndarray) -> EdgeCandidates:
         """Candidates where the score (strips, borders) is greatest; the sign of `value` tells to which side."""
-        peak = (score > 0) & (score >= maximum_filter1d(score, 2 * LIMITS.separation + 1, axis=1, mode="constant"))
+        peak = (score > 0) & (score >= maximum_filter1d(score, 2 * SEPARATION + 1, axis=1, mode="constant"))
         strip, cell = np.nonzero(peak)
         middle = (self.first_strip + strip + 0.5) * STRIP
         across = np.array([-self.along[1], self.along[0]])
@@ -113,11 +105,11 @@ class Strips:
 def _in_strips(place: np.ndarray, along: np.ndarray, settings: EdgeSettings) -> tuple[EdgeCandidates, np.ndarray]:
     """Candidates of points (n, 3) whose normals run along the direction (2,) or against it, and the least steps (k,)
     that would show."""
-    if len(place) < 4 * LIMITS.fewest:
+    if len(place) < 4 * FEWEST:
         return joined_candidates([]), np.zeros(0)
     strips = Strips.of(place, along)
-    height, score, least = _steps(*strips.sides(*LIMITS.spans[0]), settings)
-    for span in LIMITS.spans[1:]:
+    height, score, least = _steps(*strips.sides(*SPANS[0]), settings)
+    for span in SPANS[1:]:
         # A wider span only speaks where the narrower one has too few points.
         wide_height, wide_score, wide_least = _steps(*strips.sides(*span), settings)
         score, least = (np.where(np.isnan(height), wide, narrow)
@@ -142,14 +134,14 @@ def _moments(a: np.ndarray, strip: np.ndarray, z: np.ndarray) -> np.ndarray:
 def _steps(before: Side, after: Side, settings: EdgeSettings) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Height of the step (strips, borders), m, NaN where points lack; its score, 0 where there is none; and the least
     step that would show there, m, NaN where points lack or the ground is no made surface."""
-    enough = (before.number >= LIMITS.fewest) & (after.number >= LIMITS.fewest)
+    enough = (before.number >= FEWEST) & (after.number >= FEWEST)
     height = np.where(enough, after.height - before.height, np.nan)
     size = np.abs(np.where(enough, height, 0.0))
     rough, sigma = np.maximum(before.rough, after.rough), np.hypot(before.sigma, after.sigma)
-    asked = np.maximum(np.maximum(settings.min_height, LIMITS.significant * sigma), rough / LIMITS.rough_share)
-    good = enough & (size >= asked) & (size <= settings.max_height) & (rough < LIMITS.smooth)
+    asked = np.maximum(np.maximum(settings.min_height, SIGNIFICANT * sigma), rough / ROUGH_SHARE)
+    good = enough & (size >= asked) & (size <= settings.max_height) & (rough < SMOOTH)
     # Noise makes half of the steps as high as is asked look lower: two sigma more are seen nearly always.
-    least = np.where(enough & (rough < LIMITS.smooth), asked + 2.0 * sigma, np.nan)
+    least = np.where(enough & (rough < SMOOTH), asked + 2.0 * sigma, np.nan)
     return height, np.where(good, size / (0.01 + rough), 0.0), least
 
 
@@ -158,10 +150,10 @@ def _side(sums: np.ndarray, start: np.ndarray, end: np.ndarray) -> Side:
     n, sum_a, sum_z, sum_aa, sum_az, sum_zz = sums[:, :, end] - sums[:, :, start]
     number = np.maximum(n, 1.0)
     mean_a, mean_z = sum_a / number, sum_z / number
-    spread = np.maximum(sum_aa - n * mean_a**2, 0.0) + (LIMITS.noise / LIMITS.slope_sigma)**2
+    spread = np.maximum(sum_aa - n * mean_a**2, 0.0) + (NOISE / SLOPE_SIGMA)**2
     both = sum_az - n * mean_a * mean_z
     slope = both / spread
     rough = np.sqrt(np.maximum(sum_zz - n * mean_z**2 - slope * both, 0.0) / number)
     beyond = np.arange(sums.shape[2]) * CELL - mean_a
-    noise = np.maximum(rough, LIMITS.noise)
+    noise = np.maximum(rough, NOISE)
     return Side(mean_z + slope * beyond, noise * np.sqrt(1.0 / number + beyond**2 / spread), rough, n)

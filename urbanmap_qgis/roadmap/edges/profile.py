@@ -11,31 +11,23 @@ from ...geometry.tolerances import SIGMA_OF_MAD
 HALF_LENGTH = 0.4
 """m along the edge to either side of a station whose points belong to its profile."""
 
-
-@dataclass(frozen=True)
-class EdgesProfileLimits:
-    """Limits of edges profile, each with its unit."""
-
-    beside: float = 0.14  # m about the edge that belong to neither side
-    # m across to either side, points that each side must have within them, and m about the edge that belong to
-    # neither: the nearest reach that holds enough is taken.
-    reaches: tuple[tuple[float, ...], ...] = ((0.7, 12, beside), (1.2, 8, beside), (2.0, 4, beside))
-    narrow: tuple[float, ...] = (0.7, 4, 0.05)  # The same for a top of which a rail or a wall leaves a hand's breadth.
-    face: float = 0.35  # m about the edge in which its face lies
-    fewest: int = 4  # points of a side
-    slope_sigma: float = 0.05  # of a side, where too few points tell it
-    noise: float = 0.006  # m, least noise of a height or of a place on the face
-    margin: float = 0.2  # share of the height at foot and top where points may belong to the sides
-    face_points: int = 4
-    face_lean: float = 1.0  # standard deviation of m across for each m of height
-    flush: float = 0.02  # m; a lower step does not tell where it is
-    rough: float = 0.03  # m; what scatters more is no made surface
-    # m from the edge within which both sides must show
-    nearest: float = 0.6
-    nearest_flush: float = 0.35
-
-
-LIMITS = EdgesProfileLimits()
+BESIDE = 0.14  # m about the edge that belong to neither side
+# m across to either side, points that each side must have within them, and m about the edge that belong to
+# neither: the nearest reach that holds enough is taken.
+REACHES = ((0.7, 12, BESIDE), (1.2, 8, BESIDE), (2.0, 4, BESIDE))
+NARROW = (0.7, 4, 0.05)  # The same for a top of which a rail or a wall leaves a hand's breadth.
+FACE = 0.35  # m about the edge in which its face lies
+FEWEST = 4  # points of a side
+SLOPE_SIGMA = 0.05  # of a side, where too few points tell it
+NOISE = 0.006  # m, least noise of a height or of a place on the face
+MARGIN = 0.2  # share of the height at foot and top where points may belong to the sides
+FACE_POINTS = 4
+FACE_LEAN = 1.0  # standard deviation of m across for each m of height
+FLUSH = 0.02  # m; a lower step does not tell where it is
+ROUGH = 0.03  # m; what scatters more is no made surface
+# m from the edge within which both sides must show
+NEAREST = 0.6
+NEAREST_FLUSH = 0.35
 
 FAR_REACH = 2.0
 
@@ -106,7 +98,7 @@ def fit_edge_profile(a: np.ndarray, z: np.ndarray) -> Profile | None:
         moved = 0.5 * (profile.foot + profile.top)
         profile = Profile(profile.foot + edge, profile.top + edge, profile.z_foot, profile.z_top, profile.sigma,
                           profile.sigma_z, profile.points)
-        if np.isnan(profile.sigma) or abs(moved) < 0.01 or abs(edge + moved) > LIMITS.face:
+        if np.isnan(profile.sigma) or abs(moved) < 0.01 or abs(edge + moved) > FACE:
             break
         edge += moved
     return profile
@@ -114,7 +106,7 @@ def fit_edge_profile(a: np.ndarray, z: np.ndarray) -> Profile | None:
 
 def _line(a: np.ndarray, z: np.ndarray, side: int) -> _Line | None:
     """Robust line of one side (-1 the lower one)."""
-    for reach, enough, beside in (*LIMITS.reaches, LIMITS.narrow):
+    for reach, enough, beside in (*REACHES, NARROW):
         rows = np.flatnonzero((side * a > beside) & (side * a < reach))
         if len(rows) >= enough:
             break
@@ -124,20 +116,20 @@ def _line(a: np.ndarray, z: np.ndarray, side: int) -> _Line | None:
     keep = np.abs(z - np.median(z)) < 0.15
     line = None
     for _ in range(3):
-        if np.count_nonzero(keep) < LIMITS.fewest:
+        if np.count_nonzero(keep) < FEWEST:
             return None
         mean_a, mean_z = a[keep].mean(), z[keep].mean()
-        spread = float(((a[keep] - mean_a)**2).sum()) + (0.01 / LIMITS.slope_sigma)**2
+        spread = float(((a[keep] - mean_a)**2).sum()) + (0.01 / SLOPE_SIGMA)**2
         slope = float(((a[keep] - mean_a) * (z[keep] - mean_z)).sum() / spread)
         off = z - mean_z - slope * (a - mean_a)
-        noise = max(SIGMA_OF_MAD * float(np.median(np.abs(off[keep]))), LIMITS.noise)
+        noise = max(SIGMA_OF_MAD * float(np.median(np.abs(off[keep]))), NOISE)
         line = _Line(float(mean_z), slope, float(mean_a), noise, int(np.count_nonzero(keep)), spread,
-                     float(np.sort(np.abs(a[keep]))[LIMITS.fewest // 2]))
+                     float(np.sort(np.abs(a[keep]))[FEWEST // 2]))
         inliers = np.abs(off) < 3.0 * noise
         if np.array_equal(inliers, keep):
             break
         keep = inliers
-    return line if line.noise <= LIMITS.rough and line.nearest <= LIMITS.nearest else None
+    return line if line.noise <= ROUGH and line.nearest <= NEAREST else None
 
 
 def _face(a: np.ndarray, z: np.ndarray, low: _Line, high: _Line) -> Profile | None:
@@ -145,15 +137,15 @@ def _face(a: np.ndarray, z: np.ndarray, low: _Line, high: _Line) -> Profile | No
     step = high.height(0.0) - low.height(0.0)
     sigma_z = float(np.hypot(low.sigma(0.0), high.sigma(0.0)))
     number = low.number + high.number
-    if step < max(LIMITS.flush, 3.0 * sigma_z):
-        if max(low.nearest, high.nearest) > LIMITS.nearest_flush or sigma_z > 0.5 * LIMITS.flush:
+    if step < max(FLUSH, 3.0 * sigma_z):
+        if max(low.nearest, high.nearest) > NEAREST_FLUSH or sigma_z > 0.5 * FLUSH:
             return None
         return Profile(0.0, 0.0, low.height(0.0), high.height(0.0), np.nan, sigma_z, number)
-    near = np.abs(a) < LIMITS.face
-    margin = max(LIMITS.margin * step, 2.0 * LIMITS.noise)
+    near = np.abs(a) < FACE
+    margin = max(MARGIN * step, 2.0 * NOISE)
     above, below = z - low.z - low.slope * (a - low.middle), high.z + high.slope * (a - high.middle) - z
     face = near & (above > margin) & (below > margin)
-    if np.count_nonzero(face) >= LIMITS.face_points:
+    if np.count_nonzero(face) >= FACE_POINTS:
         return _on_face(a[face], (above - 0.5 * step)[face], step, low, high, number)
     edge, sigma = _change(a[near], above[near]**2, below[near]**2, max(low.noise, high.noise))
     return Profile(edge, edge, low.height(edge), high.height(edge), sigma, sigma_z, number)
@@ -163,11 +155,11 @@ def _on_face(a: np.ndarray, up: np.ndarray, step: float, low: _Line, high: _Line
     """The face as a line a = edge + lean * up, `up` (n,) counted from the middle of the step."""
     keep = np.abs(a - np.median(a)) < max(0.05, 3.0 * SIGMA_OF_MAD * float(np.median(np.abs(a - np.median(a)))))
     a, up = a[keep], up[keep]
-    spread = float(((up - up.mean())**2).sum()) + (LIMITS.noise / LIMITS.face_lean)**2
+    spread = float(((up - up.mean())**2).sum()) + (NOISE / FACE_LEAN)**2
     lean = float(np.clip(((up - up.mean()) * (a - a.mean())).sum() / spread, 0.0, 3.0))
     edge = float(a.mean() - lean * up.mean())
     off = a - edge - lean * up
-    noise = max(float(np.sqrt((off**2).sum() / max(len(a) - 2, 1))), LIMITS.noise)
+    noise = max(float(np.sqrt((off**2).sum() / max(len(a) - 2, 1))), NOISE)
     sigma = noise * float(np.sqrt(1.0 / len(a) + up.mean()**2 / spread))
     foot, top = edge - 0.5 * lean * step, edge + 0.5 * lean * step
     return Profile(foot, top, low.height(foot), high.height(top), sigma,
@@ -181,7 +173,7 @@ def _change(a: np.ndarray, off_low: np.ndarray, off_high: np.ndarray, noise: flo
     anywhere in it.
     """
     order = np.argsort(a)
-    return most_likely_change(a[order], 0.5 * off_low[order] / noise**2, 0.5 * off_high[order] / noise**2, LIMITS.face)
+    return most_likely_change(a[order], 0.5 * off_low[order] / noise**2, 0.5 * off_high[order] / noise**2, FACE)
 
 
 def most_likely_change(a: np.ndarray, before: np.ndarray, after: np.ndarray, reach: float) -> tuple[float, float]:
@@ -201,4 +193,4 @@ def most_likely_change(a: np.ndarray, before: np.ndarray, after: np.ndarray, rea
     total = max(float(likely.sum()), 1e-300)
     edge = float((likely * middle).sum() / total)
     spread = float((likely * ((middle - edge)**2 + gap**2 / 12.0)).sum() / total)
-    return edge, max(float(np.sqrt(spread)), LIMITS.noise)
+    return edge, max(float(np.sqrt(spread)), NOISE)

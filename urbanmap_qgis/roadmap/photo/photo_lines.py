@@ -17,37 +17,28 @@ from ..lanes.lane_strips import lane_strips
 from ..lanes.road_sections import BoundTrack, RoadSection
 from ..lanes.section_preparation import prepared_sections
 from ..map_records import Finding, MapArea, MapLine
-from .photo_edges import LIMITS as EDGE_LIMITS
+from .photo_edges import REACH, PhotoEdge, photo_edges
 from .photo_edges import SIGMA as EDGE_SIGMA
-from .photo_edges import PhotoEdge, photo_edges
 from .road_surface import road_likeness, surface_features, surface_model
 from .straight_photo import ColourImage, StraightPhoto, straight_photo, straight_places
 from .worn_lines import SIGMA as WORN_SIGMA
 from .worn_lines import worn_lines
 
-
-@dataclass(frozen=True)
-class PhotoLinesLimits:
-    """Limits of photo lines, each with its unit."""
-
-    along: float = 0.25  # Steps of the image along and across the road, m.
-    across: float = 0.1
-    longest: float = 400.0  # Longer sections are looked at in such stretches, m.
-    least: float = 15.0  # Sections and lines in them are so long, m.
-    beside: float = 1.2  # Ground so near to the outermost lines is the road's, m.
-    main: float = 0.5  # Lines seen over such a share of the longest one lie on the road.
-    bound: float = 0.3  # Lines seen over such a share of the section are bounds that lanes are reckoned from.
-    same: float = 0.5  # Lines so near to each other are one, m.
-    around: float = 1.2  # Ground so wide across a line tells whether it lies on road, m.
-    off_road: float = 0.6  # A line is left out where such a share of it lies beyond an edge.
-    usual: tuple[float, float] = 2.6, 4.0  # Lanes of such widths tell how wide one is, m.
-    standard: float = 3.25  # Width of a lane where none does, m.
-    symbols: float = 0.3  # Paint of symbols reaches so far beyond their outlines, m.
-    at_edge: float = 0.3  # Lines so far beyond an edge still lie within it, m.
-    simplified: float = 0.03  # Points of lines that lie nearer to the others' course are left out, m.
-
-
-LIMITS = PhotoLinesLimits()
+ALONG = 0.25  # Steps of the image along and across the road, m.
+ACROSS = 0.1
+LONGEST = 400.0  # Longer sections are looked at in such stretches, m.
+LEAST = 15.0  # Sections and lines in them are so long, m.
+BESIDE = 1.2  # Ground so near to the outermost lines is the road's, m.
+MAIN = 0.5  # Lines seen over such a share of the longest one lie on the road.
+BOUND = 0.3  # Lines seen over such a share of the section are bounds that lanes are reckoned from.
+SAME = 0.5  # Lines so near to each other are one, m.
+AROUND = 1.2  # Ground so wide across a line tells whether it lies on road, m.
+OFF_ROAD = 0.6  # A line is left out where such a share of it lies beyond an edge.
+USUAL = 2.6, 4.0  # Lanes of such widths tell how wide one is, m.
+STANDARD = 3.25  # Width of a lane where none does, m.
+SYMBOLS = 0.3  # Paint of symbols reaches so far beyond their outlines, m.
+AT_EDGE = 0.3  # Lines so far beyond an edge still lie within it, m.
+SIMPLIFIED = 0.03  # Points of lines that lie nearer to the others' course are left out, m.
 
 
 @dataclass
@@ -62,7 +53,7 @@ class _Looked:
     @property
     def inside(self) -> np.ndarray:
         low, high = self.outermost[:, :, None]
-        return (self.photo.offset > low - LIMITS.beside) & (self.photo.offset < high + LIMITS.beside)
+        return (self.photo.offset > low - BESIDE) & (self.photo.offset < high + BESIDE)
 
 
 def lines_with_photo(lines: Sequence[MapLine], areas: Sequence[MapArea], image: ColourImage, settings: MapSettings,
@@ -77,7 +68,7 @@ def lines_with_photo(lines: Sequence[MapLine], areas: Sequence[MapArea], image: 
     if not looked:
         return list(lines), []
     model = surface_model([surface_features(one.photo.colours)[one.inside] for one in looked])
-    symbols = shapely.union_all([area.polygon for area in areas if area.kind != "unknown"]).buffer(LIMITS.symbols)
+    symbols = shapely.union_all([area.polygon for area in areas if area.kind != "unknown"]).buffer(SYMBOLS)
     shapely.prepare(symbols)
     usual = _usual_width(sections, settings)
     added, left_out, findings = [], [], []
@@ -102,15 +93,15 @@ def _looked_at(section: RoadSection, image: ColourImage) -> list[_Looked]:
     """The image along a section, in stretches where it is long; none along short ones or where the image shows none."""
     low, high = min(track.start for track in section.tracks), max(track.end for track in section.tracks)
     longest = max(track.seen for track in section.tracks)
-    if longest < LIMITS.least:
+    if longest < LEAST:
         return []
     found = []
-    for part in np.array_split(np.arange(low, high, LIMITS.along), int((high - low) / LIMITS.longest) + 1):
-        main = [track for track in section.tracks if track.seen >= LIMITS.main * longest]
+    for part in np.array_split(np.arange(low, high, ALONG), int((high - low) / LONGEST) + 1):
+        main = [track for track in section.tracks if track.seen >= MAIN * longest]
         outer = _outermost(main, part)
         if outer is None:
             continue
-        across = np.arange(outer[0].min() - EDGE_LIMITS.reach, outer[1].max() + EDGE_LIMITS.reach, LIMITS.across)
+        across = np.arange(outer[0].min() - REACH, outer[1].max() + REACH, ACROSS)
         photo = straight_photo(image, section.axis, part, across)
         one = _Looked(section, photo, main, outer)
         if np.isfinite(photo.colours[one.inside]).any():
@@ -122,7 +113,7 @@ def _outermost(tracks: Sequence[BoundTrack], chainage: np.ndarray) -> np.ndarray
     """Offsets (2, n) of the tracks that are outermost on the right and on the left; None where they cover little."""
     offsets = np.array([track.interpolate(chainage) for track in tracks]).reshape(len(tracks), -1)
     known = np.isfinite(offsets).any(axis=0)
-    if known.sum() * LIMITS.along < LIMITS.least:
+    if known.sum() * ALONG < LEAST:
         return None
     ends = [end(offsets[:, known], axis=0) for end in (np.nanmin, np.nanmax)]
     return np.array([np.interp(chainage, chainage[known], end) for end in ends])
@@ -130,7 +121,7 @@ def _outermost(tracks: Sequence[BoundTrack], chainage: np.ndarray) -> np.ndarray
 
 def _around(one: _Looked, track: BoundTrack, like: np.ndarray) -> np.ndarray:
     """Mean likeness to road across a track, (n,), NaN where it is not."""
-    near = uniform_filter1d(like, int(LIMITS.around / LIMITS.across) | 1, axis=1)
+    near = uniform_filter1d(like, int(AROUND / ACROSS) | 1, axis=1)
     place = track.interpolate(one.photo.chainage)
     columns = one.photo.column(np.where(np.isfinite(place), place, 0.0))
     return np.where(np.isfinite(place), near[np.arange(len(place)), columns], np.nan)
@@ -146,17 +137,17 @@ def _on_road(one: _Looked, like: np.ndarray) -> np.ndarray:
 def _usual_width(sections: Sequence[tuple[RoadSection, list[np.ndarray]]], settings: MapSettings) -> float:
     """Median width of the lanes that lines show, m."""
     widths = [strip.width for section, stops in sections for strip in lane_strips(section, stops, settings)]
-    fitting = [width for width in widths if LIMITS.usual[0] < width < LIMITS.usual[1]]
-    return float(np.median(fitting)) if fitting else LIMITS.standard
+    fitting = [width for width in widths if USUAL[0] < width < USUAL[1]]
+    return float(np.median(fitting)) if fitting else STANDARD
 
 
 def _bounds(one: _Looked, edges: Sequence[PhotoEdge]) -> list[float]:
     """Offsets of the edges of a section and of the lines between them that are seen well."""
     chainage = one.photo.chainage
     length = chainage[-1] - chainage[0]
-    found = [float(np.median(track.offset)) for track in one.section.tracks if track.seen > LIMITS.bound * length]
+    found = [float(np.median(track.offset)) for track in one.section.tracks if track.seen > BOUND * length]
     for edge in edges:
-        found = [offset for offset in found if edge.side * (offset - edge.usual) < LIMITS.at_edge]
+        found = [offset for offset in found if edge.side * (offset - edge.usual) < AT_EDGE]
     return [*found, *(edge.usual for edge in edges)]
 
 
@@ -165,7 +156,7 @@ def _line(one: _Looked, offset: np.ndarray, rows: tuple[int, int], kind: str, si
     part = slice(rows[0], rows[1] + 1)
     chainage = one.photo.chainage[part]
     plan = straight_places(one.section.axis, chainage, offset[part][:, None])[:, 0]
-    plan = shapely.get_coordinates(shapely.LineString(plan).simplify(LIMITS.simplified))
+    plan = shapely.get_coordinates(shapely.LineString(plan).simplify(SIMPLIFIED))
     longest = max(one.section.tracks, key=lambda track: track.seen)
     height = np.interp(one.section.axis.chainage(plan), longest.chainage, longest.points[:, 2])
     return MapLine(np.column_stack([plan, height]), kind, "" if kind == "road border" else "white", np.nan, sigma,
@@ -175,7 +166,7 @@ def _line(one: _Looked, offset: np.ndarray, rows: tuple[int, int], kind: str, si
 def _is_there(line: MapLine, others: Sequence[MapLine]) -> bool:
     """Whether others run beside a line, as near as if they were it, over half of its length."""
     plan = shapely.LineString(line.points[:, :2])
-    near = [shapely.LineString(one.points[:, :2]).buffer(LIMITS.same) for one in others if one.kind != "stop line"]
+    near = [shapely.LineString(one.points[:, :2]).buffer(SAME) for one in others if one.kind != "stop line"]
     beside = [zone for zone in near if zone.intersects(plan)]
     return plan.intersection(shapely.union_all(beside)).length > 0.5 * plan.length
 
@@ -199,10 +190,10 @@ def _off_road(one: _Looked, like: np.ndarray, edges: Sequence[PhotoEdge]) -> lis
         place = track.interpolate(chainage)
         for edge in edges:
             rows = np.flatnonzero(np.isfinite(place[edge.first:edge.last + 1])) + edge.first
-            if len(rows) * LIMITS.along < LIMITS.off_road * (track.end - track.start):
+            if len(rows) * ALONG < OFF_ROAD * (track.end - track.start):
                 continue
-            beyond = edge.side * (place[rows] - edge.offset[rows]) > LIMITS.same
-            if beyond.mean() > LIMITS.off_road and np.mean(_around(one, track, like)[rows]) < 0:
+            beyond = edge.side * (place[rows] - edge.offset[rows]) > SAME
+            if beyond.mean() > OFF_ROAD and np.mean(_around(one, track, like)[rows]) < 0:
                 # What is a bound of an earlier map was looked at before, and by the user.
                 found += [line for *_, line in track.pieces if line is not None and line.identifier < 0]
     return found
@@ -213,4 +204,4 @@ def _without(lines: Sequence[MapLine], left_out: Sequence[MapLine]) -> list[MapL
     gone = shapely.union_all([shapely.LineString(line.points[:, :2]).buffer(0.01) for line in left_out])
     plans = [shapely.LineString(line.points[:, :2]) for line in lines]
     return [line for line, plan in zip(lines, plans)
-            if gone.is_empty or plan.intersection(gone).length <= LIMITS.off_road * plan.length]
+            if gone.is_empty or plan.intersection(gone).length <= OFF_ROAD * plan.length]
