@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
+
+from .linked_groups import linked_groups
 
 
 def grid_regions(classes: np.ndarray) -> np.ndarray:
@@ -16,12 +16,8 @@ def grid_regions(classes: np.ndarray) -> np.ndarray:
     beside, below = classes[:, 1:] == classes[:, :-1], classes[1:] == classes[:-1]
     one = np.concatenate([cell[:, :-1][beside], cell[:-1][below]])
     other = np.concatenate([cell[:, 1:][beside], cell[1:][below]])
-    links = coo_matrix((np.ones(len(one), bool), (one, other)), (classes.size, classes.size))
     inside = classes.ravel() > 0
-    region = connected_components(links, directed=False)[1][inside]
-    _, first, number = np.unique(region, return_index=True, return_inverse=True)
-    rank = np.empty(len(first), np.int64)
-    rank[np.argsort(first)] = np.arange(1, len(first) + 1)
+    region = linked_groups(one, other, classes.size)[1][inside]
     result = np.zeros(classes.size, np.int64)
-    result[inside] = rank[number]
+    result[inside] = np.unique(region, return_inverse=True)[1].ravel() + 1
     return result.reshape(classes.shape)

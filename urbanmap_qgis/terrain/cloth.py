@@ -18,11 +18,10 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy import ndimage
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 
 from ..errors import InsufficientDataError
 from ..geometry.grid import Grid
+from ..geometry.linked_groups import linked_groups
 from ..geometry.sampling import Bilinear
 from ..progress import SILENT, Progress
 from ..settings.terrain import ClothSettings
@@ -233,8 +232,7 @@ def _grow(obstacle: np.ndarray, ground: np.ndarray) -> np.ndarray:
             smooth = np.abs(obstacle[first] - obstacle[second]) < STEP
             joined.append((number[first][smooth], number[second][smooth]))
     start, end = (np.concatenate(ends) for ends in zip(*joined))
-    graph = coo_matrix((np.ones(len(start), dtype=bool), (start, end)), shape=(obstacle.size,) * 2)
-    count, label = connected_components(graph, directed=False)
+    count, label = linked_groups(start, end, obstacle.size)
     reached = np.zeros(count, dtype=bool)
     reached[label[ground.ravel()]] = True
     return reached[label].reshape(obstacle.shape)

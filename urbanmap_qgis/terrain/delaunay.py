@@ -19,11 +19,10 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 from scipy.spatial import Delaunay, QhullError
 
 from ..errors import InsufficientDataError
+from ..geometry.linked_groups import linked_groups
 from ..geometry.tolerances import LEAST_SQUARE
 from ..wording import say
 
@@ -259,9 +258,7 @@ def _outside(corners: np.ndarray, rim: np.ndarray, points: int) -> np.ndarray:
     place = np.minimum(np.searchsorted(forward[order], backward), len(forward) - 1)
     has_twin = forward[order][place] == backward
     joined = has_twin & ~on_rim
-    graph = coo_matrix((np.ones(joined.sum(), dtype=bool), (owner[joined], owner[order[place[joined]]])),
-                       shape=(len(corners), len(corners)))
-    _count, label = connected_components(graph, directed=False)
+    _, label = linked_groups(owner[joined], owner[order[place[joined]]], len(corners))
     open_side = np.unique(label[owner[np.isin(forward, rim_backward)]])
     covered_side = np.unique(label[owner[np.isin(forward, rim_forward)]])
     return np.isin(label, np.setdiff1d(open_side, covered_side, assume_unique=True))

@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import shapely
 
+from ..geometry.linked_groups import linked_groups
 from ..geometry.tolerances import LEAST_SQUARE, ROUNDING
 from .tile_grid import GridTile
 
@@ -67,19 +68,11 @@ def share_of_fields(columns: Mapping[str, Sequence], rows: np.ndarray, shares: n
 
 def groups_across(pieces: np.ndarray, tiles: Sequence[str]) -> np.ndarray:
     """Number (m,) int64 of the polygon that each piece is of: pieces of other tiles that share an edge are one."""
-    groups = np.arange(len(pieces))
-
-    def root(item: int) -> int:
-        while groups[item] != item:
-            groups[item] = groups[groups[item]]
-            item = groups[item]
-        return item
-
-    first, second = shapely.STRtree(pieces).query(pieces, predicate="dwithin", distance=_NEAR)
-    for one, other in zip(first.tolist(), second.tolist()):
-        if one < other and tiles[one] != tiles[other] and _share_edge(pieces[one], pieces[other]):
-            groups[max(root(one), root(other))] = min(root(one), root(other))
-    return np.array([root(item) for item in range(len(pieces))], np.int64)
+    near = shapely.STRtree(pieces).query(pieces, predicate="dwithin", distance=_NEAR).T.tolist()
+    links = [(one, other) for one, other in near
+             if one < other and tiles[one] != tiles[other] and _share_edge(pieces[one], pieces[other])]
+    _, group = linked_groups(*np.array(links, np.int64).reshape(-1, 2).T, len(pieces))
+    return np.unique(group, return_index=True)[1][group]
 
 
 def _share_edge(one: shapely.Polygon, other: shapely.Polygon) -> bool:

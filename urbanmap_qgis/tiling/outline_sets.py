@@ -10,9 +10,8 @@ from collections.abc import Sequence
 
 import numpy as np
 import shapely
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 
+from ..geometry.linked_groups import linked_groups
 from .tile_grid import GridTile, TileGrid
 
 
@@ -30,8 +29,7 @@ def buffers_needed(outlines: np.ndarray, grid: TileGrid, tiles: Sequence[GridTil
         return needed
     boxes = shapely.bounds(outlines[usable])
     first, second = shapely.STRtree(outlines[usable]).query(outlines[usable], predicate="dwithin", distance=reach)
-    links = coo_matrix((np.ones(len(first), bool), (first, second)), (len(usable), len(usable)))
-    _, number = connected_components(links, directed=False)
+    _, number = linked_groups(first, second, len(usable))
     low, high = np.full((number.max() + 1, 2), np.inf), np.full((number.max() + 1, 2), -np.inf)
     np.minimum.at(low, number, boxes[:, :2])
     np.maximum.at(high, number, boxes[:, 2:])

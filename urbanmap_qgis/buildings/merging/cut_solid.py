@@ -11,6 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 import shapely
 
+from ...geometry.linked_groups import linked_members
 from ...geometry.solid import GROUND, Solid
 from ...geometry.tolerances import GRID, LEAST_DIVISOR, UNITS
 from ..solids.sloped_solid import SlopedCell, sloped_solids
@@ -123,23 +124,11 @@ def _without_repeats(ring: list[tuple[int, int, int]]) -> list[tuple[int, int, i
 def _joined(faces: list[tuple]) -> tuple[Solid, ...]:
     """Solids of faces (rings of places, type, roof), one for all faces that hang together."""
     owner: dict[tuple[int, int, int], int] = {}
-    group = list(range(len(faces)))
-
-    def root(face: int) -> int:
-        while group[face] != face:
-            group[face] = group[group[face]]
-            face = group[face]
-        return face
-
-    for number, (rings, _, _) in enumerate(faces):
-        for ring in rings:
-            for node in ring:
-                group[root(number)] = root(owner.setdefault(node, number))
-    members: dict[int, list[tuple]] = {}
-    for number, face in enumerate(faces):
-        members.setdefault(root(number), []).append(face)
+    links = [(number, owner.setdefault(node, number)) for number, (rings, _, _) in enumerate(faces)
+             for ring in rings for node in ring]
     solids = []
-    for members_of in members.values():
+    for group in linked_members(*np.array(links, np.int64).reshape(-1, 2).T, len(faces)):
+        members_of = [faces[number] for number in group.tolist()]
         index: dict[tuple[int, int, int], int] = {}
         shells = tuple(tuple(tuple(index.setdefault(node, len(index)) for node in ring) for ring in rings)
                        for rings, _, _ in members_of)

@@ -11,15 +11,15 @@ from dataclasses import dataclass
 
 import numpy as np
 import shapely
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 
 from ...errors import InputError
+from ...geometry.linked_groups import linked_members
 from ...geometry.short_sides import without_short_edges
-from ...geometry.solid import GROUND, INNER_WALL, OUTER_WALL, OVERHANG, ROOF, Face, Solid
+from ...geometry.solid import GROUND, INNER_WALL, OUTER_WALL, OVERHANG, ROOF, Solid
 from ...geometry.tolerances import GRID, UNITS
 from ...wording import say
-from ..solids.half_edges import HalfEdges, half_edges, trace_rings, whole_metre_origin
+from ..solids.face_collector import FaceCollector
+from ..solids.half_edges import HalfEdges, connected_cells, half_edges, trace_rings, whole_metre_origin
 
 Interval = tuple[int, int]
 
@@ -128,37 +128,21 @@ class _Builder:
             links += [(number_of[cell, i], number_of[other, j])
                       for i, layers in enumerate(self.intervals[cell]) for j, beside in enumerate(self.intervals[other])
                       if layers[0] < beside[1] and beside[0] < layers[1]]
-        graph = coo_matrix((np.ones(len(links), bool), tuple(np.array(links, np.int64).reshape(-1, 2).T)),
-                           shape=(len(pieces), len(pieces)))
-        count, group = connected_components(graph, directed=False)
         built = []
-        for wanted in range(count):
-            layers = {}
-            for place in np.flatnonzero(group == wanted).tolist():
+        for group in linked_members(*np.array(links, np.int64).reshape(-1, 2).T, len(pieces)):
+            layers: dict[int, list[Interval]] = {}
+            for place in group.tolist():
                 cell, number = pieces[place]
                 layers.setdefault(cell, []).append(self.intervals[cell][number])
             built.append(self._solid(layers))
         return tuple(built)
 
     def _solid(self, layers: dict[int, list[Interval]]) -> Solid:
-        index: dict[tuple[int, int], int] = {}
-        faces: list[Face] = []
-        types: list[str] = []
-        ids: list[Hashable] = []
-
-        def add(rings, kind, roof_id):
-            faces.append(tuple(tuple(index.setdefault(vertex, len(index)) for vertex in ring) for ring in rings))
-            types.append(kind)
-            ids.append(roof_id)
-
+        made = FaceCollector(self.edges, self.base)
         for level, upper, cells in self._levels(layers):
-            self._add_level(level, upper, cells, add)
-        self._add_walls(layers, add)
-        nodes, levels = zip(*index)
-        vertices = np.empty((len(nodes), 3))
-        vertices[:, :2] = self.edges.coordinates(nodes)
-        vertices[:, 2] = np.array(levels) / UNITS
-        return Solid(vertices, tuple(faces), tuple(types), tuple(ids))
+            self._add_level(level, upper, cells, made.add)
+        self._add_walls(layers, made.add)
+        return Solid(made.vertices(), tuple(made.faces), tuple(made.types), tuple(made.ids))
 
     def _levels(self, layers: dict[int, list[Interval]]):
         """(level, whether it is a top, cells) of all level faces, from below."""
@@ -183,28 +167,11 @@ class _Builder:
 
     def _shapes(self, cells: set[int]) -> list[list[list[int]]]:
         """Rings of the union of cells, piece by piece, the outer ring first."""
-        piece = {cell: cell for cell in cells}
-
-        def root(cell):
-            while piece[cell] != cell:
-                piece[cell] = piece[piece[cell]]
-                cell = piece[cell]
-            return cell
-
-        border: list[tuple[int, int]] = []
-        for (a, b), cell in self.edges.cell.items():
-            if cell not in piece:
-                continue
-            other = self.edges.cell.get((b, a))
-            if other in piece:
-                piece[root(cell)] = root(other)
-            else:
-                border.append((a, b))
-        by_piece: dict[int, list[tuple[int, int]]] = {}
-        for edge in border:
-            by_piece.setdefault(root(self.edges.cell[edge]), []).append(edge)
+        owner = self.edges.cell
+        borders = [[edge for edge, cell in owner.items() if cell in piece and owner.get(edge[::-1]) not in piece]
+                   for piece in connected_cells(self.edges, cells)]
         return [sorted(trace_rings(self.edges, directed), key=lambda ring: self.edges.twice_area(ring) < 0)
-                for _, directed in sorted(by_piece.items())]
+                for directed in borders]
 
     def _add_walls(self, layers: dict[int, list[Interval]], add) -> None:
         """One upright face for each plan edge and stretch of height that only one side fills."""

@@ -8,11 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 from scipy import ndimage
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 
 from ...errors import InsufficientDataError
 from ...geometry.grid import Grid
+from ...geometry.linked_groups import linked_groups
 from ...wording import say
 
 MIN_CELL = 0.2
@@ -123,9 +122,7 @@ def _surfaces(z: np.ndarray, step: float) -> np.ndarray:
         alike = np.abs(z[near] - z[far]) <= step
         links.append(np.stack([number[near][alike], number[far][alike]]))
     one, two = np.concatenate(links, axis=1)
-    _, label = connected_components(coo_matrix((np.ones(len(one), bool), (one, two)), shape=(z.size, z.size)),
-                                    directed=False)
-    return label.reshape(z.shape)
+    return linked_groups(one, two, z.size)[1].reshape(z.shape)
 
 
 def _small(label: np.ndarray, counted: np.ndarray, least: float) -> np.ndarray:

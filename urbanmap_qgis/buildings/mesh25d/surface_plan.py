@@ -8,6 +8,7 @@ import numpy as np
 import shapely
 
 from ...errors import InsufficientDataError
+from ...geometry.linked_groups import linked_groups
 from ...geometry.tolerances import GRID
 from ...wording import say
 from ..solids.half_edges import HalfEdges, half_edges, trace_rings, whole_metre_origin
@@ -111,20 +112,9 @@ def _small_merged(faces: np.ndarray, label: np.ndarray) -> np.ndarray:
 
 def _surfaces(edges: HalfEdges, label: np.ndarray) -> SurfacePlan:
     """Faces of one label that are connected as one surface, without the edges inside."""
-    piece = list(range(len(label)))
-
-    def root(face: int) -> int:
-        while piece[face] != face:
-            piece[face] = piece[piece[face]]
-            face = piece[face]
-        return face
-
-    for (a, b), face in edges.cell.items():
-        other = edges.cell.get((b, a))
-        if other is not None and label[face] == label[other]:
-            piece[root(face)] = root(other)
-    roots = sorted({root(face) for face in range(len(label))})
-    number = {face: place for place, face in enumerate(roots)}
-    owner = {edge: number[root(face)] for edge, face in edges.cell.items()}
+    links = [(face, other) for (a, b), face in edges.cell.items()
+             if (other := edges.cell.get((b, a))) is not None and label[face] == label[other]]
+    _, number = linked_groups(*np.array(links, np.int64).reshape(-1, 2).T, len(label))
+    owner = {edge: int(number[face]) for edge, face in edges.cell.items()}
     edges.cell = {edge: surface for edge, surface in owner.items() if owner.get(edge[::-1]) != surface}
-    return SurfacePlan(edges, label[roots])
+    return SurfacePlan(edges, label[np.unique(number, return_index=True)[1]])

@@ -11,11 +11,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 
 from ...errors import InputError
 from ...geometry.grid import Grid
+from ...geometry.linked_groups import linked_groups
 from ...geometry.tolerances import LEAST_DIVISOR
 from ...progress import SILENT, Progress
 from ...wording import say
@@ -145,7 +144,7 @@ def _batches(n: int, pairs: np.ndarray) -> list[tuple[np.ndarray, np.ndarray]]:
     """Connected sets, put together to batches: members (m,), ascending, and their pairs numbered within."""
     if not n:
         return []
-    _, label = connected_components(coo_matrix((np.ones(len(pairs)), pairs.T), (n, n)), directed=False)
+    _, label = linked_groups(*pairs.T, n)
     size = np.bincount(label)
     batch = (np.cumsum(size) - size) // OUTLINES_AT_ONCE
     of_outline, of_pair = batch[label], batch[label[pairs[:, 0]]]
@@ -226,7 +225,7 @@ def _with_common_shift(network: OutlineNetwork, observed: np.ndarray,
     """
     n = len(network.perimeter)
     pairs = network.pairs
-    sets, label = connected_components(coo_matrix((np.ones(len(pairs)), pairs.T), (n, n)), directed=False)
+    sets, label = linked_groups(*pairs.T, n)
     steps = shift_lattice(COARSE_STEP, max_shift) * COARSE_STEP
     cover = network.cover(np.broadcast_to(steps, (n, *steps.shape)), coarse=True)
     table = _sum_by(label[observed], cover[observed], sets)
@@ -246,8 +245,7 @@ def _with_common_shift(network: OutlineNetwork, observed: np.ndarray,
 
 def _in_observed_set(network: OutlineNetwork, seen: np.ndarray) -> np.ndarray:
     """Mask (n,) of the outlines whose connected set holds one that was seen: ground by itself shows no shift."""
-    n = len(seen)
-    _, label = connected_components(coo_matrix((np.ones(len(network.pairs)), network.pairs.T), (n, n)), directed=False)
+    _, label = linked_groups(*network.pairs.T, len(seen))
     return np.bincount(label, seen)[label] > 0
 
 

@@ -10,10 +10,9 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 
 from ...geometry.grid import Grid
+from ...geometry.linked_groups import linked_groups
 from ...geometry.tolerances import ROUNDING
 from .displacement_boundary import Edges, Pieces, sums_inside
 from .displacement_pairs import MASK_CELL, SharedWalls, meeting_tables
@@ -261,8 +260,7 @@ def drop_insignificant_shifts(network: OutlineNetwork, shifts: np.ndarray) -> np
     n = len(shifts)
     departing = np.hypot(*(shifts - network.common).T) > SAME_PLACE
     inside = departing[network.pairs].all(axis=1)
-    groups, label = connected_components(
-        coo_matrix((np.ones(inside.sum()), network.pairs[inside].T), (n, n)), directed=False)
+    groups, label = linked_groups(*network.pairs[inside].T, n)
     gain = np.bincount(label, _difference(network.unary_score(np.stack((network.common, shifts), 1))), groups)
     relative = np.stack((network.relative(network.common), network.relative(shifts)), 1)
     of_pair = np.where(departing[network.pairs[:, 0]], *label[network.pairs].T)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import shapely
 
+from ...geometry.linked_groups import linked_groups
 from ...geometry.tolerances import UNITS
 from ..solids.half_edges import HalfEdges, half_edges, trace_rings
 
@@ -63,23 +64,14 @@ def _lifted(polygon: shapely.Polygon, plane: np.ndarray) -> shapely.Polygon:
 
 def _collapsed(edges: HalfEdges) -> HalfEdges | None:
     """The plan with the ends of very short edges made one node; None where that would not leave a plan."""
-    parent = list(range(len(edges.x)))
-
-    def root(node: int) -> int:
-        while parent[node] != node:
-            parent[node] = parent[parent[node]]
-            node = parent[node]
-        return node
-
-    for a, b in sorted(edges.cell):
-        if edges.length(a, b) < SHORTEST_EDGE:
-            one, two = sorted((root(a), root(b)))
-            parent[two] = one
-    if all(parent[node] == node for node in range(len(parent))):
+    short = [edge for edge in edges.cell if edges.length(*edge) < SHORTEST_EDGE]
+    if not short:
         return edges
+    _, group = linked_groups(*np.array(short).T, len(edges.x))
+    first = np.unique(group, return_index=True)[1][group].tolist()
     owners: dict[tuple[int, int], list[int]] = {}
     for (a, b), cell in edges.cell.items():
-        a, b = root(a), root(b)
+        a, b = first[a], first[b]
         if a != b:
             owners.setdefault((a, b), []).append(cell)
     left_cell: dict[tuple[int, int], int] = {}

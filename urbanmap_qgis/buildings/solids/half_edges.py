@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 import numpy as np
 import shapely
 
+from ...geometry.linked_groups import linked_members
 from ...geometry.polygon_rings import polygon_rings
 
 OUTSIDE = -1
@@ -127,24 +128,11 @@ def _turn(edges: HalfEdges, before: int, node: int, choices: list[int]) -> int:
     return choices.pop(turns.index(min(turns)))
 
 
-def connected_cells(edges: HalfEdges, count: int) -> list[set[int]]:
-    """Cells 0 to `count` - 1 grouped by common edges, in the order of their first cells."""
-    beside: list[set[int]] = [set() for _ in range(count)]
-    for (a, b), cell in edges.cell.items():
-        other = edges.cell.get((b, a))
-        if other is not None:
-            beside[cell].add(other)
-    seen: set[int] = set()
-    parts = []
-    for first in range(count):
-        if first in seen:
-            continue
-        part, waiting = set(), [first]
-        while waiting:
-            cell = waiting.pop()
-            if cell not in part:
-                part.add(cell)
-                waiting.extend(beside[cell] - part)
-        seen |= part
-        parts.append(part)
-    return parts
+def connected_cells(edges: HalfEdges, cells: Iterable[int]) -> list[set[int]]:
+    """Cells grouped by common edges, in the order of the first cell of each group."""
+    names = sorted(cells)
+    place = {cell: number for number, cell in enumerate(names)}
+    links = [(place[cell], place[other]) for (a, b), cell in edges.cell.items()
+             if cell in place and (other := edges.cell.get((b, a))) in place]
+    one, two = np.array(links, np.int64).reshape(-1, 2).T
+    return [{names[number] for number in group.tolist()} for group in linked_members(one, two, len(names))]

@@ -53,7 +53,7 @@ def sloped_solids(cells: Sequence[SlopedCell], base_height: float) -> tuple[Soli
     if edges is None:
         return ()
     solids = []
-    for part in connected_cells(edges, len(cells)):
+    for part in connected_cells(edges, range(len(cells))):
         directed = {edge: cell for edge, cell in edges.cell.items() if cell in part}
         piece = HalfEdges(edges.origin, edges.resolution, list(edges.x), list(edges.y), directed)
         solids.append(_SlopedFaces(piece, cells, round(base_height * UNITS)).solid())

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 import shapely
 
+from ...geometry.linked_groups import linked_members
 from ...geometry.short_sides import without_short_sides
 from ...wording import say
 from ..road_records import JUNCTION, ROAD, RoadFinding, RoadPiece
@@ -185,22 +186,14 @@ def _between_cuts(net: _Net, numbers: list[int], junctions: CutJunctions) -> lis
     cuts = shapely.union_all([shapely.linestrings(one.line) for one in junctions.cuts]) if junctions.cuts else None
     barrier = None if cuts is None else shapely.buffer(cuts, 5 * GRID)
     faces = [net.faces[number] for number in numbers]
-    group = list(range(len(faces)))
-
-    def root(k: int) -> int:
-        while group[k] != k:
-            k = group[k]
-        return k
-
-    for a, b in zip(*(side.tolist() for side in shapely.STRtree(faces).query(faces, predicate="touches"))):
-        if a >= b or root(a) == root(b):
-            continue
-        common = shapely.intersection(faces[a].boundary, faces[b].boundary)
+    links = []
+    for a, b in shapely.STRtree(faces).query(faces, predicate="touches").T.tolist():
+        common = shapely.intersection(faces[a].boundary, faces[b].boundary) if a < b else shapely.LineString()
         free = common if barrier is None else shapely.difference(common, barrier)
         if shapely.length(free) > 10 * GRID:
-            group[root(b)] = root(a)
-    roots = [root(k) for k in range(len(faces))]
-    return [[numbers[k] for k, face_root in enumerate(roots) if face_root == one] for one in sorted(set(roots))]
+            links.append((a, b))
+    groups = linked_members(*np.array(links, np.int64).reshape(-1, 2).T, len(faces))
+    return [[numbers[k] for k in group.tolist()] for group in groups]
 
 
 def _piece(surface: shapely.Geometry, nodes: list, findings: list[RoadFinding]) -> RoadPiece:
