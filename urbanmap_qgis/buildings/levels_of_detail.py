@@ -15,6 +15,7 @@ import numpy as np
 import shapely
 
 from ..geometry.kept_answers import Kept
+from ..geometry.linked_groups import linked_members
 from ..geometry.solid import GROUND, ROOF, Solid, surfaces
 from ..geometry.tolerances import MILLIMETRE, ROUNDING
 from ..geometry.triangulation import Triangle, triangulate_face
@@ -105,10 +106,8 @@ def roof_steps(solid: Solid) -> list[RoofStep]:
     """The roofs of a solid between its steps."""
     faces = [face for face, kind in enumerate(solid.surface_type) if kind == ROOF]
     plans = shapely.force_2d(surfaces(solid)[faces])
-    group = _joined_roofs(solid, faces)
     steps = []
-    for number in range(max(group, default=-1) + 1):
-        rows = [row for row, its in enumerate(group) if its == number]
+    for rows in _joined_roofs(solid, faces):
         triangles = solid.vertices[[triangle for row in rows for triangle in _triangles_of_roofs(solid)[faces[row]]]]
         height = float(height_quantiles(triangles, [BLOCK_SHARE])[0])
         steps.append(RoofStep(plans[rows[0]] if len(rows) == 1 else shapely.union_all(plans[rows]), height))
@@ -150,22 +149,9 @@ def _ground_plans(solid: Solid) -> list[shapely.Polygon]:
     return list(shapely.force_2d(surfaces(solid)[faces]))
 
 
-def _joined_roofs(solid: Solid, faces: Sequence[int]) -> list[int]:
-    """Number from 0 of the group of each roof: roofs with a common edge in space are of one."""
-    group = list(range(len(faces)))
-
-    def top(row: int) -> int:
-        while group[row] != row:
-            row = group[row]
-        return row
-
+def _joined_roofs(solid: Solid, faces: Sequence[int]) -> list[list[int]]:
+    """Rows of the roofs of each group: roofs with a common edge in space are of one."""
     owner: dict[tuple[int, int], int] = {}
-    for row, face in enumerate(faces):
-        for ring in solid.faces[face]:
-            for edge in zip(ring, (*ring[1:], ring[0])):
-                other = owner.setdefault((min(edge), max(edge)), row)
-                if other != row:
-                    group[top(row)] = top(other)
-    tops = [top(row) for row in range(len(faces))]
-    order = {number: place for place, number in enumerate(dict.fromkeys(tops))}
-    return [order[number] for number in tops]
+    links = [(row, owner.setdefault((min(edge), max(edge)), row)) for row, face in enumerate(faces)
+             for ring in solid.faces[face] for edge in zip(ring, (*ring[1:], ring[0]))]
+    return [group.tolist() for group in linked_members(*np.array(links, np.int64).reshape(-1, 2).T, len(faces))]
