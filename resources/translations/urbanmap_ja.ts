@@ -9860,10 +9860,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>建物に壁面がありません。立体、または高さ付きの外周線を指定してください。</translation>
     </message>
     <message>
-        <source>predicted, m</source>
-        <translation>予測 (m)</translation>
-    </message>
-    <message>
         <source>measured, m</source>
         <translation>観測 (m)</translation>
     </message>
@@ -10868,6 +10864,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>不明</translation>
     </message>
     <message>
+        <source>predicted, m</source>
+        <translation>予測 (m)</translation>
+    </message>
+    <message>
         <source>error {length:g} cm</source>
         <translation>較差 {length:g} cm</translation>
     </message>
@@ -11726,6 +11726,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>More than {most_places:,} places: choose a larger spacing or fewer roads.</source>
         <translation>地点が {most_places:,} を超えます。間隔を広げるか、道路を減らしてください。</translation>
+    </message>
+    <message>
+        <source>observed, m</source>
+        <translation>観測値 (m)</translation>
     </message>
     <message>
         <source>{place}: street {street}, from {min:.0f} m. Ellipses five times enlarged.</source>

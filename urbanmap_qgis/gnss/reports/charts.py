@@ -6,6 +6,7 @@ import numpy as np
 import shapely
 
 from ...geometry.tolerances import LEAST_FACE
+from ...io.pages.svg import agreement, dots, drawing
 from ...wording import say
 from ..rays.reflections import LOS, REFLECTED, SignalPaths
 from ..rays.wall_faces import WallPieces
@@ -31,27 +32,15 @@ def sky_plot(signals: Signals, paths: SignalPaths, size: int = 460) -> str:
     names = "".join(f'<text x="{middle + (radius + 14) * dx:.0f}" y="{middle - (radius + 14) * dy + 4:.0f}" '
                     f'text-anchor="middle">{name}</text>' for name, dx, dy in (
                         ("N", 0, 1), ("E", 1, 0), ("S", 0, -1), ("W", -1, 0)))
-    return _svg(size, size, rings + names + _dots(x, y, colour, 1.6))
+    return drawing(size, size, rings + names + dots(x, y, colour, 1.6))
 
 
-def scatter(predicted: np.ndarray, measured: np.ndarray, sure: np.ndarray, size: int = 460) -> str:
+def scatter(predicted: np.ndarray, measured: np.ndarray, sure: np.ndarray) -> str:
     """Measured against predicted excess path, m, with the line on which they are equal."""
-    low, high = -10.0, float(np.ceil(max(np.quantile(predicted, 0.99), 30.0) / 10.0) * 10.0 + 20.0)
-    left, foot = 46.0, size - 36.0
-    scale = (size - left - 12) / (high - low)
+    high = float(np.ceil(max(np.quantile(predicted, 0.99), 30.0) / 10.0) * 10.0 + 20.0)
     rows = _some(len(predicted))
-    x = left + (predicted[rows] - low) * scale
-    y = foot - (np.clip(measured[rows], low, high) - low) * scale
-    ticks = "".join(f'<text x="{left + (v - low) * scale:.0f}" y="{foot + 16:.0f}" text-anchor="middle">{v:g}</text>'
-                    f'<text x="{left - 6:.0f}" y="{foot - (v - low) * scale + 4:.0f}" text-anchor="end">{v:g}</text>'
-                    for v in np.arange(0.0, high + 1, 20.0))
-    line = (f'<path d="M{left:.0f} {foot:.0f}L{left + (high - low) * scale:.0f} {foot - (high - low) * scale:.0f}" '
-            f'stroke="#444"/><path d="M{left:.0f} 12V{foot:.0f}H{size - 10}" stroke="#444" fill="none"/>')
-    colour = np.where(sure[rows], _BLUE, "#a6bddb")
-    text = (f'<text x="{size / 2:.0f}" y="{size - 4}" text-anchor="middle">{say("predicted, m")}</text>'
-            f'<text x="12" y="{size / 2:.0f}" text-anchor="middle" transform="rotate(-90 12 {size / 2:.0f})">'
-            f'{say("measured, m")}</text>')
-    return _svg(size, size, line + ticks + _dots(x, y, colour, 1.8) + text)
+    return agreement(predicted[rows], measured[rows], (-10.0, high), np.where(sure[rows], _BLUE, "#a6bddb"),
+                     say("measured, m"))
 
 
 def wall_map(shapes: np.ndarray, before: WallPieces, after: WallPieces, walls: WallResult, width: int = 900) -> str:
@@ -87,7 +76,7 @@ def wall_map(shapes: np.ndarray, before: WallPieces, after: WallPieces, walls: W
     parts.append(f'<path d="M{width - 10 - length * scale:.0f} {height - 10:.0f}H{width - 10}" stroke="#333" '
                  f'stroke-width="3"/><text x="{width - 14 - length * scale:.0f}" y="{height - 6:.0f}" '
                  f'text-anchor="end">{length} m {say("(moves: {third:.1f} m)", third=length / 3)}</text>')
-    return _svg(width, int(height), "".join(parts))
+    return drawing(width, int(height), "".join(parts))
 
 
 def _outline(shape: shapely.Geometry, place) -> str:
@@ -104,18 +93,6 @@ def _stroke(line: np.ndarray, colour: str, width: float, dashes: str = "") -> st
     return f'<path d="M{x0:.1f} {y0:.1f}L{x1:.1f} {y1:.1f}" stroke="{colour}" stroke-width="{width}"{dashed}/>'
 
 
-def _dots(x: np.ndarray, y: np.ndarray, colour: np.ndarray, radius: float) -> str:
-    """Points, one path a colour."""
-    return "".join(
-        f'<path d="{"".join(f"M{a:.1f} {b:.1f}h.1" for a, b in zip(x[colour == one], y[colour == one]))}" '
-        f'stroke="{one}" stroke-width="{2 * radius}" stroke-linecap="round"/>' for one in np.unique(colour))
-
-
 def _some(count: int) -> np.ndarray:
     """Rows to draw: all, or evenly picked ones."""
     return np.unique(np.linspace(0, count - 1, min(count, _MOST)).astype(np.int64))
-
-
-def _svg(width: int, height: int, content: str) -> str:
-    return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" role="img" '
-            f'font-family="sans-serif" font-size="11">{content}</svg>')

@@ -16,6 +16,12 @@ RAMP = ("#1a9850", "#91cf60", "#fee08b", "#fc8d59", "#d73027")
 UNKNOWN = "#bbbbbb"
 
 
+def drawing(width: int, height: int, content: str, letters: float = 11) -> str:
+    """SVG of a size in pixels; `letters`: height of its texts."""
+    return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" role="img" '
+            f'font-family="sans-serif" font-size="{letters:g}">{content}</svg>')
+
+
 def bars(counts: np.ndarray, edges: np.ndarray, label: str, width: int = 460, height: int = 200) -> str:
     """An SVG bar chart with a labelled axis, `width` by `height` pixels."""
     left, bottom = 46, 40
@@ -30,13 +36,35 @@ def bars(counts: np.ndarray, edges: np.ndarray, label: str, width: int = 460, he
     ticks = "".join(
         f'<text x="{left + (value - low) / (high - low) * plot_width:.0f}" y="{height - bottom + 16}" '
         f'text-anchor="middle">{value:g}</text>' for value in round_values(low, high))
-    return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" role="img" '
-            f'font-family="sans-serif" font-size="11">{bars}'
-            f'<path d="M{left} {height - bottom}H{width - 10}" stroke="#444"/>'
-            f'{ticks}<text x="{left - 6}" y="20" text-anchor="end">{tallest}</text>'
-            f'<text x="{left - 6}" y="{height - bottom}" text-anchor="end">0</text>'
-            f'<text x="{left + plot_width / 2:.0f}" y="{height - 6}" text-anchor="middle">'
-            f"{html.escape(known(label))}</text></svg>")
+    return drawing(width, height, f'{bars}<path d="M{left} {height - bottom}H{width - 10}" stroke="#444"/>'
+                   f'{ticks}<text x="{left - 6}" y="20" text-anchor="end">{tallest}</text>'
+                   f'<text x="{left - 6}" y="{height - bottom}" text-anchor="end">0</text>'
+                   f'<text x="{left + plot_width / 2:.0f}" y="{height - 6}" text-anchor="middle">'
+                   f"{html.escape(known(label))}</text>")
+
+
+def agreement(predicted: np.ndarray, observed: np.ndarray, span: tuple[float, float], colour: np.ndarray,
+              label: str) -> str:
+    """Values (n,), m, against their predictions within a span, coloured, with the line on which they are equal."""
+    size, left, foot, (low, high) = 460, 52.0, 420.0, span
+    scale = (size - left - 12) / (high - low)
+    ticks = "".join(f'<text x="{left + (v - low) * scale:.0f}" y="{foot + 16:.0f}" text-anchor="middle">{v:g}</text>'
+                    f'<text x="{left - 6:.0f}" y="{foot - (v - low) * scale + 4:.0f}" text-anchor="end">{v:g}</text>'
+                    for v in round_values(low, high))
+    axes = (f'<path d="M{left:.0f} 12V{foot:.0f}H{size - 10}" stroke="#444" fill="none"/>'
+            f'<path d="M{left:.0f} {foot:.0f}L{size - 12} {left + 12 + foot - size:.0f}" stroke="#999"/>')
+    words = (f'<text x="{size / 2:.0f}" y="{size - 6}" text-anchor="middle">{say("predicted, m")}</text>'
+             f'<text x="12" y="{size / 2:.0f}" text-anchor="middle" transform="rotate(-90 12 {size / 2:.0f})">'
+             f'{label}</text>')
+    return drawing(size, size, axes + ticks + dots(left + (predicted - low) * scale, foot - (
+        np.clip(observed, low, high) - low) * scale, colour, 2.0) + words)
+
+
+def dots(x: np.ndarray, y: np.ndarray, colour: np.ndarray, radius: float) -> str:
+    """Points (n,) of a radius, pixels, one path a colour."""
+    return "".join(
+        f'<path d="{"".join(f"M{a:.1f} {b:.1f}h.1" for a, b in zip(x[colour == one], y[colour == one]))}" '
+        f'stroke="{one}" stroke-width="{2 * radius}" stroke-linecap="round"/>' for one in np.unique(colour))
 
 
 def round_values(low: float, high: float) -> list[float]:
@@ -79,8 +107,7 @@ def plan_map(polygons: Sequence[shapely.Geometry | None], values: np.ndarray, li
                          f'stroke-width="3" paint-order="stroke">{html.escape(text)}</text>')
     parts.append(_legend(limits, unit, height - 30))
     parts.append(scale_bar(scale, width, height - 14))
-    return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" role="img" '
-            f'font-family="sans-serif" font-size="11">{"".join(parts)}</svg>')
+    return drawing(width, height, "".join(parts))
 
 
 def _path(shape: shapely.Geometry, place) -> str:

@@ -10,7 +10,7 @@ import numpy as np
 
 from ...geometry.tolerances import LEAST_DIVISOR
 from ...wording import known
-from .svg import round_values
+from .svg import drawing, round_values
 
 COLOURS = ("#2f6f8f", "#d7263d", "#3a9d5d", "#8a5fb0", "#e09a2b")
 
@@ -59,8 +59,7 @@ def profile(x: np.ndarray, series: Sequence[Series], x_label: str, y_label: str,
     parts += [_curve(x, item, to_picture, keep) for item in series]
     parts.append(_axes(to_picture, (x_low, x_high), (y_low, y_high), width, height, x_label, y_label))
     parts.append(_legend(series, intervals, height))
-    return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height + 22}" role="img" '
-            f'font-family="sans-serif" font-size="11">{"".join(parts)}</svg>')
+    return drawing(width, height + 22, "".join(parts))
 
 
 def _limits(values: list[np.ndarray]) -> tuple[float, float]:

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ...wording import say
-from .svg import scale_bar
+from .svg import drawing, scale_bar
 
 _LONGEST = 60.0  # pixels of the vector that the scale is chosen by
 _MARGIN, _SCALES = _LONGEST + 14, 30  # pixels around the points, and for the scale bars below
@@ -47,9 +47,8 @@ def vector_map(places: np.ndarray, vectors: np.ndarray, names: Sequence[str], li
     parts.append(scale_bar(scale, width, height - 12))
     if lengths.any():
         parts.append(_vector_scale(typical, magnified, height - 12))
-    return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" role="img" '
-            f'font-family="sans-serif" font-size="{_LETTER:g}"><rect width="{width}" height="{height}" fill="#fbfbf9" '
-            f'stroke="#ccc"/>{"".join(parts)}</svg>')
+    return drawing(width, height, f'<rect width="{width}" height="{height}" fill="#fbfbf9" stroke="#ccc"/>'
+                   f'{"".join(parts)}', _LETTER)
 
 
 def vector_map_shape(places: np.ndarray, width: int = 720) -> float:

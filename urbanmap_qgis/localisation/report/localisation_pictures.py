@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...io.pages.svg import agreement, drawing
 from ...wording import say
 from ..accuracy_records import AccuracyMap, LocalisationMap
 from ..places.place_status import GOOD, NONE, POOR, USABLE
@@ -35,26 +36,13 @@ def accuracy_plan(city: LocalisationMap, accuracy: AccuracyMap, rows: np.ndarray
                          f'fill-opacity="0.3" stroke="{colour}" transform="rotate({accuracy.ellipse.bearing[row]:.0f} '
                          f'{x:.1f} {y:.1f})"/>')
         parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="1.6" fill="{colour}"/>')
-    return _picture(size[0], size[1], "".join(parts))
+    return drawing(round(size[0]), round(size[1]), f'<rect width="100%" height="100%" fill="#fafafa"/>{"".join(parts)}')
 
 
-def agreement_plot(predicted: np.ndarray, observed: np.ndarray, size: int = 460) -> str:
+def agreement_plot(predicted: np.ndarray, observed: np.ndarray) -> str:
     """Observed against predicted root mean square errors, m, with the line on which they are equal."""
     top = float(max(np.quantile(observed, 0.97), predicted.max(), 0.05)) * 1.1
-    left, foot = 52.0, size - 40.0
-    scale = (size - left - 12) / top
-    dots = "".join(f'<circle cx="{left + x * scale:.1f}" cy="{foot - min(y, top) * scale:.1f}" r="2.2" '
-                   f'fill="#2166ac" fill-opacity="0.7"/>' for x, y in zip(predicted, observed))
-    ticks = "".join(
-        f'<text x="{left + v * scale:.0f}" y="{foot + 16:.0f}" text-anchor="middle">{v:.2g}</text>'
-        f'<text x="{left - 6:.0f}" y="{foot - v * scale + 4:.0f}" text-anchor="end">{v:.2g}</text>'
-        for v in np.linspace(0.0, top, 6))
-    axes = (f'<path d="M{left:.0f} 12V{foot:.0f}H{size - 10}" stroke="#444" fill="none"/>'
-            f'<path d="M{left:.0f} {foot:.0f}L{left + top * scale:.0f} {foot - top * scale:.0f}" stroke="#999"/>')
-    words = (f'<text x="{size / 2:.0f}" y="{size - 6}" text-anchor="middle">{say("predicted, m")}</text>'
-             f'<text x="12" y="{size / 2:.0f}" text-anchor="middle" transform="rotate(-90 12 {size / 2:.0f})">'
-             'observed, m</text>')
-    return _picture(size, size, axes + ticks + dots + words)
+    return agreement(predicted, observed, (0.0, top), np.full(len(predicted), "#2166ac"), say("observed, m"))
 
 
 def _walls(city: LocalisationMap, at, low: np.ndarray, high: np.ndarray) -> str:
@@ -78,9 +66,3 @@ def _markings(city: LocalisationMap, at, low: np.ndarray, high: np.ndarray) -> s
     lines = "".join(f"M{a[0]:.1f} {a[1]:.1f}L{b[0]:.1f} {b[1]:.1f}"
                     for a, b in zip(at(xy[rows] - half), at(xy[rows] + half)))
     return f'<path d="{lines}" stroke="#b8b03a" stroke-width="1" fill="none"/>'
-
-
-def _picture(width: float, height: float, content: str) -> str:
-    return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:.0f}" height="{height:.0f}" '
-            f'viewBox="0 0 {width:.0f} {height:.0f}" role="img" font-family="sans-serif" font-size="11">'
-            f'<rect width="{width:.0f}" height="{height:.0f}" fill="#fafafa"/>{content}</svg>')
