@@ -8568,10 +8568,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>点から屋根が見つかりませんでした</translation>
     </message>
     <message>
-        <source>level roofs, as they fit its points better than planes; {reason}</source>
-        <translation>平面より点によく合うため陸屋根としました；{reason}</translation>
-    </message>
-    <message>
         <source>its ground is not known, {source}</source>
         <translation>地表の高さが不明です（{source}）</translation>
     </message>

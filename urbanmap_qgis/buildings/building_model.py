@@ -29,11 +29,10 @@ from .model_status import (
 )
 from .model_surfaces import ModelSurfaces
 from .outlines.footprint import has_curved_walls
-from .planes.level_alternative import broad_area
+from .planes.lost_planes import broad_area
 from .planes.plane_solids import checked_sloped_solids
 from .planes.roof_type import roof_type
 from .quality import ModelFit, height_differences, model_fit, surface_distances, unexplained_points
-from .roof_polygons.polygon_rows import LEVELS_BETTER
 from .seen.seen_roofs import SeenRoofs, seen_roofs, unseen_share
 from .solids.solid import checked_level_solids
 
@@ -170,8 +169,6 @@ def _roofs_status(roofs: RoofInput, note: str) -> tuple[str, str]:
     if simplified:
         why = simplified[simplified.index(SIMPLIFIED) + len(SIMPLIFIED):].lstrip(": ")
         status, reason = SIMPLIFIED, "; ".join(filter(None, (why, note)))
-    if any(LEVELS_BETTER in str(words) for words in roofs.status):
-        reason = say("level roofs, as they fit its points better than planes; {reason}", reason=reason).rstrip("; ")
     return status, reason
 
 

@@ -20,9 +20,6 @@ GAP = 3.0
 FREE_DIRECTIONS = np.arange(0.0, 180.0, 15.0)
 """Degrees, tried besides the building's own directions."""
 
-FAVOUR = 1.4
-"""Cracks along the building's own directions count so much more."""
-
 SAME_DIRECTION = np.sin(np.radians(3.0))
 MOST_LINES_A_PAIR = 6
 
@@ -60,7 +57,6 @@ def step_lines(cracks: LabelBoundaries, normals: np.ndarray, cell: float, least_
     angle = np.radians(FREE_DIRECTIONS)
     free = np.column_stack([np.cos(angle), np.sin(angle)])
     tried = np.concatenate([normals, free])
-    favour = np.concatenate([np.full(len(normals), FAVOUR), np.ones(len(free))])
     count = int(max(cracks.left.max(initial=0), cracks.right.max(initial=0), label.max(initial=0))) + 1
     order = np.argsort(label, kind="stable")
     own_points = np.split(order, np.cumsum(np.bincount(label + 1, minlength=count + 1))[:-1])[1:]
@@ -72,7 +68,7 @@ def step_lines(cracks: LabelBoundaries, normals: np.ndarray, cell: float, least_
         near = _in_box(points[either], xy, 2.0 * cell + 0.3)
         nearby, upper = points[either[near]], label[either[near]] == two
         for _ in range(MOST_LINES_A_PAIR):
-            line, members, length = _longest(xy, tried, favour, cell)
+            line, members, length = _longest(xy, tried, cell)
             if length < least_length:
                 break
             along = xy[members] @ np.array([-line[1], line[0]])
@@ -98,7 +94,7 @@ def _in_box(points: np.ndarray, xy: np.ndarray, margin: float) -> np.ndarray:
     return ((points >= xy.min(axis=0) - margin) & (points <= xy.max(axis=0) + margin)).all(axis=1)
 
 
-def _longest(xy: np.ndarray, normals: np.ndarray, favour: np.ndarray, cell: float):
+def _longest(xy: np.ndarray, normals: np.ndarray, cell: float):
     """The line with the longest run of cracks, which of them belong to it, and its length; of length 0 if none."""
     none = (1.0, 0.0, 0.0), np.zeros(len(xy), bool), 0.0
     if len(xy) < 2:
@@ -111,7 +107,7 @@ def _longest(xy: np.ndarray, normals: np.ndarray, favour: np.ndarray, cell: floa
     flat = (ordered + separation).ravel()
     last = np.searchsorted(flat, flat + width, side="right").reshape(ordered.shape)
     votes = last - np.arange(ordered.size).reshape(ordered.shape)
-    row, place = np.unravel_index(np.argmax(votes * favour[:, None]), votes.shape)
+    row, place = np.unravel_index(np.argmax(votes), votes.shape)
     normal = normals[row]
     members = np.flatnonzero((offset[row] >= ordered[row, place]) & (offset[row] <= ordered[row, place] + width))
     along = xy[members] @ np.array([-normal[1], normal[0]])

@@ -7,7 +7,7 @@ import shapely
 
 from ...settings.buildings import MAXIMUM, PolygonParameters
 from ..model_status import LOST_AREA, LOST_ROOFS
-from ..planes.level_alternative import has_lost_plane
+from ..planes.lost_planes import has_lost_plane
 from ..planes.plane_partition import partition_planes
 from .polygon_rows import DrawnRoof, RoofedBuilding, RoofPolygons
 

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import numpy as np
 import shapely
 
 from ..planes.plane_moments import azimuth_degrees, slope_degrees
-
-LEVELS_BETTER = "level roofs fit better"
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,10 +35,6 @@ class RoofedBuilding:
     def stated(self, words: str) -> str:
         """Words on the roofs, with those on the outline behind them."""
         return f"{words}; {self.status}" if self.status else words
-
-    def restated(self, words: str) -> RoofedBuilding:
-        """The building with other words before those on its outline."""
-        return replace(self, status=self.stated(words))
 
     @property
     def density(self) -> float:

@@ -1,4 +1,4 @@
-"""Level roofs in place of planes, for buildings that planes do not fit."""
+"""Planes that have points but no place in a divided plan."""
 
 from __future__ import annotations
 
@@ -9,31 +9,10 @@ import numpy as np
 import shapely
 
 from ...geometry.grid import Grid
-from ..roofs.roof_segmentation import segment_roofs
 
-SUSPECT = 0.25
-"""A building whose plane model misses its points by more than this (root mean square of the best 95 %, m) is looked
-at again."""
-
-BETTER = 0.96
-"""Level roofs are taken where their misfit is below this share of the planes'."""
-
-BEST_SHARE = 0.95
-# Points this far (m) from the model are not explained; side of the cells (m) that tell how broad their place
-# is.
+# Points this far (m) from the model are not explained; side of the cells (m) that tell how broad their place is.
 LOST_STEP = 0.5
 LOST_CELL = 0.5
-BELOW = 0.5
-MISSED = 3.0
-
-
-def roof_misfit(polygons: Sequence[shapely.Polygon], points: np.ndarray) -> float:
-    """Root mean square height difference of the best 95 % of points (n, 3) to the polygons with z over or under them,
-    m; a difference counts as 3 m at most."""
-    off = heights_over(polygons, points)
-    off = np.sort(np.minimum(np.abs(off[np.isfinite(off)]), MISSED))
-    best = off[:max(int(np.ceil(BEST_SHARE * len(off))), 1)]
-    return float(np.sqrt(np.mean(best**2))) if len(best) else 0.0
 
 
 def heights_over(polygons: Sequence[shapely.Polygon], points: np.ndarray) -> np.ndarray:
@@ -83,16 +62,3 @@ def broad_area(points: np.ndarray, density: float) -> float:
     hit = np.zeros((grid.rows + 2, grid.columns + 2), np.uint8)
     hit[row + 1, column + 1] = 1
     return float(np.count_nonzero(cv2.morphologyEx(hit, cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))) * cell**2)
-
-
-def high_points(points: np.ndarray, roof: np.ndarray) -> np.ndarray:
-    """Points (m, 3) that are not below all roofs: those of roofs (not 0) and what stands on and between them."""
-    return points[points[:, 2] >= points[roof > 0, 2].min() - BELOW]
-
-
-def level_roof_numbers(outline: shapely.Geometry, points: np.ndarray, roof: np.ndarray) -> np.ndarray:
-    """Level roofs (n,) of points (n, 3), numbered after the planes in `roof` (n,); 0 where a point has none."""
-    inside = max(np.count_nonzero(roof) / outline.area, 0.1)
-    ground = float(points[roof > 0, 2].min()) - BELOW - 2.0
-    found = segment_roofs(*points.T, outline, ground, inside).roof_of_point.astype(np.int64)
-    return np.where(found > 0, found + int(roof.max()), 0)
