@@ -153,7 +153,7 @@ def _cloud_times(path: Path):
     """Times of a cloud by its samples; then its extended records, which the correction of a survey keeps."""
     from urbanmap_qgis.io.points.pointcloud import open_cloud
     from urbanmap_qgis.mobile.apply_correction import _evlrs
-    from urbanmap_qgis.mobile.markings.survey_points import sampled_span
+    from urbanmap_qgis.mobile.gps_time import sampled_span
 
     cloud = open_cloud([path])
     _evlrs(cloud)

@@ -38,8 +38,7 @@ from urbanmap_qgis.io.raster import RasterSampler
 from urbanmap_qgis.job.job_file import read_job
 from urbanmap_qgis.job.job_progress import file_state_of
 from urbanmap_qgis.job.recognition.contents import recognise_file
-from urbanmap_qgis.mobile.gps_time import time_range
-from urbanmap_qgis.mobile.markings.survey_points import sampled_span
+from urbanmap_qgis.mobile.gps_time import sampled_span, time_range
 
 LONG = "9" * 400
 

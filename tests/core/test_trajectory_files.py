@@ -211,10 +211,18 @@ def test_ways_of_counting_gps_time_are_matched(make_cloud, tmp_path, cloud_start
 
 def test_no_overlap_is_refused_with_both_spans(make_cloud, tmp_path):
     cloud = timed_cloud(make_cloud, tmp_path, 1000.0)
-    with pytest.raises(InputError, match=r"measured from 1000.0 to 1090.0 s of the GPS week, but the trajectory runs"):
+    with pytest.raises(InputError, match=r"measured from 1003.7 to 1086.3 s of the GPS week, but the trajectory runs"):
         time_shift(cloud, drive_from(5000.0))
     with pytest.raises(InputError, match="give those of one survey"):
         shift_between((0.0, 100.0), (60.0, 160.0), "The points")
+
+
+def test_few_points_without_a_time_tell_nothing(make_cloud, tmp_path):
+    """Zero and -1 as some programs write them: such points lie outside of the trajectory."""
+    time = np.linspace(1000.0, 1090.0, 1000)
+    time[::50], time[7::90] = 0.0, -1.0
+    path = make_cloud(tmp_path / "t.laz", *np.zeros((3, 1000)), gps_time=time)
+    assert time_shift(open_cloud([path]), drive_from(1000.0)) == 0.0
 
 
 def test_points_without_time_are_refused(make_cloud, tmp_path):

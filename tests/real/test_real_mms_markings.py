@@ -12,10 +12,10 @@ import shapely
 
 from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.mobile.calibration import read_calibration
+from urbanmap_qgis.mobile.gps_time import sampled_span
 from urbanmap_qgis.mobile.ground import classify_ground_files
 from urbanmap_qgis.mobile.markings.curve_report import contrast_of, doubts
 from urbanmap_qgis.mobile.markings.marking_stage import extract_markings
-from urbanmap_qgis.mobile.markings.survey_points import sampled_span
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 
 ASPHALT, PAINT = 1, 2

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..errors import InputError
 from ..io.points.pointcloud import PointCloud
-from ..mobile.markings.survey_points import sampled_span
+from ..mobile.gps_time import sampled_span
 from ..mobile.survey_checks import Box
 from ..mobile.trajectory import Trajectory, interpolate
 from ..progress import Progress

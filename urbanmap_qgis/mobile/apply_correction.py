@@ -76,7 +76,7 @@ def apply_correction(paths: Sequence[str | os.PathLike], reported: Trajectory, c
         raise InputError(say("{output} must end in .laz or .las.", output=Path(output).name))
     cloud = open_cloud(paths)
     movement = correction_between(reported, corrected)
-    shift = survey_time_shift(cloud, reported)
+    shift = time_shift(cloud, reported)
     writing = _Writing(cloud, movement, progress)
     statistics = _Statistics()
     with written_beside(output) as temporary:
@@ -116,23 +116,6 @@ def apply_to_images(path: str | os.PathLike, reported: Trajectory, corrected: Tr
                           "were moved with its nearest pose.", away_count=np.count_nonzero(away),
                           away_count_2=len(away)))
     return replace(moved, images=len(away), images_outside=int(np.count_nonzero(away)))
-
-
-def survey_time_shift(cloud: PointCloud, trajectory: Trajectory) -> float:
-    """`time_shift` by the first points, and by all of them only where the first lie outside the trajectory.
-
-    Raises
-    ------
-    InputError : the points carry no time, or cloud and trajectory do not overlap in time.
-    """
-    first = next(iter(iter_chunks(cloud)), None)
-    if first is not None and cloud.has_dimension("gps_time") and len(first):
-        time = np.asarray(first.gps_time)
-        try:
-            return time_shift(cloud, trajectory, (float(time.min()), float(time.max())))
-        except InputError:  # the survey may have begun before the trajectory: only all points can tell
-            pass
-    return time_shift(cloud, trajectory)
 
 
 class _Statistics:

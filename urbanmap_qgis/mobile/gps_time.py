@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import itertools
+from functools import lru_cache
 
+import laspy
 import numpy as np
 
 from ..errors import InputError
-from ..io.points.pointcloud import PointCloud, iter_chunks
+from ..io.points.coordinate_steps import probes
+from ..io.points.decoded_points import FileState, file_state
+from ..io.points.pointcloud import PointCloud, can_be_entered, iter_chunks
 from ..wording import known, mark, say
 from .trajectory import Trajectory
 
@@ -21,6 +25,7 @@ ADJUSTMENT = 1e9
 """Adjusted standard GPS time is full GPS seconds less this (LAS 1.2 and later)."""
 
 _ENOUGH = 0.5
+_FEW = 0.05  # of the points, whose times may be wrong
 
 # Name, seconds in its unit, and seconds to add to be full GPS seconds.
 _COUNTS = ((mark("Unix time (seconds since 1970)"), 1.0, -315_964_800.0), (mark("milliseconds"), 1e-3, 0.0),
@@ -63,21 +68,46 @@ def time_range(cloud: PointCloud) -> tuple[float, float]:
     return first, last
 
 
-def time_shift(cloud: PointCloud, trajectory: Trajectory, span: tuple[float, float] | None = None) -> float:
+def sampled_span(cloud: PointCloud) -> tuple[float, float]:
+    """Span that most of a cloud's gps_times lie in by samples, s: enough to tell how they are counted.
+
+    Raises
+    ------
+    InputError : the points carry no gps_time.
+    """
+    if not cloud.has_dimension("gps_time") or not all(map(can_be_entered, cloud.headers)):
+        return time_range(cloud)
+    try:
+        span = _sampled(tuple(file_state(path) for path, header in zip(cloud.paths, cloud.headers)
+                              if header.point_count))
+    except (laspy.errors.LaspyException, RuntimeError, OSError, ValueError, EOFError):
+        # Not every LAZ can be entered in its middle; one that is damaged says so when it is read through.
+        return time_range(cloud)
+    return span or time_range(cloud)
+
+
+@lru_cache(maxsize=8)
+def _sampled(files: tuple[FileState, ...]) -> tuple[float, float] | None:
+    """Span of the samples of files; None where all times are 0. Each stage of a chain asks it for the same files.
+
+    Times that are no numbers are left out: such points lie outside of any trajectory.
+    """
+    times = np.concatenate([np.asarray(points["gps_time"]) for path, *_ in files for points in probes(path)])
+    times = times[np.isfinite(times)]
+    return tuple(np.quantile(times, [_FEW, 1.0 - _FEW]).tolist()) if times.any() else None
+
+
+def time_shift(cloud: PointCloud, trajectory: Trajectory) -> float:
     """Seconds to add to a cloud's gps_time so that it is in the trajectory's time.
 
     Seconds of the week, adjusted standard time and full GPS seconds are told from each other by the header and the
-    values; a survey may run over the end of a week.
-
-    Parameters
-    ----------
-    span : first and last time of the cloud; None reads it from the points.
+    values; a survey may run over the end of a week. Few points without a time tell nothing.
 
     Raises
     ------
     InputError : no time at all, or cloud and trajectory overlap by less than half of the cloud's time.
     """
-    first, last = span or time_range(cloud)
+    first, last = sampled_span(cloud)
     return shift_between((first, last), (float(trajectory.time[0]), float(trajectory.time[-1])),
                          f"The points of {cloud.paths[0].name}", _kind(cloud, first))
 

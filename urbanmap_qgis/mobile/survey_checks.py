@@ -14,8 +14,7 @@ from ..io.points.pointcloud import PointCloud
 from ..io.raster import RasterSampler
 from ..progress import SILENT, Progress, notice
 from ..wording import known, mark, say
-from .gps_time import time_shift
-from .markings.survey_points import sampled_span
+from .gps_time import sampled_span, time_shift
 from .registration.start.reference import Reference
 from .trajectory import Trajectory, interpolate
 
@@ -63,7 +62,7 @@ def require_survey(cloud: PointCloud, trajectory: Trajectory) -> None:
     InputError : the times do not overlap, or the points lie elsewhere or at other heights.
     """
     span = sampled_span(cloud)
-    shift = time_shift(cloud, trajectory, span)
+    shift = time_shift(cloud, trajectory)
     time = np.linspace(span[0] + shift, span[1] + shift, SAMPLES)
     place = interpolate(trajectory, time, "hold").place
     name, low, high = cloud.paths[0].name, cloud.minimum, cloud.maximum
@@ -179,7 +178,7 @@ def require_reference(trajectory: Trajectory, span: tuple[float, float] | None, 
 def survey_span(cloud: PointCloud, trajectory: Trajectory) -> tuple[float, float]:
     """Times, s, in the trajectory's count, in which a cloud was measured."""
     span = sampled_span(cloud)
-    shift = time_shift(cloud, trajectory, span)
+    shift = time_shift(cloud, trajectory)
     return span[0] + shift, span[1] + shift
 
 

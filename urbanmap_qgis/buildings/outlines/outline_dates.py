@@ -14,8 +14,7 @@ import numpy as np
 
 from ...errors import InputError
 from ...io.points.pointcloud import PointCloud
-from ...mobile.gps_time import ADJUSTMENT, EPOCH, WEEK
-from ...mobile.markings.survey_points import sampled_span
+from ...mobile.gps_time import ADJUSTMENT, EPOCH, WEEK, sampled_span
 from ...wording import say
 
 BEGINS = ("lfSpanFr", "yearOfConstruction", "oorspronkelijkbouwjaar", "start_date", "date_app")

@@ -7,8 +7,7 @@ from pathlib import Path
 from ...errors import InputError
 from ...io.points.pointcloud import PointCloud, open_cloud
 from ...io.reference.height_systems import heights_of
-from ...mobile.gps_time import ADJUSTMENT, WEEK
-from ...mobile.markings.survey_points import sampled_span
+from ...mobile.gps_time import ADJUSTMENT, WEEK, sampled_span
 from ...wording import say
 from ..file_facts import POINTS, SCANS, FileFacts
 

@@ -12,8 +12,8 @@ from ...errors import InputError
 from ...io.points.pointcloud import PointCloud, iter_chunks, open_cloud
 from ...progress import Progress
 from ...wording import say
-from ..apply_correction import survey_time_shift
 from ..calibration import Calibration
+from ..gps_time import time_shift
 from ..registration.survey_markings import survey_markings
 from ..trajectory import Trajectory, interpolate
 from .records import AdjustmentRun
@@ -57,7 +57,7 @@ def assign_clouds(paths: Sequence[str | os.PathLike], trajectories: Sequence[Tra
 def _distance(cloud: PointCloud, trajectory: Trajectory) -> float:
     """Median distance, m, of some points from the vehicle when they were measured; inf where the times do not meet."""
     try:
-        shift = survey_time_shift(cloud, trajectory)
+        shift = time_shift(cloud, trajectory)
     except InputError:
         return np.inf
     chunk = next(iter_chunks(cloud))

@@ -18,8 +18,8 @@ from scipy.spatial import cKDTree
 from ...geometry.tolerances import LEAST_DIVISOR, SIGMA_OF_MAD
 from ...io.points.pointcloud import iter_chunks, open_cloud
 from ...progress import SILENT, Progress
-from ..apply_correction import survey_time_shift
 from ..boresight.plane_patches import PatchSearch, PlanePatches, group_pairs
+from ..gps_time import time_shift
 from ..markings.extraction import WEIGHT
 from ..passes import BlockPositions
 from ..registration.correction.gauss_markov import path_parameters_of, standing_variance
@@ -77,7 +77,7 @@ def planes_of(clouds: Sequence[Sequence[str | os.PathLike]], trajectories: Seque
             continue
         positions = BlockPositions()
         positions.add(trajectory.place[:, 0], trajectory.place[:, 1], trajectory.time)
-        passes, shift = positions.passes(), survey_time_shift(cloud, trajectory)
+        passes, shift = positions.passes(), time_shift(cloud, trajectory)
         step = progress.part(number / len(clouds), (number + 1) / len(clouds))
         for chunk in iter_chunks(cloud, step):
             time = np.asarray(chunk.gps_time) + shift

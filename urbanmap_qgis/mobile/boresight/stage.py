@@ -16,8 +16,8 @@ from ...io.points.pointcloud import iter_chunks, open_cloud
 from ...progress import SILENT, Progress
 from ...settings.lines import BoresightSettings
 from ...wording import mark, say
-from ..apply_correction import survey_time_shift
 from ..calibration import Calibration, scanner_of
+from ..gps_time import time_shift
 from ..passes import BlockPositions
 from ..trajectory import Trajectory, attitude_angles, interpolate, path_chainage, rotations
 from .adjustment import PARAMETERS, Boresights, PatchPoses, adjust_boresights, skew
@@ -121,7 +121,7 @@ def _collect(search: PatchSearch, paths: Sequence[str | os.PathLike], trajectory
              calibration: Calibration, progress: Progress) -> None:
     """Put the points of a drive into the search, by scanner and pass."""
     cloud = open_cloud(paths)
-    shift = survey_time_shift(cloud, trajectory)
+    shift = time_shift(cloud, trajectory)
     scanners = {id(scanner): number for number, scanner in enumerate(calibration.scanners)}
     for chunk in iter_chunks(cloud, progress):
         time = np.asarray(chunk.gps_time) + shift

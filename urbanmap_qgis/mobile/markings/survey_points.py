@@ -4,22 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from functools import lru_cache
 
 import laspy
 import numpy as np
 
 from ...errors import InputError, InsufficientDataError
-from ...io.points.coordinate_steps import probes
-from ...io.points.decoded_points import FileState, file_state
 from ...io.points.point_buckets import PointBuckets
-from ...io.points.pointcloud import PointCloud, can_be_entered, iter_chunks, valid_points
+from ...io.points.pointcloud import PointCloud, iter_chunks, valid_points
 from ...io.points.whole_records import joined_records
 from ...progress import SILENT, Progress
 from ...terrain.surface import GROUND_CLASSES
 from ...wording import say
 from ..calibration import Calibration
-from ..gps_time import time_range, time_shift
+from ..gps_time import time_shift
 from ..passes import BlockPositions
 from ..survey_tiles import CHUNK
 from ..trajectory import Trajectory, gaps, path_chainage
@@ -55,7 +52,6 @@ _CREEP = 0.02
 _PART = 1 << 32
 _ABOVE, _BELOW = 0.5, 4.5
 _RISE = 0.15
-_FEW = 0.05
 
 
 @dataclass
@@ -97,7 +93,7 @@ class SurveyPoints:
                  buckets: PointBuckets):
         self.cloud, self.trajectory, self.calibration = cloud, trajectory, calibration
         self.max_range, self.buckets = max_range, buckets
-        self.shift = time_shift(cloud, trajectory, sampled_span(cloud))
+        self.shift = time_shift(cloud, trajectory)
         self.chainage = path_chainage(trajectory)
         self.gaps = gaps(trajectory)
         self.breaks = breaks(trajectory, self.chainage)
@@ -239,35 +235,6 @@ def long_stops(trajectory: Trajectory, chainage: np.ndarray) -> np.ndarray:
         return np.empty(0)
     left, arrived = trajectory.time[moving[1:]], trajectory.time[moving[:-1] + 1]
     return (0.5 * (left + arrived))[left - arrived > LONG_STOP]
-
-
-def sampled_span(cloud: PointCloud) -> tuple[float, float]:
-    """Span that most of a cloud's gps_times lie in by samples, s: enough to tell how they are counted.
-
-    Raises
-    ------
-    InputError : the points carry no gps_time.
-    """
-    if not cloud.has_dimension("gps_time") or not all(map(can_be_entered, cloud.headers)):
-        return time_range(cloud)
-    try:
-        span = _sampled(tuple(file_state(path) for path, header in zip(cloud.paths, cloud.headers)
-                              if header.point_count))
-    except (laspy.errors.LaspyException, RuntimeError, OSError, ValueError, EOFError):
-        # Not every LAZ can be entered in its middle; one that is damaged says so when it is read through.
-        return time_range(cloud)
-    return span or time_range(cloud)
-
-
-@lru_cache(maxsize=8)
-def _sampled(files: tuple[FileState, ...]) -> tuple[float, float] | None:
-    """Span of the samples of files; None where all times are 0. Each stage of a chain asks it for the same files.
-
-    Times that are no numbers are left out: such points lie outside of any trajectory.
-    """
-    times = np.concatenate([np.asarray(points["gps_time"]) for path, *_ in files for points in probes(path)])
-    times = times[np.isfinite(times)]
-    return tuple(np.quantile(times, [_FEW, 1.0 - _FEW]).tolist()) if times.any() else None
 
 
 def require_points(number: int, near: int, name: str) -> None:

@@ -10,8 +10,8 @@ from ...errors import InputError, InsufficientDataError
 from ...io.points.pointcloud import PointCloud, iter_chunks
 from ...progress import SILENT, Progress
 from ...wording import say
-from ..apply_correction import survey_time_shift
 from ..calibration import Calibration
+from ..gps_time import time_shift
 from ..markings.extraction import WEIGHT, ExtractionSettings
 from ..markings.marking_stage import extract_markings
 from ..markings.records import MarkingPoints
@@ -33,7 +33,7 @@ def survey_markings(cloud: PointCloud, trajectory: Trajectory, settings: Extract
 
 
 def _read_markings(cloud: PointCloud, trajectory: Trajectory, progress: Progress) -> MarkingPoints:
-    shift = survey_time_shift(cloud, trajectory)
+    shift = time_shift(cloud, trajectory)
     columns: dict[str, list[np.ndarray]] = {name: [] for name in ("x", "y", "z", "gps_time", WEIGHT, "point_source_id")}
     for chunk in iter_chunks(cloud, progress):
         for name, pieces in columns.items():

@@ -12,7 +12,7 @@ from ...errors import InsufficientDataError
 from ...io.points.point_buckets import PointBuckets
 from ...io.points.pointcloud import PointCloud, iter_chunks, valid_points
 from ...mobile.gps_time import time_shift
-from ...mobile.markings.survey_points import STOPPED, breaks, sampled_span
+from ...mobile.markings.survey_points import STOPPED, breaks
 from ...mobile.trajectory import Trajectory, gaps, path_chainage
 from ...progress import SILENT, Progress
 from ...wording import say
@@ -72,7 +72,7 @@ class EdgePoints:
         self.cloud, self.trajectory, self.width, self.buckets, self.reach = cloud, trajectory, width, buckets, reach
         self.more = [name for name in buckets.dtype.names if name not in (*POINT.names, "time")]
         self.corner = np.array([*np.floor(trajectory.place[:, :2].min(axis=0)) - 1000.0, 0.0])
-        self.shift = time_shift(cloud, trajectory, sampled_span(cloud))
+        self.shift = time_shift(cloud, trajectory)
         self.chainage = path_chainage(trajectory)
         self.gaps = gaps(trajectory)
         self.breaks = breaks(trajectory, self.chainage)

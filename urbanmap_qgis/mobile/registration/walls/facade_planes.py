@@ -14,8 +14,8 @@ from scipy.spatial import cKDTree
 from ....geometry.tolerances import LEAST_DIVISOR, LEAST_SQUARE
 from ....io.points.pointcloud import PointCloud, iter_chunks, open_cloud, valid_points
 from ....progress import SILENT, Progress
-from ...apply_correction import survey_time_shift
 from ...boresight.plane_patches import PatchSearch, PlanePatches
+from ...gps_time import time_shift
 from ...markings.extraction import WEIGHT
 from ...trajectory import Trajectory, interpolate, path_chainage
 from ..matching.results import angle_rates
@@ -99,7 +99,7 @@ def facade_planes(paths: Sequence[str | os.PathLike] | PointCloud, trajectory: T
     cloud = paths if isinstance(paths, PointCloud) else open_cloud(paths)
     search = PatchSearch(trajectory.place[0])
     if not cloud.has_dimension(WEIGHT):
-        shift = survey_time_shift(cloud, trajectory)
+        shift = time_shift(cloud, trajectory)
         for chunk in iter_chunks(cloud, progress, LIMITS.chunk):
             points, time = _near_facades(chunk, shift, trajectory)
             along = np.interp(time, trajectory.time, path_parameter)
