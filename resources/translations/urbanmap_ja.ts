@@ -8400,6 +8400,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>角度がグラード（gon）だった</translation>
     </message>
     <message>
+        <source>the angles were in radians</source>
+        <translation>角度がラジアンであった</translation>
+    </message>
+    <message>
         <source>the angles were in gon and the images turned by half a turn</source>
         <translation>角度がグラード（gon）で、画像が半回転していた</translation>
     </message>
@@ -8792,6 +8796,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>外周線のbuilding_idをもつ屋根がありません。屋根の作成に用いた外周線を指定してください。</translation>
     </message>
     <message>
+        <source>Half of the roofs lie more than {height:.0f} m above the ground: the heights of points or ground are in other units, such as centimetres; export them in metres.</source>
+        <translation>屋根の半分が地上 {height:.0f} m より高い位置にあります。点群または地面の高さが別の単位(センチメートルなど)になっています。メートルで書き出してください。</translation>
+    </message>
+    <message>
         <source>a tower, {height:.0f} m high</source>
         <translation>高さ{height:.0f} mの高層建物です</translation>
     </message>
@@ -9022,6 +9030,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>A building's ground height and point density must be numbers, density above 0.</source>
         <translation>建物の地盤の標高と点密度は数値とし、密度は0より大きくしてください。</translation>
+    </message>
+    <message>
+        <source>All points of {name} are marked as noise or as withheld: take the marks off, or export the points without them.</source>
+        <translation>{name} のすべての点にノイズまたは除外(withheld)の印が付いています。印を外すか、印のない点を書き出してください。</translation>
     </message>
     <message>
         <source>No sound point lies near any outline: check that points and outlines are of the same place, and that coordinates and heights are in metres.</source>
@@ -9474,6 +9486,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{path} is damaged: its vertex {bad} is no list of three numbers; export it again.</source>
         <translation>{path} は壊れています。頂点 {bad} が三つの数のリストになっていません。出力し直してください。</translation>
+    </message>
+    <message>
+        <source>{path} is damaged: the scale of its “transform” is 0, so that all corners lie at one place; export it again.</source>
+        <translation>{path} は壊れています。“transform” の scale が 0 で、すべての頂点が 1 か所に重なります。もう一度書き出してください。</translation>
     </message>
     <message>
         <source>its part {child} is not there</source>
@@ -11058,6 +11074,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{path} has {bands} bands, no band {band}.</source>
         <translation>{path}のバンド数は {bands} で、バンド {band} はありません。</translation>
+    </message>
+    <message>
+        <source>{path} has the value {value:g} where it holds no height, and does not say that it stands for no data: such cells are taken as empty.</source>
+        <translation>{path} には高さのない場所に値 {value:g} があり、それがデータなしを表すと示されていません。そのセルは空として扱います。</translation>
     </message>
     <message>
         <source>The height system {word} is not known: give JGD2000, JGD2011, JGD2024, ellipsoidal or the EPSG code of a vertical reference system.</source>
@@ -16270,6 +16290,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{0}: reprojected from {1} to {2}, the system of the points</source>
         <translation>{0}: {1}から点群の座標系{2}に変換しました</translation>
+    </message>
+    <message>
+        <source>{0}: coordinates such as {1:.0f}, {2:.0f} are no degrees, in which {3} counts; assign the CRS that the data are in.</source>
+        <translation>{0}: 座標({1:.0f}, {2:.0f} など)は度ではありませんが、{3} は度を単位とします。データの座標参照系を割り当ててください。</translation>
     </message>
     <message>
         <source>{0}: its longitudes and latitudes seem to be swapped ({1:.3f}, {2:.3f}); swap x and y (“Swap X and Y coordinates” in the toolbox).</source>

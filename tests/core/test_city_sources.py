@@ -146,6 +146,13 @@ def test_templates_stand_where_their_instances_say(tmp_path, turned):
     assert volume == pytest.approx(8 * 480)
 
 
+def test_a_scale_of_zero_is_told(tmp_path):
+    path = tmp_path / "a.city.json"
+    path.write_text(json.dumps({**cityjson(), "transform": {"scale": [0.0, 0.0, 0.0], "translate": [1.0, 2.0, 3.0]}}))
+    with pytest.raises(InputError, match="the scale of its “transform” is 0"):
+        rows_of(path)
+
+
 def test_a_template_that_is_not_there_is_told(tmp_path):
     path = tmp_path / "a.city.json"
     path.write_text(json.dumps(cityjson(template=3)))

@@ -25,6 +25,7 @@ from urbanmap_qgis.buildings.model_status import (
     quality,
 )
 from urbanmap_qgis.buildings.outlines.footprint import clean_footprints, has_curved_walls
+from urbanmap_qgis.progress import notices_to
 
 
 def grid_points(x0, y0, x1, y1, height, step=0.4):
@@ -147,6 +148,17 @@ def test_unknown_ground_is_taken_from_near_neighbours_only():
     assert [model.status for model in models] == [OK, GROUND_UNKNOWN, OK, GROUND_UNKNOWN]
     assert [model.base for model in models] == pytest.approx([5.0, 6.0, 7.0, 9.5])
     assert "neighbours" in models[1].reason and "assumed 2.5 m" in models[3].reason
+
+
+@pytest.mark.parametrize("unit", [1.0, 100.0])
+def test_heights_in_centimetres_are_told(unit):
+    boxes, told = [shapely.box(30.0 * k, 0.0, 30.0 * k + 10.0, 10.0) for k in range(3)], []
+    footprints = clean_footprints(np.array(boxes, object))
+    roofs = RoofInput(np.array(boxes, object), footprints.ids, np.ones(3, int), unit * np.array([9.0, 12.0, 15.0]),
+                      np.full(3, "ok", object))
+    with notices_to(told.append):
+        build_models(footprints, roofs, unit * np.full(3, 4.0))
+    assert len(told) == (unit != 1.0) and all("centimetres" in line for line in told)
 
 
 def test_smooth_surfaces_that_no_roof_took_are_candidates_and_trees_are_not():

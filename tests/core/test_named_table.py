@@ -52,6 +52,12 @@ def test_export_with_a_head_and_a_line_of_units_is_read(tmp_path):
     same_poses(read_trajectory(tmp_path / "out.csv"))
 
 
+def test_decimal_commas_are_read(tmp_path):
+    head, *rows = ["time;x;y;z;roll;pitch;heading", *(row.replace(",", ";").replace(".", ",") for row in ROWS)]
+    assert "," in rows[0]
+    same_poses(read_trajectory(written(tmp_path, "\n".join([head, *rows]), name="komma.csv")))
+
+
 def test_names_with_a_blank_between_many_blanks_are_read(tmp_path):
     text = "\n".join(["Export of a smoothed solution", "Datum: JGD2011", "",
                       "   TIME    EASTING   NORTHING   ELLIPSOID HEIGHT   ROLL  PITCH   HEADING",

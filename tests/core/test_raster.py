@@ -18,6 +18,7 @@ from urbanmap_qgis.errors import InputError, OutputError
 from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.geometry.sampling import sample
 from urbanmap_qgis.io.raster import NODATA, RasterSampler, read_raster, write_raster
+from urbanmap_qgis.progress import notices_to
 
 WKT = CRS.from_epsg(6677).to_wkt()
 GRID = Grid(-7000.0, -34000.0, 0.5, 300, 700)
@@ -38,6 +39,17 @@ def test_round_trip(tmp_path):
     with rasterio.open(tmp_path / "標高.tif") as source:
         assert source.nodata == NODATA and source.profile["tiled"] and source.compression.name == "deflate"
         assert source.read(1)[5, 3] == NODATA
+
+
+@pytest.mark.parametrize("value", [NODATA, -32768.0, 3.4028235e38, -3.4028235e38, 1e20])
+def test_values_that_are_no_heights_are_empty_and_told(tmp_path, value):
+    raster, told = plane(GRID), []
+    raster[5:9, 3] = value
+    write_raster(tmp_path / "a.tif", raster, GRID, WKT, nodata=None)
+    with notices_to(told.append):
+        back, *_ = read_raster(tmp_path / "a.tif")
+    assert np.isnan(back[5:9, 3]).all() and np.isnan(back).sum() == 4
+    assert len(told) == 1 and "taken as empty" in told[0]
 
 
 def test_whole_numbers(tmp_path):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from concurrent.futures import Executor
 from dataclasses import dataclass, field
 
@@ -11,7 +12,7 @@ import shapely
 from ..errors import Cancelled, InputError, trouble_words
 from ..execution import checkpoint, in_order
 from ..io.points.pointcloud import PointCloud, PointLayout
-from ..progress import SILENT, Progress
+from ..progress import SILENT, Progress, notice
 from ..settings.buildings import LEVELS, PLANES
 from ..wording import say
 from .building_model import (
@@ -33,6 +34,9 @@ from .seen.cloud_cover import CloudCover
 
 NEIGHBOUR_RANGE, NEIGHBOURS = 100.0, 5
 """Distance (m) within which, and number of nearest outlines from which, an unknown ground height is taken."""
+
+SUPERTALL = 300.0
+"""m; higher buildings are "supertall" (CTBUH, criteria for tall buildings): of no town are half of the roofs."""
 
 
 @dataclass(frozen=True)
@@ -76,6 +80,7 @@ def build_models(footprints: Footprints, roofs: RoofInput, base: np.ndarray, clo
                              "were made with."))
     models: list[BuildingModel | None] = [None] * len(footprints)
     base, source = bases_with_neighbours(footprints, base)
+    _tell_heights(roofs, dict(zip(footprints.ids.tolist(), base.tolist())))
     sloped = roof_shape == PLANES and any(is_sloped(polygon) for polygon in roofs.polygon)
     shares = np.zeros(len(footprints)) if open_share is None else np.nan_to_num(open_share)
     pieces = _pieces(footprints, roofs, base, source, shares, cover, cloud, sloped, progress)
@@ -84,6 +89,16 @@ def build_models(footprints: Footprints, roofs: RoofInput, base: np.ndarray, clo
             models[row] = model
         progress.check()
     return models
+
+
+def _tell_heights(roofs: RoofInput, base: Mapping[int, float]) -> None:
+    """Say that heights are in other units where half of all roofs are higher above the ground than all but towers."""
+    heights = np.array([height - base.get(number, np.nan) for number, height in zip(
+        roofs.building_id.tolist(), roofs.height.tolist())], float)
+    middle = float(np.median(heights[np.isfinite(heights)])) if np.isfinite(heights).any() else 0.0
+    if middle > SUPERTALL:
+        notice(say("Half of the roofs lie more than {height:.0f} m above the ground: the heights of points or ground "
+                   "are in other units, such as centimetres; export them in metres.", height=middle))
 
 
 def bases_with_neighbours(footprints: Footprints, base: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -58,14 +58,18 @@ def segment_buildings(cloud: PointCloud, footprints: Footprints, output: str | o
     layout = PointLayout(cloud, [("building_id", "building number")])
     tiles = _Tiling(cloud, footprints)
     table = SegmentedBuildings.empty(footprints)
-    near = 0
+    near = sound = 0
     with PointBuckets(layout.dtype) as buckets, cloud_writer(output, layout) as writer:
         for chunk in iter_chunks(cloud, progress.part(0.0, 0.4)):
             keep = valid_points(chunk) & np.isfinite(chunk.x) & np.isfinite(chunk.y)
+            sound += int(np.count_nonzero(keep))
             records = layout.adapt(chunk, keep)
             for keys, members in tiles.keys(np.asarray(chunk.x)[keep], np.asarray(chunk.y)[keep]):
                 buckets.add(keys, records if len(members) == len(records) else record_rows(records, members))
                 near += len(members)
+        if not sound:
+            raise InputError(say("All points of {name} are marked as noise or as withheld: take the marks off, or "
+                                 "export the points without them.", name=cloud.paths[0].name))
         if not near:
             raise InputError(say("No sound point lies near any outline: check that points and outlines are of the "
                                  "same place, and that coordinates and heights are in metres."))

@@ -19,13 +19,15 @@ from rasterio.windows import Window
 from ..errors import InputError, OutputError
 from ..geometry.grid import Grid
 from ..geometry.sampling import sample
-from ..progress import SILENT, Progress
+from ..progress import SILENT, Progress, notice
 from ..wording import say
 from .files.atomic import written_beside
 from .reference.height_systems import heights_of, stating_heights
 from .reference.renamed_crs import known_wkt
 
 NODATA = -9999.0
+"""What stands for no height; no height on land is so large, either way, as it and other programs' values for it."""
+
 _BLOCK = 256
 _SAMPLE_BLOCK = 2048
 
@@ -155,6 +157,10 @@ class RasterSampler:
         heights = values.data.astype(np.float32, copy=False)
         if values.mask is not np.ma.nomask:
             heights[values.mask] = np.nan
+        if not np.issubdtype(values.dtype, np.unsignedinteger) and (unsaid := np.abs(heights) >= -NODATA).any():
+            notice(say("{path} has the value {value:g} where it holds no height, and does not say that it stands for "
+                       "no data: such cells are taken as empty.", path=self.path.name, value=heights[unsaid][0]))
+            heights[unsaid] = np.nan
         return heights
 
     def sample(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:

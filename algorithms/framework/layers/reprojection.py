@@ -51,6 +51,9 @@ def table_in(table, target_wkt: str, progress: Progress = SILENT):
     if not np.isfinite(bounds).all():
         return replace(table, crs=crs_from(target_wkt))
     target = crs_from(target_wkt)
+    if table.crs.isGeographic() and (np.abs(bounds) > 360).any():
+        raise InputError(tr("{0}: coordinates such as {1:.0f}, {2:.0f} are no degrees, in which {3} counts; assign the "
+                            "CRS that the data are in.").format(table.label, bounds[0], bounds[1], crs_name(table.crs)))
     if table.crs.isGeographic() and seem_swapped(bounds):
         raise InputError(tr("{0}: its longitudes and latitudes seem to be swapped ({1:.3f}, {2:.3f}); swap x and y "
                             "(“Swap X and Y coordinates” in the toolbox).").format(table.label, bounds[0], bounds[1]))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
@@ -69,8 +70,12 @@ def _with_angles(pose: ExteriorOrientation, omega: float, phi: float, kappa: flo
     return replace(pose, omega=omega, phi=phi, kappa=kappa)
 
 
-def _gon(pose: ExteriorOrientation) -> ExteriorOrientation:
-    return _with_angles(pose, 0.9 * pose.omega, 0.9 * pose.phi, 0.9 * pose.kappa)
+def _scaled(unit: float) -> Callable[[ExteriorOrientation], ExteriorOrientation]:
+    """The orientation of angles that count a unit, degrees."""
+    return lambda pose: _with_angles(pose, unit * pose.omega, unit * pose.phi, unit * pose.kappa)
+
+
+_gon = _scaled(0.9)
 
 
 HYPOTHESES: tuple[tuple[str, Callable[[ExteriorOrientation], ExteriorOrientation]], ...] = (
@@ -79,6 +84,7 @@ HYPOTHESES: tuple[tuple[str, Callable[[ExteriorOrientation], ExteriorOrientation
     (mark("the images were turned by a quarter turn to the right"), _turned(-90.0)),
     (mark("kappa were counted from the opposite direction"), lambda pose: replace(pose, kappa=pose.kappa + 180.0)),
     (mark("the angles were in gon"), _gon),
+    (mark("the angles were in radians"), _scaled(math.degrees(1.0))),
     (mark("the angles were in gon and the images turned by half a turn"), lambda pose: _turned(180.0)(_gon(pose))),
     (mark("the angles were in gon and kappa counted from the opposite direction"),
      lambda pose: replace(_gon(pose), kappa=0.9 * pose.kappa + 180.0)),

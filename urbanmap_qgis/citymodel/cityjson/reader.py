@@ -363,6 +363,9 @@ def _vertices(listed: list, transform: Mapping | None, path: Path) -> np.ndarray
         raise InputError(say("{path} is damaged: its vertex {bad} is no list of three numbers; export it again.",
                              path=path.name, bad=_first_no_corner(listed))) from error
     with reading_part(path, "transform"):
+        if transform and not np.asarray(transform["scale"], float).all():
+            raise InputError(say("{path} is damaged: the scale of its “transform” is 0, so that all corners lie at one "
+                                 "place; export it again.", path=path.name))
         if transform:
             vertices = vertices * np.asarray(transform["scale"], float).reshape(3) + np.asarray(
                 transform["translate"], float).reshape(3)

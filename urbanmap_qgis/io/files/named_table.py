@@ -26,6 +26,8 @@ DELIMITERS = ",;\t "
 WRITTEN_NUMBER = re.compile(r"^[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
 """A decimal number as tables have it."""
 
+_WITH_COMMA = re.compile(r"^\s*[-+]?\d*,\d+([eE][-+]?\d+)?\s*$")
+
 _HEAD_LINES = 200
 _BRACKETS = re.compile(r"[(\[（［<][^(\[（［<)\]）］>]*[)\]）］>]")
 """What stands in brackets, without others in it: from one that is never closed nothing is looked through twice."""
@@ -186,7 +188,7 @@ def named_rows(text: str, needed: Sequence[str], aliases: Mapping[str, str], nam
     header = tuple(item.strip() for item in _cells([_COMMENT.sub("", lines[at]), *lines[at + 1:at + 4]], delimiter)[0]
                    ) if lines else ()
     lines = [*lines[:at + 1], *(line for line in lines[at + 1:] if not _COMMENT.match(line))]
-    rows = _rows(lines[at + 1:], delimiter, len(header))
+    rows = _with_points(_rows(lines[at + 1:], delimiter, len(header)))
     units = 0
     while units < min(len(rows), 3) and not any(_is_number(cell) for cell in rows[units]):
         units += 1
@@ -216,6 +218,14 @@ def _rows(lines: Sequence[str], delimiter: str, width: int) -> list[list[str]]:
         if any(len(row) == width for row in rows[:3]):
             return rows
     return [row for row in _cells(lines, delimiter) if any(cell.strip() for cell in row)]
+
+
+def _with_points(rows: list[list[str]]) -> list[list[str]]:
+    """Rows with decimal points, where all decimal numbers have commas ("361400,25"), as much of Europe writes them."""
+    cells = {cell for row in rows for cell in row}
+    if not any(map(_WITH_COMMA.match, cells)) or any("." in cell and WRITTEN_NUMBER.match(cell) for cell in cells):
+        return rows
+    return [[cell.replace(",", ".") if _WITH_COMMA.match(cell) else cell for cell in row] for row in rows]
 
 
 def _head(lines: Sequence[str], needed: Sequence[str], aliases: Mapping[str, str]) -> tuple[int, str]:
