@@ -1,7 +1,7 @@
 """How often runs on sound data warn: a part of `make bench`, where QGIS is installed.
 
-All stages of the demo run on sample cities without faults, as a user runs them. Nothing is wrong with their data, so
-that every warning (and every refusal) is a false alarm.
+All stages of the demo and some more runs are made on sample cities without faults, as a user runs them. Nothing is
+wrong with their data, so that every warning (and every refusal) is a false alarm.
 """
 
 from __future__ import annotations
@@ -14,9 +14,21 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from scripts.bench_table import print_table
-from scripts.demo.stages import Stage, stages
+from scripts.demo.stages import CITY, OUTLINES, Stage, stages
 
 LAUNCHER = Path(__file__).with_name("urbanmap")
+SURVEYS = [CITY / f"mms/survey_0{number}.laz" for number in (1, 2)]
+DRIVES = [CITY / f"mms/survey_0{number}_trajectory.csv" for number in (1, 2)]
+MORE = (
+    Stage("Road markings from the orthophoto", "urbanmap:roadmarkingsfromorthophoto",
+          {"INPUT": CITY / "aerial/ortho.tif", "BUILDINGS": OUTLINES, "OUTPUT": Path("painted.tif")}, list),
+    Stage("Ground of a mobile survey", "urbanmap:groundfrommms",
+          {"POINTS": SURVEYS[0], "OUTPUT": Path("mobile_ground.laz")}, list),
+    Stage("Adjusted drives", "urbanmap:adjustsurveys",
+          {"POINTS": SURVEYS, "TRAJECTORY": DRIVES, "CALIBRATION": CITY / "mms/calibration.json",
+           "MARKINGS": Path("markings.tif"), "GROUND": Path("ground.tif"), "OUTPUT": Path("drives")}, list))
+"""Runs that the demo has not."""
+
 SIZE, SEEDS = 80.0, (11, 12, 13, 14, 15, 16)
 ALLOWED = 0.05
 """Share of runs that may warn of sound data."""
@@ -40,7 +52,7 @@ def warnings_table(size: float = SIZE, seeds: Sequence[int] = SEEDS) -> None:
     said: dict[str, Counter[str]] = defaultdict(Counter)
     for seed in seeds:
         with tempfile.TemporaryDirectory() as folder:
-            for stage in stages(size, seed):
+            for stage in (*stages(size, seed), *MORE):
                 lines = said_by(stage, Path(folder))
                 warned[stage.title] += bool(lines)
                 said[stage.title].update(lines)

@@ -80,6 +80,21 @@ def test_every_field_of_every_layer_has_words(made, small_city, plugin):
     assert missing == {}
 
 
+def test_no_algorithm_and_no_chain_loses_a_building(made, small_city):
+    """Layers with rows of buildings have all of them, modelled or not; those of walls only what was measured."""
+    with closing(sqlite3.connect(small_city / "footprints" / "gsi_buildings.gpkg")) as database:
+        outlines = database.execute("SELECT count(*) FROM BldA").fetchone()[0]
+    counts = {}
+    for path in (*made.glob("*-OUTPUT*.gpkg"), *made.glob("tiledrun-*/merged/output.gpkg")):
+        with closing(sqlite3.connect(path)) as database:
+            if {"building_id"} <= {row[1] for row in database.execute(f'PRAGMA table_info("{path.stem}")')}:
+                counts[path.name] = database.execute(
+                    f'SELECT count(DISTINCT building_id) FROM "{path.stem}"').fetchone()[0]
+    of_walls = {"wallsfrommms-OUTPUT.gpkg", "mergebuildingmodels-OUTPUT_WALLS.gpkg"}
+    assert len(counts) > 15 and of_walls < set(counts) and "output.gpkg" in counts
+    assert {name: count for name, count in counts.items() if count != outlines and name not in of_walls} == {}
+
+
 def test_each_algorithm_has_a_run(qgis_app):
     assert {name.split()[0] for name in every.RECIPES} == set(every.algorithms())
 
