@@ -83,24 +83,17 @@ def mesh_buildings(cloud: PointCloud, footprints: Footprints, base: np.ndarray,
     return meshes
 
 
-@dataclass(frozen=True, eq=False)
-class _Piece:
-    building_id: int
-    plan: shapely.Geometry | None
-    note: str
-    points: np.ndarray
-    base: float
-
-
-def _pieces(cloud: PointCloud, footprints: Footprints, base: np.ndarray, progress: Progress) -> Iterator[_Piece]:
+def _pieces(cloud: PointCloud, footprints: Footprints, base: np.ndarray, progress: Progress) -> Iterator[tuple]:
+    """Number, plan, points, base and note of each building."""
     for row, points, ground in building_points(cloud, footprints, progress.part(0.0, 0.4)):
         progress.step(0.4 + 0.6 * row / len(footprints))
-        yield _Piece(int(footprints.ids[row]), footprints.polygons[row], footprints.notes[row], points,
-                     float(base[row]) if np.isfinite(base[row]) else ground)
+        yield (int(footprints.ids[row]), footprints.polygons[row], points,
+               float(base[row]) if np.isfinite(base[row]) else ground, footprints.notes[row])
 
 
-def _mesh_piece(piece: _Piece, settings: MeshSettings) -> BuildingMesh:
-    return mesh_building(piece.building_id, piece.plan, piece.points, piece.base, settings, piece.note)
+def _mesh_piece(piece: tuple, settings: MeshSettings) -> BuildingMesh:
+    *building, note = piece
+    return mesh_building(*building, settings, note)
 
 
 def mesh_building(number: int, plan: shapely.Geometry | None, points: np.ndarray, base: float,

@@ -16,6 +16,7 @@ import shapely
 from scipy.spatial import cKDTree
 
 from ...buildings.solids.validity import check_solid
+from ...geometry.solid_faces import solids_of
 from ...geometry.tolerances import LEAST_DIVISOR, LEAST_FACE
 from ...progress import SILENT, Progress
 from ..rays.wall_faces import WallPieces, is_solid
@@ -229,37 +230,21 @@ class _Follower:
         return (1 - share) * self._ends[0][edge] + share * self._ends[1][edge]
 
 
-@dataclass(frozen=True)
-class _Body:
-    """The faces of a MultiPolygonZ, as the check of solids takes them."""
-
-    vertices: np.ndarray
-    faces: tuple
-
-    @classmethod
-    def of(cls, shape: shapely.Geometry) -> _Body:
-        vertices, faces = [], []
-        for part in shapely.get_parts(shape):
-            rings = []
-            for ring in (part.exterior, *part.interiors):
-                corners = shapely.get_coordinates(ring, include_z=True)[:-1]
-                rings.append(tuple(range(len(vertices), len(vertices) + len(corners))))
-                vertices.extend(corners)
-            faces.append(tuple(rings))
-        return cls(np.array(vertices), tuple(faces))
-
-
 def _sound(before: shapely.Geometry | None, after: shapely.Geometry | None) -> bool:
     """Whether a moved shape has no fault that it did not have before, and at least half of its area."""
     if before is None:
         return True
     if is_solid(before):
-        faults = {problem.code for problem in check_solid(_Body.of(after))}
-        if faults - {problem.code for problem in check_solid(_Body.of(before))}:
+        if _faults(after) - _faults(before):
             return False
     elif before.is_valid and not after.is_valid:
         return False
     return _plan(after).area > 0.5 * _plan(before).area
+
+
+def _faults(shape: shapely.Geometry) -> set[int]:
+    """Codes of what is wrong with the solids of a MultiPolygonZ."""
+    return {problem.code for solid in solids_of(shape) for problem in check_solid(solid)}
 
 
 def _plan(shape: shapely.Geometry | None) -> shapely.Geometry | None:
