@@ -8,10 +8,10 @@ import shapely
 
 from urbanmap_qgis.buildings.solids.validity import check_solid
 from urbanmap_qgis.errors import InputError, InsufficientDataError
+from urbanmap_qgis.geometry.solid_faces import solids_of
 from urbanmap_qgis.gnss.rays.reflections import LOS, NLOS, REFLECTED, trace
 from urbanmap_qgis.gnss.rays.wall_faces import building_walls, wall_table
 from urbanmap_qgis.gnss.signals.tables import Epochs, Signals
-from urbanmap_qgis.gnss.walls import moved_buildings
 from urbanmap_qgis.gnss.walls.adjustment import ADJUSTED, LIKELY, NOT_OBSERVABLE, adjust_walls
 from urbanmap_qgis.gnss.walls.moved_buildings import PlanNet, applied_offsets, move_buildings, moved_walls
 from urbanmap_qgis.gnss.walls.offset_observations import OffsetObservations
@@ -270,7 +270,7 @@ def move(shapes, row, offsets):
 def test_a_moved_solid_stays_closed_and_its_neighbouring_edges_follow():
     made, walls, net, displacement, held = move([block(0, 0, 20, 10)], np.zeros(1, int), {180: 1.0, 90: -0.7})
     assert not held.any() and made[0].geom_type == "MultiPolygon" and made[0].has_z
-    assert not check_solid(moved_buildings._Body.of(made[0]))
+    assert not any(map(check_solid, solids_of(made[0])))
     assert shapely.force_2d(made[0]).bounds == pytest.approx((0, -1, 19.3, 10))
     assert applied_offsets(walls, net, displacement)[towards(walls, 180)] == pytest.approx(1.0)
     after = moved_walls(walls, net, displacement)

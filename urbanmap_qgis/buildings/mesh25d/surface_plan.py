@@ -14,9 +14,6 @@ from ...wording import say
 from ..solids.half_edges import HalfEdges, half_edges, trace_rings, whole_metre_origin
 from .height_grid import HeightGrid
 
-_MIN_FACE = 0.3
-"""Pieces of plan smaller than this (m2) go to the neighbour with the longest common edge."""
-
 
 @dataclass(frozen=True, eq=False)
 class SurfacePlan:
@@ -51,7 +48,9 @@ def surface_plan(heights: HeightGrid, tolerance: float) -> SurfacePlan:
     faces = faces[shapely.contains(outline, shapely.point_on_surface(faces))]
     if not len(faces):
         raise InsufficientDataError(say("its outline has no area"))
-    label = _small_merged(faces, _labels(faces, heights, origin))
+    inside = shapely.point_on_surface(faces)
+    row, column, _ = heights.grid.cells(shapely.get_x(inside) + origin[0], shapely.get_y(inside) + origin[1])
+    label = heights.label[row, column]
     edges = half_edges(faces, (0.0, 0.0), GRID)
     edges.origin = origin
     return _surfaces(edges, label)
@@ -69,45 +68,6 @@ def _borders(heights: HeightGrid) -> shapely.MultiLineString:
     pieces.append(np.stack([np.stack([x, y], 1), np.stack([x + grid.cell, y], 1)], 1))
     segments = np.round(np.concatenate(pieces), 6)
     return shapely.multilinestrings(shapely.linestrings(segments))
-
-
-def _labels(faces: np.ndarray, heights: HeightGrid, origin) -> np.ndarray:
-    """The surface that most cells in each face belong to."""
-    grid = heights.grid
-    label = np.empty(len(faces), np.int64)
-    inside = shapely.point_on_surface(faces)
-    row, column, _ = grid.cells(shapely.get_x(inside) + origin[0], shapely.get_y(inside) + origin[1])
-    label[:] = heights.label[row, column]
-    for number, face in enumerate(faces):
-        x_min, y_min, x_max, y_max = face.bounds
-        rows, columns, part = grid.window(x_min + origin[0], y_min + origin[1], x_max + origin[0], y_max + origin[1])
-        x, y = np.meshgrid(*part.centres())
-        shapely.prepare(face)
-        labels = heights.label[rows, columns][shapely.contains_xy(face, x - origin[0], y - origin[1])]
-        if len(labels):
-            label[number] = np.bincount(labels).argmax()
-    return label
-
-
-def _small_merged(faces: np.ndarray, label: np.ndarray) -> np.ndarray:
-    """Labels of the faces with small ones given to the neighbour with the longest common edge."""
-    label = label.copy()
-    area = shapely.area(faces)
-    edges = half_edges(faces, (0.0, 0.0), GRID)
-    beside: list[dict[int, float]] = [{} for _ in faces]
-    for (a, b), face in edges.cell.items():
-        other = edges.cell.get((b, a))
-        if other is not None:
-            beside[face][other] = beside[face].get(other, 0.0) + edges.length(a, b)
-    for face in np.argsort(area, kind="stable"):
-        if area[face] >= _MIN_FACE:
-            break
-        length: dict[int, float] = {}
-        for other, common in beside[face].items():
-            length[label[other]] = length.get(label[other], 0.0) + common
-        if length:
-            label[face] = max(length, key=lambda name: (round(length[name], 6), -name))
-    return label
 
 
 def _surfaces(edges: HalfEdges, label: np.ndarray) -> SurfacePlan:
