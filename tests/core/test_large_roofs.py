@@ -16,7 +16,7 @@ from urbanmap_qgis.buildings.model_status import NOT_MODELLED, SIMPLIFIED
 from urbanmap_qgis.buildings.planes import plan_faces as faces_module
 from urbanmap_qgis.buildings.planes.plan_faces import plan_faces
 from urbanmap_qgis.buildings.roof_polygons import plane_roofs
-from urbanmap_qgis.buildings.roof_polygons.building_polygons import roof_polygons_of
+from urbanmap_qgis.buildings.roof_polygons.building_polygons import roof_polygons_or_block
 from urbanmap_qgis.buildings.roof_polygons.polygon_rows import RoofedBuilding
 from urbanmap_qgis.errors import Cancelled, InsufficientDataError
 from urbanmap_qgis.execution import checkpoint, in_order
@@ -82,14 +82,14 @@ def divided(monkeypatch, error):
         raise error
 
     monkeypatch.setattr(plane_roofs, "partition_planes", fails)
-    table = roof_polygons_of(RoofedBuilding(1, outline, points, roof), PolygonParameters(roofs=PLANES))
+    table = roof_polygons_or_block(RoofedBuilding(1, outline, points, roof), PolygonParameters(roofs=PLANES))
     return outline, points, roof, table
 
 
 @pytest.mark.parametrize(("error", "reason"), [
     (MemoryError(), "memory"), (ValueError("no such node"), "a fault of the program"),
     (InsufficientDataError("too many faces"), "too many faces")])
-def test_a_roof_that_fails_becomes_levels_and_says_so(monkeypatch, error, reason):
+def test_a_roof_that_fails_becomes_a_block_and_says_so(monkeypatch, error, reason):
     outline, points, roof, table = divided(monkeypatch, error)
     assert all(SIMPLIFIED in str(words) for words in table.status)
     assert sum(polygon.area for polygon in table.polygon) == pytest.approx(outline.area)

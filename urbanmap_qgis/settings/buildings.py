@@ -87,7 +87,6 @@ class PlaneParameters(Settings):
 
     Attributes
     ----------
-    merge_tolerance : residual that joining two planes may add for each point of the smaller one, m.
     """
 
     tolerance: float = setting(
@@ -95,7 +94,6 @@ class PlaneParameters(Settings):
         "noise of the heights.", "m", 0.02, 2.0, alias="PLANE_TOLERANCE", advanced=True)
     least_area: float = setting(1.5, "Minimum area of a plane", "Area in square metres of the smallest roof plane.",
                                 "m2", 0.2, 1000.0, alias="MIN_PLANE_AREA", advanced=True)
-    merge_tolerance: float = 0.1
 
 
 @record(frozen=True)

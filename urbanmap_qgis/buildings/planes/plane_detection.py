@@ -7,7 +7,6 @@ import math
 import numpy as np
 
 from ...settings.buildings import PlaneParameters
-from .plane_merging import merge_planes
 from .plane_moments import moments, solve
 from .region_growing import grow_planes, surroundings
 
@@ -30,18 +29,7 @@ def detect_planes(points: np.ndarray, density: float, parameters: PlaneParameter
     around = surroundings(points, density)
     fewest = max(FEWEST, round(parameters.least_area * density))
     tolerance = parameters.tolerance * min(max(math.sqrt(DENSE / density), 1.0), THIN_FACTOR)
-    label = grow_planes(points, around, tolerance, fewest)
-    label = merge_planes(points, around.neighbours, label, parameters.merge_tolerance)
-    return _without_small(label, fewest)
-
-
-def _without_small(label: np.ndarray, fewest: int) -> np.ndarray:
-    """Labels without those of too few points, numbered anew."""
-    count = np.bincount(label[label >= 0], minlength=1)
-    large = count >= fewest
-    number = np.cumsum(large) - 1
-    keep = (label >= 0) & large[label]
-    return np.where(keep, number[label], -1)
+    return grow_planes(points, around, tolerance, fewest)
 
 
 def fitted_planes(points: np.ndarray, label: np.ndarray) -> np.ndarray:
